@@ -1,0 +1,88 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The linearised trajectories of one operation: what every later step reads."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+import numpy as np
+
+
+@dataclass(frozen=True)
+class Problem:
+    """Something in the commands that could not be used, in words for the user.
+
+    Attributes
+    ----------
+    command : int
+        Index of the first source command concerned.
+    message : str
+        One sentence without a full stop, e.g. ``"unknown G-code G999 ignored"``.
+    count : int
+        How many commands are concerned.
+    """
+
+    command: int
+    message: str
+    count: int = 1
+
+    def __str__(self) -> str:
+        if self.count == 1:
+            return f"{self.message} (command {self.command})"
+        return f"{self.message} ({self.count} times, first at command {self.command})"
+
+
+@dataclass(frozen=True, eq=False)
+class Toolpath:
+    """Trajectories of one operation: straight moves from ``points[i]`` to ``points[i + 1]``.
+
+    The chain is unbroken and holds no zero-length move. The paper's "trajectory" v_i (section 3.1) is
+    ``points[i + 1] - points[i]``.
+
+    Attributes
+    ----------
+    points : (n+1, 3) float64
+        Positions of the tool tip, mm; (0, 3) where there is no position at all.
+    rapid : (n,) bool
+        True for positioning moves (G0 and the rapid parts of canned cycles).
+    command : (n,) int64
+        Index of the source command of each trajectory.
+    feed : (n,) float64
+        Feed rate in mm/s; 0 for rapids and where none was given.
+    sweep : (n,) float64
+        For a chord of an arc its share of the arc's exact sweep, rad, counter-clockwise positive
+        seen along the plane's normal; 0 for lines.
+    plane : (n,) uint8
+        Working plane of each trajectory: 17 (XY), 18 (ZX) or 19 (YZ).
+    cycle : (n,) bool
+        True for the moves of a canned drilling cycle.
+    commands : int
+        Number of source commands, comments included.
+    tool_changes : (m,) int64
+        Trajectory index before which each tool change (M6) stands, 0..n.
+    comments : tuple of (int, str)
+        Program comments as (trajectory index before which it stands, text without parentheses).
+    problems : tuple of Problem
+        What could not be used; empty for a sound program.
+    """
+
+    points: np.ndarray
+    rapid: np.ndarray
+    command: np.ndarray
+    feed: np.ndarray
+    sweep: np.ndarray
+    plane: np.ndarray
+    cycle: np.ndarray
+    commands: int = 0
+    tool_changes: np.ndarray = field(default_factory=lambda: np.empty(0, np.int64))
+    comments: tuple[tuple[int, str], ...] = ()
+    problems: tuple[Problem, ...] = ()
+
+    def __len__(self) -> int:
+        """Return the number of trajectories."""
+        return len(self.rapid)
+
+    @property
+    def lengths(self) -> np.ndarray:
+        """Chord length of every trajectory, (n,) mm."""
+        return np.sqrt((np.diff(self.points, axis=0) ** 2).sum(axis=1))
