@@ -1,0 +1,115 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""G2/G3 arcs: centre, exact sweep and chords, many arcs at a time."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+# In-plane axes (first, second) and the axis along the plane's normal, right-handed, by G17/G18/G19.
+PLANE_AXES = {17: (0, 1, 2), 18: (2, 0, 1), 19: (1, 2, 0)}
+
+KILOMETRE = 1e6  # mm; an arc of such a radius is a line
+LARGEST_CIRCLE = 1e4  # mm; above it, more than half a turn is a centre rounded to the wrong side
+LARGEST_STEP = np.pi / 4  # a chord never spans more, so that tiny circles keep their directions
+SAME_POINT = 1e-6  # mm; FreeCAD saves 6 decimals
+
+
+@dataclass(frozen=True)
+class Arcs:
+    """Geometry of m arcs in their plane.
+
+    Attributes
+    ----------
+    centre : (m, 2) float64
+        In-plane centre, mm.
+    sweep : (m,) float64
+        Exact sweep, rad, counter-clockwise positive; 0 where the arc is to be read as a line.
+    radius : (m, 2) float64
+        Radius at the start and at the end, mm.
+    degenerate : (m,) bool
+        True where the centre is missing or impossible, so that the arc is read as a line.
+    """
+
+    centre: np.ndarray
+    sweep: np.ndarray
+    radius: np.ndarray
+    degenerate: np.ndarray
+
+
+def resolve(start, end, clockwise, offset, radius_word, absolute_centre) -> Arcs:
+    """Find centre and sweep of arcs given by centre words or by a radius word.
+
+    Parameters
+    ----------
+    start, end : (m, 2) float64
+        In-plane end points, mm.
+    clockwise : (m,) bool
+        G2.
+    offset : (m, 2) float64
+        Centre words (I, J in G17), NaN where absent.
+    radius_word : (m,) float64
+        R, NaN where absent; negative for more than half a turn.
+    absolute_centre : (m,) bool
+        G90.1: the centre words are coordinates, not offsets from the start.
+    """
+    chord = end - start
+    distance = np.hypot(chord[:, 0], chord[:, 1])
+    by_centre = ~np.isnan(offset).all(axis=1)
+    words = np.where(np.isnan(offset), np.where(absolute_centre[:, None], start, 0.0), offset)
+    centre = np.where(absolute_centre[:, None], words, start + words)
+
+    by_radius = ~by_centre & ~np.isnan(radius_word) & (distance > SAME_POINT)
+    size = np.abs(radius_word)
+    # A radius shorter than half the chord is allowed what rounding explains: then it is a half circle.
+    by_radius &= size > 0.5 * distance - np.maximum(1e-3, 1e-4 * distance)
+    height = np.sqrt(np.maximum(size**2 - 0.25 * distance**2, 0.0))
+    left = np.where(clockwise == (radius_word < 0), 1.0, -1.0) * height / np.where(distance > 0, distance, 1.0)
+    from_radius = 0.5 * (start + end) + left[:, None] * np.column_stack([-chord[:, 1], chord[:, 0]])
+    centre = np.where(by_radius[:, None], from_radius, centre)
+
+    arm, arm_end = start - centre, end - centre
+    radius = np.column_stack([np.hypot(arm[:, 0], arm[:, 1]), np.hypot(arm_end[:, 0], arm_end[:, 1])])
+    angle = np.arctan2(arm_end[:, 1], arm_end[:, 0]) - np.arctan2(arm[:, 1], arm[:, 0])
+    turn = 2 * np.pi
+    sweep = np.where(clockwise, -((-angle) % turn), angle % turn)
+    sweep = np.where(distance <= SAME_POINT, np.where(clockwise, -turn, turn), sweep)
+
+    degenerate = ~(by_centre | by_radius) | ~(radius[:, 0] > SAME_POINT)
+    flat = (radius[:, 0] >= KILOMETRE) | ((radius[:, 0] > LARGEST_CIRCLE) & (np.abs(sweep) > np.pi))
+    return Arcs(centre, np.where(degenerate | flat, 0.0, sweep), radius, degenerate)
+
+
+def chord_counts(arcs: Arcs, tolerance: float) -> np.ndarray:
+    """Return how many chords each arc needs, (m,) int, at least 1.
+
+    The chord error (sagitta) r (1 - cos(step / 2)) stays at or below `tolerance`, mm.
+    """
+    largest = arcs.radius.max(axis=1, initial=0.0)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        step = 2 * np.arccos(np.clip(1 - tolerance / largest, -1.0, 1.0))
+    step = np.minimum(np.where(np.isfinite(step), step, LARGEST_STEP), LARGEST_STEP)
+    return np.maximum(np.ceil(np.abs(arcs.sweep) / step - 1e-9), 1).astype(np.int64)
+
+
+def chords(arcs: Arcs, counts, start, end, start_height, end_height) -> np.ndarray:
+    """Return the end points of all chords in plane coordinates, (sum(counts), 3) mm.
+
+    The radius goes linearly from its value at the start to that at the end, so that the last chord ends
+    exactly where the program says.
+    """
+    arc = np.repeat(np.arange(len(counts)), counts)
+    part = np.arange(len(arc)) - np.repeat(np.cumsum(counts) - counts, counts) + 1
+    share = part / counts[arc]
+    arm = start - arcs.centre
+    angle = np.arctan2(arm[:, 1], arm[:, 0])[arc] + share * arcs.sweep[arc]
+    radius = arcs.radius[arc, 0] + share * (arcs.radius[arc, 1] - arcs.radius[arc, 0])
+    points = np.empty((len(arc), 3))
+    points[:, 0] = arcs.centre[arc, 0] + radius * np.cos(angle)
+    points[:, 1] = arcs.centre[arc, 1] + radius * np.sin(angle)
+    points[:, 2] = start_height[arc] + share * (end_height - start_height)[arc]
+    last = part == counts[arc]
+    points[last, :2] = end
+    points[last, 2] = end_height
+    return points

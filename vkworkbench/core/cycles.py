@@ -1,0 +1,110 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Canned drilling cycles as moves, many cycles at a time."""
+
+from __future__ import annotations
+
+import numpy as np
+
+CODES = np.array([730, 740, 810, 820, 830, 840, 850, 860, 880, 890])
+CHIP_BREAK, PECK = 730, 830
+FEED_OUT = np.array([740, 840, 850, 880, 890])  # tapping and boring leave the hole at feed rate
+CHIP_BREAK_RETRACT = 0.25  # mm, as LinuxCNC's G73
+MOST_PECKS = 10_000  # more is a Q word gone wrong, and would fill the memory
+
+
+def heights(z, relative, rows, retract, bottom, to_retract_plane):
+    """Resolve Z along a program with cycles: each one starts where the last motion left the tool.
+
+    Parameters
+    ----------
+    z : (n,) float64
+        Z words of the commands that are no cycles, NaN elsewhere.
+    relative : (n,) bool
+        G91.
+    rows : (m,) int
+        Which commands are cycles.
+    retract, bottom : (m,) float64
+        Their R and Z words, sticky ones filled in, NaN where there is none.
+    to_retract_plane : (m,) bool
+        G99: the cycle ends at R; else it ends where it began, or at R where that is higher (G98).
+
+    Returns
+    -------
+    z : (n,) float64
+        Absolute Z where a command sets it, NaN elsewhere.
+    heights : (m, 4) float64
+        For each cycle the heights before it, of its R plane, of its bottom, and after it.
+    """
+    absolute = z.copy()
+    resolved = np.empty((len(rows), 4))
+    height = None
+    cycle_at = dict(zip(rows.tolist(), range(len(rows))))
+    for row in np.flatnonzero(~np.isnan(z) | np.isin(np.arange(len(z)), rows)).tolist():
+        i = cycle_at.get(row)
+        if i is None:
+            height = float(z[row]) + (height if relative[row] and height is not None else 0.0)
+        else:
+            level, depth = float(retract[i]), float(bottom[i])
+            if height is None:  # Z was never given: the hole starts at its R plane
+                height = level if level == level else 0.0
+            level = height if level != level else level + (height if relative[row] else 0.0)
+            depth = level if depth != depth else depth + (level if relative[row] else 0.0)
+            after = level if to_retract_plane[i] else max(height, level)
+            resolved[i] = height, level, depth, after
+            height = after
+        absolute[row] = height
+    return absolute, resolved
+
+
+def moves(code, start, hole, retract, bottom, after, peck):
+    """Return the moves of m cycles.
+
+    Parameters
+    ----------
+    code : (m,) int
+        G-code in tenths.
+    start : (m, 3) float64
+        Position before the cycle, mm.
+    hole : (m, 2) float64
+        X and Y of the hole.
+    retract, bottom, after : (m,) float64
+        Heights of the R plane, of the hole's bottom, and where the cycle ends (G98/G99).
+    peck : (m,) float64
+        Q, depth of one peck; NaN where there is none.
+
+    Returns
+    -------
+    points : (k, 3) float64
+        End point of each move; some are zero-length.
+    rapid : (k,) bool
+    cycle : (k,) int
+        Which cycle each move belongs to.
+    """
+    depth = np.maximum(retract - bottom, 0.0)
+    pecking = ((code == PECK) | (code == CHIP_BREAK)) & (peck > 0)
+    pecks = np.where(pecking, np.ceil(depth / np.where(pecking, peck, 1.0) - 1e-9), 1.0)
+    pecks = np.where((pecks >= 1) & (pecks <= MOST_PECKS), pecks, 1.0).astype(np.int64)
+
+    # Approach (3 moves), then for each peck but the last feed, out, back; then feed to the bottom, leave.
+    counts = 3 + 3 * (pecks - 1) + 2
+    cycle = np.repeat(np.arange(len(code)), counts)
+    first = np.cumsum(counts) - counts
+    step = np.arange(len(cycle)) - first[cycle]
+    level = retract[cycle] - ((step - 3) // 3 + 1) * peck[cycle]
+    out = np.where(code[cycle] == PECK, retract[cycle], level + CHIP_BREAK_RETRACT)
+
+    points = np.empty((len(cycle), 3))
+    points[:, :2] = hole[cycle]
+    points[:, 2] = np.where((step - 3) % 3 == 1, out, level)
+    rapid = (step - 3) % 3 != 0
+    clear = np.maximum(start[:, 2], retract)
+    points[first] = np.column_stack([start[:, :2], clear])
+    points[first + 1, 2] = clear
+    points[first + 2, 2] = retract
+    rapid[first] = rapid[first + 1] = rapid[first + 2] = True
+    last = first + counts - 1
+    points[last - 1, 2] = bottom
+    rapid[last - 1] = False
+    points[last, 2] = after
+    rapid[last] = ~np.isin(code, FEED_OUT)
+    return points, rapid, cycle
