@@ -1,0 +1,313 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The solids of a simulation and how it is looked at: tool, stock and parallel view."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from itertools import combinations
+from math import isfinite, pi, tan
+
+import numpy as np
+
+SHAPES = ("endmill", "ballend", "bullnose", "vbit", "drill")
+_DEFAULT_TIP_ANGLE = {"vbit": pi / 3, "drill": 118 * pi / 180}
+
+
+@dataclass(frozen=True)
+class Tool:
+    """A milling tool or drill: a convex solid of revolution about the vertical, its tip at the programmed point.
+
+    The shank above the cutting edge cuts like the edge: the solid is unbounded upwards.
+
+    Parameters
+    ----------
+    shape : {"endmill", "ballend", "bullnose", "vbit", "drill"}
+        Form of the tip.
+    diameter : float
+        Cutting diameter, mm.
+    corner_radius : float
+        Radius of a bull-nose mill's corner, mm; 0 makes it flat, half the diameter makes it a ball.
+    tip_angle : float, optional
+        Included angle of a V-bit's or a drill's tip, rad; 60 and 118 degrees where not given.
+
+    Raises
+    ------
+    ValueError
+        With a sentence for the user: unknown shape, a diameter that is not a positive number, a
+        corner radius above half the diameter, a tip angle outside ]0, pi].
+    """
+
+    shape: str
+    diameter: float
+    corner_radius: float = 0.0
+    tip_angle: float | None = None
+
+    def __post_init__(self) -> None:
+        if self.shape not in SHAPES:
+            raise ValueError(f"unknown tool shape {self.shape!r}; known are {', '.join(SHAPES)}")
+        if not (isfinite(self.diameter) and self.diameter > 0):
+            raise ValueError(f"the tool's diameter must be a positive number, not {self.diameter:g} mm")
+        if self.shape == "bullnose" and not 0 <= self.corner_radius <= self.radius:
+            raise ValueError(f"the corner radius must lie between 0 and {self.radius:g} mm, "
+                             f"not be {self.corner_radius:g} mm")
+        if self.tip_angle is not None and not 0 < self.tip_angle <= pi:
+            raise ValueError(f"the tip angle must lie between 0 and pi, not be {self.tip_angle:g}")
+
+    @property
+    def radius(self) -> float:
+        """Cutting radius, mm."""
+        return self.diameter / 2
+
+    @property
+    def rounding(self) -> float:
+        """Radius of the rounded corner, mm: the whole radius for a ball end, 0 where there is none."""
+        return {"ballend": self.radius, "bullnose": self.corner_radius}.get(self.shape, 0.0)
+
+    @property
+    def steepness(self) -> float:
+        """Rise of the conical tip per mm of radius; 0 where there is no cone."""
+        if self.shape not in _DEFAULT_TIP_ANGLE:
+            return 0.0
+        angle = self.tip_angle if self.tip_angle is not None else _DEFAULT_TIP_ANGLE[self.shape]
+        return 1 / tan(angle / 2)
+
+    def height(self, r: np.ndarray | float) -> np.ndarray:
+        """Height of the tool's lower surface above its tip.
+
+        Parameters
+        ----------
+        r : array_like
+            Distance from the tool's axis, mm.
+
+        Returns
+        -------
+        ndarray
+            Heights of the shape of `r`, mm; infinite outside the tool.
+        """
+        r = np.asarray(r, float)
+        corner = self.rounding
+        beyond_flat = np.clip(r - (self.radius - corner), 0, corner)
+        rise = corner - np.sqrt(corner**2 - beyond_flat**2) + self.steepness * r
+        return np.where(r <= self.radius, rise, np.inf)
+
+
+class _Convex:
+    """A convex solid as the common part of half-spaces; what the rays need of any stock."""
+
+    normals: np.ndarray
+    offsets: np.ndarray
+    lower: np.ndarray
+    upper: np.ndarray
+
+    def chords(self, origins: np.ndarray, direction: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Where rays enter and leave the solid.
+
+        Parameters
+        ----------
+        origins : (k, 3) ndarray
+            One point of each ray, mm.
+        direction : (3,) ndarray
+            Common unit direction.
+
+        Returns
+        -------
+        near, far : (k,) ndarray
+            Signed distances from the origins, mm; ``near >= far`` where a ray misses the solid.
+        """
+        near = np.full(len(origins), -np.inf)
+        far = np.full(len(origins), np.inf)
+        for normal, offset in zip(self.normals, self.offsets):
+            room = offset - origins @ normal
+            slope = float(direction @ normal)
+            if abs(slope) < 1e-12:
+                far[room < 0] = -np.inf
+            elif slope > 0:
+                np.minimum(far, room / slope, out=far)
+            else:
+                np.maximum(near, room / slope, out=near)
+        return near, far
+
+
+class Stock(_Convex):
+    """A box of raw material.
+
+    Parameters
+    ----------
+    lower, upper : (3,) array_like
+        Two opposite corners, mm.
+
+    Raises
+    ------
+    ValueError
+        If a coordinate is not finite or the box has no volume.
+    """
+
+    def __init__(self, lower: np.ndarray, upper: np.ndarray) -> None:
+        self.lower = np.array(lower, float).reshape(3)
+        self.upper = np.array(upper, float).reshape(3)
+        if not (np.isfinite(self.lower).all() and np.isfinite(self.upper).all()):
+            raise ValueError("the stock's corners must be finite numbers")
+        if not (self.upper > self.lower).all():
+            raise ValueError("the stock has no volume: its upper corner must exceed its lower corner in x, y and z")
+        self.normals = np.vstack((np.eye(3), -np.eye(3)))
+        self.offsets = np.concatenate((self.upper, -self.lower))
+
+    def __repr__(self) -> str:
+        return f"Stock({self.lower.tolist()}, {self.upper.tolist()})"
+
+
+class ConvexStock(_Convex):
+    """Raw material bounded by planes.
+
+    Parameters
+    ----------
+    normals : (m, 3) array_like
+        Outward normals, of any length but zero.
+    offsets : (m,) array_like
+        The solid is ``normals @ point <= offsets``.
+
+    Attributes
+    ----------
+    lower, upper : (3,) ndarray
+        Corners of the bounding box, mm.
+
+    Raises
+    ------
+    ValueError
+        If the half-spaces have no common volume or leave it unbounded.
+    """
+
+    def __init__(self, normals: np.ndarray, offsets: np.ndarray) -> None:
+        normals = np.array(normals, float).reshape(-1, 3)
+        lengths = np.sqrt((normals**2).sum(axis=1))
+        if not (lengths > 0).all():
+            raise ValueError("a plane of the stock has no normal")
+        self.normals = normals / lengths[:, None]
+        self.offsets = np.array(offsets, float).reshape(len(normals)) / lengths
+        corners = self._corners()
+        if len(corners) < 4 or np.linalg.matrix_rank(corners - corners[0], tol=1e-9) < 3:
+            raise ValueError("the planes of the stock enclose no volume")
+        self.lower, self.upper = corners.min(axis=0), corners.max(axis=0)
+        # A bounded solid is seen as a finite chord from everywhere.
+        centre = corners.mean(axis=0)[None]
+        if not all(np.isfinite(self.chords(centre, axis)).all() for axis in np.eye(3)):
+            raise ValueError("the planes leave the stock unbounded")
+
+    @classmethod
+    def cylinder(cls, base: np.ndarray, radius: float, height: float, sides: int = 64) -> ConvexStock:
+        """Return a vertical cylinder as a regular prism of the same cross-section.
+
+        Parameters
+        ----------
+        base : (3,) array_like
+            Centre of the lower face, mm.
+        radius, height : float
+            Size of the cylinder, mm; both positive.
+        sides : int
+            Number of the prism's side faces.
+        """
+        if not (radius > 0 and height > 0):
+            raise ValueError("a cylinder of stock needs a positive radius and height")
+        base = np.array(base, float).reshape(3)
+        angles = 2 * pi * np.arange(sides) / sides
+        walls = np.column_stack((np.cos(angles), np.sin(angles), np.zeros(sides)))
+        # The regular polygon of equal area: sides * tan(pi/sides) * apothem**2 = pi * radius**2.
+        apothem = radius * np.sqrt(pi / (sides * tan(pi / sides)))
+        normals = np.vstack((walls, [[0, 0, 1], [0, 0, -1]]))
+        offsets = np.concatenate((walls @ base + apothem, [base[2] + height, -base[2]]))
+        return cls(normals, offsets)
+
+    def _corners(self) -> np.ndarray:
+        triples = np.array(list(combinations(range(len(self.normals)), 3)), int).reshape(-1, 3)
+        matrices = self.normals[triples]
+        proper = np.abs(np.linalg.det(matrices)) > 1e-9
+        corners = np.linalg.solve(matrices[proper], self.offsets[triples[proper]][..., None])[..., 0]
+        slack = 1e-9 * (1 + np.abs(self.offsets).max(initial=0))
+        inside = (corners @ self.normals.T <= self.offsets + slack).all(axis=1)
+        return corners[inside]
+
+
+@dataclass(frozen=True)
+class View:
+    """A parallel projection on an image of rays.
+
+    Parameters
+    ----------
+    direction : (3,) tuple of float
+        Where the eye looks, of any length but zero; the default looks down from above.
+    width, height : int
+        Size of the image, pixels. The default is the paper's image (section 1).
+    pixel : float, optional
+        Side of a pixel, mm; by default the largest side at which the image still resolves the whole
+        stock and holds all of it.
+
+    Raises
+    ------
+    ValueError
+        If the direction has no length, the image no pixels or a pixel no side.
+    """
+
+    direction: tuple[float, float, float] = (0.0, 0.0, -1.0)
+    width: int = 800
+    height: int = 600
+    pixel: float | None = None
+
+    def __post_init__(self) -> None:
+        direction = np.array(self.direction, float)
+        if direction.shape != (3,) or not np.isfinite(direction).all() or not direction.any():
+            raise ValueError("the view's direction must be three finite numbers, not all zero")
+        object.__setattr__(self, "direction", tuple(float(x) for x in direction))
+        if self.width < 1 or self.height < 1:
+            raise ValueError("the image needs at least one pixel each way")
+        if self.pixel is not None and not (isfinite(self.pixel) and self.pixel > 0):
+            raise ValueError(f"the side of a pixel must be a positive number, not {self.pixel:g} mm")
+
+    def frame(self, stock: _Convex) -> Frame:
+        """Return the image's axes, centre and pixel for this stock."""
+        direction = np.array(self.direction) / np.linalg.norm(self.direction)
+        sine = np.hypot(direction[0], direction[1])
+        if sine < 1e-9:
+            direction = np.array([0.0, 0.0, np.sign(direction[2])])
+            right = np.array([1.0, 0.0, 0.0])
+        else:
+            right = np.array([direction[1], -direction[0], 0.0]) / sine
+        up = np.cross(right, direction)
+        half = (stock.upper - stock.lower) / 2
+        pixel = self.pixel
+        if pixel is None:
+            extent = 2 * np.array([np.abs(right) @ half, np.abs(up) @ half])
+            pixel = float(max(extent[0] / self.width, extent[1] / self.height))
+        return Frame((stock.lower + stock.upper) / 2, right, up, direction, pixel, self.width, self.height)
+
+
+@dataclass(frozen=True, eq=False)
+class Frame:
+    """A view made definite by a stock: image coordinates (x, y) in mm about the image's centre, depth along direction.
+
+    Attributes
+    ----------
+    centre, right, up, direction : (3,) ndarray
+        Centre of the stock's bounding box and the image's orthonormal axes.
+    pixel : float
+        Side of a pixel, mm.
+    width, height : int
+        Pixels.
+    """
+
+    centre: np.ndarray
+    right: np.ndarray
+    up: np.ndarray
+    direction: np.ndarray
+    pixel: float
+    width: int
+    height: int
+
+    def origins(self, x: np.ndarray, y: np.ndarray) -> np.ndarray:
+        """Return the points (k, 3) of the image plane at image coordinates `x`, `y` (k,)."""
+        return self.centre + np.multiply.outer(x, self.right) + np.multiply.outer(y, self.up)
+
+    def pixel_centres(self, columns: np.ndarray, rows: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Return the image coordinates of pixel centres; column 0 is left, row 0 is the bottom."""
+        x = (np.asarray(columns) + 0.5 - self.width / 2) * self.pixel
+        y = (np.asarray(rows) + 0.5 - self.height / 2) * self.pixel
+        return x, y
