@@ -1,0 +1,202 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Build the example job, a plate with one operation of every common kind, and save it.
+
+    freecadcmd examples/make_example.py            # writes build/example.FCStd
+
+The environment variable VKWORKBENCH_EXAMPLE names another file. Runs in FreeCAD 0.20, 1.0 and 1.1, without a window
+or in one; only in a window do the operations get the icons and editors of FreeCAD's own commands.
+"""
+
+from __future__ import annotations
+
+import importlib
+import os
+import sys
+
+import FreeCAD
+import Part
+from FreeCAD import Vector
+
+LENGTH, WIDTH, HEIGHT = 160.0, 100.0, 20.0  # mm; the plate's lower corner is the origin
+ALLOWANCE = Vector(2, 2, 0), Vector(2, 2, 1.5)  # mm of raw stock on the plate's lower and upper sides
+
+# FreeCAD 0.20's modules are called PathX and PathXGui where 1.x has ...X and ...Gui.X, but for these.
+OLD_NAMES = {
+    "Op.Gui.Base": "PathOpGui",
+    "Tool.Bit": "PathToolBit",
+    "Tool.Controller": "PathToolController",
+    "Dressup.Tags": "PathDressupHoldingTags",
+    "Dressup.Gui.Tags": "PathDressupTagGui",
+}
+
+
+def cam(name):
+    """FreeCAD's CAM module called Path.`name` in 1.x."""
+    if FreeCAD.Version()[0] != "0":
+        return importlib.import_module("Path." + name)
+    package, _, last = name.rpartition(".")
+    old = OLD_NAMES.get(name) or "Path" + last + ("Gui" if package.endswith("Gui") else "")
+    return importlib.import_module("PathScripts." + old)
+
+
+def box(x, y, z, length, width, height):
+    return Part.makeBox(length, width, height, Vector(x, y, z))
+
+
+def cylinder(x, y, z, radius, height):
+    return Part.makeCylinder(radius, height, Vector(x, y, z))
+
+
+def plate():
+    """The part to be milled, a solid in mm."""
+    solid = box(0, 0, 0, LENGTH, WIDTH, HEIGHT)
+    holes = [(8, 8), (152, 8), (8, 92), (152, 92)]  # in the corners, then a bolt circle
+    holes += [tuple(Vector(134, 70, 0) + 13 * direction)[:2] for direction in bolt_circle(6)]
+    cuts = [
+        box(18, 14, 12, 44, 34, 8),
+        box(70, 14, 14, 42, 34, 6).cut(cylinder(91, 31, 14, 5, 6)),  # a round island stays
+        box(18, 56, 10, 46, 14, 10).fuse(box(18, 56, 10, 18, 32, 10)),  # an L
+        cylinder(134, 31, 0, 12, HEIGHT),
+        Part.makeSphere(30, Vector(94, 72, HEIGHT + 24)),
+    ]
+    return solid.cut(cuts + [cylinder(x, y, 0, 2.5, HEIGHT) for x, y in holes]).removeSplitter()
+
+
+def bolt_circle(count):
+    turn = FreeCAD.Rotation(Vector(0, 0, 1), 360 / count)
+    direction = Vector(1, 0, 0)
+    for _ in range(count):
+        yield direction
+        direction = turn.multVec(direction)
+
+
+def faces(shape, surface, lower, upper):
+    """Names of the faces of the `surface` type that lie inside the box from `lower` to `upper`, mm."""
+    inside = FreeCAD.BoundBox(*lower, *upper)
+    inside.enlarge(1e-3)
+    return [
+        f"Face{number}"
+        for number, face in enumerate(shape.Faces, 1)
+        if face.Surface.TypeId == "Part::Geom" + surface and inside.isInside(face.BoundBox)
+    ]
+
+
+def tool_controller(job, label, shape, diameter, feed):
+    """Add a tool of `diameter` mm to `job`; `shape` is the file of FreeCAD's tool library that draws it."""
+    try:
+        from Path.Tool.toolbit import ToolBit  # 1.1
+
+        tool = ToolBit.from_shape_id(shape).attach_to_doc(doc=job.Document)
+    except ImportError:
+        tool = cam("Tool.Bit").Factory.Create(label, shape)
+    tool.Label = label
+    tool.Diameter = diameter
+    if tool.ViewObject:
+        tool.ViewObject.Visibility = False
+    number = len(job.Tools.Group) + 1
+    controller = cam("Tool.Controller").Create("TC: " + label, tool, number)
+    controller.HorizFeed = controller.VertFeed = f"{feed} mm/min"
+    controller.SpindleSpeed = 12000
+    job.Proxy.addToolController(controller)
+    return controller
+
+
+def operation(job, kind, label, controller, base=(), **properties):
+    """Add an operation of `kind` on the faces `base` of the model to `job`."""
+    # Asked to choose a tool, FreeCAD opens a dialog or, without a window, gives up.
+    tools, job.Tools.Group = job.Tools.Group, [controller]
+    op = cam("Op." + kind).Create(kind)
+    job.Tools.Group = tools
+    op.ToolController = controller
+    op.Label = label
+    if base:
+        op.Base = [(job.Model.Group[0], list(base))]
+    for name, value in properties.items():
+        if not hasattr(op, name):
+            raise AttributeError(f"{label} has no {name}")
+        op.setExpression(name, None)  # FreeCAD binds the depths and steps to the tool and the job
+        setattr(op, name, value)
+    if op.ViewObject:
+        resources = cam("Op.Gui." + kind).Command.res
+        op.ViewObject.Proxy = cam("Op.Gui.Base").ViewProvider(op.ViewObject, resources)
+    job.Document.recompute()
+    return op
+
+
+def holding_tags(job, profile):
+    """Dress up `profile` with holding tags and put the result in its place."""
+    dressup = cam("Dressup.Tags").Create(profile)
+    dressup.Label = "Cut out with tags"
+    dressup.Width, dressup.Height, dressup.Angle = 8, 3, 45
+    if dressup.ViewObject:
+        dressup.ViewObject.Proxy = cam("Dressup.Gui.Tags").PathDressupTagViewProvider(dressup.ViewObject)
+    # Only with a window does FreeCAD itself take the dressed-up operation out of the job's list.
+    job.Operations.Group = [op for op in job.Operations.Group if op != profile]
+    job.Document.recompute()
+    return dressup
+
+
+def make_example(path):
+    """Build the example job in a new document and save it to `path`; the document stays open and is returned.
+
+    The 3D surface is left out, with a printed line, where OpenCAMLib is not installed.
+    """
+    doc = FreeCAD.newDocument("Example")
+    model = doc.addObject("Part::Feature", "Plate")
+    model.Shape = shape = plate()
+
+    if FreeCAD.GuiUp:
+        job = cam("Main.Gui.Job").Create([model], openTaskPanel=False)
+    else:
+        job = cam("Main.Job").Create("Job", [model])
+    job.Stock.ExtXneg, job.Stock.ExtYneg, job.Stock.ExtZneg = ALLOWANCE[0]
+    job.Stock.ExtXpos, job.Stock.ExtYpos, job.Stock.ExtZpos = ALLOWANCE[1]
+    job.SetupSheet.HorizRapid = job.SetupSheet.VertRapid = "5000 mm/min"
+    doc.recompute()
+
+    default_tools = job.Tools.Group
+    cutter = tool_controller(job, "End mill 16 mm", "endmill.fcstd", 16, 1200)
+    small = tool_controller(job, "End mill 6 mm", "endmill.fcstd", 6, 800)
+    drill = tool_controller(job, "Drill 5 mm", "drill.fcstd", 5, 200)
+    ball = tool_controller(job, "Ball end mill 6 mm", "ballend.fcstd", 6, 1000)
+    for controller in default_tools:
+        job.Tools.removeObject(controller)
+        tool = controller.Tool
+        doc.removeObject(controller.Name)
+        doc.removeObject(tool.Name)
+
+    pattern = "ClearingPattern" if FreeCAD.Version()[:2] >= ["1", "1"] else "OffsetPattern"
+    top = faces(shape, "Plane", (0, 0, HEIGHT), (LENGTH, WIDTH, HEIGHT))
+    operation(job, "MillFace", "Face", cutter, top[:1], BoundaryShape="Stock", StepOver=60, StepDown=1.5,
+              **{pattern: "ZigZag"})
+    floor = faces(shape, "Plane", (18, 14, 12), (62, 48, 12))
+    operation(job, "PocketShape", "Pocket zigzag", small, floor, StepOver=50, StepDown=4, **{pattern: "ZigZag"})
+    floor = faces(shape, "Plane", (70, 14, 14), (112, 48, 14))
+    operation(job, "PocketShape", "Pocket around island", small, floor, StepOver=40, StepDown=3,
+              **{pattern: "Offset"})
+    floor = faces(shape, "Plane", (18, 56, 10), (64, 88, 10))
+    operation(job, "Adaptive", "Adaptive pocket", small, floor, StepDown=5, StepOver=25)
+    bore = faces(shape, "Cylinder", (122, 19, 0), (146, 43, HEIGHT))
+    operation(job, "Helix", "Bore", small, bore, StepDown=2)
+    holes = [name for name in faces(shape, "Cylinder", (0, 0, 0), (LENGTH, WIDTH, HEIGHT))
+             if shape.getElement(name).Surface.Radius < 3]
+    operation(job, "Drilling", "Drill holes", drill, holes, PeckEnabled=True, PeckDepth=5)
+    try:
+        dish = faces(shape, "Sphere", (0, 0, 0), (LENGTH, WIDTH, HEIGHT))
+        operation(job, "Surface", "Dish", ball, dish, CutPattern="ZigZag", StepOver=15)
+    except ImportError as error:
+        print(f"The 3D surface is left out: {error}")
+    profile = operation(job, "Profile", "Cut out", small, StepDown=5)
+    holding_tags(job, profile)
+
+    doc.recompute()
+    doc.saveAs(str(path))
+    return doc
+
+
+# FreeCAD imports the script that it is told to run: only the command line tells it from a mere import.
+if __name__ == "__main__" or any(os.path.basename(word) == "make_example.py" for word in sys.argv):
+    path = os.environ.get("VKWORKBENCH_EXAMPLE", "build/example.FCStd")
+    os.makedirs(os.path.dirname(os.path.abspath(path)), exist_ok=True)
+    make_example(path)
+    print("Saved", path)
