@@ -1,0 +1,222 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Commands to trajectories: modal words, arcs in every plane and form, canned cycles, bad input."""
+
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+
+from vkworkbench.core import linearize
+
+
+def path(*commands, **options):
+    return linearize([(name, dict(words)) for name, words in commands], **options)
+
+
+def ends(toolpath):
+    return toolpath.points[1:].tolist()
+
+
+START = ("G0", {"X": 0, "Y": 0, "Z": 0})
+
+
+def test_sparse_words_keep_the_other_axes():
+    toolpath = path(START, ("G1", {"X": 10, "F": 5}), ("G1", {"Y": 5}), ("G0", {"Z": 3}))
+    assert ends(toolpath) == [[10, 0, 0], [10, 5, 0], [10, 5, 3]]
+    assert toolpath.rapid.tolist() == [False, False, True]
+    assert toolpath.feed.tolist() == [5, 5, 0]
+    assert toolpath.command.tolist() == [1, 2, 3]
+
+
+def test_no_phantom_move_from_the_origin():
+    toolpath = path(("G0", {"Z": 27}), ("G0", {}), ("G0", {"X": 62, "Y": 42}), ("G1", {"Z": 8}))
+    assert toolpath.points.tolist() == [[62, 42, 27], [62, 42, 8]]
+
+
+def test_leading_zeros_lower_case_objects_and_modal_lines():
+    commands = [SimpleNamespace(Name=n, Parameters=p) for n, p in
+                [("g00", {"X": 0.0, "Y": 0.0, "Z": 0.0}), ("G01", {"X": 1.0}), ("", {"X": 2.0}), ("G1", {"Y": 1.0})]]
+    assert ends(linearize(commands)) == [[1, 0, 0], [2, 0, 0], [2, 1, 0]]
+    assert linearize(iter(commands)).points.shape == (4, 3)
+
+
+def test_zero_length_repeated_and_negative_zero_moves_vanish():
+    toolpath = path(START, ("G1", {"X": -0.0}), ("G1", {"X": 5}), ("G1", {"X": 5}), ("G1", {}), ("G1", {"Y": -0.0}))
+    assert ends(toolpath) == [[5, 0, 0]]
+    assert not np.signbit(toolpath.points).any()
+
+
+def test_relative_words():
+    toolpath = path(START, ("G91", {}), ("G1", {"X": 2}), ("G1", {"X": 2, "Y": 1}), ("G90", {}), ("G1", {"X": 1}))
+    assert ends(toolpath) == [[2, 0, 0], [4, 1, 0], [1, 1, 0]]
+
+
+@pytest.mark.parametrize("tolerance", [1.0, 0.1, 0.01, 0.001])
+def test_chord_error_is_at_most_the_tolerance_and_not_much_less(tolerance):
+    toolpath = path(START, ("G3", {"X": 0, "Y": 0, "I": 50, "J": 0}), tolerance=tolerance)
+    middles = 0.5 * (toolpath.points[1:] + toolpath.points[:-1])
+    sagitta = 50 - np.hypot(middles[:, 0] - 50, middles[:, 1])
+    assert sagitta.max() <= tolerance
+    assert sagitta.max() > 0.9 * tolerance
+    assert toolpath.sweep.sum() == pytest.approx(2 * np.pi, abs=1e-12)
+
+
+@pytest.mark.parametrize("name, i, j, sweep", [("G2", 5, 0, -np.pi), ("G3", 5, 0, np.pi), ("G3", 10, 0, 2 * np.pi)])
+def test_arc_keeps_its_exact_sweep_and_end(name, i, j, sweep):
+    end = {"X": 10.0, "Y": 0.0} if abs(sweep) < 4 else {"X": 0.0, "Y": 0.0}
+    toolpath = path(START, (name, {**end, "I": i, "J": j}))
+    assert toolpath.sweep.sum() == pytest.approx(sweep, abs=1e-12)
+    assert toolpath.points[-1, :2].tolist() == [end["X"], end["Y"]]
+    assert np.sign(toolpath.points[len(toolpath) // 4, 1]) == (1 if name == "G2" else -1)
+
+
+@pytest.mark.parametrize("radius, sweep", [(10.0, np.pi / 2), (-10.0, 1.5 * np.pi)])
+@pytest.mark.parametrize("name, sign", [("G2", -1), ("G3", 1)])
+def test_radius_word(radius, sweep, name, sign):
+    toolpath = path(START, (name, {"X": 10, "Y": 10, "R": radius}))
+    assert toolpath.sweep.sum() == pytest.approx(sign * sweep)
+    centre = np.array([0, 10]) if (name == "G3") == (radius > 0) else np.array([10, 0])
+    assert np.allclose(np.hypot(*(toolpath.points[:, :2] - centre).T), 10)
+
+
+def test_absolute_and_relative_centres():
+    relative = path(("G0", {"X": 20, "Y": 5, "Z": 0}), ("G2", {"X": 30, "Y": 5, "I": 5, "J": 0}))
+    absolute = path(("G90.1", {}), ("G0", {"X": 20, "Y": 5, "Z": 0}), ("G2", {"X": 30, "Y": 5, "I": 25, "J": 5}))
+    back = path(("G90.1", {}), ("G91.1", {}), ("G0", {"X": 20, "Y": 5, "Z": 0}), ("G2", {"X": 30, "Y": 5, "I": 5}))
+    assert np.allclose(relative.points, absolute.points) and np.allclose(relative.points, back.points)
+
+
+@pytest.mark.parametrize("plane, centre, end, axes", [
+    ("G17", {"I": 5}, {"X": 5, "Y": 5}, (0, 1)),
+    ("G18", {"K": 5}, {"Z": 5, "X": 5}, (2, 0)),
+    ("G19", {"J": 5}, {"Y": 5, "Z": 5}, (1, 2)),
+])  # fmt: skip
+def test_planes_turn_clockwise_seen_along_their_normal(plane, centre, end, axes):
+    toolpath = path((plane, {}), START, ("G2", {**end, **centre}))
+    first, second = axes
+    assert toolpath.sweep.sum() == pytest.approx(-np.pi / 2)
+    assert set(toolpath.plane.tolist()) == {int(plane[1:])}
+    middle = toolpath.points[len(toolpath) // 2]
+    assert middle[first] < middle[second]  # a clockwise quarter about (5, 0) starts along the second axis
+    assert toolpath.points[:, 3 - first - second].tolist() == [0] * (len(toolpath) + 1)
+
+
+def test_helix_descends_evenly():
+    toolpath = path(("G0", {"X": 10, "Y": 0, "Z": 0}), ("G3", {"X": 10, "Y": 0, "Z": -2, "I": -10, "J": 0}))
+    assert np.allclose(np.diff(toolpath.points[:, 2]), -2 / len(toolpath))
+    assert np.allclose(np.hypot(toolpath.points[:, 0], toolpath.points[:, 1]), 10)
+
+
+def test_an_arc_of_kilometres_is_a_line():
+    huge = 5e8  # rounding has put the centre on the wrong side, so that the arc would be the rest of the circle
+    toolpath = path(START, ("G2", {"X": 100, "Y": 0, "I": 50, "J": 9e5}), ("G3", {"X": 200, "Y": 0, "I": 50, "J": -9e5}),
+                    ("G3", {"X": 250, "Y": 1, "R": huge}))
+    assert ends(toolpath)[:2] == [[100, 0, 0], [200, 0, 0]]
+    assert len(toolpath) == 3 and not toolpath.sweep.any()
+
+
+def test_tiny_circles_keep_eight_directions():
+    toolpath = path(START, ("G2", {"X": 0, "Y": 0, "I": 1e-3}))
+    assert len(toolpath) == 8
+
+
+def test_full_circle_with_equal_end_points():
+    toolpath = path(("G0", {"X": 1, "Y": 2, "Z": 3}), ("G2", {"I": 4, "J": 0}))
+    assert toolpath.sweep.sum() == pytest.approx(-2 * np.pi)
+    assert toolpath.points[-1].tolist() == [1, 2, 3]
+
+
+def test_drilling_cycle_with_both_returns():
+    toolpath = path(("G0", {"X": 0, "Y": 0, "Z": 10}), ("G98", {}), ("G81", {"X": 5, "Y": 5, "Z": -3, "R": 2, "F": 4}),
+                    ("G99", {}), ("G81", {"X": 6, "Y": 5}), ("G80", {}), ("G0", {"X": 0}))
+    assert ends(toolpath) == [[5, 5, 10], [5, 5, 2], [5, 5, -3], [5, 5, 10],
+                              [6, 5, 10], [6, 5, 2], [6, 5, -3], [6, 5, 2], [0, 5, 2]]
+    assert toolpath.rapid.tolist() == [True, True, False, True, True, True, False, True, True]
+    assert toolpath.cycle.tolist() == [True] * 8 + [False]
+    assert toolpath.feed[2] == 4
+
+
+def test_cycle_below_its_retract_plane_rises_first():
+    toolpath = path(START, ("G81", {"X": 5, "Y": 0, "Z": -3, "R": 2}), ("G1", {"X": 0}))
+    assert ends(toolpath) == [[0, 0, 2], [5, 0, 2], [5, 0, -3], [5, 0, 2], [0, 0, 2]]
+
+
+@pytest.mark.parametrize("name, deepest", [("G83", [-2, -4, -5]), ("G73", [-2, -4, -5])])
+def test_pecks(name, deepest):
+    toolpath = path(("G0", {"X": 0, "Y": 0, "Z": 0}), (name, {"X": 0, "Y": 0, "Z": -5, "R": 0, "Q": 2}))
+    feeds = toolpath.points[1:][~toolpath.rapid]
+    assert feeds[:, 2].tolist() == deepest
+    outs = toolpath.points[1:][toolpath.rapid][:, 2]
+    assert outs[0] == (0 if name == "G83" else -1.75)
+
+
+@pytest.mark.parametrize("name", ["G82", "G84", "G85", "G89"])
+def test_other_cycles_reach_their_depth_once(name):
+    toolpath = path(("G0", {"X": 0, "Y": 0, "Z": 5}), (name, {"X": 1, "Y": 0, "Z": -5, "R": 1, "P": 0.5}))
+    assert (toolpath.points[:, 2] == -5).sum() == 1
+    assert toolpath.rapid[-1] == (name == "G82")
+
+
+def test_modal_cycle_lines_and_relative_cycles():
+    modal = path(("G0", {"X": 0, "Y": 0, "Z": 5}), ("G81", {"X": 1, "Z": -1, "R": 1}), ("", {"X": 2}), ("", {"X": 3}))
+    assert (modal.points[:, 2] == -1).sum() == 3
+    relative = path(("G0", {"X": 0, "Y": 0, "Z": 5}), ("G91", {}), ("G81", {"X": 1, "Z": -3, "R": -4}), ("G81", {"X": 1}))
+    assert relative.points[relative.points[:, 2] == -2, 0].tolist() == [1, 2]
+
+
+def test_comments_and_tool_changes_are_placed():
+    toolpath = path(("(first)", {}), START, ("G1", {"X": 1}), ("(second)", {}), ("M6", {"T": 2}), ("G1", {"X": 2}))
+    assert toolpath.comments == ((0, "first"), (1, "second"))
+    assert toolpath.tool_changes.tolist() == [1]
+    assert toolpath.commands == 6 and not toolpath.problems
+
+
+def messages(toolpath):
+    return [str(problem) for problem in toolpath.problems]
+
+
+def test_words_that_are_no_numbers_are_named_and_skipped():
+    toolpath = path(START, ("G1", {"X": float("nan"), "Y": 3}), ("G1", {"X": float("inf")}), ("G1", {"X": "ten"}),
+                    ("G1", {"X": 1e308}), ("G1", {"X": None, "Y": 4}))
+    assert ends(toolpath) == [[0, 3, 0], [0, 4, 0]]
+    assert messages(toolpath) == ["X word that is no usable number ignored (5 times, first at command 1)"]
+
+
+def test_unknown_codes_are_named():
+    toolpath = path(START, ("G999", {}), ("Ж7", {}), ("G1", {"X": 1}), ("M3", {"S": 1000}), ("G54", {}))
+    assert messages(toolpath) == ["unknown code 'G999' ignored (command 1)", "unknown code 'Ж7' ignored (command 2)"]
+
+
+@pytest.mark.parametrize("arc, message", [
+    ({"X": 1, "Y": 1}, "arc without a usable centre or radius read as a line"),
+    ({"X": 10, "Y": 0, "R": 1}, "arc without a usable centre or radius read as a line"),
+    ({"X": 10, "Y": 0, "I": 2, "J": 0}, "arc whose end is not on its circle read with a changing radius"),
+])  # fmt: skip
+def test_impossible_arcs_end_where_they_should(arc, message):
+    toolpath = path(START, ("G2", arc))
+    assert toolpath.points[-1, :2].tolist() == [arc["X"], arc["Y"]]
+    assert toolpath.problems[0].message == message
+
+
+def test_arc_before_its_start_is_known():
+    toolpath = path(("G2", {"X": 1, "Y": 1, "I": 1}), ("G1", {"X": 5}))
+    assert messages(toolpath) == ["arc before its start is known ignored (command 0)"]
+    assert toolpath.points.tolist() == [[1, 1, 0], [5, 1, 0]]
+
+
+def test_nothing_at_all():
+    for commands in ([], [("(empty)", {})], [("G0", {})], [("M30", {})]):
+        toolpath = linearize(commands)
+        assert len(toolpath) == 0 and toolpath.feed.shape == (0,)
+
+
+@pytest.mark.parametrize("tolerance", [0, -1, float("nan"), float("inf")])
+def test_tolerance_must_be_positive(tolerance):
+    with pytest.raises(ValueError, match="tolerance"):
+        linearize([], tolerance=tolerance)
+
+
+def test_too_many_chords_are_refused():
+    circles = [("G0", {"X": 0, "Y": 0, "Z": 0})] + [("G2", {"I": 9000.0, "J": 0.0})] * 5000
+    with pytest.raises(ValueError, match="larger tolerance"):
+        linearize(circles, tolerance=1e-4)

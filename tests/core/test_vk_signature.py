@@ -1,0 +1,105 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The paper's own numbers, and what its text leaves to care."""
+
+import numpy as np
+import pytest
+
+from vkworkbench.core import signature
+
+PI = np.pi
+
+
+def chain(*vectors):
+    """Vertices of a polyline given as (length, direction) pairs."""
+    steps = [(length * np.cos(angle), length * np.sin(angle)) for length, angle in vectors]
+    return np.vstack([np.zeros((1, 2)), np.cumsum(steps, axis=0)])
+
+
+@pytest.mark.parametrize("first, second", [(0.0, PI / 2), (0.3, 1.0), (-1.0, 0.5)])
+def test_worked_zigzag_example_of_section_3_2(first, second):
+    pattern = [(40, first), (2, second), (40, first + PI), (2, second)]
+    result = signature(chain(*pattern, (40, first)))
+    expected = [0, second - first, PI, second - first, 0]
+    assert result.phi == pytest.approx(expected, abs=1e-12)
+    assert result.turning == pytest.approx(np.diff(expected), abs=1e-12)
+    many = signature(chain(*pattern * 200))
+    assert many.phi.min() >= -1e-9 and many.phi.max() <= PI + 1e-9
+    assert set(many.level.tolist()) == {0}
+
+
+@pytest.mark.parametrize("sense", [1, -1])
+@pytest.mark.parametrize("sides", [3, 4, 7, 100])
+def test_closed_polygon_turns_by_two_pi(sides, sense):
+    angles = sense * 2 * PI * np.arange(sides + 2) / sides
+    polygon = np.column_stack([np.cos(angles), np.sin(angles)])  # the first side is travelled again
+    result = signature(polygon)
+    assert result.phi[-1] == pytest.approx(sense * 2 * PI, abs=1e-9)
+    assert result.level.tolist() == [0] * sides + [sense]
+    assert (sense * result.phi[:sides] < 2 * PI).all()
+    once = signature(polygon[:-1])
+    assert once.closed and once.total_turning == pytest.approx(sense * 2 * PI, abs=1e-9)
+
+
+def test_nested_squares_climb_one_level_each():
+    corners = np.array([(1, 1), (-1, 1), (-1, -1), (1, -1)], float)
+    spiral = np.vstack([corners * size for size in (40, 30, 20, 10)])
+    result = signature(spiral)
+    assert result.level.max() == 3 and result.phi[-1] > 3 * 2 * PI
+    assert signature(spiral * [1, -1]).level.min() == -3
+
+
+def test_clockwise_zigzag_stays_on_level_zero():
+    result = signature(chain(*[(40, 0), (2, -PI / 2), (40, PI), (2, -PI / 2)] * 5))
+    assert result.phi.min() == pytest.approx(-PI)
+    assert set(result.level.tolist()) == {0}
+
+
+def test_exact_reversals_are_events_and_never_add_up():
+    rows = np.array([(100.0 * (k % 2), 0.0) for k in range(6213)])
+    result = signature(rows)
+    assert len(result.reversals) == 6211
+    assert np.ptp(result.phi) == pytest.approx(PI) and not result.level.any()
+    low, high = result.phi_interval
+    assert low[-1] == pytest.approx(-6211 * PI) and high[-1] == pytest.approx(6211 * PI)
+    assert (low[1:] <= result.phi[1:]).all() and (result.phi[1:] <= high[1:]).all()
+
+
+def test_trajectories_without_length_do_not_turn():
+    points = np.array([(0, 0), (0, 0), (1, 0), (1, 0), (1, -0.0), (1, 1), (1, 1)], float)
+    result = signature(points)
+    assert result.alpha == pytest.approx([0, 0, 0, 0, PI / 2, PI / 2])
+    assert result.phi[-1] == pytest.approx(PI / 2)
+    assert not signature(np.zeros((5, 2))).phi.any()
+
+
+def test_v_k_is_the_sum_of_the_trajectories():
+    points = np.random.default_rng(1).normal(size=(50, 2))
+    result = signature(points)
+    assert result.length == pytest.approx(np.hypot(*(points[1:] - points[0]).T))
+    assert result.length * np.cos(result.theta) == pytest.approx(points[1:, 0] - points[0, 0])
+    assert result.theta_level == pytest.approx(result.theta + 2 * PI * result.level)
+    of_v, of_v_k = result.gauss_map()
+    assert np.hypot(*of_v.T) == pytest.approx(np.ones(49)) and np.hypot(*of_v_k.T) == pytest.approx(np.ones(49))
+
+
+def test_shapes():
+    result = signature(np.random.default_rng(2).normal(size=(9, 3)))
+    assert [len(a) for a in (result.alpha, result.turning, result.phi, result.level, result.theta)] == [8, 7, 8, 8, 8]
+    for points in (np.empty((0, 2)), np.zeros((1, 3))):
+        empty = signature(points)
+        assert len(empty) == 0 and empty.phi.shape == (0,) and empty.turning.shape == (0,) and empty.total_turning == 0
+        assert not empty.closed
+
+
+@pytest.mark.parametrize("axes", [(2, 0), (1, 2)])
+def test_motion_in_another_plane_is_seen_in_that_plane(axes):
+    square = np.array([(0, 0), (1, 0), (1, 1), (0, 1), (0, 0)], float)
+    points = np.zeros((5, 3))
+    points[:, axes] = square
+    assert signature(points).total_turning == pytest.approx(2 * PI)
+
+
+@pytest.mark.parametrize("points", [[1, 2, 3], np.zeros((4, 4)), [(0, 0), (np.nan, 1)], [(0, 0), (np.inf, 1)]])
+def test_bad_points(points):
+    with pytest.raises(ValueError, match="points"):
+        signature(points)
