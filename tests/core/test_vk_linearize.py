@@ -40,6 +40,12 @@ def test_leading_zeros_lower_case_objects_and_modal_lines():
     assert linearize(iter(commands)).points.shape == (4, 3)
 
 
+def test_names_that_are_words():
+    toolpath = path(START, ("N10", {"G": 1.0, "X": 1.0}), ("X2.5", {"Y": 1.0}), ("N20", {}), ("N30", {"X": 4.0}),
+                    ("N40", {"M": 6.0}), ("/G1", {"X": 9.0}), ("%", {}))
+    assert ends(toolpath) == [[1, 0, 0], [2.5, 1, 0], [4, 1, 0]] and not toolpath.problems
+
+
 def test_zero_length_repeated_and_negative_zero_moves_vanish():
     toolpath = path(START, ("G1", {"X": -0.0}), ("G1", {"X": 5}), ("G1", {"X": 5}), ("G1", {}), ("G1", {"Y": -0.0}))
     assert ends(toolpath) == [[5, 0, 0]]

@@ -16,6 +16,8 @@ COMMENT, OTHER, TOOL_CHANGE, MODAL, UNKNOWN = -1, -2, -3, -4, -5
 
 _ABSENT = 1e300
 _NAME = re.compile(r"([A-Z])0*(\d+)(?:\.(\d))?")
+# A line that begins with a coordinate or a line number: FreeCAD takes that word for the command's name.
+_WORD_NAME = re.compile(r"\s*([XYZIJKRFN])\s*([-+]?(?:\d+\.?\d*|\.\d+))\s*", re.IGNORECASE)
 
 
 def code_of(name: str) -> int:
@@ -36,7 +38,7 @@ def code_of(name: str) -> int:
         return 10 * number + tenth if number < 1000 else UNKNOWN
     if letter == "M" and number == 6:
         return TOOL_CHANGE
-    return OTHER if letter in "MTSFNO" else UNKNOWN
+    return OTHER if letter in "MTSNO" else UNKNOWN
 
 
 class Words:
@@ -56,11 +58,29 @@ class Words:
         else:
             self.names = [c[0] for c in commands]
             self._parameters = [c[1] for c in commands]
+        word_names = {name for name in set(self.names) if name and name[0] in "XYZIJKRFNxyzijkrfn \t"}
+        if word_names:
+            self._read_word_names(word_names)
         table = {name: code_of(name) for name in set(self.names)}
         self.codes = np.fromiter(map(table.__getitem__, self.names), np.int64, len(self.names))
 
     def __len__(self) -> int:
         return len(self.names)
+
+    def _read_word_names(self, word_names: set[str]) -> None:
+        """Turn ``X10`` into a modal line with an X word, and ``N10`` with a G word into that G-code."""
+        for i, name in enumerate(self.names):
+            match = _WORD_NAME.fullmatch(name) if name in word_names else None
+            if match is None:
+                continue
+            letter, value = match[1].upper(), float(match[2])
+            parameters = dict(self._parameters[i] or {})
+            self.names[i] = f"G{parameters.pop('G'):g}" if "G" in parameters else ""
+            if letter != "N":
+                parameters[letter] = value
+            elif not parameters and not self.names[i]:
+                self.names[i] = name
+            self._parameters[i] = parameters
 
     def column(self, letter: str, rows: np.ndarray | None = None) -> tuple[np.ndarray, np.ndarray]:
         """Return the values of one parameter and which of them cannot be used.
