@@ -1,0 +1,113 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Lengths and machining time against figures worked out by hand."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from vkworkbench.core.linearize import linearize
+from vkworkbench.core.machining import exact_lengths, machining
+
+
+def test_feeds_rapids_and_depth_add_up():
+    path = linearize(
+        [
+            ("G0", {"X": 0.0, "Y": 0.0, "Z": 30.0}),
+            ("G0", {"X": 30.0, "Y": 40.0}),
+            ("G0", {"Z": 25.0}),
+            ("G1", {"Z": 15.0, "F": 2.0}),
+            ("G1", {"X": 130.0, "F": 10.0}),
+        ]
+    )
+    work = machining(path, horizontal_rapid=100.0, vertical_rapid=5.0, top=20.0)
+    assert work.cutting_length == pytest.approx(110) and work.rapid_length == pytest.approx(55)
+    assert work.cutting_seconds == pytest.approx(5 + 10) and work.rapid_seconds == pytest.approx(0.5 + 1)
+    assert work.seconds == pytest.approx(16.5)
+    assert work.lowest == 15 and work.depth == 5 and work.notes == ()
+
+
+@pytest.mark.parametrize(
+    "end, sweep", [((-10.0, 0.0), math.pi), ((0.0, -10.0), 1.5 * math.pi), ((10.0, 0.0), 2 * math.pi)]
+)
+def test_arcs_have_their_true_length(end, sweep):
+    """FreeCAD's Path.Length gives 14.66, 10.17 and 0 mm for these."""
+    path = linearize(
+        [
+            ("G0", {"X": 10.0, "Y": 0.0, "Z": 0.0}),
+            ("G3", {"X": end[0], "Y": end[1], "I": -10.0, "J": 0.0, "F": 5.0}),
+        ],
+        tolerance=0.5,
+    )
+    assert machining(path).cutting_length == pytest.approx(10 * sweep, rel=1e-9)
+    assert machining(path).cutting_seconds == pytest.approx(2 * sweep, rel=1e-9)
+
+
+@pytest.mark.parametrize(
+    "plane, arc, rise",
+    [
+        ("G17", {"X": -10.0, "Y": 0.0, "Z": -3.0, "I": -10.0, "J": 0.0}, 3.0),
+        ("G18", {"X": -10.0, "Z": 0.0, "Y": 4.0, "I": -10.0, "K": 0.0}, 4.0),
+    ],
+)
+def test_a_helix_has_its_true_length_in_every_plane(plane, arc, rise):
+    path = linearize([(plane, {}), ("G0", {"X": 10.0, "Y": 0.0, "Z": 0.0}), ("G3", arc)], tolerance=0.2)
+    assert exact_lengths(path).sum() == pytest.approx(math.hypot(10 * math.pi, rise), rel=1e-9)
+
+
+@given(st.floats(0.1, 50), st.floats(0.05, 6.2), st.floats(-5, 5))
+def test_length_of_any_arc_does_not_depend_on_its_chords(radius, sweep, rise):
+    arc = (
+        "G3",
+        {"X": radius * math.cos(sweep), "Y": radius * math.sin(sweep), "Z": rise, "I": -radius, "J": 0.0},
+    )
+    path = linearize([("G0", {"X": radius, "Y": 0.0, "Z": 0.0}), arc], tolerance=0.05)
+    assert exact_lengths(path).sum() == pytest.approx(math.hypot(radius * sweep, rise), rel=1e-6)
+
+
+def test_unknown_rapid_speeds_are_named_and_left_out():
+    commands = [
+        ("G0", {"X": 0.0, "Y": 0.0, "Z": 5.0}),
+        ("G0", {"X": 100.0}),
+        ("G0", {"Z": 1.0}),
+        ("G1", {"Z": 0.0, "F": 1.0}),
+    ]
+    both = machining(linearize(commands))
+    assert both.rapid_seconds is None and both.seconds == pytest.approx(1)
+    assert both.notes == (
+        "104 mm of rapids are not in the time because the tool controller's HorizRapid and VertRapid are 0",
+    )
+    one = machining(linearize(commands), horizontal_rapid=50.0)
+    assert one.rapid_seconds == pytest.approx(2)
+    assert one.notes == ("4 mm of rapids are not in the time because the tool controller's VertRapid is 0",)
+
+
+def test_moves_without_a_feed_are_named_and_left_out():
+    commands = [("G0", {"X": 0.0, "Y": 0.0, "Z": 0.0}), ("G1", {"X": 30.0}), ("G1", {"X": 80.0, "F": 5.0})]
+    some = machining(linearize(commands))
+    assert some.cutting_seconds == pytest.approx(10)
+    assert some.notes == ("30 mm of cutting in 1 move without a feed rate are not in the time",)
+    none = machining(linearize(commands[:2]))
+    assert none.cutting_seconds is None and none.seconds is None and none.cutting_length == 30
+
+
+def test_nothing_to_cut():
+    for commands in ([], [("(empty)", {})], [("G0", {"X": 0.0, "Y": 0.0, "Z": 0.0}), ("G0", {"X": 5.0})]):
+        work = machining(linearize(commands), top=3.0)
+        assert work.cutting_length == 0 and work.lowest is None and work.depth is None
+
+
+def test_bad_rapid_speeds_are_refused():
+    for speed in (-1.0, float("nan"), float("inf")):
+        with pytest.raises(ValueError, match="rapid speed"):
+            machining(linearize([]), horizontal_rapid=speed)
+
+
+def test_lengths_of_lines_are_the_chords():
+    rng = np.random.default_rng(1)
+    path = linearize([("G1", dict(zip("XYZ", row.tolist()))) for row in rng.normal(size=(50, 3))])
+    assert np.allclose(exact_lengths(path), path.lengths)

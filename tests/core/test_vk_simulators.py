@@ -1,0 +1,319 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Costs of FreeCAD's simulators: the counts against loops written like FreeCAD's own, and what follows from
+them."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+
+from vkworkbench.core.heightmap import heightmap, mesh_facets
+from vkworkbench.core.legacy import finest_accuracy, legacy_costs, legacy_work
+from vkworkbench.core.linearize import linearize
+from vkworkbench.core.motions import motions
+from vkworkbench.core.opengl import opengl_cost
+from vkworkbench.core.simulators import Constants, Simulator, available_simulators, opengl_speeds
+from vkworkbench.core.solids import Stock, Tool
+
+STOCK = Stock((0, 0, 0), (100, 60, 20))
+TOOL = Tool("endmill", 6.0)
+
+
+def zigzag(rows, depth=15.0, width=80.0, pitch=2.0):
+    """Rows in alternating directions at one depth."""
+    commands = [("(zigzag)", {}), ("G0", {"X": 10.0, "Y": 5.0, "Z": 25.0}), ("G1", {"Z": depth, "F": 10.0})]
+    for row in range(rows):
+        commands.append(("G1", {"X": 10.0 + width * ((row + 1) % 2)}))
+        commands.append(("G1", {"Y": 5.0 + pitch * (row + 1)}))
+    return commands
+
+
+def arcs(count, radius):
+    """Half circles to and fro."""
+    commands = [("G0", {"X": 40.0, "Y": 30.0, "Z": 10.0})]
+    for i in range(count):
+        x = 40.0 + (2 * radius if i % 2 == 0 else 0.0)
+        commands.append(
+            ("G2", {"X": x, "Y": 30.0, "Z": 10.0, "I": radius if i % 2 == 0 else -radius, "J": 0.0})
+        )
+    return commands
+
+
+# --- motions
+
+
+def test_chords_of_an_arc_are_one_motion_of_its_radius_and_sweep():
+    made = motions(
+        linearize(
+            [
+                ("G0", {"X": 10.0, "Y": 0.0, "Z": 0.0}),
+                ("G3", {"X": -10.0, "Y": 0.0, "I": -10.0, "J": 0.0}),
+                ("G3", {"X": 10.0, "Y": 0.0, "I": 10.0, "J": 0.0, "Z": -4.0}),
+            ]
+        )
+    )
+    assert np.allclose(made.sweep, [math.pi, math.pi])
+    assert np.allclose(made.radius, [10, 10])
+    assert np.allclose(made.move, [[-20, 0, 0], [20, 0, -4]])
+    assert made.command.tolist() == [1, 2]
+
+
+def test_a_full_circle_is_a_motion_though_it_ends_where_it_starts():
+    made = motions(
+        linearize([("G0", {"X": 10.0, "Y": 0.0, "Z": 0.0}), ("G2", {"X": 10.0, "I": -10.0, "J": 0.0})])
+    )
+    assert np.allclose(made.sweep, [-2 * math.pi]) and np.allclose(made.radius, [10.0])
+
+
+def test_an_arc_in_a_vertical_plane_stays_chords():
+    path = linearize(
+        [
+            ("G18", {}),
+            ("G0", {"X": 0.0, "Y": 0.0, "Z": 0.0}),
+            ("G2", {"X": 10.0, "Z": 0.0, "I": 5.0, "K": 0.0}),
+        ]
+    )
+    made = motions(path)
+    assert len(made.sweep) == len(path) > 4 and not made.radius.any()
+
+
+def test_a_peck_drilling_cycle_is_three_motions():
+    made = motions(
+        linearize(
+            [
+                ("G0", {"X": 0.0, "Y": 0.0, "Z": 20.0}),
+                ("G83", {"X": 5.0, "Y": 5.0, "Z": -9.0, "R": 3.0, "Q": 1.0, "F": 2.0}),
+                ("G83", {"X": 15.0, "Y": 5.0, "Z": -9.0, "R": 3.0, "Q": 1.0}),
+                ("G80", {}),
+            ]
+        )
+    )
+    vertical = made.level < 1e-9
+    assert np.allclose(made.move[vertical, 2], [-12, 12, -12, 12])
+    assert made.command.tolist() == [1, 1, 1, 2, 2, 2]
+
+
+def test_an_empty_toolpath_has_no_motion():
+    assert len(motions(linearize([("(nothing)", {})])).sweep) == 0
+
+
+# --- legacy simulator
+
+
+def volsim_steps(move, radius, resolution):
+    """Count the steps of ApplyLinearTool (VolSim.cpp) by running its loops."""
+    x, y, z = move[0] / resolution, move[1] / resolution, move[2]
+    r = radius / resolution
+    length = math.sqrt(x * x + y * y + z * z)
+    lines, angle = 0, 360.0
+    if length and math.hypot(x, y) / length > 1e-5:
+        angle = 180.0
+        for _ in range(int(r * 2 / 0.6) + 1):
+            for _ in range(int(length / 0.6) + 1):
+                lines += 1
+    rings = caps = 0
+    ring = 0.5
+    while ring <= r:
+        rings += 1
+        turn, a = 180 * 0.6 / (math.pi * ring), 0.0
+        while a < angle:
+            caps += 1
+            a += turn
+        ring += 0.6
+    return rings, lines, caps
+
+
+@pytest.mark.parametrize("accuracy", [0.1, 0.3, 1.0])
+@pytest.mark.parametrize("diameter", [1.0, 3.175, 12.0])
+def test_counts_equal_the_loops_of_the_legacy_simulator(accuracy, diameter):
+    rng = np.random.default_rng(7)
+    ends = rng.uniform(0, 12, (6, 3))
+    ends[4, :2] = ends[3, :2]
+    path = linearize([("G1", dict(zip("XYZ", end.tolist()))) for end in ends])
+    made = motions(path)
+    work = legacy_work(made, diameter=diameter, stock=STOCK, accuracy=accuracy)
+    counted = np.array([volsim_steps(move, diameter / 2, accuracy) for move in made.move])
+    assert work.resolution == pytest.approx(accuracy) and (work.calls == 1).all()
+    assert np.array_equal(work.rings, counted[:, 0])
+    assert np.array_equal(work.line_steps, counted[:, 1])
+    # The loop adds up an angle that may pass the end one step early or late by rounding.
+    assert np.abs(work.cap_steps - counted[:, 2]).max() <= 0.002 * counted[:, 2].max() + 2
+
+
+def test_grid_has_a_thousand_cells_along_the_longer_side_and_five_bytes_each():
+    work = legacy_work(motions(linearize(zigzag(3))), diameter=6.0, stock=STOCK)
+    assert 1000 * 600 <= work.cells <= 1001 * 601
+    (cost,) = legacy_costs(linearize(zigzag(3)), tool=TOOL, stock=STOCK)
+    assert cost.memory_bytes == pytest.approx(5 * work.cells + 150 * cost.facets)
+
+
+def test_an_arc_is_cut_in_as_many_moves_as_freecad_makes_of_it():
+    radius, resolution = 15.0, 0.5
+    work = legacy_work(motions(linearize(arcs(4, radius))), diameter=6.0, stock=STOCK, accuracy=0.5)
+    expected = math.ceil(math.sqrt(radius / resolution * math.pi**2))
+    assert work.calls.tolist() == [expected] * 4
+
+
+def test_fast_forward_costs_a_tick_per_command_whatever_the_accuracy():
+    path = linearize(zigzag(500))
+    fine, coarse = legacy_costs(path, tool=TOOL, stock=STOCK, accuracies=(0.1, 1.0))
+    ticks = path.commands * Constants().tick
+    assert ticks < coarse.fast_forward_seconds < ticks + 0.5
+    assert ticks < fine.fast_forward_seconds < ticks + 1.0
+
+
+def test_comments_take_a_tick_but_show_nothing():
+    (bare,) = legacy_costs(linearize(zigzag(20)), tool=TOOL, stock=STOCK)
+    (noted,) = legacy_costs(linearize(zigzag(20) + [("(note)", {})] * 1000), tool=TOOL, stock=STOCK)
+    constants = Constants()
+    assert noted.fast_forward_seconds - bare.fast_forward_seconds == pytest.approx(1000 * constants.tick)
+    assert noted.play_seconds - bare.play_seconds == pytest.approx(1000 / 50)
+
+
+def test_play_is_never_faster_than_its_speed_slider():
+    path = linearize(zigzag(50))
+    fast = Constants(redraw=0.0, cell=0.0, facet=0.0, profile=0.0)
+    (cost,) = legacy_costs(path, tool=TOOL, stock=STOCK, speed=50, constants=fast)
+    assert cost.play_seconds == pytest.approx(path.commands / 50)
+
+
+def surface(rows=60, points=60):
+    """Rows over a dome."""
+    commands = [("G0", {"X": 20.0, "Y": 10.0, "Z": 25.0})]
+    for row in range(rows):
+        y = 10 + 40 * row / rows
+        along = np.linspace(20, 80, points)[:: 1 if row % 2 == 0 else -1]
+        heights = 18 - ((along - 50) ** 2 + (y - 30) ** 2) / 100
+        commands += [("G1", {"X": x, "Y": y, "Z": z}) for x, z in zip(along.tolist(), heights.tolist())]
+    return commands
+
+
+def test_budget_of_play_is_met_by_the_finest_position_that_meets_it():
+    path = linearize(surface())
+    tool = Tool("ballend", 6.0)
+    every = legacy_costs(
+        path, tool=tool, stock=STOCK, accuracies=tuple(round(1.1 - 0.1 * i, 1) for i in range(1, 11))
+    )
+    seconds = [cost.play_seconds for cost in every]
+    assert seconds == sorted(seconds) and seconds[-1] > 1.5 * seconds[0]
+    budget = 0.5 * (seconds[5] + seconds[6])
+    position, cost = finest_accuracy(path, seconds=budget, tool=tool, stock=STOCK)
+    assert position == 6 and cost.accuracy == 0.5 and cost.play_seconds <= budget
+    assert finest_accuracy(path, seconds=seconds[0] / 2, tool=tool, stock=STOCK) is None
+
+
+def test_impossible_input_is_refused_in_words():
+    made = motions(linearize(zigzag(2)))
+    with pytest.raises(ValueError, match="tool diameter"):
+        legacy_work(made, diameter=0.0, stock=STOCK)
+    with pytest.raises(ValueError, match="accuracy"):
+        legacy_work(made, diameter=6.0, stock=STOCK, accuracy=0.0)
+    with pytest.raises(ValueError, match="speed"):
+        legacy_costs(linearize(zigzag(2)), tool=TOOL, stock=STOCK, speed=0)
+    with pytest.raises(ValueError, match="tool diameter"):
+        opengl_cost(linearize(zigzag(2)), diameter=float("nan"))
+    with pytest.raises(ValueError, match="quality"):
+        opengl_cost(linearize(zigzag(2)), diameter=6.0, quality=0)
+
+
+# --- heights and mesh
+
+
+@pytest.mark.parametrize("tool", [Tool("endmill", 8.0), Tool("ballend", 8.0), Tool("vbit", 8.0)])
+def test_heights_equal_those_of_every_cell_against_every_point(tool):
+    path = linearize([("G1", {"X": 20.0, "Y": 15.0, "Z": 12.0}), ("G1", {"X": 70.0, "Y": 40.0, "Z": 8.0})])
+    heights, size = heightmap(path, tool=tool, stock=STOCK)
+    along = np.linspace(0, 1, 2000)[:, None]
+    points = path.points[0] + along * (path.points[1] - path.points[0])
+    x, y = np.meshgrid(
+        (np.arange(heights.shape[0]) + 0.5) * size, (np.arange(heights.shape[1]) + 0.5) * size, indexing="ij"
+    )
+    distance = np.hypot(x[..., None] - points[:, 0], y[..., None] - points[:, 1])
+    exact = np.minimum((points[:, 2] + tool.height(distance)).min(axis=2), 20.0)
+    # A map that is off by half a cell sideways is off by that times the tool's slope.
+    inside = distance.min(axis=2) < tool.radius - size
+    outside = distance.min(axis=2) > tool.radius + 1.5 * size
+    assert (heights[outside] == 20.0).all()
+    assert np.abs(heights - exact)[inside].max() < 1.8 * size * (1 + tool.steepness) + 0.2
+
+
+def test_a_path_outside_the_stock_leaves_it_a_box():
+    heights, size = heightmap(
+        linearize([("G1", {"X": -50.0, "Y": 500.0, "Z": 5.0}), ("G1", {"X": -900.0})]), tool=TOOL, stock=STOCK
+    )
+    assert (heights == 20.0).all()
+    assert mesh_facets(heights, size, 0.0, 0.1) == 12
+
+
+def test_a_surface_makes_far_more_triangles_than_a_pocket_and_four_times_as_many_at_half_the_cell():
+    ball = Tool("ballend", 6.0)
+    pocket, size = heightmap(linearize(zigzag(20)), tool=TOOL, stock=STOCK)
+    dome, dome_size = heightmap(linearize(surface()), tool=ball, stock=STOCK)
+    assert mesh_facets(dome, dome_size, 0.0, 0.1) > 10 * mesh_facets(pocket, size, 0.0, 0.1)
+    ratio = mesh_facets(dome, dome_size, 0.0, 0.1) / mesh_facets(dome, dome_size, 0.0, 0.2)
+    assert 3.5 < ratio <= 4
+    pocket_ratio = mesh_facets(pocket, size, 0.0, 0.1) / mesh_facets(pocket, size, 0.0, 0.2)
+    assert 1.7 < pocket_ratio < 2.1
+
+
+# --- OpenGL simulator
+
+
+def test_draw_calls_of_lines_plunges_and_arcs():
+    start = [("G0", {"X": 0.0, "Y": 0.0, "Z": 10.0})]
+    assert opengl_cost(linearize(start + [("G1", {"X": 10.0})]), diameter=6.0).draws == 18
+    assert opengl_cost(linearize(start + [("G1", {"Z": 1.0})]), diameter=6.0).draws == 9
+    # A half circle of 5 mm was counted in FreeCAD 1.0: 33 chords, 297 draw calls.
+    half = opengl_cost(linearize(arcs(1, 5.0)), diameter=6.0)
+    assert (half.steps, half.draws, half.arc_draws) == (33, 297, 297)
+    # Within the tool's radius an arc is drawn with the tool every 22.5 degrees.
+    assert opengl_cost(linearize(arcs(1, 2.0)), diameter=6.0).draws == 9 * 9
+    assert opengl_cost(linearize(arcs(1, 2.0)), diameter=6.0, quality=1).draws == 9 * 3
+
+
+def play(path, diameter, speed, constants):
+    """Play frame by frame, drawing everything done so far, as the simulator does."""
+    drawn = [0]  # draw calls of a frame after each step
+    made = motions(path)
+    for move, sweep, radius in zip(made.move, made.sweep, made.radius):
+        if radius > diameter / 2:
+            step = min(max(math.asin(0.5 / radius), math.pi / 90), math.pi / 2)
+            for _ in range(int(abs(sweep) / step) + 2):
+                drawn.append(drawn[-1] + 9)
+        else:
+            drawn += [drawn[-1] + (9 if np.hypot(*move[:2]) < 1e-6 else 18)] * max(
+                1, int(np.linalg.norm(move) / 0.5)
+            )
+    return sum(max(1 / 30, constants.frame + constants.draw * draws) for draws in drawn[speed::speed])
+
+
+@pytest.mark.parametrize("speed", [1, 10, 40])
+def test_playing_takes_what_its_frames_add_up_to(speed):
+    software = Constants(frame=0.035, draw=25e-6)
+    path = linearize(zigzag(60) + arcs(40, 5.0))
+    predicted = opengl_cost(path, diameter=6.0, speeds=(speed,), constants=software).play_seconds[speed]
+    assert predicted == pytest.approx(play(path, 6.0, speed, software), rel=0.02)
+
+
+def test_playing_twice_the_path_takes_four_times_as_long_once_drawing_dominates():
+    slow = Constants(frame=0.0, draw=1e-3)
+    once = opengl_cost(linearize(zigzag(200, pitch=0.1)), diameter=6.0, constants=slow).play_seconds[1]
+    twice = opengl_cost(linearize(zigzag(400, pitch=0.1)), diameter=6.0, constants=slow).play_seconds[1]
+    assert twice / once == pytest.approx(4, rel=0.05)
+
+
+# --- versions
+
+
+def test_which_simulators_a_version_has():
+    assert available_simulators((0, 20, 2)) == (Simulator.LEGACY,)
+    assert available_simulators((0, 21)) == (Simulator.LEGACY,)
+    assert (
+        available_simulators((1, 0, 0))
+        == available_simulators((1, 1, 3))
+        == (Simulator.LEGACY, Simulator.OPENGL)
+    )
+    assert opengl_speeds((1, 0, 0)) == (1, 10, 40)
+    assert opengl_speeds((1, 1, 3)) == (1, 5, 10, 25, 50)

@@ -1,0 +1,123 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A coarse map of the heights a path leaves, and the size of the legacy simulator's mesh of it."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from vkworkbench.core.solids import Stock, Tool
+from vkworkbench.core.toolpath import Toolpath
+
+_CELLS = 100
+_CELLS_PER_RADIUS = 16
+
+# A step between two cells of the map that is no slope: higher than this many cells, or alone among flat ones.
+_WALL = 1.8
+# Triangles per corner of a wall, per cell of wall, per rectangle on a slope, per cell of a holed bottom; of a
+# plain box. Fitted to FreeCAD's meshes by benchmarks/simulators.py.
+_CORNER, _ALONG, _RECTANGLE, _HOLED, _BOX = 3.6, 0.26, 3.65, 0.0033, 12.0
+# FreeCAD's rectangles are no longer than this many times their width (VolSim.cpp).
+_LONGEST = 5.0
+
+
+def heightmap(toolpath: Toolpath, *, tool: Tool, stock: Stock) -> tuple[np.ndarray, float]:
+    """Heights the tool leaves on the stock's bounding box, cut as the legacy simulator does: rapids cut too.
+
+    The lowest height of the tip over each cell is spread over the tool's disc, so the cost is O(n) for the
+    path and independent of it for the map.
+
+    Parameters
+    ----------
+    toolpath : Toolpath
+        The trajectories.
+    tool : Tool
+        Its radius and the form of its tip.
+    stock : Stock
+        Anything with ``lower`` and ``upper`` corners, mm.
+
+    Returns
+    -------
+    heights : (nx, ny) float64
+        Height of the stock's surface in every cell, mm; at the stock's bottom where the path cuts through.
+    size : float
+        Edge of a cell, mm: a hundredth of the longer side, or a sixteenth of the tool's radius if that is
+        more.
+    """
+    lower, upper = np.asarray(stock.lower, float), np.asarray(stock.upper, float)
+    size = float(max((upper - lower)[:2].max() / _CELLS, tool.radius / _CELLS_PER_RADIUS))
+    shape = np.maximum(np.ceil((upper - lower)[:2] / size - 1e-9), 1).astype(int)
+    margin = int(tool.radius / size)
+    tips = np.full(shape + 2 * margin, upper[2])
+    _stamp(tips, toolpath.points, lower[:2] - margin * size, size)
+
+    heights = np.full(shape, upper[2])
+    for dx, dy in np.ndindex(2 * margin + 1, 2 * margin + 1):
+        rise = float(tool.height(np.hypot(dx - margin, dy - margin) * size))
+        if np.isfinite(rise):
+            np.minimum(heights, tips[dx : dx + shape[0], dy : dy + shape[1]] + rise, out=heights)
+    return np.maximum(heights, lower[2]), size
+
+
+def _stamp(tips: np.ndarray, points: np.ndarray, origin: np.ndarray, size: float) -> None:
+    """Lower every cell a polyline passes over to the lowest height it has there, sampled once per cell."""
+    if len(points) == 0:
+        return
+    moves = np.diff(points, axis=0)
+    # What lies outside the map cannot cut it, however long it is.
+    samples = np.minimum(np.ceil(np.abs(moves[:, :2]).max(axis=1, initial=0) / size), 4 * max(tips.shape)) + 1
+    counts = samples.astype(int)
+    of = np.repeat(np.arange(len(moves)), counts)
+    step = (np.arange(counts.sum()) - np.repeat(np.cumsum(counts) - counts, counts) + 1) / counts[of]
+    position = np.concatenate((points[:1], points[of] + step[:, None] * moves[of]))
+    cell = np.floor((position[:, :2] - origin) / size).astype(int)
+    inside = ((cell >= 0) & (cell < tips.shape)).all(axis=1)
+    np.minimum.at(tips, tuple(cell[inside].T), position[inside, 2])
+
+
+def mesh_facets(heights: np.ndarray, size: float, bottom: float, resolution: float) -> float:
+    """Triangles of the mesh that the legacy simulator makes of a stock.
+
+    It covers the stock with rectangles whose cells differ by less than one cell's edge. On a slope of (gx,
+    gy) such a rectangle spans 1/gx by 1/gy cells and at most 5:1, so a cell has gx gy of them; a floor has a
+    few, each wall a few per corner, a flat bottom with a hole one per cell or so (a slip in ``TesselBot``,
+    VolSim.cpp).
+
+    Parameters
+    ----------
+    heights : (nx, ny) float64
+        Map of the heights, mm.
+    size : float
+        Edge of a cell of the map, mm.
+    bottom : float
+        Height of the stock's lower face, mm.
+    resolution : float
+        Edge of a cell of the simulator, mm.
+
+    Returns
+    -------
+    float
+        Number of triangles, inner and outer mesh together.
+    """
+    finer = size / resolution
+    step_x, step_y = np.abs(np.diff(heights, axis=0)), np.abs(np.diff(heights, axis=1))
+    wall_x, wall_y = _walls(step_x, size, resolution), _walls(step_y.T, size, resolution).T
+    cells = wall_x.sum() + wall_y.sum()
+    straight = (wall_x[:, 1:] & wall_x[:, :-1]).sum() + (wall_y[1:] & wall_y[:-1]).sum()
+
+    slope_x, slope_y = np.zeros(heights.shape), np.zeros(heights.shape)
+    slope_x[:-1] = np.where(wall_x, 0, step_x) / size
+    slope_y[:, :-1] = np.where(wall_y, 0, step_y) / size
+    across = np.minimum(np.maximum(slope_x, slope_y / _LONGEST), 1)
+    along = np.minimum(np.maximum(slope_y, slope_x / _LONGEST), 1)
+
+    through = heights <= bottom + resolution
+    holed = (~through).sum() if through[1:-1, 1:-1].any() else 0
+    return float(_BOX + finer * (_CORNER * (cells - straight) + _ALONG * cells)
+                 + finer**2 * (_RECTANGLE * (across * along).sum() + _HOLED * holed))  # fmt: skip
+
+
+def _walls(step: np.ndarray, size: float, resolution: float) -> np.ndarray:
+    """Which steps along the first axis are walls."""
+    around = np.pad(step, ((1, 1), (0, 0)))
+    alone = (around[:-2] < step / 2) & (around[2:] < step / 2)
+    return (step > resolution) & (alone | (step >= _WALL * size))

@@ -1,0 +1,244 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What FreeCAD's legacy simulator will cost, from exact counts of the work it does.
+
+It holds the stock as a grid of heights, walks every move in steps of 0.6 cell and turns the grid into a mesh.
+The counts follow VolSim.cpp and PathSimulatorGui.py of FreeCAD 0.20.2, 1.0.0 and 1.1.3, which agree.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from vkworkbench.core.heightmap import heightmap, mesh_facets
+from vkworkbench.core.motions import Motions, motions
+from vkworkbench.core.simulators import DEFAULTS, Constants
+from vkworkbench.core.solids import Stock, Tool
+from vkworkbench.core.toolpath import Toolpath
+
+# A step of the walk along a move, in cells (SIM_WALK_RES in VolSim.h).
+_WALK = 0.6
+# A float for the height and a character for the mesh.
+_BYTES_PER_CELL = 5
+# Mean number of triangles while it plays, compared with the end.
+_MEAN_FACETS = 0.65
+# Positions of the accuracy slider.
+_SLIDER = range(1, 11)
+
+
+@dataclass(frozen=True)
+class LegacyWork:
+    """The work of cutting with the legacy simulator, counted exactly.
+
+    Attributes
+    ----------
+    calls, rings, line_steps, cap_steps : (m,) float64
+        For each motion: straight moves, rings of their end caps, steps along the moves and around the rings.
+    cells : int
+        Cells of the grid.
+    resolution : float
+        Edge of a cell, mm.
+    """
+
+    calls: np.ndarray
+    rings: np.ndarray
+    line_steps: np.ndarray
+    cap_steps: np.ndarray
+    cells: int
+    resolution: float
+
+
+def legacy_work(made: Motions, *, diameter: float, stock: Stock, accuracy: float = 0.1) -> LegacyWork:
+    """Count what the legacy simulator does to cut (``ApplyLinearTool`` in VolSim.cpp).
+
+    Every move walks ``2 r / 0.6`` lines of ``L / 0.6`` steps and ends in half a disc of rings (a whole one
+    where it is vertical), in cells, inside the stock or not, rapids included. An arc is cut in
+    ``ceil(sqrt(radius / resolution) sweep)`` straight moves (``PerformCutVoxel`` in PathSimulatorGui.py).
+
+    Parameters
+    ----------
+    made : Motions
+        From :func:`motions`.
+    diameter : float
+        Widest diameter of the tool, its shank included, mm.
+    stock : Stock
+        Box with ``lower`` and ``upper`` corners, mm.
+    accuracy : float
+        Edge of a cell in percent of the stock's longer side: 1.1 - 0.1 times the slider's position, 0.1 to 1.
+
+    Returns
+    -------
+    LegacyWork
+
+    Raises
+    ------
+    ValueError
+        If the tool or the stock has no size, or the accuracy is not positive.
+    """
+    side = np.asarray(stock.upper, float)[:2] - np.asarray(stock.lower, float)[:2]
+    if not (np.isfinite(side).all() and (side > 0).all()):
+        raise ValueError("the stock has no extent in X and Y")
+    if not (np.isfinite(diameter) and diameter > 0):
+        raise ValueError(f"the tool diameter must be a positive number of mm, not {diameter}")
+    if not (np.isfinite(accuracy) and accuracy > 0):
+        raise ValueError(f"the accuracy must be a positive number of percent, not {accuracy}")
+    resolution = 0.01 * accuracy * side.max()
+    cells = int((np.floor(side / resolution) + 1).prod())
+    radius = diameter / 2 / resolution
+
+    arc = made.radius > 0
+    calls = np.where(arc, np.ceil(np.sqrt(made.radius / resolution) * np.abs(made.sweep) - 1e-9), 1.0)
+    calls = np.maximum(calls, 1.0)
+    chord = np.where(arc, 2 * made.radius * np.abs(np.sin(made.sweep / calls / 2)), made.level)
+    # Lengths are in cells across and, by an oversight of FreeCAD's, in mm upwards.
+    length = np.hypot(chord / resolution, made.move[:, 2] / calls)
+    vertical = chord / resolution < 1e-5
+    lines = np.floor(2 * radius / _WALK) + 1
+    line_steps = np.where(vertical, 0.0, calls * (np.floor(length / _WALK) + 1) * lines)
+    ring = np.arange(0.5, radius + 1e-9, _WALK)
+    half, whole = np.ceil(np.pi * ring / _WALK).sum(), np.ceil(2 * np.pi * ring / _WALK).sum()
+    cap_steps = calls * np.where(vertical, whole, half)
+    return LegacyWork(calls, calls * len(ring), line_steps, cap_steps, cells, float(resolution))
+
+
+@dataclass(frozen=True)
+class LegacyCost:
+    """What the legacy simulator takes for one operation.
+
+    Attributes
+    ----------
+    fast_forward_seconds, play_seconds : float
+        From pressing the button to the finished part.
+    memory_bytes : float
+        Grid and mesh at the end.
+    accuracy, resolution : float
+        Edge of a cell in percent of the stock's longer side, and in mm.
+    cells : int
+        Cells of the grid.
+    facets : float
+        Triangles of the mesh at the end.
+    moves : int
+        Straight moves it cuts one by one, chords of arcs included.
+    cut_seconds, mesh_seconds : float
+        Time to cut them all, and to make the last mesh.
+    """
+
+    fast_forward_seconds: float
+    play_seconds: float
+    memory_bytes: float
+    accuracy: float
+    resolution: float
+    cells: int
+    facets: float
+    moves: int
+    cut_seconds: float
+    mesh_seconds: float
+
+
+def legacy_costs(
+    toolpath: Toolpath,
+    *,
+    tool: Tool,
+    stock: Stock,
+    accuracies: tuple[float, ...] = (0.1,),
+    speed: float = 50.0,
+    constants: Constants = DEFAULTS,
+) -> tuple[LegacyCost, ...]:
+    """Estimate the legacy simulator for one operation at several accuracies.
+
+    In fast-forward every command, comments too, takes one tick of a timer, and one mesh is made at the end.
+    In play a command takes 1/`speed`, or what a mesh and its display need if that is more.
+
+    Parameters
+    ----------
+    toolpath : Toolpath
+        The trajectories.
+    tool : Tool
+        A shank wider than the cutting edge counts as cutter in FreeCAD; give its diameter then.
+    stock : Stock
+        Anything with ``lower`` and ``upper`` corners, mm.
+    accuracies : tuple of float
+        Edges of a cell in percent of the stock's longer side; the slider has 1.1 - 0.1 times its position,
+        and starts at its finest, 0.1.
+    speed : float
+        Commands per second of the speed slider.
+    constants : Constants
+        Costs of the unit work.
+
+    Returns
+    -------
+    tuple of LegacyCost
+        One for each accuracy.
+
+    Raises
+    ------
+    ValueError
+        If the stock has no extent or an accuracy or the speed is not positive.
+    """
+    if not speed > 0:
+        raise ValueError(f"the speed must be positive, not {speed} commands per second")
+    made = motions(toolpath)
+    heights, size = heightmap(toolpath, tool=tool, stock=stock)
+    bottom = float(stock.lower[2])
+    shown = toolpath.commands - len(toolpath.comments)
+    # A drilling cycle makes a mesh after each of its three moves.
+    meshes = shown + 2 * len(np.unique(toolpath.command[toolpath.cycle]))
+    costs = []
+    for accuracy in accuracies:
+        work = legacy_work(made, diameter=tool.diameter, stock=stock, accuracy=accuracy)
+        cut = (constants.call * work.calls + constants.ring * work.rings
+               + constants.line * work.line_steps + constants.cap * work.cap_steps)  # fmt: skip
+        facets = mesh_facets(heights, size, bottom, work.resolution)
+        mesh = constants.cell * work.cells + constants.facet * facets
+        mean_mesh = constants.cell * work.cells + constants.facet * facets * _MEAN_FACETS
+        profile = constants.profile * (3 * tool.radius + float(tool.height(tool.radius))) / (0.05 * accuracy)
+        ticks = np.maximum(np.bincount(made.command, cut, minlength=toolpath.commands), constants.tick)
+        cut_seconds = float(cut.sum())
+        shows = shown * constants.redraw + meshes * mean_mesh + cut_seconds
+        costs.append(LegacyCost(
+            fast_forward_seconds=constants.start + profile + float(ticks.sum()) + mesh,
+            play_seconds=profile + max(shows, shown / speed) + len(toolpath.comments) / speed,
+            memory_bytes=_BYTES_PER_CELL * work.cells + constants.facet_bytes * facets,
+            accuracy=accuracy,
+            resolution=work.resolution,
+            cells=work.cells,
+            facets=facets,
+            moves=int(work.calls.sum()),
+            cut_seconds=cut_seconds,
+            mesh_seconds=mesh,
+        ))  # fmt: skip
+    return tuple(costs)
+
+
+def finest_accuracy(
+    toolpath: Toolpath,
+    *,
+    seconds: float,
+    tool: Tool,
+    stock: Stock,
+    speed: float = 50.0,
+    constants: Constants = DEFAULTS,
+) -> tuple[int, LegacyCost] | None:
+    """Find the finest position of the accuracy slider at which playing meets a budget of time.
+
+    Fast-forward makes one mesh only and can always stay at the finest.
+
+    Parameters
+    ----------
+    seconds : float
+        The budget for play.
+    toolpath, tool, stock, speed, constants
+        As for :func:`legacy_costs`.
+
+    Returns
+    -------
+    (int, LegacyCost) or None
+        Position 1 to 10 and its cost; None if no position meets the budget: use fast-forward then.
+    """  # fmt: skip
+    accuracies = tuple(round(1.1 - 0.1 * position, 1) for position in _SLIDER)
+    costs = legacy_costs(
+        toolpath, tool=tool, stock=stock, accuracies=accuracies, speed=speed, constants=constants
+    )
+    met = [(position, cost) for position, cost in zip(_SLIDER, costs) if cost.play_seconds <= seconds]
+    return met[-1] if met else None

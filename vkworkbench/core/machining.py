@@ -1,0 +1,164 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Lengths, depth and machining time of one operation.
+
+FreeCAD's own ``Path.Length`` and ``CycleTime`` take the centre of an arc for an absolute position and are
+wrong for every arc, so nothing here uses them.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from vkworkbench.core.toolpath import Toolpath
+
+# Axis normal to each working plane (G17 XY, G18 ZX, G19 YZ).
+_NORMAL_AXIS = {17: 2, 18: 1, 19: 0}
+
+
+@dataclass(frozen=True)
+class Machining:
+    """What machining one operation takes.
+
+    Attributes
+    ----------
+    cutting_length, rapid_length : float
+        Exact lengths of the tool tip's way at feed and in rapids, mm.
+    lowest : float or None
+        Lowest height the tool tip reaches at feed, mm; None where nothing cuts.
+    depth : float or None
+        How far below the top of the stock that is, mm, at least 0; None where either is unknown.
+    cutting_seconds, rapid_seconds : float or None
+        Time of the moves whose speed is known; None where no speed at all is known. Moves at constant feed:
+        no acceleration, no dwell, no tool change.
+    notes : tuple of str
+        What the times leave out, one sentence without a full stop each; empty when they are complete.
+    """
+
+    cutting_length: float
+    rapid_length: float
+    lowest: float | None
+    depth: float | None
+    cutting_seconds: float | None
+    rapid_seconds: float | None
+    notes: tuple[str, ...]
+
+    @property
+    def seconds(self) -> float | None:
+        """Cutting and rapid time together, s; None where the cutting time is unknown."""
+        if self.cutting_seconds is None:
+            return None
+        return self.cutting_seconds + (self.rapid_seconds or 0.0)
+
+
+def exact_lengths(toolpath: Toolpath) -> np.ndarray:
+    """Length of every trajectory, along the arc or helix where it is a chord of one.
+
+    A chord of length c in the working plane that stands for the angle s lies on the radius c / (2 sin(s/2));
+    with the rise h along the plane's normal its helix is sqrt((r s)^2 + h^2) long.
+
+    Parameters
+    ----------
+    toolpath : Toolpath
+        n trajectories.
+
+    Returns
+    -------
+    (n,) float64
+        Lengths, mm.
+    """
+    moves = np.diff(toolpath.points, axis=0)
+    if not len(moves):
+        return np.zeros(0)
+    squares = moves**2
+    normal = np.zeros(len(moves), dtype=int)
+    for plane, axis in _NORMAL_AXIS.items():
+        normal[toolpath.plane == plane] = axis
+    rise2 = squares[np.arange(len(moves)), normal]
+    half = np.abs(toolpath.sweep) / 2
+    with np.errstate(divide="ignore", invalid="ignore"):
+        stretch = np.where(half > 0, half / np.sin(half), 1.0)
+    return np.sqrt((squares.sum(axis=1) - rise2) * stretch**2 + rise2)
+
+
+def machining(
+    toolpath: Toolpath,
+    *,
+    horizontal_rapid: float = 0.0,
+    vertical_rapid: float = 0.0,
+    top: float | None = None,
+) -> Machining:
+    """Measure one operation.
+
+    Parameters
+    ----------
+    toolpath : Toolpath
+        The trajectories, feeds in mm/s.
+    horizontal_rapid, vertical_rapid : float
+        The tool controller's HorizRapid and VertRapid, mm/s; 0 (FreeCAD's default) where unknown. A rapid
+        straight up or down runs at the vertical one, any other at the horizontal one.
+    top : float, optional
+        Height of the stock's top, mm.
+
+    Returns
+    -------
+    Machining
+
+    Raises
+    ------
+    ValueError
+        For a negative or non-finite rapid speed.
+    """
+    for speed in (horizontal_rapid, vertical_rapid):
+        if not (np.isfinite(speed) and speed >= 0):
+            raise ValueError(f"a rapid speed must be a number of mm/s, at least 0, not {speed}")
+    lengths = exact_lengths(toolpath)
+    rapid = toolpath.rapid
+    notes = []
+
+    cutting_length = float(lengths[~rapid].sum())
+    fed = ~rapid & (toolpath.feed > 0)
+    unfed = cutting_length - float(lengths[fed].sum())
+    missing = int((~rapid & ~fed).sum())
+    cutting_seconds: float | None = float((lengths[fed] / toolpath.feed[fed]).sum())
+    if missing:
+        notes.append(
+            f"{unfed:.4g} mm of cutting in {missing} move{'s' * (missing > 1)} without a feed rate "
+            "are not in the time"
+        )
+        if not fed.any():
+            cutting_seconds = None
+
+    moves = np.diff(toolpath.points, axis=0)
+    upright = np.abs(moves[:, :2]).max(axis=1, initial=0.0) < 1e-6
+    speed = np.where(upright, vertical_rapid, horizontal_rapid)
+    timed = rapid & (speed > 0)
+    rapid_length = float(lengths[rapid].sum())
+    untimed = rapid_length - float(lengths[timed].sum())
+    rapid_seconds: float | None = float((lengths[timed] / speed[timed]).sum())
+    if (rapid & ~timed).any():
+        names = [
+            name
+            for name, given, kind in (
+                ("HorizRapid", horizontal_rapid, ~upright),
+                ("VertRapid", vertical_rapid, upright),
+            )
+            if not given and (rapid & kind).any()
+        ]
+        notes.append(
+            f"{untimed:.4g} mm of rapids are not in the time because the tool controller's "
+            f"{' and '.join(names)} {'is' if len(names) == 1 else 'are'} 0"
+        )
+        if not timed.any():
+            rapid_seconds = None
+
+    lowest = depth = None
+    if (~rapid).any():
+        heights = toolpath.points[:, 2]
+        lowest = float(np.minimum(heights[:-1], heights[1:])[~rapid].min())
+        if top is not None:
+            depth = max(0.0, top - lowest)
+    return Machining(
+        cutting_length, rapid_length, lowest, depth, cutting_seconds, rapid_seconds, tuple(notes)
+    )

@@ -1,0 +1,93 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The motions that FreeCAD's simulators make of a toolpath."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from vkworkbench.core.toolpath import Toolpath
+
+
+@dataclass(frozen=True, eq=False)
+class Motions:
+    """The motions that FreeCAD's simulators make of a toolpath: an arc is one, a drilling cycle is three.
+
+    Attributes
+    ----------
+    move : (m, 3) float64
+        From start to end, mm.
+    sweep, radius : (m,) float64
+        Angle, rad, and radius, mm, of an arc in the XY plane; 0 for straight motions.
+    command : (m,) int64
+        Index of the source command.
+    """
+
+    move: np.ndarray
+    sweep: np.ndarray
+    radius: np.ndarray
+    command: np.ndarray
+
+    @property
+    def level(self) -> np.ndarray:
+        """(m,) length in the XY plane, mm; of an arc, its chord."""
+        return np.hypot(self.move[:, 0], self.move[:, 1])
+
+
+def motions(toolpath: Toolpath) -> Motions:
+    """Join the chords of each arc and reduce each drilling cycle to the three motions both simulators make of
+    it.
+
+    Arcs in the ZX and YZ planes stay chords: the simulators read every arc as one in XY, so what they would
+    draw has nothing to do with the path.
+
+    Parameters
+    ----------
+    toolpath : Toolpath
+        n trajectories.
+
+    Returns
+    -------
+    Motions
+        m <= n motions in order, without those of no length.
+    """
+    n = len(toolpath)
+    if n == 0:
+        return Motions(np.zeros((0, 3)), np.zeros(0), np.zeros(0), np.zeros(0, np.int64))
+    points, command = toolpath.points, toolpath.command
+    arc = (toolpath.sweep != 0) & (toolpath.plane == 17)
+    same = command[1:] == command[:-1]
+    joined = same & ((arc[1:] & arc[:-1]) | (toolpath.cycle[1:] & toolpath.cycle[:-1]))
+    first = np.flatnonzero(np.concatenate(([True], ~joined)))
+    last = np.append(first[1:], n)
+
+    chords = np.hypot(*np.diff(points, axis=0)[:, :2].T)
+    sweep = np.add.reduceat(np.where(arc, toolpath.sweep, 0.0), first)
+    width = np.add.reduceat(np.where(arc, 2 * np.abs(np.sin(toolpath.sweep / 2)), 0.0), first)
+    radius = np.divide(np.add.reduceat(chords, first), width, out=np.zeros(len(first)), where=width > 0)
+    start, end = points[first], points[last]
+
+    # A drilling cycle: over the hole at the retract height, straight down, straight up; pecks are not shown.
+    cycle = toolpath.cycle[first]
+    lowest = np.minimum.reduceat(points[1:, 2], first)
+    retract = _height_before_first_feed(toolpath, first)
+    approach = np.where(cycle[:, None], np.column_stack((end[:, :2], retract)) - start, end - start)
+    down = np.column_stack((np.zeros((len(first), 2)), lowest - retract))
+    move = np.stack((approach, down, -down), axis=1)
+    exists = (np.abs(move) > 1e-9).any(axis=2)
+    exists[~cycle, 0] = True  # the chord of a full circle is nothing, the motion is not
+    exists[:, 1:] &= cycle[:, None]
+    arcs = np.zeros((len(first), 3))
+    radii = np.zeros((len(first), 3))
+    arcs[:, 0], radii[:, 0] = sweep, radius
+    return Motions(
+        move[exists], arcs[exists], radii[exists], np.repeat(command[first], 3).reshape(-1, 3)[exists]
+    )
+
+
+def _height_before_first_feed(toolpath: Toolpath, first: np.ndarray) -> np.ndarray:
+    """Height where the first move at feed of each group of trajectories begins."""
+    n = len(toolpath)
+    index = np.where(toolpath.rapid, n - 1, np.arange(n))
+    return toolpath.points[np.minimum.reduceat(index, first), 2]

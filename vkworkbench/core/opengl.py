@@ -1,0 +1,120 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What FreeCAD's OpenGL simulator will cost, from exact counts of its draw calls.
+
+It keeps nothing between two frames: each draws every motion made so far nine times. The counts follow
+MillPathSegment.cpp and MillSimulation.cpp of FreeCAD 1.0.0.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from vkworkbench.core.motions import motions
+from vkworkbench.core.simulators import DEFAULTS, Constants
+from vkworkbench.core.toolpath import Toolpath
+
+# Angle of a chord of an arc, at least and at most (MillPathSegment.cpp).
+_SMALLEST_STEP, _LARGEST_STEP = np.pi / 90, np.pi / 2
+# Renders of a motion in one frame: four passes of two stencil steps, one of colour (MillSimulation.cpp).
+_PASSES = 9
+# It waits for every second refresh of a 60 Hz screen.
+_SHORTEST_FRAME = 1 / 30
+
+
+@dataclass(frozen=True)
+class OpenGLCost:
+    """What the OpenGL simulator takes for one operation.
+
+    Attributes
+    ----------
+    frame_seconds : float
+        One frame at the end; the display is that slow whenever the part is turned.
+    play_seconds : dict of int to float
+        Time to play for each speed, steps per frame.
+    memory_bytes : float
+        Buffers of the motions.
+    draws : int
+        Draw calls of the last frame.
+    arc_draws : int
+        Those of them for arcs.
+    steps : int
+        Steps of the whole operation.
+    """
+
+    frame_seconds: float
+    play_seconds: dict[int, float]
+    memory_bytes: float
+    draws: int
+    arc_draws: int
+    steps: int
+
+
+def opengl_cost(
+    toolpath: Toolpath,
+    *,
+    diameter: float,
+    speeds: tuple[int, ...] = (1, 5, 10, 25, 50),
+    quality: int = 10,
+    constants: Constants = DEFAULTS,
+) -> OpenGLCost:
+    """Estimate the OpenGL simulator for one operation.
+
+    A frame draws a straight motion with two calls in each of nine passes, a vertical one with one and an arc
+    with one per chord, for all that was cut so far: playing takes a time of the order of the square of the
+    motions.
+
+    Parameters
+    ----------
+    toolpath : Toolpath
+        The trajectories.
+    diameter : float
+        Diameter of the tool, mm.
+    speeds : tuple of int
+        Steps per frame, see :func:`opengl_speeds`.
+    quality : int
+        Position of the quality slider, 1 to 10.
+    constants : Constants
+        Costs of the unit work.
+
+    Returns
+    -------
+    OpenGLCost
+
+    Raises
+    ------
+    ValueError
+        If the diameter or the quality is not positive.
+    """
+    if not (np.isfinite(diameter) and diameter > 0):
+        raise ValueError(f"the tool diameter must be a positive number of mm, not {diameter}")
+    if not quality > 0:
+        raise ValueError(f"the quality must be positive, not {quality}")
+    made = motions(toolpath)
+    # The size of the stock is not known yet when the simulator asks for it, so its 100 mm always count.
+    resolution = min(max(100 * 0.05 / quality, 0.5), 4.0)
+    small_step = np.pi / (8 if quality >= 8 else 4 if quality >= 4 else 2)
+
+    arc = made.radius > 0
+    small = made.radius <= diameter / 2
+    ratio = np.divide(resolution, made.radius, out=np.ones(len(arc)), where=made.radius > resolution)
+    step = np.where(small, small_step, np.clip(np.arcsin(ratio), _SMALLEST_STEP, _LARGEST_STEP))
+    chords = np.floor(np.abs(made.sweep) / step) + np.where(small, 1, 2)
+    lines = np.maximum(np.floor(np.linalg.norm(made.move, axis=1) / resolution), 1)
+    steps = np.where(arc, chords, lines)
+    draws = _PASSES * np.where(arc, chords, np.where(made.level < 1e-6, 1, 2))
+
+    # Mean frame of every motion: a line is drawn whole at once, an arc grows chord by chord.
+    before = np.cumsum(draws) - draws
+    mean_draws = before + np.where(arc, draws / 2, draws)
+    frames = np.maximum(constants.frame + constants.draw * mean_draws, _SHORTEST_FRAME)
+    total = float((steps * frames).sum())
+    return OpenGLCost(
+        frame_seconds=constants.frame + constants.draw * float(draws.sum()),
+        play_seconds={speed: total / speed for speed in speeds},
+        memory_bytes=float(np.where(arc, constants.arc_bytes, constants.line_bytes).sum()),
+        draws=int(draws.sum()),
+        arc_draws=int(draws[arc].sum()),
+        steps=int(steps.sum()),
+    )

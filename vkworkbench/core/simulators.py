@@ -1,0 +1,95 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""FreeCAD's simulators: which a version has and what their unit work costs on one computer.
+
+The *legacy* simulator (``PathSimulator.PathSim``) is in every version, see legacy.py; the *OpenGL* simulator
+(``CAMSimulator.PathSim``) came with FreeCAD 1.0, see opengl.py.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import Enum
+
+
+class Simulator(str, Enum):
+    """FreeCAD's simulators."""
+
+    LEGACY = "legacy"
+    OPENGL = "opengl"
+
+
+@dataclass(frozen=True)
+class Constants:
+    """What one unit of work costs on one computer, seconds and bytes.
+
+    The defaults were measured with FreeCAD 0.20.2, 1.0.0 and 1.1.3 on two Xeon cores without a graphics card;
+    ``frame`` and ``draw`` are a guess for a graphics card, none was there; software rendering took 35e-3 and
+    25e-6. ``document/calibration.py`` measures them on the user's computer.
+
+    Attributes
+    ----------
+    start : float
+        Legacy: pressing fast-forward and showing the result.
+    tick : float
+        Legacy: one command in fast-forward (a timer of 1 ms).
+    redraw : float
+        Legacy: showing one command in play, without its mesh.
+    call, ring, line, cap : float
+        Legacy: one move, one ring of its end cap, one step along it, one step of a ring.
+    cell : float
+        Legacy: one cell of the grid, each time it becomes a mesh.
+    facet : float
+        Legacy: one triangle of the mesh.
+    profile : float
+        Legacy: one test whether a point is inside the tool, when the tool's profile is taken.
+    facet_bytes : float
+        Legacy: memory of one triangle.
+    frame, draw : float
+        OpenGL: one frame with nothing cut, one draw call.
+    line_bytes, arc_bytes : float
+        OpenGL: memory of a straight motion and of an arc.
+    legacy_factor, opengl_factor : float
+        The true number is between the estimate divided and multiplied by this, before any calibration.
+    """
+
+    start: float = 0.32
+    tick: float = 1.087e-3
+    redraw: float = 0.035
+    call: float = 0.76e-6
+    ring: float = 59e-9
+    line: float = 2.2e-9
+    cap: float = 4.7e-9
+    cell: float = 13e-9
+    facet: float = 1.56e-6
+    profile: float = 0.1e-3
+    facet_bytes: float = 150.0
+    frame: float = 2e-3
+    draw: float = 1.5e-6
+    line_bytes: float = 900.0
+    arc_bytes: float = 7000.0
+    legacy_factor: float = 2.0
+    opengl_factor: float = 4.0
+
+
+DEFAULTS = Constants()
+
+
+def available_simulators(version: tuple[int, ...]) -> tuple[Simulator, ...]:
+    """Which simulators a FreeCAD has.
+
+    Parameters
+    ----------
+    version : tuple of int
+        At least major and minor, e.g. ``(1, 0)``.
+
+    Returns
+    -------
+    tuple of Simulator
+        In the order of their age.
+    """
+    return (Simulator.LEGACY, Simulator.OPENGL) if tuple(version[:2]) >= (1, 0) else (Simulator.LEGACY,)
+
+
+def opengl_speeds(version: tuple[int, ...]) -> tuple[int, ...]:
+    """Steps per frame that the OpenGL simulator's speed button offers in a FreeCAD version."""
+    return (1, 5, 10, 25, 50) if tuple(version[:2]) >= (1, 1) else (1, 10, 40)
