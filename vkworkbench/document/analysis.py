@@ -1,0 +1,118 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""From operations of a document to a report; reads, and writes nothing."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import FreeCAD
+
+from vkworkbench.core import Strategy, View, estimate, linearize, machining, recognize
+from vkworkbench.document.fingerprint import fingerprint
+from vkworkbench.document.operations import Operation, find
+from vkworkbench.document.setting import placed, rapid_feeds, read_stock, read_tool
+from vkworkbench.report import OperationReport, Report
+
+
+class Cancelled(Exception):
+    """The analysis was cancelled; nothing has been changed."""
+
+
+def analyze(
+    what=None,
+    *,
+    progress: Callable[[int, int, str], None] | None = None,
+    cancelled: Callable[[], bool] | None = None,
+) -> Report:
+    """Analyse operations: strategy, lengths and what simulating them costs. Writes nothing.
+
+    Parameters
+    ----------
+    what : Document, DocumentObject, or iterable of them, optional
+        A document (all its jobs and imported toolpaths), a job, or operations; the active document if None.
+    progress : callable, optional
+        Called before each operation with how many are done, how many there are, and its label.
+    cancelled : callable, optional
+        Asked before each operation; True ends the analysis.
+
+    Returns
+    -------
+    Report
+        One row for each operation; what is wrong with one is in its row and stops no other.
+
+    Raises
+    ------
+    ValueError
+        If `what` is None and no document is open.
+    TypeError
+        If `what` is something else.
+    Cancelled
+        If `cancelled` returned True.
+    """
+    if what is None:
+        what = FreeCAD.ActiveDocument
+        if what is None:
+            raise ValueError("no document is open: open one with a job or a toolpath")
+    operations = find(what)
+    reports = []
+    for done, operation in enumerate(operations):
+        if cancelled is not None and cancelled():
+            raise Cancelled("the analysis was cancelled; nothing has been changed")
+        if progress is not None:
+            progress(done, len(operations), operation.object.Label)
+        reports.append(_analyze(operation))
+    jobs = {(o.job.Document.Name, o.job.Name): o.job.Label for o in operations if o.job is not None}
+    return Report(tuple(reports), jobs)
+
+
+def _analyze(operation: Operation) -> OperationReport:
+    obj, job = operation.object, operation.job
+    errors = []
+    tool = _or_words(errors, read_tool, obj)
+    stock = _or_words(errors, read_stock, job)
+    try:
+        toolpath = placed(linearize(obj.Path.Commands), obj.Placement)
+    except ValueError as error:
+        errors.insert(0, str(error))
+        toolpath = linearize([])
+    found = recognize(toolpath, tool_diameter=tool and tool.diameter)
+    if found.strategy is Strategy.EMPTY:
+        # Without a cutting move there is nothing to simulate, so a missing tool or stock matters less.
+        errors = errors[:1] if errors and not errors[0].startswith("no ") else []
+        errors.append(_why_empty(operation))
+    errors += [str(problem) for problem in toolpath.problems]
+    horizontal, vertical = rapid_feeds(obj)
+    cost = None
+    if tool and stock and found.strategy is not Strategy.EMPTY:
+        cost = estimate(toolpath, found, tool=tool, stock=stock, view=View())
+    return OperationReport(
+        document=obj.Document.Name,
+        name=obj.Name,
+        label=obj.Label,
+        job=job.Name if job is not None else None,
+        counted=operation.counted,
+        recognition=found,
+        trajectories=len(toolpath),
+        machining=machining(toolpath, horizontal_rapid=horizontal, vertical_rapid=vertical),
+        estimate=cost,
+        legacy_seconds=None,
+        error="; ".join(errors) or None,
+        fingerprint=fingerprint(obj, job),
+    )
+
+
+def _or_words(errors: list[str], read: Callable, source):
+    """Return what `read` reads from `source`, or None with the reason among the errors."""
+    try:
+        return read(source)
+    except ValueError as error:
+        errors.append(str(error))
+        return None
+
+
+def _why_empty(operation: Operation) -> str:
+    if not operation.active:
+        return "inactive: switch it on and recompute it"
+    if not operation.object.Path.Commands:
+        return "no toolpath: recompute the operation and see FreeCAD's report view"
+    return "no cutting move in its toolpath"

@@ -1,0 +1,53 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Fingerprints that tell whether a mark still speaks of the operation it stands on.
+
+They hold what the analysis depends on and nothing else, to the digits a file keeps: so they survive renaming,
+saving, reopening, and another FreeCAD version.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import re
+
+from vkworkbench.document.setting import read_stock, read_tool
+
+_COMMENT_LINES = re.compile(r"^\(.*\n?", re.MULTILINE)
+
+
+def fingerprint(obj, job) -> str:
+    """Return the fingerprint of an operation: of its path and of its setting, as ``path:setting``."""
+    return f"{path_fingerprint(obj)}:{setting_fingerprint(obj, job)}"
+
+
+def path_fingerprint(obj) -> str:
+    """Return the fingerprint of the path and where it is placed."""
+    text = obj.Path.toGCode().replace("-0.000000", "0.000000")
+    if "(" in text:
+        text = _COMMENT_LINES.sub("", text)
+    placement = obj.Placement
+    if not placement.isIdentity():
+        text += repr([round(value, 6) for value in (*placement.Base, *placement.Rotation.Q)])
+    return _digest(text)
+
+
+def setting_fingerprint(obj, job) -> str:
+    """Return the fingerprint of tool and stock."""
+    parts = []
+    try:
+        tool = read_tool(obj)
+        angle = None if tool.tip_angle is None else round(tool.tip_angle, 4)
+        parts.append((tool.shape, round(tool.diameter, 4), round(tool.corner_radius, 4), angle))
+    except ValueError:
+        parts.append(None)
+    try:
+        stock = read_stock(job)
+        # Two FreeCADs bound the same solid alike to a hundredth of a millimetre.
+        parts.append([round(float(value), 2) + 0.0 for value in (*stock.lower, *stock.upper)])
+    except ValueError:
+        parts.append(None)
+    return _digest(repr(parts))
+
+
+def _digest(text: str) -> str:
+    return hashlib.sha1(text.encode(), usedforsecurity=False).hexdigest()[:16]

@@ -1,0 +1,259 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Marks: what an analysis found, written on the operations and on their jobs.
+
+The text goes into Label2, the tree's Description column, as a segment in brackets beside the user's own words; the
+data into read-only output properties. Neither touches an object: FreeCAD recomputes nothing (an ordinary property
+would). A file so marked opens in a FreeCAD without this add-on.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable
+from contextlib import contextmanager
+
+import FreeCAD
+
+from vkworkbench import friendly
+from vkworkbench.core import Strategy
+from vkworkbench.document.fingerprint import path_fingerprint, setting_fingerprint
+from vkworkbench.document.operations import Operation, find, kind
+from vkworkbench.report import OperationReport, Report
+
+OPENING, CLOSING, SEPARATOR, OUTDATED = "⟦", "⟧", " · ", "outdated"
+_SEGMENT = re.compile(f" ?{OPENING}[^{CLOSING}]*{CLOSING}")
+_LONGEST_REMARK = 60  # characters of what is wrong; the whole is in the tooltip, the report and the properties
+
+GROUP = "Toolpath analysis"
+# Output (8) keeps a change from touching the object, ReadOnly (1) the user from changing it; 4 hides.
+_SHOWN, _HIDDEN = 9, 13
+_PROPERTIES = {
+    "ToolpathStrategy": ("App::PropertyString", _SHOWN, "Machining strategy recognised from the toolpath"),
+    "ToolpathConfidence": ("App::PropertyFloat", _SHOWN, "How sure the recognition is, 0 to 1"),
+    "ToolpathReason": ("App::PropertyString", _SHOWN, "Why this strategy"),
+    "ToolpathRemark": ("App::PropertyString", _SHOWN, "What is wrong with the operation or unknown about it"),
+    "ToolpathTrajectories": ("App::PropertyInteger", _SHOWN, "Number of straight moves, arcs chopped"),
+    "ToolpathLength": ("App::PropertyFloat", _SHOWN, "Cutting length in mm"),
+    "ToolpathSeconds": ("App::PropertyFloat", _SHOWN, "Estimated time of simulating it, in seconds"),
+    "ToolpathMemory": ("App::PropertyFloat", _SHOWN, "Estimated memory of simulating it, in bytes"),
+    "ToolpathFingerprint": ("App::PropertyString", _HIDDEN, "Of the path, tool and stock analysed"),
+}
+
+
+def mark(report: Report) -> int:
+    """Write a report's findings on its operations and the totals on their jobs, one undo step a document.
+
+    Returns
+    -------
+    int
+        How many operations were marked; one that was deleted since the analysis is passed over.
+    """
+    marked = 0
+    by_document: dict[str, list[OperationReport]] = {}
+    for operation in report.operations:
+        by_document.setdefault(operation.document, []).append(operation)
+    for name, operations in by_document.items():
+        document = FreeCAD.listDocuments().get(name)
+        if document is None:
+            continue
+        with transaction(document, "Analyze toolpaths"):
+            for operation in operations:
+                obj = document.getObject(operation.name)
+                if obj is not None:
+                    _write(obj, operation)
+                    marked += 1
+            for job in _jobs(document):
+                _write_total(job)
+    return marked
+
+
+def clear(what=None) -> int:
+    """Remove all marks of a document, a job or operations, one undo step a document; nothing else changes.
+
+    Parameters
+    ----------
+    what : Document, DocumentObject, or iterable of them, optional
+        The active document if None.
+
+    Returns
+    -------
+    int
+        How many objects lost a mark.
+
+    Raises
+    ------
+    ValueError
+        If `what` is None and no document is open.
+    """
+    if what is None:
+        what = FreeCAD.ActiveDocument
+        if what is None:
+            raise ValueError("no document is open")
+    marked: dict[str, list] = {}
+    for obj in _with_jobs(find(what)):
+        if is_marked(obj):
+            marked.setdefault(obj.Document.Name, []).append(obj)
+    for name, objects in marked.items():
+        document = FreeCAD.getDocument(name)
+        with transaction(document, "Clear analysis"):
+            for obj in objects:
+                _erase(obj)
+            for job in _jobs(document):
+                _write_total(job)
+    return sum(map(len, marked.values()))
+
+
+def is_marked(obj) -> bool:
+    return hasattr(obj, "ToolpathFingerprint") or _SEGMENT.search(obj.Label2) is not None
+
+
+def is_outdated(obj) -> bool:
+    """Whether the mark in the tree says that it no longer fits."""
+    segment = segment_of(obj.Label2)
+    return segment is not None and segment.endswith(SEPARATOR + OUTDATED)
+
+
+def segment_of(label2: str) -> str | None:
+    """Return the text between the brackets of a description, None where there is no mark."""
+    match = _SEGMENT.search(label2)
+    return match and match.group().strip(f" {OPENING}{CLOSING}")
+
+
+def refresh(operation: Operation, *, path_changed: bool = True) -> None:
+    """Say "outdated" in a mark that no longer fits its operation, and no longer where it fits again."""
+    obj = operation.object
+    if not hasattr(obj, "ToolpathFingerprint"):
+        return
+    path, _, setting = obj.ToolpathFingerprint.partition(":")
+    fits = setting_fingerprint(obj, operation.job) == setting
+    if fits:
+        fits = path_fingerprint(obj) == path if path_changed or is_outdated(obj) else True
+    _say_outdated(obj, not fits)
+
+
+def refresh_total(job) -> None:
+    """Say "outdated" in a job's mark while that of one of its operations is."""
+    if hasattr(job, "ToolpathFingerprint"):
+        _say_outdated(job, any(is_outdated(o.object) for o in find(job) if o.counted))
+
+
+@contextmanager
+def transaction(document, name: str):
+    """Make the changes within one undo step, undone if one fails; part of the step that is already open."""
+    if document.HasPendingTransaction:
+        yield
+        return
+    document.openTransaction(name)
+    try:
+        yield
+    except BaseException:
+        document.abortTransaction()
+        raise
+    document.commitTransaction()
+
+
+def _write(obj, report: OperationReport) -> None:
+    estimate = report.estimate
+    _set(obj, {
+        "ToolpathStrategy": report.strategy.value,
+        "ToolpathConfidence": round(report.confidence, 4),
+        "ToolpathReason": report.reason,
+        "ToolpathRemark": report.error or "",
+        "ToolpathTrajectories": report.trajectories,
+        "ToolpathLength": report.length,
+        "ToolpathSeconds": estimate.seconds if estimate else 0.0,
+        "ToolpathMemory": float(estimate.memory_bytes) if estimate else 0.0,
+        "ToolpathFingerprint": report.fingerprint,
+    })  # fmt: skip
+    parts = [_verdict(report)]
+    if estimate:
+        parts += [friendly.time(estimate.seconds), friendly.memory(estimate.memory_bytes)]
+    if report.error:
+        parts.append(_shortened(report.error))
+    _describe(obj, SEPARATOR.join(parts))
+
+
+def _verdict(report: OperationReport) -> str:
+    if report.strategy in (Strategy.EMPTY, Strategy.UNKNOWN):
+        return report.strategy.value
+    return f"{report.strategy.value} {report.confidence:.0%}"
+
+
+def _shortened(text: str) -> str:
+    text = text.replace(OPENING, "[").replace(CLOSING, "]")
+    return text if len(text) <= _LONGEST_REMARK else text[: _LONGEST_REMARK - 1].rstrip() + "…"
+
+
+def _write_total(job) -> None:
+    """Mark a job with the sum over its operations' marks; a job with an unmarked operation has no total."""
+    operations = [o.object for o in find(job) if o.counted]
+    if not operations or not all(hasattr(obj, "ToolpathFingerprint") for obj in operations):
+        if is_marked(job):
+            _erase(job)
+        return
+    seconds = sum(obj.ToolpathSeconds for obj in operations)
+    memory = sum(obj.ToolpathMemory for obj in operations)
+    unknown = [obj for obj in operations if obj.ToolpathTrajectories and not obj.ToolpathMemory]
+    _set(job, {
+        "ToolpathRemark": f"cost unknown for {', '.join(obj.Label for obj in unknown)}" if unknown else "",
+        "ToolpathTrajectories": sum(obj.ToolpathTrajectories for obj in operations),
+        "ToolpathLength": sum(obj.ToolpathLength for obj in operations),
+        "ToolpathSeconds": seconds,
+        "ToolpathMemory": memory,
+        "ToolpathFingerprint": "total",
+    })  # fmt: skip
+    least = "≥ " if unknown else ""
+    count = f"{len(operations)} operation" + ("s" if len(operations) > 1 else "")
+    _describe(job, SEPARATOR.join([count, least + friendly.time(seconds), least + friendly.memory(memory)]))
+    refresh_total(job)
+
+
+def _set(obj, values: dict) -> None:
+    for name, value in values.items():
+        if not hasattr(obj, name):
+            type_id, attributes, tooltip = _PROPERTIES[name]
+            obj.addProperty(type_id, name, GROUP, tooltip, attributes)
+        if getattr(obj, name) != value:
+            setattr(obj, name, value)
+
+
+def _describe(obj, segment: str) -> None:
+    """Put the segment where one stands already, else behind the user's own words."""
+    text = f"{OPENING}{segment}{CLOSING}"
+    match = _SEGMENT.search(obj.Label2)
+    if match:
+        space = " " if match.group().startswith(" ") else ""
+        label2 = obj.Label2[: match.start()] + space + text + obj.Label2[match.end() :]
+    else:
+        label2 = f"{obj.Label2} {text}" if obj.Label2 else text
+    if obj.Label2 != label2:
+        obj.Label2 = label2
+
+
+def _say_outdated(obj, outdated: bool) -> None:
+    segment = segment_of(obj.Label2)
+    if segment is not None:
+        fresh = segment.removesuffix(SEPARATOR + OUTDATED)
+        _describe(obj, fresh + SEPARATOR + OUTDATED if outdated else fresh)
+
+
+def _erase(obj) -> None:
+    label2 = _SEGMENT.sub("", obj.Label2)
+    if obj.Label2 != label2:
+        obj.Label2 = label2
+    for name in _PROPERTIES:
+        if hasattr(obj, name):
+            obj.removeProperty(name)
+
+
+def _jobs(document) -> list:
+    return [obj for obj in document.Objects if kind(obj) == "job"]
+
+
+def _with_jobs(operations: Iterable[Operation]) -> list:
+    objects = {}
+    for operation in operations:
+        for obj in (operation.object, operation.job):
+            if obj is not None:
+                objects[obj.Document.Name, obj.Name] = obj
+    return list(objects.values())

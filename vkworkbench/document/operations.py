@@ -1,0 +1,173 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The operations of a document, told apart by properties and TypeId.
+
+Proxies and class names differ between FreeCAD versions, and a file from another version may have none.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass, field
+
+PATH = "Path::Feature"
+
+
+@dataclass(frozen=True)
+class Operation:
+    """One operation to analyse.
+
+    Attributes
+    ----------
+    object : DocumentObject
+        The object with the Path.
+    job : DocumentObject or None
+        Its job; None for a toolpath imported without one.
+    counted : bool
+        Whether it counts in the job's total: what is posted, and nothing twice.
+    active : bool
+        Whether FreeCAD posts it, by its own switch or that of the operation it dresses up.
+    """
+
+    object: object
+    job: object | None = field(default=None)
+    counted: bool = True
+    active: bool = True
+
+
+def kind(obj) -> str | None:
+    """Return "job", "controller", "dressup", "array", "operation", or None for what has no toolpath."""
+    if not obj.isDerivedFrom(PATH):
+        return None
+    if hasattr(obj, "Operations") and hasattr(obj, "Tools"):
+        return "job"
+    if hasattr(obj, "ToolNumber") and hasattr(obj, "SpindleSpeed"):
+        return "controller"
+    if _bases(obj):
+        return "array" if hasattr(obj, "Copies") else "dressup"
+    return "operation"
+
+
+def is_job_group(obj) -> bool:
+    """Whether it is the group in which a job keeps its operations."""
+    return any(kind(user) == "job" and user.Operations is obj for user in obj.InList)
+
+
+def find(what) -> list[Operation]:
+    """Return the operations of a document, a job, an operation, or of several of these.
+
+    Parameters
+    ----------
+    what : Document, DocumentObject, or iterable of them
+        A document stands for all its jobs and the toolpaths outside them, a job (or its group of operations)
+        for all that is in it.
+
+    Returns
+    -------
+    list of Operation
+        Each object once, in the order of posting, a dress-up before what it dresses up.
+
+    Raises
+    ------
+    TypeError
+        If something else is given.
+    """
+    found: dict[tuple[str, str], Operation] = {}
+    for operation in _find(what):
+        found.setdefault((operation.object.Document.Name, operation.object.Name), operation)
+    return list(found.values())
+
+
+def _find(what) -> Iterator[Operation]:
+    if hasattr(what, "Objects") and hasattr(what, "getObject"):
+        in_jobs = [obj for obj in what.Objects if kind(obj) == "job"]
+        for job in in_jobs:
+            yield from _of_job(job)
+        for obj in what.Objects:
+            if kind(obj) in ("operation", "dressup", "array"):
+                yield from _with_bases(obj, _job_of(obj), counted=True)
+    elif hasattr(what, "isDerivedFrom"):
+        sort = kind(what)
+        if sort == "job":
+            yield from _of_job(what)
+        elif sort in ("operation", "dressup", "array"):
+            yield from (o for o in _of_job_or_alone(what) if o.object is what)
+        elif is_job_group(what):
+            yield from _of_job(_job_of(what))
+    elif isinstance(what, Iterable) and not isinstance(what, str):
+        for one in what:
+            yield from _find(one)
+    else:
+        raise TypeError(f"analyze takes a document, a job or operations, not {type(what).__name__}")
+
+
+def _of_job(job) -> Iterator[Operation]:
+    members = list(getattr(job.Operations, "Group", [])) if job.Operations else []
+    # A file made without a window lists a dress-up and its base side by side.
+    dressed = {base.Name for obj in members if kind(obj) == "dressup" for base in _all_bases(obj)}
+    for obj in members:
+        if kind(obj) in ("operation", "dressup", "array"):
+            yield from _with_bases(obj, job, counted=obj.Name not in dressed)
+
+
+def _of_job_or_alone(obj) -> Iterator[Operation]:
+    job = _job_of(obj)
+    if job is not None:
+        yield from _of_job(job)
+    yield from _with_bases(obj, job, counted=True)
+
+
+def _with_bases(obj, job, counted: bool) -> Iterator[Operation]:
+    active = is_active(obj)
+    yield Operation(obj, job, counted and active, active)
+    if kind(obj) == "dressup":
+        for base in _all_bases(obj):
+            yield Operation(base, job, False, is_active(base))
+
+
+def _bases(obj) -> list:
+    """What a dress-up or an array is made from (an ordinary operation's Base lists faces of the model)."""
+    base = getattr(obj, "Base", None)
+    candidates = base if isinstance(base, (list, tuple)) else [base]
+    return [b for b in candidates if hasattr(b, "isDerivedFrom") and b.isDerivedFrom(PATH)]
+
+
+def _all_bases(obj) -> Iterator:
+    seen = {obj.Name}
+    pending = _bases(obj)
+    while pending:
+        base = pending.pop(0)
+        if base.Name not in seen:
+            seen.add(base.Name)
+            yield base
+            pending += _bases(base)
+
+
+def _job_of(obj):
+    """Return the job of an operation, also where only a dress-up of it is in the job's group."""
+    seen = set()
+    pending = [obj]
+    while pending:
+        one = pending.pop(0)
+        if one.Name in seen:
+            continue
+        seen.add(one.Name)
+        for user in one.InList:
+            if kind(user) == "job":
+                return user
+            if user.isDerivedFrom("App::DocumentObjectGroup") or kind(user) in ("dressup", "array"):
+                pending.append(user)
+    return None
+
+
+def through_bases(obj, name: str):
+    """Return a property of an operation, or of the operation it dresses up; None where none has it."""
+    for one in (obj, *_all_bases(obj)):
+        value = getattr(one, name, None)
+        if value is not None:
+            return value
+    return None
+
+
+def is_active(obj) -> bool:
+    """Whether FreeCAD posts the operation: neither it nor what it dresses up is switched off."""
+    return all(getattr(one, "Active", True) for one in (obj, *_all_bases(obj)))

@@ -1,0 +1,99 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What an operation is simulated with: its tool, its stock and its placement, read from the document."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+
+import numpy as np
+
+from vkworkbench.core import Stock, Tool, Toolpath
+from vkworkbench.document.operations import through_bases
+
+# FreeCAD's names of tool shapes, written alike, and what they are for a simulation.
+_SHAPES = {
+    "endmill": "endmill", "ballend": "ballend", "ballnose": "ballend", "bullnose": "bullnose", "torus": "bullnose",
+    "vbit": "vbit", "chamfer": "vbit", "engraver": "vbit", "taperedballnose": "ballend", "drill": "drill",
+    "countersink": "vbit", "tap": "drill", "reamer": "endmill", "threadmill": "endmill", "slittingsaw": "endmill",
+    "slotcutter": "endmill", "dovetail": "endmill", "radius": "endmill",
+}  # fmt: skip
+
+
+def read_tool(operation) -> Tool:
+    """Return the tool of an operation, of whatever FreeCAD version.
+
+    Raises
+    ------
+    ValueError
+        With words for the user where there is no tool or its measures are impossible.
+    """
+    controller = through_bases(operation, "ToolController")
+    if controller is None:
+        raise ValueError("no tool: give the operation a tool controller")
+    bit = getattr(controller, "Tool", None)
+    if bit is None:
+        raise ValueError(f"no tool in {controller.Label}: choose a tool bit for it")
+    diameter = _number(bit, "Diameter")
+    if diameter is None:
+        raise ValueError(f"the tool in {controller.Label} has no diameter")
+    try:
+        return _tool(bit, diameter)
+    except ValueError as error:
+        raise ValueError(f"{controller.Label}: {error}") from None
+
+
+def _tool(bit, diameter: float) -> Tool:
+    names = (getattr(bit, name, None) for name in ("ShapeType", "ShapeName", "ToolType"))
+    name = next((n for n in names if isinstance(n, str) and n), "endmill")
+    shape = _SHAPES.get("".join(c for c in name.lower() if c.isalpha()), "endmill")
+    if shape == "bullnose":
+        corner = _number(bit, "CornerRadius")
+        if not corner:
+            flat = _number(bit, "FlatRadius")  # 0.20 and 1.0 give the radius of the flat part instead
+            corner = diameter / 2 - flat if flat is not None else 0.0
+        return Tool(shape, diameter, corner_radius=corner)
+    if shape in ("vbit", "drill"):
+        angle = _number(bit, "TipAngle" if shape == "drill" else "CuttingEdgeAngle")
+        return Tool(shape, diameter, tip_angle=math.radians(angle) if angle else None)
+    return Tool(shape, diameter)
+
+
+def _number(bit, name: str) -> float | None:
+    value = getattr(bit, name, None)
+    return None if value is None else float(getattr(value, "Value", value))
+
+
+def read_stock(job) -> Stock:
+    """Return the box around a job's stock.
+
+    Raises
+    ------
+    ValueError
+        With words for the user where there is no job, no stock, or a stock without volume.
+    """
+    if job is None:
+        raise ValueError("no stock: put the toolpath into a job")
+    solid = getattr(job, "Stock", None)
+    shape = getattr(solid, "Shape", None)
+    if shape is None or shape.isNull():
+        raise ValueError(f"no stock: give {job.Label} a stock")
+    box = shape.BoundBox
+    try:
+        return Stock((box.XMin, box.YMin, box.ZMin), (box.XMax, box.YMax, box.ZMax))
+    except ValueError as error:
+        raise ValueError(f"{job.Label}: {error}") from None
+
+
+def rapid_feeds(operation) -> tuple[float, float]:
+    """Return the horizontal and vertical rapid speed of an operation's tool controller, mm/s; 0 if unset."""
+    controller = through_bases(operation, "ToolController")
+    return tuple(_number(controller, name) or 0.0 for name in ("HorizRapid", "VertRapid"))
+
+
+def placed(toolpath: Toolpath, placement) -> Toolpath:
+    """Return the toolpath where the operation's placement puts it."""
+    if placement is None or placement.isIdentity():
+        return toolpath
+    matrix = np.array(placement.toMatrix().A).reshape(4, 4)
+    return replace(toolpath, points=toolpath.points @ matrix[:3, :3].T + matrix[:3, 3])

@@ -1,0 +1,87 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Marks that stay true: a mark says "outdated" when its operation's path, tool or stock changed.
+
+FreeCAD tells of every changed property; those that matter are noted, and looked at when the recompute, undo or
+redo that changed them is over. Nothing is looked at while a document is being restored.
+"""
+
+from __future__ import annotations
+
+import FreeCAD
+
+from vkworkbench.document import marks
+from vkworkbench.document.operations import find
+
+_ON_OPERATION = {"Path", "Placement", "ToolController", "Base", "Active"}
+# Changes that reach operations by way of their tool or stock, and recompute not all of them.
+_ON_SETTING = {"Shape", "Tool", "Diameter", "CornerRadius", "FlatRadius", "CuttingEdgeAngle", "TipAngle",
+               "ShapeType", "ShapeName", "BitShape", "Stock"}  # fmt: skip
+
+
+class Watcher:
+    """An observer of all documents."""
+
+    def __init__(self) -> None:
+        self._paths: dict[str, set[str]] = {}
+        self._settings: set[str] = set()
+
+    def slotChangedObject(self, obj, name: str) -> None:
+        if name in _ON_OPERATION:
+            if "Restore" not in obj.State and hasattr(obj, "ToolpathFingerprint"):
+                self._paths.setdefault(obj.Document.Name, set()).add(obj.Name)
+        elif name in _ON_SETTING and "Restore" not in obj.State:
+            self._settings.add(obj.Document.Name)
+
+    def slotRecomputedDocument(self, document) -> None:
+        self._look(document)
+
+    def slotUndoDocument(self, document) -> None:
+        self._look(document)
+
+    def slotRedoDocument(self, document) -> None:
+        self._look(document)
+
+    def slotDeletedDocument(self, document) -> None:
+        self._paths.pop(document.Name, None)
+        self._settings.discard(document.Name)
+
+    def _look(self, document) -> None:
+        changed = self._paths.pop(document.Name, set())
+        setting_changed = document.Name in self._settings
+        self._settings.discard(document.Name)
+        if changed or setting_changed:
+            check(document, None if setting_changed else changed, changed)
+
+
+def check(document, names: set[str] | None = None, paths_changed: set[str] | None = None) -> None:
+    """Compare marks with their operations and say "outdated" where they differ.
+
+    Parameters
+    ----------
+    document : Document
+    names : set of str, optional
+        Only these operations; all of them if None.
+    paths_changed : set of str, optional
+        Operations whose path may differ; all of them if None.
+    """
+    jobs = {}
+    for operation in find(document):
+        name = operation.object.Name
+        if names is not None and name not in names:
+            continue
+        marks.refresh(operation, path_changed=paths_changed is None or name in paths_changed)
+        if operation.job is not None:
+            jobs[operation.job.Name] = operation.job
+    for job in jobs.values():
+        marks.refresh_total(job)
+
+
+_watcher: Watcher | None = None
+
+
+def watch() -> None:
+    """Watch all documents from now on; called again it does nothing."""
+    global _watcher
+    if _watcher is None:
+        _watcher = Watcher()
+        FreeCAD.addDocumentObserver(_watcher)

@@ -1,0 +1,140 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The commands a user clicks: each calls what a macro calls."""
+
+from __future__ import annotations
+
+import FreeCAD
+import FreeCADGui as Gui
+
+import vkworkbench
+from vkworkbench.document import operations
+from vkworkbench.gui import tree
+from vkworkbench.gui.qt import QMessageBox, QProgressDialog, Qt
+from vkworkbench.gui.text import translate
+
+ANALYZE, CLEAR = "Vk_Analyze", "Vk_Clear"
+_PREFERENCES = "User parameter:BaseApp/Preferences/Mod/VkWorkbench"
+_PROGRESS_DELAY = 300  # ms; a shorter analysis shows no dialog
+
+
+class AnalyzeCommand:
+    """Analyse the selected operations, or all of the active document, and mark them."""
+
+    def GetResources(self) -> dict[str, str]:
+        return {
+            "MenuText": translate("Vk_Analyze", "Analyze toolpaths"),
+            "ToolTip": translate(
+                "Vk_Analyze",
+                "Recognizes the machining strategy of each selected operation, or of all operations of the active "
+                "document, estimates what simulating it costs, and marks it in the tree.",
+            ),
+            "Pixmap": "Vk_Analyze",
+            "Accel": "V, K",
+        }
+
+    def IsActive(self) -> bool:
+        return FreeCAD.ActiveDocument is not None
+
+    def Activated(self) -> None:
+        if FreeCAD.ActiveDocument is None:
+            _tell(translate("Vk_Analyze", "No document is open. Open one with a job or a toolpath first."))
+            return
+        try:
+            report = _analyze_with_progress(_selected() or FreeCAD.ActiveDocument)
+        except vkworkbench.Cancelled:
+            _status(translate("Vk_Analyze", "Analysis cancelled, nothing changed."))
+            return
+        if not report.operations:
+            _tell(translate(
+                "Vk_Analyze",
+                "There is no operation to analyze in this document. Create a job with operations, or import G-code.",
+            ))  # fmt: skip
+            return
+        vkworkbench.mark(report)
+        _show_marks()
+        FreeCAD.Console.PrintMessage(f"{report}\n")
+        wrong = sum(o.error is not None for o in report.operations)
+        text = translate("Vk_Analyze", "{} operations analyzed").format(len(report.operations))
+        if wrong:
+            text += ", " + translate("Vk_Analyze", "{} with remarks").format(wrong)
+        _status(text)
+
+
+class ClearCommand:
+    """Remove the marks of the selected operations, or of the whole active document."""
+
+    def GetResources(self) -> dict[str, str]:
+        return {
+            "MenuText": translate("Vk_Clear", "Clear analysis"),
+            "ToolTip": translate(
+                "Vk_Clear",
+                "Removes the marks of the selected operations, or all marks of the active document; your own "
+                "descriptions stay.",
+            ),
+            "Pixmap": "Vk_Clear",
+        }
+
+    def IsActive(self) -> bool:
+        return FreeCAD.ActiveDocument is not None
+
+    def Activated(self) -> None:
+        if FreeCAD.ActiveDocument is None:
+            return
+        cleared = vkworkbench.clear(_selected() or FreeCAD.ActiveDocument)
+        _status(translate("Vk_Clear", "{} marks removed").format(cleared))
+
+
+def _selected() -> list:
+    """Return the selected jobs and operations."""
+    selection = Gui.Selection.getSelection()
+    groups = {"job", "operation", "dressup", "array"}
+    return [obj for obj in selection if operations.kind(obj) in groups or operations.is_job_group(obj)]
+
+
+def _analyze_with_progress(what):
+    dialog = QProgressDialog(Gui.getMainWindow())
+    dialog.setWindowTitle(translate("Vk_Analyze", "Analyze toolpaths"))
+    dialog.setWindowModality(Qt.WindowModal)
+    dialog.setMinimumDuration(_PROGRESS_DELAY)
+
+    def progress(done: int, count: int, label: str) -> None:
+        dialog.setMaximum(count)
+        dialog.setLabelText(label)
+        dialog.setValue(done)  # lets the window live, and takes Esc
+
+    try:
+        return vkworkbench.analyze(what, progress=progress, cancelled=dialog.wasCanceled)
+    finally:
+        dialog.close()
+        dialog.deleteLater()
+
+
+def _show_marks() -> None:
+    """Show the Description column the first time, and say so; afterwards it is the user's own."""
+    preferences = FreeCAD.ParamGet(_PREFERENCES)
+    if not preferences.GetBool("DescriptionShown", False):
+        preferences.SetBool("DescriptionShown", True)
+        if tree.show_description():
+            _tell(translate(
+                "Vk_Analyze",
+                "The marks are in the tree's Description column, which is now visible. You can hide it again in the "
+                "tree's context menu: Tree settings, Show description.",
+            ))  # fmt: skip
+    tree.fit_description()
+
+
+def _tell(text: str) -> None:
+    """Show a message that does not block."""
+    box = QMessageBox(QMessageBox.Information, translate("Vk_Analyze", "Toolpath analysis"), text, QMessageBox.Ok,
+                      Gui.getMainWindow())  # fmt: skip
+    box.setAttribute(Qt.WA_DeleteOnClose)
+    box.setModal(False)
+    box.show()
+
+
+def _status(text: str) -> None:
+    Gui.getMainWindow().statusBar().showMessage(text, 10_000)
+
+
+Gui.addCommand(ANALYZE, AnalyzeCommand())
+Gui.addCommand(CLEAR, ClearCommand())

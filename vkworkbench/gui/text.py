@@ -1,0 +1,6 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Translation of what the user reads, under the name that Qt's lupdate looks for."""
+
+import FreeCAD
+
+translate = FreeCAD.Qt.translate

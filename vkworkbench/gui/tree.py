@@ -1,0 +1,61 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The Description column of FreeCAD's tree, where the marks are read."""
+
+from __future__ import annotations
+
+from contextlib import contextmanager
+
+import FreeCAD
+import FreeCADGui as Gui
+
+from vkworkbench.gui.qt import QDockWidget, QHeaderView, Qt, QTreeView
+
+DESCRIPTION = 1
+_TREE_PREFERENCES = "User parameter:BaseApp/Preferences/TreeView"
+_DOCK_NAMES = ("Combo View", "Model", "Tree view")  # 0.20, 1.x, and the tree on its own
+_DOCK_WIDTH = 500  # px; FreeCAD's 260 would leave the column outside
+
+
+def trees() -> list[QTreeView]:
+    """Return FreeCAD's document trees."""
+    views = Gui.getMainWindow().findChildren(QTreeView)
+    return [view for view in views if view.metaObject().className() == "Gui::TreeWidget"]
+
+
+def show_description() -> bool:
+    """Make the Description column visible and wide enough to read; return whether it was hidden."""
+    preferences = FreeCAD.ParamGet(_TREE_PREFERENCES)
+    # 0.20 has no such preference: there the column is always visible.
+    was_hidden = FreeCAD.Version()[0] != "0" and preferences.GetBool("HideColumn", True)
+    if was_hidden:
+        preferences.SetBool("HideColumn", False)
+    for tree in trees():
+        tree.setColumnHidden(DESCRIPTION, False)
+        tree.header().setVisible(True)
+    window = Gui.getMainWindow()
+    for dock in window.findChildren(QDockWidget):
+        if dock.objectName() in _DOCK_NAMES and dock.isVisible() and dock.width() < _DOCK_WIDTH:
+            window.resizeDocks([dock], [_DOCK_WIDTH], Qt.Horizontal)
+    return was_hidden
+
+
+def fit_description() -> None:
+    """Fit the columns of the trees to what they show."""
+    for tree in trees():
+        tree.resizeColumnToContents(0)
+        tree.resizeColumnToContents(DESCRIPTION)
+
+
+@contextmanager
+def steady_columns():
+    """Keep the trees' columns from being fitted after each change of a text: 200 marks cost 1 s in 1.x else."""
+    headers = [tree.header() for tree in trees()]
+    modes = [[header.sectionResizeMode(i) for i in range(header.count())] for header in headers]
+    for header in headers:
+        header.setSectionResizeMode(QHeaderView.Fixed)
+    try:
+        yield
+    finally:
+        for header, sections in zip(headers, modes):
+            for i, mode in enumerate(sections):
+                header.setSectionResizeMode(i, mode)

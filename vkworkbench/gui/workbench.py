@@ -1,0 +1,103 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The workbench, its guests in FreeCAD's own CAM workbench, and what starts with FreeCAD. Loads no numpy."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import FreeCAD
+import FreeCADGui as Gui
+
+from vkworkbench.gui.qt import QTimer
+from vkworkbench.gui.text import translate
+
+ROOT = Path(__file__).resolve().parents[2]
+ICONS = ROOT / "resources" / "icons"
+COMMANDS = ["Vk_Analyze", "Vk_Clear"]
+TITLE = "Toolpath analysis"
+
+
+class VkWorkbench(Gui.Workbench):
+    """Toolpath analysis on its own; the same commands are in the CAM workbench."""
+
+    MenuText = translate("Workbench", "Toolpath Analysis")
+    ToolTip = translate("Workbench", "Recognize machining strategies and estimate simulation costs of toolpaths")
+    Icon = str(ICONS / "VkWorkbench.svg")
+
+    def Initialize(self) -> None:
+        _load_commands()
+        self.appendToolbar(translate("Workbench", TITLE), COMMANDS)
+        self.appendMenu(translate("Workbench", TITLE), COMMANDS)
+
+    def ContextMenu(self, recipient: str) -> None:
+        if _path_selected():
+            self.appendContextMenu("", COMMANDS)
+
+    def GetClassName(self) -> str:
+        return "Gui::PythonWorkbench"
+
+
+def install() -> None:
+    """Register everything: called once by InitGui.py when FreeCAD starts."""
+    Gui.addIconPath(str(ICONS))
+    Gui.addWorkbench(VkWorkbench())
+    for name, menu in (("CAMWorkbench", "&CAM"), ("PathWorkbench", "&Path")):
+        workbench = Gui.listWorkbenches().get(name)
+        if workbench is not None:
+            _extend(workbench, menu)
+    FreeCAD.addDocumentObserver(_OpenedDocuments())
+
+
+def _extend(workbench, menu: str) -> None:
+    """Add the commands to a workbench that is not yet initialised.
+
+    The instance's methods are wrapped: FreeCAD's own way, workbench manipulators, is missing in 0.20 and cannot make
+    a toolbar.
+    """
+    initialize, context_menu = workbench.Initialize, workbench.ContextMenu
+
+    def Initialize() -> None:
+        initialize()
+        _load_commands()
+        workbench.appendToolbar(translate("Workbench", TITLE), COMMANDS)
+        workbench.appendMenu([menu], ["Separator", *COMMANDS])
+
+    def ContextMenu(recipient: str) -> None:
+        context_menu(recipient)
+        if _path_selected():
+            workbench.appendContextMenu("", COMMANDS)
+
+    workbench.Initialize, workbench.ContextMenu = Initialize, ContextMenu
+
+
+class _OpenedDocuments:
+    """Looks at the marks of a document once it has been opened: they may have been made for another path."""
+
+    def slotCreatedDocument(self, document) -> None:
+        self._later(document.Name)
+
+    def slotActivateDocument(self, document) -> None:
+        self._later(document.Name)
+
+    def _later(self, name: str) -> None:
+        QTimer.singleShot(0, lambda: self._look(name))
+
+    def _look(self, name: str) -> None:
+        document = FreeCAD.listDocuments().get(name)
+        if document is None or not any(hasattr(obj, "ToolpathFingerprint") for obj in document.Objects):
+            return
+        if any("Restore" in obj.State for obj in document.Objects):
+            self._later(name)
+            return
+        from vkworkbench.document import watcher  # loads numpy: only for a document with marks
+
+        watcher.watch()
+        watcher.check(document)
+
+
+def _load_commands() -> None:
+    from vkworkbench.gui import commands  # noqa: F401, registers them
+
+
+def _path_selected() -> bool:
+    return any(obj.isDerivedFrom("Path::Feature") for obj in Gui.Selection.getSelection())

@@ -1,0 +1,233 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What an analysis found: plain data, printed as a table, saved as CSV or JSON."""
+
+from __future__ import annotations
+
+import csv
+import json
+from dataclasses import dataclass, field
+from typing import Any
+
+from vkworkbench import friendly
+from vkworkbench.core import Estimate, Machining, Recognition, Span, Strategy
+
+
+@dataclass(frozen=True)
+class OperationReport:
+    """What was found about one operation.
+
+    Attributes
+    ----------
+    document, name, label : str
+        Internal names of the document and of the object, and the object's label.
+    job : str or None
+        Internal name of the job it belongs to.
+    counted : bool
+        Whether it counts in its job's total: not where a dress-up stands for it, nor where it is inactive.
+    recognition : Recognition
+        Strategy, confidence, reason and spans with their evidence.
+    trajectories : int
+        Number of straight moves, arcs chopped.
+    machining : Machining
+        Own lengths and machining time (FreeCAD's are wrong for arcs).
+    estimate : Estimate or None
+        Dexels, traces, memory and time of simulating it; None where `error` says why.
+    legacy_seconds : float or None
+        Time of FreeCAD's legacy simulator, fast-forward.
+    error : str or None
+        What is wrong, in words for the user.
+    fingerprint : str
+        Of the path, tool and stock that were analysed.
+    """
+
+    document: str
+    name: str
+    label: str
+    job: str | None
+    counted: bool
+    recognition: Recognition
+    trajectories: int
+    machining: Machining
+    estimate: Estimate | None
+    legacy_seconds: float | None
+    error: str | None
+    fingerprint: str
+
+    @property
+    def strategy(self) -> Strategy:
+        return self.recognition.strategy
+
+    @property
+    def confidence(self) -> float:
+        return self.recognition.confidence
+
+    @property
+    def reason(self) -> str:
+        return self.recognition.reason
+
+    @property
+    def spans(self) -> tuple[Span, ...]:
+        return self.recognition.spans
+
+    @property
+    def length(self) -> float:
+        """Cutting length, mm, arcs by their exact length."""
+        return self.machining.cutting_length
+
+    def as_dict(self) -> dict[str, Any]:
+        """Return the report as numbers, strings and lists, in mm, s, rad and bytes."""
+        found, estimate = self.recognition, self.estimate
+        return {
+            "document": self.document,
+            "name": self.name,
+            "label": self.label,
+            "job": self.job,
+            "counted": self.counted,
+            "strategy": self.strategy.value,
+            "confidence": round(self.confidence, 4),
+            "reason": self.reason,
+            "level": found.level,
+            "reversals": found.reversals,
+            "sense": found.sense,
+            "stepover": found.stepover,
+            "passes": found.passes,
+            "depths": found.depths,
+            "direction": found.direction,
+            "trajectories": self.trajectories,
+            "length": self.length,
+            "rapid_length": self.machining.rapid_length,
+            "machining_seconds": self.machining.seconds,
+            "dexels": estimate and estimate.dexels,
+            "traces": estimate and estimate.traces,
+            "traces_error": estimate and estimate.traces_error,
+            "memory_bytes": estimate and estimate.memory_bytes,
+            "seconds": estimate and estimate.seconds,
+            "legacy_seconds": self.legacy_seconds,
+            "error": self.error,
+            "spans": [
+                {"strategy": s.strategy.value, "first_command": s.first_command, "last_command": s.last_command,
+                 "share": round(s.share, 4)}
+                for s in found.spans
+            ],
+        }  # fmt: skip
+
+
+@dataclass(frozen=True)
+class Total:
+    """The sum over the operations of one job that are posted."""
+
+    document: str
+    job: str
+    label: str
+    operations: int
+    trajectories: int
+    length: float
+    seconds: float
+    memory_bytes: int
+    incomplete: bool
+    """Whether some operation's cost is unknown, so that the sums are lower bounds."""
+
+
+@dataclass(frozen=True)
+class Report:
+    """All operations analysed, in the order of their jobs.
+
+    Attributes
+    ----------
+    operations : tuple of OperationReport
+    jobs : dict
+        Label of each job by (document name, job name).
+    """
+
+    operations: tuple[OperationReport, ...]
+    jobs: dict[tuple[str, str], str] = field(default_factory=dict)
+
+    @property
+    def totals(self) -> tuple[Total, ...]:
+        """One total for each job, nothing counted twice."""
+        return tuple(self._total(*key, label) for key, label in self.jobs.items())
+
+    def _total(self, document: str, job: str, label: str) -> Total:
+        counted = [o for o in self.operations if o.counted and (o.document, o.job) == (document, job)]
+        known = [o.estimate for o in counted if o.estimate]
+        return Total(
+            document, job, label,
+            operations=len(counted),
+            trajectories=sum(o.trajectories for o in counted),
+            length=sum(o.length for o in counted),
+            seconds=sum(e.seconds for e in known),
+            memory_bytes=sum(e.memory_bytes for e in known),
+            incomplete=len(known) < sum(o.trajectories > 0 for o in counted),
+        )  # fmt: skip
+
+    def __str__(self) -> str:
+        if not self.operations:
+            return "No operations found."
+        header = ("operation", "strategy", "sure", "trajectories", "cutting", "time", "memory", "")
+        rows = [header, *(_row(o) for o in self.operations)]
+        totals = [
+            (f"{t.label}: {t.operations} operations", "", "", f"{t.trajectories:,}", friendly.length(t.length),
+             _at_least(t, friendly.time(t.seconds)), _at_least(t, friendly.memory(t.memory_bytes)), "")
+            for t in self.totals
+        ]  # fmt: skip
+        widths = [max(len(row[i]) for row in rows + totals) for i in range(len(header))]
+        rule = "  ".join("-" * width for width in widths[:-1])
+        lines = [_line(header, widths), rule, *(_line(row, widths) for row in rows[1:])]
+        if totals:
+            lines += [rule, *(_line(row, widths) for row in totals)]
+        return "\n".join(lines)
+
+    def to_csv(self, path: str) -> None:
+        """Write one line for each operation, with a header, in mm, s, rad and bytes.
+
+        A text cell that a spreadsheet would take for a formula gets an apostrophe in front.
+        """
+        rows = [o.as_dict() for o in self.operations]
+        for row in rows:
+            row["spans"] = "; ".join(
+                f"{s['strategy']} {s['first_command']}-{s['last_command']}" for s in row["spans"]
+            )
+        names = list(rows[0]) if rows else ["document", "name", "label", "strategy"]
+        with open(path, "w", newline="", encoding="utf-8") as file:
+            writer = csv.DictWriter(file, names)
+            writer.writeheader()
+            writer.writerows({k: _plain_text(v) for k, v in row.items()} for row in rows)
+
+    def to_json(self, path: str) -> None:
+        """Write the operations and the totals of their jobs, in mm, s, rad and bytes."""
+        data = {
+            "operations": [o.as_dict() for o in self.operations],
+            "totals": [vars(t) for t in self.totals],
+        }
+        with open(path, "w", encoding="utf-8") as file:
+            json.dump(data, file, indent=1, ensure_ascii=False)
+
+
+def _row(o: OperationReport) -> tuple[str, ...]:
+    estimate = o.estimate
+    return (
+        o.label if o.counted or o.job is None else f"({o.label})",
+        o.strategy.value,
+        f"{o.confidence:.0%}",
+        f"{o.trajectories:,}",
+        friendly.length(o.length),
+        friendly.time(estimate.seconds) if estimate else "?",
+        friendly.memory(estimate.memory_bytes) if estimate else "?",
+        o.error or "",
+    )
+
+
+def _at_least(total: Total, text: str) -> str:
+    return f">= {text}" if total.incomplete else text
+
+
+def _line(row: tuple[str, ...], widths: list[int]) -> str:
+    left = {0, 1, len(row) - 1}
+    cells = (cell.ljust(w) if i in left else cell.rjust(w) for i, (cell, w) in enumerate(zip(row, widths)))
+    return "  ".join(cells).rstrip()
+
+
+def _plain_text(value: Any) -> Any:
+    if isinstance(value, str) and value.lstrip()[:1] in ("=", "+", "-", "@"):
+        return "'" + value
+    return value
