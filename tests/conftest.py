@@ -1,0 +1,27 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What the tests inside FreeCAD share."""
+
+from __future__ import annotations
+
+import pytest
+
+
+@pytest.fixture(scope="session")
+def example_path(tmp_path_factory):
+    """The example job's file, made once by this FreeCAD; tests open it and do not write to it."""
+    import FreeCAD
+    from make_example import make_example
+
+    path = tmp_path_factory.mktemp("example") / "example.FCStd"
+    FreeCAD.closeDocument(make_example(path).Name)
+    return path
+
+
+@pytest.fixture
+def example(example_path):
+    """The example job as a freshly opened document, closed after the test."""
+    import FreeCAD
+
+    doc = FreeCAD.openDocument(str(example_path))
+    yield doc
+    FreeCAD.closeDocument(doc.Name)

@@ -1,0 +1,18 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# install.sh: install what is missing of the packages that the tests need on this Debian system. Needs root.
+set -euo pipefail
+
+installed=$(dpkg-query -W -f '${db:Status-Status} ${Package}\n' | sed -n 's/^installed //p')
+missing=$(grep -v '^#' "$(dirname "$0")/packages.txt" | grep -vFx "$installed" || true)
+installable() {
+    apt-cache --names-only search . | cut -d' ' -f1 | grep -Fx "$missing" || true
+}
+
+[ -n "$missing" ] || exit 0
+# A fresh system knows no packages; another may know them by versions that are gone.
+if [ -n "$(installable)" ] || ! apt-cache show freecad > /dev/null 2>&1; then
+    apt-get -q update
+    installable | DEBIAN_FRONTEND=noninteractive xargs apt-get -qy install --no-install-recommends
+fi
+command -v freecad > /dev/null

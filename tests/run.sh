@@ -1,0 +1,60 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Run all tests on FreeCAD 0.20.2, 1.0.0 and 1.1.3, after installing what is missing of them. Takes root or sudo.
+#
+#     tests/run.sh [core|document|gui] [0.20.2|1.0.0|1.1.3|bookworm|trixie|forky] [PYTEST ARGUMENTS]
+#
+# The FreeCADs come from Debian: the machine's own release and roots of the others, made once, a few minutes each, in a
+# cache folder. A FreeCAD that cannot be had is said at the end. Logs and pictures are in build/tests.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+
+layers="core document gui"
+suites="bookworm trixie forky"
+while [ $# -gt 0 ]; do
+    case $1 in
+        core | document | gui) layers=$1 ;;
+        bookworm | 0.20.2) suites=bookworm ;;
+        trixie | 1.0.0) suites=trixie ;;
+        forky | 1.1.3) suites=forky ;;
+        *) break ;;
+    esac
+    shift
+done
+
+cache=${VKWORKBENCH_CACHE:-${XDG_CACHE_HOME:-$HOME/.cache}/vkworkbench}
+results=build/tests
+own=$(. /etc/os-release && echo "${VERSION_CODENAME-}")
+user=$(id -u):$(id -g)
+sudo=()
+[ "$(id -u)" = 0 ] || sudo=(sudo --preserve-env=http_proxy,https_proxy)
+
+# prepare SUITE COMMAND...: run COMMAND, which installs what SUITE needs; note a failure's reason where it has none.
+prepare() {
+    local folder=$results/$1
+    shift
+    mkdir -p "$folder"
+    "${sudo[@]}" "$@" > "$folder/install.log" 2>&1 && return
+    grep -v '^W: ' "$folder/install.log" | tail -n 2 | tr '\n' ' ' > "$folder/not-installed"
+    return 1
+}
+
+rm -rf "$results"
+echo "Preparing the FreeCADs of: $suites"
+# Whatever its own release, the machine makes the roots.
+prepare "own" tests/install.sh || echo "This machine lacks packages: $(cat "$results/own/not-installed")"
+for suite in $suites; do
+    if [ "$suite" = "$own" ]; then
+        mv "$results/own" "$results/$suite"
+        [ -e "$results/$suite/not-installed" ] && continue
+        echo "$suite, this machine"
+        tests/run_layers.sh "$results/$suite" "$layers" "$@"
+    else
+        root=$cache/roots/$suite
+        prepare "$suite" tests/make_root.sh "$suite" "$root" || continue
+        echo "$suite, $root"
+        "${sudo[@]}" tests/in_root.sh "$root" "$user" tests/run_layers.sh "$results/$suite" "$layers" "$@"
+    fi
+done
+rm -rf "$results/own"
+/usr/bin/python3 tests/summary.py "$results"

@@ -1,0 +1,41 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# run_layers.sh RESULTS LAYERS [PYTEST ARGUMENTS]: run layers of the tests with the FreeCAD and Python of this system.
+# Leaves in RESULTS, a folder, the log, the JUnit report and the exit status of each layer; summary.py judges them.
+set -euo pipefail
+
+results=$1
+layers=$2
+shift 2
+cd "$(dirname "$0")/.."
+
+echo "FreeCAD $(dpkg-query -W -f '${source:Upstream-Version}' freecad | cut -d+ -f1)," \
+    "$(/usr/bin/python3 -c 'import platform, numpy
+print(f"Python {platform.python_version()}, numpy {numpy.__version__}")')" > "$results/versions"
+
+for layer in $layers; do
+    echo "    $layer"
+    home=$(mktemp -d)
+    mkdir -m 700 "$home/run"
+    for folder in FreeCAD FreeCAD/v1-1; do # the second since 1.1
+        mkdir -p "$home/.local/share/$folder/Mod" "$home/.config/$folder"
+        ln -s "$PWD" "$home/.local/share/$folder/Mod/ToolpathAnalysis"
+        cp tests/user.cfg "$home/.config/$folder"
+    done
+    case $layer in
+        core) command=(/usr/bin/python3 -m pytest) ;;
+        document) command=(freecadcmd "$PWD/tests/in_freecad.py") ;;
+        gui) command=(xvfb-run -a -s "-screen 0 1280x1024x24 -ac" freecad "$PWD/tests/in_freecad.py") ;;
+    esac
+    status=0
+    # Only a FreeCAD layer is not captured: its log has to show what FreeCAD swallows.
+    # FreeCAD as root needs its browser's sandbox off, and under Xvfb OpenGL in software.
+    env -i HOME="$home" XDG_RUNTIME_DIR="$home/run" PATH=/usr/sbin:/usr/bin:/sbin:/bin LC_ALL=C.UTF-8 \
+        PYTHONDONTWRITEBYTECODE=1 HYPOTHESIS_STORAGE_DIRECTORY="$home/hypothesis" \
+        QT_QPA_PLATFORM=xcb LIBGL_ALWAYS_SOFTWARE=1 QTWEBENGINE_DISABLE_SANDBOX=1 \
+        VKWORKBENCH_SCREENSHOTS="$PWD/$results/screenshots" \
+        PYTEST_ADDOPTS="tests/$layer --junit-xml='$results/$layer.xml' $([ "$layer" = core ] || echo -s) ${*@Q}" \
+        timeout -k 10 900 "${command[@]}" < /dev/null > "$results/$layer.log" 2>&1 || status=$?
+    echo "$status" > "$results/$layer.status"
+    rm -rf "$home"
+done

@@ -1,0 +1,94 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Judge what run_layers.sh left and print it: FreeCAD version x layer, then one closing line with the sums.
+
+    python3 tests/summary.py RESULTS       # a folder with one folder for each Debian suite
+
+Exits with 1 where a test failed, a layer did not end by itself, or FreeCAD swallowed an exception: it prints
+those and goes on, so that only its log tells. A FreeCAD that could not be installed is said, and is no failure.
+"""
+
+from __future__ import annotations
+
+import re
+import sys
+import xml.etree.ElementTree as ElementTree
+from collections import Counter
+from pathlib import Path
+
+LAYERS = "core", "document", "gui"
+SWALLOWED = re.compile(r"^.*(Traceback \(most recent call last\)|During initialization the error).*", re.MULTILINE)
+STATUS = {"5": "no test was selected", "124": "stopped after too long a time"}
+
+
+def count(report):
+    """Number of passed, failed and skipped tests in a JUnit file."""
+    numbers = Counter()
+    for suite in ElementTree.parse(report).iter("testsuite"):
+        failed = int(suite.get("failures")) + int(suite.get("errors"))
+        skipped = int(suite.get("skipped"))
+        numbers += Counter(failed=failed, skipped=skipped, passed=int(suite.get("tests")) - failed - skipped)
+    return numbers
+
+
+def judge(folder, layer):
+    """Counts of the tests of `layer`, and in words what went wrong beyond single tests, "" where nothing did."""
+    status = (folder / f"{layer}.status").read_text().strip()
+    report = folder / f"{layer}.xml"
+    numbers = count(report) if report.exists() else Counter()
+    problem = ""
+    if not report.exists() or status not in ("0", "1") or (status == "1" and not numbers["failed"]):
+        problem = STATUS.get(status, f"ended with status {status}")
+    elif layer != "core" and not numbers["failed"]:
+        swallowed = SWALLOWED.findall((folder / f"{layer}.log").read_text(errors="replace"))
+        if swallowed:
+            problem = f"FreeCAD swallowed {len(swallowed)} exceptions"
+    return numbers, problem
+
+
+def tail(log):
+    """The part of a log that tells what failed."""
+    lines = log.read_text(errors="replace").splitlines()
+    starts = [n for n, line in enumerate(lines) if re.match(r"=+ (FAILURES|ERRORS) =+|Traceback|Fatal", line)]
+    return "\n".join("    " + line for line in lines[starts[0] if starts else -30 :][:200])
+
+
+def in_words(numbers):
+    return ", ".join(f"{numbers[key]} {key}" for key in ("passed", "failed", "skipped") if numbers[key])
+
+
+def main(results):
+    total = Counter()
+    rows, absent = [], []
+    for folder in sorted(path for path in results.iterdir() if path.is_dir()):
+        reason = folder / "not-installed"
+        if reason.exists():
+            rows.append([folder.name] + ["not installed"] * len(LAYERS))
+            absent.append(f"NOT INSTALLED: FreeCAD of {folder.name}: {reason.read_text().strip()}")
+            continue
+        row = [f"{folder.name}: {(folder / 'versions').read_text().strip()}"]
+        for layer in LAYERS:
+            if not (folder / f"{layer}.status").exists():
+                row.append("not run")
+                continue
+            numbers, problem = judge(folder, layer)
+            if problem:
+                numbers["failed"] += 1
+            if numbers["failed"]:
+                print(f"\n{folder.name}, {layer}: {problem or in_words(numbers)}; {folder / layer}.log:")
+                print(tail(folder / f"{layer}.log"))
+            total += numbers
+            row.append("; ".join(filter(None, [in_words(numbers), problem])))
+        rows.append(row)
+
+    table = [["", *LAYERS], *rows]
+    widths = [max(len(row[column]) for row in table) for column in range(len(LAYERS) + 1)]
+    print()
+    for row in table:
+        print("  ".join(cell.ljust(width) for cell, width in zip(row, widths)).rstrip())
+    print(*absent, sep="\n")
+    print(f"{total['passed']} passed, {total['failed']} failed" + f", {total['skipped']} skipped" * bool(total["skipped"]))
+    return 1 if total["failed"] or not total["passed"] else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(Path(sys.argv[1])))
