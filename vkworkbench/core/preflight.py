@@ -1,0 +1,211 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What to know before a simulation of FreeCAD's is started, found in O(n)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+import numpy as np
+
+from vkworkbench.core.legacy import LegacyCost
+from vkworkbench.core.motions import motions
+from vkworkbench.core.opengl import OpenGLCost
+from vkworkbench.core.simulators import Simulator, available_simulators
+from vkworkbench.core.toolpath import Toolpath
+from vkworkbench.core.words import Words
+
+LONGEST_PLAY = 600.0  # s
+SLOWEST_FRAME = 0.1  # s, ten pictures per second
+MOST_SHORT_MOVES = 2000
+RAMP_ERROR = 0.1  # mm
+
+_CLOCKWISE, _COUNTERCLOCKWISE = 20, 30
+
+
+@dataclass(frozen=True)
+class Caution:
+    """Something to know before a simulation is started.
+
+    Attributes
+    ----------
+    code : str
+        What it is, for programs: ``"legacy-hangs"``, ``"legacy-ramp"``, ``"long-play"``, ``"memory"``,
+        ``"arcs"`` or ``"short-moves"``.
+    message : str
+        What happens and what to do, one or two sentences with full stops.
+    command : int or None
+        Index of the first command concerned; None where it is the operation as a whole.
+    """
+
+    code: str
+    message: str
+    command: int | None = None
+
+    def __str__(self) -> str:
+        return self.message
+
+
+def preflight(
+    commands: Iterable,
+    toolpath: Toolpath,
+    *,
+    version: tuple[int, ...],
+    diameter: float | None = None,
+    legacy: LegacyCost | None = None,
+    opengl: OpenGLCost | None = None,
+    memory_budget: float = 1e9,
+) -> tuple[Caution, ...]:
+    """Find what goes wrong or takes too long in FreeCAD's simulators.
+
+    Parameters
+    ----------
+    commands : iterable
+        ``(name, parameters)`` pairs or objects with ``.Name`` and ``.Parameters``.
+    toolpath : Toolpath
+        Those commands, linearised.
+    version : tuple of int
+        Of FreeCAD, at least major and minor.
+    diameter : float, optional
+        Of the tool, mm; without it ramps are not checked.
+    legacy, opengl : LegacyCost, OpenGLCost, optional
+        Estimates for this operation; without them time and memory are not checked.
+    memory_budget : float
+        Bytes one operation may take.
+
+    Returns
+    -------
+    tuple of Caution
+        The worst first; empty when there is nothing to say.
+    """
+    cautions = _hangs(Words(commands), toolpath, version)
+    if diameter is not None:
+        cautions += _ramps(toolpath, diameter)
+    if legacy is not None:
+        cautions += _long_legacy(legacy) + _short_moves(toolpath, legacy.resolution)
+    if opengl is not None and Simulator.OPENGL in available_simulators(version):
+        cautions += _long_opengl(opengl)
+    cautions += _memory(legacy, opengl, memory_budget)
+    return tuple(cautions)
+
+
+def duration(seconds: float) -> str:
+    """Return a time in the unit a person would use, e.g. ``"14 min"``."""
+    for unit, size in (("h", 3600.0), ("min", 60.0)):
+        if seconds >= 1.5 * size:
+            return f"{seconds / size:.2g} {unit}" if seconds < 10 * size else f"{seconds / size:.0f} {unit}"
+    return f"{seconds:.2g} s" if seconds < 10 else f"{seconds:.0f} s"
+
+
+def _hangs(words: Words, toolpath: Toolpath, version: tuple[int, ...]) -> list[Caution]:
+    """Arcs on which ``PerformCutVoxel`` raises an error, after which the legacy simulator never goes on.
+
+    It computes with the words X, Y and, before FreeCAD 1.1, Z of an arc even where they are absent, and
+    divides by a number of chords that is 0 where radius or sweep is 0. Arcs with a K word take another way.
+    """
+    arcs = np.flatnonzero((words.codes == _CLOCKWISE) | (words.codes == _COUNTERCLOCKWISE))
+    if not len(arcs):
+        return []
+    values = {letter: words.column(letter, arcs)[0] for letter in "XYZIJK"}
+    plain = ~(np.abs(values["K"]) > 0)
+    absent = {letter: np.isnan(values[letter]) for letter in "XYZ"}
+    made = motions(toolpath)
+    circles = made.command[np.abs(made.sweep) > 2 * np.pi - 1e-6]
+    reasons = [
+        (absent["X"] | absent["Y"], "without an X or Y word"),
+        (absent["Z"] & (tuple(version[:2]) < (1, 1)), "without a Z word"),
+        (~(np.abs(values["I"]) > 0) & ~(np.abs(values["J"]) > 0), "without a centre"),
+        (np.isin(arcs, circles) & ~absent["X"] & ~absent["Y"], "that is a full circle"),
+    ]
+    found = []
+    for bad, reason in reasons:
+        concerned = arcs[bad & plain]
+        if not len(concerned):
+            continue
+        verb = "may leave out or hang on" if "circle" in reason else "hangs on"
+        others = f" and {len(concerned) - 1} more" if len(concerned) > 1 else ""
+        instead = (
+            "use the OpenGL simulator for this operation"
+            if Simulator.OPENGL in available_simulators(version)
+            else "leave this operation out of the simulation"
+        )
+        message = f"The legacy simulator {verb} an arc {reason} (command {concerned[0]}{others}): {instead}."
+        found.append(Caution("legacy-hangs", message, int(concerned[0])))
+    return found
+
+
+def _ramps(toolpath: Toolpath, diameter: float) -> list[Caution]:
+    """Sloping lines longer than the tool is wide.
+
+    ``ApplyLinearTool`` divides the rise by the steps across the tool and adds it at every step along the
+    move, so the far end is cut at ``length / diameter`` times the rise.
+    """
+    moves = np.diff(toolpath.points, axis=0)
+    level = np.hypot(moves[:, 0], moves[:, 1])
+    lines = (toolpath.sweep == 0) & ~(toolpath.rapid & (moves[:, 2] > 0))
+    error = np.where(lines, np.abs(moves[:, 2]) * (level / diameter - 1), 0.0)
+    wrong = np.flatnonzero(error > RAMP_ERROR)
+    if not len(wrong):
+        return []
+    worst = wrong[np.argmax(error[wrong])]
+    way = "too deep" if moves[worst, 2] < 0 else "too high"
+    message = (
+        f"The legacy simulator cuts {len(wrong)} ramp{'s' * (len(wrong) > 1)} at a wrong depth, up to "
+        f"{error[worst]:.2g} mm {way} (command {toolpath.command[worst]}): do not judge depths by it."
+    )
+    return [Caution("legacy-ramp", message, int(toolpath.command[wrong[0]]))]
+
+
+def _long_legacy(cost: LegacyCost) -> list[Caution]:
+    if cost.play_seconds <= LONGEST_PLAY:
+        return []
+    message = (
+        f"Playing takes about {duration(cost.play_seconds)} in the legacy simulator: "
+        f"fast-forward takes about {duration(cost.fast_forward_seconds)}."
+    )
+    return [Caution("long-play", message)]
+
+
+def _short_moves(toolpath: Toolpath, resolution: float) -> list[Caution]:
+    moves = np.diff(toolpath.points, axis=0)
+    short = np.flatnonzero((toolpath.sweep == 0) & ~toolpath.rapid & ((moves**2).sum(axis=1) < resolution**2))
+    if len(short) <= MOST_SHORT_MOVES:
+        return []
+    message = (
+        f"{len(short)} moves are shorter than a cell of the legacy simulator ({resolution:.2g} mm), each takes its "
+        "time and none is seen by itself: a coarser tolerance of the operation loses nothing there."
+    )
+    return [Caution("short-moves", message, int(toolpath.command[short[0]]))]
+
+
+def _long_opengl(cost: OpenGLCost) -> list[Caution]:
+    found = []
+    fastest = max(cost.play_seconds)
+    if cost.play_seconds[fastest] > LONGEST_PLAY:
+        message = (
+            f"Playing takes about {duration(cost.play_seconds[fastest])} in the OpenGL simulator at its "
+            "fastest: simulate fewer operations at a time."
+        )
+        found.append(Caution("long-play", message))
+    if cost.frame_seconds > SLOWEST_FRAME and 2 * cost.arc_draws > cost.draws:
+        message = (
+            f"The OpenGL simulator takes about {duration(cost.frame_seconds)} for every picture at the end, "
+            f"{100 * cost.arc_draws / cost.draws:.0f} % of it for arcs: simulate this operation alone."
+        )
+        found.append(Caution("arcs", message))
+    return found
+
+
+def _memory(legacy: LegacyCost | None, opengl: OpenGLCost | None, budget: float) -> list[Caution]:
+    found = []
+    for name, cost, instead in (
+        ("legacy", legacy, "move its accuracy slider to the left"),
+        ("OpenGL", opengl, "simulate fewer operations at a time"),
+    ):
+        if cost is not None and cost.memory_bytes > budget:
+            message = (
+                f"The {name} simulator takes about {cost.memory_bytes / 1e6:.0f} MB for this operation, more than "
+                f"the {budget / 1e6:.0f} MB allowed: {instead}."
+            )
+            found.append(Caution("memory", message))
+    return found
