@@ -12,7 +12,7 @@ import pytest
 from vkworkbench.core.legacy import legacy_costs
 from vkworkbench.core.linearize import linearize
 from vkworkbench.core.opengl import opengl_cost
-from vkworkbench.core.preflight import duration, preflight
+from vkworkbench.core.preflight import preflight
 from vkworkbench.core.simulators import Constants
 from vkworkbench.core.solids import Stock, Tool
 
@@ -127,9 +127,3 @@ def test_memory_beyond_the_budget():
     ]
     assert codes == ["memory", "memory"]
     assert preflight(commands, path, version=(1, 0), legacy=legacy, opengl=opengl, memory_budget=1e8) == ()
-
-
-@pytest.mark.parametrize("seconds, text", [(0.012, "0.012 s"), (12.3, "12 s"), (89, "89 s"), (90, "1.5 min"),
-                                           (1800, "30 min"), (13000, "3.6 h")])  # fmt: skip
-def test_durations_read_like_a_persons(seconds, text):
-    assert duration(seconds) == text

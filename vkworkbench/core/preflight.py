@@ -8,6 +8,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from vkworkbench import friendly
 from vkworkbench.core.legacy import LegacyCost
 from vkworkbench.core.motions import motions
 from vkworkbench.core.opengl import OpenGLCost
@@ -89,14 +90,6 @@ def preflight(
     return tuple(cautions)
 
 
-def duration(seconds: float) -> str:
-    """Return a time in the unit a person would use, e.g. ``"14 min"``."""
-    for unit, size in (("h", 3600.0), ("min", 60.0)):
-        if seconds >= 1.5 * size:
-            return f"{seconds / size:.2g} {unit}" if seconds < 10 * size else f"{seconds / size:.0f} {unit}"
-    return f"{seconds:.2g} s" if seconds < 10 else f"{seconds:.0f} s"
-
-
 def _hangs(words: Words, toolpath: Toolpath, version: tuple[int, ...]) -> list[Caution]:
     """Arcs on which ``PerformCutVoxel`` raises an error, after which the legacy simulator never goes on.
 
@@ -160,8 +153,8 @@ def _long_legacy(cost: LegacyCost) -> list[Caution]:
     if cost.play_seconds <= LONGEST_PLAY:
         return []
     message = (
-        f"Playing takes about {duration(cost.play_seconds)} in the legacy simulator: "
-        f"fast-forward takes about {duration(cost.fast_forward_seconds)}."
+        f"Playing takes about {friendly.time(cost.play_seconds)} in the legacy simulator: "
+        f"fast-forward takes about {friendly.time(cost.fast_forward_seconds)}."
     )
     return [Caution("long-play", message)]
 
@@ -172,8 +165,8 @@ def _short_moves(toolpath: Toolpath, resolution: float) -> list[Caution]:
     if len(short) <= MOST_SHORT_MOVES:
         return []
     message = (
-        f"{len(short)} moves are shorter than a cell of the legacy simulator ({resolution:.2g} mm), each takes its "
-        "time and none is seen by itself: a coarser tolerance of the operation loses nothing there."
+        f"{len(short)} moves are shorter than a cell of the legacy simulator ({resolution:.2g} mm), each "
+        "takes its time and none is seen by itself: a coarser tolerance of the operation loses nothing there."
     )
     return [Caution("short-moves", message, int(toolpath.command[short[0]]))]
 
@@ -183,13 +176,13 @@ def _long_opengl(cost: OpenGLCost) -> list[Caution]:
     fastest = max(cost.play_seconds)
     if cost.play_seconds[fastest] > LONGEST_PLAY:
         message = (
-            f"Playing takes about {duration(cost.play_seconds[fastest])} in the OpenGL simulator at its "
+            f"Playing takes about {friendly.time(cost.play_seconds[fastest])} in the OpenGL simulator at its "
             "fastest: simulate fewer operations at a time."
         )
         found.append(Caution("long-play", message))
     if cost.frame_seconds > SLOWEST_FRAME and 2 * cost.arc_draws > cost.draws:
         message = (
-            f"The OpenGL simulator takes about {duration(cost.frame_seconds)} for every picture at the end, "
+            f"The OpenGL simulator takes about {friendly.time(cost.frame_seconds)} for every picture at the end, "
             f"{100 * cost.arc_draws / cost.draws:.0f} % of it for arcs: simulate this operation alone."
         )
         found.append(Caution("arcs", message))
@@ -204,8 +197,8 @@ def _memory(legacy: LegacyCost | None, opengl: OpenGLCost | None, budget: float)
     ):
         if cost is not None and cost.memory_bytes > budget:
             message = (
-                f"The {name} simulator takes about {cost.memory_bytes / 1e6:.0f} MB for this operation, more than "
-                f"the {budget / 1e6:.0f} MB allowed: {instead}."
+                f"The {name} simulator takes about {friendly.memory(cost.memory_bytes)} for this operation, more "
+                f"than the {friendly.memory(budget)} allowed: {instead}."
             )
             found.append(Caution("memory", message))
     return found
