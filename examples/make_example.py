@@ -183,7 +183,9 @@ def make_example(path):
     operation(job, "Drilling", "Drill holes", drill, holes, PeckEnabled=True, PeckDepth=5)
     try:
         dish = faces(shape, "Sphere", (0, 0, 0), (LENGTH, WIDTH, HEIGHT))
-        operation(job, "Surface", "Dish", ball, dish, CutPattern="ZigZag", StepOver=15)
+        # FreeCAD's default deflections take it half a minute.
+        operation(job, "Surface", "Dish", ball, dish, CutPattern="ZigZag", StepOver=15, LinearDeflection=0.02,
+                  AngularDeflection=0.3)
     except ImportError as error:
         print(f"The 3D surface is left out: {error}")
     profile = operation(job, "Profile", "Cut out", small, StepDown=5)
