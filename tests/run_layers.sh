@@ -16,12 +16,7 @@ print(f"Python {platform.python_version()}, numpy {numpy.__version__}")')" > "$r
 for layer in $layers; do
     echo "    $layer"
     home=$(mktemp -d)
-    mkdir -m 700 "$home/run"
-    for folder in FreeCAD FreeCAD/v1-1; do # the second since 1.1
-        mkdir -p "$home/.local/share/$folder/Mod" "$home/.config/$folder"
-        ln -s "$PWD" "$home/.local/share/$folder/Mod/ToolpathAnalysis"
-        cp tests/user.cfg "$home/.config/$folder"
-    done
+    tests/make_home.sh "$home"
     case $layer in
         core) command=(/usr/bin/python3 -m pytest) ;;
         document) command=(freecadcmd "$PWD/tests/in_freecad.py") ;;

@@ -1,0 +1,80 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Build, analyse and mark the example job in a FreeCAD window, and take a picture of the tree: see run.sh.
+
+Writes example.FCStd, report.txt, marked.FCStd and tree.png to the folder that the environment variable
+VKWORKBENCH_OUTPUT names, and ends FreeCAD where VKWORKBENCH_LEAVE is set.
+"""
+
+from __future__ import annotations
+
+import os
+import sys
+import traceback
+from pathlib import Path
+
+import FreeCAD
+import FreeCADGui as Gui
+import vkworkbench
+from vkworkbench.gui import tree
+from vkworkbench.gui.qt import QTimer
+
+sys.path.insert(0, str(Path(__file__).parent))
+from make_example import make_example  # noqa: E402
+
+OUTPUT = Path(os.environ["VKWORKBENCH_OUTPUT"])
+LEAVE = "VKWORKBENCH_LEAVE" in os.environ
+TREE_SETTLES = 1000  # ms; FreeCAD updates its tree a moment after the document
+
+
+def guarded(step):
+    """Run `step` once FreeCAD's event loop is idle; an error ends FreeCAD, which would only print it."""
+
+    def run():
+        try:
+            step()
+        except Exception:
+            traceback.print_exc(file=sys.__stderr__)
+            sys.__stderr__.flush()
+            os._exit(1)
+
+    return run
+
+
+def analyze():
+    Gui.activateWorkbench("VkWorkbench")
+    doc = make_example(OUTPUT / "example.FCStd")
+    report = vkworkbench.analyze(doc)
+    (OUTPUT / "report.txt").write_text(f"{report}\n", encoding="utf-8")
+    FreeCAD.Console.PrintMessage(f"{report}\n")
+    vkworkbench.mark(report)
+    doc.saveAs(str(OUTPUT / "marked.FCStd"))
+    Gui.SendMsgToActiveView("ViewFit")
+    tree.show_description()
+    QTimer.singleShot(TREE_SETTLES, guarded(expand_tree))
+
+
+def expand_tree():
+    """Open the job and its operations in the tree."""
+    job = FreeCAD.ActiveDocument.getObject("Job")
+    (view,) = [view for view in tree.trees() if view.isVisible()]
+    shown = {FreeCAD.ActiveDocument.Label, job.Label, job.Operations.Label}
+
+    def expand(parent):
+        for row in range(view.model().rowCount(parent)):
+            index = view.model().index(row, 0, parent)
+            if index.data() in shown or not parent.isValid():
+                view.expand(index)
+                expand(index)
+
+    expand(view.rootIndex())
+    tree.fit_description()
+    QTimer.singleShot(TREE_SETTLES, guarded(lambda: take_picture(view)))
+
+
+def take_picture(view):
+    view.grab().save(str(OUTPUT / "tree.png"))
+    if LEAVE:
+        os._exit(0)
+
+
+QTimer.singleShot(0, guarded(analyze))
