@@ -182,8 +182,8 @@ def _long_opengl(cost: OpenGLCost) -> list[Caution]:
         found.append(Caution("long-play", message))
     if cost.frame_seconds > SLOWEST_FRAME and 2 * cost.arc_draws > cost.draws:
         message = (
-            f"The OpenGL simulator takes about {friendly.time(cost.frame_seconds)} for every picture at the end, "
-            f"{100 * cost.arc_draws / cost.draws:.0f} % of it for arcs: simulate this operation alone."
+            f"The OpenGL simulator takes about {friendly.time(cost.frame_seconds)} for every picture at the "
+            f"end, {100 * cost.arc_draws / cost.draws:.0f} % of it for arcs: simulate this operation alone."
         )
         found.append(Caution("arcs", message))
     return found
@@ -197,8 +197,8 @@ def _memory(legacy: LegacyCost | None, opengl: OpenGLCost | None, budget: float)
     ):
         if cost is not None and cost.memory_bytes > budget:
             message = (
-                f"The {name} simulator takes about {friendly.memory(cost.memory_bytes)} for this operation, more "
-                f"than the {friendly.memory(budget)} allowed: {instead}."
+                f"The {name} simulator takes about {friendly.memory(cost.memory_bytes)} for this operation, "
+                f"more than the {friendly.memory(budget)} allowed: {instead}."
             )
             found.append(Caution("memory", message))
     return found

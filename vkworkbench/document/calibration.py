@@ -1,0 +1,224 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What FreeCAD's simulators take on this computer: measured once, kept in FreeCAD's user data folder."""
+
+from __future__ import annotations
+
+import json
+import math
+import os
+import platform
+import time
+from collections.abc import Callable
+from dataclasses import asdict, dataclass, fields, replace
+from datetime import date
+from pathlib import Path
+
+import FreeCAD
+import numpy as np
+import Part
+from Path import Command as PathCommand
+from PathSimulator import PathSim
+
+from vkworkbench.core.legacy import legacy_work
+from vkworkbench.core.linearize import linearize
+from vkworkbench.core.motions import motions
+from vkworkbench.core.simulators import DEFAULTS, Constants
+from vkworkbench.core.solids import Stock
+
+# Names of OpenGL renderers on the processor, and what a frame and a draw call were measured to take there.
+_SOFTWARE = ("llvmpipe", "softpipe", "swr", "swiftshader", "gdi generic", "microsoft basic render")
+_SOFTWARE_FRAME, _SOFTWARE_DRAW = 35e-3, 25e-6
+# A benchmark cuts in a warm cache; real operations take this much longer (benchmarks/simulators.py).
+_COLD_CACHE = 1.5
+# With measured constants the true number is within this factor (benchmarks/simulators.py).
+_CALIBRATED_FACTOR = 1.3
+# What the benchmark cuts.
+_STOCK = Stock((0, 0, 0), (100, 60, 20))
+_BOX = Part.makeBox(100, 60, 20)
+
+
+@dataclass(frozen=True)
+class Calibration:
+    """Constants measured on one computer with one FreeCAD.
+
+    Attributes
+    ----------
+    constants : Constants
+        What the unit work costs there.
+    date : str
+        Day of the measurement, ISO 8601.
+    freecad, processor, renderer : str
+        What it holds for.
+    """
+
+    constants: Constants
+    date: str
+    freecad: str
+    processor: str
+    renderer: str
+
+
+def freecad_version() -> tuple[int, int, int]:
+    """Return the version of this FreeCAD."""
+    return tuple(int("".join(filter(str.isdigit, part)) or 0) for part in FreeCAD.Version()[:3])
+
+
+def processor() -> str:
+    """Return the name of this computer's processor."""
+    try:
+        for line in Path("/proc/cpuinfo").read_text().splitlines():
+            if line.startswith("model name"):
+                return line.split(":", 1)[1].strip()
+    except OSError:
+        pass
+    return platform.processor() or platform.machine()
+
+
+def constants(renderer: str = "") -> Constants:
+    """Return the constants of this computer, measured ones where there are any.
+
+    Parameters
+    ----------
+    renderer : str
+        OpenGL's name of its renderer; empty where there is no window.
+    """
+    known = load(renderer)
+    return known.constants if known else _for_renderer(DEFAULTS, renderer)
+
+
+def load(renderer: str = "") -> Calibration | None:
+    """Return the calibration of this FreeCAD, processor and renderer; None without a readable one."""
+    record = _records().get(_key(renderer))
+    try:
+        values = {field.name: float(record["constants"][field.name]) for field in fields(Constants)}
+        if not all(math.isfinite(value) and value >= 0 for value in values.values()):
+            return None
+        return Calibration(
+            Constants(**values), *(str(record[k]) for k in ("date", "freecad", "processor", "renderer"))
+        )
+    except (TypeError, KeyError, ValueError):
+        return None
+
+
+def calibrate(renderer: str = "") -> Calibration:
+    """Measure the legacy simulator on this computer, in less than half a second, and remember it.
+
+    The steps of a timer and the display cannot be measured without a window; they stay as they are.
+
+    Parameters
+    ----------
+    renderer : str
+        OpenGL's name of its renderer; empty where there is no window.
+
+    Returns
+    -------
+    Calibration
+
+    Raises
+    ------
+    OSError
+        If the user data folder cannot be written.
+    """
+    version = ".".join(map(str, freecad_version()))
+    measured = replace(_for_renderer(_measure(), renderer), legacy_factor=_CALIBRATED_FACTOR)
+    done = Calibration(measured, date.today().isoformat(), version, processor(), renderer)
+    records = _records()
+    records[_key(renderer)] = asdict(done)
+    path = _path()
+    path.parent.mkdir(parents=True, exist_ok=True)
+    # Another FreeCAD may read it at this moment: it sees the old file or the new one.
+    fresh = path.with_suffix(f".{os.getpid()}")
+    fresh.write_text(json.dumps(records, indent=1))
+    os.replace(fresh, path)
+    return done
+
+
+def _path() -> Path:
+    return Path(FreeCAD.getUserAppDataDir()) / "ToolpathAnalysis" / "calibration.json"
+
+
+def _records() -> dict:
+    try:
+        records = json.loads(_path().read_text())
+    except (OSError, ValueError):
+        return {}
+    return records if isinstance(records, dict) else {}
+
+
+def _key(renderer: str) -> str:
+    return "; ".join((".".join(map(str, freecad_version())), processor(), renderer))
+
+
+def _for_renderer(base: Constants, renderer: str) -> Constants:
+    if any(name in renderer.lower() for name in _SOFTWARE):
+        return replace(base, frame=_SOFTWARE_FRAME, draw=_SOFTWARE_DRAW, opengl_factor=DEFAULTS.legacy_factor)
+    return base
+
+
+def _measure() -> Constants:
+    """Time small pieces of the legacy simulator's work, each dominated by one constant."""
+    # Short moves of a tool smaller than a cell and of a few cells; long ones; short ones of a wide tool.
+    pieces = [_cut(0.08, 0.1, 400), _cut(0.9, 0.1, 300), _cut(8.0, 80.0, 6), _cut(12.0, 0.1, 12)]
+    work = np.array([counts for counts, _ in pieces])
+    seconds = np.array([taken for _, taken in pieces])
+    call, ring, line, cap = np.maximum(np.linalg.solve(work, seconds), 0) * _COLD_CACHE
+
+    flat = PathSim()
+    flat.BeginSimulation(_BOX, 0.1)
+    cell = _best(flat.GetResultMesh) / (1001 * 601)
+    rough = _rough()
+    rough_seconds = _best(rough.GetResultMesh)
+    facets = sum(mesh.CountFacets for mesh in rough.GetResultMesh())
+    facet = max(rough_seconds - cell * 101 * 61, 0) / facets
+
+    radius, step = 2.0, 0.1
+    tool = Part.makeCylinder(radius, 20)
+    profile = _best(lambda: flat.SetToolShape(tool, step)) / (3 * radius / step)
+    return replace(
+        DEFAULTS, call=call, ring=ring, line=line, cap=cap, cell=cell, facet=facet, profile=profile
+    )
+
+
+def _cut(diameter: float, length: float, count: int) -> tuple[list[float], float]:
+    """Cut moves to and fro; return how many calls, rings, steps along and around that is, and the time."""
+    resolution = 0.1
+    words = [{"X": 10.0 + length * (i % 2), "Y": 30.0, "Z": 15.0} for i in range(count + 1)]
+    commands = [PathCommand("G1", word) for word in words[1:]]
+    sim = PathSim()
+    sim.BeginSimulation(_BOX, resolution)
+    sim.SetToolShape(Part.makeCylinder(diameter / 2, 20), diameter)  # a coarse profile: it is not timed here
+    start = FreeCAD.Placement(FreeCAD.Vector(10, 30, 15), FreeCAD.Rotation())
+
+    def run():
+        position = start
+        for command in commands:
+            position = sim.ApplyCommand(position, command)
+
+    made = motions(linearize([("G1", word) for word in words]))
+    work = legacy_work(made, diameter=diameter, stock=_STOCK, accuracy=resolution)
+    counts = [work.calls, work.rings, work.line_steps, work.cap_steps]
+    return [float(count.sum()) for count in counts], _best(run)
+
+
+def _rough() -> PathSim:
+    """A stock of 100 x 60 cells of different heights, whose mesh joins none of them."""
+    sim = PathSim()
+    sim.BeginSimulation(_BOX, 1.0)
+    sim.SetToolShape(Part.makeCylinder(0.55, 20), 1.0)
+    place = FreeCAD.Placement(FreeCAD.Vector(0, 0, 20), FreeCAD.Rotation())
+    for x in range(0, 100, 2):
+        for y in range(0, 60, 2):
+            place = sim.ApplyCommand(place, PathCommand("G0", {"X": x + 0.5, "Y": y + 0.5, "Z": 20.0}))
+            place = sim.ApplyCommand(place, PathCommand("G1", {"Z": 3.0 + (7 * x + 3 * y) % 13}))
+            place = sim.ApplyCommand(place, PathCommand("G0", {"Z": 20.0}))
+    return sim
+
+
+def _best(work: Callable[[], object]) -> float:
+    """Return the shortest time of three runs, s."""
+    times = []
+    for _ in range(3):
+        begin = time.perf_counter()
+        work()
+        times.append(time.perf_counter() - begin)
+    return min(times)
