@@ -10,6 +10,9 @@ from typing import Any
 
 from vkworkbench import friendly
 from vkworkbench.core import Estimate, Machining, Recognition, Span, Strategy
+from vkworkbench.core.legacy import LegacyCost
+from vkworkbench.core.opengl import OpenGLCost
+from vkworkbench.core.preflight import Caution
 
 
 @dataclass(frozen=True)
@@ -32,8 +35,12 @@ class OperationReport:
         Own lengths and machining time (FreeCAD's are wrong for arcs).
     estimate : Estimate or None
         Dexels, traces, memory and time of simulating it; None where `error` says why.
-    legacy_seconds : float or None
-        Time of FreeCAD's legacy simulator, fast-forward.
+    legacy : LegacyCost or None
+        What FreeCAD's legacy simulator takes for it, at its finest accuracy.
+    opengl : OpenGLCost or None
+        What FreeCAD's OpenGL simulator takes for it; None also where this FreeCAD has none.
+    cautions : tuple of Caution
+        What will go wrong or take long in FreeCAD's simulators, the worst first.
     error : str or None
         What is wrong, in words for the user.
     fingerprint : str
@@ -49,7 +56,9 @@ class OperationReport:
     trajectories: int
     machining: Machining
     estimate: Estimate | None
-    legacy_seconds: float | None
+    legacy: LegacyCost | None
+    opengl: OpenGLCost | None
+    cautions: tuple[Caution, ...]
     error: str | None
     fingerprint: str
 
@@ -102,8 +111,13 @@ class OperationReport:
             "traces_error": estimate and estimate.traces_error,
             "memory_bytes": estimate and estimate.memory_bytes,
             "seconds": estimate and estimate.seconds,
-            "legacy_seconds": self.legacy_seconds,
+            "legacy_seconds": self.legacy and self.legacy.fast_forward_seconds,
+            "legacy_play_seconds": self.legacy and self.legacy.play_seconds,
+            "legacy_memory_bytes": self.legacy and self.legacy.memory_bytes,
+            "opengl_frame_seconds": self.opengl and self.opengl.frame_seconds,
+            "opengl_memory_bytes": self.opengl and self.opengl.memory_bytes,
             "error": self.error,
+            "cautions": [caution.message for caution in self.cautions],
             "spans": [
                 {"strategy": s.strategy.value, "first_command": s.first_command, "last_command": s.last_command,
                  "share": round(s.share, 4)}
@@ -184,6 +198,7 @@ class Report:
         """
         rows = [o.as_dict() for o in self.operations]
         for row in rows:
+            row["cautions"] = "; ".join(row["cautions"])
             row["spans"] = "; ".join(
                 f"{s['strategy']} {s['first_command']}-{s['last_command']}" for s in row["spans"]
             )

@@ -8,6 +8,10 @@ from collections.abc import Callable
 import FreeCAD
 
 from vkworkbench.core import Strategy, View, estimate, linearize, machining, recognize
+from vkworkbench.core.legacy import legacy_costs
+from vkworkbench.core.opengl import opengl_cost
+from vkworkbench.core.preflight import preflight
+from vkworkbench.core.simulators import Simulator, available_simulators, opengl_speeds
 from vkworkbench.document.fingerprint import fingerprint
 from vkworkbench.document.operations import Operation, find
 from vkworkbench.document.setting import placed, rapid_feeds, read_stock, read_tool
@@ -67,24 +71,30 @@ def analyze(
 
 def _analyze(operation: Operation) -> OperationReport:
     obj, job = operation.object, operation.job
-    errors = []
+    errors: list[str] = []
     tool = _or_words(errors, read_tool, obj)
     stock = _or_words(errors, read_stock, job)
+    commands = obj.Path.Commands
     try:
-        toolpath = placed(linearize(obj.Path.Commands), obj.Placement)
+        toolpath = placed(linearize(commands), obj.Placement)
     except ValueError as error:
-        errors.insert(0, str(error))
+        errors.append(str(error))
         toolpath = linearize([])
     found = recognize(toolpath, tool_diameter=tool and tool.diameter)
-    if found.strategy is Strategy.EMPTY:
-        # Without a cutting move there is nothing to simulate, so a missing tool or stock matters less.
-        errors = errors[:1] if errors and not errors[0].startswith("no ") else []
-        errors.append(_why_empty(operation))
+    if found.strategy is Strategy.EMPTY and not toolpath.commands <= len(toolpath.comments):
+        errors.append("no cutting move in its toolpath")
+    elif found.strategy is Strategy.EMPTY:
+        # Without a toolpath a missing tool or stock is not what is wrong.
+        errors = [_why_empty(operation)]
     errors += [str(problem) for problem in toolpath.problems]
-    horizontal, vertical = rapid_feeds(obj)
-    cost = None
+    cost = legacy = opengl = None
+    version = tuple(int(number) for number in FreeCAD.Version()[:2])
     if tool and stock and found.strategy is not Strategy.EMPTY:
         cost = estimate(toolpath, found, tool=tool, stock=stock, view=View())
+        (legacy,) = legacy_costs(toolpath, tool=tool, stock=stock)
+        if Simulator.OPENGL in available_simulators(version):
+            opengl = opengl_cost(toolpath, diameter=tool.diameter, speeds=opengl_speeds(version))
+    horizontal, vertical = rapid_feeds(obj)
     return OperationReport(
         document=obj.Document.Name,
         name=obj.Name,
@@ -95,10 +105,13 @@ def _analyze(operation: Operation) -> OperationReport:
         trajectories=len(toolpath),
         machining=machining(toolpath, horizontal_rapid=horizontal, vertical_rapid=vertical),
         estimate=cost,
-        legacy_seconds=None,
+        legacy=legacy,
+        opengl=opengl,
+        cautions=preflight(commands, toolpath, version=version, diameter=tool and tool.diameter, legacy=legacy,
+                           opengl=opengl),
         error="; ".join(errors) or None,
         fingerprint=fingerprint(obj, job),
-    )
+    )  # fmt: skip
 
 
 def _or_words(errors: list[str], read: Callable, source):
@@ -113,6 +126,4 @@ def _or_words(errors: list[str], read: Callable, source):
 def _why_empty(operation: Operation) -> str:
     if not operation.active:
         return "inactive: switch it on and recompute it"
-    if not operation.object.Path.Commands:
-        return "no toolpath: recompute the operation and see FreeCAD's report view"
-    return "no cutting move in its toolpath"
+    return "no toolpath: recompute the operation and see FreeCAD's report view"

@@ -1,0 +1,214 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""analyze: what it finds, in which order, what it counts, and what it says of bad input."""
+
+import csv
+import json
+
+import FreeCAD
+import Path
+import pytest
+
+import vkworkbench
+
+STRATEGIES = {
+    "Face": "zigzag", "Pocket zigzag": "zigzag", "Pocket around island": "contour-parallel",
+    "Adaptive pocket": "adaptive", "Bore": "helix", "Drill holes": "drilling", "Dish": "zigzag",
+    "Cut out with tags": "profile", "Cut out": "profile",
+}  # fmt: skip
+
+
+@pytest.fixture(scope="module")
+def report(example_path):
+    document = FreeCAD.openDocument(str(example_path))
+    yield vkworkbench.analyze(document)
+    FreeCAD.closeDocument(document.Name)
+
+
+def test_every_strategy_of_the_example_is_right(report):
+    found = {o.label: o.strategy.value for o in report.operations}
+    assert found == {label: STRATEGIES[label] for label in found}
+    assert len(found) >= 8 and all(o.confidence >= 0.6 for o in report.operations)
+
+
+def test_every_operation_of_the_example_has_its_numbers(report):
+    for o in report.operations:
+        assert o.error is None, o.error
+        assert o.trajectories > 10 and o.length > 100
+        assert o.estimate.seconds > 0 and o.estimate.memory_bytes > 1e6 and o.legacy.fast_forward_seconds > 0.3
+        assert o.machining.seconds > 1
+        assert o.reason.endswith((".", ")")) or len(o.reason) > 20
+
+
+def test_a_dressed_up_operation_is_not_counted_again(report):
+    counted = {o.label: o.counted for o in report.operations}
+    assert counted.pop("Cut out") is False and all(counted.values())
+    (total,) = report.totals
+    assert total.operations == len(counted) and not total.incomplete
+    assert total.seconds == pytest.approx(sum(o.estimate.seconds for o in report.operations if o.counted))
+    assert total.length == pytest.approx(sum(o.length for o in report.operations if o.counted))
+
+
+def test_table_names_every_operation_and_the_total(report):
+    lines = str(report).splitlines()
+    assert len(lines) == len(report.operations) + 4
+    for o in report.operations:
+        (line,) = [line for line in lines if line.strip("(").startswith((o.label + " ", o.label + ")"))]
+        assert o.strategy.value in line and f"{o.trajectories:,}" in line
+
+
+def test_csv_and_json_hold_the_same_numbers(report, tmp_path):
+    report.to_csv(tmp_path / "report.csv")
+    report.to_json(tmp_path / "report.json")
+    with open(tmp_path / "report.csv", newline="", encoding="utf-8") as file:
+        rows = list(csv.DictReader(file))
+    data = json.loads((tmp_path / "report.json").read_text(encoding="utf-8"))
+    assert len(rows) == len(data["operations"]) == len(report.operations)
+    for row, entry, o in zip(rows, data["operations"], report.operations):
+        assert row["label"] == entry["label"] == o.label
+        assert row["strategy"] == entry["strategy"] == o.strategy.value
+        assert float(row["length"]) == entry["length"] == o.length
+        assert float(row["seconds"]) == entry["seconds"] == o.estimate.seconds
+    assert data["totals"][0]["seconds"] == report.totals[0].seconds
+
+
+def test_formulas_in_labels_stay_text(small, zigzag_commands, tmp_path):
+    small.add("=HYPERLINK(0)", zigzag_commands)
+    vkworkbench.analyze(small.document).to_csv(tmp_path / "report.csv")
+    with open(tmp_path / "report.csv", newline="", encoding="utf-8") as file:
+        assert [row["label"] for row in csv.DictReader(file)] == ["'=HYPERLINK(0)"]
+
+
+def test_analyze_changes_nothing(example):
+    example.UndoMode = 1
+    before = [(obj.Name, obj.Label2, sorted(obj.PropertiesList), list(obj.State)) for obj in example.Objects]
+    vkworkbench.analyze(example)
+    assert [(obj.Name, obj.Label2, sorted(obj.PropertiesList), list(obj.State)) for obj in example.Objects] == before
+    assert example.UndoCount == 0 and example.recompute() == 0
+
+
+def test_what_can_be_analyzed(small, zigzag_commands):
+    first, second = small.add("First", zigzag_commands), small.add("Second", zigzag_commands)
+
+    def labels(what=None):
+        return [o.label for o in vkworkbench.analyze(what).operations]
+
+    assert labels() == labels(small.document) == labels(small.job) == labels(small.job.Operations) == ["First", "Second"]
+    assert labels(second) == ["Second"] and labels([second, first, second]) == ["Second", "First"]
+    assert labels([small.job, small.document]) == ["First", "Second"]
+    assert labels(small.job.Model.Group[0]) == labels([]) == []
+    with pytest.raises(TypeError, match="document, a job or operations"):
+        vkworkbench.analyze(7)
+    with pytest.raises(TypeError, match="not str"):
+        vkworkbench.analyze("Job")
+
+
+def test_no_document(small):
+    FreeCAD.closeDocument(small.document.Name)
+    for call in (vkworkbench.analyze, vkworkbench.clear):
+        with pytest.raises(ValueError, match="no document is open"):
+            call()
+
+
+def test_a_document_without_operations(small):
+    empty = vkworkbench.analyze(small.document)
+    assert empty.operations == () and "No operations" in str(empty)
+
+
+def test_imported_toolpath_without_a_job(small):
+    small.document.addObject("Path::Feature", "Imported").Path = Path.Path(
+        "G0 X0 Y0 Z5\nG1 Z-1\nG1 X50\nG1 Y2\nG1 X0\nG1 Y4\nG1 X50\nG1 Y6\nG1 X0\nG1 Y8\nG1 X50"
+    )
+    (imported,) = vkworkbench.analyze(small.document).operations
+    assert imported.strategy == "zigzag" and imported.job is None and imported.estimate is None
+    assert "no tool" in imported.error and "no stock" in imported.error
+
+
+def test_dressups_and_arrays(small, zigzag_commands):
+    base = small.add("Base", zigzag_commands)
+    dressup = small.add("Dress-up", zigzag_commands)
+    dressup.addProperty("App::PropertyLink", "Base", "Path").Base = base
+    array = small.add("Array", zigzag_commands)
+    array.addProperty("App::PropertyLinkList", "Base", "Path").Base = [base]
+    array.addProperty("App::PropertyInteger", "Copies", "Path")
+    counted = {o.label: o.counted for o in vkworkbench.analyze(small.job).operations}
+    assert counted == {"Base": False, "Dress-up": True, "Array": True}
+    small.job.Operations.Group = [dressup]  # as the window arranges it
+    counted = {o.label: o.counted for o in vkworkbench.analyze(small.document).operations}
+    assert counted == {"Dress-up": True, "Base": False, "Array": True}
+    assert vkworkbench.analyze(base).operations[0].job == small.job.Name
+    base.Active = False
+    assert not any(o.counted for o in vkworkbench.analyze(small.job).operations)
+
+
+def test_inactive_operation(small, zigzag_commands):
+    op = small.add("Off", [("(inactive operation)", {})])
+    op.Active = False
+    (off,) = vkworkbench.analyze(small.document).operations
+    assert off.strategy == "empty" and not off.counted and off.error.startswith("inactive")
+    assert small.document.getObject(off.name) is op and vkworkbench.analyze(small.document).totals[0].operations == 0
+
+
+BAD_PATHS = {
+    "Empty": ([], "no toolpath"),
+    "Rapids": ([("G0", {"X": 1.0, "Y": 1.0, "Z": 1.0}), ("G0", {"X": 9.0})], "no cutting move"),
+    "NaN": ([*[("G0", {"X": 0.0, "Y": 0.0, "Z": 1.0}), ("G1", {"X": 9.0}), ("G1", {"X": float("nan"), "Y": 4.0})]],
+            "X word that is no usable number ignored (command 2)"),
+    "Unknown": ([("G0", {"X": 0.0, "Y": 0.0, "Z": 1.0}), ("G1", {"X": 9.0}), ("G123", {"X": 5.0})],
+                "unknown code 'G123' ignored"),
+    "No centre": ([("G0", {"X": 0.0, "Y": 0.0, "Z": 1.0}), ("G1", {"X": 9.0}), ("G2", {"X": 5.0, "Y": 4.0})],
+                  "arc without a usable centre"),
+}  # fmt: skip
+
+
+def test_bad_paths_say_what_is_wrong_and_stop_nothing(small, zigzag_commands):
+    good = small.add("Good", zigzag_commands)
+    for label, (commands, _) in BAD_PATHS.items():
+        small.add(label, commands)
+    report = vkworkbench.analyze(small.document)
+    rows = {o.label: o for o in report.operations}
+    assert rows["Good"].strategy == "zigzag" and rows["Good"].error is None
+    for label, (_, message) in BAD_PATHS.items():
+        assert message in rows[label].error
+    vkworkbench.mark(report)
+    assert "unknown code" in small.document.getObject(rows["Unknown"].name).Label2
+    assert "no cutting move" in small.document.getObject(rows["Rapids"].name).Label2
+    assert good.ToolpathRemark == ""
+
+
+def test_tools_and_stocks_that_are_missing_or_impossible(small, zigzag_commands):
+    small.add("No tool", zigzag_commands, controller=None)
+    small.add("Fine", zigzag_commands)
+    rows = {o.label: o for o in vkworkbench.analyze(small.document).operations}
+    assert "no tool" in rows["No tool"].error and rows["No tool"].estimate is None
+    assert rows["No tool"].strategy == rows["Fine"].strategy == "zigzag"
+    assert rows["Fine"].estimate is not None
+
+    small.controller.Tool.Diameter = 0
+    (fine,) = vkworkbench.analyze(small.document.getObject(rows["Fine"].name)).operations
+    assert "diameter" in fine.error and small.controller.Label in fine.error and fine.strategy == "zigzag"
+    small.controller.Tool.Diameter = 5
+
+    small.job.Stock = None
+    report = vkworkbench.analyze(small.job)
+    rows = {o.label: o for o in report.operations}
+    assert "no stock" in rows["Fine"].error and rows["Fine"].strategy == "zigzag"
+    assert report.totals[0].incomplete and ">=" in str(report)
+
+
+def test_placement_moves_the_toolpath(small, zigzag_commands):
+    op = small.add("Moved", zigzag_commands)
+    inside = vkworkbench.analyze(op).operations[0].estimate.traces
+    op.Placement.Base = FreeCAD.Vector(1000, 0, 0)
+    assert vkworkbench.analyze(op).operations[0].estimate.traces == 0 < inside
+
+
+def test_progress_and_cancel(small, zigzag_commands):
+    for label in ("One", "Two", "Three"):
+        small.add(label, zigzag_commands)
+    seen = []
+    vkworkbench.analyze(small.job, progress=lambda done, count, label: seen.append((done, count, label)))
+    assert seen == [(0, 3, "One"), (1, 3, "Two"), (2, 3, "Three")]
+    answers = iter([False, False, True])
+    with pytest.raises(vkworkbench.Cancelled):
+        vkworkbench.analyze(small.job, cancelled=lambda: next(answers))
+    assert all(not obj.Label2 for obj in small.document.Objects)

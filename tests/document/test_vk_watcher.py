@@ -1,0 +1,119 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Marks that stay true: outdated by an edit of path, tool or stock, fresh again when it is undone."""
+
+import FreeCAD
+import Path
+import pytest
+
+import vkworkbench
+from vkworkbench.document import marks, watcher
+
+
+@pytest.fixture
+def watched(small, zigzag_commands):
+    small.first, small.second = small.add("First", zigzag_commands), small.add("Second", zigzag_commands)
+    vkworkbench.mark(vkworkbench.analyze(small.document))
+    watcher.watch()
+    return small
+
+
+def outdated(document):
+    return [obj.Label for obj in document.Objects if marks.is_outdated(obj)]
+
+
+def edit_path(small):
+    small.first.Path = Path.Path(small.first.Path.Commands[:-3])
+
+
+def test_an_edited_path_outdates_its_mark_and_the_total(watched):
+    document = watched.document
+    document.openTransaction("Edit")
+    edit_path(watched)
+    document.commitTransaction()
+    document.recompute()
+    assert outdated(document) == [watched.job.Label, "First"]
+    assert watched.first.Label2.endswith(" · outdated⟧")
+    document.undo()
+    assert outdated(document) == []
+    document.redo()
+    assert outdated(document) == [watched.job.Label, "First"]
+    vkworkbench.mark(vkworkbench.analyze(watched.first))
+    assert outdated(document) == []
+
+
+@pytest.mark.parametrize("change", ["tool", "stock", "placement"])
+def test_tool_and_stock_matter_too(watched, change):
+    document = watched.document
+    fresh = [obj.Label2 for obj in document.Objects]
+
+    def set_to(value):
+        if change == "tool":
+            watched.controller.Tool.Diameter = 5 + value
+        elif change == "stock":
+            watched.job.Stock.ExtZpos = 1 + value
+        else:
+            watched.first.Placement.Base = FreeCAD.Vector(value, 0, 0)
+        document.recompute()
+
+    if change == "stock":
+        set_to(0)
+        vkworkbench.mark(vkworkbench.analyze(document))
+        fresh = [obj.Label2 for obj in document.Objects]
+    set_to(2)
+    assert "First" in outdated(document) and watched.job.Label in outdated(document)
+    assert ("Second" in outdated(document)) == (change != "placement")
+    set_to(0)
+    assert [obj.Label2 for obj in document.Objects] == fresh
+
+
+def test_what_does_not_matter_keeps_marks_fresh(watched):
+    watched.first.Label = "Renamed"
+    watched.second.Label2 = "own words " + watched.second.Label2
+    watched.job.Label = "Another"
+    watched.document.addObject("Part::Box", "Unrelated").Length = 7
+    watched.document.recompute()
+    assert outdated(watched.document) == []
+
+
+def test_reopened_marks_are_fresh_or_say_so(watched, tmp_path):
+    path = str(tmp_path / "job.FCStd")
+    watched.document.saveAs(path)
+    name = watched.document.Name
+    FreeCAD.closeDocument(name)
+    document = FreeCAD.openDocument(path)
+    try:
+        watcher.check(document)
+        assert outdated(document) == [] and sum(marks.is_marked(obj) for obj in document.Objects) == 3
+        stale = document.getObjectsByLabel("First")[0]
+        stale.ToolpathFingerprint = "of:another"
+        watcher.check(document)
+        assert "First" in outdated(document)
+    finally:
+        FreeCAD.closeDocument(document.Name)
+
+
+def test_real_operations_outdate_and_recover(example):
+    vkworkbench.mark(vkworkbench.analyze(example))
+    watcher.watch()
+    example.UndoMode = 1
+    assert outdated(example) == []
+    drill = example.getObjectsByLabel("Drill holes")[0]
+    example.openTransaction("Depth")
+    drill.setExpression("FinalDepth", None)
+    drill.FinalDepth = drill.FinalDepth.Value + 1
+    example.recompute()
+    example.commitTransaction()
+    assert outdated(example) == ["Job", "Drill holes"]
+    example.undo()
+    assert outdated(example) == []
+
+
+def test_nothing_is_looked_at_while_restoring(watched, tmp_path, monkeypatch):
+    path = str(tmp_path / "job.FCStd")
+    watched.document.saveAs(path)
+    FreeCAD.closeDocument(watched.document.Name)
+    looked = []
+    monkeypatch.setattr(marks, "refresh", lambda *args, **kwargs: looked.append(args))
+    document = FreeCAD.openDocument(path)
+    assert looked == []
+    FreeCAD.closeDocument(document.Name)
