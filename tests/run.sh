@@ -57,4 +57,5 @@ for suite in $suites; do
     fi
 done
 rm -rf "$results/own"
-/usr/bin/python3 tests/summary.py "$results"
+# shellcheck disable=SC2086
+/usr/bin/python3 tests/summary.py "$results" $suites

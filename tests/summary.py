@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Judge what run_layers.sh left and print it: FreeCAD version x layer, then one closing line with the sums.
 
-    python3 tests/summary.py RESULTS       # a folder with one folder for each Debian suite
+    python3 tests/summary.py RESULTS SUITES...       # a folder with one folder for each Debian suite
 
 Exits with 1 where a test failed, a layer did not end by itself, or FreeCAD swallowed an exception: it prints
 those and goes on, so that only its log tells. A FreeCAD that could not be installed is said, and is no failure.
@@ -36,7 +36,8 @@ def judge(folder, layer):
     report = folder / f"{layer}.xml"
     numbers = count(report) if report.exists() else Counter()
     problem = ""
-    if not report.exists() or status not in ("0", "1") or (status == "1" and not numbers["failed"]):
+    explained = status == "0" or (status in ("1", "2") and numbers["failed"])
+    if not report.exists() or not explained:
         problem = STATUS.get(status, f"ended with status {status}")
     elif layer != "core" and not numbers["failed"]:
         swallowed = SWALLOWED.findall((folder / f"{layer}.log").read_text(errors="replace"))
@@ -49,17 +50,19 @@ def tail(log):
     """The part of a log that tells what failed."""
     lines = log.read_text(errors="replace").splitlines()
     starts = [n for n, line in enumerate(lines) if re.match(r"=+ (FAILURES|ERRORS) =+|Traceback|Fatal", line)]
-    return "\n".join("    " + line for line in lines[starts[0] if starts else -30 :][:200])
+    ends = [n for n, line in enumerate(lines) if re.match(r"=+ warnings summary =+", line)]
+    first = starts[0] if starts else max(len(lines) - 30, 0)
+    return "\n".join("    " + line for line in lines[first : ends[0] if ends else None][:200])
 
 
 def in_words(numbers):
     return ", ".join(f"{numbers[key]} {key}" for key in ("passed", "failed", "skipped") if numbers[key])
 
 
-def main(results):
+def main(results, suites):
     total = Counter()
     rows, absent = [], []
-    for folder in sorted(path for path in results.iterdir() if path.is_dir()):
+    for folder in [results / suite for suite in suites]:
         reason = folder / "not-installed"
         if reason.exists():
             rows.append([folder.name] + ["not installed"] * len(LAYERS))
@@ -91,4 +94,4 @@ def main(results):
 
 
 if __name__ == "__main__":
-    sys.exit(main(Path(sys.argv[1])))
+    sys.exit(main(Path(sys.argv[1]), sys.argv[2:]))
