@@ -14,6 +14,7 @@ class JobDocument:
 
     def __init__(self):
         self.document = FreeCAD.newDocument("Small")
+        self.name = self.document.Name
         block = self.document.addObject("Part::Box", "Block")
         block.Length, block.Width, block.Height = 60, 40, 20
         self.document.recompute()
@@ -45,8 +46,8 @@ def small():
     """A JobDocument, closed after the test."""
     small = JobDocument()
     yield small
-    if small.document.Name in FreeCAD.listDocuments():
-        FreeCAD.closeDocument(small.document.Name)
+    if small.name in FreeCAD.listDocuments():
+        FreeCAD.closeDocument(small.name)
 
 
 def zigzag(rows=10, z=15.0):

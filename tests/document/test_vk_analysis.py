@@ -20,8 +20,9 @@ STRATEGIES = {
 @pytest.fixture(scope="module")
 def report(example_path):
     document = FreeCAD.openDocument(str(example_path))
-    yield vkworkbench.analyze(document)
+    report = vkworkbench.analyze(document)
     FreeCAD.closeDocument(document.Name)
+    return report
 
 
 def test_every_strategy_of_the_example_is_right(report):
@@ -36,7 +37,7 @@ def test_every_operation_of_the_example_has_its_numbers(report):
         assert o.trajectories > 10 and o.length > 100
         assert o.estimate.seconds > 0 and o.estimate.memory_bytes > 1e6 and o.legacy.fast_forward_seconds > 0.3
         assert o.machining.seconds > 1
-        assert o.reason.endswith((".", ")")) or len(o.reason) > 20
+        assert len(o.reason) > 20
 
 
 def test_a_dressed_up_operation_is_not_counted_again(report):
@@ -52,7 +53,7 @@ def test_table_names_every_operation_and_the_total(report):
     lines = str(report).splitlines()
     assert len(lines) == len(report.operations) + 4
     for o in report.operations:
-        (line,) = [line for line in lines if line.strip("(").startswith((o.label + " ", o.label + ")"))]
+        (line,) = [line for line in lines if line.split("  ")[0].strip("()") == o.label]
         assert o.strategy.value in line and f"{o.trajectories:,}" in line
 
 

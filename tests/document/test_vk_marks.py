@@ -53,7 +53,7 @@ def test_one_undo_step_and_clear_leave_no_trace(example):
     assert state() == after
 
 
-@pytest.mark.parametrize("own", ["note", "note ", " x", "a ⟦b", "b⟧ c", "<b>bold</b> {0} \"'", "Ж 🙂 ‏עברית"])
+@pytest.mark.parametrize("own", ["note", "note ", " x", "a ⟦b", "b⟧ c", "⟦of another tool⟧", "<b>bold</b> {0} \"'", "Ж 🙂 ‏עברית"])
 def test_the_users_words_stay(small, zigzag_commands, own):
     op = small.add("Zigzag", zigzag_commands)
     op.Label2 = own
@@ -171,7 +171,7 @@ def open_without_addon(path, folder):
     environment = {**os.environ, "HOME": str(home), "PYTHONPATH": ""}
     log = subprocess.run(["freecadcmd", str(script)], env=environment, stdin=subprocess.DEVNULL, text=True,
                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=120).stdout  # fmt: skip
-    return out.read_text(encoding="utf-8").splitlines(), log.replace(str(path), "")
+    return out.read_text(encoding="utf-8").splitlines(), log.replace(str(folder), "")
 
 
 def test_a_marked_file_opens_without_the_addon(example, tmp_path):

@@ -21,7 +21,9 @@ from vkworkbench.document.operations import Operation, find, kind
 from vkworkbench.report import OperationReport, Report
 
 OPENING, CLOSING, SEPARATOR, OUTDATED = "⟦", "⟧", " · ", "outdated"
-_SEGMENT = re.compile(f" ?{OPENING}[^{CLOSING}]*{CLOSING}")
+# A segment is ours if it begins as ours do: brackets may be the user's or another tool's.
+_FIRST_WORDS = "|".join([*(strategy.value for strategy in Strategy), "[0-9]+ operations?"])
+_SEGMENT = re.compile(f" ?{OPENING}(?:{_FIRST_WORDS})(?: [^{OPENING}{CLOSING}]*)?{CLOSING}")
 _LONGEST_REMARK = 60  # characters of what is wrong; the whole is in the tooltip, the report and the properties
 
 GROUP = "Toolpath analysis"
