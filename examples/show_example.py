@@ -14,12 +14,13 @@ from pathlib import Path
 
 import FreeCAD
 import FreeCADGui as Gui
+
 import vkworkbench
 from vkworkbench.gui import tree
 from vkworkbench.gui.qt import QTimer
 
 sys.path.insert(0, str(Path(__file__).parent))
-from make_example import make_example  # noqa: E402
+from make_example import make_example
 
 OUTPUT = Path(os.environ["VKWORKBENCH_OUTPUT"])
 LEAVE = "VKWORKBENCH_LEAVE" in os.environ

@@ -24,10 +24,11 @@ done
 
 cache=${VKWORKBENCH_CACHE:-${XDG_CACHE_HOME:-$HOME/.cache}/vkworkbench}
 results=build/tests
+# shellcheck source=/dev/null
 own=$(. /etc/os-release && echo "${VERSION_CODENAME-}")
 user=$(id -u):$(id -g)
 sudo=()
-[ "$(id -u)" = 0 ] || sudo=(sudo --preserve-env=http_proxy,https_proxy)
+[ "$(id -u)" = 0 ] || sudo=(sudo "--preserve-env=http_proxy,https_proxy")
 
 # prepare SUITE COMMAND...: run COMMAND, which installs what SUITE needs; note a failure's reason where it has none.
 prepare() {

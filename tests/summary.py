@@ -11,9 +11,9 @@ from __future__ import annotations
 
 import re
 import sys
-import xml.etree.ElementTree as ElementTree
 from collections import Counter
 from pathlib import Path
+from xml.etree import ElementTree
 
 LAYERS = "core", "document", "gui"
 SWALLOWED = re.compile(r"^.*(Traceback \(most recent call last\)|During initialization the error).*", re.MULTILINE)
