@@ -1,0 +1,115 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""FreeCAD's window as a person uses it: wait, click, look."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import time
+from pathlib import Path
+
+import FreeCAD
+import FreeCADGui as Gui
+import pytest
+from PySide import QtCore, QtGui
+
+try:
+    from PySide6.QtTest import QTest
+except ImportError:
+    from PySide2.QtTest import QTest
+
+
+class Window:
+    """FreeCAD's main window."""
+
+    def __init__(self):
+        self.main = Gui.getMainWindow()
+        self.main.resize(1240, 900)
+
+    def wait(self, until, seconds=20.0):
+        """Let FreeCAD work until a condition holds."""
+        end = time.monotonic() + seconds
+        while not until():
+            assert time.monotonic() < end, f"waited {seconds} s in vain"
+            QtGui.QApplication.processEvents(QtCore.QEventLoop.AllEvents, 20)
+
+    def idle(self, seconds=0.2):
+        end = time.monotonic() + seconds
+        while time.monotonic() < end:
+            QtGui.QApplication.processEvents(QtCore.QEventLoop.AllEvents, 20)
+
+    def activate(self, workbench):
+        Gui.activateWorkbench(workbench)
+        self.idle(0.5)
+
+    def button(self, text):
+        """The visible tool button of a command, by its menu text."""
+        found = [b for b in self.main.findChildren(QtGui.QToolButton)
+                 if b.isVisible() and b.defaultAction() and b.defaultAction().text().replace("&", "") == text]
+        assert found, f"no button {text!r}"
+        return found[0]
+
+    def click(self, text):
+        self.wait(lambda: self.button(text).isEnabled())
+        QTest.mouseClick(self.button(text), QtCore.Qt.LeftButton)
+
+    def press(self, widget, key):
+        QTest.keyClick(widget, key)
+
+    def boxes(self):
+        """The message boxes that are open."""
+        return [w for w in QtGui.QApplication.topLevelWidgets()
+                if isinstance(w, QtGui.QMessageBox) and w.isVisible()]
+
+    def dismiss(self):
+        """Close all message boxes by their button, and return their texts."""
+        texts = []
+        for box in self.boxes():
+            texts.append(box.text())
+            QTest.mouseClick(box.buttons()[0], QtCore.Qt.LeftButton)
+        self.idle(0.1)
+        return texts
+
+    @property
+    def tree(self):
+        views = self.main.findChildren(QtGui.QTreeView)
+        return next(v for v in views if v.metaObject().className() == "Gui::TreeWidget" and v.isVisible())
+
+    def descriptions(self):
+        """The tree's second column by its first."""
+        model, found = self.tree.model(), {}
+
+        def visit(parent):
+            for row in range(model.rowCount(parent)):
+                index = model.index(row, 0, parent)
+                found[index.data()] = model.index(row, 1, parent).data()
+                visit(index)
+
+        visit(QtCore.QModelIndex())
+        return found
+
+    def screenshot(self, name):
+        folder = Path(os.environ.get("VKWORKBENCH_SCREENSHOTS", "build/screenshots"))
+        folder.mkdir(parents=True, exist_ok=True)
+        self.idle(0.5)
+        path = folder / f"{name}-{'.'.join(FreeCAD.Version()[:2])}.png"
+        subprocess.run(["import", "-window", "root", str(path)], check=True, timeout=60)
+        return path
+
+
+@pytest.fixture(scope="session")
+def window():
+    return Window()
+
+
+@pytest.fixture
+def opened(example_path, window):
+    """The example job, opened and expanded in the tree, in the analysis workbench."""
+    document = FreeCAD.openDocument(str(example_path))
+    window.activate("VkWorkbench")
+    window.tree.expandAll()
+    Gui.Selection.clearSelection()
+    yield document
+    window.dismiss()
+    FreeCAD.closeDocument(document.Name)
+    window.idle()

@@ -1,0 +1,173 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The commands in a real window: buttons, menus, progress, Esc, and what the tree shows."""
+
+import FreeCAD
+import FreeCADGui as Gui
+import pytest
+from PySide import QtCore, QtGui
+
+import vkworkbench
+from vkworkbench.document import marks
+
+CAM = "PathWorkbench" if FreeCAD.Version()[0] == "0" else "CAMWorkbench"
+
+
+def marked(document):
+    return [obj for obj in document.Objects if marks.is_marked(obj)]
+
+
+def test_the_first_click_marks_the_job_and_shows_the_column(opened, window):
+    FreeCAD.ParamGet("User parameter:BaseApp/Preferences/Mod/VkWorkbench").RemBool("DescriptionShown")
+    if FreeCAD.Version()[0] != "0":
+        FreeCAD.ParamGet("User parameter:BaseApp/Preferences/TreeView").SetBool("HideColumn", True)
+    window.click("Analyze toolpaths")
+    window.wait(lambda: marked(opened))
+    assert not window.tree.isColumnHidden(1) and window.tree.columnWidth(1) > 100
+    assert window.main.statusBar().currentMessage().endswith("operations analyzed")
+    texts = window.dismiss()
+    # Only where the column was hidden is there anything to say.
+    assert [("Description column" in text) for text in texts] == ([] if FreeCAD.Version()[0] == "0" else [True])
+    window.tree.expandAll()
+    window.screenshot("marks")
+    shown = window.descriptions()
+    assert shown["Face"].startswith("⟦zigzag") and "⟦adaptive" in shown["Adaptive pocket"]
+    assert shown["Job"].startswith("⟦") and "operations" in shown["Job"]
+
+    Gui.runCommand("Std_Undo")
+    window.wait(lambda: not marked(opened))
+    window.click("Analyze toolpaths")
+    window.wait(lambda: marked(opened))
+    assert window.dismiss() == []  # said once
+    window.click("Clear analysis")
+    window.wait(lambda: not marked(opened))
+    assert "marks removed" in window.main.statusBar().currentMessage()
+
+
+def test_the_click_and_the_macro_give_the_same_numbers(opened, window):
+    window.click("Analyze toolpaths")
+    window.wait(lambda: marked(opened))
+    for o in vkworkbench.analyze(opened).operations:
+        obj = opened.getObject(o.name)
+        assert (obj.ToolpathSeconds, obj.ToolpathMemory, obj.ToolpathStrategy) == (
+            o.estimate.seconds, o.estimate.memory_bytes, o.strategy.value)  # fmt: skip
+
+
+def test_selected_operations_only(opened, window):
+    face = opened.getObjectsByLabel("Face")[0]
+    Gui.Selection.addSelection(face)
+    window.click("Analyze toolpaths")
+    window.wait(lambda: marked(opened))
+    assert marked(opened) == [face]
+
+
+def test_nothing_to_analyze_is_said(window):
+    document = FreeCAD.newDocument("Empty")
+    window.activate("VkWorkbench")
+    window.click("Analyze toolpaths")
+    window.wait(window.boxes)
+    assert ["no operation" in text for text in window.dismiss()] == [True]
+    FreeCAD.closeDocument(document.Name)
+    window.wait(lambda: not window.button("Analyze toolpaths").isEnabled())
+    Gui.runCommand("Vk_Analyze")  # what a macro could still do
+    Gui.runCommand("Vk_Clear")
+
+
+def test_esc_cancels_and_changes_nothing(opened, window):
+    job = opened.getObject("Job")
+    for _ in range(60):
+        copy = opened.copyObject(opened.getObjectsByLabel("Adaptive pocket")[0], False)
+        job.Operations.Group += [copy]
+    before = [(obj.Name, obj.Label2, tuple(obj.PropertiesList)) for obj in opened.Objects]
+    undo = opened.UndoCount
+    pressed = []
+
+    def press_esc():
+        dialogs = [w for w in QtGui.QApplication.topLevelWidgets()
+                   if isinstance(w, QtGui.QProgressDialog) and w.isVisible()]
+        if dialogs:
+            pressed.append(dialogs[0].labelText())
+            window.press(dialogs[0], QtCore.Qt.Key_Escape)
+        elif not pressed:
+            QtCore.QTimer.singleShot(20, press_esc)
+
+    QtCore.QTimer.singleShot(20, press_esc)
+    window.click("Analyze toolpaths")
+    window.idle()
+    assert pressed and pressed[0]  # the operation's name
+    assert "cancelled" in window.main.statusBar().currentMessage()
+    assert [(obj.Name, obj.Label2, tuple(obj.PropertiesList)) for obj in opened.Objects] == before
+    assert opened.UndoCount == undo
+
+
+def menu_texts(menu):
+    return [action.text().replace("&", "") for action in menu.actions()]
+
+
+def test_guests_in_freecads_own_workbench(opened, window):
+    window.activate(CAM)
+    assert window.button("Analyze toolpaths").isVisible() and window.button("Clear analysis").isVisible()
+    bar = window.main.menuBar()
+    (menu,) = [a.menu() for a in bar.actions() if a.text().replace("&", "") in ("CAM", "Path")]
+    assert {"Analyze toolpaths", "Clear analysis"} <= set(menu_texts(menu))
+    own_toolbars = [t for t in window.main.findChildren(QtGui.QToolBar) if t.isVisible()]
+    assert len(own_toolbars) > 5  # the workbench's own are still there
+    window.click("Analyze toolpaths")
+    window.wait(lambda: marked(opened))
+
+
+@pytest.mark.parametrize("workbench", ["VkWorkbench", CAM])
+def test_context_menu_of_an_operation(opened, window, workbench):
+    window.activate(workbench)
+    window.tree.expandAll()
+    Gui.Selection.addSelection(opened.getObjectsByLabel("Face")[0])
+    window.idle()
+    seen = []
+
+    def look():
+        menu = QtGui.QApplication.activePopupWidget()
+        if menu is not None:
+            seen.extend(menu_texts(menu))
+            window.screenshot(f"context-menu-{workbench}")
+            menu.close()
+
+    QtCore.QTimer.singleShot(500, look)
+    tree = window.tree
+    (index,) = [i for i in tree.selectionModel().selectedIndexes() if i.column() == 0]
+    where = tree.visualRect(index).center()
+    event = QtGui.QContextMenuEvent(QtGui.QContextMenuEvent.Mouse, where, tree.viewport().mapToGlobal(where))
+    QtGui.QApplication.sendEvent(tree.viewport(), event)
+    assert {"Analyze toolpaths", "Clear analysis"} <= set(seen)
+
+
+def test_resources_of_the_commands(window):
+    window.activate("VkWorkbench")
+    for name in ("Analyze toolpaths", "Clear analysis"):
+        action = window.button(name).defaultAction()
+        assert not action.icon().isNull() and action.toolTip() and action.statusTip()
+
+
+def test_an_edit_shows_outdated_in_the_tree(opened, window):
+    window.click("Analyze toolpaths")
+    window.wait(lambda: marked(opened))
+    drill = opened.getObjectsByLabel("Drill holes")[0]
+    opened.openTransaction("Depth")
+    drill.setExpression("FinalDepth", None)
+    drill.FinalDepth = drill.FinalDepth.Value + 1
+    opened.recompute()
+    opened.commitTransaction()
+    window.wait(lambda: window.descriptions()["Drill holes"].endswith("outdated⟧"))
+    window.screenshot("outdated")
+    Gui.runCommand("Std_Undo")
+    window.wait(lambda: not window.descriptions()["Drill holes"].endswith("outdated⟧"))
+
+
+def test_marks_of_a_reopened_file_are_checked(opened, window, tmp_path):
+    vkworkbench.mark(vkworkbench.analyze(opened))
+    stale = opened.getObjectsByLabel("Face")[0]
+    stale.ToolpathFingerprint = "of:another"
+    opened.saveCopy(str(tmp_path / "copy.FCStd"))
+    copy = FreeCAD.openDocument(str(tmp_path / "copy.FCStd"))
+    window.wait(lambda: marks.is_outdated(copy.getObjectsByLabel("Face")[0]))
+    assert not marks.is_outdated(copy.getObjectsByLabel("Bore")[0])
+    FreeCAD.closeDocument(copy.Name)
+    FreeCAD.setActiveDocument(opened.Name)
