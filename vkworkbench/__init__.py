@@ -20,8 +20,8 @@ __all__ = ["Cancelled", "Report", "analyze", "clear", "mark"]
 _HOMES = {
     "analyze": "vkworkbench.document.analysis",
     "Cancelled": "vkworkbench.document.analysis",
-    "mark": "vkworkbench.document.marks",
-    "clear": "vkworkbench.document.marks",
+    "mark": "vkworkbench.document.marking",
+    "clear": "vkworkbench.document.marking",
     "Report": "vkworkbench.report",
 }
 

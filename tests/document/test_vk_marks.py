@@ -118,6 +118,13 @@ def test_a_job_gets_its_total_when_all_its_operations_are_marked(small, zigzag_c
     assert marked(small.document) == [second]
 
 
+def test_clear_reaches_a_job_without_operations(small, zigzag_commands):
+    op = small.add("Zigzag", zigzag_commands)
+    vkworkbench.mark(vkworkbench.analyze(small.document))
+    small.document.removeObject(op.Name)
+    assert vkworkbench.clear(small.job) == 1 and marked(small.document) == []
+
+
 def test_marks_of_an_operation_that_is_gone_are_passed_over(small, zigzag_commands):
     first, second = small.add("First", zigzag_commands), small.add("Second", zigzag_commands)
     report = vkworkbench.analyze(small.document)

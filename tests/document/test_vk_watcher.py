@@ -75,6 +75,19 @@ def test_what_does_not_matter_keeps_marks_fresh(watched):
     assert outdated(watched.document) == []
 
 
+def test_an_operation_that_comes_or_goes_outdates_the_total(watched, zigzag_commands):
+    document = watched.document
+    third = watched.add("Third", zigzag_commands)
+    document.recompute()
+    assert outdated(document) == [watched.job.Label]
+    document.removeObject(third.Name)
+    document.recompute()
+    assert outdated(document) == []
+    document.removeObject(watched.second.Name)
+    document.recompute()
+    assert outdated(document) == [watched.job.Label]
+
+
 def test_reopened_marks_are_fresh_or_say_so(watched, tmp_path):
     path = str(tmp_path / "job.FCStd")
     watched.document.saveAs(path)

@@ -24,7 +24,7 @@ class Window:
 
     def __init__(self):
         self.main = Gui.getMainWindow()
-        self.main.resize(1240, 900)
+        self.main.setGeometry(0, 0, 1280, 1000)
 
     def wait(self, until, seconds=20.0):
         """Let FreeCAD work until a condition holds."""
@@ -40,7 +40,16 @@ class Window:
 
     def activate(self, workbench):
         Gui.activateWorkbench(workbench)
-        self.idle(0.5)
+        self.idle(0.3)
+        # FreeCAD began in no workbench, which hides the tree's dock.
+        shown = {"Combo View": True, "Model": True, "Report view": False, "Python console": False}
+        for dock in self.main.findChildren(QtGui.QDockWidget):
+            if dock.objectName() in shown:
+                dock.setVisible(shown[dock.objectName()])
+        for bar in self.main.findChildren(QtGui.QToolBar):
+            if bar.objectName() == "Toolpath analysis":  # a row of its own, where it has room for all its buttons
+                self.main.insertToolBarBreak(bar)
+        self.idle(0.2)
 
     def button(self, text):
         """The visible tool button of a command, by its menu text."""

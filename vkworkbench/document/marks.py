@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Marks: what an analysis found, written on the operations and on their jobs.
+"""One mark: what an analysis found, written on an operation or on its job.
 
 The text goes into Label2, the tree's Description column, as a segment in brackets beside the user's own words; the
 data into read-only output properties. Neither touches an object: FreeCAD recomputes nothing (an ordinary property
@@ -9,16 +9,12 @@ would). A file so marked opens in a FreeCAD without this add-on.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable
-from contextlib import contextmanager
-
-import FreeCAD
 
 from vkworkbench import friendly
 from vkworkbench.core import Strategy
 from vkworkbench.document.fingerprint import path_fingerprint, setting_fingerprint
-from vkworkbench.document.operations import Operation, find, kind
-from vkworkbench.report import OperationReport, Report
+from vkworkbench.document.operations import Operation, find
+from vkworkbench.report import OperationReport
 
 OPENING, CLOSING, SEPARATOR, OUTDATED = "⟦", "⟧", " · ", "outdated"
 # A segment is ours if it begins as ours do: brackets may be the user's or another tool's.
@@ -40,69 +36,6 @@ _PROPERTIES = {
     "ToolpathMemory": ("App::PropertyFloat", _SHOWN, "Estimated memory of simulating it, in bytes"),
     "ToolpathFingerprint": ("App::PropertyString", _HIDDEN, "Of the path, tool and stock analysed"),
 }
-
-
-def mark(report: Report) -> int:
-    """Write a report's findings on its operations and the totals on their jobs, one undo step a document.
-
-    Returns
-    -------
-    int
-        How many operations were marked; one that was deleted since the analysis is passed over.
-    """
-    marked = 0
-    by_document: dict[str, list[OperationReport]] = {}
-    for operation in report.operations:
-        by_document.setdefault(operation.document, []).append(operation)
-    for name, operations in by_document.items():
-        document = FreeCAD.listDocuments().get(name)
-        if document is None:
-            continue
-        with transaction(document, "Analyze toolpaths"):
-            for operation in operations:
-                obj = document.getObject(operation.name)
-                if obj is not None:
-                    _write(obj, operation)
-                    marked += 1
-            for job in _jobs(document):
-                _write_total(job)
-    return marked
-
-
-def clear(what=None) -> int:
-    """Remove all marks of a document, a job or operations, one undo step a document; nothing else changes.
-
-    Parameters
-    ----------
-    what : Document, DocumentObject, or iterable of them, optional
-        The active document if None.
-
-    Returns
-    -------
-    int
-        How many objects lost a mark.
-
-    Raises
-    ------
-    ValueError
-        If `what` is None and no document is open.
-    """
-    if what is None:
-        what = FreeCAD.ActiveDocument
-        if what is None:
-            raise ValueError("no document is open")
-    marked: dict[str, list] = {}
-    for obj in _with_jobs(find(what)):
-        if is_marked(obj):
-            marked.setdefault(obj.Document.Name, []).append(obj)
-    for name, objects in marked.items():
-        document = FreeCAD.getDocument(name)
-        with transaction(document, "Clear analysis"):
-            for obj in objects:
-                _erase(obj)
-            for job in _jobs(document):
-                _write_total(job)
-    return sum(map(len, marked.values()))
 
 
 def is_marked(obj) -> bool:
@@ -134,27 +67,19 @@ def refresh(operation: Operation, *, path_changed: bool = True) -> None:
 
 
 def refresh_total(job) -> None:
-    """Say "outdated" in a job's mark while that of one of its operations is."""
+    """Say "outdated" in a job's mark while that of one of its operations is, or where it has others."""
     if hasattr(job, "ToolpathFingerprint"):
-        _say_outdated(job, any(is_outdated(o.object) for o in find(job) if o.counted))
+        operations = [o.object for o in find(job) if o.counted]
+        other = job.ToolpathFingerprint != _total_fingerprint(operations)
+        _say_outdated(job, other or any(is_outdated(obj) for obj in operations))
 
 
-@contextmanager
-def transaction(document, name: str):
-    """Make the changes within one undo step, undone if one fails; part of the step that is already open."""
-    if document.HasPendingTransaction:
-        yield
-        return
-    document.openTransaction(name)
-    try:
-        yield
-    except BaseException:
-        document.abortTransaction()
-        raise
-    document.commitTransaction()
+def _total_fingerprint(operations: list) -> str:
+    return " ".join(getattr(obj, "ToolpathFingerprint", "") for obj in operations)
 
 
-def _write(obj, report: OperationReport) -> None:
+def write(obj, report: OperationReport) -> None:
+    """Write what was found on an operation."""
     estimate = report.estimate
     _set(obj, {
         "ToolpathStrategy": report.strategy.value,
@@ -186,12 +111,12 @@ def _shortened(text: str) -> str:
     return text if len(text) <= _LONGEST_REMARK else text[: _LONGEST_REMARK - 1].rstrip() + "…"
 
 
-def _write_total(job) -> None:
+def write_total(job) -> None:
     """Mark a job with the sum over its operations' marks; a job with an unmarked operation has no total."""
     operations = [o.object for o in find(job) if o.counted]
     if not operations or not all(hasattr(obj, "ToolpathFingerprint") for obj in operations):
         if is_marked(job):
-            _erase(job)
+            erase(job)
         return
     seconds = sum(obj.ToolpathSeconds for obj in operations)
     memory = sum(obj.ToolpathMemory for obj in operations)
@@ -202,7 +127,7 @@ def _write_total(job) -> None:
         "ToolpathLength": sum(obj.ToolpathLength for obj in operations),
         "ToolpathSeconds": seconds,
         "ToolpathMemory": memory,
-        "ToolpathFingerprint": "total",
+        "ToolpathFingerprint": _total_fingerprint(operations),
     })  # fmt: skip
     least = "≥ " if unknown else ""
     count = f"{len(operations)} operation" + ("s" if len(operations) > 1 else "")
@@ -239,23 +164,11 @@ def _say_outdated(obj, outdated: bool) -> None:
         _describe(obj, fresh + SEPARATOR + OUTDATED if outdated else fresh)
 
 
-def _erase(obj) -> None:
+def erase(obj) -> None:
+    """Remove the mark; the user's own words stay."""
     label2 = _SEGMENT.sub("", obj.Label2)
     if obj.Label2 != label2:
         obj.Label2 = label2
     for name in _PROPERTIES:
         if hasattr(obj, name):
             obj.removeProperty(name)
-
-
-def _jobs(document) -> list:
-    return [obj for obj in document.Objects if kind(obj) == "job"]
-
-
-def _with_jobs(operations: Iterable[Operation]) -> list:
-    objects = {}
-    for operation in operations:
-        for obj in (operation.object, operation.job):
-            if obj is not None:
-                objects[obj.Document.Name, obj.Name] = obj
-    return list(objects.values())

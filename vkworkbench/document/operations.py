@@ -47,6 +47,10 @@ def kind(obj) -> str | None:
     return "operation"
 
 
+def is_document(what) -> bool:
+    return hasattr(what, "Objects") and hasattr(what, "getObject")
+
+
 def is_job_group(obj) -> bool:
     """Whether it is the group in which a job keeps its operations."""
     return any(kind(user) == "job" and user.Operations is obj for user in obj.InList)
@@ -78,10 +82,10 @@ def find(what) -> list[Operation]:
 
 
 def _find(what) -> Iterator[Operation]:
-    if hasattr(what, "Objects") and hasattr(what, "getObject"):
-        in_jobs = [obj for obj in what.Objects if kind(obj) == "job"]
-        for job in in_jobs:
-            yield from _of_job(job)
+    if is_document(what):
+        for obj in what.Objects:
+            if kind(obj) == "job":
+                yield from _of_job(obj)
         for obj in what.Objects:
             if kind(obj) in ("operation", "dressup", "array"):
                 yield from _with_bases(obj, _job_of(obj), counted=True)

@@ -12,10 +12,10 @@ import FreeCAD
 from vkworkbench.document import marks
 from vkworkbench.document.operations import find
 
-_ON_OPERATION = {"Path", "Placement", "ToolController", "Base", "Active"}
-# Changes that reach operations by way of their tool or stock, and recompute not all of them.
-_ON_SETTING = {"Shape", "Tool", "Diameter", "CornerRadius", "FlatRadius", "CuttingEdgeAngle", "TipAngle",
-               "ShapeType", "ShapeName", "BitShape", "Stock"}  # fmt: skip
+_ON_OPERATION = {"Path", "Placement"}
+# Changes that reach operations and jobs by way of their tool, stock or group.
+_ON_SETTING = {"Group", "Active", "ToolController", "Shape", "Tool", "Diameter", "CornerRadius", "FlatRadius", "CuttingEdgeAngle", "TipAngle",
+               "ShapeType", "ShapeName", "Stock"}  # fmt: skip
 
 
 class Watcher:
@@ -27,9 +27,9 @@ class Watcher:
 
     def slotChangedObject(self, obj, name: str) -> None:
         if name in _ON_OPERATION:
-            if "Restore" not in obj.State and hasattr(obj, "ToolpathFingerprint"):
+            if hasattr(obj, "ToolpathFingerprint") and not obj.Document.Restoring:
                 self._paths.setdefault(obj.Document.Name, set()).add(obj.Name)
-        elif name in _ON_SETTING and "Restore" not in obj.State:
+        elif name in _ON_SETTING and not obj.Document.Restoring:
             self._settings.add(obj.Document.Name)
 
     def slotRecomputedDocument(self, document) -> None:

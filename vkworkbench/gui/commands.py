@@ -50,7 +50,8 @@ class AnalyzeCommand:
                 "There is no operation to analyze in this document. Create a job with operations, or import G-code.",
             ))  # fmt: skip
             return
-        vkworkbench.mark(report)
+        with tree.steady_columns():
+            vkworkbench.mark(report)
         _show_marks()
         FreeCAD.Console.PrintMessage(f"{report}\n")
         wrong = sum(o.error is not None for o in report.operations)
@@ -96,6 +97,7 @@ def _analyze_with_progress(what):
     dialog.setWindowTitle(translate("Vk_Analyze", "Analyze toolpaths"))
     dialog.setWindowModality(Qt.WindowModal)
     dialog.setMinimumDuration(_PROGRESS_DELAY)
+    dialog.rejected.connect(dialog.cancel)  # Esc, whichever part of the dialog takes it
 
     def progress(done: int, count: int, label: str) -> None:
         dialog.setMaximum(count)

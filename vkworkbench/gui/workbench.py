@@ -84,15 +84,15 @@ class _OpenedDocuments:
 
     def _look(self, name: str) -> None:
         document = FreeCAD.listDocuments().get(name)
-        if document is None or not any(hasattr(obj, "ToolpathFingerprint") for obj in document.Objects):
+        if document is None:
             return
-        if any("Restore" in obj.State for obj in document.Objects):
+        if document.Restoring:  # FreeCAD's progress bar lets timers run
             self._later(name)
-            return
-        from vkworkbench.document import watcher  # loads numpy: only for a document with marks
+        elif any(hasattr(obj, "ToolpathFingerprint") for obj in document.Objects):
+            from vkworkbench.document import watcher  # loads numpy: only for a document with marks
 
-        watcher.watch()
-        watcher.check(document)
+            watcher.watch()
+            watcher.check(document)
 
 
 def _load_commands() -> None:

@@ -1,0 +1,106 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Mark what a report found, and clear marks again: one undo step a document."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from contextlib import contextmanager
+
+import FreeCAD
+
+from vkworkbench.document import marks, watcher
+from vkworkbench.document.operations import find, is_document, kind
+from vkworkbench.report import OperationReport, Report
+
+
+def mark(report: Report) -> int:
+    """Write a report's findings on its operations and the totals on their jobs, one undo step a document.
+
+    Returns
+    -------
+    int
+        How many operations were marked; one that was deleted since the analysis is passed over.
+    """
+    watcher.watch()
+    marked = 0
+    by_document: dict[str, list[OperationReport]] = {}
+    for operation in report.operations:
+        by_document.setdefault(operation.document, []).append(operation)
+    for name, operations in by_document.items():
+        document = FreeCAD.listDocuments().get(name)
+        if document is None:
+            continue
+        with transaction(document, "Analyze toolpaths"):
+            for operation in operations:
+                obj = document.getObject(operation.name)
+                if obj is not None:
+                    marks.write(obj, operation)
+                    marked += 1
+            for job in _jobs(document):
+                marks.write_total(job)
+    return marked
+
+
+def clear(what=None) -> int:
+    """Remove all marks of a document, a job or operations, one undo step a document; nothing else changes.
+
+    Parameters
+    ----------
+    what : Document, DocumentObject, or iterable of them, optional
+        The active document if None.
+
+    Returns
+    -------
+    int
+        How many objects lost a mark.
+
+    Raises
+    ------
+    ValueError
+        If `what` is None and no document is open.
+    """
+    if what is None:
+        what = FreeCAD.ActiveDocument
+        if what is None:
+            raise ValueError("no document is open")
+    marked: dict[str, dict] = {}
+    for obj in _with_jobs(what):
+        if marks.is_marked(obj):
+            marked.setdefault(obj.Document.Name, {})[obj.Name] = obj
+    for name, objects in marked.items():
+        with transaction(FreeCAD.getDocument(name), "Clear analysis"):
+            for obj in objects.values():
+                marks.erase(obj)
+    return sum(map(len, marked.values()))
+
+
+@contextmanager
+def transaction(document, name: str):
+    """Make the changes within one undo step, undone if one fails; part of the step that is already open."""
+    if document.HasPendingTransaction:
+        yield
+        return
+    document.openTransaction(name)
+    try:
+        yield
+    except BaseException:
+        document.abortTransaction()
+        raise
+    document.commitTransaction()
+
+
+def _jobs(document) -> list:
+    return [obj for obj in document.Objects if kind(obj) == "job"]
+
+
+def _with_jobs(what) -> Iterator:
+    """The operations that `what` stands for and their jobs, also a job that has none any more."""
+    for one in what if isinstance(what, Iterable) else [what]:
+        if is_document(one):
+            yield from (obj for obj in one.Objects if kind(obj))
+        elif kind(one) == "job":
+            yield one
+    for operation in find(what):
+        yield operation.object
+        if operation.job is not None:
+            yield operation.job
