@@ -13,9 +13,11 @@ _CELLS_PER_RADIUS = 16
 
 # A step between two cells of the map that is no slope: higher than this many cells, or alone among flat ones.
 _WALL = 1.8
-# Triangles per corner of a wall, per cell of wall, per rectangle on a slope, per cell of a holed bottom; of a
-# plain box. Fitted to FreeCAD's meshes by benchmarks/simulators.py.
-_CORNER, _ALONG, _RECTANGLE, _HOLED, _BOX = 3.6, 0.26, 3.65, 0.0033, 12.0
+# Triangles per corner of a wall, per cell of wall, per rectangle on a slope, of a plain box; per cell of a
+# bottom that is cut through, for each corner of its outline beyond a few and at most. Fitted to FreeCAD's meshes, see
+# benchmarks/simulators.py.
+_CORNER, _ALONG, _RECTANGLE, _BOX = 3.6, 0.26, 3.65, 12.0
+_PER_CORNER, _FEW_CORNERS, _PIECES = 0.002, 8, 0.5
 # FreeCAD's rectangles are no longer than this many times their width (VolSim.cpp).
 _LONGEST = 5.0
 
@@ -79,8 +81,9 @@ def mesh_facets(heights: np.ndarray, size: float, bottom: float, resolution: flo
 
     It covers the stock with rectangles whose cells differ by less than one cell's edge. On a slope of (gx,
     gy) such a rectangle spans 1/gx by 1/gy cells and at most 5:1, so a cell has gx gy of them; a floor has a
-    few, each wall a few per corner, a flat bottom with a hole one per cell or so (a slip in ``TesselBot``,
-    VolSim.cpp).
+    few and each wall a few per corner. A bottom that is cut through falls to pieces of one cell, because a
+    rectangle longer than 5:1 is not found again there (a slip in ``TesselBot``, VolSim.cpp): the more, the
+    more corners its outline has.
 
     Parameters
     ----------
@@ -110,10 +113,16 @@ def mesh_facets(heights: np.ndarray, size: float, bottom: float, resolution: flo
     across = np.minimum(np.maximum(slope_x, slope_y / _LONGEST), 1)
     along = np.minimum(np.maximum(slope_y, slope_x / _LONGEST), 1)
 
-    through = heights <= bottom + resolution
-    holed = (~through).sum() if through[1:-1, 1:-1].any() else 0
     return float(_BOX + finer * (_CORNER * (cells - straight) + _ALONG * cells)
-                 + finer**2 * (_RECTANGLE * (across * along).sum() + _HOLED * holed))  # fmt: skip
+                 + finer**2 * (_RECTANGLE * (across * along).sum() + _bottom(heights > bottom + resolution))
+    )  # fmt: skip
+
+
+def _bottom(kept: np.ndarray) -> float:
+    """Triangles of the lower face for each cell of the simulator in a cell of the map."""
+    whole = kept.astype(np.int8)
+    corners = int(((whole[1:, 1:] + whole[1:, :-1] + whole[:-1, 1:] + whole[:-1, :-1]) % 2).sum())
+    return min(_PER_CORNER * max(corners - _FEW_CORNERS, 0), _PIECES) * float(kept.sum())
 
 
 def _walls(step: np.ndarray, size: float, resolution: float) -> np.ndarray:
