@@ -68,18 +68,27 @@ class Signature:
         if points.ndim != 2 or points.shape[1] not in (2, 3):
             raise ValueError(f"points must have the shape (n+1, 2) or (n+1, 3), not {points.shape}")
         x, y = _plane(points)
-        if not (np.isfinite(x.sum()) and np.isfinite(y.sum())) and not np.isfinite(points).all():
-            raise ValueError("points must be finite numbers")
-        self._x, self._y = x, y
         dx, dy = x[1:] - x[:-1], y[1:] - y[:-1]
+        self._x, self._y = x, y
+        # The work is done in few arrays: for a long path it is their memory that takes the time.
+        squares = dx * dx
+        squares += dy * dy
+        if not np.isfinite(squares.max(initial=0.0)) and not np.isfinite(points).all():
+            raise ValueError("points must be finite numbers")
         self.alpha = np.arctan2(dy, dx)
-        _carry_directions(self.alpha, dx, dy)
-        turning = self.alpha[1:] - self.alpha[:-1]
-        turning -= TURN * np.rint(turning * (1 / TURN))
-        self.reversals = np.flatnonzero(np.abs(turning) > np.pi - EXACT)
-        if len(self.reversals):
+        if squares.min(initial=np.inf) < NO_LENGTH**2:
+            _carry_directions(self.alpha, squares < NO_LENGTH**2)
+        self.turning = turning = self.alpha[1:] - self.alpha[:-1]
+        scratch = squares[1:]
+        np.multiply(turning, 1 / TURN, out=scratch)
+        np.rint(scratch, out=scratch)
+        scratch *= TURN
+        turning -= scratch
+        np.abs(turning, out=scratch)
+        self.reversals = np.empty(0, np.int64)
+        if scratch.max(initial=0.0) > np.pi - EXACT:
+            self.reversals = np.flatnonzero(scratch > np.pi - EXACT)
             _alternate(turning, self.reversals)
-        self.turning = turning
         self.phi = np.zeros(len(self.alpha))
         np.cumsum(turning, out=self.phi[1:])
 
@@ -89,8 +98,10 @@ class Signature:
 
     @cached_property
     def level(self) -> np.ndarray:
+        turns = self.phi * (1 / TURN)
         # Rounding must not keep a full turn from being one.
-        return np.trunc((self.phi + np.copysign(EXACT, self.phi)) / TURN).astype(np.int64)
+        turns += np.copysign(EXACT / TURN, turns)
+        return turns.astype(np.int64)  # truncates
 
     @cached_property
     def _v(self) -> tuple[np.ndarray, np.ndarray]:
@@ -163,11 +174,8 @@ def _plane(points: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     return x, y
 
 
-def _carry_directions(alpha: np.ndarray, dx: np.ndarray, dy: np.ndarray) -> None:
+def _carry_directions(alpha: np.ndarray, still: np.ndarray) -> None:
     """Give trajectories without length the direction before them, at the beginning the one after them."""
-    still = (np.abs(dx) < NO_LENGTH) & (np.abs(dy) < NO_LENGTH)
-    if not still.any():
-        return
     if still.all():
         alpha[:] = 0.0
         return
