@@ -320,7 +320,7 @@ def test_which_simulators_a_version_has():
 
 
 def test_cutting_out_a_round_part_breaks_the_bottom_to_pieces_and_a_square_one_does_not():
-    """FreeCAD 0.20, 1.0 and 1.1 make half a triangle per remaining cell of a disc's bottom, and two of a plate's."""
+    """FreeCAD makes half a triangle per remaining cell of a disc's bottom, and two of a plate's."""
     x, y = np.meshgrid(np.arange(100) - 49.5, np.arange(60) - 29.5, indexing="ij")
     disc = np.where(np.hypot(x, y) < 28, 20.0, 0.0)
     plate = np.where((np.abs(x) < 40) & (np.abs(y) < 28), 20.0, 0.0)

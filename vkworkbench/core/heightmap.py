@@ -14,8 +14,8 @@ _CELLS_PER_RADIUS = 16
 # A step between two cells of the map that is no slope: higher than this many cells, or alone among flat ones.
 _WALL = 1.8
 # Triangles per corner of a wall, per cell of wall, per rectangle on a slope, of a plain box; per cell of a
-# bottom that is cut through, for each corner of its outline beyond a few and at most. Fitted to FreeCAD's meshes, see
-# benchmarks/simulators.py.
+# bottom that is cut through, for each corner of its outline beyond a few, and at most. Fitted to FreeCAD's
+# meshes, see benchmarks/simulators.py.
 _CORNER, _ALONG, _RECTANGLE, _BOX = 3.6, 0.26, 3.65, 12.0
 _PER_CORNER, _FEW_CORNERS, _PIECES = 0.002, 8, 0.5
 # FreeCAD's rectangles are no longer than this many times their width (VolSim.cpp).
