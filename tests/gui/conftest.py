@@ -13,10 +13,10 @@ import FreeCADGui as Gui
 import pytest
 from PySide import QtCore, QtGui
 
-try:
-    from PySide6.QtTest import QTest
-except ImportError:
+try:  # in this order: where FreeCAD runs on PySide2, loading PySide6 beside it crashes
     from PySide2.QtTest import QTest
+except ImportError:
+    from PySide6.QtTest import QTest
 
 
 class Window:
