@@ -5,12 +5,15 @@ from __future__ import annotations
 
 import json
 import time
-from dataclasses import fields
+from dataclasses import fields, replace
 
 import FreeCAD
 import pytest
 
-from vkworkbench.core.simulators import DEFAULTS
+from vkworkbench.core import linearize
+from vkworkbench.core.legacy import legacy_costs
+from vkworkbench.core.simulators import DEFAULTS, Constants
+from vkworkbench.core.solids import Stock, Tool
 from vkworkbench.document import calibration
 
 
@@ -67,3 +70,41 @@ def test_what_is_kept_is_plain_json(folder):
     (record,) = json.loads(path.read_text()).values()
     assert set(record["constants"]) == {field.name for field in fields(DEFAULTS)}
     assert record["renderer"] == "card" and len(record["date"]) == 10
+
+
+def cost_of(commands, **known):
+    """Of rows of a pocket."""
+    rows = [
+        ("G1", {"X": 10.0 + 60 * (i % 2), "Y": 5.0 + i % 40, "Z": 10.0, "F": 5.0}) for i in range(commands)
+    ]
+    tool, stock = Tool("endmill", 6.0), Stock((0, 0, 0), (100, 60, 20))
+    return legacy_costs(linearize(rows), tool=tool, stock=stock, **known)[0]
+
+
+def test_real_runs_teach_the_tick_and_the_display(folder):
+    calibration.calibrate("card")
+    assert calibration.learn(cost_of(10), 3.0, played=False, renderer="card") is None
+    slow = Constants(tick=3e-3, redraw=0.2)
+    for _ in range(3):
+        known = calibration.constants("card")
+        true = cost_of(1000, constants=replace(known, tick=slow.tick, redraw=slow.redraw))
+        predicted = cost_of(1000, constants=known)
+        calibration.learn(predicted, true.fast_forward_seconds, played=False, renderer="card")
+        predicted = cost_of(1000, constants=calibration.constants("card"))
+        calibration.learn(predicted, true.play_seconds, played=True, renderer="card")
+    learned = calibration.constants("card")
+    assert learned.tick == pytest.approx(3e-3) and learned.redraw == pytest.approx(0.2)
+
+
+def test_one_odd_run_does_no_harm_and_a_new_benchmark_forgets_nothing(folder):
+    calibration.calibrate()
+    predicted = cost_of(1000, constants=calibration.constants())
+    for seconds in (predicted.fast_forward_seconds, 1e4, predicted.fast_forward_seconds):
+        calibration.learn(cost_of(1000, constants=calibration.constants()), seconds, played=False)
+    assert calibration.constants().tick < 5 * DEFAULTS.tick
+    taught = calibration.load().runs
+    assert len(taught["tick"]) == 3 and calibration.calibrate().runs == taught
+
+
+def test_nothing_is_learned_before_the_benchmark(folder):
+    assert calibration.learn(cost_of(1000), 5.0, played=False) is None and not list(folder.iterdir())

@@ -110,6 +110,8 @@ class LegacyCost:
     ----------
     fast_forward_seconds, play_seconds : float
         From pressing the button to the finished part.
+    commands, shown : int
+        Commands, and those of them that play shows, which are all but comments.
     memory_bytes : float
         Grid and mesh at the end.
     accuracy, resolution : float
@@ -126,6 +128,8 @@ class LegacyCost:
 
     fast_forward_seconds: float
     play_seconds: float
+    commands: int
+    shown: int
     memory_bytes: float
     accuracy: float
     resolution: float
@@ -199,6 +203,8 @@ def legacy_costs(
         costs.append(LegacyCost(
             fast_forward_seconds=constants.start + profile + float(ticks.sum()) + mesh,
             play_seconds=profile + max(shows, shown / speed) + len(toolpath.comments) / speed,
+            commands=toolpath.commands,
+            shown=shown,
             memory_bytes=_BYTES_PER_CELL * work.cells + constants.facet_bytes * facets,
             accuracy=accuracy,
             resolution=work.resolution,

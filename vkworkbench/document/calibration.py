@@ -12,6 +12,7 @@ from collections.abc import Callable
 from dataclasses import asdict, dataclass, fields, replace
 from datetime import date
 from pathlib import Path
+from statistics import median_low
 
 import FreeCAD
 import numpy as np
@@ -19,7 +20,7 @@ import Part
 from Path import Command as PathCommand
 from PathSimulator import PathSim
 
-from vkworkbench.core.legacy import legacy_work
+from vkworkbench.core.legacy import LegacyCost, legacy_work
 from vkworkbench.core.linearize import linearize
 from vkworkbench.core.motions import motions
 from vkworkbench.core.simulators import DEFAULTS, Constants
@@ -32,6 +33,10 @@ _SOFTWARE_FRAME, _SOFTWARE_DRAW = 35e-3, 25e-6
 _COLD_CACHE = 1.5
 # With measured constants the true number is within this factor (benchmarks/simulators.py).
 _CALIBRATED_FACTOR = 1.3
+# What real runs teach, and from how many commands on: fewer say more of the start than of the commands.
+_ENOUGH_COMMANDS = {"tick": 500, "redraw": 20}
+_LEARNED = tuple(_ENOUGH_COMMANDS)
+_LAST_RUNS = 9
 # What the benchmark cuts.
 _STOCK = Stock((0, 0, 0), (100, 60, 20))
 _BOX = Part.makeBox(100, 60, 20)
@@ -49,6 +54,8 @@ class Calibration:
         Day of the measurement, ISO 8601.
     freecad, processor, renderer : str
         What it holds for.
+    runs : dict of str to tuple of float
+        What the last real runs said of the constants "tick" and "redraw", s.
     """
 
     constants: Constants
@@ -56,6 +63,7 @@ class Calibration:
     freecad: str
     processor: str
     renderer: str
+    runs: dict[str, tuple[float, ...]]
 
 
 def freecad_version() -> tuple[int, int, int]:
@@ -93,17 +101,17 @@ def load(renderer: str = "") -> Calibration | None:
         values = {field.name: float(record["constants"][field.name]) for field in fields(Constants)}
         if not all(math.isfinite(value) and value >= 0 for value in values.values()):
             return None
-        return Calibration(
-            Constants(**values), *(str(record[k]) for k in ("date", "freecad", "processor", "renderer"))
-        )
-    except (TypeError, KeyError, ValueError):
+        runs = {name: tuple(map(float, record["runs"][name])) for name in _LEARNED if name in record["runs"]}
+        words = (str(record[name]) for name in ("date", "freecad", "processor", "renderer"))
+        return Calibration(Constants(**values), *words, runs)
+    except (TypeError, KeyError, ValueError, AttributeError):
         return None
 
 
 def calibrate(renderer: str = "") -> Calibration:
     """Measure the legacy simulator on this computer, in less than half a second, and remember it.
 
-    The steps of a timer and the display cannot be measured without a window; they stay as they are.
+    The steps of a timer and the display cannot be measured without a window: :func:`learn` does.
 
     Parameters
     ----------
@@ -119,18 +127,63 @@ def calibrate(renderer: str = "") -> Calibration:
     OSError
         If the user data folder cannot be written.
     """
-    version = ".".join(map(str, freecad_version()))
     measured = replace(_for_renderer(_measure(), renderer), legacy_factor=_CALIBRATED_FACTOR)
-    done = Calibration(measured, date.today().isoformat(), version, processor(), renderer)
+    known = load(renderer)
+    version = ".".join(map(str, freecad_version()))
+    return _remember(Calibration(
+        measured, date.today().isoformat(), version, processor(), renderer, known.runs if known else {}
+    ))  # fmt: skip
+
+
+def learn(cost: LegacyCost, seconds: float, *, played: bool, renderer: str = "") -> Calibration | None:
+    """Learn the tick of fast-forward or the display of play from a simulation that the user ran.
+
+    Each becomes the median of what its last nine runs say, so one odd run does no harm.
+
+    Parameters
+    ----------
+    cost : LegacyCost
+        What was predicted with :func:`constants` for what was run.
+    seconds : float
+        What it took.
+    played : bool
+        Whether it was played; else it was run in fast-forward.
+    renderer : str
+        OpenGL's name of its renderer.
+
+    Returns
+    -------
+    Calibration or None
+        The new calibration; None where the run teaches nothing: not calibrated yet, or too few commands.
+    """
+    known = load(renderer)
+    name, predicted, count = (
+        ("redraw", cost.play_seconds, cost.shown)
+        if played
+        else ("tick", cost.fast_forward_seconds, cost.commands)
+    )
+    if known is None or count < _ENOUGH_COMMANDS[name]:
+        return None
+    value = getattr(known.constants, name) + (seconds - predicted) / count
+    if not value > 0:
+        return None
+    runs = known.runs | {name: (*known.runs.get(name, ()), value)[-_LAST_RUNS:]}
+    return _remember(replace(known, runs=runs))
+
+
+def _remember(calibration: Calibration) -> Calibration:
+    """Apply what runs taught, write the calibration to the file, and return it."""
+    learned = {name: median_low(values) for name, values in calibration.runs.items() if values}
+    calibration = replace(calibration, constants=replace(calibration.constants, **learned))
     records = _records()
-    records[_key(renderer)] = asdict(done)
+    records[_key(calibration.renderer)] = asdict(calibration)
     path = _path()
     path.parent.mkdir(parents=True, exist_ok=True)
     # Another FreeCAD may read it at this moment: it sees the old file or the new one.
     fresh = path.with_suffix(f".{os.getpid()}")
     fresh.write_text(json.dumps(records, indent=1))
     os.replace(fresh, path)
-    return done
+    return calibration
 
 
 def _path() -> Path:
