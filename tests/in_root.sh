@@ -15,6 +15,7 @@ cd "$(dirname "$0")/.."
 mount -t proc proc "$root/proc"
 mount --rbind /dev "$root/dev"
 mount -t tmpfs tmpfs "$root/tmp"
+mount --bind /etc/passwd "$root/etc/passwd" # FreeCAD needs the user to have a name
 mount --bind . "$root/mnt"
 mount -o remount,bind,ro "$root/mnt"
 mount --bind build "$root/mnt/build"
