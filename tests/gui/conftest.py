@@ -65,6 +65,9 @@ class Window:
     def press(self, widget, key):
         QTest.keyClick(widget, key)
 
+    def type(self, widget, text):
+        QTest.keyClicks(widget, text)
+
     def boxes(self):
         """The message boxes that are open."""
         return [w for w in QtGui.QApplication.topLevelWidgets()

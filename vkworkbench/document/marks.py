@@ -54,6 +54,18 @@ def segment_of(label2: str) -> str | None:
     return match and match.group().strip(f" {OPENING}{CLOSING}")
 
 
+def words_of(label2: str) -> str:
+    """Return the user's own words in a description."""
+    return _SEGMENT.sub("", label2)
+
+
+def with_words(label2: str, words: str) -> str:
+    """Return a description with other words of the user's before its mark."""
+    match = _SEGMENT.search(label2)
+    segment = match.group().strip() if match else ""
+    return " ".join(filter(None, [words_of(words).strip(), segment]))
+
+
 def refresh(operation: Operation, *, path_changed: bool = True) -> None:
     """Say "outdated" in a mark that no longer fits its operation, and no longer where it fits again."""
     obj = operation.object
@@ -166,7 +178,7 @@ def _say_outdated(obj, outdated: bool) -> None:
 
 def erase(obj) -> None:
     """Remove the mark; the user's own words stay."""
-    label2 = _SEGMENT.sub("", obj.Label2)
+    label2 = words_of(obj.Label2)
     if obj.Label2 != label2:
         obj.Label2 = label2
     for name in _PROPERTIES:

@@ -8,7 +8,7 @@ import FreeCADGui as Gui
 
 import vkworkbench
 from vkworkbench.document import operations
-from vkworkbench.gui import tree
+from vkworkbench.gui import pills, tree
 from vkworkbench.gui.qt import QMessageBox, QProgressDialog, Qt
 from vkworkbench.gui.text import translate
 
@@ -50,8 +50,7 @@ class AnalyzeCommand:
                 "There is no operation to analyze in this document. Create a job with operations, or import G-code.",
             ))  # fmt: skip
             return
-        with tree.steady_columns():
-            vkworkbench.mark(report)
+        mark(report)
         _show_marks()
         FreeCAD.Console.PrintMessage(f"{report}\n")
         wrong = sum(o.error is not None for o in report.operations)
@@ -111,6 +110,14 @@ def _analyze_with_progress(what):
         dialog.deleteLater()
 
 
+def mark(report) -> None:
+    """Write the marks and show them as pills, without a pause that one could see."""
+    pills.show()
+    with tree.steady_columns():
+        vkworkbench.mark(report)
+    tree.fit_description()
+
+
 def _show_marks() -> None:
     """Show the Description column the first time, and say so; afterwards it is the user's own."""
     preferences = FreeCAD.ParamGet(_PREFERENCES)
@@ -122,7 +129,6 @@ def _show_marks() -> None:
                 "The marks are in the tree's Description column, which is now visible. You can hide it again in the "
                 "tree's context menu: Tree settings, Show description.",
             ))  # fmt: skip
-    tree.fit_description()
 
 
 def _tell(text: str) -> None:

@@ -4,10 +4,17 @@
 FreeCAD 0.20's wrapper has no QtWidgets, but QtGui holds the widgets in every version.
 """
 
-from PySide.QtCore import QEvent, QItemSelectionModel, QModelIndex, QObject, Qt, QTimer
-from PySide.QtGui import QDockWidget, QHeaderView, QMessageBox, QProgressDialog, QTreeView
+from PySide.QtCore import QEvent, QItemSelectionModel, QModelIndex, QObject, QRectF, QTimer, Qt
+from PySide.QtGui import (
+    QApplication, QColor, QComboBox, QDockWidget, QFileDialog, QHBoxLayout, QHeaderView, QLabel,
+    QMessageBox, QPainter, QPalette, QPen, QProgressDialog, QPushButton, QSlider, QSpinBox, QStyle,
+    QStyleOptionViewItem, QStyledItemDelegate, QToolTip, QTreeView, QVBoxLayout, QWidget,
+)  # fmt: skip
 
 __all__ = [
-    "QDockWidget", "QEvent", "QHeaderView", "QItemSelectionModel", "QMessageBox", "QModelIndex", "QObject",
-    "QProgressDialog", "QTimer", "QTreeView", "Qt",
+    "QApplication", "QColor", "QComboBox", "QDockWidget", "QEvent", "QFileDialog", "QHBoxLayout",
+    "QHeaderView", "QItemSelectionModel", "QLabel", "QMessageBox", "QModelIndex", "QObject", "QPainter",
+    "QPalette", "QPen", "QProgressDialog", "QPushButton", "QRectF", "QSlider", "QSpinBox", "QStyle",
+    "QStyleOptionViewItem", "QStyledItemDelegate", "QTimer", "QToolTip", "QTreeView", "QVBoxLayout",
+    "QWidget", "Qt",
 ]  # fmt: skip

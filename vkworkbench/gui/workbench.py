@@ -13,7 +13,7 @@ from vkworkbench.gui.text import translate
 
 ROOT = Path(__file__).resolve().parents[2]
 ICONS = ROOT / "resources" / "icons"
-COMMANDS = ["Vk_Analyze", "Vk_Clear"]
+COMMANDS = ["Vk_Analyze", "Vk_Clear", "Vk_GaussMap"]
 TITLE = "Toolpath analysis"
 
 
@@ -73,11 +73,25 @@ def _extend(workbench, menu: str) -> None:
 class _OpenedDocuments:
     """Looks at the marks of a document once it has been opened: they may have been made for another path."""
 
+    _pills_due = False
+
     def slotCreatedDocument(self, document) -> None:
         self._later(document.Name)
 
     def slotActivateDocument(self, document) -> None:
         self._later(document.Name)
+
+    def slotAppendDynamicProperty(self, obj, name: str) -> None:
+        # A first mark, by a click or a macro; marks of a document being opened are looked at afterwards.
+        if name == "ToolpathFingerprint" and not self._pills_due and not obj.Document.Restoring:
+            self._pills_due = True
+            QTimer.singleShot(0, self._show_pills)
+
+    def _show_pills(self) -> None:
+        from vkworkbench.gui import pills
+
+        self._pills_due = False
+        pills.show()
 
     def _later(self, name: str) -> None:
         QTimer.singleShot(0, lambda: self._look(name))
@@ -89,14 +103,17 @@ class _OpenedDocuments:
         if document.Restoring:  # FreeCAD's progress bar lets timers run
             self._later(name)
         elif any(hasattr(obj, "ToolpathFingerprint") for obj in document.Objects):
-            from vkworkbench.document import watcher  # loads numpy: only for a document with marks
+            # These load numpy: only for a document with marks.
+            from vkworkbench.document import watcher
+            from vkworkbench.gui import pills
 
+            pills.show()
             watcher.watch()
             watcher.check(document)
 
 
 def _load_commands() -> None:
-    from vkworkbench.gui import commands  # noqa: F401, registers them
+    from vkworkbench.gui import commands, gauss_map_command  # noqa: F401, registers them
 
 
 def _path_selected() -> bool:
