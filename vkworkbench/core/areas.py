@@ -1,0 +1,180 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Monotonous areas: the stretches of a toolpath in which one strategy can hold (paper, section 2.1)."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from vkworkbench.core.toolpath import Toolpath
+
+TURN = 2 * np.pi
+STILL = 1e-3  # mm; a shorter move in the plane has no direction worth the name
+NOISE = 0.02  # mm; a move this short beside one 20 times longer is rounding and its direction is noise
+STEEP = 5.0  # rise over run; steeper is a plunge or a lift
+EXACT = 1e-6  # rad; a turn this close to pi is an exact reversal
+UNSIGNED = 0.01  # rad; a turn this close to pi has no sign that rounding to 0.001 mm could not turn
+
+
+@dataclass
+class Moves:
+    """The m cutting moves that have a direction in the working plane, split into areas.
+
+    Attributes
+    ----------
+    index : (m,) int
+        Trajectory of each move.
+    x, y, z : (m,) float
+        Start in the plane and height of the end along its normal, mm.
+    dx, dy, dz, length : (m,) float
+        The move and its length in the plane, mm.
+    alpha : (m,) float
+        Direction, rad.
+    turning : (m,) float
+        Turn at the start of the move, rad in [-pi, pi]; 0 at the start of an area and at a reversal.
+    phi : (m,) float
+        Cumulative angular function, rad; it runs on from area to area, so only differences inside one count.
+    start : (a,) int
+        First move of each area.
+    holes : (h,) int
+        Last trajectory of each drilled hole.
+    reversals : int
+        Number of exact reversals.
+    vertical : float
+        Length of the cutting moves along the normal that are in no area (plunges, drilling), mm.
+    """
+
+    index: np.ndarray
+    x: np.ndarray
+    y: np.ndarray
+    z: np.ndarray
+    dx: np.ndarray
+    dy: np.ndarray
+    dz: np.ndarray
+    length: np.ndarray
+    alpha: np.ndarray
+    turning: np.ndarray
+    phi: np.ndarray
+    start: np.ndarray
+    holes: np.ndarray
+    reversals: int
+    vertical: float
+
+    def __len__(self) -> int:
+        """Return the number of moves."""
+        return len(self.index)
+
+
+def wrap(angle: np.ndarray) -> np.ndarray:
+    """Wrap angles in rad to [-pi, pi]."""
+    return angle - TURN * np.rint(angle * (1 / TURN))
+
+
+def monotonous_areas(toolpath: Toolpath, first: int = 0, last: int | None = None) -> Moves:
+    """Split the cutting moves into monotonous areas.
+
+    Parameters
+    ----------
+    toolpath : Toolpath
+    first, last : int
+        Range of trajectories to look at, last inclusive; all where not given.
+
+    Returns
+    -------
+    Moves
+        With m = 0 where nothing cuts along the plane.
+    """
+    end = len(toolpath) if last is None else last + 1
+    points, rapid = toolpath.points[first : end + 1], toolpath.rapid[first:end]
+    x, y, z = _seen_along_the_normal(points, rapid)
+    dx, dy, dz = x[1:] - x[:-1], y[1:] - y[:-1], z[1:] - z[:-1]
+    length = np.sqrt(dx * dx + dy * dy)
+    rise = np.abs(dz)
+    dz_all = dz
+    planar = (length > STILL) & (rise <= STEEP * length) & ~rapid
+    _drop_noise(planar, length)
+    index = np.flatnonzero(planar)
+    vertical = float(rise.sum() - rise[index].sum() - rise[rapid].sum()) if len(index) < len(dx) else 0.0
+    if len(index) < len(dx):
+        dx, dy, dz, length, x, y = dx[index], dy[index], dz[index], length[index], x[:-1][index], y[:-1][index]
+        zend = z[1:][index]
+    else:
+        x, y, zend = x[:-1], y[:-1], z[1:]
+    start = _breaks(rapid, index, z, dx, dy, length)
+    holes = _holes(points, rapid, dz_all, planar)
+    alpha = np.arctan2(dy, dx)
+    turning = np.zeros(len(alpha))
+    np.subtract(alpha[1:], alpha[:-1], out=turning[1:])
+    turning -= TURN * np.rint(turning * (1 / TURN))
+    turning[start] = 0.0
+    # A turn of pi has no sign (design.md): it is an event of its own and phi does not move.
+    straight_back = np.flatnonzero(np.abs(turning) > np.pi - UNSIGNED)
+    reversals = int((np.abs(turning[straight_back]) > np.pi - EXACT).sum())
+    turning[straight_back] = 0.0
+    return Moves(
+        index + first, x, y, zend, dx, dy, dz, length, alpha, turning, np.cumsum(turning), start, holes + first, reversals, vertical
+    )
+
+
+def _seen_along_the_normal(points, rapid) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Return the two coordinates of the plane the motion lies in and the height above it, (n+1,) each.
+
+    XY but for a path that never leaves a vertical plane and slopes in it (contouring in G18): there every row
+    would fall on one line. A slot cut at several depths by level passes and vertical plunges stays in XY.
+    """
+    x, y, z = points.T
+    cutting = np.flatnonzero(~rapid)
+    if not len(cutting):
+        return x, y, z
+    few = cutting[:: len(cutting) // 50 + 1]
+    for aside, u, v in ((y, z, x), (x, y, z)):
+        if np.ptp(aside[few]) > STILL or np.ptp(aside[cutting]) > STILL or np.ptp(aside[cutting + 1]) > STILL:
+            continue
+        du, dv = np.abs(u[cutting + 1] - u[cutting]), np.abs(v[cutting + 1] - v[cutting])
+        if ((du > 0.05 * dv) & (dv > 0.05 * du)).sum() >= 2:
+            return u, v, aside
+    return x, y, z
+
+
+def _drop_noise(planar: np.ndarray, length: np.ndarray) -> None:
+    """Unmark lone moves of a few micrometres beside long ones: they are rounding, their direction is noise."""
+    short = np.flatnonzero(planar & (length < NOISE))
+    if not len(short):
+        return
+    before = length[np.maximum(short - 1, 0)]
+    after = length[np.minimum(short + 1, len(length) - 1)]
+    planar[short[length[short] < 0.05 * np.maximum(before, after)]] = False
+
+
+def _breaks(rapid, index, z, dx, dy, length) -> np.ndarray:
+    """Return the first move of each area: areas end at rapids, plunges and lifts.
+
+    A height change between two moves of one direction is a wall the tool climbs in the middle of a pass
+    (3D rasters), not the end of the pass.
+    """
+    gap = np.flatnonzero(index[1:] - index[:-1] > 1) + 1
+    if len(gap):
+        rapids = np.concatenate([[0], np.cumsum(rapid)])
+        lifted = rapids[index[gap]] > rapids[index[gap - 1]]
+        climbed = np.abs(z[index[gap]] - z[index[gap - 1] + 1]) > STILL
+        onward = dx[gap] * dx[gap - 1] + dy[gap] * dy[gap - 1] > 0.98 * length[gap] * length[gap - 1]
+        gap = gap[lifted | (climbed & ~onward)]
+    return np.concatenate([[0], gap]) if len(index) else gap
+
+
+def _holes(points, rapid, dz, planar) -> np.ndarray:
+    """Return the last trajectory of every plunge between two rapids that cuts nothing else: drilled holes.
+
+    Pecks into one hole count once. Walls and lead-ins stand beside moves along the plane and are no holes.
+    """
+    down = np.flatnonzero(~rapid & ~planar & (dz < -STILL))
+    if not len(down):
+        return down
+    block = np.cumsum(rapid)
+    milled = np.zeros(int(block[-1]) + 1, bool)
+    milled[block[planar]] = True
+    down = down[~milled[block[down]]]
+    x, y = points[down + 1, 0], points[down + 1, 1]
+    left = (np.abs(x[1:] - x[:-1]) > STILL) | (np.abs(y[1:] - y[:-1]) > STILL)
+    return down[np.append(left, True)] if len(down) else down

@@ -1,0 +1,215 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The pieces areas are made of: loops, turns of windings, back-and-forth passes and open strokes."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from vkworkbench.core.areas import TURN, Moves, wrap
+from vkworkbench.core.loops import CLOSE, closed_loops, winding_turns
+
+LOOP, WINDING, ZIGZAG, LINE, CURVE = range(5)
+ALONG = 0.9  # |cosine| to the axis from which a move is part of a pass (25 degrees)
+WAVES = 7  # passes from which a loop that alternates may be a zigzag that came back to its start
+
+
+@dataclass(frozen=True)
+class Pieces:
+    """What the k pieces of the areas measure.
+
+    Attributes
+    ----------
+    start, end : (k,) int
+        The moves of piece i are start[i] .. end[i] - 1.
+    kind : (k,) int
+        LOOP: closed, one turn. WINDING: one turn of several. ZIGZAG: passes whose half-turns alternate in sign.
+        LINE: a straight stroke. CURVE: any other open stroke.
+    area : (k,) int
+        The monotonous area each piece lies in.
+    length : (k,) float
+        Length in the plane, mm.
+    net : (k,) float
+        Turn from the first to the last move, rad; of a loop with the closing turn: +-2 pi.
+    back : (k,) float
+        Turning that undid itself, sum |turn| - |net|, rad: 0 for a convex curve.
+    enclosed : (k,) float
+        Signed area between the piece and its chord, mm2.
+    box : (k, 4) float
+        Bounding box: lowest x and y, highest x and y, mm.
+    z, last_z, rise, drop : (k,) float
+        Mean height, height of the end, range of heights and height gained from start to end, mm.
+    passes : (k,) int
+        Passes along the axis of the piece.
+    wavy : (k,) bool
+        Loops and windings whose half-turns alternate: offsets of a concave contour, or zigzags that came back.
+    """
+
+    start: np.ndarray
+    end: np.ndarray
+    kind: np.ndarray
+    area: np.ndarray
+    length: np.ndarray
+    net: np.ndarray
+    back: np.ndarray
+    enclosed: np.ndarray
+    box: np.ndarray
+    z: np.ndarray
+    last_z: np.ndarray
+    rise: np.ndarray
+    drop: np.ndarray
+    passes: np.ndarray
+    wavy: np.ndarray
+
+    def __len__(self) -> int:
+        """Return the number of pieces."""
+        return len(self.start)
+
+    @property
+    def flat(self) -> np.ndarray:
+        """Whether each piece stays at one height, (k,)."""
+        return self.rise < 0.02
+
+
+def cut_pieces(moves: Moves) -> Pieces:
+    """Cut the areas into pieces and measure them.
+
+    Parameters
+    ----------
+    moves : Moves
+        With at least one move.
+    """
+    first, end = closed_loops(moves)
+    loop = np.zeros(len(moves) + 1, bool)
+    loop[first] = True
+    cut = loop.copy()
+    cut[moves.start] = True
+    cut[end] = True
+    start = np.flatnonzero(cut[:-1])
+    parts = _Stretches(moves, start)
+    net, closed = parts.net()
+    once = np.abs(np.abs(net) - TURN) < 0.1
+    kind = np.where(loop[start] | (closed & once), LOOP, CURVE)
+    alternating, constant, passes = half_turns(moves, parts)
+    opened = kind != LOOP
+    waves = (alternating > 0.3 * parts.length) & (alternating > 2 * constant)
+    winding = opened & (np.abs(net) > 1.2 * TURN)
+    zigzag = opened & ~winding & waves
+    kind[winding], kind[zigzag] = WINDING, ZIGZAG
+    kind[opened & ~winding & ~zigzag & (parts.gap > 0.98 * parts.length)] = LINE
+    wavy = (winding & waves) | ((kind == LOOP) & (alternating > 0.55 * parts.length) & (passes >= WAVES))
+    if winding.any():
+        further = winding_turns(moves, start[winding], parts.end[winding], np.sign(net[winding]))
+        start = np.union1d(start, further)
+        of = np.searchsorted(parts.start, start, side="right") - 1
+        kind, passes, wavy = kind[of], passes[of], wavy[of]
+        parts = _Stretches(moves, start)
+        net, _ = parts.net()
+    area = np.searchsorted(moves.start, start, side="right") - 1
+    return parts.measure(kind, area, net, passes, wavy)
+
+
+class _Stretches:
+    """Consecutive stretches of the moves and their common measures."""
+
+    def __init__(self, moves: Moves, start: np.ndarray) -> None:
+        self.moves = moves
+        self.start = start
+        self.end = np.append(start[1:], len(moves))
+        self.owner = np.repeat(np.arange(len(start)), self.end - start)
+        self.length = np.add.reduceat(moves.length, start)
+        last = self.end - 1
+        self.x, self.y = moves.x[start], moves.y[start]
+        self.end_x, self.end_y = moves.x[last] + moves.dx[last], moves.y[last] + moves.dy[last]
+        self.gap = np.hypot(self.end_x - self.x, self.end_y - self.y)
+        # Seen from the first point of the path: near enough for the sums to keep their digits.
+        x, y = moves.x - moves.x[0], moves.y - moves.y[0]
+        swept = np.add.reduceat(x * moves.dy - y * moves.dx, start)
+        x0, y0 = self.x - moves.x[0], self.y - moves.y[0]
+        x1, y1 = self.end_x - moves.x[0], self.end_y - moves.y[0]
+        self.enclosed = (swept + x1 * y0 - y1 * x0) / 2
+
+    def net(self) -> tuple[np.ndarray, np.ndarray]:
+        """Return the net turn of each stretch and whether it is closed.
+
+        A closed contour lacks its last exterior angle: the closing turn is added (design.md). A path counts as
+        closed with a gap small against what it encloses, as lead-ins and rounding leave it; two passes of a
+        narrow zigzag enclose little and stay open.
+        """
+        moves = self.moves
+        net = moves.phi[self.end - 1] - moves.phi[self.start]
+        closing = wrap(moves.alpha[self.start] - moves.alpha[self.end - 1])
+        near = np.maximum(CLOSE, 0.03 * np.sqrt(np.abs(self.enclosed)))
+        closed = (self.gap <= near) & (self.end - self.start > 2)
+        return net + np.where(closed, closing, 0.0), closed
+
+    def measure(self, kind, area, net, passes, wavy) -> Pieces:
+        """Return the pieces with all their measures."""
+        moves, start = self.moves, self.start
+        low, high = np.minimum, np.maximum
+        box = np.column_stack(
+            [
+                low(low.reduceat(moves.x, start), self.end_x),
+                low(low.reduceat(moves.y, start), self.end_y),
+                high(high.reduceat(moves.x, start), self.end_x),
+                high(high.reduceat(moves.y, start), self.end_y),
+            ]
+        )
+        first_z = moves.z[start] - moves.dz[start]
+        rise = high(high.reduceat(moves.z, start), first_z) - low(low.reduceat(moves.z, start), first_z)
+        return Pieces(
+            start=start,
+            end=self.end,
+            kind=kind,
+            area=area,
+            length=self.length,
+            net=net,
+            back=np.maximum(np.add.reduceat(np.abs(moves.turning), start) - np.abs(net), 0.0),
+            enclosed=self.enclosed,
+            box=box,
+            z=np.add.reduceat(moves.z, start) / (self.end - start),
+            last_z=moves.z[self.end - 1],
+            rise=rise,
+            drop=moves.z[self.end - 1] - first_z,
+            passes=passes,
+            wavy=wavy,
+        )
+
+
+def half_turns(moves: Moves, parts: _Stretches) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Tell back-and-forth from around by the signs of the half-turns between opposite passes.
+
+    A pass is a run of moves within 25 degrees of the axis of its stretch. Between two opposite passes phi turns by
+    +-pi; in a zigzag the signs alternate, around a contour they stay (paper, section 3.2). Counting signs instead of
+    asking for -pi <= phi <= pi does not depend on the first trajectory and holds with islands and concave borders.
+    An exact reversal has no sign and counts as alternating: going back and forth on one line.
+
+    Returns
+    -------
+    alternating, constant : (k,) float
+        Length of the passes between two half-turns of opposite and of equal sign, mm.
+    passes : (k,) int
+    """
+    k, start, owner = len(parts.start), parts.start, parts.owner
+    # The axis is the resultant of the doubled directions, which forgets their sense.
+    cos2 = np.add.reduceat((moves.dx * moves.dx - moves.dy * moves.dy) / moves.length, start)
+    sin2 = np.add.reduceat(2 * moves.dx * moves.dy / moves.length, start)
+    axis = 0.5 * np.arctan2(sin2, cos2)
+    along = moves.dx * np.cos(axis)[owner] + moves.dy * np.sin(axis)[owner]
+    on = np.flatnonzero(np.abs(along) > ALONG * moves.length)
+    if not len(on):
+        return np.zeros(k), np.zeros(k), np.zeros(k, np.int64)
+    forward, of = along[on] > 0, owner[on]
+    begin = np.flatnonzero(np.concatenate([[True], (forward[1:] != forward[:-1]) | (of[1:] != of[:-1])]))
+    of = of[begin]
+    passes = np.bincount(of, minlength=k)
+    after = np.flatnonzero(of[1:] == of[:-1]) + 1  # passes with one before them in the same stretch
+    half = np.zeros(len(begin))
+    half[after] = np.sign(np.rint((moves.phi[on[begin[after]]] - moves.phi[on[begin[after] - 1]]) / np.pi))
+    inner = after[:-1][after[1:] == after[:-1] + 1]  # passes between two others
+    length = np.add.reduceat(moves.length[on], begin)[inner]
+    alternates = half[inner] * half[inner + 1] <= 0
+    alternating = np.bincount(of[inner], weights=np.where(alternates, length, 0.0), minlength=k)
+    constant = np.bincount(of[inner], weights=np.where(alternates, 0.0, length), minlength=k)
+    return alternating, constant, passes

@@ -1,0 +1,224 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""How the rings of an operation, closed loops and turns of windings, lie to one another."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from vkworkbench.core.pieces import WINDING, Pieces
+
+LEVEL = 0.02  # mm; heights closer than this are one depth
+ROUND = 0.93  # isoperimetric quotient 4 pi A / P^2 from which a ring is a circle (a square has 0.79)
+LAGS = (1, 2, 3)  # rings are compared with the next ones in the order of cutting: O(n), and islands interleave
+
+
+@dataclass(frozen=True)
+class Rings:
+    """Relations among k rings, each flag (k,) bool unless said otherwise.
+
+    Attributes
+    ----------
+    index : (k,) int
+        Piece of each ring.
+    length : (k,) float
+        mm.
+    nested : array
+        Another ring of the same depth lies beside it at an even distance: its box is grown or shrunk by the same
+        amount on all four sides. True offsets keep that whatever their shape.
+    opposite : array
+        The next such ring turns the other way.
+    deeper : array
+        A ring of another shape lies over or under it.
+    repeated : array
+        The same ring comes again at another depth.
+    moved : array
+        A ring of about its size lies shifted beside it: trochoids.
+    crossing : array
+        A ring of another shape touches the same four sides: lattices of bouncing passes.
+    alone : array
+        None of these.
+    winding, round, sloped : array
+        A turn of a winding; a circle; descends or climbs steadily all along.
+    back : (k,) float
+        Turning that undid itself, rad.
+    step : float
+        Distance between nested rings (median), mm; nan where none are nested.
+    growing : float
+        Share of the steps that go outward; nan where none are nested.
+    distinct, levels : int
+        Number of different rings seen from above, and of depths.
+    depth : float
+        Range of the depths, mm.
+    evenness : float
+        Spread of the steps in the plane over their spread in depth: circles laid on a dome are even in the plane,
+        waterlines of it in depth.
+    """
+
+    index: np.ndarray
+    length: np.ndarray
+    nested: np.ndarray
+    opposite: np.ndarray
+    deeper: np.ndarray
+    repeated: np.ndarray
+    moved: np.ndarray
+    crossing: np.ndarray
+    alone: np.ndarray
+    winding: np.ndarray
+    round: np.ndarray
+    sloped: np.ndarray
+    back: np.ndarray
+    step: float
+    growing: float
+    distinct: int
+    levels: int
+    depth: float
+    evenness: float
+
+    def __len__(self) -> int:
+        """Return the number of rings."""
+        return len(self.index)
+
+
+def relate_rings(pieces: Pieces, index: np.ndarray, tool: float) -> Rings:
+    """Compare every ring with the next three in the order of cutting.
+
+    Parameters
+    ----------
+    pieces : Pieces
+    index : (k,) int
+        The pieces that are rings.
+    tool : float
+        Tool diameter, mm; 0 where unknown.
+    """
+    k = len(index)
+    box, z, flat = pieces.box[index], pieces.z[index], pieces.flat[index]
+    enclosed, sense = np.abs(pieces.enclosed[index]), np.sign(pieces.net[index])
+    size = np.maximum(box[:, 2] - box[:, 0], box[:, 3] - box[:, 1])
+    wavy = pieces.wavy[index]
+    names = ("nested", "opposite", "deeper", "repeated", "moved", "crossing")
+    flags = {name: np.zeros(k, bool) for name in names}
+    limit, next_step, next_drop = _reach(box, size, z, tool)
+    steps = []
+    for lag in LAGS[: max(k - 1, 0)]:
+        a, b = slice(None, -lag), slice(lag, None)
+        inward = (box[b] - box[a]) * (1, 1, -1, -1)
+        low, high, mean = inward.min(axis=1), inward.max(axis=1), inward.mean(axis=1)
+        larger, smaller = np.maximum(size[a], size[b]), np.minimum(size[a], size[b])
+        level = np.abs(z[a] - z[b]) < LEVEL
+        # Rings on a sculptured surface have no depth of their own: nearness in the plane decides.
+        beside = level | ~flat[a] | ~flat[b]
+        same_box = np.maximum(-low, high) < np.minimum(0.05 + 0.002 * larger, max(0.25 * limit, 0.05))
+        same_area = np.abs(enclosed[a] - enclosed[b]) < 0.05 * np.maximum(enclosed[a], enclosed[b])
+        # Passes of a lattice that wind by chance are seldom even; offsets of a concave contour are exactly.
+        slack = np.where(wavy[a] & wavy[b], 0.1, 0.7)
+        even = ~same_box & (low * high > 0) & (high - low <= slack * np.abs(mean) + 0.02) & (np.abs(mean) <= limit)
+        straddling = ~same_box & (low < 0) & (high > 0)
+        found = {
+            "nested": even & beside,
+            "deeper": ~same_box & ~beside & (low > -smaller),
+            "repeated": same_box & same_area & ~level,
+            "moved": beside & straddling & (np.abs(mean) < 0.35 * (high - low)) & (high - low < 1.2 * smaller)
+            & (smaller > 0.65 * larger),
+            "crossing": level & same_box & ~same_area,
+        }  # fmt: skip
+        if lag == 1:
+            found["opposite"] = even & (sense[a] != sense[b])
+        for name, flag in found.items():
+            flags[name][a] |= flag
+            flags[name][b] |= flag
+        steps.append(mean[even & beside])
+    again, distinct = _come_again(pieces, index)
+    flags["repeated"] |= again
+    flags["deeper"] &= ~again
+    related = flags["nested"] | flags["deeper"] | flags["repeated"] | flags["moved"] | flags["crossing"]
+    steps = np.concatenate(steps) if steps else np.zeros(0)
+    length = pieces.length[index]
+    return Rings(
+        index=index,
+        length=length,
+        alone=~related,
+        winding=pieces.kind[index] == WINDING,
+        round=4 * np.pi * enclosed > ROUND * length**2,
+        sloped=_sloped(pieces, index),
+        back=pieces.back[index],
+        step=float(np.median(np.abs(steps))) if len(steps) else np.nan,
+        growing=float((steps < 0).mean()) if len(steps) else np.nan,
+        distinct=distinct,
+        levels=count_levels(z),
+        depth=float(np.ptp(z)) if k else 0.0,
+        evenness=_evenness(next_step, next_drop),
+        **flags,
+    )
+
+
+def _sloped(pieces: Pieces, index: np.ndarray) -> np.ndarray:
+    """Say which pieces change their height steadily: the mean height lies in the middle of the drop.
+
+    A contour that ramps in over its first moves and is level then does not.
+    """
+    drop = pieces.drop[index]
+    middle = pieces.z[index] - pieces.last_z[index] + drop / 2
+    return (np.abs(drop) > LEVEL) & (np.abs(middle) < 0.2 * np.abs(drop))
+
+
+def count_levels(z: np.ndarray) -> int:
+    """Return how many different heights there are."""
+    if not len(z):
+        return 0
+    z = np.sort(z)
+    return 1 + int((z[1:] - z[:-1] > LEVEL).sum())
+
+
+def _reach(box, size, z, tool) -> tuple[float, np.ndarray, np.ndarray]:
+    """Return how far apart nested rings may be, and the steps in the plane and in depth from ring to next ring.
+
+    A little over the tool's diameter: farther apart nothing between them is cut and they are two contours. Where
+    the tool is unknown, or at least four even steps say it is wrong, twice the usual step.
+    """
+    inward = (box[1:] - box[:-1]) * (1, 1, -1, -1)
+    low, high, mean = inward.min(axis=1), inward.max(axis=1), np.abs(inward.mean(axis=1))
+    even = (low * high > 0) & (high - low <= 0.7 * mean + 0.02) & (mean > 0.05)
+    even &= mean <= 0.3 * np.maximum(size[1:], size[:-1])
+    steps, drops = mean[even], np.abs(z[1:] - z[:-1])[even]
+    if not len(steps):
+        return 1.2 * tool, steps, drops
+    usual = np.median(steps)
+    if not tool or (len(steps) >= 4 and (np.abs(steps - usual) < 0.1 * usual).mean() > 0.6):
+        return max(1.2 * tool, 2 * usual), steps, drops
+    return 1.2 * tool, steps, drops
+
+
+def _come_again(pieces: Pieces, index: np.ndarray) -> tuple[np.ndarray, int]:
+    """Say which rings come again at another depth, and how many different ones there are seen from above."""
+    if not len(index):
+        return np.zeros(0, bool), 0
+    group, distinct = footprints(pieces, index)
+    z = pieces.z[index]
+    lowest, highest = np.full(distinct, np.inf), np.full(distinct, -np.inf)
+    np.minimum.at(lowest, group, z)
+    np.maximum.at(highest, group, z)
+    return (highest - lowest > LEVEL)[group], distinct
+
+
+def footprints(pieces: Pieces, index: np.ndarray) -> tuple[np.ndarray, int]:
+    """Group pieces that cover the same ground: equal boxes to 0.1 mm, equal lengths to 0.4 mm.
+
+    Returns
+    -------
+    group : (k,) int
+    groups : int
+    """
+    measures = np.column_stack([pieces.box[index], pieces.length[index] / 4])
+    key = np.floor(measures / 0.1 + 0.377).astype(np.int64)
+    key = (key * (73856093, 19349663, 83492791, 49979687, 86028121)).sum(axis=1)
+    unique, group = np.unique(key, return_inverse=True)
+    return group.ravel(), len(unique)
+
+
+def _evenness(steps: np.ndarray, drops: np.ndarray) -> float:
+    if len(steps) < 3 or drops.max() < LEVEL:
+        return 0.0
+    spread = [np.ptp(np.percentile(v, (10, 90))) / max(np.median(v), 1e-9) for v in (steps, drops)]
+    return float((spread[0] + 0.01) / (spread[1] + 0.01))

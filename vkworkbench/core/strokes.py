@@ -1,0 +1,92 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Open strokes: the bites of adaptive clearing, contours cut open by the boundary, letters."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from vkworkbench.core.areas import TURN
+from vkworkbench.core.pieces import CURVE, Pieces
+from vkworkbench.core.rings import LEVEL, count_levels, footprints
+from vkworkbench.core.rows import weighted_median
+
+
+@dataclass(frozen=True)
+class Strokes:
+    """What k open strokes have in common.
+
+    Attributes
+    ----------
+    index : (k,) int
+        Piece of each stroke.
+    length : (k,) float
+        mm.
+    bite : (k,) bool
+        Bends by more than a quarter turn in the common sense and overlaps the stroke before or after it at the
+        same depth: the arcs of engagement an adaptive tool bites out of the stock one after the other.
+    against : (k,) bool
+        Bends as much in the other sense.
+    sloped : (k,) bool
+        Changes its height on the way.
+    distinct, levels : int
+        Number of different strokes seen from above, and of depths.
+    typical : float
+        Length of a stroke (median by length), mm.
+    """
+
+    index: np.ndarray
+    length: np.ndarray
+    bite: np.ndarray
+    against: np.ndarray
+    sloped: np.ndarray
+    distinct: int
+    levels: int
+    typical: float
+
+    def __len__(self) -> int:
+        """Return the number of strokes."""
+        return len(self.index)
+
+
+def relate_strokes(pieces: Pieces, index: np.ndarray) -> Strokes:
+    """Measure the open strokes.
+
+    Parameters
+    ----------
+    pieces : Pieces
+    index : (k,) int
+        The pieces that are open strokes.
+    """
+    length = pieces.length[index]
+    if not len(index):
+        none = np.zeros(0, bool)
+        return Strokes(index, length, none, none, none, 0, 0, 0.0)
+    bent = np.flatnonzero(
+        (np.abs(pieces.net[index]) > 0.25 * TURN)
+        & (pieces.back[index] < 0.5 * TURN)
+        & (pieces.kind[index] == CURVE)
+    )
+    sense = np.sign(pieces.net[index[bent]])
+    common = np.sign((length[bent] * sense).sum())
+    box, z = pieces.box[index[bent]], pieces.z[index]
+    meets = (box[:-1, :2] < box[1:, 2:]) & (box[1:, :2] < box[:-1, 2:])
+    meets = meets.all(axis=1) & (np.abs(np.diff(z[bent])) < LEVEL)
+    beside = np.zeros(len(bent), bool)
+    beside[:-1] |= meets
+    beside[1:] |= meets
+    bite, against = np.zeros(len(index), bool), np.zeros(len(index), bool)
+    bite[bent[(sense == common) & beside]] = True
+    against[bent[sense == -common]] = True
+    _, distinct = footprints(pieces, index)
+    return Strokes(
+        index=index,
+        length=length,
+        bite=bite,
+        against=against,
+        sloped=~pieces.flat[index],
+        distinct=distinct,
+        levels=count_levels(z),
+        typical=weighted_median(length, length),
+    )

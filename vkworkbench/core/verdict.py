@@ -1,0 +1,243 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The decision: which strategy the pieces of one section stand for, and how sure that is."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from vkworkbench.core.areas import TURN, Moves
+from vkworkbench.core.pieces import CURVE, LINE, LOOP, WINDING, ZIGZAG, Pieces, cut_pieces
+from vkworkbench.core.rings import Rings, relate_rings
+from vkworkbench.core.rows import Rows, find_rows
+from vkworkbench.core.strategy import Strategy
+from vkworkbench.core.strokes import Strokes, relate_strokes
+
+SMALL = 0.02  # of the longest ring or stroke; shorter ones are links and leads
+
+
+@dataclass(frozen=True)
+class Verdict:
+    """What one section is.
+
+    Attributes
+    ----------
+    strategy : Strategy
+    support : float
+        Share of the cutting length that shows what the strategy asks for, 0..1.
+    count : int
+        How many rows, rings or strokes show it.
+    seen : str
+        What shows it, without the numbers.
+    parts : tuple of Verdict
+        Where mixed: the verdicts on its rings and on its rows.
+    """
+
+    strategy: Strategy
+    support: float
+    count: int
+    seen: str
+    parts: tuple[Verdict, ...] = ()
+
+    @property
+    def confidence(self) -> float:
+        """How often verdicts with this much support and repetition are right (benchmarks/recognition.py)."""
+        return 0.5 + 0.49 * min(self.support, 1.0) * (1 - np.exp(-self.count / 1.5))
+
+
+@dataclass
+class Section:
+    """A stretch of moves judged as one, with everything that was measured on the way."""
+
+    moves: Moves
+    tool: float
+    pieces: Pieces = field(init=False)
+    rings: Rings = field(init=False)
+    strokes: Strokes = field(init=False)
+    rows: list[Rows] = field(init=False)
+
+    def __post_init__(self) -> None:
+        self.pieces = cut_pieces(self.moves)
+        p = self.pieces
+        self.length = float(p.length.sum())
+        kind = _absorb(p)
+        self.rings = relate_rings(p, _large(p, (kind == LOOP) | (kind == WINDING)), self.tool)
+        self.strokes = relate_strokes(p, _large(p, (kind == LINE) | (kind == CURVE)))
+        # Lattices of bouncing passes, and wavy loops that are no offsets of one another, may be rows.
+        r = self.rings
+        wavy = p.wavy[r.index]
+        if wavy.any() and r.nested[wavy].mean() > 0.5:
+            wavy[:] = False
+        self.lattice = ~r.nested & (r.crossing | (r.winding & (r.back > 0.75 * TURN)) | wavy)
+        rowlike = (kind == ZIGZAG) | (kind == LINE) | (kind == CURVE)
+        rowlike[r.index[self.lattice]] = True
+        self.zigzag = float(p.length[kind == ZIGZAG].sum()) / self.length
+        chosen = np.flatnonzero(np.repeat(rowlike, p.end - p.start))
+        self.rows = self._fill(find_rows(self.moves, chosen), float(self.moves.length[chosen].sum()))
+        self.ring_pieces = np.zeros(len(p), bool)
+        self.ring_pieces[r.index] = True
+        if self.rows:
+            self.ring_pieces[r.index[self.lattice]] = False
+        self.row_pieces = rowlike & ~self.ring_pieces
+
+    def _fill(self, families: list[Rows], length: float) -> list[Rows]:
+        """Keep the families of rows that fill an area."""
+        good = [f for f in families if _fills(f, self.tool)]
+        if good or len(families) < 2:
+            return good
+        # The passes of a grid come in the order of a billiard, not side by side; two families of many long rows
+        # that are everything there is fill the area all the same.
+        everything = sum(f.length for f in families) > 0.85 * length
+        if everything and all(f.count >= 8 and f.typical > 2.5 * f.pitch for f in families):
+            return families
+        return []
+
+    def share(self, rings: np.ndarray) -> float:
+        """Share of the cutting length in these rings."""
+        return float(self.rings.length[rings].sum()) / self.length
+
+    def part(self, strokes: np.ndarray) -> float:
+        """Share of the cutting length in these strokes."""
+        return float(self.strokes.length[strokes].sum()) / self.length
+
+
+def _fills(f: Rows, tool: float) -> bool:
+    """Whether passes lie side by side as rows do: long moves, short steps between them (paper, section 2.1)."""
+    if f.opposite + f.same <= 0.25 * f.length or f.typical <= 2.5 * f.step:
+        return False
+    if f.step < 0.03 * tool:
+        return False  # the same pass retraced
+    regular = f.count >= 3 and f.even > 0.5
+    if tool and f.step > 1.2 * tool and not (f.count >= 6 and f.even > 0.8):
+        return False
+    return regular or (f.count == 2 and f.typical > 10 * f.step and 0.1 * tool < f.step <= tool)
+
+
+def _absorb(p: Pieces) -> np.ndarray:
+    """Return the kinds with those loops made part of a zigzag that do not go around it.
+
+    A zigzag that runs along the boundary between its rows closes small loops; only one that encloses the rows is a
+    contour of its own.
+    """
+    kind = p.kind.copy()
+    zigzag = np.flatnonzero(kind == ZIGZAG)
+    if not len(zigzag):
+        return kind
+    around = np.full((int(p.area[-1]) + 1, 4), np.nan)
+    around[p.area[zigzag]] = p.box[zigzag]
+    box = around[p.area]
+    slack = 0.15 * (box[:, 2:] - box[:, :2])
+    encloses = (p.box[:, :2] <= box[:, :2] + slack).all(axis=1) & (p.box[:, 2:] >= box[:, 2:] - slack).all(axis=1)
+    kind[(kind == LOOP) & ~np.isnan(box[:, 0]) & ~encloses] = ZIGZAG
+    return kind
+
+
+def _large(p: Pieces, which: np.ndarray) -> np.ndarray:
+    """Return the indices of these pieces without the links and leads."""
+    index = np.flatnonzero(which)
+    if not len(index):
+        return index
+    length = p.length[index]
+    return index[length > SMALL * length.max()]
+
+
+def judge(s: Section) -> Verdict:
+    """Judge a section by its rings, its rows or its open strokes, whichever it is made of."""
+    rings = s.share(s.ring_pieces[s.rings.index])
+    opened = 1 - rings
+    rowlike = max(s.zigzag, sum(f.length for f in s.rows) / s.length)
+    if rowlike > 0.5 * opened:
+        rowlike = opened  # the rest are the links
+    bites, against = s.part(s.strokes.bite), s.part(s.strokes.against)
+    number = int(s.strokes.bite.sum())
+    many = (bites > 0.25 and number >= 4) or (bites > 0.1 and number >= 10)
+    if many and against < 0.3 * bites and rowlike < 0.5:
+        return Verdict(Strategy.ADAPTIVE, 0.6 + 0.4 * bites, number, f"{number} bites of one sense overlap")
+    # Offsets whose innermost loops degenerate to passes are still offsets.
+    offsets = rings > 0.7 and s.share(s.rings.nested) > 0.7 * rings
+    if (rings > 0.35 and rowlike < 0.15) or rings > 0.88 or offsets:
+        return _judge_rings(s, rings)
+    if rowlike < (0.15 if rings > 0.1 else 0.35):
+        return _judge_strokes(s)
+    of_rows = _judge_rows(s, rowlike)
+    if rings <= 0.1:
+        return of_rows
+    of_rings = _judge_rings(s, rings)
+    seen = f"rows ({rowlike:.0%} of the length) and loops ({rings:.0%}) share the area"
+    return Verdict(Strategy.MIXED, 1 - (rings - rowlike) ** 2, of_rows.count, seen, (of_rings, of_rows))
+
+
+def _judge_rings(s: Section, rings: float) -> Verdict:
+    r = s.rings
+    helix = s.share(r.repeated & r.sloped & r.round)
+    if helix > 0.5 * rings:
+        return Verdict(Strategy.HELIX, helix / rings, len(r), "descending at a constant radius")
+    opposite = s.share(r.opposite)
+    if opposite > 0.6 * rings:
+        return Verdict(Strategy.ZIGZAG, opposite / rings, len(r), "the sense of nested loops alternates")
+    nested, deeper = s.share(r.nested), s.share(r.deeper)
+    changing = r.levels >= 3 and r.distinct > 0.4 * len(r) and deeper > 0.3 * rings and r.depth > 0.35 * s.tool
+    if changing and deeper > nested:
+        if r.evenness < 1:
+            seen = "evenly spaced in the plane, not in depth"
+            return Verdict(Strategy.CONTOUR_PARALLEL, deeper / rings, len(r), seen)
+        return Verdict(Strategy.WATERLINE, deeper / rings, r.levels, "whose shape changes with the depth")
+    if nested > 0.4 * rings:
+        winding = s.share(r.winding)
+        linked = s.share(r.winding & (r.back > 0.15 * TURN))  # a step aside turns one way and back
+        if winding > 0.5 * rings and linked < 0.3 * winding:
+            if (s.part(s.strokes.bite) > 0.03 and s.strokes.bite.sum() >= 5) or helix > 0.005:
+                seen = "a winding with a helical entry or bites out of the corners"
+                return Verdict(Strategy.ADAPTIVE, winding / rings, len(r), seen)
+            return Verdict(Strategy.SPIRAL, winding / rings, len(r), "one winding that never closes")
+        return Verdict(Strategy.CONTOUR_PARALLEL, nested / rings, len(r), "nested")
+    moved = s.share(r.moved)
+    if moved > 0.4 * rings and len(r) >= 5:
+        return Verdict(Strategy.ADAPTIVE, moved / rings, len(r), "small loops move along")
+    alone = s.share(r.alone)
+    if alone > 0.5 * rings and _inside(s) > 0.1:
+        return Verdict(Strategy.MIXED, 0.5, 2, "an open pass lies inside a contour")
+    return Verdict(Strategy.PROFILE, (alone + s.share(r.repeated)) / rings, len(r) + 2, "side by side or repeated")
+
+
+def _judge_rows(s: Section, rowlike: float) -> Verdict:
+    opposite, same = sum(f.opposite for f in s.rows), sum(f.same for f in s.rows)
+    count = sum(f.count for f in s.rows)
+    if opposite >= same or s.zigzag > 0.5 * rowlike:
+        agree = opposite / (opposite + same) if opposite + same else 1.0
+        support = rowlike * max(agree, s.zigzag)
+        return Verdict(Strategy.ZIGZAG, support, max(count, 3), "half-turns alternate in sign")
+    return Verdict(Strategy.ONE_WAY, rowlike * same / (opposite + same), count, "all rows run the same way")
+
+
+def _judge_strokes(s: Section) -> Verdict:
+    k = s.strokes
+    sloped = s.part(k.sloped)
+    number = len(k)
+    if k.levels >= 4 and sloped < 0.2 and k.distinct > 0.5 * number:
+        return Verdict(Strategy.WATERLINE, 0.6, k.levels, "open contours change with the depth")
+    if k.distinct <= 1 or k.distinct < 0.67 * number:
+        return Verdict(Strategy.PROFILE, 0.8, number + 1, "an open contour comes again at other depths")
+    extent = s.pieces.box[:, 2:].max(axis=0) - s.pieces.box[:, :2].min(axis=0)
+    if k.typical > 0.35 * extent.sum() and sloped < 0.5 and k.distinct <= 5:
+        return Verdict(Strategy.PROFILE, 0.4, number, "open strokes as long as the part")
+    return Verdict(Strategy.ENGRAVING, 0.8, number, "short strokes that fill nothing")
+
+
+def _inside(s: Section) -> float:
+    """Share of the cutting length in open strokes inside the ring cut before or after them, at its depth.
+
+    Only strokes that come back beside themselves count: a single one leads in or out.
+    """
+    p, k, ring = s.pieces, s.strokes.index, s.rings.index
+    k = k[p.passes[k] > 1]
+    if not len(k):
+        return 0.0
+    after = np.clip(np.searchsorted(ring, k), 0, len(ring) - 1)
+    inside = np.zeros(len(k), bool)
+    for beside in (ring[after], ring[np.maximum(after - 1, 0)]):
+        box = p.box[beside]
+        within = (p.box[k, :2] >= box[:, :2] - 0.02).all(axis=1) & (p.box[k, 2:] <= box[:, 2:] + 0.02).all(axis=1)
+        inside |= within & (np.abs(p.z[k] - p.z[beside]) < 0.02)
+    return float(p.length[k[inside]].sum()) / s.length
