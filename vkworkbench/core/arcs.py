@@ -13,6 +13,7 @@ PLANE_AXES = {17: (0, 1, 2), 18: (2, 0, 1), 19: (1, 2, 0)}
 KILOMETRE = 1e6  # mm; an arc of such a radius is a line
 LARGEST_CIRCLE = 1e4  # mm; above it, more than half a turn is a centre rounded to the wrong side
 LARGEST_STEP = np.pi / 4  # a chord never spans more, so that tiny circles keep their directions
+SMALLEST_STEP = 1e-9  # rad; finer ones are more than any memory holds
 SAME_POINT = 1e-6  # mm; FreeCAD saves 6 decimals
 
 
@@ -84,12 +85,11 @@ def resolve(start, end, clockwise, offset, radius_word, absolute_centre) -> Arcs
 def chord_counts(arcs: Arcs, tolerance: float) -> np.ndarray:
     """Return how many chords each arc needs, (m,) int, at least 1.
 
-    The chord error (sagitta) r (1 - cos(step / 2)) stays at or below `tolerance`, mm.
+    The chord error (sagitta) r (1 - cos(step / 2)) = 2 r sin(step / 4)^2 stays at or below `tolerance`, mm.
     """
-    largest = arcs.radius.max(axis=1, initial=0.0)
-    with np.errstate(divide="ignore", invalid="ignore"):
-        step = 2 * np.arccos(np.clip(1 - tolerance / largest, -1.0, 1.0))
-    step = np.minimum(np.where(np.isfinite(step), step, LARGEST_STEP), LARGEST_STEP)
+    largest = np.maximum(arcs.radius.max(axis=1, initial=0.0), SAME_POINT)
+    share = np.minimum(tolerance, largest) / (2 * largest)
+    step = np.clip(4 * np.arcsin(np.sqrt(share)), SMALLEST_STEP, LARGEST_STEP)
     return np.maximum(np.ceil(np.abs(arcs.sweep) / step - 1e-9), 1).astype(np.int64)
 
 

@@ -56,7 +56,16 @@ def heights(z, relative, rows, retract, bottom, to_retract_plane):
     return absolute, resolved
 
 
-def moves(code, start, hole, retract, bottom, after, peck):
+def move_counts(code, heights, peck) -> np.ndarray:
+    """Return how many moves each cycle takes, (m,) int; the parameters are those of :func:`moves`."""
+    depth = np.maximum(heights[:, 1] - heights[:, 2], 0.0)
+    pecking = ((code == PECK) | (code == CHIP_BREAK)) & (peck * MOST_PECKS > depth)
+    pecks = np.where(pecking, np.ceil(depth / np.where(pecking, peck, 1.0) - 1e-9), 1.0)
+    # Approach (3 moves), then for each peck but the last feed, out, back; then feed to the bottom, leave.
+    return 3 + 3 * (np.maximum(pecks, 1.0).astype(np.int64) - 1) + 2
+
+
+def moves(code, start, hole, heights, peck):
     """Return the moves of m cycles.
 
     Parameters
@@ -67,8 +76,8 @@ def moves(code, start, hole, retract, bottom, after, peck):
         Position before the cycle, mm.
     hole : (m, 2) float64
         X and Y of the hole.
-    retract, bottom, after : (m,) float64
-        Heights of the R plane, of the hole's bottom, and where the cycle ends (G98/G99).
+    heights : (m, 4) float64
+        Before the cycle, of the R plane, of the hole's bottom, and after the cycle (G98/G99), mm.
     peck : (m,) float64
         Q, depth of one peck; NaN where there is none.
 
@@ -77,16 +86,9 @@ def moves(code, start, hole, retract, bottom, after, peck):
     points : (k, 3) float64
         End point of each move; some are zero-length.
     rapid : (k,) bool
-    cycle : (k,) int
-        Which cycle each move belongs to.
     """
-    depth = np.maximum(retract - bottom, 0.0)
-    pecking = ((code == PECK) | (code == CHIP_BREAK)) & (peck > 0)
-    pecks = np.where(pecking, np.ceil(depth / np.where(pecking, peck, 1.0) - 1e-9), 1.0)
-    pecks = np.where((pecks >= 1) & (pecks <= MOST_PECKS), pecks, 1.0).astype(np.int64)
-
-    # Approach (3 moves), then for each peck but the last feed, out, back; then feed to the bottom, leave.
-    counts = 3 + 3 * (pecks - 1) + 2
+    _, retract, bottom, after = heights.T
+    counts = move_counts(code, heights, peck)
     cycle = np.repeat(np.arange(len(code)), counts)
     first = np.cumsum(counts) - counts
     step = np.arange(len(cycle)) - first[cycle]
@@ -107,4 +109,4 @@ def moves(code, start, hole, retract, bottom, after, peck):
     rapid[last - 1] = False
     points[last, 2] = after
     rapid[last] = ~np.isin(code, FEED_OUT)
-    return points, rapid, cycle
+    return points, rapid

@@ -16,7 +16,8 @@ from vkworkbench.core import arcs, cycles
 from vkworkbench.core.toolpath import Problem, Toolpath
 from vkworkbench.core.words import COMMENT, COORDINATE_LIMIT, MODAL, TOOL_CHANGE, UNKNOWN, Words
 
-MOST_TRAJECTORIES = 20_000_000
+MOST_TRAJECTORIES = 5_000_000  # 2 GB of memory
+SLOWEST_FEED = 1e-6  # mm/s, eleven days for a millimetre
 
 _RAPID, _LINE, _CW, _CCW, _CANCEL = 0, 10, 20, 30, 800
 _MOTION = np.concatenate([[_RAPID, _LINE, _CW, _CCW], cycles.CODES])
@@ -51,7 +52,7 @@ def linearize(commands: Iterable, *, tolerance: float = 0.01) -> Toolpath:
     Raises
     ------
     ValueError
-        If `tolerance` is not a positive number, or if the arcs would need more than 20 million chords.
+        If `tolerance` is not a positive number, or if arcs and cycles would need more than 5 million moves.
     """
     if not (np.isfinite(tolerance) and tolerance > 0):
         raise ValueError(f"the tolerance must be a positive number of mm, not {tolerance}")
@@ -116,8 +117,9 @@ class _Program:
 
     def _feed(self, problems: _Problems) -> np.ndarray:
         values, unusable = self.words.column("F")
+        unusable |= (values > 0) & (values < SLOWEST_FEED)
         problems.add(np.flatnonzero(unusable), "feed rate that is no usable number ignored")
-        setter = _last(values > 0)
+        setter = _last(values >= SLOWEST_FEED)
         return np.where(setter >= 0, values[setter], 0.0)
 
     def _positions(self, problems: _Problems) -> tuple[np.ndarray, np.ndarray]:
@@ -174,13 +176,12 @@ def _moves(program: _Program, tolerance: float, problems: _Problems):
         counts[arc_rows] = arcs.chord_counts(resolved, tolerance)
     cycle_rows = np.flatnonzero(program.is_cycle)
     if len(cycle_rows):
-        cycle_points, cycle_rapid, cycle_of = _expand_cycles(program, cycle_rows)
-        counts[cycle_rows] = np.bincount(cycle_of, minlength=len(cycle_rows))
+        counts[cycle_rows] = cycles.move_counts(program.motion[cycle_rows], program.cycle_heights, program.cycle_peck)
 
     total = int(counts.sum())
     if total > MOST_TRAJECTORIES:
         raise ValueError(
-            f"the arcs would need {total:,} chords at a tolerance of {tolerance} mm; use a larger tolerance"
+            f"the arcs and cycles would need {total:,} moves at a tolerance of {tolerance} mm; use a larger tolerance"
         )
     command = np.repeat(np.arange(len(motion)), counts)
     points = position[command]
@@ -197,7 +198,7 @@ def _moves(program: _Program, tolerance: float, problems: _Problems):
         points[on_arc] = in_space
         sweep[on_arc] = (resolved.sweep / counts[arc_rows])[chord_of]
     if len(cycle_rows):
-        points[is_cycle], rapid[is_cycle] = cycle_points, cycle_rapid
+        points[is_cycle], rapid[is_cycle] = _expand_cycles(program, cycle_rows)
     start = position[:1] if total else np.empty((0, 3))
     return np.concatenate([start, points]), rapid, command, sweep, is_cycle
 
@@ -225,12 +226,10 @@ def _resolve_arcs(program, rows, axes, start, end, problems) -> arcs.Arcs:
 
 
 def _expand_cycles(program: _Program, rows: np.ndarray):
-    before, retract, bottom, after = program.cycle_heights.T
     start = program.before(rows).copy()
     start[rows == 0] = program.position[0]
-    start[:, 2] = before
-    return cycles.moves(program.motion[rows], start, program.position[rows, :2], retract, bottom, after,
-                        program.cycle_peck)  # fmt: skip
+    start[:, 2] = program.cycle_heights[:, 0]
+    return cycles.moves(program.motion[rows], start, program.position[rows, :2], program.cycle_heights, program.cycle_peck)
 
 
 def _report_codes(words: Words, problems: _Problems) -> None:

@@ -15,9 +15,9 @@ COORDINATE_LIMIT = 1e6
 COMMENT, OTHER, TOOL_CHANGE, MODAL, UNKNOWN = -1, -2, -3, -4, -5
 
 _ABSENT = 1e300
-_NAME = re.compile(r"([A-Z])0*(\d+)(?:\.(\d))?")
+_NAME = re.compile(r"([A-Z])0*(\d{1,9})(?:\.(\d))?", re.ASCII)
 # A line that begins with a coordinate or a line number: FreeCAD takes that word for the command's name.
-_WORD_NAME = re.compile(r"\s*([XYZIJKRFN])\s*([-+]?(?:\d+\.?\d*|\.\d+))\s*", re.IGNORECASE)
+_WORD_NAME = re.compile(r"\s*([XYZIJKRFN])\s*([-+]?(?:\d+\.?\d*|\.\d+))\s*", re.IGNORECASE | re.ASCII)
 
 
 def code_of(name: str) -> int:
@@ -75,7 +75,9 @@ class Words:
                 continue
             letter, value = match[1].upper(), float(match[2])
             parameters = dict(self._parameters[i] or {})
-            self.names[i] = f"G{parameters.pop('G'):g}" if "G" in parameters else ""
+            code = _number(parameters, "G")
+            parameters.pop("G", None)
+            self.names[i] = "" if code == _ABSENT else f"G{code:g}"
             if letter != "N":
                 parameters[letter] = value
             elif not parameters and not self.names[i]:
@@ -101,7 +103,7 @@ class Words:
         """
         parameters = self._parameters if rows is None else [self._parameters[i] for i in rows.tolist()]
         try:
-            values = np.array([p.get(letter, _ABSENT) for p in parameters], np.float64)
+            values = np.fromiter((p.get(letter, _ABSENT) for p in parameters), np.float64, len(parameters))
         except (TypeError, ValueError, OverflowError, AttributeError):
             values = np.array([_number(p, letter) for p in parameters], np.float64)
         usable = np.abs(values) <= COORDINATE_LIMIT
@@ -112,6 +114,6 @@ class Words:
 
 def _number(parameters, letter: str) -> float:
     try:
-        return float(parameters.get(letter, _ABSENT))
-    except (TypeError, ValueError, OverflowError, AttributeError):
+        return float(parameters.get(letter, _ABSENT)) if parameters else _ABSENT
+    except (TypeError, ValueError, OverflowError):
         return np.nan
