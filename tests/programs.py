@@ -1,0 +1,113 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Sound programs of every strategy as command lists, for tests that turn, mutate or repeat them."""
+
+from __future__ import annotations
+
+import math
+
+FEED, CLEAR = 10.0, 10.0
+
+
+def program(strokes):
+    """Commands of a program that cuts each stroke, a list of points (x, y, z), and lifts between them."""
+    commands = [("(program)", {}), ("G0", {"Z": CLEAR})]
+    for stroke in strokes:
+        (x, y, z), *rest = stroke
+        commands += [("G0", {"X": x, "Y": y}), ("G1", {"Z": z, "F": FEED})]
+        commands += [("G1", {"X": x, "Y": y, "Z": z, "F": FEED}) for x, y, z in rest]
+        commands.append(("G0", {"Z": CLEAR}))
+    return commands
+
+
+def zigzag(rows=10, length=50.0, step=3.0, depths=(0.0,)):
+    """Rows whose direction alternates, linked along the border."""
+    ends = [((0.0, length) if row % 2 == 0 else (length, 0.0)) for row in range(rows)]
+    return program([[(x, row * step, z) for row in range(rows) for x in ends[row]] for z in depths])
+
+
+def one_way(rows=10, length=50.0, step=3.0, depths=(0.0,)):
+    """Rows that all run the same way, with a lift after each."""
+    return program([[(0.0, row * step, z), (length, row * step, z)] for z in depths for row in range(rows)])
+
+
+def outline(sides=4, radius=30.0, x=0.0, y=0.0, z=0.0, start=0, waves=0.0, narrow=1.0):
+    """Closed polygon; `waves` makes it a wavy one, `narrow` squeezes it along Y."""
+    points = []
+    for i in range(start, start + sides + 1):
+        angle = 2 * math.pi * (i % sides) / sides
+        r = radius * (1 + waves * math.cos(3 * angle))
+        points.append((x + r * math.cos(angle), y + narrow * r * math.sin(angle), z))
+    return points
+
+
+def offsets(loops=6, sides=4, step=3.0, inner=4.0, depths=(0.0,), narrow=1.0):
+    """Nested loops from the inside out, linked without a lift."""
+    return program([
+        [p for i in range(loops) for p in outline(sides, inner + i * step, z=z, narrow=narrow)] for z in depths
+    ])  # fmt: skip
+
+
+def profile(sides=6, radius=30.0, depths=(0.0, -2.0, -4.0), waves=0.0):
+    """One closed contour, the same at every depth."""
+    return program([outline(sides, radius, z=z, waves=waves) for z in depths])
+
+
+def waterline(levels=12, sides=24, radius=40.0, drop=1.0):
+    """Contours of a cone with a wavy foot."""
+    return program([outline(sides, radius - 2 * i, z=-drop * i, waves=0.1) for i in range(levels)])
+
+
+def spiral(turns=8, step=3.0, chords=48):
+    """Spiral of Archimedes."""
+    points = []
+    for i in range(turns * chords + 1):
+        angle = 2 * math.pi * i / chords
+        r = 2.0 + step * i / chords
+        points.append((r * math.cos(angle), r * math.sin(angle), 0.0))
+    return program([points])
+
+
+def helix(turns=8, radius=12.0, pitch=1.5):
+    """Bore of half circles that descend, and a last one around the bottom."""
+    commands = [("G0", {"Z": CLEAR}), ("G0", {"X": radius, "Y": 0.0}), ("G1", {"Z": 0.0, "F": FEED})]
+    side = 1
+    for i in range(2 * turns + 2):
+        z = -pitch / 2 * min(i + 1, 2 * turns)
+        commands.append(("G2", {"X": -side * radius, "Y": 0.0, "Z": z, "I": -side * radius, "J": 0.0, "F": FEED}))
+        side = -side
+    return [*commands, ("G0", {"Z": CLEAR})]
+
+
+def drilling(columns=5, rows=4, pitch=12.0, cycle="G83"):
+    """Holes by a canned cycle."""
+    commands = [("G0", {"Z": CLEAR}), ("G90", {}), ("G98", {})]
+    words = {"Z": -15.0, "R": 2.0, "F": FEED}
+    if cycle in ("G73", "G83"):
+        words["Q"] = 3.0
+    holes = [{"X": pitch * column, "Y": pitch * row} for row in range(rows) for column in range(columns)]
+    return [*commands, *((cycle, {**hole, **words}) for hole in holes), ("G80", {}), ("G0", {"Z": CLEAR})]
+
+
+def adaptive(bites=40, radius=8.0, step=1.0):
+    """Trochoid: circles of engagement that move on by a small step."""
+    points = []
+    for i in range(bites * 16):
+        angle = 2 * math.pi * i / 16
+        points.append((step * i / 16 + radius * math.cos(angle), radius * math.sin(angle), 0.0))
+    return program([points])
+
+
+def engraving(letters=14):
+    """Short strokes of letters, each other than the one before."""
+    strokes = []
+    for i in range(letters):
+        x, lean = 9.0 * i, 0.4 * i
+        strokes.append([(x, 0.0, -0.2), (x + lean, 8.0, -0.2), (x + 5 - lean / 3, 3.0 + lean / 4, -0.2)])
+        strokes.append([(x + 1, 2.0 + lean / 5, -0.2), (x + 5 - lean / 2, 2.0, -0.2)])
+    return program(strokes)
+
+
+SOUND = {
+    "zigzag": zigzag, "one-way": one_way, "contour-parallel": offsets, "profile": profile, "waterline": waterline,
+    "spiral": spiral, "helix": helix, "drilling": drilling, "adaptive": adaptive, "engraving": engraving,
+}  # fmt: skip
