@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from itertools import combinations
+from itertools import combinations, product
 from math import isfinite, pi, tan
 
 import numpy as np
@@ -96,6 +96,7 @@ class _Convex:
 
     normals: np.ndarray
     offsets: np.ndarray
+    corners: np.ndarray
     lower: np.ndarray
     upper: np.ndarray
 
@@ -151,6 +152,7 @@ class Stock(_Convex):
             raise ValueError("the stock has no volume: its upper corner must exceed its lower corner in x, y and z")
         self.normals = np.vstack((np.eye(3), -np.eye(3)))
         self.offsets = np.concatenate((self.upper, -self.lower))
+        self.corners = np.array(list(product(*zip(self.lower, self.upper))))
 
     def __repr__(self) -> str:
         return f"Stock({self.lower.tolist()}, {self.upper.tolist()})"
@@ -168,6 +170,8 @@ class ConvexStock(_Convex):
 
     Attributes
     ----------
+    corners : (c, 3) ndarray
+        Where three or more planes meet, mm.
     lower, upper : (3,) ndarray
         Corners of the bounding box, mm.
 
@@ -184,7 +188,7 @@ class ConvexStock(_Convex):
             raise ValueError("a plane of the stock has no normal")
         self.normals = normals / lengths[:, None]
         self.offsets = np.array(offsets, float).reshape(len(normals)) / lengths
-        corners = self._corners()
+        self.corners = corners = self._corners()
         if len(corners) < 4 or np.linalg.matrix_rank(corners - corners[0], tol=1e-9) < 3:
             raise ValueError("the planes of the stock enclose no volume")
         self.lower, self.upper = corners.min(axis=0), corners.max(axis=0)

@@ -1,0 +1,200 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Rays cut by a whole toolpath: the exact pieces of any set of rays, the work the simulator and the estimate share."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from vkworkbench.core.dexels import THINNEST, Pieces, first_cuts
+from vkworkbench.core.solids import Frame, Stock, Tool
+from vkworkbench.core.sweeps import intervals, lowest
+from vkworkbench.core.toolpath import Toolpath
+
+# Neighbouring rays are tested against a trajectory's bounding box together.
+GROUP = 16
+# Pairs of ray and trajectory held at once, and worked on at once (so that they stay in the processor's cache).
+_PAIRS_HELD = 1_000_000
+_PAIRS_AT_ONCE = 16_384
+
+
+class Removal:
+    """A toolpath made ready to cut the rays of one view.
+
+    Parameters
+    ----------
+    toolpath : Toolpath
+    tool : Tool
+    stock : Stock or ConvexStock
+    frame : Frame
+        The view of this stock.
+
+    Attributes
+    ----------
+    index : (m,) int64
+        The trajectories that can meet the stock, in order; the others are above it or beside it.
+    box : (4, m) float64
+        Left, right, bottom and top of each one's bounding box in the image, mm.
+    strip : (4, m) float64
+        The strip along each one's image that holds it: its unit normal (x, y) and its two distances from the
+        image's centre, mm.
+    candidates : int
+        Pairs of ray and trajectory examined so far.
+    """
+
+    def __init__(self, toolpath: Toolpath, tool: Tool, stock: Stock, frame: Frame) -> None:
+        self.tool, self.stock, self.frame = tool, stock, frame
+        self.sine = float(np.hypot(frame.direction[0], frame.direction[1]))
+        self.cosine = float(-frame.direction[2])
+        self.candidates = 0
+
+        ends = np.asarray(toolpath.points, float)
+        start, end = ends[:-1], ends[1:]
+        low, high = np.minimum(start, end), np.maximum(start, end)
+        reach = np.array([tool.radius, tool.radius, 0])
+        self.index = np.flatnonzero((low - reach < stock.upper).all(axis=1)
+                                    & (high[:, :2] + tool.radius > stock.lower[:2]).all(axis=1))
+        start, end = start[self.index], end[self.index]
+        # The tool is unbounded upwards: a vertical move removes what it removes at its lowest point.
+        vertical = np.hypot(*(end - start)[:, :2].T) < 1e-6
+        bottom = np.where((start[:, 2] < end[:, 2])[:, None], start, end)
+        start, end = np.where(vertical[:, None], bottom, start), np.where(vertical[:, None], bottom, end)
+        axes = np.array([frame.right, [-frame.right[1], frame.right[0], 0], [0, 0, 1]])
+        self.start = axes @ (start - frame.centre).T
+        self.move = axes @ (end - start).T
+        self.ceiling = float(stock.upper[2] - frame.centre[2])
+        self.box = self._boxes()
+        self.strip = self._strips()
+
+    def _boxes(self) -> np.ndarray:
+        first, last = self.start, self.start + self.move
+        low, high = np.minimum(first, last), np.maximum(first, last)
+        a, b = self.cosine * low[1], self.cosine * high[1]
+        reach = self.tool.radius
+        return np.array([low[0] - reach, high[0] + reach,
+                         np.minimum(a, b) - abs(self.cosine) * reach + self.sine * low[2],
+                         np.maximum(a, b) + abs(self.cosine) * reach + self.sine * self.ceiling])
+
+    def _strips(self) -> np.ndarray:
+        across, along = self.move[0], self.cosine * self.move[1] + self.sine * self.move[2]
+        length = np.hypot(across, along)
+        moving = length > 0
+        length = np.where(moving, length, 1)
+        nx, ny = np.where(moving, -along / length, 1.0), across / length
+        middle = nx * self.start[0] + ny * (self.cosine * self.start[1] + self.sine * self.start[2])
+        reach = self.tool.radius * np.hypot(nx, self.cosine * ny)
+        depth = self.ceiling - self.start[2] - np.minimum(self.move[2], 0)
+        rise = ny * self.sine * np.maximum(depth, 0)
+        return np.array([nx, ny, middle - reach + np.minimum(rise, 0), middle + reach + np.maximum(rise, 0)])
+
+    def cut(self, x: np.ndarray, y: np.ndarray, selection: np.ndarray | None = None) -> Pieces:
+        """Return the pieces of rays; quickest where rays that follow each other are neighbours in the image.
+
+        Parameters
+        ----------
+        x, y : (k,) ndarray
+            Image coordinates of the rays, mm.
+        selection : ndarray of int, optional
+            The positions in `index` to cut with, ascending; all by default.
+
+        Returns
+        -------
+        Pieces
+            Their owners are indices of the toolpath's trajectories.
+        """
+        near, far = self.stock.chords(self.frame.origins(x, y), self.frame.direction)
+        parts = []
+        for first, last, group, item in self._meetings(x, y, selection):
+            ray, item = self._pairs(group, item, x[first:last], y[first:last])
+            pieces = self._cut_pairs(ray, item, x[first:last], y[first:last], near[first:last], far[first:last])
+            parts.append((pieces.ray + first, pieces.owner, pieces.near, pieces.far))
+        return Pieces(*(np.concatenate(columns) for columns in zip(*parts)))
+
+    def meeting(self, left: np.ndarray, right: np.ndarray, bottom: np.ndarray, top: np.ndarray,
+                selection: np.ndarray | None = None) -> tuple[np.ndarray, np.ndarray]:
+        """Which rectangles of the image (g,) each trajectory may meet: pairs of rectangle and position in `index`."""
+        box = self.box if selection is None else self.box[:, selection]
+        rectangle, item = np.nonzero((box[0] <= right[:, None]) & (box[1] >= left[:, None])
+                                     & (box[2] <= top[:, None]) & (box[3] >= bottom[:, None]))
+        if selection is not None:
+            item = selection[item]
+        nx, ny, low, high = self.strip[:, item]
+        centre = nx * ((left + right) / 2)[rectangle] + ny * ((bottom + top) / 2)[rectangle]
+        reach = np.abs(nx) * ((right - left) / 2)[rectangle] + np.abs(ny) * ((top - bottom) / 2)[rectangle]
+        met = np.flatnonzero((centre + reach >= low) & (centre - reach <= high))
+        return rectangle[met], item[met]
+
+    def _meetings(self, x: np.ndarray, y: np.ndarray,
+                  selection: np.ndarray | None) -> Iterator[tuple[int, int, np.ndarray, np.ndarray]]:
+        """Ranges of rays with the groups in them and the trajectories they meet, as many as memory allows."""
+        groups = -(-len(x) // GROUP)
+        # The last group is filled up with copies of the last ray.
+        padded = np.minimum(np.arange(groups * GROUP), len(x) - 1).reshape(-1, GROUP)
+        gx, gy = x[padded], y[padded]
+        group, item = self.meeting(gx.min(axis=1), gx.max(axis=1), gy.min(axis=1), gy.max(axis=1), selection)
+        bounds = np.searchsorted(group, np.arange(groups + 1))
+        begin = 0
+        while begin < groups:
+            end = int(np.searchsorted(bounds, bounds[begin] + _PAIRS_HELD // GROUP, side="right")) - 1
+            end = max(begin + 1, end)
+            part = slice(bounds[begin], bounds[end])
+            yield begin * GROUP, min(end * GROUP, len(x)), group[part] - begin, item[part]
+            begin = end
+
+    def _pairs(self, group: np.ndarray, item: np.ndarray, x: np.ndarray,
+               y: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Rays and trajectories that may meet, sorted by ray, then by trajectory."""
+        left, right, bottom, top = self.box[:, item]
+        nx, ny, low, high = self.strip[:, item]
+        rays, hits = [], []
+        for member in range(GROUP):
+            ray = group * GROUP + member
+            inside = np.minimum(ray, len(x) - 1)
+            rx, ry = x[inside], y[inside]
+            across = nx * rx + ny * ry
+            hit = np.flatnonzero((ray < len(x)) & (left <= rx) & (rx <= right) & (bottom <= ry) & (ry <= top)
+                                 & (low <= across) & (across <= high))
+            rays.append(ray[hit])
+            hits.append(item[hit])
+        ray, hit = np.concatenate(rays), np.concatenate(hits)
+        order = np.argsort(ray, kind="stable")
+        return ray[order], hit[order]
+
+    def _cut_pairs(self, ray: np.ndarray, item: np.ndarray, x: np.ndarray, y: np.ndarray,
+                   near: np.ndarray, far: np.ndarray) -> Pieces:
+        self.candidates += len(ray)
+        enter, leave = np.empty(len(ray)), np.empty(len(ray))
+        for begin in range(0, len(ray), _PAIRS_AT_ONCE):
+            part = slice(begin, begin + _PAIRS_AT_ONCE)
+            enter[part], leave[part] = self._intervals(x[ray[part]], y[ray[part]], item[part])
+        enter, leave = np.maximum(enter, near[ray]), np.minimum(leave, far[ray])
+        hit = np.flatnonzero(leave - enter > THINNEST)
+        hit = hit[_not_yet_open(ray[hit], enter[hit], leave[hit], near, far)]
+        return first_cuts(near, far, ray[hit], self.index[item[hit]], enter[hit], leave[hit])
+
+    def _intervals(self, x: np.ndarray, y: np.ndarray, item: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        start, move = self.start[:, item], self.move[:, item]
+        if self.sine == 0:
+            height = lowest(self.tool, start, move, x, self.cosine * y)
+            everywhere = np.full(len(x), np.inf)
+            return (-everywhere, -height) if self.cosine > 0 else (height, everywhere)
+        ray = np.array([x, self.cosine * y, self.sine * y])
+        return intervals(self.tool, start, move, ray, self.sine, self.cosine)
+
+
+def _not_yet_open(ray: np.ndarray, enter: np.ndarray, leave: np.ndarray, near: np.ndarray,
+                  far: np.ndarray) -> np.ndarray:
+    """Positions of the intervals that reach deeper than what earlier ones opened from the near end of the ray.
+
+    Most passes over a pixel cut nothing new; this finds the greater part of them at the price of a running maximum.
+    """
+    if len(ray) == 0:
+        return np.empty(0, np.int64)
+    bounded = far > near
+    stretch = far[bounded].max() - near[bounded].min() + 1
+    opened = np.where(enter <= near[ray], leave, near[ray]) + ray * stretch
+    before = np.maximum.accumulate(opened)
+    deeper = np.ones(len(ray), bool)
+    deeper[1:] = (ray[1:] != ray[:-1]) | (leave[1:] + ray[1:] * stretch > before[:-1] + 1e-7)
+    return np.flatnonzero(deeper)
