@@ -115,14 +115,15 @@ def _hangs(words: Words, toolpath: Toolpath, version: tuple[int, ...]) -> list[C
         concerned = arcs[bad & plain]
         if not len(concerned):
             continue
-        verb = "may leave out or hang on" if "circle" in reason else "hangs on"
         others = f" and {len(concerned) - 1} more" if len(concerned) > 1 else ""
         instead = (
             "use the OpenGL simulator for this operation"
             if Simulator.OPENGL in available_simulators(version)
             else "leave this operation out of the simulation"
         )
-        message = f"The legacy simulator {verb} an arc {reason} (command {concerned[0]}{others}): {instead}."
+        message = (
+            f"The legacy simulator hangs on an arc {reason} (command {concerned[0]}{others}): {instead}."
+        )
         found.append(Caution("legacy-hangs", message, int(concerned[0])))
     return found
 

@@ -1,0 +1,200 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""FreeCAD's legacy simulator: what is predicted against what it really does.
+
+    freecadcmd $PWD/benchmarks/simulators.py                 # its work, without a window
+    xvfb-run -a freecad $PWD/benchmarks/simulators.py        # fast-forward and play, in its own panel
+
+Cuts the operations of the example job and, where the environment variable VKWORKBENCH_CORPUS names files of
+JSON lines (id, label, tool_diameter, stock, commands; optionally gzipped, separated by colons), up to 60 of
+each. Errors are ratios, the larger of prediction and truth over the smaller. Timings need a quiet computer.
+"""
+
+from __future__ import annotations
+
+import gzip
+import json
+import math
+import os
+import sys
+import tempfile
+import time
+import traceback
+from pathlib import Path
+
+import FreeCAD
+import numpy as np
+import Part
+from Path import Command
+from PathSimulator import PathSim
+
+ROOT = Path(__file__).resolve().parent.parent
+sys.path[:0] = [str(ROOT), str(ROOT / "examples")]
+
+from make_example import make_example
+
+from vkworkbench.core import linearize
+from vkworkbench.core.legacy import legacy_costs
+from vkworkbench.core.solids import Stock, Tool
+from vkworkbench.document.calibration import calibrate
+from vkworkbench.document.operations import find
+from vkworkbench.document.setting import read_stock, read_tool
+
+ACCURACIES = (0.1, 0.5, 1.0)
+MOST = 60
+OUT = sys.__stdout__
+
+
+def main():
+    doc = make_example(str(Path(tempfile.mkdtemp()) / "example.FCStd"))
+    samples = list(of_document(doc))
+    for name in filter(None, os.environ.get("VKWORKBENCH_CORPUS", "").split(":")):
+        samples += of_corpus(name)
+    print(f"\nFreeCAD {'.'.join(FreeCAD.Version()[:3])}, {len(samples)} operations", file=OUT)
+    if FreeCAD.GuiUp:
+        from simulators_window import run
+
+        run(samples, OUT)
+    else:
+        headless(samples)
+
+
+def of_document(doc):
+    """Name, commands, tool and stock of every operation of a document's jobs."""
+    for operation in find(doc):
+        commands = [(c.Name, c.Parameters) for c in operation.object.Path.Commands]
+        yield operation.object.Label, commands, read_tool(operation.object), read_stock(operation.job)
+
+
+def of_corpus(name):
+    """The same of a file of JSON lines; 3D surfaces are cut with a ball end."""
+    with (gzip.open if name.endswith(".gz") else open)(name, "rt") as lines:
+        records = [r for r in map(json.loads, lines) if r.get("stock") and r.get("tool_diameter")]
+    for record in records[:: math.ceil(len(records) / MOST)]:
+        ball = record["label"].startswith(("Surface", "Waterline"))
+        tool = Tool("ballend" if ball else "endmill", record["tool_diameter"])
+        yield record["id"], record["commands"], tool, Stock(record["stock"][:3], record["stock"][3:])
+
+
+def headless(samples):
+    """Cut every sample at every accuracy and print how far the predictions were off."""
+    constants = calibrate().constants
+    errors = {accuracy: [] for accuracy in ACCURACIES}
+    exact = total = 0
+    for _, commands, tool, stock in samples:
+        path = linearize(commands)
+        predictions = legacy_costs(path, tool=tool, stock=stock, accuracies=ACCURACIES, constants=constants)
+        for accuracy, predicted in zip(ACCURACIES, predictions):
+            moves, cut, mesh, facets, cells = really(commands, tool, stock, predicted.resolution, accuracy)
+            exact += abs(moves - predicted.moves) <= max(3, 0.02 * moves)
+            total += 1
+            own_mesh = constants.cell * cells + constants.facet * facets
+            pairs = (
+                (predicted.cut_seconds, cut),
+                (predicted.facets, facets),
+                (own_mesh, mesh),
+                (predicted.mesh_seconds, mesh),
+            )
+            errors[accuracy].append([*(max(a / b, b / a) for a, b in pairs), predicted.mesh_seconds / mesh])
+    print(f"moves within 2 % or 3 of the real number: {exact} of {total}", file=OUT)
+    print("ratio, median / p90 / worst:", file=OUT)
+    for accuracy, rows in errors.items():
+        for name, values in zip(
+            ("cutting", "triangles", "mesh from true triangles", "mesh"), np.array(rows).T
+        ):
+            quantiles = " / ".join(f"{q:.2f}" for q in np.percentile(values, (50, 90, 100)))
+            print(f"  accuracy {accuracy:.1f} %  {name:26}{quantiles}", file=OUT)
+        bias = np.median(np.array(rows)[:, 4])
+        print(f"  accuracy {accuracy:.1f} %  {'mesh, predicted / true':26}{bias:.2f}", file=OUT)
+
+
+def really(commands, tool, stock, resolution, accuracy):
+    """Cut with FreeCAD as its panel does; return moves, seconds to cut and to mesh, triangles, cells."""
+    size = stock.upper - stock.lower
+    sim = PathSim()
+    sim.BeginSimulation(Part.makeBox(*size, FreeCAD.Vector(*stock.lower)), resolution)
+    sim.SetToolShape(shape(tool), 0.05 * accuracy)
+    top = float(stock.upper[2])
+    moves = straight(commands, resolution, top)
+    position = FreeCAD.Placement(FreeCAD.Vector(0, 0, top), FreeCAD.Rotation())
+    begin = time.perf_counter()
+    for move in moves:
+        position = sim.ApplyCommand(position, move)
+    cut = time.perf_counter() - begin
+    times = []
+    for _ in range(2):
+        begin = time.perf_counter()
+        outer, inner = sim.GetResultMesh()
+        times.append(time.perf_counter() - begin)
+    cells = (int(size[0] / resolution) + 1) * (int(size[1] / resolution) + 1)
+    return len(moves), cut, min(times), outer.CountFacets + inner.CountFacets, cells
+
+
+def shape(tool):
+    """The solid of a tool."""
+    if tool.shape == "ballend":
+        ball = Part.makeSphere(tool.radius, FreeCAD.Vector(0, 0, tool.radius))
+        shank = Part.makeCylinder(tool.radius, 30, FreeCAD.Vector(0, 0, tool.radius))
+        return ball.fuse(shank).removeSplitter()
+    heights = tool.steepness * tool.radius
+    if heights:
+        cone = Part.makeCone(0, tool.radius, heights)
+        return cone.fuse(Part.makeCylinder(tool.radius, 30, FreeCAD.Vector(0, 0, heights))).removeSplitter()
+    return Part.makeCylinder(tool.radius, 30)
+
+
+def straight(commands, resolution, top):
+    """The straight moves that PerformCutVoxel makes of commands; what it would hang on is left out."""
+    at = {"X": 0.0, "Y": 0.0, "Z": top}
+    made = []
+    first_hole = True
+
+    def go(name, **words):
+        made.append(Command(name, words))
+        at.update(words)
+
+    for name, words in commands:
+        there = {axis: words[axis] for axis in "XYZ" if axis in words}
+        if name in ("G2", "G3") and not words.get("K"):
+            i, j = words.get("I", 0.0), words.get("J", 0.0)
+            x, y, radius = at["X"] + i, at["Y"] + j, math.hypot(i, j)
+            end = at | there
+            angle = math.atan2(at["Y"] - y, at["X"] - x)
+            sweep = (math.atan2(end["Y"] - y, end["X"] - x) - angle) % (2 * math.pi)
+            sweep = sweep if name == "G3" or not sweep else sweep - 2 * math.pi
+            count = math.ceil(math.sqrt(radius / resolution * sweep**2))
+            rise, z = (end["Z"] - at["Z"]) / max(count, 1), at["Z"]
+            for k in range(1, count + 1):
+                turn = angle + sweep * k / count
+                go("G1", X=x + radius * math.cos(turn), Y=y + radius * math.sin(turn), Z=z + rise * k)
+        elif name in ("G0", "G1"):
+            go(name, **there)
+        elif name in ("G81", "G82", "G83"):
+            if first_hole:
+                go("G0", Z=words["R"])
+            go("G0", **there | {"Z": words["R"]})
+            go("G1", Z=words["Z"])
+            go("G1", Z=words["R"])
+        first_hole = name not in ("G81", "G82", "G83")
+    return made
+
+
+def leave():
+    """Run, and leave FreeCAD without its questions."""
+    try:
+        main()
+    except BaseException:
+        traceback.print_exc(file=OUT)
+        raise
+    finally:
+        OUT.flush()
+        os._exit(0)
+
+
+if __name__ in ("__main__", "simulators"):  # the second where FreeCAD imports its script
+    if FreeCAD.GuiUp:
+        from PySide import QtCore
+
+        sys.modules["simulators"] = sys.modules[__name__]
+        QtCore.QTimer.singleShot(0, leave)  # once FreeCAD's event loop runs
+    else:
+        leave()

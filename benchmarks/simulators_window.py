@@ -1,0 +1,124 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Fast-forward and play in the legacy simulator's own panel, for benchmarks/simulators.py."""
+
+from __future__ import annotations
+
+import importlib
+import time
+from types import SimpleNamespace
+
+import FreeCAD
+import FreeCADGui
+import numpy as np
+import Part
+import Path
+from PySide import QtCore
+from simulators import shape
+
+from vkworkbench.core import linearize
+from vkworkbench.core.legacy import legacy_costs
+from vkworkbench.core.preflight import preflight
+from vkworkbench.core.solids import Stock, Tool
+from vkworkbench.document.calibration import calibrate, constants, freecad_version, learn, load
+
+RENDERER = "llvmpipe"  # under Xvfb
+LONGEST = {"fast-forward": 7000, "play": 150}  # commands
+ENOUGH = 3  # runs that teach before a prediction counts
+
+
+def panel_class():
+    """The legacy simulator's panel, wherever this FreeCAD keeps it."""
+    old = freecad_version() < (1, 0, 0)
+    return importlib.import_module(
+        "PathScripts.PathSimulatorGui" if old else "Path.Main.Gui.Simulator"
+    ).PathSimulation
+
+
+def run(samples, out):
+    """Simulate every sample, each predicted with what the runs before it taught, and print the ratios."""
+    calibrate(RENDERER)
+    ratios = {kind: [] for kind in LONGEST}
+    for label, commands, tool, stock in [*odd_arcs(), *samples]:
+        path = linearize(commands)
+        hangs = [c for c in preflight(commands, path, version=freecad_version()) if c.code == "legacy-hangs"]
+        for kind, longest in LONGEST.items():
+            if len(commands) > longest:
+                continue
+            (cost,) = legacy_costs(path, tool=tool, stock=stock, constants=constants(RENDERER))
+            predicted = cost.play_seconds if kind == "play" else cost.fast_forward_seconds
+            true = panel(kind, commands, tool, stock, patience=10 + 5 * predicted)
+            if true is None:
+                said = "announced" if hangs else "NOT announced"
+                print(
+                    f"  {kind:13}{label:40.40}{len(commands):6} commands  hangs, {said}", file=out, flush=True
+                )
+                break
+            line = f"  {kind:13}{label:40.40}{len(commands):6} commands  {predicted:7.2f} s  {true:7.2f} s"
+            print(line + ("  a hang announced in vain" if hangs else ""), file=out, flush=True)
+            learned = load(RENDERER).runs
+            if len(learned.get("redraw" if kind == "play" else "tick", ())) >= ENOUGH:
+                ratios[kind].append(max(predicted / true, true / predicted))
+            learn(cost, true, played=kind == "play", renderer=RENDERER)
+    for kind, values in ratios.items():
+        if values:
+            quantiles = " / ".join(f"{q:.2f}" for q in np.percentile(values, (50, 90, 100)))
+            print(f"{kind}, {len(values)} runs, ratio median / p90 / worst: {quantiles}", file=out)
+
+
+def odd_arcs():
+    """Arcs that preflight says the panel hangs on, and one it does not."""
+    start = ("G0", {"X": 10.0, "Y": 0.0, "Z": 5.0})
+    half = {"X": -10.0, "Y": 0.0, "Z": 5.0, "I": -10.0, "J": 0.0}
+    tool, stock = Tool("endmill", 6.0), Stock((-30, -30, 0), (30, 30, 10))
+    for label, words in (
+        ("an arc", half),
+        ("an arc without Z", {k: v for k, v in half.items() if k != "Z"}),
+        ("an arc without Y", {k: v for k, v in half.items() if k != "Y"}),
+        ("an arc without centre", {k: v for k, v in half.items() if k not in "IJ"} | {"R": 10.0}),
+        ("a full circle", half | {"X": 10.0}),
+        ("a full circle of odd coordinates", half | {"X": 10.1, "I": -10.1}),
+    ):
+        first = ("G0", start[1] | {"X": words["X"]}) if "circle" in label else start
+        yield label, [first, ("G3", words)], tool, stock
+
+
+def panel(kind, commands, tool, stock, patience):
+    """Simulate a stand-in for an operation in the panel; return the seconds, None if it did not end."""
+    operation = SimpleNamespace(
+        Path=Path.Path([Path.Command(name, words) for name, words in commands]),
+        ToolController=SimpleNamespace(Tool=SimpleNamespace(Shape=shape(tool), Name="tool")),
+        Name="operation",
+    )
+    box = Part.makeBox(*(stock.upper - stock.lower), FreeCAD.Vector(*stock.lower))
+    sim = panel_class()()
+    sim.Activate()
+    form = sim.taskForm.form
+    while form.listOperations.count() > 1:
+        form.listOperations.takeItem(1)
+    sim.operations = [operation]
+    sim.job = SimpleNamespace(Stock=SimpleNamespace(Shape=box))
+    FreeCADGui.ActiveDocument.ActiveView.viewIsometric()
+    FreeCADGui.SendMsgToActiveView("ViewFit")
+    FreeCADGui.updateGui()
+
+    loop = QtCore.QEventLoop()
+    finished = []
+
+    def ended(end=sim.EndSimulation):
+        end()
+        finished.append(True)
+        loop.quit()
+
+    sim.EndSimulation = ended
+    QtCore.QTimer.singleShot(int(1000 * patience), loop.quit)
+    begin = time.perf_counter()
+    (sim.SimFF if kind == "fast-forward" else sim.SimPlay)()
+    getattr(loop, "exec_" if hasattr(loop, "exec_") else "exec")()
+    FreeCADGui.updateGui()
+    seconds = time.perf_counter() - begin
+    done = bool(finished)
+    sim.timer.stop()
+    sim.cancel()
+    FreeCADGui.Control.closeDialog()
+    FreeCADGui.updateGui()
+    return seconds if done else None
