@@ -202,6 +202,8 @@ def nested(rng, *, linked="lift", outward=False, ccw=True, rapids=True):
     for z in depths(rng, 4):
         for k, ring in enumerate(rings):
             path = closed(ring, start)
+            if linked == "smooth":  # begin in the middle of a side
+                path = np.vstack([(path[0] + path[1]) / 2, path[1:-1], path[:1], (path[0] + path[1]) / 2])
             path = path if ccw else path[::-1]
             if linked == "smooth":
                 # Leave the loop short of its end, as high-speed links do.

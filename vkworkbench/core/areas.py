@@ -89,20 +89,17 @@ def monotonous_areas(toolpath: Toolpath, first: int = 0, last: int | None = None
     points, rapid = toolpath.points[first : end + 1], toolpath.rapid[first:end]
     x, y, z = _seen_along_the_normal(points, rapid)
     dx, dy, dz = x[1:] - x[:-1], y[1:] - y[:-1], z[1:] - z[:-1]
-    length = np.sqrt(dx * dx + dy * dy)
-    rise = np.abs(dz)
-    dz_all = dz
+    length, rise = np.sqrt(dx * dx + dy * dy), np.abs(dz)
     planar = (length > STILL) & (rise <= STEEP * length) & ~rapid
     _drop_noise(planar, length)
-    index = np.flatnonzero(planar)
-    vertical = float(rise.sum() - rise[index].sum() - rise[rapid].sum()) if len(index) < len(dx) else 0.0
+    index, start = _split(planar, rapid, z, dx, dy, dz, length)
+    index, start = _without_air(planar, index, start, rapid, z, dx, dy, dz, length)
+    holes = _holes(points, rapid, dz, length, planar)
+    vertical = float(rise[~rapid].sum() - rise[index].sum())
     if len(index) < len(dx):
-        dx, dy, dz, length, x, y = dx[index], dy[index], dz[index], length[index], x[:-1][index], y[:-1][index]
-        zend = z[1:][index]
+        dx, dy, dz, length, x, y, z = (v[index] for v in (dx, dy, dz, length, x, y, z[1:]))
     else:
-        x, y, zend = x[:-1], y[:-1], z[1:]
-    start = _breaks(rapid, index, z, dx, dy, length)
-    holes = _holes(points, rapid, dz_all, planar)
+        x, y, z = x[:-1], y[:-1], z[1:]
     alpha = np.arctan2(dy, dx)
     turning = np.zeros(len(alpha))
     np.subtract(alpha[1:], alpha[:-1], out=turning[1:])
@@ -113,7 +110,8 @@ def monotonous_areas(toolpath: Toolpath, first: int = 0, last: int | None = None
     reversals = int((np.abs(turning[straight_back]) > np.pi - EXACT).sum())
     turning[straight_back] = 0.0
     return Moves(
-        index + first, x, y, zend, dx, dy, dz, length, alpha, turning, np.cumsum(turning), start, holes + first, reversals, vertical
+        index + first, x, y, z, dx, dy, dz, length, alpha, turning, np.cumsum(turning), start, holes + first, reversals,
+        vertical,
     )
 
 
@@ -147,28 +145,63 @@ def _drop_noise(planar: np.ndarray, length: np.ndarray) -> None:
     planar[short[length[short] < 0.05 * np.maximum(before, after)]] = False
 
 
-def _breaks(rapid, index, z, dx, dy, length) -> np.ndarray:
-    """Return the first move of each area: areas end at rapids, plunges and lifts.
+def _split(planar, rapid, z, dx, dy, dz, length) -> tuple[np.ndarray, np.ndarray]:
+    """Return the trajectories of the planar moves and the first move of each area.
 
-    A height change between two moves of one direction is a wall the tool climbs in the middle of a pass
-    (3D rasters), not the end of the pass.
+    Areas end at rapids, plunges and lifts. A height change between two moves of one direction is a wall the tool
+    climbs in the middle of a pass (3D rasters), not the end of the pass.
     """
+    index = np.flatnonzero(planar)
     gap = np.flatnonzero(index[1:] - index[:-1] > 1) + 1
     if len(gap):
         rapids = np.concatenate([[0], np.cumsum(rapid)])
-        lifted = rapids[index[gap]] > rapids[index[gap - 1]]
-        climbed = np.abs(z[index[gap]] - z[index[gap - 1] + 1]) > STILL
-        onward = dx[gap] * dx[gap - 1] + dy[gap] * dy[gap - 1] > 0.98 * length[gap] * length[gap - 1]
-        gap = gap[lifted | (climbed & ~onward)]
-    return np.concatenate([[0], gap]) if len(index) else gap
+        after, before = index[gap], index[gap - 1]
+        lifted = rapids[after] > rapids[before]
+        steep = np.concatenate([[0], np.cumsum(np.where(planar | rapid, 0.0, np.abs(dz)))])
+        height = np.abs(z[after] - z[before + 1])
+        drilled = steep[after] - steep[before] > height + STILL  # down and up again
+        onward = dx[after] * dx[before] + dy[after] * dy[before] > 0.98 * length[after] * length[before]
+        gap = gap[lifted | drilled | ((height > STILL) & ~onward)]
+    return index, np.concatenate([[0], gap]) if len(index) else gap
 
 
-def _holes(points, rapid, dz, planar) -> np.ndarray:
+def _without_air(planar, index, start, rapid, z, dx, dy, dz, length) -> tuple[np.ndarray, np.ndarray]:
+    """Leave out the links in the air of programs that lift, go over and plunge at feed instead of rapid.
+
+    Such a link is straight and level, begins by a lift and ends by a plunge; at the ends of a program one of the
+    two is enough.
+    """
+    if not len(start):
+        return index, start
+    last = np.append(start[1:], len(index)) - 1
+    a, b = index[start], index[last]
+    level = np.abs(z[b + 1] - z[a]) < STILL
+    straight = dx[a] * dx[b] + dy[a] * dy[b] > 0.999 * length[a] * length[b]
+    steep = np.where(rapid | (length > STILL), 0.0, dz)
+    rises, falls = np.append(0.0, steep)[a] > STILL, np.append(steep, 0.0)[b + 1] < -STILL
+    lifted, plunges = rises | (a == 0), falls | (b == len(dz) - 1)
+    air = level & straight & lifted & plunges
+    if len(start) > 1:
+        # A plateau between walls is no link: it goes on in the direction of the lower pass beside it.
+        before, after = b[:-1], a[1:]
+        onward = dx[after] * dx[before] + dy[after] * dy[before] > 0.98 * length[after] * length[before]
+        air[1:] &= ~(onward & (z[before + 1] < z[after] - STILL))
+        air[:-1] &= ~(onward & (z[after] < z[before + 1] - STILL))
+    air &= rises | falls
+    if not air.any():
+        return index, start
+    keep = ~np.repeat(air, last + 1 - start)
+    planar[index[~keep]] = False
+    size = (last + 1 - start)[~air]
+    return index[keep], np.concatenate([[0], np.cumsum(size)[:-1]]) if len(size) else size
+
+
+def _holes(points, rapid, dz, length, planar) -> np.ndarray:
     """Return the last trajectory of every plunge between two rapids that cuts nothing else: drilled holes.
 
     Pecks into one hole count once. Walls and lead-ins stand beside moves along the plane and are no holes.
     """
-    down = np.flatnonzero(~rapid & ~planar & (dz < -STILL))
+    down = np.flatnonzero(~rapid & (length <= STILL) & (dz < -STILL))
     if not len(down):
         return down
     block = np.cumsum(rapid)

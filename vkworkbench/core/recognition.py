@@ -9,6 +9,7 @@ import numpy as np
 
 from vkworkbench.core.areas import TURN, Moves, monotonous_areas
 from vkworkbench.core.evidence import Evidence, gather, sentence
+from vkworkbench.core.rings import count_levels
 from vkworkbench.core.strategy import Strategy
 from vkworkbench.core.toolpath import Toolpath
 from vkworkbench.core.verdict import Section, Verdict, judge
@@ -166,20 +167,22 @@ def _borders(toolpath: Toolpath, moves: Moves) -> dict[int, bool]:
     comments = {int(at) for at, _ in toolpath.comments}
     borders = dict.fromkeys(comments, False) if len(comments) <= MANY_TITLES else {}
     borders.update((int(at), True) for at in toolpath.tool_changes)
-    if len(moves.holes) >= DRILLED and len(moves):
+    if len(moves.holes) >= DRILLED and len(moves) and not _sculptured(moves):
         # Holes with no milling between them are one run.
         place = np.searchsorted(moves.index, moves.holes)
         begin = np.flatnonzero(np.concatenate([[True], place[1:] != place[:-1]]))
         size = np.diff(np.append(begin, len(place)))
-        # Plunges to the depth milled before them are where a clipped pass is cut down to a point.
-        milled = moves.z[np.maximum(place[begin] - 1, 0)]
-        bottom = toolpath.points[moves.holes[begin] + 1, 2]
-        long = (size >= DRILLED) & (np.abs(bottom - milled) > 0.02)
+        long = size >= DRILLED
         for a, b in zip(begin[long], size[long]):
             at = place[a]
             borders[int(moves.index[at - 1]) + 1 if at else 0] = True
             borders[int(moves.holes[a + b - 1]) + 1] = True
     return {at: certain for at, certain in borders.items() if 0 < at < len(toolpath)}
+
+
+def _sculptured(moves: Moves) -> bool:
+    """Whether the heights of the moves are too many for depths: there plunges are passes clipped to a point."""
+    return count_levels(moves.z[:: len(moves) // 1000 + 1]) > 10
 
 
 def _judge_sections(toolpath, cutting, borders, whole: Recognition, tool: float) -> Recognition:
@@ -195,10 +198,9 @@ def _judge_sections(toolpath, cutting, borders, whole: Recognition, tool: float)
     length = np.array([sum(_lengths(toolpath, s.first, s.last) for s in r.spans) for r in found])
     share = length / length.sum()
     main = int(np.argmax(share))
-    differs = [_differs(r, found[main], sure) for r, sure in zip(found, certain)]
-    if share[differs].sum() < 0.1 and not any(
-        d and sure and r.strategy is Strategy.DRILLING and r.passes >= DRILLED for d, sure, r in zip(differs, certain, found)
-    ):
+    differs = np.array([_differs(r, found[main], sure) for r, sure in zip(found, certain)])
+    drilled = np.array([r.strategy is Strategy.DRILLING for r in found])  # holes have next to no length
+    if share[differs].sum() < 0.05 and not (differs & drilled & certain).any():
         return whole
     runs: list[tuple[int, int, Strategy]] = []
     for r in found:

@@ -177,14 +177,19 @@ def _reach(box, size, z, tool) -> tuple[float, np.ndarray, np.ndarray]:
     A little over the tool's diameter: farther apart nothing between them is cut and they are two contours. Where
     the tool is unknown, or at least four even steps say it is wrong, twice the usual step.
     """
-    inward = (box[1:] - box[:-1]) * (1, 1, -1, -1)
-    low, high, mean = inward.min(axis=1), inward.max(axis=1), np.abs(inward.mean(axis=1))
-    even = (low * high > 0) & (high - low <= 0.7 * mean + 0.02) & (mean > 0.05)
-    even &= mean <= 0.3 * np.maximum(size[1:], size[:-1])
-    steps, drops = mean[even], np.abs(z[1:] - z[:-1])[even]
-    if not len(steps):
+    found = []
+    for lag in LAGS[: max(len(box) - 1, 0)]:
+        inward = (box[lag:] - box[:-lag]) * (1, 1, -1, -1)
+        low, high, mean = inward.min(axis=1), inward.max(axis=1), np.abs(inward.mean(axis=1))
+        even = (low * high > 0) & (high - low <= 0.7 * mean + 0.02) & (mean > 0.05)
+        even &= mean <= 0.3 * np.maximum(size[lag:], size[:-lag])
+        found.append((mean[even], np.abs(z[lag:] - z[:-lag])[even]))
+    steps, drops = found[0] if found else (np.zeros(0), np.zeros(0))
+    every = np.concatenate([f[0] for f in found]) if found else steps
+    if not len(every):
         return 1.2 * tool, steps, drops
-    usual = np.median(steps)
+    # Rings around islands interleave with those of the boundary; the smaller steps are between neighbours.
+    usual = np.percentile(every, 25)
     if not tool or (len(steps) >= 4 and (np.abs(steps - usual) < 0.1 * usual).mean() > 0.6):
         return max(1.2 * tool, 2 * usual), steps, drops
     return 1.2 * tool, steps, drops
