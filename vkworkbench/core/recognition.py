@@ -173,6 +173,8 @@ def _borders(toolpath: Toolpath, moves: Moves) -> dict[int, bool]:
         begin = np.flatnonzero(np.concatenate([[True], place[1:] != place[:-1]]))
         size = np.diff(np.append(begin, len(place)))
         long = size >= DRILLED
+        if size[long].sum() < 0.25 * len(moves.start):
+            long[:] = False  # too few beside the milling: passes clipped to a point
         for a, b in zip(begin[long], size[long]):
             at = place[a]
             borders[int(moves.index[at - 1]) + 1 if at else 0] = True

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from vkworkbench.core.areas import TURN
 from vkworkbench.core.pieces import WINDING, Pieces
 
 LEVEL = 0.02  # mm; heights closer than this are one depth
@@ -96,7 +97,7 @@ def relate_rings(pieces: Pieces, index: np.ndarray, tool: float) -> Rings:
     box, z, flat = pieces.box[index], pieces.z[index], pieces.flat[index]
     enclosed, sense = np.abs(pieces.enclosed[index]), np.sign(pieces.net[index])
     size = np.maximum(box[:, 2] - box[:, 0], box[:, 3] - box[:, 1])
-    wavy = pieces.wavy[index]
+    wavy = pieces.wavy[index] | (pieces.back[index] > 0.5 * TURN)
     names = ("nested", "opposite", "deeper", "repeated", "moved", "crossing")
     flags = {name: np.zeros(k, bool) for name in names}
     limit, next_step, next_drop = _reach(box, size, z, tool)

@@ -129,7 +129,7 @@ def _absorb(p: Pieces) -> np.ndarray:
     box = around[p.area]
     slack = 0.15 * (box[:, 2:] - box[:, :2])
     encloses = (p.box[:, :2] <= box[:, :2] + slack).all(axis=1) & (p.box[:, 2:] >= box[:, 2:] - slack).all(axis=1)
-    kind[(kind == LOOP) & ~np.isnan(box[:, 0]) & ~encloses] = ZIGZAG
+    kind[(kind == LOOP) & ~np.isnan(box[:, 0]) & ~encloses & ~p.wavy] = ZIGZAG
     return kind
 
 
@@ -156,12 +156,13 @@ def judge(s: Section) -> Verdict:
         return Verdict(Strategy.ADAPTIVE, 0.6 + 0.4 * bites, number, f"{number} bites of one sense overlap")
     # Offsets whose innermost loops degenerate to passes are still offsets.
     offsets = rings > 0.7 and s.share(s.rings.nested) > 0.7 * rings
-    if (rings > 0.35 and rowlike < 0.15) or rings > 0.88 or offsets:
+    if rings > 0.88 or offsets or (rings > 0.35 and (rowlike < 0.15 or not s.rows)):
         return _judge_rings(s, rings)
-    if rowlike < (0.15 if rings > 0.1 else 0.35):
-        return _judge_strokes(s)
     of_rows = _judge_rows(s, rowlike)
-    if rings <= 0.1:
+    both = rings > 0.1 and rowlike > 0.15 and of_rows.count >= 5
+    if rowlike < 0.35 and not both:
+        return _judge_strokes(s)
+    if not both:
         return of_rows
     of_rings = _judge_rings(s, rings)
     seen = f"rows ({rowlike:.0%} of the length) and loops ({rings:.0%}) share the area"
