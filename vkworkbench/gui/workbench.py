@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import sys
 from pathlib import Path
 
 import FreeCAD
@@ -73,25 +74,17 @@ def _extend(workbench, menu: str) -> None:
 class _OpenedDocuments:
     """Looks at the marks of a document once it has been opened: they may have been made for another path."""
 
-    _pills_due = False
-
     def slotCreatedDocument(self, document) -> None:
         self._later(document.Name)
 
     def slotActivateDocument(self, document) -> None:
         self._later(document.Name)
 
-    def slotAppendDynamicProperty(self, obj, name: str) -> None:
-        # A first mark, by a click or a macro; marks of a document being opened are looked at afterwards.
-        if name == "ToolpathFingerprint" and not self._pills_due and not obj.Document.Restoring:
-            self._pills_due = True
-            QTimer.singleShot(0, self._show_pills)
+    def slotCommitTransaction(self, document) -> None:
+        if "vkworkbench.document.marking" in sys.modules:  # then there may be marks, also by a macro
+            from vkworkbench.gui import pills
 
-    def _show_pills(self) -> None:
-        from vkworkbench.gui import pills
-
-        self._pills_due = False
-        pills.show()
+            pills.show()
 
     def _later(self, name: str) -> None:
         QTimer.singleShot(0, lambda: self._look(name))

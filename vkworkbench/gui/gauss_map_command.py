@@ -1,0 +1,50 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The command that shows the Gauss map view; matplotlib is loaded when it is first shown."""
+
+from __future__ import annotations
+
+import FreeCAD
+import FreeCADGui as Gui
+
+from vkworkbench.gui.qt import QDockWidget, Qt
+from vkworkbench.gui.text import translate
+
+_HEIGHT = 420  # px
+
+
+class GaussMapCommand:
+    """Show the Gauss map view, or hide it."""
+
+    def GetResources(self) -> dict[str, str]:
+        return {
+            "MenuText": translate("Vk_GaussMap", "Gauss map"),
+            "ToolTip": translate(
+                "Vk_GaussMap",
+                "Shows why the selected operation has its strategy: its toolpath, the Gauss map of its directions and "
+                "of the vector V_k, and the cumulative angular function.",
+            ),
+            "Pixmap": "Vk_GaussMap",
+            "Accel": "V, G",
+        }
+
+    def IsActive(self) -> bool:
+        return FreeCAD.ActiveDocument is not None
+
+    def Activated(self) -> None:
+        window = Gui.getMainWindow()
+        dock = window.findChild(QDockWidget, "VkGaussMap")
+        if dock is None:
+            from vkworkbench.gui.gauss_map import GaussMapDock
+
+            dock = GaussMapDock(window)
+            window.addDockWidget(Qt.BottomDockWidgetArea, dock)
+            dock.show()
+            window.resizeDocks([dock], [_HEIGHT], Qt.Vertical)
+        elif dock.isVisible():
+            dock.hide()
+        else:
+            dock.show()
+            dock.raise_()
+
+
+Gui.addCommand("Vk_GaussMap", GaussMapCommand())
