@@ -147,19 +147,15 @@ class Removal:
         """Rays and trajectories that may meet, sorted by ray, then by trajectory."""
         left, right, bottom, top = self.box[:, item]
         nx, ny, low, high = self.strip[:, item]
-        rays, hits = [], []
-        for member in range(GROUP):
-            ray = group * GROUP + member
-            inside = np.minimum(ray, len(x) - 1)
-            rx, ry = x[inside], y[inside]
-            across = nx * rx + ny * ry
-            hit = np.flatnonzero((ray < len(x)) & (left <= rx) & (rx <= right) & (bottom <= ry) & (ry <= top)
+        ray = group * GROUP + np.arange(GROUP)[:, None]
+        inside = np.minimum(ray, len(x) - 1)
+        rx, ry = x[inside], y[inside]
+        across = nx * rx + ny * ry
+        member, hit = np.nonzero((ray < len(x)) & (left <= rx) & (rx <= right) & (bottom <= ry) & (ry <= top)
                                  & (low <= across) & (across <= high))
-            rays.append(ray[hit])
-            hits.append(item[hit])
-        ray, hit = np.concatenate(rays), np.concatenate(hits)
+        ray = ray[member, hit]
         order = np.argsort(ray, kind="stable")
-        return ray[order], hit[order]
+        return ray[order], item[hit[order]]
 
     def _cut_pairs(self, ray: np.ndarray, item: np.ndarray, x: np.ndarray, y: np.ndarray,
                    near: np.ndarray, far: np.ndarray) -> Pieces:

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from vkworkbench.core.closed_form import candidate_pixels
 from vkworkbench.core.dexels import UNCUT
 from vkworkbench.core.recognition import Recognition
 from vkworkbench.core.removal import Removal
@@ -39,6 +40,14 @@ class Estimate:
         Time of the whole simulation.
     explanation : str
         Why, in one sentence without a full stop.
+    view : View
+        The image.
+    pixel : float
+        Side of its pixels, mm.
+    stock_bytes : float
+        The part of `memory_bytes` that the uncut stock takes.
+    trajectory_seconds : float
+        The part of `seconds` that no smaller image saves.
     """
 
     dexels: float
@@ -47,6 +56,10 @@ class Estimate:
     memory_bytes: float
     seconds: float
     explanation: str
+    view: View
+    pixel: float
+    stock_bytes: float
+    trajectory_seconds: float
 
 
 @dataclass(frozen=True)
@@ -113,12 +126,15 @@ def estimate(toolpath: Toolpath, recognition: Recognition | None, *, tool: Tool,
     touched, _ = rays.total(cuts > 0)
     dexels, traces, error = (covered + more) * per_area, traces * per_area, error * per_area
     pixels = frame.width * frame.height
-    memory = DEXEL.itemsize * dexels + TRACE.itemsize * traces + INDEX.itemsize * (pixels + 1)
+    stock_bytes = DEXEL.itemsize * covered * per_area + INDEX.itemsize * (pixels + 1)
+    memory = stock_bytes + DEXEL.itemsize * more * per_area + TRACE.itemsize * traces
+    candidates = candidate_pixels(toolpath, tool=tool, stock=stock, view=view)
     per_candidate = speed.candidate if removal.sine == 0 else speed.tilted_candidate
-    candidates = 0.0
-    seconds = (speed.trajectory * len(toolpath) + speed.pixel * pixels + per_candidate * candidates
+    trajectory_seconds = speed.trajectory * len(toolpath)
+    seconds = (trajectory_seconds + speed.pixel * pixels + per_candidate * candidates
                + speed.record * (dexels + traces))
-    return Estimate(dexels, traces, error, memory, seconds, _explain(recognition, traces, touched * per_area))
+    return Estimate(dexels, traces, error, memory, seconds, _explain(recognition, traces, touched * per_area),
+                    view, frame.pixel, stock_bytes, trajectory_seconds)
 
 
 def _explain(recognition: Recognition | None, traces: float, touched: float) -> str:

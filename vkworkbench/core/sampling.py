@@ -52,6 +52,18 @@ class Sample:
         return float(shares.sum()), float(np.sqrt((np.diff(shares) ** 2).sum() / 2 * k / (k - 1)))
 
 
+def _neighbours_together() -> np.ndarray:
+    """Flat indices of the cells in Morton order: the bits of row and column interleaved."""
+    row, column = np.divmod(np.arange(_CELLS**2), _CELLS)
+    key = np.zeros(_CELLS**2, np.int64)
+    for bit in range(6):
+        key |= ((column >> bit) & 1) << (2 * bit) | ((row >> bit) & 1) << (2 * bit + 1)
+    return np.argsort(key)
+
+
+_ORDER = _neighbours_together()
+
+
 def sample(removal: Removal, rays: int, rng: np.random.Generator) -> Sample:
     """Draw rays where the trajectories pass, one in each of as many strata.
 
@@ -73,8 +85,7 @@ def sample(removal: Removal, rays: int, rng: np.random.Generator) -> Sample:
     """
     frame = removal.frame
     half = np.array([frame.width, frame.height]) * frame.pixel / 2
-    corners = np.array([frame.right, frame.up])
-    extent = np.abs(corners) @ (removal.stock.upper - removal.stock.lower) / 2
+    extent = np.abs(np.array([frame.right, frame.up])) @ (removal.stock.upper - removal.stock.lower) / 2
     half = np.minimum(half, extent)
     if len(removal.index) == 0:
         return Sample(*np.empty((3, 0)))
@@ -84,12 +95,11 @@ def sample(removal: Removal, rays: int, rng: np.random.Generator) -> Sample:
         return Sample(*np.empty((3, 0)))
     side = (high - low) / _CELLS
     weight = np.sqrt(_passes(removal, low, side))
-    order = _neighbours_together()
-    running = np.cumsum(weight.ravel()[order])
+    running = np.cumsum(weight.ravel()[_ORDER])
     if running[-1] == 0:
         return Sample(*np.empty((3, 0)))
     at = (np.arange(rays) + rng.random(rays)) / rays * running[-1]
-    cell = order[np.minimum(np.searchsorted(running, at, side="right"), len(order) - 1)]
+    cell = _ORDER[np.minimum(np.searchsorted(running, at, side="right"), len(_ORDER) - 1)]
     row, column = np.divmod(cell, _CELLS)
     x = low[0] + (column + rng.random(rays)) * side[0]
     y = low[1] + (row + rng.random(rays)) * side[1]
@@ -124,12 +134,3 @@ def _passes(removal: Removal, low: np.ndarray, side: np.ndarray) -> np.ndarray:
     sign = np.repeat([1.0, 1.0, -1.0, -1.0], len(c0))
     counts = np.bincount(corner, sign, wide * wide).reshape(wide, wide)
     return np.rint(counts.cumsum(axis=0).cumsum(axis=1)[:-1, :-1])
-
-
-def _neighbours_together() -> np.ndarray:
-    """Flat indices of the cells in Morton order: the bits of row and column interleaved."""
-    row, column = np.divmod(np.arange(_CELLS * _CELLS), _CELLS)
-    key = np.zeros(_CELLS * _CELLS, np.int64)
-    for bit in range(6):
-        key |= ((column >> bit) & 1) << (2 * bit) | ((row >> bit) & 1) << (2 * bit + 1)
-    return np.argsort(key)

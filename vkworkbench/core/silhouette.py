@@ -17,40 +17,44 @@ def silhouette_area(stock: Stock | ConvexStock, frame: Frame) -> float:
     frame : Frame
     """
     points = (stock.corners - frame.centre) @ np.array([frame.right, frame.up]).T
-    outline = _convex_hull(points)
-    half = np.array([frame.width, frame.height]) * frame.pixel / 2
-    for axis in (0, 1):
+    outline = _convex_hull(points.tolist())
+    for axis, pixels in enumerate((frame.width, frame.height)):
         for side in (-1, 1):
-            outline = _clip(outline, half[axis] - side * outline[:, axis])
-    x, y = outline.T
-    return float(abs(np.roll(x, -1) @ y - x @ np.roll(y, -1)) / 2)
+            outline = clip(outline, axis, side, pixels * frame.pixel / 2)
+    return polygon_area(outline)
 
 
-def _convex_hull(points: np.ndarray) -> np.ndarray:
-    """Corners of the convex hull (m, 2), counter-clockwise (Andrew's monotone chain)."""
-    ordered = sorted(map(tuple, points))
-    hull: list[tuple[float, float]] = []
-    for chain in (ordered, ordered[::-1]):
+def polygon_area(outline: list[list[float]]) -> float:
+    """Area of a polygon given by its corners, positive counter-clockwise (the shoelace formula)."""
+    return sum(p[0] * q[1] - q[0] * p[1] for p, q in zip(outline, outline[1:] + outline[:1])) / 2
+
+
+def _convex_hull(points: list[list[float]]) -> list[list[float]]:
+    """Corners of the convex hull, counter-clockwise (Andrew's monotone chain)."""
+    points = sorted(points)
+    hull: list[list[float]] = []
+    for chain in (points, points[::-1]):
         begin = len(hull)
         for p in chain:
             while len(hull) - begin >= 2 and _turn(hull[-2], hull[-1], p) <= 0:
                 hull.pop()
             hull.append(p)
         hull.pop()
-    return np.array(hull)
+    return hull
 
 
-def _turn(a: tuple[float, float], b: tuple[float, float], c: tuple[float, float]) -> float:
+def _turn(a: list[float], b: list[float], c: list[float]) -> float:
     return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
 
 
-def _clip(outline: np.ndarray, inside: np.ndarray) -> np.ndarray:
-    """The part of a convex polygon (m, 2) where `inside`, linear over the plane and given at its corners, is >= 0."""
-    following, inside_following = np.roll(outline, -1, axis=0), np.roll(inside, -1)
+def clip(outline: list[list[float]], axis: int, side: int, limit: float) -> list[list[float]]:
+    """The part of a convex polygon where ``side * coordinate <= limit``."""
     corners = []
-    for p, q, i, j in zip(outline, following, inside, inside_following):
-        if i >= 0:
+    for p, q in zip(outline, outline[1:] + outline[:1]):
+        here, there = limit - side * p[axis], limit - side * q[axis]
+        if here >= 0:
             corners.append(p)
-        if (i >= 0) != (j >= 0):
-            corners.append(p + (q - p) * i / (i - j))
-    return np.array(corners).reshape(-1, 2)
+        if (here >= 0) != (there >= 0):
+            share = here / (here - there)
+            corners.append([a + share * (b - a) for a, b in zip(p, q)])
+    return corners

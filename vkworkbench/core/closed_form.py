@@ -1,0 +1,244 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Counts of a simulation in closed form: by the strategy, blind to it, and by Cauchy and Crofton's formula.
+
+None of them looks at the sequence. The strategy stands for it: with the stepover and the tool it tells how much new
+material each trajectory meets (the paper's thesis, sections 1 and 2.1).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from vkworkbench.core.recognition import Recognition
+from vkworkbench.core.silhouette import clip, polygon_area
+from vkworkbench.core.solids import ConvexStock, Frame, Stock, Tool, View
+from vkworkbench.core.strategy import Strategy
+from vkworkbench.core.toolpath import Toolpath
+
+# Heights closer than this, mm, are one level.
+_LEVEL = 1e-3
+_ROWS = {Strategy.ZIGZAG, Strategy.ONE_WAY}
+_LOOPS = {Strategy.CONTOUR_PARALLEL, Strategy.SPIRAL, Strategy.ADAPTIVE, Strategy.HELIX}
+
+
+@dataclass(frozen=True, eq=False)
+class _Trajectories:
+    """The trajectories below the top of the stock, one value each.
+
+    run : horizontal length, mm; rise : end height - start height, mm; low : lowest height, mm;
+    share : part of its sweep that lies over the stock, 0..1; heading : direction, rad.
+    """
+
+    start: np.ndarray
+    end: np.ndarray
+    run: np.ndarray
+    rise: np.ndarray
+    low: np.ndarray
+    share: np.ndarray
+    heading: np.ndarray
+
+
+def _in_stock(toolpath: Toolpath, tool: Tool, stock: Stock | ConvexStock) -> _Trajectories:
+    start, end = toolpath.points[:-1], toolpath.points[1:]
+    low = np.minimum(start[:, 2], end[:, 2])
+    inside = np.flatnonzero(low < stock.upper[2] - _LEVEL)
+    start, end = start[inside], end[inside]
+    left, right = np.minimum(start, end)[:, :2] - tool.radius, np.maximum(start, end)[:, :2] + tool.radius
+    over = np.minimum(right, stock.upper[:2]) - np.maximum(left, stock.lower[:2])
+    share = np.prod(np.clip(over / (right - left), 0, 1), axis=1)
+    move = end - start
+    return _Trajectories(start, end, np.hypot(move[:, 0], move[:, 1]), move[:, 2], low[inside], share,
+                         np.arctan2(move[:, 1], move[:, 0]))
+
+
+def cauchy_crofton(toolpath: Toolpath, *, stock: Stock | ConvexStock, view: View) -> float:
+    """Number of crossings of the toolpath with the pixel rows, M = projected length / epsilon (paper, section 2.1).
+
+    The baseline the paper rejects: it sees neither the tool's width nor the sequence.
+
+    Parameters
+    ----------
+    toolpath : Toolpath
+    stock : Stock or ConvexStock
+    view : View
+
+    Returns
+    -------
+    float
+        The mean over all directions of the rows, 2 / pi of the length in the image.
+    """
+    frame = view.frame(stock)
+    move = np.diff(toolpath.points[:], axis=0) if len(toolpath) else np.empty((0, 3))
+    move = move[np.minimum(toolpath.points[:-1, 2], toolpath.points[1:, 2]) < stock.upper[2]]
+    return float(np.hypot(move @ frame.right, move @ frame.up).sum() * 2 / np.pi / frame.pixel)
+
+
+def candidate_pixels(toolpath: Toolpath, *, tool: Tool, stock: Stock | ConvexStock, view: View) -> float:
+    """Number of pairs of pixel and trajectory that passes it, whether or not anything is left to cut there.
+
+    The area of the sweep's image, from the lowest height to the stock's top: with the tilt t of the view
+    ``(2 R l + pi R^2) cos t + h sin t (2 R + l |sin(heading - view)|)``, for the part that lies over the stock.
+
+    Parameters
+    ----------
+    toolpath : Toolpath
+    tool : Tool
+    stock : Stock or ConvexStock
+    view : View
+    """
+    frame = view.frame(stock)
+    t = _in_stock(toolpath, tool, stock)
+    cosine, sine, azimuth = _tilt(frame)
+    flat = 2 * tool.radius * t.run + np.pi * tool.radius**2
+    height = stock.upper[2] - np.maximum(t.low, stock.lower[2])
+    wall = height * (2 * tool.radius + t.run * np.abs(np.sin(t.heading - azimuth)))
+    return float(((flat * cosine + wall * sine) * t.share).sum() / frame.pixel**2)
+
+
+def swept(toolpath: Toolpath, *, tool: Tool, stock: Stock | ConvexStock, view: View) -> float:
+    """Strategy-blind count of trace elements, top view: every trajectory cuts its whole width.
+
+    Parameters
+    ----------
+    toolpath : Toolpath
+    tool : Tool
+    stock : Stock or ConvexStock
+    view : View
+    """
+    t = _in_stock(toolpath, tool, stock)
+    return float((2 * tool.radius * t.run * t.share).sum() / view.frame(stock).pixel ** 2)
+
+
+def closed_form(toolpath: Toolpath, recognition: Recognition, *, tool: Tool, stock: Stock | ConvexStock,
+                view: View) -> float:
+    """Number of trace elements expected from the strategy, the stepover and the tool.
+
+    Parameters
+    ----------
+    toolpath : Toolpath
+    recognition : Recognition
+        Its strategy, stepover (the tool's whole width where there is none), passes and depths are used.
+    tool : Tool
+    stock : Stock or ConvexStock
+    view : View
+    """
+    frame = view.frame(stock)
+    t = _in_stock(toolpath, tool, stock)
+    if len(t.run) == 0:
+        return 0.0
+    stepover = min(recognition.stepover or tool.diameter, tool.diameter)
+    pointed = tool.rounding > tool.radius / 2 or tool.steepness > 0
+    top = _recut(t, tool, stock, stepover) if pointed else _levels(t, recognition, tool, stock, stepover)
+    cosine, sine, azimuth = _tilt(frame)
+    total = abs(cosine) * top
+    if sine > 0:
+        total += sine * _walls(t, tool, stock, stepover, azimuth)
+    return total / frame.pixel**2
+
+
+def _tilt(frame: Frame) -> tuple[float, float, float]:
+    x, y, z = frame.direction
+    return abs(float(z)), float(np.hypot(x, y)), float(np.arctan2(y, x))
+
+
+def _levels(t: _Trajectories, recognition: Recognition, tool: Tool, stock: Stock | ConvexStock,
+            stepover: float) -> float:
+    """Area a flat tool cuts, mm^2: each level once, and its whole foot again wherever it descends."""
+    radius = tool.radius
+    level = np.flatnonzero((np.abs(t.rise) < _LEVEL) & (t.run > 0))
+    key = np.rint(t.low / _LEVEL).astype(np.int64)
+    # What reaches a level belongs to it; what descends between levels cuts its foot besides.
+    between = ~np.isin(key, key[level])
+    total = float((_descents(t, tool) * t.share)[between].sum())
+    passes = max(1.0, (recognition.passes or 1) / max(1, recognition.depths))
+    for z in np.unique(key[level]):
+        here = level[key[level] == z]
+        weight = (t.run * t.share)[here]
+        length = float(weight.sum())
+        points = np.concatenate((t.start[here], t.end[here]))[:, :2]
+        room, outline = _grown_hull(points, radius, stock)
+        if recognition.strategy in _ROWS:
+            along = float(weight @ np.abs(np.cos(t.heading[here] - _main_heading(t.heading[here], t.run[here]))))
+            # The rows with their round ends, and what the first row is wider than the others.
+            area = stepover * along + passes * np.pi / 2 * radius * stepover + (2 * radius - stepover) * along / passes
+        elif recognition.strategy in _LOOPS:
+            area = stepover * length + (radius - stepover / 2) * outline
+        else:
+            area = stepover * length + (2 * radius - stepover) * length / passes
+        total += min(area, room)
+    return total
+
+
+def _descents(t: _Trajectories, tool: Tool) -> np.ndarray:
+    """Area each descending trajectory of a flat tool cuts: every step down cuts the whole foot anew."""
+    down = np.flatnonzero(t.rise < -_LEVEL)
+    # A plunge only counts where it goes deeper than earlier ones at the same place.
+    place = np.rint(t.end[down, :2] / _LEVEL).astype(np.int64)
+    _, group = np.unique(place, axis=0, return_inverse=True)
+    group = group.ravel()
+    order = np.argsort(group, kind="stable")
+    depth = t.low[down][order]
+    span = np.ptp(depth) + 1 if len(depth) else 1.0
+    lowest = np.minimum.accumulate(depth - group[order] * span)
+    deeper = np.ones(len(down), bool)
+    deeper[1:] = lowest[1:] < lowest[:-1] - _LEVEL / 10
+    areas = np.zeros(len(t.run))
+    reached = down[order[deeper]]
+    areas[reached] = np.pi * tool.radius**2 + 2 * tool.radius * t.run[reached]
+    return areas
+
+
+def _main_heading(heading: np.ndarray, weight: np.ndarray) -> float:
+    """Direction of the rows: the mean of the doubled angles, so that opposite directions are one."""
+    return float(np.angle((weight * np.exp(2j * heading)).sum()) / 2)
+
+
+def _grown_hull(points: np.ndarray, radius: float, stock: Stock | ConvexStock) -> tuple[float, float]:
+    """Area of the points' convex hull grown by the radius, cut to the stock, and the hull's perimeter."""
+    angles = 2 * np.pi * np.arange(64) / 64
+    normals = np.column_stack((np.cos(angles), np.sin(angles)))
+    reach = (points @ normals.T).max(axis=0)
+    step = angles[1]
+    # Support lines k and k + 1 meet in a corner; the perimeter is the mean width times pi (Cauchy).
+    grown = reach + radius
+    along = (np.roll(grown, -1) - grown * np.cos(step)) / np.sin(step)
+    tangents = np.column_stack((-normals[:, 1], normals[:, 0]))
+    outline = (grown[:, None] * normals + along[:, None] * tangents).tolist()
+    for axis in (0, 1):
+        outline = clip(outline, axis, 1, float(stock.upper[axis]))
+        outline = clip(outline, axis, -1, -float(stock.lower[axis]))
+    return polygon_area(outline), float(reach.mean() * 2 * np.pi)
+
+
+def _recut(t: _Trajectories, tool: Tool, stock: Stock | ConvexStock, stepover: float) -> float:
+    """Area a ball or a cone cuts, mm^2: it deepens what lies ahead of it at every trajectory.
+
+    Ahead of the tool a pixel is cut again by each trajectory until the axis has passed, as far as the tool is lower
+    there than the previous pass left it.
+    """
+    depth = np.clip(stock.upper[2] - t.low, 0, None)
+    if tool.steepness > 0:
+        reach = np.minimum(tool.radius, depth / tool.steepness)
+    else:
+        reach = np.where(depth < tool.radius, np.sqrt(np.maximum(2 * tool.radius * depth - depth**2, 0)), tool.radius)
+    side = np.minimum(reach, stepover / 2)
+    y = -side + np.linspace(0, 1, 33)[:, None] * (reach + side)
+    ahead = np.sqrt(np.maximum(np.minimum(reach, np.abs(y + stepover)) ** 2 - y**2, 0))
+    front = (ahead[:-1] + ahead[1:]).sum(axis=0) / 2 * (reach + side) / 32
+    steep = np.sin(np.arctan2(t.rise, np.maximum(t.run, 1e-9)))
+    new = np.maximum(1 - steep, 0) * front + (reach + side) * t.run
+    return float((new * t.share).sum())
+
+
+def _walls(t: _Trajectories, tool: Tool, stock: Stock | ConvexStock, stepover: float, azimuth: float) -> float:
+    """Area of the walls the trajectories cut, seen from the side, mm^2."""
+    key = np.rint(t.low / _LEVEL).astype(np.int64)
+    levels, which = np.unique(key, return_inverse=True)
+    ceiling = np.append(levels[1:] * _LEVEL, stock.upper[2])
+    depth = (ceiling - levels * _LEVEL)[which.ravel()]
+    engaged = np.arccos(1 - min(stepover / tool.radius, 2.0))
+    front = tool.radius * engaged * 2 / np.pi
+    seen = depth * (front + t.run * np.abs(np.sin(t.heading - azimuth)))
+    return float((seen * t.share).sum())
