@@ -10,6 +10,7 @@ from vkworkbench.core.toolpath import Toolpath
 
 _CELLS = 100
 _CELLS_PER_RADIUS = 16
+_MOST_SAMPLES = 300_000
 
 # A step between two cells of the map that is no slope: higher than this many cells, or alone among flat ones.
 _WALL = 1.8
@@ -50,23 +51,26 @@ def heightmap(toolpath: Toolpath, *, tool: Tool, stock: Stock) -> tuple[np.ndarr
     shape = np.maximum(np.ceil((upper - lower)[:2] / size - 1e-9), 1).astype(int)
     margin = int(tool.radius / size)
     tips = np.full(shape + 2 * margin, upper[2])
-    _stamp(tips, toolpath.points, lower[:2] - margin * size, size)
+    _stamp(tips, toolpath.points, lower[:2] - margin * size, size, max(size, tool.radius / 3))
 
     heights = np.full(shape, upper[2])
-    for dx, dy in np.ndindex(2 * margin + 1, 2 * margin + 1):
-        rise = float(tool.height(np.hypot(dx - margin, dy - margin) * size))
-        if np.isfinite(rise):
-            np.minimum(heights, tips[dx : dx + shape[0], dy : dy + shape[1]] + rise, out=heights)
+    offset = np.arange(-margin, margin + 1) * size
+    rise = tool.height(np.hypot(offset[:, None], offset))
+    for dx, dy in np.argwhere(np.isfinite(rise)).tolist():
+        lowered = tips[dx : dx + shape[0], dy : dy + shape[1]] + rise[dx, dy]
+        np.minimum(heights, lowered, out=heights)
     return np.maximum(heights, lower[2]), size
 
 
-def _stamp(tips: np.ndarray, points: np.ndarray, origin: np.ndarray, size: float) -> None:
-    """Lower every cell a polyline passes over to the lowest height it has there, sampled once per cell."""
+def _stamp(tips: np.ndarray, points: np.ndarray, origin: np.ndarray, size: float, spacing: float) -> None:
+    """Lower the cells that a polyline passes over to its height there, sampled at most `spacing` apart."""
     if len(points) == 0:
         return
     moves = np.diff(points, axis=0)
-    # What lies outside the map cannot cut it, however long it is.
-    samples = np.minimum(np.ceil(np.abs(moves[:, :2]).max(axis=1, initial=0) / size), 4 * max(tips.shape)) + 1
+    lengths = np.abs(moves[:, :2]).max(axis=1, initial=0)
+    # A path so long that it needs more passes over every cell many times.
+    spacing = max(spacing, float(lengths.sum()) / _MOST_SAMPLES)
+    samples = np.ceil(lengths / spacing) + 1
     counts = samples.astype(int)
     of = np.repeat(np.arange(len(moves)), counts)
     step = (np.arange(counts.sum()) - np.repeat(np.cumsum(counts) - counts, counts) + 1) / counts[of]
