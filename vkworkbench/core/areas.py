@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
@@ -65,6 +66,11 @@ class Moves:
         """Return the number of moves."""
         return len(self.index)
 
+    @cached_property
+    def doubled(self) -> tuple[np.ndarray, np.ndarray]:
+        """The moves at twice their angle, which forgets their sense: their sum lies along twice the axis, mm."""
+        return (self.dx * self.dx - self.dy * self.dy) / self.length, 2 * self.dx * self.dy / self.length
+
 
 def wrap(angle: np.ndarray) -> np.ndarray:
     """Wrap angles in rad to [-pi, pi]."""
@@ -94,9 +100,10 @@ def monotonous_areas(toolpath: Toolpath, first: int = 0, last: int | None = None
     _drop_noise(planar, length)
     index, start = _split(planar, rapid, z, dx, dy, dz, length)
     index, start = _without_air(planar, index, start, rapid, z, dx, dy, dz, length)
-    holes = _holes(points, rapid, dz, length, planar)
-    vertical = float(rise[~rapid].sum() - rise[index].sum())
+    holes, vertical = index[:0], 0.0
     if len(index) < len(dx):
+        holes = _holes(points, rapid, dz, length, planar)
+        vertical = float(rise[~rapid].sum() - rise[index].sum())
         dx, dy, dz, length, x, y, z = (v[index] for v in (dx, dy, dz, length, x, y, z[1:]))
     else:
         x, y, z = x[:-1], y[:-1], z[1:]
@@ -152,6 +159,8 @@ def _split(planar, rapid, z, dx, dy, dz, length) -> tuple[np.ndarray, np.ndarray
     climbs in the middle of a pass (3D rasters), not the end of the pass.
     """
     index = np.flatnonzero(planar)
+    if len(index) == len(planar):
+        return index, np.zeros(1, np.int64)
     gap = np.flatnonzero(index[1:] - index[:-1] > 1) + 1
     if len(gap):
         rapids = np.concatenate([[0], np.cumsum(rapid)])
@@ -171,7 +180,7 @@ def _without_air(planar, index, start, rapid, z, dx, dy, dz, length) -> tuple[np
     Such a link is straight and level, begins by a lift and ends by a plunge; at the ends of a program one of the
     two is enough.
     """
-    if not len(start):
+    if not len(start) or len(index) == len(planar):
         return index, start
     last = np.append(start[1:], len(index)) - 1
     a, b = index[start], index[last]

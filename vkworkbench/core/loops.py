@@ -27,58 +27,99 @@ def closed_loops(moves: Moves) -> tuple[np.ndarray, np.ndarray]:
     first, end : (k,) int
         The loops are the moves first[i] .. end[i] - 1, in order and without overlap.
     """
-    vertex_x, vertex_y, area = _vertices(moves)
-    column = np.floor((vertex_x - vertex_x[0]) * (1 / CLOSE) + OFF_ROUND).astype(np.int64)
-    row = np.floor((vertex_y - vertex_y[0]) * (1 / CLOSE) + OFF_ROUND).astype(np.int64)
-    # Hashing the cells is O(n); sorting all vertices would not be. Only those of shared cells are sorted.
-    size = 1 << (2 * len(vertex_x)).bit_length()
-    cell = (column * 73856093 + row * 19349663 + area * 83492791) & (size - 1)
+    turned = np.maximum.reduceat(moves.phi, moves.start) - np.minimum.reduceat(moves.phi, moves.start)
+    # A loop turns by 2 pi less its last corner, a zigzag by pi: most rasters need no search.
+    winds = turned > 1.05 * np.pi
+    if not winds.any():
+        none = np.zeros(0, np.int64)
+        return none, none
+    vertices = _vertices(moves, np.flatnonzero(winds))
+    first, end = _disjoint(*_returns(moves, *vertices, OFF_ROUND))
+    if (end - first).sum() < 0.8 * len(vertices[0]):
+        # The border of two cells may part the visits of one point: once more with the cells half a cell on.
+        shifted = _returns(moves, *vertices, OFF_ROUND + 0.5)
+        first, end = _disjoint(*np.concatenate([(first, end), shifted], axis=1))
+    return first, end
+
+
+def _returns(moves, x, y, area, shift, origin) -> tuple[np.ndarray, np.ndarray]:
+    """Return the stretches from a visit of a cell to the next one that turn by +-2 pi."""
+    column = ((x - x.min()) * (1 / CLOSE) + origin).astype(np.int64)
+    row = ((y - y.min()) * (1 / CLOSE) + origin).astype(np.int64)
+    # Hashing the cells is O(n); sorting all vertices would not be.
+    size = 1 << (2 * len(x)).bit_length()
+    cell = column * 73856093 + row * 19349663
+    if len(shift) > 1:
+        cell += area * 83492791
+    cell &= size - 1
     order = np.arange(len(cell))
     table = np.empty(size, np.int64)
+    table[cell[::-1]] = order[::-1]
+    earliest = table[cell]
     table[cell] = order
     latest = table[cell]
-    table[cell[::-1]] = order[::-1]
-    visited = np.flatnonzero(latest - table[cell] >= 3)
-    if not len(visited):
-        return visited, visited
-    visited = visited[np.argsort(cell[visited], kind="stable")]
-    one, two = visited[:-1], visited[1:]
+    again = np.flatnonzero(latest - earliest >= 3)
+    # Most cells are visited twice, at the beginning and the end of a loop; only the others are sorted.
+    between = again[(again != earliest[again]) & (again != latest[again])]
+    if len(between):
+        often = np.zeros(size, bool)
+        often[cell[between]] = True
+        crowded = often[cell[again]]
+        many = again[crowded]
+        many = many[np.argsort(cell[many], kind="stable")]
+        twice = again[~crowded & (again == earliest[again])]
+        one, two = np.append(many[:-1], twice), np.append(many[1:], latest[twice])
+    else:
+        one = again[again == earliest[again]]
+        two = latest[one]
     near = (cell[one] == cell[two]) & (area[one] == area[two])
-    near &= np.abs(vertex_x[one] - vertex_x[two]) <= CLOSE
-    near &= np.abs(vertex_y[one] - vertex_y[two]) <= CLOSE
+    near &= (np.abs(x[one] - x[two]) <= CLOSE) & (np.abs(y[one] - y[two]) <= CLOSE)
     one, two = one[near], two[near]
-    first, end = one - area[one], two - area[two]
+    first, end = one - shift[area[one]], two - shift[area[two]]
     net = moves.phi[end - 1] - moves.phi[first] + wrap(moves.alpha[first] - moves.alpha[end - 1])
     once = (np.abs(np.abs(net) - TURN) < 0.1) & (end > first + 1)
-    return _disjoint(first[once], end[once])
+    return first[once], end[once]
 
 
-def _vertices(moves: Moves) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Return x, y and area of the vertices of all areas: the starts of their moves and the end of their last."""
-    m, areas = len(moves), len(moves.start)
-    ends = np.append(moves.start[1:], m)
-    if areas == 1:
-        x = np.append(moves.x, moves.x[-1] + moves.dx[-1])
-        y = np.append(moves.y, moves.y[-1] + moves.dy[-1])
-        return x, y, np.zeros(m + 1, np.int64)
-    area = np.repeat(np.arange(areas), ends - moves.start + 1)
-    last = ends + np.arange(areas)
-    inner = np.ones(m + areas, bool)
+def _vertices(moves: Moves, chosen: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
+    """Return the vertices of some areas: the starts of their moves and the end of their last.
+
+    Returns
+    -------
+    x, y : (v,) float
+    area : (v,) int
+        Index into `chosen`.
+    shift : (a,) int
+        Index of a vertex less the index of the move it begins, for each chosen area.
+    """
+    start, end = moves.start[chosen], np.append(moves.start[1:], len(moves))[chosen]
+    size = end - start + 1
+    begin = np.cumsum(size) - size
+    shift = begin - start
+    area = np.repeat(np.arange(len(chosen)), size)
+    last = begin + size - 1
+    if len(chosen) == 1:
+        own = slice(start[0], end[0])
+    else:
+        own = np.arange(len(area)) - shift[area]
+        own = np.delete(own, last)
+    inner = np.ones(len(area), bool)
     inner[last] = False
-    x, y = np.empty(m + areas), np.empty(m + areas)
-    x[inner], y[inner] = moves.x, moves.y
-    x[last] = moves.x[ends - 1] + moves.dx[ends - 1]
-    y[last] = moves.y[ends - 1] + moves.dy[ends - 1]
-    return x, y, area
+    x, y = np.empty(len(area)), np.empty(len(area))
+    x[inner], y[inner] = moves.x[own], moves.y[own]
+    x[last], y[last] = moves.x[end - 1] + moves.dx[end - 1], moves.y[end - 1] + moves.dy[end - 1]
+    return x, y, area, shift
 
 
 def _disjoint(first: np.ndarray, end: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Keep from the left those intervals that begin after the end of the last one kept."""
-    order = np.lexsort((end, first))
+    order = np.argsort(first * (end.max(initial=0) + 1) + end)
     first, end = first[order], end[order]
+    if (end[:-1] <= first[1:]).all():
+        return first, end
     following = np.searchsorted(first, end).tolist()
-    kept, at = [], 0
-    while at < len(following):
+    kept, at, count = [], 0, len(following)
+    while at < count:
         kept.append(at)
         at = following[at]
     return first[kept], end[kept]

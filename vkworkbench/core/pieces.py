@@ -192,18 +192,27 @@ def half_turns(moves: Moves, parts: _Stretches) -> tuple[np.ndarray, np.ndarray,
     passes : (k,) int
     """
     k, start, owner = len(parts.start), parts.start, parts.owner
-    # The axis is the resultant of the doubled directions, which forgets their sense.
-    cos2 = np.add.reduceat((moves.dx * moves.dx - moves.dy * moves.dy) / moves.length, start)
-    sin2 = np.add.reduceat(2 * moves.dx * moves.dy / moves.length, start)
-    axis = 0.5 * np.arctan2(sin2, cos2)
-    along = moves.dx * np.cos(axis)[owner] + moves.dy * np.sin(axis)[owner]
-    on = np.flatnonzero(np.abs(along) > ALONG * moves.length)
+    alternating, constant, passes = np.zeros(k), np.zeros(k), np.ones(k, np.int64)
+    # Less than three moves have no pass between two others.
+    able = parts.end - start >= 3
+    if not able.any():
+        return alternating, constant, passes
+    cos2, sin2 = moves.doubled
+    axis = 0.5 * np.arctan2(np.add.reduceat(sin2, start), np.add.reduceat(cos2, start))
+    if k == 1:
+        along = moves.dx * np.cos(axis) + moves.dy * np.sin(axis)
+    else:
+        along = moves.dx * np.cos(axis)[owner] + moves.dy * np.sin(axis)[owner]
+    on = np.abs(along) > ALONG * moves.length
+    if not able.all():
+        on &= able[owner]
+    on = np.flatnonzero(on)
     if not len(on):
-        return np.zeros(k), np.zeros(k), np.zeros(k, np.int64)
+        return alternating, constant, passes
     forward, of = along[on] > 0, owner[on]
     begin = np.flatnonzero(np.concatenate([[True], (forward[1:] != forward[:-1]) | (of[1:] != of[:-1])]))
     of = of[begin]
-    passes = np.bincount(of, minlength=k)
+    passes = np.maximum(np.bincount(of, minlength=k), 1)
     after = np.flatnonzero(of[1:] == of[:-1]) + 1  # passes with one before them in the same stretch
     half = np.zeros(len(begin))
     half[after] = np.sign(np.rint((moves.phi[on[begin[after]]] - moves.phi[on[begin[after] - 1]]) / np.pi))

@@ -97,15 +97,15 @@ def relate_rings(pieces: Pieces, index: np.ndarray, tool: float) -> Rings:
     box, z, flat = pieces.box[index], pieces.z[index], pieces.flat[index]
     enclosed, sense = np.abs(pieces.enclosed[index]), np.sign(pieces.net[index])
     size = np.maximum(box[:, 2] - box[:, 0], box[:, 3] - box[:, 1])
+    sides = np.ascontiguousarray((box * (1, 1, -1, -1)).T)
     wavy = pieces.wavy[index] | (pieces.back[index] > 0.5 * TURN)
     names = ("nested", "opposite", "deeper", "repeated", "moved", "crossing")
     flags = {name: np.zeros(k, bool) for name in names}
-    limit, next_step, next_drop = _reach(box, size, z, tool)
+    limit, next_step, next_drop = _reach(sides, size, z, tool)
     steps = []
     for lag in LAGS[: max(k - 1, 0)]:
         a, b = slice(None, -lag), slice(lag, None)
-        inward = (box[b] - box[a]) * (1, 1, -1, -1)
-        low, high, mean = inward.min(axis=1), inward.max(axis=1), inward.mean(axis=1)
+        low, high, mean = _inward(sides, lag)
         larger, smaller = np.maximum(size[a], size[b]), np.minimum(size[a], size[b])
         level = np.abs(z[a] - z[b]) < LEVEL
         # Rings on a sculptured surface have no depth of their own: nearness in the plane decides.
@@ -130,7 +130,10 @@ def relate_rings(pieces: Pieces, index: np.ndarray, tool: float) -> Rings:
             flags[name][a] |= flag
             flags[name][b] |= flag
         steps.append(mean[even & beside])
-    again, distinct = _come_again(pieces, index)
+        if flags["nested"].all():
+            break
+    levels = count_levels(z)
+    again, distinct = _come_again(pieces, index) if levels > 1 else (np.zeros(k, bool), k)
     flags["repeated"] |= again
     flags["deeper"] &= ~again
     related = flags["nested"] | flags["deeper"] | flags["repeated"] | flags["moved"] | flags["crossing"]
@@ -147,9 +150,9 @@ def relate_rings(pieces: Pieces, index: np.ndarray, tool: float) -> Rings:
         step=float(np.median(np.abs(steps))) if len(steps) else np.nan,
         growing=float((steps < 0).mean()) if len(steps) else np.nan,
         distinct=distinct,
-        levels=count_levels(z),
+        levels=levels,
         depth=float(np.ptp(z)) if k else 0.0,
-        evenness=_evenness(next_step, next_drop),
+        evenness=_evenness(next_step, next_drop) if levels > 2 else 0.0,
         **flags,
     )
 
@@ -172,25 +175,33 @@ def count_levels(z: np.ndarray) -> int:
     return 1 + int((z[1:] - z[:-1] > LEVEL).sum())
 
 
-def _reach(box, size, z, tool) -> tuple[float, np.ndarray, np.ndarray]:
+def _inward(sides: np.ndarray, lag: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Return how far the sides of a ring's box lie inside those of the ring `lag` before: least, most, mean."""
+    inward = sides[:, lag:] - sides[:, :-lag]
+    return inward.min(axis=0), inward.max(axis=0), inward.mean(axis=0)
+
+
+def _reach(sides, size, z, tool) -> tuple[float, np.ndarray, np.ndarray]:
     """Return how far apart nested rings may be, and the steps in the plane and in depth from ring to next ring.
 
     A little over the tool's diameter: farther apart nothing between them is cut and they are two contours. Where
     the tool is unknown, or at least four even steps say it is wrong, twice the usual step.
     """
     found = []
-    for lag in LAGS[: max(len(box) - 1, 0)]:
-        inward = (box[lag:] - box[:-lag]) * (1, 1, -1, -1)
-        low, high, mean = inward.min(axis=1), inward.max(axis=1), np.abs(inward.mean(axis=1))
+    for lag in LAGS[: max(len(z) - 1, 0)]:
+        low, high, mean = _inward(sides, lag)
+        mean = np.abs(mean)
         even = (low * high > 0) & (high - low <= 0.7 * mean + 0.02) & (mean > 0.05)
         even &= mean <= 0.3 * np.maximum(size[lag:], size[:-lag])
         found.append((mean[even], np.abs(z[lag:] - z[:-lag])[even]))
+        if even.mean() > 0.8:
+            break  # one nest: the next ring is the neighbour
     steps, drops = found[0] if found else (np.zeros(0), np.zeros(0))
     every = np.concatenate([f[0] for f in found]) if found else steps
     if not len(every):
         return 1.2 * tool, steps, drops
     # Rings around islands interleave with those of the boundary; the smaller steps are between neighbours.
-    usual = np.percentile(every, 25)
+    usual = np.partition(every, len(every) // 4)[len(every) // 4]
     if not tool or (len(steps) >= 4 and (np.abs(steps - usual) < 0.1 * usual).mean() > 0.6):
         return max(1.2 * tool, 2 * usual), steps, drops
     return 1.2 * tool, steps, drops

@@ -9,7 +9,8 @@ import numpy as np
 
 from vkworkbench.core.areas import Moves
 
-BINS = 72  # of 2.5 degrees over half a turn
+BINS = 64  # of 2.8 degrees over half a turn; a power of two, so that & wraps
+SAMPLE = 1000  # values that are enough for a median
 ALIGNED = 0.05  # rad; a move this close to the axis belongs to a row
 SAME_LINE = 0.02  # mm; passes closer than this are on one line
 
@@ -65,43 +66,60 @@ def find_rows(moves: Moves, chosen: np.ndarray) -> list[Rows]:
         Moves to look at, ascending.
     """
     found: list[Rows] = []
-    while len(chosen) and len(found) < 2:
+    total = moves.length[chosen].sum()
+    while len(chosen):
         family = _densest(moves, chosen)
-        if found and family.length < 0.1 * found[0].length:
+        if family is None:
             break
         found.append(family)
+        total -= moves.length[family.moves].sum()
+        # What is left when nearly all is in rows are the links between them.
+        if len(found) == 2 or total < 0.1 * found[0].length:
+            break
         left = np.zeros(len(moves), bool)
         left[chosen] = True
         left[family.moves] = False
         chosen = np.flatnonzero(left)
+    if len(found) == 2 and found[1].length < 0.1 * found[0].length:
+        found.pop()
     return found
 
 
 def weighted_median(values: np.ndarray, weights: np.ndarray) -> float:
-    """Return the value at half the weight; values and weights (k,), k >= 1."""
+    """Return the value at half the weight; values and weights (k,), k >= 1; of many values an even sample."""
+    every = len(values) // SAMPLE + 1
+    values, weights = values[::every], weights[::every]
     order = np.argsort(values)
     reached = np.cumsum(weights[order])
     return float(values[order[np.searchsorted(reached, reached[-1] / 2)]])
 
 
-def _densest(moves: Moves, chosen: np.ndarray) -> Rows:
-    """Return the rows along the densest direction."""
-    length, alpha = moves.length[chosen], moves.alpha[chosen]
-    bins = np.rint(alpha * (BINS / np.pi)).astype(np.int64) % BINS
-    weight = np.bincount(bins, weights=length, minlength=BINS)
-    peak = int(np.argmax(weight + 0.5 * (np.roll(weight, 1) + np.roll(weight, -1))))
-    near = np.abs((bins - peak + BINS // 2) % BINS - BINS // 2) <= 1
-    doubled = 2 * alpha[near]
-    axis = 0.5 * np.arctan2((length[near] * np.sin(doubled)).sum(), (length[near] * np.cos(doubled)).sum())
+def _densest(moves: Moves, chosen: np.ndarray) -> Rows | None:
+    """Return the rows along the densest direction; None where no move keeps to it."""
+    cos2, sin2 = moves.doubled
+    dx, dy, length = moves.dx, moves.dy, moves.length
+    if len(chosen) < len(moves):
+        cos2, sin2, dx, dy, length = (v[chosen] for v in (cos2, sin2, dx, dy, length))
+    x, y = cos2.sum(), sin2.sum()
+    if x * x + y * y < (0.8 * length.sum()) ** 2:
+        # Not one axis alone: take the densest of 64 directions and its neighbours.
+        bins = np.rint(moves.alpha[chosen] * (BINS / np.pi)).astype(np.int64) & (BINS - 1)
+        weight = np.bincount(bins, weights=length, minlength=BINS)
+        around = np.roll(weight, 1) + np.roll(weight, -1)
+        peak = int(np.argmax(weight + 0.5 * around))
+        near = np.isin(np.arange(BINS), (np.array([-1, 0, 1]) + peak) % BINS)[bins]
+        x, y = cos2[near].sum(), sin2[near].sum()
+    axis = 0.5 * np.arctan2(y, x)
     u, v = np.cos(axis), np.sin(axis)
-    on = chosen[np.abs(moves.dy[chosen] * u - moves.dx[chosen] * v) <= ALIGNED * length]
+    on = chosen[np.abs(dy * u - dx * v) <= ALIGNED * length]
+    if not len(on):
+        return None
     length = moves.length[on]
     across = moves.y[on] * u - moves.x[on] * v
     forward = moves.dx[on] * u + moves.dy[on] * v > 0
-    fresh = np.zeros(len(moves), bool)
-    fresh[moves.start] = True
+    area = np.searchsorted(moves.start, on, side="right") if len(moves.start) > 1 else np.zeros(len(on), np.int64)
     # A pass goes on while the sense stays, and over a lift while the line stays: spans of one line are one row.
-    apart = (on[1:] > on[:-1] + 1) | fresh[on[1:]]
+    apart = (on[1:] > on[:-1] + 1) | (area[1:] > area[:-1])
     new = (forward[1:] != forward[:-1]) | (apart & (np.abs(across[1:] - across[:-1]) > SAME_LINE))
     begin = np.flatnonzero(np.concatenate([[True], new]))
     passed = np.add.reduceat(length, begin)
@@ -109,7 +127,7 @@ def _densest(moves: Moves, chosen: np.ndarray) -> Rows:
     # Links along the boundary run along the axis here and there: they are no rows.
     long = passed > 0.1 * typical
     begin, passed = begin[long], passed[long]
-    q, sense, area = across[begin], forward[begin], np.cumsum(fresh)[on[begin]]
+    q, sense, area = across[begin], forward[begin], area[begin]
     lateral = np.abs(q[1:] - q[:-1])
     shorter = np.minimum(passed[1:], passed[:-1])
     aside = lateral > SAME_LINE
@@ -121,7 +139,7 @@ def _densest(moves: Moves, chosen: np.ndarray) -> Rows:
     turned = sense[1:] != sense[:-1]
     # Two passes the same way without a lift between them are stairs of one stroke (sampled contours), not rows.
     onward = neighbour & ~turned & (area[1:] != area[:-1])
-    gaps = np.diff(np.sort(q))
+    gaps = np.diff(np.sort(q[:SAMPLE]))
     gaps = gaps[gaps > SAME_LINE]
     return Rows(
         axis=axis,

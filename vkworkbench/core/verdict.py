@@ -63,7 +63,10 @@ class Section:
         self.length = float(p.length.sum())
         kind = _absorb(p)
         self.rings = relate_rings(p, _large(p, (kind == LOOP) | (kind == WINDING)), self.tool)
-        self.strokes = relate_strokes(p, _large(p, (kind == LINE) | (kind == CURVE)))
+        opened = (kind == LINE) | (kind == CURVE)
+        if p.length[opened].sum() < 0.02 * self.length:
+            opened[:] = False  # the links between loops
+        self.strokes = relate_strokes(p, _large(p, opened))
         # Lattices of bouncing passes, and wavy loops that are no offsets of one another, may be rows.
         r = self.rings
         wavy = p.wavy[r.index]
@@ -74,7 +77,9 @@ class Section:
         rowlike[r.index[self.lattice]] = True
         self.zigzag = float(p.length[kind == ZIGZAG].sum()) / self.length
         chosen = np.flatnonzero(np.repeat(rowlike, p.end - p.start))
-        self.rows = self._fill(find_rows(self.moves, chosen), float(self.moves.length[chosen].sum()))
+        length = float(self.moves.length[chosen].sum())
+        # Less are the links between loops.
+        self.rows = self._fill(find_rows(self.moves, chosen), length) if length > 0.1 * self.length else []
         self.ring_pieces = np.zeros(len(p), bool)
         self.ring_pieces[r.index] = True
         if self.rows:
