@@ -62,6 +62,9 @@ class Window:
         self.wait(lambda: self.button(text).isEnabled())
         QTest.mouseClick(self.button(text), QtCore.Qt.LeftButton)
 
+    def click_on(self, widget):
+        QTest.mouseClick(widget, QtCore.Qt.LeftButton)
+
     def press(self, widget, key):
         QTest.keyClick(widget, key)
 
