@@ -44,16 +44,16 @@ def closed_loops(moves: Moves) -> tuple[np.ndarray, np.ndarray]:
 
 def _returns(moves, x, y, area, shift, origin) -> tuple[np.ndarray, np.ndarray]:
     """Return the stretches from a visit of a cell to the next one that turn by +-2 pi."""
-    column = ((x - x.min()) * (1 / CLOSE) + origin).astype(np.int64)
-    row = ((y - y.min()) * (1 / CLOSE) + origin).astype(np.int64)
+    column = ((x - x.min()) * (1 / CLOSE) + origin).astype(np.int32)
+    row = ((y - y.min()) * (1 / CLOSE) + origin).astype(np.int32)
     # Hashing the cells is O(n); sorting all vertices would not be.
     size = 1 << (2 * len(x)).bit_length()
-    cell = column * 73856093 + row * 19349663
+    cell = column * np.int32(73856093) + row * np.int32(19349663)
     if len(shift) > 1:
-        cell += area * 83492791
-    cell &= size - 1
-    order = np.arange(len(cell))
-    table = np.empty(size, np.int64)
+        cell += area.astype(np.int32) * np.int32(83492791)
+    cell &= np.int32(size - 1)
+    order = np.arange(len(cell), dtype=np.int32)
+    table = np.empty(size, np.int32)
     table[cell[::-1]] = order[::-1]
     earliest = table[cell]
     table[cell] = order

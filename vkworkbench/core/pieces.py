@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
@@ -91,7 +92,10 @@ def cut_pieces(moves: Moves) -> Pieces:
     net, closed = parts.net()
     once = np.abs(np.abs(net) - TURN) < 0.1
     kind = np.where(loop[start] | (closed & once), LOOP, CURVE)
-    alternating, constant, passes = half_turns(moves, parts)
+    # A pass between two others needs three moves, a loop of several waves as many.
+    size = parts.end - parts.start
+    able = np.where(kind == LOOP, size >= WAVES, size >= 3)
+    alternating, constant, passes = half_turns(moves, parts, able)
     opened = kind != LOOP
     waves = (alternating > 0.3 * parts.length) & (alternating > 2 * constant)
     winding = opened & (np.abs(net) > 1.2 * TURN)
@@ -117,18 +121,18 @@ class _Stretches:
         self.moves = moves
         self.start = start
         self.end = np.append(start[1:], len(moves))
-        self.owner = np.repeat(np.arange(len(start)), self.end - start)
         self.length = np.add.reduceat(moves.length, start)
         last = self.end - 1
         self.x, self.y = moves.x[start], moves.y[start]
         self.end_x, self.end_y = moves.x[last] + moves.dx[last], moves.y[last] + moves.dy[last]
         self.gap = np.hypot(self.end_x - self.x, self.end_y - self.y)
-        # Seen from the first point of the path: near enough for the sums to keep their digits.
-        x, y = moves.x - moves.x[0], moves.y - moves.y[0]
-        swept = np.add.reduceat(x * moves.dy - y * moves.dx, start)
-        x0, y0 = self.x - moves.x[0], self.y - moves.y[0]
-        x1, y1 = self.end_x - moves.x[0], self.end_y - moves.y[0]
-        self.enclosed = (swept + x1 * y0 - y1 * x0) / 2
+        swept = np.add.reduceat(moves.x * moves.dy - moves.y * moves.dx, start)
+        self.enclosed = (swept + self.end_x * self.y - self.end_y * self.x) / 2
+
+    @cached_property
+    def owner(self) -> np.ndarray:
+        """Stretch of each move, (m,)."""
+        return np.repeat(np.arange(len(self.start)), self.end - self.start)
 
     def net(self) -> tuple[np.ndarray, np.ndarray]:
         """Return the net turn of each stretch and whether it is closed.
@@ -156,8 +160,13 @@ class _Stretches:
                 high(high.reduceat(moves.y, start), self.end_y),
             ]
         )
+        last_z = moves.z[self.end - 1]
         first_z = moves.z[start] - moves.dz[start]
-        rise = high(high.reduceat(moves.z, start), first_z) - low(low.reduceat(moves.z, start), first_z)
+        if len(moves) and not moves.dz.any():
+            z, rise = last_z, np.zeros(len(start))
+        else:
+            z = np.add.reduceat(moves.z, start) / (self.end - start)
+            rise = high(high.reduceat(moves.z, start), first_z) - low(low.reduceat(moves.z, start), first_z)
         return Pieces(
             start=start,
             end=self.end,
@@ -168,16 +177,16 @@ class _Stretches:
             back=np.maximum(np.add.reduceat(np.abs(moves.turning), start) - np.abs(net), 0.0),
             enclosed=self.enclosed,
             box=box,
-            z=np.add.reduceat(moves.z, start) / (self.end - start),
-            last_z=moves.z[self.end - 1],
+            z=z,
+            last_z=last_z,
             rise=rise,
-            drop=moves.z[self.end - 1] - first_z,
+            drop=last_z - first_z,
             passes=passes,
             wavy=wavy,
         )
 
 
-def half_turns(moves: Moves, parts: _Stretches) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+def half_turns(moves: Moves, parts: _Stretches, able: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Tell back-and-forth from around by the signs of the half-turns between opposite passes.
 
     A pass is a run of moves within 25 degrees of the axis of its stretch. Between two opposite passes phi turns by
@@ -185,16 +194,21 @@ def half_turns(moves: Moves, parts: _Stretches) -> tuple[np.ndarray, np.ndarray,
     asking for -pi <= phi <= pi does not depend on the first trajectory and holds with islands and concave borders.
     An exact reversal has no sign and counts as alternating: going back and forth on one line.
 
+    Parameters
+    ----------
+    moves : Moves
+    parts : _Stretches
+    able : (k,) bool
+        The stretches to look at.
+
     Returns
     -------
     alternating, constant : (k,) float
         Length of the passes between two half-turns of opposite and of equal sign, mm.
     passes : (k,) int
     """
-    k, start, owner = len(parts.start), parts.start, parts.owner
+    k, start = len(parts.start), parts.start
     alternating, constant, passes = np.zeros(k), np.zeros(k), np.ones(k, np.int64)
-    # Less than three moves have no pass between two others.
-    able = parts.end - start >= 3
     if not able.any():
         return alternating, constant, passes
     cos2, sin2 = moves.doubled
@@ -202,14 +216,15 @@ def half_turns(moves: Moves, parts: _Stretches) -> tuple[np.ndarray, np.ndarray,
     if k == 1:
         along = moves.dx * np.cos(axis) + moves.dy * np.sin(axis)
     else:
+        owner = parts.owner
         along = moves.dx * np.cos(axis)[owner] + moves.dy * np.sin(axis)[owner]
     on = np.abs(along) > ALONG * moves.length
     if not able.all():
-        on &= able[owner]
+        on &= able[parts.owner]
     on = np.flatnonzero(on)
     if not len(on):
         return alternating, constant, passes
-    forward, of = along[on] > 0, owner[on]
+    forward, of = along[on] > 0, parts.owner[on]
     begin = np.flatnonzero(np.concatenate([[True], (forward[1:] != forward[:-1]) | (of[1:] != of[:-1])]))
     of = of[begin]
     passes = np.maximum(np.bincount(of, minlength=k), 1)
