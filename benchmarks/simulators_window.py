@@ -26,17 +26,10 @@ LONGEST = {"fast-forward": 7000, "play": 150}  # commands
 ENOUGH = 3  # runs that teach before a prediction counts
 
 
-def panel_class():
-    """The legacy simulator's panel, wherever this FreeCAD keeps it."""
-    old = freecad_version() < (1, 0, 0)
-    return importlib.import_module(
-        "PathScripts.PathSimulatorGui" if old else "Path.Main.Gui.Simulator"
-    ).PathSimulation
-
-
 def run(samples, out):
     """Simulate every sample, each predicted with what the runs before it taught, and print the ratios."""
     calibrate(RENDERER)
+    panel = open_panel()
     ratios = {kind: [] for kind in LONGEST}
     for label, commands, tool, stock in [*odd_arcs(), *samples]:
         path = linearize(commands)
@@ -46,7 +39,7 @@ def run(samples, out):
                 continue
             (cost,) = legacy_costs(path, tool=tool, stock=stock, constants=constants(RENDERER))
             predicted = cost.play_seconds if kind == "play" else cost.fast_forward_seconds
-            true = panel(kind, commands, tool, stock, patience=10 + 5 * predicted)
+            true = simulate(panel, kind, commands, tool, stock, patience=10 + 5 * predicted)
             if true is None:
                 said = "announced" if hangs else "NOT announced"
                 print(
@@ -82,43 +75,49 @@ def odd_arcs():
         yield label, [first, ("G3", words)], tool, stock
 
 
-def panel(kind, commands, tool, stock, patience):
-    """Simulate a stand-in for an operation in the panel; return the seconds, None if it did not end."""
+def open_panel():
+    """Open the legacy simulator's panel on the open job, with one operation to be replaced."""
+    old = freecad_version() < (1, 0, 0)
+    module = importlib.import_module("PathScripts.PathSimulatorGui" if old else "Path.Main.Gui.Simulator")
+    panel = module.PathSimulation()
+    panel.Activate()
+    listed = panel.taskForm.form.listOperations
+    while listed.count() > 1:
+        listed.takeItem(1)
+    return panel
+
+
+def simulate(panel, kind, commands, tool, stock, patience):
+    """Simulate a stand-in for an operation; return the seconds, None if it did not end."""
     operation = SimpleNamespace(
         Path=Path.Path([Path.Command(name, words) for name, words in commands]),
         ToolController=SimpleNamespace(Tool=SimpleNamespace(Shape=shape(tool), Name="tool")),
         Name="operation",
     )
     box = Part.makeBox(*(stock.upper - stock.lower), FreeCAD.Vector(*stock.lower))
-    sim = panel_class()()
-    sim.Activate()
-    form = sim.taskForm.form
-    while form.listOperations.count() > 1:
-        form.listOperations.takeItem(1)
-    sim.operations = [operation]
-    sim.job = SimpleNamespace(Stock=SimpleNamespace(Shape=box))
-    FreeCADGui.ActiveDocument.ActiveView.viewIsometric()
+    panel.operations = [operation]
+    panel.job = SimpleNamespace(Stock=SimpleNamespace(Shape=box))
+    panel.SetupSimulation()
+    panel.resetSimulation = True  # as when it was opened
     FreeCADGui.SendMsgToActiveView("ViewFit")
     FreeCADGui.updateGui()
 
     loop = QtCore.QEventLoop()
     finished = []
+    end = type(panel).EndSimulation
 
-    def ended(end=sim.EndSimulation):
-        end()
+    def ended():
+        end(panel)
         finished.append(True)
         loop.quit()
 
-    sim.EndSimulation = ended
+    panel.EndSimulation = ended
     QtCore.QTimer.singleShot(int(1000 * patience), loop.quit)
     begin = time.perf_counter()
-    (sim.SimFF if kind == "fast-forward" else sim.SimPlay)()
+    (panel.SimFF if kind == "fast-forward" else panel.SimPlay)()
     getattr(loop, "exec_" if hasattr(loop, "exec_") else "exec")()
     FreeCADGui.updateGui()
     seconds = time.perf_counter() - begin
     done = bool(finished)
-    sim.timer.stop()
-    sim.cancel()
-    FreeCADGui.Control.closeDialog()
-    FreeCADGui.updateGui()
+    panel.SimStop()
     return seconds if done else None
