@@ -10,6 +10,7 @@ or in one; only in a window do the operations get the icons and editors of FreeC
 from __future__ import annotations
 
 import importlib
+import math
 import os
 import sys
 
@@ -51,7 +52,8 @@ def plate():
     """The part to be milled, a solid in mm."""
     solid = box(0, 0, 0, LENGTH, WIDTH, HEIGHT)
     holes = [(8, 8), (152, 8), (8, 92), (152, 92)]  # in the corners, then a bolt circle
-    holes += [tuple(Vector(134, 70, 0) + 13 * direction)[:2] for direction in bolt_circle(6)]
+    angles = [math.radians(angle) for angle in range(0, 360, 60)]
+    holes += [(134 + 13 * math.cos(angle), 70 + 13 * math.sin(angle)) for angle in angles]
     cuts = [
         box(18, 14, 12, 44, 34, 8),
         box(70, 14, 14, 42, 34, 6).cut(cylinder(91, 31, 14, 5, 6)),  # a round island stays
@@ -60,14 +62,6 @@ def plate():
         Part.makeSphere(30, Vector(94, 72, HEIGHT + 24)),
     ]
     return solid.cut(cuts + [cylinder(x, y, 0, 2.5, HEIGHT) for x, y in holes]).removeSplitter()
-
-
-def bolt_circle(count):
-    turn = FreeCAD.Rotation(Vector(0, 0, 1), 360 / count)
-    direction = Vector(1, 0, 0)
-    for _ in range(count):
-        yield direction
-        direction = turn.multVec(direction)
 
 
 def faces(shape, surface, lower, upper):
@@ -81,32 +75,28 @@ def faces(shape, surface, lower, upper):
     ]
 
 
-def tool_controller(job, label, shape, diameter, feed):
-    """Add a tool of `diameter` mm to `job`; `shape` is the file of FreeCAD's tool library that draws it."""
+def tool_controller(doc, number, label, shape, diameter, feed):
+    """Make a tool of `diameter` mm; `shape` is the file of FreeCAD's tool library that draws it."""
     try:
         from Path.Tool.toolbit import ToolBit  # 1.1
 
-        tool = ToolBit.from_shape_id(shape).attach_to_doc(doc=job.Document)
+        tool = ToolBit.from_shape_id(shape).attach_to_doc(doc=doc)
     except ImportError:
         tool = cam("Tool.Bit").Factory.Create(label, shape)
+        tool.Proxy.unloadBitBody(tool)
     tool.Label = label
     tool.Diameter = diameter
     if tool.ViewObject:
         tool.ViewObject.Visibility = False
-    number = len(job.Tools.Group) + 1
     controller = cam("Tool.Controller").Create("TC: " + label, tool, number)
     controller.HorizFeed = controller.VertFeed = f"{feed} mm/min"
     controller.SpindleSpeed = 12000
-    job.Proxy.addToolController(controller)
     return controller
 
 
 def operation(job, kind, label, controller, base=(), **properties):
     """Add an operation of `kind` on the faces `base` of the model to `job`."""
-    # Asked to choose a tool, FreeCAD opens a dialog or, without a window, gives up.
-    tools, job.Tools.Group = job.Tools.Group, [controller]
     op = cam("Op." + kind).Create(kind)
-    job.Tools.Group = tools
     op.ToolController = controller
     op.Label = label
     if base:
@@ -154,16 +144,16 @@ def make_example(path):
     job.SetupSheet.HorizRapid = job.SetupSheet.VertRapid = "5000 mm/min"
     doc.recompute()
 
-    default_tools = job.Tools.Group
-    cutter = tool_controller(job, "End mill 16 mm", "endmill.fcstd", 16, 1200)
-    small = tool_controller(job, "End mill 6 mm", "endmill.fcstd", 6, 800)
-    drill = tool_controller(job, "Drill 5 mm", "drill.fcstd", 5, 200)
-    ball = tool_controller(job, "Ball end mill 6 mm", "ballend.fcstd", 6, 1000)
-    for controller in default_tools:
-        job.Tools.removeObject(controller)
-        tool = controller.Tool
-        doc.removeObject(controller.Name)
-        doc.removeObject(tool.Name)
+    (default,) = job.Tools.Group
+    job.Tools.Group = []
+    for obj in (default, default.Tool):
+        doc.removeObject(obj.Name)
+    cutter = tool_controller(doc, 1, "End mill 16 mm", "endmill.fcstd", 16, 1200)
+    small = tool_controller(doc, 2, "End mill 6 mm", "endmill.fcstd", 6, 800)
+    drill = tool_controller(doc, 3, "Drill 5 mm", "drill.fcstd", 5, 200)
+    ball = tool_controller(doc, 4, "Ball end mill 6 mm", "ballend.fcstd", 6, 1000)
+    # Between several tools FreeCAD lets the user choose for the first operation: without a window that fails.
+    job.Tools.Group = [cutter]
 
     pattern = "ClearingPattern" if FreeCAD.Version()[:2] >= ["1", "1"] else "OffsetPattern"
     top = faces(shape, "Plane", (0, 0, HEIGHT), (LENGTH, WIDTH, HEIGHT))
@@ -191,6 +181,7 @@ def make_example(path):
     profile = operation(job, "Profile", "Cut out", small, StepDown=5)
     holding_tags(job, profile)
 
+    job.Tools.Group = [cutter, small, drill, ball]
     doc.recompute()
     doc.saveAs(str(path))
     return doc

@@ -14,10 +14,11 @@ from pathlib import Path
 
 import FreeCAD
 import FreeCADGui as Gui
+from PySide.QtCore import QPoint, Qt, QTimer
+from PySide.QtGui import QPixmap
 
 import vkworkbench
 from vkworkbench.gui import tree
-from vkworkbench.gui.qt import QTimer
 
 sys.path.insert(0, str(Path(__file__).parent))
 from make_example import make_example
@@ -68,12 +69,16 @@ def expand_tree():
                 expand(index)
 
     expand(view.rootIndex())
-    tree.fit_description()
+    view.setMinimumSize(600, 450)  # px: the picture shows all of the marks
     QTimer.singleShot(TREE_SETTLES, guarded(lambda: take_picture(view)))
 
 
 def take_picture(view):
-    view.grab().save(str(OUTPUT / "tree.png"))
+    tree.fit_description()
+    picture = QPixmap(view.size())
+    picture.fill(Qt.white)  # 1.1 draws a tree without its background
+    view.render(picture, QPoint())
+    picture.save(str(OUTPUT / "tree.png"))
     if LEAVE:
         os._exit(0)
 
