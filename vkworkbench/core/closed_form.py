@@ -19,6 +19,8 @@ from vkworkbench.core.toolpath import Toolpath
 
 # Heights closer than this, mm, are one level.
 _LEVEL = 1e-3
+# Share of a level's length in one direction that is rows and not links.
+_FAMILY = 0.15
 _ROWS = {Strategy.ZIGZAG, Strategy.ONE_WAY}
 _LOOPS = {Strategy.CONTOUR_PARALLEL, Strategy.SPIRAL, Strategy.ADAPTIVE, Strategy.HELIX}
 
@@ -128,7 +130,12 @@ def closed_form(toolpath: Toolpath, recognition: Recognition, *, tool: Tool, sto
     t = _in_stock(toolpath, tool, stock)
     if len(t.run) == 0:
         return 0.0
-    stepover = min(recognition.stepover or tool.diameter, tool.diameter)
+    stepover = recognition.stepover
+    if stepover is None and recognition.strategy in _ROWS | _LOOPS:
+        # One layer of passes: its area divided by their length.
+        room, _ = _grown_hull(np.concatenate((t.start, t.end))[:, :2], tool.radius, stock)
+        stepover = room / max(float((t.run * t.share).sum()), 1e-9)
+    stepover = min(stepover or tool.diameter, tool.diameter)
     pointed = tool.rounding > tool.radius / 2 or tool.steepness > 0
     top = _recut(t, tool, stock, stepover) if pointed else _levels(t, recognition, tool, stock, stepover)
     cosine, sine, azimuth = _tilt(frame)
@@ -152,6 +159,9 @@ def _levels(t: _Trajectories, recognition: Recognition, tool: Tool, stock: Stock
     # What reaches a level belongs to it; what descends between levels cuts its foot besides.
     between = ~np.isin(key, key[level])
     total = float((_descents(t, tool) * t.share)[between].sum())
+    if recognition.strategy is Strategy.HELIX:
+        # The next radius finds the hole of the last one: only a stepover of the foot is new.
+        total *= stepover / tool.diameter
     passes = max(1.0, (recognition.passes or 1) / max(1, recognition.depths))
     for z in np.unique(key[level]):
         here = level[key[level] == z]
@@ -160,9 +170,7 @@ def _levels(t: _Trajectories, recognition: Recognition, tool: Tool, stock: Stock
         points = np.concatenate((t.start[here], t.end[here]))[:, :2]
         room, outline = _grown_hull(points, radius, stock)
         if recognition.strategy in _ROWS:
-            along = float(weight @ np.abs(np.cos(t.heading[here] - _main_heading(t.heading[here], t.run[here]))))
-            # The rows with their round ends, and what the first row is wider than the others.
-            area = stepover * along + passes * np.pi / 2 * radius * stepover + (2 * radius - stepover) * along / passes
+            area = sum(_rows_area(t, rows, tool, stepover) for rows in _row_families(t, here))
         elif recognition.strategy in _LOOPS:
             area = stepover * length + (radius - stepover / 2) * outline
         else:
@@ -190,9 +198,24 @@ def _descents(t: _Trajectories, tool: Tool) -> np.ndarray:
     return areas
 
 
-def _main_heading(heading: np.ndarray, weight: np.ndarray) -> float:
-    """Direction of the rows: the mean of the doubled angles, so that opposite directions are one."""
-    return float(np.angle((weight * np.exp(2j * heading)).sum()) / 2)
+def _row_families(t: _Trajectories, here: np.ndarray) -> list[np.ndarray]:
+    """The trajectories of a level by direction, those directions that make up a good part of its length."""
+    bins = np.rint(t.heading[here] / np.pi * 36).astype(np.int64) % 36
+    length = np.bincount(bins, t.run[here], minlength=36)
+    return [here[bins == b] for b in np.flatnonzero(length > _FAMILY * length.sum())]
+
+
+def _rows_area(t: _Trajectories, rows: np.ndarray, tool: Tool, stepover: float) -> float:
+    """Area of parallel rows with round ends, the first as wide as the tool, the others as the step from row to row."""
+    heading = float(np.angle((t.run[rows] * np.exp(2j * t.heading[rows])).sum()) / 2)
+    offset = t.start[rows, 1] * np.cos(heading) - t.start[rows, 0] * np.sin(heading)
+    steps = np.abs(np.diff(offset))
+    steps = steps[steps > 0.05]
+    passes = len(steps) + 1
+    near = steps[steps <= tool.diameter + 0.05]
+    step = min(float(np.median(near)), tool.diameter) if len(near) else stepover
+    along = float((t.run * t.share)[rows].sum())
+    return step * along + passes * np.pi / 2 * tool.radius * step + (tool.diameter - step) * along / passes
 
 
 def _grown_hull(points: np.ndarray, radius: float, stock: Stock | ConvexStock) -> tuple[float, float]:

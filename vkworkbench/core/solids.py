@@ -178,7 +178,7 @@ class ConvexStock(_Convex):
     Raises
     ------
     ValueError
-        If the half-spaces have no common volume or leave it unbounded.
+        If the half-spaces enclose no bounded volume.
     """
 
     def __init__(self, normals: np.ndarray, offsets: np.ndarray) -> None:
@@ -189,13 +189,12 @@ class ConvexStock(_Convex):
         self.normals = normals / lengths[:, None]
         self.offsets = np.array(offsets, float).reshape(len(normals)) / lengths
         self.corners = corners = self._corners()
-        if len(corners) < 4 or np.linalg.matrix_rank(corners - corners[0], tol=1e-9) < 3:
-            raise ValueError("the planes of the stock enclose no volume")
+        solid = len(corners) >= 4 and np.linalg.matrix_rank(corners - corners[0], tol=1e-9) == 3
+        # Rays from the middle of a bounded solid end in it, whichever way they go.
+        if not solid or not all(np.isfinite(self.chords(corners.mean(axis=0)[None], axis)).all()
+                                for axis in np.eye(3)):
+            raise ValueError("the planes of the stock enclose no bounded volume")
         self.lower, self.upper = corners.min(axis=0), corners.max(axis=0)
-        # A bounded solid is seen as a finite chord from everywhere.
-        centre = corners.mean(axis=0)[None]
-        if not all(np.isfinite(self.chords(centre, axis)).all() for axis in np.eye(3)):
-            raise ValueError("the planes leave the stock unbounded")
 
     @classmethod
     def cylinder(cls, base: np.ndarray, radius: float, height: float, sides: int = 64) -> ConvexStock:
