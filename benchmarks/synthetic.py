@@ -390,6 +390,90 @@ def adaptive(rng, *, lift=0.3, rapid_back=True, arcs=False):
     return p.commands
 
 
+def bites_in_a_row(rng, *, back="sloped", arcs=False, spiral_first=True, bends=False):
+    """Bites along a channel, the way back lifted a little on slopes, at the same height, or by a rapid.
+
+    This is how stay-down adaptive clearing looks: arcs from wall to wall, each begun and ended by a small arc.
+    """
+    p = Program(rng)
+    half, step, z = rng.uniform(5, 15), rng.uniform(0.3, 1.5), -rng.uniform(2, 8)
+    length, lift = rng.uniform(30, 70), 0.2
+    if spiral_first:
+        a = np.arange(0, 6 * np.pi, 0.25)
+        p.cut(np.column_stack([2 * np.cos(a) - half, 2 * np.sin(a), z * a / a[-1]]), z)
+        b = np.arange(0, (half - 2) / step * 2 * np.pi, 0.2)
+        r = 2 + step * b / (2 * np.pi)
+        p.cut(np.column_stack([r * np.cos(b) - half, r * np.sin(b)]), z, linked=True)
+    for x in np.arange(0, length, step):
+        t = np.linspace(-1.1, 1.1, 24)
+        bulge = half / np.sin(1.1)
+        bite = np.column_stack([bulge * (np.cos(t) - np.cos(1.1)), bulge * np.sin(t)])
+        t = np.linspace(0, 2.2, 10)
+        out = bite[-1] + 0.8 * np.column_stack([np.cos(1.1 + np.pi / 2 + t - np.pi / 2) - np.cos(1.1), np.sin(1.1 + t) - np.sin(1.1)])
+        way = np.vstack([bite, out[1:]])
+        turn = 0.5 * x / length if bends else 0.0
+        c, s = math.cos(turn), math.sin(turn)
+        way = way @ np.array([[c, s], [-s, c]]) + (x, 5 * np.sin(x / 20) if bends else 0.0)
+        if back == "rapid":
+            p.commands += [("G0", {"Z": z + lift}), ("G0", {"X": way[0, 0], "Y": way[0, 1]}), ("G1", {"Z": z})]
+            p.last = (way[0, 0], way[0, 1], z)
+        elif p.last is not None and back == "sloped":
+            x0, y0, _ = p.last
+            p.go(x0 + (way[0, 0] - x0) * 0.1, y0 + (way[0, 1] - y0) * 0.1, z + lift)
+            p.go(x0 + (way[0, 0] - x0) * 0.9, y0 + (way[0, 1] - y0) * 0.9, z + lift)
+            p.go(way[0, 0], way[0, 1], z)
+        elif p.last is not None:
+            p.go(way[0, 0], way[0, 1], z)
+        else:
+            p.enter(way[0, 0], way[0, 1], z)
+        if arcs:
+            mid = len(bite) - 1
+            chord, bow = way[mid] - way[0], way[mid // 2] - (way[0] + way[mid]) / 2
+            h = np.linalg.norm(bow)
+            radius = (h * h + (np.linalg.norm(chord) / 2) ** 2) / (2 * h)
+            centre = way[mid // 2] - bow / h * radius
+            p.arc(*way[mid], *(centre - way[0]), ccw=True)
+            way = way[mid:]
+        for q in way[1:]:
+            p.go(*q, z)
+    return p.commands
+
+
+def trochoid_of_arcs(rng):
+    """A slot by half circles forward and straight ways back."""
+    p = Program(rng)
+    r, step, length, turn = rng.uniform(2, 8), rng.uniform(0.3, 1.5), rng.uniform(25, 80), rng.uniform(0, np.pi)
+    along, across = np.array([math.cos(turn), math.sin(turn)]), np.array([-math.sin(turn), math.cos(turn)])
+    for z in depths(rng, 3):
+        first = -r * across
+        p.enter(*first, z)
+        for x in np.arange(0, length, step):
+            start, end = x * along - r * across, x * along + r * across
+            p.go(*start, z)
+            p.arc(*end, *(r * across), ccw=True)
+    return p.commands
+
+
+def isolation(rng):
+    """Isolation milling of a circuit board: many small contours at one depth, then nothing else."""
+    p = Program(rng)
+    for _ in range(int(rng.integers(15, 60))):
+        x, y = rng.uniform(0, 60, 2)
+        r, w = rng.uniform(0.6, 1.5), rng.uniform(0, 12)
+        a = np.concatenate([np.linspace(-np.pi / 2, np.pi / 2, 9), np.linspace(np.pi / 2, 3 * np.pi / 2, 9)])
+        pad = np.column_stack([x + r * np.cos(a) + np.where(np.arange(18) < 9, w, 0), y + r * np.sin(a)])
+        p.cut(closed(pad), -0.1)
+    return p.commands
+
+
+def board(rng):
+    """A circuit board in one program: contours at one depth, then holes, then the outline at several depths."""
+    holes = drilling(rng, pecks=1)
+    while sum(name == "G1" for name, _ in holes) < 6:
+        holes = drilling(rng, pecks=1)
+    return isolation(rng) + holes[1:] + profile(rng)[1:]
+
+
 def drilling(rng, *, cycle=None, pecks=1, rapids=True):
     """Holes by canned cycles or by plunges."""
     p = Program(rng, rapids=rapids)
@@ -472,12 +556,20 @@ SAMPLES = (
     ("adaptive without rapids", {"adaptive"}, lambda r: adaptive(r, rapid_back=False)),
     ("adaptive not lifted", {"adaptive"}, lambda r: adaptive(r, lift=0.0, rapid_back=False)),
     ("adaptive in arcs", {"adaptive"}, lambda r: adaptive(r, arcs=True)),
+    ("bites, sloped way back", {"adaptive"}, bites_in_a_row),
+    ("bites, level way back", {"adaptive"}, lambda r: bites_in_a_row(r, back="level")),
+    ("bites, rapid way back", {"adaptive"}, lambda r: bites_in_a_row(r, back="rapid", spiral_first=False)),
+    ("bites of arcs, bending", {"adaptive"}, lambda r: bites_in_a_row(r, arcs=True, bends=True)),
+    ("bites only", {"adaptive"}, lambda r: bites_in_a_row(r, spiral_first=False, bends=True)),
+    ("trochoid of arcs", {"adaptive"}, trochoid_of_arcs),
     ("drilling", {"drilling"}, drilling),
     ("drilling in pecks", {"drilling"}, lambda r: drilling(r, pecks=4)),
     ("drilling cycles", {"drilling"}, lambda r: drilling(r, cycle="G81")),
     ("drilling without rapids", {"drilling"}, lambda r: drilling(r, rapids=False)),
     ("letters", {"engraving"}, letters),
     ("v-carving", {"engraving"}, lambda r: letters(r, vcarve=True)),
+    ("isolation", {"profile", "engraving"}, isolation),
+    ("circuit board", {"mixed"}, board),
     ("zigzag, then profile", {"mixed"}, pocket_then_profile),
     ("program of three tools", {"mixed"}, program),
 )

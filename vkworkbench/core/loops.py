@@ -47,7 +47,7 @@ def _returns(moves, x, y, area, shift, origin) -> tuple[np.ndarray, np.ndarray]:
     column = ((x - x.min()) * (1 / CLOSE) + origin).astype(np.int32)
     row = ((y - y.min()) * (1 / CLOSE) + origin).astype(np.int32)
     # Hashing the cells is O(n); sorting all vertices would not be.
-    size = 1 << (2 * len(x)).bit_length()
+    size = 1 << (4 * len(x)).bit_length()
     cell = column * np.int32(73856093) + row * np.int32(19349663)
     if len(shift) > 1:
         cell += area.astype(np.int32) * np.int32(83492791)

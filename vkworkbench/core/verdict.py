@@ -196,7 +196,8 @@ def _judge_rings(s: Section, rings: float) -> Verdict:
             if (s.part(s.strokes.bite) > 0.03 and s.strokes.bite.sum() >= 5) or helix > 0.005:
                 seen = "a winding with a helical entry or bites out of the corners"
                 return Verdict(Strategy.ADAPTIVE, winding / rings, len(r), seen)
-            return Verdict(Strategy.SPIRAL, winding / rings, len(r), "one winding that never closes")
+            if _cornered(s) < 0.5:
+                return Verdict(Strategy.SPIRAL, winding / rings, len(r), "one winding that never closes")
         return Verdict(Strategy.CONTOUR_PARALLEL, nested / rings, len(r), "nested")
     moved = s.share(r.moved)
     if moved > 0.4 * rings and len(r) >= 5:
@@ -205,6 +206,18 @@ def _judge_rings(s: Section, rings: float) -> Verdict:
     if alone > 0.5 * rings and _inside(s) > 0.1:
         return Verdict(Strategy.MIXED, 0.5, 2, "an open pass lies inside a contour")
     return Verdict(Strategy.PROFILE, (alone + s.share(r.repeated)) / rings, len(r) + 2, "side by side or repeated")
+
+
+def _cornered(s: Section) -> float:
+    """Share of the turning of the windings that is in corners of more than 30 degrees.
+
+    A spiral turns all the time; polygons that step aside in a corner wind without ever turning back, too.
+    """
+    p, winding = s.pieces, s.rings.index[s.rings.winding]
+    chosen = np.zeros(len(p), bool)
+    chosen[winding] = True
+    turning = np.abs(s.moves.turning[np.repeat(chosen, p.end - p.start)])
+    return float(turning[turning > np.pi / 6].sum() / max(turning.sum(), 1e-9))
 
 
 def _judge_rows(s: Section, rowlike: float) -> Verdict:
