@@ -191,8 +191,8 @@ def _judge_rings(s: Section, rings: float) -> Verdict:
         return Verdict(Strategy.WATERLINE, deeper / rings, r.levels, "whose shape changes with the depth")
     if nested > 0.4 * rings:
         winding = s.share(r.winding)
-        linked = s.share(r.winding & (r.back > 0.08 * TURN))  # a step aside turns one way and back
-        if winding > 0.5 * rings and linked < 0.3 * winding:
+        linked = s.share(r.winding & (r.back > 0.15 * TURN))  # a step aside turns one way and back
+        if winding > 0.5 * rings and linked < 0.5 * winding:
             if (s.part(s.strokes.bite) > 0.03 and s.strokes.bite.sum() >= 5) or helix > 0.005:
                 seen = "a winding with a helical entry or bites out of the corners"
                 return Verdict(Strategy.ADAPTIVE, winding / rings, len(r), seen)
