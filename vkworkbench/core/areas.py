@@ -160,7 +160,7 @@ def _split(planar, rapid, z, dx, dy, dz, length) -> tuple[np.ndarray, np.ndarray
     """
     index = np.flatnonzero(planar)
     if len(index) == len(planar):
-        return index, np.zeros(1, np.int64)
+        return index, np.zeros(min(len(index), 1), np.int64)
     gap = np.flatnonzero(index[1:] - index[:-1] > 1) + 1
     if len(gap):
         rapids = np.concatenate([[0], np.cumsum(rapid)])
