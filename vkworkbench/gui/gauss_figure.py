@@ -73,6 +73,7 @@ class GaussCanvas(FigureCanvasQTAgg):
         finally:
             for artist in self._moving:
                 artist.set_animated(True)
+            self._still = None
             self.draw_idle()
 
     def draw(self) -> None:
@@ -160,8 +161,9 @@ class GaussCanvas(FigureCanvasQTAgg):
         (self._v_ray,) = axes.plot([], [], color=_V, linewidth=1.6)
         (self._image,) = axes.plot([], [], "o", color=self._text, markersize=6)
         (self._v_image,) = axes.plot([], [], "o", color=_V, markersize=6)
-        self._image_name = axes.text(0, 0, "$v_k$", color=self._text, ha="center", va="center")
-        self._v_image_name = axes.text(0, 0, "$V_k$", color=_V, ha="center", va="center")
+        in_a_box = {"ha": "center", "va": "center", "bbox": {"facecolor": self._back, "linewidth": 0, "pad": 0.5}}
+        self._image_name = axes.text(0, 0, "$v_k$", color=self._text, **in_a_box)
+        self._v_image_name = axes.text(0, 0, "$V_k$", color=_V, **in_a_box)
         self._moving += [
             *self._arcs, self._half_turns, self._ray, self._v_ray, self._image, self._v_image, self._image_name,
             self._v_image_name,
@@ -237,8 +239,9 @@ class GaussCanvas(FigureCanvasQTAgg):
         self._theta_now.set_data([k + 1], [signature.theta_level[k]])
 
     def _drawn(self) -> None:
-        self._still = self.copy_from_bbox(self.figure.bbox)
-        self._draw_moving()
+        if self.figure.canvas is self:  # saving lends the figure to another canvas
+            self._still = self.copy_from_bbox(self.figure.bbox)
+            self._draw_moving()
 
     def _draw_moving(self) -> None:
         for artist in self._moving:

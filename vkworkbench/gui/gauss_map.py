@@ -141,6 +141,9 @@ class GaussMapDock(QDockWidget):
             self._label, _in_pi(signature.phi.min()), _in_pi(signature.phi.max()), signature.level.min(),
             signature.level.max(), len(signature.reversals),
         ))  # fmt: skip
+        if signature.closed:
+            self.title.setText(self.title.text() + translate("Vk_GaussMap", "; closed, with its last turn φ = {}").format(
+                _in_pi(signature.total_turning)))  # fmt: skip
         notes = []
         if canvas.drawn < canvas.points:
             notes.append(translate("Vk_GaussMap", "Toolpath drawn with {} of {} points: the others fall on the same pixels.")
