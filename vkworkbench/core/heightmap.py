@@ -15,10 +15,10 @@ _MOST_SAMPLES = 300_000
 # A step between two cells of the map that is no slope: higher than this many cells, or alone among flat ones.
 _WALL = 1.8
 # Triangles per corner of a wall, per cell of wall, per rectangle on a slope, of a plain box; per cell of a
-# bottom that is cut through, for each corner of its outline beyond a few, and at most. Fitted to FreeCAD's
-# meshes, see benchmarks/simulators.py.
+# bottom that is cut through, for each corner of its outline beyond a few, at most where it only has holes (in
+# up to a share of its cells), and at most. Fitted to FreeCAD's meshes, see benchmarks/simulators.py.
 _CORNER, _ALONG, _RECTANGLE, _BOX = 3.6, 0.26, 3.65, 12.0
-_PER_CORNER, _FEW_CORNERS, _PIECES = 0.002, 8, 0.5
+_PER_CORNER, _FEW_CORNERS, _HOLED, _HOLES, _PIECES = 0.002, 8, 0.04, 0.05, 0.5
 # FreeCAD's rectangles are no longer than this many times their width (VolSim.cpp).
 _LONGEST = 5.0
 
@@ -126,7 +126,13 @@ def _bottom(kept: np.ndarray) -> float:
     """Triangles of the lower face for each cell of the simulator in a cell of the map."""
     whole = kept.astype(np.int8)
     corners = int(((whole[1:, 1:] + whole[1:, :-1] + whole[:-1, 1:] + whole[:-1, :-1]) % 2).sum())
-    return min(_PER_CORNER * max(corners - _FEW_CORNERS, 0), _PIECES) * float(kept.sum())
+    # A hole spoils the rectangles beside it only.
+    most = _HOLED if kept.mean() > 1 - _HOLES and _border(kept).all() else _PIECES
+    return min(_PER_CORNER * max(corners - _FEW_CORNERS, 0), most) * float(kept.sum())
+
+
+def _border(cells: np.ndarray) -> np.ndarray:
+    return np.concatenate((cells[0], cells[-1], cells[:, 0], cells[:, -1]))
 
 
 def _walls(step: np.ndarray, size: float, resolution: float) -> np.ndarray:
