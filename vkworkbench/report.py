@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import csv
 import json
+import re
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -13,6 +14,10 @@ from vkworkbench.core import Estimate, Machining, Recognition, Span, Strategy
 from vkworkbench.core.legacy import LegacyCost
 from vkworkbench.core.opengl import OpenGLCost
 from vkworkbench.core.preflight import Caution
+
+# What spreadsheets take for a formula, behind anything they skip; the full-width signs in East Asian ones.
+_FORMULA = re.compile(r"[\s\x00-\x1f\ufeff\u200b-\u200f\u2060]*[=+\-@＝＋－＠]")
+_CONTROL = re.compile(r"[\x00-\x1f\x7f-\x9f]+")
 
 
 @dataclass(frozen=True)
@@ -180,7 +185,7 @@ class Report:
         header = ("operation", "strategy", "sure", "trajectories", "cutting", "time", "memory", "")
         rows = [header, *(_row(o) for o in self.operations)]
         totals = [
-            (f"{t.label}: {t.operations} operations", "", "", f"{t.trajectories:,}", friendly.length(t.length),
+            (f"{_cell(t.label)}: {t.operations} operations", "", "", f"{t.trajectories:,}", friendly.length(t.length),
              _at_least(t, friendly.time(t.seconds)), _at_least(t, friendly.memory(t.memory_bytes)), "")
             for t in self.totals
         ]  # fmt: skip
@@ -206,7 +211,7 @@ class Report:
         with open(path, "w", newline="", encoding="utf-8") as file:
             writer = csv.DictWriter(file, names)
             writer.writeheader()
-            writer.writerows({k: _plain_text(v) for k, v in row.items()} for row in rows)
+            writer.writerows({k: plain_text(v) for k, v in row.items()} for row in rows)
 
     def to_json(self, path: str) -> None:
         """Write the operations and the totals of their jobs, in mm, s, rad and bytes."""
@@ -221,15 +226,21 @@ class Report:
 def _row(o: OperationReport) -> tuple[str, ...]:
     estimate = o.estimate
     return (
-        o.label if o.counted or o.job is None else f"({o.label})",
+        _cell(o.label) if o.counted or o.job is None else f"({_cell(o.label)})",
         o.strategy.value,
         f"{o.confidence:.0%}",
         f"{o.trajectories:,}",
         friendly.length(o.length),
         friendly.time(estimate.seconds) if estimate else "?",
         friendly.memory(estimate.memory_bytes) if estimate else "?",
-        o.error or "",
+        _cell(o.error or "", 200),
     )
+
+
+def _cell(text: str, longest: int = 60) -> str:
+    """Text that stays in its cell: control characters would break the table or command the terminal."""
+    text = _CONTROL.sub(" ", text)
+    return text if len(text) <= longest else text[: longest - 1] + "…"
 
 
 def _at_least(total: Total, text: str) -> str:
@@ -242,7 +253,8 @@ def _line(row: tuple[str, ...], widths: list[int]) -> str:
     return "  ".join(cells).rstrip()
 
 
-def _plain_text(value: Any) -> Any:
-    if isinstance(value, str) and value.lstrip()[:1] in ("=", "+", "-", "@"):
+def plain_text(value: Any) -> Any:
+    """Return a text that no spreadsheet takes for a formula; other values as they are."""
+    if isinstance(value, str) and _FORMULA.match(value):
         return "'" + value
     return value

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from contextlib import suppress
 
 import FreeCAD
 
@@ -42,7 +43,8 @@ def analyze(
     Returns
     -------
     Report
-        One row for each operation; what is wrong with one is in its row and stops no other.
+        One row for each operation; what is wrong with one is in its row and stops no other. An operation
+        that is deleted during the analysis has no row.
 
     Raises
     ------
@@ -58,14 +60,16 @@ def analyze(
         if what is None:
             raise ValueError("no document is open: open one with a job or a toolpath")
     operations = find(what)
+    jobs = {(o.job.Document.Name, o.job.Name): o.job.Label for o in operations if o.job is not None}
+    labels = [o.object.Label for o in operations]
     reports = []
     for done, operation in enumerate(operations):
         if cancelled is not None and cancelled():
             raise Cancelled("the analysis was cancelled; nothing has been changed")
         if progress is not None:
-            progress(done, len(operations), operation.object.Label)
-        reports.append(_analyze(operation))
-    jobs = {(o.job.Document.Name, o.job.Name): o.job.Label for o in operations if o.job is not None}
+            progress(done, len(operations), labels[done])
+        with suppress(ReferenceError):  # deleted meanwhile, or its document closed
+            reports.append(_analyze(operation))
     return Report(tuple(reports), jobs)
 
 

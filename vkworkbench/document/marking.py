@@ -77,16 +77,18 @@ def clear(what=None) -> int:
 @contextmanager
 def transaction(document, name: str):
     """Make the changes within one undo step, undone if one fails; part of the step that is already open."""
-    if document.HasPendingTransaction:
+    if document.HasPendingTransaction or FreeCAD.getActiveTransaction():
         yield
         return
     document.openTransaction(name)
     try:
         yield
     except BaseException:
-        document.abortTransaction()
+        FreeCAD.closeActiveTransaction(True)
         raise
-    document.commitTransaction()
+    # The document's own commit leaves it open where nothing changed or the document keeps no undo steps, and
+    # what the user does next, in whatever document, would be part of it.
+    FreeCAD.closeActiveTransaction()
 
 
 def _jobs(document) -> list:

@@ -75,13 +75,23 @@ def find(what) -> list[Operation]:
     TypeError
         If something else is given.
     """
+    return list(_once(_find(what, {})).values())
+
+
+def _once(operations: Iterable[Operation]) -> dict[tuple[str, str], Operation]:
+    """Return each object's first operation by the names of its document and its own."""
     found: dict[tuple[str, str], Operation] = {}
-    for operation in _find(what):
-        found.setdefault((operation.object.Document.Name, operation.object.Name), operation)
-    return list(found.values())
+    for operation in operations:
+        found.setdefault(_key(operation.object), operation)
+    return found
 
 
-def _find(what) -> Iterator[Operation]:
+def _key(obj) -> tuple[str, str]:
+    return obj.Document.Name, obj.Name
+
+
+def _find(what, jobs: dict) -> Iterator[Operation]:
+    """Find the operations; `jobs` keeps those of each job, which selections would otherwise find again and again."""
     if is_document(what):
         for obj in what.Objects:
             if kind(obj) == "job":
@@ -94,12 +104,16 @@ def _find(what) -> Iterator[Operation]:
         if sort == "job":
             yield from _of_job(what)
         elif sort in ("operation", "dressup", "array"):
-            yield from (o for o in _of_job_or_alone(what) if o.object is what)
+            job = _job_of(what)
+            if job is not None and _key(job) not in jobs:
+                jobs[_key(job)] = _once(_of_job(job))
+            listed = jobs[_key(job)].get(_key(what)) if job is not None else None
+            yield listed or next(_with_bases(what, job, counted=True))
         elif is_job_group(what):
             yield from _of_job(_job_of(what))
     elif isinstance(what, Iterable) and not isinstance(what, str):
         for one in what:
-            yield from _find(one)
+            yield from _find(one, jobs)
     else:
         raise TypeError(f"analyze takes a document, a job or operations, not {type(what).__name__}")
 
@@ -111,13 +125,6 @@ def _of_job(job) -> Iterator[Operation]:
     for obj in members:
         if kind(obj) in ("operation", "dressup", "array"):
             yield from _with_bases(obj, job, counted=obj.Name not in dressed)
-
-
-def _of_job_or_alone(obj) -> Iterator[Operation]:
-    job = _job_of(obj)
-    if job is not None:
-        yield from _of_job(job)
-    yield from _with_bases(obj, job, counted=True)
 
 
 def _with_bases(obj, job, counted: bool) -> Iterator[Operation]:

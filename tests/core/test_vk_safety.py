@@ -1,0 +1,69 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What the package never does: evaluate text, reach for the network, start programs; and cells that stay text."""
+
+from __future__ import annotations
+
+import ast
+import csv
+from pathlib import Path
+
+import pytest
+
+from vkworkbench import report
+from vkworkbench.report import Report
+
+ROOT = Path(__file__).parents[2]
+SOURCES = [*(ROOT / "vkworkbench").rglob("*.py"), ROOT / "Init.py", ROOT / "InitGui.py"]
+CALLS = {"eval", "exec", "compile", "__import__", "system", "popen", "urlopen", "urlretrieve"}
+MODULES = {"socket", "ssl", "http", "urllib", "ftplib", "smtplib", "requests", "asyncio", "subprocess", "ctypes", "pickle",
+           "marshal", "shelve", "xmlrpc", "telnetlib", "webbrowser", "QtNetwork", "QtWebEngineWidgets"}  # fmt: skip
+
+
+def named(tree):
+    """Functions called by a plain name or as a function of a module, and every module and name imported."""
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Call):
+            if isinstance(node.func, ast.Name):
+                yield node.func.id
+            elif isinstance(node.func, ast.Attribute) and isinstance(node.func.value, ast.Name) and node.func.attr != "exec":
+                if not (node.func.value.id == "re" and node.func.attr == "compile"):
+                    yield node.func.attr  # exec of a Qt dialog is another one
+        elif isinstance(node, ast.Import):
+            for alias in node.names:
+                yield from alias.name.split(".")
+        elif isinstance(node, ast.ImportFrom):
+            yield from (node.module or "").split(".")
+            yield from (alias.name for alias in node.names)
+
+
+@pytest.mark.parametrize("path", SOURCES, ids=lambda path: str(path.relative_to(ROOT)))
+def test_no_evaluation_and_no_network(path):
+    assert (CALLS | MODULES).isdisjoint(named(ast.parse(path.read_text(encoding="utf-8"))))
+
+
+def test_the_search_finds_what_it_looks_for():
+    code = "import os.path, urllib.request\nfrom PySide import QtNetwork\neval('1')\nos.system('x')\nre.compile('x')\nbox.exec()"
+    assert (CALLS | MODULES) & set(named(ast.parse(code))) == {"urllib", "QtNetwork", "eval", "system"}
+
+
+FORMULAS = ["=1+1", "+1", "-1", "@SUM(A1)", "\t=1", "\r=1", "\n=1", " =1", "\ufeff=1", "\u200b=1", "\x00=1", "＝1", "=", "\r\n\t @x"]
+PLAIN = ["1+1", "a=b", "", "'=1", "x-y", "e@mail", "a\n=b", "Ж"]
+
+
+@pytest.mark.parametrize("text", FORMULAS + PLAIN)
+def test_cells_that_begin_like_a_formula_become_text(text, tmp_path):
+    class Row:
+        def as_dict(self):
+            return {"label": text, "length": -1.5, "cautions": [text], "spans": []}
+
+    Report((Row(),)).to_csv(tmp_path / "r.csv")
+    with open(tmp_path / "r.csv", newline="", encoding="utf-8") as file:
+        (row,) = csv.DictReader(file)
+    for cell in (row["label"], row["cautions"]):
+        assert cell == ("'" + text if text in FORMULAS else text)
+    assert float(row["length"]) == -1.5  # a number is no text
+
+
+def test_cells_of_the_table_stay_on_their_line():
+    assert report._cell("a\nb\r\x1b[31mc\u202e🙂") == "a b [31mc\u202e🙂"
+    assert len(report._cell("x" * 5000)) == 60
