@@ -11,7 +11,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from vkworkbench.core.motions import motions
+from vkworkbench.core.motions import Motions, motions
 from vkworkbench.core.simulators import DEFAULTS, Constants
 from vkworkbench.core.toolpath import Toolpath
 
@@ -21,6 +21,64 @@ _SMALLEST_STEP, _LARGEST_STEP = np.pi / 90, np.pi / 2
 _PASSES = 9
 # It waits for every second refresh of a 60 Hz screen.
 _SHORTEST_FRAME = 1 / 30
+
+
+@dataclass(frozen=True, eq=False)
+class OpenGLWork:
+    """The work of the OpenGL simulator, counted exactly.
+
+    Attributes
+    ----------
+    steps : (m,) float64
+        Steps of each motion; playing advances by as many of them per frame as its speed says.
+    draws : (m,) float64
+        Draw calls that each motion, once done, costs every frame.
+    arc : (m,) bool
+        Which motions are arcs; an arc is drawn as far as it is done, anything else is drawn whole at once.
+    """
+
+    steps: np.ndarray
+    draws: np.ndarray
+    arc: np.ndarray
+
+
+def opengl_work(made: Motions, *, diameter: float, quality: int = 10) -> OpenGLWork:
+    """Count what the OpenGL simulator does (``MillPathSegment`` and ``RenderSimulation``).
+
+    Parameters
+    ----------
+    made : Motions
+        From :func:`~vkworkbench.core.motions.motions`.
+    diameter : float
+        Diameter of the tool, mm.
+    quality : int
+        Position of the quality slider, 1 to 10.
+
+    Returns
+    -------
+    OpenGLWork
+
+    Raises
+    ------
+    ValueError
+        If the diameter or the quality is not positive.
+    """
+    if not (np.isfinite(diameter) and diameter > 0):
+        raise ValueError(f"the tool diameter must be a positive number of mm, not {diameter}")
+    if not quality > 0:
+        raise ValueError(f"the quality must be positive, not {quality}")
+    # The size of the stock is not known yet when the simulator asks for it, so its 100 mm always count.
+    resolution = min(max(100 * 0.05 / quality, 0.5), 4.0)
+    small_step = np.pi / (8 if quality >= 8 else 4 if quality >= 4 else 2)
+
+    arc = made.radius > 0
+    small = made.radius <= diameter / 2
+    ratio = np.divide(resolution, made.radius, out=np.ones(len(arc)), where=made.radius > resolution)
+    step = np.where(small, small_step, np.clip(np.arcsin(ratio), _SMALLEST_STEP, _LARGEST_STEP))
+    chords = np.floor(np.abs(made.sweep) / step) + np.where(small, 1, 2)
+    lines = np.maximum(np.floor(np.linalg.norm(made.move, axis=1) / resolution), 1)
+    draws = _PASSES * np.where(arc, chords, np.where(made.level < 1e-6, 1, 2))
+    return OpenGLWork(np.where(arc, chords, lines), draws, arc)
 
 
 @dataclass(frozen=True)
@@ -87,23 +145,8 @@ def opengl_cost(
     ValueError
         If the diameter or the quality is not positive.
     """
-    if not (np.isfinite(diameter) and diameter > 0):
-        raise ValueError(f"the tool diameter must be a positive number of mm, not {diameter}")
-    if not quality > 0:
-        raise ValueError(f"the quality must be positive, not {quality}")
-    made = motions(toolpath)
-    # The size of the stock is not known yet when the simulator asks for it, so its 100 mm always count.
-    resolution = min(max(100 * 0.05 / quality, 0.5), 4.0)
-    small_step = np.pi / (8 if quality >= 8 else 4 if quality >= 4 else 2)
-
-    arc = made.radius > 0
-    small = made.radius <= diameter / 2
-    ratio = np.divide(resolution, made.radius, out=np.ones(len(arc)), where=made.radius > resolution)
-    step = np.where(small, small_step, np.clip(np.arcsin(ratio), _SMALLEST_STEP, _LARGEST_STEP))
-    chords = np.floor(np.abs(made.sweep) / step) + np.where(small, 1, 2)
-    lines = np.maximum(np.floor(np.linalg.norm(made.move, axis=1) / resolution), 1)
-    steps = np.where(arc, chords, lines)
-    draws = _PASSES * np.where(arc, chords, np.where(made.level < 1e-6, 1, 2))
+    work = opengl_work(motions(toolpath), diameter=diameter, quality=quality)
+    steps, draws, arc = work.steps, work.draws, work.arc
 
     # Mean frame of every motion: a line is drawn whole at once, an arc grows chord by chord.
     before = np.cumsum(draws) - draws
