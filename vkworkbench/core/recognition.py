@@ -15,7 +15,7 @@ from vkworkbench.core.toolpath import Toolpath
 from vkworkbench.core.verdict import Section, Verdict, judge
 
 #: Below this confidence no strategy is defended: the answer is UNKNOWN.
-BAR = 0.5
+BAR = 0.65
 
 MANY_TITLES = 50  # comments; a program with more has remarks, not headings
 DRILLED = 4  # holes in a row from which drilling is an operation of its own

@@ -1,0 +1,195 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""How often the recognition is right, what its confidence is worth and what it costs.
+
+    python3 benchmarks/recognition.py [FILE.jsonl.gz ...]
+
+Each line of a FILE is a JSON record: label, strategy, accept (the strategies that count as right), tool_diameter
+(mm or null) and commands ([name, parameters], mm and mm/s). Toolpaths that are the same to a micrometre count once.
+Without files the toolpaths of synthetic.py are taken. Needs numpy only.
+"""
+
+from __future__ import annotations
+
+import collections
+import gzip
+import hashlib
+import json
+import sys
+import time
+from pathlib import Path
+
+import numpy as np
+
+HERE = Path(__file__).resolve().parent
+sys.path[:0] = [str(HERE.parent), str(HERE)]
+
+import synthetic  # noqa: E402
+
+from vkworkbench.core.linearize import linearize  # noqa: E402
+from vkworkbench.core.recognition import recognize  # noqa: E402
+from vkworkbench.core.toolpath import Toolpath  # noqa: E402
+
+BACK_AND_FORTH = {"zigzag", "one-way"}
+AROUND = {"contour-parallel", "spiral", "waterline", "profile", "helix"}
+SEEDS = 20  # synthetic toolpaths of each kind
+
+
+def records(files: list[str]):
+    """Yield (label, strategy, accepted strategies, tool diameter, toolpath)."""
+    for file in files:
+        opened = gzip.open(file, "rt") if file.endswith(".gz") else open(file)
+        with opened as lines:
+            for line in lines:
+                r = json.loads(line)
+                path = linearize([(name, words) for name, words in r["commands"]])
+                yield r["label"], r["strategy"], set(r["accept"]), r["tool_diameter"], path
+    if not files:
+        for label, accepted, make in synthetic.SAMPLES:
+            # The strategy a label names decides the two-class figure only where all accepted ones agree on it.
+            strategy = "mixed" if "mixed" in accepted else min(accepted)
+            for seed in range(SEEDS):
+                rng = np.random.default_rng([seed, sum(map(ord, label))])
+                yield label, strategy, accepted, None, linearize(make(rng))
+
+
+def key(path: Toolpath) -> bytes:
+    """Return what two equal toolpaths have in common."""
+    return hashlib.sha1(np.round(path.points, 3).tobytes() + path.rapid.tobytes()).digest()
+
+
+def accuracy(files: list[str]) -> None:
+    """Print the confusion of strategies, the rates and the reliability of the confidence."""
+    seen: set[bytes] = set()
+    by_label = collections.defaultdict(lambda: [0, 0])
+    confusion: collections.Counter = collections.Counter()
+    answers, two, moves, seconds = [], [0, 0], 0, 0.0
+    for label, strategy, accepted, diameter, path in records(files):
+        if (digest := key(path)) in seen:
+            continue
+        seen.add(digest)
+        began = time.perf_counter()
+        found = recognize(path, tool_diameter=diameter)
+        seconds += time.perf_counter() - began
+        moves += len(path)
+        got = str(found.strategy)
+        right = got in accepted
+        by_label[label][0] += right
+        by_label[label][1] += 1
+        confusion[strategy, got if not right else strategy] += 1
+        answers.append((found.confidence, right))
+        if accepted <= BACK_AND_FORTH or strategy in {"contour-parallel", "spiral", "waterline"}:
+            two[0] += got in (BACK_AND_FORTH if strategy in BACK_AND_FORTH else AROUND)
+            two[1] += 1
+    _print_labels(by_label)
+    _print_confusion(confusion)
+    _print_reliability(answers)
+    right = sum(r for _, r in answers)
+    mean = np.mean([a / b for a, b in by_label.values()])
+    print(f"\n{len(answers)} distinct toolpaths: right {right / len(answers):.3f}, mean over labels {mean:.3f}, "
+          f"two-class {two[0]}/{two[1]} = {two[0] / max(1, two[1]):.4f}")
+    print(f"{seconds / max(1, moves) * 1e6:.2f} us per trajectory over {moves} trajectories")
+
+
+def _print_labels(by_label) -> None:
+    print("right by label (only where something is wrong)")
+    for label, (right, count) in sorted(by_label.items()):
+        if right < count:
+            print(f"  {label:36s} {right:4d} of {count}")
+
+
+def _print_confusion(confusion) -> None:
+    names = sorted({name for pair in confusion for name in pair})
+    print("\nconfusion: rows are the true strategies, columns the answers; an accepted answer counts as the true one")
+    print(" " * 18 + " ".join(f"{name[:7]:>7s}" for name in names))
+    for true in names:
+        row = [confusion[true, got] for got in names]
+        if sum(row):
+            print(f"{true:18s}" + " ".join(f"{n or '.':>7}" for n in row))
+
+
+def _print_reliability(answers) -> None:
+    print("\nreliability: how often verdicts of one confidence are right")
+    answers = np.array(answers, float)
+    edges = np.array([0.0, 0.65, 0.75, 0.85, 0.95, 1.0001])
+    for low, high in zip(edges[:-1], edges[1:]):
+        some = answers[(answers[:, 0] >= low) & (answers[:, 0] < high)]
+        if len(some):
+            print(f"  confidence {low:.2f} to {min(high, 1):.2f}: {len(some):5d} verdicts, "
+                  f"mean confidence {some[:, 0].mean():.2f}, right {some[:, 1].mean():.2f}")
+
+
+# Speed --------------------------------------------------------------------------------------------------------------
+
+
+def path_through(points: np.ndarray) -> Toolpath:
+    """Return a toolpath that cuts through all points (n+1, 2)."""
+    n = len(points) - 1
+    return Toolpath(
+        points=np.column_stack([points, np.zeros(n + 1)]),
+        rapid=np.zeros(n, bool),
+        command=np.arange(n),
+        feed=np.ones(n),
+        sweep=np.zeros(n),
+        plane=np.full(n, 17, np.uint8),
+        cycle=np.zeros(n, bool),
+        commands=n,
+    )
+
+
+def zigzag(n: int) -> Toolpath:
+    """Return a raster of n trajectories with ten moves a row."""
+    k = np.arange(n + 1)
+    row, at = np.divmod(k, 11)
+    return path_through(np.column_stack([np.where(row % 2 == 0, at, 10 - at) * 8.0, row * 1.0]))
+
+
+def linked_offsets(n: int) -> Toolpath:
+    """Return n trajectories of closed loops of 36 sides, each linked to the next by a step outward."""
+    k = np.arange(n + 1)
+    loop, at = np.divmod(k, 37)
+    angle, radius = at * 2 * np.pi / 36, 5 + loop * 1.0
+    return path_through(np.column_stack([radius * np.cos(angle), radius * np.sin(angle)]))
+
+
+def linked_squares(n: int) -> Toolpath:
+    """Return n trajectories of squares, each linked to the next by a step outward."""
+    k = np.arange(n + 1)
+    loop, at = np.divmod(k, 5)
+    half = 5 + loop * 1.0
+    return path_through(np.column_stack([half * np.array([-1, 1, 1, -1, -1])[at], half * np.array([-1, -1, 1, 1, -1])[at]]))
+
+
+def obvious(points: np.ndarray) -> np.ndarray:
+    """Return phi by the obvious numpy pipeline: differences, arctan2, wrap, cumulative sum."""
+    steps = np.diff(points[:, :2], axis=0)
+    alpha = np.arctan2(steps[:, 1], steps[:, 0])
+    return np.cumsum((np.diff(alpha) + np.pi) % (2 * np.pi) - np.pi)
+
+
+def best(function, *arguments) -> float:
+    """Return the shortest processor time of many runs, s: what other programs do meanwhile does not count."""
+    runs, began = [], time.perf_counter()
+    while len(runs) < 5 or (len(runs) < 100 and time.perf_counter() - began < 3):
+        start = time.thread_time()
+        function(*arguments)
+        runs.append(time.thread_time() - start)
+    return min(runs)
+
+
+def speed() -> None:
+    """Print the cost of a recognition as a multiple of the obvious pipeline, and its growth."""
+    print("\nspeed: time of recognize / time of the obvious pipeline, and time per trajectory / that at 17,000")
+    for make in (zigzag, linked_offsets, linked_squares):
+        base = None
+        for n in (17_000, 100_000, 1_000_000):
+            path = make(n)
+            spent = best(recognize, path)
+            base = base or spent / n
+            print(f"  {make.__name__:15s} {n:9d} trajectories: {spent / best(obvious, path.points):5.1f}   "
+                  f"{spent / n / base:4.2f}   ({recognize(path).strategy})")
+
+
+if __name__ == "__main__":
+    accuracy(sys.argv[1:])
+    speed()
