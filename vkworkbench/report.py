@@ -9,11 +9,12 @@ import re
 from dataclasses import dataclass, field
 from typing import Any
 
-from vkworkbench import friendly
+from vkworkbench import friendly, preferences
 from vkworkbench.core import Estimate, Machining, Recognition, Span, Strategy
 from vkworkbench.core.legacy import LegacyCost
 from vkworkbench.core.opengl import OpenGLCost
 from vkworkbench.core.preflight import Caution
+from vkworkbench.core.resolution import Resolution
 
 # What spreadsheets take for a formula, behind anything they skip; the full-width signs in East Asian ones.
 _FORMULA = re.compile(r"[\s\x00-\x1f\ufeff\u200b-\u200f\u2060]*[=+\-@＝＋－＠]")
@@ -44,6 +45,8 @@ class OperationReport:
         What FreeCAD's legacy simulator takes for it, at its finest accuracy.
     opengl : OpenGLCost or None
         What FreeCAD's OpenGL simulator takes for it; None also where this FreeCAD has none.
+    resolution : Resolution or None
+        The finest image of the z-buffer within the budget of the preferences; None where `error` says why.
     cautions : tuple of Caution
         What will go wrong or take long in FreeCAD's simulators, the worst first.
     error : str or None
@@ -63,6 +66,7 @@ class OperationReport:
     estimate: Estimate | None
     legacy: LegacyCost | None
     opengl: OpenGLCost | None
+    resolution: Resolution | None
     cautions: tuple[Caution, ...]
     error: str | None
     fingerprint: str
@@ -87,6 +91,21 @@ class OperationReport:
     def length(self) -> float:
         """Cutting length, mm, arcs by their exact length."""
         return self.machining.cutting_length
+
+    def cost(self, simulator: str) -> tuple[float, float] | None:
+        """Return seconds and bytes of simulating it, None where they are not known.
+
+        Parameters
+        ----------
+        simulator : {"z-buffer", "legacy", "OpenGL"}
+            The legacy simulator runs in fast-forward, the OpenGL simulator at its highest speed.
+        """
+        if simulator == preferences.LEGACY:
+            return self.legacy and (self.legacy.fast_forward_seconds, self.legacy.memory_bytes)
+        if simulator == preferences.OPENGL:
+            plays = self.opengl and self.opengl.play_seconds
+            return plays and (plays[max(plays)], self.opengl.memory_bytes)
+        return self.estimate and (self.estimate.seconds, float(self.estimate.memory_bytes))
 
     def as_dict(self) -> dict[str, Any]:
         """Return the report as numbers, strings and lists, in mm, s, rad and bytes."""
@@ -116,6 +135,7 @@ class OperationReport:
             "traces_error": estimate and estimate.traces_error,
             "memory_bytes": estimate and estimate.memory_bytes,
             "seconds": estimate and estimate.seconds,
+            "resolution": self.resolution and self.resolution.explanation,
             "legacy_seconds": self.legacy and self.legacy.fast_forward_seconds,
             "legacy_play_seconds": self.legacy and self.legacy.play_seconds,
             "legacy_memory_bytes": self.legacy and self.legacy.memory_bytes,

@@ -56,6 +56,7 @@ def preflight(
     legacy: LegacyCost | None = None,
     opengl: OpenGLCost | None = None,
     memory_budget: float = 1e9,
+    time_budget: float = LONGEST_PLAY,
 ) -> tuple[Caution, ...]:
     """Find what goes wrong or takes too long in FreeCAD's simulators.
 
@@ -73,6 +74,8 @@ def preflight(
         Estimates for this operation; without them time and memory are not checked.
     memory_budget : float
         Bytes one operation may take.
+    time_budget : float
+        s playing it may take.
 
     Returns
     -------
@@ -83,9 +86,9 @@ def preflight(
     if diameter is not None:
         cautions += _ramps(toolpath, diameter)
     if legacy is not None:
-        cautions += _long_legacy(legacy) + _short_moves(toolpath, legacy.resolution)
+        cautions += _long_legacy(legacy, time_budget) + _short_moves(toolpath, legacy.resolution)
     if opengl is not None and Simulator.OPENGL in available_simulators(version):
-        cautions += _long_opengl(opengl)
+        cautions += _long_opengl(opengl, time_budget)
     cautions += _memory(legacy, opengl, memory_budget)
     return tuple(cautions)
 
@@ -150,8 +153,8 @@ def _ramps(toolpath: Toolpath, diameter: float) -> list[Caution]:
     return [Caution("legacy-ramp", message, int(toolpath.command[wrong[0]]))]
 
 
-def _long_legacy(cost: LegacyCost) -> list[Caution]:
-    if cost.play_seconds <= LONGEST_PLAY:
+def _long_legacy(cost: LegacyCost, budget: float) -> list[Caution]:
+    if cost.play_seconds <= budget:
         return []
     message = (
         f"Playing takes about {friendly.time(cost.play_seconds)} in the legacy simulator: "
@@ -172,10 +175,10 @@ def _short_moves(toolpath: Toolpath, resolution: float) -> list[Caution]:
     return [Caution("short-moves", message, int(toolpath.command[short[0]]))]
 
 
-def _long_opengl(cost: OpenGLCost) -> list[Caution]:
+def _long_opengl(cost: OpenGLCost, budget: float) -> list[Caution]:
     found = []
     fastest = max(cost.play_seconds)
-    if cost.play_seconds[fastest] > LONGEST_PLAY:
+    if cost.play_seconds[fastest] > budget:
         message = (
             f"Playing takes about {friendly.time(cost.play_seconds[fastest])} in the OpenGL simulator at its "
             "fastest: simulate fewer operations at a time."

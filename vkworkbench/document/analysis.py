@@ -8,14 +8,18 @@ from contextlib import suppress
 
 import FreeCAD
 
-from vkworkbench.core import Strategy, View, estimate, linearize, machining, recognize
+from vkworkbench import preferences
+from vkworkbench.core import Strategy, estimate, linearize, machining, recognize
 from vkworkbench.core.legacy import legacy_costs
 from vkworkbench.core.opengl import opengl_cost
 from vkworkbench.core.preflight import preflight
-from vkworkbench.core.simulators import Simulator, available_simulators, opengl_speeds
+from vkworkbench.core.resolution import best_resolution
+from vkworkbench.core.simulators import Constants, Simulator, available_simulators, opengl_speeds
+from vkworkbench.document import calibration
 from vkworkbench.document.fingerprint import fingerprint
 from vkworkbench.document.operations import Operation, find
 from vkworkbench.document.setting import placed, rapid_feeds, read_stock, read_tool
+from vkworkbench.preferences import Preferences
 from vkworkbench.report import OperationReport, Report
 
 
@@ -60,6 +64,8 @@ def analyze(
         if what is None:
             raise ValueError("no document is open: open one with a job or a toolpath")
     operations = find(what)
+    chosen = preferences.read()
+    constants = calibration.constants(chosen.renderer)
     jobs = {(o.job.Document.Name, o.job.Name): o.job.Label for o in operations if o.job is not None}
     labels = [o.object.Label for o in operations]
     reports = []
@@ -69,18 +75,18 @@ def analyze(
         if progress is not None:
             progress(done, len(operations), labels[done])
         with suppress(ReferenceError):  # deleted meanwhile, or its document closed
-            reports.append(_analyze(operation))
+            reports.append(_analyze(operation, chosen, constants))
     return Report(tuple(reports), jobs)
 
 
-def _analyze(operation: Operation) -> OperationReport:
+def _analyze(operation: Operation, chosen: Preferences, constants: Constants) -> OperationReport:
     obj, job = operation.object, operation.job
     errors: list[str] = []
     tool = _or_words(errors, read_tool, obj)
     stock = _or_words(errors, read_stock, job)
     commands = obj.Path.Commands
     try:
-        toolpath = placed(linearize(commands), obj.Placement)
+        toolpath = placed(linearize(commands, tolerance=chosen.tolerance), obj.Placement)
     except ValueError as error:
         errors.append(str(error))
         toolpath = linearize([])
@@ -91,13 +97,20 @@ def _analyze(operation: Operation) -> OperationReport:
         # Without a toolpath a missing tool or stock is not what is wrong.
         errors = [_why_empty(operation)]
     errors += [str(problem) for problem in toolpath.problems]
-    cost = legacy = opengl = None
+    cost = legacy = opengl = resolution = None
     version = tuple(int(number) for number in FreeCAD.Version()[:2])
     if tool and stock and found.strategy is not Strategy.EMPTY:
-        cost = estimate(toolpath, found, tool=tool, stock=stock, view=View())
-        (legacy,) = legacy_costs(toolpath, tool=tool, stock=stock)
+        cost = estimate(toolpath, found, tool=tool, stock=stock, view=chosen.view)
+        resolution = best_resolution([cost], memory_bytes=chosen.memory_budget_bytes, seconds=chosen.time_budget,
+                                     stepover=found.stepover)  # fmt: skip
+        (legacy,) = legacy_costs(
+            toolpath, tool=tool, stock=stock, accuracies=(chosen.legacy_accuracy,), constants=constants
+        )
         if Simulator.OPENGL in available_simulators(version):
-            opengl = opengl_cost(toolpath, diameter=tool.diameter, speeds=opengl_speeds(version))
+            opengl = opengl_cost(
+                toolpath, diameter=tool.diameter, speeds=opengl_speeds(version), quality=chosen.opengl_quality,
+                constants=constants,
+            )  # fmt: skip
     horizontal, vertical = rapid_feeds(obj)
     return OperationReport(
         document=obj.Document.Name,
@@ -111,8 +124,10 @@ def _analyze(operation: Operation) -> OperationReport:
         estimate=cost,
         legacy=legacy,
         opengl=opengl,
+        resolution=resolution,
         cautions=preflight(commands, toolpath, version=version, diameter=tool and tool.diameter, legacy=legacy,
-                           opengl=opengl),
+                           opengl=opengl, memory_budget=chosen.memory_budget_bytes,
+                           time_budget=chosen.time_budget),
         error="; ".join(errors) or None,
         fingerprint=fingerprint(obj, job),
     )  # fmt: skip

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import re
 
-from vkworkbench import friendly
+from vkworkbench import friendly, preferences
 from vkworkbench.core import Strategy
 from vkworkbench.document.fingerprint import path_fingerprint, setting_fingerprint
 from vkworkbench.document.operations import Operation, find
@@ -32,6 +32,7 @@ _PROPERTIES = {
     "ToolpathRemark": ("App::PropertyString", _SHOWN, "What is wrong with the operation or unknown about it"),
     "ToolpathTrajectories": ("App::PropertyInteger", _SHOWN, "Number of straight moves, arcs chopped"),
     "ToolpathLength": ("App::PropertyFloat", _SHOWN, "Cutting length in mm"),
+    "ToolpathSimulator": ("App::PropertyString", _SHOWN, "Simulator whose time and memory are given"),
     "ToolpathSeconds": ("App::PropertyFloat", _SHOWN, "Estimated time of simulating it, in seconds"),
     "ToolpathMemory": ("App::PropertyFloat", _SHOWN, "Estimated memory of simulating it, in bytes"),
     "ToolpathFingerprint": ("App::PropertyString", _HIDDEN, "Of the path, tool and stock analysed"),
@@ -81,9 +82,12 @@ def refresh(operation: Operation, *, path_changed: bool = True) -> None:
 def refresh_total(job) -> None:
     """Say "outdated" in a job's mark while that of one of its operations is, or where it has others."""
     if hasattr(job, "ToolpathFingerprint"):
-        operations = [o.object for o in find(job) if o.counted]
-        other = job.ToolpathFingerprint != _total_fingerprint(operations)
-        _say_outdated(job, other or any(is_outdated(obj) for obj in operations))
+        _refresh_total(job, [o.object for o in find(job) if o.counted])
+
+
+def _refresh_total(job, operations: list) -> None:
+    other = job.ToolpathFingerprint != _total_fingerprint(operations)
+    _say_outdated(job, other or any(is_outdated(obj) for obj in operations))
 
 
 def _total_fingerprint(operations: list) -> str:
@@ -92,7 +96,9 @@ def _total_fingerprint(operations: list) -> str:
 
 def write(obj, report: OperationReport) -> None:
     """Write what was found on an operation."""
-    estimate = report.estimate
+    simulator = preferences.read().mark_simulator
+    cost = report.cost(simulator)
+    seconds, memory = cost or (0.0, 0.0)
     _set(obj, {
         "ToolpathStrategy": report.strategy.value,
         "ToolpathConfidence": round(report.confidence, 4),
@@ -100,16 +106,23 @@ def write(obj, report: OperationReport) -> None:
         "ToolpathRemark": report.error or "",
         "ToolpathTrajectories": report.trajectories,
         "ToolpathLength": report.length,
-        "ToolpathSeconds": estimate.seconds if estimate else 0.0,
-        "ToolpathMemory": float(estimate.memory_bytes) if estimate else 0.0,
+        "ToolpathSimulator": simulator,
+        "ToolpathSeconds": seconds,
+        "ToolpathMemory": memory,
         "ToolpathFingerprint": report.fingerprint,
     })  # fmt: skip
     parts = [_verdict(report)]
-    if estimate:
-        parts += [friendly.time(estimate.seconds), friendly.memory(estimate.memory_bytes)]
+    if cost:
+        parts += _cost(simulator, seconds, memory)
     if report.error:
         parts.append(_shortened(report.error))
     _describe(obj, SEPARATOR.join(parts))
+
+
+def _cost(simulator: str, seconds: float, memory: float, least: str = "") -> list[str]:
+    """Say whose time it is unless it is the z-buffer's."""
+    whose = "" if simulator == preferences.ZBUFFER else f"{simulator} "
+    return [whose + least + friendly.time(seconds), least + friendly.memory(memory)]
 
 
 def _verdict(report: OperationReport) -> str:
@@ -124,16 +137,22 @@ def _shortened(text: str) -> str:
 
 
 def write_total(job) -> None:
-    """Mark a job with the sum over its operations' marks; a job with an unmarked operation has no total."""
+    """Mark a job with the sum over its operations' marks.
+
+    A job with an unmarked operation has no total, nor has one whose marks are of different simulators.
+    """
     operations = [o.object for o in find(job) if o.counted]
-    if not operations or not all(hasattr(obj, "ToolpathFingerprint") for obj in operations):
+    simulators = {getattr(obj, "ToolpathSimulator", None) for obj in operations}
+    if len(simulators) != 1 or None in simulators:
         if is_marked(job):
             erase(job)
         return
     seconds = sum(obj.ToolpathSeconds for obj in operations)
     memory = sum(obj.ToolpathMemory for obj in operations)
     unknown = [obj for obj in operations if obj.ToolpathTrajectories and not obj.ToolpathMemory]
+    (simulator,) = simulators
     _set(job, {
+        "ToolpathSimulator": simulator,
         "ToolpathRemark": f"cost unknown for {', '.join(obj.Label for obj in unknown)}" if unknown else "",
         "ToolpathTrajectories": sum(obj.ToolpathTrajectories for obj in operations),
         "ToolpathLength": sum(obj.ToolpathLength for obj in operations),
@@ -143,13 +162,14 @@ def write_total(job) -> None:
     })  # fmt: skip
     least = "≥ " if unknown else ""
     count = f"{len(operations)} operation" + ("s" if len(operations) > 1 else "")
-    _describe(job, SEPARATOR.join([count, least + friendly.time(seconds), least + friendly.memory(memory)]))
-    refresh_total(job)
+    _describe(job, SEPARATOR.join([count, *_cost(simulator, seconds, memory, least)]))
+    _refresh_total(job, operations)
 
 
 def _set(obj, values: dict) -> None:
+    present = set(obj.PropertiesList)
     for name, value in values.items():
-        if not hasattr(obj, name):
+        if name not in present:
             type_id, attributes, tooltip = _PROPERTIES[name]
             obj.addProperty(type_id, name, GROUP, tooltip, attributes)
         if getattr(obj, name) != value:

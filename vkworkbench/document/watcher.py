@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import FreeCAD
 
+from vkworkbench import preferences
 from vkworkbench.document import marks
 from vkworkbench.document.operations import find
 
@@ -34,6 +35,8 @@ class Watcher:
 
     def slotRecomputedDocument(self, document) -> None:
         self._look(document)
+        if preferences.read().analyze_after_recompute:
+            _analyze_again(document)
 
     def slotUndoDocument(self, document) -> None:
         self._look(document)
@@ -74,6 +77,15 @@ def check(document, names: set[str] | None = None, paths_changed: set[str] | Non
             jobs[operation.job.Name] = operation.job
     for job in jobs.values():
         marks.refresh_total(job)
+
+
+def _analyze_again(document) -> None:
+    """Analyse the operations whose marks are outdated, and mark them."""
+    from vkworkbench.document import analysis, marking  # marking watches
+
+    outdated = [o.object for o in find(document) if marks.is_outdated(o.object)]
+    if outdated:
+        marking.mark(analysis.analyze(outdated))
 
 
 _watcher: Watcher | None = None

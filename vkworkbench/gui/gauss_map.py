@@ -9,6 +9,7 @@ from pathlib import Path
 import FreeCAD
 import FreeCADGui as Gui
 
+from vkworkbench import preferences
 from vkworkbench.core import linearize
 from vkworkbench.core.gauss_map import Areas
 from vkworkbench.document.operations import kind
@@ -114,7 +115,7 @@ class GaussMapDock(QDockWidget):
 
     def _read(self, obj) -> None:
         try:
-            areas = Areas(placed(linearize(obj.Path.Commands), obj.Placement))
+            areas = Areas(placed(linearize(obj.Path.Commands, tolerance=preferences.read().tolerance), obj.Placement))
         except ValueError as error:
             self._say(f"{obj.Label}: {error}")
             return

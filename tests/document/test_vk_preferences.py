@@ -1,0 +1,149 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Every preference governs what it says, for a macro as for a click."""
+
+from dataclasses import fields
+
+import FreeCAD
+import pytest
+
+import vkworkbench
+from vkworkbench import preferences
+from vkworkbench.core.simulators import DEFAULTS
+from vkworkbench.document import marks, watcher
+from vkworkbench.preferences import LEGACY, OPENGL, ZBUFFER, Preferences
+
+ARC = [("G0", {"X": 20, "Y": 10, "Z": 25}), ("G1", {"Z": 18, "F": 5}), ("G2", {"X": 40, "Y": 10, "I": 10, "J": 0})]
+
+
+@pytest.fixture(autouse=True)
+def fresh():
+    """The defaults before and after each test."""
+    group = FreeCAD.ParamGet(preferences.GROUP)
+    before = preferences.read()
+    group.Clear()
+    yield
+    group.Clear()
+    preferences.write(**vars(before))
+
+
+@pytest.fixture
+def arc(small):
+    return small.add("Arc", ARC)
+
+
+def analyzed(obj):
+    (operation,) = vkworkbench.analyze(obj).operations
+    return operation
+
+
+def test_defaults_and_their_parameters():
+    assert preferences.read() == Preferences()
+    preferences.write(image_width=1234, tolerance=0.02, analyze_after_recompute=True, mark_simulator=LEGACY)
+    group = FreeCAD.ParamGet(preferences.GROUP)
+    assert group.GetInt("ImageWidth") == 1234 and group.GetFloat("Tolerance") == 0.02
+    assert group.GetBool("AnalyzeAfterRecompute") and group.GetString("MarkSimulator") == LEGACY
+    read = preferences.read()
+    assert (read.image_width, read.tolerance, read.mark_simulator) == (1234, 0.02, LEGACY)
+    assert read.image_height == Preferences().image_height
+
+
+def test_what_cannot_be_is_the_default():
+    preferences.write(image_width=0, tolerance=-1.0, view_direction="Sideways", legacy_accuracy=float("nan"))
+    assert preferences.read() == Preferences()
+
+
+def test_every_preference_is_documented():
+    for preference in fields(Preferences):
+        assert preference.name in Preferences.__doc__
+
+
+def test_tolerance(arc):
+    few = analyzed(arc).trajectories
+    preferences.write(tolerance=1e-4)
+    assert analyzed(arc).trajectories > 2 * few
+
+
+def test_image_and_view(arc):
+    coarse = analyzed(arc).estimate
+    preferences.write(image_width=1600, image_height=1200)
+    fine = analyzed(arc).estimate
+    assert fine.dexels == pytest.approx(4 * coarse.dexels, rel=0.02)
+    preferences.write(view_direction="Front")
+    assert analyzed(arc).estimate.view.direction == (0, 1, 0)
+
+
+def test_accuracy_of_the_legacy_simulator(arc):
+    fine = analyzed(arc).legacy
+    preferences.write(legacy_accuracy=1.0)
+    coarse = analyzed(arc).legacy
+    assert (fine.accuracy, coarse.accuracy) == (0.1, 1.0) and fine.cells > 50 * coarse.cells
+
+
+@pytest.mark.skipif(FreeCAD.Version()[0] == "0", reason="0.20 has no OpenGL simulator")
+def test_quality_of_the_opengl_simulator(arc):
+    best = analyzed(arc).opengl
+    preferences.write(opengl_quality=1)
+    assert analyzed(arc).opengl.draws < best.draws
+
+
+def test_budgets(arc):
+    assert not [c for c in analyzed(arc).cautions if c.code in ("memory", "long-play")]
+    pixels = analyzed(arc).resolution.view.width
+    preferences.write(memory_budget=1.0, time_budget=0.1)
+    found = analyzed(arc)
+    assert {"memory", "long-play"} <= {caution.code for caution in found.cautions}
+    assert found.resolution.view is None or found.resolution.view.width < pixels
+
+
+def test_constants_of_this_computer(arc, monkeypatch):
+    from vkworkbench.document import calibration
+
+    asked = []
+
+    def constants(renderer):
+        asked.append(renderer)
+        return DEFAULTS
+
+    monkeypatch.setattr(calibration, "constants", constants)
+    preferences.write(renderer="llvmpipe")
+    analyzed(arc)
+    assert asked == ["llvmpipe"]
+
+
+@pytest.mark.parametrize("simulator", [ZBUFFER, LEGACY, OPENGL])
+def test_whose_cost_the_mark_shows(arc, small, simulator):
+    preferences.write(mark_simulator=simulator)
+    if simulator == OPENGL and FreeCAD.Version()[0] == "0":
+        simulator = ZBUFFER  # where there is no such simulator
+    report = vkworkbench.analyze(arc)
+    vkworkbench.mark(report)
+    seconds, memory = report.operations[0].cost(simulator)
+    assert (arc.ToolpathSimulator, arc.ToolpathSeconds, arc.ToolpathMemory) == (simulator, seconds, memory)
+    for obj in (arc, small.job):
+        named = f" · {simulator} " in obj.Label2
+        assert named == (simulator != ZBUFFER)
+
+
+def test_marks_of_different_simulators_have_no_total(arc, small):
+    other = small.add("Other", ARC)
+    vkworkbench.mark(vkworkbench.analyze(arc))
+    preferences.write(mark_simulator=LEGACY)
+    vkworkbench.mark(vkworkbench.analyze(other))
+    assert marks.is_marked(arc) and marks.is_marked(other) and not marks.is_marked(small.job)
+
+
+@pytest.mark.parametrize("wanted", [False, True])
+def test_analysis_after_a_recompute(example, wanted):
+    preferences.write(analyze_after_recompute=wanted)
+    drill = example.getObjectsByLabel("Drill holes")[0]
+    unmarked = example.getObjectsByLabel("Bore")[0]
+    vkworkbench.mark(vkworkbench.analyze(drill))
+    watcher.watch()
+    before = drill.ToolpathFingerprint
+    drill.setExpression("FinalDepth", None)
+    drill.FinalDepth = drill.FinalDepth.Value + 1
+    example.recompute()
+    assert marks.is_outdated(drill) != wanted
+    assert (drill.ToolpathFingerprint != before) == wanted
+    assert not marks.is_marked(unmarked)
+    assert "Touched" not in drill.State

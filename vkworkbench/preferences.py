@@ -1,0 +1,121 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The user's preferences: what each means and its default stand here and nowhere else.
+
+A click and a macro read the same ones. They are kept in FreeCAD's parameters, in ``Mod/VkWorkbench``, each under
+its name in capitals, e.g. ``ImageWidth``; the page in FreeCAD's preferences shows them. Imports no numpy: the page is
+registered when FreeCAD starts.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field, fields
+
+import FreeCAD
+
+GROUP = "User parameter:BaseApp/Preferences/Mod/VkWorkbench"
+
+ZBUFFER, LEGACY, OPENGL = "z-buffer", "legacy", "OpenGL"
+SIMULATORS = (ZBUFFER, LEGACY, OPENGL)
+# Where the eye looks, as FreeCAD names its standard views.
+DIRECTIONS = {
+    "Top": (0, 0, -1), "Front": (0, 1, 0), "Right": (-1, 0, 0), "Rear": (0, -1, 0), "Left": (1, 0, 0),
+    "Bottom": (0, 0, 1), "Isometric": (-1, 1, -1),
+}  # fmt: skip
+
+
+def _number(default: float, least: float, most: float):
+    return field(default=default, metadata={"least": least, "most": most})
+
+
+def _choice(default: str, choices):
+    return field(default=default, metadata={"choices": tuple(choices)})
+
+
+@dataclass(frozen=True)
+class Preferences:
+    """What the user prefers.
+
+    Attributes
+    ----------
+    mark_simulator : {"z-buffer", "legacy", "OpenGL"}
+        Whose time and memory the marks show: of the paper's extended z-buffer, of FreeCAD's legacy simulator in
+        fast-forward, or of its OpenGL simulator at its highest speed. FreeCAD 0.20 has no OpenGL simulator.
+    legacy_accuracy : float
+        Edge of a cell of the legacy simulator in percent of the stock's longer side: 0.1 is the finest position of
+        its slider, 1 the coarsest.
+    opengl_quality : int
+        Position of the OpenGL simulator's quality slider; 10 is the best.
+    time_budget : float
+        s a simulation may take: more is warned of, and the recommended image takes no longer.
+    memory_budget : float
+        MB it may take, likewise.
+    image_width, image_height : int
+        Image of the extended z-buffer, pixels; the paper's by default (section 1).
+    view_direction : str
+        From where the z-buffer is seen, one of FreeCAD's standard views.
+    tolerance : float
+        mm between an arc and the chords it is chopped into.
+    analyze_after_recompute : bool
+        Whether marked operations are analysed again after each recompute that changed them.
+    show_pills : bool
+        Whether the tree shows marks as coloured pills; as plain text if not.
+    renderer : str
+        OpenGL's name of what draws on this computer, noted by the last calibration; not on the page.
+    """
+
+    mark_simulator: str = _choice(ZBUFFER, SIMULATORS)
+    legacy_accuracy: float = _number(0.1, 0.1, 1.0)
+    opengl_quality: int = _number(10, 1, 10)
+    time_budget: float = _number(600.0, 0.1, 1e6)
+    memory_budget: float = _number(1000.0, 1.0, 1e6)
+    image_width: int = _number(800, 1, 10_000)
+    image_height: int = _number(600, 1, 10_000)
+    view_direction: str = _choice("Top", DIRECTIONS)
+    tolerance: float = _number(0.01, 1e-4, 1.0)
+    analyze_after_recompute: bool = False
+    show_pills: bool = True
+    renderer: str = ""
+
+    @property
+    def memory_budget_bytes(self) -> float:
+        return self.memory_budget * 1e6
+
+    @property
+    def view(self):
+        """The View that these say."""
+        from vkworkbench.core.solids import View
+
+        return View(DIRECTIONS[self.view_direction], self.image_width, self.image_height)
+
+
+def read() -> Preferences:
+    """Return the preferences as they are now; the default for a value that cannot be."""
+    group = FreeCAD.ParamGet(GROUP)
+    getters = {bool: group.GetBool, int: group.GetInt, float: group.GetFloat, str: group.GetString}
+    values = {}
+    for preference in fields(Preferences):
+        value = getters[type(preference.default)](entry(preference.name), preference.default)
+        if _possible(value, preference.metadata):
+            values[preference.name] = value
+    return Preferences(**values)
+
+
+def write(**values) -> None:
+    """Set preferences by their names."""
+    group = FreeCAD.ParamGet(GROUP)
+    setters = {bool: group.SetBool, int: group.SetInt, float: group.SetFloat, str: group.SetString}
+    types = {preference.name: type(preference.default) for preference in fields(Preferences)}
+    for name, value in values.items():
+        setters[types[name]](entry(name), types[name](value))
+
+
+def entry(name: str) -> str:
+    """Return the name of a preference's parameter."""
+    return "".join(word.capitalize() for word in name.split("_"))
+
+
+def _possible(value, limits) -> bool:
+    if "choices" in limits:
+        # The parameters may be those of a newer FreeCAD.
+        return value in limits["choices"] and (value != OPENGL or FreeCAD.Version()[0] != "0")
+    return not limits or limits["least"] <= value <= limits["most"]
