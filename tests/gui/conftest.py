@@ -19,6 +19,14 @@ except ImportError:
     from PySide6.QtTest import QTest
 
 
+DARK = """
+QWidget { background-color: #26282c; color: #e6e6e6; }
+QTreeView, QTableView { background-color: #1e1f22; alternate-background-color: #26282c; color: #e6e6e6; }
+QTreeView::item:selected, QTableView::item:selected { background-color: #3d5a80; color: #ffffff; }
+QHeaderView::section { background-color: #33363b; color: #e6e6e6; }
+"""
+
+
 class Window:
     """FreeCAD's main window."""
 
@@ -46,6 +54,7 @@ class Window:
         for dock in self.main.findChildren(QtGui.QDockWidget):
             if dock.objectName() in shown:
                 dock.setVisible(shown[dock.objectName()])
+                dock.raise_()  # in 1.x the task panel may cover the tree
         for bar in self.main.findChildren(QtGui.QToolBar):
             if bar.objectName() == "Toolpath analysis":  # a row of its own, where it has room for all its buttons
                 self.main.insertToolBarBreak(bar)
@@ -64,6 +73,9 @@ class Window:
 
     def click_on(self, widget):
         QTest.mouseClick(widget, QtCore.Qt.LeftButton)
+
+    def click_at(self, widget, where):
+        QTest.mouseClick(widget, QtCore.Qt.LeftButton, QtCore.Qt.NoModifier, where)
 
     def press(self, widget, key):
         QTest.keyClick(widget, key)
@@ -127,4 +139,15 @@ def opened(example_path, window):
     yield document
     window.dismiss()
     FreeCAD.closeDocument(document.Name)
+    window.idle()
+
+
+@pytest.fixture(params=["light", "dark"])
+def theme(request, window):
+    application = QtGui.QApplication.instance()
+    before = application.styleSheet()
+    if request.param == "dark":
+        application.setStyleSheet(DARK)
+    yield request.param
+    application.setStyleSheet(before)
     window.idle()

@@ -15,7 +15,7 @@ from html import escape
 import FreeCAD
 import FreeCADGui as Gui
 
-from vkworkbench import friendly
+from vkworkbench import friendly, preferences
 from vkworkbench.core import Strategy
 from vkworkbench.document import marks
 from vkworkbench.gui import tree
@@ -26,7 +26,6 @@ from vkworkbench.gui.qt import (
 )  # fmt: skip
 from vkworkbench.gui.text import translate
 
-_PREFERENCES = "User parameter:BaseApp/Preferences/Mod/VkWorkbench"
 _PADDING = 6  # px within a pill, left and right
 _SPACE = "\u00a0"  # is not stretched or cut off at a line's end
 _TOTAL = re.compile(r"(\d+) operations?")
@@ -62,8 +61,8 @@ class Mark:
 
     @property
     def rest(self) -> str:
-        """What stands behind the pill."""
-        words = [self.cost, translate("Pills", "outdated") if self.outdated else "", self.after]
+        """What stands behind the pill, what must be seen first."""
+        words = [translate("Pills", "outdated") if self.outdated else "", self.cost, self.after]
         return "  ".join(filter(None, words))
 
 
@@ -187,11 +186,13 @@ def _object_of(index):
     """Return the marked object of a cell of the tree, by its label and that of its document; None if that is not one."""
     root = index.sibling(index.row(), 0)
     label, description = root.data(), index.data()
-    while root.parent().parent().isValid():  # below "Application" come the documents
+    above = []  # in 0.20 documents stand below "Application", later at the top
+    while root.isValid():
+        above.append(root.data())
         root = root.parent()
     found = [
         obj
-        for document in FreeCAD.listDocuments().values() if document.Label == root.data()
+        for document in FreeCAD.listDocuments().values() if document.Label in above[-2:]
         for obj in document.getObjectsByLabel(label)
         if obj.Label2 == description and hasattr(obj, "ToolpathFingerprint")
     ]  # fmt: skip
@@ -204,7 +205,7 @@ _delegate: PillDelegate | None = None  # views do not keep their delegates alive
 def show() -> None:
     """Show pills in all trees, or no longer if the user does not want them; called again it does nothing."""
     global _delegate
-    wanted = FreeCAD.ParamGet(_PREFERENCES).GetBool("ShowPills", True)
+    wanted = preferences.read().show_pills
     if _delegate is None:
         if not wanted:
             return
