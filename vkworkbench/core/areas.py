@@ -69,7 +69,12 @@ class Moves:
     @cached_property
     def doubled(self) -> tuple[np.ndarray, np.ndarray]:
         """The moves at twice their angle, which forgets their sense: their sum lies along twice the axis, mm."""
-        return (self.dx * self.dx - self.dy * self.dy) / self.length, 2 * self.dx * self.dy / self.length
+        cos2, sin2 = self.dx * self.dx, self.dx * self.dy
+        cos2 -= self.dy * self.dy
+        cos2 /= self.length
+        sin2 *= 2
+        sin2 /= self.length
+        return cos2, sin2
 
 
 def wrap(angle: np.ndarray) -> np.ndarray:
@@ -95,30 +100,53 @@ def monotonous_areas(toolpath: Toolpath, first: int = 0, last: int | None = None
     points, rapid = toolpath.points[first : end + 1], toolpath.rapid[first:end]
     x, y, z = _seen_along_the_normal(points, rapid)
     dx, dy, dz = x[1:] - x[:-1], y[1:] - y[:-1], z[1:] - z[:-1]
-    length, rise = np.sqrt(dx * dx + dy * dy), np.abs(dz)
-    planar = (length > STILL) & (rise <= STEEP * length) & ~rapid
+    # In place wherever that is possible: with this many moves the cost is memory, not arithmetic.
+    length = dx * dx
+    length += dy * dy
+    np.sqrt(length, out=length)
+    planar = length > STILL
+    if dz.any():
+        planar &= np.abs(dz) <= STEEP * length
+    if rapid.any():
+        planar &= ~rapid
     _drop_noise(planar, length)
     index, start = _split(planar, rapid, z, dx, dy, dz, length)
     index, start = _without_air(planar, index, start, rapid, z, dx, dy, dz, length)
     holes, vertical = index[:0], 0.0
     if len(index) < len(dx):
         holes = _holes(points, rapid, dz, length, planar)
-        vertical = float(rise[~rapid].sum() - rise[index].sum())
+        vertical = float(np.abs(dz[~rapid]).sum() - np.abs(dz[index]).sum())
         dx, dy, dz, length, x, y, z = (v[index] for v in (dx, dy, dz, length, x, y, z[1:]))
     else:
         x, y, z = x[:-1], y[:-1], z[1:]
     alpha = np.arctan2(dy, dx)
-    turning = np.zeros(len(alpha))
+    turning = np.empty(len(alpha))
     np.subtract(alpha[1:], alpha[:-1], out=turning[1:])
-    turning -= TURN * np.rint(turning * (1 / TURN))
     turning[start] = 0.0
+    whole = turning * (1 / TURN)
+    np.rint(whole, out=whole)
+    whole *= TURN
+    turning -= whole
     # A turn of pi has no sign (design.md): it is an event of its own and phi does not move.
-    straight_back = np.flatnonzero(np.abs(turning) > np.pi - UNSIGNED)
-    reversals = int((np.abs(turning[straight_back]) > np.pi - EXACT).sum())
+    straight_back = np.flatnonzero(np.abs(turning, out=whole) > np.pi - UNSIGNED)
+    reversals = int((whole[straight_back] > np.pi - EXACT).sum())
     turning[straight_back] = 0.0
     return Moves(
-        index + first, x, y, z, dx, dy, dz, length, alpha, turning, np.cumsum(turning), start, holes + first, reversals,
-        vertical,
+        index=index + first if first else index,
+        x=x,
+        y=y,
+        z=z,
+        dx=dx,
+        dy=dy,
+        dz=dz,
+        length=length,
+        alpha=alpha,
+        turning=turning,
+        phi=np.cumsum(turning),
+        start=start,
+        holes=holes + first,
+        reversals=reversals,
+        vertical=vertical,
     )
 
 
@@ -129,12 +157,13 @@ def _seen_along_the_normal(points, rapid) -> tuple[np.ndarray, np.ndarray, np.nd
     would fall on one line. A slot cut at several depths by level passes and vertical plunges stays in XY.
     """
     x, y, z = points.T
-    cutting = np.flatnonzero(~rapid)
-    if not len(cutting):
-        return x, y, z
-    few = cutting[:: len(cutting) // 50 + 1]
+    every = len(rapid) // 50 + 1
+    few = np.flatnonzero(~rapid[::every]) * every
     for aside, u, v in ((y, z, x), (x, y, z)):
-        if np.ptp(aside[few]) > STILL or np.ptp(aside[cutting]) > STILL or np.ptp(aside[cutting + 1]) > STILL:
+        if not len(few) or np.ptp(aside[few]) > STILL:
+            continue
+        cutting = np.flatnonzero(~rapid)
+        if np.ptp(aside[cutting]) > STILL or np.ptp(aside[cutting + 1]) > STILL:
             continue
         du, dv = np.abs(u[cutting + 1] - u[cutting]), np.abs(v[cutting + 1] - v[cutting])
         if ((du > 0.05 * dv) & (dv > 0.05 * du)).sum() >= 2:

@@ -44,14 +44,17 @@ def closed_loops(moves: Moves) -> tuple[np.ndarray, np.ndarray]:
 
 def _returns(moves, x, y, area, shift, origin) -> tuple[np.ndarray, np.ndarray]:
     """Return the stretches from a visit of a cell to the next one that turn by +-2 pi."""
-    column = ((x - x.min()) * (1 / CLOSE) + origin).astype(np.int32)
-    row = ((y - y.min()) * (1 / CLOSE) + origin).astype(np.int32)
-    # Hashing the cells is O(n); sorting all vertices would not be.
-    size = 1 << (4 * len(x)).bit_length()
-    cell = column * np.int32(73856093) + row * np.int32(19349663)
+    column = ((x - x.min()) * (1 / CLOSE) + origin).astype(np.uint32)
+    row = ((y - y.min()) * (1 / CLOSE) + origin).astype(np.uint32)
+    # Hashing the cells is O(n); sorting all vertices would not be. The products wrap, their high bits are the hash.
+    bits = (4 * len(x)).bit_length()
+    cell = column * np.uint32(2654435769)
+    cell += row * np.uint32(2246822519)
     if len(shift) > 1:
-        cell += area.astype(np.int32) * np.int32(83492791)
-    cell &= np.int32(size - 1)
+        cell += area.astype(np.uint32) * np.uint32(3266489917)
+    cell >>= np.uint32(32 - bits)
+    cell = cell.astype(np.intp)
+    size = 1 << bits
     order = np.arange(len(cell), dtype=np.int32)
     table = np.empty(size, np.int32)
     table[cell[::-1]] = order[::-1]

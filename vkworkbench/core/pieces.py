@@ -92,9 +92,8 @@ def cut_pieces(moves: Moves) -> Pieces:
     net, closed = parts.net()
     once = np.abs(np.abs(net) - TURN) < 0.1
     kind = np.where(loop[start] | (closed & once), LOOP, CURVE)
-    # A pass between two others needs three moves, a loop of several waves as many.
-    size = parts.end - parts.start
-    able = np.where(kind == LOOP, size >= WAVES, size >= 3)
+    # A pass between two others needs three moves; a loop of several waves turns back again and again.
+    able = np.where(kind == LOOP, parts.turned > np.abs(net) + TURN, parts.end - parts.start >= 3)
     alternating, constant, passes = half_turns(moves, parts, able)
     opened = kind != LOOP
     waves = (alternating > 0.3 * parts.length) & (alternating > 2 * constant)
@@ -133,6 +132,11 @@ class _Stretches:
     def owner(self) -> np.ndarray:
         """Stretch of each move, (m,)."""
         return np.repeat(np.arange(len(self.start)), self.end - self.start)
+
+    @cached_property
+    def turned(self) -> np.ndarray:
+        """Sum of the absolute turns, (k,) rad."""
+        return np.add.reduceat(np.abs(self.moves.turning), self.start)
 
     def net(self) -> tuple[np.ndarray, np.ndarray]:
         """Return the net turn of each stretch and whether it is closed.
@@ -174,7 +178,7 @@ class _Stretches:
             area=area,
             length=self.length,
             net=net,
-            back=np.maximum(np.add.reduceat(np.abs(moves.turning), start) - np.abs(net), 0.0),
+            back=np.maximum(self.turned - np.abs(net), 0.0),
             enclosed=self.enclosed,
             box=box,
             z=z,
@@ -213,18 +217,19 @@ def half_turns(moves: Moves, parts: _Stretches, able: np.ndarray) -> tuple[np.nd
         return alternating, constant, passes
     cos2, sin2 = moves.doubled
     axis = 0.5 * np.arctan2(np.add.reduceat(sin2, start), np.add.reduceat(cos2, start))
-    if k == 1:
-        along = moves.dx * np.cos(axis) + moves.dy * np.sin(axis)
-    else:
-        owner = parts.owner
-        along = moves.dx * np.cos(axis)[owner] + moves.dy * np.sin(axis)[owner]
+    u, v = np.cos(axis), np.sin(axis)
+    if k > 1:
+        u, v = u[parts.owner], v[parts.owner]
+    along = moves.dx * u
+    along += moves.dy * v
     on = np.abs(along) > ALONG * moves.length
     if not able.all():
         on &= able[parts.owner]
     on = np.flatnonzero(on)
     if not len(on):
         return alternating, constant, passes
-    forward, of = along[on] > 0, parts.owner[on]
+    forward = along[on] > 0
+    of = parts.owner[on] if k > 1 else np.zeros(len(on), np.int64)
     begin = np.flatnonzero(np.concatenate([[True], (forward[1:] != forward[:-1]) | (of[1:] != of[:-1])]))
     of = of[begin]
     passes = np.maximum(np.bincount(of, minlength=k), 1)

@@ -147,7 +147,7 @@ def relate_rings(pieces: Pieces, index: np.ndarray, tool: float) -> Rings:
         round=4 * np.pi * enclosed > ROUND * length**2,
         sloped=_sloped(pieces, index),
         back=pieces.back[index],
-        step=float(np.median(np.abs(steps))) if len(steps) else np.nan,
+        step=_middle(np.abs(steps)) if len(steps) else np.nan,
         growing=float((steps < 0).mean()) if len(steps) else np.nan,
         distinct=distinct,
         levels=levels,
@@ -173,6 +173,12 @@ def count_levels(z: np.ndarray) -> int:
         return 0
     z = np.sort(z)
     return 1 + int((z[1:] - z[:-1] > LEVEL).sum())
+
+
+def _middle(values: np.ndarray, part: int = 2) -> float:
+    """Return the value at half the count, or at a quarter: O(n), np.median checks more than is needed here."""
+    at = len(values) // part
+    return float(np.partition(values, at)[at])
 
 
 def _inward(sides: np.ndarray, lag: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
@@ -201,7 +207,7 @@ def _reach(sides, size, z, tool) -> tuple[float, np.ndarray, np.ndarray]:
     if not len(every):
         return 1.2 * tool, steps, drops
     # Rings around islands interleave with those of the boundary; the smaller steps are between neighbours.
-    usual = np.partition(every, len(every) // 4)[len(every) // 4]
+    usual = _middle(every, 4)
     if not tool or (len(steps) >= 4 and (np.abs(steps - usual) < 0.1 * usual).mean() > 0.6):
         return max(1.2 * tool, 2 * usual), steps, drops
     return 1.2 * tool, steps, drops

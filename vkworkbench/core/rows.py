@@ -111,23 +111,27 @@ def _densest(moves: Moves, chosen: np.ndarray) -> Rows | None:
         x, y = cos2[near].sum(), sin2[near].sum()
     axis = 0.5 * np.arctan2(y, x)
     u, v = np.cos(axis), np.sin(axis)
-    on = chosen[np.abs(dy * u - dx * v) <= ALIGNED * length]
+    along = dx * u
+    along += dy * v
+    aligned = np.abs(along) >= np.cos(ALIGNED) * length
+    on, forward, length = chosen[aligned], along[aligned] > 0, length[aligned]
     if not len(on):
         return None
-    length = moves.length[on]
-    across = moves.y[on] * u - moves.x[on] * v
-    forward = moves.dx[on] * u + moves.dy[on] * v > 0
     area = np.searchsorted(moves.start, on, side="right") if len(moves.start) > 1 else np.zeros(len(on), np.int64)
     # A pass goes on while the sense stays, and over a lift while the line stays: spans of one line are one row.
-    apart = (on[1:] > on[:-1] + 1) | (area[1:] > area[:-1])
-    new = (forward[1:] != forward[:-1]) | (apart & (np.abs(across[1:] - across[:-1]) > SAME_LINE))
+    new = forward[1:] != forward[:-1]
+    apart = np.flatnonzero(((on[1:] > on[:-1] + 1) | (area[1:] > area[:-1])) & ~new)
+    before, after = on[apart], on[apart + 1]
+    shift = (moves.y[after] - moves.y[before]) * u - (moves.x[after] - moves.x[before]) * v
+    new[apart] = np.abs(shift) > SAME_LINE
     begin = np.flatnonzero(np.concatenate([[True], new]))
     passed = np.add.reduceat(length, begin)
     typical = weighted_median(passed, passed)
     # Links along the boundary run along the axis here and there: they are no rows.
     long = passed > 0.1 * typical
     begin, passed = begin[long], passed[long]
-    q, sense, area = across[begin], forward[begin], area[begin]
+    first = on[begin]
+    q, sense, area = moves.y[first] * u - moves.x[first] * v, forward[begin], area[begin]
     lateral = np.abs(q[1:] - q[:-1])
     shorter = np.minimum(passed[1:], passed[:-1])
     aside = lateral > SAME_LINE
@@ -149,7 +153,7 @@ def _densest(moves: Moves, chosen: np.ndarray) -> Rows | None:
         opposite=float(shorter[neighbour & turned].sum()),
         same=float(shorter[onward].sum()),
         step=step,
-        pitch=float(np.median(gaps)) if len(gaps) else step,
+        pitch=float(np.partition(gaps, len(gaps) // 2)[len(gaps) // 2]) if len(gaps) else step,
         even=float(shorter[neighbour & (lateral >= 0.6 * step)].sum() / shorter[aside].sum()),
         moves=on,
     )

@@ -82,10 +82,11 @@ class Section:
         rowlike = (kind == ZIGZAG) | (kind == LINE) | (kind == CURVE)
         rowlike[r.index[self.lattice]] = True
         self.zigzag = float(p.length[kind == ZIGZAG].sum()) / self.length
-        chosen = np.flatnonzero(np.repeat(rowlike, p.end - p.start))
-        length = float(self.moves.length[chosen].sum())
-        # Less are the links between loops.
-        self.rows = self._fill(find_rows(self.moves, chosen), length) if length > 0.1 * self.length else []
+        length = float(p.length[rowlike].sum())
+        self.rows: list[Rows] = []
+        if length > 0.1 * self.length:  # less are the links between loops
+            chosen = np.flatnonzero(np.repeat(rowlike, p.end - p.start))
+            self.rows = self._fill(find_rows(self.moves, chosen), length)
         self.ring_pieces = np.zeros(len(p), bool)
         self.ring_pieces[r.index] = True
         if self.rows:
