@@ -22,7 +22,7 @@ _LEVEL = 1e-3
 # Share of a level's length in one direction that is rows and not links.
 _FAMILY = 0.15
 _ROWS = {Strategy.ZIGZAG, Strategy.ONE_WAY}
-_LOOPS = {Strategy.CONTOUR_PARALLEL, Strategy.SPIRAL, Strategy.ADAPTIVE, Strategy.HELIX}
+_LOOPS = {Strategy.CONTOUR_PARALLEL, Strategy.SPIRAL, Strategy.ADAPTIVE}
 
 
 @dataclass(frozen=True, eq=False)
@@ -72,7 +72,7 @@ def cauchy_crofton(toolpath: Toolpath, *, stock: Stock | ConvexStock, view: View
         The mean over all directions of the rows, 2 / pi of the length in the image.
     """
     frame = view.frame(stock)
-    move = np.diff(toolpath.points[:], axis=0) if len(toolpath) else np.empty((0, 3))
+    move = np.diff(toolpath.points, axis=0)
     move = move[np.minimum(toolpath.points[:-1, 2], toolpath.points[1:, 2]) < stock.upper[2]]
     return float(np.hypot(move @ frame.right, move @ frame.up).sum() * 2 / np.pi / frame.pixel)
 
@@ -110,7 +110,9 @@ def swept(toolpath: Toolpath, *, tool: Tool, stock: Stock | ConvexStock, view: V
     view : View
     """
     t = _in_stock(toolpath, tool, stock)
-    return float((2 * tool.radius * t.run * t.share).sum() / view.frame(stock).pixel ** 2)
+    # The foot where a move begins is new in a plunge only.
+    area = np.where(t.run > 0, tool.diameter * t.run, np.pi * tool.radius**2)
+    return float((area * t.share).sum() / view.frame(stock).pixel ** 2)
 
 
 def closed_form(toolpath: Toolpath, recognition: Recognition, *, tool: Tool, stock: Stock | ConvexStock,
@@ -215,7 +217,9 @@ def _rows_area(t: _Trajectories, rows: np.ndarray, tool: Tool, stepover: float) 
     near = steps[steps <= tool.diameter + 0.05]
     step = min(float(np.median(near)), tool.diameter) if len(near) else stepover
     along = float((t.run * t.share)[rows].sum())
-    return step * along + passes * np.pi / 2 * tool.radius * step + (tool.diameter - step) * along / passes
+    # The tool's circle where the row is its own, |y| < step / 2.
+    ends = step * np.sqrt(tool.radius**2 - step**2 / 4) + 2 * tool.radius**2 * np.arcsin(step / tool.diameter)
+    return step * along + passes * ends + (tool.diameter - step) * along / passes
 
 
 def _grown_hull(points: np.ndarray, radius: float, stock: Stock | ConvexStock) -> tuple[float, float]:

@@ -104,7 +104,7 @@ class Removal:
             Their owners are indices of the toolpath's trajectories.
         """
         near, far = self.stock.chords(self.frame.origins(x, y), self.frame.direction)
-        parts = []
+        parts = [(np.empty(0, np.int64), np.empty(0, np.int32), np.empty(0), np.empty(0))]
         for first, last, group, item in self._meetings(x, y, selection):
             ray, item = self._pairs(group, item, x[first:last], y[first:last])
             pieces = self._cut_pairs(ray, item, x[first:last], y[first:last], near[first:last], far[first:last])
@@ -145,17 +145,25 @@ class Removal:
     def _pairs(self, group: np.ndarray, item: np.ndarray, x: np.ndarray,
                y: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Rays and trajectories that may meet, sorted by ray, then by trajectory."""
-        left, right, bottom, top = self.box[:, item]
-        nx, ny, low, high = self.strip[:, item]
-        ray = group * GROUP + np.arange(GROUP)[:, None]
-        inside = np.minimum(ray, len(x) - 1)
-        rx, ry = x[inside], y[inside]
-        across = nx * rx + ny * ry
-        member, hit = np.nonzero((ray < len(x)) & (left <= rx) & (rx <= right) & (bottom <= ry) & (ry <= top)
-                                 & (low <= across) & (across <= high))
-        ray = ray[member, hit]
-        order = np.argsort(ray, kind="stable")
-        return ray[order], item[hit[order]]
+        rays, hits = [], []
+        for begin in range(0, len(group), _PAIRS_AT_ONCE // GROUP):
+            some = item[begin:begin + _PAIRS_AT_ONCE // GROUP]
+            left, right, bottom, top = self.box[:, some]
+            ray = group[begin:begin + _PAIRS_AT_ONCE // GROUP] * GROUP + np.arange(GROUP)[:, None]
+            inside = np.minimum(ray, len(x) - 1)
+            rx, ry = x[inside], y[inside]
+            member, hit = np.nonzero((left <= rx) & (rx <= right) & (bottom <= ry) & (ry <= top) & (ray < len(x)))
+            nx, ny, low, high = self.strip[:, some[hit]]
+            across = nx * rx[member, hit] + ny * ry[member, hit]
+            met = np.flatnonzero((low <= across) & (across <= high))
+            rays.append(ray[member[met], hit[met]])
+            hits.append(some[hit[met]])
+        if not rays:
+            return np.empty(0, np.int64), np.empty(0, np.int64)
+        ray, hit = np.concatenate(rays), np.concatenate(hits)
+        # Radix sort, while there are few rays.
+        order = np.argsort(ray.astype(np.uint16) if len(x) < 1 << 16 else ray, kind="stable")
+        return ray[order], hit[order]
 
     def _cut_pairs(self, ray: np.ndarray, item: np.ndarray, x: np.ndarray, y: np.ndarray,
                    near: np.ndarray, far: np.ndarray) -> Pieces:

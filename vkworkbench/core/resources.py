@@ -17,7 +17,6 @@ from vkworkbench.core.solids import ConvexStock, Stock, Tool, View
 from vkworkbench.core.toolpath import Toolpath
 from vkworkbench.core.zbuffer import DEXEL, INDEX, TRACE
 
-_RAYS = 400
 # The same rays every time: a click and a macro give the same numbers.
 _SEED = 2002
 
@@ -112,7 +111,7 @@ def estimate(toolpath: Toolpath, recognition: Recognition | None, *, tool: Tool,
     """
     frame = view.frame(stock)
     removal = Removal(toolpath, tool, stock, frame)
-    rays = sample(removal, _RAYS, np.random.default_rng(_SEED))
+    rays = sample(removal, np.random.default_rng(_SEED))
     pieces = removal.cut(rays.x, rays.y)
     cut = pieces.owner != UNCUT
     cuts = np.bincount(pieces.ray[cut], minlength=len(rays.x))

@@ -10,6 +10,10 @@ import numpy as np
 from vkworkbench.core.removal import Removal
 
 _CELLS = 48
+# Rays drawn where the trajectories are few, and at least; between them, as many as meet that many trajectories.
+_RAYS = 400
+_FEWEST = 100
+_MEETINGS = 150_000
 
 
 @dataclass(frozen=True, eq=False)
@@ -64,8 +68,8 @@ def _neighbours_together() -> np.ndarray:
 _ORDER = _neighbours_together()
 
 
-def sample(removal: Removal, rays: int, rng: np.random.Generator) -> Sample:
-    """Draw rays where the trajectories pass, one in each of as many strata.
+def sample(removal: Removal, rng: np.random.Generator) -> Sample:
+    """Draw up to 400 rays where the trajectories pass, one in each of as many strata.
 
     The part of the image the trajectories reach is divided into 48 x 48 cells. A cell's weight grows with the square
     root of the number of trajectories that pass it, because where more pass the count varies more. The strata are
@@ -74,8 +78,6 @@ def sample(removal: Removal, rays: int, rng: np.random.Generator) -> Sample:
     Parameters
     ----------
     removal : Removal
-    rays : int
-        Number of rays wanted.
     rng : numpy.random.Generator
 
     Returns
@@ -94,16 +96,18 @@ def sample(removal: Removal, rays: int, rng: np.random.Generator) -> Sample:
     if not (low < high).all():
         return Sample(*np.empty((3, 0)))
     side = (high - low) / _CELLS
-    weight = np.sqrt(_passes(removal, low, side))
-    running = np.cumsum(weight.ravel()[_ORDER])
+    passes = _passes(removal, low, side).ravel()
+    weight = np.sqrt(passes)
+    running = np.cumsum(weight[_ORDER])
     if running[-1] == 0:
         return Sample(*np.empty((3, 0)))
+    rays = int(np.clip(_MEETINGS * running[-1] / (weight @ passes), _FEWEST, _RAYS))
     at = (np.arange(rays) + rng.random(rays)) / rays * running[-1]
     cell = _ORDER[np.minimum(np.searchsorted(running, at, side="right"), len(_ORDER) - 1)]
     row, column = np.divmod(cell, _CELLS)
     x = low[0] + (column + rng.random(rays)) * side[0]
     y = low[1] + (row + rng.random(rays)) * side[1]
-    area = side.prod() * running[-1] / (rays * weight.ravel()[cell])
+    area = side.prod() * running[-1] / (rays * weight[cell])
     return Sample(x, y, area)
 
 

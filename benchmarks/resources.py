@@ -1,0 +1,216 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The cost of simulating in the extended z-buffer: what is estimated against what the exact simulator counts.
+
+    python3 benchmarks/resources.py [FILE.jsonl.gz ...]
+
+Each line of a file is an operation: label, strategy, accept, tool_diameter, stock, commands. Without a file the
+operations are those of synthetic.py. The exact simulations run at 800 x 600 pixels, those with many candidate pixels
+at 400 x 300 to bound their time (small holes are not round then). Errors are ratios, the larger of estimate and truth
+over the smaller. Timings need a quiet computer.
+"""
+
+from __future__ import annotations
+
+import gzip
+import json
+import math
+import sys
+import time
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+
+sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
+
+from synthetic import SAMPLES
+
+from vkworkbench.core.closed_form import candidate_pixels, cauchy_crofton, closed_form, swept
+from vkworkbench.core.linearize import linearize
+from vkworkbench.core.recognition import recognize
+from vkworkbench.core.resolution import best_resolution
+from vkworkbench.core.resources import Speed, estimate
+from vkworkbench.core.solids import Stock, Tool, View
+from vkworkbench.core.strategy import Strategy
+from vkworkbench.core.toolpath import Toolpath
+from vkworkbench.core.zbuffer import DEXEL, TRACE, simulate
+
+MANY = 5e6  # candidate pixels
+MOST = 40  # operations of each file
+VIEWS = {"top": (0, 0, -1), "tilted 30": (0, 0.5, -math.sqrt(0.75)), "isometric": (1, 1, -math.sqrt(2 / 3))}
+FEWEST = 1000  # trace elements below which a ratio says nothing
+
+
+def main() -> None:
+    operations = [o for name in sys.argv[1:] for o in of_file(name)] if sys.argv[1:] else list(synthetic())
+    print(f"{len(operations)} operations, {sum(len(o[1]) for o in operations)} trajectories")
+    rows = {name: [] for name in VIEWS}
+    for label, toolpath, found, tool, stock in operations:
+        for name, direction in VIEWS.items():
+            view = View(direction)
+            if candidate_pixels(toolpath, tool=tool, stock=stock, view=view) > MANY:
+                view = View(direction, 400, 300)
+            row = measure(toolpath, found, tool, stock, view)
+            rows[name].append({"label": label, **row})
+    for name in VIEWS:
+        print_errors(name, [r for r in rows[name] if r["traces"] >= FEWEST])
+    print_times([r for name in VIEWS for r in rows[name]])
+    speed = print_speed([r for name in VIEWS for r in rows[name]])
+    print_budgets(operations[:: max(1, len(operations) // 8)], speed)
+    print_papers_case()
+
+
+def of_file(name: str):
+    """Operations of a file of JSON lines; 3D surfaces are cut with a ball end, carvings with a V-bit."""
+    with (gzip.open if name.endswith(".gz") else open)(name, "rt") as lines:
+        records = [r for r in map(json.loads, lines) if r.get("stock") and r.get("tool_diameter")]
+    for record in records[:: math.ceil(len(records) / MOST)]:
+        toolpath = linearize(record["commands"])
+        shape = {"Surface": "ballend", "Waterline": "ballend", "Vcarve": "vbit"}.get(record["label"].split(":")[0])
+        tool = Tool(shape or "endmill", record["tool_diameter"])
+        found = recognize(toolpath, tool_diameter=tool.diameter)
+        if str(found.strategy) not in record["accept"]:
+            found = replace(found, strategy=Strategy(record["strategy"]))
+        if len(toolpath):
+            yield record["label"], toolpath, found, tool, Stock(record["stock"][:3], record["stock"][3:])
+
+
+def synthetic():
+    """Operations of every strategy with a stock around them."""
+    rng = np.random.default_rng(1)
+    for label, accept, maker in SAMPLES:
+        toolpath = linearize(maker(rng))
+        found = recognize(toolpath, tool_diameter=5)
+        if found.strategy not in accept:
+            found = replace(found, strategy=Strategy(sorted(accept)[0]))
+        cutting = toolpath.points[1:][~toolpath.rapid]
+        lower, upper = cutting.min(axis=0) - 5, cutting.max(axis=0) + 5
+        lower[2] -= 1
+        upper[2] = max(0.0, lower[2] + 5)
+        yield label, toolpath, found, Tool("endmill", 5), Stock(lower, upper)
+
+
+def measure(toolpath, found, tool, stock, view) -> dict[str, float]:
+    """One operation in one view: the exact counts and every estimate of them."""
+    solids = {"tool": tool, "stock": stock, "view": view}
+    begin = time.perf_counter()
+    exact = simulate(toolpath, **solids)
+    seconds = time.perf_counter() - begin
+    durations = []
+    for _ in range(3):
+        begin = time.perf_counter()
+        guess = estimate(toolpath, found, **solids)
+        durations.append(time.perf_counter() - begin)
+    return {
+        "n": len(toolpath), "pixels": view.width * view.height, "vertical": view.direction[0] == view.direction[1] == 0,
+        "traces": exact.traces, "dexels": exact.dexels, "candidates": exact.candidates, "seconds": seconds,
+        "rays": guess.traces, "rays error": guess.traces_error, "rays dexels": guess.dexels,
+        "duration": min(durations), "closed form": closed_form(toolpath, found, **solids),
+        "blind": swept(toolpath, **solids), "Cauchy-Crofton": cauchy_crofton(toolpath, stock=stock, view=view),
+        "estimated candidates": candidate_pixels(toolpath, **solids),
+    }  # fmt: skip
+
+
+def ratios(rows, estimated, true) -> np.ndarray:
+    a, b = (np.maximum([r[name] for r in rows], 1e-9) for name in (estimated, true))
+    return np.maximum(a / b, b / a)
+
+
+def line(name: str, values: np.ndarray) -> str:
+    median, p90, worst = np.percentile(values, (50, 90, 100))
+    return f"  {name:36}{median:9.3f}{p90:9.3f}{min(worst, 99999):9.2f}"
+
+
+def print_errors(view: str, rows) -> None:
+    print(f"\n{view}: {len(rows)} operations with {FEWEST} trace elements or more{'':5}   median      p90    worst")
+    for name, estimated in (("rays", "rays"), ("closed form, strategy known", "closed form"),
+                            ("swept area, strategy-blind", "blind"), ("Cauchy-Crofton", "Cauchy-Crofton")):
+        print(line(f"traces, {name}", ratios(rows, estimated, "traces")))
+    print(line("dexels, rays", ratios(rows, "rays dexels", "dexels")))
+    print(line("candidate pixels, closed form", ratios(rows, "estimated candidates", "candidates")))
+    inside = [abs(r["rays"] - r["traces"]) <= 2 * r["rays error"] for r in rows]
+    print(f"  within two standard errors: {100 * np.mean(inside):.1f} %")
+    for r in sorted(rows, key=lambda r: -ratios([r], "rays", "traces")[0])[:3]:
+        print(f"    {r['label']}: {r['rays'] / r['traces']:.3f} of {r['traces']}, "
+              f"{(r['rays'] - r['traces']) / r['rays error']:+.1f} standard errors")
+
+
+def print_times(rows) -> None:
+    print("\ntime of an estimate, ms (best of 3)")
+    for name, vertical in (("top", True), ("oblique", False)):
+        some = [r for r in rows if r["vertical"] == vertical]
+        longest = max(some, key=lambda r: r["duration"])
+        print(f"  {name}: median {1e3 * np.median([r['duration'] for r in some]):.1f}, "
+              f"longest {1e3 * longest['duration']:.0f} ({longest['n']} trajectories)")
+    gain = np.median([r["seconds"] / r["duration"] for r in rows])
+    print(f"  the exact simulation takes {gain:.0f} times as long (median)")
+
+
+def print_speed(rows) -> Speed:
+    """Fit the constants of the simulation's time to this run."""
+    seconds = np.array([r["seconds"] for r in rows])
+    work = np.array([[r["n"], r["pixels"], r["candidates"] * r["vertical"], r["candidates"] * (not r["vertical"]),
+                      r["dexels"] + r["traces"]] for r in rows], float)
+    used = np.ones(5, bool)
+    constants = np.zeros(5)
+    while True:
+        constants[:] = 0
+        constants[used] = np.linalg.lstsq(work[:, used] / seconds[:, None], np.ones(len(rows)), rcond=None)[0]
+        if (constants >= 0).all():
+            break
+        used &= constants > 0
+    speed = Speed(*constants.tolist())
+    print(f"\nspeed of this computer: {speed}")
+    predicted = work @ constants
+    off = np.maximum(predicted / seconds, seconds / predicted)
+    print(f"  seconds, fitted against measured: median {np.median(off):.2f}, p90 {np.percentile(off, 90):.2f}")
+    return speed
+
+
+def print_budgets(operations, speed: Speed) -> None:
+    print("\nbudgets: what came out, as a share of what was asked for")
+    for label, toolpath, found, tool, stock in operations:
+        guess = estimate(toolpath, found, tool=tool, stock=stock, view=View(), speed=speed)
+        words = [f"  {label:28.28}"]
+        for name, budget in (("memory_bytes", 20e6), ("seconds", 2.0)):
+            chosen = best_resolution([guess], **{name: budget})
+            if chosen.view is None:
+                words.append(chosen.explanation)
+                continue
+            begin = time.perf_counter()
+            exact = simulate(toolpath, tool=tool, stock=stock, view=chosen.view)
+            seconds = time.perf_counter() - begin
+            came = exact.memory_bytes if name == "memory_bytes" else seconds
+            asked = "20 MB" if name == "memory_bytes" else f"{budget:g} s"
+            words.append(f"{asked}: {came / budget:.3f} at {chosen.view.width} x {chosen.view.height}")
+        print("   ".join(words))
+
+
+def papers_case() -> tuple[Toolpath, Tool, Stock]:
+    """A zigzag of 17,087 trajectories over a sculptured surface."""
+    rows, points = 89, []
+    for k in range(rows):
+        x = np.linspace(0, 100, 192)[:: 1 if k % 2 == 0 else -1]
+        y = np.full(192, 80 * k / (rows - 1))
+        points.append(np.column_stack((x, y, 15 + 3 * np.sin(x / 12) * np.cos(y / 15))))
+    points = np.concatenate(points)
+    n = len(points) - 1
+    toolpath = Toolpath(points, np.zeros(n, bool), np.arange(n), np.full(n, 10.0), np.zeros(n),
+                        np.full(n, 17, np.uint8), np.zeros(n, bool), n)
+    return toolpath, Tool("ballend", 6), Stock((0, 0, 0), (100, 80, 20))
+
+
+def print_papers_case() -> None:
+    toolpath, tool, stock = papers_case()
+    print(f"\nthe paper's case: zigzag, {len(toolpath)} trajectories, 800 x 600 pixels; the paper: 6 MB and 51 MB")
+    for name, direction in VIEWS.items():
+        view = View(direction)
+        guess = estimate(toolpath, None, tool=tool, stock=stock, view=view)
+        exact = simulate(toolpath, tool=tool, stock=stock, view=view)
+        print(f"  {name:10} dexels {exact.dexels * DEXEL.itemsize / 1e6:.1f} MB, traces "
+              f"{exact.traces * TRACE.itemsize / 1e6:.0f} MB; estimated {guess.dexels * DEXEL.itemsize / 1e6:.1f} MB, "
+              f"{guess.traces * TRACE.itemsize / 1e6:.0f} +- {guess.traces_error * TRACE.itemsize / 1e6:.1f} MB")
+
+
+if __name__ == "__main__":
+    main()
