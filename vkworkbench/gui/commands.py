@@ -8,12 +8,12 @@ import FreeCADGui as Gui
 
 import vkworkbench
 from vkworkbench.document import operations
-from vkworkbench.gui import pills, tree
+from vkworkbench.gui import latest, panel_command, pills, tree
 from vkworkbench.gui.qt import QMessageBox, QProgressDialog, Qt
 from vkworkbench.gui.text import translate
+from vkworkbench.preferences import GROUP
 
 ANALYZE, CLEAR = "Vk_Analyze", "Vk_Clear"
-_PREFERENCES = "User parameter:BaseApp/Preferences/Mod/VkWorkbench"
 _PROGRESS_DELAY = 300  # ms; a shorter analysis shows no dialog
 
 
@@ -52,7 +52,8 @@ class AnalyzeCommand:
             return
         mark(report)
         _show_marks()
-        FreeCAD.Console.PrintMessage(f"{report}\n")
+        latest.remember(report)
+        panel_command.show()
         wrong = sum(o.error is not None for o in report.operations)
         text = translate("Vk_Analyze", "{} operations analyzed").format(len(report.operations))
         if wrong:
@@ -120,9 +121,9 @@ def mark(report) -> None:
 
 def _show_marks() -> None:
     """Show the Description column the first time, and say so; afterwards it is the user's own."""
-    preferences = FreeCAD.ParamGet(_PREFERENCES)
-    if not preferences.GetBool("DescriptionShown", False):
-        preferences.SetBool("DescriptionShown", True)
+    remembered = FreeCAD.ParamGet(GROUP)
+    if not remembered.GetBool("DescriptionShown", False):
+        remembered.SetBool("DescriptionShown", True)
         if tree.show_description():
             _tell(translate(
                 "Vk_Analyze",

@@ -4,17 +4,22 @@
 FreeCAD 0.20's wrapper has no QtWidgets, but QtGui holds the widgets in every version.
 """
 
-from PySide.QtCore import QEvent, QItemSelectionModel, QModelIndex, QObject, QRectF, QTimer, Qt
+from PySide.QtCore import (
+    QAbstractTableModel, QDate, QEvent, QItemSelectionModel, QLocale, QModelIndex, QObject, QRectF,
+    QSortFilterProxyModel, QTimer, Qt,
+)  # fmt: skip
 from PySide.QtGui import (
-    QApplication, QColor, QComboBox, QDockWidget, QFileDialog, QHBoxLayout, QHeaderView, QLabel,
-    QMessageBox, QPainter, QPalette, QPen, QProgressDialog, QPushButton, QSlider, QSpinBox, QStyle,
-    QStyleOptionViewItem, QStyledItemDelegate, QToolTip, QTreeView, QVBoxLayout, QWidget,
+    QAbstractItemView, QApplication, QColor, QComboBox, QDockWidget, QFileDialog, QFont, QHBoxLayout,
+    QHeaderView, QLabel, QMessageBox, QOffscreenSurface, QOpenGLContext, QPainter, QPalette, QPen,
+    QProgressDialog, QPushButton, QSlider, QSpinBox, QStyle, QStyleOptionViewItem, QStyledItemDelegate,
+    QTableView, QToolTip, QTreeView, QVBoxLayout, QWidget,
 )  # fmt: skip
 
 __all__ = [
-    "QApplication", "QColor", "QComboBox", "QDockWidget", "QEvent", "QFileDialog", "QHBoxLayout",
-    "QHeaderView", "QItemSelectionModel", "QLabel", "QMessageBox", "QModelIndex", "QObject", "QPainter",
-    "QPalette", "QPen", "QProgressDialog", "QPushButton", "QRectF", "QSlider", "QSpinBox", "QStyle",
-    "QStyleOptionViewItem", "QStyledItemDelegate", "QTimer", "QToolTip", "QTreeView", "QVBoxLayout",
-    "QWidget", "Qt",
+    "QAbstractItemView", "QAbstractTableModel", "QApplication", "QColor", "QComboBox", "QDate",
+    "QDockWidget", "QEvent", "QFileDialog", "QFont", "QHBoxLayout", "QHeaderView", "QItemSelectionModel",
+    "QLabel", "QLocale", "QMessageBox", "QModelIndex", "QObject", "QOffscreenSurface", "QOpenGLContext",
+    "QPainter", "QPalette", "QPen", "QProgressDialog", "QPushButton", "QRectF", "QSlider",
+    "QSortFilterProxyModel", "QSpinBox", "QStyle", "QStyleOptionViewItem", "QStyledItemDelegate",
+    "QTableView", "QTimer", "QToolTip", "QTreeView", "QVBoxLayout", "QWidget", "Qt",
 ]  # fmt: skip

@@ -1,0 +1,30 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What was found last in each open document: the panel shows it, the 3D view takes its colours from it."""
+
+from __future__ import annotations
+
+from vkworkbench.document.operations import find
+from vkworkbench.report import OperationReport, Report
+
+_found: dict[str, dict[str, OperationReport]] = {}
+_jobs: dict[tuple[str, str], str] = {}
+
+
+def remember(report: Report) -> None:
+    """Keep a report; operations that are not in it keep what was found before."""
+    for operation in report.operations:
+        _found.setdefault(operation.document, {})[operation.name] = operation
+    _jobs.update(report.jobs)
+
+
+def report_of(document) -> Report:
+    """Return what is known of a document's operations as they are now, in their order."""
+    known = _found.get(document.Name, {})
+    operations = tuple(known[o.object.Name] for o in find(document) if o.object.Name in known)
+    jobs = {(o.document, o.job): _jobs[o.document, o.job] for o in operations if o.job is not None}
+    return Report(operations, jobs)
+
+
+def forget(document_name: str) -> None:
+    """Drop what is known of a document."""
+    _found.pop(document_name, None)

@@ -1,0 +1,213 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The results panel: a dock with the table of operations, what is to be said of the selected ones, and exports."""
+
+from __future__ import annotations
+
+from html import escape
+from pathlib import Path
+
+import FreeCAD
+import FreeCADGui as Gui
+
+from vkworkbench.gui import latest
+from vkworkbench.gui.names import strategy_name
+from vkworkbench.gui.panel_model import VALUE, ResultsModel, ResultsOrder, Row, rows_of
+from vkworkbench.gui.qt import (
+    QAbstractItemView, QApplication, QDockWidget, QFileDialog, QHBoxLayout, QHeaderView, QItemSelectionModel, QLabel,
+    QMessageBox, QPushButton, QTableView, QTimer, QVBoxLayout, QWidget, Qt,
+)  # fmt: skip
+from vkworkbench.gui.text import translate
+from vkworkbench.report import Report, Total, plain_text
+
+NAME = "VkResults"
+_WIDEST_LABEL = 260  # px; a longer one has its end in the tooltip
+
+
+class ResultsDock(QDockWidget):
+    """Shows what was found in the active document; its selection and FreeCAD's are one."""
+
+    def __init__(self, parent: QWidget) -> None:
+        super().__init__(translate("Vk_Results", "Toolpath results"), parent)
+        self.setObjectName(NAME)
+        self._report = Report(())
+        self._following = False  # whether the table is being moved by FreeCAD's selection
+        self._stale = self._timer(self.refresh)
+        self._selected = self._timer(self._follow)
+
+        self.model = ResultsModel(self)
+        self.order = ResultsOrder(self)
+        self.order.setSourceModel(self.model)
+        self.order.setSortRole(VALUE)
+        self.table = QTableView()
+        self.table.setModel(self.order)
+        self.table.setSortingEnabled(True)
+        self.table.sortByColumn(-1, Qt.AscendingOrder)  # as posted, until the user sorts
+        self.table.setSelectionBehavior(QAbstractItemView.SelectRows)
+        self.table.setAlternatingRowColors(True)
+        self.table.setWordWrap(False)
+        self.table.verticalHeader().hide()
+        self.table.verticalHeader().setSectionResizeMode(QHeaderView.Fixed)
+        self.table.verticalHeader().setDefaultSectionSize(self.fontMetrics().height() + 6)
+        self.table.horizontalHeader().setStretchLastSection(True)
+        self.table.selectionModel().selectionChanged.connect(self._select)
+        self.table.doubleClicked.connect(lambda index: Gui.SendMsgToActiveView("ViewSelection"))
+
+        self.details = QLabel()
+        self.details.setWordWrap(True)
+        self.details.setTextInteractionFlags(Qt.TextSelectableByMouse)
+        self.csv = self._button(translate("Vk_Results", "Export CSV…"), lambda: self._export("csv"),
+                                translate("Vk_Results", "Saves all numbers as a table for a spreadsheet."))  # fmt: skip
+        self.json = self._button(translate("Vk_Results", "Export JSON…"), lambda: self._export("json"),
+                                 translate("Vk_Results", "Saves all numbers for a program."))  # fmt: skip
+        self.copy = self._button(translate("Vk_Results", "Copy to clipboard"), self._copy,
+                                 translate("Vk_Results", "Copies the table as it stands here."))  # fmt: skip
+
+        body = QWidget()
+        column = QVBoxLayout(body)
+        column.addWidget(self.table, 1)
+        below = QHBoxLayout()
+        below.addWidget(self.details, 1)
+        for button in (self.csv, self.json, self.copy):
+            below.addWidget(button, 0, Qt.AlignTop)
+        column.addLayout(below)
+        self.setWidget(body)
+
+        Gui.Selection.addObserver(self)
+        FreeCAD.addDocumentObserver(self)
+        self.visibilityChanged.connect(lambda visible: self._stale.start(0))
+        self.refresh()
+
+    def _timer(self, work) -> QTimer:
+        """Many changes, one piece of work once FreeCAD is done with them."""
+        timer = QTimer(self)
+        timer.setSingleShot(True)
+        timer.timeout.connect(work)
+        return timer
+
+    @staticmethod
+    def _button(text: str, work, tooltip: str) -> QPushButton:
+        button = QPushButton(text)
+        button.setToolTip(tooltip)
+        button.clicked.connect(work)
+        return button
+
+    # FreeCAD calls these when the selection changes.
+
+    def addSelection(self, *what) -> None:
+        self._selected.start(0)
+
+    def setSelection(self, *what) -> None:
+        self._selected.start(0)
+
+    def removeSelection(self, *what) -> None:
+        self._selected.start(0)
+
+    def clearSelection(self, *what) -> None:
+        self._selected.start(0)
+
+    # FreeCAD calls these when documents change.
+
+    def slotChangedObject(self, obj, name: str) -> None:
+        if name in ("Label", "Label2", "Group"):
+            self._stale.start(0)
+
+    def slotDeletedObject(self, obj) -> None:
+        self._stale.start(0)
+
+    def slotActivateDocument(self, document) -> None:
+        self._stale.start(0)
+
+    def slotDeletedDocument(self, document) -> None:
+        latest.forget(document.Name)
+        self._stale.start(0)
+
+    def refresh(self) -> None:
+        """Show what is known of the active document now."""
+        if not self.isVisible():
+            return
+        document = FreeCAD.ActiveDocument
+        self._report = latest.report_of(document) if document is not None else Report(())
+        self._following = True
+        self.model.show(rows_of(self._report))
+        self._following = False
+        self.table.resizeColumnsToContents()
+        self.table.setColumnWidth(0, min(self.table.columnWidth(0), _WIDEST_LABEL))
+        for button in (self.csv, self.json, self.copy):
+            button.setEnabled(bool(self._report.operations))
+        self._follow()
+
+    def _follow(self) -> None:
+        """Select the rows of what is selected in FreeCAD."""
+        names = {obj.Name for obj in Gui.Selection.getSelection()}
+        self._following = True
+        self.table.clearSelection()
+        for number in range(self.order.rowCount()):
+            if self._row(number).name in names:
+                index = self.order.index(number, 0)
+                self.table.selectionModel().select(index, QItemSelectionModel.Select | QItemSelectionModel.Rows)
+                self.table.scrollTo(index)
+        self._following = False
+        self._explain()
+
+    def _select(self) -> None:
+        """Select in FreeCAD what is selected in the table, and show it in the tree."""
+        if self._following:
+            return
+        document = FreeCAD.ActiveDocument.Name
+        Gui.Selection.clearSelection()
+        for row in self._selected_rows():
+            Gui.Selection.addSelection(document, row.name)
+        Gui.runCommand("Std_TreeSelection")
+        self._explain()
+
+    def _row(self, number: int) -> Row:
+        return self.model.rows[self.order.mapToSource(self.order.index(number, 0)).row()]
+
+    def _selected_rows(self) -> list[Row]:
+        return [self._row(index.row()) for index in self.table.selectionModel().selectedRows()]
+
+    def _explain(self) -> None:
+        """Say in words what was found of the selected operation."""
+        rows = self._selected_rows()
+        if not self.model.rows:
+            text = translate("Vk_Results", "Nothing is analyzed yet in this document: click Analyze toolpaths.")
+        elif len(rows) != 1:
+            text = translate("Vk_Results", "Select an operation to read why it has its strategy.")
+        else:
+            text = _in_words(rows[0])
+        self.details.setText(text)
+
+    def _export(self, ending: str) -> None:
+        document = FreeCAD.ActiveDocument
+        folder = Path(document.FileName).parent if document.FileName else Path.home()
+        title, filter_ = {
+            "csv": (translate("Vk_Results", "Export CSV"), "CSV (*.csv)"),
+            "json": (translate("Vk_Results", "Export JSON"), "JSON (*.json)"),
+        }[ending]
+        path, _ = QFileDialog.getSaveFileName(self, title, str(folder / f"{document.Name}.{ending}"), filter_)
+        if not path:
+            return
+        if not Path(path).suffix:
+            path += f".{ending}"
+        try:
+            self._report.to_csv(path) if ending == "csv" else self._report.to_json(path)
+        except OSError as error:
+            QMessageBox.warning(self, title, str(error))
+
+    def _copy(self) -> None:
+        """Copy the table as tabulated text, in the order and with the units that are shown."""
+        columns = self.model.columns
+        lines = [[column.title.replace("\n", " ") for column in columns]]
+        lines += [
+            [" ".join(plain_text(self.order.index(row, column).data()).split()) for column in range(len(columns))]
+            for row in range(self.order.rowCount())
+        ]
+        QApplication.clipboard().setText("\n".join("\t".join(line) for line in lines) + "\n")
+
+
+def _in_words(row: Row) -> str:
+    remarks = "".join(f"<br>• {escape(remark)}" for remark in row.remarks)
+    if isinstance(row.found, Total):
+        return f"<b>{escape(row.label)}</b>{remarks}"
+    strategy = strategy_name(row.found.strategy)
+    return f"<b>{escape(row.label)}, {escape(strategy)}</b>: {escape(row.found.reason)}{remarks}"

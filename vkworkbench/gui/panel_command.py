@@ -1,0 +1,60 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The command that shows the results panel."""
+
+from __future__ import annotations
+
+import FreeCAD
+import FreeCADGui as Gui
+
+from vkworkbench.gui.qt import QDockWidget, Qt
+from vkworkbench.gui.text import translate
+
+_HEIGHT = 260  # px
+
+
+class ResultsCommand:
+    """Show the results panel, or hide it."""
+
+    def GetResources(self) -> dict[str, str]:
+        return {
+            "MenuText": translate("Vk_Results", "Toolpath results"),
+            "ToolTip": translate(
+                "Vk_Results",
+                "Shows the analyzed operations as a table: strategy, lengths, what simulating them costs in each "
+                "simulator, and what is wrong with them.",
+            ),
+            "Pixmap": "Vk_Results",
+            "Accel": "V, R",
+        }
+
+    def IsActive(self) -> bool:
+        return FreeCAD.ActiveDocument is not None
+
+    def Activated(self) -> None:
+        from vkworkbench.gui.panel import NAME
+
+        dock = Gui.getMainWindow().findChild(QDockWidget, NAME)
+        if dock is not None and dock.isVisible():
+            dock.hide()
+        else:
+            show()
+
+
+def show() -> None:
+    """Show the results panel."""
+    from vkworkbench.gui.panel import NAME, ResultsDock
+
+    window = Gui.getMainWindow()
+    dock = window.findChild(QDockWidget, NAME)
+    if dock is None:
+        dock = ResultsDock(window)
+        window.addDockWidget(Qt.BottomDockWidgetArea, dock)
+        dock.show()
+        window.resizeDocks([dock], [_HEIGHT], Qt.Vertical)
+    else:
+        dock.show()
+    dock.raise_()
+    dock.refresh()
+
+
+Gui.addCommand("Vk_Results", ResultsCommand())

@@ -1,0 +1,215 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The table of the results panel: one row for each operation, one below for each job's total."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import FreeCAD
+
+from vkworkbench import friendly
+from vkworkbench.core import Strategy
+from vkworkbench.core.simulators import Simulator, available_simulators
+from vkworkbench.document import marks
+from vkworkbench.document.intent import contradicted
+from vkworkbench.gui.colors import COLORS
+from vkworkbench.gui.names import strategy_name
+from vkworkbench.gui.qt import QAbstractTableModel, QColor, QFont, QModelIndex, QSortFilterProxyModel, Qt
+from vkworkbench.gui.text import translate
+from vkworkbench.report import OperationReport, Report, Total
+
+VALUE = Qt.UserRole  # what a column is sorted by
+_LEFT, _RIGHT = 0x81, 0x82  # with Qt.AlignVCenter; as numbers, which every PySide takes
+
+
+@dataclass(frozen=True)
+class Row:
+    """One operation or one total, with what can only be read from the document.
+
+    Attributes
+    ----------
+    found : OperationReport or Total
+    label : str
+        As it is now.
+    remarks : tuple of str
+        What is wrong, outdated or to be known, the worst first.
+    """
+
+    found: OperationReport | Total
+    label: str
+    remarks: tuple[str, ...]
+
+    @property
+    def name(self) -> str:
+        """Internal name of the operation or the job."""
+        return self.found.job if isinstance(self.found, Total) else self.found.name
+
+
+def rows_of(report: Report) -> list[Row]:
+    """Return the rows of a report on documents that are open."""
+    rows: list[Row] = []
+    for found in report.operations:
+        obj = FreeCAD.getDocument(found.document).getObject(found.name)
+        rows.append(Row(found, obj.Label, tuple(_remarks(obj, found))))
+    for total in report.totals:
+        text = translate("Vk_Results", "a lower bound: the cost of some operations is not known")
+        rows.append(Row(total, _total_label(total), (text,) if total.incomplete else ()))
+    return rows
+
+
+def _total_label(total: Total) -> str:
+    one, more = translate("Vk_Results", "{job}: {count} operation"), translate("Vk_Results", "{job}: {count} operations")
+    return (one if total.operations == 1 else more).format(job=total.label, count=total.operations)
+
+
+def _remarks(obj, found: OperationReport):
+    if marks.is_outdated(obj):
+        yield translate("Vk_Results", "outdated: toolpath, tool or stock have changed since")
+    if found.error:
+        yield found.error
+    called = contradicted(obj, found.recognition)
+    if called:
+        text = translate("Vk_Results", "called {name}, but its toolpath is {strategy}")
+        yield text.format(name=called, strategy=strategy_name(found.strategy))
+    for caution in found.cautions:
+        yield str(caution)
+    if not found.counted and found.job is not None:
+        yield translate("Vk_Results", "not in the total: a dress-up stands for it, or it is switched off")
+
+
+@dataclass(frozen=True)
+class Column:
+    """One column: its title, what it explains, how it is sorted and shown.
+
+    Attributes
+    ----------
+    title, tooltip : str
+    value : callable
+        The number or text of a row, None where there is none.
+    text : callable
+        What the user reads of that value.
+    """
+
+    title: str
+    tooltip: str
+    value: Callable[[Row], object]
+    text: Callable[[object], str] = str
+
+
+def columns(version: tuple[int, ...]) -> list[Column]:
+    """Return the columns, with the simulators that a FreeCAD version has."""
+    shown = [
+        Column(translate("Vk_Results", "Operation"), "", lambda row: row.label),
+        Column(translate("Vk_Results", "Strategy"),
+               translate("Vk_Results", "The machining strategy recognized from the toolpath alone"),
+               lambda row: getattr(row.found, "strategy", None), strategy_name),
+        Column(translate("Vk_Results", "Sure"), translate("Vk_Results", "How sure the recognition is"),
+               _confidence, "{:.0%}".format),
+        Column(translate("Vk_Results", "Trajectories"),
+               translate("Vk_Results", "Number of straight moves, arcs chopped"),
+               lambda row: row.found.trajectories, "{:,}".format),
+        Column(translate("Vk_Results", "Length"), translate("Vk_Results", "Length of the cutting moves"),
+               lambda row: row.found.length, friendly.length),
+        Column(translate("Vk_Results", "Z-buffer\ntime"),
+               translate("Vk_Results", "Time to simulate it in an extended z-buffer"),
+               lambda row: _of_zbuffer(row, "seconds"), friendly.time),
+        Column(translate("Vk_Results", "Z-buffer\nmemory"),
+               translate("Vk_Results", "Memory to simulate it in an extended z-buffer"),
+               lambda row: _of_zbuffer(row, "memory_bytes"), friendly.memory),
+        Column(translate("Vk_Results", "Legacy\ntime"),
+               translate("Vk_Results", "Time of FreeCAD's legacy simulator in fast-forward at its finest accuracy"),
+               lambda row: _of(row, "legacy", lambda cost: cost.fast_forward_seconds), friendly.time),
+        Column(translate("Vk_Results", "Legacy\nmemory"),
+               translate("Vk_Results", "Memory of FreeCAD's legacy simulator at its finest accuracy"),
+               lambda row: _of(row, "legacy", lambda cost: cost.memory_bytes), friendly.memory),
+    ]  # fmt: skip
+    if Simulator.OPENGL in available_simulators(version):
+        shown += [
+            Column(translate("Vk_Results", "OpenGL\ntime"),
+                   translate("Vk_Results", "Time of FreeCAD's OpenGL simulator at its highest speed"),
+                   lambda row: _of(row, "opengl", lambda cost: cost.play_seconds[max(cost.play_seconds)]), friendly.time),
+            Column(translate("Vk_Results", "OpenGL\nmemory"), translate("Vk_Results", "Memory of FreeCAD's OpenGL simulator"),
+                   lambda row: _of(row, "opengl", lambda cost: cost.memory_bytes), friendly.memory),
+        ]  # fmt: skip
+    remarks = translate("Vk_Results", "What is wrong with the operation, or will be with its simulation")
+    return [*shown, Column(translate("Vk_Results", "Remarks"), remarks, lambda row: "; ".join(row.remarks))]
+
+
+def _confidence(row: Row) -> float | None:
+    strategy = getattr(row.found, "strategy", Strategy.EMPTY)
+    return None if strategy in (Strategy.EMPTY, Strategy.UNKNOWN) else row.found.confidence
+
+
+def _of_zbuffer(row: Row, name: str):
+    source = row.found if isinstance(row.found, Total) else row.found.estimate
+    return source and getattr(source, name)
+
+
+def _of(row: Row, simulator: str, number: Callable):
+    """A simulator's number for an operation; simulations of several operations are not their sum."""
+    cost = getattr(row.found, simulator, None)
+    return cost and number(cost)
+
+
+class ResultsModel(QAbstractTableModel):
+    """The rows of the panel as Qt asks for them."""
+
+    def __init__(self, parent=None) -> None:
+        super().__init__(parent)
+        self.columns = columns(tuple(int(number) for number in FreeCAD.Version()[:2]))
+        self.rows: list[Row] = []
+
+    def show(self, rows: list[Row]) -> None:
+        self.beginResetModel()
+        self.rows = rows
+        self.endResetModel()
+
+    def rowCount(self, parent=QModelIndex()) -> int:  # noqa: B008, Qt's own default
+        return 0 if parent.isValid() else len(self.rows)
+
+    def columnCount(self, parent=QModelIndex()) -> int:  # noqa: B008
+        return 0 if parent.isValid() else len(self.columns)
+
+    def headerData(self, section: int, orientation, role=Qt.DisplayRole):
+        if orientation != Qt.Horizontal:
+            return None
+        column = self.columns[section]
+        return {Qt.DisplayRole: column.title, Qt.ToolTipRole: column.tooltip}.get(role)
+
+    def data(self, index, role=Qt.DisplayRole):
+        row, column = self.rows[index.row()], self.columns[index.column()]
+        value = column.value(row)
+        if role == VALUE:
+            return value
+        if role in (Qt.DisplayRole, Qt.ToolTipRole):
+            if role == Qt.ToolTipRole and index.column() == len(self.columns) - 1:
+                return "\n".join(row.remarks)
+            return "" if value is None else column.text(value)
+        if role == Qt.TextAlignmentRole:
+            right = value is not None and not isinstance(value, str)
+            return _RIGHT if right else _LEFT
+        if role == Qt.DecorationRole and isinstance(value, Strategy):
+            return QColor(COLORS[value])
+        if role == Qt.FontRole and isinstance(row.found, Total):
+            font = QFont()
+            font.setBold(True)
+            return font
+        return None
+
+
+class ResultsOrder(QSortFilterProxyModel):
+    """Sorts operations by numbers and names; totals stay below, empty cells last."""
+
+    def lessThan(self, left, right) -> bool:
+        return self._key(left) < self._key(right)
+
+    def _key(self, index) -> tuple:
+        model = self.sourceModel()
+        row = model.rows[index.row()]
+        value = model.columns[index.column()].value(row)
+        # Qt turns the order round where it falls; what stays below then has to come first.
+        below = [isinstance(row.found, Total), value is None]
+        if self.sortOrder() != Qt.AscendingOrder:
+            below = [not flag for flag in below]
+        return (*below, value.casefold() if isinstance(value, str) else value or 0)
