@@ -7,7 +7,7 @@ import numpy as np
 
 from vkworkbench.core.areas import TURN, Moves, wrap
 
-CLOSE = 0.05  # mm; a path that comes back this close is closed
+CLOSE = 0.03  # mm; a path that comes back this close is closed
 OFF_ROUND = 0.377  # of a cell: grid origin off the round coordinates programs are made of
 
 

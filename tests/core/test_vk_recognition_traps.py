@@ -1,0 +1,198 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What real programs contain does not lead the recognition astray."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+
+from vkworkbench.core.linearize import linearize
+from vkworkbench.core.recognition import recognize
+from vkworkbench.core.strategy import Strategy
+
+START = [("G0", {"X": 0.0, "Y": 0.0, "Z": 5.0}), ("G1", {"Z": -1.0, "F": 5.0})]
+
+
+def rows(count=24, length=60.0, step=2.0, scale=1.0):
+    """Commands of a zigzag."""
+    program = list(START)
+    for k in range(count):
+        x = length if k % 2 == 0 else 0.0
+        program.append(("G1", {"X": x * scale, "Y": k * step * scale}))
+        program.append(("G1", {"X": x * scale, "Y": (k + 1) * step * scale}))
+    return program
+
+
+def bore(turns=6, radius=8.0):
+    """Commands of a helical bore that ends by a level turn."""
+    program = [("G0", {"X": radius, "Y": 0.0, "Z": 5.0}), ("G1", {"Z": 0.0})]
+    program += [("G3", {"X": radius, "Y": 0.0, "Z": -1.0 * (k + 1), "I": -radius, "J": 0.0}) for k in range(turns)]
+    return [*program, ("G3", {"X": radius, "Y": 0.0, "I": -radius, "J": 0.0})]
+
+
+def strategy(commands, **options):
+    return recognize(linearize(commands), **options).strategy
+
+
+def test_six_thousand_exact_reversals_are_no_contour():
+    # A public zigzag program reverses exactly 6,212 times; the literal rule makes it a contour of level 3,103.
+    program = list(START)
+    for k in range(3106):
+        y = 0.05 * k
+        program += [("G1", {"X": 40.0, "Y": y}), ("G1", {"X": 0.0, "Y": y}), ("G0", {"X": 0.0, "Y": y + 0.05})]
+        if k % 2:
+            program.pop()
+            program.append(("G1", {"X": 0.0, "Y": y + 0.05}))
+    found = recognize(linearize(program))
+    assert found.reversals == 3106
+    assert found.level == 0 and max(np.abs(found.phi_range)) <= math.pi + 1e-9
+    assert found.strategy is Strategy.ZIGZAG
+
+
+def test_reversals_broken_by_rounding_do_not_add_up():
+    # A turn of pi less 0.001 mm of rounding turns now one way, now the other.
+    rng = np.random.default_rng(5)
+    program = list(START)
+    for k in range(200):
+        program += [("G1", {"X": 50.0, "Y": round(k * 1.0 + rng.normal(0, 5e-4), 3)}),
+                    ("G1", {"X": 0.0, "Y": round(k * 1.0 + rng.normal(0, 5e-4), 3)}),
+                    ("G0", {"Z": 1.0}), ("G0", {"Y": k + 1.0}), ("G1", {"Z": -1.0})]  # fmt: skip
+    assert recognize(linearize(program)).level == 0
+
+
+@pytest.mark.parametrize("scale", [25.4, 1 / 25.4])
+def test_inches_taken_for_millimetres(scale):
+    assert strategy(rows(scale=scale)) is Strategy.ZIGZAG
+
+
+def test_absolute_centres():
+    absolute = [("G90.1", {}), ("G0", {"X": 28.0, "Y": 10.0, "Z": 5.0}), ("G1", {"Z": 0.0})]
+    absolute += [("G3", {"X": 28.0, "Y": 10.0, "Z": -1.0 * (k + 1), "I": 20.0, "J": 10.0}) for k in range(6)]
+    found = recognize(linearize(absolute))
+    assert found.strategy is Strategy.HELIX and found.sense == "ccw"
+
+
+@pytest.mark.parametrize("plane, along, depth", [("G18", "X", "I"), ("G19", "Y", "J")])
+def test_rows_of_arcs_in_a_vertical_plane(plane, along, depth):
+    across = "Y" if along == "X" else "X"
+    program = [("G0", {"X": 0.0, "Y": 0.0, "Z": 0.0}), (plane, {})]
+    for k in range(16):
+        end = 40.0 if k % 2 == 0 else 0.0
+        centre = 20.0 if k % 2 == 0 else -20.0
+        clockwise = (k % 2 == 0) == (plane == "G18")
+        program.append(("G2" if clockwise else "G3", {along: end, "Z": 0.0, depth: centre, "K": 30.0}))
+        program.append(("G1", {across: 2.0 * (k + 1)}))
+    assert strategy(program) is Strategy.ZIGZAG
+
+
+def test_contouring_in_a_vertical_plane():
+    program = [("G0", {"X": 0.0, "Y": 7.0, "Z": 0.0})]
+    for k in range(12):
+        program.append(("G1", {"X": 40.0 - k if k % 2 == 0 else float(k), "Z": -1.5 * k}))
+        program.append(("G1", {"X": 39.0 - k if k % 2 == 0 else k + 1.0, "Z": -1.5 * (k + 1)}))
+    assert strategy(program) is Strategy.ZIGZAG
+
+
+def test_rows_that_are_arcs_of_a_kilometre():
+    program, radius = list(START), 1e6
+    for k in range(24):
+        x = 60.0 if k % 2 == 0 else 0.0
+        program.append(("G2" if k % 3 else "G3", {"X": x, "Y": 2.0 * k, "I": 0.0, "J": radius if k % 3 == 0 else -radius}))
+        program.append(("G1", {"X": x, "Y": 2.0 * (k + 1)}))
+    assert strategy(program) is Strategy.ZIGZAG
+
+
+def test_full_circles_with_equal_ends():
+    program = [("G0", {"X": 10.0, "Y": 0.0, "Z": 5.0})]
+    for z in (-1.0, -2.0, -3.0):
+        program += [("G1", {"Z": z}), ("G2", {"X": 10.0, "Y": 0.0, "I": -10.0, "J": 0.0}), ("G0", {"Z": 5.0})]
+    found = recognize(linearize(program))
+    assert found.strategy is Strategy.PROFILE
+    assert (found.level, found.sense, found.depths, found.closed_loops) == (-1, "cw", 3, 3)
+
+
+def test_modal_canned_cycles():
+    program = [("G0", {"Z": 5.0}), ("G83", {"X": 0.0, "Y": 0.0, "Z": -8.0, "R": 1.0, "Q": 2.0, "F": 3.0})]
+    program += [("G83", {"X": 9.0 * k, "Y": 4.0}) for k in range(1, 7)] + [("G80", {})]
+    found = recognize(linearize(program), tool_diameter=5.0)
+    assert found.strategy is Strategy.DRILLING and found.passes == 7
+
+
+def test_line_numbers_percent_signs_and_comments():
+    noisy = [("(%)", {}), ("(program 17, операция «Карман»)", {})]
+    for k, (name, words) in enumerate(rows()):
+        noisy += [(name, {**words, "N": 10.0 * k}), ("(step)", {})]
+    assert strategy(noisy) is Strategy.ZIGZAG
+
+
+def test_disabled_lines():
+    program = rows()
+    program[10:10] = [("(/G1 X0 Y0)", {}), ("(;G3 X1 Y1 I5)", {})]
+    assert strategy(program) is Strategy.ZIGZAG
+
+
+def test_zero_length_moves_and_negative_zero():
+    stuttering = []
+    for name, words in rows():
+        stuttering += [(name, words), (name, {a: -0.0 if v == 0 else v for a, v in words.items()})]
+    plain, doubled = recognize(linearize(rows())), recognize(linearize(stuttering))
+    assert doubled.strategy is plain.strategy
+    assert doubled.phi_range == pytest.approx(plain.phi_range) and doubled.passes == plain.passes
+
+
+def test_radius_format_arcs():
+    program = [("G0", {"X": 0.0, "Y": -10.0, "Z": 5.0}), ("G1", {"Z": 0.0})]
+    for k in range(7):
+        program += [("G3", {"X": 0.0, "Y": 10.0, "Z": -k - 0.5, "R": 10.0}), ("G3", {"X": 0.0, "Y": -10.0, "Z": -k - 1.0, "R": 10.0})]
+    found = recognize(linearize(program))
+    assert found.strategy is Strategy.HELIX and found.level == 7
+
+
+def test_incremental_words():
+    program = [*START, ("G91", {})]
+    for k in range(24):
+        program += [("G1", {"X": 60.0 if k % 2 == 0 else -60.0}), ("G1", {"Y": 2.0})]
+    found = recognize(linearize(program))
+    assert found.strategy is Strategy.ZIGZAG and found.stepover == pytest.approx(2.0)
+
+
+@pytest.mark.parametrize(
+    "name, commands, truth",
+    [("(2D Pocket3)", rows(), Strategy.ZIGZAG), ("(DRILL3)", bore(), Strategy.HELIX), ("(Adaptive)", rows(), Strategy.ZIGZAG)],
+)
+def test_names_that_lie(name, commands, truth):
+    assert strategy([(name, {}), *commands]) is truth
+
+
+def test_noise_of_a_micrometre_does_not_turn():
+    rng = np.random.default_rng(2)
+    program = list(START)
+    for name, words in rows()[2:]:
+        program.append((name, words))
+        program.append((name, {a: v + rng.normal(0, 1e-3) for a, v in words.items()}))
+    found = recognize(linearize(program))
+    assert found.strategy is Strategy.ZIGZAG and found.level == 0
+
+
+def test_a_clockwise_zigzag_stays_on_level_zero():
+    mirrored = [(n, {a: -v if a == "Y" else v for a, v in w.items()}) for n, w in rows()]
+    found = recognize(linearize(mirrored))
+    assert found.strategy is Strategy.ZIGZAG and found.level == 0
+    assert found.phi_range == pytest.approx((-math.pi, 0.0))
+
+
+def test_a_start_on_the_boundary_shifts_phi_and_changes_nothing():
+    # FreeCAD begins a zigzag by a piece of the boundary: phi then lies between a and a + pi.
+    program = [("G0", {"X": -8.0, "Y": -5.0, "Z": -1.0}), ("G1", {"X": -4.0, "Y": -7.0}), ("G1", {"X": 0.0, "Y": 0.0}), *rows()[2:]]
+    assert strategy(program) is Strategy.ZIGZAG
+
+
+def test_a_spiral_descending_around_a_rectangle_is_a_profile():
+    corners = [(0.0, 0.0), (50.0, 0.0), (50.0, 20.0), (0.0, 20.0)]
+    program = [("G0", {"X": 0.0, "Y": 0.0, "Z": 5.0}), ("G1", {"Z": 0.0})]
+    for k in range(1, 25):
+        x, y = corners[k % 4]
+        program.append(("G1", {"X": x, "Y": y, "Z": -0.25 * k}))
+    assert strategy(program) is Strategy.PROFILE
