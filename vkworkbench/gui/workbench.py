@@ -9,12 +9,13 @@ from pathlib import Path
 import FreeCAD
 import FreeCADGui as Gui
 
+from vkworkbench.gui import preferences_page
 from vkworkbench.gui.qt import QTimer
 from vkworkbench.gui.text import translate
 
 ROOT = Path(__file__).resolve().parents[2]
 ICONS = ROOT / "resources" / "icons"
-COMMANDS = ["Vk_Analyze", "Vk_Clear", "Vk_GaussMap"]
+COMMANDS = ["Vk_Analyze", "Vk_Clear", "Vk_Results", "Vk_GaussMap"]
 TITLE = "Toolpath analysis"
 
 
@@ -41,6 +42,7 @@ class VkWorkbench(Gui.Workbench):
 def install() -> None:
     """Register everything: called once by InitGui.py when FreeCAD starts."""
     Gui.addIconPath(str(ICONS))
+    Gui.addPreferencePage(preferences_page.PreferencesPage, preferences_page.TITLE)
     Gui.addWorkbench(VkWorkbench())
     for name, menu in (("CAMWorkbench", "&CAM"), ("PathWorkbench", "&Path")):
         workbench = Gui.listWorkbenches().get(name)
@@ -106,7 +108,7 @@ class _OpenedDocuments:
 
 
 def _load_commands() -> None:
-    from vkworkbench.gui import commands, gauss_map_command  # noqa: F401, registers them
+    from vkworkbench.gui import commands, gauss_map_command, panel_command  # noqa: F401, register them
 
 
 def _path_selected() -> bool:

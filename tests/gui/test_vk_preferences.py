@@ -1,0 +1,170 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The page in FreeCAD's preferences, in FreeCAD's own dialog."""
+
+import FreeCAD
+import FreeCADGui as Gui
+import pytest
+from PySide import QtCore, QtGui
+
+from vkworkbench import preferences
+from vkworkbench.document import calibration
+from vkworkbench.preferences import Preferences
+
+CANCEL, OK = "Cancel", "OK"
+
+
+def check(window, box):
+    """Press the space key on a check box: a click beside its text would miss."""
+    box.setFocus()
+    window.press(box, QtCore.Qt.Key_Space)
+
+
+@pytest.fixture(autouse=True)
+def fresh():
+    """The defaults before and after each test."""
+    group = FreeCAD.ParamGet(preferences.GROUP)
+    group.Clear()
+    yield
+    group.Clear()
+
+
+@pytest.fixture
+def with_page(opened, window):
+    """Open the preferences, let a function work on the page's form, and press a button."""
+
+    def open_and(work, button=OK):
+        failure = []
+
+        def answer():
+            dialog = QtGui.QApplication.activeModalWidget()
+            if dialog is None:
+                QtCore.QTimer.singleShot(50, answer)
+                return
+            try:
+                form = dialog.findChild(QtGui.QWidget, "VkPreferences")
+                show_page(dialog, form)
+                work(form)
+            except BaseException as error:
+                failure.append(error)
+            box = dialog.findChild(QtGui.QDialogButtonBox)
+            texts = {b.text().replace("&", ""): b for b in box.buttons()}
+            window.click_on(texts[button])
+
+        QtCore.QTimer.singleShot(50, answer)
+        Gui.runCommand("Std_DlgPreferences")
+        if failure:
+            raise failure[0]
+
+    def show_page(dialog, form):
+        """Turn to the page, as clicks on its group would."""
+        parent = form
+        while parent is not dialog:
+            stack, parent = parent, parent.parentWidget()
+            if isinstance(parent, QtGui.QStackedWidget):
+                parent.setCurrentWidget(stack)
+        window.idle(0.2)
+
+    return open_and
+
+
+def test_it_shows_the_defaults_and_keeps_what_is_chosen(with_page, window):
+    def look(form):
+        assert form.isVisible()
+        assert form.image_width.value() == 800 and form.image_height.value() == 600
+        assert form.tolerance.property("rawValue") == pytest.approx(0.01)
+        assert form.view_direction.currentText() == "Top" and form.mark_simulator.currentIndex() == 0
+        assert form.show_pills.isChecked() and not form.analyze_after_recompute.isChecked()
+        assert form.memory_budget.value() == 1000 and form.time_budget.value() == 600
+        window.screenshot("preferences")
+
+    with_page(look)
+    assert preferences.read() == Preferences()
+
+    def change(form):
+        form.image_width.selectAll()
+        window.type(form.image_width, "1600")
+        check(window, form.analyze_after_recompute)
+        form.mark_simulator.setFocus()
+        window.press(form.mark_simulator, QtCore.Qt.Key_Down)
+        form.view_direction.setFocus()
+        window.press(form.view_direction, QtCore.Qt.Key_End)
+        edit = form.tolerance.findChild(QtGui.QLineEdit)
+        edit.selectAll()
+        window.type(edit, "0.005 mm")
+        window.press(edit, QtCore.Qt.Key_Tab)
+
+    with_page(change)
+    expected = Preferences(image_width=1600, analyze_after_recompute=True, mark_simulator="legacy",
+                           view_direction="Isometric", tolerance=0.005)  # fmt: skip
+    assert preferences.read() == expected
+
+    def look_again(form):
+        assert form.image_width.value() == 1600 and form.analyze_after_recompute.isChecked()
+        assert form.tolerance.property("rawValue") == pytest.approx(0.005)
+        assert "0.005" in form.tolerance.findChild(QtGui.QLineEdit).text()
+        check(window, form.show_pills)
+
+    with_page(look_again, CANCEL)
+    assert preferences.read() == expected
+
+
+def test_units_follow_freecad(with_page, window):
+    units = FreeCAD.ParamGet("User parameter:BaseApp/Preferences/Units")
+    schema = FreeCAD.Units.getSchema()
+    FreeCAD.Units.setSchema(3)  # imperial decimal
+    try:
+        texts = []
+        with_page(lambda form: texts.append(form.tolerance.findChild(QtGui.QLineEdit).text()), CANCEL)
+    finally:
+        FreeCAD.Units.setSchema(schema)
+        units.SetInt("UserSchema", schema)
+    assert texts[0].endswith(("in", '"', "thou"))
+
+
+def test_pills_can_be_switched_off(with_page, window, opened):
+    from vkworkbench.gui import pills, tree
+
+    pills.show()
+    delegates = lambda: [type(v.itemDelegateForColumn(tree.DESCRIPTION)).__name__ for v in tree.trees()]  # noqa: E731
+    assert "PillDelegate" in delegates()
+    with_page(lambda form: check(window, form.show_pills))
+    assert "PillDelegate" not in delegates()
+
+
+def test_calibrate(with_page, window):
+    calibration._path().unlink(missing_ok=True)
+    seen = []
+
+    def click(form):
+        seen.append(form.calibrated.text())
+        window.click_on(form.calibrate)
+        window.wait(lambda: form.calibrated.text() != seen[0])
+        seen.append(form.calibrated.text())
+        window.idle(0.2)
+        window.screenshot("preferences-calibrated")
+
+    with_page(click)
+    assert seen[0].startswith("Never calibrated") and seen[1].startswith("Last calibrated on")
+    known = calibration.load(preferences.read().renderer)
+    assert known is not None and known.renderer and known.processor in seen[1]
+    with_page(lambda form: seen.append(form.calibrated.text()))
+    assert seen[2] == seen[1]
+
+
+def test_a_failed_calibration_is_said(with_page, window, monkeypatch):
+    def fail(renderer):
+        raise OSError("the folder cannot be written")
+
+    monkeypatch.setattr(calibration, "calibrate", fail)
+
+    def click(form):
+        QtCore.QTimer.singleShot(300, lambda: said.extend(window.dismiss()))
+        window.click_on(form.calibrate)
+
+    said = []
+    with_page(click)
+    assert said == ["the folder cannot be written"]
+
+
+def test_the_group_has_its_icon():
+    assert not Gui.getIcon("preferences-toolpath_analysis").isNull()

@@ -1,0 +1,132 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The page in FreeCAD's preferences: shows what vkworkbench/preferences.py keeps. Loads no numpy until it is shown."""
+
+from __future__ import annotations
+
+from dataclasses import fields
+from pathlib import Path
+
+import FreeCAD
+import FreeCADGui as Gui
+
+from vkworkbench import preferences
+from vkworkbench.gui.qt import QApplication, QDate, QLocale, QMessageBox, Qt
+from vkworkbench.gui.text import translate
+from vkworkbench.preferences import Preferences
+
+UI = Path(__file__).resolve().parents[2] / "resources" / "ui" / "preferences.ui"
+TITLE = "Toolpath Analysis"  # of the group; its icon is preferences-toolpath_analysis.svg
+
+
+class PreferencesPage:
+    """What FreeCAD asks of a page: a form, and to load and save it."""
+
+    def __init__(self, parent=None) -> None:
+        self.form = Gui.PySideUic.loadUi(str(UI))
+        for preference in fields(Preferences):
+            widget, limits = getattr(self.form, preference.name, None), preference.metadata
+            if "least" in limits and widget is not None:
+                widget.setProperty("minimum", limits["least"])
+                widget.setProperty("maximum", limits["most"])
+        if FreeCAD.Version()[0] == "0":
+            self.form.mark_simulator.removeItem(preferences.SIMULATORS.index(preferences.OPENGL))
+            for name in ("opengl_quality", "opengl_quality_label"):
+                getattr(self.form, name).hide()
+        self.form.calibrate.clicked.connect(self._calibrate)
+
+    def loadSettings(self) -> None:
+        self._show(preferences.read())
+        self._say_last_calibration()
+
+    def saveSettings(self) -> None:
+        preferences.write(**self._chosen())
+        from vkworkbench.gui import pills
+
+        pills.show()
+
+    def resetSettingsToDefaults(self) -> None:
+        self._show(Preferences())
+        preferences.write(**self._chosen())
+
+    def _show(self, values: Preferences) -> None:
+        for name, widget in self._widgets():
+            value = getattr(values, name)
+            if hasattr(widget, "setChecked"):
+                widget.setChecked(value)
+            elif hasattr(widget, "setCurrentIndex"):
+                widget.setCurrentIndex(_choices(name).index(value))
+            else:
+                widget.setProperty("value", _as_length(value) if _is_length(widget) else value)
+
+    def _chosen(self) -> dict:
+        chosen = {}
+        for name, widget in self._widgets():
+            if hasattr(widget, "isChecked"):
+                chosen[name] = widget.isChecked()
+            elif hasattr(widget, "currentIndex"):
+                chosen[name] = _choices(name)[widget.currentIndex()]
+            else:
+                chosen[name] = widget.property("rawValue" if _is_length(widget) else "value")
+        return chosen
+
+    def _widgets(self):
+        """Names of the preferences that the page shows, and their widgets."""
+        for preference in fields(Preferences):
+            widget = getattr(self.form, preference.name, None)
+            if widget is not None:
+                yield preference.name, widget
+
+    def _calibrate(self) -> None:
+        from vkworkbench.document import calibration
+        from vkworkbench.gui.renderer import opengl_renderer
+
+        QApplication.setOverrideCursor(Qt.WaitCursor)
+        try:
+            renderer = opengl_renderer()
+            preferences.write(renderer=renderer)
+            calibration.calibrate(renderer)
+        except OSError as error:
+            QMessageBox.warning(self.form, translate("VkPreferences", "Calibrate"), str(error))
+        finally:
+            QApplication.restoreOverrideCursor()
+        self._say_last_calibration()
+
+    def _say_last_calibration(self) -> None:
+        from vkworkbench.document import calibration
+
+        known = calibration.load(preferences.read().renderer)
+        if known is None:
+            self.form.calibrated.setText(translate(
+                "VkPreferences",
+                "Never calibrated on this computer: times of FreeCAD's simulators are right within a factor of two.",
+            ))  # fmt: skip
+            return
+        text = translate(
+            "VkPreferences",
+            "Last calibrated on {date}: the legacy simulator makes {moves} cuts a second, its times are right within "
+            "a factor of {factor}. Measured with FreeCAD {freecad} on {processor}, display {renderer}.",
+        )
+        self.form.calibrated.setText(text.format(
+            date=_local_date(known.date), moves=f"{1 / known.constants.call:,.0f}", factor=known.constants.legacy_factor,
+            freecad=known.freecad, processor=known.processor, renderer=known.renderer or "?",
+        ))  # fmt: skip
+
+
+def _choices(name: str) -> tuple[str, ...]:
+    """What a preference can be, in the order in which the form lists it."""
+    return next(preference.metadata["choices"] for preference in fields(Preferences) if preference.name == name)
+
+
+def _is_length(widget) -> bool:
+    return widget.property("rawValue") is not None
+
+
+def _as_length(millimetres: float):
+    """Return a length that is shown to a tenth of a micrometre, in FreeCAD's units."""
+    quantity = FreeCAD.Units.Quantity(millimetres, FreeCAD.Units.Length)
+    quantity.Format = {**quantity.Format, "Precision": 4}
+    return quantity
+
+
+def _local_date(iso: str) -> str:
+    return QLocale().toString(QDate.fromString(iso, Qt.ISODate), QLocale.ShortFormat)
