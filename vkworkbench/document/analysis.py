@@ -3,24 +3,30 @@
 
 from __future__ import annotations
 
+import threading
 from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor
 from contextlib import suppress
+from dataclasses import dataclass
 
 import FreeCAD
 
 from vkworkbench import preferences
-from vkworkbench.core import Strategy, estimate, linearize, machining, recognize
+from vkworkbench.core import Stock, Strategy, Tool, estimate, linearize, machining, recognize
 from vkworkbench.core.legacy import legacy_costs
 from vkworkbench.core.opengl import opengl_cost
 from vkworkbench.core.preflight import preflight
 from vkworkbench.core.resolution import best_resolution
 from vkworkbench.core.simulators import Constants, Simulator, available_simulators, opengl_speeds
 from vkworkbench.document import calibration
-from vkworkbench.document.fingerprint import fingerprint
+from vkworkbench.document.fingerprint import commands_fingerprint, setting_fingerprint
 from vkworkbench.document.operations import Operation, find
 from vkworkbench.document.setting import placed, rapid_feeds, read_stock, read_tool
 from vkworkbench.preferences import Preferences
 from vkworkbench.report import OperationReport, Report
+
+
+_PATIENCE = 0.05  # s between two questions whether to go on
 
 
 class Cancelled(Exception):
@@ -42,7 +48,8 @@ def analyze(
     progress : callable, optional
         Called before each operation with how many are done, how many there are, and its label.
     cancelled : callable, optional
-        Asked before each operation; True ends the analysis.
+        Asked before each operation, and every 50 ms while one is worked on in a thread of its own; True ends
+        the analysis. It may let the window live, which must not change the documents meanwhile.
 
     Returns
     -------
@@ -75,34 +82,104 @@ def analyze(
         if progress is not None:
             progress(done, len(operations), labels[done])
         with suppress(ReferenceError):  # deleted meanwhile, or its document closed
-            reports.append(_analyze(operation, chosen, constants))
+            reading = _read(operation)
+            reports.append(_patiently(lambda going_on, reading=reading: _work(reading, chosen, constants, going_on),
+                                      cancelled))  # fmt: skip
     return Report(tuple(reports), jobs)
 
 
-def _analyze(operation: Operation, chosen: Preferences, constants: Constants) -> OperationReport:
+@dataclass(frozen=True)
+class _Reading:
+    """What the document says of one operation: copies, which another thread may read."""
+
+    document: str
+    name: str
+    label: str
+    job: str | None
+    counted: bool
+    active: bool
+    path: object
+    placement: object
+    tool: Tool | None
+    stock: Stock | None
+    errors: tuple[str, ...]
+    rapid_feeds: tuple[float, float]
+    setting_fingerprint: str
+    version: tuple[int, ...]
+
+
+def _read(operation: Operation) -> _Reading:
     obj, job = operation.object, operation.job
     errors: list[str] = []
-    tool = _or_words(errors, read_tool, obj)
-    stock = _or_words(errors, read_stock, job)
-    commands = obj.Path.Commands
+    return _Reading(
+        document=obj.Document.Name,
+        name=obj.Name,
+        label=obj.Label,
+        job=job.Name if job is not None else None,
+        counted=operation.counted,
+        active=operation.active,
+        path=obj.Path,
+        placement=obj.Placement,
+        tool=_or_words(errors, read_tool, obj),
+        stock=_or_words(errors, read_stock, job),
+        errors=tuple(errors),
+        rapid_feeds=rapid_feeds(obj),
+        setting_fingerprint=setting_fingerprint(obj, job),
+        version=tuple(int(number) for number in FreeCAD.Version()[:2]),
+    )
+
+
+def _patiently(work: Callable, cancelled: Callable[[], bool] | None):
+    """Do the work in a thread of its own while `cancelled` is asked; at once where there is nothing to ask.
+
+    `work` is given a function that raises Cancelled once the work has been given up.
+    """
+    given_up = threading.Event()
+
+    def going_on() -> None:
+        if given_up.is_set():
+            raise Cancelled("the analysis was cancelled; nothing has been changed")
+
+    if cancelled is None:
+        return work(going_on)
+    threads = ThreadPoolExecutor(1)
     try:
-        toolpath = placed(linearize(commands, tolerance=chosen.tolerance), obj.Placement)
+        done = threads.submit(work, going_on)
+        while True:
+            with suppress(TimeoutError):
+                return done.result(_PATIENCE)
+            if cancelled():
+                given_up.set()
+                going_on()
+    finally:
+        threads.shutdown(wait=False)
+
+
+def _work(reading: _Reading, chosen: Preferences, constants: Constants, going_on: Callable) -> OperationReport:
+    tool, stock, version = reading.tool, reading.stock, reading.version
+    errors = list(reading.errors)
+    commands = reading.path.Commands
+    going_on()
+    try:
+        toolpath = placed(linearize(commands, tolerance=chosen.tolerance), reading.placement)
     except ValueError as error:
         errors.append(str(error))
         toolpath = linearize([])
+    going_on()
     found = recognize(toolpath, tool_diameter=tool and tool.diameter)
     if found.strategy is Strategy.EMPTY and not toolpath.commands <= len(toolpath.comments):
         errors.append("no cutting move in its toolpath")
     elif found.strategy is Strategy.EMPTY:
         # Without a toolpath a missing tool or stock is not what is wrong.
-        errors = [_why_empty(operation)]
+        errors = [_why_empty(reading.active)]
     errors += [str(problem) for problem in toolpath.problems]
     cost = legacy = opengl = resolution = None
-    version = tuple(int(number) for number in FreeCAD.Version()[:2])
     if tool and stock and found.strategy is not Strategy.EMPTY:
+        going_on()
         cost = estimate(toolpath, found, tool=tool, stock=stock, view=chosen.view)
         resolution = best_resolution([cost], memory_bytes=chosen.memory_budget_bytes, seconds=chosen.time_budget,
                                      stepover=found.stepover)  # fmt: skip
+        going_on()
         (legacy,) = legacy_costs(
             toolpath, tool=tool, stock=stock, accuracies=(chosen.legacy_accuracy,), constants=constants
         )
@@ -111,13 +188,14 @@ def _analyze(operation: Operation, chosen: Preferences, constants: Constants) ->
                 toolpath, diameter=tool.diameter, speeds=opengl_speeds(version), quality=chosen.opengl_quality,
                 constants=constants,
             )  # fmt: skip
-    horizontal, vertical = rapid_feeds(obj)
+    going_on()
+    horizontal, vertical = reading.rapid_feeds
     return OperationReport(
-        document=obj.Document.Name,
-        name=obj.Name,
-        label=obj.Label,
-        job=job.Name if job is not None else None,
-        counted=operation.counted,
+        document=reading.document,
+        name=reading.name,
+        label=reading.label,
+        job=reading.job,
+        counted=reading.counted,
         recognition=found,
         trajectories=len(toolpath),
         machining=machining(toolpath, horizontal_rapid=horizontal, vertical_rapid=vertical),
@@ -129,7 +207,7 @@ def _analyze(operation: Operation, chosen: Preferences, constants: Constants) ->
                            opengl=opengl, memory_budget=chosen.memory_budget_bytes,
                            time_budget=chosen.time_budget),
         error="; ".join(errors) or None,
-        fingerprint=fingerprint(obj, job),
+        fingerprint=f"{commands_fingerprint(commands, reading.placement)}:{reading.setting_fingerprint}",
     )  # fmt: skip
 
 
@@ -142,7 +220,7 @@ def _or_words(errors: list[str], read: Callable, source):
         return None
 
 
-def _why_empty(operation: Operation) -> str:
-    if not operation.active:
+def _why_empty(active: bool) -> str:
+    if not active:
         return "inactive: switch it on and recompute it"
     return "no toolpath: recompute the operation and see FreeCAD's report view"

@@ -15,17 +15,20 @@ from vkworkbench.document.setting import read_stock, read_tool
 _COMMENT_LINES = re.compile(r"^\(.*\n?", re.MULTILINE)
 
 
-def fingerprint(obj, job) -> str:
-    """Return the fingerprint of an operation: of its path and of its setting, as ``path:setting``."""
-    return f"{path_fingerprint(obj)}:{setting_fingerprint(obj, job)}"
-
-
 def path_fingerprint(obj) -> str:
-    """Return the fingerprint of the path and where it is placed."""
-    text = obj.Path.toGCode().replace("-0.000000", "0.000000")
+    """Return the fingerprint of an object's path and where it is placed."""
+    return _of_gcode(obj.Path.toGCode(), obj.Placement)
+
+
+def commands_fingerprint(commands: list, placement) -> str:
+    """Return the same of a path's commands, one by one: the whole at once would hold up other threads."""
+    return _of_gcode("".join([f"{command.toGCode()}\n" for command in commands]), placement)
+
+
+def _of_gcode(text: str, placement) -> str:
+    text = text.replace("-0.000000", "0.000000")
     if "(" in text:
         text = _COMMENT_LINES.sub("", text)
-    placement = obj.Placement
     if not placement.isIdentity():
         text += repr([round(value, 6) for value in (*placement.Base, *placement.Rotation.Q)])
     return _digest(text)

@@ -1,0 +1,36 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Long analyses: the same numbers with and without a thread, and a cancel that leaves everything as it was."""
+
+import FreeCAD
+import Path
+import pytest
+
+import vkworkbench
+from vkworkbench.document.fingerprint import commands_fingerprint, path_fingerprint
+
+
+def test_one_by_one_or_at_once_is_the_same_fingerprint(example):
+    for obj in example.Objects:
+        if obj.isDerivedFrom("Path::Feature"):
+            assert commands_fingerprint(obj.Path.Commands, obj.Placement) == path_fingerprint(obj), obj.Label
+    bare = example.addObject("Path::Feature", "Bare")
+    bare.Path = Path.Path("(first)\nG0 X-0.0000001 Y0\nG1 X1 F5\n(G1 X2)\nM5")
+    assert commands_fingerprint(bare.Path.Commands, bare.Placement) == path_fingerprint(bare)
+    bare.Placement.Base = FreeCAD.Vector(1, 0, 0)
+    assert commands_fingerprint(bare.Path.Commands, bare.Placement) == path_fingerprint(bare)
+
+
+def test_a_thread_finds_the_same(example):
+    alone = vkworkbench.analyze(example)
+    assert vkworkbench.analyze(example, cancelled=lambda: False) == alone
+
+
+def test_a_failure_in_the_thread_is_the_callers(example, monkeypatch):
+    from vkworkbench.document import analysis
+
+    def fail(*what, **more):
+        raise RuntimeError("of the thread")
+
+    monkeypatch.setattr(analysis, "recognize", fail)
+    with pytest.raises(RuntimeError, match="of the thread"):
+        vkworkbench.analyze(example, cancelled=lambda: False)
