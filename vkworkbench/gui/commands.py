@@ -8,13 +8,12 @@ import FreeCADGui as Gui
 
 import vkworkbench
 from vkworkbench.document import operations
-from vkworkbench.gui import latest, panel_command, pills, tree
-from vkworkbench.gui.qt import QMessageBox, QProgressDialog, Qt
+from vkworkbench.gui import latest, panel_command, pills, progress, tree
+from vkworkbench.gui.qt import QMessageBox, Qt
 from vkworkbench.gui.text import translate
 from vkworkbench.preferences import GROUP
 
 ANALYZE, CLEAR = "Vk_Analyze", "Vk_Clear"
-_PROGRESS_DELAY = 300  # ms; a shorter analysis shows no dialog
 
 
 class AnalyzeCommand:
@@ -40,7 +39,7 @@ class AnalyzeCommand:
             _tell(translate("Vk_Analyze", "No document is open. Open one with a job or a toolpath first."))
             return
         try:
-            report = _analyze_with_progress(_selected() or FreeCAD.ActiveDocument)
+            report = progress.analyze(_selected() or FreeCAD.ActiveDocument)
         except vkworkbench.Cancelled:
             _status(translate("Vk_Analyze", "Analysis cancelled, nothing changed."))
             return
@@ -81,7 +80,8 @@ class ClearCommand:
     def Activated(self) -> None:
         if FreeCAD.ActiveDocument is None:
             return
-        cleared = vkworkbench.clear(_selected() or FreeCAD.ActiveDocument)
+        with tree.steady_columns():
+            cleared = vkworkbench.clear(_selected() or FreeCAD.ActiveDocument)
         _status(translate("Vk_Clear", "{} marks removed").format(cleared))
 
 
@@ -90,25 +90,6 @@ def _selected() -> list:
     selection = Gui.Selection.getSelection()
     groups = {"job", "operation", "dressup", "array"}
     return [obj for obj in selection if operations.kind(obj) in groups or operations.is_job_group(obj)]
-
-
-def _analyze_with_progress(what):
-    dialog = QProgressDialog(Gui.getMainWindow())
-    dialog.setWindowTitle(translate("Vk_Analyze", "Analyze toolpaths"))
-    dialog.setWindowModality(Qt.WindowModal)
-    dialog.setMinimumDuration(_PROGRESS_DELAY)
-    dialog.rejected.connect(dialog.cancel)  # Esc, whichever part of the dialog takes it
-
-    def progress(done: int, count: int, label: str) -> None:
-        dialog.setMaximum(count)
-        dialog.setLabelText(label)
-        dialog.setValue(done)  # lets the window live, and takes Esc
-
-    try:
-        return vkworkbench.analyze(what, progress=progress, cancelled=dialog.wasCanceled)
-    finally:
-        dialog.close()
-        dialog.deleteLater()
 
 
 def mark(report) -> None:

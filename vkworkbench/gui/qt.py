@@ -5,7 +5,7 @@ FreeCAD 0.20's wrapper has no QtWidgets, but QtGui holds the widgets in every ve
 """
 
 from PySide.QtCore import (
-    QAbstractTableModel, QDate, QEvent, QItemSelectionModel, QLocale, QModelIndex, QObject, QRectF,
+    QAbstractTableModel, QDate, QEvent, QEventLoop, QItemSelectionModel, QLocale, QModelIndex, QObject, QRectF,
     QSortFilterProxyModel, QTimer, Qt,
 )  # fmt: skip
 from PySide.QtGui import (
@@ -17,7 +17,7 @@ from PySide.QtGui import (
 
 __all__ = [
     "QAbstractItemView", "QAbstractTableModel", "QApplication", "QColor", "QComboBox", "QDate",
-    "QDockWidget", "QEvent", "QFileDialog", "QFont", "QHBoxLayout", "QHeaderView", "QItemSelectionModel",
+    "QDockWidget", "QEvent", "QEventLoop", "QFileDialog", "QFont", "QHBoxLayout", "QHeaderView", "QItemSelectionModel",
     "QLabel", "QLocale", "QMessageBox", "QModelIndex", "QObject", "QOffscreenSurface", "QOpenGLContext",
     "QPainter", "QPalette", "QPen", "QProgressDialog", "QPushButton", "QRectF", "QSlider",
     "QSortFilterProxyModel", "QSpinBox", "QStyle", "QStyleOptionViewItem", "QStyledItemDelegate",

@@ -1,0 +1,45 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""An analysis with a progress dialog: the window stays alive, Esc cancels."""
+
+from __future__ import annotations
+
+import FreeCADGui as Gui
+
+import vkworkbench
+from vkworkbench.gui.qt import QApplication, QEventLoop, QProgressDialog, Qt
+from vkworkbench.gui.text import translate
+from vkworkbench.report import Report
+
+_DELAY = 300  # ms; a shorter analysis shows no dialog
+
+
+def analyze(what) -> Report:
+    """Do what ``vkworkbench.analyze`` does, and show how far it is.
+
+    Raises
+    ------
+    Cancelled
+        If the user pressed Esc or the button.
+    """
+    dialog = QProgressDialog(Gui.getMainWindow())
+    dialog.setWindowTitle(translate("Vk_Analyze", "Analyze toolpaths"))
+    dialog.setWindowModality(Qt.WindowModal)
+    dialog.setMinimumDuration(_DELAY)
+    dialog.rejected.connect(dialog.cancel)  # Esc, whichever part of the dialog takes it
+
+    def progress(done: int, count: int, label: str) -> None:
+        dialog.setMaximum(count)
+        dialog.setLabelText(label)
+        dialog.setValue(done)
+
+    def cancelled() -> bool:
+        # Before the dialog is there to keep them from the window, clicks have to wait.
+        waiting = QEventLoop.AllEvents if dialog.isVisible() else QEventLoop.ExcludeUserInputEvents
+        QApplication.processEvents(waiting)
+        return dialog.wasCanceled()
+
+    try:
+        return vkworkbench.analyze(what, progress=progress, cancelled=cancelled)
+    finally:
+        dialog.close()
+        dialog.deleteLater()
