@@ -35,8 +35,8 @@ from vkworkbench.core.strategy import Strategy
 from vkworkbench.core.toolpath import Toolpath
 from vkworkbench.core.zbuffer import DEXEL, TRACE, simulate
 
-MANY = 5e6  # candidate pixels
-MOST = 40  # operations of each file
+MANY = 1.5e6  # candidate pixels
+MOST = 25  # operations of each file
 VIEWS = {"top": (0, 0, -1), "tilted 30": (0, 0.5, -math.sqrt(0.75)), "isometric": (1, 1, -math.sqrt(2 / 3))}
 FEWEST = 1000  # trace elements below which a ratio says nothing
 

@@ -21,7 +21,10 @@ from vkworkbench.core.toolpath import Toolpath
 _LEVEL = 1e-3
 # Share of a level's length in one direction that is rows and not links.
 _FAMILY = 0.15
-_ROWS = {Strategy.ZIGZAG, Strategy.ONE_WAY}
+# Least distance of two rows, mm.
+_APART = 0.05
+# What is mixed is mostly rows with a contour around them.
+_ROWS = {Strategy.ZIGZAG, Strategy.ONE_WAY, Strategy.MIXED}
 _LOOPS = {Strategy.CONTOUR_PARALLEL, Strategy.SPIRAL, Strategy.ADAPTIVE}
 
 
@@ -172,7 +175,9 @@ def _levels(t: _Trajectories, recognition: Recognition, tool: Tool, stock: Stock
         points = np.concatenate((t.start[here], t.end[here]))[:, :2]
         room, outline = _grown_hull(points, radius, stock)
         if recognition.strategy in _ROWS:
-            area = sum(_rows_area(t, rows, tool, stepover) for rows in _row_families(t, here))
+            # Rows of several directions cross without regard to each other.
+            shares = [_rows_area(t, rows, tool, stepover) / room for rows in _row_families(t, here)]
+            area = room * (1 - np.prod(1 - np.minimum(shares, 1)))
         elif recognition.strategy in _LOOPS:
             area = stepover * length + (radius - stepover / 2) * outline
         else:
@@ -211,11 +216,12 @@ def _rows_area(t: _Trajectories, rows: np.ndarray, tool: Tool, stepover: float) 
     """Area of parallel rows with round ends, the first as wide as the tool, the others as the step from row to row."""
     heading = float(np.angle((t.run[rows] * np.exp(2j * t.heading[rows])).sum()) / 2)
     offset = t.start[rows, 1] * np.cos(heading) - t.start[rows, 0] * np.sin(heading)
-    steps = np.abs(np.diff(offset))
-    steps = steps[steps > 0.05]
-    passes = len(steps) + 1
-    near = steps[steps <= tool.diameter + 0.05]
-    step = min(float(np.median(near)), tool.diameter) if len(near) else stepover
+    in_order, sorted_ = np.abs(np.diff(offset)), np.diff(np.sort(offset))
+    passes = np.count_nonzero(in_order > _APART) + 1
+    # Rows of several pockets mix when sorted, those of a lattice jump to and fro in order: both only lower the step.
+    steps = [s.mean() for s in (x[(x > _APART) & (x <= tool.diameter + _APART)] for x in (in_order, sorted_))
+             if len(s)]
+    step = min(float(max(steps)), tool.diameter) if steps else stepover
     along = float((t.run * t.share)[rows].sum())
     # The tool's circle where the row is its own, |y| < step / 2.
     ends = step * np.sqrt(tool.radius**2 - step**2 / 4) + 2 * tool.radius**2 * np.arcsin(step / tool.diameter)
