@@ -9,6 +9,7 @@ import Path
 import pytest
 
 import vkworkbench
+from vkworkbench import core
 
 STRATEGIES = {
     "Face": "zigzag", "Pocket zigzag": "zigzag", "Pocket around island": "contour-parallel",
@@ -213,3 +214,22 @@ def test_progress_and_cancel(small, zigzag_commands):
     with pytest.raises(vkworkbench.Cancelled):
         vkworkbench.analyze(small.job, cancelled=lambda: next(answers))
     assert all(not obj.Label2 for obj in small.document.Objects)
+
+
+def test_an_error_of_our_own_costs_one_row_only(small, zigzag_commands, monkeypatch):
+    small.add("First", zigzag_commands)
+    small.add("Second", zigzag_commands[:-4])
+    from vkworkbench.document import analysis
+
+    recognize = analysis.recognize
+
+    def broken(toolpath, **tool):
+        if len(toolpath) == len(first):
+            raise ZeroDivisionError("a bug")
+        return recognize(toolpath, **tool)
+
+    first = core.linearize(zigzag_commands)
+    monkeypatch.setattr(analysis, "recognize", broken)
+    rows = vkworkbench.analyze(small.document).operations
+    assert [row.strategy.value for row in rows] == ["empty", "zigzag"]
+    assert "please report" in rows[0].error and rows[1].error is None

@@ -4,10 +4,11 @@
 from __future__ import annotations
 
 import threading
+import traceback
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import suppress
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import FreeCAD
 
@@ -24,7 +25,6 @@ from vkworkbench.document.operations import Operation, find
 from vkworkbench.document.setting import placed, rapid_feeds, read_stock, read_tool
 from vkworkbench.preferences import Preferences
 from vkworkbench.report import OperationReport, Report
-
 
 _PATIENCE = 0.05  # s between two questions whether to go on
 
@@ -83,7 +83,7 @@ def analyze(
             progress(done, len(operations), labels[done])
         with suppress(ReferenceError):  # deleted meanwhile, or its document closed
             reading = _read(operation)
-            reports.append(_patiently(lambda going_on, reading=reading: _work(reading, chosen, constants, going_on),
+            reports.append(_patiently(lambda going_on, reading=reading: _row(reading, chosen, constants, going_on),
                                       cancelled))  # fmt: skip
     return Report(tuple(reports), jobs)
 
@@ -155,6 +155,17 @@ def _patiently(work: Callable, cancelled: Callable[[], bool] | None):
         threads.shutdown(wait=False)
 
 
+def _row(reading: _Reading, chosen: Preferences, constants: Constants, going_on: Callable) -> OperationReport:
+    """The row of one operation, whatever happens: an error of ours must not cost the others theirs."""
+    try:
+        return _work(reading, chosen, constants, going_on)
+    except Cancelled:
+        raise
+    except Exception as error:
+        FreeCAD.Console.PrintLog(traceback.format_exc())
+        return _unknown(reading, error)
+
+
 def _work(reading: _Reading, chosen: Preferences, constants: Constants, going_on: Callable) -> OperationReport:
     tool, stock, version = reading.tool, reading.stock, reading.version
     errors = list(reading.errors)
@@ -190,12 +201,8 @@ def _work(reading: _Reading, chosen: Preferences, constants: Constants, going_on
             )  # fmt: skip
     going_on()
     horizontal, vertical = reading.rapid_feeds
-    return OperationReport(
-        document=reading.document,
-        name=reading.name,
-        label=reading.label,
-        job=reading.job,
-        counted=reading.counted,
+    return replace(
+        _unknown(reading),
         recognition=found,
         trajectories=len(toolpath),
         machining=machining(toolpath, horizontal_rapid=horizontal, vertical_rapid=vertical),
@@ -209,6 +216,28 @@ def _work(reading: _Reading, chosen: Preferences, constants: Constants, going_on
         error="; ".join(errors) or None,
         fingerprint=f"{commands_fingerprint(commands, reading.placement)}:{reading.setting_fingerprint}",
     )  # fmt: skip
+
+
+def _unknown(reading: _Reading, error: Exception | None = None) -> OperationReport:
+    """The row of an operation of which nothing is known yet, or nothing because of an error in this add-on."""
+    nothing = linearize([])
+    return OperationReport(
+        document=reading.document,
+        name=reading.name,
+        label=reading.label,
+        job=reading.job,
+        counted=reading.counted,
+        recognition=recognize(nothing),
+        trajectories=0,
+        machining=machining(nothing),
+        estimate=None,
+        legacy=None,
+        opengl=None,
+        resolution=None,
+        cautions=(),
+        error=f"could not be analysed, please report it with the file: {type(error).__name__}: {error}",
+        fingerprint=f":{reading.setting_fingerprint}",
+    )
 
 
 def _or_words(errors: list[str], read: Callable, source):
