@@ -10,6 +10,8 @@ from __future__ import annotations
 
 import re
 
+import FreeCAD
+
 from vkworkbench import friendly, preferences
 from vkworkbench.core import Strategy
 from vkworkbench.document.fingerprint import path_fingerprint, setting_fingerprint
@@ -22,21 +24,33 @@ _FIRST_WORDS = "|".join([*(strategy.value for strategy in Strategy), "[0-9]+ ope
 _SEGMENT = re.compile(f" ?{OPENING}(?:{_FIRST_WORDS})(?: [^{OPENING}{CLOSING}]*)?{CLOSING}")
 _LONGEST_REMARK = 60  # characters of what is wrong; the whole is in the tooltip, the report and the properties
 
+QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
+
 GROUP = "Toolpath analysis"
 # Output (8) keeps a change from touching the object, ReadOnly (1) the user from changing it; 4 hides.
 _SHOWN, _HIDDEN = 9, 13
 _PROPERTIES = {
-    "ToolpathStrategy": ("App::PropertyString", _SHOWN, "Machining strategy recognised from the toolpath"),
-    "ToolpathConfidence": ("App::PropertyFloat", _SHOWN, "How sure the recognition is, 0 to 1"),
-    "ToolpathReason": ("App::PropertyString", _SHOWN, "Why this strategy"),
-    "ToolpathRemark": ("App::PropertyString", _SHOWN, "What is wrong with the operation or unknown about it"),
-    "ToolpathTrajectories": ("App::PropertyInteger", _SHOWN, "Number of straight moves, arcs chopped"),
-    "ToolpathLength": ("App::PropertyFloat", _SHOWN, "Cutting length in mm"),
-    "ToolpathSimulator": ("App::PropertyString", _SHOWN, "Simulator whose time and memory are given"),
-    "ToolpathSeconds": ("App::PropertyFloat", _SHOWN, "Estimated time of simulating it, in seconds"),
-    "ToolpathMemory": ("App::PropertyFloat", _SHOWN, "Estimated memory of simulating it, in bytes"),
-    "ToolpathFingerprint": ("App::PropertyString", _HIDDEN, "Of the path, tool and stock analysed"),
-}
+    "ToolpathStrategy": ("App::PropertyString", _SHOWN, QT_TRANSLATE_NOOP(
+        "App::Property", "Machining strategy recognised from the toolpath")),
+    "ToolpathConfidence": ("App::PropertyFloat", _SHOWN, QT_TRANSLATE_NOOP(
+        "App::Property", "How sure the recognition is, 0 to 1")),
+    "ToolpathReason": ("App::PropertyString", _SHOWN, QT_TRANSLATE_NOOP(
+        "App::Property", "Why this strategy")),
+    "ToolpathRemark": ("App::PropertyString", _SHOWN, QT_TRANSLATE_NOOP(
+        "App::Property", "What is wrong with the operation or unknown about it")),
+    "ToolpathTrajectories": ("App::PropertyInteger", _SHOWN, QT_TRANSLATE_NOOP(
+        "App::Property", "Number of straight moves, arcs chopped")),
+    "ToolpathLength": ("App::PropertyFloat", _SHOWN, QT_TRANSLATE_NOOP(
+        "App::Property", "Cutting length in mm")),
+    "ToolpathSimulator": ("App::PropertyString", _SHOWN, QT_TRANSLATE_NOOP(
+        "App::Property", "Simulator whose time and memory are given")),
+    "ToolpathSeconds": ("App::PropertyFloat", _SHOWN, QT_TRANSLATE_NOOP(
+        "App::Property", "Estimated time of simulating it, in seconds")),
+    "ToolpathMemory": ("App::PropertyFloat", _SHOWN, QT_TRANSLATE_NOOP(
+        "App::Property", "Estimated memory of simulating it, in bytes")),
+    "ToolpathFingerprint": ("App::PropertyString", _HIDDEN, QT_TRANSLATE_NOOP(
+        "App::Property", "Of the path, tool and stock analysed")),
+}  # fmt: skip
 
 
 def is_marked(obj) -> bool:

@@ -10,7 +10,7 @@ import vkworkbench
 from vkworkbench.document import operations
 from vkworkbench.gui import latest, panel_command, pills, progress, tree
 from vkworkbench.gui.qt import QMessageBox, Qt
-from vkworkbench.gui.text import translate
+from vkworkbench.gui.text import QT_TRANSLATE_NOOP, translate
 from vkworkbench.preferences import GROUP
 
 ANALYZE, CLEAR = "Vk_Analyze", "Vk_Clear"
@@ -20,13 +20,15 @@ class AnalyzeCommand:
     """Analyse the selected operations, or all of the active document, and mark them."""
 
     def GetResources(self) -> dict[str, str]:
+        text = QT_TRANSLATE_NOOP(
+            "Vk_Analyze",
+            "Recognizes the machining strategy of each selected operation, or of all operations of the active "
+            "document, estimates what simulating it costs, and marks it in the tree.",
+        )
         return {
-            "MenuText": translate("Vk_Analyze", "Analyze toolpaths"),
-            "ToolTip": translate(
-                "Vk_Analyze",
-                "Recognizes the machining strategy of each selected operation, or of all operations of the active "
-                "document, estimates what simulating it costs, and marks it in the tree.",
-            ),
+            "MenuText": QT_TRANSLATE_NOOP("Vk_Analyze", "Analyze toolpaths"),
+            "ToolTip": text,
+            "WhatsThis": text,
             "Pixmap": "Vk_Analyze",
             "Accel": "V, K",
         }
@@ -64,13 +66,15 @@ class ClearCommand:
     """Remove the marks of the selected operations, or of the whole active document."""
 
     def GetResources(self) -> dict[str, str]:
+        text = QT_TRANSLATE_NOOP(
+            "Vk_Clear",
+            "Removes the marks of the selected operations, or all marks of the active document; your own "
+            "descriptions stay.",
+        )
         return {
-            "MenuText": translate("Vk_Clear", "Clear analysis"),
-            "ToolTip": translate(
-                "Vk_Clear",
-                "Removes the marks of the selected operations, or all marks of the active document; your own "
-                "descriptions stay.",
-            ),
+            "MenuText": QT_TRANSLATE_NOOP("Vk_Clear", "Clear analysis"),
+            "ToolTip": text,
+            "WhatsThis": text,
             "Pixmap": "Vk_Clear",
         }
 

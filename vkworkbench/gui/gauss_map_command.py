@@ -7,7 +7,7 @@ import FreeCAD
 import FreeCADGui as Gui
 
 from vkworkbench.gui.qt import QDockWidget, Qt
-from vkworkbench.gui.text import translate
+from vkworkbench.gui.text import QT_TRANSLATE_NOOP
 
 _HEIGHT = 420  # px
 
@@ -16,13 +16,15 @@ class GaussMapCommand:
     """Show the Gauss map view, or hide it."""
 
     def GetResources(self) -> dict[str, str]:
+        text = QT_TRANSLATE_NOOP(
+            "Vk_GaussMap",
+            "Shows why the selected operation has its strategy: its toolpath, the Gauss map of its directions and "
+            "of the vector V_k, and the cumulative angular function.",
+        )
         return {
-            "MenuText": translate("Vk_GaussMap", "Gauss map"),
-            "ToolTip": translate(
-                "Vk_GaussMap",
-                "Shows why the selected operation has its strategy: its toolpath, the Gauss map of its directions and "
-                "of the vector V_k, and the cumulative angular function.",
-            ),
+            "MenuText": QT_TRANSLATE_NOOP("Vk_GaussMap", "Gauss map"),
+            "ToolTip": text,
+            "WhatsThis": text,
             "Pixmap": "Vk_GaussMap",
             "Accel": "V, G",
         }

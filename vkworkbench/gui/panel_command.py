@@ -7,7 +7,7 @@ import FreeCAD
 import FreeCADGui as Gui
 
 from vkworkbench.gui.qt import QDockWidget, Qt
-from vkworkbench.gui.text import translate
+from vkworkbench.gui.text import QT_TRANSLATE_NOOP
 
 _HEIGHT = 260  # px
 
@@ -16,13 +16,15 @@ class ResultsCommand:
     """Show the results panel, or hide it."""
 
     def GetResources(self) -> dict[str, str]:
+        text = QT_TRANSLATE_NOOP(
+            "Vk_Results",
+            "Shows the analyzed operations as a table: strategy, lengths, what simulating them costs in each "
+            "simulator, and what is wrong with them.",
+        )
         return {
-            "MenuText": translate("Vk_Results", "Toolpath results"),
-            "ToolTip": translate(
-                "Vk_Results",
-                "Shows the analyzed operations as a table: strategy, lengths, what simulating them costs in each "
-                "simulator, and what is wrong with them.",
-            ),
+            "MenuText": QT_TRANSLATE_NOOP("Vk_Results", "Toolpath results"),
+            "ToolTip": text,
+            "WhatsThis": text,
             "Pixmap": "Vk_Results",
             "Accel": "V, R",
         }

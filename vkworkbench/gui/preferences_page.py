@@ -11,11 +11,11 @@ import FreeCADGui as Gui
 
 from vkworkbench import preferences
 from vkworkbench.gui.qt import QApplication, QDate, QLocale, QMessageBox, Qt
-from vkworkbench.gui.text import translate
+from vkworkbench.gui.text import QT_TRANSLATE_NOOP, translate
 from vkworkbench.preferences import Preferences
 
 UI = Path(__file__).resolve().parents[2] / "resources" / "ui" / "preferences.ui"
-TITLE = "Toolpath Analysis"  # of the group; its icon is preferences-toolpath_analysis.svg
+TITLE = QT_TRANSLATE_NOOP("QObject", "Toolpath Analysis")  # of the group; its icon is preferences-toolpath_analysis.svg
 
 
 class PreferencesPage:

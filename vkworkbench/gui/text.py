@@ -4,3 +4,4 @@
 import FreeCAD
 
 translate = FreeCAD.Qt.translate
+QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP  # for texts that FreeCAD translates itself

@@ -11,25 +11,30 @@ import FreeCADGui as Gui
 
 from vkworkbench.gui import preferences_page
 from vkworkbench.gui.qt import QTimer
-from vkworkbench.gui.text import translate
+from vkworkbench.gui.text import QT_TRANSLATE_NOOP, translate
 
 ROOT = Path(__file__).resolve().parents[2]
 ICONS = ROOT / "resources" / "icons"
+TRANSLATIONS = ROOT / "resources" / "translations"
 COMMANDS = ["Vk_Analyze", "Vk_Clear", "Vk_Results", "Vk_GaussMap"]
-TITLE = "Toolpath analysis"
+TITLE = QT_TRANSLATE_NOOP("Workbench", "Toolpath analysis")  # of toolbar and menu
 
 
 class VkWorkbench(Gui.Workbench):
     """Toolpath analysis on its own; the same commands are in the CAM workbench."""
 
-    MenuText = translate("Workbench", "Toolpath Analysis")
-    ToolTip = translate("Workbench", "Recognize machining strategies and estimate simulation costs of toolpaths")
     Icon = str(ICONS / "VkWorkbench.svg")
+
+    def __init__(self) -> None:
+        VkWorkbench.MenuText = translate("Workbench", "Toolpath Analysis")
+        VkWorkbench.ToolTip = translate(
+            "Workbench", "Recognizes machining strategies of toolpaths and estimates what simulating them costs."
+        )
 
     def Initialize(self) -> None:
         _load_commands()
-        self.appendToolbar(translate("Workbench", TITLE), COMMANDS)
-        self.appendMenu(translate("Workbench", TITLE), COMMANDS)
+        self.appendToolbar(TITLE, COMMANDS)
+        self.appendMenu(TITLE, COMMANDS)
 
     def ContextMenu(self, recipient: str) -> None:
         if _path_selected():
@@ -41,6 +46,8 @@ class VkWorkbench(Gui.Workbench):
 
 def install() -> None:
     """Register everything: called once by InitGui.py when FreeCAD starts."""
+    Gui.addLanguagePath(str(TRANSLATIONS))
+    Gui.updateLocale()
     Gui.addIconPath(str(ICONS))
     Gui.addPreferencePage(preferences_page.PreferencesPage, preferences_page.TITLE)
     Gui.addWorkbench(VkWorkbench())
@@ -62,7 +69,7 @@ def _extend(workbench, menu: str) -> None:
     def Initialize() -> None:
         initialize()
         _load_commands()
-        workbench.appendToolbar(translate("Workbench", TITLE), COMMANDS)
+        workbench.appendToolbar(TITLE, COMMANDS)
         workbench.appendMenu([menu], ["Separator", *COMMANDS])
 
     def ContextMenu(recipient: str) -> None:

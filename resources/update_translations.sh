@@ -1,0 +1,18 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Collect the texts of the code and the form in the translations' sources, and compile what is translated.
+# Takes Qt 6's lupdate and lrelease (Debian: qt6-l10n-tools). Translate between two runs: with Qt Linguist, or by hand.
+set -euo pipefail
+
+cd "$(dirname "$0")/translations"
+PATH=/usr/lib/qt6/bin:$PATH
+
+mapfile -t sources < <(find ../../vkworkbench/{document,gui} -name '*.py' | LC_ALL=C sort)
+sources+=(../ui/*.ui)
+
+lupdate -silent -locations none -no-obsolete -source-language en "${sources[@]}" -ts VkWorkbench.ts
+for language in de fr es-ES zh-CN; do
+    lupdate -silent -locations none -no-obsolete -source-language en -target-language "$language" \
+        "${sources[@]}" -ts "VkWorkbench_$language.ts"
+    lrelease -silent -nounfinished "VkWorkbench_$language.ts" -qm "VkWorkbench_$language.qm"
+done
