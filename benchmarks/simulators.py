@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""FreeCAD's legacy simulator: what is predicted against what it really does.
+"""FreeCAD's simulators: what is predicted against what they really do.
 
-    freecadcmd $PWD/benchmarks/simulators.py                 # its work, without a window
-    xvfb-run -a freecad $PWD/benchmarks/simulators.py        # fast-forward and play, in its own panel
+    freecadcmd $PWD/benchmarks/simulators.py                 # the legacy one's work, without a window
+    xvfb-run -a freecad $PWD/benchmarks/simulators.py        # fast-forward and play, in their own windows
 
 Cuts the operations of the example job and, where the environment variable VKWORKBENCH_CORPUS names files of
 JSON lines (id, label, tool_diameter, stock, commands; optionally gzipped, separated by colons), up to 60 of
@@ -34,8 +34,9 @@ from make_example import make_example
 
 from vkworkbench.core import linearize
 from vkworkbench.core.legacy import legacy_costs
+from vkworkbench.core.simulators import Simulator, available_simulators
 from vkworkbench.core.solids import Stock, Tool
-from vkworkbench.document.calibration import calibrate
+from vkworkbench.document.calibration import calibrate, freecad_version
 from vkworkbench.document.operations import find
 from vkworkbench.document.setting import read_stock, read_tool
 
@@ -51,9 +52,13 @@ def main():
         samples += of_corpus(name)
     print(f"\nFreeCAD {'.'.join(FreeCAD.Version()[:3])}, {len(samples)} operations", file=OUT)
     if FreeCAD.GuiUp:
-        from simulators_window import run
+        import simulators_window
 
-        run(samples, OUT)
+        if Simulator.OPENGL in available_simulators(freecad_version()):
+            import simulators_opengl
+
+            simulators_opengl.run(samples, OUT)
+        simulators_window.run(samples, OUT)
     else:
         headless(samples)
 

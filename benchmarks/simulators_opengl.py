@@ -1,0 +1,146 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Play in the OpenGL simulator's own window, for benchmarks/simulators.py."""
+
+from __future__ import annotations
+
+import time
+from statistics import median
+
+import FreeCAD
+import FreeCADGui
+import numpy as np
+import Part
+import Path
+from CAMSimulator import PathSim
+from PySide import QtCore, QtGui
+
+from vkworkbench.core import linearize
+from vkworkbench.core.opengl import opengl_cost
+from vkworkbench.core.simulators import opengl_speeds
+from vkworkbench.document.calibration import constants, freecad_version
+
+RENDERER = "llvmpipe"  # under Xvfb
+LONGEST = 15.0  # s
+# Where the buttons are, from the window's lower left corner.
+OLD = freecad_version() < (1, 1, 0)
+PLAY, FASTER = ((52, -34), (136, -34)) if OLD else ((42, -36), (172, -36))
+
+
+class Frames(QtCore.QObject):
+    """Times at which the simulator's window draws."""
+
+    def __init__(self):
+        super().__init__()
+        self.times = []
+
+    def eventFilter(self, _, event):
+        if event.type() == QtCore.QEvent.UpdateRequest:
+            self.times.append(time.perf_counter())
+        return False
+
+
+def run(samples, out):
+    """Play every sample that does not take too long at the fastest speed, and print the ratios.
+
+    Each prediction is scaled by the median of what the runs before it took, compared with theirs.
+    """
+    FreeCADGui.activateWorkbench("CAMWorkbench")  # which loads the pictures of the simulator's buttons
+    ratios, scales = [], []
+    speed = max(opengl_speeds(freecad_version()))
+    simulator = PathSim()
+    for label, commands, tool, stock in [*lines_and_arcs(samples[0]), *samples]:
+        cost = opengl_cost(
+            linearize(commands), diameter=tool.diameter, speeds=(speed,), constants=constants(RENDERER)
+        )
+        unscaled = cost.play_seconds[speed]
+        predicted = unscaled * median(scales or [1.0])
+        if not 1 < unscaled < LONGEST:
+            continue
+        true = play(simulator, commands, tool, stock, -(-cost.steps // speed), 10 + 4 * predicted)
+        if true is None:
+            print(f"  OpenGL  {label:40.40}{cost.draws:7} draw calls  did not play", file=out, flush=True)
+            continue
+        print(
+            f"  OpenGL  {label:40.40}{cost.draws:7} draw calls  {predicted:7.2f} s  {true:7.2f} s",
+            file=out,
+            flush=True,
+        )
+        if scales:
+            ratios.append(max(predicted / true, true / predicted))
+        scales.append(true / unscaled)
+    quantiles = " / ".join(f"{q:.2f}" for q in np.percentile(ratios, (50, 90, 100)))
+    print(f"OpenGL play, {len(ratios)} runs, ratio median / p90 / worst: {quantiles}", file=out)
+
+
+def lines_and_arcs(sample):
+    """Paths of lines only and of arcs only, with the tool and the stock of a sample."""
+    _, _, tool, stock = sample
+    x, y, top = stock.lower[0] + 10, stock.lower[1] + 10, stock.upper[2]
+    start = ("G0", {"X": x, "Y": y, "Z": top})
+    for count in (100, 200):
+        rows = [
+            ("G1", {"X": x + 40 * (i % 4 in (0, 1)), "Y": y + 0.2 * i, "Z": top - 5}) for i in range(count)
+        ]
+        yield f"{count} lines", [start, *rows], tool, stock
+    right = ("G3", {"X": x + 20, "Y": y, "Z": top - 5, "I": 10.0, "J": 0.0})
+    left = ("G3", {"X": x, "Y": y, "Z": top - 5, "I": -10.0, "J": 0.0})
+    half = [right, left] * 20
+    yield "40 arcs", [start, *half], tool, stock
+
+
+def play(simulator, commands, tool, stock, frames, patience):
+    """Play at the fastest speed; return the seconds that the frames took, None if it did not play so many."""
+    simulator.ResetSimulation()
+    simulator.AddTool(profile(tool), 1, tool.diameter, 1)
+    for name, words in commands:
+        simulator.AddCommand(Path.Command(name, words))
+    simulator.BeginSimulation(Part.makeBox(*(stock.upper - stock.lower), FreeCAD.Vector(*stock.lower)), 10)
+    wait(2)
+    window = next(w for w in QtGui.QGuiApplication.allWindows() if "CAMSim" in w.metaObject().className())
+    for _ in opengl_speeds(freecad_version())[1:]:
+        click(window, *FASTER)
+        wait(0.3)
+    still = picture(window)
+    seen = Frames()
+    window.installEventFilter(seen)
+    begin = time.perf_counter()
+    click(window, *PLAY)
+    while len(seen.times) < frames and time.perf_counter() - begin < patience:
+        wait(0.1)
+    window.removeEventFilter(seen)
+    played = picture(window) != still
+    window.close()
+    wait(0.5)
+    return seen.times[frames - 1] - begin if played and len(seen.times) >= frames else None
+
+
+def picture(window):
+    """The part's picture in the window, without the buttons."""
+    screen = window.screen()
+    return screen.grabWindow(0, window.x(), window.y(), window.width(), window.height() - 100).toImage()
+
+
+def profile(tool):
+    """Radius and height along the tool's outline, from its top to its tip."""
+    radii = np.linspace(tool.radius, 0, 9) if tool.height(tool.radius) else (tool.radius, 0.0)
+    return [tool.radius, 30.0] + [float(v) for r in radii for v in (r, tool.height(r))]
+
+
+def click(window, x, y):
+    """Click with the left button, y from below."""
+    where = QtCore.QPointF(x, window.height() + y)
+    none, left = QtCore.Qt.NoButton, QtCore.Qt.LeftButton
+    for kind, button, buttons in (
+        (QtCore.QEvent.MouseMove, none, none),
+        (QtCore.QEvent.MouseButtonPress, left, left),
+        (QtCore.QEvent.MouseButtonRelease, left, none),
+    ):
+        event = QtGui.QMouseEvent(kind, where, where, button, buttons, QtCore.Qt.NoModifier)
+        QtCore.QCoreApplication.sendEvent(window, event)
+
+
+def wait(seconds):
+    """Let FreeCAD's event loop run."""
+    loop = QtCore.QEventLoop()
+    QtCore.QTimer.singleShot(int(1000 * seconds), loop.quit)
+    getattr(loop, "exec_" if hasattr(loop, "exec_") else "exec")()
