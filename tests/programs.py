@@ -30,20 +30,30 @@ def one_way(rows=10, length=50.0, step=3.0, depths=(0.0,)):
     return program([[(0.0, row * step, z), (length, row * step, z)] for z in depths for row in range(rows)])
 
 
-def outline(sides=4, radius=30.0, x=0.0, y=0.0, z=0.0, start=0, waves=0.0, narrow=1.0):
-    """Closed polygon; `waves` makes it a wavy one, `narrow` squeezes it along Y."""
+def outline(sides=4, radius=30.0, z=0.0, start=0, waves=0.0, longer=0.0):
+    """Closed polygon; `waves` makes it a wavy one, `longer` stretches it along X by so many mm.
+
+    Stretched by moving one half aside, so that the offsets of the polygon stay offsets.
+    """
     points = []
-    for i in range(start, start + sides + 1):
-        angle = 2 * math.pi * (i % sides) / sides
+    for i in range(sides):
+        angle = 2 * math.pi * (i + 0.1) / sides  # no corner lies on an axis
         r = radius * (1 + waves * math.cos(3 * angle))
-        points.append((x + r * math.cos(angle), y + narrow * r * math.sin(angle), z))
-    return points
+        points.append((r * math.cos(angle), r * math.sin(angle), z))
+    if longer:
+        top, bottom = max(points, key=lambda p: p[1]), min(points, key=lambda p: p[1])
+        right = points[points.index(bottom) :] + points[: points.index(top) + 1]
+        left = points[points.index(top) : points.index(bottom) + 1]
+        points = [(x + longer / 2, y, z) for x, y, z in right] + [(x - longer / 2, y, z) for x, y, z in left]
+    start %= len(points)
+    return points[start:] + points[: start + 1]
 
 
-def offsets(loops=6, sides=4, step=3.0, inner=4.0, depths=(0.0,), narrow=1.0):
-    """Nested loops from the inside out, linked without a lift."""
+def offsets(loops=6, sides=4, step=3.0, inner=4.0, depths=(0.0,), longer=0.0):
+    """Nested loops from the inside out, `step` mm apart, linked without a lift."""
+    further = step / math.cos(math.pi / sides)
     return program([
-        [p for i in range(loops) for p in outline(sides, inner + i * step, z=z, narrow=narrow)] for z in depths
+        [p for i in range(loops) for p in outline(sides, inner + i * further, z=z, longer=longer)] for z in depths
     ])  # fmt: skip
 
 

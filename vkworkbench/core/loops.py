@@ -69,7 +69,8 @@ def _returns(moves, x, y, area, shift, origin) -> tuple[np.ndarray, np.ndarray]:
         often[cell[between]] = True
         crowded = often[cell[again]]
         many = again[crowded]
-        many = many[np.argsort(cell[many], kind="stable")]
+        # By the cells themselves: one that shares its hash would come between two visits of another.
+        many = many[np.lexsort((row[many], column[many], area[many]))]
         twice = again[~crowded & (again == earliest[again])]
         one, two = np.append(many[:-1], twice), np.append(many[1:], latest[twice])
     else:

@@ -1,0 +1,10 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What the tests of the core share."""
+
+from __future__ import annotations
+
+from hypothesis import settings
+
+# A busy machine is no failure; the same examples in every run, so that a run says something of the change in it.
+settings.register_profile("tests", deadline=None, derandomize=True)
+settings.load_profile("tests")
