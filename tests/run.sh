@@ -40,6 +40,10 @@ prepare() {
     return 1
 }
 
+mkdir -p build
+exec 9> build/tests.lock
+flock --nonblock 9 || { echo "Waiting for another run of the tests in this checkout"; flock 9; }
+
 rm -rf "$results"
 echo "Preparing the FreeCADs of: $suites"
 # Whatever its own release, the machine makes the roots.

@@ -49,7 +49,7 @@ def judge(folder, layer):
 def tail(log):
     """The part of a log that tells what failed."""
     lines = log.read_text(errors="replace").splitlines()
-    starts = [n for n, line in enumerate(lines) if re.match(r"=+ (FAILURES|ERRORS) =+|Traceback|Fatal", line)]
+    starts = [n for n, line in enumerate(lines) if re.match(r"=+ (FAILURES|ERRORS) =+|Traceback|Fatal|Timeout", line)]
     ends = [n for n, line in enumerate(lines) if re.match(r"=+ warnings summary =+", line)]
     first = starts[0] if starts else max(len(lines) - 30, 0)
     return "\n".join("    " + line for line in lines[first : ends[0] if ends else None][:200])
