@@ -12,7 +12,7 @@ sources+=(../ui/*.ui)
 
 lupdate -silent -locations none -no-obsolete -source-language en "${sources[@]}" -ts VkWorkbench.ts
 for language in de fr es-ES zh-CN; do
-    lupdate -silent -locations none -no-obsolete -source-language en -target-language "$language" \
+    lupdate -silent -locations none -no-obsolete -source-language en -target-language "${language/-/_}" \
         "${sources[@]}" -ts "VkWorkbench_$language.ts"
     lrelease -silent -nounfinished "VkWorkbench_$language.ts" -qm "VkWorkbench_$language.qm"
 done

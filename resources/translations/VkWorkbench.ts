@@ -1,0 +1,620 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" sourcelanguage="en">
+<context>
+    <name>App::Property</name>
+    <message>
+        <source>Machining strategy recognised from the toolpath</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How sure the recognition is, 0 to 1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Why this strategy</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What is wrong with the operation or unknown about it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Number of straight moves, arcs chopped</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cutting length in mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Simulator whose time and memory are given</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Estimated time of simulating it, in seconds</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Estimated memory of simulating it, in bytes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of the path, tool and stock analysed</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Pills</name>
+    <message>
+        <source>outdated</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{} operation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{} operations</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{trajectories} trajectories, {length} cutting</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Simulating it takes {time} and {memory}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Outdated: toolpath, tool or stock have changed since. Analyze it again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>QObject</name>
+    <message>
+        <source>Toolpath Analysis</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Strategy</name>
+    <message>
+        <source>zigzag</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>one-way</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>contour-parallel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>profile</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>waterline</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>spiral</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>helix</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>adaptive</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>drilling</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>engraving</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>mixed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>empty</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>VkPreferences</name>
+    <message>
+        <source>Calibrate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Never calibrated on this computer: times of FreeCAD&apos;s simulators are right within a factor of two.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Last calibrated on {date}: the legacy simulator makes {moves} cuts a second, its times are right within a factor of {factor}. Measured with FreeCAD {freecad} on {processor}, display {renderer}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>General</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Marks in the Tree</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Time and memory of</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The simulator whose time and memory the marks show. FreeCAD 0.20 has no OpenGL simulator.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Extended z-buffer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>FreeCAD&apos;s legacy simulator</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>FreeCAD&apos;s OpenGL simulator</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shows the marks as colored pills in the tree; as plain text if switched off.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show marks as pills</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Analyzes marked operations again after each recompute that changed them. Large toolpaths make each recompute longer.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Analyze again after a recompute</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Budget</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How long a simulation may take. The analysis warns of more, and recommends an accuracy that takes no longer.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Memory</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How much memory a simulation may take. The analysis warns of more, and recommends an accuracy that takes no more.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Simulation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Z-buffer image width</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Width of the image whose pixels the extended z-buffer computes.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Z-buffer image height</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Height of the image whose pixels the extended z-buffer computes.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Z-buffer view</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From where the z-buffer looks at the part.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Front</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rear</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bottom</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Isometric</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Legacy simulator accuracy</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Edge of its cells in percent of the stock&apos;s longer side: 0.1 is the finest position of its slider, 1 the coarsest.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>OpenGL simulator quality</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Position of its quality slider; 10 is the best.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Arc tolerance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Largest distance between an arc and the straight moves it is chopped into.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Calibration</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measures how fast FreeCAD&apos;s simulators are on this computer, which takes about a second, and remembers it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Vk_Analyze</name>
+    <message>
+        <source>Recognizes the machining strategy of each selected operation, or of all operations of the active document, estimates what simulating it costs, and marks it in the tree.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Analyze toolpaths</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No document is open. Open one with a job or a toolpath first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Analysis cancelled, nothing changed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no operation to analyze in this document. Create a job with operations, or import G-code.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{} operations analyzed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{} with remarks</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The marks are in the tree&apos;s Description column, which is now visible. You can hide it again in the tree&apos;s context menu: Tree settings, Show description.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Toolpath analysis</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Vk_Clear</name>
+    <message>
+        <source>Removes the marks of the selected operations, or all marks of the active document; your own descriptions stay.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Clear analysis</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{} marks removed</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Vk_GaussMap</name>
+    <message>
+        <source>Gauss map</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The areas that the tool cuts without a rapid move or a plunge, the longest first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save picture…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Saves the three plots as they stand, as PNG or SVG.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Steps through the trajectories k of the area.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{}: no cutting move has a direction in the plane</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Area {}: {} trajectories, {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{}: φ from {} to {}, level n from {} to {}, {} exact reversals</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>; closed, with its last turn φ = {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Toolpath drawn with {} of {} points: the others fall on the same pixels.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Gauss map of the last {} trajectories up to k.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;Left the toolpath with the vector V&lt;sub&gt;k&lt;/sub&gt; from the area&apos;s first point. On the unit circle the images of the trajectory v&lt;sub&gt;k&lt;/sub&gt; and of V&lt;sub&gt;k&lt;/sub&gt;; the arcs show how they moved. A zigzag goes to and fro on a part of the circle, a contour goes all around. Right the cumulative angular function φ and the angle θ on level n: a contour-parallel path leaves the dashed lines ±2π, a zigzag stays within.&lt;/p&gt;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Select an operation in the tree.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save picture</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>counter-clockwise</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>clockwise</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>exact reversal</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shows why the selected operation has its strategy: its toolpath, the Gauss map of its directions and of the vector V_k, and the cumulative angular function.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Vk_Results</name>
+    <message>
+        <source>Toolpath results</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Export CSV…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Saves all numbers as a table for a spreadsheet.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Export JSON…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Saves all numbers for a program.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copy to clipboard</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copies the table as it stands here.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing is analyzed yet in this document: click Analyze toolpaths.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Select an operation to read why it has its strategy.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Export CSV</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Export JSON</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shows the analyzed operations as a table: strategy, lengths, what simulating them costs in each simulator, and what is wrong with them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a lower bound: the cost of some operations is not known</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{job}: {count} operation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{job}: {count} operations</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>outdated: toolpath, tool or stock have changed since</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>called {name}, but its toolpath is {strategy}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not in the total: a dress-up stands for it, or it is switched off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Operation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Strategy</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The machining strategy recognized from the toolpath alone</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sure</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How sure the recognition is</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Trajectories</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Number of straight moves, arcs chopped</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Length of the cutting moves</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Z-buffer
+time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Time to simulate it in an extended z-buffer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Z-buffer
+memory</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Memory to simulate it in an extended z-buffer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Legacy
+time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Time of FreeCAD&apos;s legacy simulator in fast-forward at its finest accuracy</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Legacy
+memory</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Memory of FreeCAD&apos;s legacy simulator at its finest accuracy</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>OpenGL
+time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Time of FreeCAD&apos;s OpenGL simulator at its highest speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>OpenGL
+memory</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Memory of FreeCAD&apos;s OpenGL simulator</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What is wrong with the operation, or will be with its simulation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remarks</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Workbench</name>
+    <message>
+        <source>Toolpath analysis</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Toolpath Analysis</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Recognizes machining strategies of toolpaths and estimates what simulating them costs.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+</TS>

@@ -1,0 +1,626 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="de" sourcelanguage="en">
+<context>
+    <name>App::Property</name>
+    <message>
+        <source>Machining strategy recognised from the toolpath</source>
+        <translation>Aus dem Werkzeugweg erkannte Bearbeitungsstrategie</translation>
+    </message>
+    <message>
+        <source>How sure the recognition is, 0 to 1</source>
+        <translation>Wie sicher die Erkennung ist, 0 bis 1</translation>
+    </message>
+    <message>
+        <source>Why this strategy</source>
+        <translation>Warum diese Strategie</translation>
+    </message>
+    <message>
+        <source>What is wrong with the operation or unknown about it</source>
+        <translation>Was an der Operation nicht stimmt oder unbekannt ist</translation>
+    </message>
+    <message>
+        <source>Number of straight moves, arcs chopped</source>
+        <translation>Anzahl gerader Bewegungen, Bögen zerlegt</translation>
+    </message>
+    <message>
+        <source>Cutting length in mm</source>
+        <translation>Schnittlänge in mm</translation>
+    </message>
+    <message>
+        <source>Simulator whose time and memory are given</source>
+        <translation>Simulator, dessen Zeit und Speicher angegeben sind</translation>
+    </message>
+    <message>
+        <source>Estimated time of simulating it, in seconds</source>
+        <translation>Geschätzte Zeit der Simulation in Sekunden</translation>
+    </message>
+    <message>
+        <source>Estimated memory of simulating it, in bytes</source>
+        <translation>Geschätzter Speicher der Simulation in Byte</translation>
+    </message>
+    <message>
+        <source>Of the path, tool and stock analysed</source>
+        <translation>Von Weg, Werkzeug und Rohteil, die analysiert wurden</translation>
+    </message>
+</context>
+<context>
+    <name>Pills</name>
+    <message>
+        <source>outdated</source>
+        <translation>veraltet</translation>
+    </message>
+    <message>
+        <source>{} operation</source>
+        <translation>{} Operation</translation>
+    </message>
+    <message>
+        <source>{} operations</source>
+        <translation>{} Operationen</translation>
+    </message>
+    <message>
+        <source>{trajectories} trajectories, {length} cutting</source>
+        <translation>{trajectories} Bewegungen, {length} im Schnitt</translation>
+    </message>
+    <message>
+        <source>Simulating it takes {time} and {memory}</source>
+        <translation>Die Simulation braucht {time} und {memory}</translation>
+    </message>
+    <message>
+        <source>Outdated: toolpath, tool or stock have changed since. Analyze it again.</source>
+        <translation>Veraltet: Werkzeugweg, Werkzeug oder Rohteil wurden seither geändert. Bitte neu analysieren.</translation>
+    </message>
+</context>
+<context>
+    <name>QObject</name>
+    <message>
+        <source>Toolpath Analysis</source>
+        <translation>Werkzeugweg-Analyse</translation>
+    </message>
+</context>
+<context>
+    <name>Strategy</name>
+    <message>
+        <source>zigzag</source>
+        <translation>Zickzack</translation>
+    </message>
+    <message>
+        <source>one-way</source>
+        <translation>eine Richtung</translation>
+    </message>
+    <message>
+        <source>contour-parallel</source>
+        <translation>konturparallel</translation>
+    </message>
+    <message>
+        <source>profile</source>
+        <translation>Kontur</translation>
+    </message>
+    <message>
+        <source>waterline</source>
+        <translation>Höhenlinien</translation>
+    </message>
+    <message>
+        <source>spiral</source>
+        <translation>Spirale</translation>
+    </message>
+    <message>
+        <source>helix</source>
+        <translation>Helix</translation>
+    </message>
+    <message>
+        <source>adaptive</source>
+        <translation>adaptiv</translation>
+    </message>
+    <message>
+        <source>drilling</source>
+        <translation>Bohren</translation>
+    </message>
+    <message>
+        <source>engraving</source>
+        <translation>Gravieren</translation>
+    </message>
+    <message>
+        <source>mixed</source>
+        <translation>gemischt</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation>unbekannt</translation>
+    </message>
+    <message>
+        <source>empty</source>
+        <translation>leer</translation>
+    </message>
+</context>
+<context>
+    <name>VkPreferences</name>
+    <message>
+        <source>Calibrate</source>
+        <translation>Kalibrieren</translation>
+    </message>
+    <message>
+        <source>Never calibrated on this computer: times of FreeCAD&apos;s simulators are right within a factor of two.</source>
+        <translation>Auf diesem Computer noch nie kalibriert: Die Zeiten der FreeCAD-Simulatoren stimmen auf einen Faktor zwei genau.</translation>
+    </message>
+    <message>
+        <source>Last calibrated on {date}: the legacy simulator makes {moves} cuts a second, its times are right within a factor of {factor}. Measured with FreeCAD {freecad} on {processor}, display {renderer}.</source>
+        <translation>Zuletzt kalibriert am {date}: Der alte Simulator macht {moves} Schnitte pro Sekunde, seine Zeiten stimmen auf einen Faktor {factor} genau. Gemessen mit FreeCAD {freecad} auf {processor}, Anzeige {renderer}.</translation>
+    </message>
+    <message>
+        <source>General</source>
+        <translation>Allgemein</translation>
+    </message>
+    <message>
+        <source>Marks in the Tree</source>
+        <translation>Markierungen im Baum</translation>
+    </message>
+    <message>
+        <source>Time and memory of</source>
+        <translation>Zeit und Speicher von</translation>
+    </message>
+    <message>
+        <source>The simulator whose time and memory the marks show. FreeCAD 0.20 has no OpenGL simulator.</source>
+        <translation>Der Simulator, dessen Zeit und Speicher die Markierungen zeigen. FreeCAD 0.20 hat keinen OpenGL-Simulator.</translation>
+    </message>
+    <message>
+        <source>Extended z-buffer</source>
+        <translation>Erweiterter Z-Buffer</translation>
+    </message>
+    <message>
+        <source>FreeCAD&apos;s legacy simulator</source>
+        <translation>Alter Simulator von FreeCAD</translation>
+    </message>
+    <message>
+        <source>FreeCAD&apos;s OpenGL simulator</source>
+        <translation>OpenGL-Simulator von FreeCAD</translation>
+    </message>
+    <message>
+        <source>Shows the marks as colored pills in the tree; as plain text if switched off.</source>
+        <translation>Zeigt die Markierungen im Baum als farbige Schildchen; ausgeschaltet als einfachen Text.</translation>
+    </message>
+    <message>
+        <source>Show marks as pills</source>
+        <translation>Markierungen als Schildchen zeigen</translation>
+    </message>
+    <message>
+        <source>Analyzes marked operations again after each recompute that changed them. Large toolpaths make each recompute longer.</source>
+        <translation>Analysiert markierte Operationen nach jeder Neuberechnung, die sie geändert hat, erneut. Bei großen Werkzeugwegen dauert jede Neuberechnung länger.</translation>
+    </message>
+    <message>
+        <source>Analyze again after a recompute</source>
+        <translation>Nach einer Neuberechnung erneut analysieren</translation>
+    </message>
+    <message>
+        <source>Budget</source>
+        <translation>Grenzen</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>How long a simulation may take. The analysis warns of more, and recommends an accuracy that takes no longer.</source>
+        <translation>Wie lange eine Simulation dauern darf. Die Analyse warnt, wenn es länger dauert, und empfiehlt eine Genauigkeit, die ausreicht.</translation>
+    </message>
+    <message>
+        <source>Memory</source>
+        <translation>Speicher</translation>
+    </message>
+    <message>
+        <source>How much memory a simulation may take. The analysis warns of more, and recommends an accuracy that takes no more.</source>
+        <translation>Wie viel Speicher eine Simulation brauchen darf. Die Analyse warnt, wenn es mehr ist, und empfiehlt eine Genauigkeit, die ausreicht.</translation>
+    </message>
+    <message>
+        <source>Simulation</source>
+        <translation>Simulation</translation>
+    </message>
+    <message>
+        <source>Z-buffer image width</source>
+        <translation>Bildbreite des Z-Buffers</translation>
+    </message>
+    <message>
+        <source>Width of the image whose pixels the extended z-buffer computes.</source>
+        <translation>Breite des Bildes, dessen Pixel der erweiterte Z-Buffer berechnet.</translation>
+    </message>
+    <message>
+        <source>Z-buffer image height</source>
+        <translation>Bildhöhe des Z-Buffers</translation>
+    </message>
+    <message>
+        <source>Height of the image whose pixels the extended z-buffer computes.</source>
+        <translation>Höhe des Bildes, dessen Pixel der erweiterte Z-Buffer berechnet.</translation>
+    </message>
+    <message>
+        <source>Z-buffer view</source>
+        <translation>Ansicht des Z-Buffers</translation>
+    </message>
+    <message>
+        <source>From where the z-buffer looks at the part.</source>
+        <translation>Von wo der Z-Buffer auf das Werkstück blickt.</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>Oben</translation>
+    </message>
+    <message>
+        <source>Front</source>
+        <translation>Vorne</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Rechts</translation>
+    </message>
+    <message>
+        <source>Rear</source>
+        <translation>Hinten</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>Links</translation>
+    </message>
+    <message>
+        <source>Bottom</source>
+        <translation>Unten</translation>
+    </message>
+    <message>
+        <source>Isometric</source>
+        <translation>Isometrisch</translation>
+    </message>
+    <message>
+        <source>Legacy simulator accuracy</source>
+        <translation>Genauigkeit des alten Simulators</translation>
+    </message>
+    <message>
+        <source>Edge of its cells in percent of the stock&apos;s longer side: 0.1 is the finest position of its slider, 1 the coarsest.</source>
+        <translation>Kantenlänge seiner Zellen in Prozent der längeren Seite des Rohteils: 0,1 ist die feinste Stellung seines Reglers, 1 die gröbste.</translation>
+    </message>
+    <message>
+        <source>OpenGL simulator quality</source>
+        <translation>Qualität des OpenGL-Simulators</translation>
+    </message>
+    <message>
+        <source>Position of its quality slider; 10 is the best.</source>
+        <translation>Stellung seines Qualitätsreglers; 10 ist die beste.</translation>
+    </message>
+    <message>
+        <source>Arc tolerance</source>
+        <translation>Bogentoleranz</translation>
+    </message>
+    <message>
+        <source>Largest distance between an arc and the straight moves it is chopped into.</source>
+        <translation>Größter Abstand zwischen einem Bogen und den geraden Bewegungen, in die er zerlegt wird.</translation>
+    </message>
+    <message>
+        <source>Calibration</source>
+        <translation>Kalibrierung</translation>
+    </message>
+    <message>
+        <source>Measures how fast FreeCAD&apos;s simulators are on this computer, which takes about a second, and remembers it.</source>
+        <translation>Misst in etwa einer Sekunde, wie schnell die FreeCAD-Simulatoren auf diesem Computer sind, und merkt es sich.</translation>
+    </message>
+</context>
+<context>
+    <name>Vk_Analyze</name>
+    <message>
+        <source>Recognizes the machining strategy of each selected operation, or of all operations of the active document, estimates what simulating it costs, and marks it in the tree.</source>
+        <translation>Erkennt die Bearbeitungsstrategie jeder ausgewählten Operation oder aller Operationen des aktiven Dokuments, schätzt den Aufwand ihrer Simulation und markiert sie im Baum.</translation>
+    </message>
+    <message>
+        <source>Analyze toolpaths</source>
+        <translation>Werkzeugwege analysieren</translation>
+    </message>
+    <message>
+        <source>No document is open. Open one with a job or a toolpath first.</source>
+        <translation>Es ist kein Dokument geöffnet. Öffnen Sie zuerst eines mit einem Auftrag oder einem Werkzeugweg.</translation>
+    </message>
+    <message>
+        <source>Analysis cancelled, nothing changed.</source>
+        <translation>Analyse abgebrochen, nichts wurde geändert.</translation>
+    </message>
+    <message>
+        <source>There is no operation to analyze in this document. Create a job with operations, or import G-code.</source>
+        <translation>In diesem Dokument gibt es keine Operation zu analysieren. Legen Sie einen Auftrag mit Operationen an oder importieren Sie G-Code.</translation>
+    </message>
+    <message>
+        <source>{} operations analyzed</source>
+        <translation>{} Operationen analysiert</translation>
+    </message>
+    <message>
+        <source>{} with remarks</source>
+        <translation>{} mit Bemerkungen</translation>
+    </message>
+    <message>
+        <source>The marks are in the tree&apos;s Description column, which is now visible. You can hide it again in the tree&apos;s context menu: Tree settings, Show description.</source>
+        <translation>Die Markierungen stehen in der Spalte „Beschreibung“ des Baums, die jetzt sichtbar ist. Im Kontextmenü des Baums lässt sie sich wieder ausblenden: Baumeinstellungen, Beschreibung anzeigen.</translation>
+    </message>
+    <message>
+        <source>Toolpath analysis</source>
+        <translation>Werkzeugweg-Analyse</translation>
+    </message>
+</context>
+<context>
+    <name>Vk_Clear</name>
+    <message>
+        <source>Removes the marks of the selected operations, or all marks of the active document; your own descriptions stay.</source>
+        <translation>Entfernt die Markierungen der ausgewählten Operationen oder alle des aktiven Dokuments; Ihre eigenen Beschreibungen bleiben.</translation>
+    </message>
+    <message>
+        <source>Clear analysis</source>
+        <translation>Analyse löschen</translation>
+    </message>
+    <message>
+        <source>{} marks removed</source>
+        <translation>{} Markierungen entfernt</translation>
+    </message>
+</context>
+<context>
+    <name>Vk_GaussMap</name>
+    <message>
+        <source>Gauss map</source>
+        <translation>Gauß-Abbildung</translation>
+    </message>
+    <message>
+        <source>The areas that the tool cuts without a rapid move or a plunge, the longest first.</source>
+        <translation>Die Bereiche, die das Werkzeug ohne Eilgang und Eintauchen schneidet, der längste zuerst.</translation>
+    </message>
+    <message>
+        <source>Save picture…</source>
+        <translation>Bild speichern…</translation>
+    </message>
+    <message>
+        <source>Saves the three plots as they stand, as PNG or SVG.</source>
+        <translation>Speichert die drei Diagramme, wie sie sind, als PNG oder SVG.</translation>
+    </message>
+    <message>
+        <source>Steps through the trajectories k of the area.</source>
+        <translation>Geht schrittweise durch die Bewegungen k des Bereichs.</translation>
+    </message>
+    <message>
+        <source>{}: no cutting move has a direction in the plane</source>
+        <translation>{}: Keine Schnittbewegung hat eine Richtung in der Ebene</translation>
+    </message>
+    <message>
+        <source>Area {}: {} trajectories, {}</source>
+        <translation>Bereich {}: {} Bewegungen, {}</translation>
+    </message>
+    <message>
+        <source>{}: φ from {} to {}, level n from {} to {}, {} exact reversals</source>
+        <translation>{}: φ von {} bis {}, Stufe n von {} bis {}, {} genaue Umkehrungen</translation>
+    </message>
+    <message>
+        <source>; closed, with its last turn φ = {}</source>
+        <translation>; geschlossen, mit der letzten Drehung φ = {}</translation>
+    </message>
+    <message>
+        <source>Toolpath drawn with {} of {} points: the others fall on the same pixels.</source>
+        <translation>Werkzeugweg mit {} von {} Punkten gezeichnet: Die anderen fallen auf dieselben Pixel.</translation>
+    </message>
+    <message>
+        <source>Gauss map of the last {} trajectories up to k.</source>
+        <translation>Gauß-Abbildung der letzten {} Bewegungen bis k.</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;Left the toolpath with the vector V&lt;sub&gt;k&lt;/sub&gt; from the area&apos;s first point. On the unit circle the images of the trajectory v&lt;sub&gt;k&lt;/sub&gt; and of V&lt;sub&gt;k&lt;/sub&gt;; the arcs show how they moved. A zigzag goes to and fro on a part of the circle, a contour goes all around. Right the cumulative angular function φ and the angle θ on level n: a contour-parallel path leaves the dashed lines ±2π, a zigzag stays within.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;Links der Werkzeugweg mit dem Vektor V&lt;sub&gt;k&lt;/sub&gt; vom ersten Punkt des Bereichs aus. Auf dem Einheitskreis die Bilder der Bewegung v&lt;sub&gt;k&lt;/sub&gt; und von V&lt;sub&gt;k&lt;/sub&gt;; die Bögen zeigen, wie sie gewandert sind. Ein Zickzack geht auf einem Teil des Kreises hin und her, eine Kontur ganz herum. Rechts die kumulierte Winkelfunktion φ und der Winkel θ auf Stufe n: Ein konturparalleler Weg verlässt die gestrichelten Linien ±2π, ein Zickzack bleibt dazwischen.&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>Select an operation in the tree.</source>
+        <translation>Wählen Sie eine Operation im Baum aus.</translation>
+    </message>
+    <message>
+        <source>Save picture</source>
+        <translation>Bild speichern</translation>
+    </message>
+    <message>
+        <source>counter-clockwise</source>
+        <translation>gegen den Uhrzeigersinn</translation>
+    </message>
+    <message>
+        <source>clockwise</source>
+        <translation>im Uhrzeigersinn</translation>
+    </message>
+    <message>
+        <source>exact reversal</source>
+        <translation>genaue Umkehrung</translation>
+    </message>
+    <message>
+        <source>Shows why the selected operation has its strategy: its toolpath, the Gauss map of its directions and of the vector V_k, and the cumulative angular function.</source>
+        <translation>Zeigt, warum die ausgewählte Operation ihre Strategie hat: ihren Werkzeugweg, die Gauß-Abbildung seiner Richtungen und des Vektors V_k sowie die kumulierte Winkelfunktion.</translation>
+    </message>
+</context>
+<context>
+    <name>Vk_Results</name>
+    <message>
+        <source>Toolpath results</source>
+        <translation>Werkzeugweg-Ergebnisse</translation>
+    </message>
+    <message>
+        <source>Export CSV…</source>
+        <translation>CSV exportieren…</translation>
+    </message>
+    <message>
+        <source>Saves all numbers as a table for a spreadsheet.</source>
+        <translation>Speichert alle Zahlen als Tabelle für eine Tabellenkalkulation.</translation>
+    </message>
+    <message>
+        <source>Export JSON…</source>
+        <translation>JSON exportieren…</translation>
+    </message>
+    <message>
+        <source>Saves all numbers for a program.</source>
+        <translation>Speichert alle Zahlen für ein Programm.</translation>
+    </message>
+    <message>
+        <source>Copy to clipboard</source>
+        <translation>In die Zwischenablage</translation>
+    </message>
+    <message>
+        <source>Copies the table as it stands here.</source>
+        <translation>Kopiert die Tabelle, wie sie hier steht.</translation>
+    </message>
+    <message>
+        <source>Nothing is analyzed yet in this document: click Analyze toolpaths.</source>
+        <translation>In diesem Dokument ist noch nichts analysiert: Klicken Sie auf „Werkzeugwege analysieren“.</translation>
+    </message>
+    <message>
+        <source>Select an operation to read why it has its strategy.</source>
+        <translation>Wählen Sie eine Operation aus, um zu lesen, warum sie ihre Strategie hat.</translation>
+    </message>
+    <message>
+        <source>Export CSV</source>
+        <translation>CSV exportieren</translation>
+    </message>
+    <message>
+        <source>Export JSON</source>
+        <translation>JSON exportieren</translation>
+    </message>
+    <message>
+        <source>Shows the analyzed operations as a table: strategy, lengths, what simulating them costs in each simulator, and what is wrong with them.</source>
+        <translation>Zeigt die analysierten Operationen als Tabelle: Strategie, Längen, den Aufwand der Simulation in jedem Simulator und was an ihnen nicht stimmt.</translation>
+    </message>
+    <message>
+        <source>a lower bound: the cost of some operations is not known</source>
+        <translation>eine untere Grenze: Der Aufwand einiger Operationen ist nicht bekannt</translation>
+    </message>
+    <message>
+        <source>{job}: {count} operation</source>
+        <translation>{job}: {count} Operation</translation>
+    </message>
+    <message>
+        <source>{job}: {count} operations</source>
+        <translation>{job}: {count} Operationen</translation>
+    </message>
+    <message>
+        <source>outdated: toolpath, tool or stock have changed since</source>
+        <translation>veraltet: Werkzeugweg, Werkzeug oder Rohteil wurden seither geändert</translation>
+    </message>
+    <message>
+        <source>called {name}, but its toolpath is {strategy}</source>
+        <translation>heißt {name}, doch ihr Werkzeugweg ist: {strategy}</translation>
+    </message>
+    <message>
+        <source>not in the total: a dress-up stands for it, or it is switched off</source>
+        <translation>nicht in der Summe: Eine Anpassung steht für sie, oder sie ist ausgeschaltet</translation>
+    </message>
+    <message>
+        <source>Operation</source>
+        <translation>Operation</translation>
+    </message>
+    <message>
+        <source>Strategy</source>
+        <translation>Strategie</translation>
+    </message>
+    <message>
+        <source>The machining strategy recognized from the toolpath alone</source>
+        <translation>Die Bearbeitungsstrategie, allein aus dem Werkzeugweg erkannt</translation>
+    </message>
+    <message>
+        <source>Sure</source>
+        <translation>Sicher</translation>
+    </message>
+    <message>
+        <source>How sure the recognition is</source>
+        <translation>Wie sicher die Erkennung ist</translation>
+    </message>
+    <message>
+        <source>Trajectories</source>
+        <translation>Bewegungen</translation>
+    </message>
+    <message>
+        <source>Number of straight moves, arcs chopped</source>
+        <translation>Anzahl gerader Bewegungen, Bögen zerlegt</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Länge</translation>
+    </message>
+    <message>
+        <source>Length of the cutting moves</source>
+        <translation>Länge der Schnittbewegungen</translation>
+    </message>
+    <message>
+        <source>Z-buffer
+time</source>
+        <translation>Z-Buffer
+Zeit</translation>
+    </message>
+    <message>
+        <source>Time to simulate it in an extended z-buffer</source>
+        <translation>Zeit, sie in einem erweiterten Z-Buffer zu simulieren</translation>
+    </message>
+    <message>
+        <source>Z-buffer
+memory</source>
+        <translation>Z-Buffer
+Speicher</translation>
+    </message>
+    <message>
+        <source>Memory to simulate it in an extended z-buffer</source>
+        <translation>Speicher, um sie in einem erweiterten Z-Buffer zu simulieren</translation>
+    </message>
+    <message>
+        <source>Legacy
+time</source>
+        <translation>Alter Sim.
+Zeit</translation>
+    </message>
+    <message>
+        <source>Time of FreeCAD&apos;s legacy simulator in fast-forward at its finest accuracy</source>
+        <translation>Zeit des alten FreeCAD-Simulators im schnellen Vorlauf bei feinster Genauigkeit</translation>
+    </message>
+    <message>
+        <source>Legacy
+memory</source>
+        <translation>Alter Sim.
+Speicher</translation>
+    </message>
+    <message>
+        <source>Memory of FreeCAD&apos;s legacy simulator at its finest accuracy</source>
+        <translation>Speicher des alten FreeCAD-Simulators bei feinster Genauigkeit</translation>
+    </message>
+    <message>
+        <source>OpenGL
+time</source>
+        <translation>OpenGL
+Zeit</translation>
+    </message>
+    <message>
+        <source>Time of FreeCAD&apos;s OpenGL simulator at its highest speed</source>
+        <translation>Zeit des OpenGL-Simulators von FreeCAD bei höchster Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>OpenGL
+memory</source>
+        <translation>OpenGL
+Speicher</translation>
+    </message>
+    <message>
+        <source>Memory of FreeCAD&apos;s OpenGL simulator</source>
+        <translation>Speicher des OpenGL-Simulators von FreeCAD</translation>
+    </message>
+    <message>
+        <source>What is wrong with the operation, or will be with its simulation</source>
+        <translation>Was an der Operation nicht stimmt oder in ihrer Simulation schiefgehen wird</translation>
+    </message>
+    <message>
+        <source>Remarks</source>
+        <translation>Bemerkungen</translation>
+    </message>
+</context>
+<context>
+    <name>Workbench</name>
+    <message>
+        <source>Toolpath analysis</source>
+        <translation>Werkzeugweg-Analyse</translation>
+    </message>
+    <message>
+        <source>Toolpath Analysis</source>
+        <translation>Werkzeugweg-Analyse</translation>
+    </message>
+    <message>
+        <source>Recognizes machining strategies of toolpaths and estimates what simulating them costs.</source>
+        <translation>Erkennt Bearbeitungsstrategien von Werkzeugwegen und schätzt den Aufwand ihrer Simulation.</translation>
+    </message>
+</context>
+</TS>

@@ -1,0 +1,626 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="es_ES" sourcelanguage="en">
+<context>
+    <name>App::Property</name>
+    <message>
+        <source>Machining strategy recognised from the toolpath</source>
+        <translation>Estrategia de mecanizado reconocida en la trayectoria de la herramienta</translation>
+    </message>
+    <message>
+        <source>How sure the recognition is, 0 to 1</source>
+        <translation>Seguridad del reconocimiento, de 0 a 1</translation>
+    </message>
+    <message>
+        <source>Why this strategy</source>
+        <translation>Por qué esta estrategia</translation>
+    </message>
+    <message>
+        <source>What is wrong with the operation or unknown about it</source>
+        <translation>Lo que falla en la operación o se desconoce de ella</translation>
+    </message>
+    <message>
+        <source>Number of straight moves, arcs chopped</source>
+        <translation>Número de movimientos rectos, con los arcos troceados</translation>
+    </message>
+    <message>
+        <source>Cutting length in mm</source>
+        <translation>Longitud de corte en mm</translation>
+    </message>
+    <message>
+        <source>Simulator whose time and memory are given</source>
+        <translation>Simulador cuyo tiempo y memoria se indican</translation>
+    </message>
+    <message>
+        <source>Estimated time of simulating it, in seconds</source>
+        <translation>Tiempo estimado de su simulación, en segundos</translation>
+    </message>
+    <message>
+        <source>Estimated memory of simulating it, in bytes</source>
+        <translation>Memoria estimada de su simulación, en bytes</translation>
+    </message>
+    <message>
+        <source>Of the path, tool and stock analysed</source>
+        <translation>De la trayectoria, la herramienta y el material analizados</translation>
+    </message>
+</context>
+<context>
+    <name>Pills</name>
+    <message>
+        <source>outdated</source>
+        <translation>anticuado</translation>
+    </message>
+    <message>
+        <source>{} operation</source>
+        <translation>{} operación</translation>
+    </message>
+    <message>
+        <source>{} operations</source>
+        <translation>{} operaciones</translation>
+    </message>
+    <message>
+        <source>{trajectories} trajectories, {length} cutting</source>
+        <translation>{trajectories} tramos, {length} de corte</translation>
+    </message>
+    <message>
+        <source>Simulating it takes {time} and {memory}</source>
+        <translation>Simularla requiere {time} y {memory}</translation>
+    </message>
+    <message>
+        <source>Outdated: toolpath, tool or stock have changed since. Analyze it again.</source>
+        <translation>Anticuado: la trayectoria, la herramienta o el material han cambiado desde entonces. Analícela de nuevo.</translation>
+    </message>
+</context>
+<context>
+    <name>QObject</name>
+    <message>
+        <source>Toolpath Analysis</source>
+        <translation>Análisis de trayectorias</translation>
+    </message>
+</context>
+<context>
+    <name>Strategy</name>
+    <message>
+        <source>zigzag</source>
+        <translation>zigzag</translation>
+    </message>
+    <message>
+        <source>one-way</source>
+        <translation>un sentido</translation>
+    </message>
+    <message>
+        <source>contour-parallel</source>
+        <translation>contornos paralelos</translation>
+    </message>
+    <message>
+        <source>profile</source>
+        <translation>perfil</translation>
+    </message>
+    <message>
+        <source>waterline</source>
+        <translation>curvas de nivel</translation>
+    </message>
+    <message>
+        <source>spiral</source>
+        <translation>espiral</translation>
+    </message>
+    <message>
+        <source>helix</source>
+        <translation>hélice</translation>
+    </message>
+    <message>
+        <source>adaptive</source>
+        <translation>adaptativa</translation>
+    </message>
+    <message>
+        <source>drilling</source>
+        <translation>taladrado</translation>
+    </message>
+    <message>
+        <source>engraving</source>
+        <translation>grabado</translation>
+    </message>
+    <message>
+        <source>mixed</source>
+        <translation>mixta</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation>desconocida</translation>
+    </message>
+    <message>
+        <source>empty</source>
+        <translation>vacía</translation>
+    </message>
+</context>
+<context>
+    <name>VkPreferences</name>
+    <message>
+        <source>Calibrate</source>
+        <translation>Calibrar</translation>
+    </message>
+    <message>
+        <source>Never calibrated on this computer: times of FreeCAD&apos;s simulators are right within a factor of two.</source>
+        <translation>Nunca calibrado en este equipo: los tiempos de los simuladores de FreeCAD aciertan dentro de un factor dos.</translation>
+    </message>
+    <message>
+        <source>Last calibrated on {date}: the legacy simulator makes {moves} cuts a second, its times are right within a factor of {factor}. Measured with FreeCAD {freecad} on {processor}, display {renderer}.</source>
+        <translation>Última calibración el {date}: el simulador antiguo hace {moves} cortes por segundo, sus tiempos aciertan dentro de un factor {factor}. Medido con FreeCAD {freecad} en {processor}, pantalla {renderer}.</translation>
+    </message>
+    <message>
+        <source>General</source>
+        <translation>General</translation>
+    </message>
+    <message>
+        <source>Marks in the Tree</source>
+        <translation>Marcas en el árbol</translation>
+    </message>
+    <message>
+        <source>Time and memory of</source>
+        <translation>Tiempo y memoria de</translation>
+    </message>
+    <message>
+        <source>The simulator whose time and memory the marks show. FreeCAD 0.20 has no OpenGL simulator.</source>
+        <translation>El simulador cuyo tiempo y memoria muestran las marcas. FreeCAD 0.20 no tiene simulador OpenGL.</translation>
+    </message>
+    <message>
+        <source>Extended z-buffer</source>
+        <translation>Z-buffer extendido</translation>
+    </message>
+    <message>
+        <source>FreeCAD&apos;s legacy simulator</source>
+        <translation>Simulador antiguo de FreeCAD</translation>
+    </message>
+    <message>
+        <source>FreeCAD&apos;s OpenGL simulator</source>
+        <translation>Simulador OpenGL de FreeCAD</translation>
+    </message>
+    <message>
+        <source>Shows the marks as colored pills in the tree; as plain text if switched off.</source>
+        <translation>Muestra las marcas como etiquetas de color en el árbol; si se desactiva, como texto sencillo.</translation>
+    </message>
+    <message>
+        <source>Show marks as pills</source>
+        <translation>Mostrar las marcas como etiquetas</translation>
+    </message>
+    <message>
+        <source>Analyzes marked operations again after each recompute that changed them. Large toolpaths make each recompute longer.</source>
+        <translation>Analiza de nuevo las operaciones marcadas tras cada recálculo que las haya cambiado. Las trayectorias largas alargan cada recálculo.</translation>
+    </message>
+    <message>
+        <source>Analyze again after a recompute</source>
+        <translation>Analizar de nuevo tras un recálculo</translation>
+    </message>
+    <message>
+        <source>Budget</source>
+        <translation>Límites</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Tiempo</translation>
+    </message>
+    <message>
+        <source>How long a simulation may take. The analysis warns of more, and recommends an accuracy that takes no longer.</source>
+        <translation>Cuánto puede durar una simulación. El análisis avisa si dura más y recomienda una precisión que no lo supere.</translation>
+    </message>
+    <message>
+        <source>Memory</source>
+        <translation>Memoria</translation>
+    </message>
+    <message>
+        <source>How much memory a simulation may take. The analysis warns of more, and recommends an accuracy that takes no more.</source>
+        <translation>Cuánta memoria puede ocupar una simulación. El análisis avisa si ocupa más y recomienda una precisión que no lo supere.</translation>
+    </message>
+    <message>
+        <source>Simulation</source>
+        <translation>Simulación</translation>
+    </message>
+    <message>
+        <source>Z-buffer image width</source>
+        <translation>Ancho de imagen del z-buffer</translation>
+    </message>
+    <message>
+        <source>Width of the image whose pixels the extended z-buffer computes.</source>
+        <translation>Ancho de la imagen cuyos píxeles calcula el z-buffer extendido.</translation>
+    </message>
+    <message>
+        <source>Z-buffer image height</source>
+        <translation>Alto de imagen del z-buffer</translation>
+    </message>
+    <message>
+        <source>Height of the image whose pixels the extended z-buffer computes.</source>
+        <translation>Alto de la imagen cuyos píxeles calcula el z-buffer extendido.</translation>
+    </message>
+    <message>
+        <source>Z-buffer view</source>
+        <translation>Vista del z-buffer</translation>
+    </message>
+    <message>
+        <source>From where the z-buffer looks at the part.</source>
+        <translation>Desde dónde mira el z-buffer la pieza.</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>Superior</translation>
+    </message>
+    <message>
+        <source>Front</source>
+        <translation>Frontal</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Derecha</translation>
+    </message>
+    <message>
+        <source>Rear</source>
+        <translation>Posterior</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>Izquierda</translation>
+    </message>
+    <message>
+        <source>Bottom</source>
+        <translation>Inferior</translation>
+    </message>
+    <message>
+        <source>Isometric</source>
+        <translation>Isométrica</translation>
+    </message>
+    <message>
+        <source>Legacy simulator accuracy</source>
+        <translation>Precisión del simulador antiguo</translation>
+    </message>
+    <message>
+        <source>Edge of its cells in percent of the stock&apos;s longer side: 0.1 is the finest position of its slider, 1 the coarsest.</source>
+        <translation>Arista de sus celdas en tanto por ciento del lado más largo del material: 0,1 es la posición más fina de su control, 1 la más gruesa.</translation>
+    </message>
+    <message>
+        <source>OpenGL simulator quality</source>
+        <translation>Calidad del simulador OpenGL</translation>
+    </message>
+    <message>
+        <source>Position of its quality slider; 10 is the best.</source>
+        <translation>Posición de su control de calidad; 10 es la mejor.</translation>
+    </message>
+    <message>
+        <source>Arc tolerance</source>
+        <translation>Tolerancia de los arcos</translation>
+    </message>
+    <message>
+        <source>Largest distance between an arc and the straight moves it is chopped into.</source>
+        <translation>Mayor distancia entre un arco y los movimientos rectos en que se trocea.</translation>
+    </message>
+    <message>
+        <source>Calibration</source>
+        <translation>Calibración</translation>
+    </message>
+    <message>
+        <source>Measures how fast FreeCAD&apos;s simulators are on this computer, which takes about a second, and remembers it.</source>
+        <translation>Mide en un segundo aproximadamente lo rápidos que son los simuladores de FreeCAD en este equipo, y lo recuerda.</translation>
+    </message>
+</context>
+<context>
+    <name>Vk_Analyze</name>
+    <message>
+        <source>Recognizes the machining strategy of each selected operation, or of all operations of the active document, estimates what simulating it costs, and marks it in the tree.</source>
+        <translation>Reconoce la estrategia de mecanizado de cada operación seleccionada, o de todas las del documento activo, estima lo que cuesta simularla y la marca en el árbol.</translation>
+    </message>
+    <message>
+        <source>Analyze toolpaths</source>
+        <translation>Analizar trayectorias</translation>
+    </message>
+    <message>
+        <source>No document is open. Open one with a job or a toolpath first.</source>
+        <translation>No hay ningún documento abierto. Abra primero uno con un trabajo o una trayectoria de herramienta.</translation>
+    </message>
+    <message>
+        <source>Analysis cancelled, nothing changed.</source>
+        <translation>Análisis cancelado, no ha cambiado nada.</translation>
+    </message>
+    <message>
+        <source>There is no operation to analyze in this document. Create a job with operations, or import G-code.</source>
+        <translation>No hay ninguna operación que analizar en este documento. Cree un trabajo con operaciones o importe código G.</translation>
+    </message>
+    <message>
+        <source>{} operations analyzed</source>
+        <translation>{} operaciones analizadas</translation>
+    </message>
+    <message>
+        <source>{} with remarks</source>
+        <translation>{} con observaciones</translation>
+    </message>
+    <message>
+        <source>The marks are in the tree&apos;s Description column, which is now visible. You can hide it again in the tree&apos;s context menu: Tree settings, Show description.</source>
+        <translation>Las marcas están en la columna Descripción del árbol, que ahora es visible. Puede ocultarla de nuevo en el menú contextual del árbol: configuración del árbol, mostrar descripción.</translation>
+    </message>
+    <message>
+        <source>Toolpath analysis</source>
+        <translation>Análisis de trayectorias</translation>
+    </message>
+</context>
+<context>
+    <name>Vk_Clear</name>
+    <message>
+        <source>Removes the marks of the selected operations, or all marks of the active document; your own descriptions stay.</source>
+        <translation>Quita las marcas de las operaciones seleccionadas, o todas las del documento activo; sus propias descripciones se conservan.</translation>
+    </message>
+    <message>
+        <source>Clear analysis</source>
+        <translation>Borrar el análisis</translation>
+    </message>
+    <message>
+        <source>{} marks removed</source>
+        <translation>{} marcas quitadas</translation>
+    </message>
+</context>
+<context>
+    <name>Vk_GaussMap</name>
+    <message>
+        <source>Gauss map</source>
+        <translation>Aplicación de Gauss</translation>
+    </message>
+    <message>
+        <source>The areas that the tool cuts without a rapid move or a plunge, the longest first.</source>
+        <translation>Las zonas que la herramienta corta sin movimientos rápidos ni penetraciones, la más larga primero.</translation>
+    </message>
+    <message>
+        <source>Save picture…</source>
+        <translation>Guardar imagen…</translation>
+    </message>
+    <message>
+        <source>Saves the three plots as they stand, as PNG or SVG.</source>
+        <translation>Guarda los tres gráficos tal como están, como PNG o SVG.</translation>
+    </message>
+    <message>
+        <source>Steps through the trajectories k of the area.</source>
+        <translation>Recorre paso a paso los tramos k de la zona.</translation>
+    </message>
+    <message>
+        <source>{}: no cutting move has a direction in the plane</source>
+        <translation>{}: ningún movimiento de corte tiene dirección en el plano</translation>
+    </message>
+    <message>
+        <source>Area {}: {} trajectories, {}</source>
+        <translation>Zona {}: {} tramos, {}</translation>
+    </message>
+    <message>
+        <source>{}: φ from {} to {}, level n from {} to {}, {} exact reversals</source>
+        <translation>{}: φ de {} a {}, nivel n de {} a {}, {} inversiones exactas</translation>
+    </message>
+    <message>
+        <source>; closed, with its last turn φ = {}</source>
+        <translation>; cerrada, con el último giro φ = {}</translation>
+    </message>
+    <message>
+        <source>Toolpath drawn with {} of {} points: the others fall on the same pixels.</source>
+        <translation>Trayectoria dibujada con {} de {} puntos: los demás caen en los mismos píxeles.</translation>
+    </message>
+    <message>
+        <source>Gauss map of the last {} trajectories up to k.</source>
+        <translation>Aplicación de Gauss de los últimos {} tramos hasta k.</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;Left the toolpath with the vector V&lt;sub&gt;k&lt;/sub&gt; from the area&apos;s first point. On the unit circle the images of the trajectory v&lt;sub&gt;k&lt;/sub&gt; and of V&lt;sub&gt;k&lt;/sub&gt;; the arcs show how they moved. A zigzag goes to and fro on a part of the circle, a contour goes all around. Right the cumulative angular function φ and the angle θ on level n: a contour-parallel path leaves the dashed lines ±2π, a zigzag stays within.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;A la izquierda, la trayectoria de la herramienta con el vector V&lt;sub&gt;k&lt;/sub&gt; desde el primer punto de la zona. En el círculo unidad, las imágenes del tramo v&lt;sub&gt;k&lt;/sub&gt; y de V&lt;sub&gt;k&lt;/sub&gt;; los arcos muestran cómo se han movido. Un zigzag va y viene por una parte del círculo, un contorno da la vuelta entera. A la derecha, la función angular acumulada φ y el ángulo θ en el nivel n: una trayectoria de contornos paralelos sale de las líneas discontinuas ±2π, un zigzag queda dentro.&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>Select an operation in the tree.</source>
+        <translation>Seleccione una operación en el árbol.</translation>
+    </message>
+    <message>
+        <source>Save picture</source>
+        <translation>Guardar imagen</translation>
+    </message>
+    <message>
+        <source>counter-clockwise</source>
+        <translation>sentido antihorario</translation>
+    </message>
+    <message>
+        <source>clockwise</source>
+        <translation>sentido horario</translation>
+    </message>
+    <message>
+        <source>exact reversal</source>
+        <translation>inversión exacta</translation>
+    </message>
+    <message>
+        <source>Shows why the selected operation has its strategy: its toolpath, the Gauss map of its directions and of the vector V_k, and the cumulative angular function.</source>
+        <translation>Muestra por qué la operación seleccionada tiene su estrategia: su trayectoria, la aplicación de Gauss de sus direcciones y del vector V_k, y la función angular acumulada.</translation>
+    </message>
+</context>
+<context>
+    <name>Vk_Results</name>
+    <message>
+        <source>Toolpath results</source>
+        <translation>Resultados de trayectorias</translation>
+    </message>
+    <message>
+        <source>Export CSV…</source>
+        <translation>Exportar CSV…</translation>
+    </message>
+    <message>
+        <source>Saves all numbers as a table for a spreadsheet.</source>
+        <translation>Guarda todos los números como tabla para una hoja de cálculo.</translation>
+    </message>
+    <message>
+        <source>Export JSON…</source>
+        <translation>Exportar JSON…</translation>
+    </message>
+    <message>
+        <source>Saves all numbers for a program.</source>
+        <translation>Guarda todos los números para un programa.</translation>
+    </message>
+    <message>
+        <source>Copy to clipboard</source>
+        <translation>Copiar</translation>
+    </message>
+    <message>
+        <source>Copies the table as it stands here.</source>
+        <translation>Copia la tabla tal como está aquí.</translation>
+    </message>
+    <message>
+        <source>Nothing is analyzed yet in this document: click Analyze toolpaths.</source>
+        <translation>Todavía no se ha analizado nada en este documento: haga clic en «Analizar trayectorias».</translation>
+    </message>
+    <message>
+        <source>Select an operation to read why it has its strategy.</source>
+        <translation>Seleccione una operación para leer por qué tiene su estrategia.</translation>
+    </message>
+    <message>
+        <source>Export CSV</source>
+        <translation>Exportar CSV</translation>
+    </message>
+    <message>
+        <source>Export JSON</source>
+        <translation>Exportar JSON</translation>
+    </message>
+    <message>
+        <source>Shows the analyzed operations as a table: strategy, lengths, what simulating them costs in each simulator, and what is wrong with them.</source>
+        <translation>Muestra las operaciones analizadas en una tabla: estrategia, longitudes, lo que cuesta simularlas en cada simulador y lo que falla en ellas.</translation>
+    </message>
+    <message>
+        <source>a lower bound: the cost of some operations is not known</source>
+        <translation>un mínimo: se desconoce el coste de algunas operaciones</translation>
+    </message>
+    <message>
+        <source>{job}: {count} operation</source>
+        <translation>{job}: {count} operación</translation>
+    </message>
+    <message>
+        <source>{job}: {count} operations</source>
+        <translation>{job}: {count} operaciones</translation>
+    </message>
+    <message>
+        <source>outdated: toolpath, tool or stock have changed since</source>
+        <translation>anticuado: la trayectoria, la herramienta o el material han cambiado desde entonces</translation>
+    </message>
+    <message>
+        <source>called {name}, but its toolpath is {strategy}</source>
+        <translation>se llama {name}, pero su trayectoria es: {strategy}</translation>
+    </message>
+    <message>
+        <source>not in the total: a dress-up stands for it, or it is switched off</source>
+        <translation>fuera del total: un aderezo la sustituye, o está desactivada</translation>
+    </message>
+    <message>
+        <source>Operation</source>
+        <translation>Operación</translation>
+    </message>
+    <message>
+        <source>Strategy</source>
+        <translation>Estrategia</translation>
+    </message>
+    <message>
+        <source>The machining strategy recognized from the toolpath alone</source>
+        <translation>La estrategia de mecanizado reconocida solo por la trayectoria</translation>
+    </message>
+    <message>
+        <source>Sure</source>
+        <translation>Seguridad</translation>
+    </message>
+    <message>
+        <source>How sure the recognition is</source>
+        <translation>Seguridad del reconocimiento</translation>
+    </message>
+    <message>
+        <source>Trajectories</source>
+        <translation>Tramos</translation>
+    </message>
+    <message>
+        <source>Number of straight moves, arcs chopped</source>
+        <translation>Número de movimientos rectos, con los arcos troceados</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Longitud</translation>
+    </message>
+    <message>
+        <source>Length of the cutting moves</source>
+        <translation>Longitud de los movimientos de corte</translation>
+    </message>
+    <message>
+        <source>Z-buffer
+time</source>
+        <translation>Z-buffer
+tiempo</translation>
+    </message>
+    <message>
+        <source>Time to simulate it in an extended z-buffer</source>
+        <translation>Tiempo para simularla en un z-buffer extendido</translation>
+    </message>
+    <message>
+        <source>Z-buffer
+memory</source>
+        <translation>Z-buffer
+memoria</translation>
+    </message>
+    <message>
+        <source>Memory to simulate it in an extended z-buffer</source>
+        <translation>Memoria para simularla en un z-buffer extendido</translation>
+    </message>
+    <message>
+        <source>Legacy
+time</source>
+        <translation>Antiguo
+tiempo</translation>
+    </message>
+    <message>
+        <source>Time of FreeCAD&apos;s legacy simulator in fast-forward at its finest accuracy</source>
+        <translation>Tiempo del simulador antiguo de FreeCAD en avance rápido con su precisión más fina</translation>
+    </message>
+    <message>
+        <source>Legacy
+memory</source>
+        <translation>Antiguo
+memoria</translation>
+    </message>
+    <message>
+        <source>Memory of FreeCAD&apos;s legacy simulator at its finest accuracy</source>
+        <translation>Memoria del simulador antiguo de FreeCAD con su precisión más fina</translation>
+    </message>
+    <message>
+        <source>OpenGL
+time</source>
+        <translation>OpenGL
+tiempo</translation>
+    </message>
+    <message>
+        <source>Time of FreeCAD&apos;s OpenGL simulator at its highest speed</source>
+        <translation>Tiempo del simulador OpenGL de FreeCAD a su mayor velocidad</translation>
+    </message>
+    <message>
+        <source>OpenGL
+memory</source>
+        <translation>OpenGL
+memoria</translation>
+    </message>
+    <message>
+        <source>Memory of FreeCAD&apos;s OpenGL simulator</source>
+        <translation>Memoria del simulador OpenGL de FreeCAD</translation>
+    </message>
+    <message>
+        <source>What is wrong with the operation, or will be with its simulation</source>
+        <translation>Lo que falla en la operación, o fallará en su simulación</translation>
+    </message>
+    <message>
+        <source>Remarks</source>
+        <translation>Observaciones</translation>
+    </message>
+</context>
+<context>
+    <name>Workbench</name>
+    <message>
+        <source>Toolpath analysis</source>
+        <translation>Análisis de trayectorias</translation>
+    </message>
+    <message>
+        <source>Toolpath Analysis</source>
+        <translation>Análisis de trayectorias</translation>
+    </message>
+    <message>
+        <source>Recognizes machining strategies of toolpaths and estimates what simulating them costs.</source>
+        <translation>Reconoce las estrategias de mecanizado de las trayectorias y estima lo que cuesta simularlas.</translation>
+    </message>
+</context>
+</TS>

@@ -1,0 +1,626 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="zh_CN" sourcelanguage="en">
+<context>
+    <name>App::Property</name>
+    <message>
+        <source>Machining strategy recognised from the toolpath</source>
+        <translation>由刀具路径识别出的加工策略</translation>
+    </message>
+    <message>
+        <source>How sure the recognition is, 0 to 1</source>
+        <translation>识别的把握程度，0 到 1</translation>
+    </message>
+    <message>
+        <source>Why this strategy</source>
+        <translation>判定为此策略的理由</translation>
+    </message>
+    <message>
+        <source>What is wrong with the operation or unknown about it</source>
+        <translation>操作存在的问题或未知之处</translation>
+    </message>
+    <message>
+        <source>Number of straight moves, arcs chopped</source>
+        <translation>直线移动的数目，圆弧已分段</translation>
+    </message>
+    <message>
+        <source>Cutting length in mm</source>
+        <translation>切削长度（毫米）</translation>
+    </message>
+    <message>
+        <source>Simulator whose time and memory are given</source>
+        <translation>所列时间和内存对应的模拟器</translation>
+    </message>
+    <message>
+        <source>Estimated time of simulating it, in seconds</source>
+        <translation>模拟所需的估计时间（秒）</translation>
+    </message>
+    <message>
+        <source>Estimated memory of simulating it, in bytes</source>
+        <translation>模拟所需的估计内存（字节）</translation>
+    </message>
+    <message>
+        <source>Of the path, tool and stock analysed</source>
+        <translation>所分析的路径、刀具和毛坯的指纹</translation>
+    </message>
+</context>
+<context>
+    <name>Pills</name>
+    <message>
+        <source>outdated</source>
+        <translation>已过期</translation>
+    </message>
+    <message>
+        <source>{} operation</source>
+        <translation>{} 个操作</translation>
+    </message>
+    <message>
+        <source>{} operations</source>
+        <translation>{} 个操作</translation>
+    </message>
+    <message>
+        <source>{trajectories} trajectories, {length} cutting</source>
+        <translation>{trajectories} 段轨迹，切削 {length}</translation>
+    </message>
+    <message>
+        <source>Simulating it takes {time} and {memory}</source>
+        <translation>模拟需要 {time} 和 {memory}</translation>
+    </message>
+    <message>
+        <source>Outdated: toolpath, tool or stock have changed since. Analyze it again.</source>
+        <translation>已过期：刀具路径、刀具或毛坯此后已更改。请重新分析。</translation>
+    </message>
+</context>
+<context>
+    <name>QObject</name>
+    <message>
+        <source>Toolpath Analysis</source>
+        <translation>刀具路径分析</translation>
+    </message>
+</context>
+<context>
+    <name>Strategy</name>
+    <message>
+        <source>zigzag</source>
+        <translation>往复</translation>
+    </message>
+    <message>
+        <source>one-way</source>
+        <translation>单向</translation>
+    </message>
+    <message>
+        <source>contour-parallel</source>
+        <translation>环切</translation>
+    </message>
+    <message>
+        <source>profile</source>
+        <translation>轮廓</translation>
+    </message>
+    <message>
+        <source>waterline</source>
+        <translation>等高线</translation>
+    </message>
+    <message>
+        <source>spiral</source>
+        <translation>平面螺旋</translation>
+    </message>
+    <message>
+        <source>helix</source>
+        <translation>螺旋线</translation>
+    </message>
+    <message>
+        <source>adaptive</source>
+        <translation>自适应</translation>
+    </message>
+    <message>
+        <source>drilling</source>
+        <translation>钻孔</translation>
+    </message>
+    <message>
+        <source>engraving</source>
+        <translation>雕刻</translation>
+    </message>
+    <message>
+        <source>mixed</source>
+        <translation>混合</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation>未知</translation>
+    </message>
+    <message>
+        <source>empty</source>
+        <translation>空</translation>
+    </message>
+</context>
+<context>
+    <name>VkPreferences</name>
+    <message>
+        <source>Calibrate</source>
+        <translation>校准</translation>
+    </message>
+    <message>
+        <source>Never calibrated on this computer: times of FreeCAD&apos;s simulators are right within a factor of two.</source>
+        <translation>尚未在此计算机上校准：FreeCAD 模拟器的时间误差在两倍以内。</translation>
+    </message>
+    <message>
+        <source>Last calibrated on {date}: the legacy simulator makes {moves} cuts a second, its times are right within a factor of {factor}. Measured with FreeCAD {freecad} on {processor}, display {renderer}.</source>
+        <translation>上次校准于 {date}：旧版模拟器每秒切削 {moves} 次，其时间误差在 {factor} 倍以内。测量环境：FreeCAD {freecad}，{processor}，显示 {renderer}。</translation>
+    </message>
+    <message>
+        <source>General</source>
+        <translation>常规</translation>
+    </message>
+    <message>
+        <source>Marks in the Tree</source>
+        <translation>树中的标记</translation>
+    </message>
+    <message>
+        <source>Time and memory of</source>
+        <translation>显示其时间和内存</translation>
+    </message>
+    <message>
+        <source>The simulator whose time and memory the marks show. FreeCAD 0.20 has no OpenGL simulator.</source>
+        <translation>标记显示哪个模拟器的时间和内存。FreeCAD 0.20 没有 OpenGL 模拟器。</translation>
+    </message>
+    <message>
+        <source>Extended z-buffer</source>
+        <translation>扩展 Z 缓冲</translation>
+    </message>
+    <message>
+        <source>FreeCAD&apos;s legacy simulator</source>
+        <translation>FreeCAD 旧版模拟器</translation>
+    </message>
+    <message>
+        <source>FreeCAD&apos;s OpenGL simulator</source>
+        <translation>FreeCAD OpenGL 模拟器</translation>
+    </message>
+    <message>
+        <source>Shows the marks as colored pills in the tree; as plain text if switched off.</source>
+        <translation>在树中以彩色标签显示标记；关闭后显示为纯文本。</translation>
+    </message>
+    <message>
+        <source>Show marks as pills</source>
+        <translation>以标签显示标记</translation>
+    </message>
+    <message>
+        <source>Analyzes marked operations again after each recompute that changed them. Large toolpaths make each recompute longer.</source>
+        <translation>每次重新计算改变了已标记的操作后，重新分析它们。刀具路径很大时，每次重新计算会更久。</translation>
+    </message>
+    <message>
+        <source>Analyze again after a recompute</source>
+        <translation>重新计算后再次分析</translation>
+    </message>
+    <message>
+        <source>Budget</source>
+        <translation>限额</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>时间</translation>
+    </message>
+    <message>
+        <source>How long a simulation may take. The analysis warns of more, and recommends an accuracy that takes no longer.</source>
+        <translation>模拟允许花费的时间。超出时分析会警告，并推荐不超时的精度。</translation>
+    </message>
+    <message>
+        <source>Memory</source>
+        <translation>内存</translation>
+    </message>
+    <message>
+        <source>How much memory a simulation may take. The analysis warns of more, and recommends an accuracy that takes no more.</source>
+        <translation>模拟允许占用的内存。超出时分析会警告，并推荐不超限的精度。</translation>
+    </message>
+    <message>
+        <source>Simulation</source>
+        <translation>模拟</translation>
+    </message>
+    <message>
+        <source>Z-buffer image width</source>
+        <translation>Z 缓冲图像宽度</translation>
+    </message>
+    <message>
+        <source>Width of the image whose pixels the extended z-buffer computes.</source>
+        <translation>扩展 Z 缓冲所计算图像的宽度。</translation>
+    </message>
+    <message>
+        <source>Z-buffer image height</source>
+        <translation>Z 缓冲图像高度</translation>
+    </message>
+    <message>
+        <source>Height of the image whose pixels the extended z-buffer computes.</source>
+        <translation>扩展 Z 缓冲所计算图像的高度。</translation>
+    </message>
+    <message>
+        <source>Z-buffer view</source>
+        <translation>Z 缓冲视图</translation>
+    </message>
+    <message>
+        <source>From where the z-buffer looks at the part.</source>
+        <translation>Z 缓冲从哪个方向观察工件。</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>俯视</translation>
+    </message>
+    <message>
+        <source>Front</source>
+        <translation>前视</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>右视</translation>
+    </message>
+    <message>
+        <source>Rear</source>
+        <translation>后视</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>左视</translation>
+    </message>
+    <message>
+        <source>Bottom</source>
+        <translation>仰视</translation>
+    </message>
+    <message>
+        <source>Isometric</source>
+        <translation>等轴测</translation>
+    </message>
+    <message>
+        <source>Legacy simulator accuracy</source>
+        <translation>旧版模拟器精度</translation>
+    </message>
+    <message>
+        <source>Edge of its cells in percent of the stock&apos;s longer side: 0.1 is the finest position of its slider, 1 the coarsest.</source>
+        <translation>单元边长占毛坯长边的百分比：0.1 是其滑块最精细的位置，1 最粗。</translation>
+    </message>
+    <message>
+        <source>OpenGL simulator quality</source>
+        <translation>OpenGL 模拟器质量</translation>
+    </message>
+    <message>
+        <source>Position of its quality slider; 10 is the best.</source>
+        <translation>其质量滑块的位置；10 为最佳。</translation>
+    </message>
+    <message>
+        <source>Arc tolerance</source>
+        <translation>圆弧公差</translation>
+    </message>
+    <message>
+        <source>Largest distance between an arc and the straight moves it is chopped into.</source>
+        <translation>圆弧与其分段后的直线移动之间的最大距离。</translation>
+    </message>
+    <message>
+        <source>Calibration</source>
+        <translation>校准</translation>
+    </message>
+    <message>
+        <source>Measures how fast FreeCAD&apos;s simulators are on this computer, which takes about a second, and remembers it.</source>
+        <translation>用大约一秒测量 FreeCAD 模拟器在此计算机上的速度，并记住结果。</translation>
+    </message>
+</context>
+<context>
+    <name>Vk_Analyze</name>
+    <message>
+        <source>Recognizes the machining strategy of each selected operation, or of all operations of the active document, estimates what simulating it costs, and marks it in the tree.</source>
+        <translation>识别所选操作（或活动文档所有操作）的加工策略，估计模拟的开销，并在树中标记。</translation>
+    </message>
+    <message>
+        <source>Analyze toolpaths</source>
+        <translation>分析刀具路径</translation>
+    </message>
+    <message>
+        <source>No document is open. Open one with a job or a toolpath first.</source>
+        <translation>没有打开的文档。请先打开含有作业或刀具路径的文档。</translation>
+    </message>
+    <message>
+        <source>Analysis cancelled, nothing changed.</source>
+        <translation>分析已取消，未作任何更改。</translation>
+    </message>
+    <message>
+        <source>There is no operation to analyze in this document. Create a job with operations, or import G-code.</source>
+        <translation>此文档中没有可分析的操作。请创建带有操作的作业，或导入 G 代码。</translation>
+    </message>
+    <message>
+        <source>{} operations analyzed</source>
+        <translation>已分析 {} 个操作</translation>
+    </message>
+    <message>
+        <source>{} with remarks</source>
+        <translation>{} 个有备注</translation>
+    </message>
+    <message>
+        <source>The marks are in the tree&apos;s Description column, which is now visible. You can hide it again in the tree&apos;s context menu: Tree settings, Show description.</source>
+        <translation>标记位于树的“描述”列，该列现已显示。可在树的右键菜单中再次隐藏：树设置，显示描述。</translation>
+    </message>
+    <message>
+        <source>Toolpath analysis</source>
+        <translation>刀具路径分析</translation>
+    </message>
+</context>
+<context>
+    <name>Vk_Clear</name>
+    <message>
+        <source>Removes the marks of the selected operations, or all marks of the active document; your own descriptions stay.</source>
+        <translation>移除所选操作的标记，或活动文档的所有标记；您自己的描述会保留。</translation>
+    </message>
+    <message>
+        <source>Clear analysis</source>
+        <translation>清除分析</translation>
+    </message>
+    <message>
+        <source>{} marks removed</source>
+        <translation>已移除 {} 个标记</translation>
+    </message>
+</context>
+<context>
+    <name>Vk_GaussMap</name>
+    <message>
+        <source>Gauss map</source>
+        <translation>高斯映射</translation>
+    </message>
+    <message>
+        <source>The areas that the tool cuts without a rapid move or a plunge, the longest first.</source>
+        <translation>刀具不经快移或下刀而连续切削的区域，最长的排在最前。</translation>
+    </message>
+    <message>
+        <source>Save picture…</source>
+        <translation>保存图片…</translation>
+    </message>
+    <message>
+        <source>Saves the three plots as they stand, as PNG or SVG.</source>
+        <translation>将当前三幅图保存为 PNG 或 SVG。</translation>
+    </message>
+    <message>
+        <source>Steps through the trajectories k of the area.</source>
+        <translation>逐步浏览该区域的轨迹 k。</translation>
+    </message>
+    <message>
+        <source>{}: no cutting move has a direction in the plane</source>
+        <translation>{}：没有在平面内有方向的切削移动</translation>
+    </message>
+    <message>
+        <source>Area {}: {} trajectories, {}</source>
+        <translation>区域 {}：{} 段轨迹，{}</translation>
+    </message>
+    <message>
+        <source>{}: φ from {} to {}, level n from {} to {}, {} exact reversals</source>
+        <translation>{}：φ 从 {} 到 {}，层级 n 从 {} 到 {}，{} 次正好反向</translation>
+    </message>
+    <message>
+        <source>; closed, with its last turn φ = {}</source>
+        <translation>；闭合，含最后一次转向 φ = {}</translation>
+    </message>
+    <message>
+        <source>Toolpath drawn with {} of {} points: the others fall on the same pixels.</source>
+        <translation>刀具路径绘制了 {} 个点，共 {} 个：其余落在相同像素上。</translation>
+    </message>
+    <message>
+        <source>Gauss map of the last {} trajectories up to k.</source>
+        <translation>高斯映射显示到 k 为止的最后 {} 段轨迹。</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;Left the toolpath with the vector V&lt;sub&gt;k&lt;/sub&gt; from the area&apos;s first point. On the unit circle the images of the trajectory v&lt;sub&gt;k&lt;/sub&gt; and of V&lt;sub&gt;k&lt;/sub&gt;; the arcs show how they moved. A zigzag goes to and fro on a part of the circle, a contour goes all around. Right the cumulative angular function φ and the angle θ on level n: a contour-parallel path leaves the dashed lines ±2π, a zigzag stays within.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;左侧是刀具路径以及从区域起点出发的向量 V&lt;sub&gt;k&lt;/sub&gt;。单位圆上是轨迹 v&lt;sub&gt;k&lt;/sub&gt; 和 V&lt;sub&gt;k&lt;/sub&gt; 的像；圆弧显示它们如何移动。往复路径在圆的一部分上来回，轮廓路径绕圆一周。右侧是累积角函数 φ 和层级 n 上的角 θ：环切路径越出虚线 ±2π，往复路径保持在其间。&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>Select an operation in the tree.</source>
+        <translation>请在树中选择一个操作。</translation>
+    </message>
+    <message>
+        <source>Save picture</source>
+        <translation>保存图片</translation>
+    </message>
+    <message>
+        <source>counter-clockwise</source>
+        <translation>逆时针</translation>
+    </message>
+    <message>
+        <source>clockwise</source>
+        <translation>顺时针</translation>
+    </message>
+    <message>
+        <source>exact reversal</source>
+        <translation>正好反向</translation>
+    </message>
+    <message>
+        <source>Shows why the selected operation has its strategy: its toolpath, the Gauss map of its directions and of the vector V_k, and the cumulative angular function.</source>
+        <translation>显示所选操作为何被判定为其策略：刀具路径、方向和向量 V_k 的高斯映射，以及累积角函数。</translation>
+    </message>
+</context>
+<context>
+    <name>Vk_Results</name>
+    <message>
+        <source>Toolpath results</source>
+        <translation>刀具路径结果</translation>
+    </message>
+    <message>
+        <source>Export CSV…</source>
+        <translation>导出 CSV…</translation>
+    </message>
+    <message>
+        <source>Saves all numbers as a table for a spreadsheet.</source>
+        <translation>将所有数值保存为电子表格可用的表。</translation>
+    </message>
+    <message>
+        <source>Export JSON…</source>
+        <translation>导出 JSON…</translation>
+    </message>
+    <message>
+        <source>Saves all numbers for a program.</source>
+        <translation>保存所有数值供程序使用。</translation>
+    </message>
+    <message>
+        <source>Copy to clipboard</source>
+        <translation>复制到剪贴板</translation>
+    </message>
+    <message>
+        <source>Copies the table as it stands here.</source>
+        <translation>按此处所示复制表格。</translation>
+    </message>
+    <message>
+        <source>Nothing is analyzed yet in this document: click Analyze toolpaths.</source>
+        <translation>此文档尚未分析：请点击“分析刀具路径”。</translation>
+    </message>
+    <message>
+        <source>Select an operation to read why it has its strategy.</source>
+        <translation>选择一个操作，查看其策略的判定理由。</translation>
+    </message>
+    <message>
+        <source>Export CSV</source>
+        <translation>导出 CSV</translation>
+    </message>
+    <message>
+        <source>Export JSON</source>
+        <translation>导出 JSON</translation>
+    </message>
+    <message>
+        <source>Shows the analyzed operations as a table: strategy, lengths, what simulating them costs in each simulator, and what is wrong with them.</source>
+        <translation>以表格显示已分析的操作：策略、长度、在各模拟器中模拟的开销，以及存在的问题。</translation>
+    </message>
+    <message>
+        <source>a lower bound: the cost of some operations is not known</source>
+        <translation>下限：部分操作的开销未知</translation>
+    </message>
+    <message>
+        <source>{job}: {count} operation</source>
+        <translation>{job}：{count} 个操作</translation>
+    </message>
+    <message>
+        <source>{job}: {count} operations</source>
+        <translation>{job}：{count} 个操作</translation>
+    </message>
+    <message>
+        <source>outdated: toolpath, tool or stock have changed since</source>
+        <translation>已过期：刀具路径、刀具或毛坯此后已更改</translation>
+    </message>
+    <message>
+        <source>called {name}, but its toolpath is {strategy}</source>
+        <translation>名为 {name}，但其刀具路径是：{strategy}</translation>
+    </message>
+    <message>
+        <source>not in the total: a dress-up stands for it, or it is switched off</source>
+        <translation>不计入总和：已由修饰代替，或已停用</translation>
+    </message>
+    <message>
+        <source>Operation</source>
+        <translation>操作</translation>
+    </message>
+    <message>
+        <source>Strategy</source>
+        <translation>策略</translation>
+    </message>
+    <message>
+        <source>The machining strategy recognized from the toolpath alone</source>
+        <translation>仅由刀具路径识别出的加工策略</translation>
+    </message>
+    <message>
+        <source>Sure</source>
+        <translation>把握</translation>
+    </message>
+    <message>
+        <source>How sure the recognition is</source>
+        <translation>识别的把握程度</translation>
+    </message>
+    <message>
+        <source>Trajectories</source>
+        <translation>轨迹数</translation>
+    </message>
+    <message>
+        <source>Number of straight moves, arcs chopped</source>
+        <translation>直线移动的数目，圆弧已分段</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>长度</translation>
+    </message>
+    <message>
+        <source>Length of the cutting moves</source>
+        <translation>切削移动的长度</translation>
+    </message>
+    <message>
+        <source>Z-buffer
+time</source>
+        <translation>Z 缓冲
+时间</translation>
+    </message>
+    <message>
+        <source>Time to simulate it in an extended z-buffer</source>
+        <translation>在扩展 Z 缓冲中模拟所需的时间</translation>
+    </message>
+    <message>
+        <source>Z-buffer
+memory</source>
+        <translation>Z 缓冲
+内存</translation>
+    </message>
+    <message>
+        <source>Memory to simulate it in an extended z-buffer</source>
+        <translation>在扩展 Z 缓冲中模拟所需的内存</translation>
+    </message>
+    <message>
+        <source>Legacy
+time</source>
+        <translation>旧版
+时间</translation>
+    </message>
+    <message>
+        <source>Time of FreeCAD&apos;s legacy simulator in fast-forward at its finest accuracy</source>
+        <translation>FreeCAD 旧版模拟器以最高精度快进所需的时间</translation>
+    </message>
+    <message>
+        <source>Legacy
+memory</source>
+        <translation>旧版
+内存</translation>
+    </message>
+    <message>
+        <source>Memory of FreeCAD&apos;s legacy simulator at its finest accuracy</source>
+        <translation>FreeCAD 旧版模拟器在最高精度下的内存</translation>
+    </message>
+    <message>
+        <source>OpenGL
+time</source>
+        <translation>OpenGL
+时间</translation>
+    </message>
+    <message>
+        <source>Time of FreeCAD&apos;s OpenGL simulator at its highest speed</source>
+        <translation>FreeCAD OpenGL 模拟器以最高速度所需的时间</translation>
+    </message>
+    <message>
+        <source>OpenGL
+memory</source>
+        <translation>OpenGL
+内存</translation>
+    </message>
+    <message>
+        <source>Memory of FreeCAD&apos;s OpenGL simulator</source>
+        <translation>FreeCAD OpenGL 模拟器的内存</translation>
+    </message>
+    <message>
+        <source>What is wrong with the operation, or will be with its simulation</source>
+        <translation>操作存在的问题，或模拟时将出现的问题</translation>
+    </message>
+    <message>
+        <source>Remarks</source>
+        <translation>备注</translation>
+    </message>
+</context>
+<context>
+    <name>Workbench</name>
+    <message>
+        <source>Toolpath analysis</source>
+        <translation>刀具路径分析</translation>
+    </message>
+    <message>
+        <source>Toolpath Analysis</source>
+        <translation>刀具路径分析</translation>
+    </message>
+    <message>
+        <source>Recognizes machining strategies of toolpaths and estimates what simulating them costs.</source>
+        <translation>识别刀具路径的加工策略，并估计模拟的开销。</translation>
+    </message>
+</context>
+</TS>
