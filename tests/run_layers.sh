@@ -8,6 +8,7 @@ results=$1
 layers=$2
 shift 2
 cd "$(dirname "$0")/.."
+trap 'exit 130' INT TERM # as the first process of a root it would otherwise ignore them
 
 echo "FreeCAD $(dpkg-query -W -f '${source:Upstream-Version}' freecad | cut -d+ -f1)," \
     "$(/usr/bin/python3 -c 'import platform, numpy
@@ -17,10 +18,11 @@ for layer in $layers; do
     echo "    $layer"
     home=$(mktemp -d)
     tests/make_home.sh "$home"
+    limit=(timeout --foreground -k 10 900) # s; in the foreground, so that Ctrl-C reaches the tests
     case $layer in
-        core) command=(/usr/bin/python3 -m pytest) ;;
-        document) command=(freecadcmd "$PWD/tests/in_freecad.py") ;;
-        gui) command=(xvfb-run -a -s "-screen 0 1280x1024x24 -ac" freecad "$PWD/tests/in_freecad.py") ;;
+        core) command=("${limit[@]}" /usr/bin/python3 -m pytest) ;;
+        document) command=("${limit[@]}" freecadcmd "$PWD/tests/in_freecad.py") ;;
+        gui) command=(xvfb-run -a -s "-screen 0 1280x1024x24 -ac" "${limit[@]}" freecad "$PWD/tests/in_freecad.py") ;;
     esac
     status=0
     # Only a FreeCAD layer is not captured: its log has to show what FreeCAD swallows.
@@ -30,7 +32,7 @@ for layer in $layers; do
         QT_QPA_PLATFORM=xcb LIBGL_ALWAYS_SOFTWARE=1 QTWEBENGINE_DISABLE_SANDBOX=1 \
         VKWORKBENCH_SCREENSHOTS="$PWD/$results/screenshots" \
         PYTEST_ADDOPTS="tests/$layer --junit-xml='$results/$layer.xml' $([ "$layer" = core ] || echo -s) ${*@Q}" \
-        timeout -k 10 900 "${command[@]}" < /dev/null > "$results/$layer.log" 2>&1 || status=$?
+        "${command[@]}" < /dev/null > "$results/$layer.log" 2>&1 || status=$?
     echo "$status" > "$results/$layer.status"
     rm -rf "$home"
 done
