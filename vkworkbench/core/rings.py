@@ -113,8 +113,8 @@ def relate_rings(pieces: Pieces, index: np.ndarray, tool: float) -> Rings:
         same_box = np.maximum(-low, high) < np.minimum(0.05 + 0.002 * larger, max(0.25 * limit, 0.05))
         same_area = np.abs(enclosed[a] - enclosed[b]) < 0.05 * np.maximum(enclosed[a], enclosed[b])
         # Passes of a lattice that wind by chance are seldom even; offsets of a concave contour are exactly.
-        slack = np.where(wavy[a] & wavy[b], 0.1, 0.7)
-        even = ~same_box & (low * high > 0) & (high - low <= slack * np.abs(mean) + 0.02) & (np.abs(mean) <= limit)
+        least = _least(low, high, np.where(wavy[a] & wavy[b], 0.9, 0.2))
+        even = ~same_box & (least > 0.01) & (least <= limit)
         straddling = ~same_box & (low < 0) & (high > 0)
         found = {
             "nested": even & beside,
@@ -125,11 +125,12 @@ def relate_rings(pieces: Pieces, index: np.ndarray, tool: float) -> Rings:
             "crossing": level & same_box & ~same_area,
         }  # fmt: skip
         if lag == 1:
-            found["opposite"] = even & (sense[a] != sense[b])
+            # The loops of one pattern keep their shape; a boundary and an island between its offsets do not.
+            found["opposite"] = even & (_least(low, high, 0.7) > 0) & (sense[a] != sense[b])
         for name, flag in found.items():
             flags[name][a] |= flag
             flags[name][b] |= flag
-        steps.append(mean[even & beside])
+        steps.append(np.copysign(least, mean)[even & beside])
         if flags["nested"].all():
             break
     levels = count_levels(z)
@@ -187,6 +188,16 @@ def _inward(sides: np.ndarray, lag: int) -> tuple[np.ndarray, np.ndarray, np.nda
     return inward.min(axis=0), inward.max(axis=0), inward.mean(axis=0)
 
 
+def _least(low: np.ndarray, high: np.ndarray, share: float | np.ndarray) -> np.ndarray:
+    """Return how far the side moved that moved least, 0 where not all four moved the same way.
+
+    A true offset moves every side of the box by the step, and farther where a sharp corner touches it; a side that
+    moved by less than `share` of the most did not move with the others.
+    """
+    near, far = np.minimum(np.abs(low), np.abs(high)), np.maximum(np.abs(low), np.abs(high))
+    return np.where((low * high > 0) & (near >= share * far - 0.02), near, 0.0)
+
+
 def _reach(sides, size, z, tool) -> tuple[float, np.ndarray, np.ndarray]:
     """Return how far apart nested rings may be, and the steps in the plane and in depth from ring to next ring.
 
@@ -195,11 +206,10 @@ def _reach(sides, size, z, tool) -> tuple[float, np.ndarray, np.ndarray]:
     """
     found = []
     for lag in LAGS[: max(len(z) - 1, 0)]:
-        low, high, mean = _inward(sides, lag)
-        mean = np.abs(mean)
-        even = (low * high > 0) & (high - low <= 0.7 * mean + 0.02) & (mean > 0.05)
-        even &= mean <= 0.3 * np.maximum(size[lag:], size[:-lag])
-        found.append((mean[even], np.abs(z[lag:] - z[:-lag])[even]))
+        low, high, _ = _inward(sides, lag)
+        least = _least(low, high, 0.2)
+        even = (least > 0.05) & (least <= 0.3 * np.maximum(size[lag:], size[:-lag]))
+        found.append((least[even], np.abs(z[lag:] - z[:-lag])[even]))
         if even.mean() > 0.8:
             break  # one nest: the next ring is the neighbour
     steps, drops = found[0] if found else (np.zeros(0), np.zeros(0))
@@ -208,6 +218,10 @@ def _reach(sides, size, z, tool) -> tuple[float, np.ndarray, np.ndarray]:
         return 1.2 * tool, steps, drops
     # Rings around islands interleave with those of the boundary; the smaller steps are between neighbours.
     usual = _middle(every, 4)
+    regular = (np.abs(every - usual) < 0.3 * usual).mean()
+    if not tool and (len(every) < 3 or regular < 0.5 or usual > 0.2 * size.max()):
+        # Contours of one part, as a washer has, are no pocket because one is inside the other.
+        return min(2 * usual, 0.1 * float(size.max())), steps, drops
     if not tool or (len(steps) >= 4 and (np.abs(steps - usual) < 0.1 * usual).mean() > 0.6):
         return max(1.2 * tool, 2 * usual), steps, drops
     return 1.2 * tool, steps, drops

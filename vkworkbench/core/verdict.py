@@ -192,11 +192,11 @@ def _judge_rings(s: Section, rings: float) -> Verdict:
     nested, deeper = s.share(r.nested), s.share(r.deeper)
     changing = r.levels >= 3 and r.distinct > 0.4 * len(r) and deeper > 0.3 * rings and r.depth > 0.35 * s.tool
     if changing and deeper > nested:
-        if r.evenness < 1:
+        if r.evenness < 0.5:
             seen = "evenly spaced in the plane, not in depth"
             return Verdict(Strategy.CONTOUR_PARALLEL, deeper / rings, len(r), seen)
         return Verdict(Strategy.WATERLINE, deeper / rings, r.levels, "whose shape changes with the depth")
-    if nested > 0.4 * rings:
+    if nested > 0.5 * rings and (len(r) > 2 or rings > 0.75):
         winding = s.share(r.winding)
         linked = s.share(r.winding & (r.back > 0.15 * TURN))  # a step aside turns one way and back
         if winding > 0.5 * rings and linked < 0.5 * winding:
