@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from vkworkbench.document.fingerprint import path_fingerprint
 from vkworkbench.document.operations import find
 from vkworkbench.report import OperationReport, Report
 
@@ -23,6 +24,14 @@ def report_of(document) -> Report:
     operations = tuple(known[o.object.Name] for o in find(document) if o.object.Name in known)
     jobs = {(o.document, o.job): _jobs[o.document, o.job] for o in operations if o.job is not None}
     return Report(operations, jobs)
+
+
+def found_of(obj) -> OperationReport | None:
+    """Return what is known of an operation, None where its path has changed since."""
+    known = _found.get(obj.Document.Name, {}).get(obj.Name)
+    if known is None or known.fingerprint.partition(":")[0] != path_fingerprint(obj):
+        return None
+    return known
 
 
 def forget(document_name: str) -> None:

@@ -16,7 +16,7 @@ from vkworkbench.gui.text import QT_TRANSLATE_NOOP, translate
 ROOT = Path(__file__).resolve().parents[2]
 ICONS = ROOT / "resources" / "icons"
 TRANSLATIONS = ROOT / "resources" / "translations"
-COMMANDS = ["Vk_Analyze", "Vk_Clear", "Vk_Results", "Vk_GaussMap"]
+COMMANDS = ["Vk_Analyze", "Vk_Clear", "Vk_Results", "Vk_Strategies", "Vk_GaussMap"]
 TITLE = QT_TRANSLATE_NOOP("Workbench", "Toolpath analysis")  # of toolbar and menu
 
 
@@ -115,7 +115,7 @@ class _OpenedDocuments:
 
 
 def _load_commands() -> None:
-    from vkworkbench.gui import commands, gauss_map_command, panel_command  # noqa: F401, register them
+    from vkworkbench.gui import commands, gauss_map_command, panel_command, strategy_command  # noqa: F401
 
 
 def _path_selected() -> bool:

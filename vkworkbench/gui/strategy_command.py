@@ -1,0 +1,71 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The switch that shows strategies as colours in the 3D view."""
+
+from __future__ import annotations
+
+import FreeCAD
+import FreeCADGui as Gui
+
+import vkworkbench
+from vkworkbench.document.operations import find
+from vkworkbench.gui import latest, progress, strategy_view
+from vkworkbench.gui.text import QT_TRANSLATE_NOOP
+
+NAME = "Vk_Strategies"
+
+
+class StrategiesCommand:
+    """Colour the toolpaths of the active document by strategy, or no longer."""
+
+    def GetResources(self) -> dict:
+        text = QT_TRANSLATE_NOOP(
+            "Vk_Strategies",
+            "Colors the toolpaths in the 3D view by their machining strategy, rapid moves grey. The document is not "
+            "changed.",
+        )
+        return {
+            "MenuText": QT_TRANSLATE_NOOP("Vk_Strategies", "Show strategies"),
+            "ToolTip": text,
+            "WhatsThis": text,
+            "Pixmap": "Vk_Strategies",
+            "Accel": "V, S",
+            "Checkable": False,  # not checked at first
+        }
+
+    def IsActive(self) -> bool:
+        return FreeCAD.ActiveDocument is not None
+
+    def Activated(self, checked: int) -> None:
+        document = FreeCAD.ActiveDocument
+        if document is None or bool(checked) == strategy_view.is_shown(document):
+            return
+        if not checked:
+            strategy_view.hide(document)
+            return
+        unknown = [o.object for o in find(document) if latest.found_of(o.object) is None]
+        try:
+            latest.remember(progress.analyze(unknown))
+        except vkworkbench.Cancelled:
+            follow_document(document)
+            return
+        strategy_view.show(document)
+
+
+def follow_document(document) -> None:
+    """Show the switch as it stands for a document."""
+    for action in Gui.Command.get(NAME).getAction():
+        action.setChecked(strategy_view.is_shown(document))
+
+
+class _ActiveDocument:
+    """Follows the active document with the switch."""
+
+    def slotActivateDocument(self, document) -> None:
+        follow_document(document)
+
+    def slotDeletedDocument(self, document) -> None:
+        follow_document(FreeCAD.ActiveDocument)
+
+
+Gui.addCommand(NAME, StrategiesCommand())
+FreeCAD.addDocumentObserver(_ActiveDocument())
