@@ -63,11 +63,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Simulating it takes {time} and {memory}</source>
+        <source>Outdated: toolpath, tool or stock have changed since. Analyze it again.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Outdated: toolpath, tool or stock have changed since. Analyze it again.</source>
+        <source>Simulating it takes {time} and {memory} ({simulator})</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -75,6 +75,337 @@
     <name>QObject</name>
     <message>
         <source>Toolpath Analysis</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Sentences</name>
+    <message>
+        <source>{sentence} only for {share} of the length: {strategy}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>phi stays between {low} and {high} turns over {count} rows{more}, {seen}: {strategy}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>phi stays between {low} and {high} turns over {count} open strokes{more}, {seen}: {strategy}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>phi reaches {high} turns over {count} loops{more}, {seen}: {strategy}{turning}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>phi lies between {low} and {high} turns, {seen}: {strategy}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>phi has no direction to turn, the moves are vertical at {count} points: {strategy}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count} sections parted by tool changes, titles or drilling show {strategies}: {strategy}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nothing cuts: there are only rapid moves</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nothing cuts: there are no moves</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>some</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>, {step} mm apart at {depths} depths</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>, {step} mm apart</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> at {depths} depths</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>, counter-clockwise</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>, clockwise</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count} bites of one sense overlap</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>rows ({rows} of the length) and loops ({loops}) share the area</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>descending at a constant radius</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the sense of nested loops alternates</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>evenly spaced in the plane, not in depth</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>whose shape changes with the depth</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a winding with a helical entry or bites out of the corners</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>one winding that never closes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nested</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>small loops move along</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an open pass lies inside a contour</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>side by side or repeated</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>half-turns alternate in sign</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>all rows run the same way</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>open contours change with the depth</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an open contour comes again at other depths</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>open strokes as long as the part</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>short strokes that fill nothing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no cutting move in its toolpath</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>inactive: switch it on and recompute it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no toolpath: recompute the operation and see FreeCAD&apos;s report view</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no tool: give the operation a tool controller</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no tool in {label}: choose a tool bit for it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the tool in {label} has no diameter</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{label}: the tool&apos;s diameter must be a positive number, not {diameter} mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{label}: the corner radius must lie between 0 and {radius} mm, not be {corner} mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{label}: the tip angle must lie between 0 and pi, not be {angle}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no stock: put the toolpath into a job</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no stock: give {label} a stock</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{label}: the stock has no volume: its upper corner must exceed its lower corner in x, y and z</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{label}: the stock&apos;s corners must be finite numbers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cost unknown for {labels}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{sentence} (command {command})</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{sentence} ({count} times, first at command {command})</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>words without a motion before them ignored</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>feed rate that is no usable number ignored</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>centre word (I, J, K) that is no usable number ignored</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{letter} word that is no usable number ignored</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>position beyond a kilometre cut off there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>drilling cycle without a depth (Z): no hole</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>drilling cycle without R: it starts where it stands</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>drilling cycle outside the XY plane read as in XY</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>arc before its start is known ignored</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>arc without a usable centre or radius read as a line</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>arc whose end is not on its circle read with a changing radius</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>unknown code {code} ignored</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count} more unknown codes ignored</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the arcs and cycles would need {count} moves at a tolerance of {tolerance} mm; use a larger tolerance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The legacy simulator hangs on an arc {reason} (command {command}{others}): {instead}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>without an X or Y word</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>without a Z word</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>without a centre</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>that is a full circle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> and {count} more</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>use the OpenGL simulator for this operation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>leave this operation out of the simulation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The legacy simulator cuts {count} ramp at a wrong depth, up to {error} mm {way} (command {command}): do not judge depths by it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The legacy simulator cuts {count} ramps at a wrong depth, up to {error} mm {way} (command {command}): do not judge depths by it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>too deep</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>too high</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Playing takes about {longer} in the legacy simulator: fast-forward takes about {time}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Playing takes about {time} in the OpenGL simulator at its fastest: simulate fewer operations at a time.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count} moves are shorter than a cell of the legacy simulator ({cell} mm), each takes its time and none is seen by itself: a coarser tolerance of the operation loses nothing there.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The OpenGL simulator takes about {time} for every picture at the end, {share} % of it for arcs: simulate this operation alone.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The {simulator} simulator takes about {memory} for this operation, more than the {allowed} allowed: {instead}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>move its accuracy slider to the left</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>simulate fewer operations at a time</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -563,16 +894,8 @@ time</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Time of FreeCAD&apos;s legacy simulator in fast-forward at its finest accuracy</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Legacy
 memory</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Memory of FreeCAD&apos;s legacy simulator at its finest accuracy</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -599,6 +922,25 @@ memory</source>
     </message>
     <message>
         <source>Remarks</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Time of FreeCAD&apos;s legacy simulator in fast-forward, at the accuracy that the preferences say</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Memory of FreeCAD&apos;s legacy simulator, at the accuracy that the preferences say</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Vk_Strategies</name>
+    <message>
+        <source>Colors the toolpaths in the 3D view by their machining strategy, rapid moves grey. The document is not changed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show strategies</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

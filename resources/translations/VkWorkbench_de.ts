@@ -63,12 +63,12 @@
         <translation>{trajectories} Bewegungen, {length} im Schnitt</translation>
     </message>
     <message>
-        <source>Simulating it takes {time} and {memory}</source>
-        <translation>Die Simulation braucht {time} und {memory}</translation>
-    </message>
-    <message>
         <source>Outdated: toolpath, tool or stock have changed since. Analyze it again.</source>
         <translation>Veraltet: Werkzeugweg, Werkzeug oder Rohteil wurden seither geändert. Bitte neu analysieren.</translation>
+    </message>
+    <message>
+        <source>Simulating it takes {time} and {memory} ({simulator})</source>
+        <translation>Die Simulation braucht {time} und {memory} ({simulator})</translation>
     </message>
 </context>
 <context>
@@ -76,6 +76,337 @@
     <message>
         <source>Toolpath Analysis</source>
         <translation>Werkzeugweg-Analyse</translation>
+    </message>
+</context>
+<context>
+    <name>Sentences</name>
+    <message>
+        <source>{sentence} only for {share} of the length: {strategy}</source>
+        <translation>{sentence}, aber nur auf {share} der Länge: {strategy}</translation>
+    </message>
+    <message>
+        <source>phi stays between {low} and {high} turns over {count} rows{more}, {seen}: {strategy}</source>
+        <translation>φ bleibt über {count} Zeilen{more} zwischen {low} und {high} Umdrehungen, {seen}: {strategy}</translation>
+    </message>
+    <message>
+        <source>phi stays between {low} and {high} turns over {count} open strokes{more}, {seen}: {strategy}</source>
+        <translation>φ bleibt über {count} offene Züge{more} zwischen {low} und {high} Umdrehungen, {seen}: {strategy}</translation>
+    </message>
+    <message>
+        <source>phi reaches {high} turns over {count} loops{more}, {seen}: {strategy}{turning}</source>
+        <translation>φ erreicht über {count} Schleifen{more} {high} Umdrehungen, {seen}: {strategy}{turning}</translation>
+    </message>
+    <message>
+        <source>phi lies between {low} and {high} turns, {seen}: {strategy}</source>
+        <translation>φ liegt zwischen {low} und {high} Umdrehungen, {seen}: {strategy}</translation>
+    </message>
+    <message>
+        <source>phi has no direction to turn, the moves are vertical at {count} points: {strategy}</source>
+        <translation>φ hat keine Richtung, die Bewegungen sind an {count} Punkten senkrecht: {strategy}</translation>
+    </message>
+    <message>
+        <source>{count} sections parted by tool changes, titles or drilling show {strategies}: {strategy}</source>
+        <translation>{count} Abschnitte, getrennt durch Werkzeugwechsel, Titel oder Bohren, zeigen {strategies}: {strategy}</translation>
+    </message>
+    <message>
+        <source>nothing cuts: there are only rapid moves</source>
+        <translation>nichts schneidet: Es gibt nur Eilgänge</translation>
+    </message>
+    <message>
+        <source>nothing cuts: there are no moves</source>
+        <translation>nichts schneidet: Es gibt keine Bewegungen</translation>
+    </message>
+    <message>
+        <source>some</source>
+        <translation>einigen</translation>
+    </message>
+    <message>
+        <source>, {step} mm apart at {depths} depths</source>
+        <translation> im Abstand von {step} mm in {depths} Tiefen</translation>
+    </message>
+    <message>
+        <source>, {step} mm apart</source>
+        <translation> im Abstand von {step} mm</translation>
+    </message>
+    <message>
+        <source> at {depths} depths</source>
+        <translation> in {depths} Tiefen</translation>
+    </message>
+    <message>
+        <source>, counter-clockwise</source>
+        <translation>, gegen den Uhrzeigersinn</translation>
+    </message>
+    <message>
+        <source>, clockwise</source>
+        <translation>, im Uhrzeigersinn</translation>
+    </message>
+    <message>
+        <source>{count} bites of one sense overlap</source>
+        <translation>{count} Bisse mit gleichem Drehsinn überlappen sich</translation>
+    </message>
+    <message>
+        <source>rows ({rows} of the length) and loops ({loops}) share the area</source>
+        <translation>Zeilen ({rows} der Länge) und Schleifen ({loops}) teilen sich die Fläche</translation>
+    </message>
+    <message>
+        <source>descending at a constant radius</source>
+        <translation>mit gleichbleibendem Radius absteigend</translation>
+    </message>
+    <message>
+        <source>the sense of nested loops alternates</source>
+        <translation>der Drehsinn der geschachtelten Schleifen wechselt</translation>
+    </message>
+    <message>
+        <source>evenly spaced in the plane, not in depth</source>
+        <translation>in der Ebene gleichmäßig verteilt, nicht in der Tiefe</translation>
+    </message>
+    <message>
+        <source>whose shape changes with the depth</source>
+        <translation>deren Form sich mit der Tiefe ändert</translation>
+    </message>
+    <message>
+        <source>a winding with a helical entry or bites out of the corners</source>
+        <translation>eine Windung mit Helix-Eintritt oder Bissen in den Ecken</translation>
+    </message>
+    <message>
+        <source>one winding that never closes</source>
+        <translation>eine Windung, die sich nie schließt</translation>
+    </message>
+    <message>
+        <source>nested</source>
+        <translation>geschachtelt</translation>
+    </message>
+    <message>
+        <source>small loops move along</source>
+        <translation>kleine Schleifen wandern voran</translation>
+    </message>
+    <message>
+        <source>an open pass lies inside a contour</source>
+        <translation>eine offene Bahn liegt in einer Kontur</translation>
+    </message>
+    <message>
+        <source>side by side or repeated</source>
+        <translation>nebeneinander oder wiederholt</translation>
+    </message>
+    <message>
+        <source>half-turns alternate in sign</source>
+        <translation>die halben Drehungen wechseln das Vorzeichen</translation>
+    </message>
+    <message>
+        <source>all rows run the same way</source>
+        <translation>alle Zeilen laufen in die gleiche Richtung</translation>
+    </message>
+    <message>
+        <source>open contours change with the depth</source>
+        <translation>offene Konturen ändern sich mit der Tiefe</translation>
+    </message>
+    <message>
+        <source>an open contour comes again at other depths</source>
+        <translation>eine offene Kontur kehrt in anderen Tiefen wieder</translation>
+    </message>
+    <message>
+        <source>open strokes as long as the part</source>
+        <translation>offene Züge so lang wie das Werkstück</translation>
+    </message>
+    <message>
+        <source>short strokes that fill nothing</source>
+        <translation>kurze Züge, die nichts ausfüllen</translation>
+    </message>
+    <message>
+        <source>no cutting move in its toolpath</source>
+        <translation>keine Schnittbewegung in ihrem Werkzeugweg</translation>
+    </message>
+    <message>
+        <source>inactive: switch it on and recompute it</source>
+        <translation>inaktiv: einschalten und neu berechnen</translation>
+    </message>
+    <message>
+        <source>no toolpath: recompute the operation and see FreeCAD&apos;s report view</source>
+        <translation>kein Werkzeugweg: Operation neu berechnen und das Ausgabefenster von FreeCAD ansehen</translation>
+    </message>
+    <message>
+        <source>no tool: give the operation a tool controller</source>
+        <translation>kein Werkzeug: Der Operation einen Werkzeugcontroller geben</translation>
+    </message>
+    <message>
+        <source>no tool in {label}: choose a tool bit for it</source>
+        <translation>kein Werkzeug in {label}: Dafür ein Werkzeug wählen</translation>
+    </message>
+    <message>
+        <source>the tool in {label} has no diameter</source>
+        <translation>das Werkzeug in {label} hat keinen Durchmesser</translation>
+    </message>
+    <message>
+        <source>{label}: the tool&apos;s diameter must be a positive number, not {diameter} mm</source>
+        <translation>{label}: Der Werkzeugdurchmesser muss positiv sein, nicht {diameter} mm</translation>
+    </message>
+    <message>
+        <source>{label}: the corner radius must lie between 0 and {radius} mm, not be {corner} mm</source>
+        <translation>{label}: Der Eckenradius muss zwischen 0 und {radius} mm liegen, nicht {corner} mm sein</translation>
+    </message>
+    <message>
+        <source>{label}: the tip angle must lie between 0 and pi, not be {angle}</source>
+        <translation>{label}: Der Spitzenwinkel muss zwischen 0 und π liegen, nicht {angle} sein</translation>
+    </message>
+    <message>
+        <source>no stock: put the toolpath into a job</source>
+        <translation>kein Rohteil: Den Werkzeugweg in einen Auftrag legen</translation>
+    </message>
+    <message>
+        <source>no stock: give {label} a stock</source>
+        <translation>kein Rohteil: {label} ein Rohteil geben</translation>
+    </message>
+    <message>
+        <source>{label}: the stock has no volume: its upper corner must exceed its lower corner in x, y and z</source>
+        <translation>{label}: Das Rohteil hat kein Volumen: Seine obere Ecke muss in x, y und z über der unteren liegen</translation>
+    </message>
+    <message>
+        <source>{label}: the stock&apos;s corners must be finite numbers</source>
+        <translation>{label}: Die Ecken des Rohteils müssen endliche Zahlen sein</translation>
+    </message>
+    <message>
+        <source>cost unknown for {labels}</source>
+        <translation>Aufwand unbekannt für {labels}</translation>
+    </message>
+    <message>
+        <source>{sentence} (command {command})</source>
+        <translation>{sentence} (Befehl {command})</translation>
+    </message>
+    <message>
+        <source>{sentence} ({count} times, first at command {command})</source>
+        <translation>{sentence} ({count}-mal, zuerst bei Befehl {command})</translation>
+    </message>
+    <message>
+        <source>words without a motion before them ignored</source>
+        <translation>Wörter ohne Bewegung davor übergangen</translation>
+    </message>
+    <message>
+        <source>feed rate that is no usable number ignored</source>
+        <translation>Vorschub, der keine brauchbare Zahl ist, übergangen</translation>
+    </message>
+    <message>
+        <source>centre word (I, J, K) that is no usable number ignored</source>
+        <translation>Mittelpunktswort (I, J, K), das keine brauchbare Zahl ist, übergangen</translation>
+    </message>
+    <message>
+        <source>{letter} word that is no usable number ignored</source>
+        <translation>{letter}-Wort, das keine brauchbare Zahl ist, übergangen</translation>
+    </message>
+    <message>
+        <source>position beyond a kilometre cut off there</source>
+        <translation>Position jenseits eines Kilometers dort abgeschnitten</translation>
+    </message>
+    <message>
+        <source>drilling cycle without a depth (Z): no hole</source>
+        <translation>Bohrzyklus ohne Tiefe (Z): kein Loch</translation>
+    </message>
+    <message>
+        <source>drilling cycle without R: it starts where it stands</source>
+        <translation>Bohrzyklus ohne R: Er beginnt, wo er steht</translation>
+    </message>
+    <message>
+        <source>drilling cycle outside the XY plane read as in XY</source>
+        <translation>Bohrzyklus außerhalb der XY-Ebene wie in XY gelesen</translation>
+    </message>
+    <message>
+        <source>arc before its start is known ignored</source>
+        <translation>Bogen mit noch unbekanntem Anfang übergangen</translation>
+    </message>
+    <message>
+        <source>arc without a usable centre or radius read as a line</source>
+        <translation>Bogen ohne brauchbaren Mittelpunkt oder Radius als Linie gelesen</translation>
+    </message>
+    <message>
+        <source>arc whose end is not on its circle read with a changing radius</source>
+        <translation>Bogen, dessen Ende nicht auf seinem Kreis liegt, mit veränderlichem Radius gelesen</translation>
+    </message>
+    <message>
+        <source>unknown code {code} ignored</source>
+        <translation>unbekannter Code {code} übergangen</translation>
+    </message>
+    <message>
+        <source>{count} more unknown codes ignored</source>
+        <translation>{count} weitere unbekannte Codes übergangen</translation>
+    </message>
+    <message>
+        <source>the arcs and cycles would need {count} moves at a tolerance of {tolerance} mm; use a larger tolerance</source>
+        <translation>die Bögen und Zyklen bräuchten bei einer Toleranz von {tolerance} mm {count} Bewegungen; eine größere Toleranz wählen</translation>
+    </message>
+    <message>
+        <source>The legacy simulator hangs on an arc {reason} (command {command}{others}): {instead}.</source>
+        <translation>Der alte Simulator hängt bei einem Bogen, {reason} (Befehl {command}{others}): {instead}.</translation>
+    </message>
+    <message>
+        <source>without an X or Y word</source>
+        <translation>dem ein X- oder Y-Wort fehlt</translation>
+    </message>
+    <message>
+        <source>without a Z word</source>
+        <translation>dem ein Z-Wort fehlt</translation>
+    </message>
+    <message>
+        <source>without a centre</source>
+        <translation>dem der Mittelpunkt fehlt</translation>
+    </message>
+    <message>
+        <source>that is a full circle</source>
+        <translation>der ein Vollkreis ist</translation>
+    </message>
+    <message>
+        <source> and {count} more</source>
+        <translation> und {count} weitere</translation>
+    </message>
+    <message>
+        <source>use the OpenGL simulator for this operation</source>
+        <translation>für diese Operation den OpenGL-Simulator benutzen</translation>
+    </message>
+    <message>
+        <source>leave this operation out of the simulation</source>
+        <translation>diese Operation bei der Simulation auslassen</translation>
+    </message>
+    <message>
+        <source>The legacy simulator cuts {count} ramp at a wrong depth, up to {error} mm {way} (command {command}): do not judge depths by it.</source>
+        <translation>Der alte Simulator schneidet {count} Rampe in falscher Tiefe, bis zu {error} mm {way} (Befehl {command}): Tiefen nicht danach beurteilen.</translation>
+    </message>
+    <message>
+        <source>The legacy simulator cuts {count} ramps at a wrong depth, up to {error} mm {way} (command {command}): do not judge depths by it.</source>
+        <translation>Der alte Simulator schneidet {count} Rampen in falscher Tiefe, bis zu {error} mm {way} (Befehl {command}): Tiefen nicht danach beurteilen.</translation>
+    </message>
+    <message>
+        <source>too deep</source>
+        <translation>zu tief</translation>
+    </message>
+    <message>
+        <source>too high</source>
+        <translation>zu hoch</translation>
+    </message>
+    <message>
+        <source>Playing takes about {longer} in the legacy simulator: fast-forward takes about {time}.</source>
+        <translation>Das Abspielen dauert im alten Simulator etwa {longer}: Der schnelle Vorlauf dauert etwa {time}.</translation>
+    </message>
+    <message>
+        <source>Playing takes about {time} in the OpenGL simulator at its fastest: simulate fewer operations at a time.</source>
+        <translation>Das Abspielen dauert im OpenGL-Simulator auch am schnellsten etwa {time}: Weniger Operationen auf einmal simulieren.</translation>
+    </message>
+    <message>
+        <source>{count} moves are shorter than a cell of the legacy simulator ({cell} mm), each takes its time and none is seen by itself: a coarser tolerance of the operation loses nothing there.</source>
+        <translation>{count} Bewegungen sind kürzer als eine Zelle des alten Simulators ({cell} mm), jede kostet Zeit und keine ist einzeln zu sehen: Eine gröbere Toleranz der Operation verliert dort nichts.</translation>
+    </message>
+    <message>
+        <source>The OpenGL simulator takes about {time} for every picture at the end, {share} % of it for arcs: simulate this operation alone.</source>
+        <translation>Der OpenGL-Simulator braucht am Ende etwa {time} für jedes Bild, {share} % davon für Bögen: Diese Operation allein simulieren.</translation>
+    </message>
+    <message>
+        <source>The {simulator} simulator takes about {memory} for this operation, more than the {allowed} allowed: {instead}.</source>
+        <translation>Der Simulator ({simulator}) braucht für diese Operation etwa {memory}, mehr als die erlaubten {allowed}: {instead}.</translation>
+    </message>
+    <message>
+        <source>move its accuracy slider to the left</source>
+        <translation>seinen Genauigkeitsregler nach links schieben</translation>
+    </message>
+    <message>
+        <source>simulate fewer operations at a time</source>
+        <translation>weniger Operationen auf einmal simulieren</translation>
     </message>
 </context>
 <context>
@@ -566,18 +897,10 @@ time</source>
 Zeit</translation>
     </message>
     <message>
-        <source>Time of FreeCAD&apos;s legacy simulator in fast-forward at its finest accuracy</source>
-        <translation>Zeit des alten FreeCAD-Simulators im schnellen Vorlauf bei feinster Genauigkeit</translation>
-    </message>
-    <message>
         <source>Legacy
 memory</source>
         <translation>Alter Sim.
 Speicher</translation>
-    </message>
-    <message>
-        <source>Memory of FreeCAD&apos;s legacy simulator at its finest accuracy</source>
-        <translation>Speicher des alten FreeCAD-Simulators bei feinster Genauigkeit</translation>
     </message>
     <message>
         <source>OpenGL
@@ -606,6 +929,25 @@ Speicher</translation>
     <message>
         <source>Remarks</source>
         <translation>Bemerkungen</translation>
+    </message>
+    <message>
+        <source>Time of FreeCAD&apos;s legacy simulator in fast-forward, at the accuracy that the preferences say</source>
+        <translation>Zeit des alten FreeCAD-Simulators im schnellen Vorlauf, bei der Genauigkeit aus den Einstellungen</translation>
+    </message>
+    <message>
+        <source>Memory of FreeCAD&apos;s legacy simulator, at the accuracy that the preferences say</source>
+        <translation>Speicher des alten FreeCAD-Simulators, bei der Genauigkeit aus den Einstellungen</translation>
+    </message>
+</context>
+<context>
+    <name>Vk_Strategies</name>
+    <message>
+        <source>Colors the toolpaths in the 3D view by their machining strategy, rapid moves grey. The document is not changed.</source>
+        <translation>Färbt die Werkzeugwege in der 3D-Ansicht nach ihrer Bearbeitungsstrategie, Eilgänge grau. Das Dokument wird nicht geändert.</translation>
+    </message>
+    <message>
+        <source>Show strategies</source>
+        <translation>Strategien zeigen</translation>
     </message>
 </context>
 <context>

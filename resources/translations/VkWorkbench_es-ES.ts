@@ -63,12 +63,12 @@
         <translation>{trajectories} tramos, {length} de corte</translation>
     </message>
     <message>
-        <source>Simulating it takes {time} and {memory}</source>
-        <translation>Simularla requiere {time} y {memory}</translation>
-    </message>
-    <message>
         <source>Outdated: toolpath, tool or stock have changed since. Analyze it again.</source>
         <translation>Anticuado: la trayectoria, la herramienta o el material han cambiado desde entonces. Analícela de nuevo.</translation>
+    </message>
+    <message>
+        <source>Simulating it takes {time} and {memory} ({simulator})</source>
+        <translation>Simularla requiere {time} y {memory} ({simulator})</translation>
     </message>
 </context>
 <context>
@@ -76,6 +76,337 @@
     <message>
         <source>Toolpath Analysis</source>
         <translation>Análisis de trayectorias</translation>
+    </message>
+</context>
+<context>
+    <name>Sentences</name>
+    <message>
+        <source>{sentence} only for {share} of the length: {strategy}</source>
+        <translation>{sentence}, pero solo en el {share} de la longitud: {strategy}</translation>
+    </message>
+    <message>
+        <source>phi stays between {low} and {high} turns over {count} rows{more}, {seen}: {strategy}</source>
+        <translation>φ se mantiene entre {low} y {high} vueltas en {count} filas{more}, {seen}: {strategy}</translation>
+    </message>
+    <message>
+        <source>phi stays between {low} and {high} turns over {count} open strokes{more}, {seen}: {strategy}</source>
+        <translation>φ se mantiene entre {low} y {high} vueltas en {count} trazos abiertos{more}, {seen}: {strategy}</translation>
+    </message>
+    <message>
+        <source>phi reaches {high} turns over {count} loops{more}, {seen}: {strategy}{turning}</source>
+        <translation>φ alcanza {high} vueltas en {count} lazos{more}, {seen}: {strategy}{turning}</translation>
+    </message>
+    <message>
+        <source>phi lies between {low} and {high} turns, {seen}: {strategy}</source>
+        <translation>φ está entre {low} y {high} vueltas, {seen}: {strategy}</translation>
+    </message>
+    <message>
+        <source>phi has no direction to turn, the moves are vertical at {count} points: {strategy}</source>
+        <translation>φ no tiene dirección, los movimientos son verticales en {count} puntos: {strategy}</translation>
+    </message>
+    <message>
+        <source>{count} sections parted by tool changes, titles or drilling show {strategies}: {strategy}</source>
+        <translation>{count} secciones separadas por cambios de herramienta, títulos o taladros muestran {strategies}: {strategy}</translation>
+    </message>
+    <message>
+        <source>nothing cuts: there are only rapid moves</source>
+        <translation>nada corta: solo hay movimientos rápidos</translation>
+    </message>
+    <message>
+        <source>nothing cuts: there are no moves</source>
+        <translation>nada corta: no hay movimientos</translation>
+    </message>
+    <message>
+        <source>some</source>
+        <translation>algunos</translation>
+    </message>
+    <message>
+        <source>, {step} mm apart at {depths} depths</source>
+        <translation> a {step} mm en {depths} profundidades</translation>
+    </message>
+    <message>
+        <source>, {step} mm apart</source>
+        <translation> a {step} mm</translation>
+    </message>
+    <message>
+        <source> at {depths} depths</source>
+        <translation> en {depths} profundidades</translation>
+    </message>
+    <message>
+        <source>, counter-clockwise</source>
+        <translation>, sentido antihorario</translation>
+    </message>
+    <message>
+        <source>, clockwise</source>
+        <translation>, sentido horario</translation>
+    </message>
+    <message>
+        <source>{count} bites of one sense overlap</source>
+        <translation>{count} bocados de un mismo sentido se solapan</translation>
+    </message>
+    <message>
+        <source>rows ({rows} of the length) and loops ({loops}) share the area</source>
+        <translation>filas ({rows} de la longitud) y lazos ({loops}) se reparten la superficie</translation>
+    </message>
+    <message>
+        <source>descending at a constant radius</source>
+        <translation>que descienden con radio constante</translation>
+    </message>
+    <message>
+        <source>the sense of nested loops alternates</source>
+        <translation>el sentido de los lazos anidados se alterna</translation>
+    </message>
+    <message>
+        <source>evenly spaced in the plane, not in depth</source>
+        <translation>espaciados por igual en el plano, no en profundidad</translation>
+    </message>
+    <message>
+        <source>whose shape changes with the depth</source>
+        <translation>cuya forma cambia con la profundidad</translation>
+    </message>
+    <message>
+        <source>a winding with a helical entry or bites out of the corners</source>
+        <translation>un devanado con entrada helicoidal o bocados en las esquinas</translation>
+    </message>
+    <message>
+        <source>one winding that never closes</source>
+        <translation>un devanado que nunca se cierra</translation>
+    </message>
+    <message>
+        <source>nested</source>
+        <translation>anidados</translation>
+    </message>
+    <message>
+        <source>small loops move along</source>
+        <translation>lazos pequeños que avanzan</translation>
+    </message>
+    <message>
+        <source>an open pass lies inside a contour</source>
+        <translation>una pasada abierta queda dentro de un contorno</translation>
+    </message>
+    <message>
+        <source>side by side or repeated</source>
+        <translation>contiguos o repetidos</translation>
+    </message>
+    <message>
+        <source>half-turns alternate in sign</source>
+        <translation>las medias vueltas alternan de signo</translation>
+    </message>
+    <message>
+        <source>all rows run the same way</source>
+        <translation>todas las filas van en el mismo sentido</translation>
+    </message>
+    <message>
+        <source>open contours change with the depth</source>
+        <translation>los contornos abiertos cambian con la profundidad</translation>
+    </message>
+    <message>
+        <source>an open contour comes again at other depths</source>
+        <translation>un contorno abierto se repite a otras profundidades</translation>
+    </message>
+    <message>
+        <source>open strokes as long as the part</source>
+        <translation>trazos abiertos tan largos como la pieza</translation>
+    </message>
+    <message>
+        <source>short strokes that fill nothing</source>
+        <translation>trazos cortos que no rellenan nada</translation>
+    </message>
+    <message>
+        <source>no cutting move in its toolpath</source>
+        <translation>ningún movimiento de corte en su trayectoria</translation>
+    </message>
+    <message>
+        <source>inactive: switch it on and recompute it</source>
+        <translation>inactiva: actívela y recalcúlela</translation>
+    </message>
+    <message>
+        <source>no toolpath: recompute the operation and see FreeCAD&apos;s report view</source>
+        <translation>sin trayectoria: recalcule la operación y mire la vista de informe de FreeCAD</translation>
+    </message>
+    <message>
+        <source>no tool: give the operation a tool controller</source>
+        <translation>sin herramienta: asigne a la operación un controlador de herramienta</translation>
+    </message>
+    <message>
+        <source>no tool in {label}: choose a tool bit for it</source>
+        <translation>sin herramienta en {label}: elija una para él</translation>
+    </message>
+    <message>
+        <source>the tool in {label} has no diameter</source>
+        <translation>la herramienta de {label} no tiene diámetro</translation>
+    </message>
+    <message>
+        <source>{label}: the tool&apos;s diameter must be a positive number, not {diameter} mm</source>
+        <translation>{label}: el diámetro de la herramienta debe ser positivo, no {diameter} mm</translation>
+    </message>
+    <message>
+        <source>{label}: the corner radius must lie between 0 and {radius} mm, not be {corner} mm</source>
+        <translation>{label}: el radio de esquina debe estar entre 0 y {radius} mm, no ser {corner} mm</translation>
+    </message>
+    <message>
+        <source>{label}: the tip angle must lie between 0 and pi, not be {angle}</source>
+        <translation>{label}: el ángulo de punta debe estar entre 0 y π, no ser {angle}</translation>
+    </message>
+    <message>
+        <source>no stock: put the toolpath into a job</source>
+        <translation>sin material: ponga la trayectoria en un trabajo</translation>
+    </message>
+    <message>
+        <source>no stock: give {label} a stock</source>
+        <translation>sin material: asigne un material a {label}</translation>
+    </message>
+    <message>
+        <source>{label}: the stock has no volume: its upper corner must exceed its lower corner in x, y and z</source>
+        <translation>{label}: el material no tiene volumen: su esquina superior debe superar a la inferior en x, y y z</translation>
+    </message>
+    <message>
+        <source>{label}: the stock&apos;s corners must be finite numbers</source>
+        <translation>{label}: las esquinas del material deben ser números finitos</translation>
+    </message>
+    <message>
+        <source>cost unknown for {labels}</source>
+        <translation>coste desconocido de {labels}</translation>
+    </message>
+    <message>
+        <source>{sentence} (command {command})</source>
+        <translation>{sentence} (orden {command})</translation>
+    </message>
+    <message>
+        <source>{sentence} ({count} times, first at command {command})</source>
+        <translation>{sentence} ({count} veces, primero en la orden {command})</translation>
+    </message>
+    <message>
+        <source>words without a motion before them ignored</source>
+        <translation>palabras sin movimiento previo ignoradas</translation>
+    </message>
+    <message>
+        <source>feed rate that is no usable number ignored</source>
+        <translation>avance que no es un número utilizable ignorado</translation>
+    </message>
+    <message>
+        <source>centre word (I, J, K) that is no usable number ignored</source>
+        <translation>palabra de centro (I, J, K) que no es un número utilizable ignorada</translation>
+    </message>
+    <message>
+        <source>{letter} word that is no usable number ignored</source>
+        <translation>palabra {letter} que no es un número utilizable ignorada</translation>
+    </message>
+    <message>
+        <source>position beyond a kilometre cut off there</source>
+        <translation>posición más allá de un kilómetro recortada allí</translation>
+    </message>
+    <message>
+        <source>drilling cycle without a depth (Z): no hole</source>
+        <translation>ciclo de taladrado sin profundidad (Z): ningún agujero</translation>
+    </message>
+    <message>
+        <source>drilling cycle without R: it starts where it stands</source>
+        <translation>ciclo de taladrado sin R: empieza donde está</translation>
+    </message>
+    <message>
+        <source>drilling cycle outside the XY plane read as in XY</source>
+        <translation>ciclo de taladrado fuera del plano XY leído como en XY</translation>
+    </message>
+    <message>
+        <source>arc before its start is known ignored</source>
+        <translation>arco cuyo comienzo aún no se conoce ignorado</translation>
+    </message>
+    <message>
+        <source>arc without a usable centre or radius read as a line</source>
+        <translation>arco sin centro ni radio utilizables leído como recta</translation>
+    </message>
+    <message>
+        <source>arc whose end is not on its circle read with a changing radius</source>
+        <translation>arco cuyo final no está en su círculo leído con radio variable</translation>
+    </message>
+    <message>
+        <source>unknown code {code} ignored</source>
+        <translation>código desconocido {code} ignorado</translation>
+    </message>
+    <message>
+        <source>{count} more unknown codes ignored</source>
+        <translation>otros {count} códigos desconocidos ignorados</translation>
+    </message>
+    <message>
+        <source>the arcs and cycles would need {count} moves at a tolerance of {tolerance} mm; use a larger tolerance</source>
+        <translation>los arcos y ciclos necesitarían {count} movimientos con una tolerancia de {tolerance} mm; use una tolerancia mayor</translation>
+    </message>
+    <message>
+        <source>The legacy simulator hangs on an arc {reason} (command {command}{others}): {instead}.</source>
+        <translation>El simulador antiguo se bloquea en un arco {reason} (orden {command}{others}): {instead}.</translation>
+    </message>
+    <message>
+        <source>without an X or Y word</source>
+        <translation>sin palabra X o Y</translation>
+    </message>
+    <message>
+        <source>without a Z word</source>
+        <translation>sin palabra Z</translation>
+    </message>
+    <message>
+        <source>without a centre</source>
+        <translation>sin centro</translation>
+    </message>
+    <message>
+        <source>that is a full circle</source>
+        <translation>que es un círculo completo</translation>
+    </message>
+    <message>
+        <source> and {count} more</source>
+        <translation> y {count} más</translation>
+    </message>
+    <message>
+        <source>use the OpenGL simulator for this operation</source>
+        <translation>use el simulador OpenGL para esta operación</translation>
+    </message>
+    <message>
+        <source>leave this operation out of the simulation</source>
+        <translation>deje esta operación fuera de la simulación</translation>
+    </message>
+    <message>
+        <source>The legacy simulator cuts {count} ramp at a wrong depth, up to {error} mm {way} (command {command}): do not judge depths by it.</source>
+        <translation>El simulador antiguo corta {count} rampa a una profundidad falsa, hasta {error} mm {way} (orden {command}): no juzgue las profundidades por él.</translation>
+    </message>
+    <message>
+        <source>The legacy simulator cuts {count} ramps at a wrong depth, up to {error} mm {way} (command {command}): do not judge depths by it.</source>
+        <translation>El simulador antiguo corta {count} rampas a una profundidad falsa, hasta {error} mm {way} (orden {command}): no juzgue las profundidades por él.</translation>
+    </message>
+    <message>
+        <source>too deep</source>
+        <translation>demasiado hondo</translation>
+    </message>
+    <message>
+        <source>too high</source>
+        <translation>demasiado alto</translation>
+    </message>
+    <message>
+        <source>Playing takes about {longer} in the legacy simulator: fast-forward takes about {time}.</source>
+        <translation>La reproducción dura unos {longer} en el simulador antiguo: el avance rápido dura unos {time}.</translation>
+    </message>
+    <message>
+        <source>Playing takes about {time} in the OpenGL simulator at its fastest: simulate fewer operations at a time.</source>
+        <translation>La reproducción dura unos {time} en el simulador OpenGL a su máxima velocidad: simule menos operaciones a la vez.</translation>
+    </message>
+    <message>
+        <source>{count} moves are shorter than a cell of the legacy simulator ({cell} mm), each takes its time and none is seen by itself: a coarser tolerance of the operation loses nothing there.</source>
+        <translation>{count} movimientos son más cortos que una celda del simulador antiguo ({cell} mm), cada uno lleva su tiempo y ninguno se ve por sí solo: una tolerancia más gruesa de la operación no pierde nada ahí.</translation>
+    </message>
+    <message>
+        <source>The OpenGL simulator takes about {time} for every picture at the end, {share} % of it for arcs: simulate this operation alone.</source>
+        <translation>El simulador OpenGL tarda al final unos {time} por imagen, el {share} % en arcos: simule esta operación sola.</translation>
+    </message>
+    <message>
+        <source>The {simulator} simulator takes about {memory} for this operation, more than the {allowed} allowed: {instead}.</source>
+        <translation>El simulador ({simulator}) ocupa unos {memory} en esta operación, más de los {allowed} permitidos: {instead}.</translation>
+    </message>
+    <message>
+        <source>move its accuracy slider to the left</source>
+        <translation>mueva su control de precisión a la izquierda</translation>
+    </message>
+    <message>
+        <source>simulate fewer operations at a time</source>
+        <translation>simule menos operaciones a la vez</translation>
     </message>
 </context>
 <context>
@@ -566,18 +897,10 @@ time</source>
 tiempo</translation>
     </message>
     <message>
-        <source>Time of FreeCAD&apos;s legacy simulator in fast-forward at its finest accuracy</source>
-        <translation>Tiempo del simulador antiguo de FreeCAD en avance rápido con su precisión más fina</translation>
-    </message>
-    <message>
         <source>Legacy
 memory</source>
         <translation>Antiguo
 memoria</translation>
-    </message>
-    <message>
-        <source>Memory of FreeCAD&apos;s legacy simulator at its finest accuracy</source>
-        <translation>Memoria del simulador antiguo de FreeCAD con su precisión más fina</translation>
     </message>
     <message>
         <source>OpenGL
@@ -606,6 +929,25 @@ memoria</translation>
     <message>
         <source>Remarks</source>
         <translation>Observaciones</translation>
+    </message>
+    <message>
+        <source>Time of FreeCAD&apos;s legacy simulator in fast-forward, at the accuracy that the preferences say</source>
+        <translation>Tiempo del simulador antiguo de FreeCAD en avance rápido, con la precisión de las preferencias</translation>
+    </message>
+    <message>
+        <source>Memory of FreeCAD&apos;s legacy simulator, at the accuracy that the preferences say</source>
+        <translation>Memoria del simulador antiguo de FreeCAD, con la precisión de las preferencias</translation>
+    </message>
+</context>
+<context>
+    <name>Vk_Strategies</name>
+    <message>
+        <source>Colors the toolpaths in the 3D view by their machining strategy, rapid moves grey. The document is not changed.</source>
+        <translation>Colorea las trayectorias en la vista 3D según su estrategia de mecanizado, los movimientos rápidos en gris. El documento no cambia.</translation>
+    </message>
+    <message>
+        <source>Show strategies</source>
+        <translation>Mostrar estrategias</translation>
     </message>
 </context>
 <context>

@@ -63,12 +63,12 @@
         <translation>{trajectories} trajectoires, {length} en coupe</translation>
     </message>
     <message>
-        <source>Simulating it takes {time} and {memory}</source>
-        <translation>Sa simulation prend {time} et {memory}</translation>
-    </message>
-    <message>
         <source>Outdated: toolpath, tool or stock have changed since. Analyze it again.</source>
         <translation>Périmé : le parcours, l&apos;outil ou le brut ont changé depuis. Analysez à nouveau.</translation>
+    </message>
+    <message>
+        <source>Simulating it takes {time} and {memory} ({simulator})</source>
+        <translation>Sa simulation prend {time} et {memory} ({simulator})</translation>
     </message>
 </context>
 <context>
@@ -76,6 +76,337 @@
     <message>
         <source>Toolpath Analysis</source>
         <translation>Analyse des parcours d&apos;outil</translation>
+    </message>
+</context>
+<context>
+    <name>Sentences</name>
+    <message>
+        <source>{sentence} only for {share} of the length: {strategy}</source>
+        <translation>{sentence}, mais seulement sur {share} de la longueur : {strategy}</translation>
+    </message>
+    <message>
+        <source>phi stays between {low} and {high} turns over {count} rows{more}, {seen}: {strategy}</source>
+        <translation>φ reste entre {low} et {high} tours sur {count} lignes{more}, {seen} : {strategy}</translation>
+    </message>
+    <message>
+        <source>phi stays between {low} and {high} turns over {count} open strokes{more}, {seen}: {strategy}</source>
+        <translation>φ reste entre {low} et {high} tours sur {count} traits ouverts{more}, {seen} : {strategy}</translation>
+    </message>
+    <message>
+        <source>phi reaches {high} turns over {count} loops{more}, {seen}: {strategy}{turning}</source>
+        <translation>φ atteint {high} tours sur {count} boucles{more}, {seen} : {strategy}{turning}</translation>
+    </message>
+    <message>
+        <source>phi lies between {low} and {high} turns, {seen}: {strategy}</source>
+        <translation>φ est entre {low} et {high} tours, {seen} : {strategy}</translation>
+    </message>
+    <message>
+        <source>phi has no direction to turn, the moves are vertical at {count} points: {strategy}</source>
+        <translation>φ n&apos;a pas de direction, les mouvements sont verticaux en {count} points : {strategy}</translation>
+    </message>
+    <message>
+        <source>{count} sections parted by tool changes, titles or drilling show {strategies}: {strategy}</source>
+        <translation>{count} sections séparées par des changements d&apos;outil, des titres ou des perçages montrent {strategies} : {strategy}</translation>
+    </message>
+    <message>
+        <source>nothing cuts: there are only rapid moves</source>
+        <translation>rien ne coupe : il n&apos;y a que des déplacements rapides</translation>
+    </message>
+    <message>
+        <source>nothing cuts: there are no moves</source>
+        <translation>rien ne coupe : il n&apos;y a aucun mouvement</translation>
+    </message>
+    <message>
+        <source>some</source>
+        <translation>quelques</translation>
+    </message>
+    <message>
+        <source>, {step} mm apart at {depths} depths</source>
+        <translation> espacées de {step} mm à {depths} profondeurs</translation>
+    </message>
+    <message>
+        <source>, {step} mm apart</source>
+        <translation> espacées de {step} mm</translation>
+    </message>
+    <message>
+        <source> at {depths} depths</source>
+        <translation> à {depths} profondeurs</translation>
+    </message>
+    <message>
+        <source>, counter-clockwise</source>
+        <translation>, sens antihoraire</translation>
+    </message>
+    <message>
+        <source>, clockwise</source>
+        <translation>, sens horaire</translation>
+    </message>
+    <message>
+        <source>{count} bites of one sense overlap</source>
+        <translation>{count} morsures de même sens se recouvrent</translation>
+    </message>
+    <message>
+        <source>rows ({rows} of the length) and loops ({loops}) share the area</source>
+        <translation>des lignes ({rows} de la longueur) et des boucles ({loops}) se partagent la surface</translation>
+    </message>
+    <message>
+        <source>descending at a constant radius</source>
+        <translation>descendant à rayon constant</translation>
+    </message>
+    <message>
+        <source>the sense of nested loops alternates</source>
+        <translation>le sens des boucles emboîtées alterne</translation>
+    </message>
+    <message>
+        <source>evenly spaced in the plane, not in depth</source>
+        <translation>régulièrement espacées dans le plan, pas en profondeur</translation>
+    </message>
+    <message>
+        <source>whose shape changes with the depth</source>
+        <translation>dont la forme change avec la profondeur</translation>
+    </message>
+    <message>
+        <source>a winding with a helical entry or bites out of the corners</source>
+        <translation>un enroulement avec entrée hélicoïdale ou morsures dans les coins</translation>
+    </message>
+    <message>
+        <source>one winding that never closes</source>
+        <translation>un enroulement qui ne se ferme jamais</translation>
+    </message>
+    <message>
+        <source>nested</source>
+        <translation>emboîtées</translation>
+    </message>
+    <message>
+        <source>small loops move along</source>
+        <translation>de petites boucles avancent</translation>
+    </message>
+    <message>
+        <source>an open pass lies inside a contour</source>
+        <translation>une passe ouverte se trouve dans un contour</translation>
+    </message>
+    <message>
+        <source>side by side or repeated</source>
+        <translation>côte à côte ou répétées</translation>
+    </message>
+    <message>
+        <source>half-turns alternate in sign</source>
+        <translation>les demi-tours alternent de signe</translation>
+    </message>
+    <message>
+        <source>all rows run the same way</source>
+        <translation>toutes les lignes vont dans le même sens</translation>
+    </message>
+    <message>
+        <source>open contours change with the depth</source>
+        <translation>des contours ouverts changent avec la profondeur</translation>
+    </message>
+    <message>
+        <source>an open contour comes again at other depths</source>
+        <translation>un contour ouvert revient à d&apos;autres profondeurs</translation>
+    </message>
+    <message>
+        <source>open strokes as long as the part</source>
+        <translation>des traits ouverts aussi longs que la pièce</translation>
+    </message>
+    <message>
+        <source>short strokes that fill nothing</source>
+        <translation>des traits courts qui ne remplissent rien</translation>
+    </message>
+    <message>
+        <source>no cutting move in its toolpath</source>
+        <translation>aucun mouvement de coupe dans son parcours</translation>
+    </message>
+    <message>
+        <source>inactive: switch it on and recompute it</source>
+        <translation>inactive : activez-la et recalculez-la</translation>
+    </message>
+    <message>
+        <source>no toolpath: recompute the operation and see FreeCAD&apos;s report view</source>
+        <translation>pas de parcours : recalculez l&apos;opération et consultez la vue rapport de FreeCAD</translation>
+    </message>
+    <message>
+        <source>no tool: give the operation a tool controller</source>
+        <translation>pas d&apos;outil : donnez à l&apos;opération un contrôleur d&apos;outil</translation>
+    </message>
+    <message>
+        <source>no tool in {label}: choose a tool bit for it</source>
+        <translation>pas d&apos;outil dans {label} : choisissez-lui un outil</translation>
+    </message>
+    <message>
+        <source>the tool in {label} has no diameter</source>
+        <translation>l&apos;outil dans {label} n&apos;a pas de diamètre</translation>
+    </message>
+    <message>
+        <source>{label}: the tool&apos;s diameter must be a positive number, not {diameter} mm</source>
+        <translation>{label} : le diamètre de l&apos;outil doit être positif, pas {diameter} mm</translation>
+    </message>
+    <message>
+        <source>{label}: the corner radius must lie between 0 and {radius} mm, not be {corner} mm</source>
+        <translation>{label} : le rayon de coin doit être entre 0 et {radius} mm, pas {corner} mm</translation>
+    </message>
+    <message>
+        <source>{label}: the tip angle must lie between 0 and pi, not be {angle}</source>
+        <translation>{label} : l&apos;angle de pointe doit être entre 0 et π, pas {angle}</translation>
+    </message>
+    <message>
+        <source>no stock: put the toolpath into a job</source>
+        <translation>pas de brut : mettez le parcours dans une tâche</translation>
+    </message>
+    <message>
+        <source>no stock: give {label} a stock</source>
+        <translation>pas de brut : donnez un brut à {label}</translation>
+    </message>
+    <message>
+        <source>{label}: the stock has no volume: its upper corner must exceed its lower corner in x, y and z</source>
+        <translation>{label} : le brut n&apos;a pas de volume : son coin supérieur doit dépasser l&apos;inférieur en x, y et z</translation>
+    </message>
+    <message>
+        <source>{label}: the stock&apos;s corners must be finite numbers</source>
+        <translation>{label} : les coins du brut doivent être des nombres finis</translation>
+    </message>
+    <message>
+        <source>cost unknown for {labels}</source>
+        <translation>coût inconnu pour {labels}</translation>
+    </message>
+    <message>
+        <source>{sentence} (command {command})</source>
+        <translation>{sentence} (commande {command})</translation>
+    </message>
+    <message>
+        <source>{sentence} ({count} times, first at command {command})</source>
+        <translation>{sentence} ({count} fois, d&apos;abord à la commande {command})</translation>
+    </message>
+    <message>
+        <source>words without a motion before them ignored</source>
+        <translation>mots sans mouvement avant eux ignorés</translation>
+    </message>
+    <message>
+        <source>feed rate that is no usable number ignored</source>
+        <translation>avance qui n&apos;est pas un nombre utilisable ignorée</translation>
+    </message>
+    <message>
+        <source>centre word (I, J, K) that is no usable number ignored</source>
+        <translation>mot de centre (I, J, K) qui n&apos;est pas un nombre utilisable ignoré</translation>
+    </message>
+    <message>
+        <source>{letter} word that is no usable number ignored</source>
+        <translation>mot {letter} qui n&apos;est pas un nombre utilisable ignoré</translation>
+    </message>
+    <message>
+        <source>position beyond a kilometre cut off there</source>
+        <translation>position au-delà d&apos;un kilomètre tronquée</translation>
+    </message>
+    <message>
+        <source>drilling cycle without a depth (Z): no hole</source>
+        <translation>cycle de perçage sans profondeur (Z) : pas de trou</translation>
+    </message>
+    <message>
+        <source>drilling cycle without R: it starts where it stands</source>
+        <translation>cycle de perçage sans R : il commence là où il est</translation>
+    </message>
+    <message>
+        <source>drilling cycle outside the XY plane read as in XY</source>
+        <translation>cycle de perçage hors du plan XY lu comme dans XY</translation>
+    </message>
+    <message>
+        <source>arc before its start is known ignored</source>
+        <translation>arc dont le début n&apos;est pas encore connu ignoré</translation>
+    </message>
+    <message>
+        <source>arc without a usable centre or radius read as a line</source>
+        <translation>arc sans centre ni rayon utilisables lu comme une droite</translation>
+    </message>
+    <message>
+        <source>arc whose end is not on its circle read with a changing radius</source>
+        <translation>arc dont la fin n&apos;est pas sur son cercle lu avec un rayon variable</translation>
+    </message>
+    <message>
+        <source>unknown code {code} ignored</source>
+        <translation>code inconnu {code} ignoré</translation>
+    </message>
+    <message>
+        <source>{count} more unknown codes ignored</source>
+        <translation>{count} autres codes inconnus ignorés</translation>
+    </message>
+    <message>
+        <source>the arcs and cycles would need {count} moves at a tolerance of {tolerance} mm; use a larger tolerance</source>
+        <translation>les arcs et cycles demanderaient {count} mouvements à une tolérance de {tolerance} mm ; choisissez une tolérance plus grande</translation>
+    </message>
+    <message>
+        <source>The legacy simulator hangs on an arc {reason} (command {command}{others}): {instead}.</source>
+        <translation>L&apos;ancien simulateur se bloque sur un arc {reason} (commande {command}{others}) : {instead}.</translation>
+    </message>
+    <message>
+        <source>without an X or Y word</source>
+        <translation>sans mot X ou Y</translation>
+    </message>
+    <message>
+        <source>without a Z word</source>
+        <translation>sans mot Z</translation>
+    </message>
+    <message>
+        <source>without a centre</source>
+        <translation>sans centre</translation>
+    </message>
+    <message>
+        <source>that is a full circle</source>
+        <translation>qui est un cercle complet</translation>
+    </message>
+    <message>
+        <source> and {count} more</source>
+        <translation> et {count} autres</translation>
+    </message>
+    <message>
+        <source>use the OpenGL simulator for this operation</source>
+        <translation>utilisez le simulateur OpenGL pour cette opération</translation>
+    </message>
+    <message>
+        <source>leave this operation out of the simulation</source>
+        <translation>laissez cette opération hors de la simulation</translation>
+    </message>
+    <message>
+        <source>The legacy simulator cuts {count} ramp at a wrong depth, up to {error} mm {way} (command {command}): do not judge depths by it.</source>
+        <translation>L&apos;ancien simulateur usine {count} rampe à une profondeur fausse, jusqu&apos;à {error} mm {way} (commande {command}) : ne jugez pas les profondeurs d&apos;après lui.</translation>
+    </message>
+    <message>
+        <source>The legacy simulator cuts {count} ramps at a wrong depth, up to {error} mm {way} (command {command}): do not judge depths by it.</source>
+        <translation>L&apos;ancien simulateur usine {count} rampes à une profondeur fausse, jusqu&apos;à {error} mm {way} (commande {command}) : ne jugez pas les profondeurs d&apos;après lui.</translation>
+    </message>
+    <message>
+        <source>too deep</source>
+        <translation>trop bas</translation>
+    </message>
+    <message>
+        <source>too high</source>
+        <translation>trop haut</translation>
+    </message>
+    <message>
+        <source>Playing takes about {longer} in the legacy simulator: fast-forward takes about {time}.</source>
+        <translation>La lecture prend environ {longer} dans l&apos;ancien simulateur : l&apos;avance rapide prend environ {time}.</translation>
+    </message>
+    <message>
+        <source>Playing takes about {time} in the OpenGL simulator at its fastest: simulate fewer operations at a time.</source>
+        <translation>La lecture prend environ {time} dans le simulateur OpenGL au plus vite : simulez moins d&apos;opérations à la fois.</translation>
+    </message>
+    <message>
+        <source>{count} moves are shorter than a cell of the legacy simulator ({cell} mm), each takes its time and none is seen by itself: a coarser tolerance of the operation loses nothing there.</source>
+        <translation>{count} mouvements sont plus courts qu&apos;une cellule de l&apos;ancien simulateur ({cell} mm), chacun prend du temps et aucun ne se voit seul : une tolérance plus grossière de l&apos;opération n&apos;y perd rien.</translation>
+    </message>
+    <message>
+        <source>The OpenGL simulator takes about {time} for every picture at the end, {share} % of it for arcs: simulate this operation alone.</source>
+        <translation>Le simulateur OpenGL prend à la fin environ {time} par image, dont {share} % pour les arcs : simulez cette opération seule.</translation>
+    </message>
+    <message>
+        <source>The {simulator} simulator takes about {memory} for this operation, more than the {allowed} allowed: {instead}.</source>
+        <translation>Le simulateur ({simulator}) prend environ {memory} pour cette opération, plus que les {allowed} permis : {instead}.</translation>
+    </message>
+    <message>
+        <source>move its accuracy slider to the left</source>
+        <translation>déplacez son curseur de précision vers la gauche</translation>
+    </message>
+    <message>
+        <source>simulate fewer operations at a time</source>
+        <translation>simulez moins d&apos;opérations à la fois</translation>
     </message>
 </context>
 <context>
@@ -566,18 +897,10 @@ time</source>
 temps</translation>
     </message>
     <message>
-        <source>Time of FreeCAD&apos;s legacy simulator in fast-forward at its finest accuracy</source>
-        <translation>Temps de l&apos;ancien simulateur de FreeCAD en avance rapide, à sa précision la plus fine</translation>
-    </message>
-    <message>
         <source>Legacy
 memory</source>
         <translation>Ancien sim.
 mémoire</translation>
-    </message>
-    <message>
-        <source>Memory of FreeCAD&apos;s legacy simulator at its finest accuracy</source>
-        <translation>Mémoire de l&apos;ancien simulateur de FreeCAD, à sa précision la plus fine</translation>
     </message>
     <message>
         <source>OpenGL
@@ -606,6 +929,25 @@ mémoire</translation>
     <message>
         <source>Remarks</source>
         <translation>Remarques</translation>
+    </message>
+    <message>
+        <source>Time of FreeCAD&apos;s legacy simulator in fast-forward, at the accuracy that the preferences say</source>
+        <translation>Temps de l&apos;ancien simulateur de FreeCAD en avance rapide, à la précision des préférences</translation>
+    </message>
+    <message>
+        <source>Memory of FreeCAD&apos;s legacy simulator, at the accuracy that the preferences say</source>
+        <translation>Mémoire de l&apos;ancien simulateur de FreeCAD, à la précision des préférences</translation>
+    </message>
+</context>
+<context>
+    <name>Vk_Strategies</name>
+    <message>
+        <source>Colors the toolpaths in the 3D view by their machining strategy, rapid moves grey. The document is not changed.</source>
+        <translation>Colore les parcours d&apos;outil dans la vue 3D selon leur stratégie d&apos;usinage, les déplacements rapides en gris. Le document n&apos;est pas modifié.</translation>
+    </message>
+    <message>
+        <source>Show strategies</source>
+        <translation>Montrer les stratégies</translation>
     </message>
 </context>
 <context>

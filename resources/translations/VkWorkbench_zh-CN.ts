@@ -63,12 +63,12 @@
         <translation>{trajectories} 段轨迹，切削 {length}</translation>
     </message>
     <message>
-        <source>Simulating it takes {time} and {memory}</source>
-        <translation>模拟需要 {time} 和 {memory}</translation>
-    </message>
-    <message>
         <source>Outdated: toolpath, tool or stock have changed since. Analyze it again.</source>
         <translation>已过期：刀具路径、刀具或毛坯此后已更改。请重新分析。</translation>
+    </message>
+    <message>
+        <source>Simulating it takes {time} and {memory} ({simulator})</source>
+        <translation>模拟需要 {time} 和 {memory}（{simulator}）</translation>
     </message>
 </context>
 <context>
@@ -76,6 +76,337 @@
     <message>
         <source>Toolpath Analysis</source>
         <translation>刀具路径分析</translation>
+    </message>
+</context>
+<context>
+    <name>Sentences</name>
+    <message>
+        <source>{sentence} only for {share} of the length: {strategy}</source>
+        <translation>{sentence}，但仅占长度的 {share}：{strategy}</translation>
+    </message>
+    <message>
+        <source>phi stays between {low} and {high} turns over {count} rows{more}, {seen}: {strategy}</source>
+        <translation>φ 在 {count} 行{more}中保持在 {low} 与 {high} 圈之间，{seen}：{strategy}</translation>
+    </message>
+    <message>
+        <source>phi stays between {low} and {high} turns over {count} open strokes{more}, {seen}: {strategy}</source>
+        <translation>φ 在 {count} 段开放笔画{more}中保持在 {low} 与 {high} 圈之间，{seen}：{strategy}</translation>
+    </message>
+    <message>
+        <source>phi reaches {high} turns over {count} loops{more}, {seen}: {strategy}{turning}</source>
+        <translation>φ 在 {count} 个环{more}中达到 {high} 圈，{seen}：{strategy}{turning}</translation>
+    </message>
+    <message>
+        <source>phi lies between {low} and {high} turns, {seen}: {strategy}</source>
+        <translation>φ 在 {low} 与 {high} 圈之间，{seen}：{strategy}</translation>
+    </message>
+    <message>
+        <source>phi has no direction to turn, the moves are vertical at {count} points: {strategy}</source>
+        <translation>φ 没有方向可转，移动在 {count} 个点上竖直：{strategy}</translation>
+    </message>
+    <message>
+        <source>{count} sections parted by tool changes, titles or drilling show {strategies}: {strategy}</source>
+        <translation>由换刀、标题或钻孔分开的 {count} 段显示 {strategies}：{strategy}</translation>
+    </message>
+    <message>
+        <source>nothing cuts: there are only rapid moves</source>
+        <translation>没有切削：只有快速移动</translation>
+    </message>
+    <message>
+        <source>nothing cuts: there are no moves</source>
+        <translation>没有切削：没有移动</translation>
+    </message>
+    <message>
+        <source>some</source>
+        <translation>若干</translation>
+    </message>
+    <message>
+        <source>, {step} mm apart at {depths} depths</source>
+        <translation>（间距 {step} mm，{depths} 个深度）</translation>
+    </message>
+    <message>
+        <source>, {step} mm apart</source>
+        <translation>（间距 {step} mm）</translation>
+    </message>
+    <message>
+        <source> at {depths} depths</source>
+        <translation>（{depths} 个深度）</translation>
+    </message>
+    <message>
+        <source>, counter-clockwise</source>
+        <translation>，逆时针</translation>
+    </message>
+    <message>
+        <source>, clockwise</source>
+        <translation>，顺时针</translation>
+    </message>
+    <message>
+        <source>{count} bites of one sense overlap</source>
+        <translation>{count} 次同向切入相互重叠</translation>
+    </message>
+    <message>
+        <source>rows ({rows} of the length) and loops ({loops}) share the area</source>
+        <translation>行（占长度 {rows}）与环（{loops}）共享区域</translation>
+    </message>
+    <message>
+        <source>descending at a constant radius</source>
+        <translation>以固定半径下降</translation>
+    </message>
+    <message>
+        <source>the sense of nested loops alternates</source>
+        <translation>嵌套环的方向交替</translation>
+    </message>
+    <message>
+        <source>evenly spaced in the plane, not in depth</source>
+        <translation>在平面内间隔均匀，深度上则不然</translation>
+    </message>
+    <message>
+        <source>whose shape changes with the depth</source>
+        <translation>形状随深度变化</translation>
+    </message>
+    <message>
+        <source>a winding with a helical entry or bites out of the corners</source>
+        <translation>带螺旋切入或角部切入的卷绕</translation>
+    </message>
+    <message>
+        <source>one winding that never closes</source>
+        <translation>一条从不闭合的卷绕</translation>
+    </message>
+    <message>
+        <source>nested</source>
+        <translation>嵌套</translation>
+    </message>
+    <message>
+        <source>small loops move along</source>
+        <translation>小环逐步前移</translation>
+    </message>
+    <message>
+        <source>an open pass lies inside a contour</source>
+        <translation>轮廓内有一条开放走刀</translation>
+    </message>
+    <message>
+        <source>side by side or repeated</source>
+        <translation>并列或重复</translation>
+    </message>
+    <message>
+        <source>half-turns alternate in sign</source>
+        <translation>半圈转向正负交替</translation>
+    </message>
+    <message>
+        <source>all rows run the same way</source>
+        <translation>所有行方向相同</translation>
+    </message>
+    <message>
+        <source>open contours change with the depth</source>
+        <translation>开放轮廓随深度变化</translation>
+    </message>
+    <message>
+        <source>an open contour comes again at other depths</source>
+        <translation>开放轮廓在其他深度重复</translation>
+    </message>
+    <message>
+        <source>open strokes as long as the part</source>
+        <translation>开放笔画与工件等长</translation>
+    </message>
+    <message>
+        <source>short strokes that fill nothing</source>
+        <translation>不填充任何区域的短笔画</translation>
+    </message>
+    <message>
+        <source>no cutting move in its toolpath</source>
+        <translation>其刀具路径中没有切削移动</translation>
+    </message>
+    <message>
+        <source>inactive: switch it on and recompute it</source>
+        <translation>未启用：请启用并重新计算</translation>
+    </message>
+    <message>
+        <source>no toolpath: recompute the operation and see FreeCAD&apos;s report view</source>
+        <translation>没有刀具路径：请重新计算操作并查看 FreeCAD 的报告视图</translation>
+    </message>
+    <message>
+        <source>no tool: give the operation a tool controller</source>
+        <translation>没有刀具：请为操作指定刀具控制器</translation>
+    </message>
+    <message>
+        <source>no tool in {label}: choose a tool bit for it</source>
+        <translation>{label} 中没有刀具：请为其选择刀具</translation>
+    </message>
+    <message>
+        <source>the tool in {label} has no diameter</source>
+        <translation>{label} 中的刀具没有直径</translation>
+    </message>
+    <message>
+        <source>{label}: the tool&apos;s diameter must be a positive number, not {diameter} mm</source>
+        <translation>{label}：刀具直径必须为正数，而不是 {diameter} mm</translation>
+    </message>
+    <message>
+        <source>{label}: the corner radius must lie between 0 and {radius} mm, not be {corner} mm</source>
+        <translation>{label}：圆角半径必须在 0 与 {radius} mm 之间，而不是 {corner} mm</translation>
+    </message>
+    <message>
+        <source>{label}: the tip angle must lie between 0 and pi, not be {angle}</source>
+        <translation>{label}：刀尖角必须在 0 与 π 之间，而不是 {angle}</translation>
+    </message>
+    <message>
+        <source>no stock: put the toolpath into a job</source>
+        <translation>没有毛坯：请将刀具路径放入作业</translation>
+    </message>
+    <message>
+        <source>no stock: give {label} a stock</source>
+        <translation>没有毛坯：请为 {label} 指定毛坯</translation>
+    </message>
+    <message>
+        <source>{label}: the stock has no volume: its upper corner must exceed its lower corner in x, y and z</source>
+        <translation>{label}：毛坯没有体积：其上角点在 x、y、z 上必须大于下角点</translation>
+    </message>
+    <message>
+        <source>{label}: the stock&apos;s corners must be finite numbers</source>
+        <translation>{label}：毛坯的角点必须是有限数</translation>
+    </message>
+    <message>
+        <source>cost unknown for {labels}</source>
+        <translation>{labels} 的开销未知</translation>
+    </message>
+    <message>
+        <source>{sentence} (command {command})</source>
+        <translation>{sentence}（命令 {command}）</translation>
+    </message>
+    <message>
+        <source>{sentence} ({count} times, first at command {command})</source>
+        <translation>{sentence}（{count} 次，首次在命令 {command}）</translation>
+    </message>
+    <message>
+        <source>words without a motion before them ignored</source>
+        <translation>忽略了之前没有运动指令的字</translation>
+    </message>
+    <message>
+        <source>feed rate that is no usable number ignored</source>
+        <translation>忽略了无效的进给速度</translation>
+    </message>
+    <message>
+        <source>centre word (I, J, K) that is no usable number ignored</source>
+        <translation>忽略了无效的圆心字 (I, J, K)</translation>
+    </message>
+    <message>
+        <source>{letter} word that is no usable number ignored</source>
+        <translation>忽略了无效的 {letter} 字</translation>
+    </message>
+    <message>
+        <source>position beyond a kilometre cut off there</source>
+        <translation>超过一公里的位置已截断</translation>
+    </message>
+    <message>
+        <source>drilling cycle without a depth (Z): no hole</source>
+        <translation>钻孔循环没有深度 (Z)：不成孔</translation>
+    </message>
+    <message>
+        <source>drilling cycle without R: it starts where it stands</source>
+        <translation>钻孔循环没有 R：从当前位置开始</translation>
+    </message>
+    <message>
+        <source>drilling cycle outside the XY plane read as in XY</source>
+        <translation>XY 平面之外的钻孔循环按 XY 处理</translation>
+    </message>
+    <message>
+        <source>arc before its start is known ignored</source>
+        <translation>忽略了起点未知的圆弧</translation>
+    </message>
+    <message>
+        <source>arc without a usable centre or radius read as a line</source>
+        <translation>没有有效圆心或半径的圆弧按直线处理</translation>
+    </message>
+    <message>
+        <source>arc whose end is not on its circle read with a changing radius</source>
+        <translation>终点不在圆上的圆弧按变半径处理</translation>
+    </message>
+    <message>
+        <source>unknown code {code} ignored</source>
+        <translation>忽略了未知代码 {code}</translation>
+    </message>
+    <message>
+        <source>{count} more unknown codes ignored</source>
+        <translation>另忽略了 {count} 个未知代码</translation>
+    </message>
+    <message>
+        <source>the arcs and cycles would need {count} moves at a tolerance of {tolerance} mm; use a larger tolerance</source>
+        <translation>公差为 {tolerance} mm 时圆弧和循环需要 {count} 次移动；请使用更大的公差</translation>
+    </message>
+    <message>
+        <source>The legacy simulator hangs on an arc {reason} (command {command}{others}): {instead}.</source>
+        <translation>旧版模拟器会卡在{reason}的圆弧上（命令 {command}{others}）：{instead}。</translation>
+    </message>
+    <message>
+        <source>without an X or Y word</source>
+        <translation>没有 X 或 Y 字</translation>
+    </message>
+    <message>
+        <source>without a Z word</source>
+        <translation>没有 Z 字</translation>
+    </message>
+    <message>
+        <source>without a centre</source>
+        <translation>没有圆心</translation>
+    </message>
+    <message>
+        <source>that is a full circle</source>
+        <translation>是整圆</translation>
+    </message>
+    <message>
+        <source> and {count} more</source>
+        <translation>及另外 {count} 处</translation>
+    </message>
+    <message>
+        <source>use the OpenGL simulator for this operation</source>
+        <translation>请对此操作使用 OpenGL 模拟器</translation>
+    </message>
+    <message>
+        <source>leave this operation out of the simulation</source>
+        <translation>模拟时请略去此操作</translation>
+    </message>
+    <message>
+        <source>The legacy simulator cuts {count} ramp at a wrong depth, up to {error} mm {way} (command {command}): do not judge depths by it.</source>
+        <translation>旧版模拟器以错误深度切削 {count} 处斜坡，最多 {error} mm {way}（命令 {command}）：不要据此判断深度。</translation>
+    </message>
+    <message>
+        <source>The legacy simulator cuts {count} ramps at a wrong depth, up to {error} mm {way} (command {command}): do not judge depths by it.</source>
+        <translation>旧版模拟器以错误深度切削 {count} 处斜坡，最多 {error} mm {way}（命令 {command}）：不要据此判断深度。</translation>
+    </message>
+    <message>
+        <source>too deep</source>
+        <translation>过深</translation>
+    </message>
+    <message>
+        <source>too high</source>
+        <translation>过高</translation>
+    </message>
+    <message>
+        <source>Playing takes about {longer} in the legacy simulator: fast-forward takes about {time}.</source>
+        <translation>在旧版模拟器中播放约需 {longer}：快进约需 {time}。</translation>
+    </message>
+    <message>
+        <source>Playing takes about {time} in the OpenGL simulator at its fastest: simulate fewer operations at a time.</source>
+        <translation>在 OpenGL 模拟器中以最快速度播放约需 {time}：请一次模拟较少的操作。</translation>
+    </message>
+    <message>
+        <source>{count} moves are shorter than a cell of the legacy simulator ({cell} mm), each takes its time and none is seen by itself: a coarser tolerance of the operation loses nothing there.</source>
+        <translation>{count} 次移动短于旧版模拟器的一个单元（{cell} mm），每次都耗时却无法单独看出：对操作使用更粗的公差在此毫无损失。</translation>
+    </message>
+    <message>
+        <source>The OpenGL simulator takes about {time} for every picture at the end, {share} % of it for arcs: simulate this operation alone.</source>
+        <translation>OpenGL 模拟器最后每幅画面约需 {time}，其中 {share} % 用于圆弧：请单独模拟此操作。</translation>
+    </message>
+    <message>
+        <source>The {simulator} simulator takes about {memory} for this operation, more than the {allowed} allowed: {instead}.</source>
+        <translation>模拟器（{simulator}）此操作约需 {memory}，超过允许的 {allowed}：{instead}。</translation>
+    </message>
+    <message>
+        <source>move its accuracy slider to the left</source>
+        <translation>请将其精度滑块左移</translation>
+    </message>
+    <message>
+        <source>simulate fewer operations at a time</source>
+        <translation>请一次模拟较少的操作</translation>
     </message>
 </context>
 <context>
@@ -566,18 +897,10 @@ time</source>
 时间</translation>
     </message>
     <message>
-        <source>Time of FreeCAD&apos;s legacy simulator in fast-forward at its finest accuracy</source>
-        <translation>FreeCAD 旧版模拟器以最高精度快进所需的时间</translation>
-    </message>
-    <message>
         <source>Legacy
 memory</source>
         <translation>旧版
 内存</translation>
-    </message>
-    <message>
-        <source>Memory of FreeCAD&apos;s legacy simulator at its finest accuracy</source>
-        <translation>FreeCAD 旧版模拟器在最高精度下的内存</translation>
     </message>
     <message>
         <source>OpenGL
@@ -606,6 +929,25 @@ memory</source>
     <message>
         <source>Remarks</source>
         <translation>备注</translation>
+    </message>
+    <message>
+        <source>Time of FreeCAD&apos;s legacy simulator in fast-forward, at the accuracy that the preferences say</source>
+        <translation>FreeCAD 旧版模拟器以首选项中的精度快进所需的时间</translation>
+    </message>
+    <message>
+        <source>Memory of FreeCAD&apos;s legacy simulator, at the accuracy that the preferences say</source>
+        <translation>FreeCAD 旧版模拟器在首选项精度下的内存</translation>
+    </message>
+</context>
+<context>
+    <name>Vk_Strategies</name>
+    <message>
+        <source>Colors the toolpaths in the 3D view by their machining strategy, rapid moves grey. The document is not changed.</source>
+        <translation>在三维视图中按加工策略为刀具路径着色，快速移动为灰色。文档不会更改。</translation>
+    </message>
+    <message>
+        <source>Show strategies</source>
+        <translation>显示策略</translation>
     </message>
 </context>
 <context>

@@ -183,7 +183,8 @@ class GaussCanvas(FigureCanvasQTAgg):
         arrivals = signature.reversals + 1
         if len(arrivals):
             arrivals = arrivals[np.linspace(0, len(arrivals) - 1, min(len(arrivals), _MARKERS)).astype(int)]
-            axes.plot(k[arrivals], signature.phi[arrivals], "x", color=self._text, markersize=5, label=r"$\Delta\varphi=\pm\pi$")
+            style = {"color": self._text, "markersize": 5, "label": r"$\Delta\varphi=\pm\pi$"}
+            axes.plot(k[arrivals], signature.phi[arrivals], "x", **style)
         for turns, style in ((1, ":"), (2, "--")):
             for sign in (1, -1):
                 axes.axhline(sign * turns * np.pi, color=self._text, linewidth=0.8, linestyle=style)

@@ -19,7 +19,9 @@ from vkworkbench.gui.qt import (
     QApplication, QComboBox, QDockWidget, QFileDialog, QHBoxLayout, QLabel, QMessageBox, QPalette, QPushButton, QSlider,
     QSpinBox, Qt, QTimer, QVBoxLayout, QWidget,
 )  # fmt: skip
+from vkworkbench.gui.sentences import in_user_language
 from vkworkbench.gui.text import translate
+from vkworkbench.gui.units import length
 
 _LISTED = 50  # areas in the chooser, the longest ones
 _NOT_IN_NAMES = '\\/:*?"<>|'
@@ -117,7 +119,7 @@ class GaussMapDock(QDockWidget):
         try:
             areas = Areas(placed(linearize(obj.Path.Commands, tolerance=preferences.read().tolerance), obj.Placement))
         except ValueError as error:
-            self._say(f"{obj.Label}: {error}")
+            self._say(f"{obj.Label}: {in_user_language(str(error))}")
             return
         if not len(areas):
             self._say(translate("Vk_GaussMap", "{}: no cutting move has a direction in the plane").format(obj.Label))
@@ -129,7 +131,7 @@ class GaussMapDock(QDockWidget):
         for area in areas.by_length[:_LISTED]:
             count = int(areas.end[area] - areas.first[area])
             text = translate("Vk_GaussMap", "Area {}: {} trajectories, {}")
-            self.chooser.addItem(text.format(area + 1, f"{count:,}", _length(areas.length[area])), int(area))
+            self.chooser.addItem(text.format(area + 1, f"{count:,}", length(areas.length[area])), int(area))
         self.chooser.blockSignals(False)
         self._show_area(0)
 
@@ -147,8 +149,8 @@ class GaussMapDock(QDockWidget):
                 _in_pi(signature.total_turning)))  # fmt: skip
         notes = []
         if canvas.drawn < canvas.points:
-            notes.append(translate("Vk_GaussMap", "Toolpath drawn with {} of {} points: the others fall on the same pixels.")
-                         .format(f"{canvas.drawn:,}", f"{canvas.points:,}"))  # fmt: skip
+            text = translate("Vk_GaussMap", "Toolpath drawn with {} of {} points: the others fall on the same pixels.")
+            notes.append(text.format(f"{canvas.drawn:,}", f"{canvas.points:,}"))
         if len(signature) > TRAIL:
             notes.append(translate("Vk_GaussMap", "Gauss map of the last {} trajectories up to k.").format(f"{TRAIL:,}"))
         self.legend.setText(_legend() + "".join(f"<br>{note}" for note in notes))
@@ -168,7 +170,7 @@ class GaussMapDock(QDockWidget):
         self.values.setText(
             f"k = {k:,} / {len(signature):,}   α = {math.degrees(signature.alpha[k - 1]):.1f}°   "
             f"φ = {_in_pi(signature.phi[k - 1])}   θ = {math.degrees(signature.theta[k - 1]):.1f}°   "
-            f"|V| = {_length(signature.length[k - 1])}   n = {signature.level[k - 1]}"
+            f"|V| = {length(signature.length[k - 1])}   n = {signature.level[k - 1]}"
         )
 
     def _ready_canvas(self) -> GaussCanvas:
@@ -241,7 +243,3 @@ def _legend() -> str:
 
 def _in_pi(angle: float) -> str:
     return f"{angle / math.pi:.2f}π".replace("-", "−")
-
-
-def _length(millimetres: float) -> str:
-    return FreeCAD.Units.Quantity(float(millimetres), FreeCAD.Units.Length).UserString

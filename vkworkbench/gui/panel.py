@@ -16,6 +16,7 @@ from vkworkbench.gui.qt import (
     QAbstractItemView, QApplication, QDockWidget, QFileDialog, QHBoxLayout, QHeaderView, QItemSelectionModel, QLabel,
     QMessageBox, QPushButton, QTableView, QTimer, QVBoxLayout, QWidget, Qt,
 )  # fmt: skip
+from vkworkbench.gui.sentences import in_user_language
 from vkworkbench.gui.text import translate
 from vkworkbench.report import Report, Total, plain_text
 
@@ -210,4 +211,4 @@ def _in_words(row: Row) -> str:
     if isinstance(row.found, Total):
         return f"<b>{escape(row.label)}</b>{remarks}"
     strategy = strategy_name(row.found.strategy)
-    return f"<b>{escape(row.label)}, {escape(strategy)}</b>: {escape(row.found.reason)}{remarks}"
+    return f"<b>{escape(row.label)}, {escape(strategy)}</b>: {escape(in_user_language(row.found.reason))}{remarks}"

@@ -16,7 +16,9 @@ from vkworkbench.document.intent import contradicted
 from vkworkbench.gui.colors import COLORS
 from vkworkbench.gui.names import strategy_name
 from vkworkbench.gui.qt import QAbstractTableModel, QColor, QFont, QModelIndex, QSortFilterProxyModel, Qt
+from vkworkbench.gui.sentences import in_user_language
 from vkworkbench.gui.text import translate
+from vkworkbench.gui.units import length
 from vkworkbench.report import OperationReport, Report, Total
 
 VALUE = Qt.UserRole  # what a column is sorted by
@@ -67,13 +69,13 @@ def _remarks(obj, found: OperationReport):
     if marks.is_outdated(obj):
         yield translate("Vk_Results", "outdated: toolpath, tool or stock have changed since")
     if found.error:
-        yield found.error
+        yield in_user_language(found.error)
     called = contradicted(obj, found.recognition)
     if called:
         text = translate("Vk_Results", "called {name}, but its toolpath is {strategy}")
         yield text.format(name=called, strategy=strategy_name(found.strategy))
     for caution in found.cautions:
-        yield str(caution)
+        yield in_user_language(caution.message)
     if not found.counted and found.job is not None:
         yield translate("Vk_Results", "not in the total: a dress-up stands for it, or it is switched off")
 
@@ -110,7 +112,7 @@ def columns(version: tuple[int, ...]) -> list[Column]:
                translate("Vk_Results", "Number of straight moves, arcs chopped"),
                lambda row: row.found.trajectories, "{:,}".format),
         Column(translate("Vk_Results", "Length"), translate("Vk_Results", "Length of the cutting moves"),
-               lambda row: row.found.length, friendly.length),
+               lambda row: row.found.length, length),
         Column(translate("Vk_Results", "Z-buffer\ntime"),
                translate("Vk_Results", "Time to simulate it in an extended z-buffer"),
                lambda row: _of_zbuffer(row, "seconds"), friendly.time),
@@ -118,10 +120,11 @@ def columns(version: tuple[int, ...]) -> list[Column]:
                translate("Vk_Results", "Memory to simulate it in an extended z-buffer"),
                lambda row: _of_zbuffer(row, "memory_bytes"), friendly.memory),
         Column(translate("Vk_Results", "Legacy\ntime"),
-               translate("Vk_Results", "Time of FreeCAD's legacy simulator in fast-forward at its finest accuracy"),
+               translate("Vk_Results",
+                         "Time of FreeCAD's legacy simulator in fast-forward, at the accuracy that the preferences say"),
                lambda row: _of(row, "legacy", lambda cost: cost.fast_forward_seconds), friendly.time),
         Column(translate("Vk_Results", "Legacy\nmemory"),
-               translate("Vk_Results", "Memory of FreeCAD's legacy simulator at its finest accuracy"),
+               translate("Vk_Results", "Memory of FreeCAD's legacy simulator, at the accuracy that the preferences say"),
                lambda row: _of(row, "legacy", lambda cost: cost.memory_bytes), friendly.memory),
     ]  # fmt: skip
     if Simulator.OPENGL in available_simulators(version):

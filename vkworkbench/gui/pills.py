@@ -24,7 +24,9 @@ from vkworkbench.gui.names import strategy_name
 from vkworkbench.gui.qt import (
     QApplication, QColor, QEvent, QPainter, QPen, QRectF, QStyle, QStyledItemDelegate, QStyleOptionViewItem, Qt, QToolTip,
 )  # fmt: skip
+from vkworkbench.gui.sentences import in_user_language
 from vkworkbench.gui.text import translate
+from vkworkbench.gui.units import length
 
 _PADDING = 6  # px within a pill, left and right
 _SPACE = "\u00a0"  # is not stretched or cut off at a line's end
@@ -167,15 +169,17 @@ def explanation(mark: Mark, obj) -> str:
         lines.append(escape(mark.cost))
     else:
         reason, remark = getattr(obj, "ToolpathReason", ""), getattr(obj, "ToolpathRemark", "")
-        lines += [escape(reason)] if reason else []
+        lines += [escape(in_user_language(reason))] if reason else []
         lines.append(translate("Pills", "{trajectories} trajectories, {length} cutting").format(
-            trajectories=f"{obj.ToolpathTrajectories:,}", length=friendly.length(obj.ToolpathLength)
+            trajectories=f"{obj.ToolpathTrajectories:,}", length=length(obj.ToolpathLength)
         ))  # fmt: skip
         if obj.ToolpathMemory:
-            lines.append(translate("Pills", "Simulating it takes {time} and {memory}").format(
-                time=friendly.time(obj.ToolpathSeconds), memory=friendly.memory(obj.ToolpathMemory)
+            whose = getattr(obj, "ToolpathSimulator", preferences.ZBUFFER)
+            text = translate("Pills", "Simulating it takes {time} and {memory} ({simulator})")
+            lines.append(text.format(
+                time=friendly.time(obj.ToolpathSeconds), memory=friendly.memory(obj.ToolpathMemory), simulator=whose
             ))  # fmt: skip
-        lines += [f"<b>{escape(remark)}</b>"] if remark else []
+        lines += [f"<b>{escape(in_user_language(remark))}</b>"] if remark else []
     if mark.outdated:
         text = translate("Pills", "Outdated: toolpath, tool or stock have changed since. Analyze it again.")
         lines.append(f"<i>{escape(text)}</i>")

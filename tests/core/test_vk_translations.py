@@ -1,0 +1,78 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Every text of the code and the form is in the translations' sources, and translated."""
+
+import ast
+import re
+import xml.etree.ElementTree as ElementTree
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).resolve().parents[2]
+FOLDER = ROOT / "resources" / "translations"
+LANGUAGES = ["de", "fr", "es-ES", "zh-CN"]
+MARKED = {"translate", "QT_TRANSLATE_NOOP"}
+
+
+def texts_of_code():
+    """Contexts and texts of all calls that mark a text, which takes literals."""
+    for path in (ROOT / "vkworkbench").rglob("*.py"):
+        for node in ast.walk(ast.parse(path.read_text())):
+            if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id in MARKED:
+                arguments = [a.value if isinstance(a, ast.Constant) else None for a in node.args]
+                assert len(arguments) == 2 and all(isinstance(a, str) for a in arguments), f"{path}:{node.lineno}"
+                yield tuple(arguments)
+
+
+def texts_of_forms():
+    for path in (ROOT / "resources" / "ui").glob("*.ui"):
+        form = ElementTree.parse(path).getroot()
+        for text in form.iter("string"):
+            if text.get("notr") != "true" and text.text:
+                yield form.findtext("class"), text.text
+
+
+def messages(name):
+    """Translations by context and text; None for one that is not finished."""
+    found = {}
+    for context in ElementTree.parse(FOLDER / name).getroot().iter("context"):
+        for message in context.iter("message"):
+            translation = message.find("translation")
+            text = None if translation.get("type") else translation.text
+            found[context.findtext("name"), message.findtext("source")] = text
+    return found
+
+
+@pytest.mark.parametrize("name", ["VkWorkbench.ts", *(f"VkWorkbench_{language}.ts" for language in LANGUAGES)])
+def test_sources_are_what_the_code_says(name):
+    # Else run resources/update_translations.sh.
+    assert set(messages(name)) == {*texts_of_code(), *texts_of_forms()}
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_everything_is_translated(language):
+    for (_, text), translation in messages(f"VkWorkbench_{language}.ts").items():
+        assert translation, text
+        # What is filled in, what a dialog follows, tags and lines are the same.
+        for pattern in (r"\{\w*\}", "…$", r"</?\w+>", "\n"):
+            expected, found = (sorted(re.findall(pattern, t)) for t in (text, translation))
+            assert found == expected, (text, translation)
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_translations_differ_from_the_source(language):
+    translated = messages(f"VkWorkbench_{language}.ts")
+    same = [text for (_, text), translation in translated.items() if translation == text]
+    assert len(same) < 0.05 * len(translated), same
+
+
+def test_no_text_reaches_the_user_unmarked():
+    """Titles, tooltips and labels are not given as bare literals."""
+    setters = {"setText", "setToolTip", "setWindowTitle", "setTitle", "QPushButton", "QLabel", "showMessage", "addItem"}
+    for path in (ROOT / "vkworkbench" / "gui").glob("*.py"):
+        for node in ast.walk(ast.parse(path.read_text())):
+            if isinstance(node, ast.Call) and node.args:
+                name = getattr(node.func, "attr", getattr(node.func, "id", ""))
+                first = node.args[0]
+                bare = isinstance(first, ast.Constant) and isinstance(first.value, str) and re.search("[a-z]{3}", first.value)
+                assert not (name in setters and bare), f"{path}:{node.lineno}"
