@@ -11,6 +11,7 @@ sudo=()
 output=$PWD/build/example
 rm -rf "$output"
 mkdir -p "$output"
+echo "Preparing FreeCAD; installing it, where it is missing, takes some minutes"
 "${sudo[@]}" tests/install.sh > "$output/install.log" 2>&1 || { tail "$output/install.log"; exit 1; }
 
 home=$(mktemp -d)
