@@ -104,6 +104,17 @@ def test_an_operation_takes_its_colours_along(opened, window, switched_on, tmp_p
     assert nodes(opened) == count - 1
 
 
+def test_the_selected_operation_is_wider(opened, window, switched_on, tmp_path):
+    color = colors.COLORS[Strategy.HELIX]
+    before = seen(tmp_path)[color]
+    Gui.Selection.addSelection(labelled(opened, "Bore"))
+    window.idle()
+    window.screenshot("strategies-selected")
+    assert seen(tmp_path)[color] > 1.3 * before > 0
+    Gui.Selection.clearSelection()
+    assert seen(tmp_path)[color] == before
+
+
 def test_a_changed_toolpath_is_coloured_anew(opened, window, switched_on):
     drill = labelled(opened, "Drill holes")
     _, before = strategy_view._drawn[opened.Name][drill.Name]

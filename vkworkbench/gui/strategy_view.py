@@ -6,7 +6,10 @@ Each operation's lines hang below its own view provider, so they are placed, hid
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 import FreeCAD
+import FreeCADGui as Gui
 import numpy as np
 from pivy import coin
 
@@ -19,8 +22,8 @@ from vkworkbench.gui.colors import COLORS, RAPID
 from vkworkbench.gui.qt import QColor
 
 _NAME = "VkStrategies"
-_WIDTH = 3  # px; FreeCAD's own lines of 1 px lie below
-_RAPID_WIDTH = 1
+_WIDTH, _SELECTED_WIDTH, _RAPID_WIDTH = 3, 6, 1  # px
+_DEPTH = 0.9995  # of the depth range: in front of FreeCAD's own lines, which lie in the same place
 
 
 def colored_parts(toolpath: Toolpath, spans) -> list[tuple[str, np.ndarray]]:
@@ -47,7 +50,22 @@ def colored_parts(toolpath: Toolpath, spans) -> list[tuple[str, np.ndarray]]:
     return [(name, trajectories) for name, trajectories in parts if len(trajectories)]
 
 
-def lines(toolpath: Toolpath, spans) -> coin.SoSeparator:
+@dataclass(frozen=True)
+class Lines:
+    """The coloured lines of one operation in the scene graph.
+
+    Attributes
+    ----------
+    root : coin.SoSeparator
+    cuts : coin.SoDrawStyle
+        Of all lines but the rapids.
+    """
+
+    root: coin.SoSeparator
+    cuts: coin.SoDrawStyle
+
+
+def lines(toolpath: Toolpath, spans) -> Lines:
     """Return the scene graph of a toolpath in the colours of its strategies."""
     root = coin.SoSeparator()
     root.setName(_NAME)
@@ -55,21 +73,23 @@ def lines(toolpath: Toolpath, spans) -> coin.SoSeparator:
     pick.style = coin.SoPickStyle.UNPICKABLE  # the operation is picked by FreeCAD's own lines
     light = coin.SoLightModel()
     light.model = coin.SoLightModel.BASE_COLOR
+    depth = coin.SoDepthBuffer()
+    depth.range = (0, _DEPTH)
     points = coin.SoCoordinate3()
     points.point.setValues(0, len(toolpath.points), toolpath.points.astype(np.float32).tolist())
-    for node in (pick, light, points):
+    cuts, rapids = coin.SoDrawStyle(), coin.SoDrawStyle()
+    cuts.lineWidth, rapids.lineWidth = _WIDTH, _RAPID_WIDTH
+    for node in (pick, light, depth, points):
         root.addChild(node)
     for name, trajectories in colored_parts(toolpath, spans):
-        style = coin.SoDrawStyle()
-        style.lineWidth = _RAPID_WIDTH if name == RAPID else _WIDTH
         color = coin.SoBaseColor()
         color.rgb = QColor(name).getRgbF()[:3]
         strips = coin.SoIndexedLineSet()
         indices = _strips(trajectories)
         strips.coordIndex.setValues(0, len(indices), indices)
-        for node in (style, color, strips):
+        for node in (rapids if name == RAPID else cuts, color, strips):
             root.addChild(node)
-    return root
+    return Lines(root, cuts)
 
 
 def _strips(trajectories: np.ndarray) -> list[int]:
@@ -87,15 +107,17 @@ def show(document) -> None:
     if _watcher is None:
         _watcher = _Watcher()
         FreeCAD.addDocumentObserver(_watcher)
+        Gui.Selection.addObserver(_watcher)
     _drawn[document.Name] = {}
     for operation in find(document):
         _draw(operation.object)
+    _emphasize()
 
 
 def hide(document) -> None:
     """Take the colours away."""
-    for parent, node in _drawn.pop(document.Name, {}).values():
-        parent.removeChild(node)
+    for parent, drawn in _drawn.pop(document.Name, {}).values():
+        parent.removeChild(drawn.root)
 
 
 def is_shown(document) -> bool:
@@ -103,20 +125,28 @@ def is_shown(document) -> bool:
 
 
 # Lines and the node they hang below, by the names of document and object.
-_drawn: dict[str, dict[str, tuple]] = {}
+_drawn: dict[str, dict[str, tuple[coin.SoGroup, Lines]]] = {}
 
 
 def _draw(obj) -> None:
-    drawn = _drawn[obj.Document.Name]
-    if obj.Name in drawn:
-        parent, node = drawn.pop(obj.Name)
-        parent.removeChild(node)
+    here = _drawn[obj.Document.Name]
+    if obj.Name in here:
+        parent, drawn = here.pop(obj.Name)
+        parent.removeChild(drawn.root)
     toolpath = linearize(obj.Path.Commands, tolerance=preferences.read().tolerance)
     if len(toolpath):
         parent = obj.ViewObject.SwitchNode.getChild(0)
-        node = lines(toolpath, _spans(obj, toolpath))
-        parent.addChild(node)
-        drawn[obj.Name] = parent, node
+        drawn = lines(toolpath, _spans(obj, toolpath))
+        parent.addChild(drawn.root)
+        here[obj.Name] = parent, drawn
+
+
+def _emphasize() -> None:
+    """Draw the selected operations wider: FreeCAD's own lines, which it highlights, are covered."""
+    selected = {(obj.Document.Name, obj.Name) for obj in Gui.Selection.getSelection("*")}
+    for document, here in _drawn.items():
+        for name, (_, drawn) in here.items():
+            drawn.cuts.lineWidth = _SELECTED_WIDTH if (document, name) in selected else _WIDTH
 
 
 def _spans(obj, toolpath: Toolpath):
@@ -150,6 +180,18 @@ class _Watcher:
     def slotRedoDocument(self, document) -> None:
         self._draw_changed(document)
 
+    def addSelection(self, *what) -> None:
+        _emphasize()
+
+    def setSelection(self, *what) -> None:
+        _emphasize()
+
+    def removeSelection(self, *what) -> None:
+        _emphasize()
+
+    def clearSelection(self, *what) -> None:
+        _emphasize()
+
     def slotDeletedObject(self, obj) -> None:
         _drawn.get(obj.Document.Name, {}).pop(obj.Name, None)
 
@@ -163,6 +205,8 @@ class _Watcher:
             obj = document.getObject(name)
             if obj is not None and is_shown(document):
                 _draw(obj)
+        if here:
+            _emphasize()
 
 
 _watcher: _Watcher | None = None
