@@ -3,10 +3,10 @@
 
     python3 benchmarks/resources.py [FILE.jsonl.gz ...]
 
-Each line of a file is an operation: label, strategy, accept, tool_diameter, stock, commands. Without a file the
-operations are those of synthetic.py. The exact simulations run at 800 x 600 pixels, those with many candidate pixels
-at 400 x 300 to bound their time (small holes are not round then). Errors are ratios, the larger of estimate and truth
-over the smaller. Timings need a quiet computer.
+Each line of a file is an operation: label, strategy, accept, tool_diameter, stock, commands. Without a file
+the operations are those of synthetic.py. The exact simulations run at 800 x 600 pixels, those with many
+candidate pixels at 400 x 300 to bound their time (small holes are not round then). Errors are ratios, the
+larger of estimate and truth over the smaller. Timings need a quiet computer.
 """
 
 from __future__ import annotations
@@ -38,7 +38,7 @@ from vkworkbench.core.zbuffer import DEXEL, TRACE, simulate
 MANY = 1.5e6  # candidate pixels
 MOST = 25  # operations of each file
 VIEWS = {"top": (0, 0, -1), "tilted 30": (0, 0.5, -math.sqrt(0.75)), "isometric": (1, 1, -math.sqrt(2 / 3))}
-FEWEST = 1000  # trace elements below which a ratio says nothing
+FEWEST = 1000  # trace elements; with fewer, a ratio says nothing
 
 
 def main() -> None:
@@ -66,7 +66,9 @@ def of_file(name: str):
         records = [r for r in map(json.loads, lines) if r.get("stock") and r.get("tool_diameter")]
     for record in records[:: math.ceil(len(records) / MOST)]:
         toolpath = linearize(record["commands"])
-        shape = {"Surface": "ballend", "Waterline": "ballend", "Vcarve": "vbit"}.get(record["label"].split(":")[0])
+        shape = {"Surface": "ballend", "Waterline": "ballend", "Vcarve": "vbit"}.get(
+            record["label"].split(":")[0]
+        )
         tool = Tool(shape or "endmill", record["tool_diameter"])
         found = recognize(toolpath, tool_diameter=tool.diameter)
         if str(found.strategy) not in record["accept"]:
@@ -82,7 +84,7 @@ def synthetic():
         toolpath = linearize(maker(rng))
         found = recognize(toolpath, tool_diameter=5)
         if found.strategy not in accept:
-            found = replace(found, strategy=Strategy(sorted(accept)[0]))
+            found = replace(found, strategy=Strategy(min(accept)))
         cutting = toolpath.points[1:][~toolpath.rapid]
         lower, upper = cutting.min(axis=0) - 5, cutting.max(axis=0) + 5
         lower[2] -= 1
@@ -102,11 +104,12 @@ def measure(toolpath, found, tool, stock, view) -> dict[str, float]:
         guess = estimate(toolpath, found, **solids)
         durations.append(time.perf_counter() - begin)
     return {
-        "n": len(toolpath), "pixels": view.width * view.height, "vertical": view.direction[0] == view.direction[1] == 0,
+        "n": len(toolpath), "pixels": view.width * view.height, "vertical": not any(view.direction[:2]),
         "traces": exact.traces, "dexels": exact.dexels, "candidates": exact.candidates, "seconds": seconds,
         "rays": guess.traces, "rays error": guess.traces_error, "rays dexels": guess.dexels,
         "duration": min(durations), "closed form": closed_form(toolpath, found, **solids),
-        "blind": swept(toolpath, **solids), "Cauchy-Crofton": cauchy_crofton(toolpath, stock=stock, view=view),
+        "blind": swept(toolpath, **solids),
+        "Cauchy-Crofton": cauchy_crofton(toolpath, stock=stock, view=view),
         "estimated candidates": candidate_pixels(toolpath, **solids),
     }  # fmt: skip
 
@@ -122,17 +125,24 @@ def line(name: str, values: np.ndarray) -> str:
 
 
 def print_errors(view: str, rows) -> None:
-    print(f"\n{view}: {len(rows)} operations with {FEWEST} trace elements or more{'':5}   median      p90    worst")
-    for name, estimated in (("rays", "rays"), ("closed form, strategy known", "closed form"),
-                            ("swept area, strategy-blind", "blind"), ("Cauchy-Crofton", "Cauchy-Crofton")):
+    heading = f"{view}: {len(rows)} operations"
+    print(f"\n{heading:38}   median      p90    worst")
+    for name, estimated in (
+        ("rays", "rays"),
+        ("closed form, strategy known", "closed form"),
+        ("swept area, strategy-blind", "blind"),
+        ("Cauchy-Crofton", "Cauchy-Crofton"),
+    ):
         print(line(f"traces, {name}", ratios(rows, estimated, "traces")))
     print(line("dexels, rays", ratios(rows, "rays dexels", "dexels")))
     print(line("candidate pixels, closed form", ratios(rows, "estimated candidates", "candidates")))
     inside = [abs(r["rays"] - r["traces"]) <= 2 * r["rays error"] for r in rows]
     print(f"  within two standard errors: {100 * np.mean(inside):.1f} %")
     for r in sorted(rows, key=lambda r: -ratios([r], "rays", "traces")[0])[:3]:
-        print(f"    {r['label']}: {r['rays'] / r['traces']:.3f} of {r['traces']}, "
-              f"{(r['rays'] - r['traces']) / r['rays error']:+.1f} standard errors")
+        print(
+            f"    {r['label']}: {r['rays'] / r['traces']:.3f} of {r['traces']}, "
+            f"{(r['rays'] - r['traces']) / r['rays error']:+.1f} standard errors"
+        )
 
 
 def print_times(rows) -> None:
@@ -140,8 +150,10 @@ def print_times(rows) -> None:
     for name, vertical in (("top", True), ("oblique", False)):
         some = [r for r in rows if r["vertical"] == vertical]
         longest = max(some, key=lambda r: r["duration"])
-        print(f"  {name}: median {1e3 * np.median([r['duration'] for r in some]):.1f}, "
-              f"longest {1e3 * longest['duration']:.0f} ({longest['n']} trajectories)")
+        print(
+            f"  {name}: median {1e3 * np.median([r['duration'] for r in some]):.1f}, "
+            f"longest {1e3 * longest['duration']:.0f} ({longest['n']} trajectories)"
+        )
     gain = np.median([r["seconds"] / r["duration"] for r in rows])
     print(f"  the exact simulation takes {gain:.0f} times as long (median)")
 
@@ -149,8 +161,19 @@ def print_times(rows) -> None:
 def print_speed(rows) -> Speed:
     """Fit the constants of the simulation's time to this run."""
     seconds = np.array([r["seconds"] for r in rows])
-    work = np.array([[r["n"], r["pixels"], r["candidates"] * r["vertical"], r["candidates"] * (not r["vertical"]),
-                      r["dexels"] + r["traces"]] for r in rows], float)
+    work = np.array(
+        [
+            [
+                r["n"],
+                r["pixels"],
+                r["candidates"] * r["vertical"],
+                r["candidates"] * (not r["vertical"]),
+                r["dexels"] + r["traces"],
+            ]
+            for r in rows
+        ],
+        float,
+    )
     used = np.ones(5, bool)
     constants = np.zeros(5)
     while True:
@@ -163,7 +186,9 @@ def print_speed(rows) -> Speed:
     print(f"\nspeed of this computer: {speed}")
     predicted = work @ constants
     off = np.maximum(predicted / seconds, seconds / predicted)
-    print(f"  seconds, fitted against measured: median {np.median(off):.2f}, p90 {np.percentile(off, 90):.2f}")
+    print(
+        f"  seconds, fitted against measured: median {np.median(off):.2f}, p90 {np.percentile(off, 90):.2f}"
+    )
     return speed
 
 
@@ -195,21 +220,32 @@ def papers_case() -> tuple[Toolpath, Tool, Stock]:
         points.append(np.column_stack((x, y, 15 + 3 * np.sin(x / 12) * np.cos(y / 15))))
     points = np.concatenate(points)
     n = len(points) - 1
-    toolpath = Toolpath(points, np.zeros(n, bool), np.arange(n), np.full(n, 10.0), np.zeros(n),
-                        np.full(n, 17, np.uint8), np.zeros(n, bool), n)
+    toolpath = Toolpath(
+        points,
+        np.zeros(n, bool),
+        np.arange(n),
+        np.full(n, 10.0),
+        np.zeros(n),
+        np.full(n, 17, np.uint8),
+        np.zeros(n, bool),
+        n,
+    )
     return toolpath, Tool("ballend", 6), Stock((0, 0, 0), (100, 80, 20))
 
 
 def print_papers_case() -> None:
     toolpath, tool, stock = papers_case()
-    print(f"\nthe paper's case: zigzag, {len(toolpath)} trajectories, 800 x 600 pixels; the paper: 6 MB and 51 MB")
+    print(f"\nthe paper's case: zigzag, {len(toolpath)} trajectories, 800 x 600; in the paper 6 MB and 51 MB")
     for name, direction in VIEWS.items():
         view = View(direction)
         guess = estimate(toolpath, None, tool=tool, stock=stock, view=view)
         exact = simulate(toolpath, tool=tool, stock=stock, view=view)
-        print(f"  {name:10} dexels {exact.dexels * DEXEL.itemsize / 1e6:.1f} MB, traces "
-              f"{exact.traces * TRACE.itemsize / 1e6:.0f} MB; estimated {guess.dexels * DEXEL.itemsize / 1e6:.1f} MB, "
-              f"{guess.traces * TRACE.itemsize / 1e6:.0f} +- {guess.traces_error * TRACE.itemsize / 1e6:.1f} MB")
+        true_d, d = (DEXEL.itemsize * z.dexels / 1e6 for z in (exact, guess))
+        true_t, t, error = (
+            TRACE.itemsize * n / 1e6 for n in (exact.traces, guess.traces, guess.traces_error)
+        )
+        print(f"  {name:10} dexels {true_d:.1f} MB, estimated {d:.1f}; ", end="")
+        print(f"traces {true_t:.0f} MB, estimated {t:.0f} +- {error:.1f}")
 
 
 if __name__ == "__main__":

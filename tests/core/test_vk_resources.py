@@ -29,8 +29,16 @@ TOP, TILTED, ISOMETRIC = (0, 0, -1), (0, 0.5, -0.866), (1, 1, -0.816)
 def path(points):
     points = np.array(points, float).reshape(-1, 3)
     n = max(0, len(points) - 1)
-    return Toolpath(points, np.zeros(n, bool), np.arange(n), np.full(n, 10.0), np.zeros(n), np.full(n, 17, np.uint8),
-                    np.zeros(n, bool), n)
+    return Toolpath(
+        points,
+        np.zeros(n, bool),
+        np.arange(n),
+        np.full(n, 10.0),
+        np.zeros(n),
+        np.full(n, 17, np.uint8),
+        np.zeros(n, bool),
+        n,
+    )
 
 
 def zigzag(step=3.0, levels=(16, 12), chords=1):
@@ -74,9 +82,15 @@ def drilled():
     return path(points)
 
 
-PATHS = {"zigzag": (zigzag(), FLAT), "surface": (surface(), BALL), "contours": (contours(), FLAT),
-         "helix": (helix(), FLAT), "drilled": (drilled(), Tool("drill", 6)), "vee": (contours(7), Tool("vbit", 6)),
-         "corners": (contours(), Tool("bullnose", 6, corner_radius=1))}
+PATHS = {
+    "zigzag": (zigzag(), FLAT),
+    "surface": (surface(), BALL),
+    "contours": (contours(), FLAT),
+    "helix": (helix(), FLAT),
+    "drilled": (drilled(), Tool("drill", 6)),
+    "vee": (contours(7), Tool("vbit", 6)),
+    "corners": (contours(), Tool("bullnose", 6, corner_radius=1)),
+}
 
 
 @pytest.mark.parametrize("direction", [TOP, TILTED, ISOMETRIC], ids=["top", "tilted", "isometric"])
@@ -117,8 +131,10 @@ def test_the_same_numbers_every_time():
 
 def test_counts_grow_as_the_number_of_pixels():
     toolpath, tool = PATHS["contours"]
-    coarse, fine = (estimate(toolpath, None, tool=tool, stock=STOCK, view=View(width=k * 400, height=k * 300))
-                    for k in (1, 3))
+    coarse, fine = (
+        estimate(toolpath, None, tool=tool, stock=STOCK, view=View(width=k * 400, height=k * 300))
+        for k in (1, 3)
+    )
     assert fine.traces == pytest.approx(9 * coarse.traces)
     assert fine.dexels == pytest.approx(9 * coarse.dexels)
 
@@ -144,8 +160,17 @@ def test_the_explanation_says_how_often_a_pixel_is_cut():
     assert found.explanation == "zigzag, stepover 3 mm: each pixel is cut 2.0 times"
 
 
-@pytest.mark.parametrize("points", [[], [(10, 10, 25)], [(10, 10, 25), (60, 40, 25)], [(200, 0, 5), (300, 0, 5)],
-                                    [(10, 10, -30), (20, 10, -30)]], ids=["empty", "point", "above", "beside", "under"])
+@pytest.mark.parametrize(
+    "points",
+    [
+        [],
+        [(10, 10, 25)],
+        [(10, 10, 25), (60, 40, 25)],
+        [(200, 0, 5), (300, 0, 5)],
+        [(10, 10, -30), (20, 10, -30)],
+    ],
+    ids=["empty", "point", "above", "beside", "under"],
+)
 def test_paths_that_cut_nothing_or_everything(points):
     toolpath = path(points)
     found = estimate(toolpath, recognize(toolpath), tool=FLAT, stock=STOCK, view=View(width=200, height=150))
@@ -189,9 +214,6 @@ def test_silhouettes():
     assert silhouette_area(cylinder, View((1, 0, 0)).frame(cylinder)) == pytest.approx(20 * 30, rel=0.005)
 
 
-# Closed forms -------------------------------------------------------------------------------------------------------
-
-
 def expected(toolpath, strategy, tool=FLAT, direction=TOP, **known):
     view = View(direction)
     found = Recognition(strategy, 1.0, "", **known)
@@ -201,8 +223,12 @@ def expected(toolpath, strategy, tool=FLAT, direction=TOP, **known):
 
 def test_closed_form_by_strategy():
     assert expected(zigzag(), Strategy.ZIGZAG, stepover=3, passes=28, depths=2) == pytest.approx(1, rel=0.02)
-    assert expected(contours(), Strategy.CONTOUR_PARALLEL, stepover=2.5, passes=8, depths=1) == pytest.approx(1, rel=0.03)
-    assert expected(path(contours().points[:5]), Strategy.PROFILE, passes=1, depths=1) == pytest.approx(1, rel=0.03)
+    assert expected(contours(), Strategy.CONTOUR_PARALLEL, stepover=2.5, passes=8, depths=1) == pytest.approx(
+        1, rel=0.03
+    )
+    assert expected(path(contours().points[:5]), Strategy.PROFILE, passes=1, depths=1) == pytest.approx(
+        1, rel=0.03
+    )
     assert expected(helix(), Strategy.HELIX, passes=6) == pytest.approx(1, rel=0.05)
     assert expected(drilled(), Strategy.DRILLING) == pytest.approx(1, rel=0.01)
     assert expected(surface(), Strategy.ZIGZAG, BALL, stepover=2, passes=21) == pytest.approx(1, rel=0.1)
@@ -222,7 +248,9 @@ def test_what_the_sequence_is_good_for():
 
 def test_cauchy_crofton_is_the_projected_length():
     view = View(pixel=0.5)
-    assert cauchy_crofton(path([(10, 10, 5), (40, 50, 5)]), stock=STOCK, view=view) == pytest.approx(50 * 2 / pi / 0.5)
+    assert cauchy_crofton(path([(10, 10, 5), (40, 50, 5)]), stock=STOCK, view=view) == pytest.approx(
+        50 * 2 / pi / 0.5
+    )
 
 
 @pytest.mark.parametrize("direction", [TOP, TILTED, ISOMETRIC], ids=["top", "tilted", "isometric"])
@@ -230,10 +258,9 @@ def test_candidate_pixels(direction):
     toolpath = path([(20, 20, 10), (60, 40, 10), (20, 40, 12), (21, 41, 8)])
     view = View(direction)
     exact = simulate(toolpath, tool=FLAT, stock=STOCK, view=view)
-    assert candidate_pixels(toolpath, tool=FLAT, stock=STOCK, view=view) == pytest.approx(exact.candidates, rel=0.15)
-
-
-# The inverse problem ------------------------------------------------------------------------------------------------
+    assert candidate_pixels(toolpath, tool=FLAT, stock=STOCK, view=view) == pytest.approx(
+        exact.candidates, rel=0.15
+    )
 
 
 @pytest.mark.parametrize("name", ["zigzag", "surface", "helix"])
@@ -282,13 +309,22 @@ def test_where_no_resolution_helps_it_says_what_does():
     assert chosen.view is None
     assert chosen.explanation.startswith("no resolution helps, the trajectories alone take")
     assert "fewer operations" in chosen.explanation
-    assert best_resolution([found], memory_bytes=10).explanation == "no resolution helps, not even a single pixel fits"
+    assert (
+        best_resolution([found], memory_bytes=10).explanation
+        == "no resolution helps, not even a single pixel fits"
+    )
 
 
 def test_an_image_tells_passes_apart_with_four_pixels_between_them():
     found = estimate(*PATHS["zigzag"][:1], None, tool=FLAT, stock=STOCK, view=View())
-    assert "0.75 mm would do for passes 3 mm apart" in best_resolution([found], memory_bytes=2e7, stepover=3).explanation
-    assert "passes 3 mm apart ask for 0.75 mm" in best_resolution([found], memory_bytes=1e5, stepover=3).explanation
+    assert (
+        "0.75 mm would do for passes 3 mm apart"
+        in best_resolution([found], memory_bytes=2e7, stepover=3).explanation
+    )
+    assert (
+        "passes 3 mm apart ask for 0.75 mm"
+        in best_resolution([found], memory_bytes=1e5, stepover=3).explanation
+    )
 
 
 @pytest.mark.parametrize("budget", [{}, {"seconds": 0}, {"memory_bytes": float("nan")}, {"seconds": -1.0}])

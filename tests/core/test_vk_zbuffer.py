@@ -13,10 +13,20 @@ from vkworkbench.core.toolpath import Toolpath
 from vkworkbench.core.zbuffer import DEXEL, INDEX, TRACE, simulate
 
 STOCK = Stock((0, 0, 0), (40, 30, 10))
-TOOLS = [Tool("endmill", 6), Tool("ballend", 6), Tool("bullnose", 6, corner_radius=1),
-         Tool("vbit", 6, tip_angle=pi / 2), Tool("drill", 6)]
-VIEWS = {"top": (0, 0, -1), "bottom": (0, 0, 1), "tilted": (0, 0.5, -0.866), "isometric": (-1, 1, -0.816),
-         "side": (1, 0.3, 0)}
+TOOLS = [
+    Tool("endmill", 6),
+    Tool("ballend", 6),
+    Tool("bullnose", 6, corner_radius=1),
+    Tool("vbit", 6, tip_angle=pi / 2),
+    Tool("drill", 6),
+]
+VIEWS = {
+    "top": (0, 0, -1),
+    "bottom": (0, 0, 1),
+    "tilted": (0, 0.5, -0.866),
+    "isometric": (-1, 1, -0.816),
+    "side": (1, 0.3, 0),
+}
 
 
 def path(points, rapid=()):
@@ -24,8 +34,16 @@ def path(points, rapid=()):
     n = max(0, len(points) - 1)
     fast = np.zeros(n, bool)
     fast[list(rapid)] = True
-    return Toolpath(points, fast, np.arange(n), np.where(fast, 0, 10.0), np.zeros(n), np.full(n, 17, np.uint8),
-                    np.zeros(n, bool), n)
+    return Toolpath(
+        points,
+        fast,
+        np.arange(n),
+        np.where(fast, 0, 10.0),
+        np.zeros(n),
+        np.full(n, 17, np.uint8),
+        np.zeros(n, bool),
+        n,
+    )
 
 
 def cut(points, tool=TOOLS[0], stock=STOCK, direction=(0, 0, -1), width=400, height=300):
@@ -105,7 +123,8 @@ def hole_volume(tool, depth):
     """Volume of a hole drilled to `depth`, mm^3: the cylinder less what the tip leaves at the bottom."""
     r, c, k = tool.radius, tool.rounding, tool.steepness
     flat = r - c
-    # Pappus: the corner's spandrel (1 - pi/4) c^2, its centroid c (1 - 10 - 3 pi) / (12 - 3 pi)) from the rim.
+    # Pappus: the corner's spandrel (1 - pi/4) c^2, its centroid c (1 - 10 - 3 pi) / (12 - 3 pi)) from the
+    # rim.
     spandrel = (1 - pi / 4) * c**2
     centroid = flat + c * (1 - (10 - 3 * pi) / (12 - 3 * pi))
     return pi * r**2 * depth - 2 * pi * centroid * spandrel - 2 / 3 * pi * k * r**3
@@ -173,7 +192,7 @@ def test_records_are_sorted_and_their_index_finds_them():
     assert (np.diff(z.dexel_records["pixel"].astype(int)) >= 0).all()
     assert z.trace_index[-1] == len(z.trace_records)
     for pixel in range(0, 60 * 45, 97):
-        own = z.trace_records[z.trace_index[pixel]:z.trace_index[pixel + 1]]
+        own = z.trace_records[z.trace_index[pixel] : z.trace_index[pixel + 1]]
         dexels = z.dexel_records[z.dexel_records["pixel"] == pixel]
         near = np.sort(np.concatenate((own["near"], dexels["near"])))
         far = np.sort(np.concatenate((own["far"], dexels["far"])))
@@ -201,14 +220,17 @@ def test_a_shallow_ball_reaches_as_wide_as_its_chord():
     assert area(z) == pytest.approx(2 * half_width * hypot(20, 10) + pi * half_width**2, rel=0.01)
 
 
-@pytest.mark.parametrize("arguments, words", [
-    (("endmil", 6), "unknown tool shape"),
-    (("endmill", 0), "positive number"),
-    (("endmill", float("nan")), "positive number"),
-    (("endmill", -3), "positive number"),
-    (("bullnose", 6, 3.5), "corner radius"),
-    (("vbit", 6, 0, 0.0), "tip angle"),
-])
+@pytest.mark.parametrize(
+    "arguments, words",
+    [
+        (("endmil", 6), "unknown tool shape"),
+        (("endmill", 0), "positive number"),
+        (("endmill", float("nan")), "positive number"),
+        (("endmill", -3), "positive number"),
+        (("bullnose", 6, 3.5), "corner radius"),
+        (("vbit", 6, 0, 0.0), "tip angle"),
+    ],
+)
 def test_impossible_tools_are_refused_in_words(arguments, words):
     with pytest.raises(ValueError, match=words):
         Tool(*arguments)
@@ -220,8 +242,11 @@ def test_impossible_stocks_and_views_are_refused_in_words():
     with pytest.raises(ValueError, match="finite"):
         Stock((0, 0, 0), (10, float("inf"), 5))
     open_box = [(-1, 0, 0), (1, 0, 0), (0, -1, 0), (0, 1, 0), (0, 0, -1)]
-    for normals, offsets in [(open_box, [0, 9, 0, 9, 0]), (open_box + [(1, 0, -1)], [0, 9, 0, 9, 0, 4]),
-                             (open_box + [(0, 0, 1)], [0, 9, 0, 9, 0, -1])]:
+    for normals, offsets in [
+        (open_box, [0, 9, 0, 9, 0]),
+        (open_box + [(1, 0, -1)], [0, 9, 0, 9, 0, 4]),
+        (open_box + [(0, 0, 1)], [0, 9, 0, 9, 0, -1]),
+    ]:
         with pytest.raises(ValueError, match="bounded volume"):
             ConvexStock(normals, offsets)
     with pytest.raises(ValueError, match="not all zero"):

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The extended z-buffer against a second implementation that shares nothing with it but the tool's profile.
 
-Points along the rays are held against the tool at many positions of every move, in the order of the sequence: the
-first trajectory that contains a point owns it. Points within a small distance of a swept surface decide nothing.
+Points along the rays are held against the tool at many positions of every move, in the order of the sequence:
+the first trajectory that contains a point owns it. Points within a small distance of a swept surface decide
+nothing.
 """
 
 from __future__ import annotations
@@ -18,9 +19,15 @@ from vkworkbench.core.toolpath import Toolpath
 from vkworkbench.core.zbuffer import simulate
 
 CLEARANCE = 0.03
-TOOLS = [Tool("endmill", 6), Tool("ballend", 6), Tool("bullnose", 6, corner_radius=1),
-         Tool("bullnose", 6, corner_radius=2.5), Tool("vbit", 6, tip_angle=pi / 2), Tool("vbit", 4, tip_angle=0.6),
-         Tool("drill", 5)]
+TOOLS = [
+    Tool("endmill", 6),
+    Tool("ballend", 6),
+    Tool("bullnose", 6, corner_radius=1),
+    Tool("bullnose", 6, corner_radius=2.5),
+    Tool("vbit", 6, tip_angle=pi / 2),
+    Tool("vbit", 4, tip_angle=0.6),
+    Tool("drill", 5),
+]
 DIRECTIONS = [(0, 0, -1), (0, 0, 1), (0, 1, -1), (1, 0.5, -0.3), (-0.4, 1, 0), (0.1, 0.1, -1), (1, -2, 1.5)]
 BOX = Stock((0, 0, 0), (20, 16, 8))
 ROUND = ConvexStock.cylinder((10, 8, 0), radius=9, height=8, sides=24)
@@ -40,7 +47,7 @@ def random_moves(kind, rng, n=6):
 
 
 def owners(points, tool, at):
-    """Trajectory that removes each point (p, 3) first, `UNCUT` where none does, -1 where it is too close to tell."""
+    """Trajectory that removes each point (p, 3) first, `UNCUT` if none does, -1 if too close to tell."""
     owner = np.full(len(at), UNCUT)
     for i in reversed(range(len(points) - 1)):
         t = np.linspace(0, 1, 700)[:, None, None]
@@ -61,8 +68,16 @@ def test_every_point_has_the_same_owner(tool, kind):
         stock = (BOX, ROUND)[rng.integers(2)]
         points = random_moves(kind, rng)
         n = len(points) - 1
-        toolpath = Toolpath(points, np.zeros(n, bool), np.arange(n), np.full(n, 10.0), np.zeros(n),
-                            np.full(n, 17, np.uint8), np.zeros(n, bool), n)
+        toolpath = Toolpath(
+            points,
+            np.zeros(n, bool),
+            np.arange(n),
+            np.full(n, 10.0),
+            np.zeros(n),
+            np.full(n, 17, np.uint8),
+            np.zeros(n, bool),
+            n,
+        )
         z = simulate(toolpath, tool=tool, stock=stock, view=View(direction, 8, 6))
         at, found = sampled(z)
         expected = owners(points, tool, at)

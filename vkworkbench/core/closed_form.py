@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Counts of a simulation in closed form: by the strategy, blind to it, and by Cauchy and Crofton's formula.
 
-None of them looks at the sequence. The strategy stands for it: with the stepover and the tool it tells how much new
-material each trajectory meets (the paper's thesis, sections 1 and 2.1).
+None of them looks at the sequence. The strategy stands for it: with the stepover and the tool it tells how
+much new material each trajectory meets (the paper's thesis, sections 1 and 2.1).
 """
 
 from __future__ import annotations
@@ -54,12 +54,19 @@ def _in_stock(toolpath: Toolpath, tool: Tool, stock: Stock | ConvexStock) -> _Tr
     over = np.minimum(right, stock.upper[:2]) - np.maximum(left, stock.lower[:2])
     share = np.prod(np.clip(over / (right - left), 0, 1), axis=1)
     move = end - start
-    return _Trajectories(start, end, np.hypot(move[:, 0], move[:, 1]), move[:, 2], low[inside], share,
-                         np.arctan2(move[:, 1], move[:, 0]))
+    return _Trajectories(
+        start,
+        end,
+        np.hypot(move[:, 0], move[:, 1]),
+        move[:, 2],
+        low[inside],
+        share,
+        np.arctan2(move[:, 1], move[:, 0]),
+    )
 
 
 def cauchy_crofton(toolpath: Toolpath, *, stock: Stock | ConvexStock, view: View) -> float:
-    """Number of crossings of the toolpath with the pixel rows, M = projected length / epsilon (paper, section 2.1).
+    """Crossings of the toolpath with the pixel rows, M = projected length / epsilon (paper, section 2.1).
 
     The baseline the paper rejects: it sees neither the tool's width nor the sequence.
 
@@ -83,8 +90,8 @@ def cauchy_crofton(toolpath: Toolpath, *, stock: Stock | ConvexStock, view: View
 def candidate_pixels(toolpath: Toolpath, *, tool: Tool, stock: Stock | ConvexStock, view: View) -> float:
     """Number of pairs of pixel and trajectory that passes it, whether or not anything is left to cut there.
 
-    The area of the sweep's image, from the lowest height to the stock's top: with the tilt t of the view
-    ``(2 R l + pi R^2) cos t + h sin t (2 R + l |sin(heading - view)|)``, for the part that lies over the stock.
+    The area of the sweep's image, from the lowest height to the stock's top: with the tilt t of the view ``(2
+    R l + pi R^2) cos t + h sin t (2 R + l |sin(heading - view)|)``, for the part that lies over the stock.
 
     Parameters
     ----------
@@ -118,8 +125,9 @@ def swept(toolpath: Toolpath, *, tool: Tool, stock: Stock | ConvexStock, view: V
     return float((area * t.share).sum() / view.frame(stock).pixel ** 2)
 
 
-def closed_form(toolpath: Toolpath, recognition: Recognition, *, tool: Tool, stock: Stock | ConvexStock,
-                view: View) -> float:
+def closed_form(
+    toolpath: Toolpath, recognition: Recognition, *, tool: Tool, stock: Stock | ConvexStock, view: View
+) -> float:
     """Number of trace elements expected from the strategy, the stepover and the tool.
 
     Parameters
@@ -155,8 +163,9 @@ def _tilt(frame: Frame) -> tuple[float, float, float]:
     return abs(float(z)), float(np.hypot(x, y)), float(np.arctan2(y, x))
 
 
-def _levels(t: _Trajectories, recognition: Recognition, tool: Tool, stock: Stock | ConvexStock,
-            stepover: float) -> float:
+def _levels(
+    t: _Trajectories, recognition: Recognition, tool: Tool, stock: Stock | ConvexStock, stepover: float
+) -> float:
     """Area a flat tool cuts, mm^2: each level once, and its whole foot again wherever it descends."""
     radius = tool.radius
     level = np.flatnonzero((np.abs(t.rise) < _LEVEL) & (t.run > 0))
@@ -213,14 +222,18 @@ def _row_families(t: _Trajectories, here: np.ndarray) -> list[np.ndarray]:
 
 
 def _rows_area(t: _Trajectories, rows: np.ndarray, tool: Tool, stepover: float) -> float:
-    """Area of parallel rows with round ends, the first as wide as the tool, the others as the step from row to row."""
+    """Area of parallel rows with round ends: the first as wide as the tool, the others as their step."""
     heading = float(np.angle((t.run[rows] * np.exp(2j * t.heading[rows])).sum()) / 2)
     offset = t.start[rows, 1] * np.cos(heading) - t.start[rows, 0] * np.sin(heading)
     in_order, sorted_ = np.abs(np.diff(offset)), np.diff(np.sort(offset))
     passes = np.count_nonzero(in_order > _APART) + 1
-    # Rows of several pockets mix when sorted, those of a lattice jump to and fro in order: both only lower the step.
-    steps = [s.mean() for s in (x[(x > _APART) & (x <= tool.diameter + _APART)] for x in (in_order, sorted_))
-             if len(s)]
+    # Rows of several pockets mix when sorted, those of a lattice jump to and fro in order: both only lower
+    # the step.
+    steps = [
+        s.mean()
+        for s in (x[(x > _APART) & (x <= tool.diameter + _APART)] for x in (in_order, sorted_))
+        if len(s)
+    ]
     step = min(float(max(steps)), tool.diameter) if steps else stepover
     along = float((t.run * t.share)[rows].sum())
     # The tool's circle where the row is its own, |y| < step / 2.
@@ -248,14 +261,16 @@ def _grown_hull(points: np.ndarray, radius: float, stock: Stock | ConvexStock) -
 def _recut(t: _Trajectories, tool: Tool, stock: Stock | ConvexStock, stepover: float) -> float:
     """Area a ball or a cone cuts, mm^2: it deepens what lies ahead of it at every trajectory.
 
-    Ahead of the tool a pixel is cut again by each trajectory until the axis has passed, as far as the tool is lower
-    there than the previous pass left it.
+    Ahead of the tool a pixel is cut again by each trajectory until the axis has passed, as far as the tool is
+    lower there than the previous pass left it.
     """
     depth = np.clip(stock.upper[2] - t.low, 0, None)
     if tool.steepness > 0:
         reach = np.minimum(tool.radius, depth / tool.steepness)
     else:
-        reach = np.where(depth < tool.radius, np.sqrt(np.maximum(2 * tool.radius * depth - depth**2, 0)), tool.radius)
+        reach = np.where(
+            depth < tool.radius, np.sqrt(np.maximum(2 * tool.radius * depth - depth**2, 0)), tool.radius
+        )
     side = np.minimum(reach, stepover / 2)
     y = -side + np.linspace(0, 1, 33)[:, None] * (reach + side)
     ahead = np.sqrt(np.maximum(np.minimum(reach, np.abs(y + stepover)) ** 2 - y**2, 0))
@@ -265,7 +280,9 @@ def _recut(t: _Trajectories, tool: Tool, stock: Stock | ConvexStock, stepover: f
     return float((new * t.share).sum())
 
 
-def _walls(t: _Trajectories, tool: Tool, stock: Stock | ConvexStock, stepover: float, azimuth: float) -> float:
+def _walls(
+    t: _Trajectories, tool: Tool, stock: Stock | ConvexStock, stepover: float, azimuth: float
+) -> float:
     """Area of the walls the trajectories cut, seen from the side, mm^2."""
     key = np.rint(t.low / _LEVEL).astype(np.int64)
     levels, which = np.unique(key, return_inverse=True)

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The pieces of a ray: which trajectory removes each piece of it first, and what is left.
 
-A sequence of removals turns a ray's chord of the stock into pieces, each removed by one trajectory or by none. A
-removed piece is an element of that trajectory's trace, a piece that stays is a dexel. A point belongs to the first
-trajectory that covers it, so all pieces of all rays follow from one sort of the intervals' ends, without a loop
-over the sequence.
+A sequence of removals turns a ray's chord of the stock into pieces, each removed by one trajectory or by
+none. A removed piece is an element of that trajectory's trace, a piece that stays is a dexel. A point belongs
+to the first trajectory that covers it, so all pieces of all rays follow from one sort of the intervals' ends,
+without a loop over the sequence.
 """
 
 from __future__ import annotations
@@ -38,8 +38,14 @@ class Pieces:
     far: np.ndarray
 
 
-def first_cuts(near: np.ndarray, far: np.ndarray, ray: np.ndarray, trajectory: np.ndarray,
-               enter: np.ndarray, leave: np.ndarray) -> Pieces:
+def first_cuts(
+    near: np.ndarray,
+    far: np.ndarray,
+    ray: np.ndarray,
+    trajectory: np.ndarray,
+    enter: np.ndarray,
+    leave: np.ndarray,
+) -> Pieces:
     """Cut rays by a sequence of intervals.
 
     Parameters
@@ -65,13 +71,19 @@ def first_cuts(near: np.ndarray, far: np.ndarray, ray: np.ndarray, trajectory: n
     # Every ray is moved to a stretch of its own on one common axis, so that one sort orders everything.
     base = near.min(initial=np.inf, where=far > near)
     stretch = (far.max(initial=-np.inf, where=far > near) - base) * 1.25 + 1 if len(stock) else 1.0
-    place = np.concatenate((near[stock] + stock * stretch, enter + ray * stretch,
-                            leave + ray * stretch, far[stock] + stock * stretch))
+    place = np.concatenate(
+        (
+            near[stock] + stock * stretch,
+            enter + ray * stretch,
+            leave + ray * stretch,
+            far[stock] + stock * stretch,
+        )
+    )
     order = np.argsort(place, kind="stable")
     rank = np.empty(len(order), np.int64)
     rank[order] = np.arange(len(order))
     k, m = len(stock), len(ray)
-    owner = _lowest_cover(len(order), rank[k:k + m], rank[k + m:k + 2 * m], trajectory)
+    owner = _lowest_cover(len(order), rank[k : k + m], rank[k + m : k + 2 * m], trajectory)
 
     depth = np.concatenate((near[stock], enter, leave, far[stock]))[order]
     slot_ray = np.concatenate((stock, ray, ray, stock))[order]
@@ -79,8 +91,11 @@ def first_cuts(near: np.ndarray, far: np.ndarray, ray: np.ndarray, trajectory: n
     slots = np.flatnonzero(same_ray & (depth[1:] > depth[:-1]))
     pieces = _merge(Pieces(slot_ray[slots], owner[slots], depth[slots], depth[slots + 1]))
     thick = np.flatnonzero(pieces.far - pieces.near > THINNEST)
-    return _merge(_close_gaps(Pieces(pieces.ray[thick], pieces.owner[thick], pieces.near[thick], pieces.far[thick]),
-                              near, far))
+    return _merge(
+        _close_gaps(
+            Pieces(pieces.ray[thick], pieces.owner[thick], pieces.near[thick], pieces.far[thick]), near, far
+        )
+    )
 
 
 def with_uncut(pieces: Pieces, step: int) -> Pieces:
@@ -92,8 +107,8 @@ def with_uncut(pieces: Pieces, step: int) -> Pieces:
 def _lowest_cover(slots: int, first: np.ndarray, last: np.ndarray, value: np.ndarray) -> np.ndarray:
     """Lowest of the values of the ranges ``first <= slot < last`` that cover each slot.
 
-    A range is the union of two ranges whose length is a power of two; the values are entered on the level of that
-    power and handed down level by level (the sparse table of range minimum queries, run backwards).
+    A range is the union of two ranges whose length is a power of two; the values are entered on the level of
+    that power and handed down level by level (the sparse table of range minimum queries, run backwards).
     """
     cover = np.full(slots, UNCUT, np.int32)
     if len(first) == 0:
@@ -104,12 +119,12 @@ def _lowest_cover(slots: int, first: np.ndarray, last: np.ndarray, value: np.nda
     bounds = np.searchsorted(level[order], np.arange(level.max() + 2))
     for power in range(level.max(), -1, -1):
         size = 1 << power
-        items = order[bounds[power]:bounds[power + 1]]
+        items = order[bounds[power] : bounds[power + 1]]
         for start in (first[items], last[items] - size):
             _enter_lowest(cover, start, value[items])
         if power:
             lower = cover.copy()
-            np.minimum(lower[size // 2:], cover[:-(size // 2)], out=lower[size // 2:])
+            np.minimum(lower[size // 2 :], cover[: -(size // 2)], out=lower[size // 2 :])
             cover = lower
     return cover
 

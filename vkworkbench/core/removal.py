@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Rays cut by a whole toolpath: the exact pieces of any set of rays, the work the simulator and the estimate share."""
+"""Rays cut by a whole toolpath: the exact work that the simulator and the estimate share."""
 
 from __future__ import annotations
 
@@ -14,7 +14,8 @@ from vkworkbench.core.toolpath import Toolpath
 
 # Neighbouring rays are tested against a trajectory's bounding box together.
 GROUP = 16
-# Pairs of ray and trajectory held at once, and worked on at once (so that they stay in the processor's cache).
+# Pairs of ray and trajectory held at once, and worked on at once (so that they stay in the processor's
+# cache).
 _PAIRS_HELD = 1_000_000
 _PAIRS_AT_ONCE = 16_384
 
@@ -53,8 +54,10 @@ class Removal:
         start, end = ends[:-1], ends[1:]
         low, high = np.minimum(start, end), np.maximum(start, end)
         reach = np.array([tool.radius, tool.radius, 0])
-        self.index = np.flatnonzero((low - reach < stock.upper).all(axis=1)
-                                    & (high[:, :2] + tool.radius > stock.lower[:2]).all(axis=1))
+        self.index = np.flatnonzero(
+            (low - reach < stock.upper).all(axis=1)
+            & (high[:, :2] + tool.radius > stock.lower[:2]).all(axis=1)
+        )
         start, end = start[self.index], end[self.index]
         # The tool is unbounded upwards: a vertical move removes what it removes at its lowest point.
         vertical = np.hypot(*(end - start)[:, :2].T) < 1e-6
@@ -72,9 +75,14 @@ class Removal:
         low, high = np.minimum(first, last), np.maximum(first, last)
         a, b = self.cosine * low[1], self.cosine * high[1]
         reach = self.tool.radius
-        return np.array([low[0] - reach, high[0] + reach,
-                         np.minimum(a, b) - abs(self.cosine) * reach + self.sine * low[2],
-                         np.maximum(a, b) + abs(self.cosine) * reach + self.sine * self.ceiling])
+        return np.array(
+            [
+                low[0] - reach,
+                high[0] + reach,
+                np.minimum(a, b) - abs(self.cosine) * reach + self.sine * low[2],
+                np.maximum(a, b) + abs(self.cosine) * reach + self.sine * self.ceiling,
+            ]
+        )
 
     def _strips(self) -> np.ndarray:
         across, along = self.move[0], self.cosine * self.move[1] + self.sine * self.move[2]
@@ -107,16 +115,28 @@ class Removal:
         parts = [(np.empty(0, np.int64), np.empty(0, np.int32), np.empty(0), np.empty(0))]
         for first, last, group, item in self._meetings(x, y, selection):
             ray, item = self._pairs(group, item, x[first:last], y[first:last])
-            pieces = self._cut_pairs(ray, item, x[first:last], y[first:last], near[first:last], far[first:last])
+            pieces = self._cut_pairs(
+                ray, item, x[first:last], y[first:last], near[first:last], far[first:last]
+            )
             parts.append((pieces.ray + first, pieces.owner, pieces.near, pieces.far))
         return Pieces(*(np.concatenate(columns) for columns in zip(*parts)))
 
-    def meeting(self, left: np.ndarray, right: np.ndarray, bottom: np.ndarray, top: np.ndarray,
-                selection: np.ndarray | None = None) -> tuple[np.ndarray, np.ndarray]:
-        """Which rectangles of the image (g,) each trajectory may meet: pairs of rectangle and position in `index`."""
+    def meeting(
+        self,
+        left: np.ndarray,
+        right: np.ndarray,
+        bottom: np.ndarray,
+        top: np.ndarray,
+        selection: np.ndarray | None = None,
+    ) -> tuple[np.ndarray, np.ndarray]:
+        """Pairs of a rectangle of the image (g,) and a position in `index` that may meet, by rectangle."""
         box = self.box if selection is None else self.box[:, selection]
-        rectangle, item = np.nonzero((box[0] <= right[:, None]) & (box[1] >= left[:, None])
-                                     & (box[2] <= top[:, None]) & (box[3] >= bottom[:, None]))
+        rectangle, item = np.nonzero(
+            (box[0] <= right[:, None])
+            & (box[1] >= left[:, None])
+            & (box[2] <= top[:, None])
+            & (box[3] >= bottom[:, None])
+        )
         if selection is not None:
             item = selection[item]
         nx, ny, low, high = self.strip[:, item]
@@ -125,8 +145,9 @@ class Removal:
         met = np.flatnonzero((centre + reach >= low) & (centre - reach <= high))
         return rectangle[met], item[met]
 
-    def _meetings(self, x: np.ndarray, y: np.ndarray,
-                  selection: np.ndarray | None) -> Iterator[tuple[int, int, np.ndarray, np.ndarray]]:
+    def _meetings(
+        self, x: np.ndarray, y: np.ndarray, selection: np.ndarray | None
+    ) -> Iterator[tuple[int, int, np.ndarray, np.ndarray]]:
         """Ranges of rays with the groups in them and the trajectories they meet, as many as memory allows."""
         groups = -(-len(x) // GROUP)
         # The last group is filled up with copies of the last ray.
@@ -142,17 +163,20 @@ class Removal:
             yield begin * GROUP, min(end * GROUP, len(x)), group[part] - begin, item[part]
             begin = end
 
-    def _pairs(self, group: np.ndarray, item: np.ndarray, x: np.ndarray,
-               y: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    def _pairs(
+        self, group: np.ndarray, item: np.ndarray, x: np.ndarray, y: np.ndarray
+    ) -> tuple[np.ndarray, np.ndarray]:
         """Rays and trajectories that may meet, sorted by ray, then by trajectory."""
         rays, hits = [], []
         for begin in range(0, len(group), _PAIRS_AT_ONCE // GROUP):
-            some = item[begin:begin + _PAIRS_AT_ONCE // GROUP]
+            some = item[begin : begin + _PAIRS_AT_ONCE // GROUP]
             left, right, bottom, top = self.box[:, some]
-            ray = group[begin:begin + _PAIRS_AT_ONCE // GROUP] * GROUP + np.arange(GROUP)[:, None]
+            ray = group[begin : begin + _PAIRS_AT_ONCE // GROUP] * GROUP + np.arange(GROUP)[:, None]
             inside = np.minimum(ray, len(x) - 1)
             rx, ry = x[inside], y[inside]
-            member, hit = np.nonzero((left <= rx) & (rx <= right) & (bottom <= ry) & (ry <= top) & (ray < len(x)))
+            member, hit = np.nonzero(
+                (left <= rx) & (rx <= right) & (bottom <= ry) & (ry <= top) & (ray < len(x))
+            )
             nx, ny, low, high = self.strip[:, some[hit]]
             across = nx * rx[member, hit] + ny * ry[member, hit]
             met = np.flatnonzero((low <= across) & (across <= high))
@@ -165,8 +189,15 @@ class Removal:
         order = np.argsort(ray.astype(np.uint16) if len(x) < 1 << 16 else ray, kind="stable")
         return ray[order], hit[order]
 
-    def _cut_pairs(self, ray: np.ndarray, item: np.ndarray, x: np.ndarray, y: np.ndarray,
-                   near: np.ndarray, far: np.ndarray) -> Pieces:
+    def _cut_pairs(
+        self,
+        ray: np.ndarray,
+        item: np.ndarray,
+        x: np.ndarray,
+        y: np.ndarray,
+        near: np.ndarray,
+        far: np.ndarray,
+    ) -> Pieces:
         self.candidates += len(ray)
         enter, leave = np.empty(len(ray)), np.empty(len(ray))
         for begin in range(0, len(ray), _PAIRS_AT_ONCE):
@@ -187,11 +218,13 @@ class Removal:
         return intervals(self.tool, start, move, ray, self.sine, self.cosine)
 
 
-def _not_yet_open(ray: np.ndarray, enter: np.ndarray, leave: np.ndarray, near: np.ndarray,
-                  far: np.ndarray) -> np.ndarray:
-    """Positions of the intervals that reach deeper than what earlier ones opened from the near end of the ray.
+def _not_yet_open(
+    ray: np.ndarray, enter: np.ndarray, leave: np.ndarray, near: np.ndarray, far: np.ndarray
+) -> np.ndarray:
+    """Positions of the intervals that reach deeper than earlier ones opened the ray from its near end.
 
-    Most passes over a pixel cut nothing new; this finds the greater part of them at the price of a running maximum.
+    Most passes over a pixel cut nothing new; this finds the greater part of them at the price of a running
+    maximum.
     """
     if len(ray) == 0:
         return np.empty(0, np.int64)

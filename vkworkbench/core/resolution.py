@@ -34,19 +34,25 @@ class Resolution:
     explanation: str
 
 
-def best_resolution(estimates: Sequence[Estimate], *, memory_bytes: float | None = None,
-                    seconds: float | None = None, stepover: float | None = None) -> Resolution:
+def best_resolution(
+    estimates: Sequence[Estimate],
+    *,
+    memory_bytes: float | None = None,
+    seconds: float | None = None,
+    stepover: float | None = None,
+) -> Resolution:
     """Choose the finest image with which operations are simulated within a budget.
 
-    Dexels, trace elements and candidate pixels all grow with the number of pixels, so the image that fits is a
-    square root; the time of the trajectories themselves does not, and no image shortens it.
+    Dexels, trace elements and candidate pixels all grow with the number of pixels, so the image that fits is
+    a square root; the time of the trajectories themselves does not, and no image shortens it.
 
     Parameters
     ----------
     estimates : sequence of Estimate
         Of the operations, all for the same view.
     memory_bytes, seconds : float, optional
-        The budget; at least one is given. Several operations share one z-buffer and are simulated one after another.
+        The budget; at least one is given. Several operations share one z-buffer and are simulated one after
+        another.
     stepover : float, optional
         Smallest distance between passes, mm: says whether the image tells the passes apart.
 
@@ -80,8 +86,14 @@ def best_resolution(estimates: Sequence[Estimate], *, memory_bytes: float | None
     growth = limits[limit]
     if growth * pixels < 1:
         worst = max(estimates, key=lambda e: e.seconds)
-        help_ = (f"the trajectories alone take {fixed:.3g} s: simulate fewer operations; the heaviest one takes "
-                 f"{worst.seconds:.3g} s") if limit == "time" else "not even a single pixel fits"
+        help_ = (
+            (
+                f"the trajectories alone take {fixed:.3g} s: simulate fewer operations; the heaviest takes "
+                f"{worst.seconds:.3g} s"
+            )
+            if limit == "time"
+            else "not even a single pixel fits"
+        )
         return Resolution(None, memory / pixels, fixed + scaled / pixels, f"no resolution helps, {help_}")
     width = max(1, int(view.width * sqrt(growth)))
     height = max(1, int(view.height * sqrt(growth)))
@@ -90,7 +102,10 @@ def best_resolution(estimates: Sequence[Estimate], *, memory_bytes: float | None
     words = f"{width} x {height} pixels of {pixel:.2g} mm, limited by the {limit}"
     if stepover:
         finest = stepover / _PIXELS_PER_STEPOVER
-        words += (f"; passes {stepover:.3g} mm apart ask for {finest:.2g} mm" if pixel > finest else
-                  f"; {finest:.2g} mm would do for passes {stepover:.3g} mm apart")
+        words += (
+            f"; passes {stepover:.3g} mm apart ask for {finest:.2g} mm"
+            if pixel > finest
+            else f"; {finest:.2g} mm would do for passes {stepover:.3g} mm apart"
+        )
     chosen = replace(view, width=width, height=height, pixel=None if view.pixel is None else pixel)
     return Resolution(chosen, memory * growth, fixed + scaled * growth, words)

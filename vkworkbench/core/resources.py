@@ -86,8 +86,15 @@ class Speed:
     record: float = 0.5e-6
 
 
-def estimate(toolpath: Toolpath, recognition: Recognition | None, *, tool: Tool, stock: Stock | ConvexStock,
-             view: View, speed: Speed = Speed()) -> Estimate:
+def estimate(
+    toolpath: Toolpath,
+    recognition: Recognition | None,
+    *,
+    tool: Tool,
+    stock: Stock | ConvexStock,
+    view: View,
+    speed: Speed = Speed(),
+) -> Estimate:
     """Estimate what simulating an operation takes, from some hundred rays simulated exactly.
 
     The sequence of the trajectories decides how often a pixel is cut (paper, section 2.1); the rays see that
@@ -130,10 +137,24 @@ def estimate(toolpath: Toolpath, recognition: Recognition | None, *, tool: Tool,
     candidates = candidate_pixels(toolpath, tool=tool, stock=stock, view=view)
     per_candidate = speed.candidate if removal.sine == 0 else speed.tilted_candidate
     trajectory_seconds = speed.trajectory * len(toolpath)
-    seconds = (trajectory_seconds + speed.pixel * pixels + per_candidate * candidates
-               + speed.record * (dexels + traces))
-    return Estimate(dexels, traces, error, memory, seconds, _explain(recognition, traces, touched * per_area),
-                    view, frame.pixel, stock_bytes, trajectory_seconds)
+    seconds = (
+        trajectory_seconds
+        + speed.pixel * pixels
+        + per_candidate * candidates
+        + speed.record * (dexels + traces)
+    )
+    return Estimate(
+        dexels,
+        traces,
+        error,
+        memory,
+        seconds,
+        _explain(recognition, traces, touched * per_area),
+        view,
+        frame.pixel,
+        stock_bytes,
+        trajectory_seconds,
+    )
 
 
 def _explain(recognition: Recognition | None, traces: float, touched: float) -> str:

@@ -10,7 +10,8 @@ import numpy as np
 from vkworkbench.core.removal import Removal
 
 _CELLS = 48
-# Rays drawn where the trajectories are few, and at least; between them, as many as meet that many trajectories.
+# Rays drawn where the trajectories are few, and at least; between them, as many as meet that many
+# trajectories.
 _RAYS = 400
 _FEWEST = 100
 _MEETINGS = 150_000
@@ -36,8 +37,8 @@ class Sample:
     def total(self, values: np.ndarray) -> tuple[float, float]:
         """Integral of a quantity over the image and its standard error.
 
-        Each stratum holds one ray, so its variance is taken from the difference to the next stratum; this counts
-        the difference of their means as noise and errs on the safe side.
+        Each stratum holds one ray, so its variance is taken from the difference to the next stratum; this
+        counts the difference of their means as noise and errs on the safe side.
 
         Parameters
         ----------
@@ -71,9 +72,10 @@ _ORDER = _neighbours_together()
 def sample(removal: Removal, rng: np.random.Generator) -> Sample:
     """Draw up to 400 rays where the trajectories pass, one in each of as many strata.
 
-    The part of the image the trajectories reach is divided into 48 x 48 cells. A cell's weight grows with the square
-    root of the number of trajectories that pass it, because where more pass the count varies more. The strata are
-    stretches of equal weight along a curve through the cells that keeps neighbours together (Morton 1966).
+    The part of the image the trajectories reach is divided into 48 x 48 cells. A cell's weight grows with the
+    square root of the number of trajectories that pass it, because where more pass the count varies more. The
+    strata are stretches of equal weight along a curve through the cells that keeps neighbours together
+    (Morton 1966).
 
     Parameters
     ----------
@@ -134,7 +136,9 @@ def _passes(removal: Removal, low: np.ndarray, side: np.ndarray) -> np.ndarray:
     c0, c1, r0, r1 = (np.clip(v[inside], 0, _CELLS - 1).astype(np.int64) for v in (c0, c1, r0, r1))
     # Corners of the boxes, summed up twice: the number of boxes over each cell.
     wide = _CELLS + 1
-    corner = np.concatenate((r0 * wide + c0, (r1 + 1) * wide + c1 + 1, r0 * wide + c1 + 1, (r1 + 1) * wide + c0))
+    corner = np.concatenate(
+        (r0 * wide + c0, (r1 + 1) * wide + c1 + 1, r0 * wide + c1 + 1, (r1 + 1) * wide + c0)
+    )
     sign = np.repeat([1.0, 1.0, -1.0, -1.0], len(c0))
     counts = np.bincount(corner, sign, wide * wide).reshape(wide, wide)
     return np.rint(counts.cumsum(axis=0).cumsum(axis=1)[:-1, :-1])

@@ -15,7 +15,7 @@ _DEFAULT_TIP_ANGLE = {"vbit": pi / 3, "drill": 118 * pi / 180}
 
 @dataclass(frozen=True)
 class Tool:
-    """A milling tool or drill: a convex solid of revolution about the vertical, its tip at the programmed point.
+    """A milling tool or drill: a convex solid of revolution, upright, its tip at the programmed point.
 
     The shank above the cutting edge cuts like the edge: the solid is unbounded upwards.
 
@@ -48,8 +48,10 @@ class Tool:
         if not (isfinite(self.diameter) and self.diameter > 0):
             raise ValueError(f"the tool's diameter must be a positive number, not {self.diameter:g} mm")
         if self.shape == "bullnose" and not 0 <= self.corner_radius <= self.radius:
-            raise ValueError(f"the corner radius must lie between 0 and {self.radius:g} mm, "
-                             f"not be {self.corner_radius:g} mm")
+            raise ValueError(
+                f"the corner radius must lie between 0 and {self.radius:g} mm, "
+                f"not be {self.corner_radius:g} mm"
+            )
         if self.tip_angle is not None and not 0 < self.tip_angle <= pi:
             raise ValueError(f"the tip angle must lie between 0 and pi, not be {self.tip_angle:g}")
 
@@ -149,7 +151,9 @@ class Stock(_Convex):
         if not (np.isfinite(self.lower).all() and np.isfinite(self.upper).all()):
             raise ValueError("the stock's corners must be finite numbers")
         if not (self.upper > self.lower).all():
-            raise ValueError("the stock has no volume: its upper corner must exceed its lower corner in x, y and z")
+            raise ValueError(
+                "the stock has no volume: its upper corner must exceed its lower corner in x, y and z"
+            )
         self.normals = np.vstack((np.eye(3), -np.eye(3)))
         self.offsets = np.concatenate((self.upper, -self.lower))
         self.corners = np.array(list(product(*zip(self.lower, self.upper))))
@@ -191,8 +195,9 @@ class ConvexStock(_Convex):
         self.corners = corners = self._corners()
         solid = len(corners) >= 4 and np.linalg.matrix_rank(corners - corners[0], tol=1e-9) == 3
         # Rays from the middle of a bounded solid end in it, whichever way they go.
-        if not solid or not all(np.isfinite(self.chords(corners.mean(axis=0)[None], axis)).all()
-                                for axis in np.eye(3)):
+        if not solid or not all(
+            np.isfinite(self.chords(corners.mean(axis=0)[None], axis)).all() for axis in np.eye(3)
+        ):
             raise ValueError("the planes of the stock enclose no bounded volume")
         self.lower, self.upper = corners.min(axis=0), corners.max(axis=0)
 
@@ -285,7 +290,7 @@ class View:
 
 @dataclass(frozen=True, eq=False)
 class Frame:
-    """A view made definite by a stock: image coordinates (x, y) in mm about the image's centre, depth along direction.
+    """A view made definite by a stock: image coordinates x, y in mm about its centre, depth along the view.
 
     Attributes
     ----------

@@ -1,14 +1,14 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Where rays pass through the volume a tool sweeps along a straight move.
 
-A tool (a convex solid of revolution, unbounded upwards) moved along a straight line sweeps a convex volume, so a
-ray meets it in one interval. Everything here is in ray coordinates: x to the right of the image, y the horizontal
-direction the rays go, z up; a ray at (x, y, z) runs along (0, sine, -cosine) of the view's tilt.
+A tool (a convex solid of revolution, unbounded upwards) moved along a straight line sweeps a convex volume,
+so a ray meets it in one interval. Everything here is in ray coordinates: x to the right of the image, y the
+horizontal direction the rays go, z up; a ray at (x, y, z) runs along (0, sine, -cosine) of the view's tilt.
 
 The interval's ends are extremes over the move's parameter t of the tool's own interval at the position t. The
-extremes lie at an end of the move, or where the ray touches a side face of the swept volume, or on the edge between
-two faces; these few t are known in closed form (bull-nose: by bisection of a monotone function) and the tool's
-interval is taken at each of them.
+extremes lie at an end of the move, or where the ray touches a side face of the swept volume, or on the edge
+between two faces; these few t are known in closed form (bull-nose: by bisection of a monotone function) and
+the tool's interval is taken at each of them.
 """
 
 from __future__ import annotations
@@ -17,9 +17,11 @@ from collections.abc import Callable
 
 import numpy as np
 
+from vkworkbench.core.rounded import ball_chord, ball_sides, divide, rounded_chord, rounded_sides
 from vkworkbench.core.solids import Tool
 
-# Ends closer than this, mm, are one: an edge of the swept volume is met in a single point, give or take rounding.
+# Ends closer than this, mm, are one: an edge of the swept volume is met in a single point, give or take
+# rounding.
 _ROUNDING = 1e-7
 
 
@@ -66,8 +68,9 @@ def _profile(tool: Tool, r: np.ndarray) -> np.ndarray:
     return corner - np.sqrt(corner**2 - beyond_flat**2)
 
 
-def _lowest_position(tool: Tool, slope: np.ndarray, aside2: np.ndarray, half: np.ndarray,
-                     first: np.ndarray, last: np.ndarray) -> np.ndarray:
+def _lowest_position(
+    tool: Tool, slope: np.ndarray, aside2: np.ndarray, half: np.ndarray, first: np.ndarray, last: np.ndarray
+) -> np.ndarray:
     """Where on the move the tool is lowest above a point: the minimum of slope * v + profile(r(v))."""
     if not slope.any():
         return np.zeros_like(slope)
@@ -90,8 +93,9 @@ def _lowest_position(tool: Tool, slope: np.ndarray, aside2: np.ndarray, half: np
     return (low + high) / 2
 
 
-def intervals(tool: Tool, start: np.ndarray, move: np.ndarray, ray: np.ndarray,
-              sine: float, cosine: float) -> tuple[np.ndarray, np.ndarray]:
+def intervals(
+    tool: Tool, start: np.ndarray, move: np.ndarray, ray: np.ndarray, sine: float, cosine: float
+) -> tuple[np.ndarray, np.ndarray]:
     """Where tilted rays enter and leave the swept volume.
 
     Parameters
@@ -112,23 +116,31 @@ def intervals(tool: Tool, start: np.ndarray, move: np.ndarray, ray: np.ndarray,
     offset = ray - start
     ends = [np.zeros(offset.shape[1]), np.ones(offset.shape[1])]
     corner = tool.rounding
-    near, far = _extremes(ends + _straight_sides(tool, corner, offset, move, sine, cosine), offset, move,
-                          lambda at: _straight_chord(tool, corner, at, sine, cosine))
+    near, far = _extremes(
+        ends + _straight_sides(tool, corner, offset, move, sine, cosine),
+        offset,
+        move,
+        lambda at: _straight_chord(tool, corner, at, sine, cosine),
+    )
     if corner > 0:
         raised = offset - np.array([[0.0], [0.0], [corner]])
         if corner == tool.radius:
-            sides = _ball_sides(tool, raised, move, sine, cosine)
-            chord = _ball_chord
+            sides = ball_sides(tool, raised, move, sine, cosine)
+            chord = ball_chord
         else:
-            sides = _rounded_sides(tool, raised, move, sine, cosine)
-            chord = _rounded_chord
+            sides = rounded_sides(tool, raised, move, sine, cosine)
+            chord = rounded_chord
         near2, far2 = _extremes(ends + sides, raised, move, lambda at: chord(tool, at, sine, cosine))
         near, far = np.minimum(near, near2), np.maximum(far, far2)
     return near, far
 
 
-def _extremes(parameters: list[np.ndarray], offset: np.ndarray, move: np.ndarray,
-              chord: Callable[[np.ndarray], tuple[np.ndarray, np.ndarray]]) -> tuple[np.ndarray, np.ndarray]:
+def _extremes(
+    parameters: list[np.ndarray],
+    offset: np.ndarray,
+    move: np.ndarray,
+    chord: Callable[[np.ndarray], tuple[np.ndarray, np.ndarray]],
+) -> tuple[np.ndarray, np.ndarray]:
     """First entry and last exit of the tool standing at the given parameters of its move."""
     near = np.full(offset.shape[1], np.inf)
     far = -near
@@ -140,9 +152,10 @@ def _extremes(parameters: list[np.ndarray], offset: np.ndarray, move: np.ndarray
     return near, far
 
 
-def _straight_chord(tool: Tool, base: float, at: np.ndarray, sine: float,
-                    cosine: float) -> tuple[np.ndarray, np.ndarray]:
-    """Depths at which a ray passes a standing cylinder that starts at height `base` or ends below in a cone."""
+def _straight_chord(
+    tool: Tool, base: float, at: np.ndarray, sine: float, cosine: float
+) -> tuple[np.ndarray, np.ndarray]:
+    """Depths at which a ray passes a standing cylinder that starts at height `base` or ends in a cone."""
     x, y, z = at
     tangent = cosine / sine if abs(cosine) > 1e-9 else 0.0
     half = np.sqrt(np.maximum(tool.radius**2 - x**2, 0))
@@ -179,16 +192,17 @@ def _cone_chord(k: float, tangent: float, x: np.ndarray, level: np.ndarray) -> t
     return (-level * tangent - root) / square, np.full_like(x, np.inf)
 
 
-def _straight_sides(tool: Tool, base: float, offset: np.ndarray, move: np.ndarray, sine: float,
-                    cosine: float) -> list[np.ndarray]:
-    """Parameters at which a ray may enter or leave the sweep of a cylinder or cone between the move's ends."""
+def _straight_sides(
+    tool: Tool, base: float, offset: np.ndarray, move: np.ndarray, sine: float, cosine: float
+) -> list[np.ndarray]:
+    """Parameters at which a ray may enter or leave a swept cylinder or cone between the move's ends."""
     x, y, z = offset
     ux, uy, uz = move
     run = np.hypot(ux, uy)
     safe_run = np.where(run > 0, run, 1)
     # The two vertical side faces.
     reach = tool.radius * uy / safe_run
-    sides = [_divide(x + reach, ux), _divide(x - reach, ux)]
+    sides = [divide(x + reach, ux), divide(x - reach, ux)]
     # The swept rim, where cylinder and bottom (or cone) meet.
     tilted = cosine * y + sine * (z - base - tool.steepness * tool.radius)
     tilted_move = cosine * uy + sine * uz
@@ -196,7 +210,7 @@ def _straight_sides(tool: Tool, base: float, offset: np.ndarray, move: np.ndarra
     middle = cosine**2 * x * ux + tilted * tilted_move
     rest = cosine**2 * (x**2 - tool.radius**2) + tilted**2
     root = np.sqrt(np.maximum(middle**2 - square * rest, 0))
-    sides += [_divide(middle - root, square), _divide(middle + root, square)]
+    sides += [divide(middle - root, square), divide(middle + root, square)]
     if tool.steepness > 0:
         # The two planes that touch the cone all along the move.
         k = tool.steepness
@@ -207,118 +221,5 @@ def _straight_sides(tool: Tool, base: float, offset: np.ndarray, move: np.ndarra
             ex = (cos_touch * ux - sign * sin_touch * uy) / safe_run
             ey = (cos_touch * uy + sign * sin_touch * ux) / safe_run
             e2 = cosine * ey + sine * k
-            sides.append(_divide(x * e2 - tilted * ex, ux * e2 - tilted_move * ex))
+            sides.append(divide(x * e2 - tilted * ex, ux * e2 - tilted_move * ex))
     return sides
-
-
-def _ball_chord(tool: Tool, at: np.ndarray, sine: float, cosine: float) -> tuple[np.ndarray, np.ndarray]:
-    """Depths at which a ray passes a standing ball."""
-    x, y, z = at
-    middle = cosine * z - sine * y
-    half2 = tool.radius**2 - x**2 - (cosine * y + sine * z) ** 2
-    half = np.sqrt(np.maximum(half2, 0))
-    return np.where(half2 >= 0, middle - half, np.inf), middle + half
-
-
-def _ball_sides(tool: Tool, offset: np.ndarray, move: np.ndarray, sine: float, cosine: float) -> list[np.ndarray]:
-    """Parameters of the axis points nearest to where a ray passes the cylinder around the ball's path."""
-    x, y, z = offset
-    ux, uy, uz = move
-    length2 = ux**2 + uy**2 + uz**2
-    along_ray = uy * sine - uz * cosine
-    here = x * ux + y * uy + z * uz
-    square = length2 - along_ray**2
-    middle = length2 * (sine * y - cosine * z) - along_ray * here
-    rest = length2 * (x**2 + y**2 + z**2 - tool.radius**2) - here**2
-    root = np.sqrt(np.maximum(middle**2 - square * rest, 0))
-    sides = []
-    for s in (_divide(-middle - root, square), _divide(-middle + root, square)):
-        sides.append(_divide(here + s * along_ray, length2))
-    return sides
-
-
-def _rounded_chord(tool: Tool, at: np.ndarray, sine: float, cosine: float) -> tuple[np.ndarray, np.ndarray]:
-    """Depths at which a ray passes a standing disc thickened by the corner radius.
-
-    Newton's method on the distance to the disc, a convex function of the depth, runs monotonously to the ends of
-    the interval from the ends of the ball around it.
-    """
-    near, far = _ball_chord(tool, at, sine, cosine)
-    met = near <= far
-    for ahead, depths in ((1.0, near), (-1.0, far)):
-        active = np.flatnonzero(met)
-        for _ in range(40):
-            x, y, z = at[:, active]
-            s = depths[active]
-            y, z = y + s * sine, z - s * cosine
-            r = np.hypot(x, y)
-            beyond = np.maximum(r - (tool.radius - tool.rounding), 0)
-            distance = np.hypot(beyond, z)
-            fall = -ahead * (sine * y * _divide(beyond, r) - cosine * z)
-            outside = distance > tool.rounding + _ROUNDING * 1e-3
-            # Still outside although the distance grows inwards: there is nothing to enter.
-            met[active[outside & (fall <= 0)]] = False
-            moving = outside & (fall > 0)
-            if not moving.any():
-                break
-            active = active[moving]
-            depths[active] += (ahead * (distance - tool.rounding) * distance)[moving] / fall[moving]
-    return np.where(met, near, np.inf), far
-
-
-def _rounded_sides(tool: Tool, offset: np.ndarray, move: np.ndarray, sine: float, cosine: float) -> list[np.ndarray]:
-    """Parameters at which a ray enters or leaves the side of a swept thickened disc.
-
-    Seen along the move the disc is an ellipse and the ray a line. As its
-    normal turns by pi, the contour's point moves monotonously across the line: bisection finds where they meet.
-    """
-    ux, uy, uz = move
-    run = np.hypot(ux, uy)
-    length = np.sqrt(run**2 + uz**2)
-    safe_run, safe_length = np.where(run > 0, run, 1), np.where(length > 0, length, 1)
-    sin_m, cos_m = uz / safe_length, run / safe_length
-    ex, ey = np.where(run > 0, ux / safe_run, 1.0), uy / safe_run
-    flat, corner = tool.radius - tool.rounding, tool.rounding
-    x, y, z = offset
-
-    # Axes of the picture: horizontal across the move, and upwards across it.
-    across, above = y * ex - x * ey, z * cos_m - (x * ex + y * ey) * sin_m
-    ray_across, ray_above = sine * ex, -cosine * cos_m - sine * ey * sin_m
-    speed = np.hypot(ray_across, ray_above)
-    # Normal of the line, and how far from the disc's centre it passes.
-    na, nb = np.where(speed > 0, -_divide(ray_above, speed), 1.0), _divide(ray_across, speed)
-    line = across * na + above * nb
-
-    def contact(c: np.ndarray, s: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """Contour point with outward normal (c, s): across, above, and along the move."""
-        share = _divide(flat, np.sqrt(c**2 + (s * sin_m) ** 2))
-        return (share + corner) * c, (share * sin_m**2 + corner) * s, -share * s * sin_m * cos_m
-
-    sides = []
-    for turn in (1.0, -1.0):
-        c0, s0, c1, s1 = na, nb, -na, -nb
-        c, s = -turn * nb, turn * na
-        for _ in range(14):
-            a, b, _along = contact(c, s)
-            beyond = a * na + b * nb > line
-            c0, s0 = np.where(beyond, c, c0), np.where(beyond, s, s0)
-            c1, s1 = np.where(beyond, c1, c), np.where(beyond, s1, s)
-            c, s = c0 + c1, s0 + s1
-            norm = np.sqrt(c**2 + s**2)
-            c, s = c / norm, s / norm
-        # Between two normals this close the contour is as good as straight; the flat bottom is, all of it.
-        first, last = contact(c0, s0), contact(c1, s1)
-        height0 = first[0] * na + first[1] * nb
-        height1 = last[0] * na + last[1] * nb
-        share = np.clip(_divide(height0 - line, height0 - height1), 0, 1)
-        a, b, along = (p + share * (q - p) for p, q in zip(first, last))
-        s = _divide((a - across) * ray_across + (b - above) * ray_above, speed**2)
-        here = (x * ex + (y + s * sine) * ey) * cos_m + (z - s * cosine) * sin_m
-        sides.append(_divide(here - along, length))
-    return sides
-
-
-def _divide(a: np.ndarray | float, b: np.ndarray) -> np.ndarray:
-    """Return a / b, and 0 where b is 0."""
-    zero = b == 0
-    return np.where(zero, 0.0, a / np.where(zero, 1.0, b))

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The extended z-buffer with traces (Blasquez and Poiraudeau 2000): the exact reference simulator.
 
-Every pixel's ray holds the dexels of the part and the elements of the traces, the pieces the trajectories removed.
-Traces glue the chips back on the part, so every moment of the simulation can be had again.
+Every pixel's ray holds the dexels of the part and the elements of the traces, the pieces the trajectories
+removed. Traces glue the chips back on the part, so every moment of the simulation can be had again.
 """
 
 from __future__ import annotations
@@ -43,7 +43,8 @@ class ZBuffer:
     step : int
         The moment: that many trajectories have been simulated.
     part_records : (p,) ndarray of DEXEL
-        What the whole toolpath leaves of the stock, sorted by pixel (row * width + column, row 0 below) and depth.
+        What the whole toolpath leaves of the stock, sorted by pixel (row * width + column, row 0 below) and
+        depth.
     trace_records : (m,) ndarray of TRACE
         What the whole toolpath removes, sorted by pixel and depth.
     trace_index : (pixels + 1,) ndarray of INDEX
@@ -65,9 +66,13 @@ class ZBuffer:
         """The dexels at this moment: those of the part and the chips that have not been cut yet, joined."""
         if self.step == self.trajectories:
             return self.part_records
-        chip_pixel = np.repeat(np.arange(len(self.trace_index) - 1), np.diff(self.trace_index.astype(np.int64)))
+        chip_pixel = np.repeat(
+            np.arange(len(self.trace_index) - 1), np.diff(self.trace_index.astype(np.int64))
+        )
         pixel = np.concatenate((self.part_records["pixel"], chip_pixel)).astype(np.int64)
-        near, far = (np.concatenate((self.part_records[end], self.trace_records[end])) for end in ("near", "far"))
+        near, far = (
+            np.concatenate((self.part_records[end], self.trace_records[end])) for end in ("near", "far")
+        )
         owner = np.concatenate((np.full(len(self.part_records), UNCUT), self.trace_records["trajectory"]))
         order = np.lexsort((near, pixel))
         pieces = Pieces(pixel[order], owner[order], near[order], far[order])
@@ -119,9 +124,9 @@ class ZBuffer:
 def simulate(toolpath: Toolpath, *, tool: Tool, stock: Stock | ConvexStock, view: View) -> ZBuffer:
     """Cut the stock by all trajectories, rapids included, and count exactly.
 
-    An element of a trace is one piece a trajectory removes from one pixel's ray. Pieces up to 1e-4 mm are rounding
-    noise and go to their neighbour. A trajectory is the straight sweep of the tool between two points of the
-    toolpath.
+    An element of a trace is one piece a trajectory removes from one pixel's ray. Pieces up to 1e-4 mm are
+    rounding noise and go to their neighbour. A trajectory is the straight sweep of the tool between two
+    points of the toolpath.
 
     Parameters
     ----------
@@ -138,8 +143,11 @@ def simulate(toolpath: Toolpath, *, tool: Tool, stock: Stock | ConvexStock, view
     frame = view.frame(stock)
     removal = Removal(toolpath, tool, stock, frame)
     parts = []
-    pending = [(c, r, min(c + _TILE, frame.width), min(r + _TILE, frame.height))
-               for r in range(0, frame.height, _TILE) for c in range(0, frame.width, _TILE)]
+    pending = [
+        (c, r, min(c + _TILE, frame.width), min(r + _TILE, frame.height))
+        for r in range(0, frame.height, _TILE)
+        for c in range(0, frame.width, _TILE)
+    ]
     while pending:
         tile = pending.pop()
         selection = _trajectories_in(removal, tile)
@@ -150,8 +158,14 @@ def simulate(toolpath: Toolpath, *, tool: Tool, stock: Stock | ConvexStock, view
         column, row = _blockwise(*tile)
         pieces = removal.cut(*frame.pixel_centres(column, row), selection)
         parts.append(Pieces((row * frame.width + column)[pieces.ray], pieces.owner, pieces.near, pieces.far))
-    return _zbuffer(frame, len(toolpath), Pieces(*(np.concatenate([getattr(p, name) for p in parts])
-                                                   for name in ("ray", "owner", "near", "far"))), removal.candidates)
+    return _zbuffer(
+        frame,
+        len(toolpath),
+        Pieces(
+            *(np.concatenate([getattr(p, name) for p in parts]) for name in ("ray", "owner", "near", "far"))
+        ),
+        removal.candidates,
+    )
 
 
 def _trajectories_in(removal: Removal, tile: tuple[int, int, int, int]) -> np.ndarray:
@@ -161,8 +175,12 @@ def _trajectories_in(removal: Removal, tile: tuple[int, int, int, int]) -> np.nd
 
 def _quarters(left: int, bottom: int, right: int, top: int) -> list[tuple[int, int, int, int]]:
     middle, centre = max(left + 1, (left + right) // 2), max(bottom + 1, (bottom + top) // 2)
-    quarters = [(left, bottom, middle, centre), (middle, bottom, right, centre),
-                (left, centre, middle, top), (middle, centre, right, top)]
+    quarters = [
+        (left, bottom, middle, centre),
+        (middle, bottom, right, centre),
+        (left, centre, middle, top),
+        (middle, centre, right, top),
+    ]
     return [q for q in quarters if q[0] < q[2] and q[1] < q[3]]
 
 
