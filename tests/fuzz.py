@@ -32,6 +32,7 @@ from vkworkbench.core.preflight import preflight
 # Time of one call is bounded by START + EACH * (commands + trajectories): linear, whatever the commands say.
 START, EACH = 0.5, 50e-6  # s
 
+STOCK, VIEW = Stock((-10, -10, -20), (60, 60, 0)), View(width=80, height=60)
 REFUSALS = "the tolerance must be", "the arcs and cycles would need"  # the documented ValueErrors
 
 CODES = ["G0", "G1", "G2", "G3", "G00", "G01", "g1", "G17", "G18", "G19", "G20", "G21", "G38.2", "G40", "G43", "G54",
@@ -105,8 +106,8 @@ def program(seed):
         commands = mutated(rng, commands)
     # The usual program is short; a few are long, one in 5,000 very long.
     repeat = rng.random()
-    if commands and repeat < 0.05:
-        length = 1_000_000 if repeat < 0.0002 else 100_000 if repeat < 0.002 else 10_000
+    if commands and repeat < 0.01:
+        length = 1_000_000 if repeat < 0.0002 else 100_000 if repeat < 0.001 else 10_000
         commands = (commands * (length // len(commands) + 1))[:length]
     tolerance = rng.choice([0.01] * 20 + [0.1, 1e-3, 1.0, 1e6, 1e-300, 0.0, -1.0, math.nan, math.inf])
     return commands, tolerance, rng.choice(TOOLS)
@@ -158,7 +159,7 @@ def feed_program(commands, tolerance=0.01, diameter=5.0):
             except (TypeError, ValueError):  # None and impossible diameters: there is nothing to estimate with
                 tool = None
             if tool is not None:
-                cost = estimate(path, found, tool=tool, stock=Stock((-10, -10, -20), (60, 60, 0)), view=View())
+                cost = estimate(path, found, tool=tool, stock=STOCK, view=VIEW)
                 check_estimate(cost)
                 opengl_cost(path, diameter=diameter)
             preflight(commands, path, version=(1, 0), diameter=tool and diameter)
