@@ -65,6 +65,8 @@ class Estimate:
 class Speed:
     """What one unit of the simulator's work costs on one computer, s.
 
+    The defaults are those of a Xeon core, fitted as benchmarks/resources.py fits them.
+
     Attributes
     ----------
     trajectory : float
@@ -79,10 +81,10 @@ class Speed:
         One dexel or element of a trace.
     """
 
-    trajectory: float = 2e-6
-    pixel: float = 1e-6
-    candidate: float = 0.4e-6
-    tilted_candidate: float = 0.8e-6
+    trajectory: float = 10e-6
+    pixel: float = 0.55e-6
+    candidate: float = 0.35e-6
+    tilted_candidate: float = 1.1e-6
     record: float = 0.5e-6
 
 
