@@ -49,7 +49,6 @@ class ResultsDock(QDockWidget):
         self.table.verticalHeader().hide()
         self.table.verticalHeader().setSectionResizeMode(QHeaderView.Fixed)
         self.table.verticalHeader().setDefaultSectionSize(self.fontMetrics().height() + 6)
-        self.table.horizontalHeader().setStretchLastSection(True)
         self.table.selectionModel().selectionChanged.connect(self._select)
         self.table.doubleClicked.connect(lambda index: Gui.SendMsgToActiveView("ViewSelection"))
 
@@ -131,8 +130,12 @@ class ResultsDock(QDockWidget):
         self._following = True
         self.model.show(rows_of(self._report))
         self._following = False
+        header = self.table.horizontalHeader()
+        header.setStretchLastSection(False)
         self.table.resizeColumnsToContents()
         self.table.setColumnWidth(0, min(self.table.columnWidth(0), _WIDEST_LABEL))
+        # Where there is no room to give, stretching would take some.
+        header.setStretchLastSection(header.length() < self.table.viewport().width())
         for button in (self.csv, self.json, self.copy):
             button.setEnabled(bool(self._report.operations))
         self._follow()
