@@ -4,8 +4,9 @@
 
     python3 benchmarks/recognition.py [FILE.jsonl.gz ...]
 
-Each line of a FILE is a JSON record: label, strategy, accept (the strategies that count as right), tool_diameter
-(mm or null) and commands ([name, parameters], mm and mm/s). Toolpaths that are the same to a micrometre count once.
+Each line of a FILE is a JSON record: label, strategy, accept (the strategies that count as right),
+tool_diameter (mm or null) and commands ([name, parameters], mm and mm/s). Toolpaths that are the same to a
+micrometre count once.
 Without files the toolpaths of synthetic.py are taken. Needs numpy only.
 """
 
@@ -46,7 +47,8 @@ def records(files: list[str]):
                 yield r["label"], r["strategy"], set(r["accept"]), r["tool_diameter"], path
     if not files:
         for label, accepted, make in synthetic.SAMPLES:
-            # The strategy a label names decides the two-class figure only where all accepted ones agree on it.
+            # The strategy a label names decides the two-class figure only where all accepted ones agree on
+            # it.
             strategy = "mixed" if "mixed" in accepted else min(accepted)
             for seed in range(SEEDS):
                 rng = np.random.default_rng([seed, sum(map(ord, label))])
@@ -86,8 +88,10 @@ def accuracy(files: list[str]) -> None:
     _print_reliability(answers)
     right = sum(r for _, r in answers)
     mean = np.mean([a / b for a, b in by_label.values()])
-    print(f"\n{len(answers)} distinct toolpaths: right {right / len(answers):.3f}, mean over labels {mean:.3f}, "
-          f"two-class {two[0]}/{two[1]} = {two[0] / max(1, two[1]):.4f}")
+    print(
+        f"\n{len(answers)} distinct toolpaths: right {right / len(answers):.3f}, "
+        f"mean over labels {mean:.3f}, two-class {two[0]}/{two[1]} = {two[0] / max(1, two[1]):.4f}"
+    )
     print(f"{seconds / max(1, moves) * 1e6:.2f} us per trajectory over {moves} trajectories")
 
 
@@ -100,7 +104,10 @@ def _print_labels(by_label) -> None:
 
 def _print_confusion(confusion) -> None:
     names = sorted({name for pair in confusion for name in pair})
-    print("\nconfusion: rows are the true strategies, columns the answers; an accepted answer counts as the true one")
+    print(
+        "\nconfusion: rows are the true strategies, columns the answers; "
+        "an accepted answer counts as the true one"
+    )
     print(" " * 18 + " ".join(f"{name[:7]:>7s}" for name in names))
     for true in names:
         row = [confusion[true, got] for got in names]
@@ -115,11 +122,13 @@ def _print_reliability(answers) -> None:
     for low, high in zip(edges[:-1], edges[1:]):
         some = answers[(answers[:, 0] >= low) & (answers[:, 0] < high)]
         if len(some):
-            print(f"  confidence {low:.2f} to {min(high, 1):.2f}: {len(some):5d} verdicts, "
-                  f"mean confidence {some[:, 0].mean():.2f}, right {some[:, 1].mean():.2f}")
+            print(
+                f"  confidence {low:.2f} to {min(high, 1):.2f}: {len(some):5d} verdicts, "
+                f"mean confidence {some[:, 0].mean():.2f}, right {some[:, 1].mean():.2f}"
+            )
 
 
-# Speed --------------------------------------------------------------------------------------------------------------
+# Speed
 
 
 def path_through(points: np.ndarray) -> Toolpath:
@@ -157,7 +166,9 @@ def linked_squares(n: int) -> Toolpath:
     k = np.arange(n + 1)
     loop, at = np.divmod(k, 5)
     half = 5 + loop * 1.0
-    return path_through(np.column_stack([half * np.array([-1, 1, 1, -1, -1])[at], half * np.array([-1, -1, 1, 1, -1])[at]]))
+    return path_through(
+        np.column_stack([half * np.array([-1, 1, 1, -1, -1])[at], half * np.array([-1, -1, 1, 1, -1])[at]])
+    )
 
 
 def obvious(points: np.ndarray) -> np.ndarray:
@@ -179,15 +190,19 @@ def best(function, *arguments) -> float:
 
 def speed() -> None:
     """Print the cost of a recognition as a multiple of the obvious pipeline, and its growth."""
-    print("\nspeed: time of recognize / time of the obvious pipeline, and time per trajectory / that at 17,000")
+    print(
+        "\nspeed: time of recognize / time of the obvious pipeline, and time per trajectory / that at 17,000"
+    )
     for make in (zigzag, linked_offsets, linked_squares):
         base = None
         for n in (17_000, 100_000, 1_000_000):
             path = make(n)
             spent = best(recognize, path)
             base = base or spent / n
-            print(f"  {make.__name__:15s} {n:9d} trajectories: {spent / best(obvious, path.points):5.1f}   "
-                  f"{spent / n / base:4.2f}   ({recognize(path).strategy})")
+            print(
+                f"  {make.__name__:15s} {n:9d} trajectories: {spent / best(obvious, path.points):5.1f}   "
+                f"{spent / n / base:4.2f}   ({recognize(path).strategy})"
+            )
 
 
 if __name__ == "__main__":

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Toolpaths made to measure: every strategy in the manner of several CAM programs, as G-code commands.
 
-Each maker takes a random generator and returns a list of (name, parameters) pairs in FreeCAD's units. SAMPLES lists
-(label, strategies that count as right, maker).
+Each maker takes a random generator and returns a list of (name, parameters) pairs in FreeCAD's units.
+SAMPLES lists (label, strategies that count as right, maker).
 """
 
 from __future__ import annotations
@@ -66,7 +66,7 @@ class Program:
         self.commands.append(("G0" if self.rapids else "G1", {"Z": SAFE}))
 
 
-# Outlines -----------------------------------------------------------------------------------------------------------
+# Outlines
 
 
 def outline(rng: np.random.Generator) -> np.ndarray:
@@ -79,7 +79,9 @@ def outline(rng: np.random.Generator) -> np.ndarray:
         radii = radius * rng.uniform(0.8, 1.0, corners)
     elif kind == 1:  # smooth blob
         angles = np.arange(120) * 2 * np.pi / 120
-        radii = radius * (1 + 0.15 * np.cos(2 * angles + rng.uniform(0, 6)) + 0.1 * np.cos(3 * angles + rng.uniform(0, 6)))
+        radii = radius * (
+            1 + 0.15 * np.cos(2 * angles + rng.uniform(0, 6)) + 0.1 * np.cos(3 * angles + rng.uniform(0, 6))
+        )
     else:  # rectangle
         w, h = radius, radius * rng.uniform(0.35, 1.0)
         return np.array([(-w, -h), (w, -h), (w, h), (-w, h)]) + rng.uniform(-50, 50, 2)
@@ -136,7 +138,7 @@ def depths(rng: np.random.Generator, most: int = 5) -> list[float]:
     return [-(k + 1) * 2.0 for k in range(int(rng.integers(1, most + 1)))]
 
 
-# Strategies ---------------------------------------------------------------------------------------------------------
+# Strategies
 
 
 def zigzag(rng, *, lifted=False, rapids=True, angle=None, with_contour=False, rough=0.0):
@@ -312,7 +314,12 @@ def square_spiral(rng):
     """A spiral with corners: every side a step farther in."""
     p = Program(rng)
     step = rng.uniform(1, 4)
-    west, south, east, north = -rng.uniform(25, 45), -rng.uniform(20, 30), rng.uniform(25, 45), rng.uniform(20, 30)
+    west, south, east, north = (
+        -rng.uniform(25, 45),
+        -rng.uniform(20, 30),
+        rng.uniform(25, 45),
+        rng.uniform(20, 30),
+    )
     points = [(west, south)]
     while east - west > 2 * step and north - south > 2 * step:
         points += [(east, south), (east, north), (west, north), (west, south + step)]
@@ -374,7 +381,9 @@ def adaptive(rng, *, lift=0.3, rapid_back=True, arcs=False):
             half = math.asin(min(1.0, h / radius))
             t = np.linspace(-half, half, 40)
             bite = np.column_stack([(reach - radius) + radius * np.cos(t), radius * np.sin(t)]) * (side, side)
-            hook = bite[-1] + 1.2 * np.column_stack([np.cos(t[:15] / half * 1.3) - 1, np.sin(t[:15] / half * 1.3)]) * (side, side)
+            hook = bite[-1] + 1.2 * np.column_stack(
+                [np.cos(t[:15] / half * 1.3) - 1, np.sin(t[:15] / half * 1.3)]
+            ) * (side, side)
             start = bite[0]
             p.commands.append(("G0" if rapid_back else "G1", {"Z": z + lift}))
             p.commands.append(("G0" if rapid_back else "G1", {"X": start[0], "Y": start[1]}))
@@ -393,7 +402,8 @@ def adaptive(rng, *, lift=0.3, rapid_back=True, arcs=False):
 def bites_in_a_row(rng, *, back="sloped", arcs=False, spiral_first=True, bends=False):
     """Bites along a channel, the way back lifted a little on slopes, at the same height, or by a rapid.
 
-    This is how stay-down adaptive clearing looks: arcs from wall to wall, each begun and ended by a small arc.
+    This is how stay-down adaptive clearing looks: arcs from wall to wall, each begun and ended by a small
+    arc.
     """
     p = Program(rng)
     half, step, z = rng.uniform(5, 15), rng.uniform(0.3, 1.5), -rng.uniform(2, 8)
@@ -409,13 +419,19 @@ def bites_in_a_row(rng, *, back="sloped", arcs=False, spiral_first=True, bends=F
         bulge = half / np.sin(1.1)
         bite = np.column_stack([bulge * (np.cos(t) - np.cos(1.1)), bulge * np.sin(t)])
         t = np.linspace(0, 2.2, 10)
-        out = bite[-1] + 0.8 * np.column_stack([np.cos(1.1 + np.pi / 2 + t - np.pi / 2) - np.cos(1.1), np.sin(1.1 + t) - np.sin(1.1)])
+        out = bite[-1] + 0.8 * np.column_stack(
+            [np.cos(1.1 + np.pi / 2 + t - np.pi / 2) - np.cos(1.1), np.sin(1.1 + t) - np.sin(1.1)]
+        )
         way = np.vstack([bite, out[1:]])
         turn = 0.5 * x / length if bends else 0.0
         c, s = math.cos(turn), math.sin(turn)
         way = way @ np.array([[c, s], [-s, c]]) + (x, 5 * np.sin(x / 20) if bends else 0.0)
         if back == "rapid":
-            p.commands += [("G0", {"Z": z + lift}), ("G0", {"X": way[0, 0], "Y": way[0, 1]}), ("G1", {"Z": z})]
+            p.commands += [
+                ("G0", {"Z": z + lift}),
+                ("G0", {"X": way[0, 0], "Y": way[0, 1]}),
+                ("G1", {"Z": z}),
+            ]
             p.last = (way[0, 0], way[0, 1], z)
         elif p.last is not None and back == "sloped":
             x0, y0, _ = p.last
@@ -442,7 +458,12 @@ def bites_in_a_row(rng, *, back="sloped", arcs=False, spiral_first=True, bends=F
 def trochoid_of_arcs(rng):
     """A slot by half circles forward and straight ways back."""
     p = Program(rng)
-    r, step, length, turn = rng.uniform(2, 8), rng.uniform(0.3, 1.5), rng.uniform(25, 80), rng.uniform(0, np.pi)
+    r, step, length, turn = (
+        rng.uniform(2, 8),
+        rng.uniform(0.3, 1.5),
+        rng.uniform(25, 80),
+        rng.uniform(0, np.pi),
+    )
     along, across = np.array([math.cos(turn), math.sin(turn)]), np.array([-math.sin(turn), math.cos(turn)])
     for z in depths(rng, 3):
         first = -r * across
@@ -467,7 +488,8 @@ def isolation(rng):
 
 
 def board(rng):
-    """A circuit board in one program: contours at one depth, then holes, then the outline at several depths."""
+    """A circuit board in one program: contours at one depth, then holes, then the outline at several
+    depths."""
     holes = drilling(rng, pecks=1)
     while sum(name == "G1" for name, _ in holes) < 6:
         holes = drilling(rng, pecks=1)
@@ -532,7 +554,11 @@ SAMPLES = (
     ("offsets lifted", {"contour-parallel"}, nested),
     ("offsets without rapids", {"contour-parallel"}, lambda r: nested(r, rapids=False)),
     ("offsets linked", {"contour-parallel"}, lambda r: nested(r, linked="step")),
-    ("offsets linked outward cw", {"contour-parallel"}, lambda r: nested(r, linked="step", outward=True, ccw=False)),
+    (
+        "offsets linked outward cw",
+        {"contour-parallel"},
+        lambda r: nested(r, linked="step", outward=True, ccw=False),
+    ),
     ("offsets linked smoothly", {"contour-parallel"}, lambda r: nested(r, linked="smooth")),
     ("offsets around an island", {"contour-parallel"}, island),
     ("profile", {"profile"}, profile),

@@ -28,7 +28,9 @@ def rows(count=24, length=60.0, step=2.0, scale=1.0):
 def bore(turns=6, radius=8.0):
     """Commands of a helical bore that ends by a level turn."""
     program = [("G0", {"X": radius, "Y": 0.0, "Z": 5.0}), ("G1", {"Z": 0.0})]
-    program += [("G3", {"X": radius, "Y": 0.0, "Z": -1.0 * (k + 1), "I": -radius, "J": 0.0}) for k in range(turns)]
+    program += [
+        ("G3", {"X": radius, "Y": 0.0, "Z": -1.0 * (k + 1), "I": -radius, "J": 0.0}) for k in range(turns)
+    ]
     return [*program, ("G3", {"X": radius, "Y": 0.0, "I": -radius, "J": 0.0})]
 
 
@@ -37,11 +39,16 @@ def strategy(commands, **options):
 
 
 def test_six_thousand_exact_reversals_are_no_contour():
-    # A public zigzag program reverses exactly 6,212 times; the literal rule makes it a contour of level 3,103.
+    # A public zigzag program reverses exactly 6,212 times; the literal rule makes it a contour of level
+    # 3,103.
     program = list(START)
     for k in range(3106):
         y = 0.05 * k
-        program += [("G1", {"X": 40.0, "Y": y}), ("G1", {"X": 0.0, "Y": y}), ("G0", {"X": 0.0, "Y": y + 0.05})]
+        program += [
+            ("G1", {"X": 40.0, "Y": y}),
+            ("G1", {"X": 0.0, "Y": y}),
+            ("G0", {"X": 0.0, "Y": y + 0.05}),
+        ]
         if k % 2:
             program.pop()
             program.append(("G1", {"X": 0.0, "Y": y + 0.05}))
@@ -99,7 +106,12 @@ def test_rows_that_are_arcs_of_a_kilometre():
     program, radius = list(START), 1e6
     for k in range(24):
         x = 60.0 if k % 2 == 0 else 0.0
-        program.append(("G2" if k % 3 else "G3", {"X": x, "Y": 2.0 * k, "I": 0.0, "J": radius if k % 3 == 0 else -radius}))
+        program.append(
+            (
+                "G2" if k % 3 else "G3",
+                {"X": x, "Y": 2.0 * k, "I": 0.0, "J": radius if k % 3 == 0 else -radius},
+            )
+        )
         program.append(("G1", {"X": x, "Y": 2.0 * (k + 1)}))
     assert strategy(program) is Strategy.ZIGZAG
 
@@ -145,7 +157,10 @@ def test_zero_length_moves_and_negative_zero():
 def test_radius_format_arcs():
     program = [("G0", {"X": 0.0, "Y": -10.0, "Z": 5.0}), ("G1", {"Z": 0.0})]
     for k in range(7):
-        program += [("G3", {"X": 0.0, "Y": 10.0, "Z": -k - 0.5, "R": 10.0}), ("G3", {"X": 0.0, "Y": -10.0, "Z": -k - 1.0, "R": 10.0})]
+        program += [
+            ("G3", {"X": 0.0, "Y": 10.0, "Z": -k - 0.5, "R": 10.0}),
+            ("G3", {"X": 0.0, "Y": -10.0, "Z": -k - 1.0, "R": 10.0}),
+        ]
     found = recognize(linearize(program))
     assert found.strategy is Strategy.HELIX and found.level == 7
 
@@ -160,7 +175,11 @@ def test_incremental_words():
 
 @pytest.mark.parametrize(
     "name, commands, truth",
-    [("(2D Pocket3)", rows(), Strategy.ZIGZAG), ("(DRILL3)", bore(), Strategy.HELIX), ("(Adaptive)", rows(), Strategy.ZIGZAG)],
+    [
+        ("(2D Pocket3)", rows(), Strategy.ZIGZAG),
+        ("(DRILL3)", bore(), Strategy.HELIX),
+        ("(Adaptive)", rows(), Strategy.ZIGZAG),
+    ],
 )
 def test_names_that_lie(name, commands, truth):
     assert strategy([(name, {}), *commands]) is truth
@@ -185,7 +204,12 @@ def test_a_clockwise_zigzag_stays_on_level_zero():
 
 def test_a_start_on_the_boundary_shifts_phi_and_changes_nothing():
     # FreeCAD begins a zigzag by a piece of the boundary: phi then lies between a and a + pi.
-    program = [("G0", {"X": -8.0, "Y": -5.0, "Z": -1.0}), ("G1", {"X": -4.0, "Y": -7.0}), ("G1", {"X": 0.0, "Y": 0.0}), *rows()[2:]]
+    program = [
+        ("G0", {"X": -8.0, "Y": -5.0, "Z": -1.0}),
+        ("G1", {"X": -4.0, "Y": -7.0}),
+        ("G1", {"X": 0.0, "Y": 0.0}),
+        *rows()[2:],
+    ]
     assert strategy(program) is Strategy.ZIGZAG
 
 

@@ -68,7 +68,8 @@ class Moves:
 
     @cached_property
     def doubled(self) -> tuple[np.ndarray, np.ndarray]:
-        """The moves at twice their angle, which forgets their sense: their sum lies along twice the axis, mm."""
+        """The moves at twice their angle, which forgets their sense: their sum lies along twice the axis,
+        mm."""
         cos2, sin2 = self.dx * self.dx, self.dx * self.dy
         cos2 -= self.dy * self.dy
         cos2 /= self.length
@@ -172,7 +173,8 @@ def _seen_along_the_normal(points, rapid) -> tuple[np.ndarray, np.ndarray, np.nd
 
 
 def _drop_noise(planar: np.ndarray, length: np.ndarray) -> None:
-    """Unmark lone moves of a few micrometres beside long ones: they are rounding, their direction is noise."""
+    """Unmark lone moves of a few micrometres beside long ones: they are rounding, their direction is
+    noise."""
     short = np.flatnonzero(planar & (length < NOISE))
     if not len(short):
         return
@@ -184,8 +186,8 @@ def _drop_noise(planar: np.ndarray, length: np.ndarray) -> None:
 def _split(planar, rapid, z, dx, dy, dz, length) -> tuple[np.ndarray, np.ndarray]:
     """Return the trajectories of the planar moves and the first move of each area.
 
-    Areas end at rapids, plunges and lifts. A height change between two moves of one direction is a wall the tool
-    climbs in the middle of a pass (3D rasters), not the end of the pass.
+    Areas end at rapids, plunges and lifts. A height change between two moves of one direction is a wall the
+    tool climbs in the middle of a pass (3D rasters), not the end of the pass.
     """
     index = np.flatnonzero(planar)
     if len(index) == len(planar):
@@ -206,8 +208,8 @@ def _split(planar, rapid, z, dx, dy, dz, length) -> tuple[np.ndarray, np.ndarray
 def _without_air(planar, index, start, rapid, z, dx, dy, dz, length) -> tuple[np.ndarray, np.ndarray]:
     """Leave out the links in the air of programs that lift, go over and plunge at feed instead of rapid.
 
-    Such a link is straight and level, begins by a lift and ends by a plunge; at the ends of a program one of the
-    two is enough.
+    Such a link is straight and level, begins by a lift and ends by a plunge; at the ends of a program one of
+    the two is enough.
     """
     if not len(start) or len(index) == len(planar):
         return index, start

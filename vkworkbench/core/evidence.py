@@ -90,12 +90,18 @@ def sentence(s: Section, verdict: Verdict, e: Evidence) -> str:
     depths = f" at {e.depths} depths" if e.depths > 1 else ""
     turning = {"ccw": ", counter-clockwise", "cw": ", clockwise"}.get(e.sense or "", "")
     if strategy in (Strategy.ZIGZAG, Strategy.ONE_WAY) and s.rows:
-        return (f"phi stays between {low:+.2g} and {high:+.2g} turns over {e.passes} rows{apart}{depths}, "
-                f"{verdict.seen}: {strategy}")
+        return (
+            f"phi stays between {low:+.2g} and {high:+.2g} turns over {e.passes} rows{apart}{depths}, "
+            f"{verdict.seen}: {strategy}"
+        )
     if len(s.rings) and strategy in AROUND | {Strategy.ZIGZAG}:
-        return (f"phi reaches {max(low, high, key=abs):+.3g} turns over {len(s.rings)} loops{apart}{depths}, "
-                f"{verdict.seen}: {strategy}{turning}")
+        return (
+            f"phi reaches {max(low, high, key=abs):+.3g} turns over {len(s.rings)} loops{apart}{depths}, "
+            f"{verdict.seen}: {strategy}{turning}"
+        )
     if strategy is Strategy.MIXED:
         return f"phi lies between {low:+.2g} and {high:+.2g} turns, {verdict.seen}: mixed"
-    return (f"phi stays between {low:+.2g} and {high:+.2g} turns over {len(s.strokes)} open strokes{depths}, "
-            f"{verdict.seen}: {strategy}")
+    return (
+        f"phi stays between {low:+.2g} and {high:+.2g} turns over {len(s.strokes)} open strokes{depths}, "
+        f"{verdict.seen}: {strategy}"
+    )

@@ -15,8 +15,8 @@ def closed_loops(moves: Moves) -> tuple[np.ndarray, np.ndarray]:
     """Find the closed loops: stretches that return to their first point with a net turn of +-2 pi.
 
     Offset loops linked without a lift, and a contour before or after a zigzag in one cut, are one area to the
-    splitting at rapids; phi then runs over loops and links alike. The points where the tool comes back separate
-    them. Of two overlapping loops the one that begins first counts.
+    splitting at rapids; phi then runs over loops and links alike. The points where the tool comes back
+    separate them. Of two overlapping loops the one that begins first counts.
 
     Parameters
     ----------
@@ -46,7 +46,8 @@ def _returns(moves, x, y, area, shift, origin) -> tuple[np.ndarray, np.ndarray]:
     """Return the stretches from a visit of a cell to the next one that turn by +-2 pi."""
     column = ((x - x.min()) * (1 / CLOSE) + origin).astype(np.uint32)
     row = ((y - y.min()) * (1 / CLOSE) + origin).astype(np.uint32)
-    # Hashing the cells is O(n); sorting all vertices would not be. The products wrap, their high bits are the hash.
+    # Hashing the cells is O(n); sorting all vertices would not be. The products wrap, their high bits are
+    # the hash.
     bits = (4 * len(x)).bit_length()
     cell = column * np.uint32(2654435769)
     cell += row * np.uint32(2246822519)

@@ -25,7 +25,8 @@ class Pieces:
     start, end : (k,) int
         The moves of piece i are start[i] .. end[i] - 1.
     kind : (k,) int
-        LOOP: closed, one turn. WINDING: one turn of several. ZIGZAG: passes whose half-turns alternate in sign.
+        LOOP: closed, one turn. WINDING: one turn of several. ZIGZAG: passes whose half-turns alternate in
+        sign.
         LINE: a straight stroke. CURVE: any other open stroke.
     area : (k,) int
         The monotonous area each piece lies in.
@@ -44,7 +45,8 @@ class Pieces:
     passes : (k,) int
         Passes along the axis of the piece.
     wavy : (k,) bool
-        Loops and windings whose half-turns alternate: offsets of a concave contour, or zigzags that came back.
+        Loops and windings whose half-turns alternate: offsets of a concave contour, or zigzags that came
+        back.
     """
 
     start: np.ndarray
@@ -141,9 +143,9 @@ class _Stretches:
     def net(self) -> tuple[np.ndarray, np.ndarray]:
         """Return the net turn of each stretch and whether it is closed.
 
-        A closed contour lacks its last exterior angle: the closing turn is added (design.md). A path counts as
-        closed with a gap small against what it encloses, as lead-ins and rounding leave it; two passes of a
-        narrow zigzag enclose little and stay open.
+        A closed contour lacks its last exterior angle: the closing turn is added (design.md). A path counts
+        as closed with a gap small against what it encloses, as lead-ins and rounding leave it; two passes of
+        a narrow zigzag enclose little and stay open.
         """
         moves = self.moves
         net = moves.phi[self.end - 1] - moves.phi[self.start]
@@ -190,12 +192,15 @@ class _Stretches:
         )
 
 
-def half_turns(moves: Moves, parts: _Stretches, able: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+def half_turns(
+    moves: Moves, parts: _Stretches, able: np.ndarray
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Tell back-and-forth from around by the signs of the half-turns between opposite passes.
 
-    A pass is a run of moves within 25 degrees of the axis of its stretch. Between two opposite passes phi turns by
-    +-pi; in a zigzag the signs alternate, around a contour they stay (paper, section 3.2). Counting signs instead of
-    asking for -pi <= phi <= pi does not depend on the first trajectory and holds with islands and concave borders.
+    A pass is a run of moves within 25 degrees of the axis of its stretch. Between two opposite passes phi
+    turns by +-pi; in a zigzag the signs alternate, around a contour they stay (paper, section 3.2). Counting
+    signs instead of asking for -pi <= phi <= pi does not depend on the first trajectory and holds with
+    islands and concave borders.
     An exact reversal has no sign and counts as alternating: going back and forth on one line.
 
     Parameters

@@ -7,8 +7,8 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from vkworkbench.core.areas import TURN, Moves, monotonous_areas
-from vkworkbench.core.evidence import Evidence, gather, sentence
+from vkworkbench.core.areas import Moves, monotonous_areas
+from vkworkbench.core.evidence import gather, sentence
 from vkworkbench.core.rings import count_levels
 from vkworkbench.core.strategy import Strategy
 from vkworkbench.core.toolpath import Toolpath
@@ -112,8 +112,13 @@ def recognize(toolpath: Toolpath, *, tool_diameter: float | None = None) -> Reco
     """
     cutting = np.flatnonzero(~toolpath.rapid)
     if not len(cutting):
-        return Recognition(Strategy.EMPTY, 1.0, "nothing cuts: there are only rapid moves" if len(toolpath) else
-                           "nothing cuts: there are no moves")
+        return Recognition(
+            Strategy.EMPTY,
+            1.0,
+            "nothing cuts: there are only rapid moves"
+            if len(toolpath)
+            else "nothing cuts: there are no moves",
+        )
     tool = float(tool_diameter) if tool_diameter and np.isfinite(tool_diameter) and tool_diameter > 0 else 0.0
     moves = monotonous_areas(toolpath)
     whole = _judge_one(toolpath, moves, int(cutting[0]), int(cutting[-1]), tool)
@@ -183,7 +188,8 @@ def _borders(toolpath: Toolpath, moves: Moves) -> dict[int, bool]:
 
 
 def _sculptured(moves: Moves) -> bool:
-    """Whether the heights of the moves are too many for depths: there plunges are passes clipped to a point."""
+    """Whether the heights of the moves are too many for depths: there plunges are passes clipped to a
+    point."""
     return count_levels(moves.z[:: len(moves) // 1000 + 1]) > 10
 
 
@@ -214,21 +220,23 @@ def _judge_sections(toolpath, cutting, borders, whole: Recognition, tool: float)
     names = list(dict.fromkeys(str(strategy) for _, _, strategy in runs))
     why = f"{len(runs)} sections parted by tool changes, titles or drilling show {', '.join(names)}: mixed"
     confidence = float((share * [r.confidence for r in found]).sum())
-    return replace(whole, strategy=Strategy.MIXED, confidence=confidence, reason=why, spans=_spans(toolpath, runs))
+    return replace(
+        whole, strategy=Strategy.MIXED, confidence=confidence, reason=why, spans=_spans(toolpath, runs)
+    )
 
 
 _FAMILIES = {
-    Strategy.ZIGZAG: "rows", Strategy.ONE_WAY: "rows", Strategy.DRILLING: "holes", Strategy.ENGRAVING: "strokes",
-    Strategy.MIXED: "mixed", Strategy.UNKNOWN: "unknown",
+    Strategy.ZIGZAG: "rows", Strategy.ONE_WAY: "rows", Strategy.DRILLING: "holes", Strategy.ENGRAVING:
+    "strokes", Strategy.MIXED: "mixed", Strategy.UNKNOWN: "unknown",
 }  # fmt: skip
 
 
 def _differs(one: Recognition, main: Recognition, certain: bool) -> bool:
     """Whether a section is another operation than the main one.
 
-    Behind a tool change another strategy is another operation. A comment alone divides only what has nothing in
-    common: FreeCAD titles the passes of one operation, and a roughing and a finishing pass of one pocket are a
-    contour-parallel and a profile.
+    Behind a tool change another strategy is another operation. A comment alone divides only what has nothing
+    in common: FreeCAD titles the passes of one operation, and a roughing and a finishing pass of one pocket
+    are a contour-parallel and a profile.
     """
     if Strategy.UNKNOWN in (one.strategy, main.strategy) or one.confidence < 0.6:
         return False

@@ -12,7 +12,7 @@ from vkworkbench.core.pieces import WINDING, Pieces
 
 LEVEL = 0.02  # mm; heights closer than this are one depth
 ROUND = 0.93  # isoperimetric quotient 4 pi A / P^2 from which a ring is a circle (a square has 0.79)
-LAGS = (1, 2, 3)  # rings are compared with the next ones in the order of cutting: O(n), and islands interleave
+LAGS = (1, 2, 3)  # rings are compared with the next three in the order of cutting: islands interleave
 
 
 @dataclass(frozen=True)
@@ -26,8 +26,8 @@ class Rings:
     length : (k,) float
         mm.
     nested : array
-        Another ring of the same depth lies beside it at an even distance: its box is grown or shrunk by the same
-        amount on all four sides. True offsets keep that whatever their shape.
+        Another ring of the same depth lies beside it: all four sides of its box are moved in, or out, the
+        least of them by no more than a tool cuts.
     opposite : array
         The next such ring turns the other way.
     deeper : array
@@ -53,8 +53,8 @@ class Rings:
     depth : float
         Range of the depths, mm.
     evenness : float
-        Spread of the steps in the plane over their spread in depth: circles laid on a dome are even in the plane,
-        waterlines of it in depth.
+        Spread of the steps in the plane over their spread in depth: circles laid on a dome are even in the
+        plane, waterlines of it in depth.
     """
 
     index: np.ndarray
@@ -83,7 +83,7 @@ class Rings:
 
 
 def relate_rings(pieces: Pieces, index: np.ndarray, tool: float) -> Rings:
-    """Compare every ring with the next three in the order of cutting.
+    """Compare every ring with the next three in the order of cutting: O(k).
 
     Parameters
     ----------
@@ -177,13 +177,13 @@ def count_levels(z: np.ndarray) -> int:
 
 
 def _middle(values: np.ndarray, part: int = 2) -> float:
-    """Return the value at half the count, or at a quarter: O(n), np.median checks more than is needed here."""
+    """Return the value at half the count, or at a quarter; O(n)."""
     at = len(values) // part
     return float(np.partition(values, at)[at])
 
 
 def _inward(sides: np.ndarray, lag: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Return how far the sides of a ring's box lie inside those of the ring `lag` before: least, most, mean."""
+    """Return how far the sides of a ring's box lie inside those `lag` rings before: least, most, mean."""
     inward = sides[:, lag:] - sides[:, :-lag]
     return inward.min(axis=0), inward.max(axis=0), inward.mean(axis=0)
 
@@ -191,18 +191,19 @@ def _inward(sides: np.ndarray, lag: int) -> tuple[np.ndarray, np.ndarray, np.nda
 def _least(low: np.ndarray, high: np.ndarray, share: float | np.ndarray) -> np.ndarray:
     """Return how far the side moved that moved least, 0 where not all four moved the same way.
 
-    A true offset moves every side of the box by the step, and farther where a sharp corner touches it; a side that
-    moved by less than `share` of the most did not move with the others.
+    A true offset moves every side of the box by the step, and farther where a sharp corner touches it; a
+    side that moved by less than `share` of the most did not move with the others.
     """
     near, far = np.minimum(np.abs(low), np.abs(high)), np.maximum(np.abs(low), np.abs(high))
     return np.where((low * high > 0) & (near >= share * far - 0.02), near, 0.0)
 
 
 def _reach(sides, size, z, tool) -> tuple[float, np.ndarray, np.ndarray]:
-    """Return how far apart nested rings may be, and the steps in the plane and in depth from ring to next ring.
+    """Return how far apart nested rings may be, and the steps in the plane and in depth from ring to next
+    ring.
 
-    A little over the tool's diameter: farther apart nothing between them is cut and they are two contours. Where
-    the tool is unknown, or at least four even steps say it is wrong, twice the usual step.
+    A little over the tool's diameter: farther apart nothing between them is cut and they are two contours.
+    Where the tool is unknown, or at least four even steps say it is wrong, twice the usual step.
     """
     found = []
     for lag in LAGS[: max(len(z) - 1, 0)]:
@@ -255,6 +256,7 @@ def footprints(pieces: Pieces, index: np.ndarray) -> tuple[np.ndarray, int]:
 
 
 def _evenness(steps: np.ndarray, drops: np.ndarray) -> float:
+    """Return the relative spread of the steps in the plane over that in depth; 0 where there is no depth."""
     if len(steps) < 3 or drops.max() < LEVEL:
         return 0.0
     spread = [np.ptp(np.percentile(v, (10, 90))) / max(np.median(v), 1e-9) for v in (steps, drops)]

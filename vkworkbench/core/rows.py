@@ -117,8 +117,13 @@ def _densest(moves: Moves, chosen: np.ndarray) -> Rows | None:
     on, forward, length = chosen[aligned], along[aligned] > 0, length[aligned]
     if not len(on):
         return None
-    area = np.searchsorted(moves.start, on, side="right") if len(moves.start) > 1 else np.zeros(len(on), np.int64)
-    # A pass goes on while the sense stays, and over a lift while the line stays: spans of one line are one row.
+    area = (
+        np.searchsorted(moves.start, on, side="right")
+        if len(moves.start) > 1
+        else np.zeros(len(on), np.int64)
+    )
+    # A pass goes on while the sense stays, and over a lift while the line stays: spans of one line are one
+    # row.
     new = forward[1:] != forward[:-1]
     apart = np.flatnonzero(((on[1:] > on[:-1] + 1) | (area[1:] > area[:-1])) & ~new)
     before, after = on[apart], on[apart + 1]
@@ -141,7 +146,8 @@ def _densest(moves: Moves, chosen: np.ndarray) -> Rows | None:
     step = weighted_median(lateral[aside], shorter[aside])
     neighbour = aside & (lateral <= 1.6 * step)
     turned = sense[1:] != sense[:-1]
-    # Two passes the same way without a lift between them are stairs of one stroke (sampled contours), not rows.
+    # Two passes the same way without a lift between them are stairs of one stroke (sampled contours), not
+    # rows.
     onward = neighbour & ~turned & (area[1:] != area[:-1])
     gaps = np.diff(np.sort(q[:SAMPLE]))
     gaps = gaps[gaps > SAME_LINE]

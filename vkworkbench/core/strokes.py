@@ -24,8 +24,8 @@ class Strokes:
     length : (k,) float
         mm.
     bite : (k,) bool
-        Bends by more than a quarter turn in the common sense and overlaps the stroke before or after it at the
-        same depth: the arcs of engagement an adaptive tool bites out of the stock one after the other.
+        Bends by more than a quarter turn in the common sense and overlaps the stroke before or after it at
+        the same depth: the arcs of engagement an adaptive tool bites out of the stock one after the other.
     against : (k,) bool
         Bends as much in the other sense.
     sloped : (k,) bool

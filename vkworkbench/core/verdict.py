@@ -44,10 +44,10 @@ class Verdict:
     def confidence(self) -> float:
         """How often such verdicts are right, 0..1.
 
-        Never under 0.62, the share of right answers where hardly anything is seen, and never over 0.97: toolpaths
-        nobody has seen yet hold surprises. Between them it grows with the share of the length that shows the
-        pattern and with the number of times it comes again. The two limits are read off the reliability table of
-        benchmarks/recognition.py.
+        Never under 0.62, the share of right answers where hardly anything is seen, and never over 0.97:
+        toolpaths nobody has seen yet hold surprises. Between them it grows with the share of the length that
+        shows the pattern and with the number of times it comes again. The two limits are read off the
+        reliability table of benchmarks/recognition.py.
         """
         return float(0.62 + 0.35 * min(self.support, 1.0) * (1 - np.exp(-self.count / 1.5)))
 
@@ -98,8 +98,8 @@ class Section:
         good = [f for f in families if _fills(f, self.tool)]
         if good or len(families) < 2:
             return good
-        # The passes of a grid come in the order of a billiard, not side by side; two families of many long rows
-        # that are everything there is fill the area all the same.
+        # The passes of a grid come in the order of a billiard, not side by side; two families of many long
+        # rows that are everything there is fill the area all the same.
         everything = sum(f.length for f in families) > 0.85 * length
         if everything and all(f.count >= 8 and f.typical > 2.5 * f.pitch for f in families):
             return families
@@ -115,7 +115,8 @@ class Section:
 
 
 def _fills(f: Rows, tool: float) -> bool:
-    """Whether passes lie side by side as rows do: long moves, short steps between them (paper, section 2.1)."""
+    """Whether passes lie side by side as rows do: long moves, short steps between them (paper, section
+    2.1)."""
     if f.opposite + f.same <= 0.25 * f.length or f.typical <= 2.5 * f.step:
         return False
     if f.step < 0.03 * tool:
@@ -129,8 +130,8 @@ def _fills(f: Rows, tool: float) -> bool:
 def _absorb(p: Pieces) -> np.ndarray:
     """Return the kinds with those loops made part of a zigzag that do not go around it.
 
-    A zigzag that runs along the boundary between its rows closes small loops; only one that encloses the rows is a
-    contour of its own.
+    A zigzag that runs along the boundary between its rows closes small loops; only one that encloses the
+    rows is a contour of its own.
     """
     kind = p.kind.copy()
     zigzag = np.flatnonzero(kind == ZIGZAG)
@@ -140,7 +141,9 @@ def _absorb(p: Pieces) -> np.ndarray:
     around[p.area[zigzag]] = p.box[zigzag]
     box = around[p.area]
     slack = 0.15 * (box[:, 2:] - box[:, :2])
-    encloses = (p.box[:, :2] <= box[:, :2] + slack).all(axis=1) & (p.box[:, 2:] >= box[:, 2:] - slack).all(axis=1)
+    encloses = (p.box[:, :2] <= box[:, :2] + slack).all(axis=1) & (p.box[:, 2:] >= box[:, 2:] - slack).all(
+        axis=1
+    )
     kind[(kind == LOOP) & ~np.isnan(box[:, 0]) & ~encloses & ~p.wavy] = ZIGZAG
     return kind
 
@@ -178,7 +181,9 @@ def judge(s: Section) -> Verdict:
         return of_rows
     of_rings = _judge_rings(s, rings)
     seen = f"rows ({rowlike:.0%} of the length) and loops ({rings:.0%}) share the area"
-    return Verdict(Strategy.MIXED, min(1.0, 0.6 + 2 * rings, 0.6 + 2 * rowlike), of_rows.count, seen, (of_rings, of_rows))
+    return Verdict(
+        Strategy.MIXED, min(1.0, 0.6 + 2 * rings, 0.6 + 2 * rowlike), of_rows.count, seen, (of_rings, of_rows)
+    )
 
 
 def _judge_rings(s: Section, rings: float) -> Verdict:
@@ -190,7 +195,9 @@ def _judge_rings(s: Section, rings: float) -> Verdict:
     if opposite > 0.6 * rings:
         return Verdict(Strategy.ZIGZAG, opposite / rings, len(r), "the sense of nested loops alternates")
     nested, deeper = s.share(r.nested), s.share(r.deeper)
-    changing = r.levels >= 3 and r.distinct > 0.4 * len(r) and deeper > 0.3 * rings and r.depth > 0.35 * s.tool
+    changing = (
+        r.levels >= 3 and r.distinct > 0.4 * len(r) and deeper > 0.3 * rings and r.depth > 0.35 * s.tool
+    )
     if changing and deeper > nested:
         if r.evenness < 0.5:
             seen = "evenly spaced in the plane, not in depth"
@@ -265,6 +272,8 @@ def _inside(s: Section) -> float:
     inside = np.zeros(len(k), bool)
     for beside in (ring[after], ring[np.maximum(after - 1, 0)]):
         box = p.box[beside]
-        within = (p.box[k, :2] >= box[:, :2] - 0.02).all(axis=1) & (p.box[k, 2:] <= box[:, 2:] + 0.02).all(axis=1)
+        within = (p.box[k, :2] >= box[:, :2] - 0.02).all(axis=1) & (p.box[k, 2:] <= box[:, 2:] + 0.02).all(
+            axis=1
+        )
         inside |= within & (np.abs(p.z[k] - p.z[beside]) < 0.02)
     return float(p.length[k[inside]].sum()) / s.length
