@@ -76,13 +76,18 @@ def test_one_row_for_each_operation_and_the_total_below(panel, opened, window):
     assert column(panel, "Strategy")[:-1] == [o.strategy.value for o in report.operations]
     assert column(panel, "Trajectories")[:-1] == [f"{o.trajectories:,}" for o in report.operations]
     assert ("OpenGL time" in titles(panel)) == OPENGL
+    sizes = [(o.resolution.view.width, o.resolution.view.height) for o in report.operations]
+    assert column(panel, "Recommended image")[:-1] == [f"{width} × {height}" for width, height in sizes]
     for title in ("Z-buffer time", "Z-buffer memory", "Legacy time", "Legacy memory"):
         assert all(any(unit in cell for unit in ("ms", "s", "min", "MB", "kB")) for cell in column(panel, title)[:-1]), title
 
 
 def test_light_and_dark(panel, window, theme):
-    click_row(window, panel, "Face")
+    Gui.activeView().viewIsometric()
+    Gui.SendMsgToActiveView("ViewFit")
+    click_row(window, panel, "Adaptive pocket")
     window.screenshot(f"panel-{theme}")
+    assert window.main.width() <= 1280  # it asks for no more room than there is
 
 
 def test_a_click_on_a_title_sorts_and_the_total_stays_below(panel, opened, window):

@@ -142,6 +142,8 @@ class ResultsDock(QDockWidget):
 
     def _follow(self) -> None:
         """Select the rows of what is selected in FreeCAD."""
+        if not self.isVisible():
+            return
         names = {obj.Name for obj in Gui.Selection.getSelection()}
         self._following = True
         self.table.clearSelection()
@@ -213,5 +215,8 @@ def _in_words(row: Row) -> str:
     remarks = "".join(f"<br>• {escape(remark)}" for remark in row.remarks)
     if isinstance(row.found, Total):
         return f"<b>{escape(row.label)}</b>{remarks}"
-    strategy = strategy_name(row.found.strategy)
-    return f"<b>{escape(row.label)}, {escape(strategy)}</b>: {escape(in_user_language(row.found.reason))}{remarks}"
+    strategy, resolution = strategy_name(row.found.strategy), row.found.resolution
+    image = ""
+    if resolution is not None:
+        image = "<br>" + escape(translate("Vk_Results", "Recommended image: {}").format(resolution.explanation))
+    return f"<b>{escape(row.label)}, {escape(strategy)}</b>: {escape(row.found.reason)}{image}{remarks}"

@@ -135,13 +135,33 @@ def columns(version: tuple[int, ...]) -> list[Column]:
             Column(translate("Vk_Results", "OpenGL\nmemory"), translate("Vk_Results", "Memory of FreeCAD's OpenGL simulator"),
                    lambda row: _of(row, "opengl", lambda cost: cost.memory_bytes), friendly.memory),
         ]  # fmt: skip
-    remarks = translate("Vk_Results", "What is wrong with the operation, or will be with its simulation")
-    return [*shown, Column(translate("Vk_Results", "Remarks"), remarks, lambda row: "; ".join(row.remarks))]
+    return [
+        *shown,
+        Column(translate("Vk_Results", "Recommended\nimage"),
+               translate("Vk_Results", "The finest image of the z-buffer within the budgets of the preferences"),
+               _recommended, _size),
+        Column(translate("Vk_Results", "Remarks"),
+               translate("Vk_Results", "What is wrong with the operation, or will be with its simulation"),
+               lambda row: "; ".join(row.remarks)),
+    ]  # fmt: skip
 
 
 def _confidence(row: Row) -> float | None:
     strategy = getattr(row.found, "strategy", Strategy.EMPTY)
     return None if strategy in (Strategy.EMPTY, Strategy.UNKNOWN) else row.found.confidence
+
+
+def _recommended(row: Row) -> tuple[int, int] | None:
+    """Width and height; 0 where no image is within the budgets, None where that is not known."""
+    resolution = getattr(row.found, "resolution", None)
+    if resolution is None:
+        return None
+    view = resolution.view
+    return (view.width, view.height) if view else (0, 0)
+
+
+def _size(size: tuple[int, int]) -> str:
+    return "{} × {}".format(*size) if all(size) else translate("Vk_Results", "none")
 
 
 def _of_zbuffer(row: Row, name: str):
@@ -215,4 +235,4 @@ class ResultsOrder(QSortFilterProxyModel):
         below = [isinstance(row.found, Total), value is None]
         if self.sortOrder() != Qt.AscendingOrder:
             below = [not flag for flag in below]
-        return (*below, value.casefold() if isinstance(value, str) else value or 0)
+        return (*below, value.casefold() if isinstance(value, str) else value if value is not None else 0)
