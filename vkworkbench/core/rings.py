@@ -95,13 +95,15 @@ def relate_rings(pieces: Pieces, index: np.ndarray, tool: float) -> Rings:
     """
     k = len(index)
     box, z, flat = pieces.box[index], pieces.z[index], pieces.flat[index]
-    enclosed, sense = np.abs(pieces.enclosed[index]), np.sign(pieces.net[index])
+    enclosed, length = np.abs(pieces.enclosed[index]), pieces.length[index]
+    sense = np.sign(pieces.net[index])
     size = np.maximum(box[:, 2] - box[:, 0], box[:, 3] - box[:, 1])
     sides = np.ascontiguousarray((box * (1, 1, -1, -1)).T)
-    wavy = pieces.wavy[index] | (pieces.back[index] > 0.5 * TURN)
+    winding = pieces.kind[index] == WINDING
+    wavy = pieces.wavy[index] | (winding & (pieces.back[index] > 0.5 * TURN))
     names = ("nested", "opposite", "deeper", "repeated", "moved", "crossing")
     flags = {name: np.zeros(k, bool) for name in names}
-    limit, next_step, next_drop = _reach(sides, size, z, tool)
+    limit, next_step, next_drop = _reach(sides, size, z, enclosed, length, tool)
     steps = []
     for lag in LAGS[: max(k - 1, 0)]:
         a, b = slice(None, -lag), slice(lag, None)
@@ -112,9 +114,10 @@ def relate_rings(pieces: Pieces, index: np.ndarray, tool: float) -> Rings:
         beside = level | ~flat[a] | ~flat[b]
         same_box = np.maximum(-low, high) < np.minimum(0.05 + 0.002 * larger, max(0.25 * limit, 0.05))
         same_area = np.abs(enclosed[a] - enclosed[b]) < 0.05 * np.maximum(enclosed[a], enclosed[b])
-        # Passes of a lattice that wind by chance are seldom even; offsets of a concave contour are exactly.
-        least = _least(low, high, np.where(wavy[a] & wavy[b], 0.9, 0.2))
+        least = _least(low, high, lag, enclosed, length)
         even = ~same_box & (least > 0.01) & (least <= limit)
+        # Passes of a lattice that wind by chance are seldom even; offsets of a concave contour are exactly.
+        even &= ~(wavy[a] & wavy[b]) | (high - low <= 0.1 * np.abs(mean) + 0.02)
         straddling = ~same_box & (low < 0) & (high > 0)
         found = {
             "nested": even & beside,
@@ -126,7 +129,7 @@ def relate_rings(pieces: Pieces, index: np.ndarray, tool: float) -> Rings:
         }  # fmt: skip
         if lag == 1:
             # The loops of one pattern keep their shape; a boundary and an island between its offsets do not.
-            found["opposite"] = even & (_least(low, high, 0.7) > 0) & (sense[a] != sense[b])
+            found["opposite"] = even & (high - low <= 0.3 * np.abs(mean) + 0.02) & (sense[a] != sense[b])
         for name, flag in found.items():
             flags[name][a] |= flag
             flags[name][b] |= flag
@@ -139,12 +142,11 @@ def relate_rings(pieces: Pieces, index: np.ndarray, tool: float) -> Rings:
     flags["deeper"] &= ~again
     related = flags["nested"] | flags["deeper"] | flags["repeated"] | flags["moved"] | flags["crossing"]
     steps = np.concatenate(steps) if steps else np.zeros(0)
-    length = pieces.length[index]
     return Rings(
         index=index,
         length=length,
         alone=~related,
-        winding=pieces.kind[index] == WINDING,
+        winding=winding,
         round=4 * np.pi * enclosed > ROUND * length**2,
         sloped=_sloped(pieces, index),
         back=pieces.back[index],
@@ -188,17 +190,18 @@ def _inward(sides: np.ndarray, lag: int) -> tuple[np.ndarray, np.ndarray, np.nda
     return inward.min(axis=0), inward.max(axis=0), inward.mean(axis=0)
 
 
-def _least(low: np.ndarray, high: np.ndarray, share: float | np.ndarray) -> np.ndarray:
-    """Return how far the side moved that moved least, 0 where not all four moved the same way.
+def _least(low, high, lag: int, enclosed: np.ndarray, length: np.ndarray) -> np.ndarray:
+    """Return how far the side moved that moved least, 0 where the rings are no offsets of one another.
 
-    A true offset moves every side of the box by the step, and farther where a sharp corner touches it; a
-    side that moved by less than `share` of the most did not move with the others.
+    All four sides of the box move the same way, the least of them by about the step an offset of that length
+    needs for the difference in area (2 dA / (P1 + P2)); farther where a sharp corner touches the box.
     """
-    near, far = np.minimum(np.abs(low), np.abs(high)), np.maximum(np.abs(low), np.abs(high))
-    return np.where((low * high > 0) & (near >= share * far - 0.02), near, 0.0)
+    step = 2 * np.abs(enclosed[lag:] - enclosed[:-lag]) / (length[lag:] + length[:-lag])
+    near = np.minimum(np.abs(low), np.abs(high))
+    return np.where((low * high > 0) & (near > 0.4 * step - 0.02) & (near < 2.2 * step + 0.02), near, 0.0)
 
 
-def _reach(sides, size, z, tool) -> tuple[float, np.ndarray, np.ndarray]:
+def _reach(sides, size, z, enclosed, length, tool) -> tuple[float, np.ndarray, np.ndarray]:
     """Return how far apart nested rings may be, and the steps in the plane and in depth from ring to next
     ring.
 
@@ -208,7 +211,7 @@ def _reach(sides, size, z, tool) -> tuple[float, np.ndarray, np.ndarray]:
     found = []
     for lag in LAGS[: max(len(z) - 1, 0)]:
         low, high, _ = _inward(sides, lag)
-        least = _least(low, high, 0.2)
+        least = _least(low, high, lag, enclosed, length)
         even = (least > 0.05) & (least <= 0.3 * np.maximum(size[lag:], size[:-lag]))
         found.append((least[even], np.abs(z[lag:] - z[:-lag])[even]))
         if even.mean() > 0.8:
@@ -222,7 +225,7 @@ def _reach(sides, size, z, tool) -> tuple[float, np.ndarray, np.ndarray]:
     regular = (np.abs(every - usual) < 0.3 * usual).mean()
     if not tool and (len(every) < 3 or regular < 0.5 or usual > 0.2 * size.max()):
         # Contours of one part, as a washer has, are no pocket because one is inside the other.
-        return min(2 * usual, 0.1 * float(size.max())), steps, drops
+        return min(2 * usual, 0.05 * float(size.max())), steps, drops
     if not tool or (len(steps) >= 4 and (np.abs(steps - usual) < 0.1 * usual).mean() > 0.6):
         return max(1.2 * tool, 2 * usual), steps, drops
     return 1.2 * tool, steps, drops
