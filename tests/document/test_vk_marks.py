@@ -77,7 +77,6 @@ def posted(job):
     else:
         from Path.Post.Processor import PostProcessorFactory
 
-        job.PostProcessorArgs = "--no-show-editor"
         text = "".join(code for _, code in PostProcessorFactory.get_post_processor(job, "linuxcnc").export())
     return [line for line in text.splitlines() if "Output Time" not in line]
 
