@@ -132,6 +132,7 @@ def test_context_menu_of_an_operation(opened, window, workbench):
 
     QtCore.QTimer.singleShot(500, look)
     tree = window.tree
+    window.wait(lambda: tree.selectionModel().selectedIndexes())
     (index,) = [i for i in tree.selectionModel().selectedIndexes() if i.column() == 0]
     where = tree.visualRect(index).center()
     event = QtGui.QContextMenuEvent(QtGui.QContextMenuEvent.Mouse, where, tree.viewport().mapToGlobal(where))
