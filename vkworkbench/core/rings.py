@@ -101,9 +101,10 @@ def relate_rings(pieces: Pieces, index: np.ndarray, tool: float) -> Rings:
     sides = np.ascontiguousarray((box * (1, 1, -1, -1)).T)
     winding = pieces.kind[index] == WINDING
     wavy = pieces.wavy[index] | (winding & (pieces.back[index] > 0.5 * TURN))
+    slack = np.where(winding, 2.0, 1.0)
     names = ("nested", "opposite", "deeper", "repeated", "moved", "crossing")
     flags = {name: np.zeros(k, bool) for name in names}
-    limit, next_step, next_drop = _reach(sides, size, z, enclosed, length, tool)
+    limit, next_step, next_drop = _reach(sides, size, z, enclosed, length, slack, tool)
     steps = []
     for lag in LAGS[: max(k - 1, 0)]:
         a, b = slice(None, -lag), slice(lag, None)
@@ -114,7 +115,7 @@ def relate_rings(pieces: Pieces, index: np.ndarray, tool: float) -> Rings:
         beside = level | ~flat[a] | ~flat[b]
         same_box = np.maximum(-low, high) < np.minimum(0.05 + 0.002 * larger, max(0.25 * limit, 0.05))
         same_area = np.abs(enclosed[a] - enclosed[b]) < 0.05 * np.maximum(enclosed[a], enclosed[b])
-        least = _least(low, high, lag, enclosed, length)
+        least = _least(low, high, lag, enclosed, length, slack)
         even = ~same_box & (least > 0.01) & (least <= limit)
         # Passes of a lattice that wind by chance are seldom even; offsets of a concave contour are exactly.
         even &= ~(wavy[a] & wavy[b]) | (high - low <= 0.1 * np.abs(mean) + 0.02)
@@ -190,18 +191,20 @@ def _inward(sides: np.ndarray, lag: int) -> tuple[np.ndarray, np.ndarray, np.nda
     return inward.min(axis=0), inward.max(axis=0), inward.mean(axis=0)
 
 
-def _least(low, high, lag: int, enclosed: np.ndarray, length: np.ndarray) -> np.ndarray:
+def _least(low, high, lag: int, enclosed: np.ndarray, length: np.ndarray, slack: np.ndarray) -> np.ndarray:
     """Return how far the side moved that moved least, 0 where the rings are no offsets of one another.
 
     All four sides of the box move the same way, the least of them by about the step an offset of that length
-    needs for the difference in area (2 dA / (P1 + P2)); farther where a sharp corner touches the box.
+    needs for the difference in area (2 dA / (P1 + P2)); farther where a sharp corner touches the box. The
+    turns of windings (slack 2) are open and enclose only about what a loop (slack 1) does.
     """
     step = 2 * np.abs(enclosed[lag:] - enclosed[:-lag]) / (length[lag:] + length[:-lag])
-    near = np.minimum(np.abs(low), np.abs(high))
-    return np.where((low * high > 0) & (near > 0.4 * step - 0.02) & (near < 2.2 * step + 0.02), near, 0.0)
+    near, loose = np.minimum(np.abs(low), np.abs(high)), slack[lag:]
+    fits = (near > 0.5 * step / loose - 0.02) & (near < 1.5 * step * loose + 0.02)
+    return np.where((low * high > 0) & fits, near, 0.0)
 
 
-def _reach(sides, size, z, enclosed, length, tool) -> tuple[float, np.ndarray, np.ndarray]:
+def _reach(sides, size, z, enclosed, length, slack, tool) -> tuple[float, np.ndarray, np.ndarray]:
     """Return how far apart nested rings may be, and the steps in the plane and in depth from ring to next
     ring.
 
@@ -211,7 +214,7 @@ def _reach(sides, size, z, enclosed, length, tool) -> tuple[float, np.ndarray, n
     found = []
     for lag in LAGS[: max(len(z) - 1, 0)]:
         low, high, _ = _inward(sides, lag)
-        least = _least(low, high, lag, enclosed, length)
+        least = _least(low, high, lag, enclosed, length, slack)
         even = (least > 0.05) & (least <= 0.3 * np.maximum(size[lag:], size[:-lag]))
         found.append((least[even], np.abs(z[lag:] - z[:-lag])[even]))
         if even.mean() > 0.8:
