@@ -408,6 +408,38 @@
         <source>simulate fewer operations at a time</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>{width} x {height} pixels of {pixel} mm, limited by the {limit}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>memory</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>passes {step} mm apart ask for {pixel} mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{pixel} mm would do for passes {step} mm apart</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no resolution helps, not even a single pixel fits</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no resolution helps, the trajectories alone take {fixed} s: simulate fewer operations</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the heaviest takes {time} s</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>
@@ -930,6 +962,23 @@ memory</source>
     </message>
     <message>
         <source>Memory of FreeCAD&apos;s legacy simulator, at the accuracy that the preferences say</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Recommended image: {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Recommended
+image</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The finest image of the z-buffer within the budgets of the preferences</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>none</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -408,6 +408,38 @@
         <source>simulate fewer operations at a time</source>
         <translation>weniger Operationen auf einmal simulieren</translation>
     </message>
+    <message>
+        <source>{width} x {height} pixels of {pixel} mm, limited by the {limit}</source>
+        <translation>{width} x {height} Pixel von {pixel} mm, begrenzt durch {limit}</translation>
+    </message>
+    <message>
+        <source>memory</source>
+        <translation>den Speicher</translation>
+    </message>
+    <message>
+        <source>time</source>
+        <translation>die Zeit</translation>
+    </message>
+    <message>
+        <source>passes {step} mm apart ask for {pixel} mm</source>
+        <translation>Bahnen im Abstand von {step} mm verlangen {pixel} mm</translation>
+    </message>
+    <message>
+        <source>{pixel} mm would do for passes {step} mm apart</source>
+        <translation>{pixel} mm würden für Bahnen im Abstand von {step} mm genügen</translation>
+    </message>
+    <message>
+        <source>no resolution helps, not even a single pixel fits</source>
+        <translation>keine Auflösung hilft, nicht einmal ein Pixel passt</translation>
+    </message>
+    <message>
+        <source>no resolution helps, the trajectories alone take {fixed} s: simulate fewer operations</source>
+        <translation>keine Auflösung hilft, die Bewegungen allein brauchen {fixed} s: weniger Operationen simulieren</translation>
+    </message>
+    <message>
+        <source>the heaviest takes {time} s</source>
+        <translation>die aufwendigste braucht {time} s</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>
@@ -937,6 +969,24 @@ Speicher</translation>
     <message>
         <source>Memory of FreeCAD&apos;s legacy simulator, at the accuracy that the preferences say</source>
         <translation>Speicher des alten FreeCAD-Simulators, bei der Genauigkeit aus den Einstellungen</translation>
+    </message>
+    <message>
+        <source>Recommended image: {}</source>
+        <translation>Empfohlenes Bild: {}</translation>
+    </message>
+    <message>
+        <source>Recommended
+image</source>
+        <translation>Empfohlenes
+Bild</translation>
+    </message>
+    <message>
+        <source>The finest image of the z-buffer within the budgets of the preferences</source>
+        <translation>Das feinste Bild des Z-Buffers innerhalb der Grenzen aus den Einstellungen</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keines</translation>
     </message>
 </context>
 <context>

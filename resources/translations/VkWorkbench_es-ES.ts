@@ -408,6 +408,38 @@
         <source>simulate fewer operations at a time</source>
         <translation>simule menos operaciones a la vez</translation>
     </message>
+    <message>
+        <source>{width} x {height} pixels of {pixel} mm, limited by the {limit}</source>
+        <translation>{width} x {height} píxeles de {pixel} mm, limitados por {limit}</translation>
+    </message>
+    <message>
+        <source>memory</source>
+        <translation>la memoria</translation>
+    </message>
+    <message>
+        <source>time</source>
+        <translation>el tiempo</translation>
+    </message>
+    <message>
+        <source>passes {step} mm apart ask for {pixel} mm</source>
+        <translation>pasadas a {step} mm piden {pixel} mm</translation>
+    </message>
+    <message>
+        <source>{pixel} mm would do for passes {step} mm apart</source>
+        <translation>{pixel} mm bastarían para pasadas a {step} mm</translation>
+    </message>
+    <message>
+        <source>no resolution helps, not even a single pixel fits</source>
+        <translation>ninguna resolución ayuda, ni un solo píxel cabe</translation>
+    </message>
+    <message>
+        <source>no resolution helps, the trajectories alone take {fixed} s: simulate fewer operations</source>
+        <translation>ninguna resolución ayuda, los tramos solos tardan {fixed} s: simule menos operaciones</translation>
+    </message>
+    <message>
+        <source>the heaviest takes {time} s</source>
+        <translation>la más pesada tarda {time} s</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>
@@ -937,6 +969,24 @@ memoria</translation>
     <message>
         <source>Memory of FreeCAD&apos;s legacy simulator, at the accuracy that the preferences say</source>
         <translation>Memoria del simulador antiguo de FreeCAD, con la precisión de las preferencias</translation>
+    </message>
+    <message>
+        <source>Recommended image: {}</source>
+        <translation>Imagen recomendada: {}</translation>
+    </message>
+    <message>
+        <source>Recommended
+image</source>
+        <translation>Imagen
+recomendada</translation>
+    </message>
+    <message>
+        <source>The finest image of the z-buffer within the budgets of the preferences</source>
+        <translation>La imagen más fina del z-buffer dentro de los límites de las preferencias</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>ninguna</translation>
     </message>
 </context>
 <context>

@@ -408,6 +408,38 @@
         <source>simulate fewer operations at a time</source>
         <translation>simulez moins d&apos;opérations à la fois</translation>
     </message>
+    <message>
+        <source>{width} x {height} pixels of {pixel} mm, limited by the {limit}</source>
+        <translation>{width} x {height} pixels de {pixel} mm, limités par {limit}</translation>
+    </message>
+    <message>
+        <source>memory</source>
+        <translation>la mémoire</translation>
+    </message>
+    <message>
+        <source>time</source>
+        <translation>le temps</translation>
+    </message>
+    <message>
+        <source>passes {step} mm apart ask for {pixel} mm</source>
+        <translation>des passes espacées de {step} mm demandent {pixel} mm</translation>
+    </message>
+    <message>
+        <source>{pixel} mm would do for passes {step} mm apart</source>
+        <translation>{pixel} mm suffiraient pour des passes espacées de {step} mm</translation>
+    </message>
+    <message>
+        <source>no resolution helps, not even a single pixel fits</source>
+        <translation>aucune résolution n&apos;aide, pas même un seul pixel ne tient</translation>
+    </message>
+    <message>
+        <source>no resolution helps, the trajectories alone take {fixed} s: simulate fewer operations</source>
+        <translation>aucune résolution n&apos;aide, les trajectoires seules prennent {fixed} s : simulez moins d&apos;opérations</translation>
+    </message>
+    <message>
+        <source>the heaviest takes {time} s</source>
+        <translation>la plus lourde prend {time} s</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>
@@ -937,6 +969,24 @@ mémoire</translation>
     <message>
         <source>Memory of FreeCAD&apos;s legacy simulator, at the accuracy that the preferences say</source>
         <translation>Mémoire de l&apos;ancien simulateur de FreeCAD, à la précision des préférences</translation>
+    </message>
+    <message>
+        <source>Recommended image: {}</source>
+        <translation>Image recommandée : {}</translation>
+    </message>
+    <message>
+        <source>Recommended
+image</source>
+        <translation>Image
+recommandée</translation>
+    </message>
+    <message>
+        <source>The finest image of the z-buffer within the budgets of the preferences</source>
+        <translation>L&apos;image la plus fine du z-buffer dans les budgets des préférences</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>aucune</translation>
     </message>
 </context>
 <context>

@@ -408,6 +408,38 @@
         <source>simulate fewer operations at a time</source>
         <translation>请一次模拟较少的操作</translation>
     </message>
+    <message>
+        <source>{width} x {height} pixels of {pixel} mm, limited by the {limit}</source>
+        <translation>{width} x {height} 像素，每个 {pixel} mm，受{limit}限制</translation>
+    </message>
+    <message>
+        <source>memory</source>
+        <translation>内存</translation>
+    </message>
+    <message>
+        <source>time</source>
+        <translation>时间</translation>
+    </message>
+    <message>
+        <source>passes {step} mm apart ask for {pixel} mm</source>
+        <translation>间距 {step} mm 的走刀需要 {pixel} mm</translation>
+    </message>
+    <message>
+        <source>{pixel} mm would do for passes {step} mm apart</source>
+        <translation>对间距 {step} mm 的走刀，{pixel} mm 已足够</translation>
+    </message>
+    <message>
+        <source>no resolution helps, not even a single pixel fits</source>
+        <translation>任何分辨率都无济于事，连一个像素也放不下</translation>
+    </message>
+    <message>
+        <source>no resolution helps, the trajectories alone take {fixed} s: simulate fewer operations</source>
+        <translation>任何分辨率都无济于事，仅轨迹就需 {fixed} s：请模拟较少的操作</translation>
+    </message>
+    <message>
+        <source>the heaviest takes {time} s</source>
+        <translation>最重的需 {time} s</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>
@@ -937,6 +969,24 @@ memory</source>
     <message>
         <source>Memory of FreeCAD&apos;s legacy simulator, at the accuracy that the preferences say</source>
         <translation>FreeCAD 旧版模拟器在首选项精度下的内存</translation>
+    </message>
+    <message>
+        <source>Recommended image: {}</source>
+        <translation>推荐图像：{}</translation>
+    </message>
+    <message>
+        <source>Recommended
+image</source>
+        <translation>推荐
+图像</translation>
+    </message>
+    <message>
+        <source>The finest image of the z-buffer within the budgets of the preferences</source>
+        <translation>在首选项限额内最精细的 Z 缓冲图像</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>无</translation>
     </message>
 </context>
 <context>

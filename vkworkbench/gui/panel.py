@@ -218,5 +218,5 @@ def _in_words(row: Row) -> str:
     strategy, resolution = strategy_name(row.found.strategy), row.found.resolution
     image = ""
     if resolution is not None:
-        image = "<br>" + escape(translate("Vk_Results", "Recommended image: {}").format(resolution.explanation))
+        image = "<br>" + escape(translate("Vk_Results", "Recommended image: {}").format(in_user_language(resolution.explanation)))
     return f"<b>{escape(row.label)}, {escape(strategy)}</b>: {escape(row.found.reason)}{image}{remarks}"

@@ -117,6 +117,17 @@ _SENTENCES = (
         "the arcs and cycles would need {count} moves at a tolerance of {tolerance} mm; use a larger "
         "tolerance",
     ),
+    # The recommended image.
+    QT_TRANSLATE_NOOP("Sentences", "{width} x {height} pixels of {pixel} mm, limited by the {limit}"),
+    QT_TRANSLATE_NOOP("Sentences", "memory"),
+    QT_TRANSLATE_NOOP("Sentences", "time"),
+    QT_TRANSLATE_NOOP("Sentences", "passes {step} mm apart ask for {pixel} mm"),
+    QT_TRANSLATE_NOOP("Sentences", "{pixel} mm would do for passes {step} mm apart"),
+    QT_TRANSLATE_NOOP("Sentences", "no resolution helps, not even a single pixel fits"),
+    QT_TRANSLATE_NOOP(
+        "Sentences", "no resolution helps, the trajectories alone take {fixed} s: simulate fewer operations"
+    ),
+    QT_TRANSLATE_NOOP("Sentences", "the heaviest takes {time} s"),
     # What goes wrong in FreeCAD's simulators.
     QT_TRANSLATE_NOOP(
         "Sentences", "The legacy simulator hangs on an arc {reason} (command {command}{others}): {instead}."
