@@ -104,7 +104,7 @@ def relate_rings(pieces: Pieces, index: np.ndarray, tool: float) -> Rings:
     slack = np.where(winding, 2.0, 1.0)
     names = ("nested", "opposite", "deeper", "repeated", "moved", "crossing")
     flags = {name: np.zeros(k, bool) for name in names}
-    limit, next_step, next_drop = _reach(sides, size, z, enclosed, length, slack, tool)
+    limit, next_step, next_drop = _reach(sides, size, z, flat, enclosed, length, slack, tool)
     steps = []
     for lag in LAGS[: max(k - 1, 0)]:
         a, b = slice(None, -lag), slice(lag, None)
@@ -204,23 +204,27 @@ def _least(low, high, lag: int, enclosed: np.ndarray, length: np.ndarray, slack:
     return np.where((low * high > 0) & fits, near, 0.0)
 
 
-def _reach(sides, size, z, enclosed, length, slack, tool) -> tuple[float, np.ndarray, np.ndarray]:
+def _reach(sides, size, z, flat, enclosed, length, slack, tool) -> tuple[float, np.ndarray, np.ndarray]:
     """Return how far apart nested rings may be, and the steps in the plane and in depth from ring to next
     ring.
 
     A little over the tool's diameter: farther apart nothing between them is cut and they are two contours.
     Where the tool is unknown, or at least four even steps say it is wrong, twice the usual step.
     """
+    steps = drops = np.zeros(0)
     found = []
     for lag in LAGS[: max(len(z) - 1, 0)]:
         low, high, _ = _inward(sides, lag)
         least = _least(low, high, lag, enclosed, length, slack)
         even = (least > 0.05) & (least <= 0.3 * np.maximum(size[lag:], size[:-lag]))
-        found.append((least[even], np.abs(z[lag:] - z[:-lag])[even]))
+        drop = np.abs(z[lag:] - z[:-lag])
+        if lag == 1:
+            steps, drops = least[even], drop[even]
+        # A wall that slopes a little moves the loops of the next depth by less than any step.
+        found.append(least[even & ((drop < LEVEL) | ~flat[lag:] | ~flat[:-lag])])
         if even.mean() > 0.8:
             break  # one nest: the next ring is the neighbour
-    steps, drops = found[0] if found else (np.zeros(0), np.zeros(0))
-    every = np.concatenate([f[0] for f in found]) if found else steps
+    every = np.concatenate(found) if found else steps
     if not len(every):
         return 1.2 * tool, steps, drops
     # Rings around islands interleave with those of the boundary; the smaller steps are between neighbours.
