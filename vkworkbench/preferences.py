@@ -12,10 +12,10 @@ from dataclasses import dataclass, field, fields
 
 import FreeCAD
 
+from vkworkbench.simulator_names import OPENGL, SIMULATORS, ZBUFFER
+
 GROUP = "User parameter:BaseApp/Preferences/Mod/VkWorkbench"
 
-ZBUFFER, LEGACY, OPENGL = "z-buffer", "legacy", "OpenGL"
-SIMULATORS = (ZBUFFER, LEGACY, OPENGL)
 # Where the eye looks, as FreeCAD names its standard views.
 DIRECTIONS = {
     "Top": (0, 0, -1), "Front": (0, 1, 0), "Right": (-1, 0, 0), "Rear": (0, -1, 0), "Left": (1, 0, 0),

@@ -9,12 +9,13 @@ import re
 from dataclasses import dataclass, field
 from typing import Any
 
-from vkworkbench import friendly, preferences
+from vkworkbench import friendly
 from vkworkbench.core import Estimate, Machining, Recognition, Span, Strategy
 from vkworkbench.core.legacy import LegacyCost
 from vkworkbench.core.opengl import OpenGLCost
 from vkworkbench.core.preflight import Caution
 from vkworkbench.core.resolution import Resolution
+from vkworkbench.simulator_names import LEGACY, OPENGL
 
 # What spreadsheets take for a formula, behind anything they skip; the full-width signs in East Asian ones.
 _FORMULA = re.compile(r"[\s\x00-\x1f\ufeff\u200b-\u200f\u2060]*[=+\-@＝＋－＠]")
@@ -100,9 +101,9 @@ class OperationReport:
         simulator : {"z-buffer", "legacy", "OpenGL"}
             The legacy simulator runs in fast-forward, the OpenGL simulator at its highest speed.
         """
-        if simulator == preferences.LEGACY:
+        if simulator == LEGACY:
             return self.legacy and (self.legacy.fast_forward_seconds, self.legacy.memory_bytes)
-        if simulator == preferences.OPENGL:
+        if simulator == OPENGL:
             plays = self.opengl and self.opengl.play_seconds
             return plays and (plays[max(plays)], self.opengl.memory_bytes)
         return self.estimate and (self.estimate.seconds, float(self.estimate.memory_bytes))
