@@ -14,6 +14,8 @@ FAILED = {
     "chords finer than any number": [116, 147, 302, 441],
     "a list as a word": [201],
     "a feed rate whose time overflows": [1362, 1583],
+    "moves of no length left": [323, 1273],
+    "a negative count of dexels": [36, 59, 166],
     "rows on one line": [1342, 1427, 1749],
     "no row along the densest direction": [2065],
 }
@@ -34,6 +36,7 @@ def test_programs_that_failed_once(seed):
 HOLE = {"X": 0.0, "Y": 0.0, "Z": -100.0, "R": 1.0, "Q": 0.02, "F": 5.0}
 CIRCLE = {"X": 900.0, "Y": 0.0, "I": -900.0, "J": 0.0, "F": 5.0}
 HOSTILE = {
+    "away by moves of no length and back": [("G1", {"X": x * 6e-10, "Y": 0.0, "Z": 0.0}) for x in (0, 1, 2, 0, 100, 0, 1, 2, 0)],
     "code of 5,000 digits": [("G" + "9" * 5000, {}), ("N" + "9" * 5000, {"X": 1.0})],
     "text for a code behind a line number": [("N10", {"G": "one", "X": 1.0}), ("N20", {"G": float("nan")})],
     "digits of another script": [("G١", {"X": 1.0}), ("X٣", {})],

@@ -61,10 +61,12 @@ def linearize(commands: Iterable, *, tolerance: float = 0.01) -> Toolpath:
     program = _Program(words, problems)
     points, rapid, command, sweep, is_cycle = _moves(program, float(tolerance), problems)
 
-    if len(points):
-        moved = np.abs(np.diff(points, axis=0)).max(axis=1) > _ZERO_LENGTH
-        points = points[np.concatenate([[True], moved])] + 0.0  # -0.0 becomes 0.0
+    moved = _moved(points)
+    while not moved.all():  # again where moves too short to count led away from a point and the next one back to it
+        points = points[np.concatenate([[True], moved])]
         rapid, command, sweep, is_cycle = rapid[moved], command[moved], sweep[moved], is_cycle[moved]
+        moved = _moved(points)
+    points += 0.0  # -0.0 becomes 0.0
     feed = np.where(rapid, 0.0, program.feed[command])
     comments = np.flatnonzero(words.codes == COMMENT)
     before = np.searchsorted(command, comments).tolist()
@@ -201,6 +203,11 @@ def _moves(program: _Program, tolerance: float, problems: _Problems):
         points[is_cycle], rapid[is_cycle] = _expand_cycles(program, cycle_rows)
     start = position[:1] if total else np.empty((0, 3))
     return np.concatenate([start, points]), rapid, command, sweep, is_cycle
+
+
+def _moved(points: np.ndarray) -> np.ndarray:
+    """Which trajectories have a length."""
+    return np.abs(np.diff(points, axis=0)).max(axis=1, initial=0.0) > _ZERO_LENGTH
 
 
 def _resolve_arcs(program, rows, axes, start, end, problems) -> arcs.Arcs:
