@@ -18,6 +18,8 @@ from vkworkbench.core.verdict import Section, Verdict, judge
 BAR = 0.65
 
 MANY_TITLES = 50  # comments; a program with more has remarks, not headings
+MANY_SECTIONS = 200  # borders; more are no operations, and each section takes its time
+MOST_SECTIONS = 200  # a program with more borders is no list of operations; each section costs a millisecond
 DRILLED = 4  # holes in a row from which drilling is an operation of its own
 
 
@@ -123,7 +125,7 @@ def recognize(toolpath: Toolpath, *, tool_diameter: float | None = None) -> Reco
     moves = monotonous_areas(toolpath)
     whole = _judge_one(toolpath, moves, int(cutting[0]), int(cutting[-1]), tool)
     borders = _borders(toolpath, moves)
-    if not borders:
+    if not 0 < len(borders) <= MANY_SECTIONS:
         return whole
     return _judge_sections(toolpath, cutting, borders, whole, tool)
 
