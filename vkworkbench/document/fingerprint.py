@@ -8,11 +8,8 @@ saving, reopening, and another FreeCAD version.
 from __future__ import annotations
 
 import hashlib
-import re
 
 from vkworkbench.document.setting import read_stock, read_tool
-
-_COMMENT_LINES = re.compile(r"^\(.*\n?", re.MULTILINE)
 
 
 def path_fingerprint(obj) -> str:
@@ -28,7 +25,7 @@ def commands_fingerprint(commands: list, placement) -> str:
 def _of_gcode(text: str, placement) -> str:
     text = text.replace("-0.000000", "0.000000")
     if "(" in text:
-        text = _COMMENT_LINES.sub("", text)
+        text = "\n".join([line for line in text.split("\n") if not line.startswith("(")])
     if not placement.isIdentity():
         text += repr([round(value, 6) for value in (*placement.Base, *placement.Rotation.Q)])
     return _digest(text)

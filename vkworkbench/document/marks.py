@@ -9,14 +9,16 @@ would). A file so marked opens in a FreeCAD without this add-on.
 from __future__ import annotations
 
 import re
+from collections.abc import Callable
 
 import FreeCAD
 
 from vkworkbench import friendly, preferences
 from vkworkbench.core import Strategy
-from vkworkbench.document.fingerprint import path_fingerprint, setting_fingerprint
-from vkworkbench.document.operations import Operation, find
+from vkworkbench.document.fingerprint import path_fingerprint
+from vkworkbench.document.operations import find
 from vkworkbench.report import OperationReport
+from vkworkbench.simulator_names import ZBUFFER
 
 OPENING, CLOSING, SEPARATOR, OUTDATED = "⟦", "⟧", " · ", "outdated"
 # A segment is ours if it begins as ours do: brackets may be the user's or another tool's.
@@ -81,16 +83,33 @@ def with_words(label2: str, words: str) -> str:
     return " ".join(filter(None, [words_of(words).strip(), segment]))
 
 
-def refresh(operation: Operation, *, path_changed: bool = True) -> None:
-    """Say "outdated" in a mark that no longer fits its operation, and no longer where it fits again."""
-    obj = operation.object
+def refresh(obj, setting_of: Callable, *, path_changed: bool = True, setting_changed: bool = True) -> bool:
+    """Say "outdated" in a mark that no longer fits its operation, and no longer where it fits again.
+
+    Parameters
+    ----------
+    obj : DocumentObject
+        An operation; one without a mark is passed over.
+    setting_of : callable
+        Returns the setting's fingerprint of an operation.
+    path_changed, setting_changed : bool
+        What may differ from what the mark, if it is not outdated, was last found to fit.
+
+    Returns
+    -------
+    bool
+        Whether the mark changed.
+    """
     if not hasattr(obj, "ToolpathFingerprint"):
-        return
+        return False
     path, _, setting = obj.ToolpathFingerprint.partition(":")
-    fits = setting_fingerprint(obj, operation.job) == setting
-    if fits:
-        fits = path_fingerprint(obj) == path if path_changed or is_outdated(obj) else True
+    outdated = is_outdated(obj)
+    fits = not (setting_changed or outdated) or setting_of(obj) == setting
+    fits = fits and (not (path_changed or outdated) or path_fingerprint(obj) == path)
+    if fits != outdated:
+        return False
     _say_outdated(obj, not fits)
+    return True
 
 
 def refresh_total(job) -> None:
@@ -135,7 +154,7 @@ def write(obj, report: OperationReport) -> None:
 
 def _cost(simulator: str, seconds: float, memory: float, least: str = "") -> list[str]:
     """Say whose time it is unless it is the z-buffer's."""
-    whose = "" if simulator == preferences.ZBUFFER else f"{simulator} "
+    whose = "" if simulator == ZBUFFER else f"{simulator} "
     return [whose + least + friendly.time(seconds), least + friendly.memory(memory)]
 
 

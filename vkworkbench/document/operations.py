@@ -98,19 +98,19 @@ def _find(what, jobs: dict) -> Iterator[Operation]:
                 yield from _of_job(obj)
         for obj in what.Objects:
             if kind(obj) in ("operation", "dressup", "array"):
-                yield from _with_bases(obj, _job_of(obj), counted=True)
+                yield from _with_bases(obj, job_of(obj), counted=True)
     elif hasattr(what, "isDerivedFrom"):
         sort = kind(what)
         if sort == "job":
             yield from _of_job(what)
         elif sort in ("operation", "dressup", "array"):
-            job = _job_of(what)
+            job = job_of(what)
             if job is not None and _key(job) not in jobs:
                 jobs[_key(job)] = _once(_of_job(job))
             listed = jobs[_key(job)].get(_key(what)) if job is not None else None
             yield listed or next(_with_bases(what, job, counted=True))
         elif is_job_group(what):
-            yield from _of_job(_job_of(what))
+            yield from _of_job(job_of(what))
     elif isinstance(what, Iterable) and not isinstance(what, str):
         for one in what:
             yield from _find(one, jobs)
@@ -153,7 +153,7 @@ def _all_bases(obj) -> Iterator:
             pending += _bases(base)
 
 
-def _job_of(obj):
+def job_of(obj):
     """Return the job of an operation, also where only a dress-up of it is in the job's group."""
     seen = set()
     pending = [obj]

@@ -11,7 +11,8 @@ import FreeCAD
 
 from vkworkbench import preferences
 from vkworkbench.document import marks
-from vkworkbench.document.operations import find
+from vkworkbench.document.fingerprint import setting_fingerprint
+from vkworkbench.document.operations import find, job_of, kind, through_bases
 
 _ON_OPERATION = {"Path", "Placement"}
 # Changes that reach operations and jobs by way of their tool, stock or group.
@@ -53,29 +54,43 @@ class Watcher:
         setting_changed = document.Name in self._settings
         self._settings.discard(document.Name)
         if changed or setting_changed:
-            check(document, None if setting_changed else changed, changed)
+            check(document, changed, settings=setting_changed)
 
 
-def check(document, names: set[str] | None = None, paths_changed: set[str] | None = None) -> None:
+def check(document, paths: set[str] | None = None, *, settings: bool = True) -> None:
     """Compare marks with their operations and say "outdated" where they differ.
 
     Parameters
     ----------
     document : Document
-    names : set of str, optional
-        Only these operations; all of them if None.
-    paths_changed : set of str, optional
+    paths : set of str, optional
         Operations whose path may differ; all of them if None.
+    settings : bool
+        Whether tools, stocks or groups may differ.
     """
-    jobs = {}
-    for operation in find(document):
-        name = operation.object.Name
-        if names is not None and name not in names:
-            continue
-        marks.refresh(operation, path_changed=paths_changed is None or name in paths_changed)
-        if operation.job is not None:
-            jobs[operation.job.Name] = operation.job
-    for job in jobs.values():
+    known: dict[tuple, str] = {}
+
+    def setting_of(obj) -> str:
+        job, controller = job_of(obj), through_bases(obj, "ToolController")
+        key = tuple(one and one.Name for one in (job, controller))
+        if key not in known:
+            known[key] = setting_fingerprint(obj, job)
+        return known[key]
+
+    if settings or paths is None:
+        objects = [operation.object for operation in find(document)]
+    else:
+        objects = [obj for obj in map(document.getObject, paths) if obj is not None]
+    changed = [
+        obj
+        for obj in objects
+        if marks.refresh(obj, setting_of, path_changed=paths is None or obj.Name in paths, setting_changed=settings)
+    ]
+    if settings:
+        jobs = [obj for obj in document.Objects if kind(obj) == "job"]
+    else:
+        jobs = {job.Name: job for job in map(job_of, changed) if job is not None}.values()
+    for job in jobs:
         marks.refresh_total(job)
 
 
