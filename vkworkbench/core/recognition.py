@@ -19,7 +19,6 @@ BAR = 0.65
 
 MANY_TITLES = 50  # comments; a program with more has remarks, not headings
 MANY_SECTIONS = 200  # borders; more are no operations, and each section takes its time
-MOST_SECTIONS = 200  # a program with more borders is no list of operations; each section costs a millisecond
 DRILLED = 4  # holes in a row from which drilling is an operation of its own
 
 
