@@ -133,7 +133,6 @@ def estimate(
     more = max(more, -covered)  # where everything is cut away, rounding leaves less than nothing
     traces, error = rays.total(cuts)
     touched, _ = rays.total(cuts > 0)
-    more = max(more, -covered)  # where everything is cut away, rounding must leave no less than nothing
     dexels, traces, error = (covered + more) * per_area, traces * per_area, error * per_area
     pixels = frame.width * frame.height
     stock_bytes = DEXEL.itemsize * covered * per_area + INDEX.itemsize * (pixels + 1)
