@@ -10,7 +10,8 @@ import vkworkbench
 from vkworkbench import preferences
 from vkworkbench.core.simulators import DEFAULTS
 from vkworkbench.document import marks, watcher
-from vkworkbench.preferences import LEGACY, OPENGL, ZBUFFER, Preferences
+from vkworkbench.preferences import Preferences
+from vkworkbench.simulator_names import LEGACY, OPENGL, ZBUFFER
 
 ARC = [("G0", {"X": 20, "Y": 10, "Z": 25}), ("G1", {"Z": 18, "F": 5}), ("G2", {"X": 40, "Y": 10, "I": 10, "J": 0})]
 

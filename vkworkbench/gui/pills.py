@@ -27,6 +27,7 @@ from vkworkbench.gui.qt import (
 from vkworkbench.gui.sentences import in_user_language
 from vkworkbench.gui.text import translate
 from vkworkbench.gui.units import length
+from vkworkbench.simulator_names import ZBUFFER
 
 _PADDING = 6  # px within a pill, left and right
 _SPACE = "\u00a0"  # is not stretched or cut off at a line's end
@@ -174,7 +175,7 @@ def explanation(mark: Mark, obj) -> str:
             trajectories=f"{obj.ToolpathTrajectories:,}", length=length(obj.ToolpathLength)
         ))  # fmt: skip
         if obj.ToolpathMemory:
-            whose = getattr(obj, "ToolpathSimulator", preferences.ZBUFFER)
+            whose = getattr(obj, "ToolpathSimulator", ZBUFFER)
             text = translate("Pills", "Simulating it takes {time} and {memory} ({simulator})")
             lines.append(text.format(
                 time=friendly.time(obj.ToolpathSeconds), memory=friendly.memory(obj.ToolpathMemory), simulator=whose

@@ -13,6 +13,7 @@ from vkworkbench import preferences
 from vkworkbench.gui.qt import QApplication, QDate, QLocale, QMessageBox, Qt
 from vkworkbench.gui.text import QT_TRANSLATE_NOOP, translate
 from vkworkbench.preferences import Preferences
+from vkworkbench.simulator_names import OPENGL, SIMULATORS
 
 UI = Path(__file__).resolve().parents[2] / "resources" / "ui" / "preferences.ui"
 TITLE = QT_TRANSLATE_NOOP("QObject", "Toolpath Analysis")  # of the group; its icon is preferences-toolpath_analysis.svg
@@ -29,7 +30,7 @@ class PreferencesPage:
                 widget.setProperty("minimum", limits["least"])
                 widget.setProperty("maximum", limits["most"])
         if FreeCAD.Version()[0] == "0":
-            self.form.mark_simulator.removeItem(preferences.SIMULATORS.index(preferences.OPENGL))
+            self.form.mark_simulator.removeItem(SIMULATORS.index(OPENGL))
             for name in ("opengl_quality", "opengl_quality_label"):
                 getattr(self.form, name).hide()
         self.form.calibrate.clicked.connect(self._calibrate)
