@@ -31,7 +31,7 @@ OPERATIONS, TURNS = 200, 3
 class Timed(watcher.Watcher):
     """The watcher with a clock."""
 
-    seconds = 0.0
+    seconds, calls = 0.0, 0
 
 
 def timed(name):
@@ -41,6 +41,7 @@ def timed(name):
         start = time.perf_counter()
         original(self, *args)
         Timed.seconds += time.perf_counter() - start
+        Timed.calls += 1
 
     return slot
 
@@ -89,7 +90,7 @@ def main():
     for turn in range(2 * TURNS):
         if turn % 4 in (1, 2):  # without, with, with, without: what drifts does not favour one
             FreeCAD.addDocumentObserver(observer)
-            Timed.seconds = 0.0
+            Timed.seconds, Timed.calls = 0.0, 0
             with_watcher.append(recompute(document, job))
             shares.append(Timed.seconds / (with_watcher[-1] - Timed.seconds))
             FreeCAD.removeDocumentObserver(observer)
@@ -99,7 +100,7 @@ def main():
     print(f"without the watcher  {min(without):7.3f} s  {median(without):7.3f} s")
     print(f"with the watcher     {min(with_watcher):7.3f} s  {median(with_watcher):7.3f} s")
     print(f"ratio                {min(with_watcher) / min(without):7.4f}    {median(with_watcher) / median(without):7.4f}")
-    print(f"the watcher's own functions, share of the recompute: {min(shares):.2%}, {median(shares):.2%}")
+    print(f"the watcher's own functions, share of the recompute: {min(shares):.2%}, {median(shares):.2%}; FreeCAD calls them {Timed.calls} times")
     return 0 if median(shares) < 0.01 else 1
 
 

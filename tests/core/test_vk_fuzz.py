@@ -16,6 +16,7 @@ FAILED = {
     "a feed rate whose time overflows": [1362, 1583],
     "moves of no length left": [323, 1273],
     "a negative count of dexels": [36, 59, 166],
+    "a chord of next to nothing": [9389],
     "rows on one line": [1342, 1427, 1749],
     "no row along the densest direction": [2065],
 }

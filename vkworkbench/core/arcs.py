@@ -66,7 +66,7 @@ def resolve(start, end, clockwise, offset, radius_word, absolute_centre) -> Arcs
     # A radius shorter than half the chord is allowed what rounding explains: then it is a half circle.
     by_radius &= size > 0.5 * distance - np.maximum(1e-3, 1e-4 * distance)
     height = np.sqrt(np.maximum(size**2 - 0.25 * distance**2, 0.0))
-    left = np.where(clockwise == (radius_word < 0), 1.0, -1.0) * height / np.where(distance > 0, distance, 1.0)
+    left = np.where(clockwise == (radius_word < 0), 1.0, -1.0) * height / np.where(distance > SAME_POINT, distance, 1.0)
     from_radius = 0.5 * (start + end) + left[:, None] * np.column_stack([-chord[:, 1], chord[:, 0]])
     centre = np.where(by_radius[:, None], from_radius, centre)
 
