@@ -138,6 +138,9 @@ def opened(example_path, window):
     Gui.Selection.clearSelection()
     yield document
     window.dismiss()
+    for dock in window.main.findChildren(QtGui.QDockWidget):
+        if dock.windowTitle() == "Toolpath results":  # each test begins with the room it takes
+            dock.hide()
     FreeCAD.closeDocument(document.Name)
     window.idle()
 

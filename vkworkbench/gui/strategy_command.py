@@ -28,7 +28,7 @@ class StrategiesCommand:
             "ToolTip": text,
             "WhatsThis": text,
             "Pixmap": "Vk_Strategies",
-            "Accel": "V, S",
+            "Accel": "V, C",
             "Checkable": False,  # not checked at first
         }
 
