@@ -3,8 +3,9 @@
 
     python3 benchmarks/loads.py
 
-It needs freecadcmd. Each size is analysed, marked and cleared in a FreeCAD of its own. Printed are the memory that the analysis takes beyond
-what FreeCAD and the document took before it, at its peak, and the time, also for each decade as a ratio: 10 is linear.
+It needs freecadcmd. Each size is analysed, marked and cleared in a FreeCAD of its own. Printed are the memory that
+the analysis takes beyond what FreeCAD and the document took before it, at its peak, and the time, also for each
+decade as a ratio: 10 is linear.
 """
 
 from __future__ import annotations
@@ -23,7 +24,7 @@ OPERATIONS = 4
 
 
 def memory(line):
-    """A line of the process's status in bytes: VmRSS is what it takes now, VmHWM the peak since the last reset."""
+    """A line of the process's status in bytes: VmRSS is what it takes, VmHWM the peak since the last reset."""
     status = Path("/proc/self/status").read_text()
     return 1024 * next(int(entry.split()[1]) for entry in status.splitlines() if entry.startswith(line + ":"))
 
@@ -80,7 +81,12 @@ def measure(size):
     vkworkbench.clear(document)
     extra = memory("VmHWM") - before
     commands = sum(document.getObject(o.name).Path.Size for o in report.operations)
-    return {"commands": commands, "seconds": seconds, "bytes": extra, "strategy": report.operations[0].strategy.value}
+    return {
+        "commands": commands,
+        "seconds": seconds,
+        "bytes": extra,
+        "strategy": report.operations[0].strategy.value,
+    }
 
 
 def main():
@@ -88,14 +94,21 @@ def main():
     print("commands     extra memory   time      ratio to the decade before")
     for size in SIZES:
         environment = {**os.environ, "VK_LOAD": str(size)}
-        run = subprocess.run(["freecadcmd", Path(__file__).resolve()], env=environment, stdin=subprocess.DEVNULL, capture_output=True, text=True)
+        run = subprocess.run(
+            ["freecadcmd", Path(__file__).resolve()],
+            env=environment,
+            stdin=subprocess.DEVNULL,
+            capture_output=True,
+            text=True,
+        )
         lines = [line for line in run.stdout.splitlines() if line.startswith("{")]
         if not lines:
             sys.exit(run.stdout + run.stderr)
         found = json.loads(lines[-1])
         ratio = "" if last is None else f"{found['seconds'] / last:.1f}"
         last = found["seconds"]
-        print(f"{found['commands']:>9,}    {found['bytes'] / 1e6:>8.0f} MB  {found['seconds']:>7.2f} s   {ratio:>5}  {found['strategy']}")
+        row = f"{found['commands']:>9,}    {found['bytes'] / 1e6:>8.0f} MB  {found['seconds']:>7.2f} s"
+        print(f"{row}   {ratio:>5}  {found['strategy']}")
 
 
 sys.path.insert(0, str(ROOT))

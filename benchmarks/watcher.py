@@ -3,9 +3,9 @@
 
     freecadcmd benchmarks/watcher.py
 
-Recomputes with and without the watcher take turns in one run. Printed are the shortest and the median time of each,
-their ratio, and the share of the recompute that the watcher's own functions took, which noise does not
-hide. Exits with 1 where that share is not below 1 %.
+Recomputes with and without the watcher take turns in one run. Printed are the shortest and the median time of
+each, their ratio, and the share of the recompute that the watcher's own functions took, which noise does not hide.
+Exits with 1 where that share is not below 1 %.
 """
 
 from __future__ import annotations
@@ -51,7 +51,7 @@ for name in [name for name in vars(watcher.Watcher) if name.startswith("slot")]:
 
 
 def job_document():
-    """A job of FreeCAD's own operations on the example's plate: faces, pockets of both patterns and profiles."""
+    """FreeCAD's own operations on the example's plate: faces, pockets of both patterns and profiles."""
     document = FreeCAD.newDocument()
     model = document.addObject("Part::Feature", "Plate")
     model.Shape = shape = plate()
@@ -61,8 +61,12 @@ def job_document():
     top = faces(shape, "Plane", (0, 0, HEIGHT), (LENGTH, WIDTH, HEIGHT))[:1]
     pocket = faces(shape, "Plane", (18, 14, 12), (62, 48, 12))
     pattern = "ClearingPattern" if FreeCAD.Version()[:2] >= ["1", "1"] else "OffsetPattern"
-    kinds = [("MillFace", top, {pattern: "ZigZag"}), ("PocketShape", pocket, {pattern: "ZigZag"}),
-             ("PocketShape", pocket, {pattern: "Offset"}), ("Profile", (), {})]  # fmt: skip
+    kinds = [
+        ("MillFace", top, {pattern: "ZigZag"}),
+        ("PocketShape", pocket, {pattern: "ZigZag"}),
+        ("PocketShape", pocket, {pattern: "Offset"}),
+        ("Profile", (), {}),
+    ]
     for number in range(OPERATIONS):
         kind, base, properties = kinds[number % len(kinds)]
         operation(job, kind, f"{kind} {number}", controller, base, **properties)
@@ -96,11 +100,17 @@ def main():
             FreeCAD.removeDocumentObserver(observer)
         else:
             without.append(recompute(document, job))
-    print(f"\nFreeCAD {'.'.join(FreeCAD.Version()[:2])}, recompute of {OPERATIONS} operations, {TURNS} turns, shortest and median:")
+    print(
+        f"\nFreeCAD {'.'.join(FreeCAD.Version()[:2])}, recompute of {OPERATIONS} operations, {TURNS} turns, shortest and median:"
+    )
     print(f"without the watcher  {min(without):7.3f} s  {median(without):7.3f} s")
     print(f"with the watcher     {min(with_watcher):7.3f} s  {median(with_watcher):7.3f} s")
-    print(f"ratio                {min(with_watcher) / min(without):7.4f}    {median(with_watcher) / median(without):7.4f}")
-    print(f"the watcher's own functions, share of the recompute: {min(shares):.2%}, {median(shares):.2%}; FreeCAD calls them {Timed.calls} times")
+    print(
+        f"ratio                {min(with_watcher) / min(without):7.4f}    {median(with_watcher) / median(without):7.4f}"
+    )
+    print(
+        f"the watcher's own functions, share of the recompute: {min(shares):.2%}, {median(shares):.2%}; FreeCAD calls them {Timed.calls} times"
+    )
     return 0 if median(shares) < 0.01 else 1
 
 

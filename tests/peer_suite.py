@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """FreeCAD's own CAM tests with and without this add-on, test by test; peer_suite.sh runs it.
 
-In FreeCAD's window: run TestPathApp (0.20) or TestCAMApp (1.x) and write the result of each test to the file in the
-environment variable VK_PEER_RESULTS. Where VK_PEER_ADDON is set, the add-on has to be installed and is active: the
-watcher watches, and after every recompute all operations of the document are analysed and marked, as if the user did
-it at once.
+In FreeCAD's window: run TestPathApp (0.20) or TestCAMApp (1.x) and write the result of each test to the file in
+the environment variable VK_PEER_RESULTS. Where VK_PEER_ADDON is set, the add-on has to be installed and is active:
+the watcher watches, and after every recompute all operations of the document are analysed and marked, as if the
+user did it at once.
 
     python3 tests/peer_suite.py WITHOUT.json WITH.json      # compares, exits with 1 where they differ
 """
@@ -126,10 +126,14 @@ def compare(without, with_addon):
         print(f"  {name}: {plain.get(name)} without the add-on, {marked.get(name)} with it")
     for error in sides[1]["errors"][:3]:
         print(error)
-    counts = ", ".join(f"{n} {what}" for what, n in Counter(o.split(":")[0] for o in plain.values()).most_common())
-    print(f"{sides[0]['module']}: {len(plain)} tests without the add-on ({counts}), {len(marked)} with it, {len(different)} "
-          f"different; {sides[1]['analyzed']} analyses and {sides[1]['marked']} marks meanwhile, "
-          f"{len(sides[1]['errors'])} errors of the add-on; {sides[0]['seconds']:.0f} s and {sides[1]['seconds']:.0f} s")  # fmt: skip
+    counts = ", ".join(
+        f"{n} {what}" for what, n in Counter(o.split(":")[0] for o in plain.values()).most_common()
+    )
+    print(
+        f"{sides[0]['module']}: {len(plain)} tests without the add-on ({counts}), {len(marked)} with it, {len(different)} "
+        f"different; {sides[1]['analyzed']} analyses and {sides[1]['marked']} marks meanwhile, "
+        f"{len(sides[1]['errors'])} errors of the add-on; {sides[0]['seconds']:.0f} s and {sides[1]['seconds']:.0f} s"
+    )
     return 1 if different or sides[1]["errors"] or not plain or not sides[1]["marked"] else 0
 
 

@@ -5,6 +5,6 @@ from __future__ import annotations
 
 from hypothesis import settings
 
-# A busy machine is no failure; the same examples in every run, so that a run says something of the change in it.
+# A busy machine is no failure. The same examples in every run: what it finds is the change's.
 settings.register_profile("tests", deadline=None, derandomize=True)
 settings.load_profile("tests")

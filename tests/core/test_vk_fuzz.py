@@ -24,7 +24,9 @@ FAILED = {
 
 @pytest.mark.parametrize("first", range(0, 300, 50))
 def test_random_programs(first):
-    failures = {seed: result.outcome for seed in range(first, first + 50) if (result := fuzz.feed(seed)).failed}
+    failures = {
+        seed: result.outcome for seed in range(first, first + 50) if (result := fuzz.feed(seed)).failed
+    }
     assert failures == {}
 
 

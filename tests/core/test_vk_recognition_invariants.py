@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What must not change the strategy: where, how large, which way round and in how many pieces a path is cut."""
+"""What must not change the strategy: where, how large, which way round and in how many pieces one cuts."""
 
 from __future__ import annotations
 
@@ -17,7 +17,9 @@ TOOL = 5.0
 CLEAR = programs.CLEAR
 angles, sizes = st.floats(-np.pi, np.pi), st.floats(0.1, 50)
 steps = st.floats(0.5, 4.0)
-depths = st.lists(st.integers(-9, 0), min_size=1, max_size=3, unique=True).map(lambda z: sorted(map(float, z))[::-1])
+depths = st.lists(st.integers(-9, 0), min_size=1, max_size=3, unique=True).map(
+    lambda z: sorted(map(float, z))[::-1]
+)
 
 ARGUMENTS = {
     "zigzag": (st.integers(6, 30), st.floats(40, 200), steps, depths),
@@ -31,7 +33,9 @@ ARGUMENTS = {
     "adaptive": (st.integers(20, 60), st.floats(5, 12), st.floats(0.5, 1.5)),
     "engraving": (st.integers(8, 16),),
 }  # fmt: skip
-anything = st.sampled_from(sorted(ARGUMENTS)).flatmap(lambda name: st.tuples(st.just(name), st.tuples(*ARGUMENTS[name])))
+anything = st.sampled_from(sorted(ARGUMENTS)).flatmap(
+    lambda name: st.tuples(st.just(name), st.tuples(*ARGUMENTS[name]))
+)
 
 
 def commands_of(made):
@@ -74,7 +78,8 @@ def split(path, parts):
 
 def same_level(one, other, sign=1):
     # Where phi ends at a whole turn exactly, rounding may reach it or not.
-    assert other.level == sign * one.level or min(abs(abs(phi) % (2 * np.pi) - np.pi) for phi in one.phi_range) > 3.14
+    whole = min(abs(abs(phi) % (2 * np.pi) - np.pi) for phi in one.phi_range) > 3.14
+    assert other.level == sign * one.level or whole
 
 
 @given(anything, angles, st.tuples(st.floats(-1e3, 1e3), st.floats(-1e3, 1e3), st.floats(-50, 50)))
@@ -136,8 +141,11 @@ def test_splitting_adds_collinear_points_and_changes_nothing(made, data):
 
 @given(anything)
 def test_six_decimals_are_enough(made):
-    path, found = path_of(made)
-    rounded = [(code, {letter: round(value, 6) for letter, value in words.items()}) for code, words in commands_of(made)]
+    _, found = path_of(made)
+    rounded = [
+        (code, {letter: round(value, 6) for letter, value in words.items()})
+        for code, words in commands_of(made)
+    ]
     again = recognize(linearize(rounded), tool_diameter=TOOL)
     assert (again.strategy, again.passes) == (found.strategy, found.passes)
 
@@ -148,7 +156,10 @@ def programs_of_arcs(turns, radius, pitch):
     for i in range(turns):
         r = radius + 3.0 * i
         circles += [("G1", {"X": r, "Y": 0.0, "Z": 0.0, "F": 5.0})]
-        circles += [("G3", {"X": -r, "Y": 0.0, "I": -r, "J": 0.0}), ("G3", {"X": r, "Y": 0.0, "I": r, "J": 0.0})]
+        circles += [
+            ("G3", {"X": -r, "Y": 0.0, "I": -r, "J": 0.0}),
+            ("G3", {"X": r, "Y": 0.0, "I": r, "J": 0.0}),
+        ]
     start = [("G0", {"Z": CLEAR}), ("G0", {"X": radius, "Y": 0.0})]
     return {"contour-parallel": start + circles, "helix": programs.helix(turns, radius, pitch)}
 

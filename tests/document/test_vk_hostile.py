@@ -21,7 +21,7 @@ from vkworkbench.document.operations import find
 
 LABELS = [
     "plain 'single' \"double\" `back`", "{0} {label} {{}} %s %d %(x)s", "🙂 👩‍🔧 𝕍ₖ", "<b>bold</b><img src='file:///etc/passwd'>",
-    "עברית ‮abc", "=1+1", "\t=cmd|' /C calc'!A0", "a\nb\r\nc", "⟦zigzag 98%⟧", "x" * 5000, "&amp; &lt;", "\\N{DIGIT ONE} \\0", "",
+    "עברית \u202eabc", "=1+1", "\t=cmd|' /C calc'!A0", "a\nb\r\nc", "⟦zigzag 98%⟧", "x" * 5000, "&amp; &lt;", "\\N{DIGIT ONE} \\0", "",
 ]  # fmt: skip
 
 

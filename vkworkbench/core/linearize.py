@@ -62,7 +62,7 @@ def linearize(commands: Iterable, *, tolerance: float = 0.01) -> Toolpath:
     points, rapid, command, sweep, is_cycle = _moves(program, float(tolerance), problems)
 
     moved = _moved(points)
-    while not moved.all():  # again where moves too short to count led away from a point and the next one back to it
+    while not moved.all():  # again: moves too short to count may lead away from a point and the next one back
         points = points[np.concatenate([[True], moved])]
         rapid, command, sweep, is_cycle = rapid[moved], command[moved], sweep[moved], is_cycle[moved]
         moved = _moved(points)
@@ -178,12 +178,14 @@ def _moves(program: _Program, tolerance: float, problems: _Problems):
         counts[arc_rows] = arcs.chord_counts(resolved, tolerance)
     cycle_rows = np.flatnonzero(program.is_cycle)
     if len(cycle_rows):
-        counts[cycle_rows] = cycles.move_counts(program.motion[cycle_rows], program.cycle_heights, program.cycle_peck)
+        code = program.motion[cycle_rows]
+        counts[cycle_rows] = cycles.move_counts(code, program.cycle_heights, program.cycle_peck)
 
     total = int(counts.sum())
     if total > MOST_TRAJECTORIES:
         raise ValueError(
-            f"the arcs and cycles would need {total:,} moves at a tolerance of {tolerance} mm; use a larger tolerance"
+            f"the arcs and cycles would need {total:,} moves at a tolerance of {tolerance} mm; "
+            "use a larger tolerance"
         )
     command = np.repeat(np.arange(len(motion)), counts)
     points = position[command]
@@ -236,7 +238,8 @@ def _expand_cycles(program: _Program, rows: np.ndarray):
     start = program.before(rows).copy()
     start[rows == 0] = program.position[0]
     start[:, 2] = program.cycle_heights[:, 0]
-    return cycles.moves(program.motion[rows], start, program.position[rows, :2], program.cycle_heights, program.cycle_peck)
+    hole = program.position[rows, :2]
+    return cycles.moves(program.motion[rows], start, hole, program.cycle_heights, program.cycle_peck)
 
 
 def _report_codes(words: Words, problems: _Problems) -> None:

@@ -91,7 +91,7 @@ def _key(obj) -> tuple[str, str]:
 
 
 def _find(what, jobs: dict) -> Iterator[Operation]:
-    """Find the operations; `jobs` keeps those of each job, which selections would otherwise find again and again."""
+    """Find the operations; `jobs` keeps those of each job, which a selection would find again and again."""
     if is_document(what):
         for obj in what.Objects:
             if kind(obj) == "job":
