@@ -14,6 +14,7 @@ from vkworkbench.core import linearize
 from vkworkbench.core.gauss_map import Areas
 from vkworkbench.document.operations import kind
 from vkworkbench.document.setting import placed
+from vkworkbench.gui import docks
 from vkworkbench.gui.gauss_figure import CLOCKWISE, COUNTER_CLOCKWISE, TRAIL, GaussCanvas
 from vkworkbench.gui.qt import (
     QApplication, QComboBox, QDockWidget, QFileDialog, QHBoxLayout, QLabel, QMessageBox, QPalette, QPushButton, QSlider,
@@ -32,7 +33,7 @@ class GaussMapDock(QDockWidget):
 
     def __init__(self, parent: QWidget) -> None:
         super().__init__(translate("Vk_GaussMap", "Gauss map"), parent)
-        self.setObjectName("VkGaussMap")
+        self.setObjectName(docks.GAUSS_MAP)
         self._shown: tuple[str, str] | None = None  # document and operation
         self._areas: Areas | None = None
         self._canvas: GaussCanvas | None = None
@@ -41,6 +42,7 @@ class GaussMapDock(QDockWidget):
         self._later.timeout.connect(self.refresh)
 
         self.title, self.values, self.legend = QLabel(), QLabel(), QLabel(_legend())
+        self.title.setTextFormat(Qt.PlainText)  # an operation's label is text, whatever it looks like
         for label in (self.title, self.values, self.legend):
             label.setWordWrap(True)  # a dock may be narrow
             label.setTextInteractionFlags(Qt.TextSelectableByMouse)

@@ -6,7 +6,7 @@ from __future__ import annotations
 import FreeCADGui as Gui
 
 import vkworkbench
-from vkworkbench.gui.qt import QApplication, QEventLoop, QProgressDialog, Qt
+from vkworkbench.gui.qt import QApplication, QEventLoop, QLabel, QProgressDialog, Qt
 from vkworkbench.gui.text import translate
 from vkworkbench.report import Report
 
@@ -25,6 +25,7 @@ def analyze(what) -> Report:
     dialog.setWindowTitle(translate("Vk_Analyze", "Analyze toolpaths"))
     dialog.setWindowModality(Qt.WindowModal)
     dialog.setMinimumDuration(_DELAY)
+    dialog.findChild(QLabel).setTextFormat(Qt.PlainText)  # an operation's label is text, whatever it looks like
     dialog.rejected.connect(dialog.cancel)  # Esc, whichever part of the dialog takes it
 
     def progress(done: int, count: int, label: str) -> None:
