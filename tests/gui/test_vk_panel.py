@@ -246,3 +246,22 @@ def test_no_table_in_the_report_view(panel, window):
     view = window.main.findChild(QtGui.QTextEdit, "Report view") or window.main.findChild(QtGui.QTextEdit)
     assert "trajectories" not in view.toPlainText()
     assert marks.is_marked(FreeCAD.ActiveDocument.getObject("Job"))
+
+
+def test_results_and_gauss_map_share_their_place(opened, window):
+    window.click("Toolpath results")
+    window.click("Gauss map")
+    window.idle(0.5)
+    results, gauss = (window.main.findChild(QtGui.QDockWidget, name) for name in ("VkResults", "VkGaussMap"))
+    assert gauss in window.main.tabifiedDockWidgets(results)
+    assert gauss.width() > 0.9 * window.main.width() and not gauss.visibleRegion().isEmpty()
+    window.click("Toolpath results")  # from behind to the front
+    window.idle()
+    assert not results.visibleRegion().isEmpty() and gauss.visibleRegion().isEmpty()
+    window.click("Toolpath results")
+    window.click("Gauss map")
+    window.idle()
+    assert not results.isVisible()
+    if not gauss.visibleRegion().isEmpty():
+        window.click("Gauss map")
+    assert not gauss.isVisible()

@@ -6,7 +6,7 @@ from __future__ import annotations
 import FreeCAD
 import FreeCADGui as Gui
 
-from vkworkbench.gui.qt import QDockWidget, Qt
+from vkworkbench.gui import docks
 from vkworkbench.gui.text import QT_TRANSLATE_NOOP
 
 _HEIGHT = 420  # px
@@ -33,20 +33,15 @@ class GaussMapCommand:
         return FreeCAD.ActiveDocument is not None
 
     def Activated(self) -> None:
-        window = Gui.getMainWindow()
-        dock = window.findChild(QDockWidget, "VkGaussMap")
+        dock = docks.find(docks.GAUSS_MAP)
         if dock is None:
             from vkworkbench.gui.gauss_map import GaussMapDock
 
-            dock = GaussMapDock(window)
-            window.addDockWidget(Qt.BottomDockWidgetArea, dock)
-            dock.show()
-            window.resizeDocks([dock], [_HEIGHT], Qt.Vertical)
-        elif dock.isVisible():
+            docks.add(GaussMapDock(Gui.getMainWindow()), _HEIGHT)
+        elif docks.is_seen(dock):
             dock.hide()
         else:
-            dock.show()
-            dock.raise_()
+            docks.show(dock)
 
 
 Gui.addCommand("Vk_GaussMap", GaussMapCommand())

@@ -9,7 +9,7 @@ from pathlib import Path
 import FreeCAD
 import FreeCADGui as Gui
 
-from vkworkbench.gui import latest
+from vkworkbench.gui import docks, latest
 from vkworkbench.gui.names import strategy_name
 from vkworkbench.gui.panel_model import VALUE, ResultsModel, ResultsOrder, Row, rows_of
 from vkworkbench.gui.qt import (
@@ -20,7 +20,6 @@ from vkworkbench.gui.sentences import in_user_language
 from vkworkbench.gui.text import translate
 from vkworkbench.report import Report, Total, plain_text
 
-NAME = "VkResults"
 _WIDEST_LABEL = 260  # px; a longer one has its end in the tooltip
 
 
@@ -29,7 +28,7 @@ class ResultsDock(QDockWidget):
 
     def __init__(self, parent: QWidget) -> None:
         super().__init__(translate("Vk_Results", "Toolpath results"), parent)
-        self.setObjectName(NAME)
+        self.setObjectName(docks.RESULTS)
         self._report = Report(())
         self._following = False  # whether the table is being moved by FreeCAD's selection
         self._stale = self._timer(self.refresh)

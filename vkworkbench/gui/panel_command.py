@@ -6,7 +6,7 @@ from __future__ import annotations
 import FreeCAD
 import FreeCADGui as Gui
 
-from vkworkbench.gui.qt import QDockWidget, Qt
+from vkworkbench.gui import docks
 from vkworkbench.gui.text import QT_TRANSLATE_NOOP
 
 _HEIGHT = 260  # px
@@ -33,10 +33,8 @@ class ResultsCommand:
         return FreeCAD.ActiveDocument is not None
 
     def Activated(self) -> None:
-        from vkworkbench.gui.panel import NAME
-
-        dock = Gui.getMainWindow().findChild(QDockWidget, NAME)
-        if dock is not None and dock.isVisible():
+        dock = docks.find(docks.RESULTS)
+        if dock is not None and docks.is_seen(dock):
             dock.hide()
         else:
             show()
@@ -44,18 +42,14 @@ class ResultsCommand:
 
 def show() -> None:
     """Show the results panel."""
-    from vkworkbench.gui.panel import NAME, ResultsDock
+    from vkworkbench.gui.panel import ResultsDock
 
-    window = Gui.getMainWindow()
-    dock = window.findChild(QDockWidget, NAME)
+    dock = docks.find(docks.RESULTS)
     if dock is None:
-        dock = ResultsDock(window)
-        window.addDockWidget(Qt.BottomDockWidgetArea, dock)
-        dock.show()
-        window.resizeDocks([dock], [_HEIGHT], Qt.Vertical)
+        dock = ResultsDock(Gui.getMainWindow())
+        docks.add(dock, _HEIGHT)
     else:
-        dock.show()
-    dock.raise_()
+        docks.show(dock)
     dock.refresh()
 
 
