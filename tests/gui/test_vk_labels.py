@@ -15,7 +15,7 @@ def test_progress_shows_labels_as_text(opened, window, monkeypatch):
 
     def analyze(what, *, progress, cancelled):
         progress(0, 2, HTML)
-        dialog = window.main.findChild(QtGui.QProgressDialog)
+        dialog = window.main.findChildren(QtGui.QProgressDialog)[-1]  # those of other tests end with the event loop
         label = dialog.findChild(QtGui.QLabel)
         seen.append((label.text(), label.textFormat()))
 
