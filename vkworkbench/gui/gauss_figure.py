@@ -15,6 +15,7 @@ from matplotlib.gridspec import GridSpec
 from matplotlib.ticker import FuncFormatter, MaxNLocator, MultipleLocator
 
 from vkworkbench.core.gauss_map import Areas, image_arcs, seen, thinned, turns_of
+from vkworkbench.gui.qt import QTimer
 
 COUNTER_CLOCKWISE, CLOCKWISE = "#0072b2", "#d55e00"  # told apart also by the colour-blind
 _V, _LEVEL = "#009e73", "#9a9a9a"  # V_k and its angle; levels and the rest of the toolpath
@@ -39,6 +40,10 @@ class GaussCanvas(FigureCanvasQTAgg):
         self._still = None
         self._k = 0
         self.points, self.drawn = 0, 0  # of the polyline, and of it on the picture
+        # Matplotlib's own timer for drawing later never fires again in FreeCAD 1.0 once an SVG was saved.
+        self._later = QTimer(self)
+        self._later.setSingleShot(True)
+        self._later.timeout.connect(self.draw)
         self.mpl_connect("draw_event", lambda event: self._drawn())
 
     def set_colors(self, text: str, background: str) -> None:
@@ -80,6 +85,9 @@ class GaussCanvas(FigureCanvasQTAgg):
         # Without this a long polyline may exceed what the renderer holds.
         with matplotlib.rc_context({"agg.path.chunksize": 10_000}):
             super().draw()
+
+    def draw_idle(self) -> None:
+        self._later.start(0)
 
     def resizeEvent(self, event) -> None:
         self._still = None
