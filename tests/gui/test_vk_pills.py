@@ -37,11 +37,14 @@ def cell(window, label, column=1):
 
 
 def picture(window, label):
-    """What the tree shows in the description of an operation."""
-    window.tree.scrollTo(cell(window, label))
-    window.idle(0.1)
-    area = window.tree.visualRect(cell(window, label))
-    return window.tree.viewport().grab(area).toImage()
+    """What the screen shows of an operation's description."""
+    view = window.tree
+    view.scrollTo(cell(window, label))
+    window.idle(0.2)
+    area = view.visualRect(cell(window, label)) & view.viewport().rect()
+    corner = view.viewport().mapToGlobal(area.topLeft())
+    screen = QtGui.QApplication.primaryScreen()
+    return screen.grabWindow(0, corner.x(), corner.y(), area.width(), area.height()).toImage()
 
 
 def share(image, color):

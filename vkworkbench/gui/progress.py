@@ -11,6 +11,7 @@ from vkworkbench.gui.text import translate
 from vkworkbench.report import Report
 
 _DELAY = 300  # ms; a shorter analysis shows no dialog
+_WIDTH = 400  # px; else it would change with every label, and FreeCAD draw the 3D view behind it anew
 
 
 def analyze(what) -> Report:
@@ -25,6 +26,7 @@ def analyze(what) -> Report:
     dialog.setWindowTitle(translate("Vk_Analyze", "Analyze toolpaths"))
     dialog.setWindowModality(Qt.WindowModal)
     dialog.setMinimumDuration(_DELAY)
+    dialog.setMinimumWidth(_WIDTH)
     dialog.findChild(QLabel).setTextFormat(Qt.PlainText)  # an operation's label is text, whatever it looks like
     dialog.rejected.connect(dialog.cancel)  # Esc, whichever part of the dialog takes it
 
