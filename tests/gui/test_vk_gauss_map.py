@@ -191,7 +191,11 @@ def test_narrow_and_floating(view, window):
     figure = view.canvas.figure
     tops = sorted(axes.get_position().y0 for axes in figure.axes)
     assert tops[0] < 0.4 < tops[-1]  # two above, one below
+    window.main.removeDockWidget(view.dock)
+    window.main.addDockWidget(QtCore.Qt.BottomDockWidgetArea, view.dock)
     view.dock.setFloating(False)
+    view.dock.show()
+    window.wait(lambda: view.dock.width() > 1000)
 
 
 def test_dark_window(view, opened, window):

@@ -92,6 +92,8 @@ def test_the_window_in_each_language(language, opened, window):
     window.screenshot(f"results-{language}")
     results = dock(window, "VkResults")
     assert list(cut_off(results)) == []
+    english = ("phi stays", "turns over", "limited by", "Recommended")
+    assert not [words for words in english if words in results.details.text()]
     (table,) = results.findChildren(QtGui.QTableView)
     assert list(cut_off_headers(table)) == []
     results.close()

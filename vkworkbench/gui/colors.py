@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """One colour for each strategy, wherever it is shown: tree, panel, Gauss map, 3D view.
 
-All have the same relative luminance, 0.17 (WCAG 2.1): white text on them has a contrast above 4.5, and they stand
-out from light and from dark windows alike. A colour never stands alone: there is always the strategy's name.
+All have the same relative luminance, 0.17 (WCAG 2.1): white text on them has a contrast above 4.5, and they
+stand out from light and from dark windows alike. A colour never stands alone: there is always the strategy's name.
 """
 
 from __future__ import annotations

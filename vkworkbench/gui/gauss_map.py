@@ -66,8 +66,8 @@ class GaussMapDock(QDockWidget):
 
         self._body = QWidget()
         self._column = QVBoxLayout(self._body)
-        self._column.addLayout(_row(self.title, self.chooser, self.saver))
-        self._column.addLayout(_row(self.slider, self.number))
+        self._column.addLayout(_row(self.title))
+        self._column.addLayout(_row(self.chooser, self.slider, self.number, self.saver))
         self._column.addLayout(_row(self.values, self.legend))
         self.setWidget(self._body)
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The results panel: a dock with the table of operations, what is to be said of the selected ones, and exports."""
+"""The results panel: a dock with the table of operations, what is to be said of the selected one, exports."""
 
 from __future__ import annotations
 
@@ -13,7 +13,8 @@ from vkworkbench.gui import docks, latest
 from vkworkbench.gui.names import strategy_name
 from vkworkbench.gui.panel_model import VALUE, ResultsModel, ResultsOrder, Row, rows_of
 from vkworkbench.gui.qt import (
-    QAbstractItemView, QApplication, QDockWidget, QFileDialog, QHBoxLayout, QHeaderView, QItemSelectionModel, QLabel,
+    QAbstractItemView, QApplication, QDockWidget, QFileDialog, QHBoxLayout, QHeaderView, QItemSelectionModel,
+    QLabel,
     QMessageBox, QPushButton, QTableView, QTimer, QVBoxLayout, QWidget, Qt,
 )  # fmt: skip
 from vkworkbench.gui.sentences import in_user_language
@@ -149,7 +150,8 @@ class ResultsDock(QDockWidget):
         for number in range(self.order.rowCount()):
             if self._row(number).name in names:
                 index = self.order.index(number, 0)
-                self.table.selectionModel().select(index, QItemSelectionModel.Select | QItemSelectionModel.Rows)
+                rows = QItemSelectionModel.Select | QItemSelectionModel.Rows
+                self.table.selectionModel().select(index, rows)
                 self.table.scrollTo(index)
         self._following = False
         self._explain()
@@ -204,7 +206,10 @@ class ResultsDock(QDockWidget):
         columns = self.model.columns
         lines = [[column.title.replace("\n", " ") for column in columns]]
         lines += [
-            [" ".join(plain_text(self.order.index(row, column).data()).split()) for column in range(len(columns))]
+            [
+                " ".join(plain_text(self.order.index(row, column).data()).split())
+                for column in range(len(columns))
+            ]
             for row in range(self.order.rowCount())
         ]
         QApplication.clipboard().setText("\n".join("\t".join(line) for line in lines) + "\n")
@@ -217,5 +222,7 @@ def _in_words(row: Row) -> str:
     strategy, resolution = strategy_name(row.found.strategy), row.found.resolution
     image = ""
     if resolution is not None:
-        image = "<br>" + escape(translate("Vk_Results", "Recommended image: {}").format(in_user_language(resolution.explanation)))
-    return f"<b>{escape(row.label)}, {escape(strategy)}</b>: {escape(row.found.reason)}{image}{remarks}"
+        text = translate("Vk_Results", "Recommended image: {}").format(in_user_language(resolution.explanation))
+        image = f"<br>{escape(text)}"
+    reason = in_user_language(row.found.reason)
+    return f"<b>{escape(row.label)}, {escape(strategy)}</b>: {escape(reason)}{image}{remarks}"

@@ -61,7 +61,8 @@ def rows_of(report: Report) -> list[Row]:
 
 
 def _total_label(total: Total) -> str:
-    one, more = translate("Vk_Results", "{job}: {count} operation"), translate("Vk_Results", "{job}: {count} operations")
+    one = translate("Vk_Results", "{job}: {count} operation")
+    more = translate("Vk_Results", "{job}: {count} operations")
     return (one if total.operations == 1 else more).format(job=total.label, count=total.operations)
 
 
@@ -131,8 +132,10 @@ def columns(version: tuple[int, ...]) -> list[Column]:
         shown += [
             Column(translate("Vk_Results", "OpenGL\ntime"),
                    translate("Vk_Results", "Time of FreeCAD's OpenGL simulator at its highest speed"),
-                   lambda row: _of(row, "opengl", lambda cost: cost.play_seconds[max(cost.play_seconds)]), friendly.time),
-            Column(translate("Vk_Results", "OpenGL\nmemory"), translate("Vk_Results", "Memory of FreeCAD's OpenGL simulator"),
+                   lambda row: _of(row, "opengl", lambda cost: cost.play_seconds[max(cost.play_seconds)]),
+                   friendly.time),
+            Column(translate("Vk_Results", "OpenGL\nmemory"),
+                   translate("Vk_Results", "Memory of FreeCAD's OpenGL simulator"),
                    lambda row: _of(row, "opengl", lambda cost: cost.memory_bytes), friendly.memory),
         ]  # fmt: skip
     return [

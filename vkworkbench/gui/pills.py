@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Marks as pills in the tree's Description column: the strategy on its colour, the cost beside it.
 
-A delegate makes them out of the cell's text and keeps no state, so recompute, undo, renaming and reopening need no
-care. The style still paints all text, with a gap where the pill goes: themes know the colours of their text best.
+A delegate makes them out of the cell's text and keeps no state, so recompute, undo, renaming and reopening
+need no care. The style still paints all text, with a gap where the pill goes: themes know the colours of their
+text best.
 """
 
 from __future__ import annotations
@@ -22,7 +23,8 @@ from vkworkbench.gui import tree
 from vkworkbench.gui.colors import COLORS, TEXT, TOTAL
 from vkworkbench.gui.names import strategy_name
 from vkworkbench.gui.qt import (
-    QApplication, QColor, QEvent, QPainter, QPen, QRectF, QStyle, QStyledItemDelegate, QStyleOptionViewItem, Qt, QToolTip,
+    QApplication, QColor, QEvent, QPainter, QPen, QRectF, QStyle, QStyledItemDelegate, QStyleOptionViewItem, Qt,
+    QToolTip,
 )  # fmt: skip
 from vkworkbench.gui.sentences import in_user_language
 from vkworkbench.gui.text import translate
@@ -81,13 +83,15 @@ def read_mark(label2: str) -> Mark | None:
         rest.pop()
     total = _TOTAL.fullmatch(first)
     if total:
-        text = translate("Pills", "{} operation") if total.group(1) == "1" else translate("Pills", "{} operations")
+        one, more = translate("Pills", "{} operation"), translate("Pills", "{} operations")
+        text = one if total.group(1) == "1" else more
         strategy, pill = None, text.format(total.group(1))
     else:
         name, _, confidence = first.partition(" ")
         strategy = Strategy(name)
         pill = f"{strategy_name(strategy)} {confidence}".rstrip()
-    return Mark(label2[:opening].strip(), label2[closing:].strip(), strategy, pill, marks.SEPARATOR.join(rest), outdated)
+    before, after = label2[:opening].strip(), label2[closing:].strip()
+    return Mark(before, after, strategy, pill, marks.SEPARATOR.join(rest), outdated)
 
 
 class PillDelegate(QStyledItemDelegate):
@@ -188,7 +192,7 @@ def explanation(mark: Mark, obj) -> str:
 
 
 def _object_of(index):
-    """Return the marked object of a cell of the tree, by its label and that of its document; None if that is not one."""
+    """Return the marked object of a cell of the tree, by its label and its document's; None if that is not one."""
     root = index.sibling(index.row(), 0)
     label, description = root.data(), index.data()
     above = []  # in 0.20 documents stand below "Application", later at the top

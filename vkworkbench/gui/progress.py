@@ -27,7 +27,8 @@ def analyze(what) -> Report:
     dialog.setWindowModality(Qt.WindowModal)
     dialog.setMinimumDuration(_DELAY)
     dialog.setMinimumWidth(_WIDTH)
-    dialog.findChild(QLabel).setTextFormat(Qt.PlainText)  # an operation's label is text, whatever it looks like
+    # An operation's label is text, whatever it looks like.
+    dialog.findChild(QLabel).setTextFormat(Qt.PlainText)
     dialog.rejected.connect(dialog.cancel)  # Esc, whichever part of the dialog takes it
 
     def progress(done: int, count: int, label: str) -> None:
