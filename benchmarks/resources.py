@@ -64,7 +64,7 @@ def of_file(name: str):
     """Operations of a file of JSON lines; 3D surfaces are cut with a ball end, carvings with a V-bit."""
     with (gzip.open if name.endswith(".gz") else open)(name, "rt") as lines:
         records = [r for r in map(json.loads, lines) if r.get("stock") and r.get("tool_diameter")]
-    for record in records[:: math.ceil(len(records) / MOST)]:
+    for record in records[:: max(1, math.ceil(len(records) / MOST))]:
         toolpath = linearize(record["commands"])
         shape = {"Surface": "ballend", "Waterline": "ballend", "Vcarve": "vbit"}.get(
             record["label"].split(":")[0]
