@@ -15,6 +15,16 @@ def time(seconds: float) -> str:
     return f"{_digits(seconds / 3600)} h"
 
 
+# From which factor on a number is said to be "about".
+ROUGH = 2.0
+ABOUT = "about "
+
+
+def about(text: str, factor: float) -> str:
+    """Return the text of a number, with "about" before it where the true one may be half or twice of it."""
+    return ABOUT + text if factor >= ROUGH else text
+
+
 def memory(size: float) -> str:
     """Return a memory size in bytes as kB, MB or GB (powers of 1000)."""
     for unit, factor in (("GB", 1e9), ("MB", 1e6)):

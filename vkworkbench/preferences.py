@@ -81,6 +81,11 @@ class Preferences:
         return self.memory_budget * 1e6
 
     @property
+    def budget(self) -> dict[str, float]:
+        """Of memory and time, bytes and s, as ``best_resolution`` takes it."""
+        return {"memory_bytes": self.memory_budget_bytes, "seconds": self.time_budget}
+
+    @property
     def view(self):
         """The View that these say."""
         from vkworkbench.core.solids import View

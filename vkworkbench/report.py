@@ -6,15 +6,15 @@ from __future__ import annotations
 import csv
 import json
 import re
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from typing import Any
 
 from vkworkbench import friendly
 from vkworkbench.core import Estimate, Machining, Recognition, Span, Strategy
-from vkworkbench.core.legacy import LegacyCost
-from vkworkbench.core.opengl import OpenGLCost
+from vkworkbench.core.legacy import LegacyCost, legacy_together
+from vkworkbench.core.opengl import OpenGLCost, opengl_together
 from vkworkbench.core.preflight import Caution
-from vkworkbench.core.resolution import Resolution
+from vkworkbench.core.resolution import Accuracy, Resolution, best_accuracy, best_resolution
 from vkworkbench.simulator_names import LEGACY, OPENGL
 
 # What spreadsheets take for a formula, behind anything they skip; the full-width signs in East Asian ones.
@@ -43,11 +43,15 @@ class OperationReport:
     estimate : Estimate or None
         Dexels, traces, memory and time of simulating it; None where `error` says why.
     legacy : LegacyCost or None
-        What FreeCAD's legacy simulator takes for it, at its finest accuracy.
+        What FreeCAD's legacy simulator takes for it, at the accuracy of the preferences.
+    legacy_positions : tuple of LegacyCost
+        The same at each position of its accuracy slider, 1 to 10; empty where `error` says why.
     opengl : OpenGLCost or None
         What FreeCAD's OpenGL simulator takes for it; None also where this FreeCAD has none.
     resolution : Resolution or None
         The finest image of the z-buffer within the budget of the preferences; None where `error` says why.
+    accuracy : Accuracy or None
+        The finest accuracy of playing in the legacy simulator within that budget; None likewise.
     cautions : tuple of Caution
         What will go wrong or take long in FreeCAD's simulators, the worst first.
     error : str or None
@@ -66,8 +70,10 @@ class OperationReport:
     machining: Machining
     estimate: Estimate | None
     legacy: LegacyCost | None
+    legacy_positions: tuple[LegacyCost, ...]
     opengl: OpenGLCost | None
     resolution: Resolution | None
+    accuracy: Accuracy | None
     cautions: tuple[Caution, ...]
     error: str | None
     fingerprint: str
@@ -108,6 +114,14 @@ class OperationReport:
             return plays and (plays[max(plays)], self.opengl.memory_bytes)
         return self.estimate and (self.estimate.seconds, float(self.estimate.memory_bytes))
 
+    def factor(self, simulator: str) -> float:
+        """Return how sure the time of :meth:`cost` is: the true one is between it divided and multiplied by this."""
+        if simulator == LEGACY:
+            return self.legacy.constants.legacy_factor if self.legacy else 1.0
+        if simulator == OPENGL:
+            return self.opengl.constants.opengl_factor if self.opengl else 1.0
+        return 1.0
+
     def as_dict(self) -> dict[str, Any]:
         """Return the report as numbers, strings and lists, in mm, s, rad and bytes."""
         found, estimate = self.recognition, self.estimate
@@ -130,18 +144,24 @@ class OperationReport:
             "trajectories": self.trajectories,
             "length": self.length,
             "rapid_length": self.machining.rapid_length,
+            "depth": self.machining.depth,
             "machining_seconds": self.machining.seconds,
+            "machining_notes": list(self.machining.notes),
             "dexels": estimate and estimate.dexels,
             "traces": estimate and estimate.traces,
             "traces_error": estimate and estimate.traces_error,
             "memory_bytes": estimate and estimate.memory_bytes,
             "seconds": estimate and estimate.seconds,
             "resolution": self.resolution and self.resolution.explanation,
+            "legacy_accuracy": self.accuracy and self.accuracy.explanation,
             "legacy_seconds": self.legacy and self.legacy.fast_forward_seconds,
             "legacy_play_seconds": self.legacy and self.legacy.play_seconds,
             "legacy_memory_bytes": self.legacy and self.legacy.memory_bytes,
+            "legacy_factor": self.factor(LEGACY),
+            "opengl_seconds": self.opengl and min(self.opengl.play_seconds.values()),
             "opengl_frame_seconds": self.opengl and self.opengl.frame_seconds,
             "opengl_memory_bytes": self.opengl and self.opengl.memory_bytes,
+            "opengl_factor": self.factor(OPENGL),
             "error": self.error,
             "cautions": [caution.message for caution in self.cautions],
             "spans": [
@@ -154,7 +174,27 @@ class OperationReport:
 
 @dataclass(frozen=True)
 class Total:
-    """The sum over the operations of one job that are posted."""
+    """What the operations of one job that are posted take together.
+
+    Attributes
+    ----------
+    document, job, label : str
+        Internal names of the document and the job, and the job's label.
+    operations, trajectories : int
+    length : float
+        Cutting length, mm.
+    machining_seconds : float
+        Time of the moves whose speed is known.
+    seconds, memory_bytes : float
+        Of the extended z-buffer, s and bytes.
+    incomplete : bool
+        Whether some operation's cost is unknown, so that the sums are lower bounds.
+    legacy, opengl : LegacyCost, OpenGLCost or None
+        Of FreeCAD's simulators, one operation after another: more than the sum where what was cut before is
+        drawn again. None where there is none, or no operation's cost is known.
+    resolution, accuracy : Resolution, Accuracy or None
+        The finest image and accuracy within the budget for all of them together.
+    """
 
     document: str
     job: str
@@ -162,10 +202,37 @@ class Total:
     operations: int
     trajectories: int
     length: float
+    machining_seconds: float
     seconds: float
-    memory_bytes: int
+    memory_bytes: float
     incomplete: bool
-    """Whether some operation's cost is unknown, so that the sums are lower bounds."""
+    legacy: LegacyCost | None
+    opengl: OpenGLCost | None
+    resolution: Resolution | None
+    accuracy: Accuracy | None
+
+    def as_dict(self) -> dict[str, Any]:
+        """Return the total as numbers and strings, in mm, s and bytes."""
+        return {
+            "document": self.document,
+            "job": self.job,
+            "label": self.label,
+            "operations": self.operations,
+            "trajectories": self.trajectories,
+            "length": self.length,
+            "machining_seconds": self.machining_seconds,
+            "seconds": self.seconds,
+            "memory_bytes": self.memory_bytes,
+            "incomplete": self.incomplete,
+            "resolution": self.resolution and self.resolution.explanation,
+            "legacy_accuracy": self.accuracy and self.accuracy.explanation,
+            "legacy_seconds": self.legacy and self.legacy.fast_forward_seconds,
+            "legacy_play_seconds": self.legacy and self.legacy.play_seconds,
+            "legacy_memory_bytes": self.legacy and self.legacy.memory_bytes,
+            "opengl_seconds": self.opengl and min(self.opengl.play_seconds.values()),
+            "opengl_frame_seconds": self.opengl and self.opengl.frame_seconds,
+            "opengl_memory_bytes": self.opengl and self.opengl.memory_bytes,
+        }
 
 
 @dataclass(frozen=True)
@@ -177,10 +244,13 @@ class Report:
     operations : tuple of OperationReport
     jobs : dict
         Label of each job by (document name, job name).
+    budget : dict
+        Of memory and time, as `best_resolution` takes it.
     """
 
     operations: tuple[OperationReport, ...]
-    jobs: dict[tuple[str, str], str] = field(default_factory=dict)
+    jobs: dict[tuple[str, str], str]
+    budget: dict[str, float]
 
     @property
     def totals(self) -> tuple[Total, ...]:
@@ -189,15 +259,25 @@ class Report:
 
     def _total(self, document: str, job: str, label: str) -> Total:
         counted = [o for o in self.operations if o.counted and (o.document, o.job) == (document, job)]
-        known = [o.estimate for o in counted if o.estimate]
+        known = [o for o in counted if o.estimate]
+        costs = [o.estimate for o in known]
+        labels = [o.label for o in known]
+        stepover = min((o.recognition.stepover for o in known if o.recognition.stepover), default=None)
+        opengl = [o.opengl for o in known if o.opengl]
+        positions = [o.legacy_positions for o in known]
         return Total(
             document, job, label,
             operations=len(counted),
             trajectories=sum(o.trajectories for o in counted),
             length=sum(o.length for o in counted),
-            seconds=sum(e.seconds for e in known),
-            memory_bytes=sum(e.memory_bytes for e in known),
+            machining_seconds=sum(o.machining.seconds or 0.0 for o in counted),
+            seconds=sum(e.seconds for e in costs),
+            memory_bytes=sum(e.memory_bytes for e in costs),
             incomplete=len(known) < sum(o.trajectories > 0 for o in counted),
+            legacy=legacy_together([o.legacy for o in known]) if known else None,
+            opengl=opengl_together(opengl) if opengl else None,
+            resolution=best_resolution(costs, stepover=stepover, labels=labels, **self.budget) if known else None,
+            accuracy=best_accuracy(positions, stepover=stepover, labels=labels, **self.budget) if known else None,
         )  # fmt: skip
 
     def __str__(self) -> str:
@@ -225,6 +305,7 @@ class Report:
         rows = [o.as_dict() for o in self.operations]
         for row in rows:
             row["cautions"] = "; ".join(row["cautions"])
+            row["machining_notes"] = "; ".join(row["machining_notes"])
             row["spans"] = "; ".join(
                 f"{s['strategy']} {s['first_command']}-{s['last_command']}" for s in row["spans"]
             )
@@ -238,7 +319,7 @@ class Report:
         """Write the operations and the totals of their jobs, in mm, s, rad and bytes."""
         data = {
             "operations": [o.as_dict() for o in self.operations],
-            "totals": [vars(t) for t in self.totals],
+            "totals": [t.as_dict() for t in self.totals],
         }
         with open(path, "w", encoding="utf-8") as file:
             json.dump(data, file, indent=1, ensure_ascii=False)

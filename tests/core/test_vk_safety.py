@@ -73,7 +73,7 @@ def test_cells_that_begin_like_a_formula_become_text(text, tmp_path):
         def as_dict(self):
             return {"label": text, "length": -1.5, "cautions": [text], "spans": []}
 
-    Report((Row(),)).to_csv(tmp_path / "r.csv")
+    Report((Row(),), {}, {}).to_csv(tmp_path / "r.csv")
     with open(tmp_path / "r.csv", newline="", encoding="utf-8") as file:
         (row,) = csv.DictReader(file)
     for cell in (row["label"], row["cautions"]):

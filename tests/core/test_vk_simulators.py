@@ -10,10 +10,11 @@ import numpy as np
 import pytest
 
 from vkworkbench.core.heightmap import heightmap, mesh_facets
-from vkworkbench.core.legacy import finest_accuracy, legacy_costs, legacy_work
+from vkworkbench.core.legacy import SLIDER, legacy_costs, legacy_together, legacy_work
 from vkworkbench.core.linearize import linearize
 from vkworkbench.core.motions import motions
-from vkworkbench.core.opengl import opengl_cost
+from vkworkbench.core.opengl import opengl_cost, opengl_together
+from vkworkbench.core.resolution import best_accuracy
 from vkworkbench.core.simulators import Constants, Simulator, available_simulators, opengl_speeds
 from vkworkbench.core.solids import Stock, Tool
 
@@ -190,18 +191,48 @@ def surface(rows=60, points=60):
     return commands
 
 
+def positions(path, tool):
+    return legacy_costs(path, tool=tool, stock=STOCK, accuracies=SLIDER)
+
+
 def test_budget_of_play_is_met_by_the_finest_position_that_meets_it():
-    path = linearize(surface())
-    tool = Tool("ballend", 6.0)
-    every = legacy_costs(
-        path, tool=tool, stock=STOCK, accuracies=tuple(round(1.1 - 0.1 * i, 1) for i in range(1, 11))
-    )
+    every = positions(linearize(surface()), Tool("ballend", 6.0))
     seconds = [cost.play_seconds for cost in every]
     assert seconds == sorted(seconds) and seconds[-1] > 1.5 * seconds[0]
     budget = 0.5 * (seconds[5] + seconds[6])
-    position, cost = finest_accuracy(path, seconds=budget, tool=tool, stock=STOCK)
-    assert position == 6 and cost.accuracy == 0.5 and cost.play_seconds <= budget
-    assert finest_accuracy(path, seconds=seconds[0] / 2, tool=tool, stock=STOCK) is None
+    chosen = best_accuracy([every], memory_bytes=1e9, seconds=budget)
+    assert chosen.position == 6 and chosen.seconds <= budget
+    assert chosen.explanation.startswith("position 6 of 10, cells of 0.5 mm, plays in ")
+    assert best_accuracy([every], memory_bytes=every[2].memory_bytes, seconds=1e9).position == 3
+    told = best_accuracy([every], memory_bytes=1e9, seconds=1e9, stepover=1.0).explanation
+    assert told.endswith("; 0.25 mm would do for passes 1 mm apart")
+    none = best_accuracy([every], memory_bytes=1e9, seconds=seconds[0] / 2)
+    assert none.position is None and "use fast-forward" in none.explanation
+
+
+def test_where_no_accuracy_helps_the_heaviest_operation_is_named():
+    small, large = positions(linearize(zigzag(4)), TOOL), positions(linearize(surface()), TOOL)
+    told = best_accuracy([small, large], memory_bytes=1e9, seconds=1.0, labels=("Floor", "Dome")).explanation
+    assert "; the heaviest is Dome with " in told
+
+
+def test_operations_together_start_once_and_draw_what_was_cut_before():
+    one = positions(linearize(zigzag(40)), TOOL)[-1]
+    two = legacy_together([one, one])
+    alone = legacy_together([one])
+    assert alone.fast_forward_seconds == pytest.approx(one.fast_forward_seconds) and alone.facets == one.facets
+    assert one.fast_forward_seconds < two.fast_forward_seconds < 2 * one.fast_forward_seconds
+    assert two.play_seconds > 2 * one.play_seconds
+    assert one.memory_bytes < two.memory_bytes < 2 * one.memory_bytes
+
+    path = linearize(zigzag(400))
+    whole = opengl_cost(path, diameter=6.0, speeds=(10,))
+    assert opengl_together([whole]) == whole
+    # The same motions, half of them twice: nearly as long as all at once.
+    half = opengl_cost(linearize(zigzag(200)), diameter=6.0, speeds=(10,))
+    both = opengl_together([half, half])
+    assert both.play_seconds[10] == pytest.approx(whole.play_seconds[10], rel=0.03)
+    assert both.frame_seconds == pytest.approx(whole.frame_seconds, rel=0.01)
 
 
 def test_impossible_input_is_refused_in_words():

@@ -81,13 +81,17 @@ def cost_of(commands, **known):
     return legacy_costs(linearize(rows), tool=tool, stock=stock, **known)[0]
 
 
-def test_real_runs_teach_the_tick_and_the_display(folder, monkeypatch):
+def test_real_runs_teach_the_start_the_tick_and_the_display(folder, monkeypatch):
     # Measured while other programs run, a cut could outlast the tick, which then could not be learned exactly.
     monkeypatch.setattr(calibration, "_measure", lambda: DEFAULTS)
     calibration.calibrate("card")
-    assert calibration.learn(cost_of(10), 3.0, played=False, renderer="card") is None
-    slow = Constants(tick=3e-3, redraw=0.2)
+    assert calibration.learn(cost_of(10), 3.0, played=True, renderer="card") is None
+    slow = Constants(start=0.9, tick=3e-3, redraw=0.2)
     for _ in range(3):
+        known = calibration.constants("card")
+        true = cost_of(10, constants=replace(known, start=slow.start))
+        predicted = cost_of(10, constants=known)
+        calibration.learn(predicted, true.fast_forward_seconds, played=False, renderer="card")
         known = calibration.constants("card")
         true = cost_of(1000, constants=replace(known, tick=slow.tick, redraw=slow.redraw))
         predicted = cost_of(1000, constants=known)
@@ -95,6 +99,7 @@ def test_real_runs_teach_the_tick_and_the_display(folder, monkeypatch):
         predicted = cost_of(1000, constants=calibration.constants("card"))
         calibration.learn(predicted, true.play_seconds, played=True, renderer="card")
     learned = calibration.constants("card")
+    assert learned.start == pytest.approx(0.9)
     assert learned.tick == pytest.approx(3e-3) and learned.redraw == pytest.approx(0.2)
 
 

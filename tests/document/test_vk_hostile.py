@@ -81,7 +81,8 @@ def test_links_to_what_was_deleted(small, zigzag_commands, lost, words):
     names = {obj.Name for obj in small.document.Objects}
     if op.Name in names:  # FreeCAD may delete what is in a job with it
         (row,) = analyze_mark_clear(small.document).operations
-        assert row.strategy == "zigzag" and words in row.error and row.estimate is None
+        assert row.strategy == "zigzag" and words in row.error
+        assert (row.estimate is None) == (words == "no tool")
     else:
         assert analyze_mark_clear(small.document).operations == ()
 
@@ -105,11 +106,27 @@ def test_an_operation_in_two_groups_is_analyzed_once(small, zigzag_commands):
     assert not any(marks.is_marked(obj) for obj in small.document.Objects)
 
 
-def test_job_without_stock_is_marked_without_cost(small, zigzag_commands):
+def test_job_without_stock_is_marked_with_the_cost_of_a_box_around_its_cuts(small, zigzag_commands):
     op = small.add("Zigzag", zigzag_commands)
     small.job.Stock = None
     vkworkbench.mark(vkworkbench.analyze(small.document))
-    assert op.Label2.startswith("⟦zigzag ") and "no stock" in op.Label2 and op.ToolpathMemory == 0
+    assert op.Label2.startswith("⟦zigzag ") and "no stock" in op.Label2 and op.ToolpathMemory > 0
+    assert "a box around its cuts" in op.ToolpathRemark
+
+
+def test_operations_beside_the_stock(small, zigzag_commands):
+    small.job.Stock.Placement.Base.x += 5000
+    small.document.recompute()
+    op = small.add("Zigzag", zigzag_commands)
+    vkworkbench.mark(vkworkbench.analyze(small.document))
+    assert "does not touch the stock" in op.Label2 and op.ToolpathStrategy == "zigzag"
+
+
+def test_job_with_an_operation_of_unknown_cost(small, zigzag_commands):
+    op = small.add("Zigzag", zigzag_commands, controller=None)
+    small.add("Fine", zigzag_commands)
+    vkworkbench.mark(vkworkbench.analyze(small.document))
+    assert "no tool" in op.Label2 and op.ToolpathMemory == 0
     assert "≥" in small.job.Label2 and "Zigzag" in small.job.ToolpathRemark
     watcher.check(small.document)
     assert outdated(small.document) == []

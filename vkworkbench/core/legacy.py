@@ -7,6 +7,7 @@ The counts follow VolSim.cpp and PathSimulatorGui.py of FreeCAD 0.20.2, 1.0.0 an
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -23,8 +24,8 @@ _WALK = 0.6
 _BYTES_PER_CELL = 5
 # Mean number of triangles while it plays, compared with the end.
 _MEAN_FACETS = 0.65
-# Positions of the accuracy slider.
-_SLIDER = range(1, 11)
+# What the positions 1 to 10 of the accuracy slider stand for, percent of the stock's longer side.
+SLIDER = tuple(round(1.1 - 0.1 * position, 1) for position in range(1, 11))
 
 
 @dataclass(frozen=True)
@@ -124,6 +125,8 @@ class LegacyCost:
         Straight moves it cuts one by one, chords of arcs included.
     cut_seconds, mesh_seconds : float
         Time to cut them all, and to make the last mesh.
+    constants : Constants
+        What the unit work was said to cost.
     """
 
     fast_forward_seconds: float
@@ -138,6 +141,7 @@ class LegacyCost:
     moves: int
     cut_seconds: float
     mesh_seconds: float
+    constants: Constants
 
 
 def legacy_costs(
@@ -213,38 +217,43 @@ def legacy_costs(
             moves=int(work.calls.sum()),
             cut_seconds=cut_seconds,
             mesh_seconds=mesh,
+            constants=constants,
         ))  # fmt: skip
     return tuple(costs)
 
 
-def finest_accuracy(
-    toolpath: Toolpath,
-    *,
-    seconds: float,
-    tool: Tool,
-    stock: Stock,
-    speed: float = 50.0,
-    constants: Constants = DEFAULTS,
-) -> tuple[int, LegacyCost] | None:
-    """Find the finest position of the accuracy slider at which playing meets a budget of time.
+def legacy_together(costs: Sequence[LegacyCost]) -> LegacyCost:
+    """Estimate the legacy simulator for several operations, run one after another at one accuracy.
 
-    Fast-forward makes one mesh only and can always stay at the finest.
+    It starts once and makes one last mesh; every mesh that play makes also has the triangles of the operations
+    before.
 
     Parameters
     ----------
-    seconds : float
-        The budget for play.
-    toolpath, tool, stock, speed, constants
-        As for :func:`legacy_costs`.
+    costs : sequence of LegacyCost
+        Of the operations, in their order, at least one; all for one stock and one accuracy.
 
     Returns
     -------
-    (int, LegacyCost) or None
-        Position 1 to 10 and its cost; None if no position meets the budget: use fast-forward then.
-    """  # fmt: skip
-    accuracies = tuple(round(1.1 - 0.1 * position, 1) for position in _SLIDER)
-    costs = legacy_costs(
-        toolpath, tool=tool, stock=stock, accuracies=accuracies, speed=speed, constants=constants
+    LegacyCost
+    """
+    constants, facets = costs[0].constants, sum(cost.facets for cost in costs)
+    cells = max(cost.cells for cost in costs)
+    mesh = constants.cell * cells + constants.facet * facets
+    each = sum(cost.fast_forward_seconds - constants.start - cost.mesh_seconds for cost in costs)
+    before = np.cumsum([0.0] + [cost.facets for cost in costs[:-1]])
+    return LegacyCost(
+        fast_forward_seconds=constants.start + each + mesh,
+        play_seconds=sum(c.play_seconds + c.shown * constants.facet * f for c, f in zip(costs, before)),
+        commands=sum(cost.commands for cost in costs),
+        shown=sum(cost.shown for cost in costs),
+        memory_bytes=_BYTES_PER_CELL * cells + constants.facet_bytes * facets,
+        accuracy=costs[0].accuracy,
+        resolution=max(cost.resolution for cost in costs),
+        cells=cells,
+        facets=facets,
+        moves=sum(cost.moves for cost in costs),
+        cut_seconds=sum(cost.cut_seconds for cost in costs),
+        mesh_seconds=mesh,
+        constants=constants,
     )
-    met = [(position, cost) for position, cost in zip(_SLIDER, costs) if cost.play_seconds <= seconds]
-    return met[-1] if met else None

@@ -7,6 +7,7 @@ MillPathSegment.cpp and MillSimulation.cpp of FreeCAD 1.0.0.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -21,6 +22,8 @@ _SMALLEST_STEP, _LARGEST_STEP = np.pi / 90, np.pi / 2
 _PASSES = 9
 # It waits for every second refresh of a 60 Hz screen.
 _SHORTEST_FRAME = 1 / 30
+# Parts of an operation whose frames are looked at where others were played before.
+_PARTS = 32
 
 
 @dataclass(frozen=True, eq=False)
@@ -99,6 +102,8 @@ class OpenGLCost:
         Those of them for arcs.
     steps : int
         Steps of the whole operation.
+    constants : Constants
+        What the unit work was said to cost.
     """
 
     frame_seconds: float
@@ -107,6 +112,7 @@ class OpenGLCost:
     draws: int
     arc_draws: int
     steps: int
+    constants: Constants
 
 
 def opengl_cost(
@@ -160,4 +166,38 @@ def opengl_cost(
         draws=int(draws.sum()),
         arc_draws=int(draws[arc].sum()),
         steps=int(steps.sum()),
+        constants=constants,
+    )
+
+
+def opengl_together(costs: Sequence[OpenGLCost]) -> OpenGLCost:
+    """Estimate the OpenGL simulator for several operations, played one after another.
+
+    Every frame of an operation also draws all motions of those before, so playing takes more than the sum.
+
+    Parameters
+    ----------
+    costs : sequence of OpenGLCost
+        Of the operations, in their order, at least one; all for the same speeds.
+
+    Returns
+    -------
+    OpenGLCost
+    """
+    constants = costs[0].constants
+    part = (np.arange(_PARTS) + 0.5) / _PARTS
+    before, longer = 0, 0.0
+    for cost in costs:
+        alone = constants.frame + constants.draw * cost.draws * part
+        added = np.maximum(alone + constants.draw * before, _SHORTEST_FRAME) - np.maximum(alone, _SHORTEST_FRAME)
+        longer += cost.steps * float(added.mean())
+        before += cost.draws
+    return OpenGLCost(
+        frame_seconds=constants.frame + constants.draw * before,
+        play_seconds={s: sum(c.play_seconds[s] for c in costs) + longer / s for s in costs[0].play_seconds},
+        memory_bytes=sum(cost.memory_bytes for cost in costs),
+        draws=before,
+        arc_draws=sum(cost.arc_draws for cost in costs),
+        steps=sum(cost.steps for cost in costs),
+        constants=constants,
     )

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The inverse problem (paper, sections 1 and 4): the finest image that a memory or time budget allows."""
+"""The inverse problem (paper, sections 1 and 4): the finest image or accuracy that a memory or time budget allows."""
 
 from __future__ import annotations
 
@@ -7,11 +7,13 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from math import isfinite, sqrt
 
+from vkworkbench import friendly
+from vkworkbench.core.legacy import LegacyCost, legacy_together
 from vkworkbench.core.resources import Estimate
 from vkworkbench.core.solids import View
 
-# Passes are told apart in an image if at least this many pixels lie between them.
-_PIXELS_PER_STEPOVER = 4
+# Passes are told apart if at least this many pixels or cells lie between them.
+_CELLS_PER_STEPOVER = 4
 
 
 @dataclass(frozen=True)
@@ -40,6 +42,7 @@ def best_resolution(
     memory_bytes: float | None = None,
     seconds: float | None = None,
     stepover: float | None = None,
+    labels: Sequence[str] = (),
 ) -> Resolution:
     """Choose the finest image with which operations are simulated within a budget.
 
@@ -55,6 +58,8 @@ def best_resolution(
         another.
     stepover : float, optional
         Smallest distance between passes, mm: says whether the image tells the passes apart.
+    labels : sequence of str, optional
+        What the operations are called: the heaviest is named where no image helps.
 
     Returns
     -------
@@ -68,8 +73,7 @@ def best_resolution(
     budgets = [b for b in (memory_bytes, seconds) if b is not None]
     if not estimates:
         raise ValueError("there is no operation to choose an image for")
-    if not budgets or not all(isfinite(b) and b > 0 for b in budgets):
-        raise ValueError("a budget of memory or time must be a positive number")
+    _check_budget(*budgets)
     view, pixel = estimates[0].view, estimates[0].pixel
     memory = max(e.stock_bytes for e in estimates) + sum(e.memory_bytes - e.stock_bytes for e in estimates)
     fixed = sum(e.trajectory_seconds for e in estimates)
@@ -85,27 +89,114 @@ def best_resolution(
     pixels = view.width * view.height
     growth = limits[limit]
     if growth * pixels < 1:
-        worst = max(estimates, key=lambda e: e.seconds)
-        help_ = (
-            (
-                f"the trajectories alone take {fixed:.3g} s: simulate fewer operations; the heaviest takes "
-                f"{worst.seconds:.3g} s"
-            )
-            if limit == "time"
-            else "not even a single pixel fits"
-        )
-        return Resolution(None, memory / pixels, fixed + scaled / pixels, f"no resolution helps, {help_}")
+        words = "no resolution helps, not even a single pixel fits"
+        if limit == "time":
+            words = f"no resolution helps, the trajectories alone take {friendly.time(fixed)}"
+            words += ": simulate fewer operations"
+            if len(labels) > 1:
+                words += f"; the heaviest is {_heaviest(labels, [e.seconds for e in estimates])}"
+        return Resolution(None, memory / pixels, fixed + scaled / pixels, words)
     width = max(1, int(view.width * sqrt(growth)))
     height = max(1, int(view.height * sqrt(growth)))
     pixel *= max(view.width / width, view.height / height)
     growth = width * height / pixels
     words = f"{width} x {height} pixels of {pixel:.2g} mm, limited by the {limit}"
     if stepover:
-        finest = stepover / _PIXELS_PER_STEPOVER
-        words += (
-            f"; passes {stepover:.3g} mm apart ask for {finest:.2g} mm"
-            if pixel > finest
-            else f"; {finest:.2g} mm would do for passes {stepover:.3g} mm apart"
-        )
+        words += _passes_apart(pixel, stepover)
     chosen = replace(view, width=width, height=height, pixel=None if view.pixel is None else pixel)
     return Resolution(chosen, memory * growth, fixed + scaled * growth, words)
+
+
+@dataclass(frozen=True)
+class Accuracy:
+    """A position of the legacy simulator's accuracy slider, chosen for a budget of playing.
+
+    Attributes
+    ----------
+    position : int or None
+        The finest position that meets the budget, 1 to 10; None where none does: use fast-forward then.
+    seconds, memory_bytes : float
+        What playing takes with it; without a position, with the coarsest.
+    explanation : str
+        What it means and what limits it, or what helps where no position does; a sentence without a full stop.
+    """
+
+    position: int | None
+    seconds: float
+    memory_bytes: float
+    explanation: str
+
+
+def best_accuracy(
+    costs: Sequence[Sequence[LegacyCost]],
+    *,
+    memory_bytes: float,
+    seconds: float,
+    stepover: float | None = None,
+    labels: Sequence[str] = (),
+) -> Accuracy:
+    """Choose the finest position of the accuracy slider with which operations are played within a budget.
+
+    Fast-forward makes one mesh only and is as fast at the finest position as at any.
+
+    Parameters
+    ----------
+    costs : sequence of sequences of LegacyCost
+        Of every operation, what it takes at each position of the slider (``legacy.SLIDER``).
+    memory_bytes, seconds : float
+        The budget for playing them one after another.
+    stepover : float, optional
+        Smallest distance between passes, mm: says whether the cells tell the passes apart.
+    labels : sequence of str, optional
+        What the operations are called: the heaviest is named where no position helps.
+
+    Returns
+    -------
+    Accuracy
+
+    Raises
+    ------
+    ValueError
+        Without an operation, or with a budget that is not a positive number.
+    """
+    if not costs:
+        raise ValueError("there is no operation to choose an accuracy for")
+    _check_budget(memory_bytes, seconds)
+    every = [legacy_together(at_position) for at_position in zip(*costs)]
+    met = [
+        position
+        for position, cost in enumerate(every, 1)
+        if cost.play_seconds <= seconds and cost.memory_bytes <= memory_bytes
+    ]
+    if not met:
+        coarsest, finest = every[0], every[-1]
+        words = f"no accuracy helps, playing takes {friendly.time(coarsest.play_seconds)} even at the coarsest"
+        words += f": use fast-forward, about {friendly.time(finest.fast_forward_seconds)} at the finest"
+        if len(labels) > 1:
+            words += f"; the heaviest is {_heaviest(labels, [cost[0].play_seconds for cost in costs])}"
+        return Accuracy(None, coarsest.play_seconds, coarsest.memory_bytes, words)
+    position = met[-1]
+    chosen = every[position - 1]
+    words = f"position {position} of {len(every)}, cells of {chosen.resolution:.2g} mm"
+    words += f", plays in {friendly.time(chosen.play_seconds)}"
+    if stepover:
+        words += _passes_apart(chosen.resolution, stepover)
+    return Accuracy(position, chosen.play_seconds, chosen.memory_bytes, words)
+
+
+def _passes_apart(pixel: float, stepover: float) -> str:
+    """Say whether cells or pixels of a size tell passes apart."""
+    finest = stepover / _CELLS_PER_STEPOVER
+    if pixel > finest:
+        return f"; passes {stepover:.3g} mm apart ask for {finest:.2g} mm"
+    return f"; {finest:.2g} mm would do for passes {stepover:.3g} mm apart"
+
+
+def _heaviest(labels: Sequence[str], seconds: Sequence[float]) -> str:
+    worst = max(range(len(labels)), key=seconds.__getitem__)
+    return f"{labels[worst]} with {friendly.time(seconds[worst])}"
+
+
+def _check_budget(*budgets: float) -> None:
+    if not budgets or not all(isfinite(budget) and budget > 0 for budget in budgets):
+        raise ValueError("a budget of memory or time must be a positive number")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""From operations of a document to a report; reads, and writes nothing."""
+"""From operations of a document to a report; reads documents, and writes nothing in them."""
 
 from __future__ import annotations
 
@@ -14,15 +14,15 @@ import FreeCAD
 
 from vkworkbench import preferences
 from vkworkbench.core import Stock, Strategy, Tool, estimate, linearize, machining, recognize
-from vkworkbench.core.legacy import legacy_costs
+from vkworkbench.core.legacy import SLIDER, LegacyCost, legacy_costs
 from vkworkbench.core.opengl import opengl_cost
 from vkworkbench.core.preflight import preflight
-from vkworkbench.core.resolution import best_resolution
+from vkworkbench.core.resolution import best_accuracy, best_resolution
 from vkworkbench.core.simulators import Constants, Simulator, available_simulators, opengl_speeds
 from vkworkbench.document import calibration
 from vkworkbench.document.fingerprint import commands_fingerprint, setting_fingerprint
 from vkworkbench.document.operations import Operation, find
-from vkworkbench.document.setting import placed, rapid_feeds, read_stock, read_tool
+from vkworkbench.document.setting import placed, rapid_feeds, read_stock, read_tool, stock_around
 from vkworkbench.preferences import Preferences
 from vkworkbench.report import OperationReport, Report
 
@@ -39,7 +39,9 @@ def analyze(
     progress: Callable[[int, int, str], None] | None = None,
     cancelled: Callable[[], bool] | None = None,
 ) -> Report:
-    """Analyse operations: strategy, lengths and what simulating them costs. Writes nothing.
+    """Analyse operations: strategy, lengths and what simulating them costs. Writes nothing in a document.
+
+    The first time in a window it also measures this computer, in half a second.
 
     Parameters
     ----------
@@ -72,7 +74,7 @@ def analyze(
             raise ValueError("no document is open: open one with a job or a toolpath")
     operations = find(what)
     chosen = preferences.read()
-    constants = calibration.constants(chosen.renderer)
+    constants = calibration.measured_constants(chosen.renderer)
     jobs = {(o.job.Document.Name, o.job.Name): o.job.Label for o in operations if o.job is not None}
     labels = [o.object.Label for o in operations]
     reports = []
@@ -85,7 +87,7 @@ def analyze(
             reading = _read(operation)
             reports.append(_patiently(lambda going_on, reading=reading: _row(reading, chosen, constants, going_on),
                                       cancelled))  # fmt: skip
-    return Report(tuple(reports), jobs)
+    return Report(tuple(reports), jobs, chosen.budget)
 
 
 @dataclass(frozen=True)
@@ -183,17 +185,23 @@ def _work(reading: _Reading, chosen: Preferences, constants: Constants, going_on
     elif found.strategy is Strategy.EMPTY:
         # Without a toolpath a missing tool or stock is not what is wrong.
         errors = [_why_empty(reading.active)]
+    elif tool and not stock:
+        errors.append("the cost is that of a box around its cuts")
+        stock = stock_around(toolpath, tool)
     errors += [str(problem) for problem in toolpath.problems]
-    cost = legacy = opengl = resolution = None
+    cost = legacy = opengl = resolution = accuracy = None
+    positions: list[LegacyCost] = []
     if tool and stock and found.strategy is not Strategy.EMPTY:
         going_on()
         cost = estimate(toolpath, found, tool=tool, stock=stock, view=chosen.view)
-        resolution = best_resolution([cost], memory_bytes=chosen.memory_budget_bytes, seconds=chosen.time_budget,
-                                     stepover=found.stepover)  # fmt: skip
+        if cost.traces == 0:
+            errors.append("it does not touch the stock: check its depths, its placement and the stock")
+        resolution = best_resolution([cost], stepover=found.stepover, **chosen.budget)
         going_on()
-        (legacy,) = legacy_costs(
-            toolpath, tool=tool, stock=stock, accuracies=(chosen.legacy_accuracy,), constants=constants
+        legacy, *positions = legacy_costs(
+            toolpath, tool=tool, stock=stock, accuracies=(chosen.legacy_accuracy, *SLIDER), constants=constants
         )
+        accuracy = best_accuracy([positions], stepover=found.stepover, **chosen.budget)
         if Simulator.OPENGL in available_simulators(version):
             opengl = opengl_cost(
                 toolpath, diameter=tool.diameter, speeds=opengl_speeds(version), quality=chosen.opengl_quality,
@@ -205,11 +213,14 @@ def _work(reading: _Reading, chosen: Preferences, constants: Constants, going_on
         _unknown(reading),
         recognition=found,
         trajectories=len(toolpath),
-        machining=machining(toolpath, horizontal_rapid=horizontal, vertical_rapid=vertical),
+        machining=machining(toolpath, horizontal_rapid=horizontal, vertical_rapid=vertical,
+                            top=reading.stock and reading.stock.upper[2]),
         estimate=cost,
         legacy=legacy,
+        legacy_positions=tuple(positions),
         opengl=opengl,
         resolution=resolution,
+        accuracy=accuracy,
         cautions=preflight(commands, toolpath, version=version, diameter=tool and tool.diameter, legacy=legacy,
                            opengl=opengl, memory_budget=chosen.memory_budget_bytes,
                            time_budget=chosen.time_budget),
@@ -232,8 +243,10 @@ def _unknown(reading: _Reading, error: Exception | None = None) -> OperationRepo
         machining=machining(nothing),
         estimate=None,
         legacy=None,
+        legacy_positions=(),
         opengl=None,
         resolution=None,
+        accuracy=None,
         cautions=(),
         error=f"could not be analysed, please report it with the file: {type(error).__name__}: {error}",
         fingerprint=f":{reading.setting_fingerprint}",

@@ -9,6 +9,7 @@ import os
 import platform
 import time
 from collections.abc import Callable
+from contextlib import suppress
 from dataclasses import asdict, dataclass, fields, replace
 from datetime import date
 from pathlib import Path
@@ -33,9 +34,10 @@ _SOFTWARE_FRAME, _SOFTWARE_DRAW = 35e-3, 25e-6
 _COLD_CACHE = 1.5
 # With measured constants the true number is within this factor (benchmarks/simulators.py).
 _CALIBRATED_FACTOR = 1.3
-# What real runs teach, and from how many commands on: fewer say more of the start than of the commands.
-_ENOUGH_COMMANDS = {"tick": 500, "redraw": 20}
-_LEARNED = tuple(_ENOUGH_COMMANDS)
+# What real runs teach: long fast-forwards the tick, short ones the start, plays the display.
+_LEARNED = ("start", "tick", "redraw")
+_LONG = 500  # commands
+_SHORTEST_PLAY = 20  # commands
 _LAST_RUNS = 9
 # What the benchmark cuts.
 _STOCK = Stock((0, 0, 0), (100, 60, 20))
@@ -55,7 +57,7 @@ class Calibration:
     freecad, processor, renderer : str
         What it holds for.
     runs : dict of str to tuple of float
-        What the last real runs said of the constants "tick" and "redraw", s.
+        What the last real runs said of the constants "start", "tick" and "redraw", s.
     """
 
     constants: Constants
@@ -92,6 +94,22 @@ def constants(renderer: str = "") -> Constants:
     """
     known = load(renderer)
     return known.constants if known else _for_renderer(DEFAULTS, renderer)
+
+
+def measured_constants(renderer: str = "") -> Constants:
+    """Return the constants of this computer, in a window measured now if they never were.
+
+    Without a window FreeCAD would fill a macro's output with the progress of the benchmark's meshes.
+
+    Parameters
+    ----------
+    renderer : str
+        OpenGL's name of its renderer; empty where there is no window.
+    """
+    if FreeCAD.GuiUp and load(renderer) is None:
+        with suppress(OSError):  # what cannot be kept is measured the next time
+            return calibrate(renderer).constants
+    return constants(renderer)
 
 
 def load(renderer: str = "") -> Calibration | None:
@@ -136,7 +154,7 @@ def calibrate(renderer: str = "") -> Calibration:
 
 
 def learn(cost: LegacyCost, seconds: float, *, played: bool, renderer: str = "") -> Calibration | None:
-    """Learn the tick of fast-forward or the display of play from a simulation that the user ran.
+    """Learn start and tick of fast-forward, or the display of play, from a simulation that the user ran.
 
     Each becomes the median of what its last nine runs say, so one odd run does no harm.
 
@@ -154,16 +172,17 @@ def learn(cost: LegacyCost, seconds: float, *, played: bool, renderer: str = "")
     Returns
     -------
     Calibration or None
-        The new calibration; None where the run teaches nothing: not calibrated yet, or too few commands.
+        The new calibration; None where the run teaches nothing: not calibrated yet, too short a play, or faster
+        than it can be.
     """
     known = load(renderer)
-    name, predicted, count = (
-        ("redraw", cost.play_seconds, cost.shown)
-        if played
-        else ("tick", cost.fast_forward_seconds, cost.commands)
-    )
-    if known is None or count < _ENOUGH_COMMANDS[name]:
+    if known is None or (played and cost.shown < _SHORTEST_PLAY):
         return None
+    predicted = cost.play_seconds if played else cost.fast_forward_seconds
+    if played:
+        name, count = "redraw", cost.shown
+    else:
+        name, count = ("tick", cost.commands) if cost.commands >= _LONG else ("start", 1)
     value = getattr(known.constants, name) + (seconds - predicted) / count
     if not value > 0:
         return None

@@ -18,7 +18,7 @@ from vkworkbench.core import Strategy
 from vkworkbench.document.fingerprint import path_fingerprint
 from vkworkbench.document.operations import find
 from vkworkbench.report import OperationReport
-from vkworkbench.simulator_names import ZBUFFER
+from vkworkbench.simulator_names import OPENGL, ZBUFFER
 
 OPENING, CLOSING, SEPARATOR, OUTDATED = "⟦", "⟧", " · ", "outdated"
 # A segment is ours if it begins as ours do: brackets may be the user's or another tool's.
@@ -48,6 +48,8 @@ _PROPERTIES = {
         "App::Property", "Simulator whose time and memory are given")),
     "ToolpathSeconds": ("App::PropertyFloat", _SHOWN, QT_TRANSLATE_NOOP(
         "App::Property", "Estimated time of simulating it, in seconds")),
+    "ToolpathFactor": ("App::PropertyFloat", _SHOWN, QT_TRANSLATE_NOOP(
+        "App::Property", "The true time is between the estimated one divided and multiplied by this")),
     "ToolpathMemory": ("App::PropertyFloat", _SHOWN, QT_TRANSLATE_NOOP(
         "App::Property", "Estimated memory of simulating it, in bytes")),
     "ToolpathFingerprint": ("App::PropertyString", _HIDDEN, QT_TRANSLATE_NOOP(
@@ -141,21 +143,23 @@ def write(obj, report: OperationReport) -> None:
         "ToolpathLength": report.length,
         "ToolpathSimulator": simulator,
         "ToolpathSeconds": seconds,
+        "ToolpathFactor": report.factor(simulator),
         "ToolpathMemory": memory,
         "ToolpathFingerprint": report.fingerprint,
     })  # fmt: skip
     parts = [_verdict(report)]
     if cost:
-        parts += _cost(simulator, seconds, memory)
+        parts += _cost(simulator, seconds, memory, report.factor(simulator))
     if report.error:
         parts.append(_shortened(report.error))
     _describe(obj, SEPARATOR.join(parts))
 
 
-def _cost(simulator: str, seconds: float, memory: float, least: str = "") -> list[str]:
+def _cost(simulator: str, seconds: float, memory: float, factor: float, least: str = "") -> list[str]:
     """Say whose time it is unless it is the z-buffer's."""
     whose = "" if simulator == ZBUFFER else f"{simulator} "
-    return [whose + least + friendly.time(seconds), least + friendly.memory(memory)]
+    time = friendly.about(friendly.time(seconds), factor)
+    return [whose + least + time, least + friendly.memory(memory)]
 
 
 def _verdict(report: OperationReport) -> str:
@@ -184,18 +188,21 @@ def write_total(job) -> None:
     memory = sum(obj.ToolpathMemory for obj in operations)
     unknown = [obj for obj in operations if obj.ToolpathTrajectories and not obj.ToolpathMemory]
     (simulator,) = simulators
+    factor = max(obj.ToolpathFactor for obj in operations)
     _set(job, {
         "ToolpathSimulator": simulator,
         "ToolpathRemark": f"cost unknown for {', '.join(obj.Label for obj in unknown)}" if unknown else "",
         "ToolpathTrajectories": sum(obj.ToolpathTrajectories for obj in operations),
         "ToolpathLength": sum(obj.ToolpathLength for obj in operations),
         "ToolpathSeconds": seconds,
+        "ToolpathFactor": factor,
         "ToolpathMemory": memory,
         "ToolpathFingerprint": _total_fingerprint(operations),
     })  # fmt: skip
-    least = "≥ " if unknown else ""
+    # The OpenGL simulator draws again what operations before have cut: together they take more than the sum.
+    least = "≥ " if unknown or (simulator == OPENGL and len(operations) > 1) else ""
     count = f"{len(operations)} operation" + ("s" if len(operations) > 1 else "")
-    _describe(job, SEPARATOR.join([count, *_cost(simulator, seconds, memory, least)]))
+    _describe(job, SEPARATOR.join([count, *_cost(simulator, seconds, memory, factor, least)]))
     _refresh_total(job, operations)
 
 

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from vkworkbench import preferences
 from vkworkbench.document.fingerprint import path_fingerprint
 from vkworkbench.document.operations import find
 from vkworkbench.report import OperationReport, Report
@@ -19,11 +20,11 @@ def remember(report: Report) -> None:
 
 
 def report_of(document) -> Report:
-    """Return what is known of a document's operations as they are now, in their order."""
-    known = _found.get(document.Name, {})
-    operations = tuple(known[o.object.Name] for o in find(document) if o.object.Name in known)
+    """Return what is known of a document's operations as they are now, in their order; nothing of no document."""
+    known = _found.get(document.Name, {}) if document is not None else {}
+    operations = tuple(known[o.object.Name] for o in find(document) if o.object.Name in known) if known else ()
     jobs = {(o.document, o.job): _jobs[o.document, o.job] for o in operations if o.job is not None}
-    return Report(operations, jobs)
+    return Report(operations, jobs, preferences.read().budget)
 
 
 def found_of(obj) -> OperationReport | None:

@@ -9,6 +9,7 @@ from pathlib import Path
 import FreeCAD
 import FreeCADGui as Gui
 
+from vkworkbench.core import Machining
 from vkworkbench.gui import docks, latest
 from vkworkbench.gui.names import strategy_name
 from vkworkbench.gui.panel_model import VALUE, ResultsModel, ResultsOrder, Row, rows_of
@@ -19,7 +20,8 @@ from vkworkbench.gui.qt import (
 )  # fmt: skip
 from vkworkbench.gui.sentences import in_user_language
 from vkworkbench.gui.text import translate
-from vkworkbench.report import Report, Total, plain_text
+from vkworkbench.gui.units import length
+from vkworkbench.report import Total, plain_text
 
 _WIDEST_LABEL = 260  # px; a longer one has its end in the tooltip
 
@@ -30,7 +32,7 @@ class ResultsDock(QDockWidget):
     def __init__(self, parent: QWidget) -> None:
         super().__init__(translate("Vk_Results", "Toolpath results"), parent)
         self.setObjectName(docks.RESULTS)
-        self._report = Report(())
+        self._report = latest.report_of(None)
         self._following = False  # whether the table is being moved by FreeCAD's selection
         self._stale = self._timer(self.refresh)
         self._selected = self._timer(self._follow)
@@ -126,7 +128,7 @@ class ResultsDock(QDockWidget):
         if not self.isVisible():
             return
         document = FreeCAD.ActiveDocument
-        self._report = latest.report_of(document) if document is not None else Report(())
+        self._report = latest.report_of(document)
         self._following = True
         self.model.show(rows_of(self._report))
         self._following = False
@@ -216,13 +218,27 @@ class ResultsDock(QDockWidget):
 
 
 def _in_words(row: Row) -> str:
-    remarks = "".join(f"<br>• {escape(remark)}" for remark in row.remarks)
-    if isinstance(row.found, Total):
-        return f"<b>{escape(row.label)}</b>{remarks}"
-    strategy, resolution = strategy_name(row.found.strategy), row.found.resolution
-    image = ""
-    if resolution is not None:
-        text = translate("Vk_Results", "Recommended image: {}").format(in_user_language(resolution.explanation))
-        image = f"<br>{escape(text)}"
-    reason = in_user_language(row.found.reason)
-    return f"<b>{escape(row.label)}, {escape(strategy)}</b>: {escape(reason)}{image}{remarks}"
+    found = row.found
+    lines = []
+    if isinstance(found, Total):
+        lines.append(f"<b>{escape(row.label)}</b>")
+    else:
+        strategy, reason = strategy_name(found.strategy), in_user_language(found.reason)
+        lines.append(f"<b>{escape(row.label)}, {escape(strategy)}</b>: {escape(reason)}")
+        lines.append(escape(_machining_in_words(found.machining)))
+    for text, advice in (
+        (translate("Vk_Results", "Recommended image: {}"), found.resolution),
+        (translate("Vk_Results", "Recommended accuracy: {}"), found.accuracy),
+    ):
+        if advice is not None:
+            lines.append(escape(text.format(in_user_language(advice.explanation))))
+    lines += [f"• {escape(remark)}" for remark in row.remarks]
+    return "<br>".join(lines)
+
+
+def _machining_in_words(machining: Machining) -> str:
+    cut, rapid = length(machining.cutting_length), length(machining.rapid_length)
+    text = translate("Vk_Results", "Machining: {cut} of cutting, {rapid} of rapids").format(cut=cut, rapid=rapid)
+    if machining.depth is not None:
+        text += translate("Vk_Results", ", {depth} deep").format(depth=length(machining.depth))
+    return "; ".join([text, *map(in_user_language, machining.notes)])

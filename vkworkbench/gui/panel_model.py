@@ -92,12 +92,15 @@ class Column:
         The number or text of a row, None where there is none.
     text : callable
         What the user reads of that value.
+    factor : callable
+        How sure the value of a row is: the true one is between it divided and multiplied by this.
     """
 
     title: str
     tooltip: str
     value: Callable[[Row], object]
     text: Callable[[object], str] = str
+    factor: Callable[[Row], float] = lambda row: 1.0
 
 
 def columns(version: tuple[int, ...]) -> list[Column]:
@@ -114,6 +117,10 @@ def columns(version: tuple[int, ...]) -> list[Column]:
                lambda row: row.found.trajectories, "{:,}".format),
         Column(translate("Vk_Results", "Length"), translate("Vk_Results", "Length of the cutting moves"),
                lambda row: row.found.length, length),
+        Column(translate("Vk_Results", "Machining\ntime"),
+               translate("Vk_Results", "Time on the machine at the programmed feeds; rapids where the tool "
+                                       "controller says their speed"),
+               _machining_seconds, friendly.time),
         Column(translate("Vk_Results", "Z-buffer\ntime"),
                translate("Vk_Results", "Time to simulate it in an extended z-buffer"),
                lambda row: _of_zbuffer(row, "seconds"), friendly.time),
@@ -123,7 +130,8 @@ def columns(version: tuple[int, ...]) -> list[Column]:
         Column(translate("Vk_Results", "Legacy\ntime"),
                translate("Vk_Results",
                          "Time of FreeCAD's legacy simulator in fast-forward, at the accuracy that the preferences say"),
-               lambda row: _of(row, "legacy", lambda cost: cost.fast_forward_seconds), friendly.time),
+               lambda row: _of(row, "legacy", lambda cost: cost.fast_forward_seconds), friendly.time,
+               lambda row: row.found.legacy.constants.legacy_factor),
         Column(translate("Vk_Results", "Legacy\nmemory"),
                translate("Vk_Results", "Memory of FreeCAD's legacy simulator, at the accuracy that the preferences say"),
                lambda row: _of(row, "legacy", lambda cost: cost.memory_bytes), friendly.memory),
@@ -133,7 +141,7 @@ def columns(version: tuple[int, ...]) -> list[Column]:
             Column(translate("Vk_Results", "OpenGL\ntime"),
                    translate("Vk_Results", "Time of FreeCAD's OpenGL simulator at its highest speed"),
                    lambda row: _of(row, "opengl", lambda cost: cost.play_seconds[max(cost.play_seconds)]),
-                   friendly.time),
+                   friendly.time, lambda row: row.found.opengl.constants.opengl_factor),
             Column(translate("Vk_Results", "OpenGL\nmemory"),
                    translate("Vk_Results", "Memory of FreeCAD's OpenGL simulator"),
                    lambda row: _of(row, "opengl", lambda cost: cost.memory_bytes), friendly.memory),
@@ -143,6 +151,11 @@ def columns(version: tuple[int, ...]) -> list[Column]:
         Column(translate("Vk_Results", "Recommended\nimage"),
                translate("Vk_Results", "The finest image of the z-buffer within the budgets of the preferences"),
                _recommended, _size),
+        Column(translate("Vk_Results", "Recommended\naccuracy"),
+               translate("Vk_Results",
+                         "The finest position of the legacy simulator's accuracy slider, 1 to 10, with which playing "
+                         "stays within the budgets of the preferences"),
+               _position, _position_text),
         Column(translate("Vk_Results", "Remarks"),
                translate("Vk_Results", "What is wrong with the operation, or will be with its simulation"),
                lambda row: "; ".join(row.remarks)),
@@ -154,9 +167,14 @@ def _confidence(row: Row) -> float | None:
     return None if strategy in (Strategy.EMPTY, Strategy.UNKNOWN) else row.found.confidence
 
 
+def _machining_seconds(row: Row) -> float | None:
+    found = row.found
+    return found.machining_seconds if isinstance(found, Total) else found.machining.seconds
+
+
 def _recommended(row: Row) -> tuple[int, int] | None:
     """Width and height; 0 where no image is within the budgets, None where that is not known."""
-    resolution = getattr(row.found, "resolution", None)
+    resolution = row.found.resolution
     if resolution is None:
         return None
     view = resolution.view
@@ -167,14 +185,24 @@ def _size(size: tuple[int, int]) -> str:
     return "{} × {}".format(*size) if all(size) else translate("Vk_Results", "none")
 
 
+def _position(row: Row) -> int | None:
+    """The slider's position; 0 where none is within the budgets, None where that is not known."""
+    accuracy = row.found.accuracy
+    return accuracy and (accuracy.position or 0)
+
+
+def _position_text(position: int) -> str:
+    return str(position) if position else translate("Vk_Results", "fast-forward")
+
+
 def _of_zbuffer(row: Row, name: str):
     source = row.found if isinstance(row.found, Total) else row.found.estimate
     return source and getattr(source, name)
 
 
 def _of(row: Row, simulator: str, number: Callable):
-    """A simulator's number for an operation; simulations of several operations are not their sum."""
-    cost = getattr(row.found, simulator, None)
+    """A number of what one of FreeCAD's simulators takes for an operation, or for all of a job together."""
+    cost = getattr(row.found, simulator)
     return cost and number(cost)
 
 
@@ -211,7 +239,15 @@ class ResultsModel(QAbstractTableModel):
         if role in (Qt.DisplayRole, Qt.ToolTipRole):
             if role == Qt.ToolTipRole and index.column() == len(self.columns) - 1:
                 return "\n".join(row.remarks)
-            return "" if value is None else column.text(value)
+            if value is None:
+                return ""
+            factor = column.factor(row)
+            if factor < friendly.ROUGH:
+                return column.text(value)
+            if role == Qt.DisplayRole:
+                return translate("Vk_Results", "about {}").format(column.text(value))
+            text = translate("Vk_Results", "Between {} and {}: not measured on this computer yet")
+            return text.format(column.text(value / factor), column.text(value * factor))
         if role == Qt.TextAlignmentRole:
             right = value is not None and not isinstance(value, str)
             return _RIGHT if right else _LEFT

@@ -91,7 +91,8 @@ def read_mark(label2: str) -> Mark | None:
         strategy = Strategy(name)
         pill = f"{strategy_name(strategy)} {confidence}".rstrip()
     before, after = label2[:opening].strip(), label2[closing:].strip()
-    return Mark(before, after, strategy, pill, marks.SEPARATOR.join(rest), outdated)
+    cost = marks.SEPARATOR.join(rest).replace(friendly.ABOUT, translate("Pills", "about "))
+    return Mark(before, after, strategy, pill, cost, outdated)
 
 
 class PillDelegate(QStyledItemDelegate):
@@ -182,13 +183,21 @@ def explanation(mark: Mark, obj) -> str:
             whose = getattr(obj, "ToolpathSimulator", ZBUFFER)
             text = translate("Pills", "Simulating it takes {time} and {memory} ({simulator})")
             lines.append(text.format(
-                time=friendly.time(obj.ToolpathSeconds), memory=friendly.memory(obj.ToolpathMemory), simulator=whose
+                time=_time(obj), memory=friendly.memory(obj.ToolpathMemory), simulator=whose
             ))  # fmt: skip
         lines += [f"<b>{escape(in_user_language(remark))}</b>"] if remark else []
     if mark.outdated:
         text = translate("Pills", "Outdated: toolpath, tool or stock have changed since. Analyze it again.")
         lines.append(f"<i>{escape(text)}</i>")
     return "<p style='white-space: pre-wrap'>" + "<br>".join(lines) + "</p>"
+
+
+def _time(obj) -> str:
+    """The time of an object's mark, between what and what where it is only about that."""
+    seconds, factor = obj.ToolpathSeconds, obj.ToolpathFactor
+    if factor < friendly.ROUGH:
+        return friendly.time(seconds)
+    return translate("Pills", "{} to {}").format(friendly.time(seconds / factor), friendly.time(seconds * factor))
 
 
 def _object_of(index):

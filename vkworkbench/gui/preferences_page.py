@@ -79,13 +79,11 @@ class PreferencesPage:
 
     def _calibrate(self) -> None:
         from vkworkbench.document import calibration
-        from vkworkbench.gui.renderer import opengl_renderer
+        from vkworkbench.gui.renderer import note_renderer
 
         QApplication.setOverrideCursor(Qt.WaitCursor)
         try:
-            renderer = opengl_renderer()
-            preferences.write(renderer=renderer)
-            calibration.calibrate(renderer)
+            calibration.calibrate(note_renderer(again=True))
         except OSError as error:
             QMessageBox.warning(self.form, translate("VkPreferences", "Calibrate"), str(error))
         finally:

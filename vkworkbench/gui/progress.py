@@ -7,6 +7,7 @@ import FreeCADGui as Gui
 
 import vkworkbench
 from vkworkbench.gui.qt import QApplication, QEventLoop, QLabel, QProgressDialog, Qt
+from vkworkbench.gui.renderer import note_renderer
 from vkworkbench.gui.text import translate
 from vkworkbench.report import Report
 
@@ -42,6 +43,7 @@ def analyze(what) -> Report:
         QApplication.processEvents(waiting)
         return dialog.wasCanceled()
 
+    note_renderer()
     try:
         return vkworkbench.analyze(what, progress=progress, cancelled=cancelled)
     finally:

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from vkworkbench import preferences
 from vkworkbench.gui.qt import QOffscreenSurface, QOpenGLContext
 
 _GL_RENDERER = 0x1F01
@@ -18,3 +19,19 @@ def opengl_renderer() -> str:
     name = context.functions().glGetString(_GL_RENDERER)
     context.doneCurrent()
     return name or ""
+
+
+def note_renderer(*, again: bool = False) -> str:
+    """Keep the renderer's name in the preferences, where an analysis finds it, and return it.
+
+    Parameters
+    ----------
+    again : bool
+        Whether to ask OpenGL where it is known already.
+    """
+    known = preferences.read().renderer
+    if known and not again:
+        return known
+    name = opengl_renderer()
+    preferences.write(renderer=name)
+    return name

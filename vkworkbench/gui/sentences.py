@@ -96,6 +96,22 @@ _SENTENCES = (
     ),
     QT_TRANSLATE_NOOP("Sentences", "{label}: the stock's corners must be finite numbers"),
     QT_TRANSLATE_NOOP("Sentences", "cost unknown for {labels}"),
+    QT_TRANSLATE_NOOP("Sentences", "the cost is that of a box around its cuts"),
+    QT_TRANSLATE_NOOP("Sentences", "it does not touch the stock: check its depths, its placement and the stock"),
+    # What the machining time leaves out.
+    QT_TRANSLATE_NOOP(
+        "Sentences", "{length} mm of cutting in {count} move without a feed rate are not in the time"
+    ),
+    QT_TRANSLATE_NOOP(
+        "Sentences", "{length} mm of cutting in {count} moves without a feed rate are not in the time"
+    ),
+    QT_TRANSLATE_NOOP(
+        "Sentences", "{length} mm of rapids are not in the time because the tool controller's {name} is 0"
+    ),
+    QT_TRANSLATE_NOOP(
+        "Sentences",
+        "{length} mm of rapids are not in the time because the tool controller's {name} and {other} are 0",
+    ),
     # What is wrong with its commands.
     QT_TRANSLATE_NOOP("Sentences", "{sentence} (command {command})"),
     QT_TRANSLATE_NOOP("Sentences", "{sentence} ({count} times, first at command {command})"),
@@ -117,7 +133,7 @@ _SENTENCES = (
         "the arcs and cycles would need {count} moves at a tolerance of {tolerance} mm; use a larger "
         "tolerance",
     ),
-    # The recommended image.
+    # The recommended image and accuracy.
     QT_TRANSLATE_NOOP("Sentences", "{width} x {height} pixels of {pixel} mm, limited by the {limit}"),
     QT_TRANSLATE_NOOP("Sentences", "memory"),
     QT_TRANSLATE_NOOP("Sentences", "time"),
@@ -125,9 +141,17 @@ _SENTENCES = (
     QT_TRANSLATE_NOOP("Sentences", "{pixel} mm would do for passes {step} mm apart"),
     QT_TRANSLATE_NOOP("Sentences", "no resolution helps, not even a single pixel fits"),
     QT_TRANSLATE_NOOP(
-        "Sentences", "no resolution helps, the trajectories alone take {fixed} s: simulate fewer operations"
+        "Sentences", "no resolution helps, the trajectories alone take {time}: simulate fewer operations"
     ),
-    QT_TRANSLATE_NOOP("Sentences", "the heaviest takes {time} s"),
+    QT_TRANSLATE_NOOP("Sentences", "the heaviest is {label} with {time}"),
+    QT_TRANSLATE_NOOP(
+        "Sentences", "position {position} of {positions}, cells of {cell} mm, plays in {time}"
+    ),
+    QT_TRANSLATE_NOOP(
+        "Sentences",
+        "no accuracy helps, playing takes {longer} even at the coarsest: use fast-forward, about {time} at the "
+        "finest",
+    ),
     # What goes wrong in FreeCAD's simulators.
     QT_TRANSLATE_NOOP(
         "Sentences", "The legacy simulator hangs on an arc {reason} (command {command}{others}): {instead}."
