@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import cached_property
 
 import numpy as np
 
@@ -66,16 +65,18 @@ class Moves:
         """Return the number of moves."""
         return len(self.index)
 
-    @cached_property
-    def doubled(self) -> tuple[np.ndarray, np.ndarray]:
-        """The moves at twice their angle, which forgets their sense: their sum lies along twice the axis,
-        mm."""
-        cos2, sin2 = self.dx * self.dx, self.dx * self.dy
-        cos2 -= self.dy * self.dy
-        cos2 /= self.length
-        sin2 *= 2
-        sin2 /= self.length
-        return cos2, sin2
+
+def axis_of(along_x, along_y, length):
+    """Return the axis of moves, rad in [-pi/2, pi/2]: the direction of their sum at twice their angle.
+
+    Parameters
+    ----------
+    along_x, along_y : float or array
+        Sum of cos^2 and of cos sin of the directions, weighted by length, mm.
+    length : float or array
+        Sum of the lengths, mm.
+    """
+    return 0.5 * np.arctan2(2 * along_y, 2 * along_x - length)
 
 
 def wrap(angle: np.ndarray) -> np.ndarray:
@@ -99,10 +100,14 @@ def monotonous_areas(toolpath: Toolpath, first: int = 0, last: int | None = None
     """
     end = len(toolpath) if last is None else last + 1
     points, rapid = toolpath.points[first : end + 1], toolpath.rapid[first:end]
-    x, y, z = _seen_along_the_normal(points, rapid)
-    dx, dy, dz = x[1:] - x[:-1], y[1:] - y[:-1], z[1:] - z[:-1]
-    # In place wherever that is possible: with this many moves the cost is memory, not arithmetic.
-    length = dx * dx
+    # One block for all measures, and in place wherever that is possible: with this many moves the cost is
+    # memory, not arithmetic. Many arrays that come and go make the system map the same pages again and again.
+    block = np.empty((10, len(points)))
+    for row, axis in zip(block, _seen_along_the_normal(points, rapid)):
+        row[:] = points[:, axis]
+    x, y, z = block[:3]
+    dx, dy, dz = np.subtract(block[:3, 1:], block[:3, :-1], out=block[3:6, :-1])
+    length = np.multiply(dx, dx, out=block[6, :-1])
     length += dy * dy
     np.sqrt(length, out=length)
     planar = length > STILL
@@ -120,8 +125,8 @@ def monotonous_areas(toolpath: Toolpath, first: int = 0, last: int | None = None
         dx, dy, dz, length, x, y, z = (v[index] for v in (dx, dy, dz, length, x, y, z[1:]))
     else:
         x, y, z = x[:-1], y[:-1], z[1:]
-    alpha = np.arctan2(dy, dx)
-    turning = np.empty(len(alpha))
+    alpha, turning, phi = block[7:, : len(index)]
+    np.arctan2(dy, dx, out=alpha)
     np.subtract(alpha[1:], alpha[:-1], out=turning[1:])
     turning[start] = 0.0
     whole = turning * (1 / TURN)
@@ -143,7 +148,7 @@ def monotonous_areas(toolpath: Toolpath, first: int = 0, last: int | None = None
         length=length,
         alpha=alpha,
         turning=turning,
-        phi=np.cumsum(turning),
+        phi=np.cumsum(turning, out=phi),
         start=start,
         holes=holes + first,
         reversals=reversals,
@@ -151,16 +156,16 @@ def monotonous_areas(toolpath: Toolpath, first: int = 0, last: int | None = None
     )
 
 
-def _seen_along_the_normal(points, rapid) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Return the two coordinates of the plane the motion lies in and the height above it, (n+1,) each.
+def _seen_along_the_normal(points: np.ndarray, rapid: np.ndarray) -> list[int]:
+    """Return the two coordinate axes of the plane the motion lies in and the one of the height above it.
 
     XY but for a path that never leaves a vertical plane and slopes in it (contouring in G18): there every row
     would fall on one line. A slot cut at several depths by level passes and vertical plunges stays in XY.
     """
-    x, y, z = points.T
     every = len(rapid) // 50 + 1
     few = np.flatnonzero(~rapid[::every]) * every
-    for aside, u, v in ((y, z, x), (x, y, z)):
+    for axes in ([2, 0, 1], [1, 2, 0]):
+        u, v, aside = (points[:, axis] for axis in axes)
         if not len(few) or np.ptp(aside[few]) > STILL:
             continue
         cutting = np.flatnonzero(~rapid)
@@ -168,8 +173,8 @@ def _seen_along_the_normal(points, rapid) -> tuple[np.ndarray, np.ndarray, np.nd
             continue
         du, dv = np.abs(u[cutting + 1] - u[cutting]), np.abs(v[cutting + 1] - v[cutting])
         if ((du > 0.05 * dv) & (dv > 0.05 * du)).sum() >= 2:
-            return u, v, aside
-    return x, y, z
+            return axes
+    return [0, 1, 2]
 
 
 def _drop_noise(planar: np.ndarray, length: np.ndarray) -> None:

@@ -33,93 +33,89 @@ def closed_loops(moves: Moves) -> tuple[np.ndarray, np.ndarray]:
     if not winds.any():
         none = np.zeros(0, np.int64)
         return none, none
-    vertices = _vertices(moves, np.flatnonzero(winds))
+    vertices = _vertices(moves, winds)
     first, end = _disjoint(*_returns(moves, *vertices, OFF_ROUND))
-    if (end - first).sum() < 0.8 * len(vertices[0]):
+    if (end - first).sum() < 0.75 * len(vertices[0]):
         # The border of two cells may part the visits of one point: once more with the cells half a cell on.
         shifted = _returns(moves, *vertices, OFF_ROUND + 0.5)
         first, end = _disjoint(*np.concatenate([(first, end), shifted], axis=1))
     return first, end
 
 
-def _returns(moves, x, y, area, shift, origin) -> tuple[np.ndarray, np.ndarray]:
-    """Return the stretches from a visit of a cell to the next one that turn by +-2 pi."""
-    column = ((x - x.min()) * (1 / CLOSE) + origin).astype(np.uint32)
-    row = ((y - y.min()) * (1 / CLOSE) + origin).astype(np.uint32)
-    # Hashing the cells is O(n); sorting all vertices would not be. The products wrap, their high bits are
-    # the hash.
-    bits = (4 * len(x)).bit_length()
-    cell = column * np.uint32(2654435769)
-    cell += row * np.uint32(2246822519)
-    if len(shift) > 1:
-        cell += area.astype(np.uint32) * np.uint32(3266489917)
-    cell >>= np.uint32(32 - bits)
-    cell = cell.astype(np.intp)
-    size = 1 << bits
-    order = np.arange(len(cell), dtype=np.int32)
-    table = np.empty(size, np.int32)
-    table[cell[::-1]] = order[::-1]
-    earliest = table[cell]
-    table[cell] = order
-    latest = table[cell]
-    again = np.flatnonzero(latest - earliest >= 3)
-    # Most cells are visited twice, at the beginning and the end of a loop; only the others are sorted.
-    between = again[(again != earliest[again]) & (again != latest[again])]
-    if len(between):
-        often = np.zeros(size, bool)
-        often[cell[between]] = True
-        crowded = often[cell[again]]
-        many = again[crowded]
-        # By the cells themselves: one that shares its hash would come between two visits of another.
-        many = many[np.lexsort((row[many], column[many], area[many]))]
-        twice = again[~crowded & (again == earliest[again])]
-        one, two = np.append(many[:-1], twice), np.append(many[1:], latest[twice])
-    else:
-        one = again[again == earliest[again]]
-        two = latest[one]
-    near = (cell[one] == cell[two]) & (area[one] == area[two])
-    near &= (np.abs(x[one] - x[two]) <= CLOSE) & (np.abs(y[one] - y[two]) <= CLOSE)
-    one, two = one[near], two[near]
-    first, end = one - shift[area[one]], two - shift[area[two]]
-    net = moves.phi[end - 1] - moves.phi[first] + wrap(moves.alpha[first] - moves.alpha[end - 1])
-    once = (np.abs(np.abs(net) - TURN) < 0.1) & (end > first + 1)
-    return first[once], end[once]
-
-
-def _vertices(moves: Moves, chosen: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
-    """Return the vertices of some areas: the starts of their moves and the end of their last.
+def _vertices(moves: Moves, winds: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
+    """Return the vertices of those areas: the starts of their moves, then the ends of the areas.
 
     Returns
     -------
     x, y : (v,) float
-    area : (v,) int
-        Index into `chosen`.
-    shift : (a,) int
-        Index of a vertex less the index of the move it begins, for each chosen area.
+        In units of CLOSE, not negative.
+    at : (v,) int
+        The move that begins at the vertex; at the end of an area the move after its last.
+    area : (v,) uint32
+        Empty where there is only one.
     """
-    start, end = moves.start[chosen], np.append(moves.start[1:], len(moves))[chosen]
-    size = end - start + 1
-    begin = np.cumsum(size) - size
-    shift = begin - start
-    area = np.repeat(np.arange(len(chosen)), size)
-    last = begin + size - 1
-    if len(chosen) == 1:
-        own = slice(start[0], end[0])
-    else:
-        own = np.arange(len(area)) - shift[area]
-        own = np.delete(own, last)
-    inner = np.ones(len(area), bool)
-    inner[last] = False
-    x, y = np.empty(len(area)), np.empty(len(area))
-    x[inner], y[inner] = moves.x[own], moves.y[own]
-    x[last], y[last] = moves.x[end - 1] + moves.dx[end - 1], moves.y[end - 1] + moves.dy[end - 1]
-    return x, y, area, shift
+    end = np.append(moves.start[1:], len(moves))
+    size = end - moves.start
+    begun, end = np.flatnonzero(np.repeat(winds, size)), end[winds]
+    area = np.zeros(0, np.uint32)
+    if len(end) > 1:
+        area = np.arange(len(end), dtype=np.uint32)
+        area = np.append(np.repeat(area, size[winds]), area)
+    found = []
+    for v, dv in ((moves.x, moves.dx), (moves.y, moves.dy)):
+        w = np.append(v.take(begun), v[end - 1] + dv[end - 1])
+        w -= w.min()
+        w *= 1 / CLOSE
+        found.append(w)
+    return *found, np.append(begun, end), area
+
+
+def _returns(moves, x, y, at, area, origin) -> tuple[np.ndarray, np.ndarray]:
+    """Return the stretches from a visit of a cell to the next one that turn by +-2 pi."""
+    column, row = ((v + origin).astype(np.int32).view(np.uint32) for v in (x, y))
+    # Hashing the cells is O(n); sorting all vertices would not be. The products wrap, their high bits are
+    # the hash.
+    bits = (2 * len(x)).bit_length()
+    cell = column * np.uint32(2654435769)
+    cell += row * np.uint32(2246822519)
+    if len(area):
+        cell += area * np.uint32(3266489917)
+    cell >>= np.uint32(32 - bits)
+    cell = cell.astype(np.intp)
+    order = np.arange(len(cell), dtype=np.int32)
+    table = np.empty(1 << bits, np.int32)
+    table[cell] = order
+    latest = table.take(cell)
+    one = np.flatnonzero(latest != order)  # every visit but the last
+    two, own = latest[one], cell[one]
+    table[own] = one
+    last_but_one = table.take(own)
+    table[own[::-1]] = one[::-1]
+    crowded = last_but_one != table.take(own)
+    if crowded.any():
+        # Most cells are visited twice, at the beginning and the end of a loop; only the others are sorted,
+        # by the cells themselves: one that shares its hash would come between two visits of another.
+        many = np.append(one[crowded], two[crowded & (one == last_but_one)])
+        keys = (many, row[many], column[many])
+        many = many[np.lexsort((*keys, area[many]) if len(area) else keys)]
+        one, two = np.append(one[~crowded], many[:-1]), np.append(two[~crowded], many[1:])
+    near = (np.abs(x[one] - x[two]) <= 1) & (np.abs(y[one] - y[two]) <= 1)
+    if len(area):
+        near &= area[one] == area[two]
+    first, end = at[one[near]], at[two[near]]
+    long = end - first >= 3
+    first, end = first[long], end[long]
+    net = moves.phi[end - 1] - moves.phi[first] + wrap(moves.alpha[first] - moves.alpha[end - 1])
+    once = np.abs(np.abs(net) - TURN) < 0.1
+    return first[once], end[once]
 
 
 def _disjoint(first: np.ndarray, end: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Keep from the left those intervals that begin after the end of the last one kept."""
-    order = np.argsort(first * (end.max(initial=0) + 1) + end)
+    order = np.lexsort((end, first))
     first, end = first[order], end[order]
+    new = np.append(True, first[1:] > first[:-1]) if len(first) else order
+    first, end = first[new], end[new]
     if (end[:-1] <= first[1:]).all():
         return first, end
     following = np.searchsorted(first, end).tolist()

@@ -8,11 +8,12 @@ from functools import cached_property
 
 import numpy as np
 
-from vkworkbench.core.areas import TURN, Moves, wrap
+from vkworkbench.core.areas import TURN, Moves, axis_of, wrap
 from vkworkbench.core.loops import CLOSE, closed_loops, winding_turns
 
 LOOP, WINDING, ZIGZAG, LINE, CURVE = range(5)
 ALONG = 0.9  # |cosine| to the axis from which a move is part of a pass (25 degrees)
+FEW = 0.01  # of the length: a share that decides nothing
 WAVES = 7  # passes from which a loop that alternates may be a zigzag that came back to its start
 
 
@@ -96,6 +97,8 @@ def cut_pieces(moves: Moves) -> Pieces:
     kind = np.where(loop[start] | (closed & once), LOOP, CURVE)
     # A pass between two others needs three moves; a loop of several waves turns back again and again.
     able = np.where(kind == LOOP, parts.turned > np.abs(net) + TURN, parts.end - parts.start >= 3)
+    if parts.length[able].sum() < FEW * parts.length.sum():
+        able[:] = False  # the links between loops
     alternating, constant, passes = half_turns(moves, parts, able)
     opened = kind != LOOP
     waves = (alternating > 0.3 * parts.length) & (alternating > 2 * constant)
@@ -127,13 +130,10 @@ class _Stretches:
         self.x, self.y = moves.x[start], moves.y[start]
         self.end_x, self.end_y = moves.x[last] + moves.dx[last], moves.y[last] + moves.dy[last]
         self.gap = np.hypot(self.end_x - self.x, self.end_y - self.y)
-        swept = np.add.reduceat(moves.x * moves.dy - moves.y * moves.dx, start)
+        swept = moves.x * moves.dy
+        swept -= moves.y * moves.dx
+        swept = np.add.reduceat(swept, start)
         self.enclosed = (swept + self.end_x * self.y - self.end_y * self.x) / 2
-
-    @cached_property
-    def owner(self) -> np.ndarray:
-        """Stretch of each move, (m,)."""
-        return np.repeat(np.arange(len(self.start)), self.end - self.start)
 
     @cached_property
     def turned(self) -> np.ndarray:
@@ -216,34 +216,40 @@ def half_turns(
         Length of the passes between two half-turns of opposite and of equal sign, mm.
     passes : (k,) int
     """
-    k, start = len(parts.start), parts.start
+    k = len(parts.start)
     alternating, constant, passes = np.zeros(k), np.zeros(k), np.ones(k, np.int64)
-    if not able.any():
+    stretch = np.flatnonzero(able)
+    if not len(stretch):
         return alternating, constant, passes
-    cos2, sin2 = moves.doubled
-    axis = 0.5 * np.arctan2(np.add.reduceat(sin2, start), np.add.reduceat(cos2, start))
+    size = (parts.end - parts.start)[stretch]
+    of, chosen = np.repeat(stretch, size), slice(None)
+    if len(stretch) < k:
+        chosen = np.flatnonzero(np.repeat(able, parts.end - parts.start))
+    dx, dy, length = moves.dx[chosen], moves.dy[chosen], moves.length[chosen]
+    begin = np.cumsum(size) - size
+    cos = dx / length
+    axis = axis_of(
+        np.add.reduceat(cos * dx, begin), np.add.reduceat(cos * dy, begin), parts.length[stretch]
+    )
     u, v = np.cos(axis), np.sin(axis)
-    if k > 1:
-        u, v = u[parts.owner], v[parts.owner]
-    along = moves.dx * u
-    along += moves.dy * v
-    on = np.abs(along) > ALONG * moves.length
-    if not able.all():
-        on &= able[parts.owner]
-    on = np.flatnonzero(on)
+    if len(stretch) > 1:
+        u, v = np.repeat(u, size), np.repeat(v, size)
+    along = dx * u
+    along += dy * v
+    on = np.flatnonzero(np.abs(along) > ALONG * length)
     if not len(on):
         return alternating, constant, passes
-    forward = along[on] > 0
-    of = parts.owner[on] if k > 1 else np.zeros(len(on), np.int64)
+    forward, of = along.take(on) > 0, of.take(on)
     begin = np.flatnonzero(np.concatenate([[True], (forward[1:] != forward[:-1]) | (of[1:] != of[:-1])]))
-    of = of[begin]
+    length, of = np.add.reduceat(length.take(on), begin), of.take(begin)
+    first = on.take(begin)
+    phi = moves.phi.take(first if len(stretch) == k else chosen.take(first))
     passes = np.maximum(np.bincount(of, minlength=k), 1)
-    after = np.flatnonzero(of[1:] == of[:-1]) + 1  # passes with one before them in the same stretch
-    half = np.zeros(len(begin))
-    half[after] = np.sign(np.rint((moves.phi[on[begin[after]]] - moves.phi[on[begin[after] - 1]]) / np.pi))
-    inner = after[:-1][after[1:] == after[:-1] + 1]  # passes between two others
-    length = np.add.reduceat(moves.length[on], begin)[inner]
-    alternates = half[inner] * half[inner + 1] <= 0
-    alternating = np.bincount(of[inner], weights=np.where(alternates, length, 0.0), minlength=k)
-    constant = np.bincount(of[inner], weights=np.where(alternates, 0.0, length), minlength=k)
+    half_turn = np.rint((phi[1:] - phi[:-1]) * (1 / np.pi))
+    same = of[1:] == of[:-1]
+    between = same[1:] & same[:-1]  # passes between two others of their stretch
+    alternates = half_turn[1:] * half_turn[:-1] <= 0
+    of, length = of[1:-1], length[1:-1]
+    alternating = np.bincount(of, weights=np.where(between & alternates, length, 0.0), minlength=k)
+    constant = np.bincount(of, weights=np.where(between & ~alternates, length, 0.0), minlength=k)
     return alternating, constant, passes

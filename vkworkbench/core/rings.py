@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cache
 
 import numpy as np
 
@@ -104,18 +105,18 @@ def relate_rings(pieces: Pieces, index: np.ndarray, tool: float) -> Rings:
     slack = np.where(winding, 2.0, 1.0)
     names = ("nested", "opposite", "deeper", "repeated", "moved", "crossing")
     flags = {name: np.zeros(k, bool) for name in names}
-    limit, next_step, next_drop = _reach(sides, size, z, flat, enclosed, length, slack, tool)
+    inward = cache(lambda lag: _inward(sides, enclosed, length, slack, lag))
+    limit, next_step, next_drop = _reach(inward, size, z, flat, tool)
     steps = []
     for lag in LAGS[: max(k - 1, 0)]:
         a, b = slice(None, -lag), slice(lag, None)
-        low, high, mean = _inward(sides, lag)
+        low, high, mean, least = inward(lag)
         larger, smaller = np.maximum(size[a], size[b]), np.minimum(size[a], size[b])
         level = np.abs(z[a] - z[b]) < LEVEL
         # Rings on a sculptured surface have no depth of their own: nearness in the plane decides.
         beside = level | ~flat[a] | ~flat[b]
         same_box = np.maximum(-low, high) < np.minimum(0.05 + 0.002 * larger, max(0.25 * limit, 0.05))
         same_area = np.abs(enclosed[a] - enclosed[b]) < 0.05 * np.maximum(enclosed[a], enclosed[b])
-        least = _least(low, high, lag, enclosed, length, slack)
         even = ~same_box & (least > 0.01) & (least <= limit)
         # Passes of a lattice that wind by chance are seldom even; offsets of a concave contour are exactly.
         even &= ~(wavy[a] & wavy[b]) | (high - low <= 0.1 * np.abs(mean) + 0.02)
@@ -185,26 +186,23 @@ def _middle(values: np.ndarray, part: int = 2) -> float:
     return float(np.partition(values, at)[at])
 
 
-def _inward(sides: np.ndarray, lag: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Return how far the sides of a ring's box lie inside those `lag` rings before: least, most, mean."""
-    inward = sides[:, lag:] - sides[:, :-lag]
-    return inward.min(axis=0), inward.max(axis=0), inward.mean(axis=0)
+def _inward(sides, enclosed, length, slack, lag: int) -> tuple[np.ndarray, ...]:
+    """Return how far the sides of a ring's box lie inside those `lag` rings before: least, most, mean, and
+    how far the side moved that moved least, 0 where the rings are no offsets of one another.
 
-
-def _least(low, high, lag: int, enclosed: np.ndarray, length: np.ndarray, slack: np.ndarray) -> np.ndarray:
-    """Return how far the side moved that moved least, 0 where the rings are no offsets of one another.
-
-    All four sides of the box move the same way, the least of them by about the step an offset of that length
-    needs for the difference in area (2 dA / (P1 + P2)); farther where a sharp corner touches the box. The
-    turns of windings (slack 2) are open and enclose only about what a loop (slack 1) does.
+    All four sides of an offset's box move the same way, the least of them by about the step an offset of that
+    length needs for the difference in area (2 dA / (P1 + P2)); farther where a sharp corner touches the box.
+    The turns of windings (slack 2) are open and enclose only about what a loop (slack 1) does.
     """
+    moved = sides[:, lag:] - sides[:, :-lag]
+    low, high, mean = moved.min(axis=0), moved.max(axis=0), moved.sum(axis=0) / 4
     step = 2 * np.abs(enclosed[lag:] - enclosed[:-lag]) / (length[lag:] + length[:-lag])
     near, loose = np.minimum(np.abs(low), np.abs(high)), slack[lag:]
     fits = (near > 0.5 * step / loose - 0.02) & (near < 1.5 * step * loose + 0.02)
-    return np.where((low * high > 0) & fits, near, 0.0)
+    return low, high, mean, np.where((low * high > 0) & fits, near, 0.0)
 
 
-def _reach(sides, size, z, flat, enclosed, length, slack, tool) -> tuple[float, np.ndarray, np.ndarray]:
+def _reach(inward, size, z, flat, tool) -> tuple[float, np.ndarray, np.ndarray]:
     """Return how far apart nested rings may be, and the steps in the plane and in depth from ring to next
     ring.
 
@@ -214,8 +212,7 @@ def _reach(sides, size, z, flat, enclosed, length, slack, tool) -> tuple[float, 
     steps = drops = np.zeros(0)
     found = []
     for lag in LAGS[: max(len(z) - 1, 0)]:
-        low, high, _ = _inward(sides, lag)
-        least = _least(low, high, lag, enclosed, length, slack)
+        least = inward(lag)[3]
         even = (least > 0.05) & (least <= 0.3 * np.maximum(size[lag:], size[:-lag]))
         drop = np.abs(z[lag:] - z[:-lag])
         if lag == 1:

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from vkworkbench.core.areas import Moves
+from vkworkbench.core.areas import Moves, axis_of
 
 BINS = 64  # of 2.8 degrees over half a turn; a power of two, so that & wraps
 SAMPLE = 1000  # values that are enough for a median
@@ -66,13 +66,13 @@ def find_rows(moves: Moves, chosen: np.ndarray) -> list[Rows]:
         Moves to look at, ascending.
     """
     found: list[Rows] = []
-    total = moves.length[chosen].sum()
+    total = moves.length.take(chosen).sum()
     while len(chosen):
         family = _densest(moves, chosen)
         if family is None:
             break
         found.append(family)
-        total -= moves.length[family.moves].sum()
+        total -= moves.length.take(family.moves).sum()
         # What is left when nearly all is in rows are the links between them.
         if len(found) == 2 or total < 0.1 * found[0].length:
             break
@@ -96,25 +96,25 @@ def weighted_median(values: np.ndarray, weights: np.ndarray) -> float:
 
 def _densest(moves: Moves, chosen: np.ndarray) -> Rows | None:
     """Return the rows along the densest direction; None where no move keeps to it."""
-    cos2, sin2 = moves.doubled
     dx, dy, length = moves.dx, moves.dy, moves.length
     if len(chosen) < len(moves):
-        cos2, sin2, dx, dy, length = (v[chosen] for v in (cos2, sin2, dx, dy, length))
-    x, y = cos2.sum(), sin2.sum()
-    if x * x + y * y < (0.8 * length.sum()) ** 2:
+        dx, dy, length = dx[chosen], dy[chosen], length[chosen]
+    cos = dx / length
+    x, y, total = cos @ dx, cos @ dy, length.sum()
+    if (2 * x - total) ** 2 + (2 * y) ** 2 < (0.8 * total) ** 2:
         # Not one axis alone: take the densest of 64 directions and its neighbours.
         bins = np.rint(moves.alpha[chosen] * (BINS / np.pi)).astype(np.int64) & (BINS - 1)
         weight = np.bincount(bins, weights=length, minlength=BINS)
         around = np.roll(weight, 1) + np.roll(weight, -1)
         peak = int(np.argmax(weight + 0.5 * around))
         near = np.isin(np.arange(BINS), (np.array([-1, 0, 1]) + peak) % BINS)[bins]
-        x, y = cos2[near].sum(), sin2[near].sum()
-    axis = 0.5 * np.arctan2(y, x)
+        x, y, total = cos[near] @ dx[near], cos[near] @ dy[near], length[near].sum()
+    axis = axis_of(x, y, total)
     u, v = np.cos(axis), np.sin(axis)
     along = dx * u
     along += dy * v
-    aligned = np.abs(along) >= np.cos(ALIGNED) * length
-    on, forward, length = chosen[aligned], along[aligned] > 0, length[aligned]
+    aligned = np.flatnonzero(np.abs(along) >= np.cos(ALIGNED) * length)
+    on, forward, length = chosen.take(aligned), along.take(aligned) > 0, length.take(aligned)
     if not len(on):
         return None
     area = (

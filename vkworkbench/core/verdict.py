@@ -85,7 +85,9 @@ class Section:
         length = float(p.length[rowlike].sum())
         self.rows: list[Rows] = []
         if length > 0.1 * self.length:  # less are the links between loops
-            chosen = np.flatnonzero(np.repeat(rowlike, p.end - p.start))
+            chosen = np.arange(len(self.moves))
+            if not rowlike.all():
+                chosen = np.flatnonzero(np.repeat(rowlike, p.end - p.start))
             self.rows = self._fill(find_rows(self.moves, chosen), length)
         self.ring_pieces = np.zeros(len(p), bool)
         self.ring_pieces[r.index] = True
@@ -135,7 +137,7 @@ def _absorb(p: Pieces) -> np.ndarray:
     """
     kind = p.kind.copy()
     zigzag = np.flatnonzero(kind == ZIGZAG)
-    if not len(zigzag):
+    if not len(zigzag) or not (kind == LOOP).any():
         return kind
     around = np.full((int(p.area[-1]) + 1, 4), np.nan)
     around[p.area[zigzag]] = p.box[zigzag]
