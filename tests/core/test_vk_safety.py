@@ -71,12 +71,12 @@ PLAIN = ["1+1", "a=b", "", "'=1", "x-y", "e@mail", "a\n=b", "Ж"]
 def test_cells_that_begin_like_a_formula_become_text(text, tmp_path):
     class Row:
         def as_dict(self):
-            return {"label": text, "length": -1.5, "cautions": [text], "spans": []}
+            return {"label": text, "length": -1.5, "cautions": [text], "machining_notes": [text], "spans": []}
 
     Report((Row(),), {}, {}).to_csv(tmp_path / "r.csv")
     with open(tmp_path / "r.csv", newline="", encoding="utf-8") as file:
         (row,) = csv.DictReader(file)
-    for cell in (row["label"], row["cautions"]):
+    for cell in (row["label"], row["cautions"], row["machining_notes"]):
         assert cell == ("'" + text if text in FORMULAS else text)
     assert float(row["length"]) == -1.5  # a number is no text
 

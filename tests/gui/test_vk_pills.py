@@ -2,6 +2,7 @@
 """Pills in the tree: what they show and tell, in light and dark windows, what F2 edits, and how fast they come."""
 
 import time
+from statistics import median
 
 import FreeCAD
 import FreeCADGui as Gui
@@ -12,6 +13,7 @@ import vkworkbench
 from vkworkbench.core import Strategy
 from vkworkbench.document import marks
 from vkworkbench.gui import colors, pills
+
 
 @pytest.fixture
 def marked(opened, window):
@@ -252,16 +254,17 @@ def test_two_hundred_marks_appear_at_once(opened, window):
         opened.openTransaction("Data")
         for obj in job.Operations.Group:
             for name in marks._PROPERTIES:
-                obj.addProperty("App::PropertyString", f"{name}{len(alone)}", "Test", "", 9)
-                setattr(obj, f"{name}{len(alone)}", "value")
+                obj.addProperty("App::PropertyString", f"{name}Alone", "Test", "", 9)
+                setattr(obj, f"{name}Alone", "value")
         opened.commitTransaction()
 
     alone, taken = [], []
-    for _ in range(5):
+    for _ in range(7):  # in turns, so that a slow moment meets both
         vkworkbench.clear(opened)
-        window.idle(0.5)
+        window.idle(0.3)
         taken.append(seconds(lambda: commands.mark(report)))
-    for _ in range(5):
         alone.append(seconds(write_data))
-    print(f"200 marks in {min(taken) * 1e3:.0f} ms, their data alone in {min(alone) * 1e3:.0f} ms")
-    assert min(taken) < 2.5 * min(alone)
+        opened.undo()
+    alone, taken = median(alone), median(taken)
+    print(f"200 marks in {taken * 1e3:.0f} ms, their data alone in {alone * 1e3:.0f} ms")
+    assert taken < 2.5 * alone

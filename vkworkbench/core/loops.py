@@ -56,7 +56,8 @@ def _vertices(moves: Moves, winds: np.ndarray) -> tuple[np.ndarray, np.ndarray, 
     """
     end = np.append(moves.start[1:], len(moves))
     size = end - moves.start
-    begun, end = np.flatnonzero(np.repeat(winds, size)), end[winds]
+    begun = np.arange(len(moves)) if winds.all() else np.flatnonzero(np.repeat(winds, size))
+    end = end[winds]
     area = np.zeros(0, np.uint32)
     if len(end) > 1:
         area = np.arange(len(end), dtype=np.uint32)

@@ -21,7 +21,7 @@ _SMALLEST_STEP, _LARGEST_STEP = np.pi / 90, np.pi / 2
 # Renders of a motion in one frame: four passes of two stencil steps, one of colour (MillSimulation.cpp).
 _PASSES = 9
 # It waits for every second refresh of a 60 Hz screen.
-_SHORTEST_FRAME = 1 / 30
+SHORTEST_FRAME = 1 / 30
 # Parts of an operation whose frames are looked at where others were played before.
 _PARTS = 32
 
@@ -157,7 +157,7 @@ def opengl_cost(
     # Mean frame of every motion: a line is drawn whole at once, an arc grows chord by chord.
     before = np.cumsum(draws) - draws
     mean_draws = before + np.where(arc, draws / 2, draws)
-    frames = np.maximum(constants.frame + constants.draw * mean_draws, _SHORTEST_FRAME)
+    frames = np.maximum(constants.frame + constants.draw * mean_draws, SHORTEST_FRAME)
     total = float((steps * frames).sum())
     return OpenGLCost(
         frame_seconds=constants.frame + constants.draw * float(draws.sum()),
@@ -189,7 +189,7 @@ def opengl_together(costs: Sequence[OpenGLCost]) -> OpenGLCost:
     before, longer = 0, 0.0
     for cost in costs:
         alone = constants.frame + constants.draw * cost.draws * part
-        added = np.maximum(alone + constants.draw * before, _SHORTEST_FRAME) - np.maximum(alone, _SHORTEST_FRAME)
+        added = np.maximum(alone + constants.draw * before, SHORTEST_FRAME) - np.maximum(alone, SHORTEST_FRAME)
         longer += cost.steps * float(added.mean())
         before += cost.draws
     return OpenGLCost(

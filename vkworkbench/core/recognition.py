@@ -111,8 +111,8 @@ def recognize(toolpath: Toolpath, *, tool_diameter: float | None = None) -> Reco
     Recognition
         With Strategy.EMPTY where nothing cuts. No toolpath raises.
     """
-    cutting = np.flatnonzero(~toolpath.rapid)
-    if not len(cutting):
+    rapid = toolpath.rapid
+    if rapid.all():
         return Recognition(
             Strategy.EMPTY,
             1.0,
@@ -122,11 +122,12 @@ def recognize(toolpath: Toolpath, *, tool_diameter: float | None = None) -> Reco
         )
     tool = float(tool_diameter) if tool_diameter and np.isfinite(tool_diameter) and tool_diameter > 0 else 0.0
     moves = monotonous_areas(toolpath)
-    whole = _judge_one(toolpath, moves, int(cutting[0]), int(cutting[-1]), tool)
+    first, last = int(np.argmin(rapid)), len(rapid) - 1 - int(np.argmin(rapid[::-1]))
+    whole = _judge_one(toolpath, moves, first, last, tool)
     borders = _borders(toolpath, moves)
     if not 0 < len(borders) <= MANY_SECTIONS:
         return whole
-    return _judge_sections(toolpath, cutting, borders, whole, tool)
+    return _judge_sections(toolpath, borders, whole, tool)
 
 
 def _judge_one(toolpath: Toolpath, moves: Moves, first: int, last: int, tool: float) -> Recognition:
@@ -194,9 +195,10 @@ def _sculptured(moves: Moves) -> bool:
     return count_levels(moves.z[:: len(moves) // 1000 + 1]) > 10
 
 
-def _judge_sections(toolpath, cutting, borders, whole: Recognition, tool: float) -> Recognition:
+def _judge_sections(toolpath, borders, whole: Recognition, tool: float) -> Recognition:
     """Recognise the sections between the borders; mixed where they differ as much as their borders ask."""
     found, certain = [], []
+    cutting = np.flatnonzero(~toolpath.rapid)
     at = sorted(borders)
     for a, b in zip([0, *at], [*at, len(toolpath)]):
         inside = cutting[np.searchsorted(cutting, a) : np.searchsorted(cutting, b)]

@@ -142,46 +142,34 @@ def simulate(toolpath: Toolpath, *, tool: Tool, stock: Stock | ConvexStock, view
     """
     frame = view.frame(stock)
     removal = Removal(toolpath, tool, stock, frame)
-    parts = []
-    pending = [
-        (c, r, min(c + _TILE, frame.width), min(r + _TILE, frame.height))
-        for r in range(0, frame.height, _TILE)
-        for c in range(0, frame.width, _TILE)
-    ]
+    dexels, traces, cut_pixels = [], [], []
+    # Tiles are quarters of quarters, so that a trajectory is looked for only where it passes.
+    side = _TILE << max(0, (max(frame.width, frame.height) - 1) // _TILE).bit_length()
+    pending = [(0, 0, side, np.arange(len(removal.index)))]
     while pending:
-        tile = pending.pop()
-        selection = _trajectories_in(removal, tile)
-        columns, rows = tile[2] - tile[0], tile[3] - tile[1]
-        if len(selection) * columns * rows > _PAIRS and columns * rows > _BLOCK**2:
-            pending += _quarters(*tile)
+        left, bottom, side, selection = pending.pop()
+        right, top = min(left + side, frame.width), min(bottom + side, frame.height)
+        x, y = frame.pixel_centres(np.array([left, right - 1]), np.array([bottom, top - 1]))
+        selection = removal.meeting(x[:1], x[1:], y[:1], y[1:], selection)[1]
+        if side > _TILE or (side > _BLOCK and len(selection) * (right - left) * (top - bottom) > _PAIRS):
+            pending += [
+                (c, r, side // 2, selection)
+                for c in (left, left + side // 2)
+                for r in (bottom, bottom + side // 2)
+                if c < right and r < top
+            ]
             continue
-        column, row = _blockwise(*tile)
+        column, row = _blockwise(left, bottom, right, top)
         pieces = removal.cut(*frame.pixel_centres(column, row), selection)
-        parts.append(Pieces((row * frame.width + column)[pieces.ray], pieces.owner, pieces.near, pieces.far))
-    return _zbuffer(
-        frame,
-        len(toolpath),
-        Pieces(
-            *(np.concatenate([getattr(p, name) for p in parts]) for name in ("ray", "owner", "near", "far"))
-        ),
-        removal.candidates,
-    )
-
-
-def _trajectories_in(removal: Removal, tile: tuple[int, int, int, int]) -> np.ndarray:
-    x, y = removal.frame.pixel_centres(np.array([tile[0], tile[2] - 1]), np.array([tile[1], tile[3] - 1]))
-    return removal.meeting(x[:1], x[1:], y[:1], y[1:])[1]
-
-
-def _quarters(left: int, bottom: int, right: int, top: int) -> list[tuple[int, int, int, int]]:
-    middle, centre = max(left + 1, (left + right) // 2), max(bottom + 1, (bottom + top) // 2)
-    quarters = [
-        (left, bottom, middle, centre),
-        (middle, bottom, right, centre),
-        (left, centre, middle, top),
-        (middle, centre, right, top),
-    ]
-    return [q for q in quarters if q[0] < q[2] and q[1] < q[3]]
+        pixel = (row * frame.width + column)[pieces.ray]
+        pieces = Pieces(pixel, pieces.owner, pieces.near, pieces.far)
+        dexels.append(_dexels(pieces))
+        traces.append(_traces(pieces))
+        cut_pixels.append(pixel[pieces.owner != UNCUT])
+    image = frame.width * frame.height
+    part, _ = _by_pixel(dexels, [d["pixel"] for d in dexels], image)
+    chips, index = _by_pixel(traces, cut_pixels, image)
+    return ZBuffer(frame, len(toolpath), len(toolpath), part, chips, index, removal.candidates)
 
 
 def _blockwise(left: int, bottom: int, right: int, top: int) -> tuple[np.ndarray, np.ndarray]:
@@ -191,15 +179,30 @@ def _blockwise(left: int, bottom: int, right: int, top: int) -> tuple[np.ndarray
     return column[order], row[order]
 
 
-def _zbuffer(frame: Frame, trajectories: int, pieces: Pieces, candidates: int) -> ZBuffer:
-    order = np.lexsort((pieces.near, pieces.ray))
-    pieces = Pieces(pieces.ray[order], pieces.owner[order], pieces.near[order], pieces.far[order])
+def _by_pixel(records: list[np.ndarray], pixels: list[np.ndarray], image: int) -> tuple[np.ndarray, np.ndarray]:
+    """Put the tiles' records in the order of their pixels; also the first record of each pixel.
+
+    A pixel's records follow each other within their tile, so nothing has to be sorted.
+    """
+    index = np.zeros(image + 1, INDEX)
+    runs = []
+    for pixel in pixels:
+        start = np.flatnonzero(np.diff(pixel, prepend=-1))
+        length = np.diff(start, append=len(pixel))
+        index[pixel[start] + 1] = length
+        runs.append((start, length))
+    np.cumsum(index, out=index)
+    ordered = np.empty(index[-1], records[0].dtype)
+    for part, pixel, (start, length) in zip(records, pixels, runs):
+        ordered[np.repeat(index[pixel[start]] - start, length) + np.arange(len(pixel))] = part
+    return ordered, index
+
+
+def _traces(pieces: Pieces) -> np.ndarray:
     cut = pieces.owner != UNCUT
     traces = np.empty(np.count_nonzero(cut), TRACE)
     traces["near"], traces["far"], traces["trajectory"] = pieces.near[cut], pieces.far[cut], pieces.owner[cut]
-    index = np.zeros(frame.width * frame.height + 1, INDEX)
-    index[1:] = np.cumsum(np.bincount(pieces.ray[cut], minlength=frame.width * frame.height))
-    return ZBuffer(frame, trajectories, trajectories, _dexels(pieces), traces, index, candidates)
+    return traces
 
 
 def _dexels(pieces: Pieces) -> np.ndarray:

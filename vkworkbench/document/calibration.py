@@ -24,6 +24,7 @@ from PathSimulator import PathSim
 from vkworkbench.core.legacy import LegacyCost, legacy_work
 from vkworkbench.core.linearize import linearize
 from vkworkbench.core.motions import motions
+from vkworkbench.core.opengl import SHORTEST_FRAME, OpenGLCost
 from vkworkbench.core.simulators import DEFAULTS, Constants
 from vkworkbench.core.solids import Stock
 
@@ -34,11 +35,13 @@ _SOFTWARE_FRAME, _SOFTWARE_DRAW = 35e-3, 25e-6
 _COLD_CACHE = 1.5
 # With measured constants the true number is within this factor (benchmarks/simulators.py).
 _CALIBRATED_FACTOR = 1.3
-# What real runs teach: long fast-forwards the tick, short ones the start, plays the display.
-_LEARNED = ("start", "tick", "redraw")
+# What real runs teach: long fast-forwards the tick, short ones the start, plays the display, OpenGL a draw call.
+_LEARNED = ("start", "tick", "redraw", "draw")
 _LONG = 500  # commands
 _SHORTEST_PLAY = 20  # commands
 _LAST_RUNS = 9
+# Faster frames may have waited for the screen.
+_SLOW_FRAME = 1.5 * SHORTEST_FRAME
 # What the benchmark cuts.
 _STOCK = Stock((0, 0, 0), (100, 60, 20))
 _BOX = Part.makeBox(100, 60, 20)
@@ -57,7 +60,7 @@ class Calibration:
     freecad, processor, renderer : str
         What it holds for.
     runs : dict of str to tuple of float
-        What the last real runs said of the constants "start", "tick" and "redraw", s.
+        What the last real runs said of the constants "start", "tick", "redraw" and "draw", s.
     """
 
     constants: Constants
@@ -183,16 +186,44 @@ def learn(cost: LegacyCost, seconds: float, *, played: bool, renderer: str = "")
         name, count = "redraw", cost.shown
     else:
         name, count = ("tick", cost.commands) if cost.commands >= _LONG else ("start", 1)
-    value = getattr(known.constants, name) + (seconds - predicted) / count
+    return _learn(known, name, getattr(known.constants, name) + (seconds - predicted) / count)
+
+
+def learn_frame(cost: OpenGLCost, seconds: float, *, renderer: str) -> Calibration | None:
+    """Learn what a draw call takes from the last frames of an OpenGL simulation that the user ran.
+
+    Parameters
+    ----------
+    cost : OpenGLCost
+        What was predicted with :func:`constants` for what was run.
+    seconds : float
+        What a frame with all of it took.
+    renderer : str
+        OpenGL's name of its renderer.
+
+    Returns
+    -------
+    Calibration or None
+        The new calibration; None where the run teaches nothing: not calibrated yet, or a frame so short that it
+        may have waited for the screen.
+    """
+    known = load(renderer)
+    if known is None or seconds < _SLOW_FRAME:
+        return None
+    return _learn(known, "draw", (seconds - known.constants.frame) / cost.draws)
+
+
+def _learn(known: Calibration, name: str, value: float) -> Calibration | None:
     if not value > 0:
         return None
-    runs = known.runs | {name: (*known.runs.get(name, ()), value)[-_LAST_RUNS:]}
-    return _remember(replace(known, runs=runs))
+    return _remember(replace(known, runs=known.runs | {name: (*known.runs.get(name, ()), value)[-_LAST_RUNS:]}))
 
 
 def _remember(calibration: Calibration) -> Calibration:
     """Apply what runs taught, write the calibration to the file, and return it."""
     learned = {name: median_low(values) for name, values in calibration.runs.items() if values}
+    if "draw" in learned:
+        learned["opengl_factor"] = _CALIBRATED_FACTOR
     calibration = replace(calibration, constants=replace(calibration.constants, **learned))
     records = _records()
     records[_key(calibration.renderer)] = asdict(calibration)

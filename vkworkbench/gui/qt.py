@@ -10,16 +10,16 @@ from PySide.QtCore import (
 )  # fmt: skip
 from PySide.QtGui import (
     QAbstractItemView, QApplication, QColor, QComboBox, QDockWidget, QFileDialog, QFont, QHBoxLayout,
-    QHeaderView, QLabel, QMessageBox, QOffscreenSurface, QOpenGLContext, QPainter, QPalette, QPen,
-    QProgressDialog, QPushButton, QSlider, QSpinBox, QStyle, QStyleOptionViewItem, QStyledItemDelegate,
-    QTableView, QToolTip, QTreeView, QVBoxLayout, QWidget,
+    QHeaderView, QLabel, QListWidget, QMessageBox, QOffscreenSurface, QOpenGLContext, QPainter, QPalette, QPen,
+    QProgressBar, QProgressDialog, QPushButton, QSlider, QSpinBox, QStyle, QStyleOptionViewItem, QStyledItemDelegate,
+    QTableView, QToolButton, QToolTip, QTreeView, QVBoxLayout, QWidget,
 )  # fmt: skip
 
 __all__ = [
     "QAbstractItemView", "QAbstractTableModel", "QApplication", "QColor", "QComboBox", "QDate",
     "QDockWidget", "QEvent", "QEventLoop", "QFileDialog", "QFont", "QHBoxLayout", "QHeaderView", "QItemSelectionModel",
-    "QLabel", "QLocale", "QMessageBox", "QModelIndex", "QObject", "QOffscreenSurface", "QOpenGLContext",
-    "QPainter", "QPalette", "QPen", "QProgressDialog", "QPushButton", "QRectF", "QSlider",
+    "QLabel", "QListWidget", "QLocale", "QMessageBox", "QModelIndex", "QObject", "QOffscreenSurface", "QOpenGLContext",
+    "QPainter", "QPalette", "QPen", "QProgressBar", "QProgressDialog", "QPushButton", "QRectF", "QSlider",
     "QSortFilterProxyModel", "QSpinBox", "QStyle", "QStyleOptionViewItem", "QStyledItemDelegate",
-    "QTableView", "QTimer", "QToolTip", "QTreeView", "QVBoxLayout", "QWidget", "Qt",
+    "QTableView", "QTimer", "QToolButton", "QToolTip", "QTreeView", "QVBoxLayout", "QWidget", "Qt",
 ]  # fmt: skip

@@ -10,7 +10,7 @@ import FreeCAD
 import FreeCADGui as Gui
 
 from vkworkbench.gui import preferences_page
-from vkworkbench.gui.qt import QTimer
+from vkworkbench.gui.qt import QApplication, QTimer
 from vkworkbench.gui.text import QT_TRANSLATE_NOOP, translate
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -56,6 +56,8 @@ def install() -> None:
         if workbench is not None:
             _extend(workbench, menu)
     FreeCAD.addDocumentObserver(_OpenedDocuments())
+    FreeCAD.addDocumentObserver(_Simulations())
+    QApplication.instance().focusWindowChanged.connect(_focus_changed)
 
 
 def _extend(workbench, menu: str) -> None:
@@ -112,6 +114,24 @@ class _OpenedDocuments:
             pills.show()
             watcher.watch()
             watcher.check(document)
+
+
+class _Simulations:
+    """Sees when the user opens the legacy simulator: it puts the part it cuts into the document."""
+
+    def slotCreatedObject(self, obj) -> None:
+        if obj.Name.startswith("CutMaterial"):
+            from vkworkbench.gui import real_runs
+
+            real_runs.watch_legacy()
+
+
+def _focus_changed(window) -> None:
+    """See when the user opens the OpenGL simulator, a window of its own."""
+    if window is not None and "CAMSim" in window.metaObject().className():
+        from vkworkbench.gui import real_runs
+
+        real_runs.watch_opengl(window)
 
 
 def _load_commands() -> None:

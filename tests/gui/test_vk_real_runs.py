@@ -1,0 +1,116 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Simulations that the user runs teach the calibration how long they take."""
+
+import FreeCADGui as Gui
+import pytest
+from PySide import QtCore, QtGui
+
+from vkworkbench import preferences
+from vkworkbench.document import calibration
+
+OLD = calibration.freecad_version() < (1, 0, 0)
+
+
+@pytest.fixture
+def calibrated(opened, window):
+    """The example job after a first analysis, in FreeCAD's own workbench."""
+    window.click("Analyze toolpaths")
+    window.wait(lambda: opened.getObject("Job").Label2)
+    window.dismiss()
+    window.activate("PathWorkbench" if OLD else "CAMWorkbench")
+    yield opened
+    if Gui.Control.activeDialog():
+        Gui.Control.closeDialog()
+
+
+def runs():
+    return calibration.load(preferences.read().renderer).runs
+
+
+def simulator(window, command, label):
+    """Open a simulator's panel with one operation ticked; return a function that finds its parts by name."""
+    Gui.runCommand(command)
+    panel = None
+
+    def opened():
+        nonlocal panel
+        lists = [w for w in window.main.findChildren(QtGui.QListWidget, "listOperations") if w.isVisible()]
+        panel = lists[0].parent() if lists else None
+        while panel is not None and panel.findChild(QtGui.QSlider, "sliderAccuracy") is None:
+            panel = panel.parent()
+        return panel is not None
+
+    window.wait(opened)
+    listed = panel.findChild(QtGui.QListWidget, "listOperations")
+    for row in range(listed.count()):
+        ticked = QtCore.Qt.Checked if listed.item(row).text() == label else QtCore.Qt.Unchecked
+        listed.item(row).setCheckState(ticked)
+    return lambda name: panel.findChild(QtGui.QToolButton, name)
+
+
+def test_the_first_analysis_calibrates(calibrated):
+    known = calibration.load(preferences.read().renderer)
+    assert preferences.read().renderer and known.constants.legacy_factor < 2
+
+
+def test_runs_of_the_legacy_simulator_teach(calibrated, window):
+    before = {name: len(values) for name, values in runs().items()}
+    button = simulator(window, "Path_Simulator" if OLD else "CAM_Simulator", "Bore")
+    for name, taught in (("toolButtonFF", "start"), ("toolButtonPlay", "redraw")):
+        window.click_on(button(name))
+        assert not button(name).isEnabled()
+        window.wait(lambda: button(name).isEnabled(), 120)
+        window.wait(lambda: len(runs().get(taught, ())) == before.get(taught, 0) + 1)
+    value = runs()["redraw"][-1]
+    assert 0 < value < 1 and calibration.constants(preferences.read().renderer).redraw > 0
+
+
+def test_a_run_that_was_paused_teaches_nothing(calibrated, window):
+    before = runs()
+    button = simulator(window, "Path_Simulator" if OLD else "CAM_Simulator", "Bore")
+    window.click_on(button("toolButtonPlay"))
+    window.idle(1.0)
+    window.click_on(button("toolButtonPause"))
+    window.idle(0.3)
+    window.click_on(button("toolButtonFF"))
+    window.wait(lambda: button("toolButtonFF").isEnabled(), 60)
+    window.idle(0.5)
+    assert runs() == before
+
+
+@pytest.mark.skipif(OLD, reason="FreeCAD 0.20 has no OpenGL simulator")
+def test_a_run_of_the_opengl_simulator_teaches(calibrated, window):
+    before = len(runs().get("draw", ()))
+    button = simulator(window, "CAM_SimulatorGL", "Pocket around island")
+    window.click_on(button("toolButtonPlay"))
+
+    def shown():
+        return [w for w in QtGui.QGuiApplication.allWindows() if "CAMSim" in w.metaObject().className()]
+
+    window.wait(shown)
+    (simulation,) = shown()
+    simulation.requestActivate()
+    window.idle(2)
+    new = calibration.freecad_version() >= (1, 1, 0)
+    speeds = 4 if new else 2
+    for where in ([(172, -36)] if new else [(136, -34)]) * speeds + ([(42, -36)] if new else [(52, -34)]):
+        click(simulation, *where)
+        window.idle(0.3)
+    window.idle(25)
+    simulation.close()
+    window.wait(lambda: len(runs().get("draw", ())) == before + 1)
+    known = calibration.load(preferences.read().renderer).constants
+    assert 0 < known.draw < 1e-3 and known.opengl_factor < 2
+
+
+def click(simulation, x, y):
+    """Click in the simulator's window with the left button, y from below."""
+    where = QtCore.QPointF(x, simulation.height() + y)
+    none, left = QtCore.Qt.NoButton, QtCore.Qt.LeftButton
+    for kind, button, buttons in (
+        (QtCore.QEvent.MouseMove, none, none),
+        (QtCore.QEvent.MouseButtonPress, left, left),
+        (QtCore.QEvent.MouseButtonRelease, left, none),
+    ):
+        event = QtGui.QMouseEvent(kind, where, where, button, buttons, QtCore.Qt.NoModifier)
+        QtCore.QCoreApplication.sendEvent(simulation, event)

@@ -1,0 +1,154 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Learns from the simulations that the user runs how long FreeCAD's simulators take on this computer.
+
+It looks at the simulators' own widgets and windows and slows nothing down: what it notes are times, and it computes
+when a run is over.
+"""
+
+from __future__ import annotations
+
+import time
+from contextlib import suppress
+from statistics import median
+
+import FreeCAD
+import FreeCADGui as Gui
+
+from vkworkbench.core import linearize
+from vkworkbench.core.legacy import SLIDER, legacy_costs, legacy_together
+from vkworkbench.core.opengl import opengl_cost, opengl_together
+from vkworkbench.core.simulators import opengl_speeds
+from vkworkbench.document import calibration
+from vkworkbench.document.operations import is_active
+from vkworkbench.document.setting import read_stock, read_tool
+from vkworkbench.gui.qt import (
+    QComboBox, QEvent, QListWidget, QObject, QProgressBar, QSlider, Qt, QTimer, QToolButton,
+)  # fmt: skip
+from vkworkbench.gui.renderer import note_renderer
+
+# Longer operations are not learned from: to predict them would be felt, s of work for a constant.
+_MOST_COMMANDS = 50_000
+# Frames at the end of an OpenGL simulation which, alike, show that all of it is drawn.
+_ALIKE, _LAST_FRAMES = 1.05, 10
+
+
+def watch_legacy() -> None:
+    """Learn from the legacy simulator's panel, which is open."""
+    for button in Gui.getMainWindow().findChildren(QToolButton, "toolButtonFF"):
+        if button.findChild(LegacyRuns) is None:
+            LegacyRuns(button)
+
+
+def watch_opengl(window) -> None:
+    """Learn from the OpenGL simulator's window."""
+    if window.findChild(OpenGLRun) is None:
+        OpenGLRun(window)
+
+
+class LegacyRuns(QObject):
+    """The runs of one legacy simulator's panel, each from the press of a button until all are free again."""
+
+    def __init__(self, fast_forward) -> None:
+        super().__init__(fast_forward)
+        self._panel = fast_forward.parent()
+        while self._panel.findChild(QSlider, "sliderAccuracy") is None:
+            self._panel = self._panel.parent()
+        self._begin = None
+        fast_forward.pressed.connect(lambda: self._pressed(False))
+        self._panel.findChild(QToolButton, "toolButtonPlay").pressed.connect(lambda: self._pressed(True))
+        fast_forward.installEventFilter(self)
+
+    def _pressed(self, played: bool) -> None:
+        whole = self._done() in (0, 100)  # not the rest of one that was paused
+        self._begin = (time.perf_counter(), played, self._sliders()) if whole else None
+
+    def eventFilter(self, button, event) -> bool:
+        if event.type() == QEvent.EnabledChange and button.isEnabled() and self._begin and self._done() == 100:
+            # FreeCAD makes and shows the last mesh yet.
+            QTimer.singleShot(0, lambda: QTimer.singleShot(0, self._ended))
+        return False
+
+    def _ended(self) -> None:
+        (begin, played, sliders), self._begin = self._begin, None
+        seconds = time.perf_counter() - begin
+        if sliders != self._sliders():
+            return
+        position, speed = sliders
+        renderer = note_renderer()
+        costs = [
+            legacy_costs(toolpath, tool=tool, stock=stock, accuracies=(SLIDER[position - 1],), speed=speed,
+                         constants=calibration.constants(renderer))[0]
+            for toolpath, tool, stock in _simulated(self._panel)
+        ]  # fmt: skip
+        if costs:
+            with suppress(OSError):
+                calibration.learn(legacy_together(costs), seconds, played=played, renderer=renderer)
+
+    def _done(self) -> int:
+        """Percent of the run."""
+        return self._panel.findChild(QProgressBar, "progressBar").value()
+
+    def _sliders(self) -> tuple[int, int]:
+        return tuple(self._panel.findChild(QSlider, name).value() for name in ("sliderAccuracy", "sliderSpeed"))
+
+
+class OpenGLRun(QObject):
+    """One window of the OpenGL simulator: the times at which it draws, until it is closed."""
+
+    def __init__(self, window) -> None:
+        super().__init__(window)
+        self._simulated = [], 10
+        for button in Gui.getMainWindow().findChildren(QToolButton, "toolButtonPlay"):
+            panel = button.parent()
+            while panel is not None and panel.findChild(QListWidget, "listOperations") is None:
+                panel = panel.parent()
+            if panel is not None and panel.findChild(QToolButton, "toolButtonFF") is None:
+                quality = panel.findChild(QSlider, "sliderAccuracy").value()
+                self._simulated = list(_simulated(panel)), quality
+        self._times: list[float] = []
+        window.installEventFilter(self)
+
+    def eventFilter(self, window, event) -> bool:
+        if event.type() == QEvent.UpdateRequest:
+            self._times.append(time.perf_counter())
+        elif event.type() == QEvent.Close:
+            self._closed()
+        return False
+
+    def _closed(self) -> None:
+        (simulated, quality), times, self._times = self._simulated, self._times, []
+        frames = [after - before for before, after in zip(times, times[1:])]
+        last, before = frames[-_LAST_FRAMES:], frames[-2 * _LAST_FRAMES : -_LAST_FRAMES]
+        if not simulated or len(before) < _LAST_FRAMES:
+            return
+        renderer = note_renderer()
+        speeds = opengl_speeds(calibration.freecad_version())
+        cost = opengl_together([
+            opengl_cost(toolpath, diameter=tool.diameter, speeds=speeds, quality=quality,
+                        constants=calibration.constants(renderer))
+            for toolpath, tool, _ in simulated
+        ])  # fmt: skip
+        alike = max(median(last), median(before)) < _ALIKE * min(median(last), median(before))
+        if alike and len(frames) >= cost.steps / max(speeds):
+            with suppress(OSError):
+                calibration.learn_frame(cost, median(last), renderer=renderer)
+
+
+def _simulated(panel):
+    """Toolpath, tool and stock of the operations that are ticked in a simulator's panel."""
+    jobs = FreeCAD.ActiveDocument.findObjects("Path::FeaturePython", "Job.*")
+    job = jobs[panel.findChild(QComboBox, "comboJobs").currentIndex()]
+    operations = [obj for obj in job.Operations.OutList if is_active(obj)]
+    listed = panel.findChild(QListWidget, "listOperations")
+    if len(operations) != listed.count():
+        return
+    ticked = [obj for row, obj in enumerate(operations) if listed.item(row).checkState() == Qt.Checked]
+    if sum(obj.Path.Size for obj in ticked) > _MOST_COMMANDS:
+        return
+    try:
+        stock = read_stock(job)
+        found = [(linearize(obj.Path.Commands), read_tool(obj), stock) for obj in ticked]
+    except ValueError:  # the simulator says what is wrong
+        return
+    yield from found
+
