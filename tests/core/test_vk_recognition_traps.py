@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 import math
 
 import numpy as np
@@ -220,3 +221,66 @@ def test_a_spiral_descending_around_a_rectangle_is_a_profile():
         x, y = corners[k % 4]
         program.append(("G1", {"X": x, "Y": y, "Z": -0.25 * k}))
     assert strategy(program) is Strategy.PROFILE
+
+
+def squares(halves, *, about=(0.0, 0.0), ccw=True, depths=(-1.0,)):
+    """Commands of squares around a point, each its own cut, at every depth."""
+    (x, y), program = about, []
+    corners = [(1, 1), (-1, 1), (-1, -1), (1, -1), (1, 1)]
+    for z in depths:
+        for k, half in enumerate(halves):
+            sign = 1 if ccw or k % 2 else -1
+            at = [{"X": x + half * u, "Y": y + sign * half * v} for u, v in corners]
+            program += [("G0", at[0]), ("G1", {"Z": z}), *[("G1", a) for a in at[1:]], ("G0", {"Z": 5.0})]
+    return [START[0], *program]
+
+
+@pytest.mark.parametrize("ccw", [True, False])
+@pytest.mark.parametrize("tool", [None, 10.0])
+def test_two_contours_that_come_again_at_every_depth_are_no_pocket(ccw, tool):
+    # A washer cut at three depths has as many equal steps from ring to ring as a pocket.
+    washer = squares([30, 12], ccw=ccw, depths=(-1, -2, -3))
+    assert strategy(washer, tool_diameter=tool) is Strategy.PROFILE
+    # Nor a zigzag where the tool is as wide as the washer.
+    assert strategy(squares([30, 12], ccw=False, depths=(-1, -2, -3)), tool_diameter=25.0) is not Strategy.ZIGZAG
+
+
+@pytest.mark.parametrize("angle", [0.0, 0.2, 0.5, 0.785])
+def test_the_step_of_offsets_does_not_depend_on_how_they_are_turned(angle):
+    # The sides of the boxes of turned squares move by up to sqrt(2) steps.
+    path = linearize(squares([3, 7, 11, 15, 19, 23]))
+    c, s = math.cos(angle), math.sin(angle)
+    points = path.points @ np.array([[c, s, 0], [-s, c, 0], [0, 0, 1]])
+    found = recognize(dataclasses.replace(path, points=points))
+    assert found.strategy is Strategy.CONTOUR_PARALLEL
+    assert found.stepover == pytest.approx(4.0)
+
+
+@pytest.mark.parametrize("degrees", [10, 20, 35, 60, 90])
+def test_two_fields_of_rows_at_any_angle_to_one_another(degrees):
+    # The axis of the sum of two fields lies between them, where no row is.
+    c, s = math.cos(math.radians(degrees)), math.sin(math.radians(degrees))
+    program = []
+    for turned in (False, True):
+        for k in range(16):
+            ends = [(0.0, 2.0 * k), (40.0, 2.0 * k)][:: 1 if k % 2 else -1]
+            if turned:
+                ends = [(100 + c * x - s * y, s * x + c * y) for x, y in ends]
+            (x, y), (far_x, far_y) = ends
+            program += [("G0", {"X": x, "Y": y}), ("G1", {"Z": -1.0}), ("G1", {"X": far_x, "Y": far_y}),
+                        ("G0", {"Z": 5.0})]  # fmt: skip
+    found = recognize(linearize([START[0], *program]))
+    assert found.strategy is Strategy.ZIGZAG
+    assert found.stepover == pytest.approx(2.0)
+
+
+def test_a_spiral_that_comes_again_at_other_depths_is_no_helix():
+    # Every turn comes again at the next depth, and each climbs and falls with the surface.
+    program = [START[0]]
+    for deep in (0.0, -1.0, -2.0):
+        for k in range(0, 36 * 8 + 1):
+            angle, r = k * math.pi / 18, 2 + k / 12
+            word = {"X": r * math.cos(angle), "Y": r * math.sin(angle), "Z": deep - 0.002 * r * r}
+            program.append(("G0" if k == 0 else "G1", word))
+        program.append(("G0", {"Z": 5.0}))
+    assert strategy(program) is Strategy.SPIRAL

@@ -27,14 +27,16 @@ class Rings:
     length : (k,) float
         mm.
     nested : array
-        Another ring of the same depth lies beside it: all four sides of its box are moved in, or out, the
-        least of them by no more than a tool cuts.
+        Another ring of the same depth lies beside it: all four sides of its box are moved in, or out, and
+        the distance between the two is no more than a tool cuts.
     opposite : array
         The next such ring turns the other way.
     deeper : array
         A ring of another shape lies over or under it.
     repeated : array
         The same ring comes again at another depth.
+    stacked : array
+        It comes again next, with no other pattern between, as the turns of a helix do.
     moved : array
         A ring of about its size lies shifted beside it: trochoids.
     crossing : array
@@ -64,6 +66,7 @@ class Rings:
     opposite: np.ndarray
     deeper: np.ndarray
     repeated: np.ndarray
+    stacked: np.ndarray
     moved: np.ndarray
     crossing: np.ndarray
     alone: np.ndarray
@@ -110,14 +113,14 @@ def relate_rings(pieces: Pieces, index: np.ndarray, tool: float) -> Rings:
     steps = []
     for lag in LAGS[: max(k - 1, 0)]:
         a, b = slice(None, -lag), slice(lag, None)
-        low, high, mean, least = inward(lag)
+        low, high, mean, step = inward(lag)
         larger, smaller = np.maximum(size[a], size[b]), np.minimum(size[a], size[b])
         level = np.abs(z[a] - z[b]) < LEVEL
         # Rings on a sculptured surface have no depth of their own: nearness in the plane decides.
         beside = level | ~flat[a] | ~flat[b]
         same_box = np.maximum(-low, high) < np.minimum(0.05 + 0.002 * larger, max(0.25 * limit, 0.05))
         same_area = np.abs(enclosed[a] - enclosed[b]) < 0.05 * np.maximum(enclosed[a], enclosed[b])
-        even = ~same_box & (least > 0.01) & (least <= limit)
+        even = ~same_box & (step > 0.01) & (step <= limit)
         # Passes of a lattice that wind by chance are seldom even; offsets of a concave contour are exactly.
         even &= ~(wavy[a] & wavy[b]) | (high - low <= 0.1 * np.abs(mean) + 0.02)
         straddling = ~same_box & (low < 0) & (high > 0)
@@ -131,15 +134,19 @@ def relate_rings(pieces: Pieces, index: np.ndarray, tool: float) -> Rings:
         }  # fmt: skip
         if lag == 1:
             # The loops of one pattern keep their shape; a boundary and an island between its offsets do not.
-            found["opposite"] = even & (high - low <= 0.3 * np.abs(mean) + 0.02) & (sense[a] != sense[b])
+            turns = even & (high - low <= 0.3 * np.abs(mean) + 0.02) & (sense[a] != sense[b])
+            # And it goes on to a third: an outline and the hole in it are cut in opposite senses, too.
+            onward = turns[1:] & turns[:-1] & (mean[1:] * mean[:-1] > 0)
+            found["opposite"] = np.append(onward, False) | np.append(False, onward)
         for name, flag in found.items():
             flags[name][a] |= flag
             flags[name][b] |= flag
-        steps.append(np.copysign(least, mean)[even & beside])
+        steps.append(np.copysign(step, mean)[even & beside])
         if flags["nested"].all():
             break
     levels = count_levels(z)
     again, distinct = _come_again(pieces, index) if levels > 1 else (np.zeros(k, bool), k)
+    flags["stacked"] = flags["repeated"].copy()
     flags["repeated"] |= again
     flags["deeper"] &= ~again
     related = flags["nested"] | flags["deeper"] | flags["repeated"] | flags["moved"] | flags["crossing"]
@@ -188,10 +195,11 @@ def _middle(values: np.ndarray, part: int = 2) -> float:
 
 def _inward(sides, enclosed, length, slack, lag: int) -> tuple[np.ndarray, ...]:
     """Return how far the sides of a ring's box lie inside those `lag` rings before: least, most, mean, and
-    how far the side moved that moved least, 0 where the rings are no offsets of one another.
+    the distance between the two rings, 0 where they are no offsets of one another.
 
-    All four sides of an offset's box move the same way, the least of them by about the step an offset of that
-    length needs for the difference in area (2 dA / (P1 + P2)); farther where a sharp corner touches the box.
+    Two parallel curves lie 2 dA / (P1 + P2) apart, by the difference in area and the lengths (Steiner's
+    formula), which does not depend on how they are turned. All four sides of an offset's box move the same
+    way, the least of them by about that much; farther where a sharp corner touches the box.
     The turns of windings (slack 2) are open and enclose only about what a loop (slack 1) does.
     """
     moved = sides[:, lag:] - sides[:, :-lag]
@@ -199,7 +207,7 @@ def _inward(sides, enclosed, length, slack, lag: int) -> tuple[np.ndarray, ...]:
     step = 2 * np.abs(enclosed[lag:] - enclosed[:-lag]) / (length[lag:] + length[:-lag])
     near, loose = np.minimum(np.abs(low), np.abs(high)), slack[lag:]
     fits = (near > 0.5 * step / loose - 0.02) & (near < 1.5 * step * loose + 0.02)
-    return low, high, mean, np.where((low * high > 0) & fits, near, 0.0)
+    return low, high, mean, np.where((low * high > 0) & fits, step, 0.0)
 
 
 def _reach(inward, size, z, flat, tool) -> tuple[float, np.ndarray, np.ndarray]:
@@ -207,30 +215,34 @@ def _reach(inward, size, z, flat, tool) -> tuple[float, np.ndarray, np.ndarray]:
     ring.
 
     A little over the tool's diameter: farther apart nothing between them is cut and they are two contours.
-    Where the tool is unknown, or at least four even steps say it is wrong, twice the usual step.
+    Where the tool is unknown, or at least four even steps say it is wrong, twice the usual step; but only
+    where three rings at least lie inside one another, because contours of one part, as a washer has, are no
+    pocket when one is inside the other, and come again at every depth.
     """
     steps = drops = np.zeros(0)
-    found = []
+    found, chained = [], False
     for lag in LAGS[: max(len(z) - 1, 0)]:
-        least = inward(lag)[3]
-        even = (least > 0.05) & (least <= 0.3 * np.maximum(size[lag:], size[:-lag]))
+        mean, step = inward(lag)[2:]
+        even = (step > 0.05) & (step <= 0.3 * np.maximum(size[lag:], size[:-lag]))
         drop = np.abs(z[lag:] - z[:-lag])
         if lag == 1:
-            steps, drops = least[even], drop[even]
+            steps, drops = step[even], drop[even]
+        signed = np.copysign(step, mean)
+        chain = even[lag:] & even[:-lag] & (np.abs(signed[lag:] - signed[:-lag]) < 0.3 * step[lag:])
         # A wall that slopes a little moves the loops of the next depth by less than any step.
-        found.append(least[even & ((drop < LEVEL) | ~flat[lag:] | ~flat[:-lag])])
-        if even.mean() > 0.8:
-            break  # one nest: the next ring is the neighbour
-    every = np.concatenate(found) if found else steps
+        found.append(step[even & ((drop < LEVEL) | ~flat[lag:] | ~flat[:-lag])])
+        if chain.any():
+            chained = True
+            break  # the next ring of the nest is this neighbour
+    every = np.concatenate(found) if any(map(len, found)) else steps
     if not len(every):
         return 1.2 * tool, steps, drops
     # Rings around islands interleave with those of the boundary; the smaller steps are between neighbours.
     usual = _middle(every, 4)
     regular = (np.abs(every - usual) < 0.3 * usual).mean()
-    if not tool and (len(every) < 3 or regular < 0.5 or usual > 0.2 * size.max()):
-        # Contours of one part, as a washer has, are no pocket because one is inside the other.
+    if not tool and (not chained or regular < 0.5 or usual > 0.2 * size.max()):
         return min(2 * usual, 0.05 * float(size.max())), steps, drops
-    if not tool or (len(steps) >= 4 and (np.abs(steps - usual) < 0.1 * usual).mean() > 0.6):
+    if not tool or (chained and len(steps) >= 4 and (np.abs(steps - usual) < 0.1 * usual).mean() > 0.6):
         return max(1.2 * tool, 2 * usual), steps, drops
     return 1.2 * tool, steps, drops
 

@@ -94,26 +94,31 @@ def weighted_median(values: np.ndarray, weights: np.ndarray) -> float:
     return float(values[order[np.searchsorted(reached, reached[-1] / 2)]])
 
 
+def _aligned(dx, dy, length, axis) -> tuple[np.ndarray, np.ndarray]:
+    """Return how far the moves go along an axis, mm, and which of them keep to it."""
+    along = dx * np.cos(axis)
+    along += dy * np.sin(axis)
+    return along, np.flatnonzero(np.abs(along) >= np.cos(ALIGNED) * length)
+
+
 def _densest(moves: Moves, chosen: np.ndarray) -> Rows | None:
     """Return the rows along the densest direction; None where no move keeps to it."""
     dx, dy, length = moves.dx, moves.dy, moves.length
     if len(chosen) < len(moves):
         dx, dy, length = dx[chosen], dy[chosen], length[chosen]
     cos = dx / length
-    x, y, total = cos @ dx, cos @ dy, length.sum()
-    if (2 * x - total) ** 2 + (2 * y) ** 2 < (0.8 * total) ** 2:
+    axis = axis_of(cos @ dx, cos @ dy, length.sum())
+    along, aligned = _aligned(dx, dy, length, axis)
+    if length.take(aligned).sum() < 0.8 * length.sum():
         # Not one axis alone: take the densest of 64 directions and its neighbours.
         bins = np.rint(moves.alpha[chosen] * (BINS / np.pi)).astype(np.int64) & (BINS - 1)
         weight = np.bincount(bins, weights=length, minlength=BINS)
         around = np.roll(weight, 1) + np.roll(weight, -1)
         peak = int(np.argmax(weight + 0.5 * around))
         near = np.isin(np.arange(BINS), (np.array([-1, 0, 1]) + peak) % BINS)[bins]
-        x, y, total = cos[near] @ dx[near], cos[near] @ dy[near], length[near].sum()
-    axis = axis_of(x, y, total)
+        axis = axis_of(cos[near] @ dx[near], cos[near] @ dy[near], length[near].sum())
+        along, aligned = _aligned(dx, dy, length, axis)
     u, v = np.cos(axis), np.sin(axis)
-    along = dx * u
-    along += dy * v
-    aligned = np.flatnonzero(np.abs(along) >= np.cos(ALIGNED) * length)
     on, forward, length = chosen.take(aligned), along.take(aligned) > 0, length.take(aligned)
     if not len(on):
         return None

@@ -190,7 +190,7 @@ def judge(s: Section) -> Verdict:
 
 def _judge_rings(s: Section, rings: float) -> Verdict:
     r = s.rings
-    helix = s.share(r.repeated & r.sloped & r.round)
+    helix = s.share(r.stacked & r.sloped & r.round)
     if helix > 0.5 * rings:
         return Verdict(Strategy.HELIX, helix / rings, len(r), "descending at a constant radius")
     opposite = s.share(r.opposite)
@@ -264,7 +264,8 @@ def _judge_strokes(s: Section) -> Verdict:
 def _inside(s: Section) -> float:
     """Share of the cutting length in open strokes inside the ring cut before or after them, at its depth.
 
-    Only strokes that come back beside themselves count: a single one leads in or out.
+    Only strokes that come back beside themselves count: a single one leads in or out, and one that encloses
+    as much for its length as the ring goes around itself.
     """
     p, k, ring = s.pieces, s.strokes.index, s.rings.index
     k = k[p.passes[k] > 1]
@@ -272,10 +273,12 @@ def _inside(s: Section) -> float:
         return 0.0
     after = np.clip(np.searchsorted(ring, k), 0, len(ring) - 1)
     inside = np.zeros(len(k), bool)
+    width = np.abs(p.enclosed) / p.length
     for beside in (ring[after], ring[np.maximum(after - 1, 0)]):
         box = p.box[beside]
         within = (p.box[k, :2] >= box[:, :2] - 0.02).all(axis=1) & (p.box[k, 2:] <= box[:, 2:] + 0.02).all(
             axis=1
         )
-        inside |= within & (np.abs(p.z[k] - p.z[beside]) < 0.02)
+        filling = width[k] < 0.75 * width[beside]
+        inside |= within & filling & (np.abs(p.z[k] - p.z[beside]) < 0.02)
     return float(p.length[k[inside]].sum()) / s.length
