@@ -43,6 +43,10 @@
         <source>Of the path, tool and stock analysed</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>The true time is between the estimated one divided and multiplied by this</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Pills</name>
@@ -68,6 +72,14 @@
     </message>
     <message>
         <source>Simulating it takes {time} and {memory} ({simulator})</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>about </source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{} to {}</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -433,11 +445,43 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>no resolution helps, the trajectories alone take {fixed} s: simulate fewer operations</source>
+        <source>the cost is that of a box around its cuts</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>the heaviest takes {time} s</source>
+        <source>it does not touch the stock: check its depths, its placement and the stock</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{length} mm of cutting in {count} move without a feed rate are not in the time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{length} mm of cutting in {count} moves without a feed rate are not in the time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{length} mm of rapids are not in the time because the tool controller&apos;s {name} is 0</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{length} mm of rapids are not in the time because the tool controller&apos;s {name} and {other} are 0</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no resolution helps, the trajectories alone take {time}: simulate fewer operations</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the heaviest is {label} with {time}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>position {position} of {positions}, cells of {cell} mm, plays in {time}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no accuracy helps, playing takes {longer} even at the coarsest: use fast-forward, about {time} at the finest</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -979,6 +1023,48 @@ image</source>
     </message>
     <message>
         <source>none</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Recommended accuracy: {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Machining: {cut} of cutting, {rapid} of rapids</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>, {depth} deep</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Machining
+time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Time on the machine at the programmed feeds; rapids where the tool controller says their speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Recommended
+accuracy</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The finest position of the legacy simulator&apos;s accuracy slider, 1 to 10, with which playing stays within the budgets of the preferences</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>fast-forward</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>about {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Between {} and {}: not measured on this computer yet</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -43,6 +43,10 @@
         <source>Of the path, tool and stock analysed</source>
         <translation>Von Weg, Werkzeug und Rohteil, die analysiert wurden</translation>
     </message>
+    <message>
+        <source>The true time is between the estimated one divided and multiplied by this</source>
+        <translation>Die wahre Zeit liegt zwischen der geschätzten geteilt durch und mal diese Zahl</translation>
+    </message>
 </context>
 <context>
     <name>Pills</name>
@@ -69,6 +73,14 @@
     <message>
         <source>Simulating it takes {time} and {memory} ({simulator})</source>
         <translation>Die Simulation braucht {time} und {memory} ({simulator})</translation>
+    </message>
+    <message>
+        <source>about </source>
+        <translation>etwa </translation>
+    </message>
+    <message>
+        <source>{} to {}</source>
+        <translation>{} bis {}</translation>
     </message>
 </context>
 <context>
@@ -433,12 +445,44 @@
         <translation>keine Auflösung hilft, nicht einmal ein Pixel passt</translation>
     </message>
     <message>
-        <source>no resolution helps, the trajectories alone take {fixed} s: simulate fewer operations</source>
-        <translation>keine Auflösung hilft, die Bewegungen allein brauchen {fixed} s: weniger Operationen simulieren</translation>
+        <source>the cost is that of a box around its cuts</source>
+        <translation>der Aufwand ist der eines Quaders um ihre Schnitte</translation>
     </message>
     <message>
-        <source>the heaviest takes {time} s</source>
-        <translation>die aufwendigste braucht {time} s</translation>
+        <source>it does not touch the stock: check its depths, its placement and the stock</source>
+        <translation>sie berührt das Rohteil nicht: Tiefen, Platzierung und Rohteil prüfen</translation>
+    </message>
+    <message>
+        <source>{length} mm of cutting in {count} move without a feed rate are not in the time</source>
+        <translation>{length} mm Schnitt in {count} Bewegung ohne Vorschub fehlen in der Zeit</translation>
+    </message>
+    <message>
+        <source>{length} mm of cutting in {count} moves without a feed rate are not in the time</source>
+        <translation>{length} mm Schnitt in {count} Bewegungen ohne Vorschub fehlen in der Zeit</translation>
+    </message>
+    <message>
+        <source>{length} mm of rapids are not in the time because the tool controller&apos;s {name} is 0</source>
+        <translation>{length} mm Eilgänge fehlen in der Zeit, weil {name} des Werkzeugcontrollers 0 ist</translation>
+    </message>
+    <message>
+        <source>{length} mm of rapids are not in the time because the tool controller&apos;s {name} and {other} are 0</source>
+        <translation>{length} mm Eilgänge fehlen in der Zeit, weil {name} und {other} des Werkzeugcontrollers 0 sind</translation>
+    </message>
+    <message>
+        <source>no resolution helps, the trajectories alone take {time}: simulate fewer operations</source>
+        <translation>keine Auflösung hilft, allein die Bewegungen brauchen {time}: weniger Operationen simulieren</translation>
+    </message>
+    <message>
+        <source>the heaviest is {label} with {time}</source>
+        <translation>am schwersten wiegt {label} mit {time}</translation>
+    </message>
+    <message>
+        <source>position {position} of {positions}, cells of {cell} mm, plays in {time}</source>
+        <translation>Stellung {position} von {positions}, Zellen von {cell} mm, Abspielen in {time}</translation>
+    </message>
+    <message>
+        <source>no accuracy helps, playing takes {longer} even at the coarsest: use fast-forward, about {time} at the finest</source>
+        <translation>keine Genauigkeit hilft, das Abspielen dauert selbst bei der gröbsten {longer}: schnellen Vorlauf benutzen, etwa {time} bei der feinsten</translation>
     </message>
 </context>
 <context>
@@ -987,6 +1031,50 @@ Bild</translation>
     <message>
         <source>none</source>
         <translation>keines</translation>
+    </message>
+    <message>
+        <source>Recommended accuracy: {}</source>
+        <translation>Empfohlene Genauigkeit: {}</translation>
+    </message>
+    <message>
+        <source>Machining: {cut} of cutting, {rapid} of rapids</source>
+        <translation>Bearbeitung: {cut} im Schnitt, {rapid} Eilgang</translation>
+    </message>
+    <message>
+        <source>, {depth} deep</source>
+        <translation>, {depth} tief</translation>
+    </message>
+    <message>
+        <source>Machining
+time</source>
+        <translation>Bearbei-
+tungszeit</translation>
+    </message>
+    <message>
+        <source>Time on the machine at the programmed feeds; rapids where the tool controller says their speed</source>
+        <translation>Zeit auf der Maschine mit den programmierten Vorschüben; Eilgänge, wo der Werkzeugcontroller ihre Geschwindigkeit nennt</translation>
+    </message>
+    <message>
+        <source>Recommended
+accuracy</source>
+        <translation>Empfohlene
+Genauigkeit</translation>
+    </message>
+    <message>
+        <source>The finest position of the legacy simulator&apos;s accuracy slider, 1 to 10, with which playing stays within the budgets of the preferences</source>
+        <translation>Die feinste Stellung des Genauigkeitsreglers im alten Simulator, 1 bis 10, mit der das Abspielen innerhalb der Grenzen aus den Einstellungen bleibt</translation>
+    </message>
+    <message>
+        <source>fast-forward</source>
+        <translation>Vorlauf</translation>
+    </message>
+    <message>
+        <source>about {}</source>
+        <translation>etwa {}</translation>
+    </message>
+    <message>
+        <source>Between {} and {}: not measured on this computer yet</source>
+        <translation>Zwischen {} und {}: auf diesem Computer noch nicht gemessen</translation>
     </message>
 </context>
 <context>

@@ -43,6 +43,10 @@
         <source>Of the path, tool and stock analysed</source>
         <translation>De la trayectoria, la herramienta y el material analizados</translation>
     </message>
+    <message>
+        <source>The true time is between the estimated one divided and multiplied by this</source>
+        <translation>El tiempo real está entre el estimado dividido y multiplicado por este número</translation>
+    </message>
 </context>
 <context>
     <name>Pills</name>
@@ -69,6 +73,14 @@
     <message>
         <source>Simulating it takes {time} and {memory} ({simulator})</source>
         <translation>Simularla requiere {time} y {memory} ({simulator})</translation>
+    </message>
+    <message>
+        <source>about </source>
+        <translation>unos </translation>
+    </message>
+    <message>
+        <source>{} to {}</source>
+        <translation>{} a {}</translation>
     </message>
 </context>
 <context>
@@ -433,12 +445,44 @@
         <translation>ninguna resolución ayuda, ni un solo píxel cabe</translation>
     </message>
     <message>
-        <source>no resolution helps, the trajectories alone take {fixed} s: simulate fewer operations</source>
-        <translation>ninguna resolución ayuda, los tramos solos tardan {fixed} s: simule menos operaciones</translation>
+        <source>the cost is that of a box around its cuts</source>
+        <translation>el coste es el de un bloque alrededor de sus cortes</translation>
     </message>
     <message>
-        <source>the heaviest takes {time} s</source>
-        <translation>la más pesada tarda {time} s</translation>
+        <source>it does not touch the stock: check its depths, its placement and the stock</source>
+        <translation>no toca el material en bruto: compruebe sus profundidades, su ubicación y el bruto</translation>
+    </message>
+    <message>
+        <source>{length} mm of cutting in {count} move without a feed rate are not in the time</source>
+        <translation>{length} mm de corte en {count} movimiento sin avance no están en el tiempo</translation>
+    </message>
+    <message>
+        <source>{length} mm of cutting in {count} moves without a feed rate are not in the time</source>
+        <translation>{length} mm de corte en {count} movimientos sin avance no están en el tiempo</translation>
+    </message>
+    <message>
+        <source>{length} mm of rapids are not in the time because the tool controller&apos;s {name} is 0</source>
+        <translation>{length} mm de rápidos no están en el tiempo porque {name} del controlador de herramienta es 0</translation>
+    </message>
+    <message>
+        <source>{length} mm of rapids are not in the time because the tool controller&apos;s {name} and {other} are 0</source>
+        <translation>{length} mm de rápidos no están en el tiempo porque {name} y {other} del controlador de herramienta son 0</translation>
+    </message>
+    <message>
+        <source>no resolution helps, the trajectories alone take {time}: simulate fewer operations</source>
+        <translation>ninguna resolución basta, solo las trayectorias tardan {time}: simule menos operaciones</translation>
+    </message>
+    <message>
+        <source>the heaviest is {label} with {time}</source>
+        <translation>la más pesada es {label} con {time}</translation>
+    </message>
+    <message>
+        <source>position {position} of {positions}, cells of {cell} mm, plays in {time}</source>
+        <translation>posición {position} de {positions}, celdas de {cell} mm, reproducción en {time}</translation>
+    </message>
+    <message>
+        <source>no accuracy helps, playing takes {longer} even at the coarsest: use fast-forward, about {time} at the finest</source>
+        <translation>ninguna precisión basta, la reproducción tarda {longer} incluso con la más basta: use el avance rápido, unos {time} con la más fina</translation>
     </message>
 </context>
 <context>
@@ -987,6 +1031,50 @@ recomendada</translation>
     <message>
         <source>none</source>
         <translation>ninguna</translation>
+    </message>
+    <message>
+        <source>Recommended accuracy: {}</source>
+        <translation>Precisión recomendada: {}</translation>
+    </message>
+    <message>
+        <source>Machining: {cut} of cutting, {rapid} of rapids</source>
+        <translation>Mecanizado: {cut} de corte, {rapid} de rápidos</translation>
+    </message>
+    <message>
+        <source>, {depth} deep</source>
+        <translation>, {depth} de profundidad</translation>
+    </message>
+    <message>
+        <source>Machining
+time</source>
+        <translation>Tiempo de
+mecanizado</translation>
+    </message>
+    <message>
+        <source>Time on the machine at the programmed feeds; rapids where the tool controller says their speed</source>
+        <translation>Tiempo en la máquina con los avances programados; rápidos si el controlador de herramienta da su velocidad</translation>
+    </message>
+    <message>
+        <source>Recommended
+accuracy</source>
+        <translation>Precisión
+recomendada</translation>
+    </message>
+    <message>
+        <source>The finest position of the legacy simulator&apos;s accuracy slider, 1 to 10, with which playing stays within the budgets of the preferences</source>
+        <translation>La posición más fina del control de precisión del simulador antiguo, de 1 a 10, con la que la reproducción respeta los límites de las preferencias</translation>
+    </message>
+    <message>
+        <source>fast-forward</source>
+        <translation>avance rápido</translation>
+    </message>
+    <message>
+        <source>about {}</source>
+        <translation>unos {}</translation>
+    </message>
+    <message>
+        <source>Between {} and {}: not measured on this computer yet</source>
+        <translation>Entre {} y {}: aún no medido en este equipo</translation>
     </message>
 </context>
 <context>

@@ -43,6 +43,10 @@
         <source>Of the path, tool and stock analysed</source>
         <translation>Du parcours, de l&apos;outil et du brut analysés</translation>
     </message>
+    <message>
+        <source>The true time is between the estimated one divided and multiplied by this</source>
+        <translation>La durée réelle est comprise entre l&apos;estimation divisée et multipliée par ce nombre</translation>
+    </message>
 </context>
 <context>
     <name>Pills</name>
@@ -69,6 +73,14 @@
     <message>
         <source>Simulating it takes {time} and {memory} ({simulator})</source>
         <translation>Sa simulation prend {time} et {memory} ({simulator})</translation>
+    </message>
+    <message>
+        <source>about </source>
+        <translation>environ </translation>
+    </message>
+    <message>
+        <source>{} to {}</source>
+        <translation>{} à {}</translation>
     </message>
 </context>
 <context>
@@ -433,12 +445,44 @@
         <translation>aucune résolution n&apos;aide, pas même un seul pixel ne tient</translation>
     </message>
     <message>
-        <source>no resolution helps, the trajectories alone take {fixed} s: simulate fewer operations</source>
-        <translation>aucune résolution n&apos;aide, les trajectoires seules prennent {fixed} s : simulez moins d&apos;opérations</translation>
+        <source>the cost is that of a box around its cuts</source>
+        <translation>le coût est celui d&apos;un bloc autour de ses coupes</translation>
     </message>
     <message>
-        <source>the heaviest takes {time} s</source>
-        <translation>la plus lourde prend {time} s</translation>
+        <source>it does not touch the stock: check its depths, its placement and the stock</source>
+        <translation>elle ne touche pas le brut : vérifier ses profondeurs, son placement et le brut</translation>
+    </message>
+    <message>
+        <source>{length} mm of cutting in {count} move without a feed rate are not in the time</source>
+        <translation>{length} mm de coupe dans {count} mouvement sans avance ne sont pas dans la durée</translation>
+    </message>
+    <message>
+        <source>{length} mm of cutting in {count} moves without a feed rate are not in the time</source>
+        <translation>{length} mm de coupe dans {count} mouvements sans avance ne sont pas dans la durée</translation>
+    </message>
+    <message>
+        <source>{length} mm of rapids are not in the time because the tool controller&apos;s {name} is 0</source>
+        <translation>{length} mm de déplacements rapides ne sont pas dans la durée, car {name} du contrôleur d&apos;outil vaut 0</translation>
+    </message>
+    <message>
+        <source>{length} mm of rapids are not in the time because the tool controller&apos;s {name} and {other} are 0</source>
+        <translation>{length} mm de déplacements rapides ne sont pas dans la durée, car {name} et {other} du contrôleur d&apos;outil valent 0</translation>
+    </message>
+    <message>
+        <source>no resolution helps, the trajectories alone take {time}: simulate fewer operations</source>
+        <translation>aucune résolution ne suffit, les trajectoires seules prennent {time} : simuler moins d&apos;opérations</translation>
+    </message>
+    <message>
+        <source>the heaviest is {label} with {time}</source>
+        <translation>la plus lourde est {label} avec {time}</translation>
+    </message>
+    <message>
+        <source>position {position} of {positions}, cells of {cell} mm, plays in {time}</source>
+        <translation>position {position} sur {positions}, cellules de {cell} mm, lecture en {time}</translation>
+    </message>
+    <message>
+        <source>no accuracy helps, playing takes {longer} even at the coarsest: use fast-forward, about {time} at the finest</source>
+        <translation>aucune précision ne suffit, la lecture prend {longer} même à la plus grossière : utiliser l&apos;avance rapide, environ {time} à la plus fine</translation>
     </message>
 </context>
 <context>
@@ -987,6 +1031,50 @@ recommandée</translation>
     <message>
         <source>none</source>
         <translation>aucune</translation>
+    </message>
+    <message>
+        <source>Recommended accuracy: {}</source>
+        <translation>Précision recommandée : {}</translation>
+    </message>
+    <message>
+        <source>Machining: {cut} of cutting, {rapid} of rapids</source>
+        <translation>Usinage : {cut} de coupe, {rapid} de déplacements rapides</translation>
+    </message>
+    <message>
+        <source>, {depth} deep</source>
+        <translation>, {depth} de profondeur</translation>
+    </message>
+    <message>
+        <source>Machining
+time</source>
+        <translation>Durée
+d&apos;usinage</translation>
+    </message>
+    <message>
+        <source>Time on the machine at the programmed feeds; rapids where the tool controller says their speed</source>
+        <translation>Durée sur la machine aux avances programmées ; déplacements rapides si le contrôleur d&apos;outil donne leur vitesse</translation>
+    </message>
+    <message>
+        <source>Recommended
+accuracy</source>
+        <translation>Précision
+recommandée</translation>
+    </message>
+    <message>
+        <source>The finest position of the legacy simulator&apos;s accuracy slider, 1 to 10, with which playing stays within the budgets of the preferences</source>
+        <translation>La position la plus fine du curseur de précision de l&apos;ancien simulateur, de 1 à 10, avec laquelle la lecture respecte les budgets des préférences</translation>
+    </message>
+    <message>
+        <source>fast-forward</source>
+        <translation>avance rapide</translation>
+    </message>
+    <message>
+        <source>about {}</source>
+        <translation>environ {}</translation>
+    </message>
+    <message>
+        <source>Between {} and {}: not measured on this computer yet</source>
+        <translation>Entre {} et {} : pas encore mesuré sur cet ordinateur</translation>
     </message>
 </context>
 <context>

@@ -43,6 +43,10 @@
         <source>Of the path, tool and stock analysed</source>
         <translation>所分析的路径、刀具和毛坯的指纹</translation>
     </message>
+    <message>
+        <source>The true time is between the estimated one divided and multiplied by this</source>
+        <translation>实际时间介于估计值除以该数与乘以该数之间</translation>
+    </message>
 </context>
 <context>
     <name>Pills</name>
@@ -69,6 +73,14 @@
     <message>
         <source>Simulating it takes {time} and {memory} ({simulator})</source>
         <translation>模拟需要 {time} 和 {memory}（{simulator}）</translation>
+    </message>
+    <message>
+        <source>about </source>
+        <translation>约 </translation>
+    </message>
+    <message>
+        <source>{} to {}</source>
+        <translation>{} 到 {}</translation>
     </message>
 </context>
 <context>
@@ -433,12 +445,44 @@
         <translation>任何分辨率都无济于事，连一个像素也放不下</translation>
     </message>
     <message>
-        <source>no resolution helps, the trajectories alone take {fixed} s: simulate fewer operations</source>
-        <translation>任何分辨率都无济于事，仅轨迹就需 {fixed} s：请模拟较少的操作</translation>
+        <source>the cost is that of a box around its cuts</source>
+        <translation>按包围其切削部分的方块计算成本</translation>
     </message>
     <message>
-        <source>the heaviest takes {time} s</source>
-        <translation>最重的需 {time} s</translation>
+        <source>it does not touch the stock: check its depths, its placement and the stock</source>
+        <translation>它没有接触毛坯：请检查其深度、放置和毛坯</translation>
+    </message>
+    <message>
+        <source>{length} mm of cutting in {count} move without a feed rate are not in the time</source>
+        <translation>{count} 个没有进给速度的动作中的 {length} mm 切削未计入时间</translation>
+    </message>
+    <message>
+        <source>{length} mm of cutting in {count} moves without a feed rate are not in the time</source>
+        <translation>{count} 个没有进给速度的动作中的 {length} mm 切削未计入时间</translation>
+    </message>
+    <message>
+        <source>{length} mm of rapids are not in the time because the tool controller&apos;s {name} is 0</source>
+        <translation>刀具控制器的 {name} 为 0，因此 {length} mm 快速移动未计入时间</translation>
+    </message>
+    <message>
+        <source>{length} mm of rapids are not in the time because the tool controller&apos;s {name} and {other} are 0</source>
+        <translation>刀具控制器的 {name} 和 {other} 为 0，因此 {length} mm 快速移动未计入时间</translation>
+    </message>
+    <message>
+        <source>no resolution helps, the trajectories alone take {time}: simulate fewer operations</source>
+        <translation>任何分辨率都不行，仅轨迹就需要 {time}：请减少模拟的操作</translation>
+    </message>
+    <message>
+        <source>the heaviest is {label} with {time}</source>
+        <translation>最重的是 {label}，{time}</translation>
+    </message>
+    <message>
+        <source>position {position} of {positions}, cells of {cell} mm, plays in {time}</source>
+        <translation>位置 {position}/{positions}，单元 {cell} mm，播放 {time}</translation>
+    </message>
+    <message>
+        <source>no accuracy helps, playing takes {longer} even at the coarsest: use fast-forward, about {time} at the finest</source>
+        <translation>任何精度都不行，即使最粗精度播放也需要 {longer}：请使用快进，最细精度约 {time}</translation>
     </message>
 </context>
 <context>
@@ -987,6 +1031,50 @@ image</source>
     <message>
         <source>none</source>
         <translation>无</translation>
+    </message>
+    <message>
+        <source>Recommended accuracy: {}</source>
+        <translation>推荐精度：{}</translation>
+    </message>
+    <message>
+        <source>Machining: {cut} of cutting, {rapid} of rapids</source>
+        <translation>加工：切削 {cut}，快速移动 {rapid}</translation>
+    </message>
+    <message>
+        <source>, {depth} deep</source>
+        <translation>，深 {depth}</translation>
+    </message>
+    <message>
+        <source>Machining
+time</source>
+        <translation>加工
+时间</translation>
+    </message>
+    <message>
+        <source>Time on the machine at the programmed feeds; rapids where the tool controller says their speed</source>
+        <translation>按编程进给在机床上的时间；刀具控制器给出速度时包括快速移动</translation>
+    </message>
+    <message>
+        <source>Recommended
+accuracy</source>
+        <translation>推荐
+精度</translation>
+    </message>
+    <message>
+        <source>The finest position of the legacy simulator&apos;s accuracy slider, 1 to 10, with which playing stays within the budgets of the preferences</source>
+        <translation>旧版模拟器精度滑块（1 到 10）中使播放不超出首选项预算的最细位置</translation>
+    </message>
+    <message>
+        <source>fast-forward</source>
+        <translation>快进</translation>
+    </message>
+    <message>
+        <source>about {}</source>
+        <translation>约 {}</translation>
+    </message>
+    <message>
+        <source>Between {} and {}: not measured on this computer yet</source>
+        <translation>介于 {} 和 {} 之间：尚未在此电脑上测量</translation>
     </message>
 </context>
 <context>

@@ -7,6 +7,7 @@ from PySide import QtCore, QtGui
 
 from vkworkbench import preferences
 from vkworkbench.document import calibration
+from vkworkbench.gui.real_runs import OpenGLRun
 
 OLD = calibration.freecad_version() < (1, 0, 0)
 
@@ -81,7 +82,7 @@ def test_a_run_that_was_paused_teaches_nothing(calibrated, window):
 @pytest.mark.skipif(OLD, reason="FreeCAD 0.20 has no OpenGL simulator")
 def test_a_run_of_the_opengl_simulator_teaches(calibrated, window):
     before = len(runs().get("draw", ()))
-    button = simulator(window, "CAM_SimulatorGL", "Pocket around island")
+    button = simulator(window, "CAM_SimulatorGL", "Pocket zigzag")
     window.click_on(button("toolButtonPlay"))
 
     def shown():
@@ -96,7 +97,8 @@ def test_a_run_of_the_opengl_simulator_teaches(calibrated, window):
     for where in ([(172, -36)] if new else [(136, -34)]) * speeds + ([(42, -36)] if new else [(52, -34)]):
         click(simulation, *where)
         window.idle(0.3)
-    window.idle(25)
+    watch = simulation.findChild(OpenGLRun)
+    window.wait(lambda: len(watch._times) > 150, 120)  # twice as many frames as it has to play
     simulation.close()
     window.wait(lambda: len(runs().get("draw", ())) == before + 1)
     known = calibration.load(preferences.read().renderer).constants

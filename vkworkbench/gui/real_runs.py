@@ -28,8 +28,10 @@ from vkworkbench.gui.renderer import note_renderer
 
 # Longer operations are not learned from: to predict them would be felt, s of work for a constant.
 _MOST_COMMANDS = 50_000
-# Frames at the end of an OpenGL simulation which, alike, show that all of it is drawn.
-_ALIKE, _LAST_FRAMES = 1.05, 10
+# Frames that show the end of a play: the picture that is finished is shown in less than half their time.
+_LAST_FRAMES = 5
+# Frames played for the steps of a whole play: more or fewer were paused, or begun before.
+_FEWEST, _MOST = 0.9, 1.2
 
 
 def watch_legacy() -> None:
@@ -93,7 +95,7 @@ class LegacyRuns(QObject):
 
 
 class OpenGLRun(QObject):
-    """One window of the OpenGL simulator: the times at which it draws, until it is closed."""
+    """One window of the OpenGL simulator: the times at which it draws from the last click, "play", until it is closed."""
 
     def __init__(self, window) -> None:
         super().__init__(window)
@@ -111,6 +113,8 @@ class OpenGLRun(QObject):
     def eventFilter(self, window, event) -> bool:
         if event.type() == QEvent.UpdateRequest:
             self._times.append(time.perf_counter())
+        elif event.type() == QEvent.MouseButtonPress:
+            self._times.clear()
         elif event.type() == QEvent.Close:
             self._closed()
         return False
@@ -118,8 +122,8 @@ class OpenGLRun(QObject):
     def _closed(self) -> None:
         (simulated, quality), times, self._times = self._simulated, self._times, []
         frames = [after - before for before, after in zip(times, times[1:])]
-        last, before = frames[-_LAST_FRAMES:], frames[-2 * _LAST_FRAMES : -_LAST_FRAMES]
-        if not simulated or len(before) < _LAST_FRAMES:
+        played = _played(frames)
+        if not simulated or not played:
             return
         renderer = note_renderer()
         speeds = opengl_speeds(calibration.freecad_version())
@@ -128,10 +132,17 @@ class OpenGLRun(QObject):
                         constants=calibration.constants(renderer))
             for toolpath, tool, _ in simulated
         ])  # fmt: skip
-        alike = max(median(last), median(before)) < _ALIKE * min(median(last), median(before))
-        if alike and len(frames) >= cost.steps / max(speeds):
+        if any(_FEWEST < played * speed / cost.steps < _MOST for speed in speeds):
             with suppress(OSError):
-                calibration.learn_frame(cost, median(last), renderer=renderer)
+                calibration.learn_frame(cost, median(frames[played - _LAST_FRAMES : played]), renderer=renderer)
+
+
+def _played(frames: list[float]) -> int:
+    """Return the number of frames until all was drawn, 0 where it was not."""
+    for k in range(_LAST_FRAMES, len(frames) - _LAST_FRAMES):
+        if median(frames[k : k + _LAST_FRAMES]) < median(frames[k - _LAST_FRAMES : k]) / 2:
+            return k
+    return 0
 
 
 def _simulated(panel):
