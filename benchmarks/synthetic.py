@@ -310,6 +310,21 @@ def spiral(rng, *, surface_too=False, inwards=False):
     return p.commands
 
 
+def clipped(rng, *, both_ways=False, drifting=False):
+    """Circles, or a spiral, around a point beside the part, which cuts them open."""
+    p = Program(rng)
+    half, step = rng.uniform(20, 40), rng.uniform(1.0, 3.0)
+    away = half * rng.uniform(1.2, 2.0)  # from the centre of the circles to that of the part
+    a = rng.uniform(-0.4, 0.4) + np.linspace(-np.pi, np.pi, 400)
+    for k in range(int((away - half) / step) + 1, int((away + half) / step)):
+        r = k * step + (a / (2 * np.pi) * step if drifting else 0.0)
+        path = np.column_stack([r * np.cos(a) - away, r * np.sin(a)])
+        path = path[(np.abs(path) < half).all(axis=1)]
+        if len(path) > 3:
+            p.cut(path[::-1] if both_ways and k % 2 else path, -1.0)
+    return p.commands
+
+
 def square_spiral(rng):
     """A spiral with corners: every side a step farther in."""
     p = Program(rng)
@@ -572,6 +587,9 @@ SAMPLES = (
     ("spiral", {"spiral"}, spiral),
     ("spiral inwards", {"spiral"}, lambda r: spiral(r, inwards=True)),
     ("spiral on a surface", {"spiral"}, lambda r: spiral(r, surface_too=True)),
+    ("circles clipped", {"contour-parallel"}, clipped),
+    ("circles clipped both ways", {"zigzag"}, lambda r: clipped(r, both_ways=True)),
+    ("spiral clipped", {"spiral", "contour-parallel"}, lambda r: clipped(r, drifting=True)),
     ("spiral with corners", {"spiral", "contour-parallel"}, square_spiral),
     ("helix", {"helix"}, helix),
     ("helix in chords", {"helix"}, lambda r: helix(r, arcs=False)),

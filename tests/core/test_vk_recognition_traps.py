@@ -242,7 +242,8 @@ def test_two_contours_that_come_again_at_every_depth_are_no_pocket(ccw, tool):
     washer = squares([30, 12], ccw=ccw, depths=(-1, -2, -3))
     assert strategy(washer, tool_diameter=tool) is Strategy.PROFILE
     # Nor a zigzag where the tool is as wide as the washer.
-    assert strategy(squares([30, 12], ccw=False, depths=(-1, -2, -3)), tool_diameter=25.0) is not Strategy.ZIGZAG
+    washer = squares([30, 12], ccw=False, depths=(-1, -2, -3))
+    assert strategy(washer, tool_diameter=25.0) is not Strategy.ZIGZAG
 
 
 @pytest.mark.parametrize("angle", [0.0, 0.2, 0.5, 0.785])

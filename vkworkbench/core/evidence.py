@@ -53,6 +53,8 @@ def gather(s: Section, verdict: Verdict) -> Evidence:
                 milling = "climb" if (rings.growing > 0.5) == (sense == "ccw") else "conventional"
     elif main:
         passes, stepover = sum(f.count for f in rows), main.step
+    if verdict.step:
+        passes, stepover = verdict.count, verdict.step
     flat = s.pieces.flat & (s.pieces.length > 0.02 * s.pieces.length.max())
     return Evidence(
         level=level if extreme > 0 else -level,

@@ -109,14 +109,18 @@ def _densest(moves: Moves, chosen: np.ndarray) -> Rows | None:
     cos = dx / length
     axis = axis_of(cos @ dx, cos @ dy, length.sum())
     along, aligned = _aligned(dx, dy, length, axis)
-    if length.take(aligned).sum() < 0.8 * length.sum():
+    kept = length.take(aligned).sum() / length.sum()
+    if kept < 0.8:
         # Not one axis alone: take the densest of 64 directions and its neighbours.
         bins = np.rint(moves.alpha[chosen] * (BINS / np.pi)).astype(np.int64) & (BINS - 1)
         weight = np.bincount(bins, weights=length, minlength=BINS)
         around = np.roll(weight, 1) + np.roll(weight, -1)
         peak = int(np.argmax(weight + 0.5 * around))
-        near = np.isin(np.arange(BINS), (np.array([-1, 0, 1]) + peak) % BINS)[bins]
-        axis = axis_of(cos[near] @ dx[near], cos[near] @ dy[near], length[near].sum())
+        aligned = np.flatnonzero(np.isin(np.arange(BINS), (np.array([-1, 0, 1]) + peak) % BINS)[bins])
+    if kept < 0.98:
+        # Once more without the links: along a slanting boundary they turn the axis.
+        near = cos.take(aligned)
+        axis = axis_of(near @ dx.take(aligned), near @ dy.take(aligned), length.take(aligned).sum())
         along, aligned = _aligned(dx, dy, length, axis)
     u, v = np.cos(axis), np.sin(axis)
     on, forward, length = chosen.take(aligned), along.take(aligned) > 0, length.take(aligned)

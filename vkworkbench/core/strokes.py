@@ -7,10 +7,12 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from vkworkbench.core.areas import TURN
+from vkworkbench.core.areas import TURN, Moves
 from vkworkbench.core.pieces import CURVE, Pieces
 from vkworkbench.core.rings import LEVEL, count_levels, footprints
-from vkworkbench.core.rows import weighted_median
+from vkworkbench.core.rows import SAME_LINE, weighted_median
+
+SQUARE = 0.15  # cosine between a move and the ray from a centre up to which it is part of a circle around it
 
 
 @dataclass(frozen=True)
@@ -89,4 +91,101 @@ def relate_strokes(pieces: Pieces, index: np.ndarray) -> Strokes:
         distinct=distinct,
         levels=count_levels(z),
         typical=weighted_median(length, length),
+    )
+
+
+@dataclass(frozen=True)
+class Arcs:
+    """Arcs around one centre: circles that the boundary cuts open, rows that are bent.
+
+    Attributes
+    ----------
+    count : int
+        Number of radii cut one after the other.
+    length : float
+        Length of all arcs, mm.
+    opposite, same : float
+        Length of the arcs whose neighbour runs the other way, and the same way, mm.
+    spiral : float
+        Length of the arcs whose radius changes steadily, mm.
+    step : float
+        Distance between arcs cut one after the other (median by length), mm.
+    even : float
+        Share of the steps that keep to the usual one.
+    """
+
+    count: int
+    length: float
+    opposite: float
+    same: float
+    spiral: float
+    step: float
+    even: float
+
+
+def find_arcs(moves: Moves, pieces: Pieces, index: np.ndarray) -> Arcs | None:
+    """Find the arcs around a common centre.
+
+    The centre c is the point that sees the moves d at their middles m at a right angle: least squares of
+    d (m - c) = 0. Straight rows have none.
+
+    Parameters
+    ----------
+    moves : Moves
+    pieces : Pieces
+    index : (k,) int
+        The pieces that may be arcs.
+
+    Returns
+    -------
+    Arcs or None
+        None where no three arcs lie around one centre.
+    """
+    chosen = np.zeros(len(pieces), bool)
+    chosen[index] = True
+    on = np.repeat(chosen, pieces.end - pieces.start)
+    of = np.repeat(np.arange(len(pieces)), pieces.end - pieces.start)[on]
+    dx, dy, length = moves.dx[on], moves.dy[on], moves.length[on]
+    x, y = moves.x[on] + dx / 2, moves.y[on] + dy / 2
+    weight = 1 / length
+    for _ in range(3):  # again without the links and the boundary, which have other centres
+        xx, xy, yy = (weight * dx) @ dx, (weight * dx) @ dy, (weight * dy) @ dy
+        if xx * yy - xy * xy < 0.01 * (xx + yy) ** 2:
+            return None
+        along = weight * (dx * x + dy * y)
+        bx, by = along @ dx, along @ dy
+        cx, cy = (yy * bx - xy * by) / (xx * yy - xy * xy), (xx * by - xy * bx) / (xx * yy - xy * xy)
+        rx, ry = x - cx, y - cy
+        r = np.hypot(rx, ry)
+        square = np.abs(dx * rx + dy * ry) < SQUARE * length * r
+        weight = np.where(square, 1 / length, 0.0)
+        if not square.any():
+            return None
+    begin = np.flatnonzero(np.concatenate([[True], of[1:] != of[:-1]]))
+    whole = np.add.reduceat(length, begin)
+    arc = np.add.reduceat(length * square, begin) > 0.9 * whole
+    if arc.sum() < 3:
+        return None
+    radius = (np.add.reduceat(length * r, begin) / whole)[arc]
+    swept = np.add.reduceat((rx * dy - ry * dx) / np.maximum(r * r, 1e-12), begin)[arc]
+    last = np.append(begin[1:], len(of)) - 1
+    climbed = (r[last] - r[begin])[arc]
+    whole = whole[arc]
+    lateral = np.abs(radius[1:] - radius[:-1])
+    shorter = np.minimum(whole[1:], whole[:-1])
+    aside = lateral > SAME_LINE
+    if aside.sum() < 2:
+        return None
+    step = weighted_median(lateral[aside], shorter[aside])
+    neighbour = aside & (lateral <= 1.6 * step)
+    turned = swept[1:] * swept[:-1] < 0
+    pitch = np.abs(climbed) * TURN / np.maximum(np.abs(swept), 1e-9)
+    return Arcs(
+        count=1 + int(aside.sum()),
+        length=float(whole.sum()),
+        opposite=float(shorter[neighbour & turned].sum()),
+        same=float(shorter[neighbour & ~turned].sum()),
+        spiral=float(whole[pitch > 0.3 * step].sum()),
+        step=step,
+        even=float(shorter[neighbour & (lateral >= 0.6 * step)].sum() / shorter[aside].sum()),
     )

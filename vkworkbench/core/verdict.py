@@ -12,7 +12,7 @@ from vkworkbench.core.pieces import CURVE, LINE, LOOP, WINDING, ZIGZAG, Pieces, 
 from vkworkbench.core.rings import Rings, relate_rings
 from vkworkbench.core.rows import Rows, find_rows
 from vkworkbench.core.strategy import Strategy
-from vkworkbench.core.strokes import Strokes, relate_strokes
+from vkworkbench.core.strokes import Strokes, find_arcs, relate_strokes
 
 SMALL = 0.02  # of the longest ring or stroke; shorter ones are links and leads
 
@@ -32,6 +32,10 @@ class Verdict:
         What shows it, without the numbers.
     parts : tuple of Verdict
         Where mixed: the verdicts on its rings and on its rows.
+    rival : float
+        Share of that length that speaks for another strategy as well, 0..1.
+    step : float or None
+        Distance between neighbouring passes that are neither rings nor straight rows, mm.
     """
 
     strategy: Strategy
@@ -39,6 +43,8 @@ class Verdict:
     count: int
     seen: str
     parts: tuple[Verdict, ...] = ()
+    rival: float = 0.0
+    step: float | None = None
 
     @property
     def confidence(self) -> float:
@@ -46,10 +52,12 @@ class Verdict:
 
         Never under 0.62, the share of right answers where hardly anything is seen, and never over 0.97:
         toolpaths nobody has seen yet hold surprises. Between them it grows with the share of the length that
-        shows the pattern and with the number of times it comes again. The two limits are read off the
-        reliability table of benchmarks/recognition.py.
+        shows the pattern and with the number of times it comes again, and falls with the share that speaks
+        for the next best strategy as well. The two limits are read off the reliability table of
+        benchmarks/recognition.py.
         """
-        return float(0.62 + 0.35 * min(self.support, 1.0) * (1 - np.exp(-self.count / 1.5)))
+        margin = min(self.support, 1.0) * (1 - min(self.rival, 1.0))
+        return float(0.62 + 0.35 * margin * (1 - np.exp(-self.count / 1.5)))
 
 
 @dataclass
@@ -119,7 +127,9 @@ class Section:
 def _fills(f: Rows, tool: float) -> bool:
     """Whether passes lie side by side as rows do: long moves, short steps between them (paper, section
     2.1)."""
-    if f.opposite + f.same <= 0.25 * f.length or f.typical <= 2.5 * f.step:
+    # In teeth as narrow as two steps the rows are short, but many and even.
+    long = 1.5 if f.count >= 20 and f.even > 0.8 else 2.5
+    if f.opposite + f.same <= 0.25 * f.length or f.typical <= long * f.step:
         return False
     if f.step < 0.03 * tool:
         return False  # the same pass retraced
@@ -166,11 +176,15 @@ def judge(s: Section) -> Verdict:
     rowlike = max(s.zigzag, sum(f.length for f in s.rows) / s.length)
     if rowlike > 0.5 * opened:
         rowlike = opened  # the rest are the links
+    arcs = _judge_arcs(s) if rings < 0.7 and rowlike < 0.5 else None
     bites, against = s.part(s.strokes.bite), s.part(s.strokes.against)
     number = int(s.strokes.bite.sum())
     many = (bites > 0.25 and number >= 4) or (bites > 0.1 and number >= 10)
-    if many and against < 0.3 * bites and rowlike < 0.5:
+    circles = arcs is not None and arcs.strategy is Strategy.CONTOUR_PARALLEL  # bites change their radius
+    if many and not circles and against < 0.3 * bites and rowlike < 0.5:
         return Verdict(Strategy.ADAPTIVE, 0.6 + 0.4 * bites, number, f"{number} bites of one sense overlap")
+    if arcs:
+        return arcs
     # Offsets whose innermost loops degenerate to passes are still offsets.
     offsets = rings > 0.7 and s.share(s.rings.nested) > 0.7 * rings
     if rings > 0.88 or offsets or (rings > 0.35 and (rowlike < 0.15 or not s.rows)):
@@ -203,8 +217,9 @@ def _judge_rings(s: Section, rings: float) -> Verdict:
     if changing and deeper > nested:
         if r.evenness < 0.5:
             seen = "evenly spaced in the plane, not in depth"
-            return Verdict(Strategy.CONTOUR_PARALLEL, deeper / rings, len(r), seen)
-        return Verdict(Strategy.WATERLINE, deeper / rings, r.levels, "whose shape changes with the depth")
+            return Verdict(Strategy.CONTOUR_PARALLEL, deeper / rings, len(r), seen, rival=nested / rings)
+        seen = "whose shape changes with the depth"
+        return Verdict(Strategy.WATERLINE, deeper / rings, r.levels, seen, rival=nested / rings)
     if nested > 0.5 * rings and (len(r) > 2 or rings > 0.75):
         winding = s.share(r.winding)
         linked = s.share(r.winding & (r.back > 0.15 * TURN))  # a step aside turns one way and back
@@ -214,7 +229,8 @@ def _judge_rings(s: Section, rings: float) -> Verdict:
                 return Verdict(Strategy.ADAPTIVE, winding / rings, len(r), seen)
             if _cornered(s) < 0.5:
                 return Verdict(Strategy.SPIRAL, winding / rings, len(r), "one winding that never closes")
-        return Verdict(Strategy.CONTOUR_PARALLEL, nested / rings, len(r), "nested")
+        rival = deeper / rings if changing else 0.0
+        return Verdict(Strategy.CONTOUR_PARALLEL, nested / rings, len(r), "nested", rival=rival)
     moved = s.share(r.moved)
     if moved > 0.4 * rings and len(r) >= 5:
         return Verdict(Strategy.ADAPTIVE, moved / rings, len(r), "small loops move along")
@@ -222,7 +238,8 @@ def _judge_rings(s: Section, rings: float) -> Verdict:
         return Verdict(Strategy.MIXED, 0.5, 2, "an open pass lies inside a contour")
     # Repetition at other depths shows a contour; loops with no relation to any other are contours by default.
     support = 0.6 + 0.4 * s.share(r.repeated) / rings
-    return Verdict(Strategy.PROFILE, support, len(r) + 2, "side by side or repeated")
+    rival = max(nested, deeper if changing else 0.0, moved if len(r) >= 5 else 0.0) / rings
+    return Verdict(Strategy.PROFILE, support, len(r) + 2, "side by side or repeated", rival=rival)
 
 
 def _cornered(s: Section) -> float:
@@ -245,6 +262,21 @@ def _judge_rows(s: Section, rowlike: float) -> Verdict:
         support = rowlike * max(agree, s.zigzag)
         return Verdict(Strategy.ZIGZAG, support, max(count, 3), "half-turns alternate in sign")
     return Verdict(Strategy.ONE_WAY, rowlike * same / (opposite + same), count, "all rows run the same way")
+
+
+def _judge_arcs(s: Section) -> Verdict | None:
+    """Judge circles that the boundary cuts open: rows around a centre in place of along an axis."""
+    arcs = find_arcs(s.moves, s.pieces, np.union1d(s.strokes.index, s.rings.index))
+    if arcs is None or arcs.count < 5 or arcs.even < 0.5 or arcs.length < 0.65 * s.length:
+        return None
+    if arcs.opposite + arcs.same < 0.3 * arcs.length:
+        return None  # the next is not beside it
+    strategy, seen = Strategy.CONTOUR_PARALLEL, "nested"
+    if arcs.opposite > arcs.same:
+        strategy, seen = Strategy.ZIGZAG, "half-turns alternate in sign"
+    elif arcs.spiral > 0.8 * arcs.length:
+        strategy, seen = Strategy.SPIRAL, "one winding that never closes"
+    return Verdict(strategy, arcs.length / s.length, arcs.count, seen, step=arcs.step)
 
 
 def _judge_strokes(s: Section) -> Verdict:
