@@ -22,7 +22,7 @@ for layer in $layers; do
     case $layer in
         core) command=("${limit[@]}" /usr/bin/python3 -m pytest) ;;
         document) command=("${limit[@]}" freecadcmd "$PWD/tests/in_freecad.py") ;;
-        gui) command=(xvfb-run -a -s "-screen 0 1280x1024x24 -ac" "${limit[@]}" freecad "$PWD/tests/in_freecad.py") ;;
+        gui) command=(xvfb-run -a -s "-screen 0 1280x1024x24 -dpi 96 -ac" "${limit[@]}" freecad "$PWD/tests/in_freecad.py") ;;
     esac
     status=0
     # Only a FreeCAD layer is not captured: its log has to show what FreeCAD swallows.

@@ -69,8 +69,11 @@ class ResultsDock(QDockWidget):
         column.addWidget(self.table, 1)
         below = QHBoxLayout()
         below.addWidget(self.details, 1)
+        buttons = QVBoxLayout()
         for button in (self.csv, self.json, self.copy):
-            below.addWidget(button, 0, Qt.AlignTop)
+            buttons.addWidget(button)
+        buttons.addStretch()
+        below.addLayout(buttons)
         column.addLayout(below)
         self.setWidget(body)
 
