@@ -6,7 +6,8 @@
 Each line of a file is an operation: label, strategy, accept, tool_diameter, stock, commands. Without a file
 the operations are those of synthetic.py. The exact simulations run at 800 x 600 pixels, those with many
 candidate pixels at 400 x 300 to bound their time (small holes are not round then). Errors are ratios, the
-larger of estimate and truth over the smaller. Timings need a quiet computer.
+larger of estimate and truth over the smaller. Times are the processor's; as a shared computer's speed
+changes, it is measured anew before each operation.
 """
 
 from __future__ import annotations
@@ -25,12 +26,13 @@ sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 
 from synthetic import SAMPLES
 
-from vkworkbench.core.closed_form import candidate_pixels, cauchy_crofton, closed_form, swept
+from vkworkbench.core.closed_form import cauchy_crofton, closed_form, swept
 from vkworkbench.core.linearize import linearize
 from vkworkbench.core.recognition import recognize
 from vkworkbench.core.resolution import best_resolution
-from vkworkbench.core.resources import Speed, estimate
+from vkworkbench.core.resources import estimate, work
 from vkworkbench.core.solids import Stock, Tool, View
+from vkworkbench.core.speed import fit_speed, measure_speed
 from vkworkbench.core.strategy import Strategy
 from vkworkbench.core.toolpath import Toolpath
 from vkworkbench.core.zbuffer import DEXEL, TRACE, simulate
@@ -46,17 +48,18 @@ def main() -> None:
     print(f"{len(operations)} operations, {sum(len(o[1]) for o in operations)} trajectories")
     rows = {name: [] for name in VIEWS}
     for label, toolpath, found, tool, stock in operations:
+        speed = measure_speed()
         for name, direction in VIEWS.items():
             view = View(direction)
-            if candidate_pixels(toolpath, tool=tool, stock=stock, view=view) > MANY:
+            if estimate(toolpath, found, tool=tool, stock=stock, view=view).candidates > MANY:
                 view = View(direction, 400, 300)
-            row = measure(toolpath, found, tool, stock, view)
+            row = measure(toolpath, found, tool, stock, view, speed)
             rows[name].append({"label": label, **row})
     for name in VIEWS:
         print_errors(name, [r for r in rows[name] if r["traces"] >= FEWEST])
     print_times([r for name in VIEWS for r in rows[name]])
-    speed = print_speed([r for name in VIEWS for r in rows[name]])
-    print_budgets(operations[:: max(1, len(operations) // 8)], speed)
+    print_speed([r for name in VIEWS for r in rows[name]])
+    print_budgets(operations[:: max(1, len(operations) // 8)])
     print_papers_case()
 
 
@@ -92,25 +95,26 @@ def synthetic():
         yield label, toolpath, found, Tool("endmill", 5), Stock(lower, upper)
 
 
-def measure(toolpath, found, tool, stock, view) -> dict[str, float]:
+def measure(toolpath, found, tool, stock, view, speed) -> dict[str, float]:
     """One operation in one view: the exact counts and every estimate of them."""
     solids = {"tool": tool, "stock": stock, "view": view}
-    begin = time.perf_counter()
+    begin = time.process_time()
     exact = simulate(toolpath, **solids)
-    seconds = time.perf_counter() - begin
+    seconds = time.process_time() - begin
     durations = []
     for _ in range(3):
-        begin = time.perf_counter()
-        guess = estimate(toolpath, found, **solids)
-        durations.append(time.perf_counter() - begin)
+        begin = time.process_time()
+        guess = estimate(toolpath, found, **solids, speed=speed)
+        durations.append(time.process_time() - begin)
     return {
-        "n": len(toolpath), "pixels": view.width * view.height, "vertical": not any(view.direction[:2]),
+        "n": len(toolpath), "vertical": not any(view.direction[:2]),
         "traces": exact.traces, "dexels": exact.dexels, "candidates": exact.candidates, "seconds": seconds,
         "rays": guess.traces, "rays error": guess.traces_error, "rays dexels": guess.dexels,
         "duration": min(durations), "closed form": closed_form(toolpath, found, **solids),
         "blind": swept(toolpath, **solids),
         "Cauchy-Crofton": cauchy_crofton(toolpath, stock=stock, view=view),
-        "estimated candidates": candidate_pixels(toolpath, **solids),
+        "rays candidates": guess.candidates, "predicted": guess.seconds,
+        "work": work(len(toolpath), exact.dexels + exact.traces, exact.candidates, tool, view),
     }  # fmt: skip
 
 
@@ -135,7 +139,7 @@ def print_errors(view: str, rows) -> None:
     ):
         print(line(f"traces, {name}", ratios(rows, estimated, "traces")))
     print(line("dexels, rays", ratios(rows, "rays dexels", "dexels")))
-    print(line("candidate pixels, closed form", ratios(rows, "estimated candidates", "candidates")))
+    print(line("candidate pixels, rays", ratios(rows, "rays candidates", "candidates")))
     inside = [abs(r["rays"] - r["traces"]) <= 2 * r["rays error"] for r in rows]
     print(f"  within two standard errors: {100 * np.mean(inside):.1f} %")
     for r in sorted(rows, key=lambda r: -ratios([r], "rays", "traces")[0])[:3]:
@@ -158,57 +162,44 @@ def print_times(rows) -> None:
     print(f"  the exact simulation takes {gain:.0f} times as long (median)")
 
 
-def print_speed(rows) -> Speed:
-    """Fit the constants of the simulation's time to this run."""
+def print_speed(rows) -> None:
+    print("\nseconds of a simulation, predicted against really run     median      p90    worst")
+    for name, some in (
+        ("top", [r for r in rows if r["vertical"]]),
+        ("oblique", [r for r in rows if not r["vertical"]]),
+    ):
+        print(line(f"  {name}", ratios(some, "predicted", "seconds")))
     seconds = np.array([r["seconds"] for r in rows])
-    work = np.array(
-        [
-            [
-                r["n"],
-                r["pixels"],
-                r["candidates"] * r["vertical"],
-                r["candidates"] * (not r["vertical"]),
-                r["dexels"] + r["traces"],
-            ]
-            for r in rows
-        ],
-        float,
-    )
-    used = np.ones(5, bool)
-    constants = np.zeros(5)
-    while True:
-        constants[:] = 0
-        constants[used] = np.linalg.lstsq(work[:, used] / seconds[:, None], np.ones(len(rows)), rcond=None)[0]
-        if (constants >= 0).all():
-            break
-        used &= constants > 0
-    speed = Speed(*constants.tolist())
-    print(f"\nspeed of this computer: {speed}")
-    predicted = work @ constants
-    off = np.maximum(predicted / seconds, seconds / predicted)
-    print(
-        f"  seconds, fitted against measured: median {np.median(off):.2f}, p90 {np.percentile(off, 90):.2f}"
-    )
-    return speed
+    fitted = fit_speed(np.array([r["work"] for r in rows]), seconds)
+    print(f"  fitted to all simulations: {fitted}")
+    durations = []
+    for _ in range(5):
+        begin = time.process_time()
+        measured = measure_speed()
+        durations.append(time.process_time() - begin)
+    print(f"  measured in {np.median(durations):.2f} s: {measured}")
 
 
-def print_budgets(operations, speed: Speed) -> None:
+def print_budgets(operations) -> None:
     print("\nbudgets: what came out, as a share of what was asked for")
+    shares = {"memory_bytes": [], "seconds": []}
     for label, toolpath, found, tool, stock in operations:
-        guess = estimate(toolpath, found, tool=tool, stock=stock, view=View(), speed=speed)
         words = [f"  {label:28.28}"]
-        for name, budget in (("memory_bytes", 20e6), ("seconds", 2.0)):
+        for name, budget, asked in (("memory_bytes", 20e6, "20 MB"), ("seconds", 10.0, "10 s")):
+            guess = estimate(toolpath, found, tool=tool, stock=stock, view=View(), speed=measure_speed())
             chosen = best_resolution([guess], **{name: budget})
             if chosen.view is None:
                 words.append(chosen.explanation)
                 continue
-            begin = time.perf_counter()
+            begin = time.process_time()
             exact = simulate(toolpath, tool=tool, stock=stock, view=chosen.view)
-            seconds = time.perf_counter() - begin
-            came = exact.memory_bytes if name == "memory_bytes" else seconds
-            asked = "20 MB" if name == "memory_bytes" else f"{budget:g} s"
-            words.append(f"{asked}: {came / budget:.3f} at {chosen.view.width} x {chosen.view.height}")
+            seconds = time.process_time() - begin
+            shares[name].append((exact.memory_bytes if name == "memory_bytes" else seconds) / budget)
+            words.append(f"{asked}: {shares[name][-1]:.3f} at {chosen.view.width} x {chosen.view.height}")
         print("   ".join(words))
+    for name, values in shares.items():
+        low, median, high = np.percentile(values, (0, 50, 100))
+        print(f"  {name}: median {median:.3f}, {low:.3f} to {high:.3f}")
 
 
 def papers_case() -> tuple[Toolpath, Tool, Stock]:

@@ -3,20 +3,23 @@
 
 from __future__ import annotations
 
+import time
+from dataclasses import astuple
 from math import cos, pi, radians, sin, sqrt
 
 import numpy as np
 import pytest
 
-from vkworkbench.core.closed_form import candidate_pixels, cauchy_crofton, closed_form, swept
+from vkworkbench.core.closed_form import cauchy_crofton, closed_form, swept
 from vkworkbench.core.dexels import UNCUT
 from vkworkbench.core.recognition import Recognition, recognize
 from vkworkbench.core.removal import Removal
 from vkworkbench.core.resolution import best_resolution
-from vkworkbench.core.resources import Speed, estimate
+from vkworkbench.core.resources import Speed, estimate, work
 from vkworkbench.core.sampling import sample
 from vkworkbench.core.silhouette import silhouette_area
 from vkworkbench.core.solids import ConvexStock, Stock, Tool, View
+from vkworkbench.core.speed import fit_speed, measure_speed
 from vkworkbench.core.strategy import Strategy
 from vkworkbench.core.toolpath import Toolpath
 from vkworkbench.core.zbuffer import DEXEL, INDEX, TRACE, simulate
@@ -114,7 +117,7 @@ def test_the_error_bar_holds_as_often_as_it_should():
         totals = []
         for seed in range(40):
             rays = sample(removal, np.random.default_rng(seed))
-            pieces = removal.cut(rays.x, rays.y)
+            pieces, _ = removal.cut(rays.x, rays.y)
             totals.append(rays.total(np.bincount(pieces.ray[pieces.owner != UNCUT], minlength=len(rays.x))))
         total, error = np.array(totals).T
         within.append(np.abs(total - total.mean()) <= 2 * error)
@@ -190,8 +193,6 @@ def test_a_tool_larger_than_the_stock():
 
 
 def test_a_hundred_thousand_trajectories_are_no_more_work_each():
-    import time
-
     seconds = []
     for chords in (150, 1500):
         toolpath = surface(step=1.0, chords=chords)
@@ -255,12 +256,41 @@ def test_cauchy_crofton_is_the_projected_length():
 
 @pytest.mark.parametrize("direction", [TOP, TILTED, ISOMETRIC], ids=["top", "tilted", "isometric"])
 def test_candidate_pixels(direction):
-    toolpath = path([(20, 20, 10), (60, 40, 10), (20, 40, 12), (21, 41, 8)])
+    # Along the stock's edge and beside it: only what lies over the stock is examined.
+    toolpath = path([(20, 20, 10), (60, 40, 10), (20, 40, 12), (-2, -2, 8), (-2, 90, 8)])
     view = View(direction)
     exact = simulate(toolpath, tool=FLAT, stock=STOCK, view=view)
-    assert candidate_pixels(toolpath, tool=FLAT, stock=STOCK, view=view) == pytest.approx(
-        exact.candidates, rel=0.15
-    )
+    found = estimate(toolpath, None, tool=FLAT, stock=STOCK, view=view)
+    assert found.candidates == pytest.approx(exact.candidates, rel=0.08)
+
+
+def test_the_time_is_that_of_the_work():
+    toolpath, tool = PATHS["surface"]
+    view = View(TILTED, 400, 300)
+    exact = simulate(toolpath, tool=tool, stock=STOCK, view=view)
+    amounts = work(len(toolpath), exact.dexels + exact.traces, exact.candidates, tool, view)
+    speed = Speed(2e-5, 4e-7, 3e-7, 7e-7, 3e-7)
+    found = estimate(toolpath, None, tool=tool, stock=STOCK, view=view, speed=speed)
+    assert found.seconds == pytest.approx(amounts @ [2e-5, 4e-7, 3e-7, 7e-7, 3e-7], rel=0.03)
+
+
+def test_a_speed_is_found_in_times():
+    rng = np.random.default_rng(3)
+    true = np.array(astuple(Speed())) * [2, 3, 2, 3, 2]
+    amounts = rng.uniform(0.1, 1, (2000, 5)) / true
+    assert astuple(fit_speed(amounts, amounts @ true)) == pytest.approx(true, rel=0.02)
+    # With few and noisy times the proportions stay sensible.
+    for _ in range(50):
+        few = amounts[rng.choice(2000, 6)]
+        found = np.array(astuple(fit_speed(few, few @ true * rng.uniform(0.7, 1.4, 6))))
+        assert ((found > true / 4) & (found < 4 * true)).all()
+
+
+def test_this_computers_speed_is_measured():
+    begin = time.process_time()
+    speed = measure_speed()
+    assert time.process_time() - begin < 2  # 0.2 s on a quiet computer
+    assert all(constant > 0 for constant in astuple(speed))
 
 
 @pytest.mark.parametrize("name", ["zigzag", "surface", "helix"])

@@ -4,14 +4,17 @@
 from vkworkbench.core.linearize import linearize
 from vkworkbench.core.machining import Machining, machining
 from vkworkbench.core.recognition import Recognition, Span, recognize
-from vkworkbench.core.resources import Estimate, estimate
+from vkworkbench.core.resolution import Accuracy, Resolution, best_accuracy, best_resolution
+from vkworkbench.core.resources import Estimate, Speed, estimate
 from vkworkbench.core.signature import Signature, signature
-from vkworkbench.core.solids import Stock, Tool, View
+from vkworkbench.core.solids import ConvexStock, Stock, Tool, View
+from vkworkbench.core.speed import measure_speed
 from vkworkbench.core.strategy import Strategy
 from vkworkbench.core.toolpath import Problem, Toolpath
 from vkworkbench.core.zbuffer import ZBuffer, simulate
 
 __all__ = [
-    "Estimate", "Machining", "Problem", "Recognition", "Signature", "Span", "Stock", "Strategy", "Tool", "Toolpath",
-    "View", "ZBuffer", "estimate", "linearize", "machining", "recognize", "signature", "simulate",
+    "Accuracy", "ConvexStock", "Estimate", "Machining", "Problem", "Recognition", "Resolution", "Signature",
+    "Span", "Speed", "Stock", "Strategy", "Tool", "Toolpath", "View", "ZBuffer", "best_accuracy", "best_resolution",
+    "estimate", "linearize", "machining", "measure_speed", "recognize", "signature", "simulate",
 ]  # fmt: skip

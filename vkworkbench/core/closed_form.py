@@ -87,28 +87,6 @@ def cauchy_crofton(toolpath: Toolpath, *, stock: Stock | ConvexStock, view: View
     return float(np.hypot(move @ frame.right, move @ frame.up).sum() * 2 / np.pi / frame.pixel)
 
 
-def candidate_pixels(toolpath: Toolpath, *, tool: Tool, stock: Stock | ConvexStock, view: View) -> float:
-    """Number of pairs of pixel and trajectory that passes it, whether or not anything is left to cut there.
-
-    The area of the sweep's image, from the lowest height to the stock's top: with the tilt t of the view ``(2
-    R l + pi R^2) cos t + h sin t (2 R + l |sin(heading - view)|)``, for the part that lies over the stock.
-
-    Parameters
-    ----------
-    toolpath : Toolpath
-    tool : Tool
-    stock : Stock or ConvexStock
-    view : View
-    """
-    frame = view.frame(stock)
-    t = _in_stock(toolpath, tool, stock)
-    cosine, sine, azimuth = _tilt(frame)
-    flat = 2 * tool.radius * t.run + np.pi * tool.radius**2
-    height = stock.upper[2] - np.maximum(t.low, stock.lower[2])
-    wall = height * (2 * tool.radius + t.run * np.abs(np.sin(t.heading - azimuth)))
-    return float(((flat * cosine + wall * sine) * t.share).sum() / frame.pixel**2)
-
-
 def swept(toolpath: Toolpath, *, tool: Tool, stock: Stock | ConvexStock, view: View) -> float:
     """Strategy-blind count of trace elements, top view: every trajectory cuts its whole width.
 

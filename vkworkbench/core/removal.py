@@ -40,15 +40,12 @@ class Removal:
     strip : (4, m) float64
         The strip along each one's image that holds it: its unit normal (x, y) and its two distances from the
         image's centre, mm.
-    candidates : int
-        Pairs of ray and trajectory examined so far.
     """
 
     def __init__(self, toolpath: Toolpath, tool: Tool, stock: Stock, frame: Frame) -> None:
         self.tool, self.stock, self.frame = tool, stock, frame
         self.sine = float(np.hypot(frame.direction[0], frame.direction[1]))
         self.cosine = float(-frame.direction[2])
-        self.candidates = 0
 
         ends = np.asarray(toolpath.points, float)
         start, end = ends[:-1], ends[1:]
@@ -96,7 +93,9 @@ class Removal:
         rise = ny * self.sine * np.maximum(depth, 0)
         return np.array([nx, ny, middle - reach + np.minimum(rise, 0), middle + reach + np.maximum(rise, 0)])
 
-    def cut(self, x: np.ndarray, y: np.ndarray, selection: np.ndarray | None = None) -> Pieces:
+    def cut(
+        self, x: np.ndarray, y: np.ndarray, selection: np.ndarray | None = None
+    ) -> tuple[Pieces, np.ndarray]:
         """Return the pieces of rays; quickest where rays that follow each other are neighbours in the image.
 
         Parameters
@@ -108,18 +107,25 @@ class Removal:
 
         Returns
         -------
-        Pieces
+        pieces : Pieces
             Their owners are indices of the toolpath's trajectories.
+        passes : (k,) int64
+            How many trajectories each ray was examined with.
         """
         near, far = self.stock.chords(self.frame.origins(x, y), self.frame.direction)
+        # Beside the stock there is nothing to cut.
+        inside = np.flatnonzero(far - near > THINNEST)
+        passes = np.zeros(len(x), np.int64)
+        x, y, near, far = x[inside], y[inside], near[inside], far[inside]
         parts = [(np.empty(0, np.int64), np.empty(0, np.int32), np.empty(0), np.empty(0))]
         for first, last, group, item in self._meetings(x, y, selection):
             ray, item = self._pairs(group, item, x[first:last], y[first:last])
+            passes[inside[first:last]] = np.bincount(ray, minlength=last - first)
             pieces = self._cut_pairs(
                 ray, item, x[first:last], y[first:last], near[first:last], far[first:last]
             )
-            parts.append((pieces.ray + first, pieces.owner, pieces.near, pieces.far))
-        return Pieces(*(np.concatenate(columns) for columns in zip(*parts)))
+            parts.append((inside[pieces.ray + first], pieces.owner, pieces.near, pieces.far))
+        return Pieces(*(np.concatenate(columns) for columns in zip(*parts))), passes
 
     def meeting(
         self,
@@ -198,7 +204,6 @@ class Removal:
         near: np.ndarray,
         far: np.ndarray,
     ) -> Pieces:
-        self.candidates += len(ray)
         enter, leave = np.empty(len(ray)), np.empty(len(ray))
         for begin in range(0, len(ray), _PAIRS_AT_ONCE):
             part = slice(begin, begin + _PAIRS_AT_ONCE)

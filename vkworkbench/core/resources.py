@@ -3,11 +3,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import astuple, dataclass
 
 import numpy as np
 
-from vkworkbench.core.closed_form import candidate_pixels
 from vkworkbench.core.dexels import UNCUT
 from vkworkbench.core.recognition import Recognition
 from vkworkbench.core.removal import Removal
@@ -19,6 +18,10 @@ from vkworkbench.core.zbuffer import DEXEL, INDEX, TRACE
 
 # The same rays every time: a click and a macro give the same numbers.
 _SEED = 2002
+# Work on a pair of ray and trajectory for rounded tools, a flat end's or a cone's taken as 1: seen from above or
+# below, and tilted. A bull-nose needs bisection.
+_BALL_WORK = (1.15, 1.45)
+_BULLNOSE_WORK = (1.5, 5.0)
 
 
 @dataclass(frozen=True)
@@ -43,6 +46,8 @@ class Estimate:
         The image.
     pixel : float
         Side of its pixels, mm.
+    candidates : float
+        Pairs of pixel and trajectory that the simulator examines, whether or not anything is left to cut.
     stock_bytes : float
         The part of `memory_bytes` that the uncut stock takes.
     trajectory_seconds : float
@@ -57,6 +62,7 @@ class Estimate:
     explanation: str
     view: View
     pixel: float
+    candidates: float
     stock_bytes: float
     trajectory_seconds: float
 
@@ -65,7 +71,7 @@ class Estimate:
 class Speed:
     """What one unit of the simulator's work costs on one computer, s.
 
-    The defaults are those of a Xeon core, fitted as benchmarks/resources.py fits them.
+    The defaults are those of a Xeon core, see benchmarks/resources.py; ``speed.measure_speed`` measures yours.
 
     Attributes
     ----------
@@ -74,18 +80,18 @@ class Speed:
     pixel : float
         One pixel of the image.
     candidate : float
-        One pixel a trajectory passes, looked at from above or below.
+        One pixel a flat end or a cone passes, looked at from above or below.
     tilted_candidate : float
         The same in any other direction.
     record : float
         One dexel or element of a trace.
     """
 
-    trajectory: float = 10e-6
-    pixel: float = 0.55e-6
-    candidate: float = 0.35e-6
-    tilted_candidate: float = 1.1e-6
-    record: float = 0.5e-6
+    trajectory: float = 21e-6
+    pixel: float = 0.37e-6
+    candidate: float = 0.26e-6
+    tilted_candidate: float = 0.65e-6
+    record: float = 0.25e-6
 
 
 def estimate(
@@ -121,7 +127,7 @@ def estimate(
     frame = view.frame(stock)
     removal = Removal(toolpath, tool, stock, frame)
     rays = sample(removal, np.random.default_rng(_SEED))
-    pieces = removal.cut(rays.x, rays.y)
+    pieces, passes = removal.cut(rays.x, rays.y)
     cut = pieces.owner != UNCUT
     cuts = np.bincount(pieces.ray[cut], minlength=len(rays.x))
     parts = np.bincount(pieces.ray[~cut], minlength=len(rays.x))
@@ -134,18 +140,13 @@ def estimate(
     traces, error = rays.total(cuts)
     touched, _ = rays.total(cuts > 0)
     dexels, traces, error = (covered + more) * per_area, traces * per_area, error * per_area
-    pixels = frame.width * frame.height
-    stock_bytes = DEXEL.itemsize * covered * per_area + INDEX.itemsize * (pixels + 1)
+    index_bytes = INDEX.itemsize * (frame.width * frame.height + 1)
+    stock_bytes = DEXEL.itemsize * covered * per_area + index_bytes
     memory = stock_bytes + DEXEL.itemsize * more * per_area + TRACE.itemsize * traces
-    candidates = candidate_pixels(toolpath, tool=tool, stock=stock, view=view)
-    per_candidate = speed.candidate if removal.sine == 0 else speed.tilted_candidate
+    candidates = rays.total(passes)[0] * per_area
     trajectory_seconds = speed.trajectory * len(toolpath)
-    seconds = (
-        trajectory_seconds
-        + speed.pixel * pixels
-        + per_candidate * candidates
-        + speed.record * (dexels + traces)
-    )
+    constants = np.array(astuple(speed))
+    seconds = float(work(len(toolpath), dexels + traces, candidates, tool, view) @ constants)
     return Estimate(
         dexels,
         traces,
@@ -155,8 +156,42 @@ def estimate(
         _explain(recognition, traces, touched * per_area),
         view,
         frame.pixel,
+        candidates,
         stock_bytes,
         trajectory_seconds,
+    )
+
+
+def work(trajectories: int, records: float, candidates: float, tool: Tool, view: View) -> np.ndarray:
+    """How often each constant of `Speed` is due, in the order of its fields.
+
+    Parameters
+    ----------
+    trajectories : int
+    records : float
+        Number of dexels and elements of traces.
+    candidates : float
+        Pairs of pixel and trajectory examined.
+    tool : Tool
+    view : View
+
+    Returns
+    -------
+    (5,) float64
+    """
+    if tool.rounding == 0:
+        untilted, tilted = 1.0, 1.0
+    else:
+        untilted, tilted = _BALL_WORK if tool.rounding == tool.radius else _BULLNOSE_WORK
+    vertical = not any(view.direction[:2])
+    return np.array(
+        [
+            trajectories,
+            view.width * view.height,
+            candidates * untilted * vertical,
+            candidates * tilted * (not vertical),
+            records,
+        ]
     )
 
 

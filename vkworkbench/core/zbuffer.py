@@ -142,7 +142,7 @@ def simulate(toolpath: Toolpath, *, tool: Tool, stock: Stock | ConvexStock, view
     """
     frame = view.frame(stock)
     removal = Removal(toolpath, tool, stock, frame)
-    dexels, traces, cut_pixels = [], [], []
+    dexels, traces, cut_pixels, candidates = [], [], [], 0
     # Tiles are quarters of quarters, so that a trajectory is looked for only where it passes.
     side = _TILE << max(0, (max(frame.width, frame.height) - 1) // _TILE).bit_length()
     pending = [(0, 0, side, np.arange(len(removal.index)))]
@@ -160,7 +160,8 @@ def simulate(toolpath: Toolpath, *, tool: Tool, stock: Stock | ConvexStock, view
             ]
             continue
         column, row = _blockwise(left, bottom, right, top)
-        pieces = removal.cut(*frame.pixel_centres(column, row), selection)
+        pieces, passes = removal.cut(*frame.pixel_centres(column, row), selection)
+        candidates += int(passes.sum())
         pixel = (row * frame.width + column)[pieces.ray]
         pieces = Pieces(pixel, pieces.owner, pieces.near, pieces.far)
         dexels.append(_dexels(pieces))
@@ -169,7 +170,7 @@ def simulate(toolpath: Toolpath, *, tool: Tool, stock: Stock | ConvexStock, view
     image = frame.width * frame.height
     part, _ = _by_pixel(dexels, [d["pixel"] for d in dexels], image)
     chips, index = _by_pixel(traces, cut_pixels, image)
-    return ZBuffer(frame, len(toolpath), len(toolpath), part, chips, index, removal.candidates)
+    return ZBuffer(frame, len(toolpath), len(toolpath), part, chips, index, candidates)
 
 
 def _blockwise(left: int, bottom: int, right: int, top: int) -> tuple[np.ndarray, np.ndarray]:
