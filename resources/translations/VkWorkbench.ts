@@ -484,6 +484,14 @@
         <source>no accuracy helps, playing takes {longer} even at the coarsest: use fast-forward, about {time} at the finest</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>its tool is wider than the stock: check the tool&apos;s diameter and the stock</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>choose a smaller image in the preferences</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

@@ -484,6 +484,14 @@
         <source>no accuracy helps, playing takes {longer} even at the coarsest: use fast-forward, about {time} at the finest</source>
         <translation>keine Genauigkeit hilft, das Abspielen dauert selbst bei der gröbsten {longer}: schnellen Vorlauf benutzen, etwa {time} bei der feinsten</translation>
     </message>
+    <message>
+        <source>its tool is wider than the stock: check the tool&apos;s diameter and the stock</source>
+        <translation>ihr Werkzeug ist breiter als das Rohteil: Durchmesser und Rohteil prüfen</translation>
+    </message>
+    <message>
+        <source>choose a smaller image in the preferences</source>
+        <translation>in den Einstellungen ein kleineres Bild wählen</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

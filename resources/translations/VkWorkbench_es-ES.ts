@@ -484,6 +484,14 @@
         <source>no accuracy helps, playing takes {longer} even at the coarsest: use fast-forward, about {time} at the finest</source>
         <translation>ninguna precisión basta, la reproducción tarda {longer} incluso con la más basta: use el avance rápido, unos {time} con la más fina</translation>
     </message>
+    <message>
+        <source>its tool is wider than the stock: check the tool&apos;s diameter and the stock</source>
+        <translation>su herramienta es más ancha que el material en bruto: compruebe el diámetro y el bruto</translation>
+    </message>
+    <message>
+        <source>choose a smaller image in the preferences</source>
+        <translation>elija una imagen más pequeña en las preferencias</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

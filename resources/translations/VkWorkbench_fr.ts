@@ -484,6 +484,14 @@
         <source>no accuracy helps, playing takes {longer} even at the coarsest: use fast-forward, about {time} at the finest</source>
         <translation>aucune précision ne suffit, la lecture prend {longer} même à la plus grossière : utiliser l&apos;avance rapide, environ {time} à la plus fine</translation>
     </message>
+    <message>
+        <source>its tool is wider than the stock: check the tool&apos;s diameter and the stock</source>
+        <translation>son outil est plus large que le brut : vérifier le diamètre de l&apos;outil et le brut</translation>
+    </message>
+    <message>
+        <source>choose a smaller image in the preferences</source>
+        <translation>choisir une image plus petite dans les préférences</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

@@ -484,6 +484,14 @@
         <source>no accuracy helps, playing takes {longer} even at the coarsest: use fast-forward, about {time} at the finest</source>
         <translation>任何精度都不行，即使最粗精度播放也需要 {longer}：请使用快进，最细精度约 {time}</translation>
     </message>
+    <message>
+        <source>its tool is wider than the stock: check the tool&apos;s diameter and the stock</source>
+        <translation>其刀具比毛坯宽：请检查刀具直径和毛坯</translation>
+    </message>
+    <message>
+        <source>choose a smaller image in the preferences</source>
+        <translation>请在首选项中选择更小的图像</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

@@ -13,8 +13,10 @@ from vkworkbench.core.legacy import legacy_costs
 from vkworkbench.core.linearize import linearize
 from vkworkbench.core.opengl import opengl_cost
 from vkworkbench.core.preflight import preflight
+from vkworkbench.core.recognition import recognize
+from vkworkbench.core.resources import estimate
 from vkworkbench.core.simulators import Constants
-from vkworkbench.core.solids import Stock, Tool
+from vkworkbench.core.solids import Stock, Tool, View
 
 START = ("G0", {"X": 10.0, "Y": 0.0, "Z": 5.0})
 HALF = {"X": -10.0, "Y": 0.0, "Z": 5.0, "I": -10.0, "J": 0.0}
@@ -120,10 +122,15 @@ def test_memory_beyond_the_budget():
     commands = zigzag(100)
     path = linearize(commands)
     (legacy,) = legacy_costs(path, tool=Tool("endmill", 6.0), stock=STOCK)
-    opengl = opengl_cost(path, diameter=6.0)
-    codes = [
-        one.code
-        for one in preflight(commands, path, version=(1, 0), legacy=legacy, opengl=opengl, memory_budget=1e4)
+    costs = {
+        "zbuffer": estimate(path, recognize(path), tool=Tool("endmill", 6.0), stock=STOCK, view=View(width=80, height=60)),
+        "legacy": legacy,
+        "opengl": opengl_cost(path, diameter=6.0),
+    }
+    found = preflight(commands, path, version=(1, 0), **costs, memory_budget=1e4)
+    assert [(one.code, one.message.split()[1]) for one in found] == [
+        ("memory", "z-buffer"),
+        ("memory", "legacy"),
+        ("memory", "OpenGL"),
     ]
-    assert codes == ["memory", "memory"]
-    assert preflight(commands, path, version=(1, 0), legacy=legacy, opengl=opengl, memory_budget=1e8) == ()
+    assert preflight(commands, path, version=(1, 0), **costs, memory_budget=1e8) == ()

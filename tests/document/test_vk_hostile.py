@@ -153,6 +153,7 @@ def test_impossible_tools(small, zigzag_commands, diameter):
         assert "diameter" in row.error and row.estimate is None
     else:
         assert row.estimate.seconds > 0 and row.estimate.memory_bytes > 0
+        assert ("wider than the stock" in (row.error or "")) is (diameter > 1)
     assert op.Path.Size == len(zigzag_commands)
 
 

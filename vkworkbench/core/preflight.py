@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What to know before a simulation of FreeCAD's is started, found in O(n)."""
+"""What to know before a simulation is started, found in O(n)."""
 
 from __future__ import annotations
 
@@ -12,6 +12,7 @@ from vkworkbench import friendly
 from vkworkbench.core.legacy import LegacyCost
 from vkworkbench.core.motions import motions
 from vkworkbench.core.opengl import OpenGLCost
+from vkworkbench.core.resources import Estimate
 from vkworkbench.core.simulators import Simulator, available_simulators
 from vkworkbench.core.toolpath import Toolpath
 from vkworkbench.core.words import Words
@@ -53,12 +54,13 @@ def preflight(
     *,
     version: tuple[int, ...],
     diameter: float | None = None,
+    zbuffer: Estimate | None = None,
     legacy: LegacyCost | None = None,
     opengl: OpenGLCost | None = None,
     memory_budget: float = 1e9,
     time_budget: float = LONGEST_PLAY,
 ) -> tuple[Caution, ...]:
-    """Find what goes wrong or takes too long in FreeCAD's simulators.
+    """Find what goes wrong or takes too much in the simulators.
 
     Parameters
     ----------
@@ -70,7 +72,7 @@ def preflight(
         Of FreeCAD, at least major and minor.
     diameter : float, optional
         Of the tool, mm; without it ramps are not checked.
-    legacy, opengl : LegacyCost, OpenGLCost, optional
+    zbuffer, legacy, opengl : Estimate, LegacyCost, OpenGLCost, optional
         Estimates for this operation; without them time and memory are not checked.
     memory_budget : float
         Bytes one operation may take.
@@ -89,7 +91,7 @@ def preflight(
         cautions += _long_legacy(legacy, time_budget) + _short_moves(toolpath, legacy.resolution)
     if opengl is not None and Simulator.OPENGL in available_simulators(version):
         cautions += _long_opengl(opengl, time_budget)
-    cautions += _memory(legacy, opengl, memory_budget)
+    cautions += _memory(zbuffer, legacy, opengl, memory_budget)
     return tuple(cautions)
 
 
@@ -193,9 +195,12 @@ def _long_opengl(cost: OpenGLCost, budget: float) -> list[Caution]:
     return found
 
 
-def _memory(legacy: LegacyCost | None, opengl: OpenGLCost | None, budget: float) -> list[Caution]:
+def _memory(
+    zbuffer: Estimate | None, legacy: LegacyCost | None, opengl: OpenGLCost | None, budget: float
+) -> list[Caution]:
     found = []
     for name, cost, instead in (
+        ("z-buffer", zbuffer, "choose a smaller image in the preferences"),
         ("legacy", legacy, "move its accuracy slider to the left"),
         ("OpenGL", opengl, "simulate fewer operations at a time"),
     ):

@@ -196,6 +196,8 @@ def _work(reading: _Reading, chosen: Preferences, constants: Constants, going_on
         cost = estimate(toolpath, found, tool=tool, stock=stock, view=chosen.view)
         if cost.traces == 0:
             errors.append("it does not touch the stock: check its depths, its placement and the stock")
+        elif tool.diameter > max(stock.upper[0] - stock.lower[0], stock.upper[1] - stock.lower[1]):
+            errors.append("its tool is wider than the stock: check the tool's diameter and the stock")
         resolution = best_resolution([cost], stepover=found.stepover, **chosen.budget)
         going_on()
         legacy, *positions = legacy_costs(
@@ -221,8 +223,8 @@ def _work(reading: _Reading, chosen: Preferences, constants: Constants, going_on
         opengl=opengl,
         resolution=resolution,
         accuracy=accuracy,
-        cautions=preflight(commands, toolpath, version=version, diameter=tool and tool.diameter, legacy=legacy,
-                           opengl=opengl, memory_budget=chosen.memory_budget_bytes,
+        cautions=preflight(commands, toolpath, version=version, diameter=tool and tool.diameter, zbuffer=cost,
+                           legacy=legacy, opengl=opengl, memory_budget=chosen.memory_budget_bytes,
                            time_budget=chosen.time_budget),
         error="; ".join(errors) or None,
         fingerprint=f"{commands_fingerprint(commands, reading.placement)}:{reading.setting_fingerprint}",

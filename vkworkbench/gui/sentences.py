@@ -98,6 +98,7 @@ _SENTENCES = (
     QT_TRANSLATE_NOOP("Sentences", "cost unknown for {labels}"),
     QT_TRANSLATE_NOOP("Sentences", "the cost is that of a box around its cuts"),
     QT_TRANSLATE_NOOP("Sentences", "it does not touch the stock: check its depths, its placement and the stock"),
+    QT_TRANSLATE_NOOP("Sentences", "its tool is wider than the stock: check the tool's diameter and the stock"),
     # What the machining time leaves out.
     QT_TRANSLATE_NOOP(
         "Sentences", "{length} mm of cutting in {count} move without a feed rate are not in the time"
@@ -198,6 +199,7 @@ _SENTENCES = (
         "The {simulator} simulator takes about {memory} for this operation, more than the {allowed} allowed: "
         "{instead}.",
     ),
+    QT_TRANSLATE_NOOP("Sentences", "choose a smaller image in the preferences"),
     QT_TRANSLATE_NOOP("Sentences", "move its accuracy slider to the left"),
     QT_TRANSLATE_NOOP("Sentences", "simulate fewer operations at a time"),
 )  # fmt: skip
