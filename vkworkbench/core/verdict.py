@@ -205,7 +205,8 @@ def judge(s: Section) -> Verdict:
 def _judge_rings(s: Section, rings: float) -> Verdict:
     r = s.rings
     helix = s.share(r.stacked & r.sloped & r.round)
-    if helix > 0.5 * rings:
+    # Circles among other contours ramped in the same way are profiles, too.
+    if helix > 0.5 * rings and s.share(r.round) > 0.85 * rings:
         return Verdict(Strategy.HELIX, helix / rings, len(r), "descending at a constant radius")
     opposite = s.share(r.opposite)
     if opposite > 0.6 * rings:
