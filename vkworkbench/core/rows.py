@@ -29,6 +29,8 @@ class Rows:
         Length of a pass (median by length), mm.
     count : int
         Number of rows.
+    lines : int
+        Number of different lines they lie on, counted up to a thousand rows.
     opposite, same : float
         Length of the passes whose neighbour runs the other way, and the same way, mm.
     step : float
@@ -45,6 +47,7 @@ class Rows:
     length: float
     typical: float
     count: int
+    lines: int
     opposite: float
     same: float
     step: float
@@ -151,7 +154,7 @@ def _densest(moves: Moves, chosen: np.ndarray) -> Rows | None:
     aside = lateral > SAME_LINE
     axis, total = axis % np.pi, float(passed.sum())
     if not aside.any():
-        return Rows(axis, total, typical, 1, 0.0, 0.0, 0.0, 0.0, 0.0, on)
+        return Rows(axis, total, typical, 1, 1, 0.0, 0.0, 0.0, 0.0, 0.0, on)
     step = weighted_median(lateral[aside], shorter[aside])
     neighbour = aside & (lateral <= 1.6 * step)
     turned = sense[1:] != sense[:-1]
@@ -165,6 +168,7 @@ def _densest(moves: Moves, chosen: np.ndarray) -> Rows | None:
         length=total,
         typical=typical,
         count=1 + int(aside.sum()),
+        lines=1 + len(gaps),
         opposite=float(shorter[neighbour & turned].sum()),
         same=float(shorter[onward].sum()),
         step=step,

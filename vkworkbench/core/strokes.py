@@ -101,7 +101,7 @@ class Arcs:
     Attributes
     ----------
     count : int
-        Number of radii cut one after the other.
+        Number of different radii: an open contour of a few arcs has few, at however many depths.
     length : float
         Length of all arcs, mm.
     opposite, same : float
@@ -181,7 +181,7 @@ def find_arcs(moves: Moves, pieces: Pieces, index: np.ndarray) -> Arcs | None:
     turned = swept[1:] * swept[:-1] < 0
     pitch = np.abs(climbed) * TURN / np.maximum(np.abs(swept), 1e-9)
     return Arcs(
-        count=1 + int(aside.sum()),
+        count=1 + int((np.diff(np.sort(radius)) > 0.3 * step).sum()),
         length=float(whole.sum()),
         opposite=float(shorter[neighbour & turned].sum()),
         same=float(shorter[neighbour & ~turned].sum()),

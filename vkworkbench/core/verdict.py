@@ -128,7 +128,7 @@ def _fills(f: Rows, tool: float) -> bool:
     """Whether passes lie side by side as rows do: long moves, short steps between them (paper, section
     2.1)."""
     # In teeth as narrow as two steps the rows are short, but many and even.
-    long = 1.5 if f.count >= 20 and f.even > 0.8 else 2.5
+    long = 1.5 if f.lines >= 10 and f.even > 0.8 else 2.5
     if f.opposite + f.same <= 0.25 * f.length or f.typical <= long * f.step:
         return False
     if f.step < 0.03 * tool:
