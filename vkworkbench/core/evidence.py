@@ -86,24 +86,32 @@ def _phi_range(s: Section) -> tuple[float, float]:
 
 def sentence(s: Section, verdict: Verdict, e: Evidence) -> str:
     """Tell the verdict in one sentence with its numbers."""
-    low, high = e.phi_range[0] / TURN, e.phi_range[1] / TURN
+    low, high = e.phi_range
     strategy = verdict.strategy
     apart = f", {e.stepover:.3g} mm apart" if e.stepover else ""
     depths = f" at {e.depths} depths" if e.depths > 1 else ""
     turning = {"ccw": ", counter-clockwise", "cw": ", clockwise"}.get(e.sense or "", "")
+    between = f"between {_turns(low)} and {_turns(high)} turns"
+    stays = "stays at 0" if _turns(low) == _turns(high) == "0" else f"stays {between}"
     if strategy in (Strategy.ZIGZAG, Strategy.ONE_WAY) and s.rows:
-        return (
-            f"phi stays between {low:+.2g} and {high:+.2g} turns over {e.passes} rows{apart}{depths}, "
-            f"{verdict.seen}: {strategy}"
-        )
+        return f"phi {stays} over {e.passes} rows{apart}{depths}, {verdict.seen}: {strategy}"
     if len(s.rings) and strategy in AROUND | {Strategy.ZIGZAG}:
         return (
-            f"phi reaches {max(low, high, key=abs):+.3g} turns over {len(s.rings)} loops{apart}{depths}, "
-            f"{verdict.seen}: {strategy}{turning}"
+            f"phi reaches {_turns(max(low, high, key=abs))} turns over {_count(len(s.rings), 'loop')}{apart}"
+            f"{depths}, {verdict.seen}: {strategy}{turning}"
         )
-    if strategy is Strategy.MIXED:
-        return f"phi lies between {low:+.2g} and {high:+.2g} turns, {verdict.seen}: mixed"
-    return (
-        f"phi stays between {low:+.2g} and {high:+.2g} turns over {len(s.strokes)} open strokes{depths}, "
-        f"{verdict.seen}: {strategy}"
-    )
+    if strategy is Strategy.MIXED or not len(s.strokes):
+        return f"phi lies {between}, {verdict.seen}: {strategy}"
+    strokes = _count(len(s.strokes), "open stroke")
+    return f"phi {stays} over {strokes}{apart}{depths}, {verdict.seen}: {strategy}"
+
+
+def _turns(phi: float) -> str:
+    """Return an angle in turns, to hundredths: what rounding left is nothing."""
+    turns = round(phi / TURN, 2)
+    return f"{turns:+.2f}" if turns else "0"
+
+
+def _count(number: int, thing: str) -> str:
+    """Return how many there are of a thing."""
+    return f"one {thing}" if number == 1 else f"{number} {thing}s"

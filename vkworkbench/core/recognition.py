@@ -134,7 +134,8 @@ def _judge_one(toolpath: Toolpath, moves: Moves, first: int, last: int, tool: fl
     """Recognise the trajectories first .. last as one operation."""
     if len(moves.length) == 0 or moves.vertical > 0.95 * (moves.vertical + moves.length.sum()):
         holes = len(moves.holes)
-        why = f"phi has no direction to turn, the moves are vertical at {holes or 'some'} points: drilling"
+        at = "one point" if holes == 1 else f"{holes or 'some'} points"
+        why = f"phi has no direction to turn, the moves are vertical at {at}: drilling"
         spans = _spans(toolpath, [(first, last, Strategy.DRILLING)])
         return Recognition(Strategy.DRILLING, 0.98, why, spans, passes=holes or None)
     section = Section(moves, tool)

@@ -37,11 +37,23 @@ _SENTENCES = (
         "phi stays between {low} and {high} turns over {count} open strokes{more}, {seen}: {strategy}",
     ),
     QT_TRANSLATE_NOOP(
+        "Sentences", "phi stays between {low} and {high} turns over one open stroke{more}, {seen}: {strategy}"
+    ),
+    QT_TRANSLATE_NOOP("Sentences", "phi stays at 0 over {count} rows{more}, {seen}: {strategy}"),
+    QT_TRANSLATE_NOOP("Sentences", "phi stays at 0 over {count} open strokes{more}, {seen}: {strategy}"),
+    QT_TRANSLATE_NOOP("Sentences", "phi stays at 0 over one open stroke{more}, {seen}: {strategy}"),
+    QT_TRANSLATE_NOOP(
         "Sentences", "phi reaches {high} turns over {count} loops{more}, {seen}: {strategy}{turning}"
+    ),
+    QT_TRANSLATE_NOOP(
+        "Sentences", "phi reaches {high} turns over one loop{more}, {seen}: {strategy}{turning}"
     ),
     QT_TRANSLATE_NOOP("Sentences", "phi lies between {low} and {high} turns, {seen}: {strategy}"),
     QT_TRANSLATE_NOOP(
         "Sentences", "phi has no direction to turn, the moves are vertical at {count} points: {strategy}"
+    ),
+    QT_TRANSLATE_NOOP(
+        "Sentences", "phi has no direction to turn, the moves are vertical at one point: {strategy}"
     ),
     QT_TRANSLATE_NOOP(
         "Sentences",
