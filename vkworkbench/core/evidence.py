@@ -53,7 +53,7 @@ def gather(s: Section, verdict: Verdict) -> Evidence:
                 milling = "climb" if (rings.growing > 0.5) == (sense == "ccw") else "conventional"
     elif main:
         passes, stepover = sum(f.count for f in rows), main.step
-    if verdict.step:
+    if verdict.step and not stepover:
         passes, stepover = verdict.count, verdict.step
     flat = s.pieces.flat & (s.pieces.length > 0.02 * s.pieces.length.max())
     return Evidence(

@@ -48,7 +48,7 @@ class Rings:
     back : (k,) float
         Turning that undid itself, rad.
     step : float
-        Distance between nested rings (median), mm; nan where none are nested.
+        Distance from a nested ring to the nearest other one (median), mm; nan where none are nested.
     growing : float
         Share of the steps that go outward; nan where none are nested.
     distinct, levels : int
@@ -110,7 +110,7 @@ def relate_rings(pieces: Pieces, index: np.ndarray, tool: float) -> Rings:
     flags = {name: np.zeros(k, bool) for name in names}
     inward = cache(lambda lag: _inward(sides, enclosed, length, slack, lag))
     limit, next_step, next_drop = _reach(inward, size, z, flat, tool)
-    steps = []
+    steps, nearest = [], np.full(k, np.inf)  # the next but one is two steps away
     for lag in LAGS[: max(k - 1, 0)]:
         a, b = slice(None, -lag), slice(lag, None)
         low, high, mean, step = inward(lag)
@@ -138,10 +138,12 @@ def relate_rings(pieces: Pieces, index: np.ndarray, tool: float) -> Rings:
             # And it goes on to a third: an outline and the hole in it are cut in opposite senses, too.
             onward = turns[1:] & turns[:-1] & (mean[1:] * mean[:-1] > 0)
             found["opposite"] = np.append(onward, False) | np.append(False, onward)
+        steps.append(mean[even & beside])
+        apart = np.where(even & beside, step, np.inf)
+        nearest[a], nearest[b] = np.minimum(nearest[a], apart), np.minimum(nearest[b], apart)
         for name, flag in found.items():
             flags[name][a] |= flag
             flags[name][b] |= flag
-        steps.append(np.copysign(step, mean)[even & beside])
         if flags["nested"].all():
             break
     levels = count_levels(z)
@@ -159,7 +161,7 @@ def relate_rings(pieces: Pieces, index: np.ndarray, tool: float) -> Rings:
         round=4 * np.pi * enclosed > ROUND * length**2,
         sloped=_sloped(pieces, index),
         back=pieces.back[index],
-        step=_middle(np.abs(steps)) if len(steps) else np.nan,
+        step=_middle(nearest[flags["nested"]]) if len(steps) else np.nan,
         growing=float((steps < 0).mean()) if len(steps) else np.nan,
         distinct=distinct,
         levels=levels,
@@ -199,7 +201,8 @@ def _inward(sides, enclosed, length, slack, lag: int) -> tuple[np.ndarray, ...]:
 
     Two parallel curves lie 2 dA / (P1 + P2) apart, by the difference in area and the lengths (Steiner's
     formula), which does not depend on how they are turned. All four sides of an offset's box move the same
-    way, the least of them by about that much; farther where a sharp corner touches the box.
+    way, the least of them by about that much; farther where a sharp corner touches the box. By less than the
+    distance no side can move: where an island takes a part of the area, the box tells it.
     The turns of windings (slack 2) are open and enclose only about what a loop (slack 1) does.
     """
     moved = sides[:, lag:] - sides[:, :-lag]
@@ -207,7 +210,7 @@ def _inward(sides, enclosed, length, slack, lag: int) -> tuple[np.ndarray, ...]:
     step = 2 * np.abs(enclosed[lag:] - enclosed[:-lag]) / (length[lag:] + length[:-lag])
     near, loose = np.minimum(np.abs(low), np.abs(high)), slack[lag:]
     fits = (near > 0.5 * step / loose - 0.02) & (near < 1.5 * step * loose + 0.02)
-    return low, high, mean, np.where((low * high > 0) & fits, step, 0.0)
+    return low, high, mean, np.where((low * high > 0) & fits, np.minimum(step, near), 0.0)
 
 
 def _reach(inward, size, z, flat, tool) -> tuple[float, np.ndarray, np.ndarray]:

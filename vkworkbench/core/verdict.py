@@ -14,6 +14,7 @@ from vkworkbench.core.rows import Rows, find_rows
 from vkworkbench.core.strategy import Strategy
 from vkworkbench.core.strokes import Strokes, find_arcs, relate_strokes
 
+ENTERED = "a winding with a helical entry or bites out of the corners"
 SMALL = 0.02  # of the longest ring or stroke; shorter ones are links and leads
 
 
@@ -207,6 +208,10 @@ def _judge_rings(s: Section, rings: float) -> Verdict:
     helix = s.share(r.stacked & r.sloped & r.round)
     # Circles among other contours ramped in the same way are profiles, too.
     if helix > 0.5 * rings and s.share(r.round) > 0.85 * rings:
+        # A level winding that goes on outward clears a pocket, however long the helix that leads into it.
+        clears = r.nested & r.winding & ~r.sloped & ~r.stacked
+        if (clears[1:] & clears[:-1]).sum() >= 2:
+            return Verdict(Strategy.ADAPTIVE, (helix + s.share(clears)) / rings, len(r), ENTERED)
         return Verdict(Strategy.HELIX, helix / rings, len(r), "descending at a constant radius")
     opposite = s.share(r.opposite)
     if opposite > 0.6 * rings:
@@ -226,8 +231,7 @@ def _judge_rings(s: Section, rings: float) -> Verdict:
         linked = s.share(r.winding & (r.back > 0.15 * TURN))  # a step aside turns one way and back
         if winding > 0.5 * rings and linked < 0.5 * winding:
             if (s.part(s.strokes.bite) > 0.03 and s.strokes.bite.sum() >= 5) or helix > 0.005:
-                seen = "a winding with a helical entry or bites out of the corners"
-                return Verdict(Strategy.ADAPTIVE, winding / rings, len(r), seen)
+                return Verdict(Strategy.ADAPTIVE, winding / rings, len(r), ENTERED)
             if _cornered(s) < 0.5:
                 return Verdict(Strategy.SPIRAL, winding / rings, len(r), "one winding that never closes")
         rival = deeper / rings if changing else 0.0
