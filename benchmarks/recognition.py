@@ -5,8 +5,9 @@
     python3 benchmarks/recognition.py [FILE.jsonl.gz ...]
 
 Each line of a FILE is a JSON record: label, strategy, accept (the strategies that count as right),
-tool_diameter (mm or null) and commands ([name, parameters], mm and mm/s). Toolpaths that are the same to a
-micrometre count once.
+tool_diameter (mm or null) and commands ([name, parameters], mm and mm/s); where there are params with
+FreeCAD's StepOver (percent of the tool's diameter), the stepover is compared with it. Toolpaths that are the
+same to a micrometre count once.
 Without files the toolpaths of synthetic.py are taken. Needs numpy only.
 """
 
@@ -33,18 +34,21 @@ from vkworkbench.core.toolpath import Toolpath  # noqa: E402
 
 BACK_AND_FORTH = {"zigzag", "one-way"}
 AROUND = {"contour-parallel", "spiral", "waterline", "profile", "helix"}
+WITHOUT_STEPOVER = {"adaptive", "waterline", "helix"}  # what StepOver is there is another thing
 SEEDS = 20  # synthetic toolpaths of each kind
 
 
 def records(files: list[str]):
-    """Yield (label, strategy, accepted strategies, tool diameter, toolpath)."""
+    """Yield (label, strategy, accepted strategies, tool diameter, stepover or None in mm, toolpath)."""
     for file in files:
         opened = gzip.open(file, "rt") if file.endswith(".gz") else open(file)
         with opened as lines:
             for line in lines:
                 r = json.loads(line)
                 path = linearize([(name, words) for name, words in r["commands"]])
-                yield r["label"], r["strategy"], set(r["accept"]), r["tool_diameter"], path
+                percent = r.get("params", {}).get("StepOver")
+                stepover = percent / 100 * r["tool_diameter"] if percent and r["tool_diameter"] else None
+                yield r["label"], r["strategy"], set(r["accept"]), r["tool_diameter"], stepover, path
     if not files:
         for label, accepted, make in synthetic.SAMPLES:
             # The strategy a label names decides the two-class figure only where all accepted ones agree on
@@ -52,7 +56,7 @@ def records(files: list[str]):
             strategy = "mixed" if "mixed" in accepted else min(accepted)
             for seed in range(SEEDS):
                 rng = np.random.default_rng([seed, sum(map(ord, label))])
-                yield label, strategy, accepted, None, linearize(make(rng))
+                yield label, strategy, accepted, None, None, linearize(make(rng))
 
 
 def key(path: Toolpath) -> bytes:
@@ -66,7 +70,8 @@ def accuracy(files: list[str]) -> None:
     by_label = collections.defaultdict(lambda: [0, 0])
     confusion: collections.Counter = collections.Counter()
     answers, two, moves, seconds = [], [0, 0], 0, 0.0
-    for label, strategy, accepted, diameter, path in records(files):
+    steps = [0, 0]
+    for label, strategy, accepted, diameter, stepover, path in records(files):
         if (digest := key(path)) in seen:
             continue
         seen.add(digest)
@@ -80,6 +85,9 @@ def accuracy(files: list[str]) -> None:
         by_label[label][1] += 1
         confusion[strategy, got if not right else strategy] += 1
         answers.append((found.confidence, right))
+        if stepover and found.stepover and not accepted & WITHOUT_STEPOVER:
+            steps[0] += abs(found.stepover - stepover) <= 0.05 * stepover
+            steps[1] += 1
         if accepted <= BACK_AND_FORTH or strategy in {"contour-parallel", "spiral", "waterline"}:
             two[0] += got in (BACK_AND_FORTH if strategy in BACK_AND_FORTH else AROUND)
             two[1] += 1
@@ -92,6 +100,8 @@ def accuracy(files: list[str]) -> None:
         f"\n{len(answers)} distinct toolpaths: right {right / len(answers):.3f}, "
         f"mean over labels {mean:.3f}, two-class {two[0]}/{two[1]} = {two[0] / max(1, two[1]):.4f}"
     )
+    if steps[1]:
+        print(f"stepover within 5 % of what FreeCAD was told: {steps[0]}/{steps[1]}")
     print(f"{seconds / max(1, moves) * 1e6:.2f} us per trajectory over {moves} trajectories")
 
 

@@ -285,3 +285,38 @@ def test_a_spiral_that_comes_again_at_other_depths_is_no_helix():
             program.append(("G0" if k == 0 else "G1", word))
         program.append(("G0", {"Z": 5.0}))
     assert strategy(program) is Strategy.SPIRAL
+
+
+@pytest.mark.parametrize("turns", [4, 20, 100])
+def test_a_pocket_entered_by_a_helix_of_any_length(turns):
+    program = [START[0]]
+    for k in range(36 * turns + 1):
+        a = k * math.pi / 18
+        program.append(("G1", {"X": 2 * math.cos(a), "Y": 2 * math.sin(a), "Z": -0.5 * k / 36}))
+    for k in range(36 * 12 + 1):
+        a, r = k * math.pi / 18, 2 + k / 36
+        program.append(("G1", {"X": r * math.cos(a), "Y": r * math.sin(a)}))
+    found = recognize(linearize(program), tool_diameter=4.0)
+    assert found.strategy is Strategy.ADAPTIVE
+    assert found.stepover == pytest.approx(1.0, abs=0.02)
+
+
+def test_the_stepover_of_a_lattice_that_bounces():
+    # On the way out the passes lie on other lines than on the way back, 0.6 mm beside them.
+    program = [START[0]]
+    for along, across in (("X", "Y"), ("Y", "X")):
+        back = [k * 2.0 + 0.6 for k in range(20)][::-1]
+        for k, line in enumerate([*(k * 2.0 for k in range(20)), *back]):
+            ends = [0.0, 40.0][:: 1 if k % 2 else -1]
+            program += [("G0", {along: ends[0], across: line}), ("G1", {"Z": -1.0}), ("G1", {along: ends[1]}),
+                        ("G0", {"Z": 5.0})]  # fmt: skip
+    found = recognize(linearize(program))
+    assert found.strategy is Strategy.ZIGZAG
+    assert found.stepover == pytest.approx(2.0)
+
+
+def test_reasons_are_written_as_people_write():
+    one = recognize(linearize(squares([20])))
+    assert "over one loop" in one.reason and "+1.00 turns" in one.reason
+    straight = recognize(linearize([*START, ("G1", {"X": 50.0})]))
+    assert "phi stays at 0 over one open stroke" in straight.reason

@@ -52,7 +52,8 @@ def gather(s: Section, verdict: Verdict) -> Evidence:
                 # What is left to cut lies on the right of a climbing tool: outward of a growing ccw loop.
                 milling = "climb" if (rings.growing > 0.5) == (sense == "ccw") else "conventional"
     elif main:
-        passes, stepover = sum(f.count for f in rows), main.step
+        # Grids are not cut row by row.
+        passes, stepover = sum(f.count for f in rows), main.period if len(rows) > 1 else main.step
     if verdict.step and not stepover:
         passes, stepover = verdict.count, verdict.step
     flat = s.pieces.flat & (s.pieces.length > 0.02 * s.pieces.length.max())

@@ -37,6 +37,9 @@ class Rows:
         Distance between rows cut one after the other (median by length), mm.
     pitch : float
         Distance between neighbouring rows in whatever order (median), mm.
+    period : float
+        Distance after which rows come again, mm: the passes of a lattice that bounce off the boundary lie on
+        two sets of lines, each as far apart as the stepover, and between one another at will.
     even : float
         Share of the steps that keep to the usual one.
     moves : (k,) int
@@ -52,6 +55,7 @@ class Rows:
     same: float
     step: float
     pitch: float
+    period: float
     even: float
     moves: np.ndarray
 
@@ -154,15 +158,18 @@ def _densest(moves: Moves, chosen: np.ndarray) -> Rows | None:
     aside = lateral > SAME_LINE
     axis, total = axis % np.pi, float(passed.sum())
     if not aside.any():
-        return Rows(axis, total, typical, 1, 1, 0.0, 0.0, 0.0, 0.0, 0.0, on)
+        return Rows(axis, total, typical, 1, 1, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, on)
     step = weighted_median(lateral[aside], shorter[aside])
     neighbour = aside & (lateral <= 1.6 * step)
     turned = sense[1:] != sense[:-1]
     # Two passes the same way without a lift between them are stairs of one stroke (sampled contours), not
     # rows.
     onward = neighbour & ~turned & (area[1:] != area[:-1])
-    gaps = np.diff(np.sort(q[:SAMPLE]))
-    gaps = gaps[gaps > SAME_LINE]
+    q = np.sort(q[:SAMPLE])
+    gaps = np.diff(q[np.append(True, q[1:] - q[:-1] > SAME_LINE)])
+    pitch = period = float(np.median(gaps)) if len(gaps) else step
+    if len(gaps) > 2 and np.median(np.abs(gaps[1:] - gaps[:-1])) > 0.1 * pitch:
+        period = float(np.median(gaps[1:] + gaps[:-1]))
     return Rows(
         axis=axis,
         length=total,
@@ -172,7 +179,8 @@ def _densest(moves: Moves, chosen: np.ndarray) -> Rows | None:
         opposite=float(shorter[neighbour & turned].sum()),
         same=float(shorter[onward].sum()),
         step=step,
-        pitch=float(np.partition(gaps, len(gaps) // 2)[len(gaps) // 2]) if len(gaps) else step,
+        pitch=pitch,
+        period=period,
         even=float(shorter[neighbour & (lateral >= 0.6 * step)].sum() / shorter[aside].sum()),
         moves=on,
     )
