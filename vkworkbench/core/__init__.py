@@ -15,6 +15,7 @@ from vkworkbench.core.zbuffer import ZBuffer, simulate
 
 __all__ = [
     "Accuracy", "ConvexStock", "Estimate", "Machining", "Problem", "Recognition", "Resolution", "Signature",
-    "Span", "Speed", "Stock", "Strategy", "Tool", "Toolpath", "View", "ZBuffer", "best_accuracy", "best_resolution",
-    "estimate", "linearize", "machining", "measure_speed", "recognize", "signature", "simulate",
+    "Span", "Speed", "Stock", "Strategy", "Tool", "Toolpath", "View", "ZBuffer", "best_accuracy",
+    "best_resolution", "estimate", "linearize", "machining", "measure_speed", "recognize", "signature",
+    "simulate",
 ]  # fmt: skip

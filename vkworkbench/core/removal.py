@@ -173,21 +173,22 @@ class Removal:
         self, group: np.ndarray, item: np.ndarray, x: np.ndarray, y: np.ndarray
     ) -> tuple[np.ndarray, np.ndarray]:
         """Rays and trajectories that may meet, sorted by ray, then by trajectory."""
+        # The places without a ray meet nothing.
+        gx, gy = np.full((2, -(-len(x) // GROUP) * GROUP), np.nan)
+        gx[: len(x)], gy[: len(x)] = x, y
+        gx, gy = gx.reshape(-1, GROUP), gy.reshape(-1, GROUP)
         rays, hits = [], []
         for begin in range(0, len(group), _PAIRS_AT_ONCE // GROUP):
-            some = item[begin : begin + _PAIRS_AT_ONCE // GROUP]
-            left, right, bottom, top = self.box[:, some]
-            ray = group[begin : begin + _PAIRS_AT_ONCE // GROUP] * GROUP + np.arange(GROUP)[:, None]
-            inside = np.minimum(ray, len(x) - 1)
-            rx, ry = x[inside], y[inside]
-            member, hit = np.nonzero(
-                (left <= rx) & (rx <= right) & (bottom <= ry) & (ry <= top) & (ray < len(x))
-            )
-            nx, ny, low, high = self.strip[:, some[hit]]
-            across = nx * rx[member, hit] + ny * ry[member, hit]
-            met = np.flatnonzero((low <= across) & (across <= high))
-            rays.append(ray[member[met], hit[met]])
-            hits.append(some[hit[met]])
+            groups = group[begin : begin + _PAIRS_AT_ONCE // GROUP]
+            items = item[begin : begin + _PAIRS_AT_ONCE // GROUP]
+            rx, ry = gx[groups], gy[groups]
+            left, right, bottom, top = self.box[:, items, None]
+            nx, ny, low, high = self.strip[:, items, None]
+            across = nx * rx + ny * ry
+            met = (left <= rx) & (rx <= right) & (bottom <= ry) & (ry <= top)
+            pair, member = np.divmod(np.flatnonzero(met & (low <= across) & (across <= high)), GROUP)
+            rays.append(groups[pair] * GROUP + member)
+            hits.append(items[pair])
         if not rays:
             return np.empty(0, np.int64), np.empty(0, np.int64)
         ray, hit = np.concatenate(rays), np.concatenate(hits)

@@ -18,8 +18,8 @@ from vkworkbench.core.zbuffer import DEXEL, INDEX, TRACE
 
 # The same rays every time: a click and a macro give the same numbers.
 _SEED = 2002
-# Work on a pair of ray and trajectory for rounded tools, a flat end's or a cone's taken as 1: seen from above or
-# below, and tilted. A bull-nose needs bisection.
+# Work on a pair of ray and trajectory for rounded tools, a flat end's or a cone's taken as 1: seen from above
+# or below, and tilted. A bull-nose needs bisection.
 _BALL_WORK = (1.15, 1.45)
 _BULLNOSE_WORK = (1.5, 5.0)
 
@@ -71,7 +71,7 @@ class Estimate:
 class Speed:
     """What one unit of the simulator's work costs on one computer, s.
 
-    The defaults are those of a Xeon core, see benchmarks/resources.py; ``speed.measure_speed`` measures yours.
+    The defaults are those of a Xeon core; ``speed.measure_speed`` measures this computer's.
 
     Attributes
     ----------
