@@ -19,7 +19,7 @@ from vkworkbench.core import linearize
 from vkworkbench.core.legacy import legacy_costs
 from vkworkbench.core.preflight import preflight
 from vkworkbench.core.solids import Stock, Tool
-from vkworkbench.document.calibration import calibrate, constants, freecad_version, learn, load
+from vkworkbench.document.calibration import LONG, calibrate, constants, freecad_version, learn, load
 
 RENDERER = "llvmpipe"  # under Xvfb
 LONGEST = {"fast-forward": 7000, "play": 150}  # commands
@@ -48,8 +48,8 @@ def run(samples, out):
                 break
             line = f"  {kind:13}{label:40.40}{len(commands):6} commands  {predicted:7.2f} s  {true:7.2f} s"
             print(line + ("  a hang announced in vain" if hangs else ""), file=out, flush=True)
-            learned = load(RENDERER).runs
-            if len(learned.get("redraw" if kind == "play" else "tick", ())) >= ENOUGH:
+            taught = "redraw" if kind == "play" else "tick" if cost.commands >= LONG else "start"
+            if len(load(RENDERER).runs.get(taught, ())) >= ENOUGH:
                 ratios[kind].append(max(predicted / true, true / predicted))
             learn(cost, true, played=kind == "play", renderer=RENDERER)
     for kind, values in ratios.items():

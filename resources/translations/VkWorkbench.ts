@@ -492,6 +492,30 @@
         <source>choose a smaller image in the preferences</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>phi stays between {low} and {high} turns over one open stroke{more}, {seen}: {strategy}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>phi stays at 0 over {count} rows{more}, {seen}: {strategy}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>phi stays at 0 over {count} open strokes{more}, {seen}: {strategy}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>phi stays at 0 over one open stroke{more}, {seen}: {strategy}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>phi reaches {high} turns over one loop{more}, {seen}: {strategy}{turning}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>phi has no direction to turn, the moves are vertical at one point: {strategy}</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

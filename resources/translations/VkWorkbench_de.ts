@@ -492,6 +492,30 @@
         <source>choose a smaller image in the preferences</source>
         <translation>in den Einstellungen ein kleineres Bild wählen</translation>
     </message>
+    <message>
+        <source>phi stays between {low} and {high} turns over one open stroke{more}, {seen}: {strategy}</source>
+        <translation>φ bleibt über einen offenen Zug{more} zwischen {low} und {high} Umdrehungen, {seen}: {strategy}</translation>
+    </message>
+    <message>
+        <source>phi stays at 0 over {count} rows{more}, {seen}: {strategy}</source>
+        <translation>φ bleibt über {count} Zeilen{more} bei 0, {seen}: {strategy}</translation>
+    </message>
+    <message>
+        <source>phi stays at 0 over {count} open strokes{more}, {seen}: {strategy}</source>
+        <translation>φ bleibt über {count} offene Züge{more} bei 0, {seen}: {strategy}</translation>
+    </message>
+    <message>
+        <source>phi stays at 0 over one open stroke{more}, {seen}: {strategy}</source>
+        <translation>φ bleibt über einen offenen Zug{more} bei 0, {seen}: {strategy}</translation>
+    </message>
+    <message>
+        <source>phi reaches {high} turns over one loop{more}, {seen}: {strategy}{turning}</source>
+        <translation>φ erreicht über eine Schleife{more} {high} Umdrehungen, {seen}: {strategy}{turning}</translation>
+    </message>
+    <message>
+        <source>phi has no direction to turn, the moves are vertical at one point: {strategy}</source>
+        <translation>φ hat keine Richtung, die Bewegungen sind an einem Punkt senkrecht: {strategy}</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

@@ -492,6 +492,30 @@
         <source>choose a smaller image in the preferences</source>
         <translation>elija una imagen más pequeña en las preferencias</translation>
     </message>
+    <message>
+        <source>phi stays between {low} and {high} turns over one open stroke{more}, {seen}: {strategy}</source>
+        <translation>φ se mantiene entre {low} y {high} vueltas en un trazo abierto{more}, {seen}: {strategy}</translation>
+    </message>
+    <message>
+        <source>phi stays at 0 over {count} rows{more}, {seen}: {strategy}</source>
+        <translation>φ se mantiene en 0 en {count} filas{more}, {seen}: {strategy}</translation>
+    </message>
+    <message>
+        <source>phi stays at 0 over {count} open strokes{more}, {seen}: {strategy}</source>
+        <translation>φ se mantiene en 0 en {count} trazos abiertos{more}, {seen}: {strategy}</translation>
+    </message>
+    <message>
+        <source>phi stays at 0 over one open stroke{more}, {seen}: {strategy}</source>
+        <translation>φ se mantiene en 0 en un trazo abierto{more}, {seen}: {strategy}</translation>
+    </message>
+    <message>
+        <source>phi reaches {high} turns over one loop{more}, {seen}: {strategy}{turning}</source>
+        <translation>φ alcanza {high} vueltas en un lazo{more}, {seen}: {strategy}{turning}</translation>
+    </message>
+    <message>
+        <source>phi has no direction to turn, the moves are vertical at one point: {strategy}</source>
+        <translation>φ no tiene dirección, los movimientos son verticales en un punto: {strategy}</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

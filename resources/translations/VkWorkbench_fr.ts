@@ -492,6 +492,30 @@
         <source>choose a smaller image in the preferences</source>
         <translation>choisir une image plus petite dans les préférences</translation>
     </message>
+    <message>
+        <source>phi stays between {low} and {high} turns over one open stroke{more}, {seen}: {strategy}</source>
+        <translation>φ reste entre {low} et {high} tours sur un trait ouvert{more}, {seen} : {strategy}</translation>
+    </message>
+    <message>
+        <source>phi stays at 0 over {count} rows{more}, {seen}: {strategy}</source>
+        <translation>φ reste à 0 sur {count} lignes{more}, {seen} : {strategy}</translation>
+    </message>
+    <message>
+        <source>phi stays at 0 over {count} open strokes{more}, {seen}: {strategy}</source>
+        <translation>φ reste à 0 sur {count} traits ouverts{more}, {seen} : {strategy}</translation>
+    </message>
+    <message>
+        <source>phi stays at 0 over one open stroke{more}, {seen}: {strategy}</source>
+        <translation>φ reste à 0 sur un trait ouvert{more}, {seen} : {strategy}</translation>
+    </message>
+    <message>
+        <source>phi reaches {high} turns over one loop{more}, {seen}: {strategy}{turning}</source>
+        <translation>φ atteint {high} tours sur une boucle{more}, {seen} : {strategy}{turning}</translation>
+    </message>
+    <message>
+        <source>phi has no direction to turn, the moves are vertical at one point: {strategy}</source>
+        <translation>φ n&apos;a pas de direction, les mouvements sont verticaux en un point : {strategy}</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

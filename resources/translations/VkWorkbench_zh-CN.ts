@@ -492,6 +492,30 @@
         <source>choose a smaller image in the preferences</source>
         <translation>请在首选项中选择更小的图像</translation>
     </message>
+    <message>
+        <source>phi stays between {low} and {high} turns over one open stroke{more}, {seen}: {strategy}</source>
+        <translation>φ 在一段开放笔画{more}中保持在 {low} 与 {high} 圈之间，{seen}：{strategy}</translation>
+    </message>
+    <message>
+        <source>phi stays at 0 over {count} rows{more}, {seen}: {strategy}</source>
+        <translation>φ 在 {count} 行{more}中保持为 0，{seen}：{strategy}</translation>
+    </message>
+    <message>
+        <source>phi stays at 0 over {count} open strokes{more}, {seen}: {strategy}</source>
+        <translation>φ 在 {count} 段开放笔画{more}中保持为 0，{seen}：{strategy}</translation>
+    </message>
+    <message>
+        <source>phi stays at 0 over one open stroke{more}, {seen}: {strategy}</source>
+        <translation>φ 在一段开放笔画{more}中保持为 0，{seen}：{strategy}</translation>
+    </message>
+    <message>
+        <source>phi reaches {high} turns over one loop{more}, {seen}: {strategy}{turning}</source>
+        <translation>φ 在一个环{more}中达到 {high} 圈，{seen}：{strategy}{turning}</translation>
+    </message>
+    <message>
+        <source>phi has no direction to turn, the moves are vertical at one point: {strategy}</source>
+        <translation>φ 没有方向可转，移动在一个点上竖直：{strategy}</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

@@ -193,6 +193,9 @@ def test_narrow_and_floating(view, window):
     assert tops[0] < 0.4 < tops[-1]  # two above, one below
     window.main.removeDockWidget(view.dock)
     window.main.addDockWidget(QtCore.Qt.BottomDockWidgetArea, view.dock)
+    results = window.main.findChild(QtGui.QDockWidget, "VkResults")
+    if results is not None:
+        window.main.tabifyDockWidget(results, view.dock)
     view.dock.setFloating(False)
     view.dock.show()
     window.wait(lambda: view.dock.width() > 1000)

@@ -37,7 +37,7 @@ _COLD_CACHE = 1.5
 _CALIBRATED_FACTOR = 1.3
 # What real runs teach: long fast-forwards the tick, short ones the start, plays the display, OpenGL a draw call.
 _LEARNED = ("start", "tick", "redraw", "draw")
-_LONG = 500  # commands
+LONG = 500  # commands
 _SHORTEST_PLAY = 20  # commands
 _LAST_RUNS = 9
 # Faster frames may have waited for the screen.
@@ -185,7 +185,7 @@ def learn(cost: LegacyCost, seconds: float, *, played: bool, renderer: str = "")
     if played:
         name, count = "redraw", cost.shown
     else:
-        name, count = ("tick", cost.commands) if cost.commands >= _LONG else ("start", 1)
+        name, count = ("tick", cost.commands) if cost.commands >= LONG else ("start", 1)
     return _learn(known, name, getattr(known.constants, name) + (seconds - predicted) / count)
 
 
