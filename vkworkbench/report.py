@@ -15,7 +15,7 @@ from vkworkbench.core.legacy import LegacyCost, legacy_together
 from vkworkbench.core.opengl import OpenGLCost, opengl_together
 from vkworkbench.core.preflight import Caution
 from vkworkbench.core.resolution import Accuracy, Resolution, best_accuracy, best_resolution
-from vkworkbench.simulator_names import LEGACY, OPENGL
+from vkworkbench.simulator_names import LEGACY, OPENGL, ZBUFFER
 
 # What spreadsheets take for a formula, behind anything they skip; the full-width signs in East Asian ones.
 _FORMULA = re.compile(r"[\s\x00-\x1f\ufeff\u200b-\u200f\u2060]*[=+\-@＝＋－＠]")
@@ -120,7 +120,7 @@ class OperationReport:
             return self.legacy.constants.legacy_factor if self.legacy else 1.0
         if simulator == OPENGL:
             return self.opengl.constants.opengl_factor if self.opengl else 1.0
-        return 1.0
+        return self.estimate.speed.factor if self.estimate else 1.0
 
     def as_dict(self) -> dict[str, Any]:
         """Return the report as numbers, strings and lists, in mm, s, rad and bytes."""
@@ -152,6 +152,7 @@ class OperationReport:
             "traces_error": estimate and estimate.traces_error,
             "memory_bytes": estimate and estimate.memory_bytes,
             "seconds": estimate and estimate.seconds,
+            "factor": self.estimate and self.factor(ZBUFFER),
             "resolution": self.resolution and self.resolution.explanation,
             "legacy_accuracy": self.accuracy and self.accuracy.explanation,
             "legacy_seconds": self.legacy and self.legacy.fast_forward_seconds,

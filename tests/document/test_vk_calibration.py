@@ -10,7 +10,7 @@ from dataclasses import fields, replace
 import FreeCAD
 import pytest
 
-from vkworkbench.core import linearize
+from vkworkbench.core import Speed, linearize
 from vkworkbench.core.legacy import legacy_costs
 from vkworkbench.core.simulators import DEFAULTS, Constants
 from vkworkbench.core.solids import Stock, Tool
@@ -67,9 +67,22 @@ def test_a_damaged_file_counts_as_none_and_is_replaced(folder, damage):
 def test_what_is_kept_is_plain_json(folder):
     calibration.calibrate("card")
     (path,) = folder.rglob("calibration.json")
-    (record,) = json.loads(path.read_text()).values()
+    speed, record = json.loads(path.read_text()).values()
+    assert set(speed) == {field.name for field in fields(Speed)}
     assert set(record["constants"]) == {field.name for field in fields(DEFAULTS)}
     assert record["renderer"] == "card" and len(record["date"]) == 10
+
+
+@pytest.mark.parametrize("damage", [str.upper, lambda text: text.replace('"pixel": ', '"pixel": -')])
+def test_the_z_buffers_speed_is_measured_once(folder, damage):
+    speed = calibration.measured_speed()
+    assert calibration.measured_speed() == speed and speed.factor < Speed().factor
+    (path,) = folder.rglob("calibration.json")
+    path.write_text(damage(path.read_text()))
+    again = calibration.measured_speed()
+    assert again != speed and calibration.measured_speed() == again
+    calibration.calibrate("card")
+    assert calibration.measured_speed() not in (speed, again)
 
 
 def cost_of(commands, **known):

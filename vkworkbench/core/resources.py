@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from dataclasses import astuple, dataclass
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -52,6 +52,8 @@ class Estimate:
         The part of `memory_bytes` that the uncut stock takes.
     trajectory_seconds : float
         The part of `seconds` that no smaller image saves.
+    speed : Speed
+        Of the computer that `seconds` holds for.
     """
 
     dexels: float
@@ -65,6 +67,7 @@ class Estimate:
     candidates: float
     stock_bytes: float
     trajectory_seconds: float
+    speed: Speed
 
 
 @dataclass(frozen=True)
@@ -85,6 +88,8 @@ class Speed:
         The same in any other direction.
     record : float
         One dexel or element of a trace.
+    factor : float
+        The true time is between the estimated one divided and multiplied by this.
     """
 
     trajectory: float = 21e-6
@@ -92,6 +97,12 @@ class Speed:
     candidate: float = 0.26e-6
     tilted_candidate: float = 0.65e-6
     record: float = 0.25e-6
+    factor: float = 2.0
+
+    @property
+    def constants(self) -> np.ndarray:
+        """(5,) float64 ndarray : what the units of :func:`work` cost, in its order."""
+        return np.array([self.trajectory, self.pixel, self.candidate, self.tilted_candidate, self.record])
 
 
 def estimate(
@@ -145,8 +156,7 @@ def estimate(
     memory = stock_bytes + DEXEL.itemsize * more * per_area + TRACE.itemsize * traces
     candidates = rays.total(passes)[0] * per_area
     trajectory_seconds = speed.trajectory * len(toolpath)
-    constants = np.array(astuple(speed))
-    seconds = float(work(len(toolpath), dexels + traces, candidates, tool, view) @ constants)
+    seconds = float(work(len(toolpath), dexels + traces, candidates, tool, view) @ speed.constants)
     return Estimate(
         dexels,
         traces,
@@ -159,11 +169,12 @@ def estimate(
         candidates,
         stock_bytes,
         trajectory_seconds,
+        speed,
     )
 
 
 def work(trajectories: int, records: float, candidates: float, tool: Tool, view: View) -> np.ndarray:
-    """How often each constant of `Speed` is due, in the order of its fields.
+    """How often each constant of `Speed` is due.
 
     Parameters
     ----------

@@ -13,7 +13,7 @@ from dataclasses import dataclass, replace
 import FreeCAD
 
 from vkworkbench import preferences
-from vkworkbench.core import Stock, Strategy, Tool, estimate, linearize, machining, recognize
+from vkworkbench.core import Speed, Stock, Strategy, Tool, estimate, linearize, machining, recognize
 from vkworkbench.core.legacy import SLIDER, LegacyCost, legacy_costs
 from vkworkbench.core.opengl import opengl_cost
 from vkworkbench.core.preflight import preflight
@@ -41,7 +41,7 @@ def analyze(
 ) -> Report:
     """Analyse operations: strategy, lengths and what simulating them costs. Writes nothing in a document.
 
-    The first time in a window it also measures this computer, in half a second.
+    The first time it also measures this computer, in half a second.
 
     Parameters
     ----------
@@ -74,7 +74,7 @@ def analyze(
             raise ValueError("no document is open: open one with a job or a toolpath")
     operations = find(what)
     chosen = preferences.read()
-    constants = calibration.measured_constants(chosen.renderer)
+    computer = calibration.measured_constants(chosen.renderer), calibration.measured_speed()
     jobs = {(o.job.Document.Name, o.job.Name): o.job.Label for o in operations if o.job is not None}
     labels = [o.object.Label for o in operations]
     reports = []
@@ -85,7 +85,7 @@ def analyze(
             progress(done, len(operations), labels[done])
         with suppress(ReferenceError):  # deleted meanwhile, or its document closed
             reading = _read(operation)
-            reports.append(_patiently(lambda going_on, reading=reading: _row(reading, chosen, constants, going_on),
+            reports.append(_patiently(lambda going_on, reading=reading: _row(reading, chosen, computer, going_on),
                                       cancelled))  # fmt: skip
     return Report(tuple(reports), jobs, chosen.budget)
 
@@ -157,10 +157,12 @@ def _patiently(work: Callable, cancelled: Callable[[], bool] | None):
         threads.shutdown(wait=False)
 
 
-def _row(reading: _Reading, chosen: Preferences, constants: Constants, going_on: Callable) -> OperationReport:
+def _row(
+    reading: _Reading, chosen: Preferences, computer: tuple[Constants, Speed], going_on: Callable
+) -> OperationReport:
     """The row of one operation, whatever happens: an error of ours must not cost the others theirs."""
     try:
-        return _work(reading, chosen, constants, going_on)
+        return _work(reading, chosen, computer, going_on)
     except Cancelled:
         raise
     except Exception as error:
@@ -168,7 +170,10 @@ def _row(reading: _Reading, chosen: Preferences, constants: Constants, going_on:
         return _unknown(reading, error)
 
 
-def _work(reading: _Reading, chosen: Preferences, constants: Constants, going_on: Callable) -> OperationReport:
+def _work(
+    reading: _Reading, chosen: Preferences, computer: tuple[Constants, Speed], going_on: Callable
+) -> OperationReport:
+    constants, speed = computer
     tool, stock, version = reading.tool, reading.stock, reading.version
     errors = list(reading.errors)
     commands = reading.path.Commands
@@ -193,7 +198,7 @@ def _work(reading: _Reading, chosen: Preferences, constants: Constants, going_on
     positions: list[LegacyCost] = []
     if tool and stock and found.strategy is not Strategy.EMPTY:
         going_on()
-        cost = estimate(toolpath, found, tool=tool, stock=stock, view=chosen.view)
+        cost = estimate(toolpath, found, tool=tool, stock=stock, view=chosen.view, speed=speed)
         if cost.traces == 0:
             errors.append("it does not touch the stock: check its depths, its placement and the stock")
         elif tool.diameter > max(stock.upper[0] - stock.lower[0], stock.upper[1] - stock.lower[1]):

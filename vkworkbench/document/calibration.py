@@ -25,8 +25,10 @@ from vkworkbench.core.legacy import LegacyCost, legacy_work
 from vkworkbench.core.linearize import linearize
 from vkworkbench.core.motions import motions
 from vkworkbench.core.opengl import SHORTEST_FRAME, OpenGLCost
+from vkworkbench.core.resources import Speed
 from vkworkbench.core.simulators import DEFAULTS, Constants
 from vkworkbench.core.solids import Stock
+from vkworkbench.core.speed import measure_speed
 
 # Names of OpenGL renderers on the processor, and what a frame and a draw call were measured to take there.
 _SOFTWARE = ("llvmpipe", "softpipe", "swr", "swiftshader", "gdi generic", "microsoft basic render")
@@ -115,6 +117,25 @@ def measured_constants(renderer: str = "") -> Constants:
     return constants(renderer)
 
 
+def measured_speed() -> Speed:
+    """Return how fast this computer simulates in the extended z-buffer, measured now if it never was."""
+    known = _speed()
+    if known is None:
+        known = measure_speed()
+        with suppress(OSError):
+            _write({_speed_key(): asdict(known)})
+    return known
+
+
+def _speed() -> Speed | None:
+    record = _records().get(_speed_key())
+    try:
+        values = {field.name: float(record[field.name]) for field in fields(Speed)}
+    except (TypeError, KeyError, ValueError, AttributeError):
+        return None
+    return Speed(**values) if all(math.isfinite(v) and v > 0 for v in values.values()) else None
+
+
 def load(renderer: str = "") -> Calibration | None:
     """Return the calibration of this FreeCAD, processor and renderer; None without a readable one."""
     record = _records().get(_key(renderer))
@@ -130,7 +151,7 @@ def load(renderer: str = "") -> Calibration | None:
 
 
 def calibrate(renderer: str = "") -> Calibration:
-    """Measure the legacy simulator on this computer, in less than half a second, and remember it.
+    """Measure the extended z-buffer and the legacy simulator on this computer, in half a second, and remember it.
 
     The steps of a timer and the display cannot be measured without a window: :func:`learn` does.
 
@@ -148,6 +169,7 @@ def calibrate(renderer: str = "") -> Calibration:
     OSError
         If the user data folder cannot be written.
     """
+    _write({_speed_key(): asdict(measure_speed())})
     measured = replace(_for_renderer(_measure(), renderer), legacy_factor=_CALIBRATED_FACTOR)
     known = load(renderer)
     version = ".".join(map(str, freecad_version()))
@@ -225,15 +247,18 @@ def _remember(calibration: Calibration) -> Calibration:
     if "draw" in learned:
         learned["opengl_factor"] = _CALIBRATED_FACTOR
     calibration = replace(calibration, constants=replace(calibration.constants, **learned))
-    records = _records()
-    records[_key(calibration.renderer)] = asdict(calibration)
+    _write({_key(calibration.renderer): asdict(calibration)})
+    return calibration
+
+
+def _write(new: dict) -> None:
+    """Put records into the file."""
     path = _path()
     path.parent.mkdir(parents=True, exist_ok=True)
     # Another FreeCAD may read it at this moment: it sees the old file or the new one.
     fresh = path.with_suffix(f".{os.getpid()}")
-    fresh.write_text(json.dumps(records, indent=1))
+    fresh.write_text(json.dumps(_records() | new, indent=1))
     os.replace(fresh, path)
-    return calibration
 
 
 def _path() -> Path:
@@ -252,6 +277,11 @@ def _key(renderer: str) -> str:
     return "; ".join((".".join(map(str, freecad_version())), processor(), renderer))
 
 
+def _speed_key() -> str:
+    """The z-buffer's speed is that of the processor with this numpy, in every FreeCAD."""
+    return "; ".join(("z-buffer", np.__version__, processor()))
+
+
 def _for_renderer(base: Constants, renderer: str) -> Constants:
     if any(name in renderer.lower() for name in _SOFTWARE):
         return replace(base, frame=_SOFTWARE_FRAME, draw=_SOFTWARE_DRAW, opengl_factor=DEFAULTS.legacy_factor)
@@ -267,12 +297,12 @@ def _measure() -> Constants:
     call, ring, line, cap = np.maximum(np.linalg.solve(work, seconds), 0) * _COLD_CACHE
 
     flat = PathSim()
-    flat.BeginSimulation(_BOX, 0.1)
-    cell = _best(flat.GetResultMesh) / (1001 * 601)
+    flat.BeginSimulation(_BOX, 0.2)
+    cell = _best(flat.GetResultMesh) / (501 * 301)
     rough = _rough()
     rough_seconds = _best(rough.GetResultMesh)
     facets = sum(mesh.CountFacets for mesh in rough.GetResultMesh())
-    facet = max(rough_seconds - cell * 101 * 61, 0) / facets
+    facet = max(rough_seconds - cell * 51 * 61, 0) / facets
 
     radius, step = 2.0, 0.1
     tool = Part.makeCylinder(radius, 20)
@@ -304,12 +334,12 @@ def _cut(diameter: float, length: float, count: int) -> tuple[list[float], float
 
 
 def _rough() -> PathSim:
-    """A stock of 100 x 60 cells of different heights, whose mesh joins none of them."""
+    """A stock of 50 x 60 cells of different heights, whose mesh joins none of them."""
     sim = PathSim()
-    sim.BeginSimulation(_BOX, 1.0)
+    sim.BeginSimulation(Part.makeBox(50, 60, 20), 1.0)
     sim.SetToolShape(Part.makeCylinder(0.55, 20), 1.0)
     place = FreeCAD.Placement(FreeCAD.Vector(0, 0, 20), FreeCAD.Rotation())
-    for x in range(0, 100, 2):
+    for x in range(0, 50, 2):
         for y in range(0, 60, 2):
             place = sim.ApplyCommand(place, PathCommand("G0", {"X": x + 0.5, "Y": y + 0.5, "Z": 20.0}))
             place = sim.ApplyCommand(place, PathCommand("G1", {"Z": 3.0 + (7 * x + 3 * y) % 13}))
@@ -318,9 +348,9 @@ def _rough() -> PathSim:
 
 
 def _best(work: Callable[[], object]) -> float:
-    """Return the shortest time of three runs, s."""
+    """Return the shorter time of two runs, s."""
     times = []
-    for _ in range(3):
+    for _ in range(2):
         begin = time.perf_counter()
         work()
         times.append(time.perf_counter() - begin)
