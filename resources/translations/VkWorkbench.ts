@@ -516,6 +516,10 @@
         <source>phi has no direction to turn, the moves are vertical at one point: {strategy}</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>that sweeps no angle</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

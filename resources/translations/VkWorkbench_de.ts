@@ -516,6 +516,10 @@
         <source>phi has no direction to turn, the moves are vertical at one point: {strategy}</source>
         <translation>φ hat keine Richtung, die Bewegungen sind an einem Punkt senkrecht: {strategy}</translation>
     </message>
+    <message>
+        <source>that sweeps no angle</source>
+        <translation>der keinen Winkel überstreicht</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

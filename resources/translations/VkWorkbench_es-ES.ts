@@ -516,6 +516,10 @@
         <source>phi has no direction to turn, the moves are vertical at one point: {strategy}</source>
         <translation>φ no tiene dirección, los movimientos son verticales en un punto: {strategy}</translation>
     </message>
+    <message>
+        <source>that sweeps no angle</source>
+        <translation>que no barre ningún ángulo</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

@@ -516,6 +516,10 @@
         <source>phi has no direction to turn, the moves are vertical at one point: {strategy}</source>
         <translation>φ n&apos;a pas de direction, les mouvements sont verticaux en un point : {strategy}</translation>
     </message>
+    <message>
+        <source>that sweeps no angle</source>
+        <translation>qui ne balaie aucun angle</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

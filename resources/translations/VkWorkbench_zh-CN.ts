@@ -516,6 +516,10 @@
         <source>phi has no direction to turn, the moves are vertical at one point: {strategy}</source>
         <translation>φ 没有方向可转，移动在一个点上竖直：{strategy}</translation>
     </message>
+    <message>
+        <source>that sweeps no angle</source>
+        <translation>没有扫过任何角度</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

@@ -52,6 +52,7 @@ def test_an_arc_without_z_hangs_the_legacy_simulator_before_1_1(version, hangs):
     (without("Y"), "without an X or Y word"),
     (without("I", "J") | {"R": 10.0}, "without a centre"),
     (HALF | {"X": 10.0}, "full circle"),
+    (HALF | {"X": 12.0}, "sweeps no angle"),
 ])  # fmt: skip
 def test_arcs_that_stop_the_legacy_simulator_of_every_version(version, arc, reason):
     found = check([("(arc)", {}), START, ("G3", arc)], version)

@@ -99,21 +99,27 @@ def _hangs(words: Words, toolpath: Toolpath, version: tuple[int, ...]) -> list[C
     """Arcs on which ``PerformCutVoxel`` raises an error, after which the legacy simulator never goes on.
 
     It computes with the words X, Y and, before FreeCAD 1.1, Z of an arc even where they are absent, and
-    divides by a number of chords that is 0 where radius or sweep is 0. Arcs with a K word take another way.
+    divides by a number of chords that is 0 where radius or sweep is 0: of full circles, and where start and end lie
+    in one direction from the centre, as in FreeCAD's Deburr. Arcs with a K word take another way.
     """
     arcs = np.flatnonzero((words.codes == _CLOCKWISE) | (words.codes == _COUNTERCLOCKWISE))
     if not len(arcs):
         return []
     values = {letter: words.column(letter, arcs)[0] for letter in "XYZIJK"}
+    i, j = (np.nan_to_num(values[letter]) for letter in "IJ")
+    x, y = (_last_word(words, letter, arcs) for letter in "XY")
+    swept = np.arctan2(values["Y"] - y - j, values["X"] - x - i) - np.arctan2(-j, -i)
+    still = np.abs(np.remainder(swept + np.pi, 2 * np.pi) - np.pi) < 1e-9
     plain = ~(np.abs(values["K"]) > 0)
     absent = {letter: np.isnan(values[letter]) for letter in "XYZ"}
     made = motions(toolpath)
-    circles = made.command[np.abs(made.sweep) > 2 * np.pi - 1e-6]
+    circle = np.isin(arcs, made.command[np.abs(made.sweep) > 2 * np.pi - 1e-6])
     reasons = [
         (absent["X"] | absent["Y"], "without an X or Y word"),
         (absent["Z"] & (tuple(version[:2]) < (1, 1)), "without a Z word"),
-        (~(np.abs(values["I"]) > 0) & ~(np.abs(values["J"]) > 0), "without a centre"),
-        (np.isin(arcs, circles) & ~absent["X"] & ~absent["Y"], "that is a full circle"),
+        ((i == 0) & (j == 0), "without a centre"),
+        (circle & ~absent["X"] & ~absent["Y"], "that is a full circle"),
+        (still & ~circle & ((i != 0) | (j != 0)), "that sweeps no angle"),
     ]
     found = []
     for bad, reason in reasons:
@@ -131,6 +137,14 @@ def _hangs(words: Words, toolpath: Toolpath, version: tuple[int, ...]) -> list[C
         )
         found.append(Caution("legacy-hangs", message, int(concerned[0])))
     return found
+
+
+def _last_word(words: Words, letter: str, rows: np.ndarray) -> np.ndarray:
+    """The last value of a parameter before each of the commands `rows`; NaN before the first."""
+    values = words.column(letter)[0]
+    last = np.maximum.accumulate(np.where(np.isnan(values), -1, np.arange(len(values))))
+    last = np.where(rows > 0, last[rows - 1], -1)
+    return np.where(last < 0, np.nan, values[last])
 
 
 def _ramps(toolpath: Toolpath, diameter: float) -> list[Caution]:

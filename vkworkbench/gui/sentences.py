@@ -173,6 +173,7 @@ _SENTENCES = (
     QT_TRANSLATE_NOOP("Sentences", "without a Z word"),
     QT_TRANSLATE_NOOP("Sentences", "without a centre"),
     QT_TRANSLATE_NOOP("Sentences", "that is a full circle"),
+    QT_TRANSLATE_NOOP("Sentences", "that sweeps no angle"),
     QT_TRANSLATE_NOOP("Sentences", " and {count} more"),
     QT_TRANSLATE_NOOP("Sentences", "use the OpenGL simulator for this operation"),
     QT_TRANSLATE_NOOP("Sentences", "leave this operation out of the simulation"),
