@@ -589,7 +589,7 @@ SAMPLES = (
     ("spiral on a surface", {"spiral"}, lambda r: spiral(r, surface_too=True)),
     ("circles clipped", {"contour-parallel"}, clipped),
     ("circles clipped both ways", {"zigzag"}, lambda r: clipped(r, both_ways=True)),
-    ("spiral clipped", {"spiral", "contour-parallel"}, lambda r: clipped(r, drifting=True)),
+    ("spiral clipped", {"spiral"}, lambda r: clipped(r, drifting=True)),
     ("spiral with corners", {"spiral", "contour-parallel"}, square_spiral),
     ("helix", {"helix"}, helix),
     ("helix in chords", {"helix"}, lambda r: helix(r, arcs=False)),

