@@ -122,9 +122,10 @@ def test_thousands_of_moves_shorter_than_a_cell():
 def test_memory_beyond_the_budget():
     commands = zigzag(100)
     path = linearize(commands)
-    (legacy,) = legacy_costs(path, tool=Tool("endmill", 6.0), stock=STOCK)
+    tool = Tool("endmill", 6.0)
+    (legacy,) = legacy_costs(path, tool=tool, stock=STOCK)
     costs = {
-        "zbuffer": estimate(path, recognize(path), tool=Tool("endmill", 6.0), stock=STOCK, view=View(width=80, height=60)),
+        "zbuffer": estimate(path, recognize(path), tool=tool, stock=STOCK, view=View(width=80, height=60)),
         "legacy": legacy,
         "opengl": opengl_cost(path, diameter=6.0),
     }

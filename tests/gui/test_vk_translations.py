@@ -183,7 +183,9 @@ def test_every_sentence_of_the_core_is_known():
     said = {*said_by("core/verdict.py", "core/evidence.py", "core/recognition.py", "core/linearize.py",
                      "core/preflight.py", "document/setting.py", "document/analysis.py")}  # fmt: skip
     # The sentence of a verdict has too many pieces: the next test makes real ones.
-    not_shown = re.compile("must be a positive number of mm, not|no document is open|analysis was cancelled|^phi |^1: 1$")
+    not_shown = re.compile(
+        "must be a positive number of mm, not|no document is open|analysis was cancelled|^phi |^1: 1$"
+    )
     unknown = [s for s in said if fitting(s) is None and not not_shown.search(s) and len(s) > 3]
     assert unknown == [] and len(said) > 50
 

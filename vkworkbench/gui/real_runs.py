@@ -95,7 +95,7 @@ class LegacyRuns(QObject):
 
 
 class OpenGLRun(QObject):
-    """One window of the OpenGL simulator: the times at which it draws from the last click, "play", until it is closed."""
+    """One window of the OpenGL simulator: when it draws, from the last click, "play", until it is closed."""
 
     def __init__(self, window) -> None:
         super().__init__(window)
