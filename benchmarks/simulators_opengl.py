@@ -12,6 +12,7 @@ import numpy as np
 import Part
 import Path
 from CAMSimulator import PathSim
+from opengl_window import FASTER, PLAY, click
 from PySide import QtCore, QtGui
 from simulators import MOST_STOLEN, stolen
 
@@ -22,9 +23,6 @@ from vkworkbench.document.calibration import constants, freecad_version
 
 RENDERER = "llvmpipe"  # under Xvfb
 LONGEST = 15.0  # s
-# Where the buttons are, from the window's lower left corner.
-OLD = freecad_version() < (1, 1, 0)
-PLAY, FASTER = ((52, -34), (136, -34)) if OLD else ((42, -36), (172, -36))
 
 
 class Frames(QtCore.QObject):
@@ -130,19 +128,6 @@ def profile(tool):
     """Radius and height along the tool's outline, from its top to its tip."""
     radii = np.linspace(tool.radius, 0, 9) if tool.height(tool.radius) else (tool.radius, 0.0)
     return [tool.radius, 30.0] + [float(v) for r in radii for v in (r, tool.height(r))]
-
-
-def click(window, x, y):
-    """Click with the left button, y from below."""
-    where = QtCore.QPointF(x, window.height() + y)
-    none, left = QtCore.Qt.NoButton, QtCore.Qt.LeftButton
-    for kind, button, buttons in (
-        (QtCore.QEvent.MouseMove, none, none),
-        (QtCore.QEvent.MouseButtonPress, left, left),
-        (QtCore.QEvent.MouseButtonRelease, left, none),
-    ):
-        event = QtGui.QMouseEvent(kind, where, where, button, buttons, QtCore.Qt.NoModifier)
-        QtCore.QCoreApplication.sendEvent(window, event)
 
 
 def wait(seconds):

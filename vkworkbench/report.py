@@ -110,8 +110,7 @@ class OperationReport:
         if simulator == LEGACY:
             return self.legacy and (self.legacy.fast_forward_seconds, self.legacy.memory_bytes)
         if simulator == OPENGL:
-            plays = self.opengl and self.opengl.play_seconds
-            return plays and (plays[max(plays)], self.opengl.memory_bytes)
+            return self.opengl and (self.opengl.fastest_seconds, self.opengl.memory_bytes)
         return self.estimate and (self.estimate.seconds, float(self.estimate.memory_bytes))
 
     def factor(self, simulator: str) -> float:
@@ -159,7 +158,7 @@ class OperationReport:
             "legacy_play_seconds": self.legacy and self.legacy.play_seconds,
             "legacy_memory_bytes": self.legacy and self.legacy.memory_bytes,
             "legacy_factor": self.factor(LEGACY),
-            "opengl_seconds": self.opengl and min(self.opengl.play_seconds.values()),
+            "opengl_seconds": self.opengl and self.opengl.fastest_seconds,
             "opengl_frame_seconds": self.opengl and self.opengl.frame_seconds,
             "opengl_memory_bytes": self.opengl and self.opengl.memory_bytes,
             "opengl_factor": self.factor(OPENGL),
@@ -230,7 +229,7 @@ class Total:
             "legacy_seconds": self.legacy and self.legacy.fast_forward_seconds,
             "legacy_play_seconds": self.legacy and self.legacy.play_seconds,
             "legacy_memory_bytes": self.legacy and self.legacy.memory_bytes,
-            "opengl_seconds": self.opengl and min(self.opengl.play_seconds.values()),
+            "opengl_seconds": self.opengl and self.opengl.fastest_seconds,
             "opengl_frame_seconds": self.opengl and self.opengl.frame_seconds,
             "opengl_memory_bytes": self.opengl and self.opengl.memory_bytes,
         }

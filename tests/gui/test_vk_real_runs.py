@@ -1,13 +1,21 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Simulations that the user runs teach the calibration how long they take."""
 
+import sys
+from pathlib import Path
+
 import FreeCADGui as Gui
 import pytest
 from PySide import QtCore, QtGui
 
+import vkworkbench
 from vkworkbench import preferences
+from vkworkbench.core.simulators import opengl_speeds
 from vkworkbench.document import calibration
 from vkworkbench.gui.real_runs import OpenGLRun
+
+sys.path.insert(0, str(Path(vkworkbench.__file__).resolve().parents[1] / "benchmarks"))
+from opengl_window import FASTER, PLAY, click  # noqa: E402
 
 OLD = calibration.freecad_version() < (1, 0, 0)
 
@@ -92,9 +100,8 @@ def test_a_run_of_the_opengl_simulator_teaches(calibrated, window):
     (simulation,) = shown()
     simulation.requestActivate()
     window.idle(2)
-    new = calibration.freecad_version() >= (1, 1, 0)
-    speeds = 4 if new else 2
-    for where in ([(172, -36)] if new else [(136, -34)]) * speeds + ([(42, -36)] if new else [(52, -34)]):
+    faster = len(opengl_speeds(calibration.freecad_version())) - 1
+    for where in [FASTER] * faster + [PLAY]:
         click(simulation, *where)
         window.idle(0.3)
     watch = simulation.findChild(OpenGLRun)
@@ -103,16 +110,3 @@ def test_a_run_of_the_opengl_simulator_teaches(calibrated, window):
     window.wait(lambda: len(runs().get("draw", ())) == before + 1)
     known = calibration.load(preferences.read().renderer).constants
     assert 0 < known.draw < 1e-3 and known.opengl_factor < 2
-
-
-def click(simulation, x, y):
-    """Click in the simulator's window with the left button, y from below."""
-    where = QtCore.QPointF(x, simulation.height() + y)
-    none, left = QtCore.Qt.NoButton, QtCore.Qt.LeftButton
-    for kind, button, buttons in (
-        (QtCore.QEvent.MouseMove, none, none),
-        (QtCore.QEvent.MouseButtonPress, left, left),
-        (QtCore.QEvent.MouseButtonRelease, left, none),
-    ):
-        event = QtGui.QMouseEvent(kind, where, where, button, buttons, QtCore.Qt.NoModifier)
-        QtCore.QCoreApplication.sendEvent(simulation, event)

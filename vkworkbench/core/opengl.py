@@ -114,6 +114,11 @@ class OpenGLCost:
     steps: int
     constants: Constants
 
+    @property
+    def fastest_seconds(self) -> float:
+        """float : time of playing at the highest speed, s."""
+        return self.play_seconds[max(self.play_seconds)]
+
 
 def opengl_cost(
     toolpath: Toolpath,

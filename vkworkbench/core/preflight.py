@@ -193,10 +193,9 @@ def _short_moves(toolpath: Toolpath, resolution: float) -> list[Caution]:
 
 def _long_opengl(cost: OpenGLCost, budget: float) -> list[Caution]:
     found = []
-    fastest = max(cost.play_seconds)
-    if cost.play_seconds[fastest] > budget:
+    if cost.fastest_seconds > budget:
         message = (
-            f"Playing takes about {friendly.time(cost.play_seconds[fastest])} in the OpenGL simulator at its "
+            f"Playing takes about {friendly.time(cost.fastest_seconds)} in the OpenGL simulator at its "
             "fastest: simulate fewer operations at a time."
         )
         found.append(Caution("long-play", message))

@@ -203,11 +203,11 @@ def learn(cost: LegacyCost, seconds: float, *, played: bool, renderer: str = "")
     known = load(renderer)
     if known is None or (played and cost.shown < _SHORTEST_PLAY):
         return None
-    predicted = cost.play_seconds if played else cost.fast_forward_seconds
     if played:
-        name, count = "redraw", cost.shown
+        name, count, predicted = "redraw", cost.shown, cost.play_seconds
     else:
         name, count = ("tick", cost.commands) if cost.commands >= LONG else ("start", 1)
+        predicted = cost.fast_forward_seconds
     return _learn(known, name, getattr(known.constants, name) + (seconds - predicted) / count)
 
 

@@ -140,7 +140,7 @@ def columns(version: tuple[int, ...]) -> list[Column]:
         shown += [
             Column(translate("Vk_Results", "OpenGL\ntime"),
                    translate("Vk_Results", "Time of FreeCAD's OpenGL simulator at its highest speed"),
-                   lambda row: _of(row, "opengl", lambda cost: cost.play_seconds[max(cost.play_seconds)]),
+                   lambda row: _of(row, "opengl", lambda cost: cost.fastest_seconds),
                    friendly.time, lambda row: row.found.opengl.constants.opengl_factor),
             Column(translate("Vk_Results", "OpenGL\nmemory"),
                    translate("Vk_Results", "Memory of FreeCAD's OpenGL simulator"),

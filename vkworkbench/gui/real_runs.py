@@ -77,13 +77,13 @@ class LegacyRuns(QObject):
             return
         position, speed = sliders
         renderer = note_renderer()
-        costs = [
-            legacy_costs(toolpath, tool=tool, stock=stock, accuracies=(SLIDER[position - 1],), speed=speed,
-                         constants=calibration.constants(renderer))[0]
-            for toolpath, tool, stock in _simulated(self._panel)
-        ]  # fmt: skip
-        if costs:
-            with suppress(OSError):
+        with suppress(OSError, ValueError):  # not kept, or arcs of too many chords
+            costs = [
+                legacy_costs(linearize(path.Commands), tool=tool, stock=stock, accuracies=(SLIDER[position - 1],),
+                             speed=speed, constants=calibration.constants(renderer))[0]
+                for path, tool, stock in _simulated(self._panel)
+            ]  # fmt: skip
+            if costs:
                 calibration.learn(legacy_together(costs), seconds, played=played, renderer=renderer)
 
     def _done(self) -> int:
@@ -106,7 +106,7 @@ class OpenGLRun(QObject):
                 panel = panel.parent()
             if panel is not None and panel.findChild(QToolButton, "toolButtonFF") is None:
                 quality = panel.findChild(QSlider, "sliderAccuracy").value()
-                self._simulated = list(_simulated(panel)), quality
+                self._simulated = _simulated(panel), quality
         self._times: list[float] = []
         window.installEventFilter(self)
 
@@ -127,13 +127,13 @@ class OpenGLRun(QObject):
             return
         renderer = note_renderer()
         speeds = opengl_speeds(calibration.freecad_version())
-        cost = opengl_together([
-            opengl_cost(toolpath, diameter=tool.diameter, speeds=speeds, quality=quality,
-                        constants=calibration.constants(renderer))
-            for toolpath, tool, _ in simulated
-        ])  # fmt: skip
-        if any(_FEWEST < played * speed / cost.steps < _MOST for speed in speeds):
-            with suppress(OSError):
+        with suppress(OSError, ValueError):  # not kept, or arcs of too many chords
+            cost = opengl_together([
+                opengl_cost(linearize(path.Commands), diameter=tool.diameter, speeds=speeds, quality=quality,
+                            constants=calibration.constants(renderer))
+                for path, tool, _ in simulated
+            ])  # fmt: skip
+            if any(_FEWEST < played * speed / cost.steps < _MOST for speed in speeds):
                 calibration.learn_frame(cost, median(frames[played - _LAST_FRAMES : played]), renderer=renderer)
 
 
@@ -145,21 +145,19 @@ def _played(frames: list[float]) -> int:
     return 0
 
 
-def _simulated(panel):
-    """Toolpath, tool and stock of the operations that are ticked in a simulator's panel."""
+def _simulated(panel) -> list:
+    """Path, tool and stock of the operations that are ticked in a simulator's panel; none where that is not known."""
     jobs = FreeCAD.ActiveDocument.findObjects("Path::FeaturePython", "Job.*")
     job = jobs[panel.findChild(QComboBox, "comboJobs").currentIndex()]
     operations = [obj for obj in job.Operations.OutList if is_active(obj)]
     listed = panel.findChild(QListWidget, "listOperations")
     if len(operations) != listed.count():
-        return
+        return []
     ticked = [obj for row, obj in enumerate(operations) if listed.item(row).checkState() == Qt.Checked]
     if sum(obj.Path.Size for obj in ticked) > _MOST_COMMANDS:
-        return
+        return []
     try:
         stock = read_stock(job)
-        found = [(linearize(obj.Path.Commands), read_tool(obj), stock) for obj in ticked]
+        return [(obj.Path, read_tool(obj), stock) for obj in ticked]
     except ValueError:  # the simulator says what is wrong
-        return
-    yield from found
-
+        return []
