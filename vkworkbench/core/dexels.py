@@ -98,6 +98,34 @@ def first_cuts(
     )
 
 
+def cuts_from_the_eye(
+    near: np.ndarray, far: np.ndarray, ray: np.ndarray, trajectory: np.ndarray, leave: np.ndarray
+) -> Pieces:
+    """Cut rays by intervals that all begin where their ray does, as they do from above; without a sort.
+
+    Parameters
+    ----------
+    near, far : (k,) ndarray
+        As for :func:`first_cuts`.
+    ray, trajectory, leave : (m,) ndarray
+        Ray, place in the sequence and end of each interval, by ray, each deeper than the one before it.
+
+    Returns
+    -------
+    Pieces
+    """
+    stock = np.flatnonzero(far - near > THINNEST)
+    # What is left of each ray comes after its intervals.
+    order = np.argsort(np.concatenate((ray, stock)), kind="stable")
+    ray = np.concatenate((ray, stock))[order]
+    owner = np.concatenate((trajectory, np.full(len(stock), UNCUT)))[order].astype(np.int32)
+    end = np.concatenate((leave, far[stock]))[order]
+    first = np.append(True, ray[1:] != ray[:-1])
+    begin = np.where(first, near[ray], np.append(0.0, end[:-1]))
+    thick = np.flatnonzero(end - begin > THINNEST)
+    return _close_gaps(Pieces(ray[thick], owner[thick], begin[thick], end[thick]), near, far)
+
+
 def with_uncut(pieces: Pieces, step: int) -> Pieces:
     """Return the pieces as they are before trajectory `step`: later removals have not happened."""
     owner = np.where(pieces.owner >= step, UNCUT, pieces.owner).astype(np.int32)

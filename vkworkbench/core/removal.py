@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from vkworkbench.core.dexels import THINNEST, Pieces, first_cuts
+from vkworkbench.core.dexels import THINNEST, Pieces, cuts_from_the_eye, first_cuts
 from vkworkbench.core.solids import Frame, Stock, Tool
 from vkworkbench.core.sweeps import intervals, lowest
 from vkworkbench.core.toolpath import Toolpath
@@ -145,7 +145,7 @@ class Removal:
         )
         if selection is not None:
             item = selection[item]
-        nx, ny, low, high = self.strip[:, item]
+        nx, ny, low, high = self.strip.take(item, axis=1)
         centre = nx * ((left + right) / 2)[rectangle] + ny * ((bottom + top) / 2)[rectangle]
         reach = np.abs(nx) * ((right - left) / 2)[rectangle] + np.abs(ny) * ((top - bottom) / 2)[rectangle]
         met = np.flatnonzero((centre + reach >= low) & (centre - reach <= high))
@@ -173,20 +173,21 @@ class Removal:
         self, group: np.ndarray, item: np.ndarray, x: np.ndarray, y: np.ndarray
     ) -> tuple[np.ndarray, np.ndarray]:
         """Rays and trajectories that may meet, sorted by ray, then by trajectory."""
-        # The places without a ray meet nothing.
+        # One column a group, so that numpy's inner loops run along the pairs; places without a ray meet nothing.
         gx, gy = np.full((2, -(-len(x) // GROUP) * GROUP), np.nan)
         gx[: len(x)], gy[: len(x)] = x, y
-        gx, gy = gx.reshape(-1, GROUP), gy.reshape(-1, GROUP)
+        gx, gy = gx.reshape(-1, GROUP).T, gy.reshape(-1, GROUP).T
         rays, hits = [], []
         for begin in range(0, len(group), _PAIRS_AT_ONCE // GROUP):
             groups = group[begin : begin + _PAIRS_AT_ONCE // GROUP]
             items = item[begin : begin + _PAIRS_AT_ONCE // GROUP]
-            rx, ry = gx[groups], gy[groups]
-            left, right, bottom, top = self.box[:, items, None]
-            nx, ny, low, high = self.strip[:, items, None]
+            rx, ry = gx.take(groups, axis=1), gy.take(groups, axis=1)
+            left, right, bottom, top = self.box.take(items, axis=1)
+            nx, ny, low, high = self.strip.take(items, axis=1)
             across = nx * rx + ny * ry
-            met = (left <= rx) & (rx <= right) & (bottom <= ry) & (ry <= top)
-            pair, member = np.divmod(np.flatnonzero(met & (low <= across) & (across <= high)), GROUP)
+            met = (left <= rx) & (rx <= right) & (bottom <= ry) & (ry <= top) & (low <= across) & (across <= high)
+            member = np.repeat(np.arange(GROUP), np.count_nonzero(met, axis=1))
+            pair = np.flatnonzero(met) - member * len(items)
             rays.append(groups[pair] * GROUP + member)
             hits.append(items[pair])
         if not rays:
@@ -212,10 +213,13 @@ class Removal:
         enter, leave = np.maximum(enter, near[ray]), np.minimum(leave, far[ray])
         hit = np.flatnonzero(leave - enter > THINNEST)
         hit = hit[_not_yet_open(ray[hit], enter[hit], leave[hit], near, far)]
-        return first_cuts(near, far, ray[hit], self.index[item[hit]], enter[hit], leave[hit])
+        ray, trajectory, enter, leave = ray[hit], self.index[item[hit]], enter[hit], leave[hit]
+        if self.sine == 0 and self.cosine > 0:
+            return cuts_from_the_eye(near, far, ray, trajectory, leave)
+        return first_cuts(near, far, ray, trajectory, enter, leave)
 
     def _intervals(self, x: np.ndarray, y: np.ndarray, item: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        start, move = self.start[:, item], self.move[:, item]
+        start, move = self.start.take(item, axis=1), self.move.take(item, axis=1)
         if self.sine == 0:
             height = lowest(self.tool, start, move, x, self.cosine * y)
             everywhere = np.full(len(x), np.inf)

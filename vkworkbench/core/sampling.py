@@ -9,10 +9,10 @@ import numpy as np
 
 from vkworkbench.core.removal import Removal
 
-_CELLS = 48
+_CELLS = 32
 # Rays drawn where the trajectories are few, and at least; between them, as many as meet that many
 # trajectories.
-_RAYS = 400
+_RAYS = 450
 _FEWEST = 100
 _MEETINGS = 150_000
 
@@ -61,7 +61,7 @@ def _neighbours_together() -> np.ndarray:
     """Flat indices of the cells in Morton order: the bits of row and column interleaved."""
     row, column = np.divmod(np.arange(_CELLS**2), _CELLS)
     key = np.zeros(_CELLS**2, np.int64)
-    for bit in range(6):
+    for bit in range(_CELLS.bit_length() - 1):
         key |= ((column >> bit) & 1) << (2 * bit) | ((row >> bit) & 1) << (2 * bit + 1)
     return np.argsort(key)
 
@@ -70,9 +70,9 @@ _ORDER = _neighbours_together()
 
 
 def sample(removal: Removal, rng: np.random.Generator) -> Sample:
-    """Draw up to 400 rays where the trajectories pass, one in each of as many strata.
+    """Draw up to 450 rays where the trajectories pass, one in each of as many strata.
 
-    The part of the image the trajectories reach is divided into 48 x 48 cells. A cell's weight grows with the
+    The part of the image the trajectories reach is divided into 32 x 32 cells. A cell's weight grows with the
     square root of the number of trajectories that pass it, because where more pass the count varies more. The
     strata are stretches of equal weight along a curve through the cells that keeps neighbours together
     (Morton 1966).
@@ -115,30 +115,25 @@ def sample(removal: Removal, rng: np.random.Generator) -> Sample:
 
 def _passes(removal: Removal, low: np.ndarray, side: np.ndarray) -> np.ndarray:
     """How many bounding boxes of trajectories, long ones cut up, touch each cell: (rows, columns)."""
-    move = removal.move
-    across, along = move[0], removal.cosine * move[1] + removal.sine * move[2]
-    parts = np.ceil(np.maximum(np.abs(across) / side[0], np.abs(along) / side[1]) / 4).astype(np.int64)
-    parts = np.clip(parts, 1, _CELLS)
+    move = np.array((removal.move[0], removal.cosine * removal.move[1] + removal.sine * removal.move[2]))
+    low, side = low[:, None], side[:, None]
+    parts = np.ceil((np.abs(move) / side).max(axis=0) / 4).astype(np.int64)
+    parts = np.minimum(np.maximum(parts, 1), _CELLS)
     item = np.repeat(np.arange(len(parts)), parts)
     place = np.arange(len(item)) - np.repeat(np.cumsum(parts) - parts, parts)
-    left, right, bottom, top = removal.box[:, item]
     # Each part's box is the whole box moved in from the ends.
     share = place / parts[item]
     rest = 1 - (place + 1) / parts[item]
-    dx, dy = across[item], along[item]
-    left = left + np.where(dx > 0, share, rest) * np.abs(dx)
-    right = right - np.where(dx > 0, rest, share) * np.abs(dx)
-    bottom = bottom + np.where(dy > 0, share, rest) * np.abs(dy)
-    top = top - np.where(dy > 0, rest, share) * np.abs(dy)
-    c0, c1 = (np.floor((v - low[0]) / side[0]) for v in (left, right))
-    r0, r1 = (np.floor((v - low[1]) / side[1]) for v in (bottom, top))
-    inside = (c1 >= 0) & (c0 < _CELLS) & (r1 >= 0) & (r0 < _CELLS)
-    c0, c1, r0, r1 = (np.clip(v[inside], 0, _CELLS - 1).astype(np.int64) for v in (c0, c1, r0, r1))
+    move, forwards = np.abs(move)[:, item], move[:, item] > 0
+    lower = removal.box[::2, item] + np.where(forwards, share, rest) * move
+    upper = removal.box[1::2, item] - np.where(forwards, rest, share) * move
+    first, last = np.floor((lower - low) / side), np.floor((upper - low) / side)
+    inside = ((last >= 0) & (first < _CELLS)).all(axis=0)
+    c0, r0 = np.maximum(first[:, inside], 0).astype(np.int64)
+    c1, r1 = np.minimum(last[:, inside], _CELLS - 1).astype(np.int64) + 1
     # Corners of the boxes, summed up twice: the number of boxes over each cell.
     wide = _CELLS + 1
-    corner = np.concatenate(
-        (r0 * wide + c0, (r1 + 1) * wide + c1 + 1, r0 * wide + c1 + 1, (r1 + 1) * wide + c0)
-    )
+    corner = np.concatenate((r0 * wide + c0, r1 * wide + c1, r0 * wide + c1, r1 * wide + c0))
     sign = np.repeat([1.0, 1.0, -1.0, -1.0], len(c0))
     counts = np.bincount(corner, sign, wide * wide).reshape(wide, wide)
     return np.rint(counts.cumsum(axis=0).cumsum(axis=1)[:-1, :-1])

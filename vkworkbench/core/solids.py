@@ -280,7 +280,8 @@ class View:
             right = np.array([1.0, 0.0, 0.0])
         else:
             right = np.array([direction[1], -direction[0], 0.0]) / sine
-        up = np.cross(right, direction)
+        (rx, ry, _), (dx, dy, dz) = right, direction
+        up = np.array([ry * dz, -rx * dz, rx * dy - ry * dx])  # right x direction
         half = (stock.upper - stock.lower) / 2
         pixel = self.pixel
         if pixel is None:

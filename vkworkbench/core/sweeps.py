@@ -41,7 +41,7 @@ def lowest(tool: Tool, start: np.ndarray, move: np.ndarray, x: np.ndarray, y: np
     (k,) ndarray
         Height z, mm; infinite where the tool does not pass.
     """
-    run = np.hypot(move[0], move[1])
+    run = np.sqrt(move[0] ** 2 + move[1] ** 2)
     moving = run > 0
     safe_run = np.where(moving, run, 1.0)
     ux, uy = np.where(moving, move[0] / safe_run, 1.0), move[1] / safe_run
@@ -54,7 +54,7 @@ def lowest(tool: Tool, start: np.ndarray, move: np.ndarray, x: np.ndarray, y: np
     # Range of the tool axis along the move, relative to the foot of the point.
     first = np.maximum(-along, -half)
     last = np.minimum(run - along, half)
-    position = np.clip(_lowest_position(tool, slope, aside2, half, first, last), first, last)
+    position = np.minimum(np.maximum(_lowest_position(tool, slope, aside2, half, first, last), first), last)
     height = start[2] + slope * (along + position) + _profile(tool, np.sqrt(aside2 + position**2))
     return np.where((half2 >= 0) & (first <= last), height, np.inf)
 
