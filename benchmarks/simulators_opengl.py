@@ -49,7 +49,7 @@ def run(samples, out):
     simulator = PathSim()
     for label, commands, tool, stock in [*lines_and_arcs(samples[0]), *samples]:
         cost = opengl_cost(
-            linearize(commands), diameter=tool.diameter, speeds=(speed,), constants=constants(RENDERER)
+            linearize(commands), diameter=tool.diameter, stock=stock, speeds=(speed,), constants=constants(RENDERER)
         )
         unscaled = cost.play_seconds[speed]
         predicted = unscaled * median(scales or [1.0])

@@ -226,10 +226,10 @@ def test_operations_together_start_once_and_draw_what_was_cut_before():
     assert one.memory_bytes < two.memory_bytes < 2 * one.memory_bytes
 
     path = linearize(zigzag(400))
-    whole = opengl_cost(path, diameter=6.0, speeds=(10,))
+    whole = opengl_cost(path, diameter=6.0, stock=STOCK, speeds=(10,))
     assert opengl_together([whole]) == whole
     # The same motions, half of them twice: nearly as long as all at once.
-    half = opengl_cost(linearize(zigzag(200)), diameter=6.0, speeds=(10,))
+    half = opengl_cost(linearize(zigzag(200)), diameter=6.0, stock=STOCK, speeds=(10,))
     both = opengl_together([half, half])
     assert both.play_seconds[10] == pytest.approx(whole.play_seconds[10], rel=0.03)
     assert both.frame_seconds == pytest.approx(whole.frame_seconds, rel=0.01)
@@ -244,9 +244,9 @@ def test_impossible_input_is_refused_in_words():
     with pytest.raises(ValueError, match="speed"):
         legacy_costs(linearize(zigzag(2)), tool=TOOL, stock=STOCK, speed=0)
     with pytest.raises(ValueError, match="tool diameter"):
-        opengl_cost(linearize(zigzag(2)), diameter=float("nan"))
+        opengl_cost(linearize(zigzag(2)), diameter=float("nan"), stock=STOCK)
     with pytest.raises(ValueError, match="quality"):
-        opengl_cost(linearize(zigzag(2)), diameter=6.0, quality=0)
+        opengl_cost(linearize(zigzag(2)), diameter=6.0, stock=STOCK, quality=0)
 
 
 # --- heights and mesh
@@ -294,27 +294,31 @@ def test_a_surface_makes_far_more_triangles_than_a_pocket_and_four_times_as_many
 
 def test_draw_calls_of_lines_plunges_and_arcs():
     start = [("G0", {"X": 0.0, "Y": 0.0, "Z": 10.0})]
-    assert opengl_cost(linearize(start + [("G1", {"X": 10.0})]), diameter=6.0).draws == 18
-    assert opengl_cost(linearize(start + [("G1", {"Z": 1.0})]), diameter=6.0).draws == 9
+    assert opengl_cost(linearize(start + [("G1", {"X": 10.0})]), diameter=6.0, stock=STOCK).draws == 18
+    assert opengl_cost(linearize(start + [("G1", {"Z": 1.0})]), diameter=6.0, stock=STOCK).draws == 9
     # A half circle of 5 mm was counted in FreeCAD 1.0: 33 chords, 297 draw calls.
-    half = opengl_cost(linearize(arcs(1, 5.0)), diameter=6.0)
+    half = opengl_cost(linearize(arcs(1, 5.0)), diameter=6.0, stock=STOCK)
     assert (half.steps, half.draws, half.arc_draws) == (33, 297, 297)
     # Within the tool's radius an arc is drawn with the tool every 22.5 degrees.
-    assert opengl_cost(linearize(arcs(1, 2.0)), diameter=6.0).draws == 9 * 9
-    assert opengl_cost(linearize(arcs(1, 2.0)), diameter=6.0, quality=1).draws == 9 * 3
+    assert opengl_cost(linearize(arcs(1, 2.0)), diameter=6.0, stock=STOCK).draws == 9 * 9
+    assert opengl_cost(linearize(arcs(1, 2.0)), diameter=6.0, stock=STOCK, quality=1).draws == 9 * 3
 
 
 def play(path, diameter, speed, constants):
     """Play frame by frame, drawing everything done so far, as the simulator does."""
-    drawn = [0]  # draw calls of a frame after each step
+    drawn = [0.0]  # draw calls of a frame after each step, what it fills included
     made = motions(path)
+    square = sum((STOCK.upper - STOCK.lower) ** 2)
     for move, sweep, radius in zip(made.move, made.sweep, made.radius):
+        length = radius * abs(sweep) or np.hypot(*move[:2])
+        filled = constants.fill * (diameter * length + math.pi * diameter**2 / 4) / square
         if radius > diameter / 2:
             step = min(max(math.asin(0.5 / radius), math.pi / 90), math.pi / 2)
-            for _ in range(int(abs(sweep) / step) + 2):
-                drawn.append(drawn[-1] + 9)
+            chords = int(abs(sweep) / step) + 2
+            for _ in range(chords):
+                drawn.append(drawn[-1] + 9 + filled / chords)
         else:
-            drawn += [drawn[-1] + (9 if np.hypot(*move[:2]) < 1e-6 else 18)] * max(
+            drawn += [drawn[-1] + (9 if np.hypot(*move[:2]) < 1e-6 else 18) + filled] * max(
                 1, int(np.linalg.norm(move) / 0.5)
             )
     return sum(max(1 / 30, constants.frame + constants.draw * draws) for draws in drawn[speed::speed])
@@ -324,14 +328,20 @@ def play(path, diameter, speed, constants):
 def test_playing_takes_what_its_frames_add_up_to(speed):
     software = Constants(frame=0.035, draw=25e-6)
     path = linearize(zigzag(60) + arcs(40, 5.0))
-    predicted = opengl_cost(path, diameter=6.0, speeds=(speed,), constants=software).play_seconds[speed]
+    predicted = opengl_cost(path, diameter=6.0, stock=STOCK, speeds=(speed,), constants=software).play_seconds[speed]
     assert predicted == pytest.approx(play(path, 6.0, speed, software), rel=0.02)
+
+
+def test_wide_cuts_take_longer_to_draw_than_narrow_ones():
+    path = linearize(zigzag(60))
+    wide, narrow = (opengl_cost(path, diameter=d, stock=STOCK, constants=Constants(frame=0.0)) for d in (12.0, 3.0))
+    assert wide.draws == narrow.draws and wide.frame_seconds > 2 * narrow.frame_seconds
 
 
 def test_playing_twice_the_path_takes_four_times_as_long_once_drawing_dominates():
     slow = Constants(frame=0.0, draw=1e-3)
-    once = opengl_cost(linearize(zigzag(200, pitch=0.1)), diameter=6.0, constants=slow).play_seconds[1]
-    twice = opengl_cost(linearize(zigzag(400, pitch=0.1)), diameter=6.0, constants=slow).play_seconds[1]
+    once = opengl_cost(linearize(zigzag(200, pitch=0.1)), diameter=6.0, stock=STOCK, constants=slow).play_seconds[1]
+    twice = opengl_cost(linearize(zigzag(400, pitch=0.1)), diameter=6.0, stock=STOCK, constants=slow).play_seconds[1]
     assert twice / once == pytest.approx(4, rel=0.05)
 
 

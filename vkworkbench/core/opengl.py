@@ -14,6 +14,7 @@ import numpy as np
 
 from vkworkbench.core.motions import Motions, motions
 from vkworkbench.core.simulators import DEFAULTS, Constants
+from vkworkbench.core.solids import ConvexStock, Stock
 from vkworkbench.core.toolpath import Toolpath
 
 # Angle of a chord of an arc, at least and at most (MillPathSegment.cpp).
@@ -36,12 +37,15 @@ class OpenGLWork:
         Steps of each motion; playing advances by as many of them per frame as its speed says.
     draws : (m,) float64
         Draw calls that each motion, once done, costs every frame.
+    area : (m,) float64
+        What the tool sweeps in each motion, seen from above, mm^2.
     arc : (m,) bool
         Which motions are arcs; an arc is drawn as far as it is done, anything else is drawn whole at once.
     """
 
     steps: np.ndarray
     draws: np.ndarray
+    area: np.ndarray
     arc: np.ndarray
 
 
@@ -81,7 +85,9 @@ def opengl_work(made: Motions, *, diameter: float, quality: int = 10) -> OpenGLW
     chords = np.floor(np.abs(made.sweep) / step) + np.where(small, 1, 2)
     lines = np.maximum(np.floor(np.linalg.norm(made.move, axis=1) / resolution), 1)
     draws = _PASSES * np.where(arc, chords, np.where(made.level < 1e-6, 1, 2))
-    return OpenGLWork(np.where(arc, chords, lines), draws, arc)
+    across = np.where(arc, made.radius * np.abs(made.sweep), made.level)
+    area = diameter * across + np.pi / 4 * diameter**2
+    return OpenGLWork(np.where(arc, chords, lines), draws, area, arc)
 
 
 @dataclass(frozen=True)
@@ -124,6 +130,7 @@ def opengl_cost(
     toolpath: Toolpath,
     *,
     diameter: float,
+    stock: Stock | ConvexStock,
     speeds: tuple[int, ...] = (1, 5, 10, 25, 50),
     quality: int = 10,
     constants: Constants = DEFAULTS,
@@ -132,7 +139,7 @@ def opengl_cost(
 
     A frame draws a straight motion with two calls in each of nine passes, a vertical one with one and an arc
     with one per chord, for all that was cut so far: playing takes a time of the order of the square of the
-    motions.
+    motions. What a motion fills of the window counts as draw calls too; the window shows the whole stock.
 
     Parameters
     ----------
@@ -140,6 +147,7 @@ def opengl_cost(
         The trajectories.
     diameter : float
         Diameter of the tool, mm.
+    stock : Stock or ConvexStock
     speeds : tuple of int
         Steps per frame, see :func:`opengl_speeds`.
     quality : int
@@ -158,14 +166,15 @@ def opengl_cost(
     """
     work = opengl_work(motions(toolpath), diameter=diameter, quality=quality)
     steps, draws, arc = work.steps, work.draws, work.arc
+    diagonal2 = float(((stock.upper - stock.lower) ** 2).sum())
+    drawing = constants.draw * (draws + constants.fill * work.area / diagonal2)
 
     # Mean frame of every motion: a line is drawn whole at once, an arc grows chord by chord.
-    before = np.cumsum(draws) - draws
-    mean_draws = before + np.where(arc, draws / 2, draws)
-    frames = np.maximum(constants.frame + constants.draw * mean_draws, SHORTEST_FRAME)
+    before = np.cumsum(drawing) - drawing
+    frames = np.maximum(constants.frame + before + np.where(arc, drawing / 2, drawing), SHORTEST_FRAME)
     total = float((steps * frames).sum())
     return OpenGLCost(
-        frame_seconds=constants.frame + constants.draw * float(draws.sum()),
+        frame_seconds=constants.frame + float(drawing.sum()),
         play_seconds={speed: total / speed for speed in speeds},
         memory_bytes=float(np.where(arc, constants.arc_bytes, constants.line_bytes).sum()),
         draws=int(draws.sum()),
@@ -183,7 +192,7 @@ def opengl_together(costs: Sequence[OpenGLCost]) -> OpenGLCost:
     Parameters
     ----------
     costs : sequence of OpenGLCost
-        Of the operations, in their order, at least one; all for the same speeds.
+        Of the operations, in their order, at least one; all for the same stock and speeds.
 
     Returns
     -------
@@ -191,17 +200,18 @@ def opengl_together(costs: Sequence[OpenGLCost]) -> OpenGLCost:
     """
     constants = costs[0].constants
     part = (np.arange(_PARTS) + 0.5) / _PARTS
-    before, longer = 0, 0.0
+    before = longer = 0.0
     for cost in costs:
-        alone = constants.frame + constants.draw * cost.draws * part
-        added = np.maximum(alone + constants.draw * before, SHORTEST_FRAME) - np.maximum(alone, SHORTEST_FRAME)
+        drawing = cost.frame_seconds - constants.frame
+        alone = constants.frame + drawing * part
+        added = np.maximum(alone + before, SHORTEST_FRAME) - np.maximum(alone, SHORTEST_FRAME)
         longer += cost.steps * float(added.mean())
-        before += cost.draws
+        before += drawing
     return OpenGLCost(
-        frame_seconds=constants.frame + constants.draw * before,
+        frame_seconds=constants.frame + before,
         play_seconds={s: sum(c.play_seconds[s] for c in costs) + longer / s for s in costs[0].play_seconds},
         memory_bytes=sum(cost.memory_bytes for cost in costs),
-        draws=before,
+        draws=sum(cost.draws for cost in costs),
         arc_draws=sum(cost.arc_draws for cost in costs),
         steps=sum(cost.steps for cost in costs),
         constants=constants,

@@ -23,8 +23,8 @@ class Constants:
     """What one unit of work costs on one computer, seconds and bytes.
 
     The defaults were measured with FreeCAD 0.20.2, 1.0.0 and 1.1.3 on two Xeon cores without a graphics card;
-    ``frame`` and ``draw`` are a guess for a graphics card, none was there; software rendering took 35e-3 and
-    25e-6. ``document/calibration.py`` measures them on the user's computer.
+    ``frame``, ``draw`` and ``fill`` are a guess for a graphics card, none was there; software rendering took 35e-3,
+    25e-6 and 3000. ``document/calibration.py`` measures them on the user's computer.
 
     Attributes
     ----------
@@ -46,6 +46,8 @@ class Constants:
         Legacy: memory of one triangle.
     frame, draw : float
         OpenGL: one frame with nothing cut, one draw call.
+    fill : float
+        OpenGL: drawing a surface as large as a square on the stock's diagonal, in draw calls.
     line_bytes, arc_bytes : float
         OpenGL: memory of a straight motion and of an arc.
     legacy_factor, opengl_factor : float
@@ -65,6 +67,7 @@ class Constants:
     facet_bytes: float = 150.0
     frame: float = 2e-3
     draw: float = 1.5e-6
+    fill: float = 1000.0
     line_bytes: float = 900.0
     arc_bytes: float = 7000.0
     legacy_factor: float = 2.0

@@ -30,9 +30,10 @@ from vkworkbench.core.simulators import DEFAULTS, Constants
 from vkworkbench.core.solids import Stock
 from vkworkbench.core.speed import measure_speed
 
-# Names of OpenGL renderers on the processor, and what a frame and a draw call were measured to take there.
+# Names of OpenGL renderers on the processor, and what a frame, a draw call and filling surfaces were measured to take
+# there.
 _SOFTWARE = ("llvmpipe", "softpipe", "swr", "swiftshader", "gdi generic", "microsoft basic render")
-_SOFTWARE_FRAME, _SOFTWARE_DRAW = 35e-3, 25e-6
+_SOFTWARE_OPENGL = {"frame": 35e-3, "draw": 25e-6, "fill": 3000.0}
 # A benchmark cuts in a warm cache; real operations take this much longer (benchmarks/simulators.py).
 _COLD_CACHE = 1.5
 # With measured constants the true number is within this factor (benchmarks/simulators.py).
@@ -232,7 +233,8 @@ def learn_frame(cost: OpenGLCost, seconds: float, *, renderer: str) -> Calibrati
     known = load(renderer)
     if known is None or seconds < _SLOW_FRAME:
         return None
-    return _learn(known, "draw", (seconds - known.constants.frame) / cost.draws)
+    frame, draw = known.constants.frame, known.constants.draw
+    return _learn(known, "draw", draw * (seconds - frame) / (cost.frame_seconds - frame))
 
 
 def _learn(known: Calibration, name: str, value: float) -> Calibration | None:
@@ -284,7 +286,7 @@ def _speed_key() -> str:
 
 def _for_renderer(base: Constants, renderer: str) -> Constants:
     if any(name in renderer.lower() for name in _SOFTWARE):
-        return replace(base, frame=_SOFTWARE_FRAME, draw=_SOFTWARE_DRAW, opengl_factor=DEFAULTS.legacy_factor)
+        return replace(base, opengl_factor=DEFAULTS.legacy_factor, **_SOFTWARE_OPENGL)
     return base
 
 

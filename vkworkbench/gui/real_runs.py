@@ -129,9 +129,9 @@ class OpenGLRun(QObject):
         speeds = opengl_speeds(calibration.freecad_version())
         with suppress(OSError, ValueError):  # not kept, or arcs of too many chords
             cost = opengl_together([
-                opengl_cost(linearize(path.Commands), diameter=tool.diameter, speeds=speeds, quality=quality,
-                            constants=calibration.constants(renderer))
-                for path, tool, _ in simulated
+                opengl_cost(linearize(path.Commands), diameter=tool.diameter, stock=stock, speeds=speeds,
+                            quality=quality, constants=calibration.constants(renderer))
+                for path, tool, stock in simulated
             ])  # fmt: skip
             if any(_FEWEST < played * speed / cost.steps < _MOST for speed in speeds):
                 calibration.learn_frame(cost, median(frames[played - _LAST_FRAMES : played]), renderer=renderer)
