@@ -320,3 +320,38 @@ def test_reasons_are_written_as_people_write():
     assert "over one loop" in one.reason and "+1.00 turns" in one.reason
     straight = recognize(linearize([*START, ("G1", {"X": 50.0})]))
     assert "phi stays at 0 over one open stroke" in straight.reason
+
+
+@pytest.mark.parametrize("turn", [1, -1])
+@pytest.mark.parametrize("count", [5, 8, 15, 33])
+def test_a_contour_that_leads_by_the_start_of_its_zigzag(count, turn):
+    # Zigzag and first half of the contour come back to the start after one net turn: that is no loop.
+    width, step = 30.0, 7.0
+    end = (count - 1) * step
+    corners = [(0.0, 0.0), (end, 0.0), (end, width), (0.0, width)]
+    program = [("G0", {"X": 0.0, "Y": 0.0, "Z": 5.0}), ("G1", {"Z": -1.0})]
+    for k in range(count):
+        program += [("G1", {"X": k * step}), ("G1", {"Y": width if k % 2 == 0 else 0.0})]
+    at = 2 if count % 2 else 1
+    for k in range(1, 5):
+        x, y = corners[(at + turn * k) % 4]
+        program.append(("G1", {"X": x, "Y": y}))
+    assert strategy(program, tool_diameter=10.0) is Strategy.MIXED
+
+
+def inward(wobble=0.0, digits=6):
+    """Commands of a spiral inward in moves of 0.12 to 0.18 mm, whose radius wobbles by `wobble` mm."""
+    angle = np.arange(0, 9 * math.tau, 0.004)
+    radius = 44 - 1.5 * angle / math.tau + wobble * np.sin(100 * angle)
+    points = np.round(np.column_stack([radius * np.cos(angle), radius * np.sin(angle)]), digits)
+    program = [("G0", {"X": points[0, 0], "Y": points[0, 1], "Z": 5.0}), ("G1", {"Z": -1.0})]
+    return program + [("G1", {"X": x, "Y": y}) for x, y in points[1:]]
+
+
+def test_a_winding_that_corrects_its_direction_all_the_time_is_adaptive():
+    assert strategy(inward(wobble=0.03), tool_diameter=6.0) is Strategy.ADAPTIVE
+    assert strategy(inward(), tool_diameter=6.0) is Strategy.SPIRAL
+
+
+def test_the_rounding_of_a_finely_sampled_spiral_is_no_step_aside():
+    assert strategy(inward(digits=3), tool_diameter=6.0) is Strategy.SPIRAL

@@ -16,7 +16,8 @@ def closed_loops(moves: Moves) -> tuple[np.ndarray, np.ndarray]:
 
     Offset loops linked without a lift, and a contour before or after a zigzag in one cut, are one area to the
     splitting at rapids; phi then runs over loops and links alike. The points where the tool comes back
-    separate them. Of two overlapping loops the one that begins first counts.
+    separate them. Of two overlapping loops the one that begins first counts, but for one that turns to and fro
+    much more: a zigzag whose contour, cut in the same area, leads by its start is no loop, the contour is.
 
     Parameters
     ----------
@@ -34,11 +35,11 @@ def closed_loops(moves: Moves) -> tuple[np.ndarray, np.ndarray]:
         none = np.zeros(0, np.int64)
         return none, none
     vertices = _vertices(moves, winds)
-    first, end = _disjoint(*_returns(moves, *vertices, OFF_ROUND))
+    first, end = _disjoint(moves, *_returns(moves, *vertices, OFF_ROUND))
     if (end - first).sum() < 0.75 * len(vertices[0]):
         # The border of two cells may part the visits of one point: once more with the cells half a cell on.
         shifted = _returns(moves, *vertices, OFF_ROUND + 0.5)
-        first, end = _disjoint(*np.concatenate([(first, end), shifted], axis=1))
+        first, end = _disjoint(moves, *np.concatenate([(first, end), shifted], axis=1))
     return first, end
 
 
@@ -111,17 +112,30 @@ def _returns(moves, x, y, at, area, origin) -> tuple[np.ndarray, np.ndarray]:
     return first[once], end[once]
 
 
-def _disjoint(first: np.ndarray, end: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Keep from the left those intervals that begin after the end of the last one kept."""
+def _disjoint(moves: Moves, first: np.ndarray, end: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Keep from the left those intervals that begin after the end of the last one kept.
+
+    One that turns to and fro gives way to the first that begins inside it, goes on after it and does so by less
+    than half as much.
+    """
     order = np.lexsort((end, first))
     first, end = first[order], end[order]
     new = np.append(True, first[1:] > first[:-1]) if len(first) else order
     first, end = first[new], end[new]
     if (end[:-1] <= first[1:]).all():
         return first, end
+    turned = np.append(0.0, np.cumsum(np.abs(moves.turning)))
+    turned = turned[end] - turned[first + 1]
     following = np.searchsorted(first, end).tolist()
+    wavy = (turned > 1.5 * TURN).tolist()
     kept, at, count = [], 0, len(following)
     while at < count:
+        if wavy[at]:
+            inside = slice(at + 1, following[at])
+            tighter = (turned[inside] - TURN < 0.5 * (turned[at] - TURN)) & (end[inside] > end[at])
+            if tighter.any():
+                at += 1 + int(np.argmax(tighter))
+                continue
         kept.append(at)
         at = following[at]
     return first[kept], end[kept]

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from vkworkbench.core.areas import TURN, Moves
+from vkworkbench.core.areas import TURN, UNSIGNED, Moves
 from vkworkbench.core.pieces import CURVE, LINE, LOOP, WINDING, ZIGZAG, Pieces, cut_pieces
 from vkworkbench.core.rings import Rings, relate_rings
 from vkworkbench.core.rows import Rows, find_rows
@@ -15,6 +15,7 @@ from vkworkbench.core.strategy import Strategy
 from vkworkbench.core.strokes import Strokes, find_arcs, relate_strokes
 
 ENTERED = "a winding with a helical entry or bites out of the corners"
+ASIDE = 0.15 * TURN  # a winding that turns more than this to and fro steps aside to the next loop
 SMALL = 0.02  # of the longest ring or stroke; shorter ones are links and leads
 
 
@@ -69,6 +70,8 @@ class Section:
     tool: float
     pieces: Pieces = field(init=False)
     rings: Rings = field(init=False)
+    aside: np.ndarray = field(init=False)
+    hunting: np.ndarray = field(init=False)
     strokes: Strokes = field(init=False)
     rows: list[Rows] = field(init=False)
 
@@ -87,7 +90,13 @@ class Section:
         wavy = p.wavy[r.index]
         if wavy.any() and r.nested[wavy].mean() > 0.5:
             wavy[:] = False
-        self.lattice = ~r.nested & (r.crossing | (r.winding & (r.back > 0.75 * TURN)) | wavy)
+        against, places = _against(self.moves, p, r)
+        self.aside = against > ASIDE / 2  # what turns aside turns as much back again
+        # Adaptive clearing from outside the stock corrects its direction all the time to keep one engagement.
+        # Concave corners and links to the next loop turn more at once, at few places.
+        self.hunting = self.aside & p.flat[r.index] & (places >= 8) & (against < np.radians(10) * places)
+        bouncing = r.winding & ~self.hunting & (r.back > 0.75 * TURN)
+        self.lattice = ~r.nested & (r.crossing | bouncing | wavy)
         rowlike = (kind == ZIGZAG) | (kind == LINE) | (kind == CURVE)
         rowlike[r.index[self.lattice]] = True
         self.zigzag = float(p.length[kind == ZIGZAG].sum()) / self.length
@@ -170,6 +179,28 @@ def _large(p: Pieces, which: np.ndarray) -> np.ndarray:
     return index[length > SMALL * length.max()]
 
 
+def _against(moves: Moves, p: Pieces, r: Rings) -> tuple[np.ndarray, np.ndarray]:
+    """Return how much each winding turns against its sense, rad, and at how many places.
+
+    Turns that rounding could make do not count: finely sampled spirals are full of them.
+    """
+    angle, places = np.zeros(len(r)), np.zeros(len(r), np.int64)
+    some = np.flatnonzero(r.winding & (r.back > ASIDE))
+    if len(some):
+        ring = np.full(len(p), -1)
+        ring[r.index[some]] = some
+        of = np.repeat(ring, p.end - p.start)
+        turns = np.flatnonzero((of >= 0) & (np.abs(moves.turning) > UNSIGNED))
+        of = of[turns]
+        turning = moves.turning[turns] * np.sign(p.net[r.index])[of]
+        against = turning < 0
+        begins = against.copy()
+        begins[1:] &= ~against[:-1] | (of[1:] != of[:-1])
+        angle = np.bincount(of, weights=np.where(against, -turning, 0.0), minlength=len(r))
+        places = np.bincount(of[begins], minlength=len(r))
+    return angle, places
+
+
 def judge(s: Section) -> Verdict:
     """Judge a section by its rings, its rows or its open strokes, whichever it is made of."""
     rings = s.share(s.ring_pieces[s.rings.index])
@@ -228,7 +259,10 @@ def _judge_rings(s: Section, rings: float) -> Verdict:
         return Verdict(Strategy.WATERLINE, deeper / rings, r.levels, seen, rival=nested / rings)
     if nested > 0.5 * rings and (len(r) > 2 or rings > 0.75):
         winding = s.share(r.winding)
-        linked = s.share(r.winding & (r.back > 0.15 * TURN))  # a step aside turns one way and back
+        hunting = s.share(s.hunting)
+        if hunting > 0.5 * rings:
+            return Verdict(Strategy.ADAPTIVE, hunting / rings, len(r), "one winding that never closes")
+        linked = s.share(s.aside)
         if winding > 0.5 * rings and linked < 0.5 * winding:
             if (s.part(s.strokes.bite) > 0.03 and s.strokes.bite.sum() >= 5) or helix > 0.005:
                 return Verdict(Strategy.ADAPTIVE, winding / rings, len(r), ENTERED)
