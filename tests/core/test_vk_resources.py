@@ -11,6 +11,7 @@ import pytest
 
 from vkworkbench.core.closed_form import cauchy_crofton, closed_form, swept
 from vkworkbench.core.dexels import UNCUT
+from vkworkbench.core.linearize import linearize
 from vkworkbench.core.recognition import Recognition, recognize
 from vkworkbench.core.removal import Removal
 from vkworkbench.core.resolution import best_resolution
@@ -232,6 +233,17 @@ def test_closed_form_by_strategy():
     assert expected(helix(), Strategy.HELIX, passes=6) == pytest.approx(1, rel=0.05)
     assert expected(drilled(), Strategy.DRILLING) == pytest.approx(1, rel=0.01)
     assert expected(surface(), Strategy.ZIGZAG, BALL, stepover=2, passes=21) == pytest.approx(1, rel=0.1)
+
+
+@pytest.mark.parametrize("radii", [(2.0, 4.5, 7.0), (7.0, 5.0, 3.0)], ids=["outwards", "inwards"])
+def test_closed_form_knows_that_a_helix_finds_the_hole_of_the_one_before(radii):
+    commands = []
+    for radius in radii:
+        commands += [("G0", {"Z": 25.0}), ("G0", {"X": 40.0 + radius, "Y": 30.0}), ("G0", {"Z": 20.0})]
+        for half in range(1, 13):
+            side = radius * (-1) ** half
+            commands.append(("G3", {"X": 40.0 + side, "Y": 30.0, "Z": 20.0 - half, "I": side, "J": 0.0}))
+    assert expected(linearize(commands), Strategy.HELIX) == pytest.approx(1, rel=0.05)
 
 
 def test_closed_form_recovers_the_stepover():

@@ -33,7 +33,8 @@ class _Trajectories:
     """The trajectories below the top of the stock, one value each.
 
     run : horizontal length, mm; rise : end height - start height, mm; low : lowest height, mm;
-    share : part of its sweep that lies over the stock, 0..1; heading : direction, rad.
+    share : part of its sweep that lies over the stock, 0..1; heading : direction, rad; turn : angle of the arc that it
+    is a chord of, rad, 0 where it is none.
     """
 
     start: np.ndarray
@@ -43,6 +44,7 @@ class _Trajectories:
     low: np.ndarray
     share: np.ndarray
     heading: np.ndarray
+    turn: np.ndarray
 
 
 def _in_stock(toolpath: Toolpath, tool: Tool, stock: Stock | ConvexStock) -> _Trajectories:
@@ -62,6 +64,7 @@ def _in_stock(toolpath: Toolpath, tool: Tool, stock: Stock | ConvexStock) -> _Tr
         low[inside],
         share,
         np.arctan2(move[:, 1], move[:, 0]),
+        toolpath.sweep[inside],
     )
 
 
@@ -150,10 +153,10 @@ def _levels(
     key = np.rint(t.low / _LEVEL).astype(np.int64)
     # What reaches a level belongs to it; what descends between levels cuts its foot besides.
     between = ~np.isin(key, key[level])
-    total = float((_descents(t, tool) * t.share)[between].sum())
+    descents = _descents(t, tool) * t.share
     if recognition.strategy is Strategy.HELIX:
-        # The next radius finds the hole of the last one: only a stepover of the foot is new.
-        total *= stepover / tool.diameter
+        descents *= _beside_last_helix(t, tool)
+    total = float(descents[between].sum())
     passes = max(1.0, (recognition.passes or 1) / max(1, recognition.depths))
     for z in np.unique(key[level]):
         here = level[key[level] == z]
@@ -190,6 +193,40 @@ def _descents(t: _Trajectories, tool: Tool) -> np.ndarray:
     reached = down[order[deeper]]
     areas[reached] = np.pi * tool.radius**2 + 2 * tool.radius * t.run[reached]
     return areas
+
+
+def _beside_last_helix(t: _Trajectories, tool: Tool) -> np.ndarray:
+    """Part of the tool's foot beside the ring that the helix before it in the same hole has cut, 0..1."""
+    arc = np.flatnonzero(t.turn)
+    half = t.turn[arc] / 2
+    chord = (t.end - t.start)[arc, :2]
+    to_centre = np.column_stack((-chord[:, 1], chord[:, 0])) / (2 * np.tan(half))[:, None]
+    hole = np.rint(((t.start + t.end)[arc, :2] / 2 + to_centre) / _APART).astype(np.int64)
+    helix = np.rint(t.run[arc] / (2 * np.abs(np.sin(half))) / _APART).astype(np.int64)
+    _, first, which = np.unique(np.column_stack((hole, helix)), axis=0, return_index=True, return_inverse=True)
+    foot = np.pi * tool.radius**2
+    part = np.ones(len(first))
+    last: dict[tuple[int, ...], float] = {}
+    for k in np.argsort(first):
+        place, radius = tuple(hole[first[k]]), float(helix[first[k]] * _APART)
+        if place in last:
+            outer, inner = last[place] + tool.radius, max(last[place] - tool.radius, 0.0)
+            in_ring = _common_area(tool.radius, outer, radius) - _common_area(tool.radius, inner, radius)
+            part[k] = 1 - in_ring / foot
+        last[place] = radius
+    beside = np.ones(len(t.run))
+    beside[arc] = part[which.ravel()]
+    return beside
+
+
+def _common_area(a: float, b: float, apart: float) -> float:
+    """Area that two circles of these radii have in common."""
+    if apart >= a + b:
+        return 0.0
+    if apart <= abs(a - b):
+        return np.pi * min(a, b) ** 2
+    x = (apart**2 + a**2 - b**2) / (2 * apart)
+    return a**2 * np.arccos(x / a) + b**2 * np.arccos((apart - x) / b) - apart * np.sqrt(a**2 - x**2)
 
 
 def _row_families(t: _Trajectories, here: np.ndarray) -> list[np.ndarray]:
