@@ -311,10 +311,14 @@ def play(path, diameter, speed, constants):
     square = sum((STOCK.upper - STOCK.lower) ** 2)
     for move, sweep, radius in zip(made.move, made.sweep, made.radius):
         length = radius * abs(sweep) or np.hypot(*move[:2])
-        filled = constants.fill * (diameter * length + math.pi * diameter**2 / 4) / square
-        if radius > diameter / 2:
+        foot = math.pi * diameter**2 / 4
+        filled = constants.fill * (diameter * length + foot) / square
+        if radius:
             step = min(max(math.asin(0.5 / radius), math.pi / 90), math.pi / 2)
             chords = int(abs(sweep) / step) + 2
+            if radius <= diameter / 2:
+                chords = int(abs(sweep) / (math.pi / 8)) + 1
+                filled = constants.fill * chords * foot / square
             for _ in range(chords):
                 drawn.append(drawn[-1] + 9 + filled / chords)
         else:
@@ -327,7 +331,7 @@ def play(path, diameter, speed, constants):
 @pytest.mark.parametrize("speed", [1, 10, 40])
 def test_playing_takes_what_its_frames_add_up_to(speed):
     software = Constants(frame=0.035, draw=25e-6)
-    path = linearize(zigzag(60) + arcs(40, 5.0))
+    path = linearize(zigzag(60) + arcs(40, 5.0) + arcs(40, 2.0))
     predicted = opengl_cost(path, diameter=6.0, stock=STOCK, speeds=(speed,), constants=software).play_seconds[speed]
     assert predicted == pytest.approx(play(path, 6.0, speed, software), rel=0.02)
 

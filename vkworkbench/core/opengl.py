@@ -85,8 +85,10 @@ def opengl_work(made: Motions, *, diameter: float, quality: int = 10) -> OpenGLW
     chords = np.floor(np.abs(made.sweep) / step) + np.where(small, 1, 2)
     lines = np.maximum(np.floor(np.linalg.norm(made.move, axis=1) / resolution), 1)
     draws = _PASSES * np.where(arc, chords, np.where(made.level < 1e-6, 1, 2))
-    across = np.where(arc, made.radius * np.abs(made.sweep), made.level)
-    area = diameter * across + np.pi / 4 * diameter**2
+    foot = np.pi / 4 * diameter**2
+    length = np.where(arc, made.radius * np.abs(made.sweep), made.level)
+    # An arc within the tool's radius is drawn as the whole tool at every chord's end.
+    area = np.where(arc & small, chords * foot, diameter * length + foot)
     return OpenGLWork(np.where(arc, chords, lines), draws, area, arc)
 
 

@@ -24,7 +24,7 @@ class Constants:
 
     The defaults were measured with FreeCAD 0.20.2, 1.0.0 and 1.1.3 on two Xeon cores without a graphics card;
     ``frame``, ``draw`` and ``fill`` are a guess for a graphics card, none was there; software rendering took 35e-3,
-    25e-6 and 3000. ``document/calibration.py`` measures them on the user's computer.
+    25e-6 and 5000. ``document/calibration.py`` measures them on the user's computer.
 
     Attributes
     ----------
