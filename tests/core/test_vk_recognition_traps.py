@@ -353,5 +353,20 @@ def test_a_winding_that_corrects_its_direction_all_the_time_is_adaptive():
     assert strategy(inward(), tool_diameter=6.0) is Strategy.SPIRAL
 
 
-def test_the_rounding_of_a_finely_sampled_spiral_is_no_step_aside():
-    assert strategy(inward(digits=3), tool_diameter=6.0) is Strategy.SPIRAL
+@pytest.mark.parametrize("digits", [2, 3])
+def test_the_rounding_of_a_finely_sampled_spiral_is_no_step_aside(digits):
+    assert strategy(inward(digits=digits), tool_diameter=6.0) is Strategy.SPIRAL
+
+
+@pytest.mark.parametrize("pieces", [1, 4])
+def test_the_slopes_of_carved_strokes_are_no_depths(pieces):
+    slopes = [((0, 0, -6), (1, 3, 0)), ((60, 0, -5), (58, 2, 0)), ((0, 40, -4), (3, 39, 0)),
+              ((60, 40, -3), (59, 37, 0))]  # fmt: skip
+    level = [((5, 8, -6), (30, 20, -6)), ((55, 5, -6), (30, 20, -6)), ((30, 20, -6), (33, 40, -6))]
+    program = []
+    for points in slopes + level:
+        ends = np.arange(len(points))
+        x, y, z = (np.interp(np.arange(0, ends[-1] * pieces + 1) / pieces, ends, v) for v in zip(*points))
+        program += [("G0", {"Z": 5.0}), ("G0", {"X": x[0], "Y": y[0]}), ("G1", {"Z": z[0]})]
+        program += [("G1", {"X": a, "Y": b, "Z": c}) for a, b, c in zip(x[1:], y[1:], z[1:])]
+    assert strategy(program) is Strategy.ENGRAVING

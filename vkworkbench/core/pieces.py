@@ -171,7 +171,9 @@ class _Stretches:
         if len(moves) and not moves.dz.any():
             z, rise = last_z, np.zeros(len(start))
         else:
-            z = np.add.reduceat(moves.z, start) / (self.end - start)
+            middle = moves.z - moves.dz / 2
+            middle *= moves.length
+            z = np.add.reduceat(middle, start) / self.length
             rise = high(high.reduceat(moves.z, start), first_z) - low(low.reduceat(moves.z, start), first_z)
         return Pieces(
             start=start,

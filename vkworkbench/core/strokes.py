@@ -33,7 +33,7 @@ class Strokes:
     sloped : (k,) bool
         Changes its height on the way.
     distinct, levels : int
-        Number of different strokes seen from above, and of depths.
+        Number of different strokes seen from above, and of depths of level ones.
     typical : float
         Length of a stroke (median by length), mm.
     """
@@ -89,7 +89,7 @@ def relate_strokes(pieces: Pieces, index: np.ndarray) -> Strokes:
         against=against,
         sloped=~pieces.flat[index],
         distinct=distinct,
-        levels=count_levels(z),
+        levels=count_levels(z[pieces.flat[index]]),
         typical=weighted_median(length, length),
     )
 

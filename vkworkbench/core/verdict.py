@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from vkworkbench.core.areas import TURN, UNSIGNED, Moves
+from vkworkbench.core.areas import TURN, Moves
 from vkworkbench.core.pieces import CURVE, LINE, LOOP, WINDING, ZIGZAG, Pieces, cut_pieces
 from vkworkbench.core.rings import Rings, relate_rings
 from vkworkbench.core.rows import Rows, find_rows
@@ -16,6 +16,7 @@ from vkworkbench.core.strokes import Strokes, find_arcs, relate_strokes
 
 ENTERED = "a winding with a helical entry or bites out of the corners"
 ASIDE = 0.15 * TURN  # a winding that turns more than this to and fro steps aside to the next loop
+ROUGH = 0.05  # rad mm; what bends less over its length may be rounding to 0.01 mm
 SMALL = 0.02  # of the longest ring or stroke; shorter ones are links and leads
 
 
@@ -182,7 +183,7 @@ def _large(p: Pieces, which: np.ndarray) -> np.ndarray:
 def _against(moves: Moves, p: Pieces, r: Rings) -> tuple[np.ndarray, np.ndarray]:
     """Return how much each winding turns against its sense, rad, and at how many places.
 
-    Turns that rounding could make do not count: finely sampled spirals are full of them.
+    What rounding could bend does not count: finely sampled spirals are full of it.
     """
     angle, places = np.zeros(len(r)), np.zeros(len(r), np.int64)
     some = np.flatnonzero(r.winding & (r.back > ASIDE))
@@ -190,14 +191,14 @@ def _against(moves: Moves, p: Pieces, r: Rings) -> tuple[np.ndarray, np.ndarray]
         ring = np.full(len(p), -1)
         ring[r.index[some]] = some
         of = np.repeat(ring, p.end - p.start)
-        turns = np.flatnonzero((of >= 0) & (np.abs(moves.turning) > UNSIGNED))
-        of = of[turns]
-        turning = moves.turning[turns] * np.sign(p.net[r.index])[of]
-        against = turning < 0
-        begins = against.copy()
-        begins[1:] &= ~against[:-1] | (of[1:] != of[:-1])
-        angle = np.bincount(of, weights=np.where(against, -turning, 0.0), minlength=len(r))
-        places = np.bincount(of[begins], minlength=len(r))
+        inside = np.flatnonzero(of >= 0)
+        of = of[inside]
+        turning = -moves.turning[inside] * np.sign(p.net[r.index])[of]
+        run = np.flatnonzero(np.append(True, ((turning[1:] > 0) != (turning[:-1] > 0)) | (of[1:] != of[:-1])))
+        bent, of = np.add.reduceat(turning, run), of[run]
+        true = bent * np.add.reduceat(moves.length[inside], run) > ROUGH
+        angle = np.bincount(of[true], weights=bent[true], minlength=len(r))
+        places = np.bincount(of[true], minlength=len(r))
     return angle, places
 
 
@@ -336,7 +337,8 @@ def _inside(s: Section) -> float:
     """Share of the cutting length in open strokes inside the ring cut before or after them, at its depth.
 
     Only strokes that come back beside themselves count: a single one leads in or out, and one that encloses
-    as much for its length as the ring goes around itself.
+    as much for its length as the ring goes around itself. One that comes nowhere near the ring leaves ground
+    uncut between them: that is another contour, which does not quite close.
     """
     p, k, ring = s.pieces, s.strokes.index, s.rings.index
     k = k[p.passes[k] > 1]
@@ -347,9 +349,8 @@ def _inside(s: Section) -> float:
     width = np.abs(p.enclosed) / p.length
     for beside in (ring[after], ring[np.maximum(after - 1, 0)]):
         box = p.box[beside]
-        within = (p.box[k, :2] >= box[:, :2] - 0.02).all(axis=1) & (p.box[k, 2:] <= box[:, 2:] + 0.02).all(
-            axis=1
-        )
+        gap = np.column_stack([p.box[k, :2] - box[:, :2], box[:, 2:] - p.box[k, 2:]]).min(axis=1)
+        within = (gap >= -0.02) & ((gap < 1.2 * s.tool) | (s.tool == 0))
         filling = width[k] < 0.75 * width[beside]
         inside |= within & filling & (np.abs(p.z[k] - p.z[beside]) < 0.02)
     return float(p.length[k[inside]].sum()) / s.length
