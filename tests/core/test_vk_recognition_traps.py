@@ -370,3 +370,31 @@ def test_the_slopes_of_carved_strokes_are_no_depths(pieces):
         program += [("G0", {"Z": 5.0}), ("G0", {"X": x[0], "Y": y[0]}), ("G1", {"Z": z[0]})]
         program += [("G1", {"X": a, "Y": b, "Z": c}) for a, b, c in zip(x[1:], y[1:], z[1:])]
     assert strategy(program) is Strategy.ENGRAVING
+
+
+def test_loops_around_ribs_in_a_row_are_no_trochoids():
+    # Loops of one size side by side, each at four depths; those of a trochoid overlap one another.
+    program = []
+    for z in (-1.0, -2.0, -3.0, -4.0):
+        for k in range(6):
+            program += [("G0", {"X": 10.0, "Y": 14.0 * k, "Z": 5.0}), ("G1", {"Z": z})]
+            corners = ((70, 14 * k), (70, 14 * k + 9), (10, 14 * k + 9), (10, 14 * k))
+            program += [("G1", {"X": x, "Y": y}) for x, y in corners]
+            program.append(("G0", {"Z": 5.0}))
+    assert strategy(program[: len(program) // 4], tool_diameter=5.0) is Strategy.PROFILE
+    assert strategy(program, tool_diameter=5.0) is Strategy.PROFILE
+
+
+def test_a_winding_that_leaves_a_third_to_open_strokes_is_no_spiral():
+    # Adaptive clearing from outside the stock: turns as long as there is stock all around, then arcs at both ends.
+    program, gap = [("G0", {"X": 90.0, "Y": 0.0, "Z": 5.0}), ("G1", {"Z": -1.0})], 1.2
+    angle = np.arange(0, 12 * math.tau, 0.05)
+    shrink = gap * angle / math.tau
+    for x, y in zip((90 - shrink) * np.cos(angle), (55 - shrink) * np.sin(angle)):
+        program.append(("G1", {"X": x, "Y": y}))
+    for k in range(1, 45):
+        angle, side = np.linspace(-1.5, 1.5, 40), (-1) ** k
+        x, y = side * (50 - 0.6 * k + 25 * np.cos(angle)), side * (38 - 0.4 * k) * np.sin(angle)
+        program += [("G0", {"Z": 5.0}), ("G0", {"X": x[0], "Y": y[0]}), ("G1", {"Z": -1.0})]
+        program += [("G1", {"X": a, "Y": b}) for a, b in zip(x[1:], y[1:])]
+    assert strategy(program, tool_diameter=6.0) is Strategy.ADAPTIVE

@@ -38,7 +38,7 @@ class Rings:
     stacked : array
         It comes again next, with no other pattern between, as the turns of a helix do.
     moved : array
-        A ring of about its size lies shifted beside it: trochoids.
+        A ring of about its size lies shifted beside it and overlaps it: trochoids.
     crossing : array
         A ring of another shape touches the same four sides: lattices of bouncing passes.
     alone : array
@@ -124,6 +124,8 @@ def relate_rings(pieces: Pieces, index: np.ndarray, tool: float) -> Rings:
         # Passes of a lattice that wind by chance are seldom even; offsets of a concave contour are exactly.
         even &= ~(wavy[a] & wavy[b]) | (high - low <= 0.1 * np.abs(mean) + 0.02)
         straddling = ~same_box & (low < 0) & (high > 0)
+        # Trochoids bite into one another; ribs in a row, and the loops around them, stay apart.
+        straddling &= ((box[a, :2] < box[b, 2:]) & (box[b, :2] < box[a, 2:])).all(axis=1)
         found = {
             "nested": even & beside,
             "deeper": ~same_box & ~beside & (low > -smaller),

@@ -218,8 +218,12 @@ def judge(s: Section) -> Verdict:
         return Verdict(Strategy.ADAPTIVE, 0.6 + 0.4 * bites, number, f"{number} bites of one sense overlap")
     if arcs:
         return arcs
+    # What a hunting tool leaves between its windings it cuts in rows and bites.
+    hunting, nested = s.share(s.hunting), s.share(s.rings.nested)
+    if rings > 0.35 and min(hunting, nested) > 0.5 * rings:
+        return Verdict(Strategy.ADAPTIVE, hunting / rings, len(s.rings), "one winding that never closes")
     # Offsets whose innermost loops degenerate to passes are still offsets.
-    offsets = rings > 0.7 and s.share(s.rings.nested) > 0.7 * rings
+    offsets = rings > 0.7 and nested > 0.7 * rings
     if rings > 0.88 or offsets or (rings > 0.35 and (rowlike < 0.15 or not s.rows)):
         return _judge_rings(s, rings)
     of_rows = _judge_rows(s, rowlike)
@@ -260,12 +264,11 @@ def _judge_rings(s: Section, rings: float) -> Verdict:
         return Verdict(Strategy.WATERLINE, deeper / rings, r.levels, seen, rival=nested / rings)
     if nested > 0.5 * rings and (len(r) > 2 or rings > 0.75):
         winding = s.share(r.winding)
-        hunting = s.share(s.hunting)
-        if hunting > 0.5 * rings:
-            return Verdict(Strategy.ADAPTIVE, hunting / rings, len(r), "one winding that never closes")
         linked = s.share(s.aside)
         if winding > 0.5 * rings and linked < 0.5 * winding:
-            if (s.part(s.strokes.bite) > 0.03 and s.strokes.bite.sum() >= 5) or helix > 0.005:
+            # A spiral that its boundary clips leaves arcs around its centre, which are judged before.
+            bitten = s.part(s.strokes.bite) > 0.03 and s.strokes.bite.sum() >= 5
+            if bitten or helix > 0.005 or s.strokes.length.sum() > 0.3 * s.length:
                 return Verdict(Strategy.ADAPTIVE, winding / rings, len(r), ENTERED)
             if _cornered(s) < 0.5:
                 return Verdict(Strategy.SPIRAL, winding / rings, len(r), "one winding that never closes")
