@@ -385,8 +385,10 @@ def test_loops_around_ribs_in_a_row_are_no_trochoids():
     assert strategy(program, tool_diameter=5.0) is Strategy.PROFILE
 
 
-def test_a_winding_that_leaves_a_third_to_open_strokes_is_no_spiral():
-    # Adaptive clearing from outside the stock: turns as long as there is stock all around, then arcs at both ends.
+@pytest.mark.parametrize("straight", [False, True])
+def test_a_winding_that_leaves_a_third_to_open_strokes_is_no_spiral(straight):
+    # Adaptive clearing from outside the stock: turns as long as there is stock all around, then arcs at both ends,
+    # or rows along both sides, in one sense of milling.
     program, gap = [("G0", {"X": 90.0, "Y": 0.0, "Z": 5.0}), ("G1", {"Z": -1.0})], 1.2
     angle = np.arange(0, 12 * math.tau, 0.05)
     shrink = gap * angle / math.tau
@@ -394,7 +396,10 @@ def test_a_winding_that_leaves_a_third_to_open_strokes_is_no_spiral():
         program.append(("G1", {"X": x, "Y": y}))
     for k in range(1, 45):
         angle, side = np.linspace(-1.5, 1.5, 40), (-1) ** k
-        x, y = side * (50 - 0.6 * k + 25 * np.cos(angle)), side * (38 - 0.4 * k) * np.sin(angle)
+        x, y = 50 - 0.6 * k + 25 * np.cos(angle), (38 - 0.4 * k) * np.sin(angle)
+        if straight:
+            x, y = np.linspace(45 - 0.2 * k, 0.2 * k - 45, 40), np.full(40, 40 - 0.6 * k)
+        x, y = side * x, side * y
         program += [("G0", {"Z": 5.0}), ("G0", {"X": x[0], "Y": y[0]}), ("G1", {"Z": -1.0})]
         program += [("G1", {"X": a, "Y": b}) for a, b in zip(x[1:], y[1:])]
     assert strategy(program, tool_diameter=6.0) is Strategy.ADAPTIVE

@@ -145,7 +145,8 @@ def _fills(f: Rows, tool: float) -> bool:
     if f.step < 0.03 * tool:
         return False  # the same pass retraced
     regular = f.count >= 3 and f.even > 0.5
-    if tool and f.step > 1.2 * tool and not (f.count >= 6 and f.even > 0.8):
+    # Many even steps say that the tool is wrong, but not where other rows lie between: those are two walls.
+    if tool and f.step > 1.2 * tool and not (f.count >= 6 and f.even > 0.8 and f.pitch > 0.6 * f.step):
         return False
     return regular or (f.count == 2 and f.typical > 10 * f.step and 0.1 * tool < f.step <= tool)
 
