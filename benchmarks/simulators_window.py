@@ -19,11 +19,11 @@ from vkworkbench.core import linearize
 from vkworkbench.core.legacy import legacy_costs
 from vkworkbench.core.preflight import preflight
 from vkworkbench.core.solids import Stock, Tool
-from vkworkbench.document.calibration import LONG, calibrate, constants, freecad_version, learn, load
+from vkworkbench.document.calibration import calibrate, constants, freecad_version, learn, load
 
 RENDERER = "llvmpipe"  # under Xvfb
 LONGEST = {"fast-forward": 7000, "play": 150}  # commands
-ENOUGH = 3  # runs that teach before a prediction counts
+ENOUGH = 5  # runs that teach before a prediction counts
 
 
 def run(samples, out):
@@ -53,7 +53,7 @@ def run(samples, out):
                 break
             line = f"  {kind:13}{label:40.40}{len(commands):6} commands  {predicted:7.2f} s  {true:7.2f} s"
             print(line + ("  a hang announced in vain" if hangs else ""), file=out, flush=True)
-            taught = "redraw" if kind == "play" else "tick" if cost.commands >= LONG else "start"
+            taught = "redraw" if kind == "play" else kind
             if len(load(RENDERER).runs.get(taught, ())) >= ENOUGH:
                 ratios[kind].append(max(predicted / true, true / predicted))
             learn(cost, true, played=kind == "play", renderer=RENDERER)
@@ -61,8 +61,6 @@ def run(samples, out):
         if values:
             quantiles = " / ".join(f"{q:.2f}" for q in np.percentile(values, (50, 90, 100)))
             print(f"{kind}, {len(values)} runs, ratio median / p90 / worst: {quantiles}", file=out)
-
-
     print(f"left out, the host took time from them: {left_out} runs", file=out)
 
 

@@ -65,7 +65,7 @@ def test_the_first_analysis_calibrates(calibrated):
 def test_runs_of_the_legacy_simulator_teach(calibrated, window):
     before = {name: len(values) for name, values in runs().items()}
     button = simulator(window, "Path_Simulator" if OLD else "CAM_Simulator", "Bore")
-    for name, taught in (("toolButtonFF", "start"), ("toolButtonPlay", "redraw")):
+    for name, taught in (("toolButtonFF", "fast-forward"), ("toolButtonPlay", "redraw")):
         window.click_on(button(name))
         assert not button(name).isEnabled()
         window.wait(lambda: button(name).isEnabled(), 120)

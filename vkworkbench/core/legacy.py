@@ -24,6 +24,14 @@ _WALK = 0.6
 _BYTES_PER_CELL = 5
 # Mean number of triangles while it plays, compared with the end.
 _MEAN_FACETS = 0.65
+# In fast-forward every new percent of the progress is shown.
+_PERCENTS = 100
+# Learning from fast-forwards: usual sizes of start, tick and repaint, s, and the weight of the defaults against a run.
+_USUAL = np.array([0.3, 1e-3, 5e-3])
+_RIDGE = 0.05
+# Relative errors below this count as equal, and rounds of the reweighting.
+_EXACT = 0.01
+_ROUNDS = 30
 # What the positions 1 to 10 of the accuracy slider stand for, percent of the stock's longer side.
 SLIDER = tuple(round(1.1 - 0.1 * position, 1) for position in range(1, 11))
 
@@ -143,6 +151,11 @@ class LegacyCost:
     mesh_seconds: float
     constants: Constants
 
+    @property
+    def panel_seconds(self) -> float:
+        """float : what fast-forward takes beyond cutting, tool profile and mesh, s."""
+        return _panel_seconds(self.constants, self.commands)
+
 
 def legacy_costs(
     toolpath: Toolpath,
@@ -155,8 +168,8 @@ def legacy_costs(
 ) -> tuple[LegacyCost, ...]:
     """Estimate the legacy simulator for one operation at several accuracies.
 
-    In fast-forward every command, comments too, takes one tick of a timer, and one mesh is made at the end.
-    In play a command takes 1/`speed`, or what a mesh and its display need if that is more.
+    In fast-forward every command, comments too, takes one tick of a timer, every new percent of the progress a
+    repaint, and one mesh is made at the end. In play a command takes 1/`speed`, or what a mesh and its display need if that is more.
 
     Parameters
     ----------
@@ -201,11 +214,12 @@ def legacy_costs(
         mesh = constants.cell * work.cells + constants.facet * facets
         mean_mesh = constants.cell * work.cells + constants.facet * facets * _MEAN_FACETS
         profile = constants.profile * (3 * tool.radius + float(tool.height(tool.radius))) / (0.05 * accuracy)
-        ticks = np.maximum(np.bincount(made.command, cut, minlength=toolpath.commands), constants.tick)
+        each = np.bincount(made.command, cut, minlength=toolpath.commands)
+        slower = float(np.maximum(each - constants.tick, 0).sum())
         cut_seconds = float(cut.sum())
         shows = shown * constants.redraw + meshes * mean_mesh + cut_seconds
         costs.append(LegacyCost(
-            fast_forward_seconds=constants.start + profile + float(ticks.sum()) + mesh,
+            fast_forward_seconds=_panel_seconds(constants, toolpath.commands) + profile + slower + mesh,
             play_seconds=profile + max(shows, shown / speed) + len(toolpath.comments) / speed,
             commands=toolpath.commands,
             shown=shown,
@@ -240,12 +254,13 @@ def legacy_together(costs: Sequence[LegacyCost]) -> LegacyCost:
     constants, facets = costs[0].constants, sum(cost.facets for cost in costs)
     cells = max(cost.cells for cost in costs)
     mesh = constants.cell * cells + constants.facet * facets
-    each = sum(cost.fast_forward_seconds - constants.start - cost.mesh_seconds for cost in costs)
+    each = sum(cost.fast_forward_seconds - cost.panel_seconds - cost.mesh_seconds for cost in costs)
+    commands = sum(cost.commands for cost in costs)
     before = np.cumsum([0.0] + [cost.facets for cost in costs[:-1]])
     return LegacyCost(
-        fast_forward_seconds=constants.start + each + mesh,
+        fast_forward_seconds=_panel_seconds(constants, commands) + each + mesh,
         play_seconds=sum(c.play_seconds + c.shown * constants.facet * f for c, f in zip(costs, before)),
-        commands=sum(cost.commands for cost in costs),
+        commands=commands,
         shown=sum(cost.shown for cost in costs),
         memory_bytes=_BYTES_PER_CELL * cells + constants.facet_bytes * facets,
         accuracy=costs[0].accuracy,
@@ -257,3 +272,35 @@ def legacy_together(costs: Sequence[LegacyCost]) -> LegacyCost:
         mesh_seconds=mesh,
         constants=constants,
     )
+
+
+def fit_fast_forward(commands: np.ndarray, seconds: np.ndarray) -> tuple[float, float, float]:
+    """Find start, tick and repaint that explain real fast-forwards.
+
+    Least absolute deviations by reweighted least squares (Schlossmacher 1973), so that an odd run does no harm, of the
+    relative errors, with a ridge towards the defaults (Hoerl and Kennard 1970): runs of one length tell one number.
+
+    Parameters
+    ----------
+    commands : (k,) ndarray
+    seconds : (k,) ndarray
+        What each run took beyond cutting, tool profile and mesh.
+
+    Returns
+    -------
+    start, tick, repaint : float
+        s, as in :class:`Constants`.
+    """
+    work = np.column_stack((np.ones(len(commands)), commands, np.minimum(commands, _PERCENTS)))
+    default = np.array([DEFAULTS.start, DEFAULTS.tick, DEFAULTS.repaint])
+    relative, ridge = work * _USUAL / seconds[:, None], _RIDGE * np.eye(3)
+    weight = np.ones(len(seconds))
+    for _ in range(_ROUNDS):
+        rows = np.vstack((relative * weight[:, None], ridge))
+        found = np.linalg.lstsq(rows, np.append(weight, _RIDGE * default / _USUAL), rcond=None)[0]
+        weight = 1 / np.sqrt(np.maximum(np.abs(relative @ found - 1), _EXACT))
+    return tuple((np.maximum(found, 0) * _USUAL).tolist())
+
+
+def _panel_seconds(constants: Constants, commands: int) -> float:
+    return constants.start + constants.tick * commands + constants.repaint * min(commands, _PERCENTS)

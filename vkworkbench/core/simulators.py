@@ -32,6 +32,8 @@ class Constants:
         Legacy: pressing fast-forward and showing the result.
     tick : float
         Legacy: one command in fast-forward (a timer of 1 ms).
+    repaint : float
+        Legacy: showing another percent of a fast-forward's progress.
     redraw : float
         Legacy: showing one command in play, without its mesh.
     call, ring, line, cap : float
@@ -56,6 +58,7 @@ class Constants:
 
     start: float = 0.32
     tick: float = 1.087e-3
+    repaint: float = 0.0
     redraw: float = 0.035
     call: float = 0.76e-6
     ring: float = 59e-9

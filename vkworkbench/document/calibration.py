@@ -21,7 +21,7 @@ import Part
 from Path import Command as PathCommand
 from PathSimulator import PathSim
 
-from vkworkbench.core.legacy import LegacyCost, legacy_work
+from vkworkbench.core.legacy import LegacyCost, fit_fast_forward, legacy_work
 from vkworkbench.core.linearize import linearize
 from vkworkbench.core.motions import motions
 from vkworkbench.core.opengl import SHORTEST_FRAME, OpenGLCost
@@ -38,11 +38,10 @@ _SOFTWARE_OPENGL = {"frame": 35e-3, "draw": 25e-6, "fill": 5000.0}
 _COLD_CACHE = 1.5
 # With measured constants the true number is within this factor (benchmarks/simulators.py).
 _CALIBRATED_FACTOR = 1.3
-# What real runs teach: long fast-forwards the tick, short ones the start, plays the display, OpenGL a draw call.
-_LEARNED = ("start", "tick", "redraw", "draw")
-LONG = 500  # commands
+# What is kept of real runs, and how it is read from the file.
+_RUNS = {"fast-forward": lambda pair: (int(pair[0]), float(pair[1])), "redraw": float, "draw": float}
 _SHORTEST_PLAY = 20  # commands
-_LAST_RUNS = 9
+_LAST_RUNS = 15
 # Faster frames may have waited for the screen.
 _SLOW_FRAME = 1.5 * SHORTEST_FRAME
 # What the benchmark cuts.
@@ -62,8 +61,9 @@ class Calibration:
         Day of the measurement, ISO 8601.
     freecad, processor, renderer : str
         What it holds for.
-    runs : dict of str to tuple of float
-        What the last real runs said of the constants "start", "tick", "redraw" and "draw", s.
+    runs : dict of str to tuple
+        Of the last real runs: of every "fast-forward" the commands and what it took beyond cutting, s; what plays said
+        of the constant "redraw", and OpenGL's frames of "draw", s.
     """
 
     constants: Constants
@@ -71,7 +71,7 @@ class Calibration:
     freecad: str
     processor: str
     renderer: str
-    runs: dict[str, tuple[float, ...]]
+    runs: dict[str, tuple]
 
 
 def freecad_version() -> tuple[int, int, int]:
@@ -144,10 +144,10 @@ def load(renderer: str = "") -> Calibration | None:
         values = {field.name: float(record["constants"][field.name]) for field in fields(Constants)}
         if not all(math.isfinite(value) and value >= 0 for value in values.values()):
             return None
-        runs = {name: tuple(map(float, record["runs"][name])) for name in _LEARNED if name in record["runs"]}
+        runs = {name: tuple(map(read, record["runs"].get(name, ()))) for name, read in _RUNS.items()}
         words = (str(record[name]) for name in ("date", "freecad", "processor", "renderer"))
         return Calibration(Constants(**values), *words, runs)
-    except (TypeError, KeyError, ValueError, AttributeError):
+    except (TypeError, KeyError, IndexError, ValueError, AttributeError):
         return None
 
 
@@ -175,14 +175,14 @@ def calibrate(renderer: str = "") -> Calibration:
     known = load(renderer)
     version = ".".join(map(str, freecad_version()))
     return _remember(Calibration(
-        measured, date.today().isoformat(), version, processor(), renderer, known.runs if known else {}
+        measured, date.today().isoformat(), version, processor(), renderer, known.runs if known else dict.fromkeys(_RUNS, ())
     ))  # fmt: skip
 
 
 def learn(cost: LegacyCost, seconds: float, *, played: bool, renderer: str = "") -> Calibration | None:
-    """Learn start and tick of fast-forward, or the display of play, from a simulation that the user ran.
+    """Learn start, tick and repaint of fast-forward, or the display of play, from a simulation that the user ran.
 
-    Each becomes the median of what its last nine runs say, so one odd run does no harm.
+    What the last fifteen runs say counts, and an odd one among them does no harm.
 
     Parameters
     ----------
@@ -205,11 +205,8 @@ def learn(cost: LegacyCost, seconds: float, *, played: bool, renderer: str = "")
     if known is None or (played and cost.shown < _SHORTEST_PLAY):
         return None
     if played:
-        name, count, predicted = "redraw", cost.shown, cost.play_seconds
-    else:
-        name, count = ("tick", cost.commands) if cost.commands >= LONG else ("start", 1)
-        predicted = cost.fast_forward_seconds
-    return _learn(known, name, getattr(known.constants, name) + (seconds - predicted) / count)
+        return _learn(known, "redraw", known.constants.redraw + (seconds - cost.play_seconds) / cost.shown)
+    return _learn(known, "fast-forward", seconds - cost.fast_forward_seconds + cost.panel_seconds, cost.commands)
 
 
 def learn_frame(cost: OpenGLCost, seconds: float, *, renderer: str) -> Calibration | None:
@@ -237,15 +234,19 @@ def learn_frame(cost: OpenGLCost, seconds: float, *, renderer: str) -> Calibrati
     return _learn(known, "draw", draw * (seconds - frame) / (cost.frame_seconds - frame))
 
 
-def _learn(known: Calibration, name: str, value: float) -> Calibration | None:
-    if not value > 0:
+def _learn(known: Calibration, name: str, seconds: float, commands: int | None = None) -> Calibration | None:
+    if not seconds > 0:
         return None
-    return _remember(replace(known, runs=known.runs | {name: (*known.runs.get(name, ()), value)[-_LAST_RUNS:]}))
+    run = seconds if commands is None else (commands, seconds)
+    return _remember(replace(known, runs=known.runs | {name: (*known.runs[name], run)[-_LAST_RUNS:]}))
 
 
 def _remember(calibration: Calibration) -> Calibration:
     """Apply what runs taught, write the calibration to the file, and return it."""
-    learned = {name: median_low(values) for name, values in calibration.runs.items() if values}
+    runs = calibration.runs
+    learned = {name: median_low(runs[name]) for name in ("redraw", "draw") if runs[name]}
+    if runs["fast-forward"]:
+        learned |= zip(("start", "tick", "repaint"), fit_fast_forward(*np.array(runs["fast-forward"]).T))
     if "draw" in learned:
         learned["opengl_factor"] = _CALIBRATED_FACTOR
     calibration = replace(calibration, constants=replace(calibration.constants, **learned))
