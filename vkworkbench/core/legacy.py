@@ -169,7 +169,8 @@ def legacy_costs(
     """Estimate the legacy simulator for one operation at several accuracies.
 
     In fast-forward every command, comments too, takes one tick of a timer, every new percent of the progress a
-    repaint, and one mesh is made at the end. In play a command takes 1/`speed`, or what a mesh and its display need if that is more.
+    repaint, and one mesh is made at the end. In play a command takes 1/`speed`, or what a mesh and its display
+    need if that is more.
 
     Parameters
     ----------
