@@ -188,30 +188,36 @@ def obvious(points: np.ndarray) -> np.ndarray:
     return np.cumsum((np.diff(alpha) + np.pi) % (2 * np.pi) - np.pi)
 
 
-def best(function, *arguments) -> float:
-    """Return the shortest processor time of many runs, s: what other programs do meanwhile does not count."""
-    runs, began = [], time.perf_counter()
-    while len(runs) < 5 or (len(runs) < 100 and time.perf_counter() - began < 3):
-        start = time.thread_time()
-        function(*arguments)
-        runs.append(time.thread_time() - start)
-    return min(runs)
+def times(path: Toolpath) -> np.ndarray:
+    """Return processor times of a recognition and of the obvious pipeline, (k, 2) s, taken in turns.
+
+    A computer's speed changes from second to second: only neighbours can be compared.
+    """
+    pairs, began = [], time.perf_counter()
+    while len(pairs) < 5 or (len(pairs) < 200 and time.perf_counter() - began < 4):
+        marks = [time.thread_time()]
+        for function, argument in ((recognize, path), (obvious, path.points)):
+            function(argument)
+            marks.append(time.thread_time())
+        pairs.append(np.diff(marks))
+    return np.array(pairs)
 
 
 def speed() -> None:
     """Print the cost of a recognition as a multiple of the obvious pipeline, and its growth."""
     print(
-        "\nspeed: time of recognize / time of the obvious pipeline, and time per trajectory / that at 17,000"
+        "\nspeed: time of recognize / time of the obvious pipeline (median), and time per trajectory / that at 17,000"
     )
     for make in (zigzag, linked_offsets, linked_squares):
         base = None
         for n in (17_000, 100_000, 1_000_000):
             path = make(n)
-            spent = best(recognize, path)
-            base = base or spent / n
+            spent = times(path)
+            each = spent[:, 0].min() / n
+            base = base or each
             print(
-                f"  {make.__name__:15s} {n:9d} trajectories: {spent / best(obvious, path.points):5.1f}   "
-                f"{spent / n / base:4.2f}   ({recognize(path).strategy})"
+                f"  {make.__name__:15s} {n:9d} trajectories: {np.median(spent[:, 0] / spent[:, 1]):5.1f}   "
+                f"{each / base:4.2f}   ({recognize(path).strategy})"
             )
 
 

@@ -58,14 +58,14 @@ def _vertices(moves: Moves, winds: np.ndarray) -> tuple[np.ndarray, np.ndarray, 
     end = np.append(moves.start[1:], len(moves))
     size = end - moves.start
     begun = np.arange(len(moves)) if winds.all() else np.flatnonzero(np.repeat(winds, size))
-    end = end[winds]
+    end, every = end[winds], len(begun) == len(moves)
     area = np.zeros(0, np.uint32)
     if len(end) > 1:
         area = np.arange(len(end), dtype=np.uint32)
         area = np.append(np.repeat(area, size[winds]), area)
     found = []
     for v, dv in ((moves.x, moves.dx), (moves.y, moves.dy)):
-        w = np.append(v.take(begun), v[end - 1] + dv[end - 1])
+        w = np.append(v if every else v.take(begun), v[end - 1] + dv[end - 1])
         w -= w.min()
         w *= 1 / CLOSE
         found.append(w)

@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import cache
 
 import numpy as np
 
@@ -108,12 +107,12 @@ def relate_rings(pieces: Pieces, index: np.ndarray, tool: float) -> Rings:
     slack = np.where(winding, 2.0, 1.0)
     names = ("nested", "opposite", "deeper", "repeated", "moved", "crossing")
     flags = {name: np.zeros(k, bool) for name in names}
-    inward = cache(lambda lag: _inward(sides, enclosed, length, slack, lag))
+    inward = _Inward(sides, enclosed, length, slack)
     limit, next_step, next_drop = _reach(inward, size, z, flat, tool)
     steps, nearest = [], np.full(k, np.inf)  # the next but one is two steps away
     for lag in LAGS[: max(k - 1, 0)]:
         a, b = slice(None, -lag), slice(lag, None)
-        low, high, mean, step = inward(lag)
+        low, high, mean, step = inward[lag]
         larger, smaller = np.maximum(size[a], size[b]), np.minimum(size[a], size[b])
         level = np.abs(z[a] - z[b]) < LEVEL
         # Rings on a sculptured surface have no depth of their own: nearness in the plane decides.
@@ -197,9 +196,9 @@ def _middle(values: np.ndarray, part: int = 2) -> float:
     return float(np.partition(values, at)[at])
 
 
-def _inward(sides, enclosed, length, slack, lag: int) -> tuple[np.ndarray, ...]:
-    """Return how far the sides of a ring's box lie inside those `lag` rings before: least, most, mean, and
-    the distance between the two rings, 0 where they are no offsets of one another.
+class _Inward(dict):
+    """By lag, how far the sides of a ring's box lie inside those `lag` rings before: least, most, mean, and the
+    distance between the two rings, 0 where they are no offsets of one another.
 
     Two parallel curves lie 2 dA / (P1 + P2) apart, by the difference in area and the lengths (Steiner's
     formula), which does not depend on how they are turned. All four sides of an offset's box move the same
@@ -207,12 +206,19 @@ def _inward(sides, enclosed, length, slack, lag: int) -> tuple[np.ndarray, ...]:
     distance no side can move: where an island takes a part of the area, the box tells it.
     The turns of windings (slack 2) are open and enclose only about what a loop (slack 1) does.
     """
-    moved = sides[:, lag:] - sides[:, :-lag]
-    low, high, mean = moved.min(axis=0), moved.max(axis=0), moved.sum(axis=0) / 4
-    step = 2 * np.abs(enclosed[lag:] - enclosed[:-lag]) / (length[lag:] + length[:-lag])
-    near, loose = np.minimum(np.abs(low), np.abs(high)), slack[lag:]
-    fits = (near > 0.5 * step / loose - 0.02) & (near < 1.5 * step * loose + 0.02)
-    return low, high, mean, np.where((low * high > 0) & fits, np.minimum(step, near), 0.0)
+
+    def __init__(self, sides, enclosed, length, slack) -> None:
+        self._of = sides, enclosed, length, slack
+
+    def __missing__(self, lag: int) -> tuple[np.ndarray, ...]:
+        sides, enclosed, length, slack = self._of
+        moved = sides[:, lag:] - sides[:, :-lag]
+        low, high, mean = moved.min(axis=0), moved.max(axis=0), moved.sum(axis=0) / 4
+        step = 2 * np.abs(enclosed[lag:] - enclosed[:-lag]) / (length[lag:] + length[:-lag])
+        near, loose = np.minimum(np.abs(low), np.abs(high)), slack[lag:]
+        fits = (near > 0.5 * step / loose - 0.02) & (near < 1.5 * step * loose + 0.02)
+        self[lag] = low, high, mean, np.where((low * high > 0) & fits, np.minimum(step, near), 0.0)
+        return self[lag]
 
 
 def _reach(inward, size, z, flat, tool) -> tuple[float, np.ndarray, np.ndarray]:
@@ -227,7 +233,7 @@ def _reach(inward, size, z, flat, tool) -> tuple[float, np.ndarray, np.ndarray]:
     steps = drops = np.zeros(0)
     found, chained = [], False
     for lag in LAGS[: max(len(z) - 1, 0)]:
-        mean, step = inward(lag)[2:]
+        mean, step = inward[lag][2:]
         even = (step > 0.05) & (step <= 0.3 * np.maximum(size[lag:], size[:-lag]))
         drop = np.abs(z[lag:] - z[:-lag])
         if lag == 1:
