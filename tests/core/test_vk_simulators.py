@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from vkworkbench.core.heightmap import heightmap, mesh_facets
-from vkworkbench.core.legacy import SLIDER, legacy_costs, legacy_together, legacy_work
+from vkworkbench.core.legacy import SLIDER, fit_fast_forward, legacy_costs, legacy_together, legacy_work
 from vkworkbench.core.linearize import linearize
 from vkworkbench.core.motions import motions
 from vkworkbench.core.opengl import opengl_cost, opengl_together
@@ -233,6 +233,20 @@ def test_operations_together_start_once_and_draw_what_was_cut_before():
     both = opengl_together([half, half])
     assert both.play_seconds[10] == pytest.approx(whole.play_seconds[10], rel=0.03)
     assert both.frame_seconds == pytest.approx(whole.frame_seconds, rel=0.01)
+
+
+@pytest.mark.parametrize("tick", [1.1e-3, 15e-3])
+def test_fast_forwards_tell_start_tick_and_repaint(tick):
+    commands = np.array([12, 3000, 60, 800, 150, 1500, 30, 5000])
+    seconds = 0.8 + tick * commands + 0.03 * np.minimum(commands, 100)
+    seconds[3] *= 20  # the computer did something else
+    assert fit_fast_forward(commands, seconds) == pytest.approx((0.8, tick, 0.03), rel=0.1)
+
+
+def test_short_fast_forwards_say_little_of_long_ones():
+    commands = np.array([20, 45, 80, 130])
+    start, tick, repaint = fit_fast_forward(commands, np.array([1.0, 0.9, 1.1, 0.9]))
+    assert 1e-3 <= tick < 2e-3 and start + tick * 50 + repaint * 50 == pytest.approx(1, rel=0.15)
 
 
 def test_impossible_input_is_refused_in_words():

@@ -26,11 +26,13 @@ _BYTES_PER_CELL = 5
 _MEAN_FACETS = 0.65
 # In fast-forward every new percent of the progress is shown.
 _PERCENTS = 100
-# Learning from fast-forwards: usual sizes of start, tick and repaint, s, and the weight of the defaults against a run.
-_USUAL = np.array([0.3, 1e-3, 5e-3])
-_RIDGE = 0.05
+# Learning from fast-forwards: how far start, tick and repaint usually lie from the defaults, and what they are at least,
+# s (the tick is that of a timer of 1 ms); the weight of that against a run.
+_USUAL = np.array([0.5, 0.3e-3, 0.02])
+_LEAST = np.array([0.0, 1e-3, 0.0])
+_RIDGE = 0.02
 # Relative errors below this count as equal, and rounds of the reweighting.
-_EXACT = 0.01
+_EXACT = 0.05
 _ROUNDS = 30
 # What the positions 1 to 10 of the accuracy slider stand for, percent of the stock's longer side.
 SLIDER = tuple(round(1.1 - 0.1 * position, 1) for position in range(1, 11))
@@ -300,7 +302,7 @@ def fit_fast_forward(commands: np.ndarray, seconds: np.ndarray) -> tuple[float, 
         rows = np.vstack((relative * weight[:, None], ridge))
         found = np.linalg.lstsq(rows, np.append(weight, _RIDGE * default / _USUAL), rcond=None)[0]
         weight = 1 / np.sqrt(np.maximum(np.abs(relative @ found - 1), _EXACT))
-    return tuple((np.maximum(found, 0) * _USUAL).tolist())
+    return tuple(np.maximum(found * _USUAL, _LEAST).tolist())
 
 
 def _panel_seconds(constants: Constants, commands: int) -> float:

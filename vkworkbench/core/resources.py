@@ -92,11 +92,11 @@ class Speed:
         The true time is between the estimated one divided and multiplied by this.
     """
 
-    trajectory: float = 21e-6
-    pixel: float = 0.37e-6
-    candidate: float = 0.26e-6
-    tilted_candidate: float = 0.65e-6
-    record: float = 0.25e-6
+    trajectory: float = 17e-6
+    pixel: float = 0.46e-6
+    candidate: float = 0.20e-6
+    tilted_candidate: float = 0.67e-6
+    record: float = 0.22e-6
     factor: float = 2.0
 
     @property
