@@ -26,8 +26,8 @@ _BYTES_PER_CELL = 5
 _MEAN_FACETS = 0.65
 # In fast-forward every new percent of the progress is shown.
 _PERCENTS = 100
-# Learning from fast-forwards: how far start, tick and repaint usually lie from the defaults, and what they are at least,
-# s (the tick is that of a timer of 1 ms); the weight of that against a run.
+# Learning from fast-forwards: how far start, tick and repaint usually lie from the defaults, and what they are at
+# least, s (the tick is that of a timer of 1 ms); the weight of that against a run.
 _USUAL = np.array([0.5, 0.3e-3, 0.02])
 _LEAST = np.array([0.0, 1e-3, 0.0])
 _RIDGE = 0.02

@@ -173,10 +173,9 @@ def calibrate(renderer: str = "") -> Calibration:
     _write({_speed_key(): asdict(measure_speed())})
     measured = replace(_for_renderer(_measure(), renderer), legacy_factor=_CALIBRATED_FACTOR)
     known = load(renderer)
+    runs = known.runs if known else dict.fromkeys(_RUNS, ())
     version = ".".join(map(str, freecad_version()))
-    return _remember(Calibration(
-        measured, date.today().isoformat(), version, processor(), renderer, known.runs if known else dict.fromkeys(_RUNS, ())
-    ))  # fmt: skip
+    return _remember(Calibration(measured, date.today().isoformat(), version, processor(), renderer, runs))
 
 
 def learn(cost: LegacyCost, seconds: float, *, played: bool, renderer: str = "") -> Calibration | None:
