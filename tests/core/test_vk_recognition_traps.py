@@ -403,3 +403,17 @@ def test_a_winding_that_leaves_a_third_to_open_strokes_is_no_spiral(straight):
         program += [("G0", {"Z": 5.0}), ("G0", {"X": x[0], "Y": y[0]}), ("G1", {"Z": -1.0})]
         program += [("G1", {"X": a, "Y": b}) for a, b in zip(x[1:], y[1:])]
     assert strategy(program, tool_diameter=6.0) is Strategy.ADAPTIVE
+
+
+@pytest.mark.parametrize("diameter", [3.0, None])
+@pytest.mark.parametrize("teeth, width, gap", [(12, 3.5, 6.6), (5, 4.0, 4.0), (9, 6.0, 7.0)])
+def test_the_walls_of_a_comb_are_no_rows(teeth, width, gap, diameter):
+    """A profile around a comb runs to and fro in even steps; but it is closed, and teeth and gaps take turns."""
+    outside, corners = 1.5, [(-1.5, -10.0)]
+    for left in np.arange(teeth) * (width + gap):
+        corners += [(left - outside, 30.0), (left + width + outside, 30.0)]
+        corners += [(left + width + outside, 1.5), (left + width + gap - outside, 1.5)]
+    corners = [*corners[:-2], (corners[-3][0], -10.0), corners[0]]
+    commands = [("G0", {"X": corners[0][0], "Y": corners[0][1], "Z": 5.0}), ("G1", {"Z": -2.0})]
+    commands += [("G1", {"X": float(x), "Y": y}) for x, y in corners[1:]]
+    assert recognize(linearize(commands), tool_diameter=diameter).strategy is Strategy.PROFILE

@@ -107,16 +107,17 @@ class Section:
             chosen = np.arange(len(self.moves))
             if not rowlike.all():
                 chosen = np.flatnonzero(np.repeat(rowlike, p.end - p.start))
-            self.rows = self._fill(find_rows(self.moves, chosen), length)
+            closed = p.length[rowlike & (kind == LOOP)].sum() > 0.9 * length
+            self.rows = self._fill(find_rows(self.moves, chosen), length, closed)
         self.ring_pieces = np.zeros(len(p), bool)
         self.ring_pieces[r.index] = True
         if self.rows:
             self.ring_pieces[r.index[self.lattice]] = False
         self.row_pieces = rowlike & ~self.ring_pieces
 
-    def _fill(self, families: list[Rows], length: float) -> list[Rows]:
+    def _fill(self, families: list[Rows], length: float, closed: bool) -> list[Rows]:
         """Keep the families of rows that fill an area."""
-        good = [f for f in families if _fills(f, self.tool)]
+        good = [f for f in families if _fills(f, self.tool) and not (closed and _walls(f, self.tool))]
         if good or len(families) < 2:
             return good
         # The passes of a grid come in the order of a billiard, not side by side; two families of many long
@@ -149,6 +150,13 @@ def _fills(f: Rows, tool: float) -> bool:
     if tool and f.step > 1.2 * tool and not (f.count >= 6 and f.even > 0.8 and f.pitch > 0.6 * f.step):
         return False
     return regular or (f.count == 2 and f.typical > 10 * f.step and 0.1 * tool < f.step <= tool)
+
+
+def _walls(f: Rows, tool: float) -> bool:
+    """Whether passes of a closed contour are the walls of its teeth: gaps and teeth take turns, or are too wide to be
+    cut from row to row. A zigzag seldom comes back to its start, a contour always.
+    """
+    return f.period > 1.05 * f.pitch or bool(tool) and f.step > 1.2 * tool
 
 
 def _absorb(p: Pieces) -> np.ndarray:
