@@ -372,15 +372,16 @@ def test_the_slopes_of_carved_strokes_are_no_depths(pieces):
     assert strategy(program) is Strategy.ENGRAVING
 
 
-def test_loops_around_ribs_in_a_row_are_no_trochoids():
-    # Loops of one size side by side, each at four depths; those of a trochoid overlap one another.
+@pytest.mark.parametrize("degrees", [0, 30])
+def test_loops_around_ribs_in_a_row_are_no_trochoids(degrees):
+    # Loops of one size side by side, each at four depths; those of a trochoid overlap one another, not only their boxes.
     program = []
+    u, v = math.cos(math.radians(degrees)), math.sin(math.radians(degrees))
     for z in (-1.0, -2.0, -3.0, -4.0):
         for k in range(6):
-            program += [("G0", {"X": 10.0, "Y": 14.0 * k, "Z": 5.0}), ("G1", {"Z": z})]
-            corners = ((70, 14 * k), (70, 14 * k + 9), (10, 14 * k + 9), (10, 14 * k))
-            program += [("G1", {"X": x, "Y": y}) for x, y in corners]
-            program.append(("G0", {"Z": 5.0}))
+            corners = ((10, 14 * k), (70, 14 * k), (70, 14 * k + 9), (10, 14 * k + 9), (10, 14 * k))
+            first, *others = [{"X": u * x - v * y, "Y": v * x + u * y} for x, y in corners]
+            program += [("G0", first), ("G1", {"Z": z}), *(("G1", words) for words in others), ("G0", {"Z": 5.0})]
     assert strategy(program[: len(program) // 4], tool_diameter=5.0) is Strategy.PROFILE
     assert strategy(program, tool_diameter=5.0) is Strategy.PROFILE
 

@@ -105,6 +105,9 @@ def relate_rings(pieces: Pieces, index: np.ndarray, tool: float) -> Rings:
     winding = pieces.kind[index] == WINDING
     wavy = pieces.wavy[index] | (winding & (pieces.back[index] > 0.5 * TURN))
     slack = np.where(winding, 2.0, 1.0)
+    # The narrower side of the rectangle of the same area and perimeter, however a ring is turned.
+    width = slack * (length / 4 - np.sqrt(np.maximum((length / 4) ** 2 - enclosed, 0)))
+    middle = (box[:, :2] + box[:, 2:]) / 2
     names = ("nested", "opposite", "deeper", "repeated", "moved", "crossing")
     flags = {name: np.zeros(k, bool) for name in names}
     inward = _Inward(sides, enclosed, length, slack)
@@ -124,7 +127,7 @@ def relate_rings(pieces: Pieces, index: np.ndarray, tool: float) -> Rings:
         even &= ~(wavy[a] & wavy[b]) | (high - low <= 0.1 * np.abs(mean) + 0.02)
         straddling = ~same_box & (low < 0) & (high > 0)
         # Trochoids bite into one another; ribs in a row, and the loops around them, stay apart.
-        straddling &= ((box[a, :2] < box[b, 2:]) & (box[b, :2] < box[a, 2:])).all(axis=1)
+        straddling &= np.hypot(*(middle[b] - middle[a]).T) < np.minimum(width[a], width[b])
         found = {
             "nested": even & beside,
             "deeper": ~same_box & ~beside & (low > -smaller),
