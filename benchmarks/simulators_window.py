@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import importlib
 import time
+from statistics import median
 from types import SimpleNamespace
 
 import FreeCAD
@@ -23,6 +24,7 @@ from vkworkbench.document.calibration import calibrate, constants, freecad_versi
 
 RENDERER = "llvmpipe"  # under Xvfb
 LONGEST = {"fast-forward": 7000, "play": 150}  # commands
+TIMES = {"fast-forward": 3, "play": 1}  # how often each is run; the median counts
 ENOUGH = 5  # runs that teach before a prediction counts
 
 
@@ -41,16 +43,19 @@ def run(samples, out):
             (cost,) = legacy_costs(path, tool=tool, stock=stock, constants=constants(RENDERER))
             predicted = cost.play_seconds if kind == "play" else cost.fast_forward_seconds
             before = stolen()
-            true = simulate(panel, kind, commands, tool, stock, patience=10 + 5 * predicted)
-            if true is not None and stolen() - before > MOST_STOLEN * true:
+            runs = []
+            while len(runs) < TIMES[kind] and None not in runs:
+                runs.append(simulate(panel, kind, commands, tool, stock, patience=10 + 5 * predicted))
+            if None not in runs and stolen() - before > MOST_STOLEN * sum(runs):
                 left_out += 1
                 continue
-            if true is None:
+            if None in runs:
                 said = "announced" if hangs else "NOT announced"
                 print(
                     f"  {kind:13}{label:40.40}{len(commands):6} commands  hangs, {said}", file=out, flush=True
                 )
                 break
+            true = median(runs)
             line = f"  {kind:13}{label:40.40}{len(commands):6} commands  {predicted:7.2f} s  {true:7.2f} s"
             print(line + ("  a hang announced in vain" if hangs else ""), file=out, flush=True)
             taught = "redraw" if kind == "play" else kind
