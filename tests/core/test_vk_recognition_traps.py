@@ -339,10 +339,10 @@ def test_a_contour_that_leads_by_the_start_of_its_zigzag(count, turn):
     assert strategy(program, tool_diameter=10.0) is Strategy.MIXED
 
 
-def inward(wobble=0.0, digits=6):
-    """Commands of a spiral inward in moves of 0.12 to 0.18 mm, whose radius wobbles by `wobble` mm."""
+def inward(wobble=0.0, digits=6, waves=100):
+    """Commands of a spiral inward in moves of 0.12 to 0.18 mm, whose radius wobbles by `wobble` mm, `waves` a turn."""
     angle = np.arange(0, 9 * math.tau, 0.004)
-    radius = 44 - 1.5 * angle / math.tau + wobble * np.sin(100 * angle)
+    radius = 44 - 1.5 * angle / math.tau + wobble * np.sin(waves * angle)
     points = np.round(np.column_stack([radius * np.cos(angle), radius * np.sin(angle)]), digits)
     program = [("G0", {"X": points[0, 0], "Y": points[0, 1], "Z": 5.0}), ("G1", {"Z": -1.0})]
     return program + [("G1", {"X": x, "Y": y}) for x, y in points[1:]]
@@ -350,6 +350,7 @@ def inward(wobble=0.0, digits=6):
 
 def test_a_winding_that_corrects_its_direction_all_the_time_is_adaptive():
     assert strategy(inward(wobble=0.03), tool_diameter=6.0) is Strategy.ADAPTIVE
+    assert strategy(inward(wobble=0.13, waves=20), tool_diameter=6.0) is Strategy.ADAPTIVE
     assert strategy(inward(), tool_diameter=6.0) is Strategy.SPIRAL
 
 

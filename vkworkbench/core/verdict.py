@@ -95,7 +95,7 @@ class Section:
         self.aside = against > ASIDE / 2  # what turns aside turns as much back again
         # Adaptive clearing from outside the stock corrects its direction all the time to keep one engagement.
         # Concave corners and links to the next loop turn more at once, at few places.
-        self.hunting = self.aside & p.flat[r.index] & (places >= 8) & (against < np.radians(10) * places)
+        self.hunting = p.flat[r.index] & (places >= 8) & (against < np.radians(10) * places)
         bouncing = r.winding & ~self.hunting & (r.back > 0.75 * TURN)
         self.lattice = ~r.nested & (r.crossing | bouncing | wavy)
         rowlike = (kind == ZIGZAG) | (kind == LINE) | (kind == CURVE)
@@ -195,7 +195,7 @@ def _against(moves: Moves, p: Pieces, r: Rings) -> tuple[np.ndarray, np.ndarray]
     What rounding could bend does not count: finely sampled spirals are full of it.
     """
     angle, places = np.zeros(len(r)), np.zeros(len(r), np.int64)
-    some = np.flatnonzero(r.winding & (r.back > ASIDE))
+    some = np.flatnonzero(r.winding & (r.back > 0.1))  # less is nothing
     if len(some):
         ring = np.full(len(p), -1)
         ring[r.index[some]] = some
@@ -229,7 +229,7 @@ def judge(s: Section) -> Verdict:
         return arcs
     # What a hunting tool leaves between its windings it cuts in rows and bites.
     hunting, nested = s.share(s.hunting), s.share(s.rings.nested)
-    if rings > 0.35 and min(hunting, nested) > 0.5 * rings:
+    if rings > 0.3 and min(hunting, nested) > 0.5 * rings:
         return Verdict(Strategy.ADAPTIVE, hunting / rings, len(s.rings), "one winding that never closes")
     # Offsets whose innermost loops degenerate to passes are still offsets.
     offsets = rings > 0.7 and nested > 0.7 * rings
