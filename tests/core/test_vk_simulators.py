@@ -173,6 +173,21 @@ def test_comments_take_a_tick_but_show_nothing():
     assert noted.play_seconds - bare.play_seconds == pytest.approx(1000 / 50)
 
 
+def test_fast_forward_waits_for_the_last_mesh_to_be_shown():
+    slow = Constants(display=1e-4)
+    rough, plain = (
+        legacy_costs(linearize(path), tool=TOOL, stock=STOCK, constants=slow)[0] for path in (surface(), zigzag(500))
+    )
+    assert rough.facets > 10 * plain.facets
+    for cost in (rough, plain):
+        shown = cost.fast_forward_seconds - cost.panel_seconds - cost.mesh_seconds
+        assert shown == pytest.approx(1e-4 * cost.facets, rel=0.1, abs=0.3)
+    both = legacy_together([rough, plain])
+    assert both.fast_forward_seconds == pytest.approx(
+        rough.fast_forward_seconds + plain.fast_forward_seconds - slow.start, rel=0.01
+    )
+
+
 def test_play_is_never_faster_than_its_speed_slider():
     path = linearize(zigzag(50))
     fast = Constants(redraw=0.0, cell=0.0, facet=0.0, profile=0.0)

@@ -171,8 +171,8 @@ def legacy_costs(
     """Estimate the legacy simulator for one operation at several accuracies.
 
     In fast-forward every command, comments too, takes one tick of a timer, every new percent of the progress a
-    repaint, and one mesh is made at the end. In play a command takes 1/`speed`, or what a mesh and its display
-    need if that is more.
+    repaint, and one mesh is made and shown at the end. In play a command takes 1/`speed`, or what a mesh and its
+    display need if that is more.
 
     Parameters
     ----------
@@ -222,7 +222,8 @@ def legacy_costs(
         cut_seconds = float(cut.sum())
         shows = shown * constants.redraw + meshes * mean_mesh + cut_seconds
         costs.append(LegacyCost(
-            fast_forward_seconds=_panel_seconds(constants, toolpath.commands) + profile + slower + mesh,
+            fast_forward_seconds=_panel_seconds(constants, toolpath.commands) + profile + slower
+            + _last_mesh_seconds(constants, work.cells, facets),
             play_seconds=profile + max(shows, shown / speed) + len(toolpath.comments) / speed,
             commands=toolpath.commands,
             shown=shown,
@@ -256,12 +257,14 @@ def legacy_together(costs: Sequence[LegacyCost]) -> LegacyCost:
     """
     constants, facets = costs[0].constants, sum(cost.facets for cost in costs)
     cells = max(cost.cells for cost in costs)
-    mesh = constants.cell * cells + constants.facet * facets
-    each = sum(cost.fast_forward_seconds - cost.panel_seconds - cost.mesh_seconds for cost in costs)
+    each = sum(
+        cost.fast_forward_seconds - cost.panel_seconds - _last_mesh_seconds(constants, cost.cells, cost.facets)
+        for cost in costs
+    )
     commands = sum(cost.commands for cost in costs)
     before = np.cumsum([0.0] + [cost.facets for cost in costs[:-1]])
     return LegacyCost(
-        fast_forward_seconds=_panel_seconds(constants, commands) + each + mesh,
+        fast_forward_seconds=_panel_seconds(constants, commands) + each + _last_mesh_seconds(constants, cells, facets),
         play_seconds=sum(c.play_seconds + c.shown * constants.facet * f for c, f in zip(costs, before)),
         commands=commands,
         shown=sum(cost.shown for cost in costs),
@@ -272,7 +275,7 @@ def legacy_together(costs: Sequence[LegacyCost]) -> LegacyCost:
         facets=facets,
         moves=sum(cost.moves for cost in costs),
         cut_seconds=sum(cost.cut_seconds for cost in costs),
-        mesh_seconds=mesh,
+        mesh_seconds=constants.cell * cells + constants.facet * facets,
         constants=constants,
     )
 
@@ -307,3 +310,7 @@ def fit_fast_forward(commands: np.ndarray, seconds: np.ndarray) -> tuple[float, 
 
 def _panel_seconds(constants: Constants, commands: int) -> float:
     return constants.start + constants.tick * commands + constants.repaint * min(commands, _PERCENTS)
+
+
+def _last_mesh_seconds(constants: Constants, cells: int, facets: float) -> float:
+    return constants.cell * cells + (constants.facet + constants.display) * facets

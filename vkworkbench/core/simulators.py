@@ -42,6 +42,8 @@ class Constants:
         Legacy: one cell of the grid, each time it becomes a mesh.
     facet : float
         Legacy: one triangle of the mesh.
+    display : float
+        Legacy: showing one triangle of the last mesh, which fast-forward waits for.
     profile : float
         Legacy: one test whether a point is inside the tool, when the tool's profile is taken.
     facet_bytes : float
@@ -66,6 +68,7 @@ class Constants:
     cap: float = 4.7e-9
     cell: float = 13e-9
     facet: float = 1.56e-6
+    display: float = 4.5e-6
     profile: float = 0.1e-3
     facet_bytes: float = 150.0
     frame: float = 2e-3
