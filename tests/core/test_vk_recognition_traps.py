@@ -375,7 +375,7 @@ def test_the_slopes_of_carved_strokes_are_no_depths(pieces):
 
 @pytest.mark.parametrize("degrees", [0, 30])
 def test_loops_around_ribs_in_a_row_are_no_trochoids(degrees):
-    # Loops of one size side by side, each at four depths; those of a trochoid overlap one another, not only their boxes.
+    # Loops of one size side by side, each at four depths; those of a trochoid overlap, not only their boxes.
     program = []
     u, v = math.cos(math.radians(degrees)), math.sin(math.radians(degrees))
     for z in (-1.0, -2.0, -3.0, -4.0):
