@@ -250,6 +250,12 @@ def test_closed_form_recovers_the_stepover():
     assert expected(zigzag(), Strategy.ZIGZAG, passes=28, depths=2) == pytest.approx(1, rel=0.02)
 
 
+def test_a_noisy_measurement_makes_no_constant_nothing():
+    amounts = 1 / np.array(Speed().constants) * (np.eye(5) + 0.1)
+    seconds = amounts @ Speed().constants * [1e-6, 5, 1, 1, 1]
+    assert (fit_speed(amounts, seconds).constants > 0).all()
+
+
 def test_what_the_sequence_is_good_for():
     view = View()
     toolpath = zigzag(step=1.0)

@@ -20,6 +20,8 @@ _ROUNDS = 2
 _FACTOR = 1.5
 # Weight of the usual proportions against one measured time.
 _RIDGE = 0.5
+# No constant is less than this share of the usual: noisy times would make some nothing.
+_LEAST = 0.1
 
 
 def measure_speed() -> Speed:
@@ -63,7 +65,7 @@ def fit_speed(amounts: np.ndarray, seconds: np.ndarray) -> Speed:
     rows = np.vstack((amounts * usual / seconds[:, None], _RIDGE * np.eye(len(usual))))
     right = np.concatenate((np.ones(len(seconds)), np.full(len(usual), _RIDGE)))
     shares = np.linalg.lstsq(rows, right, rcond=None)[0]
-    return Speed(*(usual * np.maximum(shares, 0)).tolist(), factor=_FACTOR)
+    return Speed(*(usual * np.maximum(shares, _LEAST)).tolist(), factor=_FACTOR)
 
 
 def _time(toolpath: Toolpath, tool: Tool, view: View) -> tuple[np.ndarray, float]:
