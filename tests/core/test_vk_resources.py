@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from vkworkbench.core.closed_form import cauchy_crofton, closed_form, swept
-from vkworkbench.core.dexels import UNCUT
+from vkworkbench.core.dexels import UNCUT, cuts_from_the_eye, first_cuts
 from vkworkbench.core.linearize import linearize
 from vkworkbench.core.recognition import Recognition, recognize
 from vkworkbench.core.removal import Removal
@@ -248,6 +248,19 @@ def test_closed_form_knows_that_a_helix_finds_the_hole_of_the_one_before(radii):
 
 def test_closed_form_recovers_the_stepover():
     assert expected(zigzag(), Strategy.ZIGZAG, passes=28, depths=2) == pytest.approx(1, rel=0.02)
+
+
+def test_cuts_from_the_eye_are_what_the_general_way_finds():
+    rng = np.random.default_rng(5)
+    near, far = np.full(50, -3.0), np.where(np.arange(50) % 7 == 0, -3.0, 9.0)  # every seventh misses the stock
+    ray = np.repeat(np.flatnonzero(far > near), 4)
+    steps = rng.choice([5e-5, 0.7, 2.0, 4.0], (len(ray) // 4, 4)) + [0.5, 0, 0, 0]
+    leave = near[ray] + steps.cumsum(axis=1).ravel()
+    trajectory, leave = np.tile([2, 3, 5, 8], len(ray) // 4), np.minimum(leave, 9.0)
+    quick = cuts_from_the_eye(near, far, ray, trajectory, leave)
+    general = first_cuts(near, far, ray, trajectory, near[ray], leave)
+    for name in ("ray", "owner", "near", "far"):
+        assert np.array_equal(getattr(quick, name), getattr(general, name)), name
 
 
 def test_a_noisy_measurement_makes_no_constant_nothing():

@@ -9,8 +9,9 @@ import math
 import numpy as np
 import pytest
 
+from vkworkbench.core.fast_forward import fit_fast_forward
 from vkworkbench.core.heightmap import heightmap, mesh_facets
-from vkworkbench.core.legacy import SLIDER, fit_fast_forward, legacy_costs, legacy_together, legacy_work
+from vkworkbench.core.legacy import SLIDER, legacy_costs, legacy_together, legacy_work
 from vkworkbench.core.linearize import linearize
 from vkworkbench.core.motions import motions
 from vkworkbench.core.opengl import opengl_cost, opengl_together

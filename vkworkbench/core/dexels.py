@@ -101,14 +101,15 @@ def first_cuts(
 def cuts_from_the_eye(
     near: np.ndarray, far: np.ndarray, ray: np.ndarray, trajectory: np.ndarray, leave: np.ndarray
 ) -> Pieces:
-    """Cut rays by intervals that all begin where their ray does, as they do from above; without a sort.
+    """Cut rays by intervals that all begin where their ray does, as they do from above: no depths need sorting.
 
     Parameters
     ----------
     near, far : (k,) ndarray
         As for :func:`first_cuts`.
     ray, trajectory, leave : (m,) ndarray
-        Ray, place in the sequence and end of each interval, by ray, each deeper than the one before it.
+        Ray, place in the sequence and end of each interval, longer than THINNEST; by ray, each deeper than the one
+        before it.
 
     Returns
     -------

@@ -12,6 +12,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from vkworkbench.core.fast_forward import panel_seconds
 from vkworkbench.core.heightmap import heightmap, mesh_facets
 from vkworkbench.core.motions import Motions, motions
 from vkworkbench.core.simulators import DEFAULTS, Constants
@@ -24,16 +25,6 @@ _WALK = 0.6
 _BYTES_PER_CELL = 5
 # Mean number of triangles while it plays, compared with the end.
 _MEAN_FACETS = 0.65
-# In fast-forward every new percent of the progress is shown.
-_PERCENTS = 100
-# Learning from fast-forwards: how far start, tick and repaint usually lie from the defaults, and what they are at
-# least, s (the tick is that of a timer of 1 ms); the weight of that against a run.
-_USUAL = np.array([0.5, 0.3e-3, 0.02])
-_LEAST = np.array([0.0, 1e-3, 0.0])
-_RIDGE = 0.02
-# Relative errors below this count as equal, and rounds of the reweighting.
-_EXACT = 0.05
-_ROUNDS = 30
 # What the positions 1 to 10 of the accuracy slider stand for, percent of the stock's longer side.
 SLIDER = tuple(round(1.1 - 0.1 * position, 1) for position in range(1, 11))
 
@@ -156,7 +147,12 @@ class LegacyCost:
     @property
     def panel_seconds(self) -> float:
         """float : what fast-forward takes beyond cutting, tool profile and mesh, s."""
-        return _panel_seconds(self.constants, self.commands)
+        return panel_seconds(self.constants, self.commands)
+
+    @property
+    def last_mesh_seconds(self) -> float:
+        """float : what fast-forward takes to make the last mesh and to show it, s."""
+        return self.mesh_seconds + self.constants.display * self.facets
 
 
 def legacy_costs(
@@ -222,8 +218,8 @@ def legacy_costs(
         cut_seconds = float(cut.sum())
         shows = shown * constants.redraw + meshes * mean_mesh + cut_seconds
         costs.append(LegacyCost(
-            fast_forward_seconds=_panel_seconds(constants, toolpath.commands) + profile + slower
-            + _last_mesh_seconds(constants, work.cells, facets),
+            fast_forward_seconds=panel_seconds(constants, toolpath.commands) + profile + slower + mesh
+            + constants.display * facets,
             play_seconds=profile + max(shows, shown / speed) + len(toolpath.comments) / speed,
             commands=toolpath.commands,
             shown=shown,
@@ -257,14 +253,12 @@ def legacy_together(costs: Sequence[LegacyCost]) -> LegacyCost:
     """
     constants, facets = costs[0].constants, sum(cost.facets for cost in costs)
     cells = max(cost.cells for cost in costs)
-    each = sum(
-        cost.fast_forward_seconds - cost.panel_seconds - _last_mesh_seconds(constants, cost.cells, cost.facets)
-        for cost in costs
-    )
+    mesh = constants.cell * cells + constants.facet * facets
+    each = sum(cost.fast_forward_seconds - cost.panel_seconds - cost.last_mesh_seconds for cost in costs)
     commands = sum(cost.commands for cost in costs)
     before = np.cumsum([0.0] + [cost.facets for cost in costs[:-1]])
     return LegacyCost(
-        fast_forward_seconds=_panel_seconds(constants, commands) + each + _last_mesh_seconds(constants, cells, facets),
+        fast_forward_seconds=panel_seconds(constants, commands) + each + mesh + constants.display * facets,
         play_seconds=sum(c.play_seconds + c.shown * constants.facet * f for c, f in zip(costs, before)),
         commands=commands,
         shown=sum(cost.shown for cost in costs),
@@ -275,42 +269,6 @@ def legacy_together(costs: Sequence[LegacyCost]) -> LegacyCost:
         facets=facets,
         moves=sum(cost.moves for cost in costs),
         cut_seconds=sum(cost.cut_seconds for cost in costs),
-        mesh_seconds=constants.cell * cells + constants.facet * facets,
+        mesh_seconds=mesh,
         constants=constants,
     )
-
-
-def fit_fast_forward(commands: np.ndarray, seconds: np.ndarray) -> tuple[float, float, float]:
-    """Find start, tick and repaint that explain real fast-forwards.
-
-    Least absolute deviations by reweighted least squares (Schlossmacher 1973), so that an odd run does no harm, of the
-    relative errors, with a ridge towards the defaults (Hoerl and Kennard 1970): runs of one length tell one number.
-
-    Parameters
-    ----------
-    commands : (k,) ndarray
-    seconds : (k,) ndarray
-        What each run took beyond cutting, tool profile and mesh.
-
-    Returns
-    -------
-    start, tick, repaint : float
-        s, as in :class:`Constants`.
-    """
-    work = np.column_stack((np.ones(len(commands)), commands, np.minimum(commands, _PERCENTS)))
-    default = np.array([DEFAULTS.start, DEFAULTS.tick, DEFAULTS.repaint])
-    relative, ridge = work * _USUAL / seconds[:, None], _RIDGE * np.eye(3)
-    weight = np.ones(len(seconds))
-    for _ in range(_ROUNDS):
-        rows = np.vstack((relative * weight[:, None], ridge))
-        found = np.linalg.lstsq(rows, np.append(weight, _RIDGE * default / _USUAL), rcond=None)[0]
-        weight = 1 / np.sqrt(np.maximum(np.abs(relative @ found - 1), _EXACT))
-    return tuple(np.maximum(found * _USUAL, _LEAST).tolist())
-
-
-def _panel_seconds(constants: Constants, commands: int) -> float:
-    return constants.start + constants.tick * commands + constants.repaint * min(commands, _PERCENTS)
-
-
-def _last_mesh_seconds(constants: Constants, cells: int, facets: float) -> float:
-    return constants.cell * cells + (constants.facet + constants.display) * facets

@@ -57,8 +57,9 @@ def _vertices(moves: Moves, winds: np.ndarray) -> tuple[np.ndarray, np.ndarray, 
     """
     end = np.append(moves.start[1:], len(moves))
     size = end - moves.start
-    begun = np.arange(len(moves)) if winds.all() else np.flatnonzero(np.repeat(winds, size))
-    end, every = end[winds], len(begun) == len(moves)
+    every = winds.all()
+    begun = np.arange(len(moves)) if every else np.flatnonzero(np.repeat(winds, size))
+    end = end[winds]
     area = np.zeros(0, np.uint32)
     if len(end) > 1:
         area = np.arange(len(end), dtype=np.uint32)

@@ -9,7 +9,7 @@ import numpy as np
 
 from vkworkbench.core.removal import Removal
 
-_CELLS = 32
+_CELLS = 32  # a power of two, for the Morton order
 # Rays drawn where the trajectories are few, and at least; between them, as many as meet that many
 # trajectories.
 _RAYS = 450

@@ -21,7 +21,8 @@ import Part
 from Path import Command as PathCommand
 from PathSimulator import PathSim
 
-from vkworkbench.core.legacy import LegacyCost, fit_fast_forward, legacy_work
+from vkworkbench.core.fast_forward import fit_fast_forward
+from vkworkbench.core.legacy import LegacyCost, legacy_work
 from vkworkbench.core.linearize import linearize
 from vkworkbench.core.motions import motions
 from vkworkbench.core.opengl import SHORTEST_FRAME, OpenGLCost
