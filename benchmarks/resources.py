@@ -6,8 +6,8 @@
 Each line of a file is an operation: label, strategy, accept, tool_diameter, stock, commands. Without a file
 the operations are those of synthetic.py. The exact simulations run at 800 x 600 pixels, those with many
 candidate pixels at 400 x 300 to bound their time (small holes are not round then). Errors are ratios, the
-larger of estimate and truth over the smaller. Times are the processor's; as a shared computer's speed
-changes, it is measured anew before each operation.
+larger of estimate and truth over the smaller. Times are the processor's. A shared computer's speed changes: it is
+measured anew before each operation, and for a time budget also between its three simulations.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ from vkworkbench.core.closed_form import cauchy_crofton, closed_form, swept
 from vkworkbench.core.linearize import linearize
 from vkworkbench.core.recognition import recognize
 from vkworkbench.core.resolution import best_resolution
-from vkworkbench.core.resources import estimate, work
+from vkworkbench.core.resources import Speed, estimate, work
 from vkworkbench.core.solids import Stock, Tool, View
 from vkworkbench.core.speed import fit_speed, measure_speed
 from vkworkbench.core.strategy import Strategy
@@ -41,6 +41,7 @@ MANY = 1.5e6  # candidate pixels
 MOST = 25  # operations of each file
 VIEWS = {"top": (0, 0, -1), "tilted 30": (0, 0.5, -math.sqrt(0.75)), "isometric": (1, 1, -math.sqrt(2 / 3))}
 FEWEST = 1000  # trace elements; with fewer, a ratio says nothing
+SPEEDS = 5  # measurements of the computer's speed that are averaged
 
 
 def main() -> None:
@@ -48,7 +49,7 @@ def main() -> None:
     print(f"{len(operations)} operations, {sum(len(o[1]) for o in operations)} trajectories")
     rows = {name: [] for name in VIEWS}
     for label, toolpath, found, tool, stock in operations:
-        speed = measure_speed()
+        speed = mean_speed()
         for name, direction in VIEWS.items():
             view = View(direction)
             if estimate(toolpath, found, tool=tool, stock=stock, view=view).candidates > MANY:
@@ -116,6 +117,11 @@ def measure(toolpath, found, tool, stock, view, speed) -> dict[str, float]:
         "rays candidates": guess.candidates, "predicted": guess.seconds,
         "work": work(len(toolpath), exact.dexels + exact.traces, exact.candidates, tool, view),
     }  # fmt: skip
+
+
+def mean_speed() -> Speed:
+    """The mean of some measurements: a processor shared with others has a fast and a slow moment within a second."""
+    return Speed(*np.mean([measure_speed().constants for _ in range(SPEEDS)], axis=0))
 
 
 def ratios(rows, estimated, true) -> np.ndarray:
@@ -186,20 +192,36 @@ def print_budgets(operations) -> None:
     for label, toolpath, found, tool, stock in operations:
         words = [f"  {label:28.28}"]
         for name, budget, asked in (("memory_bytes", 20e6, "20 MB"), ("seconds", 10.0, "10 s")):
-            guess = estimate(toolpath, found, tool=tool, stock=stock, view=View(), speed=measure_speed())
+            speed = mean_speed()
+            guess = estimate(toolpath, found, tool=tool, stock=stock, view=View(), speed=speed)
             chosen = best_resolution([guess], **{name: budget})
             if chosen.view is None:
                 words.append(chosen.explanation)
                 continue
-            begin = time.process_time()
-            exact = simulate(toolpath, tool=tool, stock=stock, view=chosen.view)
-            seconds = time.process_time() - begin
-            shares[name].append((exact.memory_bytes if name == "memory_bytes" else seconds) / budget)
+            solids = {"tool": tool, "stock": stock, "view": chosen.view}
+            if name == "seconds":
+                came_out = seconds_at(speed, toolpath, **solids)
+            else:
+                came_out = simulate(toolpath, **solids).memory_bytes
+            shares[name].append(came_out / budget)
             words.append(f"{asked}: {shares[name][-1]:.3f} at {chosen.view.width} x {chosen.view.height}")
         print("   ".join(words))
     for name, values in shares.items():
         low, median, high = np.percentile(values, (0, 50, 100))
         print(f"  {name}: median {median:.3f}, {low:.3f} to {high:.3f}")
+
+
+def seconds_at(speed: Speed, toolpath, tool, stock, view) -> float:
+    """Time of a simulation, of three the median, if the computer's speed had stayed what it was."""
+    durations, speeds = [], [speed]
+    for _ in range(3):
+        begin = time.process_time()
+        exact = simulate(toolpath, tool=tool, stock=stock, view=view)
+        durations.append(time.process_time() - begin)
+        speeds.append(mean_speed())
+    done = work(len(toolpath), exact.dexels + exact.traces, exact.candidates, tool, view)
+    expected = np.array([done @ each.constants for each in speeds])
+    return float(np.median(durations / ((expected[:-1] + expected[1:]) / 2) * expected[0]))
 
 
 def papers_case() -> tuple[Toolpath, Tool, Stock]:

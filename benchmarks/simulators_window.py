@@ -24,7 +24,7 @@ from vkworkbench.document.calibration import calibrate, constants, freecad_versi
 
 RENDERER = "llvmpipe"  # under Xvfb
 LONGEST = {"fast-forward": 7000, "play": 150}  # commands
-TIMES = {"fast-forward": 3, "play": 1}  # how often each is run; the median counts
+TIMES = 3  # how often each is run; the median counts
 ENOUGH = 5  # runs that teach before a prediction counts
 
 
@@ -44,7 +44,7 @@ def run(samples, out):
             predicted = cost.play_seconds if kind == "play" else cost.fast_forward_seconds
             before = stolen()
             runs = []
-            while len(runs) < TIMES[kind] and None not in runs:
+            while len(runs) < TIMES and None not in runs:
                 runs.append(simulate(panel, kind, commands, tool, stock, patience=10 + 5 * predicted))
             if None not in runs and stolen() - before > MOST_STOLEN * sum(runs):
                 left_out += 1
@@ -99,6 +99,8 @@ def open_panel():
     """Open the legacy simulator's panel on the open job, with one operation to be replaced."""
     old = freecad_version() < (1, 0, 0)
     module = importlib.import_module("PathScripts.PathSimulatorGui" if old else "Path.Main.Gui.Simulator")
+    for other in FreeCAD.ActiveDocument.Objects:  # the view is fitted to what is simulated
+        other.Visibility = False
     panel = module.PathSimulation()
     panel.Activate()
     listed = panel.taskForm.form.listOperations

@@ -10,8 +10,9 @@ import numpy as np
 import pytest
 
 from vkworkbench.core.fast_forward import fit_fast_forward
-from vkworkbench.core.heightmap import heightmap, mesh_facets
+from vkworkbench.core.heightmap import heightmaps
 from vkworkbench.core.legacy import SLIDER, legacy_costs, legacy_together, legacy_work
+from vkworkbench.core.legacy_mesh import bottom_rectangles, mesh_facets
 from vkworkbench.core.linearize import linearize
 from vkworkbench.core.motions import motions
 from vkworkbench.core.opengl import opengl_cost, opengl_together
@@ -191,7 +192,7 @@ def test_fast_forward_waits_for_the_last_mesh_to_be_shown():
 
 def test_play_is_never_faster_than_its_speed_slider():
     path = linearize(zigzag(50))
-    fast = Constants(redraw=0.0, cell=0.0, facet=0.0, profile=0.0)
+    fast = Constants(start=0.0, redraw=0.0, cell=0.0, facet=0.0, display=0.0, profile=0.0)
     (cost,) = legacy_costs(path, tool=TOOL, stock=STOCK, speed=50, constants=fast)
     assert cost.play_seconds == pytest.approx(path.commands / 50)
 
@@ -238,7 +239,7 @@ def test_operations_together_start_once_and_draw_what_was_cut_before():
     alone = legacy_together([one])
     assert alone.fast_forward_seconds == pytest.approx(one.fast_forward_seconds) and alone.facets == one.facets
     assert one.fast_forward_seconds < two.fast_forward_seconds < 2 * one.fast_forward_seconds
-    assert two.play_seconds > 2 * one.play_seconds
+    assert two.play_seconds > 2 * one.play_seconds - Constants().start
     assert one.memory_bytes < two.memory_bytes < 2 * one.memory_bytes
 
     path = linearize(zigzag(400))
@@ -285,7 +286,7 @@ def test_impossible_input_is_refused_in_words():
 @pytest.mark.parametrize("tool", [Tool("endmill", 8.0), Tool("ballend", 8.0), Tool("vbit", 8.0)])
 def test_heights_equal_those_of_every_cell_against_every_point(tool):
     path = linearize([("G1", {"X": 20.0, "Y": 15.0, "Z": 12.0}), ("G1", {"X": 70.0, "Y": 40.0, "Z": 8.0})])
-    heights, size = heightmap(path, tool=tool, stock=STOCK)
+    (heights,), size = heightmaps(path, tool=tool, stock=STOCK)
     along = np.linspace(0, 1, 2000)[:, None]
     points = path.points[0] + along * (path.points[1] - path.points[0])
     x, y = np.meshgrid(
@@ -301,22 +302,31 @@ def test_heights_equal_those_of_every_cell_against_every_point(tool):
 
 
 def test_a_path_outside_the_stock_leaves_it_a_box():
-    heights, size = heightmap(
+    (heights,), size = heightmaps(
         linearize([("G1", {"X": -50.0, "Y": 500.0, "Z": 5.0}), ("G1", {"X": -900.0})]), tool=TOOL, stock=STOCK
     )
     assert (heights == 20.0).all()
-    assert mesh_facets(heights, size, 0.0, 0.1) == 12
+    assert mesh_facets(heights, size, 0.0, [0.1]) == 12
 
 
 def test_a_surface_makes_far_more_triangles_than_a_pocket_and_four_times_as_many_at_half_the_cell():
     ball = Tool("ballend", 6.0)
-    pocket, size = heightmap(linearize(zigzag(20)), tool=TOOL, stock=STOCK)
-    dome, dome_size = heightmap(linearize(surface()), tool=ball, stock=STOCK)
-    assert mesh_facets(dome, dome_size, 0.0, 0.1) > 10 * mesh_facets(pocket, size, 0.0, 0.1)
-    ratio = mesh_facets(dome, dome_size, 0.0, 0.1) / mesh_facets(dome, dome_size, 0.0, 0.2)
-    assert 3.5 < ratio <= 4
-    pocket_ratio = mesh_facets(pocket, size, 0.0, 0.1) / mesh_facets(pocket, size, 0.0, 0.2)
-    assert 1.7 < pocket_ratio < 2.1
+    (pocket,), size = heightmaps(linearize(zigzag(20)), tool=TOOL, stock=STOCK)
+    (dome,), dome_size = heightmaps(linearize(surface()), tool=ball, stock=STOCK)
+    of_dome, of_pocket = mesh_facets(dome, dome_size, 0.0, [0.1, 0.2]), mesh_facets(pocket, size, 0.0, [0.1, 0.2])
+    assert of_dome[0] > 10 * of_pocket[0]
+    assert 3.5 < of_dome[0] / of_dome[1] <= 4
+    assert 1.7 < of_pocket[0] / of_pocket[1] < 2.1
+
+
+def test_a_path_looked_at_in_parts_leaves_what_it_leaves_at_once():
+    path = linearize(surface())
+    ball = Tool("ballend", 6.0)
+    (whole,), _ = heightmaps(path, tool=ball, stock=STOCK)
+    parts, _ = heightmaps(path, tool=ball, stock=STOCK, parts=5)
+    assert len(parts) == 5
+    assert all((after <= before).all() for before, after in zip(parts, parts[1:]))
+    assert np.abs(parts[-1] - whole).max() < 0.05  # the ends of the parts are sampled twice
 
 
 # --- OpenGL simulator
@@ -400,5 +410,70 @@ def test_cutting_out_a_round_part_breaks_the_bottom_to_pieces_and_a_square_one_d
     disc = np.where(np.hypot(x, y) < 28, 20.0, 0.0)
     plate = np.where((np.abs(x) < 40) & (np.abs(y) < 28), 20.0, 0.0)
     cells = 100 * (disc > 0).sum()
-    assert 0.2 * cells < mesh_facets(disc, 1.0, 0.0, 0.1) < 0.7 * cells
-    assert mesh_facets(plate, 1.0, 0.0, 0.1) < 3000
+    assert 0.2 * cells < mesh_facets(disc, 1.0, 0.0, [0.1]) < 0.7 * cells
+    assert mesh_facets(plate, 1.0, 0.0, [0.1]) < 3000
+
+
+def bottom_of_freecad(kept):
+    """``TesselBot`` and its loop in VolSim.cpp, cell by cell; the top has been marked before."""
+    kept, count = kept.copy(), 0
+    columns, rows = kept.shape
+
+    def grown(x, y):
+        width = height = 1
+        right = left = up = True
+        while right or left or up:
+            right = right and x + width < columns and kept[x + width, y : y + height].all()
+            width += right
+            left = left and x > 0 and kept[x - 1, y : y + height].all()
+            x, width = x - left, width + left
+            up = up and y + height < rows and kept[x : x + width, y + height].all()
+            height += up
+        return x, y, width, height
+
+    for y in range(rows):
+        x = 0
+        while x < columns:
+            if not kept[x, y]:
+                x += 1
+                continue
+            left, lower, width, height = grown(x, y)
+            if height // width > 5:
+                lower, width, height = lower + 5 * width, 1, 1
+            elif width // height > 5:
+                left, width, height = left + 5 * height, 1, 1
+            kept[left : left + width, lower : lower + height] = False
+            count += 1
+    return count
+
+
+def test_pieces_of_the_lower_face_are_those_of_freecad():
+    rng = np.random.default_rng(5)
+    for k in range(60):
+        columns, rows = rng.integers(1, 50, 2)
+        x, y = np.meshgrid(np.arange(columns), np.arange(rows), indexing="ij")
+        kept = rng.random((columns, rows)) < (0.8 if k % 4 == 0 else 2)
+        for _ in range(k % 5):
+            kept &= np.hypot(x - rng.integers(columns), y - rng.integers(rows)) > rng.integers(1, 12)
+        assert bottom_rectangles(kept) == bottom_of_freecad(kept)
+
+
+def test_play_shows_the_mesh_as_it_grows():
+    shown = Constants(start=0.0, redraw=0.0, cell=0.0, facet=0.0, profile=0.0, display=1e-3)
+
+    def mean_facets(commands, tool):
+        (cost,) = legacy_costs(linearize(commands), tool=tool, stock=STOCK, speed=1e9, constants=shown)
+        return cost.play_seconds / cost.shown / 1e-3, cost.facets
+
+    mean, last = mean_facets(surface(), Tool("ballend", 6.0))
+    assert mean == pytest.approx(0.5 * last, rel=0.2)  # row after row
+    deeper = [("G0", {"X": 20.0, "Y": 20.0, "Z": 25.0})]
+    for z in range(19, 5, -1):
+        deeper += [("G1", {"Z": float(z)}), ("G2", {"X": 50.0, "Y": 40.0, "I": 15.0, "J": 10.0})]
+        deeper += [("G2", {"X": 20.0, "Y": 20.0, "I": -15.0, "J": -10.0})]
+    mean, last = mean_facets(deeper, TOOL)
+    assert mean == pytest.approx(last, rel=0.15)  # its walls are there after the first turn
+    facing = [("G0", {"X": -5.0, "Y": -5.0, "Z": 10.0})]
+    facing += [("G1", {"X": 105.0 if k % 4 in (1, 2) else -5.0, "Y": 5.0 * (k // 2) - 5}) for k in range(1, 30)]
+    mean, last = mean_facets(facing, TOOL)
+    assert last == 12 and mean > 50  # it ends flat

@@ -13,7 +13,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from vkworkbench.core.fast_forward import panel_seconds
-from vkworkbench.core.heightmap import heightmap, mesh_facets
+from vkworkbench.core.heightmap import heightmaps
+from vkworkbench.core.legacy_mesh import BOX, mesh_facets
 from vkworkbench.core.motions import Motions, motions
 from vkworkbench.core.simulators import DEFAULTS, Constants
 from vkworkbench.core.solids import Stock, Tool
@@ -23,8 +24,8 @@ from vkworkbench.core.toolpath import Toolpath
 _WALK = 0.6
 # A float for the height and a character for the mesh.
 _BYTES_PER_CELL = 5
-# Mean number of triangles while it plays, compared with the end.
-_MEAN_FACETS = 0.65
+# How often the mesh is looked at while it grows.
+_LOOKS = 5
 # What the positions 1 to 10 of the accuracy slider stand for, percent of the stock's longer side.
 SLIDER = tuple(round(1.1 - 0.1 * position, 1) for position in range(1, 11))
 
@@ -168,7 +169,7 @@ def legacy_costs(
 
     In fast-forward every command, comments too, takes one tick of a timer, every new percent of the progress a
     repaint, and one mesh is made and shown at the end. In play a command takes 1/`speed`, or what a mesh and its
-    display need if that is more.
+    display need if that is more; the mesh grows, or shrinks where it ends flat.
 
     Parameters
     ----------
@@ -199,19 +200,17 @@ def legacy_costs(
     if not speed > 0:
         raise ValueError(f"the speed must be positive, not {speed} commands per second")
     made = motions(toolpath)
-    heights, size = heightmap(toolpath, tool=tool, stock=stock)
-    bottom = float(stock.lower[2])
     shown = toolpath.commands - len(toolpath.comments)
     # A drilling cycle makes a mesh after each of its three moves.
     meshes = shown + 2 * len(np.unique(toolpath.command[toolpath.cycle]))
+    works = [legacy_work(made, diameter=tool.diameter, stock=stock, accuracy=accuracy) for accuracy in accuracies]
+    triangles, growth = _triangles(toolpath, tool, stock, [work.resolution for work in works])
     costs = []
-    for accuracy in accuracies:
-        work = legacy_work(made, diameter=tool.diameter, stock=stock, accuracy=accuracy)
+    for accuracy, work, facets in zip(accuracies, works, triangles.tolist()):
         cut = (constants.call * work.calls + constants.ring * work.rings
                + constants.line * work.line_steps + constants.cap * work.cap_steps)  # fmt: skip
-        facets = mesh_facets(heights, size, bottom, work.resolution)
         mesh = constants.cell * work.cells + constants.facet * facets
-        mean_mesh = constants.cell * work.cells + constants.facet * facets * _MEAN_FACETS
+        mean_mesh = constants.cell * work.cells + (constants.facet + constants.display) * facets * growth
         profile = constants.profile * (3 * tool.radius + float(tool.height(tool.radius))) / (0.05 * accuracy)
         each = np.bincount(made.command, cut, minlength=toolpath.commands)
         slower = float(np.maximum(each - constants.tick, 0).sum())
@@ -220,7 +219,7 @@ def legacy_costs(
         costs.append(LegacyCost(
             fast_forward_seconds=panel_seconds(constants, toolpath.commands) + profile + slower + mesh
             + constants.display * facets,
-            play_seconds=profile + max(shows, shown / speed) + len(toolpath.comments) / speed,
+            play_seconds=constants.start + profile + max(shows, shown / speed) + len(toolpath.comments) / speed,
             commands=toolpath.commands,
             shown=shown,
             memory_bytes=_BYTES_PER_CELL * work.cells + constants.facet_bytes * facets,
@@ -234,6 +233,16 @@ def legacy_costs(
             constants=constants,
         ))  # fmt: skip
     return tuple(costs)
+
+
+def _triangles(toolpath: Toolpath, tool: Tool, stock: Stock, resolutions: list[float]) -> tuple[np.ndarray, float]:
+    """Triangles of the mesh at the end for each resolution; their mean while it plays, compared with the end."""
+    bottom = float(stock.lower[2])
+    maps, size = heightmaps(toolpath, tool=tool, stock=stock, parts=_LOOKS)
+    finest = [min(resolutions)]
+    looks = np.array([BOX] + [mesh_facets(heights, size, bottom, finest)[0] for heights in maps])
+    growth = float((looks[1:] + looks[:-1]).mean() / 2 / looks[-1])
+    return mesh_facets(maps[-1], size, bottom, resolutions), growth
 
 
 def legacy_together(costs: Sequence[LegacyCost]) -> LegacyCost:
@@ -257,9 +266,11 @@ def legacy_together(costs: Sequence[LegacyCost]) -> LegacyCost:
     each = sum(cost.fast_forward_seconds - cost.panel_seconds - cost.last_mesh_seconds for cost in costs)
     commands = sum(cost.commands for cost in costs)
     before = np.cumsum([0.0] + [cost.facets for cost in costs[:-1]])
+    drawn = constants.facet + constants.display
     return LegacyCost(
         fast_forward_seconds=panel_seconds(constants, commands) + each + mesh + constants.display * facets,
-        play_seconds=sum(c.play_seconds + c.shown * constants.facet * f for c, f in zip(costs, before)),
+        play_seconds=sum(c.play_seconds - constants.start + c.shown * drawn * f for c, f in zip(costs, before))
+        + constants.start,
         commands=commands,
         shown=sum(cost.shown for cost in costs),
         memory_bytes=_BYTES_PER_CELL * cells + constants.facet_bytes * facets,

@@ -29,7 +29,7 @@ class Constants:
     Attributes
     ----------
     start : float
-        Legacy: pressing fast-forward and showing the result.
+        Legacy: from the press of a button to the first command, and showing the result.
     tick : float
         Legacy: one command in fast-forward (a timer of 1 ms).
     repaint : float
@@ -43,7 +43,7 @@ class Constants:
     facet : float
         Legacy: one triangle of the mesh.
     display : float
-        Legacy: showing one triangle of the last mesh, which fast-forward waits for.
+        Legacy: showing one triangle of a mesh.
     profile : float
         Legacy: one test whether a point is inside the tool, when the tool's profile is taken.
     facet_bytes : float
@@ -68,7 +68,7 @@ class Constants:
     cap: float = 4.7e-9
     cell: float = 13e-9
     facet: float = 1.56e-6
-    display: float = 4.5e-6
+    display: float = 3e-6
     profile: float = 0.1e-3
     facet_bytes: float = 150.0
     frame: float = 2e-3

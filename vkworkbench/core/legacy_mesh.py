@@ -1,0 +1,152 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The size of the legacy simulator's mesh of a stock, from a coarse map of its heights."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+# A step between two cells of the map that is no slope: higher than this many cells, or alone among flat ones.
+_WALL = 1.8
+# Triangles per corner of a wall, per cell of wall, per rectangle on a slope and of a plain box, fitted to FreeCAD's
+# meshes (benchmarks/simulators.py).
+_CORNER, _ALONG, _RECTANGLE, BOX = 3.6, 0.26, 3.65, 12.0
+# FreeCAD's rectangles are no longer than this many times their width (VolSim.cpp).
+_LONGEST = 5
+# A finer grid follows an outline's curves more closely: pieces in its cells compared with those in the map's, fitted to
+# FreeCAD's meshes of round holes, discs and slanted cuts.
+_FINER = 1.2
+
+
+def mesh_facets(heights: np.ndarray, size: float, bottom: float, resolutions: Sequence[float]) -> np.ndarray:
+    """Triangles of the meshes that the legacy simulator makes of a stock at several accuracies.
+
+    They cover the stock with rectangles whose cells differ by less than one cell's edge. On a slope of (gx,
+    gy) such a rectangle spans 1/gx by 1/gy cells and at most 5:1, so a cell has gx gy of them; a floor has a
+    few and each wall a few per corner. The lower face falls to pieces where it is cut through,
+    see :func:`bottom_rectangles`; their number grows with that of the cells.
+
+    Parameters
+    ----------
+    heights : (nx, ny) float64
+        Map of the heights, mm.
+    size : float
+        Edge of a cell of the map, mm.
+    bottom : float
+        Height of the stock's lower face, mm.
+    resolutions : sequence of float
+        Edges of a cell of the simulator, mm.
+
+    Returns
+    -------
+    (len(resolutions),) float64
+        Numbers of triangles, inner and outer mesh together.
+    """
+    step_x, step_y = np.abs(np.diff(heights, axis=0)), np.abs(np.diff(heights, axis=1))
+    pieces = bottom_rectangles(heights > bottom + min(resolutions))
+    facets = []
+    for resolution in resolutions:
+        finer = size / resolution
+        wall_x, wall_y = _walls(step_x, size, resolution), _walls(step_y.T, size, resolution).T
+        cells = wall_x.sum() + wall_y.sum()
+        straight = (wall_x[:, 1:] & wall_x[:, :-1]).sum() + (wall_y[1:] & wall_y[:-1]).sum()
+
+        slope_x, slope_y = np.zeros(heights.shape), np.zeros(heights.shape)
+        slope_x[:-1] = np.where(wall_x, 0, step_x) / size
+        slope_y[:, :-1] = np.where(wall_y, 0, step_y) / size
+        across = np.minimum(np.maximum(slope_x, slope_y / _LONGEST), 1)
+        along = np.minimum(np.maximum(slope_y, slope_x / _LONGEST), 1)
+        facets.append(
+            BOX
+            + finer * (_CORNER * (cells - straight) + _ALONG * cells)
+            + finer**2 * (_RECTANGLE * (across * along).sum() + 2 * _FINER * max(pieces - 1, 0))
+        )
+    return np.array(facets)
+
+
+def bottom_rectangles(kept: np.ndarray) -> int:
+    """Rectangles that the legacy simulator makes of what is left of the lower face (``TesselBot`` in VolSim.cpp).
+
+    From the first free cell a rectangle grows in three directions in turn. Of one longer than 5:1 it takes,
+    by a slip, a single cell five widths on, and begins anew: beside a curved outline nearly all rectangles are that
+    long, so they fall to pieces of about one by five cells.
+
+    Parameters
+    ----------
+    kept : (nx, ny) bool
+        Where the stock is not cut through.
+
+    Returns
+    -------
+    int
+    """
+    # The free cells of each row and column are the bits of a number.
+    columns, rows = _bits(kept), _bits(kept.T)
+    count = 0
+    for y in range(len(rows)):
+        while rows[y]:
+            x, width, height = _grown(columns, rows, (rows[y] & -rows[y]).bit_length() - 1, y)
+            corner = x, y
+            if height // width > _LONGEST:
+                corner, width, height = (x, y + _LONGEST * width), 1, 1
+            elif width // height > _LONGEST:
+                corner, width, height = (x + _LONGEST * height, y), 1, 1
+            _clear(rows, corner[1], height, corner[0], width)
+            _clear(columns, corner[0], width, corner[1], height)
+            count += 1
+    return count
+
+
+def _grown(columns: list[int], rows: list[int], x: int, y: int) -> tuple[int, int, int]:
+    """Grow the rectangle of one cell; return its left column, width and height."""
+    width = height = 1
+    right = left = up = True
+    while up and (right or left):
+        side = ((1 << height) - 1) << y
+        right = right and x + width < len(columns) and columns[x + width] & side == side
+        width += right
+        left = left and x > 0 and columns[x - 1] & side == side
+        x, width = x - left, width + left
+        top = ((1 << width) - 1) << x
+        up = y + height < len(rows) and rows[y + height] & top == top
+        height += up
+    if up:  # as far as all its columns are free
+        height += _ones(_common(columns[x : x + width]) >> (y + height))
+    else:
+        band = _common(rows[y : y + height])
+        if right:
+            width += _ones(band >> (x + width))
+        if left:
+            begin = (~band & ((1 << x) - 1)).bit_length()
+            x, width = begin, width + x - begin
+    return x, width, height
+
+
+def _bits(cells: np.ndarray) -> list[int]:
+    return [int.from_bytes(np.packbits(line, bitorder="little").tobytes(), "little") for line in cells]
+
+
+def _common(lines: list[int]) -> int:
+    bits = -1
+    for line in lines:
+        bits &= line
+    return bits
+
+
+def _ones(bits: int) -> int:
+    """Number of set bits before the first that is not."""
+    return (~bits & (bits + 1)).bit_length() - 1
+
+
+def _clear(lines: list[int], first: int, count: int, begin: int, length: int) -> None:
+    kept = ~(((1 << length) - 1) << begin)
+    for k in range(first, first + count):
+        lines[k] &= kept
+
+
+def _walls(step: np.ndarray, size: float, resolution: float) -> np.ndarray:
+    """Which steps along the first axis are walls."""
+    around = np.pad(step, ((1, 1), (0, 0)))
+    alone = (around[:-2] < step / 2) & (around[2:] < step / 2)
+    return (step > resolution) & (alone | (step >= _WALL * size))
