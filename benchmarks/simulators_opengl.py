@@ -22,7 +22,7 @@ from vkworkbench.core.simulators import opengl_speeds
 from vkworkbench.document.calibration import constants, freecad_version
 
 RENDERER = "llvmpipe"  # under Xvfb
-LONGEST = 10.0  # s
+LONGEST = 8.0  # s
 TIMES = 3  # how often each is played; the median counts
 
 

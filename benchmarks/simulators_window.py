@@ -23,7 +23,7 @@ from vkworkbench.core.solids import Stock, Tool
 from vkworkbench.document.calibration import calibrate, constants, freecad_version, learn, load
 
 RENDERER = "llvmpipe"  # under Xvfb
-LONGEST = {"fast-forward": 7000, "play": 150}  # commands
+LONGEST = {"fast-forward": 7000, "play": 100}  # commands
 TIMES = 3  # how often each is run; the median counts
 ENOUGH = 5  # runs that teach before a prediction counts
 

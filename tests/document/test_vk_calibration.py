@@ -45,6 +45,7 @@ def test_each_renderer_has_its_own(folder):
     assert calibration.load("llvmpipe (LLVM 19)") is None
     slow = calibration.constants("llvmpipe (LLVM 19)")
     assert slow.draw > 10 * DEFAULTS.draw and slow.frame > DEFAULTS.frame
+    assert (slow.repaint > 0) == (calibration.freecad_version() >= (1, 1))
     calibration.calibrate("llvmpipe (LLVM 19)")
     assert calibration.load("card").renderer == "card"
     assert calibration.load("llvmpipe (LLVM 19)").constants.draw == slow.draw
@@ -99,6 +100,8 @@ def test_real_runs_teach_fast_forward_and_the_display(folder, monkeypatch):
     monkeypatch.setattr(calibration, "_measure", lambda: DEFAULTS)
     calibration.calibrate("card")
     assert calibration.learn(cost_of(10), 3.0, played=True, renderer="card") is None
+    cost = cost_of(100, constants=calibration.constants("card"))
+    assert calibration.learn(cost, cost.play_seconds / 4, played=True, renderer="card").constants.redraw == 1e-3
     slow = Constants(start=0.9, tick=3e-3, repaint=0.03, redraw=0.2)
     for commands in (10, 1000, 60, 2000, 150, 1000, 30):
         for played in (False, True):

@@ -35,6 +35,8 @@ from vkworkbench.core.speed import measure_speed
 # there.
 _SOFTWARE = ("llvmpipe", "softpipe", "swr", "swiftshader", "gdi generic", "microsoft basic render")
 _SOFTWARE_OPENGL = {"frame": 35e-3, "draw": 25e-6, "fill": 5000.0}
+# Qt 6, with which FreeCAD 1.1 comes, then paints the window on the processor at every new percent of a fast-forward.
+_SOFTWARE_REPAINT, _REPAINTS_SINCE = 30e-3, (1, 1)
 # A benchmark cuts in a warm cache; real operations take this much longer (benchmarks/simulators.py).
 _COLD_CACHE = 1.5
 # With measured constants the true number is within this factor (benchmarks/simulators.py).
@@ -42,6 +44,7 @@ _CALIBRATED_FACTOR = 1.3
 # What is kept of real runs, and how it is read from the file.
 _RUNS = {"fast-forward": lambda pair: (int(pair[0]), float(pair[1])), "redraw": float, "draw": float}
 _SHORTEST_PLAY = 20  # commands
+_SHORTEST_REDRAW = 1e-3  # s; less is the error of what the mesh was said to take
 _LAST_RUNS = 15
 # Faster frames may have waited for the screen.
 _SLOW_FRAME = 1.5 * SHORTEST_FRAME
@@ -198,14 +201,15 @@ def learn(cost: LegacyCost, seconds: float, *, played: bool, renderer: str = "")
     Returns
     -------
     Calibration or None
-        The new calibration; None where the run teaches nothing: not calibrated yet, too short a play, or faster
-        than it can be.
+        The new calibration; None where the run teaches nothing: not calibrated yet, too short a play, or a
+        fast-forward faster than it can be.
     """
     known = load(renderer)
     if known is None or (played and cost.shown < _SHORTEST_PLAY):
         return None
     if played:
-        return _learn(known, "redraw", known.constants.redraw + (seconds - cost.play_seconds) / cost.shown)
+        redraw = known.constants.redraw + (seconds - cost.play_seconds) / cost.shown
+        return _learn(known, "redraw", max(redraw, _SHORTEST_REDRAW))
     return _learn(known, "fast-forward", seconds - cost.fast_forward_seconds + cost.panel_seconds, cost.commands)
 
 
@@ -287,21 +291,22 @@ def _speed_key() -> str:
 
 def _for_renderer(base: Constants, renderer: str) -> Constants:
     if any(name in renderer.lower() for name in _SOFTWARE):
-        return replace(base, opengl_factor=DEFAULTS.legacy_factor, **_SOFTWARE_OPENGL)
+        repaint = _SOFTWARE_REPAINT if freecad_version() >= _REPAINTS_SINCE else base.repaint
+        return replace(base, repaint=repaint, opengl_factor=DEFAULTS.legacy_factor, **_SOFTWARE_OPENGL)
     return base
 
 
 def _measure() -> Constants:
     """Time small pieces of the legacy simulator's work, each dominated by one constant."""
     # Short moves of a tool smaller than a cell and of a few cells; long ones; short ones of a wide tool.
-    pieces = [_cut(0.08, 0.1, 400), _cut(0.9, 0.1, 300), _cut(8.0, 80.0, 6), _cut(12.0, 0.1, 12)]
+    pieces = [_cut(0.08, 0.1, 400), _cut(0.9, 0.1, 300), _cut(8.0, 80.0, 4), _cut(12.0, 0.1, 12)]
     work = np.array([counts for counts, _ in pieces])
     seconds = np.array([taken for _, taken in pieces])
     call, ring, line, cap = np.maximum(np.linalg.solve(work, seconds), 0) * _COLD_CACHE
 
     flat = PathSim()
-    flat.BeginSimulation(_BOX, 0.1)  # as many cells as in use: a smaller grid stays in the cache
-    cell = _best(flat.GetResultMesh) / (1001 * 601)
+    flat.BeginSimulation(_BOX, 0.12)  # a grid as large as in use: a smaller one stays in the cache
+    cell = _best(flat.GetResultMesh) / (834 * 501)
     rough = _rough()
     rough_seconds = _best(rough.GetResultMesh)
     facets = sum(mesh.CountFacets for mesh in rough.GetResultMesh())
