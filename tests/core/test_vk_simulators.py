@@ -351,14 +351,14 @@ def play(path, diameter, speed, constants):
     square = sum((STOCK.upper - STOCK.lower) ** 2)
     for move, sweep, radius in zip(made.move, made.sweep, made.radius):
         length = radius * abs(sweep) or np.hypot(*move[:2])
-        foot = math.pi * diameter**2 / 4
-        filled = constants.fill * (diameter * length + foot) / square
+        tool = math.pi * diameter**2 / 4 + 30 * diameter  # from above and from the side
+        filled = constants.fill * ((diameter + 30) * length + tool) / square
         if radius:
             step = min(max(math.asin(0.5 / radius), math.pi / 90), math.pi / 2)
             chords = int(abs(sweep) / step) + 2
             if radius <= diameter / 2:
                 chords = int(abs(sweep) / (math.pi / 8)) + 1
-                filled = constants.fill * chords * foot / square
+                filled = constants.fill * chords * tool / square
             for _ in range(chords):
                 drawn.append(drawn[-1] + 9 + filled / chords)
         else:
@@ -376,10 +376,12 @@ def test_playing_takes_what_its_frames_add_up_to(speed):
     assert predicted == pytest.approx(play(path, 6.0, speed, software), rel=0.02)
 
 
-def test_wide_cuts_take_longer_to_draw_than_narrow_ones():
+def test_wide_cuts_take_longer_to_draw_than_narrow_ones_and_long_ones_than_short_ones():
     path = linearize(zigzag(60))
     wide, narrow = (opengl_cost(path, diameter=d, stock=STOCK, constants=Constants(frame=0.0)) for d in (12.0, 3.0))
-    assert wide.draws == narrow.draws and wide.frame_seconds > 2 * narrow.frame_seconds
+    assert wide.draws == narrow.draws and wide.frame_seconds > 1.2 * narrow.frame_seconds
+    short = opengl_cost(linearize(zigzag(60, width=8.0)), diameter=3.0, stock=STOCK, constants=Constants(frame=0.0))
+    assert short.draws == narrow.draws and narrow.frame_seconds > 1.4 * short.frame_seconds
 
 
 def test_playing_twice_the_path_takes_four_times_as_long_once_drawing_dominates():

@@ -23,6 +23,8 @@ _SMALLEST_STEP, _LARGEST_STEP = np.pi / 90, np.pi / 2
 _PASSES = 9
 # It waits for every second refresh of a 60 Hz screen.
 SHORTEST_FRAME = 1 / 30
+# Height of a tool as it is drawn, mm; bits are 20 to 50 mm long.
+_TOOL_HEIGHT = 30.0
 # Parts of an operation whose frames are looked at where others were played before.
 _PARTS = 32
 
@@ -38,7 +40,7 @@ class OpenGLWork:
     draws : (m,) float64
         Draw calls that each motion, once done, costs every frame.
     area : (m,) float64
-        What the tool sweeps in each motion, seen from above, mm^2.
+        Surface of what the tool sweeps in each motion, seen from above and from one side, mm^2.
     arc : (m,) bool
         Which motions are arcs; an arc is drawn as far as it is done, anything else is drawn whole at once.
     """
@@ -85,10 +87,10 @@ def opengl_work(made: Motions, *, diameter: float, quality: int = 10) -> OpenGLW
     chords = np.floor(np.abs(made.sweep) / step) + np.where(small, 1, 2)
     lines = np.maximum(np.floor(np.linalg.norm(made.move, axis=1) / resolution), 1)
     draws = _PASSES * np.where(arc, chords, np.where(made.level < 1e-6, 1, 2))
-    foot = np.pi / 4 * diameter**2
+    tool = np.pi / 4 * diameter**2 + _TOOL_HEIGHT * diameter
     length = np.where(arc, made.radius * np.abs(made.sweep), made.level)
     # An arc within the tool's radius is drawn as the whole tool at every chord's end.
-    area = np.where(arc & small, chords * foot, diameter * length + foot)
+    area = np.where(arc & small, chords * tool, (diameter + _TOOL_HEIGHT) * length + tool)
     return OpenGLWork(np.where(arc, chords, lines), draws, area, arc)
 
 

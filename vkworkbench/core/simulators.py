@@ -23,8 +23,8 @@ class Constants:
     """What one unit of work costs on one computer, seconds and bytes.
 
     The defaults were measured with FreeCAD 0.20.2, 1.0.0 and 1.1.3 on two Xeon cores without a graphics card;
-    ``frame``, ``draw`` and ``fill`` are a guess for a graphics card, none was there; software rendering took 35e-3,
-    25e-6 and 5000. ``document/calibration.py`` measures them on the user's computer.
+    ``frame``, ``draw`` and ``fill`` are a guess for a graphics card, none was there; software rendering took 30e-3,
+    19e-6 and 750. ``document/calibration.py`` measures them on the user's computer.
 
     Attributes
     ----------
@@ -73,7 +73,7 @@ class Constants:
     facet_bytes: float = 150.0
     frame: float = 2e-3
     draw: float = 1.5e-6
-    fill: float = 1000.0
+    fill: float = 150.0
     line_bytes: float = 900.0
     arc_bytes: float = 7000.0
     legacy_factor: float = 2.0
