@@ -239,10 +239,11 @@ def _triangles(toolpath: Toolpath, tool: Tool, stock: Stock, resolutions: list[f
     """Triangles of the mesh at the end for each resolution; their mean while it plays, compared with the end."""
     bottom = float(stock.lower[2])
     maps, size = heightmaps(toolpath, tool=tool, stock=stock, parts=_LOOKS)
-    finest = [min(resolutions)]
-    looks = np.array([BOX] + [mesh_facets(heights, size, bottom, finest)[0] for heights in maps])
-    growth = float((looks[1:] + looks[:-1]).mean() / 2 / looks[-1])
-    return mesh_facets(maps[-1], size, bottom, resolutions), growth
+    last = mesh_facets(maps[-1], size, bottom, resolutions)
+    finest = int(np.argmin(resolutions))
+    before = [mesh_facets(heights, size, bottom, [resolutions[finest]])[0] for heights in maps[:-1]]
+    looks = np.array([BOX, *before, last[finest]])
+    return last, float((looks[1:] + looks[:-1]).mean() / 2 / looks[-1])
 
 
 def legacy_together(costs: Sequence[LegacyCost]) -> LegacyCost:
