@@ -21,6 +21,7 @@ import tempfile
 import time
 import traceback
 from pathlib import Path
+from statistics import median
 
 import FreeCAD
 import numpy as np
@@ -45,6 +46,7 @@ ACCURACIES = (0.1, 0.5, 1.0)
 MOST = 60
 OUT = sys.__stdout__
 MOST_STOLEN = 0.03  # of a run's time
+TIMES = 3  # how often each simulation is run in a window
 FEW = 1000  # triangles; fewer count as so many: they take no time
 
 
@@ -184,6 +186,16 @@ def straight(commands, resolution, top):
             go("G1", Z=words["R"])
         first_hole = name not in ("G81", "G82", "G83")
     return made
+
+
+def repeated(run):
+    """Run some times; return the median of the seconds, None if one did not end, and whether the host took time."""
+    before, seconds = stolen(), []
+    while len(seconds) < TIMES:
+        seconds.append(run())
+        if seconds[-1] is None:
+            return None, False
+    return median(seconds), stolen() - before > MOST_STOLEN * sum(seconds)
 
 
 def stolen() -> float:

@@ -14,7 +14,7 @@ import Path
 from CAMSimulator import PathSim
 from opengl_window import FASTER, PLAY, click
 from PySide import QtCore, QtGui
-from simulators import MOST_STOLEN, stolen
+from simulators import repeated
 
 from vkworkbench.core import linearize
 from vkworkbench.core.opengl import opengl_cost
@@ -23,7 +23,6 @@ from vkworkbench.document.calibration import constants, freecad_version
 
 RENDERER = "llvmpipe"  # under Xvfb
 LONGEST = 8.0  # s
-TIMES = 3  # how often each is played; the median counts
 
 
 class Frames(QtCore.QObject):
@@ -56,17 +55,14 @@ def run(samples, out):
         predicted = unscaled * median(scales or [1.0])
         if not 1 < unscaled < LONGEST:
             continue
-        before = stolen()
-        runs = []
-        while len(runs) < TIMES and None not in runs:
-            runs.append(play(simulator, commands, tool, stock, -(-cost.steps // speed), 10 + 4 * predicted))
-        if None not in runs and stolen() - before > MOST_STOLEN * sum(runs):
+        frames, patience = -(-cost.steps // speed), 10 + 4 * predicted
+        true, disturbed = repeated(lambda: play(simulator, commands, tool, stock, frames, patience))
+        if disturbed:
             left_out += 1
             continue
-        if None in runs:
+        if true is None:
             print(f"  OpenGL  {label:40.40}{cost.draws:7} draw calls  did not play", file=out, flush=True)
             continue
-        true = median(runs)
         print(
             f"  OpenGL  {label:40.40}{cost.draws:7} draw calls  {predicted:7.2f} s  {true:7.2f} s",
             file=out,

@@ -5,7 +5,6 @@ from __future__ import annotations
 
 import importlib
 import time
-from statistics import median
 from types import SimpleNamespace
 
 import FreeCAD
@@ -14,7 +13,7 @@ import numpy as np
 import Part
 import Path
 from PySide import QtCore
-from simulators import MOST_STOLEN, shape, stolen
+from simulators import repeated, shape, stolen
 
 from vkworkbench.core import linearize
 from vkworkbench.core.legacy import legacy_costs
@@ -24,7 +23,6 @@ from vkworkbench.document.calibration import calibrate, constants, freecad_versi
 
 RENDERER = "llvmpipe"  # under Xvfb
 LONGEST = {"fast-forward": 7000, "play": 100}  # commands
-TIMES = 3  # how often each is run; the median counts
 ENOUGH = 5  # runs that teach before a prediction counts
 
 
@@ -42,20 +40,17 @@ def run(samples, out):
                 continue
             (cost,) = legacy_costs(path, tool=tool, stock=stock, constants=constants(RENDERER))
             predicted = cost.play_seconds if kind == "play" else cost.fast_forward_seconds
-            before = stolen()
-            runs = []
-            while len(runs) < TIMES and None not in runs:
-                runs.append(simulate(panel, kind, commands, tool, stock, patience=10 + 5 * predicted))
-            if None not in runs and stolen() - before > MOST_STOLEN * sum(runs):
+            patience = 10 + 5 * predicted
+            true, disturbed = repeated(lambda: simulate(panel, kind, commands, tool, stock, patience))
+            if disturbed:
                 left_out += 1
                 continue
-            if None in runs:
+            if true is None:
                 said = "announced" if hangs else "NOT announced"
                 print(
                     f"  {kind:13}{label:40.40}{len(commands):6} commands  hangs, {said}", file=out, flush=True
                 )
                 break
-            true = median(runs)
             line = f"  {kind:13}{label:40.40}{len(commands):6} commands  {predicted:7.2f} s  {true:7.2f} s"
             print(line + ("  a hang announced in vain" if hangs else ""), file=out, flush=True)
             taught = "redraw" if kind == "play" else kind
