@@ -5,6 +5,7 @@ import sys
 from pathlib import Path
 
 import FreeCADGui as Gui
+import numpy as np
 import pytest
 from PySide import QtCore, QtGui
 
@@ -12,7 +13,7 @@ import vkworkbench
 from vkworkbench import preferences
 from vkworkbench.core.simulators import opengl_speeds
 from vkworkbench.document import calibration
-from vkworkbench.gui.real_runs import OpenGLRun
+from vkworkbench.gui.real_runs import OpenGLRun, _played
 
 sys.path.insert(0, str(Path(vkworkbench.__file__).resolve().parents[1] / "benchmarks"))
 from opengl_window import FASTER, PLAY, click  # noqa: E402
@@ -110,3 +111,13 @@ def test_a_run_of_the_opengl_simulator_teaches(calibrated, window):
     window.wait(lambda: len(runs().get("draw", ())) == before + 1)
     known = calibration.load(preferences.read().renderer).constants
     assert 0 < known.draw < 1e-3 and known.opengl_factor < 2
+
+
+def test_the_end_of_a_play_is_found_while_other_programs_run():
+    growing = [0.03 + 0.0015 * k for k in range(70)]
+    finished = [0.021] * 80
+    frames = growing + finished
+    for begin, end in ((5, 12), (35, 42), (60, 64), (70, 90)):
+        frames[begin:end] = [2.5 * seconds for seconds in frames[begin:end]]
+    assert _played(np.cumsum([0, *frames])) == 70
+    assert _played(np.cumsum(growing)) == _played(np.cumsum(finished)) == _played([]) == 0

@@ -9,10 +9,10 @@ from __future__ import annotations
 
 import time
 from contextlib import suppress
-from statistics import median
 
 import FreeCAD
 import FreeCADGui as Gui
+import numpy as np
 
 from vkworkbench.core import linearize
 from vkworkbench.core.legacy import SLIDER, legacy_costs, legacy_together
@@ -26,8 +26,9 @@ from vkworkbench.gui.qt import (
 )  # fmt: skip
 from vkworkbench.gui.renderer import note_renderer
 
-# Longer operations are not learned from: to predict them would be felt, s of work for a constant.
+# Longer operations and plays are not learned from: that would be felt, s of work for a constant.
 _MOST_COMMANDS = 50_000
+_MOST_FRAMES = 2000
 # Frames that show the end of a play: the picture that is finished is shown in less than half their time.
 _LAST_FRAMES = 5
 # Frames played for the steps of a whole play: more or fewer were paused, or begun before.
@@ -121,8 +122,7 @@ class OpenGLRun(QObject):
 
     def _closed(self) -> None:
         (simulated, quality), times, self._times = self._simulated, self._times, []
-        frames = [after - before for before, after in zip(times, times[1:])]
-        played = _played(frames)
+        played = _played(times)
         if not simulated or not played:
             return
         renderer = note_renderer()
@@ -134,15 +134,28 @@ class OpenGLRun(QObject):
                 for path, tool, stock in simulated
             ])  # fmt: skip
             if any(_FEWEST < played * speed / cost.steps < _MOST for speed in speeds):
-                calibration.learn_frame(cost, median(frames[played - _LAST_FRAMES : played]), renderer=renderer)
+                frame = float(np.median(np.diff(times)[played - _LAST_FRAMES : played]))
+                calibration.learn_frame(cost, frame, renderer=renderer)
 
 
-def _played(frames: list[float]) -> int:
-    """Return the number of frames until all was drawn, 0 where it was not."""
-    for k in range(_LAST_FRAMES, len(frames) - _LAST_FRAMES):
-        if median(frames[k : k + _LAST_FRAMES]) < median(frames[k - _LAST_FRAMES : k]) / 2:
-            return k
-    return 0
+def _played(times: list[float]) -> int:
+    """Return the number of frames until all was drawn, 0 where it was not.
+
+    Frames grow with what they draw, and all after the last are alike: the end is where two such lines fit best. They
+    are fitted with medians, because other programs make frames slow for a while.
+    """
+    frames = np.diff(times)
+    if not 2 * _LAST_FRAMES <= len(frames) <= _MOST_FRAMES:
+        return 0
+    count = np.arange(1, len(frames) + 1)
+
+    def misfit(end: int) -> float:
+        finished = np.median(frames[end:])
+        growth = np.median((frames[:end] - finished) / count[:end])
+        return abs(frames - finished - np.where(count <= end, growth * count, 0)).sum()
+
+    end = min(range(_LAST_FRAMES, len(frames) - _LAST_FRAMES + 1), key=misfit)
+    return end if np.median(frames[end - _LAST_FRAMES : end]) > 2 * np.median(frames[end:]) else 0
 
 
 def _simulated(panel) -> list:
