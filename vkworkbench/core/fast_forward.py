@@ -13,9 +13,9 @@ from vkworkbench.core.simulators import DEFAULTS, Constants
 _PERCENTS = 100
 # How far start, tick and repaint usually lie from the defaults, and what they are at least, s (the tick is that of a
 # timer of 1 ms); the weight of that against a run.
-_USUAL = np.array([0.5, 0.3e-3, 0.02])
+_USUAL = np.array([0.5, 0.2e-3, 0.02])
 _LEAST = np.array([0.0, 1e-3, 0.0])
-_RIDGE = 0.02
+_PRIOR = 0.02
 # Relative errors below this count as equal, and rounds of the reweighting.
 _EXACT = 0.05
 _ROUNDS = 30
@@ -37,7 +37,7 @@ def fit_fast_forward(commands: np.ndarray, seconds: np.ndarray) -> tuple[float, 
     """Find start, tick and repaint that explain real fast-forwards.
 
     Least absolute deviations by reweighted least squares (Schlossmacher 1973), so that an odd run does no harm, of the
-    relative errors, with a ridge towards the defaults (Hoerl and Kennard 1970): runs of one length tell one number.
+    relative errors, and of the defaults: runs of one length tell one number, and short ones nothing of the tick.
 
     Parameters
     ----------
@@ -50,12 +50,13 @@ def fit_fast_forward(commands: np.ndarray, seconds: np.ndarray) -> tuple[float, 
     start, tick, repaint : float
         s, as in :class:`Constants`.
     """
-    relative, ridge = _work(commands) * _USUAL / seconds[:, None], _RIDGE * np.eye(3)
-    weight = np.ones(len(seconds))
+    relative, usual = _work(commands) * _USUAL / seconds[:, None], _of(DEFAULTS) / _USUAL
+    weight, prior = np.ones(len(seconds)), np.full(3, np.sqrt(_PRIOR))
     for _ in range(_ROUNDS):
-        rows = np.vstack((relative * weight[:, None], ridge))
-        found = np.linalg.lstsq(rows, np.append(weight, _RIDGE * _of(DEFAULTS) / _USUAL), rcond=None)[0]
+        rows = np.vstack((relative * weight[:, None], np.diag(prior)))
+        found = np.linalg.lstsq(rows, np.append(weight, prior * usual), rcond=None)[0]
         weight = 1 / np.sqrt(np.maximum(np.abs(relative @ found - 1), _EXACT))
+        prior = np.sqrt(_PRIOR / np.maximum(np.abs(found - usual), 1))
     return tuple(np.maximum(found * _USUAL, _LEAST).tolist())
 
 

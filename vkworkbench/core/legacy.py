@@ -13,7 +13,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from vkworkbench.core.fast_forward import panel_seconds
-from vkworkbench.core.heightmap import heightmaps
+from vkworkbench.core.heightmap import floors, heightmaps
 from vkworkbench.core.legacy_mesh import BOX, mesh_facets
 from vkworkbench.core.motions import Motions, motions
 from vkworkbench.core.simulators import DEFAULTS, Constants
@@ -237,12 +237,14 @@ def legacy_costs(
 
 def _triangles(toolpath: Toolpath, tool: Tool, stock: Stock, resolutions: list[float]) -> tuple[np.ndarray, float]:
     """Triangles of the mesh at the end for each resolution; their mean while it plays, compared with the end."""
-    bottom = float(stock.lower[2])
+    finest = min(resolutions)
     maps, size = heightmaps(toolpath, tool=tool, stock=stock, parts=_LOOKS)
-    last = mesh_facets(maps[-1], size, bottom, resolutions)
-    finest = int(np.argmin(resolutions))
-    before = [mesh_facets(heights, size, bottom, [resolutions[finest]])[0] for heights in maps[:-1]]
-    looks = np.array([BOX, *before, last[finest]])
+    kept, floor_size = floors(toolpath, tool=tool, stock=stock, thickness=finest, parts=_LOOKS)
+    *before, last = (
+        mesh_facets(heights, size, used, floor=floor, floor_size=floor_size)
+        for heights, floor, used in zip(maps, kept, [[finest]] * (_LOOKS - 1) + [resolutions])
+    )
+    looks = np.array([BOX, *np.concatenate(before), last[np.argmin(resolutions)]])
     return last, float((looks[1:] + looks[:-1]).mean() / 2 / looks[-1])
 
 

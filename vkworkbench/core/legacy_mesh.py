@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The size of the legacy simulator's mesh of a stock, from a coarse map of its heights."""
+"""The size of the legacy simulator's mesh of a stock, from coarse maps of its heights and of its lower face."""
 
 from __future__ import annotations
 
@@ -16,10 +16,12 @@ _CORNER, _ALONG, _RECTANGLE, BOX = 3.6, 0.26, 3.65, 12.0
 _LONGEST = 5
 # A finer grid follows an outline's curves more closely: pieces in its cells compared with those in the map's, fitted to
 # FreeCAD's meshes of round holes, discs and slanted cuts.
-_FINER = 1.2
+_FINER = 1.05
 
 
-def mesh_facets(heights: np.ndarray, size: float, bottom: float, resolutions: Sequence[float]) -> np.ndarray:
+def mesh_facets(
+    heights: np.ndarray, size: float, resolutions: Sequence[float], *, floor: np.ndarray, floor_size: float
+) -> np.ndarray:
     """Triangles of the meshes that the legacy simulator makes of a stock at several accuracies.
 
     They cover the stock with rectangles whose cells differ by less than one cell's edge. On a slope of (gx,
@@ -33,10 +35,12 @@ def mesh_facets(heights: np.ndarray, size: float, bottom: float, resolutions: Se
         Map of the heights, mm.
     size : float
         Edge of a cell of the map, mm.
-    bottom : float
-        Height of the stock's lower face, mm.
     resolutions : sequence of float
         Edges of a cell of the simulator, mm.
+    floor : (mx, my) bool
+        Map of what is left of the lower face.
+    floor_size : float
+        Edge of a cell of that, mm.
 
     Returns
     -------
@@ -44,7 +48,7 @@ def mesh_facets(heights: np.ndarray, size: float, bottom: float, resolutions: Se
         Numbers of triangles, inner and outer mesh together.
     """
     step_x, step_y = np.abs(np.diff(heights, axis=0)), np.abs(np.diff(heights, axis=1))
-    pieces = bottom_rectangles(heights > bottom + min(resolutions))
+    pieces = 1 if floor.all() else bottom_rectangles(floor)
     facets = []
     for resolution in resolutions:
         finer = size / resolution
@@ -60,7 +64,8 @@ def mesh_facets(heights: np.ndarray, size: float, bottom: float, resolutions: Se
         facets.append(
             BOX
             + finer * (_CORNER * (cells - straight) + _ALONG * cells)
-            + finer**2 * (_RECTANGLE * (across * along).sum() + 2 * _FINER * max(pieces - 1, 0))
+            + finer**2 * _RECTANGLE * (across * along).sum()
+            + (floor_size / resolution) ** 2 * 2 * _FINER * max(pieces - 1, 0)
         )
     return np.array(facets)
 
