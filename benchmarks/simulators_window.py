@@ -53,8 +53,7 @@ def run(samples, out):
                 break
             line = f"  {kind:13}{label:40.40}{len(commands):6} commands  {predicted:7.2f} s  {true:7.2f} s"
             print(line + ("  a hang announced in vain" if hangs else ""), file=out, flush=True)
-            taught = "redraw" if kind == "play" else kind
-            if len(load(RENDERER).runs.get(taught, ())) >= ENOUGH:
+            if len(load(RENDERER).runs.get(kind, ())) >= ENOUGH:
                 ratios[kind].append(max(predicted / true, true / predicted))
             learn(cost, true, played=kind == "play", renderer=RENDERER)
     for kind, values in ratios.items():

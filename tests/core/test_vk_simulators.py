@@ -9,10 +9,10 @@ import math
 import numpy as np
 import pytest
 
-from vkworkbench.core.fast_forward import fit_fast_forward
 from vkworkbench.core.heightmap import floors, heightmaps
 from vkworkbench.core.legacy import SLIDER, legacy_costs, legacy_together, legacy_work
 from vkworkbench.core.legacy_mesh import bottom_rectangles, mesh_facets
+from vkworkbench.core.legacy_panel import fit_fast_forward, fit_play
 from vkworkbench.core.linearize import linearize
 from vkworkbench.core.motions import motions
 from vkworkbench.core.opengl import opengl_cost, opengl_together
@@ -267,6 +267,18 @@ def test_short_fast_forwards_say_little_of_long_ones(seconds):
     assert 1e-3 <= tick < 1.7e-3
     predicted = start + tick * commands + repaint * np.minimum(commands, 100)
     assert predicted == pytest.approx(np.array(seconds), rel=0.3)
+
+
+@pytest.mark.parametrize("redraw, display", [(0.06, 3e-6), (0.005, 0.2e-6)])
+def test_plays_tell_redraw_and_display(redraw, display):
+    shown, drawn = np.array([50, 80, 30, 200, 90]), np.array([20e3, 2e6, 300e3, 900e3, 40e3])
+    display_seconds = redraw * shown + display * drawn
+    seconds = display_seconds + 0.5 + 1.5e-6 * drawn
+    display_seconds[2] -= 1.0  # its mesh was made faster than thought
+    learned = fit_play(shown, drawn, display_seconds, seconds)
+    assert learned == (pytest.approx(redraw, rel=0.05), pytest.approx(display, abs=0.2e-6))
+    of_one, per_triangle = fit_play(shown[:1], drawn[:1], display_seconds[:1], seconds[:1])
+    assert of_one * shown[0] + per_triangle * drawn[0] == pytest.approx(display_seconds[0], rel=0.1)
 
 
 def test_impossible_input_is_refused_in_words():

@@ -111,7 +111,8 @@ def test_real_runs_teach_fast_forward_and_the_display(folder, monkeypatch):
             calibration.learn(predicted, seconds, played=played, renderer="card")
     learned = calibration.constants("card")
     assert learned.start == pytest.approx(0.9, rel=0.1) and learned.tick == pytest.approx(3e-3, rel=0.05)
-    assert learned.repaint == pytest.approx(0.03, rel=0.1) and learned.redraw == pytest.approx(0.2, rel=0.01)
+    assert learned.repaint == pytest.approx(0.03, rel=0.1) and learned.redraw == pytest.approx(0.2, rel=0.02)
+    assert learned.display == pytest.approx(DEFAULTS.display, rel=0.2)
 
 
 def test_one_odd_run_does_no_harm_and_a_new_benchmark_forgets_nothing(folder):

@@ -66,13 +66,14 @@ def test_the_first_analysis_calibrates(calibrated):
 def test_runs_of_the_legacy_simulator_teach(calibrated, window):
     before = {name: len(values) for name, values in runs().items()}
     button = simulator(window, "Path_Simulator" if OLD else "CAM_Simulator", "Bore")
-    for name, taught in (("toolButtonFF", "fast-forward"), ("toolButtonPlay", "redraw")):
+    for name, taught in (("toolButtonFF", "fast-forward"), ("toolButtonPlay", "play")):
         window.click_on(button(name))
         assert not button(name).isEnabled()
         window.wait(lambda: button(name).isEnabled(), 120)
         window.wait(lambda: len(runs().get(taught, ())) == before.get(taught, 0) + 1)
-    value = runs()["redraw"][-1]
-    assert 0 < value < 1 and calibration.constants(preferences.read().renderer).redraw > 0
+    shown, drawn, display_seconds, seconds = runs()["play"][-1]
+    assert 80 < shown < 100 and drawn > 1e5 and display_seconds < seconds
+    assert 0 < calibration.constants(preferences.read().renderer).redraw < 1
 
 
 def test_a_run_that_was_paused_teaches_nothing(calibrated, window):

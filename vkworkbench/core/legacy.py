@@ -12,9 +12,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from vkworkbench.core.fast_forward import panel_seconds
 from vkworkbench.core.heightmap import floors, heightmaps
 from vkworkbench.core.legacy_mesh import BOX, mesh_facets
+from vkworkbench.core.legacy_panel import panel_seconds
 from vkworkbench.core.motions import Motions, motions
 from vkworkbench.core.simulators import DEFAULTS, Constants
 from vkworkbench.core.solids import Stock, Tool
@@ -115,6 +115,8 @@ class LegacyCost:
         From pressing the button to the finished part.
     commands, shown : int
         Commands, and those of them that play shows, which are all but comments.
+    drawn : float
+        Triangles of all meshes that play shows.
     memory_bytes : float
         Grid and mesh at the end.
     accuracy, resolution : float
@@ -135,6 +137,7 @@ class LegacyCost:
     play_seconds: float
     commands: int
     shown: int
+    drawn: float
     memory_bytes: float
     accuracy: float
     resolution: float
@@ -154,6 +157,11 @@ class LegacyCost:
     def last_mesh_seconds(self) -> float:
         """float : what fast-forward takes to make the last mesh and to show it, s."""
         return self.mesh_seconds + self.constants.display * self.facets
+
+    @property
+    def display_seconds(self) -> float:
+        """float : what play takes to show the commands and their meshes, s."""
+        return self.constants.redraw * self.shown + self.constants.display * self.drawn
 
 
 def legacy_costs(
@@ -210,18 +218,20 @@ def legacy_costs(
         cut = (constants.call * work.calls + constants.ring * work.rings
                + constants.line * work.line_steps + constants.cap * work.cap_steps)  # fmt: skip
         mesh = constants.cell * work.cells + constants.facet * facets
-        mean_mesh = constants.cell * work.cells + (constants.facet + constants.display) * facets * growth
+        drawn = meshes * facets * growth
         profile = constants.profile * (3 * tool.radius + float(tool.height(tool.radius))) / (0.05 * accuracy)
         each = np.bincount(made.command, cut, minlength=toolpath.commands)
         slower = float(np.maximum(each - constants.tick, 0).sum())
         cut_seconds = float(cut.sum())
-        shows = shown * constants.redraw + meshes * mean_mesh + cut_seconds
+        shows = (constants.redraw * shown + constants.cell * work.cells * meshes
+                 + (constants.facet + constants.display) * drawn + cut_seconds)  # fmt: skip
         costs.append(LegacyCost(
             fast_forward_seconds=panel_seconds(constants, toolpath.commands) + profile + slower + mesh
             + constants.display * facets,
             play_seconds=constants.start + profile + max(shows, shown / speed) + len(toolpath.comments) / speed,
             commands=toolpath.commands,
             shown=shown,
+            drawn=drawn,
             memory_bytes=_BYTES_PER_CELL * work.cells + constants.facet_bytes * facets,
             accuracy=accuracy,
             resolution=work.resolution,
@@ -269,13 +279,14 @@ def legacy_together(costs: Sequence[LegacyCost]) -> LegacyCost:
     each = sum(cost.fast_forward_seconds - cost.panel_seconds - cost.last_mesh_seconds for cost in costs)
     commands = sum(cost.commands for cost in costs)
     before = np.cumsum([0.0] + [cost.facets for cost in costs[:-1]])
-    drawn = constants.facet + constants.display
+    more = [cost.shown * kept for cost, kept in zip(costs, before.tolist())]
     return LegacyCost(
         fast_forward_seconds=panel_seconds(constants, commands) + each + mesh + constants.display * facets,
-        play_seconds=sum(c.play_seconds - constants.start + c.shown * drawn * f for c, f in zip(costs, before))
-        + constants.start,
+        play_seconds=sum(cost.play_seconds - constants.start for cost in costs)
+        + (constants.facet + constants.display) * sum(more) + constants.start,
         commands=commands,
         shown=sum(cost.shown for cost in costs),
+        drawn=sum(cost.drawn for cost in costs) + sum(more),
         memory_bytes=_BYTES_PER_CELL * cells + constants.facet_bytes * facets,
         accuracy=costs[0].accuracy,
         resolution=max(cost.resolution for cost in costs),

@@ -21,8 +21,8 @@ import Part
 from Path import Command as PathCommand
 from PathSimulator import PathSim
 
-from vkworkbench.core.fast_forward import fit_fast_forward
 from vkworkbench.core.legacy import LegacyCost, legacy_work
+from vkworkbench.core.legacy_panel import fit_fast_forward, fit_play
 from vkworkbench.core.linearize import linearize
 from vkworkbench.core.motions import motions
 from vkworkbench.core.opengl import SHORTEST_FRAME, OpenGLCost
@@ -42,9 +42,12 @@ _COLD_CACHE = 1.5
 # With measured constants the true number is within this factor (benchmarks/simulators.py).
 _CALIBRATED_FACTOR = 1.3
 # What is kept of real runs, and how it is read from the file.
-_RUNS = {"fast-forward": lambda pair: (int(pair[0]), float(pair[1])), "redraw": float, "draw": float}
+_RUNS = {
+    "fast-forward": lambda run: (int(run[0]), float(run[1])),
+    "play": lambda run: (int(run[0]), *(float(run[k]) for k in (1, 2, 3))),
+    "draw": float,
+}
 _SHORTEST_PLAY = 20  # commands
-_SHORTEST_REDRAW = 1e-3  # s; less is the error of what the mesh was said to take
 _LAST_RUNS = 15
 # Faster frames may have waited for the screen.
 _SLOW_FRAME = 1.5 * SHORTEST_FRAME
@@ -66,8 +69,9 @@ class Calibration:
     freecad, processor, renderer : str
         What it holds for.
     runs : dict of str to tuple
-        Of the last real runs: of every "fast-forward" the commands and what it took beyond cutting, s; what plays said
-        of the constant "redraw", and OpenGL's frames of "draw", s.
+        Of the last real runs: of every "fast-forward" the commands and what it took beyond cutting, s; of every "play"
+        the commands, the triangles and what it took to show them and in all, s; what OpenGL's frames said of the
+        constant "draw", s.
     """
 
     constants: Constants
@@ -208,9 +212,10 @@ def learn(cost: LegacyCost, seconds: float, *, played: bool, renderer: str = "")
     if known is None or (played and cost.shown < _SHORTEST_PLAY):
         return None
     if played:
-        redraw = known.constants.redraw + (seconds - cost.play_seconds) / cost.shown
-        return _learn(known, "redraw", max(redraw, _SHORTEST_REDRAW))
-    return _learn(known, "fast-forward", seconds - cost.fast_forward_seconds + cost.panel_seconds, cost.commands)
+        display = seconds - cost.play_seconds + cost.display_seconds
+        return _learn(known, "play", (cost.shown, cost.drawn, display, seconds))
+    panel = seconds - cost.fast_forward_seconds + cost.panel_seconds
+    return _learn(known, "fast-forward", (cost.commands, panel)) if panel > 0 else None
 
 
 def learn_frame(cost: OpenGLCost, seconds: float, *, renderer: str) -> Calibration | None:
@@ -235,24 +240,24 @@ def learn_frame(cost: OpenGLCost, seconds: float, *, renderer: str) -> Calibrati
     if known is None or seconds < _SLOW_FRAME:
         return None
     frame, draw = known.constants.frame, known.constants.draw
-    return _learn(known, "draw", draw * (seconds - frame) / (cost.frame_seconds - frame))
+    taught = draw * (seconds - frame) / (cost.frame_seconds - frame)
+    return _learn(known, "draw", taught) if taught > 0 else None
 
 
-def _learn(known: Calibration, name: str, seconds: float, commands: int | None = None) -> Calibration | None:
-    if not seconds > 0:
-        return None
-    run = seconds if commands is None else (commands, seconds)
+def _learn(known: Calibration, name: str, run: float | tuple) -> Calibration:
     return _remember(replace(known, runs=known.runs | {name: (*known.runs[name], run)[-_LAST_RUNS:]}))
 
 
 def _remember(calibration: Calibration) -> Calibration:
     """Apply what runs taught, write the calibration to the file, and return it."""
     runs = calibration.runs
-    learned = {name: median_low(runs[name]) for name in ("redraw", "draw") if runs[name]}
+    learned = {}
     if runs["fast-forward"]:
         learned |= zip(("start", "tick", "repaint"), fit_fast_forward(*np.array(runs["fast-forward"]).T))
-    if "draw" in learned:
-        learned["opengl_factor"] = _CALIBRATED_FACTOR
+    if runs["play"]:
+        learned |= zip(("redraw", "display"), fit_play(*np.array(runs["play"]).T))
+    if runs["draw"]:
+        learned |= {"draw": median_low(runs["draw"]), "opengl_factor": _CALIBRATED_FACTOR}
     calibration = replace(calibration, constants=replace(calibration.constants, **learned))
     _write({_key(calibration.renderer): asdict(calibration)})
     return calibration
