@@ -16,6 +16,8 @@ _PERCENTS = 100
 # s: start, tick and repaint of fast-forward; redraw and display of play.
 _USUAL_FAST_FORWARD, _LEAST_FAST_FORWARD = np.array([0.5, 0.2e-3, 0.02]), np.array([0.0, 1e-3, 0.0])
 _USUAL_PLAY, _LEAST_PLAY = np.array([0.03, 2e-6]), np.array([1e-3, 0.0])
+# Commands of a fast-forward that tells how long a tick is; a shorter one is mostly start and repaint.
+_LONG = 500
 # The weight of the defaults against a run.
 _PRIOR = 0.02
 # Relative errors below this count as equal, and rounds of the reweighting.
@@ -38,6 +40,9 @@ def panel_seconds(constants: Constants, commands: int) -> float:
 def fit_fast_forward(commands: np.ndarray, seconds: np.ndarray) -> tuple[float, float, float]:
     """Find start, tick and repaint that explain real fast-forwards.
 
+    Short ones have no say in the tick: what makes them differ by a fifth of a second would make a tick wrong that long
+    ones have thousands of.
+
     Parameters
     ----------
     commands : (k,) ndarray
@@ -49,7 +54,18 @@ def fit_fast_forward(commands: np.ndarray, seconds: np.ndarray) -> tuple[float, 
     start, tick, repaint : float
         s, as in :class:`Constants`.
     """
-    return _fit(_work(commands), seconds, seconds, _of(DEFAULTS), _USUAL_FAST_FORWARD, _LEAST_FAST_FORWARD)
+    work, long = _work(commands), commands >= _LONG
+    default, usual, least = _of(DEFAULTS), _USUAL_FAST_FORWARD, _LEAST_FAST_FORWARD
+    ticks = np.where(long, commands, 0)
+    _, tick, _ = _fit(
+        np.column_stack((work[:, 0], ticks, work[:, 2])), seconds - DEFAULTS.tick * (commands - ticks), seconds,
+        default, usual, least,
+    )  # fmt: skip
+    others = [0, 2]
+    start, repaint = _fit(
+        work[:, others], seconds - tick * commands, seconds, default[others], usual[others], least[others]
+    )
+    return start, tick, repaint
 
 
 def fit_play(
@@ -78,7 +94,7 @@ def _fit(work, part_seconds, seconds, default, usual, least) -> tuple[float, ...
 
     Least absolute deviations by reweighted least squares (Schlossmacher 1973), so that an odd run does no harm, from
     the runs, relative to their time or to the time found if that is more, and from the defaults: runs of one kind
-    tell one number, and short ones nothing of the tick.
+    tell one number.
     """
     found = default / usual
     for _ in range(_ROUNDS):
