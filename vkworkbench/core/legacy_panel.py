@@ -14,7 +14,7 @@ from vkworkbench.core.simulators import DEFAULTS, Constants
 _PERCENTS = 100
 # How far the constants usually lie from the defaults, and what they are at least (the tick is that of a timer of 1 ms),
 # s: start, tick and repaint of fast-forward; redraw and display of play.
-_USUAL_FAST_FORWARD, _LEAST_FAST_FORWARD = np.array([0.5, 0.2e-3, 0.02]), np.array([0.0, 1e-3, 0.0])
+_USUAL_FAST_FORWARD, _LEAST_FAST_FORWARD = np.array([0.5, 0.3e-3, 0.02]), np.array([0.0, 1e-3, 0.0])
 _USUAL_PLAY, _LEAST_PLAY = np.array([0.03, 2e-6]), np.array([1e-3, 0.0])
 # Commands of a fast-forward that tells how long a tick is; a shorter one is mostly start and repaint.
 _LONG = 500
@@ -23,6 +23,8 @@ _PRIOR = 0.02
 # Relative errors below this count as equal, and rounds of the reweighting.
 _EXACT = 0.05
 _ROUNDS = 30
+# How often the short fast-forwards are looked at with the tick that the long ones told.
+_ROUNDS_OF_TICK = 5
 
 
 def panel_seconds(constants: Constants, commands: int) -> float:
@@ -54,18 +56,13 @@ def fit_fast_forward(commands: np.ndarray, seconds: np.ndarray) -> tuple[float, 
     start, tick, repaint : float
         s, as in :class:`Constants`.
     """
-    work, long = _work(commands), commands >= _LONG
+    work, ticks = _work(commands), np.where(commands >= _LONG, commands, 0)
     default, usual, least = _of(DEFAULTS), _USUAL_FAST_FORWARD, _LEAST_FAST_FORWARD
-    ticks = np.where(long, commands, 0)
-    _, tick, _ = _fit(
-        np.column_stack((work[:, 0], ticks, work[:, 2])), seconds - DEFAULTS.tick * (commands - ticks), seconds,
-        default, usual, least,
-    )  # fmt: skip
-    others = [0, 2]
-    start, repaint = _fit(
-        work[:, others], seconds - tick * commands, seconds, default[others], usual[others], least[others]
-    )
-    return start, tick, repaint
+    voting = np.column_stack((work[:, 0], ticks, work[:, 2]))
+    found = tuple(default.tolist())
+    for _ in range(_ROUNDS_OF_TICK):
+        found = _fit(voting, seconds - found[1] * (commands - ticks), seconds, default, usual, least)
+    return found
 
 
 def fit_play(
