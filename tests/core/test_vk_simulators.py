@@ -9,7 +9,8 @@ import math
 import numpy as np
 import pytest
 
-from vkworkbench.core.heightmap import floors, heightmaps
+from vkworkbench.core.floors import floors
+from vkworkbench.core.heightmap import heightmaps
 from vkworkbench.core.legacy import SLIDER, legacy_costs, legacy_together, legacy_work
 from vkworkbench.core.legacy_mesh import bottom_rectangles, mesh_facets
 from vkworkbench.core.legacy_panel import fit_fast_forward, fit_play

@@ -115,10 +115,9 @@ def test_a_run_of_the_opengl_simulator_teaches(calibrated, window):
 
 
 def test_the_end_of_a_play_is_found_while_other_programs_run():
-    growing = [0.03 + 0.0015 * k for k in range(70)]
-    finished = [0.021] * 80
-    frames = growing + finished
+    growing, finished = 0.03 + 0.0015 * np.arange(70), np.full(80, 0.021)
+    frames = np.concatenate((growing, finished))
     for begin, end in ((5, 12), (35, 42), (60, 64), (70, 90)):
-        frames[begin:end] = [2.5 * seconds for seconds in frames[begin:end]]
-    assert _played(np.cumsum([0, *frames])) == 70
-    assert _played(np.cumsum(growing)) == _played(np.cumsum(finished)) == _played([]) == 0
+        frames[begin:end] *= 2.5
+    assert _played(frames) == 70
+    assert _played(growing) == _played(finished) == _played(frames[:0]) == 0

@@ -12,7 +12,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from vkworkbench.core.heightmap import floors, heightmaps
+from vkworkbench.core.floors import floors
+from vkworkbench.core.heightmap import heightmaps
 from vkworkbench.core.legacy_mesh import BOX, mesh_facets
 from vkworkbench.core.legacy_panel import panel_seconds
 from vkworkbench.core.motions import Motions, motions

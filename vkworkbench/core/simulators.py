@@ -24,7 +24,7 @@ class Constants:
 
     The defaults were measured with FreeCAD 0.20.2, 1.0.0 and 1.1.3 on two Xeon cores without a graphics card;
     ``frame``, ``draw`` and ``fill`` are a guess for a graphics card, none was there; software rendering took 30e-3,
-    19e-6 and 750. ``document/calibration.py`` measures them on the user's computer.
+    19e-6 and 750, and 57e-3 to redraw. ``document/calibration.py`` measures them on the user's computer.
 
     Attributes
     ----------

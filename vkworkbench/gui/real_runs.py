@@ -122,8 +122,9 @@ class OpenGLRun(QObject):
 
     def _closed(self) -> None:
         (simulated, quality), times, self._times = self._simulated, self._times, []
-        played = _played(times)
-        if not simulated or not played:
+        frames = np.diff(times)
+        played = _played(frames) if simulated else 0
+        if not played:
             return
         renderer = note_renderer()
         speeds = opengl_speeds(calibration.freecad_version())
@@ -134,17 +135,16 @@ class OpenGLRun(QObject):
                 for path, tool, stock in simulated
             ])  # fmt: skip
             if any(_FEWEST < played * speed / cost.steps < _MOST for speed in speeds):
-                frame = float(np.median(np.diff(times)[played - _LAST_FRAMES : played]))
+                frame = float(np.median(frames[played - _LAST_FRAMES : played]))
                 calibration.learn_frame(cost, frame, renderer=renderer)
 
 
-def _played(times: list[float]) -> int:
+def _played(frames: np.ndarray) -> int:
     """Return the number of frames until all was drawn, 0 where it was not.
 
     Frames grow with what they draw, and all after the last are alike: the end is where two such lines fit best. They
     are fitted with medians, because other programs make frames slow for a while.
     """
-    frames = np.diff(times)
     if not 2 * _LAST_FRAMES <= len(frames) <= _MOST_FRAMES:
         return 0
     count = np.arange(1, len(frames) + 1)
