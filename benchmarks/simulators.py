@@ -7,7 +7,8 @@
 Cuts the operations of the example job and, where the environment variable VKWORKBENCH_CORPUS names files of
 JSON lines (id, label, tool_diameter, stock, commands; optionally gzipped, separated by colons), up to 60 of
 each. Errors are ratios, the larger of prediction and truth over the smaller. Timings need a quiet computer; runs from
-which a virtual machine's host took time are left out.
+which a virtual machine's host took time are left out, and the shortest of those of one simulation counts: what it takes
+where nothing disturbs it, as in the calibration.
 """
 
 from __future__ import annotations
@@ -21,7 +22,6 @@ import tempfile
 import time
 import traceback
 from pathlib import Path
-from statistics import median
 
 import FreeCAD
 import numpy as np
@@ -46,7 +46,7 @@ ACCURACIES = (0.1, 0.5, 1.0)
 MOST = 60
 OUT = sys.__stdout__
 MOST_STOLEN = 0.03  # of a run's time
-TIMES = 3  # how often each simulation is run in a window
+ROUNDS = 3  # how often each simulation is run in a window
 FEW = 1000  # triangles; fewer count as so many: they take no time
 
 
@@ -188,14 +188,21 @@ def straight(commands, resolution, top):
     return made
 
 
-def repeated(run):
-    """Run some times; return the median of the seconds, None if one did not end, and whether the host took time."""
-    before, seconds = stolen(), []
-    while len(seconds) < TIMES:
-        seconds.append(run())
-        if seconds[-1] is None:
-            return None, False
-    return median(seconds), stolen() - before > MOST_STOLEN * sum(seconds)
+def in_rounds(runs):
+    """Run each of some simulations a few times, in turns: a slow minute of the computer spoils one time of each only.
+
+    Return the seconds of each, those left out from which the host took time; None if it did not end.
+    """
+    times = [[] for _ in runs]
+    for _ in range(ROUNDS):
+        for run, seconds in zip(runs, times):
+            if None in seconds:
+                continue
+            before = stolen()
+            taken = run()
+            if taken is None or stolen() - before <= MOST_STOLEN * taken:
+                seconds.append(taken)
+    return [None if None in seconds else seconds for seconds in times]
 
 
 def stolen() -> float:

@@ -3,7 +3,9 @@
 
 from __future__ import annotations
 
+import math
 import time
+from functools import partial
 from statistics import median
 
 import FreeCAD
@@ -14,7 +16,7 @@ import Path
 from CAMSimulator import PathSim
 from opengl_window import FASTER, PLAY, click
 from PySide import QtCore, QtGui
-from simulators import repeated
+from simulators import in_rounds
 
 from vkworkbench.core import linearize
 from vkworkbench.core.opengl import opengl_cost
@@ -23,6 +25,7 @@ from vkworkbench.document.calibration import constants, freecad_version
 
 RENDERER = "llvmpipe"  # under Xvfb
 LONGEST = 8.0  # s
+PATIENCE = 60.0  # s
 
 
 class Frames(QtCore.QObject):
@@ -44,36 +47,35 @@ def run(samples, out):
     Each prediction is scaled by the median of what the runs before it took, compared with theirs.
     """
     FreeCADGui.activateWorkbench("CAMWorkbench")  # which loads the pictures of the simulator's buttons
-    ratios, scales, left_out = [], [], 0
     speed = max(opengl_speeds(freecad_version()))
     simulator = PathSim()
+    cases = []
     for label, commands, tool, stock in [*lines_and_arcs(samples[0]), *samples]:
         cost = opengl_cost(
             linearize(commands), diameter=tool.diameter, stock=stock, speeds=(speed,), constants=constants(RENDERER)
         )
+        if 1 < cost.play_seconds[speed] < LONGEST:
+            frames = -(-cost.steps // speed)
+            cases.append((label, cost, partial(play, simulator, commands, tool, stock, frames)))
+    durations = in_rounds([playing for _, _, playing in cases])
+    ratios, scales = [], []
+    for (label, cost, _), seconds in zip(cases, durations):
+        heading = f"  OpenGL  {label:40.40}{cost.draws:7} draw calls"
+        if seconds is None:
+            print(f"{heading}  did not play", file=out)
+            continue
         unscaled = cost.play_seconds[speed]
-        predicted = unscaled * median(scales or [1.0])
-        if not 1 < unscaled < LONGEST:
+        predicted, true = unscaled * median(scales or [1.0]), min(seconds, default=math.nan)
+        each = " ".join(f"{taken:.2f}" for taken in seconds)
+        print(f"{heading}  {predicted:7.2f} s  {true:7.2f} s  of {each}", file=out)
+        if not seconds:
             continue
-        frames, patience = -(-cost.steps // speed), 10 + 4 * predicted
-        true, disturbed = repeated(lambda: play(simulator, commands, tool, stock, frames, patience))
-        if disturbed:
-            left_out += 1
-            continue
-        if true is None:
-            print(f"  OpenGL  {label:40.40}{cost.draws:7} draw calls  did not play", file=out, flush=True)
-            continue
-        print(
-            f"  OpenGL  {label:40.40}{cost.draws:7} draw calls  {predicted:7.2f} s  {true:7.2f} s",
-            file=out,
-            flush=True,
-        )
         if scales:
             ratios.append(max(predicted / true, true / predicted))
         scales.append(true / unscaled)
     quantiles = " / ".join(f"{q:.2f}" for q in np.percentile(ratios, (50, 90, 100)))
     print(f"OpenGL play, {len(ratios)} runs, ratio median / p90 / worst: {quantiles}", file=out)
-    print(f"left out, the host took time from them: {left_out} runs", file=out)
+    print(f"left out, the host took time from them: {durations.count([])} of {len(durations)}", file=out, flush=True)
 
 
 def lines_and_arcs(sample):
@@ -92,7 +94,7 @@ def lines_and_arcs(sample):
     yield "40 arcs", [start, *half], tool, stock
 
 
-def play(simulator, commands, tool, stock, frames, patience):
+def play(simulator, commands, tool, stock, frames):
     """Play at the fastest speed; return the seconds that the frames took, None if it did not play so many."""
     simulator.ResetSimulation()
     simulator.AddTool(profile(tool), 1, tool.diameter, 1)
@@ -109,7 +111,7 @@ def play(simulator, commands, tool, stock, frames, patience):
     window.installEventFilter(seen)
     begin = time.perf_counter()
     click(window, *PLAY)
-    while len(seen.times) < frames and time.perf_counter() - begin < patience:
+    while len(seen.times) < frames and time.perf_counter() - begin < PATIENCE:
         wait(0.1)
     window.removeEventFilter(seen)
     played = picture(window) != still

@@ -4,7 +4,9 @@
 from __future__ import annotations
 
 import importlib
+import math
 import time
+from functools import partial
 from types import SimpleNamespace
 
 import FreeCAD
@@ -13,7 +15,7 @@ import numpy as np
 import Part
 import Path
 from PySide import QtCore
-from simulators import repeated, shape, stolen
+from simulators import in_rounds, shape, stolen
 
 from vkworkbench.core import linearize
 from vkworkbench.core.legacy import legacy_costs
@@ -27,40 +29,49 @@ ENOUGH = 5  # runs that teach before a prediction counts
 
 
 def run(samples, out):
-    """Simulate every sample, each predicted with what the runs before it taught, and print the ratios."""
+    """Simulate every sample, predict each with what the ones before it taught, and print the ratios."""
     calibrate_undisturbed()
     panel = open_panel()
+    cases = [
+        (kind, label, commands, tool, stock)
+        for label, commands, tool, stock in [*odd_arcs(), *samples]
+        for kind, longest in LONGEST.items()
+        if len(commands) <= longest
+    ]
+    durations = in_rounds([partial(simulate, panel, *case) for case in cases])
     ratios = {kind: [] for kind in LONGEST}
-    left_out = 0
-    for label, commands, tool, stock in [*odd_arcs(), *samples]:
+    for (kind, label, commands, tool, stock), seconds in zip(cases, durations):
+        heading = f"  {kind:13}{label:40.40}{len(commands):6} commands"
         path = linearize(commands)
         hangs = [c for c in preflight(commands, path, version=freecad_version()) if c.code == "legacy-hangs"]
-        for kind, longest in LONGEST.items():
-            if len(commands) > longest:
-                continue
-            (cost,) = legacy_costs(path, tool=tool, stock=stock, constants=constants(RENDERER))
-            predicted = cost.play_seconds if kind == "play" else cost.fast_forward_seconds
-            patience = 10 + 5 * predicted
-            true, disturbed = repeated(lambda: simulate(panel, kind, commands, tool, stock, patience))
-            if disturbed:
-                left_out += 1
-                continue
-            if true is None:
-                said = "announced" if hangs else "NOT announced"
-                print(
-                    f"  {kind:13}{label:40.40}{len(commands):6} commands  hangs, {said}", file=out, flush=True
-                )
-                break
-            line = f"  {kind:13}{label:40.40}{len(commands):6} commands  {predicted:7.2f} s  {true:7.2f} s"
-            print(line + ("  a hang announced in vain" if hangs else ""), file=out, flush=True)
-            if len(load(RENDERER).runs.get(kind, ())) >= ENOUGH:
-                ratios[kind].append(max(predicted / true, true / predicted))
-            learn(cost, true, played=kind == "play", renderer=RENDERER)
+        if seconds is None:
+            print(f"{heading}  hangs, {'announced' if hangs else 'NOT announced'}", file=out)
+            continue
+        cost = cost_of(path, tool, stock)
+        predicted, true = seconds_of(cost, kind), min(seconds, default=math.nan)
+        each = " ".join(f"{taken:.2f}" for taken in seconds)
+        vain = "  a hang announced in vain" if hangs else ""
+        print(f"{heading}  {predicted:7.2f} s  {true:7.2f} s  of {each}{vain}", file=out)
+        if not seconds:
+            continue
+        if len(load(RENDERER).runs[kind]) >= ENOUGH:
+            ratios[kind].append(max(predicted / true, true / predicted))
+        learn(cost, true, played=kind == "play", renderer=RENDERER)
     for kind, values in ratios.items():
         if values:
             quantiles = " / ".join(f"{q:.2f}" for q in np.percentile(values, (50, 90, 100)))
             print(f"{kind}, {len(values)} runs, ratio median / p90 / worst: {quantiles}", file=out)
-    print(f"left out, the host took time from them: {left_out} runs", file=out)
+    print(f"left out, the host took time from them: {durations.count([])} of {len(durations)}", file=out)
+
+
+def cost_of(path, tool, stock):
+    """Predict what a path costs, with what is known now."""
+    return legacy_costs(path, tool=tool, stock=stock, constants=constants(RENDERER))[0]
+
+
+def seconds_of(cost, kind):
+    """The predicted time of a kind of simulation."""
+    return cost.play_seconds if kind == "play" else cost.fast_forward_seconds
 
 
 def calibrate_undisturbed():
@@ -103,12 +114,13 @@ def open_panel():
     return panel
 
 
-def simulate(panel, kind, commands, tool, stock, patience):
+def simulate(panel, kind, label, commands, tool, stock):
     """Simulate a stand-in for an operation; return the seconds, None if it did not end."""
+    patience = 10 + 5 * seconds_of(cost_of(linearize(commands), tool, stock), kind)
     operation = SimpleNamespace(
         Path=Path.Path([Path.Command(name, words) for name, words in commands]),
         ToolController=SimpleNamespace(Tool=SimpleNamespace(Shape=shape(tool), Name="tool")),
-        Name="operation",
+        Name=label,
     )
     box = Part.makeBox(*(stock.upper - stock.lower), FreeCAD.Vector(*stock.lower))
     panel.operations = [operation]

@@ -412,7 +412,7 @@ def play(path, diameter, speed, constants):
             drawn += [drawn[-1] + (9 if np.hypot(*move[:2]) < 1e-6 else 18) + filled] * max(
                 1, int(np.linalg.norm(move) / 0.5)
             )
-    return sum(max(1 / 30, constants.frame + constants.draw * draws) for draws in drawn[speed::speed])
+    return sum(max(constants.frame, constants.draw * draws) for draws in drawn[speed::speed])
 
 
 @pytest.mark.parametrize("speed", [1, 10, 40])

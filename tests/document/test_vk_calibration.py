@@ -44,7 +44,7 @@ def test_each_renderer_has_its_own(folder):
     calibration.calibrate("card")
     assert calibration.load("llvmpipe (LLVM 19)") is None
     slow = calibration.constants("llvmpipe (LLVM 19)")
-    assert slow.draw > 10 * DEFAULTS.draw and slow.frame > DEFAULTS.frame
+    assert slow.draw > 5 * DEFAULTS.draw and slow.fill > DEFAULTS.fill
     assert (slow.repaint > 0) == (calibration.freecad_version() >= (1, 1)) and slow.redraw > DEFAULTS.redraw
     calibration.calibrate("llvmpipe (LLVM 19)")
     assert calibration.load("card").renderer == "card"

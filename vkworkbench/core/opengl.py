@@ -21,8 +21,6 @@ from vkworkbench.core.toolpath import Toolpath
 _SMALLEST_STEP, _LARGEST_STEP = np.pi / 90, np.pi / 2
 # Renders of a motion in one frame: four passes of two stencil steps, one of colour (MillSimulation.cpp).
 _PASSES = 9
-# It waits for every second refresh of a 60 Hz screen.
-SHORTEST_FRAME = 1 / 30
 # Height of a tool as it is drawn, mm; bits are 20 to 50 mm long.
 _TOOL_HEIGHT = 30.0
 # Parts of an operation whose frames are looked at where others were played before.
@@ -100,8 +98,8 @@ class OpenGLCost:
 
     Attributes
     ----------
-    frame_seconds : float
-        One frame at the end; the display is that slow whenever the part is turned.
+    drawing_seconds : float
+        Drawing all motions once.
     play_seconds : dict of int to float
         Time to play for each speed, steps per frame.
     memory_bytes : float
@@ -116,13 +114,18 @@ class OpenGLCost:
         What the unit work was said to cost.
     """
 
-    frame_seconds: float
+    drawing_seconds: float
     play_seconds: dict[int, float]
     memory_bytes: float
     draws: int
     arc_draws: int
     steps: int
     constants: Constants
+
+    @property
+    def frame_seconds(self) -> float:
+        """float : one frame at the end, s; the display is that slow whenever the part is turned."""
+        return max(self.constants.frame, self.drawing_seconds)
 
     @property
     def fastest_seconds(self) -> float:
@@ -143,7 +146,8 @@ def opengl_cost(
 
     A frame draws a straight motion with two calls in each of nine passes, a vertical one with one and an arc
     with one per chord, for all that was cut so far: playing takes a time of the order of the square of the
-    motions. What a motion fills of the window counts as draw calls too; the window shows the whole stock.
+    motions. What a motion fills of the window counts as draw calls too; the window shows the whole stock. Drawing
+    goes on beside what a frame always takes, so the longer of the two counts.
 
     Parameters
     ----------
@@ -175,10 +179,10 @@ def opengl_cost(
 
     # Mean frame of every motion: a line is drawn whole at once, an arc grows chord by chord.
     before = np.cumsum(drawing) - drawing
-    frames = np.maximum(constants.frame + before + np.where(arc, drawing / 2, drawing), SHORTEST_FRAME)
+    frames = np.maximum(before + np.where(arc, drawing / 2, drawing), constants.frame)
     total = float((steps * frames).sum())
     return OpenGLCost(
-        frame_seconds=constants.frame + float(drawing.sum()),
+        drawing_seconds=float(drawing.sum()),
         play_seconds={speed: total / speed for speed in speeds},
         memory_bytes=float(np.where(arc, constants.arc_bytes, constants.line_bytes).sum()),
         draws=int(draws.sum()),
@@ -206,13 +210,12 @@ def opengl_together(costs: Sequence[OpenGLCost]) -> OpenGLCost:
     part = (np.arange(_PARTS) + 0.5) / _PARTS
     before = longer = 0.0
     for cost in costs:
-        drawing = cost.frame_seconds - constants.frame
-        alone = constants.frame + drawing * part
-        added = np.maximum(alone + before, SHORTEST_FRAME) - np.maximum(alone, SHORTEST_FRAME)
+        alone = cost.drawing_seconds * part
+        added = np.maximum(before + alone, constants.frame) - np.maximum(alone, constants.frame)
         longer += cost.steps * float(added.mean())
-        before += drawing
+        before += cost.drawing_seconds
     return OpenGLCost(
-        frame_seconds=constants.frame + before,
+        drawing_seconds=before,
         play_seconds={s: sum(c.play_seconds[s] for c in costs) + longer / s for s in costs[0].play_seconds},
         memory_bytes=sum(cost.memory_bytes for cost in costs),
         draws=sum(cost.draws for cost in costs),

@@ -23,8 +23,8 @@ class Constants:
     """What one unit of work costs on one computer, seconds and bytes.
 
     The defaults were measured with FreeCAD 0.20.2, 1.0.0 and 1.1.3 on two Xeon cores without a graphics card;
-    ``frame``, ``draw`` and ``fill`` are a guess for a graphics card, none was there; software rendering took 30e-3,
-    19e-6 and 750, and 57e-3 to redraw. ``document/calibration.py`` measures them on the user's computer.
+    ``draw`` and ``fill`` are a guess for a graphics card, none was there; software rendering took 10e-6 and 1400,
+    25e-3 for a frame, and 57e-3 to redraw. ``document/calibration.py`` measures them on the user's computer.
 
     Attributes
     ----------
@@ -49,7 +49,7 @@ class Constants:
     facet_bytes : float
         Legacy: memory of one triangle.
     frame, draw : float
-        OpenGL: one frame with nothing cut, one draw call.
+        OpenGL: one frame, however little it draws (every second refresh of a 60 Hz screen), and one draw call.
     fill : float
         OpenGL: drawing a surface as large as a square on the stock's diagonal, in draw calls.
     line_bytes, arc_bytes : float
@@ -71,7 +71,7 @@ class Constants:
     display: float = 3e-6
     profile: float = 0.1e-3
     facet_bytes: float = 150.0
-    frame: float = 2e-3
+    frame: float = 1 / 30
     draw: float = 1.5e-6
     fill: float = 150.0
     line_bytes: float = 900.0

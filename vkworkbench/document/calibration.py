@@ -25,16 +25,16 @@ from vkworkbench.core.legacy import LegacyCost, legacy_work
 from vkworkbench.core.legacy_panel import fit_fast_forward, fit_play
 from vkworkbench.core.linearize import linearize
 from vkworkbench.core.motions import motions
-from vkworkbench.core.opengl import SHORTEST_FRAME, OpenGLCost
+from vkworkbench.core.opengl import OpenGLCost
 from vkworkbench.core.resources import Speed
 from vkworkbench.core.simulators import DEFAULTS, Constants
 from vkworkbench.core.solids import Stock
 from vkworkbench.core.speed import measure_speed
 
-# Names of OpenGL renderers on the processor, and what a frame, a draw call and filling surfaces were measured to take
-# there.
+# Names of OpenGL renderers on the processor, and what a frame, which waits for no screen, a draw call and filling
+# surfaces were measured to take there.
 _SOFTWARE = ("llvmpipe", "softpipe", "swr", "swiftshader", "gdi generic", "microsoft basic render")
-_SOFTWARE_OPENGL = {"frame": 30e-3, "draw": 19e-6, "fill": 750.0}
+_SOFTWARE_OPENGL = {"frame": 25e-3, "draw": 10e-6, "fill": 1400.0}
 # What a command of a play takes to show there. Qt 6, with which FreeCAD 1.1 comes, then also paints the window on the
 # processor, in play and at every new percent of a fast-forward.
 _SOFTWARE_REDRAW, _SOFTWARE_REPAINT, _REPAINTS_SINCE = 57e-3, 30e-3, (1, 1)
@@ -50,8 +50,8 @@ _RUNS = {
 }
 _SHORTEST_PLAY = 20  # commands
 _LAST_RUNS = 15
-# Faster frames may have waited for the screen.
-_SLOW_FRAME = 1.5 * SHORTEST_FRAME
+# A frame that takes less than this many of the shortest may have waited for the screen.
+_SLOW_FRAME = 1.5
 # What the benchmark cuts.
 _STOCK = Stock((0, 0, 0), (100, 60, 20))
 _BOX = Part.makeBox(100, 60, 20)
@@ -238,11 +238,9 @@ def learn_frame(cost: OpenGLCost, seconds: float, *, renderer: str) -> Calibrati
         may have waited for the screen.
     """
     known = load(renderer)
-    if known is None or seconds < _SLOW_FRAME:
+    if known is None or seconds < _SLOW_FRAME * known.constants.frame or not cost.drawing_seconds:
         return None
-    frame, draw = known.constants.frame, known.constants.draw
-    taught = draw * (seconds - frame) / (cost.frame_seconds - frame)
-    return _learn(known, "draw", taught) if taught > 0 else None
+    return _learn(known, "draw", known.constants.draw * seconds / cost.drawing_seconds)
 
 
 def _learn(known: Calibration, name: str, run: float | tuple) -> Calibration:
