@@ -23,8 +23,8 @@ class Constants:
     """What one unit of work costs on one computer, seconds and bytes.
 
     The defaults were measured with FreeCAD 0.20.2, 1.0.0 and 1.1.3 on two Xeon cores without a graphics card;
-    ``draw`` and ``fill`` are a guess for a graphics card, none was there; software rendering took 10e-6 and 1400,
-    25e-3 for a frame, and 57e-3 to redraw. ``document/calibration.py`` measures them on the user's computer.
+    ``draw`` and ``fill`` are a guess for a graphics card, none was there; software rendering took 18e-6 and 1000,
+    36e-3 for a frame, and 57e-3 to redraw. ``document/calibration.py`` measures them on the user's computer.
 
     Attributes
     ----------
