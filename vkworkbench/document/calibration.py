@@ -51,7 +51,7 @@ _RUNS = {
 _SHORTEST_PLAY = 20  # commands
 _LAST_RUNS = 15
 # A frame that takes less than this many of the shortest may have waited for the screen.
-_SLOW_FRAME = 1.5
+_SLOW_FRAME = 1.25
 # What the benchmark cuts.
 _STOCK = Stock((0, 0, 0), (100, 60, 20))
 _BOX = Part.makeBox(100, 60, 20)
