@@ -12,6 +12,7 @@ import pytest
 
 from vkworkbench.core import Speed, linearize
 from vkworkbench.core.legacy import legacy_costs
+from vkworkbench.core.opengl import opengl_cost
 from vkworkbench.core.simulators import DEFAULTS, Constants
 from vkworkbench.core.solids import Stock, Tool
 from vkworkbench.document import calibration
@@ -113,6 +114,21 @@ def test_real_runs_teach_fast_forward_and_the_display(folder, monkeypatch):
     assert learned.start == pytest.approx(0.9, rel=0.1) and learned.tick == pytest.approx(3e-3, rel=0.05)
     assert learned.repaint == pytest.approx(0.03, rel=0.1) and learned.redraw == pytest.approx(0.2, rel=0.02)
     assert learned.display == pytest.approx(DEFAULTS.display, rel=0.2)
+
+
+def test_the_last_frame_teaches_the_draw_call_unless_it_waited_for_the_screen(folder):
+    calibration.calibrate("card")
+    rows = linearize([("G1", {"X": 10.0 + 60 * (i % 2), "Y": 0.1 * i, "Z": 10.0, "F": 5.0}) for i in range(400)])
+
+    def cost(path=rows, **constants):
+        known = replace(calibration.constants("card"), **constants)
+        return opengl_cost(path, diameter=6.0, stock=Stock((0, 0, 0), (100, 60, 20)), constants=known)
+
+    assert calibration.learn_frame(cost(), 1.1 * DEFAULTS.frame, renderer="card") is None
+    assert calibration.learn_frame(cost(linearize([])), 1.0, renderer="card") is None
+    slow = cost(draw=50e-6).frame_seconds
+    assert calibration.learn_frame(cost(), slow, renderer="card").constants.draw == pytest.approx(50e-6)
+    assert cost().frame_seconds == pytest.approx(slow) and cost().play_seconds == cost(draw=50e-6).play_seconds
 
 
 def test_one_odd_run_does_no_harm_and_a_new_benchmark_forgets_nothing(folder):
