@@ -111,8 +111,7 @@ def headless(samples):
         for name, values in zip(
             ("cutting", "triangles", "mesh from true triangles", "mesh"), np.array(rows).T
         ):
-            quantiles = " / ".join(f"{q:.2f}" for q in np.percentile(values, (50, 90, 100)))
-            print(f"  accuracy {accuracy:.1f} %  {name:26}{quantiles}", file=OUT)
+            print(f"  accuracy {accuracy:.1f} %  {name:26}{quantiles(values)}", file=OUT)
         bias = np.median(np.array(rows)[:, 4])
         print(f"  accuracy {accuracy:.1f} %  {'mesh, predicted / true':26}{bias:.2f}", file=OUT)
 
@@ -203,6 +202,27 @@ def in_rounds(runs):
             if taken is None or stolen() - before <= MOST_STOLEN * taken:
                 seconds.append(taken)
     return [None if None in seconds else seconds for seconds in times]
+
+
+def beside(predicted, seconds):
+    """A prediction in words, the shortest of the seconds that the runs took, which counts, and all of them."""
+    each = " ".join(f"{taken:.2f}" for taken in seconds)
+    return f"{predicted:7.2f} s  {min(seconds, default=math.nan):7.2f} s  of {each}"
+
+
+def left_out(durations):
+    """How many simulations have no undisturbed run, in words."""
+    return f"left out, the host took time from them: {durations.count([])} of {len(durations)}"
+
+
+def summary(kind, ratios):
+    """The ratios of a kind of simulation in words."""
+    return f"{kind}, {len(ratios)} runs, ratio median / p90 / worst: {quantiles(ratios)}"
+
+
+def quantiles(ratios):
+    """Their median, 90th percentile and largest in words."""
+    return " / ".join(f"{q:.2f}" for q in np.percentile(ratios, (50, 90, 100)))
 
 
 def stolen() -> float:

@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import math
 import time
 from functools import partial
 from statistics import median
@@ -16,7 +15,7 @@ import Path
 from CAMSimulator import PathSim
 from opengl_window import FASTER, PLAY, click
 from PySide import QtCore, QtGui
-from simulators import in_rounds
+from simulators import beside, in_rounds, left_out, summary
 
 from vkworkbench.core import linearize
 from vkworkbench.core.opengl import opengl_cost
@@ -65,17 +64,16 @@ def run(samples, out):
             print(f"{heading}  did not play", file=out)
             continue
         unscaled = cost.play_seconds[speed]
-        predicted, true = unscaled * median(scales or [1.0]), min(seconds, default=math.nan)
-        each = " ".join(f"{taken:.2f}" for taken in seconds)
-        print(f"{heading}  {predicted:7.2f} s  {true:7.2f} s  of {each}", file=out)
+        predicted = unscaled * median(scales or [1.0])
+        print(f"{heading}  {beside(predicted, seconds)}", file=out)
         if not seconds:
             continue
+        true = min(seconds)
         if scales:
             ratios.append(max(predicted / true, true / predicted))
         scales.append(true / unscaled)
-    quantiles = " / ".join(f"{q:.2f}" for q in np.percentile(ratios, (50, 90, 100)))
-    print(f"OpenGL play, {len(ratios)} runs, ratio median / p90 / worst: {quantiles}", file=out)
-    print(f"left out, the host took time from them: {durations.count([])} of {len(durations)}", file=out, flush=True)
+    print(summary("OpenGL play", ratios), file=out)
+    print(left_out(durations), file=out, flush=True)
 
 
 def lines_and_arcs(sample):

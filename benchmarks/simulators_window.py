@@ -4,18 +4,16 @@
 from __future__ import annotations
 
 import importlib
-import math
 import time
 from functools import partial
 from types import SimpleNamespace
 
 import FreeCAD
 import FreeCADGui
-import numpy as np
 import Part
 import Path
 from PySide import QtCore
-from simulators import in_rounds, shape, stolen
+from simulators import beside, in_rounds, left_out, shape, stolen, summary
 
 from vkworkbench.core import linearize
 from vkworkbench.core.legacy import legacy_costs
@@ -32,36 +30,36 @@ def run(samples, out):
     """Simulate every sample, predict each with what the ones before it taught, and print the ratios."""
     calibrate_undisturbed()
     panel = open_panel()
-    cases = [
-        (kind, label, commands, tool, stock)
-        for label, commands, tool, stock in [*odd_arcs(), *samples]
-        for kind, longest in LONGEST.items()
-        if len(commands) <= longest
-    ]
-    durations = in_rounds([partial(simulate, panel, *case) for case in cases])
-    ratios = {kind: [] for kind in LONGEST}
-    for (kind, label, commands, tool, stock), seconds in zip(cases, durations):
-        heading = f"  {kind:13}{label:40.40}{len(commands):6} commands"
+    cases, runs = [], []
+    for label, commands, tool, stock in [*odd_arcs(), *samples]:
         path = linearize(commands)
+        for kind, longest in LONGEST.items():
+            if len(commands) <= longest:
+                patience = 10 + 5 * seconds_of(cost_of(path, tool, stock), kind)
+                cases.append((kind, label, commands, path, tool, stock))
+                runs.append(partial(simulate, panel, kind, commands, tool, stock, patience))
+    durations = in_rounds(runs)
+    ratios = {kind: [] for kind in LONGEST}
+    for (kind, label, commands, path, tool, stock), seconds in zip(cases, durations):
+        heading = f"  {kind:13}{label:40.40}{len(commands):6} commands"
         hangs = [c for c in preflight(commands, path, version=freecad_version()) if c.code == "legacy-hangs"]
         if seconds is None:
             print(f"{heading}  hangs, {'announced' if hangs else 'NOT announced'}", file=out)
             continue
         cost = cost_of(path, tool, stock)
-        predicted, true = seconds_of(cost, kind), min(seconds, default=math.nan)
-        each = " ".join(f"{taken:.2f}" for taken in seconds)
+        predicted = seconds_of(cost, kind)
         vain = "  a hang announced in vain" if hangs else ""
-        print(f"{heading}  {predicted:7.2f} s  {true:7.2f} s  of {each}{vain}", file=out)
+        print(f"{heading}  {beside(predicted, seconds)}{vain}", file=out)
         if not seconds:
             continue
+        true = min(seconds)
         if len(load(RENDERER).runs[kind]) >= ENOUGH:
             ratios[kind].append(max(predicted / true, true / predicted))
         learn(cost, true, played=kind == "play", renderer=RENDERER)
     for kind, values in ratios.items():
         if values:
-            quantiles = " / ".join(f"{q:.2f}" for q in np.percentile(values, (50, 90, 100)))
-            print(f"{kind}, {len(values)} runs, ratio median / p90 / worst: {quantiles}", file=out)
-    print(f"left out, the host took time from them: {durations.count([])} of {len(durations)}", file=out)
+            print(summary(kind, values), file=out)
+    print(left_out(durations), file=out, flush=True)
 
 
 def cost_of(path, tool, stock):
@@ -114,13 +112,12 @@ def open_panel():
     return panel
 
 
-def simulate(panel, kind, label, commands, tool, stock):
+def simulate(panel, kind, commands, tool, stock, patience):
     """Simulate a stand-in for an operation; return the seconds, None if it did not end."""
-    patience = 10 + 5 * seconds_of(cost_of(linearize(commands), tool, stock), kind)
     operation = SimpleNamespace(
         Path=Path.Path([Path.Command(name, words) for name, words in commands]),
         ToolController=SimpleNamespace(Tool=SimpleNamespace(Shape=shape(tool), Name="tool")),
-        Name=label,
+        Name="operation",
     )
     box = Part.makeBox(*(stock.upper - stock.lower), FreeCAD.Vector(*stock.lower))
     panel.operations = [operation]
