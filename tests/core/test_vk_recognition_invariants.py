@@ -195,6 +195,17 @@ def test_the_start_of_nested_contours(loops, sides, start, step):
     assert [(f.strategy.value, f.sense, f.passes) for f in found] == [("contour-parallel", "ccw", loops)] * 2
 
 
+@pytest.mark.parametrize("short", [0.013, 0.0157, 0.0176, 0.0195, 0.024])
+@given(st.integers(3, 9), st.integers(3, 12), angles)
+@settings(max_examples=50)
+def test_loops_that_close_with_a_move_as_short_as_rounding(short, loops, sides, angle):
+    path = turned(linearize(programs.offsets(loops, sides, inner=8.0, longer=short)), angle)
+    for way, sign in ((path, 1), (backwards(path), -1)):
+        found = recognize(way, tool_diameter=TOOL)
+        assert found.strategy.value == "contour-parallel" and np.sign(found.level) == sign, found.reason
+        assert 0.75 * loops <= found.closed_loops <= loops
+
+
 @given(anything)
 @settings(max_examples=50)
 def test_an_unknown_tool(made):

@@ -35,11 +35,12 @@ def closed_loops(moves: Moves) -> tuple[np.ndarray, np.ndarray]:
         none = np.zeros(0, np.int64)
         return none, none
     vertices = _vertices(moves, winds)
-    first, end = _disjoint(moves, *_returns(moves, *vertices, OFF_ROUND))
+    first, end = _disjoint(moves, *_returns(moves, *vertices, 1, OFF_ROUND))
     if (end - first).sum() < 0.75 * len(vertices[0]):
-        # The border of two cells may part the visits of one point: once more with the cells half a cell on.
-        shifted = _returns(moves, *vertices, OFF_ROUND + 0.5)
-        first, end = _disjoint(moves, *np.concatenate([(first, end), shifted], axis=1))
+        # The border of two cells may part the visits of one point. Of three wider grids, each a third of a cell on, one
+        # parts no two points closer than that third: those that a dropped move left apart (NOISE in areas.py).
+        wider = [_returns(moves, *vertices, 2, OFF_ROUND + third / 3) for third in range(3)]
+        first, end = _disjoint(moves, *np.concatenate([(first, end), *wider], axis=1))
     return first, end
 
 
@@ -73,9 +74,9 @@ def _vertices(moves: Moves, winds: np.ndarray) -> tuple[np.ndarray, np.ndarray, 
     return *found, np.append(begun, end), area
 
 
-def _returns(moves, x, y, at, area, origin) -> tuple[np.ndarray, np.ndarray]:
-    """Return the stretches from a visit of a cell to the next one that turn by +-2 pi."""
-    column, row = ((v + origin).astype(np.int32).view(np.uint32) for v in (x, y))
+def _returns(moves, x, y, at, area, width, origin) -> tuple[np.ndarray, np.ndarray]:
+    """Return the stretches from a visit of a cell, so many times CLOSE wide, to the next one that turn by +-2 pi."""
+    column, row = ((v / width + origin).astype(np.int32).view(np.uint32) for v in (x, y))
     # Hashing the cells is O(n); sorting all vertices would not be. The products wrap, their high bits are
     # the hash.
     bits = (2 * len(x)).bit_length()
