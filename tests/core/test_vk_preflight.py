@@ -93,9 +93,9 @@ def test_a_long_play_is_announced_with_the_faster_way():
     opengl = opengl_cost(path, diameter=6.0, stock=STOCK, constants=Constants(frame=0.035, draw=25e-6))
     found = [one for one in preflight(commands, path, version=(1, 1), legacy=legacy, opengl=opengl)
              if one.code == "long-play"]  # fmt: skip
-    assert len(found) == 2  # 20,001 commands of 35 ms, a mesh of a million cells of 13 ns and its triangles
+    assert len(found) == 2  # 20,001 commands of 25 ms, a mesh of a million cells of 27 ns and its triangles
     assert re.search(
-        r"about 17 min in the legacy simulator: fast-forward takes about 2\d s\.", found[0].message
+        r"about 18 min in the legacy simulator: fast-forward takes about 2\d s\.", found[0].message
     )
     only_legacy = preflight(commands, path, version=(0, 20), legacy=legacy, opengl=opengl)
     assert [one.code for one in only_legacy if one.code == "long-play"] == ["long-play"]

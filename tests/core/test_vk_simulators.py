@@ -228,6 +228,14 @@ def test_budget_of_play_is_met_by_the_finest_position_that_meets_it():
     assert none.position is None and "use fast-forward" in none.explanation
 
 
+def test_play_shows_the_uncut_stock_and_every_command():
+    path = linearize(zigzag(40))
+    half, one = (
+        legacy_costs(path, tool=TOOL, stock=STOCK, constants=Constants(redraw=redraw))[0] for redraw in (0.5, 1.0)
+    )
+    assert one.play_seconds - half.play_seconds == pytest.approx(0.5 * (1 + one.shown))
+
+
 def test_where_no_accuracy_helps_the_heaviest_operation_is_named():
     small, large = positions(linearize(zigzag(4)), TOOL), positions(linearize(surface()), TOOL)
     told = best_accuracy([small, large], memory_bytes=1e9, seconds=1.0, labels=("Floor", "Dome")).explanation
@@ -240,7 +248,9 @@ def test_operations_together_start_once_and_draw_what_was_cut_before():
     alone = legacy_together([one])
     assert alone.fast_forward_seconds == pytest.approx(one.fast_forward_seconds) and alone.facets == one.facets
     assert one.fast_forward_seconds < two.fast_forward_seconds < 2 * one.fast_forward_seconds
-    assert two.play_seconds > 2 * one.play_seconds - Constants().start
+    uncut = Constants().redraw + Constants().cell * one.cells
+    assert two.play_seconds > 2 * one.play_seconds - uncut
+    assert alone.play_seconds == pytest.approx(one.play_seconds)
     assert one.memory_bytes < two.memory_bytes < 2 * one.memory_bytes
 
     path = linearize(zigzag(400))

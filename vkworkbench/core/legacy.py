@@ -177,8 +177,8 @@ def legacy_costs(
     """Estimate the legacy simulator for one operation at several accuracies.
 
     In fast-forward every command, comments too, takes one tick of a timer, every new percent of the progress a
-    repaint, and one mesh is made and shown at the end. In play a command takes 1/`speed`, or what a mesh and its
-    display need if that is more; the mesh grows, or shrinks where it ends flat.
+    repaint, and one mesh is made and shown at the end. Play shows the uncut stock, and then a command takes 1/`speed`,
+    or what a mesh and its display need if that is more; the mesh grows, or shrinks where it ends flat.
 
     Parameters
     ----------
@@ -229,7 +229,8 @@ def legacy_costs(
         costs.append(LegacyCost(
             fast_forward_seconds=panel_seconds(constants, toolpath.commands) + profile + slower + mesh
             + constants.display * facets,
-            play_seconds=constants.start + profile + max(shows, shown / speed) + len(toolpath.comments) / speed,
+            play_seconds=profile + _uncut_seconds(constants, work.cells) + max(shows, shown / speed)
+            + len(toolpath.comments) / speed,
             commands=toolpath.commands,
             shown=shown,
             drawn=drawn,
@@ -259,11 +260,16 @@ def _triangles(toolpath: Toolpath, tool: Tool, stock: Stock, resolutions: list[f
     return last, float((looks[1:] + looks[:-1]).mean() / 2 / looks[-1])
 
 
+def _uncut_seconds(constants: Constants, cells: int) -> float:
+    """What play takes to make the mesh of the uncut stock and to show it."""
+    return constants.cell * cells + constants.redraw
+
+
 def legacy_together(costs: Sequence[LegacyCost]) -> LegacyCost:
     """Estimate the legacy simulator for several operations, run one after another at one accuracy.
 
-    It starts once and makes one last mesh; every mesh that play makes also has the triangles of the operations
-    before.
+    It starts once, shows the uncut stock once and makes one last mesh; every mesh that play makes also has the
+    triangles of the operations before.
 
     Parameters
     ----------
@@ -283,8 +289,8 @@ def legacy_together(costs: Sequence[LegacyCost]) -> LegacyCost:
     more = [cost.shown * kept for cost, kept in zip(costs, before.tolist())]
     return LegacyCost(
         fast_forward_seconds=panel_seconds(constants, commands) + each + mesh + constants.display * facets,
-        play_seconds=sum(cost.play_seconds - constants.start for cost in costs)
-        + (constants.facet + constants.display) * sum(more) + constants.start,
+        play_seconds=sum(cost.play_seconds for cost in costs) + (constants.facet + constants.display) * sum(more)
+        - (len(costs) - 1) * _uncut_seconds(constants, cells),
         commands=commands,
         shown=sum(cost.shown for cost in costs),
         drawn=sum(cost.drawn for cost in costs) + sum(more),

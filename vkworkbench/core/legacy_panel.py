@@ -15,7 +15,7 @@ _PERCENTS = 100
 # How far the constants usually lie from the defaults, and what they are at least (the tick is that of a timer of 1 ms),
 # s: start, tick and repaint of fast-forward; redraw and display of play.
 _USUAL_FAST_FORWARD, _LEAST_FAST_FORWARD = np.array([0.5, 0.3e-3, 0.02]), np.array([0.0, 1e-3, 0.0])
-_USUAL_PLAY, _LEAST_PLAY = np.array([0.03, 2e-6]), np.array([1e-3, 0.0])
+_USUAL_PLAY, _LEAST_PLAY = np.array([0.03, 1e-6]), np.array([1e-3, 0.0])
 # Commands of a fast-forward that tells how long a tick is; a shorter one is mostly start and repaint.
 _LONG = 500
 # The weight of the defaults against a run.

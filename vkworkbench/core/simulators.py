@@ -23,13 +23,13 @@ class Constants:
     """What one unit of work costs on one computer, seconds and bytes.
 
     The defaults were measured with FreeCAD 0.20.2, 1.0.0 and 1.1.3 on two Xeon cores without a graphics card;
-    ``draw`` and ``fill`` are a guess for a graphics card, none was there; software rendering took 18e-6 and 1000,
-    36e-3 for a frame, and 57e-3 to redraw. ``document/calibration.py`` measures them on the user's computer.
+    ``redraw``, ``draw`` and ``fill`` are a guess for a graphics card, none was there; software rendering took 40e-3,
+    18e-6 and 1000, and 36e-3 for a frame. ``document/calibration.py`` measures them on the user's computer.
 
     Attributes
     ----------
     start : float
-        Legacy: from the press of a button to the first command, and showing the result.
+        Legacy: from the press of fast-forward to the first command, and showing the result.
     tick : float
         Legacy: one command in fast-forward (a timer of 1 ms).
     repaint : float
@@ -61,14 +61,14 @@ class Constants:
     start: float = 0.32
     tick: float = 1.087e-3
     repaint: float = 0.0
-    redraw: float = 0.035
+    redraw: float = 0.025
     call: float = 0.76e-6
     ring: float = 59e-9
     line: float = 2.2e-9
     cap: float = 4.7e-9
-    cell: float = 13e-9
-    facet: float = 1.56e-6
-    display: float = 3e-6
+    cell: float = 27e-9
+    facet: float = 1.7e-6
+    display: float = 1e-6
     profile: float = 0.1e-3
     facet_bytes: float = 150.0
     frame: float = 1 / 30

@@ -35,9 +35,12 @@ from vkworkbench.core.speed import measure_speed
 # surfaces were measured to take there.
 _SOFTWARE = ("llvmpipe", "softpipe", "swr", "swiftshader", "gdi generic", "microsoft basic render")
 _SOFTWARE_OPENGL = {"frame": 36e-3, "draw": 18e-6, "fill": 1000.0}
-# What a command of a play takes to show there. Qt 6, with which FreeCAD 1.1 comes, then also paints the window on the
-# processor, in play and at every new percent of a fast-forward.
-_SOFTWARE_REDRAW, _SOFTWARE_REPAINT, _REPAINTS_SINCE = 57e-3, 30e-3, (1, 1)
+# What a command of a play takes to show there, and a new percent of a fast-forward: Qt 6, with which FreeCAD 1.1 comes,
+# also paints the window on the processor.
+_SOFTWARE_PANEL = {"redraw": 40e-3}
+_SOFTWARE_PANEL_QT6, _QT6_SINCE = {"redraw": 56e-3, "repaint": 30e-3}, (1, 1)
+# Making meshes takes this much longer where pictures between them are drawn on the same processor.
+_SOFTWARE_MESH = 1.5
 # A benchmark cuts in a warm cache; real operations take this much longer (benchmarks/simulators.py).
 _COLD_CACHE = 1.5
 # With measured constants the true number is within this factor (benchmarks/simulators.py).
@@ -295,11 +298,9 @@ def _speed_key() -> str:
 
 def _for_renderer(base: Constants, renderer: str) -> Constants:
     if any(name in renderer.lower() for name in _SOFTWARE):
-        repaint = _SOFTWARE_REPAINT if freecad_version() >= _REPAINTS_SINCE else base.repaint
-        redraw = _SOFTWARE_REDRAW + repaint
-        return replace(
-            base, repaint=repaint, redraw=redraw, opengl_factor=DEFAULTS.legacy_factor, **_SOFTWARE_OPENGL
-        )
+        panel = _SOFTWARE_PANEL_QT6 if freecad_version() >= _QT6_SINCE else _SOFTWARE_PANEL
+        mesh = {"cell": base.cell * _SOFTWARE_MESH, "facet": base.facet * _SOFTWARE_MESH}
+        return replace(base, opengl_factor=DEFAULTS.legacy_factor, **mesh, **panel, **_SOFTWARE_OPENGL)
     return base
 
 
