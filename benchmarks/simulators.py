@@ -7,8 +7,8 @@
 Cuts the operations of the example job and, where the environment variable VKWORKBENCH_CORPUS names files of
 JSON lines (id, label, tool_diameter, stock, commands; optionally gzipped, separated by colons), up to 60 of
 each. Errors are ratios, the larger of prediction and truth over the smaller. Timings need a quiet computer; runs from
-which a virtual machine's host took time are left out, and the shortest of those of one simulation counts: what it takes
-where nothing disturbs it, as in the calibration.
+which a virtual machine's host took time are left out, and the median of those of one simulation counts: the shortest
+would favour short simulations, which fit into the moments when a shared processor is fast.
 """
 
 from __future__ import annotations
@@ -22,6 +22,7 @@ import tempfile
 import time
 import traceback
 from pathlib import Path
+from statistics import median
 
 import FreeCAD
 import numpy as np
@@ -46,7 +47,7 @@ ACCURACIES = (0.1, 0.5, 1.0)
 MOST = 60
 OUT = sys.__stdout__
 MOST_STOLEN = 0.03  # of a run's time
-ROUNDS = 3  # how often each simulation is run in a window
+ROUNDS = {"fast-forward": 3, "play": 5, "OpenGL play": 3}  # how often each simulation is run in a window
 FEW = 1000  # triangles; fewer count as so many: they take no time
 
 
@@ -188,14 +189,14 @@ def straight(commands, resolution, top):
 
 
 def in_rounds(runs):
-    """Run each of some simulations a few times, in turns: a slow minute of the computer spoils one time of each only.
+    """Run each simulation, a kind and a function, a few times in turns: a slow minute spoils one time of each only.
 
     Return the seconds of each, those left out from which the host took time; None if it did not end.
     """
     times = [[] for _ in runs]
-    for _ in range(ROUNDS):
-        for run, seconds in zip(runs, times):
-            if None in seconds:
+    for turn in range(max(ROUNDS.values())):
+        for (kind, run), seconds in zip(runs, times):
+            if turn >= ROUNDS[kind] or None in seconds:
                 continue
             before = stolen()
             taken = run()
@@ -205,9 +206,9 @@ def in_rounds(runs):
 
 
 def beside(predicted, seconds):
-    """A prediction in words, the shortest of the seconds that the runs took, which counts, and all of them."""
+    """A prediction in words, the median of the seconds that the runs took, which counts, and all of them."""
     each = " ".join(f"{taken:.2f}" for taken in seconds)
-    return f"{predicted:7.2f} s  {min(seconds, default=math.nan):7.2f} s  of {each}"
+    return f"{predicted:7.2f} s  {median(seconds or [math.nan]):7.2f} s  of {each}"
 
 
 def left_out(durations):

@@ -56,7 +56,7 @@ def run(samples, out):
         if 1 < cost.play_seconds[speed] < LONGEST:
             frames = -(-cost.steps // speed)
             cases.append((label, cost, partial(play, simulator, commands, tool, stock, frames)))
-    durations = in_rounds([playing for _, _, playing in cases])
+    durations = in_rounds([("OpenGL play", playing) for _, _, playing in cases])
     ratios, scales = [], []
     for (label, cost, _), seconds in zip(cases, durations):
         heading = f"  OpenGL  {label:40.40}{cost.draws:7} draw calls"
@@ -68,7 +68,7 @@ def run(samples, out):
         print(f"{heading}  {beside(predicted, seconds)}", file=out)
         if not seconds:
             continue
-        true = min(seconds)
+        true = median(seconds)
         if scales:
             ratios.append(max(predicted / true, true / predicted))
         scales.append(true / unscaled)

@@ -6,6 +6,7 @@ from __future__ import annotations
 import importlib
 import time
 from functools import partial
+from statistics import median
 from types import SimpleNamespace
 
 import FreeCAD
@@ -37,7 +38,7 @@ def run(samples, out):
             if len(commands) <= longest:
                 patience = 10 + 5 * seconds_of(cost_of(path, tool, stock), kind)
                 cases.append((kind, label, commands, path, tool, stock))
-                runs.append(partial(simulate, panel, kind, commands, tool, stock, patience))
+                runs.append((kind, partial(simulate, panel, kind, commands, tool, stock, patience)))
     durations = in_rounds(runs)
     ratios = {kind: [] for kind in LONGEST}
     for (kind, label, commands, path, tool, stock), seconds in zip(cases, durations):
@@ -52,7 +53,7 @@ def run(samples, out):
         print(f"{heading}  {beside(predicted, seconds)}{vain}", file=out)
         if not seconds:
             continue
-        true = min(seconds)
+        true = median(seconds)
         if len(load(RENDERER).runs[kind]) >= ENOUGH:
             ratios[kind].append(max(predicted / true, true / predicted))
         learn(cost, true, played=kind == "play", renderer=RENDERER)
