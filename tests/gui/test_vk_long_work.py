@@ -4,10 +4,11 @@
 import math
 import time
 
-import FreeCADGui as Gui
 import Path
 import pytest
 from PySide import QtCore, QtGui
+
+import vkworkbench
 
 OPERATIONS, COMMANDS = 5, 100_000
 
@@ -48,50 +49,58 @@ class Stopwatch:
         return min(time.monotonic() - self._wall, time.process_time() - self._process)
 
 
-def drawing():
-    """What FreeCAD takes for one picture of its 3D view, which nothing can end: without a graphics card 0.1 s."""
-    watch = Stopwatch()
-    Gui.activeView().redraw()
-    QtGui.QApplication.processEvents()
-    return watch()
+def cancel(window, order, number, delay):
+    """Analyse and press Esc so many seconds into the operation with that number.
+
+    Return the seconds until that had an effect, those between two signs of life of the window, and the labels shown.
+    """
+    due, pressed, gaps, labels = [], [], [], set()
+    last = Stopwatch()
+
+    def beat():
+        nonlocal last
+        gaps.append(last())
+        last = Stopwatch()
+        shown = dialog()
+        if pressed or shown is None:
+            return
+        label = shown.labelText()
+        labels.add(label)
+        if not due and order.index(label) >= number:
+            due.append(time.monotonic() + delay)
+        if due and time.monotonic() >= due[0]:
+            pressed.append(Stopwatch())
+            window.press(shown, QtCore.Qt.Key_Escape)
+
+    timer = QtCore.QTimer()
+    timer.timeout.connect(beat)
+    timer.start(10)
+    window.click("Analyze toolpaths")
+    timer.stop()
+    assert pressed, "the analysis was over before Esc"
+    assert "cancelled" in window.main.statusBar().currentMessage()
+    return pressed[0](), gaps, labels
 
 
 def test_esc_ends_half_a_million_commands_at_once(long_document, window):
     before = [(obj.Name, obj.Label2, tuple(obj.PropertiesList), list(obj.State)) for obj in long_document.Objects]
     undo = long_document.UndoCount
-    picture = min(drawing() for _ in range(3))
-    taken, gaps, labels = [], [], set()
-    for wait in (0.5, 1.1, 1.7, 2.6):  # s, in the middle of different steps
-        pressed = []
-        last = Stopwatch()
-
-        def beat():
-            nonlocal last
-            gaps.append(last())
-            last = Stopwatch()
-            if pressed:
-                return
-            shown = dialog()
-            if shown is not None:
-                labels.add(shown.labelText())
-                if time.monotonic() > start + wait:
-                    pressed.append(Stopwatch())
-                    window.press(shown, QtCore.Qt.Key_Escape)
-
-        timer = QtCore.QTimer()
-        timer.timeout.connect(beat)
-        timer.start(10)
-        start = time.monotonic()
-        window.click("Analyze toolpaths")
-        timer.stop()
-        assert pressed, "the analysis was over before Esc"
-        taken.append(pressed[0]())
-        assert "cancelled" in window.main.statusBar().currentMessage()
-    gaps.sort()
-    print(f"cancelled after {[round(t, 3) for t in taken]} s; pauses of the window: median {gaps[len(gaps) // 2]:.3f}, "
-          f"longest {gaps[-1]:.3f} s; one picture of the 3D view {picture:.3f} s")  # fmt: skip
-    assert sorted(taken)[-2] < 0.2 and max(taken) < 0.2 + picture
-    assert gaps[len(gaps) // 2] < 0.1 and gaps[-1] < 1
-    assert labels and labels <= {obj.Label for obj in long_document.Objects}
+    order = [obj.Label for obj in long_document.getObject("Job").Operations.Group]
+    start = time.monotonic()
+    vkworkbench.analyze(long_document)
+    each = (time.monotonic() - start) / OPERATIONS
+    # In the middle of different steps of an operation. A pause that is ours comes every time, one of a busy computer
+    # not: the best of three rounds counts.
+    presses = [(1, 0.1 * each), (2, 0.35 * each), (3, 0.6 * each), (2, 0.85 * each)]
+    rounds = [[cancel(window, order, *press) for press in presses] for _ in range(3)]
+    taken = [min(seconds for seconds, _, _ in tries) for tries in zip(*rounds)]
+    pauses = [sorted(gap for _, gaps, _ in tries for gap in gaps) for tries in rounds]
+    usual, longest = min(gaps[len(gaps) // 2] for gaps in pauses), min(gaps[-1] for gaps in pauses)
+    print(f"cancelled after {[round(t, 3) for t in taken]} s; pauses of the window: median {usual:.3f}, "
+          f"longest {longest:.3f} s, in all rounds {max(gaps[-1] for gaps in pauses):.3f} s")  # fmt: skip
+    assert max(taken) < 0.2
+    assert usual < 0.1 and longest < 1
+    labels = set().union(*(shown for tries in rounds for _, _, shown in tries))
+    assert labels and labels <= set(order)
     assert [(obj.Name, obj.Label2, tuple(obj.PropertiesList), list(obj.State)) for obj in long_document.Objects] == before
     assert long_document.UndoCount == undo
