@@ -45,7 +45,6 @@ from vkworkbench.document.setting import read_stock, read_tool
 
 ACCURACIES = (0.1, 0.5, 1.0)
 MOST = 60
-RENDERER = "llvmpipe"  # under Xvfb
 OUT = sys.__stdout__
 MOST_STOLEN = 0.03  # of a run's time
 ROUNDS = {"fast-forward": 3, "play": 5, "OpenGL play": 3}  # how often each simulation is run in a window
@@ -61,7 +60,6 @@ def main():
     if FreeCAD.GuiUp:
         import simulators_window
 
-        calibrate_undisturbed()
         if Simulator.OPENGL in available_simulators(freecad_version()):
             import simulators_opengl
 
@@ -69,15 +67,6 @@ def main():
         simulators_window.run(samples, OUT)
     else:
         headless(samples)
-
-
-def calibrate_undisturbed():
-    """Calibrate until the host takes no time from it."""
-    for _ in range(20):
-        before = stolen()
-        calibrate(RENDERER)
-        if stolen() == before:
-            return
 
 
 def of_document(doc):

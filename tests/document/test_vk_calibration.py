@@ -49,16 +49,7 @@ def test_each_renderer_has_its_own(folder):
     assert (slow.repaint > 0) == (calibration.freecad_version() >= (1, 1)) and slow.redraw > DEFAULTS.redraw
     calibration.calibrate("llvmpipe (LLVM 19)")
     assert calibration.load("card").renderer == "card"
-    assert calibration.load("llvmpipe (LLVM 19)").constants.fill == slow.fill
-
-
-def test_what_only_a_window_shows_is_as_fast_as_the_meshes_of_this_processor(folder):
-    card, known = calibration.calibrate("card").constants, calibration.constants("llvmpipe")
-    software = calibration.calibrate("llvmpipe").constants
-    assert card.start / DEFAULTS.start == pytest.approx(card.cell / DEFAULTS.cell)
-    assert (card.frame, card.draw, card.redraw) == (DEFAULTS.frame, DEFAULTS.draw, DEFAULTS.redraw)  # the card's
-    for name in ("frame", "draw", "redraw"):
-        assert getattr(software, name) / getattr(known, name) == pytest.approx(software.cell / known.cell), name
+    assert calibration.load("llvmpipe (LLVM 19)").constants.draw == slow.draw
 
 
 @pytest.mark.parametrize("damage", [

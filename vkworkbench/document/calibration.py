@@ -31,10 +31,10 @@ from vkworkbench.core.simulators import DEFAULTS, Constants
 from vkworkbench.core.solids import Stock
 from vkworkbench.core.speed import measure_speed
 
-# Names of OpenGL renderers on the processor, and what a frame, which waits for no screen, and a draw call were measured
-# to take there, and how many calls take as long as filling the window.
+# Names of OpenGL renderers on the processor, and what a frame, which waits for no screen, a draw call and filling
+# surfaces were measured to take there.
 _SOFTWARE = ("llvmpipe", "softpipe", "swr", "swiftshader", "gdi generic", "microsoft basic render")
-_SOFTWARE_OPENGL, _SOFTWARE_FILL = {"frame": 36e-3, "draw": 18e-6}, 1000.0
+_SOFTWARE_OPENGL = {"frame": 36e-3, "draw": 18e-6, "fill": 1000.0}
 # What a command of a play takes to show there, and a new percent of a fast-forward: Qt 6, with which FreeCAD 1.1 comes,
 # also paints the window on the processor.
 _SOFTWARE_PANEL = {"redraw": 40e-3}
@@ -299,15 +299,9 @@ def _speed_key() -> str:
 def _for_renderer(base: Constants, renderer: str) -> Constants:
     if any(name in renderer.lower() for name in _SOFTWARE):
         panel = _SOFTWARE_PANEL_QT6 if freecad_version() >= _QT6_SINCE else _SOFTWARE_PANEL
-        pictures = {name: _here(seconds, base.cell) for name, seconds in {**_SOFTWARE_OPENGL, **panel}.items()}
         mesh = {"cell": base.cell * _SOFTWARE_MESH, "facet": base.facet * _SOFTWARE_MESH}
-        return replace(base, opengl_factor=DEFAULTS.legacy_factor, fill=_SOFTWARE_FILL, **mesh, **pictures)
+        return replace(base, opengl_factor=DEFAULTS.legacy_factor, **mesh, **panel, **_SOFTWARE_OPENGL)
     return base
-
-
-def _here(seconds: float, cell: float) -> float:
-    """What takes so long where the defaults were measured, on a processor on which a mesh takes `cell` s a cell."""
-    return seconds * cell / DEFAULTS.cell
 
 
 def _measure() -> Constants:
@@ -330,9 +324,8 @@ def _measure() -> Constants:
     tool = Part.makeCylinder(radius, 20)
     profile = _best(lambda: flat.SetToolShape(tool, step)) / (3 * radius / step)
     return replace(
-        DEFAULTS, start=_here(DEFAULTS.start, cell), call=call, ring=ring, line=line, cap=cap, cell=cell, facet=facet,
-        profile=profile,
-    )  # fmt: skip
+        DEFAULTS, call=call, ring=ring, line=line, cap=cap, cell=cell, facet=facet, profile=profile
+    )
 
 
 def _cut(diameter: float, length: float, count: int) -> tuple[list[float], float]:
