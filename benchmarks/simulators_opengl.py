@@ -15,14 +15,13 @@ import Path
 from CAMSimulator import PathSim
 from opengl_window import FASTER, PLAY, click
 from PySide import QtCore, QtGui
-from simulators import beside, in_rounds, left_out, summary
+from simulators import RENDERER, beside, in_rounds, left_out, summary
 
 from vkworkbench.core import linearize
 from vkworkbench.core.opengl import opengl_cost
 from vkworkbench.core.simulators import opengl_speeds
 from vkworkbench.document.calibration import constants, freecad_version
 
-RENDERER = "llvmpipe"  # under Xvfb
 LONGEST = 8.0  # s
 PATIENCE = 60.0  # s
 
@@ -72,6 +71,7 @@ def run(samples, out):
         if scales:
             ratios.append(max(predicted / true, true / predicted))
         scales.append(true / unscaled)
+    print(summary("OpenGL play, by calibration alone", [max(scale, 1 / scale) for scale in scales]), file=out)
     print(summary("OpenGL play", ratios), file=out)
     print(left_out(durations), file=out, flush=True)
 

@@ -14,72 +14,64 @@ import FreeCADGui
 import Part
 import Path
 from PySide import QtCore
-from simulators import beside, in_rounds, left_out, shape, stolen, summary
+from simulators import RENDERER, beside, in_rounds, left_out, shape, summary
 
 from vkworkbench.core import linearize
 from vkworkbench.core.legacy import legacy_costs
 from vkworkbench.core.preflight import preflight
 from vkworkbench.core.solids import Stock, Tool
-from vkworkbench.document.calibration import calibrate, constants, freecad_version, learn, load
+from vkworkbench.document.calibration import constants, freecad_version, learn, load
 
-RENDERER = "llvmpipe"  # under Xvfb
 LONGEST = {"fast-forward": 7000, "play": 100}  # commands
 ENOUGH = 5  # runs that teach before a prediction counts
 
 
 def run(samples, out):
     """Simulate every sample, predict each with what the ones before it taught, and print the ratios."""
-    calibrate_undisturbed()
     panel = open_panel()
+    calibrated = constants(RENDERER)
     cases, runs = [], []
     for label, commands, tool, stock in [*odd_arcs(), *samples]:
         path = linearize(commands)
         for kind, longest in LONGEST.items():
             if len(commands) <= longest:
-                patience = 10 + 5 * seconds_of(cost_of(path, tool, stock), kind)
+                patience = 10 + 5 * seconds_of(cost_of(path, tool, stock, calibrated), kind)
                 cases.append((kind, label, commands, path, tool, stock))
                 runs.append((kind, partial(simulate, panel, kind, commands, tool, stock, patience)))
     durations = in_rounds(runs)
-    ratios = {kind: [] for kind in LONGEST}
+    ratios, alone = ({kind: [] for kind in LONGEST} for _ in range(2))
     for (kind, label, commands, path, tool, stock), seconds in zip(cases, durations):
         heading = f"  {kind:13}{label:40.40}{len(commands):6} commands"
         hangs = [c for c in preflight(commands, path, version=freecad_version()) if c.code == "legacy-hangs"]
         if seconds is None:
             print(f"{heading}  hangs, {'announced' if hangs else 'NOT announced'}", file=out)
             continue
-        cost = cost_of(path, tool, stock)
+        cost = cost_of(path, tool, stock, constants(RENDERER))
         predicted = seconds_of(cost, kind)
         vain = "  a hang announced in vain" if hangs else ""
         print(f"{heading}  {beside(predicted, seconds)}{vain}", file=out)
         if not seconds:
             continue
         true = median(seconds)
+        unlearned = seconds_of(cost_of(path, tool, stock, calibrated), kind)
+        alone[kind].append(max(unlearned / true, true / unlearned))
         if len(load(RENDERER).runs[kind]) >= ENOUGH:
             ratios[kind].append(max(predicted / true, true / predicted))
         learn(cost, true, played=kind == "play", renderer=RENDERER)
     for kind, values in ratios.items():
-        if values:
-            print(summary(kind, values), file=out)
+        print(summary(f"{kind}, by calibration alone", alone[kind]), file=out)
+        print(summary(kind, values), file=out)
     print(left_out(durations), file=out, flush=True)
 
 
-def cost_of(path, tool, stock):
-    """Predict what a path costs, with what is known now."""
-    return legacy_costs(path, tool=tool, stock=stock, constants=constants(RENDERER))[0]
+def cost_of(path, tool, stock, known):
+    """Predict what a path costs, with the constants known."""
+    return legacy_costs(path, tool=tool, stock=stock, constants=known)[0]
 
 
 def seconds_of(cost, kind):
     """The predicted time of a kind of simulation."""
     return cost.play_seconds if kind == "play" else cost.fast_forward_seconds
-
-
-def calibrate_undisturbed():
-    """Calibrate until the host takes no time from it."""
-    for _ in range(20):
-        before = stolen()
-        calibrate(RENDERER)
-        if stolen() == before:
-            return
 
 
 def odd_arcs():

@@ -90,7 +90,7 @@ def test_a_long_play_is_announced_with_the_faster_way():
     commands = zigzag(20000)
     path = linearize(commands)
     (legacy,) = legacy_costs(path, tool=Tool("endmill", 6.0), stock=STOCK)
-    opengl = opengl_cost(path, diameter=6.0, stock=STOCK, constants=Constants(frame=0.035, draw=25e-6))
+    opengl = opengl_cost(path, diameter=6.0, stock=STOCK, constants=Constants(refresh=0.035, draw=25e-6))
     found = [one for one in preflight(commands, path, version=(1, 1), legacy=legacy, opengl=opengl)
              if one.code == "long-play"]  # fmt: skip
     assert len(found) == 2  # 20,001 commands of 25 ms, a mesh of a million cells of 27 ns and its triangles

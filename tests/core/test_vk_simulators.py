@@ -16,7 +16,7 @@ from vkworkbench.core.legacy_mesh import bottom_rectangles, mesh_facets
 from vkworkbench.core.legacy_panel import fit_fast_forward, fit_play
 from vkworkbench.core.linearize import linearize
 from vkworkbench.core.motions import motions
-from vkworkbench.core.opengl import opengl_cost, opengl_together
+from vkworkbench.core.opengl import opengl_cost, opengl_together, opengl_work
 from vkworkbench.core.resolution import best_accuracy
 from vkworkbench.core.simulators import DEFAULTS, Constants, Simulator, available_simulators, opengl_speeds
 from vkworkbench.core.solids import Stock, Tool
@@ -401,48 +401,82 @@ def test_draw_calls_of_lines_plunges_and_arcs():
     assert opengl_cost(linearize(arcs(1, 2.0)), diameter=6.0, stock=STOCK, quality=1).draws == 9 * 3
 
 
+def outline(*bases):
+    """Areas of upright solids 30 mm high on convex bases, seen along Y and 30 degrees down, added."""
+    total = 0.0
+    for base in bases:
+        x, y = np.array(base).T
+        seen = np.concatenate([np.column_stack((x, y * 0.5 + z * math.sqrt(0.75))) for z in (0.0, 30.0)])
+        turn = np.linspace(0, 2 * np.pi, 4000)
+        x, y = seen[np.argmax(seen @ np.array((np.cos(turn), np.sin(turn))), axis=0)].T
+        total += abs(np.sum(x * np.roll(y, 1) - y * np.roll(x, 1))) / 2
+    return total
+
+
+@pytest.mark.parametrize("angle", [0.0, 0.6, 1.5708, 2.5, 4.0])
+def test_what_is_drawn_of_a_motion_is_as_large_as_it_is_seen(angle):
+    along, across = np.array((np.cos(angle), np.sin(angle))), np.array((-np.sin(angle), np.cos(angle)))
+    turn = np.linspace(-np.pi / 2, np.pi / 2, 200)[:, None]
+    front = 3.0 * (np.cos(turn) * along + np.sin(turn) * across)
+    there = dict(zip("XY", 20.0 * along))
+    rows = [("G0", {"X": 0.0, "Y": 0.0, "Z": 10.0}), ("G1", there), ("G1", {"Z": 0.0})]
+    line, plunge = opengl_work(motions(linearize(rows)), diameter=6.0).area
+    swept = [end * 20.0 * along + side * 3.0 * across for end in (0, 1) for side in (-1, 1)]
+    assert line == pytest.approx(outline(swept, front), rel=0.002)
+    assert plunge == pytest.approx(outline(np.concatenate((front, -front))), rel=0.002)
+
+
+def test_what_is_drawn_of_an_arc_is_as_large_as_its_chords_and_its_tool():
+    tool = opengl_work(motions(linearize([("G0", {"Z": 10.0}), ("G1", {"Z": 0.0})])), diameter=6.0).area[-1]
+    small = opengl_work(motions(linearize(arcs(1, 2.0))), diameter=6.0)
+    assert small.area[-1] == pytest.approx(9 * tool)
+    # A half circle: 63 boxes, each turned a little more, and the tool.
+    base, turns = np.array(((0, -3), (np.pi * 10 / 63, -3), (np.pi * 10 / 63, 3), (0, 3))), np.arange(63) * np.pi / 63
+    boxes = outline(*(base @ np.array(((np.cos(t), np.sin(t)), (-np.sin(t), np.cos(t)))) for t in turns))
+    half = opengl_work(motions(linearize(arcs(1, 10.0))), diameter=6.0)
+    assert half.steps[-1] == 64 and half.area[-1] == pytest.approx(boxes + tool, rel=0.005)
+
+
 def play(path, diameter, speed, constants):
     """Play frame by frame, drawing everything done so far, as the simulator does."""
     drawn = [0.0]  # draw calls of a frame after each step, what it fills included
     made = motions(path)
-    square = sum((STOCK.upper - STOCK.lower) ** 2)
-    for move, sweep, radius in zip(made.move, made.sweep, made.radius):
-        length = radius * abs(sweep) or np.hypot(*move[:2])
-        tool = math.pi * diameter**2 / 4 + 30 * diameter  # from above and from the side
-        filled = constants.fill * ((diameter + 30) * length + tool) / square
+    window = 1.819 * 100.0**2  # at a distance of 160 mm it is 0.7 rad high and four thirds as wide
+    areas = opengl_work(made, diameter=diameter).area
+    for move, sweep, radius, area in zip(made.move, made.sweep, made.radius, areas):
+        filled = constants.fill * 9 * area / window
         if radius:
             step = min(max(math.asin(0.5 / radius), math.pi / 90), math.pi / 2)
             chords = int(abs(sweep) / step) + 2
             if radius <= diameter / 2:
                 chords = int(abs(sweep) / (math.pi / 8)) + 1
-                filled = constants.fill * chords * tool / square
             for _ in range(chords):
                 drawn.append(drawn[-1] + 9 + filled / chords)
         else:
             drawn += [drawn[-1] + (9 if np.hypot(*move[:2]) < 1e-6 else 18) + filled] * max(
                 1, int(np.linalg.norm(move) / 0.5)
             )
-    return sum(max(constants.frame, constants.draw * draws) for draws in drawn[speed::speed])
+    return sum(max(constants.refresh, constants.frame + constants.draw * draws) for draws in drawn[speed::speed])
 
 
 @pytest.mark.parametrize("speed", [1, 10, 40])
 def test_playing_takes_what_its_frames_add_up_to(speed):
-    software = Constants(frame=0.035, draw=25e-6)
+    software = Constants(refresh=0.02, frame=0.01, draw=25e-6)
     path = linearize(zigzag(60) + arcs(40, 5.0) + arcs(40, 2.0))
     predicted = opengl_cost(path, diameter=6.0, stock=STOCK, speeds=(speed,), constants=software).play_seconds[speed]
     assert predicted == pytest.approx(play(path, 6.0, speed, software), rel=0.02)
 
 
 def test_wide_cuts_take_longer_to_draw_than_narrow_ones_and_long_ones_than_short_ones():
-    path = linearize(zigzag(60))
-    wide, narrow = (opengl_cost(path, diameter=d, stock=STOCK, constants=Constants(frame=0.0)) for d in (12.0, 3.0))
+    path, only = linearize(zigzag(60)), Constants(refresh=0.0, frame=0.0)
+    wide, narrow = (opengl_cost(path, diameter=d, stock=STOCK, constants=only) for d in (12.0, 3.0))
     assert wide.draws == narrow.draws and wide.frame_seconds > 1.2 * narrow.frame_seconds
-    short = opengl_cost(linearize(zigzag(60, width=8.0)), diameter=3.0, stock=STOCK, constants=Constants(frame=0.0))
+    short = opengl_cost(linearize(zigzag(60, width=8.0)), diameter=3.0, stock=STOCK, constants=only)
     assert short.draws == narrow.draws and narrow.frame_seconds > 1.4 * short.frame_seconds
 
 
 def test_playing_twice_the_path_takes_four_times_as_long_once_drawing_dominates():
-    slow = Constants(frame=0.0, draw=1e-3)
+    slow = Constants(refresh=0.0, frame=0.0, draw=1e-3)
     once = opengl_cost(linearize(zigzag(200, pitch=0.1)), diameter=6.0, stock=STOCK, constants=slow).play_seconds[1]
     twice = opengl_cost(linearize(zigzag(400, pitch=0.1)), diameter=6.0, stock=STOCK, constants=slow).play_seconds[1]
     assert twice / once == pytest.approx(4, rel=0.05)

@@ -45,11 +45,20 @@ def test_each_renderer_has_its_own(folder):
     calibration.calibrate("card")
     assert calibration.load("llvmpipe (LLVM 19)") is None
     slow = calibration.constants("llvmpipe (LLVM 19)")
-    assert slow.draw > 5 * DEFAULTS.draw and slow.fill > DEFAULTS.fill
+    assert slow.draw > 5 * DEFAULTS.draw and slow.refresh == 0 < DEFAULTS.refresh
     assert (slow.repaint > 0) == (calibration.freecad_version() >= (1, 1)) and slow.redraw > DEFAULTS.redraw
     calibration.calibrate("llvmpipe (LLVM 19)")
     assert calibration.load("card").renderer == "card"
-    assert calibration.load("llvmpipe (LLVM 19)").constants.draw == slow.draw
+    assert calibration.load("llvmpipe (LLVM 19)").constants.refresh == 0
+
+
+def test_what_only_a_window_shows_is_as_fast_as_the_meshes_of_this_processor(folder):
+    card, known = calibration.calibrate("card").constants, calibration.constants("llvmpipe")
+    software = calibration.calibrate("llvmpipe").constants
+    assert card.start / DEFAULTS.start == pytest.approx(card.cell / DEFAULTS.cell)
+    assert (card.frame, card.draw, card.redraw) == (DEFAULTS.frame, DEFAULTS.draw, DEFAULTS.redraw)  # the card's
+    for name in ("frame", "draw", "redraw"):
+        assert getattr(software, name) / getattr(known, name) == pytest.approx(software.cell / known.cell), name
 
 
 @pytest.mark.parametrize("damage", [
@@ -116,19 +125,28 @@ def test_real_runs_teach_fast_forward_and_the_display(folder, monkeypatch):
     assert learned.display == pytest.approx(DEFAULTS.display, rel=0.2)
 
 
-def test_the_last_frame_teaches_the_draw_call_unless_it_waited_for_the_screen(folder):
+def frame_cost(renderer, rows=400, slower=1.0):
+    """Predict an OpenGL simulation with what is known, on a computer that draws so many times as slowly."""
+    commands = [("G1", {"X": 10.0 + 60 * (i % 2), "Y": 0.1 * i, "Z": 10.0, "F": 5.0}) for i in range(rows)]
+    known = calibration.constants(renderer)
+    known = replace(known, frame=known.frame * slower, draw=known.draw * slower)
+    return opengl_cost(linearize(commands), diameter=6.0, stock=Stock((0, 0, 0), (100, 60, 20)), constants=known)
+
+
+@pytest.mark.parametrize("renderer, slower", [("card", 30.0), ("llvmpipe", 3.0), ("llvmpipe", 0.3)])
+def test_the_last_frame_teaches_how_fast_opengl_draws(folder, renderer, slower):
+    calibration.calibrate(renderer)
+    true = frame_cost(renderer, slower=slower)
+    learned = calibration.learn_frame(frame_cost(renderer), true.frame_seconds, renderer=renderer).constants
+    assert (learned.frame, learned.draw) == pytest.approx((true.constants.frame, true.constants.draw))
+    assert frame_cost(renderer).play_seconds == pytest.approx(true.play_seconds)
+    assert calibration.calibrate(renderer).constants.draw == learned.draw  # what was learned stays
+
+
+def test_a_frame_teaches_nothing_if_it_waited_for_the_screen_or_drew_nothing(folder):
     calibration.calibrate("card")
-    rows = linearize([("G1", {"X": 10.0 + 60 * (i % 2), "Y": 0.1 * i, "Z": 10.0, "F": 5.0}) for i in range(400)])
-
-    def cost(path=rows, **constants):
-        known = replace(calibration.constants("card"), **constants)
-        return opengl_cost(path, diameter=6.0, stock=Stock((0, 0, 0), (100, 60, 20)), constants=known)
-
-    assert calibration.learn_frame(cost(), 1.1 * DEFAULTS.frame, renderer="card") is None
-    assert calibration.learn_frame(cost(linearize([])), 1.0, renderer="card") is None
-    slow = cost(draw=50e-6).frame_seconds
-    assert calibration.learn_frame(cost(), slow, renderer="card").constants.draw == pytest.approx(50e-6)
-    assert cost().frame_seconds == pytest.approx(slow) and cost().play_seconds == cost(draw=50e-6).play_seconds
+    assert calibration.learn_frame(frame_cost("card"), 1.1 * DEFAULTS.refresh, renderer="card") is None
+    assert calibration.learn_frame(frame_cost("card", rows=0), 1.0, renderer="card") is None
 
 
 def test_one_odd_run_does_no_harm_and_a_new_benchmark_forgets_nothing(folder):

@@ -23,6 +23,10 @@ _SMALLEST_STEP, _LARGEST_STEP = np.pi / 90, np.pi / 2
 _PASSES = 9
 # Height of a tool as it is drawn, mm; bits are 20 to 50 mm long.
 _TOOL_HEIGHT = 30.0
+# The part is seen along Y and 30 degrees down, from 1.6 times the stock's longer side, in a window of 4:3 that shows
+# 0.7 rad of height (SimDisplay.cpp).
+_TILT = np.pi / 6
+_WINDOW = 4 / 3 * (2 * 1.6 * np.tan(0.35)) ** 2  # area, of the square on the longer side
 # Parts of an operation whose frames are looked at where others were played before.
 _PARTS = 32
 
@@ -38,7 +42,7 @@ class OpenGLWork:
     draws : (m,) float64
         Draw calls that each motion, once done, costs every frame.
     area : (m,) float64
-        Surface of what the tool sweeps in each motion, seen from above and from one side, mm^2.
+        Outline of all that is drawn for each motion in one pass, as large as it is seen at first, mm^2.
     arc : (m,) bool
         Which motions are arcs; an arc is drawn as far as it is done, anything else is drawn whole at once.
     """
@@ -85,11 +89,27 @@ def opengl_work(made: Motions, *, diameter: float, quality: int = 10) -> OpenGLW
     chords = np.floor(np.abs(made.sweep) / step) + np.where(small, 1, 2)
     lines = np.maximum(np.floor(np.linalg.norm(made.move, axis=1) / resolution), 1)
     draws = _PASSES * np.where(arc, chords, np.where(made.level < 1e-6, 1, 2))
-    tool = np.pi / 4 * diameter**2 + _TOOL_HEIGHT * diameter
-    length = np.where(arc, made.radius * np.abs(made.sweep), made.level)
-    # An arc within the tool's radius is drawn as the whole tool at every chord's end.
-    area = np.where(arc & small, chords * tool, (diameter + _TOOL_HEIGHT) * length + tool)
-    return OpenGLWork(np.where(arc, chords, lines), draws, area, arc)
+    return OpenGLWork(np.where(arc, chords, lines), draws, _seen(made, diameter, arc & small, chords), arc)
+
+
+def _seen(made: Motions, diameter: float, small: np.ndarray, chords: np.ndarray) -> np.ndarray:
+    """Return the outlines of what is drawn for each motion, mm^2.
+
+    A straight motion is drawn as the box that it sweeps and the front half of the tool, a vertical one as the tool, an
+    arc as a box for every chord and the tool at its end, a small arc as the tool at the end of every chord.
+    """
+    disc = np.pi / 4 * diameter**2
+    x, y = np.abs(made.move[:, :2]).T
+    across = np.divide(y, made.level, out=np.zeros(len(y)), where=made.level > 0)
+    arc, turned = made.radius * np.abs(made.sweep), 2 / np.pi  # what is seen of lengths in all directions
+    kinds = small, made.radius > 0, made.level < 1e-6
+    wide = np.select(
+        kinds,
+        (chords * diameter, turned * (arc + (chords - 1) * diameter) + diameter, diameter),
+        x + across * diameter + (1 + across) * diameter / 2,
+    )
+    flat = np.select(kinds, (chords * disc, arc * diameter + disc, disc), made.level * diameter + disc / 2)
+    return _TOOL_HEIGHT * np.cos(_TILT) * wide + np.sin(_TILT) * flat
 
 
 @dataclass(frozen=True)
@@ -99,7 +119,7 @@ class OpenGLCost:
     Attributes
     ----------
     drawing_seconds : float
-        Drawing all motions once.
+        Drawing all motions once, without what every frame takes.
     play_seconds : dict of int to float
         Time to play for each speed, steps per frame.
     memory_bytes : float
@@ -125,7 +145,7 @@ class OpenGLCost:
     @property
     def frame_seconds(self) -> float:
         """float : one frame at the end, s; the display is that slow whenever the part is turned."""
-        return max(self.constants.frame, self.drawing_seconds)
+        return max(self.constants.refresh, self.constants.frame + self.drawing_seconds)
 
     @property
     def fastest_seconds(self) -> float:
@@ -146,8 +166,7 @@ def opengl_cost(
 
     A frame draws a straight motion with two calls in each of nine passes, a vertical one with one and an arc
     with one per chord, for all that was cut so far: playing takes a time of the order of the square of the
-    motions. What a motion fills of the window counts as draw calls too; the window shows the whole stock. Drawing
-    goes on beside what a frame always takes, so the longer of the two counts.
+    motions. What a motion fills of the window counts as draw calls too.
 
     Parameters
     ----------
@@ -174,12 +193,12 @@ def opengl_cost(
     """
     work = opengl_work(motions(toolpath), diameter=diameter, quality=quality)
     steps, draws, arc = work.steps, work.draws, work.arc
-    diagonal2 = float(((stock.upper - stock.lower) ** 2).sum())
-    drawing = constants.draw * (draws + constants.fill * work.area / diagonal2)
+    window = _WINDOW * float(np.max((stock.upper - stock.lower)[:2])) ** 2
+    drawing = constants.draw * (draws + constants.fill * _PASSES * work.area / window)
 
     # Mean frame of every motion: a line is drawn whole at once, an arc grows chord by chord.
     before = np.cumsum(drawing) - drawing
-    frames = np.maximum(before + np.where(arc, drawing / 2, drawing), constants.frame)
+    frames = np.maximum(constants.frame + before + np.where(arc, drawing / 2, drawing), constants.refresh)
     total = float((steps * frames).sum())
     return OpenGLCost(
         drawing_seconds=float(drawing.sum()),
@@ -210,8 +229,8 @@ def opengl_together(costs: Sequence[OpenGLCost]) -> OpenGLCost:
     part = (np.arange(_PARTS) + 0.5) / _PARTS
     before = longer = 0.0
     for cost in costs:
-        alone = cost.drawing_seconds * part
-        added = np.maximum(before + alone, constants.frame) - np.maximum(alone, constants.frame)
+        alone = constants.frame + cost.drawing_seconds * part
+        added = np.maximum(before + alone, constants.refresh) - np.maximum(alone, constants.refresh)
         longer += cost.steps * float(added.mean())
         before += cost.drawing_seconds
     return OpenGLCost(

@@ -23,8 +23,8 @@ class Constants:
     """What one unit of work costs on one computer, seconds and bytes.
 
     The defaults were measured with FreeCAD 0.20.2, 1.0.0 and 1.1.3 on two Xeon cores without a graphics card;
-    ``redraw``, ``draw`` and ``fill`` are a guess for a graphics card, none was there; software rendering took 40e-3,
-    18e-6 and 1000, and 36e-3 for a frame. ``document/calibration.py`` measures them on the user's computer.
+    ``redraw``, ``frame`` and ``draw`` are a guess for a graphics card, none was there; ``document/calibration.py`` has
+    those of software rendering, and measures them on the user's computer.
 
     Attributes
     ----------
@@ -48,10 +48,12 @@ class Constants:
         Legacy: one test whether a point is inside the tool, when the tool's profile is taken.
     facet_bytes : float
         Legacy: memory of one triangle.
+    refresh : float
+        OpenGL: at least from one frame to the next (every second refresh of a 60 Hz screen).
     frame, draw : float
-        OpenGL: one frame, however little it draws (every second refresh of a 60 Hz screen), and one draw call.
+        OpenGL: what every frame draws, and one draw call.
     fill : float
-        OpenGL: drawing a surface as large as a square on the stock's diagonal, in draw calls.
+        OpenGL: filling the window once, in draw calls.
     line_bytes, arc_bytes : float
         OpenGL: memory of a straight motion and of an arc.
     legacy_factor, opengl_factor : float
@@ -71,7 +73,8 @@ class Constants:
     display: float = 1e-6
     profile: float = 0.1e-3
     facet_bytes: float = 150.0
-    frame: float = 1 / 30
+    refresh: float = 1 / 30
+    frame: float = 1e-3
     draw: float = 1.5e-6
     fill: float = 150.0
     line_bytes: float = 900.0

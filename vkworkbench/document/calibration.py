@@ -31,10 +31,10 @@ from vkworkbench.core.simulators import DEFAULTS, Constants
 from vkworkbench.core.solids import Stock
 from vkworkbench.core.speed import measure_speed
 
-# Names of OpenGL renderers on the processor, and what a frame, which waits for no screen, a draw call and filling
-# surfaces were measured to take there.
+# Names of OpenGL renderers on the processor, which wait for no screen, and what a frame and a draw call were measured
+# to take there.
 _SOFTWARE = ("llvmpipe", "softpipe", "swr", "swiftshader", "gdi generic", "microsoft basic render")
-_SOFTWARE_OPENGL = {"frame": 36e-3, "draw": 18e-6, "fill": 1000.0}
+_SOFTWARE_OPENGL = {"frame": 42e-3, "draw": 15e-6}
 # What a command of a play takes to show there, and a new percent of a fast-forward: Qt 6, with which FreeCAD 1.1 comes,
 # also paints the window on the processor.
 _SOFTWARE_PANEL = {"redraw": 40e-3}
@@ -53,7 +53,7 @@ _RUNS = {
 }
 _SHORTEST_PLAY = 20  # commands
 _LAST_RUNS = 15
-# A frame that takes less than this many of the shortest may have waited for the screen.
+# A frame that takes less than this many refreshes may have waited for the screen.
 _SLOW_FRAME = 1.25
 # What the benchmark cuts.
 _STOCK = Stock((0, 0, 0), (100, 60, 20))
@@ -223,7 +223,7 @@ def learn(cost: LegacyCost, seconds: float, *, played: bool, renderer: str = "")
 
 
 def learn_frame(cost: OpenGLCost, seconds: float, *, renderer: str) -> Calibration | None:
-    """Learn what a draw call takes from the last frames of an OpenGL simulation that the user ran.
+    """Learn how fast OpenGL draws from the last frames of a simulation that the user ran.
 
     Parameters
     ----------
@@ -241,9 +241,10 @@ def learn_frame(cost: OpenGLCost, seconds: float, *, renderer: str) -> Calibrati
         may have waited for the screen.
     """
     known = load(renderer)
-    if known is None or seconds < _SLOW_FRAME * known.constants.frame or not cost.drawing_seconds:
+    if known is None or seconds < _SLOW_FRAME * known.constants.refresh or not cost.drawing_seconds:
         return None
-    return _learn(known, "draw", known.constants.draw * seconds / cost.drawing_seconds)
+    slower = seconds / (known.constants.frame + cost.drawing_seconds)
+    return _learn(known, "draw", known.constants.draw * slower)
 
 
 def _learn(known: Calibration, name: str, run: float | tuple) -> Calibration:
@@ -259,7 +260,9 @@ def _remember(calibration: Calibration) -> Calibration:
     if runs["play"]:
         learned |= zip(("redraw", "display"), fit_play(*np.array(runs["play"]).T))
     if runs["draw"]:
-        learned |= {"draw": median_low(runs["draw"]), "opengl_factor": _CALIBRATED_FACTOR}
+        draw = median_low(runs["draw"])
+        frame = calibration.constants.frame * draw / calibration.constants.draw
+        learned |= {"frame": frame, "draw": draw, "opengl_factor": _CALIBRATED_FACTOR}
     calibration = replace(calibration, constants=replace(calibration.constants, **learned))
     _write({_key(calibration.renderer): asdict(calibration)})
     return calibration
@@ -299,9 +302,15 @@ def _speed_key() -> str:
 def _for_renderer(base: Constants, renderer: str) -> Constants:
     if any(name in renderer.lower() for name in _SOFTWARE):
         panel = _SOFTWARE_PANEL_QT6 if freecad_version() >= _QT6_SINCE else _SOFTWARE_PANEL
+        pictures = {name: _here(seconds, base.cell) for name, seconds in {**_SOFTWARE_OPENGL, **panel}.items()}
         mesh = {"cell": base.cell * _SOFTWARE_MESH, "facet": base.facet * _SOFTWARE_MESH}
-        return replace(base, opengl_factor=DEFAULTS.legacy_factor, **mesh, **panel, **_SOFTWARE_OPENGL)
+        return replace(base, opengl_factor=DEFAULTS.legacy_factor, refresh=0.0, **mesh, **pictures)
     return base
+
+
+def _here(seconds: float, cell: float) -> float:
+    """What takes so long where the defaults were measured, on a processor on which a mesh takes `cell` s a cell."""
+    return seconds * cell / DEFAULTS.cell
 
 
 def _measure() -> Constants:
@@ -324,8 +333,9 @@ def _measure() -> Constants:
     tool = Part.makeCylinder(radius, 20)
     profile = _best(lambda: flat.SetToolShape(tool, step)) / (3 * radius / step)
     return replace(
-        DEFAULTS, call=call, ring=ring, line=line, cap=cap, cell=cell, facet=facet, profile=profile
-    )
+        DEFAULTS, start=_here(DEFAULTS.start, cell), call=call, ring=ring, line=line, cap=cap, cell=cell, facet=facet,
+        profile=profile,
+    )  # fmt: skip
 
 
 def _cut(diameter: float, length: float, count: int) -> tuple[list[float], float]:
