@@ -152,15 +152,8 @@ class OperationReport:
             "memory_bytes": estimate and estimate.memory_bytes,
             "seconds": estimate and estimate.seconds,
             "factor": self.estimate and self.factor(ZBUFFER),
-            "resolution": self.resolution and self.resolution.explanation,
-            "legacy_accuracy": self.accuracy and self.accuracy.explanation,
-            "legacy_seconds": self.legacy and self.legacy.fast_forward_seconds,
-            "legacy_play_seconds": self.legacy and self.legacy.play_seconds,
-            "legacy_memory_bytes": self.legacy and self.legacy.memory_bytes,
+            **_simulators(self),
             "legacy_factor": self.factor(LEGACY),
-            "opengl_seconds": self.opengl and self.opengl.fastest_seconds,
-            "opengl_frame_seconds": self.opengl and self.opengl.frame_seconds,
-            "opengl_memory_bytes": self.opengl and self.opengl.memory_bytes,
             "opengl_factor": self.factor(OPENGL),
             "error": self.error,
             "cautions": [caution.message for caution in self.cautions],
@@ -224,15 +217,22 @@ class Total:
             "seconds": self.seconds,
             "memory_bytes": self.memory_bytes,
             "incomplete": self.incomplete,
-            "resolution": self.resolution and self.resolution.explanation,
-            "legacy_accuracy": self.accuracy and self.accuracy.explanation,
-            "legacy_seconds": self.legacy and self.legacy.fast_forward_seconds,
-            "legacy_play_seconds": self.legacy and self.legacy.play_seconds,
-            "legacy_memory_bytes": self.legacy and self.legacy.memory_bytes,
-            "opengl_seconds": self.opengl and self.opengl.fastest_seconds,
-            "opengl_frame_seconds": self.opengl and self.opengl.frame_seconds,
-            "opengl_memory_bytes": self.opengl and self.opengl.memory_bytes,
+            **_simulators(self),
         }
+
+
+def _simulators(of: OperationReport | Total) -> dict[str, Any]:
+    """Return the best resolution and accuracy, and what FreeCAD's simulators take, s and bytes."""
+    return {
+        "resolution": of.resolution and of.resolution.explanation,
+        "legacy_accuracy": of.accuracy and of.accuracy.explanation,
+        "legacy_seconds": of.legacy and of.legacy.fast_forward_seconds,
+        "legacy_play_seconds": of.legacy and of.legacy.play_seconds,
+        "legacy_memory_bytes": of.legacy and of.legacy.memory_bytes,
+        "opengl_seconds": of.opengl and of.opengl.fastest_seconds,
+        "opengl_frame_seconds": of.opengl and of.opengl.frame_seconds,
+        "opengl_memory_bytes": of.opengl and of.opengl.memory_bytes,
+    }
 
 
 @dataclass(frozen=True)
