@@ -20,6 +20,7 @@ from simulators import RENDERER, beside, in_rounds, left_out, summary
 from vkworkbench.core import linearize
 from vkworkbench.core.opengl import opengl_cost
 from vkworkbench.core.simulators import opengl_speeds
+from vkworkbench.core.solids import Tool
 from vkworkbench.document.calibration import constants, freecad_version
 
 LONGEST = 8.0  # s
@@ -50,7 +51,7 @@ def run(samples, out):
     cases = []
     for label, commands, tool, stock in [*lines_and_arcs(samples[0]), *samples]:
         cost = opengl_cost(
-            linearize(commands), diameter=tool.diameter, stock=stock, speeds=(speed,), constants=constants(RENDERER)
+            linearize(commands), tool=tool, stock=stock, speeds=(speed,), constants=constants(RENDERER)
         )
         if 1 < cost.play_seconds[speed] < LONGEST:
             frames = -(-cost.steps // speed)
@@ -77,7 +78,7 @@ def run(samples, out):
 
 
 def lines_and_arcs(sample):
-    """Paths of lines only and of arcs only, with the tool and the stock of a sample."""
+    """Paths of lines only and of arcs only, with the tool and the stock of a sample, and lines with a ball end."""
     _, _, tool, stock = sample
     x, y, top = stock.lower[0] + 10, stock.lower[1] + 10, stock.upper[2]
     start = ("G0", {"X": x, "Y": y, "Z": top})
@@ -86,6 +87,7 @@ def lines_and_arcs(sample):
             ("G1", {"X": x + 40 * (i % 4 in (0, 1)), "Y": y + 0.2 * i, "Z": top - 5}) for i in range(count)
         ]
         yield f"{count} lines", [start, *rows], tool, stock
+        yield f"{count} lines with a ball end", [start, *rows], Tool("ballend", tool.diameter), stock
     right = ("G3", {"X": x + 20, "Y": y, "Z": top - 5, "I": 10.0, "J": 0.0})
     left = ("G3", {"X": x, "Y": y, "Z": top - 5, "I": -10.0, "J": 0.0})
     half = [right, left] * 20
@@ -125,8 +127,10 @@ def picture(window):
 
 
 def profile(tool):
-    """Radius and height along the tool's outline, from its top to its tip."""
-    radii = np.linspace(tool.radius, 0, 9) if tool.height(tool.radius) else (tool.radius, 0.0)
+    """Radius and height along the tool's outline, from its top to its tip, as FreeCAD's panel makes it."""
+    corner = tool.rounding
+    turns = np.linspace(0, np.pi / 2, int(corner * np.pi / 2 / 0.5) + 2 if corner else 1)
+    radii = [*(tool.radius - corner * (1 - np.cos(turns))), *([0.0] if corner < tool.radius else [])]
     return [tool.radius, 30.0] + [float(v) for r in radii for v in (r, tool.height(r))]
 
 

@@ -161,7 +161,7 @@ def feed_program(commands, tolerance=0.01, diameter=5.0):
             if tool is not None:
                 cost = estimate(path, found, tool=tool, stock=STOCK, view=VIEW)
                 check_estimate(cost)
-                opengl_cost(path, diameter=diameter, stock=STOCK)
+                opengl_cost(path, tool=tool, stock=STOCK)
             preflight(commands, path, version=(1, 0), diameter=tool and diameter)
     except Exception as error:
         return Result(where(error), count, len(path), time.process_time() - start)

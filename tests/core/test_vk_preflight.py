@@ -90,7 +90,7 @@ def test_a_long_play_is_announced_with_the_faster_way():
     commands = zigzag(20000)
     path = linearize(commands)
     (legacy,) = legacy_costs(path, tool=Tool("endmill", 6.0), stock=STOCK)
-    opengl = opengl_cost(path, diameter=6.0, stock=STOCK, constants=Constants(refresh=0.035, draw=25e-6))
+    opengl = opengl_cost(path, tool=Tool("endmill", 6.0), stock=STOCK, constants=Constants(refresh=0.035, draw=25e-6))
     found = [one for one in preflight(commands, path, version=(1, 1), legacy=legacy, opengl=opengl)
              if one.code == "long-play"]  # fmt: skip
     assert len(found) == 2  # 20,001 commands of 25 ms, a mesh of a million cells of 27 ns and its triangles
@@ -103,10 +103,10 @@ def test_a_long_play_is_announced_with_the_faster_way():
 
 def test_arcs_that_dominate_a_slow_frame():
     arcs = [START] + [("G3", HALF), ("G3", {"X": 10.0, "Y": 0.0, "Z": 5.0, "I": 10.0, "J": 0.0})] * 1000
-    slow = opengl_cost(linearize(arcs), diameter=6.0, stock=STOCK)
+    slow = opengl_cost(linearize(arcs), tool=Tool("endmill", 6.0), stock=STOCK)
     (found,) = [one for one in check(arcs, opengl=slow) if one.code == "arcs"]
     assert "100 % of it for arcs" in found.message
-    assert check(arcs[:5], opengl=opengl_cost(linearize(arcs[:5]), diameter=6.0, stock=STOCK)) == ()
+    assert check(arcs[:5], opengl=opengl_cost(linearize(arcs[:5]), tool=Tool("endmill", 6.0), stock=STOCK)) == ()
 
 
 def test_thousands_of_moves_shorter_than_a_cell():
@@ -127,7 +127,7 @@ def test_memory_beyond_the_budget():
     costs = {
         "zbuffer": estimate(path, recognize(path), tool=tool, stock=STOCK, view=View(width=80, height=60)),
         "legacy": legacy,
-        "opengl": opengl_cost(path, diameter=6.0, stock=STOCK),
+        "opengl": opengl_cost(path, tool=Tool("endmill", 6.0), stock=STOCK),
     }
     found = preflight(commands, path, version=(1, 0), **costs, memory_budget=1e4)
     assert [(one.code, one.message.split()[1]) for one in found] == [

@@ -16,7 +16,7 @@ from vkworkbench.core.legacy_mesh import bottom_rectangles, mesh_facets
 from vkworkbench.core.legacy_panel import fit_fast_forward, fit_play
 from vkworkbench.core.linearize import linearize
 from vkworkbench.core.motions import motions
-from vkworkbench.core.opengl import opengl_cost, opengl_together, opengl_work
+from vkworkbench.core.opengl import opengl_cost, opengl_together, opengl_work, outline_segments
 from vkworkbench.core.resolution import best_accuracy
 from vkworkbench.core.simulators import DEFAULTS, Constants, Simulator, available_simulators, opengl_speeds
 from vkworkbench.core.solids import Stock, Tool
@@ -254,10 +254,10 @@ def test_operations_together_start_once_and_draw_what_was_cut_before():
     assert one.memory_bytes < two.memory_bytes < 2 * one.memory_bytes
 
     path = linearize(zigzag(400))
-    whole = opengl_cost(path, diameter=6.0, stock=STOCK, speeds=(10,))
+    whole = opengl_cost(path, tool=TOOL, stock=STOCK, speeds=(10,))
     assert opengl_together([whole]) == whole
     # The same motions, half of them twice: nearly as long as all at once.
-    half = opengl_cost(linearize(zigzag(200)), diameter=6.0, stock=STOCK, speeds=(10,))
+    half = opengl_cost(linearize(zigzag(200)), tool=TOOL, stock=STOCK, speeds=(10,))
     both = opengl_together([half, half])
     assert both.play_seconds[10] == pytest.approx(whole.play_seconds[10], rel=0.03)
     assert both.frame_seconds == pytest.approx(whole.frame_seconds, rel=0.01)
@@ -301,9 +301,9 @@ def test_impossible_input_is_refused_in_words():
     with pytest.raises(ValueError, match="speed"):
         legacy_costs(linearize(zigzag(2)), tool=TOOL, stock=STOCK, speed=0)
     with pytest.raises(ValueError, match="tool diameter"):
-        opengl_cost(linearize(zigzag(2)), diameter=float("nan"), stock=STOCK)
+        opengl_work(made, diameter=float("nan"))
     with pytest.raises(ValueError, match="quality"):
-        opengl_cost(linearize(zigzag(2)), diameter=6.0, stock=STOCK, quality=0)
+        opengl_cost(linearize(zigzag(2)), tool=TOOL, stock=STOCK, quality=0)
 
 
 # --- heights and mesh
@@ -391,14 +391,14 @@ def test_on_a_ramp_the_lower_face_is_cut_from_where_the_tip_comes_through():
 
 def test_draw_calls_of_lines_plunges_and_arcs():
     start = [("G0", {"X": 0.0, "Y": 0.0, "Z": 10.0})]
-    assert opengl_cost(linearize(start + [("G1", {"X": 10.0})]), diameter=6.0, stock=STOCK).draws == 18
-    assert opengl_cost(linearize(start + [("G1", {"Z": 1.0})]), diameter=6.0, stock=STOCK).draws == 9
+    assert opengl_cost(linearize(start + [("G1", {"X": 10.0})]), tool=TOOL, stock=STOCK).draws == 18
+    assert opengl_cost(linearize(start + [("G1", {"Z": 1.0})]), tool=TOOL, stock=STOCK).draws == 9
     # A half circle of 5 mm was counted in FreeCAD 1.0: 33 chords, 297 draw calls.
-    half = opengl_cost(linearize(arcs(1, 5.0)), diameter=6.0, stock=STOCK)
+    half = opengl_cost(linearize(arcs(1, 5.0)), tool=TOOL, stock=STOCK)
     assert (half.steps, half.draws, half.arc_draws) == (33, 297, 297)
     # Within the tool's radius an arc is drawn with the tool every 22.5 degrees.
-    assert opengl_cost(linearize(arcs(1, 2.0)), diameter=6.0, stock=STOCK).draws == 9 * 9
-    assert opengl_cost(linearize(arcs(1, 2.0)), diameter=6.0, stock=STOCK, quality=1).draws == 9 * 3
+    assert opengl_cost(linearize(arcs(1, 2.0)), tool=TOOL, stock=STOCK).draws == 9 * 9
+    assert opengl_cost(linearize(arcs(1, 2.0)), tool=TOOL, stock=STOCK, quality=1).draws == 9 * 3
 
 
 def outline(*bases):
@@ -463,22 +463,31 @@ def play(path, diameter, speed, constants):
 def test_playing_takes_what_its_frames_add_up_to(speed):
     software = Constants(refresh=0.02, frame=0.01, draw=25e-6)
     path = linearize(zigzag(60) + arcs(40, 5.0) + arcs(40, 2.0))
-    predicted = opengl_cost(path, diameter=6.0, stock=STOCK, speeds=(speed,), constants=software).play_seconds[speed]
+    predicted = opengl_cost(path, tool=TOOL, stock=STOCK, speeds=(speed,), constants=software).play_seconds[speed]
     assert predicted == pytest.approx(play(path, 6.0, speed, software), rel=0.02)
 
 
 def test_wide_cuts_take_longer_to_draw_than_narrow_ones_and_long_ones_than_short_ones():
     path, only = linearize(zigzag(60)), Constants(refresh=0.0, frame=0.0)
-    wide, narrow = (opengl_cost(path, diameter=d, stock=STOCK, constants=only) for d in (12.0, 3.0))
+    wide, narrow = (opengl_cost(path, tool=Tool("endmill", d), stock=STOCK, constants=only) for d in (12.0, 3.0))
     assert wide.draws == narrow.draws and wide.frame_seconds > 1.2 * narrow.frame_seconds
-    short = opengl_cost(linearize(zigzag(60, width=8.0)), diameter=3.0, stock=STOCK, constants=only)
+    short = opengl_cost(linearize(zigzag(60, width=8.0)), tool=Tool("endmill", 3.0), stock=STOCK, constants=only)
     assert short.draws == narrow.draws and narrow.frame_seconds > 1.4 * short.frame_seconds
+
+
+def test_rounded_tools_take_longer_to_draw_by_the_segments_of_their_outline():
+    rounded = Tool("bullnose", 6.0, corner_radius=1.0), Tool("ballend", 6.0), Tool("ballend", 10.0)
+    tools = TOOL, Tool("vbit", 6.0), *rounded
+    assert [outline_segments(tool) for tool in tools] == [2, 2, 6, 11, 17]
+    path, only = linearize(zigzag(60)), Constants(refresh=0.0, frame=0.0)
+    flat, ball = (opengl_cost(path, tool=tool, stock=STOCK, constants=only) for tool in (TOOL, Tool("ballend", 6.0)))
+    assert ball.draws == flat.draws and ball.frame_seconds == pytest.approx(1.9 * flat.frame_seconds)
 
 
 def test_playing_twice_the_path_takes_four_times_as_long_once_drawing_dominates():
     slow = Constants(refresh=0.0, frame=0.0, draw=1e-3)
-    once = opengl_cost(linearize(zigzag(200, pitch=0.1)), diameter=6.0, stock=STOCK, constants=slow).play_seconds[1]
-    twice = opengl_cost(linearize(zigzag(400, pitch=0.1)), diameter=6.0, stock=STOCK, constants=slow).play_seconds[1]
+    once = opengl_cost(linearize(zigzag(200, pitch=0.1)), tool=TOOL, stock=STOCK, constants=slow).play_seconds[1]
+    twice = opengl_cost(linearize(zigzag(400, pitch=0.1)), tool=TOOL, stock=STOCK, constants=slow).play_seconds[1]
     assert twice / once == pytest.approx(4, rel=0.05)
 
 

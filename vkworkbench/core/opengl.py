@@ -14,7 +14,7 @@ import numpy as np
 
 from vkworkbench.core.motions import Motions, motions
 from vkworkbench.core.simulators import DEFAULTS, Constants
-from vkworkbench.core.solids import ConvexStock, Stock
+from vkworkbench.core.solids import ConvexStock, Stock, Tool
 from vkworkbench.core.toolpath import Toolpath
 
 # Angle of a chord of an arc, at least and at most (MillPathSegment.cpp).
@@ -27,6 +27,10 @@ _TOOL_HEIGHT = 30.0
 # 0.7 rad of height (SimDisplay.cpp).
 _TILT = np.pi / 6
 _WINDOW = 4 / 3 * (2 * 1.6 * np.tan(0.35)) ** 2  # area, of the square on the longer side
+# Pieces in which a rounded corner of the tool is drawn, mm (SimulatorGL.py), and how much longer drawing takes for every
+# segment of its outline that a flat end has not (benchmarks/simulators.py).
+_CORNER_PIECE = 0.5
+_LONGER_PER_SEGMENT = 0.1
 # Parts of an operation whose frames are looked at where others were played before.
 _PARTS = 32
 
@@ -112,6 +116,12 @@ def _seen(made: Motions, diameter: float, small: np.ndarray, chords: np.ndarray)
     return _TOOL_HEIGHT * np.cos(_TILT) * wide + np.sin(_TILT) * flat
 
 
+def outline_segments(tool: Tool) -> int:
+    """Return in how many segments the tool's outline is drawn: its side, its rounded corner, and its flat or cone."""
+    corner = int(tool.rounding * np.pi / 2 / _CORNER_PIECE) + 1 if tool.rounding else 0
+    return 1 + corner + (tool.rounding < tool.radius)
+
+
 @dataclass(frozen=True)
 class OpenGLCost:
     """What the OpenGL simulator takes for one operation.
@@ -156,7 +166,7 @@ class OpenGLCost:
 def opengl_cost(
     toolpath: Toolpath,
     *,
-    diameter: float,
+    tool: Tool,
     stock: Stock | ConvexStock,
     speeds: tuple[int, ...] = (1, 5, 10, 25, 50),
     quality: int = 10,
@@ -166,14 +176,13 @@ def opengl_cost(
 
     A frame draws a straight motion with two calls in each of nine passes, a vertical one with one and an arc
     with one per chord, for all that was cut so far: playing takes a time of the order of the square of the
-    motions. What a motion fills of the window counts as draw calls too.
+    motions. What a motion fills of the window counts as draw calls too, and a rounded tool is drawn in more pieces.
 
     Parameters
     ----------
     toolpath : Toolpath
         The trajectories.
-    diameter : float
-        Diameter of the tool, mm.
+    tool : Tool
     stock : Stock or ConvexStock
     speeds : tuple of int
         Steps per frame, see :func:`opengl_speeds`.
@@ -189,12 +198,13 @@ def opengl_cost(
     Raises
     ------
     ValueError
-        If the diameter or the quality is not positive.
+        If the quality is not positive.
     """
-    work = opengl_work(motions(toolpath), diameter=diameter, quality=quality)
+    work = opengl_work(motions(toolpath), diameter=tool.diameter, quality=quality)
     steps, draws, arc = work.steps, work.draws, work.arc
     window = _WINDOW * float(np.max((stock.upper - stock.lower)[:2])) ** 2
-    drawing = constants.draw * (draws + constants.fill * _PASSES * work.area / window)
+    longer = 1 + _LONGER_PER_SEGMENT * (outline_segments(tool) - 2)
+    drawing = constants.draw * longer * (draws + constants.fill * _PASSES * work.area / window)
 
     # Mean frame of every motion: a line is drawn whole at once, an arc grows chord by chord.
     before = np.cumsum(drawing) - drawing

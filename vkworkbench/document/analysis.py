@@ -211,7 +211,7 @@ def _work(
         accuracy = best_accuracy([positions], stepover=found.stepover, **chosen.budget)
         if Simulator.OPENGL in available_simulators(version):
             opengl = opengl_cost(
-                toolpath, diameter=tool.diameter, stock=stock, speeds=opengl_speeds(version),
+                toolpath, tool=tool, stock=stock, speeds=opengl_speeds(version),
                 quality=chosen.opengl_quality, constants=constants,
             )  # fmt: skip
     going_on()

@@ -130,7 +130,7 @@ class OpenGLRun(QObject):
         speeds = opengl_speeds(calibration.freecad_version())
         with suppress(OSError, ValueError):  # not kept, or arcs of too many chords
             cost = opengl_together([
-                opengl_cost(linearize(path.Commands), diameter=tool.diameter, stock=stock, speeds=speeds,
+                opengl_cost(linearize(path.Commands), tool=tool, stock=stock, speeds=speeds,
                             quality=quality, constants=calibration.constants(renderer))
                 for path, tool, stock in simulated
             ])  # fmt: skip
