@@ -130,7 +130,8 @@ def frame_cost(renderer, rows=400, slower=1.0):
     commands = [("G1", {"X": 10.0 + 60 * (i % 2), "Y": 0.1 * i, "Z": 10.0, "F": 5.0}) for i in range(rows)]
     known = calibration.constants(renderer)
     known = replace(known, frame=known.frame * slower, draw=known.draw * slower)
-    return opengl_cost(linearize(commands), tool=Tool("endmill", 6.0), stock=Stock((0, 0, 0), (100, 60, 20)), constants=known)
+    tool, stock = Tool("endmill", 6.0), Stock((0, 0, 0), (100, 60, 20))
+    return opengl_cost(linearize(commands), tool=tool, stock=stock, constants=known)
 
 
 @pytest.mark.parametrize("renderer, slower", [("card", 30.0), ("llvmpipe", 3.0), ("llvmpipe", 0.3)])

@@ -23,8 +23,8 @@ class Constants:
     """What one unit of work costs on one computer, seconds and bytes.
 
     The defaults were measured with FreeCAD 0.20.2, 1.0.0 and 1.1.3 on two Xeon cores without a graphics card;
-    those of OpenGL and ``redraw`` are a guess for a graphics card, none was there. ``document/calibration.py`` has those
-    of software rendering, and finds them on the user's computer.
+    ``redraw``, ``frame``, ``draw`` and ``fill`` are a guess for a graphics card, none was there.
+    ``document/calibration.py`` has those of software rendering, and finds them on the user's computer.
 
     Attributes
     ----------
