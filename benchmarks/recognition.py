@@ -28,9 +28,9 @@ sys.path[:0] = [str(HERE.parent), str(HERE)]
 
 import synthetic  # noqa: E402
 
-from vkworkbench.core.linearize import linearize  # noqa: E402
+from vkworkbench.core import Toolpath  # noqa: E402
+from vkworkbench.core.gcode import linearize  # noqa: E402
 from vkworkbench.core.recognition import recognize  # noqa: E402
-from vkworkbench.core.toolpath import Toolpath  # noqa: E402
 
 BACK_AND_FORTH = {"zigzag", "one-way"}
 AROUND = {"contour-parallel", "spiral", "waterline", "profile", "helix"}

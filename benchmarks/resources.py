@@ -26,16 +26,23 @@ sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 
 from synthetic import SAMPLES
 
-from vkworkbench.core.closed_form import cauchy_crofton, closed_form, swept
-from vkworkbench.core.linearize import linearize
+from vkworkbench.core import Stock, Strategy, Tool, Toolpath, View
+from vkworkbench.core.gcode import linearize
 from vkworkbench.core.recognition import recognize
-from vkworkbench.core.resolution import best_resolution
-from vkworkbench.core.resources import Speed, estimate, work
-from vkworkbench.core.solids import Stock, Tool, View
-from vkworkbench.core.speed import fit_speed, measure_speed
-from vkworkbench.core.strategy import Strategy
-from vkworkbench.core.toolpath import Toolpath
-from vkworkbench.core.zbuffer import DEXEL, TRACE, simulate
+from vkworkbench.core.zbuffer import (
+    DEXEL,
+    TRACE,
+    Speed,
+    best_resolution,
+    cauchy_crofton,
+    closed_form,
+    estimate,
+    fit_speed,
+    measure_speed,
+    simulate,
+    swept,
+    work,
+)
 
 MANY = 1.5e6  # candidate pixels
 MOST = 25  # operations of each file

@@ -35,10 +35,8 @@ sys.path[:0] = [str(ROOT), str(ROOT / "examples")]
 
 from make_example import make_example
 
-from vkworkbench.core import linearize
-from vkworkbench.core.legacy import legacy_costs
-from vkworkbench.core.simulators import Simulator, available_simulators
-from vkworkbench.core.solids import Stock, Tool
+from vkworkbench.core import Stock, Tool, linearize
+from vkworkbench.core.simulators import Simulator, available_simulators, legacy_costs
 from vkworkbench.document.calibration import calibrate, freecad_version
 from vkworkbench.document.operations import find
 from vkworkbench.document.setting import read_stock, read_tool

@@ -17,10 +17,8 @@ from opengl_window import FASTER, PLAY, click
 from PySide import QtCore, QtGui
 from simulators import RENDERER, beside, in_rounds, left_out, summary
 
-from vkworkbench.core import linearize
-from vkworkbench.core.opengl import opengl_cost
-from vkworkbench.core.simulators import opengl_speeds
-from vkworkbench.core.solids import Tool
+from vkworkbench.core import Tool, linearize
+from vkworkbench.core.simulators import opengl_cost, opengl_speeds
 from vkworkbench.document.calibration import constants, freecad_version
 
 LONGEST = 8.0  # s

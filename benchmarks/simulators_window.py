@@ -16,10 +16,8 @@ import Path
 from PySide import QtCore
 from simulators import RENDERER, beside, in_rounds, left_out, shape, summary
 
-from vkworkbench.core import linearize
-from vkworkbench.core.legacy import legacy_costs
-from vkworkbench.core.preflight import preflight
-from vkworkbench.core.solids import Stock, Tool
+from vkworkbench.core import Stock, Tool, linearize
+from vkworkbench.core.simulators import legacy_costs, preflight
 from vkworkbench.document.calibration import constants, freecad_version, learn, load
 
 LONGEST = {"fast-forward": 7000, "play": 100}  # commands

@@ -26,8 +26,7 @@ sys.path[:0] = [str(Path(__file__).parent), str(Path(__file__).parents[1])]
 import programs
 
 from vkworkbench.core import Stock, Strategy, Tool, View, estimate, linearize, machining, recognize, signature
-from vkworkbench.core.opengl import opengl_cost
-from vkworkbench.core.preflight import preflight
+from vkworkbench.core.simulators import opengl_cost, preflight
 
 # Time of one call is bounded by START + EACH * (commands + trajectories): linear, whatever the commands say.
 START, EACH = 0.5, 50e-6  # s

@@ -88,7 +88,7 @@ class Preferences:
     @property
     def view(self):
         """The View that these say."""
-        from vkworkbench.core.solids import View
+        from vkworkbench.core import View
 
         return View(DIRECTIONS[self.view_direction], self.image_width, self.image_height)
 

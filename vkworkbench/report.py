@@ -11,10 +11,16 @@ from typing import Any
 
 from vkworkbench import friendly
 from vkworkbench.core import Estimate, Machining, Recognition, Span, Strategy
-from vkworkbench.core.legacy import LegacyCost, legacy_together
-from vkworkbench.core.opengl import OpenGLCost, opengl_together
-from vkworkbench.core.preflight import Caution
-from vkworkbench.core.resolution import Accuracy, Resolution, best_accuracy, best_resolution
+from vkworkbench.core.simulators import (
+    Accuracy,
+    Caution,
+    LegacyCost,
+    OpenGLCost,
+    best_accuracy,
+    legacy_together,
+    opengl_together,
+)
+from vkworkbench.core.zbuffer import Resolution, best_resolution
 from vkworkbench.simulator_names import LEGACY, OPENGL, ZBUFFER
 
 # What spreadsheets take for a formula, behind anything they skip; the full-width signs in East Asian ones.

@@ -10,8 +10,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from vkworkbench.core.linearize import linearize
-from vkworkbench.core.machining import exact_lengths, machining
+from vkworkbench.core import exact_lengths, machining
+from vkworkbench.core.gcode import linearize
 
 
 def test_feeds_rapids_and_depth_add_up():

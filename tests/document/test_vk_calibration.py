@@ -10,11 +10,8 @@ from dataclasses import fields, replace
 import FreeCAD
 import pytest
 
-from vkworkbench.core import Speed, linearize
-from vkworkbench.core.legacy import legacy_costs
-from vkworkbench.core.opengl import opengl_cost
-from vkworkbench.core.simulators import DEFAULTS, Constants
-from vkworkbench.core.solids import Stock, Tool
+from vkworkbench.core import Speed, Stock, Tool, linearize
+from vkworkbench.core.simulators import DEFAULTS, Constants, legacy_costs, opengl_cost
 from vkworkbench.document import calibration
 
 

@@ -14,11 +14,19 @@ import FreeCAD
 
 from vkworkbench import preferences
 from vkworkbench.core import Speed, Stock, Strategy, Tool, estimate, linearize, machining, recognize
-from vkworkbench.core.legacy import SLIDER, LegacyCost, legacy_costs
-from vkworkbench.core.opengl import opengl_cost
-from vkworkbench.core.preflight import preflight
-from vkworkbench.core.resolution import best_accuracy, best_resolution
-from vkworkbench.core.simulators import Constants, Simulator, available_simulators, opengl_speeds
+from vkworkbench.core.simulators import (
+    SLIDER,
+    Constants,
+    LegacyCost,
+    Simulator,
+    available_simulators,
+    best_accuracy,
+    legacy_costs,
+    opengl_cost,
+    opengl_speeds,
+    preflight,
+)
+from vkworkbench.core.zbuffer import best_resolution
 from vkworkbench.document import calibration
 from vkworkbench.document.fingerprint import commands_fingerprint, setting_fingerprint
 from vkworkbench.document.operations import Operation, find

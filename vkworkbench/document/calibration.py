@@ -21,15 +21,19 @@ import Part
 from Path import Command as PathCommand
 from PathSimulator import PathSim
 
-from vkworkbench.core.legacy import LegacyCost, legacy_work
-from vkworkbench.core.legacy_panel import fit_fast_forward, fit_play
-from vkworkbench.core.linearize import linearize
-from vkworkbench.core.motions import motions
-from vkworkbench.core.opengl import OpenGLCost
-from vkworkbench.core.resources import Speed
-from vkworkbench.core.simulators import DEFAULTS, Constants
-from vkworkbench.core.solids import Stock
-from vkworkbench.core.speed import measure_speed
+from vkworkbench.core import Stock
+from vkworkbench.core.gcode import linearize
+from vkworkbench.core.simulators import (
+    DEFAULTS,
+    Constants,
+    LegacyCost,
+    OpenGLCost,
+    fit_fast_forward,
+    fit_play,
+    legacy_work,
+    motions,
+)
+from vkworkbench.core.zbuffer import Speed, measure_speed
 
 # Names of OpenGL renderers on the processor, which wait for no screen, and what a frame and a draw call were measured
 # to take there.

@@ -14,7 +14,7 @@ from matplotlib.figure import Figure
 from matplotlib.gridspec import GridSpec
 from matplotlib.ticker import FuncFormatter, MaxNLocator, MultipleLocator
 
-from vkworkbench.core.gauss_map import Areas, image_arcs, seen, thinned, turns_of
+from vkworkbench.core.paper import Areas, image_arcs, seen, thinned, turns_of
 from vkworkbench.gui.qt import QTimer
 
 COUNTER_CLOCKWISE, CLOCKWISE = "#0072b2", "#d55e00"  # told apart also by the colour-blind

@@ -11,14 +11,27 @@ import FreeCADGui as Gui
 
 from vkworkbench import preferences
 from vkworkbench.core import linearize
-from vkworkbench.core.gauss_map import Areas
+from vkworkbench.core.paper import Areas
 from vkworkbench.document.operations import kind
 from vkworkbench.document.setting import placed
 from vkworkbench.gui import docks
 from vkworkbench.gui.gauss_figure import CLOCKWISE, COUNTER_CLOCKWISE, TRAIL, GaussCanvas
 from vkworkbench.gui.qt import (
-    QApplication, QComboBox, QDockWidget, QFileDialog, QHBoxLayout, QLabel, QMessageBox, QPalette, QPushButton, QSlider,
-    QSpinBox, Qt, QTimer, QVBoxLayout, QWidget,
+    QApplication,
+    QComboBox,
+    QDockWidget,
+    QFileDialog,
+    QHBoxLayout,
+    QLabel,
+    QMessageBox,
+    QPalette,
+    QPushButton,
+    QSlider,
+    QSpinBox,
+    Qt,
+    QTimer,
+    QVBoxLayout,
+    QWidget,
 )  # fmt: skip
 from vkworkbench.gui.sentences import in_user_language
 from vkworkbench.gui.text import translate

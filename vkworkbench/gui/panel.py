@@ -14,9 +14,21 @@ from vkworkbench.gui import docks, latest
 from vkworkbench.gui.names import strategy_name
 from vkworkbench.gui.panel_model import VALUE, ResultsModel, ResultsOrder, Row, rows_of
 from vkworkbench.gui.qt import (
-    QAbstractItemView, QApplication, QDockWidget, QFileDialog, QHBoxLayout, QHeaderView, QItemSelectionModel,
+    QAbstractItemView,
+    QApplication,
+    QDockWidget,
+    QFileDialog,
+    QHBoxLayout,
+    QHeaderView,
+    QItemSelectionModel,
     QLabel,
-    QMessageBox, QPushButton, QTableView, QTimer, QVBoxLayout, QWidget, Qt,
+    QMessageBox,
+    QPushButton,
+    Qt,
+    QTableView,
+    QTimer,
+    QVBoxLayout,
+    QWidget,
 )  # fmt: skip
 from vkworkbench.gui.sentences import in_user_language
 from vkworkbench.gui.text import translate

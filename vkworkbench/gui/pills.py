@@ -23,7 +23,16 @@ from vkworkbench.gui import tree
 from vkworkbench.gui.colors import COLORS, TEXT, TOTAL
 from vkworkbench.gui.names import strategy_name
 from vkworkbench.gui.qt import (
-    QApplication, QColor, QEvent, QPainter, QPen, QRectF, QStyle, QStyledItemDelegate, QStyleOptionViewItem, Qt,
+    QApplication,
+    QColor,
+    QEvent,
+    QPainter,
+    QPen,
+    QRectF,
+    QStyle,
+    QStyledItemDelegate,
+    QStyleOptionViewItem,
+    Qt,
     QToolTip,
 )  # fmt: skip
 from vkworkbench.gui.sentences import in_user_language

@@ -15,14 +15,27 @@ import FreeCADGui as Gui
 import numpy as np
 
 from vkworkbench.core import linearize
-from vkworkbench.core.legacy import SLIDER, legacy_costs, legacy_together
-from vkworkbench.core.opengl import opengl_cost, opengl_together
-from vkworkbench.core.simulators import opengl_speeds
+from vkworkbench.core.simulators import (
+    SLIDER,
+    legacy_costs,
+    legacy_together,
+    opengl_cost,
+    opengl_speeds,
+    opengl_together,
+)
 from vkworkbench.document import calibration
 from vkworkbench.document.operations import is_active
 from vkworkbench.document.setting import read_stock, read_tool
 from vkworkbench.gui.qt import (
-    QComboBox, QEvent, QListWidget, QObject, QProgressBar, QSlider, Qt, QTimer, QToolButton,
+    QComboBox,
+    QEvent,
+    QListWidget,
+    QObject,
+    QProgressBar,
+    QSlider,
+    Qt,
+    QTimer,
+    QToolButton,
 )  # fmt: skip
 from vkworkbench.gui.renderer import note_renderer
 

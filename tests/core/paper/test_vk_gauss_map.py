@@ -1,0 +1,82 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What the picture of the method is drawn from."""
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from vkworkbench.core.gcode import linearize
+from vkworkbench.core.paper.picture import Areas, image_arcs, seen, thinned, turns_of
+
+
+def spiral_in(loops):
+    """Square loops, each 2 mm inside the one before, joined without a lift."""
+    commands = [("G0", {"X": 0.0, "Y": 0.0, "Z": 5.0}), ("G1", {"Z": 0.0})]
+    for inset in range(0, 2 * loops, 2):
+        a, b = float(inset), 40.0 - inset
+        commands += [("G1", {"X": b}), ("G1", {"Y": b}), ("G1", {"X": a}), ("G1", {"Y": a + 2.0})]
+    return commands
+
+
+def test_an_area_is_what_is_cut_without_rapids():
+    first = spiral_in(3)
+    second = [("G0", {"Z": 5.0}), ("G0", {"X": 100.0, "Y": 0.0}), ("G1", {"Z": 0.0}), ("G1", {"X": 105.0})]
+    areas = Areas(linearize(second + first))
+    assert len(areas) == 2
+    longest = areas.by_length[0]
+    assert longest == 1 and areas.length[longest] > areas.length[0] == 5.0
+    assert len(areas.vertices(longest)) == 13
+    signature = areas.signature(longest)
+    assert signature.phi[0] == 0 and signature.level[-1] == 2 and signature.phi[-1] == pytest.approx(5.5 * np.pi)
+    outline = areas.outline()
+    assert np.isnan(outline[2]).all() and np.isnan(outline[-1]).all() and len(outline) == 2 + 1 + 13 + 1
+    assert areas.links()[:2].tolist() == [[105.0, 0.0], [0.0, 0.0]]
+
+
+def test_nothing_cut_has_no_area():
+    assert len(Areas(linearize([("G0", {"X": 0.0, "Y": 0.0, "Z": 5.0}), ("G1", {"Z": 0.0})]))) == 0
+    assert len(Areas(linearize([]))) == 0
+
+
+def test_arcs_by_sense_of_rotation():
+    # East to north, back to east, and half a turn, which has no sense.
+    counter_clockwise, clockwise = image_arcs([0, np.pi / 2, 0, np.pi], [1.0, 1.2, 1.4, 1.6])
+    assert np.isnan(counter_clockwise[-1]).all() and np.isnan(clockwise[-1]).all()
+    assert counter_clockwise[0] == pytest.approx([1, 0]) and counter_clockwise[-2] == pytest.approx([0, 1.2])
+    assert clockwise[0] == pytest.approx([0, 1.2]) and clockwise[-2] == pytest.approx([1.4, 0])
+    # The arc stays between both radii and its chords are short.
+    radius = np.hypot(*counter_clockwise[:-1].T)
+    assert (np.diff(radius) > 0).all() and (np.hypot(*np.diff(counter_clockwise[:-1], axis=0).T) < 0.1).all()
+    assert np.isnan(turns_of(np.array([0, np.pi]))).all()
+
+
+def test_an_image_that_stands_still_draws_nothing():
+    assert [len(arcs) for arcs in image_arcs([1.0, 1.0, 1.0], [1, 1, 1])] == [0, 0]
+    assert [len(arcs) for arcs in image_arcs([1.0], [1])] == [0, 0]
+    assert [len(arcs) for arcs in image_arcs([], [])] == [0, 0]
+
+
+@given(st.lists(st.floats(-1e6, 1e6), max_size=400), st.integers(1, 30))
+def test_thinned_keeps_every_peak(values, count):
+    values = np.array(values)
+    kept = thinned(values, count)
+    assert len(kept) <= max(4 * count, 0) and (np.diff(kept) > 0).all()
+    if len(values):
+        assert kept[0] == 0 and kept[-1] == len(values) - 1
+        for edge in range(count):  # the peaks of every stretch
+            stretch = values[edge * len(values) // count : (edge + 1) * len(values) // count]
+            if len(stretch):
+                assert {stretch.min(), stretch.max()} <= set(values[kept])
+
+
+def test_seen_leaves_out_what_falls_on_the_same_pixel():
+    t = np.linspace(0, 2 * np.pi, 100_000)
+    circle = np.column_stack([np.cos(t), np.sin(t)])
+    kept = seen(circle, cells=500)
+    assert kept[0] == 0 and kept[-1] == len(circle) - 1 and len(kept) < 5000
+    assert np.hypot(*np.diff(circle[kept], axis=0).T).max() < 2 * 2 / 500
+    broken = circle.copy()
+    broken[50_000] = np.nan
+    assert 50_000 in seen(broken, cells=500)
+    assert len(seen(circle[:1000], cells=500)) == 1000

@@ -1,0 +1,138 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Cautions before a simulation: each found where it is, none where it is not."""
+
+from __future__ import annotations
+
+import math
+import re
+
+import numpy as np
+import pytest
+
+from vkworkbench.core import Stock, Tool, View
+from vkworkbench.core.gcode import linearize
+from vkworkbench.core.recognition import recognize
+from vkworkbench.core.simulators.constants import Constants
+from vkworkbench.core.simulators.legacy import legacy_costs
+from vkworkbench.core.simulators.opengl import opengl_cost
+from vkworkbench.core.simulators.preflight import preflight
+from vkworkbench.core.zbuffer import estimate
+
+START = ("G0", {"X": 10.0, "Y": 0.0, "Z": 5.0})
+HALF = {"X": -10.0, "Y": 0.0, "Z": 5.0, "I": -10.0, "J": 0.0}
+STOCK = Stock((-50, -50, 0), (50, 50, 20))
+
+
+def check(commands, version=(1, 0), **known):
+    return preflight(commands, linearize(commands), version=version, **known)
+
+
+def without(*letters):
+    return {letter: value for letter, value in HALF.items() if letter not in letters}
+
+
+def test_a_sound_arc_and_a_sound_line_raise_nothing():
+    commands = [START, ("G3", HALF), ("G1", {"X": 40.0, "F": 5.0})]
+    assert check(commands, diameter=6.0) == ()
+    assert preflight([], linearize([]), version=(1, 0), diameter=6.0) == ()
+
+
+@pytest.mark.parametrize("version, hangs", [((0, 20), True), ((1, 0), True), ((1, 1), False)])
+def test_an_arc_without_z_hangs_the_legacy_simulator_before_1_1(version, hangs):
+    found = check([START, ("G3", without("Z")), ("G2", without("Z") | {"X": 10.0, "I": 10.0})], version)
+    assert bool(found) == hangs
+    if hangs:
+        assert found[0].code == "legacy-hangs" and found[0].command == 1
+        assert "without a Z word (command 1 and 1 more)" in found[0].message
+        assert ("OpenGL" in found[0].message) == (version >= (1, 0))
+
+
+@pytest.mark.parametrize("version", [(0, 20), (1, 0), (1, 1)])
+@pytest.mark.parametrize("arc, reason", [
+    (without("Y"), "without an X or Y word"),
+    (without("I", "J") | {"R": 10.0}, "without a centre"),
+    (HALF | {"X": 10.0}, "full circle"),
+    (HALF | {"X": 12.0}, "sweeps no angle"),
+])  # fmt: skip
+def test_arcs_that_stop_the_legacy_simulator_of_every_version(version, arc, reason):
+    found = check([("(arc)", {}), START, ("G3", arc)], version)
+    assert [(one.code, one.command) for one in found] == [("legacy-hangs", 2)]
+    assert reason in found[0].message
+
+
+def test_arcs_with_a_k_word_take_another_way():
+    assert check([START, ("G3", without("Z") | {"K": 1.0})]) == ()
+
+
+def test_a_long_ramp_is_cut_too_deep_by_its_length_over_the_diameter():
+    commands = [("G0", {"X": 0.0, "Y": 0.0, "Z": 20.0}), ("G1", {"X": 60.0, "Z": 15.0, "F": 5.0})]
+    (found,) = check(commands, diameter=8.0)
+    assert found.code == "legacy-ramp" and found.command == 1
+    # 5 mm over 60 mm with a tool of 8 mm: 5 * (60 / 8 - 1) = 32.5 mm beyond the ramp's end.
+    assert "32 mm too deep" in found.message or "33 mm too deep" in found.message
+
+
+def test_short_slopes_plunges_helices_and_lifts_are_no_ramps():
+    points = np.linspace(0, 40, 81)
+    surface = [("G1", {"X": x, "Z": 15 + math.sin(x / 5), "F": 5.0}) for x in points.tolist()]
+    assert check([("G0", {"X": 0.0, "Y": 0.0, "Z": 20.0})] + surface, diameter=8.0) == ()
+    assert check([START, ("G1", {"Z": -5.0}), ("G3", HALF | {"Z": -8.0})], diameter=8.0) == ()
+    assert check([START, ("G0", {"X": 90.0, "Z": 25.0})], diameter=8.0) == ()
+
+
+def zigzag(rows):
+    return [START] + [
+        ("G1", {"X": 10.0 + 20 * (i % 4 in (0, 1)), "Y": 0.001 * i, "F": 5.0}) for i in range(rows)
+    ]
+
+
+def test_a_long_play_is_announced_with_the_faster_way():
+    commands = zigzag(20000)
+    path = linearize(commands)
+    (legacy,) = legacy_costs(path, tool=Tool("endmill", 6.0), stock=STOCK)
+    opengl = opengl_cost(path, tool=Tool("endmill", 6.0), stock=STOCK, constants=Constants(refresh=0.035, draw=25e-6))
+    found = [one for one in preflight(commands, path, version=(1, 1), legacy=legacy, opengl=opengl)
+             if one.code == "long-play"]  # fmt: skip
+    assert len(found) == 2  # 20,001 commands of 25 ms, a mesh of a million cells of 27 ns and its triangles
+    assert re.search(
+        r"about 18 min in the legacy simulator: fast-forward takes about 2\d s\.", found[0].message
+    )
+    only_legacy = preflight(commands, path, version=(0, 20), legacy=legacy, opengl=opengl)
+    assert [one.code for one in only_legacy if one.code == "long-play"] == ["long-play"]
+
+
+def test_arcs_that_dominate_a_slow_frame():
+    arcs = [START] + [("G3", HALF), ("G3", {"X": 10.0, "Y": 0.0, "Z": 5.0, "I": 10.0, "J": 0.0})] * 1000
+    slow = opengl_cost(linearize(arcs), tool=Tool("endmill", 6.0), stock=STOCK)
+    (found,) = [one for one in check(arcs, opengl=slow) if one.code == "arcs"]
+    assert "100 % of it for arcs" in found.message
+    assert check(arcs[:5], opengl=opengl_cost(linearize(arcs[:5]), tool=Tool("endmill", 6.0), stock=STOCK)) == ()
+
+
+def test_thousands_of_moves_shorter_than_a_cell():
+    commands = [START] + [("G1", {"X": 10.0 + 0.01 * i, "F": 5.0}) for i in range(1, 3000)]
+    path = linearize(commands)
+    (legacy,) = legacy_costs(path, tool=Tool("endmill", 6.0), stock=STOCK)
+    (found,) = preflight(commands, path, version=(1, 0), legacy=legacy)
+    assert found.code == "short-moves" and found.message.startswith(
+        "2999 moves are shorter than a cell of the legacy simulator (0.1 mm)"
+    )
+
+
+def test_memory_beyond_the_budget():
+    commands = zigzag(100)
+    path = linearize(commands)
+    tool = Tool("endmill", 6.0)
+    (legacy,) = legacy_costs(path, tool=tool, stock=STOCK)
+    costs = {
+        "zbuffer": estimate(path, recognize(path), tool=tool, stock=STOCK, view=View(width=80, height=60)),
+        "legacy": legacy,
+        "opengl": opengl_cost(path, tool=Tool("endmill", 6.0), stock=STOCK),
+    }
+    found = preflight(commands, path, version=(1, 0), **costs, memory_budget=1e4)
+    assert [(one.code, one.message.split()[1]) for one in found] == [
+        ("memory", "z-buffer"),
+        ("memory", "legacy"),
+        ("memory", "OpenGL"),
+    ]
+    assert preflight(commands, path, version=(1, 0), **costs, memory_budget=1e8) == ()

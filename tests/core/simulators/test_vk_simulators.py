@@ -1,0 +1,584 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Costs of FreeCAD's simulators: the counts against loops written like FreeCAD's own, and what follows from
+them."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+
+from vkworkbench.core import Stock, Tool
+from vkworkbench.core.gcode import linearize
+from vkworkbench.core.simulators.accuracy import best_accuracy
+from vkworkbench.core.simulators.constants import DEFAULTS, Constants, Simulator, available_simulators, opengl_speeds
+from vkworkbench.core.simulators.floors import floors
+from vkworkbench.core.simulators.heightmap import heightmaps
+from vkworkbench.core.simulators.legacy import SLIDER, legacy_costs, legacy_together, legacy_work
+from vkworkbench.core.simulators.legacy_mesh import bottom_rectangles, mesh_facets
+from vkworkbench.core.simulators.legacy_panel import fit_fast_forward, fit_play
+from vkworkbench.core.simulators.motions import motions
+from vkworkbench.core.simulators.opengl import opengl_cost, opengl_together, opengl_work, outline_segments
+
+STOCK = Stock((0, 0, 0), (100, 60, 20))
+TOOL = Tool("endmill", 6.0)
+
+
+def zigzag(rows, depth=15.0, width=80.0, pitch=2.0):
+    """Rows in alternating directions at one depth."""
+    commands = [("(zigzag)", {}), ("G0", {"X": 10.0, "Y": 5.0, "Z": 25.0}), ("G1", {"Z": depth, "F": 10.0})]
+    for row in range(rows):
+        commands.append(("G1", {"X": 10.0 + width * ((row + 1) % 2)}))
+        commands.append(("G1", {"Y": 5.0 + pitch * (row + 1)}))
+    return commands
+
+
+def arcs(count, radius):
+    """Half circles to and fro."""
+    commands = [("G0", {"X": 40.0, "Y": 30.0, "Z": 10.0})]
+    for i in range(count):
+        x = 40.0 + (2 * radius if i % 2 == 0 else 0.0)
+        commands.append(
+            ("G2", {"X": x, "Y": 30.0, "Z": 10.0, "I": radius if i % 2 == 0 else -radius, "J": 0.0})
+        )
+    return commands
+
+
+# --- motions
+
+
+def test_chords_of_an_arc_are_one_motion_of_its_radius_and_sweep():
+    made = motions(
+        linearize(
+            [
+                ("G0", {"X": 10.0, "Y": 0.0, "Z": 0.0}),
+                ("G3", {"X": -10.0, "Y": 0.0, "I": -10.0, "J": 0.0}),
+                ("G3", {"X": 10.0, "Y": 0.0, "I": 10.0, "J": 0.0, "Z": -4.0}),
+            ]
+        )
+    )
+    assert np.allclose(made.sweep, [math.pi, math.pi])
+    assert np.allclose(made.radius, [10, 10])
+    assert np.allclose(made.move, [[-20, 0, 0], [20, 0, -4]])
+    assert made.command.tolist() == [1, 2]
+
+
+def test_a_full_circle_is_a_motion_though_it_ends_where_it_starts():
+    made = motions(
+        linearize([("G0", {"X": 10.0, "Y": 0.0, "Z": 0.0}), ("G2", {"X": 10.0, "I": -10.0, "J": 0.0})])
+    )
+    assert np.allclose(made.sweep, [-2 * math.pi]) and np.allclose(made.radius, [10.0])
+
+
+def test_an_arc_in_a_vertical_plane_stays_chords():
+    path = linearize(
+        [
+            ("G18", {}),
+            ("G0", {"X": 0.0, "Y": 0.0, "Z": 0.0}),
+            ("G2", {"X": 10.0, "Z": 0.0, "I": 5.0, "K": 0.0}),
+        ]
+    )
+    made = motions(path)
+    assert len(made.sweep) == len(path) > 4 and not made.radius.any()
+
+
+def test_a_peck_drilling_cycle_is_three_motions():
+    made = motions(
+        linearize(
+            [
+                ("G0", {"X": 0.0, "Y": 0.0, "Z": 20.0}),
+                ("G83", {"X": 5.0, "Y": 5.0, "Z": -9.0, "R": 3.0, "Q": 1.0, "F": 2.0}),
+                ("G83", {"X": 15.0, "Y": 5.0, "Z": -9.0, "R": 3.0, "Q": 1.0}),
+                ("G80", {}),
+            ]
+        )
+    )
+    vertical = made.level < 1e-9
+    assert np.allclose(made.move[vertical, 2], [-12, 12, -12, 12])
+    assert made.command.tolist() == [1, 1, 1, 2, 2, 2]
+
+
+def test_an_empty_toolpath_has_no_motion():
+    assert len(motions(linearize([("(nothing)", {})])).sweep) == 0
+
+
+# --- legacy simulator
+
+
+def volsim_steps(move, radius, resolution):
+    """Count the steps of ApplyLinearTool (VolSim.cpp) by running its loops."""
+    x, y, z = move[0] / resolution, move[1] / resolution, move[2]
+    r = radius / resolution
+    length = math.sqrt(x * x + y * y + z * z)
+    lines, angle = 0, 360.0
+    if length and math.hypot(x, y) / length > 1e-5:
+        angle = 180.0
+        for _ in range(int(r * 2 / 0.6) + 1):
+            for _ in range(int(length / 0.6) + 1):
+                lines += 1
+    rings = caps = 0
+    ring = 0.5
+    while ring <= r:
+        rings += 1
+        turn, a = 180 * 0.6 / (math.pi * ring), 0.0
+        while a < angle:
+            caps += 1
+            a += turn
+        ring += 0.6
+    return rings, lines, caps
+
+
+@pytest.mark.parametrize("accuracy", [0.1, 0.3, 1.0])
+@pytest.mark.parametrize("diameter", [1.0, 3.175, 12.0])
+def test_counts_equal_the_loops_of_the_legacy_simulator(accuracy, diameter):
+    rng = np.random.default_rng(7)
+    ends = rng.uniform(0, 12, (6, 3))
+    ends[4, :2] = ends[3, :2]
+    path = linearize([("G1", dict(zip("XYZ", end.tolist()))) for end in ends])
+    made = motions(path)
+    work = legacy_work(made, diameter=diameter, stock=STOCK, accuracy=accuracy)
+    counted = np.array([volsim_steps(move, diameter / 2, accuracy) for move in made.move])
+    assert work.resolution == pytest.approx(accuracy) and (work.calls == 1).all()
+    assert np.array_equal(work.rings, counted[:, 0])
+    assert np.array_equal(work.line_steps, counted[:, 1])
+    # The loop adds up an angle that may pass the end one step early or late by rounding.
+    assert np.abs(work.cap_steps - counted[:, 2]).max() <= 0.002 * counted[:, 2].max() + 2
+
+
+def test_grid_has_a_thousand_cells_along_the_longer_side_and_five_bytes_each():
+    work = legacy_work(motions(linearize(zigzag(3))), diameter=6.0, stock=STOCK)
+    assert 1000 * 600 <= work.cells <= 1001 * 601
+    (cost,) = legacy_costs(linearize(zigzag(3)), tool=TOOL, stock=STOCK)
+    assert cost.memory_bytes == pytest.approx(5 * work.cells + 150 * cost.facets)
+
+
+def test_an_arc_is_cut_in_as_many_moves_as_freecad_makes_of_it():
+    radius, resolution = 15.0, 0.5
+    work = legacy_work(motions(linearize(arcs(4, radius))), diameter=6.0, stock=STOCK, accuracy=0.5)
+    expected = math.ceil(math.sqrt(radius / resolution * math.pi**2))
+    assert work.calls.tolist() == [expected] * 4
+
+
+def test_fast_forward_costs_a_tick_per_command_whatever_the_accuracy():
+    path = linearize(zigzag(500))
+    fine, coarse = legacy_costs(path, tool=TOOL, stock=STOCK, accuracies=(0.1, 1.0))
+    ticks = path.commands * Constants().tick
+    assert ticks < coarse.fast_forward_seconds < ticks + 0.5
+    assert ticks < fine.fast_forward_seconds < ticks + 1.0
+
+
+def test_comments_take_a_tick_but_show_nothing():
+    (bare,) = legacy_costs(linearize(zigzag(20)), tool=TOOL, stock=STOCK)
+    (noted,) = legacy_costs(linearize(zigzag(20) + [("(note)", {})] * 1000), tool=TOOL, stock=STOCK)
+    constants = Constants()
+    assert noted.fast_forward_seconds - bare.fast_forward_seconds == pytest.approx(1000 * constants.tick)
+    assert noted.play_seconds - bare.play_seconds == pytest.approx(1000 / 50)
+
+
+def test_fast_forward_waits_for_the_last_mesh_to_be_shown():
+    slow = Constants(display=1e-4)
+    rough, plain = (
+        legacy_costs(linearize(path), tool=TOOL, stock=STOCK, constants=slow)[0] for path in (surface(), zigzag(500))
+    )
+    assert rough.facets > 10 * plain.facets
+    for cost in (rough, plain):
+        shown = cost.fast_forward_seconds - cost.panel_seconds - cost.mesh_seconds
+        assert shown == pytest.approx(1e-4 * cost.facets, rel=0.1, abs=0.3)
+    both = legacy_together([rough, plain])
+    assert both.fast_forward_seconds == pytest.approx(
+        rough.fast_forward_seconds + plain.fast_forward_seconds - slow.start, rel=0.01
+    )
+
+
+def test_play_is_never_faster_than_its_speed_slider():
+    path = linearize(zigzag(50))
+    fast = Constants(start=0.0, redraw=0.0, cell=0.0, facet=0.0, display=0.0, profile=0.0)
+    (cost,) = legacy_costs(path, tool=TOOL, stock=STOCK, speed=50, constants=fast)
+    assert cost.play_seconds == pytest.approx(path.commands / 50)
+
+
+def surface(rows=60, points=60):
+    """Rows over a dome."""
+    commands = [("G0", {"X": 20.0, "Y": 10.0, "Z": 25.0})]
+    for row in range(rows):
+        y = 10 + 40 * row / rows
+        along = np.linspace(20, 80, points)[:: 1 if row % 2 == 0 else -1]
+        heights = 18 - ((along - 50) ** 2 + (y - 30) ** 2) / 100
+        commands += [("G1", {"X": x, "Y": y, "Z": z}) for x, z in zip(along.tolist(), heights.tolist())]
+    return commands
+
+
+def positions(path, tool):
+    return legacy_costs(path, tool=tool, stock=STOCK, accuracies=SLIDER)
+
+
+def test_budget_of_play_is_met_by_the_finest_position_that_meets_it():
+    every = positions(linearize(surface()), Tool("ballend", 6.0))
+    seconds = [cost.play_seconds for cost in every]
+    assert seconds == sorted(seconds) and seconds[-1] > 1.5 * seconds[0]
+    budget = 0.5 * (seconds[5] + seconds[6])
+    chosen = best_accuracy([every], memory_bytes=1e9, seconds=budget)
+    assert chosen.position == 6 and chosen.seconds <= budget
+    assert chosen.explanation.startswith("position 6 of 10, cells of 0.5 mm, plays in ")
+    assert best_accuracy([every], memory_bytes=every[2].memory_bytes, seconds=1e9).position == 3
+    told = best_accuracy([every], memory_bytes=1e9, seconds=1e9, stepover=1.0).explanation
+    assert told.endswith("; 0.25 mm would do for passes 1 mm apart")
+    none = best_accuracy([every], memory_bytes=1e9, seconds=seconds[0] / 2)
+    assert none.position is None and "use fast-forward" in none.explanation
+
+
+def test_play_shows_the_uncut_stock_and_every_command():
+    path = linearize(zigzag(40))
+    half, one = (
+        legacy_costs(path, tool=TOOL, stock=STOCK, constants=Constants(redraw=redraw))[0] for redraw in (0.5, 1.0)
+    )
+    assert one.play_seconds - half.play_seconds == pytest.approx(0.5 * (1 + one.shown))
+
+
+def test_where_no_accuracy_helps_the_heaviest_operation_is_named():
+    small, large = positions(linearize(zigzag(4)), TOOL), positions(linearize(surface()), TOOL)
+    told = best_accuracy([small, large], memory_bytes=1e9, seconds=1.0, labels=("Floor", "Dome")).explanation
+    assert "; the heaviest is Dome with " in told
+
+
+def test_operations_together_start_once_and_draw_what_was_cut_before():
+    one = positions(linearize(zigzag(40)), TOOL)[-1]
+    two = legacy_together([one, one])
+    alone = legacy_together([one])
+    assert alone.fast_forward_seconds == pytest.approx(one.fast_forward_seconds) and alone.facets == one.facets
+    assert one.fast_forward_seconds < two.fast_forward_seconds < 2 * one.fast_forward_seconds
+    uncut = Constants().redraw + Constants().cell * one.cells
+    assert two.play_seconds > 2 * one.play_seconds - uncut
+    assert alone.play_seconds == pytest.approx(one.play_seconds)
+    assert one.memory_bytes < two.memory_bytes < 2 * one.memory_bytes
+
+    path = linearize(zigzag(400))
+    whole = opengl_cost(path, tool=TOOL, stock=STOCK, speeds=(10,))
+    assert opengl_together([whole]) == whole
+    # The same motions, half of them twice: nearly as long as all at once.
+    half = opengl_cost(linearize(zigzag(200)), tool=TOOL, stock=STOCK, speeds=(10,))
+    both = opengl_together([half, half])
+    assert both.play_seconds[10] == pytest.approx(whole.play_seconds[10], rel=0.03)
+    assert both.frame_seconds == pytest.approx(whole.frame_seconds, rel=0.01)
+
+
+@pytest.mark.parametrize("tick", [1.1e-3, 15e-3])
+def test_fast_forwards_tell_start_tick_and_repaint(tick):
+    commands = np.array([12, 3000, 60, 800, 150, 1500, 30, 5000])
+    seconds = 0.8 + tick * commands + 0.03 * np.minimum(commands, 100)
+    seconds[3] *= 20  # the computer did something else
+    assert fit_fast_forward(commands, seconds) == pytest.approx((0.8, tick, 0.03), rel=0.1)
+
+
+@pytest.mark.parametrize("seconds", [[1.0, 0.9, 1.1, 0.9], [0.9, 1.2, 1.4, 1.5], [1.0, 1.0, 1.5, 1.9]])
+def test_short_fast_forwards_say_nothing_of_long_ones(seconds):
+    commands = np.array([20, 45, 110, 140])
+    start, tick, repaint = fit_fast_forward(commands, np.array(seconds))
+    assert tick == pytest.approx(DEFAULTS.tick)
+    predicted = start + tick * commands + repaint * np.minimum(commands, 100)
+    assert predicted == pytest.approx(np.array(seconds), rel=0.3)
+
+
+@pytest.mark.parametrize("redraw, display", [(0.06, 3e-6), (0.005, 0.2e-6)])
+def test_plays_tell_redraw_and_display(redraw, display):
+    shown, drawn = np.array([50, 80, 30, 200, 90]), np.array([20e3, 2e6, 300e3, 900e3, 40e3])
+    display_seconds = redraw * shown + display * drawn
+    seconds = display_seconds + 0.5 + 1.5e-6 * drawn
+    display_seconds[2] -= 1.0  # its mesh was made faster than thought
+    learned = fit_play(shown, drawn, display_seconds, seconds)
+    assert learned == (pytest.approx(redraw, rel=0.05), pytest.approx(display, abs=0.2e-6))
+    of_one, per_triangle = fit_play(shown[:1], drawn[:1], display_seconds[:1], seconds[:1])
+    assert of_one * shown[0] + per_triangle * drawn[0] == pytest.approx(display_seconds[0], rel=0.1)
+
+
+def test_impossible_input_is_refused_in_words():
+    made = motions(linearize(zigzag(2)))
+    with pytest.raises(ValueError, match="tool diameter"):
+        legacy_work(made, diameter=0.0, stock=STOCK)
+    with pytest.raises(ValueError, match="accuracy"):
+        legacy_work(made, diameter=6.0, stock=STOCK, accuracy=0.0)
+    with pytest.raises(ValueError, match="speed"):
+        legacy_costs(linearize(zigzag(2)), tool=TOOL, stock=STOCK, speed=0)
+    with pytest.raises(ValueError, match="tool diameter"):
+        opengl_work(made, diameter=float("nan"))
+    with pytest.raises(ValueError, match="quality"):
+        opengl_cost(linearize(zigzag(2)), tool=TOOL, stock=STOCK, quality=0)
+
+
+# --- heights and mesh
+
+
+@pytest.mark.parametrize("tool", [Tool("endmill", 8.0), Tool("ballend", 8.0), Tool("vbit", 8.0)])
+def test_heights_equal_those_of_every_cell_against_every_point(tool):
+    path = linearize([("G1", {"X": 20.0, "Y": 15.0, "Z": 12.0}), ("G1", {"X": 70.0, "Y": 40.0, "Z": 8.0})])
+    (heights,), size = heightmaps(path, tool=tool, stock=STOCK)
+    along = np.linspace(0, 1, 2000)[:, None]
+    points = path.points[0] + along * (path.points[1] - path.points[0])
+    x, y = np.meshgrid(
+        (np.arange(heights.shape[0]) + 0.5) * size, (np.arange(heights.shape[1]) + 0.5) * size, indexing="ij"
+    )
+    distance = np.hypot(x[..., None] - points[:, 0], y[..., None] - points[:, 1])
+    exact = np.minimum((points[:, 2] + tool.height(distance)).min(axis=2), 20.0)
+    # A map that is off by half a cell sideways is off by that times the tool's slope.
+    inside = distance.min(axis=2) < tool.radius - size
+    outside = distance.min(axis=2) > tool.radius + 1.5 * size
+    assert (heights[outside] == 20.0).all()
+    assert np.abs(heights - exact)[inside].max() < 1.8 * size * (1 + tool.steepness) + 0.2
+
+
+def test_a_path_outside_the_stock_leaves_it_a_box():
+    path = linearize([("G1", {"X": -50.0, "Y": 500.0, "Z": -5.0}), ("G1", {"X": -900.0})])
+    (heights,), size = heightmaps(path, tool=TOOL, stock=STOCK)
+    (floor,), floor_size = floors(path, tool=TOOL, stock=STOCK, thickness=0.1)
+    assert (heights == 20.0).all() and floor.all()
+    assert mesh_facets(heights, size, [0.1], floor=floor, floor_size=floor_size) == 12
+
+
+def test_a_surface_makes_far_more_triangles_than_a_pocket_and_four_times_as_many_at_half_the_cell():
+    ball = Tool("ballend", 6.0)
+    (pocket,), size = heightmaps(linearize(zigzag(20)), tool=TOOL, stock=STOCK)
+    (dome,), dome_size = heightmaps(linearize(surface()), tool=ball, stock=STOCK)
+    whole = {"floor": np.ones((1, 1), bool), "floor_size": 1.0}
+    of_dome, of_pocket = (
+        mesh_facets(heights, edge, [0.1, 0.2], **whole) for heights, edge in ((dome, dome_size), (pocket, size))
+    )
+    assert of_dome[0] > 10 * of_pocket[0]
+    assert 3.5 < of_dome[0] / of_dome[1] <= 4
+    assert 1.7 < of_pocket[0] / of_pocket[1] < 2.1
+
+
+def test_a_path_looked_at_in_parts_leaves_what_it_leaves_at_once():
+    path = linearize(surface())
+    ball = Tool("ballend", 6.0)
+    (whole,), _ = heightmaps(path, tool=ball, stock=STOCK)
+    parts, _ = heightmaps(path, tool=ball, stock=STOCK, parts=5)
+    assert len(parts) == 5
+    assert all((after <= before).all() for before, after in zip(parts, parts[1:]))
+    assert np.abs(parts[-1] - whole).max() < 0.05  # the ends of the parts are sampled twice
+
+
+@pytest.mark.parametrize("tool", [Tool("endmill", 8.0), Tool("drill", 8.0)])
+def test_the_lower_face_is_cut_where_the_tool_comes_through(tool):
+    def cut(x, y, z, to):
+        return [("G0", {"X": x, "Y": y, "Z": 25.0}), ("G1", {"Z": z}), ("G1", to), ("G0", {"Z": 25.0})]
+
+    begin, end = np.array([[12.0, 9.0], [40.3, 30.7], [52.0, 20.0]]), np.array([[33.0, 24.0], [40.3, 30.7], [75.0, 20.0]])
+    commands = cut(*begin[0], -1.0, {"X": 33.0, "Y": 24.0}) + cut(*begin[1], -1.0, {"Z": 5.0})
+    commands += cut(*begin[2], 5.0, {"X": 75.0, "Z": 5.0})  # does not come through
+    (kept,), size = floors(linearize(commands), tool=tool, stock=STOCK, thickness=0.0)
+    # A drill of 118 degrees is as wide as this 1 mm above its tip.
+    radius = 4.0 if tool.shape == "endmill" else np.tan(np.radians(59.0))
+    x, y = ((np.indices(kept.shape) + 0.5) * size)[:, :, :, None]
+    along = np.linspace(0, 1, 400)[:, None, None]
+    line = (begin[:2] + along * (end - begin)[:2]).reshape(-1, 2)
+    distance = np.min([np.hypot(x - px, y - py) for px, py in line], axis=0)[..., 0]
+    assert not kept[distance < radius - 0.05].any()
+    assert kept[distance > radius + 0.05].all()
+    parts, _ = floors(linearize(commands), tool=tool, stock=STOCK, thickness=0.0, parts=3)
+    assert (parts[-1] == kept).all() and kept.sum() < parts[0].sum() < kept.size
+
+
+def test_on_a_ramp_the_lower_face_is_cut_from_where_the_tip_comes_through():
+    ramp = [("G0", {"X": 10.0, "Y": 30.0, "Z": 10.0}), ("G1", {"X": 50.0, "Z": -10.0}), ("G1", {"X": 10.0, "Z": 10.0})]
+    (kept,), size = floors(linearize(ramp), tool=Tool("endmill", 8.0), stock=STOCK, thickness=0.0)
+    x, y = np.argwhere(~kept).T * size
+    assert abs(x.min() - 26.0) < 2 * size and abs(x.max() - 54.0) < 2 * size and abs(np.ptp(y) - 8.0) < 2 * size
+
+
+# --- OpenGL simulator
+
+
+def test_draw_calls_of_lines_plunges_and_arcs():
+    start = [("G0", {"X": 0.0, "Y": 0.0, "Z": 10.0})]
+    assert opengl_cost(linearize(start + [("G1", {"X": 10.0})]), tool=TOOL, stock=STOCK).draws == 18
+    assert opengl_cost(linearize(start + [("G1", {"Z": 1.0})]), tool=TOOL, stock=STOCK).draws == 9
+    # A half circle of 5 mm was counted in FreeCAD 1.0: 33 chords, 297 draw calls.
+    half = opengl_cost(linearize(arcs(1, 5.0)), tool=TOOL, stock=STOCK)
+    assert (half.steps, half.draws, half.arc_draws) == (33, 297, 297)
+    # Within the tool's radius an arc is drawn with the tool every 22.5 degrees.
+    assert opengl_cost(linearize(arcs(1, 2.0)), tool=TOOL, stock=STOCK).draws == 9 * 9
+    assert opengl_cost(linearize(arcs(1, 2.0)), tool=TOOL, stock=STOCK, quality=1).draws == 9 * 3
+
+
+def outline(*bases):
+    """Areas of upright solids 30 mm high on convex bases, seen along Y and 30 degrees down, added."""
+    total = 0.0
+    for base in bases:
+        x, y = np.array(base).T
+        seen = np.concatenate([np.column_stack((x, y * 0.5 + z * math.sqrt(0.75))) for z in (0.0, 30.0)])
+        turn = np.linspace(0, 2 * np.pi, 4000)
+        x, y = seen[np.argmax(seen @ np.array((np.cos(turn), np.sin(turn))), axis=0)].T
+        total += abs(np.sum(x * np.roll(y, 1) - y * np.roll(x, 1))) / 2
+    return total
+
+
+@pytest.mark.parametrize("angle", [0.0, 0.6, 1.5708, 2.5, 4.0])
+def test_what_is_drawn_of_a_motion_is_as_large_as_it_is_seen(angle):
+    along, across = np.array((np.cos(angle), np.sin(angle))), np.array((-np.sin(angle), np.cos(angle)))
+    turn = np.linspace(-np.pi / 2, np.pi / 2, 200)[:, None]
+    front = 3.0 * (np.cos(turn) * along + np.sin(turn) * across)
+    there = dict(zip("XY", 20.0 * along))
+    rows = [("G0", {"X": 0.0, "Y": 0.0, "Z": 10.0}), ("G1", there), ("G1", {"Z": 0.0})]
+    line, plunge = opengl_work(motions(linearize(rows)), diameter=6.0).area
+    swept = [end * 20.0 * along + side * 3.0 * across for end in (0, 1) for side in (-1, 1)]
+    assert line == pytest.approx(outline(swept, front), rel=0.002)
+    assert plunge == pytest.approx(outline(np.concatenate((front, -front))), rel=0.002)
+
+
+def test_what_is_drawn_of_an_arc_is_as_large_as_its_chords_and_its_tool():
+    tool = opengl_work(motions(linearize([("G0", {"Z": 10.0}), ("G1", {"Z": 0.0})])), diameter=6.0).area[-1]
+    small = opengl_work(motions(linearize(arcs(1, 2.0))), diameter=6.0)
+    assert small.area[-1] == pytest.approx(9 * tool)
+    # A half circle: 63 boxes, each turned a little more, and the tool.
+    base, turns = np.array(((0, -3), (np.pi * 10 / 63, -3), (np.pi * 10 / 63, 3), (0, 3))), np.arange(63) * np.pi / 63
+    boxes = outline(*(base @ np.array(((np.cos(t), np.sin(t)), (-np.sin(t), np.cos(t)))) for t in turns))
+    half = opengl_work(motions(linearize(arcs(1, 10.0))), diameter=6.0)
+    assert half.steps[-1] == 64 and half.area[-1] == pytest.approx(boxes + tool, rel=0.005)
+
+
+def play(path, diameter, speed, constants):
+    """Play frame by frame, drawing everything done so far, as the simulator does."""
+    drawn = [0.0]  # draw calls of a frame after each step, what it fills included
+    made = motions(path)
+    window = 1.819 * 100.0**2  # at a distance of 160 mm it is 0.7 rad high and four thirds as wide
+    areas = opengl_work(made, diameter=diameter).area
+    for move, sweep, radius, area in zip(made.move, made.sweep, made.radius, areas):
+        filled = constants.fill * 9 * area / window
+        if radius:
+            step = min(max(math.asin(0.5 / radius), math.pi / 90), math.pi / 2)
+            chords = int(abs(sweep) / step) + 2
+            if radius <= diameter / 2:
+                chords = int(abs(sweep) / (math.pi / 8)) + 1
+            for _ in range(chords):
+                drawn.append(drawn[-1] + 9 + filled / chords)
+        else:
+            drawn += [drawn[-1] + (9 if np.hypot(*move[:2]) < 1e-6 else 18) + filled] * max(
+                1, int(np.linalg.norm(move) / 0.5)
+            )
+    return sum(max(constants.refresh, constants.frame + constants.draw * draws) for draws in drawn[speed::speed])
+
+
+@pytest.mark.parametrize("speed", [1, 10, 40])
+def test_playing_takes_what_its_frames_add_up_to(speed):
+    software = Constants(refresh=0.02, frame=0.01, draw=25e-6)
+    path = linearize(zigzag(60) + arcs(40, 5.0) + arcs(40, 2.0))
+    predicted = opengl_cost(path, tool=TOOL, stock=STOCK, speeds=(speed,), constants=software).play_seconds[speed]
+    assert predicted == pytest.approx(play(path, 6.0, speed, software), rel=0.02)
+
+
+def test_wide_cuts_take_longer_to_draw_than_narrow_ones_and_long_ones_than_short_ones():
+    path, only = linearize(zigzag(60)), Constants(refresh=0.0, frame=0.0)
+    wide, narrow = (opengl_cost(path, tool=Tool("endmill", d), stock=STOCK, constants=only) for d in (12.0, 3.0))
+    assert wide.draws == narrow.draws and wide.frame_seconds > 1.2 * narrow.frame_seconds
+    short = opengl_cost(linearize(zigzag(60, width=8.0)), tool=Tool("endmill", 3.0), stock=STOCK, constants=only)
+    assert short.draws == narrow.draws and narrow.frame_seconds > 1.4 * short.frame_seconds
+
+
+def test_rounded_tools_take_longer_to_draw_by_the_segments_of_their_outline():
+    rounded = Tool("bullnose", 6.0, corner_radius=1.0), Tool("ballend", 6.0), Tool("ballend", 10.0)
+    tools = TOOL, Tool("vbit", 6.0), *rounded
+    assert [outline_segments(tool) for tool in tools] == [2, 2, 6, 11, 17]
+    path, only = linearize(zigzag(60)), Constants(refresh=0.0, frame=0.0)
+    flat, ball = (opengl_cost(path, tool=tool, stock=STOCK, constants=only) for tool in (TOOL, Tool("ballend", 6.0)))
+    assert ball.draws == flat.draws and ball.frame_seconds == pytest.approx(1.9 * flat.frame_seconds)
+
+
+def test_playing_twice_the_path_takes_four_times_as_long_once_drawing_dominates():
+    slow = Constants(refresh=0.0, frame=0.0, draw=1e-3)
+    once = opengl_cost(linearize(zigzag(200, pitch=0.1)), tool=TOOL, stock=STOCK, constants=slow).play_seconds[1]
+    twice = opengl_cost(linearize(zigzag(400, pitch=0.1)), tool=TOOL, stock=STOCK, constants=slow).play_seconds[1]
+    assert twice / once == pytest.approx(4, rel=0.05)
+
+
+# --- versions
+
+
+def test_which_simulators_a_version_has():
+    assert available_simulators((0, 20, 2)) == (Simulator.LEGACY,)
+    assert available_simulators((0, 21)) == (Simulator.LEGACY,)
+    assert (
+        available_simulators((1, 0, 0))
+        == available_simulators((1, 1, 3))
+        == (Simulator.LEGACY, Simulator.OPENGL)
+    )
+    assert opengl_speeds((1, 0, 0)) == (1, 10, 40)
+    assert opengl_speeds((1, 1, 3)) == (1, 5, 10, 25, 50)
+
+
+def test_cutting_out_a_round_part_breaks_the_bottom_to_pieces_and_a_square_one_does_not():
+    """FreeCAD makes half a triangle per remaining cell of a disc's bottom, and two of a plate's."""
+    x, y = np.meshgrid(np.arange(100) - 49.5, np.arange(60) - 29.5, indexing="ij")
+    disc = np.where(np.hypot(x, y) < 28, 20.0, 0.0)
+    plate = np.where((np.abs(x) < 40) & (np.abs(y) < 28), 20.0, 0.0)
+    cells = 100 * (disc > 0).sum()
+    of_disc, of_plate = (
+        mesh_facets(heights, 1.0, [0.1], floor=heights > 0, floor_size=1.0) for heights in (disc, plate)
+    )
+    assert 0.2 * cells < of_disc < 0.7 * cells
+    assert of_plate < 3000
+
+
+def bottom_of_freecad(kept):
+    """``TesselBot`` and its loop in VolSim.cpp, cell by cell; the top has been marked before."""
+    kept, count = kept.copy(), 0
+    columns, rows = kept.shape
+
+    def grown(x, y):
+        width = height = 1
+        right = left = up = True
+        while right or left or up:
+            right = right and x + width < columns and kept[x + width, y : y + height].all()
+            width += right
+            left = left and x > 0 and kept[x - 1, y : y + height].all()
+            x, width = x - left, width + left
+            up = up and y + height < rows and kept[x : x + width, y + height].all()
+            height += up
+        return x, y, width, height
+
+    for y in range(rows):
+        x = 0
+        while x < columns:
+            if not kept[x, y]:
+                x += 1
+                continue
+            left, lower, width, height = grown(x, y)
+            if height // width > 5:
+                lower, width, height = lower + 5 * width, 1, 1
+            elif width // height > 5:
+                left, width, height = left + 5 * height, 1, 1
+            kept[left : left + width, lower : lower + height] = False
+            count += 1
+    return count
+
+
+def test_pieces_of_the_lower_face_are_those_of_freecad():
+    rng = np.random.default_rng(5)
+    for k in range(60):
+        columns, rows = rng.integers(1, 50, 2)
+        x, y = np.meshgrid(np.arange(columns), np.arange(rows), indexing="ij")
+        kept = rng.random((columns, rows)) < (0.8 if k % 4 == 0 else 2)
+        for _ in range(k % 5):
+            kept &= np.hypot(x - rng.integers(columns), y - rng.integers(rows)) > rng.integers(1, 12)
+        assert bottom_rectangles(kept) == bottom_of_freecad(kept)
+
+
+def test_play_shows_the_mesh_as_it_grows():
+    shown = Constants(start=0.0, redraw=0.0, cell=0.0, facet=0.0, profile=0.0, display=1e-3)
+
+    def mean_facets(commands, tool):
+        (cost,) = legacy_costs(linearize(commands), tool=tool, stock=STOCK, speed=1e9, constants=shown)
+        return cost.play_seconds / cost.shown / 1e-3, cost.facets
+
+    mean, last = mean_facets(surface(), Tool("ballend", 6.0))
+    assert mean == pytest.approx(0.5 * last, rel=0.2)  # row after row
+    deeper = [("G0", {"X": 20.0, "Y": 20.0, "Z": 25.0})]
+    for z in range(19, 5, -1):
+        deeper += [("G1", {"Z": float(z)}), ("G2", {"X": 50.0, "Y": 40.0, "I": 15.0, "J": 10.0})]
+        deeper += [("G2", {"X": 20.0, "Y": 20.0, "I": -15.0, "J": -10.0})]
+    mean, last = mean_facets(deeper, TOOL)
+    assert mean == pytest.approx(last, rel=0.15)  # its walls are there after the first turn
+    facing = [("G0", {"X": -5.0, "Y": -5.0, "Z": 10.0})]
+    facing += [("G1", {"X": 105.0 if k % 4 in (1, 2) else -5.0, "Y": 5.0 * (k // 2) - 5}) for k in range(1, 30)]
+    mean, last = mean_facets(facing, TOOL)
+    assert last == 12 and mean > 50  # it ends flat

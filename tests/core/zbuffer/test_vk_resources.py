@@ -1,0 +1,394 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The estimated cost of a simulation against the exact one, its error bar, and the image for a budget."""
+
+from __future__ import annotations
+
+import time
+from math import cos, pi, radians, sin, sqrt
+
+import numpy as np
+import pytest
+
+from vkworkbench.core import ConvexStock, Stock, Strategy, Tool, Toolpath, View
+from vkworkbench.core.gcode import linearize
+from vkworkbench.core.recognition import Recognition, recognize
+from vkworkbench.core.zbuffer.closed_form import cauchy_crofton, closed_form, swept
+from vkworkbench.core.zbuffer.dexels import UNCUT, cuts_from_the_eye, first_cuts
+from vkworkbench.core.zbuffer.estimate import Speed, estimate, work
+from vkworkbench.core.zbuffer.removal import Removal
+from vkworkbench.core.zbuffer.resolution import best_resolution
+from vkworkbench.core.zbuffer.sampling import sample
+from vkworkbench.core.zbuffer.silhouette import silhouette_area
+from vkworkbench.core.zbuffer.simulate import DEXEL, INDEX, TRACE, simulate
+from vkworkbench.core.zbuffer.speed import fit_speed, measure_speed
+
+STOCK = Stock((0, 0, 0), (80, 60, 20))
+FLAT, BALL = Tool("endmill", 6), Tool("ballend", 6)
+TOP, TILTED, ISOMETRIC = (0, 0, -1), (0, 0.5, -0.866), (1, 1, -0.816)
+
+
+def path(points):
+    points = np.array(points, float).reshape(-1, 3)
+    n = max(0, len(points) - 1)
+    return Toolpath(
+        points,
+        np.zeros(n, bool),
+        np.arange(n),
+        np.full(n, 10.0),
+        np.zeros(n),
+        np.full(n, 17, np.uint8),
+        np.zeros(n, bool),
+        n,
+    )
+
+
+def zigzag(step=3.0, levels=(16, 12), chords=1):
+    points = []
+    for z in levels:
+        points.append((10, 10, 25))
+        for k, y in enumerate(np.arange(10, 50.1, step)):
+            x = np.linspace(10, 70, chords + 1)[:: 1 if k % 2 == 0 else -1]
+            points += [(u, y, z) for u in x]
+        points.append((points[-1][0], points[-1][1], 25))
+    return path(points)
+
+
+def surface(step=2.0, chords=60):
+    """A zigzag over a wavy surface."""
+    points = zigzag(step, (0,), chords).points[1:-1].copy()
+    points[:, 2] = 14 + 3 * np.sin(points[:, 0] / 9) * np.cos(points[:, 1] / 11)
+    return path(points)
+
+
+def contours(step=2.5):
+    points = []
+    for inset in np.arange(0, 18, step):
+        corners = [(10, 10), (70, 10), (70, 50), (10, 50), (10, 10)]
+        towards = [(1, 1), (-1, 1), (-1, -1), (1, -1), (1, 1)]
+        points += [(x + inset * u, y + inset * v, 15) for (x, y), (u, v) in zip(corners, towards)]
+    return path(points)
+
+
+def helix():
+    angle = np.linspace(0, 12 * pi, 300)
+    return path(np.column_stack((40 + 8 * np.cos(angle), 30 + 8 * np.sin(angle), np.linspace(21, 10, 300))))
+
+
+def drilled():
+    points = []
+    # Nowhere the same place between the pixels: the holes' rounding errors are not all the same.
+    for x in np.arange(10, 75, 12.3):
+        for y in np.arange(10, 55, 12.7):
+            points += [(x, y, 22), (x, y, 14), (x, y, 21), (x, y, 9), (x, y, 22)]
+    return path(points)
+
+
+PATHS = {
+    "zigzag": (zigzag(), FLAT),
+    "surface": (surface(), BALL),
+    "contours": (contours(), FLAT),
+    "helix": (helix(), FLAT),
+    "drilled": (drilled(), Tool("drill", 6)),
+    "vee": (contours(7), Tool("vbit", 6)),
+    "corners": (contours(), Tool("bullnose", 6, corner_radius=1)),
+}
+
+
+@pytest.mark.parametrize("direction", [TOP, TILTED, ISOMETRIC], ids=["top", "tilted", "isometric"])
+@pytest.mark.parametrize("name", PATHS)
+def test_estimate_is_the_simulation_within_its_error_bar(name, direction):
+    toolpath, tool = PATHS[name]
+    view = View(direction, 400, 300)
+    exact = simulate(toolpath, tool=tool, stock=STOCK, view=view)
+    found = estimate(toolpath, recognize(toolpath, tool_diameter=6), tool=tool, stock=STOCK, view=view)
+    assert found.traces == pytest.approx(exact.traces, rel=0.1)
+    assert abs(found.traces - exact.traces) < 3 * found.traces_error + 0.01 * exact.traces
+    assert found.dexels == pytest.approx(exact.dexels, rel=0.03)
+    assert found.memory_bytes == pytest.approx(exact.memory_bytes, rel=0.1)
+
+
+def test_the_error_bar_holds_as_often_as_it_should():
+    within = []
+    for name, (toolpath, tool) in PATHS.items():
+        frame = View(TOP if name == "helix" else TILTED).frame(STOCK)
+        removal = Removal(toolpath, tool, STOCK, frame)
+        totals = []
+        for seed in range(40):
+            rays = sample(removal, np.random.default_rng(seed))
+            pieces, _ = removal.cut(rays.x, rays.y)
+            totals.append(rays.total(np.bincount(pieces.ray[pieces.owner != UNCUT], minlength=len(rays.x))))
+        total, error = np.array(totals).T
+        within.append(np.abs(total - total.mean()) <= 2 * error)
+        # Not so safe either that it says nothing.
+        assert error.mean() < 2 * total.std(ddof=1)
+    assert np.mean(within) >= 0.95
+
+
+def test_the_same_numbers_every_time():
+    toolpath, tool = PATHS["surface"]
+    first, second = (estimate(toolpath, None, tool=tool, stock=STOCK, view=View(ISOMETRIC)) for _ in range(2))
+    assert first == second
+
+
+def test_counts_grow_as_the_number_of_pixels():
+    toolpath, tool = PATHS["contours"]
+    coarse, fine = (
+        estimate(toolpath, None, tool=tool, stock=STOCK, view=View(width=k * 400, height=k * 300))
+        for k in (1, 3)
+    )
+    assert fine.traces == pytest.approx(9 * coarse.traces)
+    assert fine.dexels == pytest.approx(9 * coarse.dexels)
+
+
+def test_only_the_image_counts():
+    toolpath, tool = PATHS["zigzag"]
+    view = View(width=100, height=100, pixel=0.1)
+    exact = simulate(toolpath, tool=tool, stock=STOCK, view=view)
+    found = estimate(toolpath, None, tool=tool, stock=STOCK, view=view)
+    assert found.dexels == pytest.approx(exact.dexels, rel=0.01) == 10000
+    assert found.traces == pytest.approx(exact.traces, rel=0.03) == 20000
+
+
+def test_memory_is_that_of_the_records():
+    found = estimate(*PATHS["zigzag"][:1], None, tool=FLAT, stock=STOCK, view=View())
+    records = DEXEL.itemsize * found.dexels + TRACE.itemsize * found.traces + INDEX.itemsize * (800 * 600 + 1)
+    assert found.memory_bytes == pytest.approx(records)
+
+
+def test_the_explanation_says_how_often_a_pixel_is_cut():
+    toolpath, tool = PATHS["zigzag"]
+    found = estimate(toolpath, recognize(toolpath, tool_diameter=6), tool=tool, stock=STOCK, view=View())
+    assert found.explanation == "zigzag, stepover 3 mm: each pixel is cut 2.0 times"
+
+
+@pytest.mark.parametrize(
+    "points",
+    [
+        [],
+        [(10, 10, 25)],
+        [(10, 10, 25), (60, 40, 25)],
+        [(200, 0, 5), (300, 0, 5)],
+        [(10, 10, -30), (20, 10, -30)],
+    ],
+    ids=["empty", "point", "above", "beside", "under"],
+)
+def test_paths_that_cut_nothing_or_everything(points):
+    toolpath = path(points)
+    found = estimate(toolpath, recognize(toolpath), tool=FLAT, stock=STOCK, view=View(width=200, height=150))
+    exact = simulate(toolpath, tool=FLAT, stock=STOCK, view=View(width=200, height=150))
+    assert found.traces == pytest.approx(exact.traces, rel=0.05)
+    assert found.dexels == pytest.approx(exact.dexels, rel=0.01)
+    assert np.isfinite(found.seconds)
+    if not exact.traces:
+        assert found.explanation == "no trajectory cuts the stock"
+        assert found.traces_error == 0
+
+
+def test_a_tool_larger_than_the_stock():
+    toolpath = path([(0, 30, 12), (80, 30, 12)])
+    found = estimate(toolpath, None, tool=Tool("endmill", 200), stock=STOCK, view=View(width=200, height=150))
+    assert found.traces == pytest.approx(200 * 150, rel=1e-3)
+
+
+def test_a_hundred_thousand_trajectories_are_no_more_work_each():
+    seconds = []
+    for chords in (150, 1500):
+        toolpath = surface(step=1.0, chords=chords)
+        runs = []
+        for _ in range(3):
+            begin = time.process_time()
+            estimate(toolpath, None, tool=BALL, stock=STOCK, view=View())
+            runs.append(time.process_time() - begin)
+        seconds.append(min(runs) / len(toolpath))
+    assert seconds[1] < 1.5 * seconds[0]
+
+
+def test_silhouettes():
+    tilt = radians(30)
+    frame = View((0, sin(tilt), -cos(tilt))).frame(STOCK)
+    assert silhouette_area(STOCK, frame) == pytest.approx(80 * (60 * cos(tilt) + 20 * sin(tilt)))
+    assert silhouette_area(STOCK, View(width=10, height=10, pixel=1).frame(STOCK)) == pytest.approx(100)
+    cylinder = ConvexStock.cylinder((0, 0, 0), radius=10, height=30)
+    assert silhouette_area(cylinder, View().frame(cylinder)) == pytest.approx(pi * 100)
+    assert silhouette_area(cylinder, View((1, 0, 0)).frame(cylinder)) == pytest.approx(20 * 30, rel=0.005)
+
+
+def expected(toolpath, strategy, tool=FLAT, direction=TOP, **known):
+    view = View(direction)
+    found = Recognition(strategy, 1.0, "", **known)
+    count = closed_form(toolpath, found, tool=tool, stock=STOCK, view=view)
+    return count / simulate(toolpath, tool=tool, stock=STOCK, view=view).traces
+
+
+def test_closed_form_by_strategy():
+    assert expected(zigzag(), Strategy.ZIGZAG, stepover=3, passes=28, depths=2) == pytest.approx(1, rel=0.02)
+    assert expected(contours(), Strategy.CONTOUR_PARALLEL, stepover=2.5, passes=8, depths=1) == pytest.approx(
+        1, rel=0.03
+    )
+    assert expected(path(contours().points[:5]), Strategy.PROFILE, passes=1, depths=1) == pytest.approx(
+        1, rel=0.03
+    )
+    assert expected(helix(), Strategy.HELIX, passes=6) == pytest.approx(1, rel=0.05)
+    assert expected(drilled(), Strategy.DRILLING) == pytest.approx(1, rel=0.01)
+    assert expected(surface(), Strategy.ZIGZAG, BALL, stepover=2, passes=21) == pytest.approx(1, rel=0.1)
+
+
+@pytest.mark.parametrize("radii", [(2.0, 4.5, 7.0), (7.0, 5.0, 3.0)], ids=["outwards", "inwards"])
+def test_closed_form_knows_that_a_helix_finds_the_hole_of_the_one_before(radii):
+    commands = []
+    for radius in radii:
+        commands += [("G0", {"Z": 25.0}), ("G0", {"X": 40.0 + radius, "Y": 30.0}), ("G0", {"Z": 20.0})]
+        for half in range(1, 13):
+            side = radius * (-1) ** half
+            commands.append(("G3", {"X": 40.0 + side, "Y": 30.0, "Z": 20.0 - half, "I": side, "J": 0.0}))
+    assert expected(linearize(commands), Strategy.HELIX) == pytest.approx(1, rel=0.05)
+
+
+def test_closed_form_recovers_the_stepover():
+    assert expected(zigzag(), Strategy.ZIGZAG, passes=28, depths=2) == pytest.approx(1, rel=0.02)
+
+
+def test_cuts_from_the_eye_are_what_the_general_way_finds():
+    rng = np.random.default_rng(5)
+    near, far = np.full(50, -3.0), np.where(np.arange(50) % 7 == 0, -3.0, 9.0)  # every seventh misses the stock
+    ray = np.repeat(np.flatnonzero(far > near), 4)
+    steps = rng.choice([5e-5, 0.7, 2.0, 4.0], (len(ray) // 4, 4)) + [0.5, 0, 0, 0]
+    leave = near[ray] + steps.cumsum(axis=1).ravel()
+    trajectory, leave = np.tile([2, 3, 5, 8], len(ray) // 4), np.minimum(leave, 9.0)
+    quick = cuts_from_the_eye(near, far, ray, trajectory, leave)
+    general = first_cuts(near, far, ray, trajectory, near[ray], leave)
+    for name in ("ray", "owner", "near", "far"):
+        assert np.array_equal(getattr(quick, name), getattr(general, name)), name
+
+
+def test_a_noisy_measurement_makes_no_constant_nothing():
+    amounts = 1 / np.array(Speed().constants) * (np.eye(5) + 0.1)
+    seconds = amounts @ Speed().constants * [1e-6, 5, 1, 1, 1]
+    assert (fit_speed(amounts, seconds).constants > 0).all()
+
+
+def test_what_the_sequence_is_good_for():
+    view = View()
+    toolpath = zigzag(step=1.0)
+    true = simulate(toolpath, tool=FLAT, stock=STOCK, view=view).traces
+    assert swept(toolpath, tool=FLAT, stock=STOCK, view=view) > 4 * true
+    assert cauchy_crofton(toolpath, stock=STOCK, view=view) < true / 4
+
+
+def test_cauchy_crofton_is_the_projected_length():
+    view = View(pixel=0.5)
+    assert cauchy_crofton(path([(10, 10, 5), (40, 50, 5)]), stock=STOCK, view=view) == pytest.approx(
+        50 * 2 / pi / 0.5
+    )
+
+
+@pytest.mark.parametrize("direction", [TOP, TILTED, ISOMETRIC], ids=["top", "tilted", "isometric"])
+def test_candidate_pixels(direction):
+    # Along the stock's edge and beside it: only what lies over the stock is examined.
+    toolpath = path([(20, 20, 10), (60, 40, 10), (20, 40, 12), (-2, -2, 8), (-2, 90, 8)])
+    view = View(direction)
+    exact = simulate(toolpath, tool=FLAT, stock=STOCK, view=view)
+    found = estimate(toolpath, None, tool=FLAT, stock=STOCK, view=view)
+    assert found.candidates == pytest.approx(exact.candidates, rel=0.08)
+
+
+def test_the_time_is_that_of_the_work():
+    toolpath, tool = PATHS["surface"]
+    view = View(TILTED, 400, 300)
+    exact = simulate(toolpath, tool=tool, stock=STOCK, view=view)
+    amounts = work(len(toolpath), exact.dexels + exact.traces, exact.candidates, tool, view)
+    speed = Speed(2e-5, 4e-7, 3e-7, 7e-7, 3e-7)
+    found = estimate(toolpath, None, tool=tool, stock=STOCK, view=view, speed=speed)
+    assert found.seconds == pytest.approx(amounts @ [2e-5, 4e-7, 3e-7, 7e-7, 3e-7], rel=0.03)
+
+
+def test_a_speed_is_found_in_times():
+    rng = np.random.default_rng(3)
+    true = Speed().constants * [2, 3, 2, 3, 2]
+    amounts = rng.uniform(0.1, 1, (2000, 5)) / true
+    assert fit_speed(amounts, amounts @ true).constants == pytest.approx(true, rel=0.02)
+    # With few and noisy times the proportions stay sensible.
+    for _ in range(50):
+        few = amounts[rng.choice(2000, 6)]
+        found = fit_speed(few, few @ true * rng.uniform(0.7, 1.4, 6)).constants
+        assert ((found > true / 4) & (found < 4 * true)).all()
+
+
+def test_this_computers_speed_is_measured():
+    begin = time.process_time()
+    speed = measure_speed()
+    assert time.process_time() - begin < 2  # 0.2 s on a quiet computer
+    assert (speed.constants > 0).all() and speed.factor < Speed().factor
+
+
+@pytest.mark.parametrize("name", ["zigzag", "surface", "helix"])
+def test_a_memory_budget_is_met(name):
+    toolpath, tool = PATHS[name]
+    found = estimate(toolpath, None, tool=tool, stock=STOCK, view=View(TILTED))
+    chosen = best_resolution([found], memory_bytes=8e6)
+    exact = simulate(toolpath, tool=tool, stock=STOCK, view=chosen.view)
+    assert 0.9 < exact.memory_bytes / 8e6 < 1.05
+    assert chosen.memory_bytes <= 8e6
+    assert "limited by the memory" in chosen.explanation
+
+
+def test_a_time_budget_gives_the_image_that_takes_it():
+    toolpath, tool = PATHS["surface"]
+    speed = Speed(trajectory=1e-4, pixel=1e-6, candidate=1e-6, tilted_candidate=1e-6, record=1e-6)
+    found = estimate(toolpath, None, tool=tool, stock=STOCK, view=View(), speed=speed)
+    chosen = best_resolution([found], seconds=found.seconds / 3, memory_bytes=1e12)
+    again = estimate(toolpath, None, tool=tool, stock=STOCK, view=chosen.view, speed=speed)
+    assert again.seconds == pytest.approx(found.seconds / 3, rel=0.01)
+    assert chosen.seconds == pytest.approx(again.seconds, rel=0.01)
+    assert "limited by the time" in chosen.explanation
+
+
+def test_the_field_of_view_stays():
+    toolpath, tool = PATHS["zigzag"]
+    found = estimate(toolpath, None, tool=tool, stock=STOCK, view=View(width=200, height=100, pixel=0.2))
+    chosen = best_resolution([found], memory_bytes=4 * found.memory_bytes)
+    assert (chosen.view.width, chosen.view.height) == (400, 200)
+    assert chosen.view.pixel == pytest.approx(0.1)
+
+
+def test_operations_share_one_stock():
+    toolpath, tool = PATHS["zigzag"]
+    found = estimate(toolpath, None, tool=tool, stock=STOCK, view=View())
+    one, two = (best_resolution([found] * k, memory_bytes=20e6) for k in (1, 2))
+    traces = found.memory_bytes - found.stock_bytes
+    ratio = sqrt(found.memory_bytes / (found.stock_bytes + 2 * traces))
+    assert two.view.width == pytest.approx(ratio * one.view.width, abs=1)
+
+
+def test_where_no_resolution_helps_it_says_what_does():
+    toolpath, tool = PATHS["surface"]
+    found = estimate(toolpath, None, tool=tool, stock=STOCK, view=View(), speed=Speed(trajectory=1.0))
+    chosen = best_resolution([found], seconds=10)
+    assert chosen.view is None
+    assert chosen.explanation.startswith("no resolution helps, the trajectories alone take")
+    assert "fewer operations" in chosen.explanation
+    assert (
+        best_resolution([found], memory_bytes=10).explanation
+        == "no resolution helps, not even a single pixel fits"
+    )
+
+
+def test_an_image_tells_passes_apart_with_four_pixels_between_them():
+    found = estimate(*PATHS["zigzag"][:1], None, tool=FLAT, stock=STOCK, view=View())
+    assert (
+        "0.75 mm would do for passes 3 mm apart"
+        in best_resolution([found], memory_bytes=2e7, stepover=3).explanation
+    )
+    assert (
+        "passes 3 mm apart ask for 0.75 mm"
+        in best_resolution([found], memory_bytes=1e5, stepover=3).explanation
+    )
+
+
+@pytest.mark.parametrize("budget", [{}, {"seconds": 0}, {"memory_bytes": float("nan")}, {"seconds": -1.0}])
+def test_impossible_budgets_are_refused(budget):
+    found = estimate(*PATHS["zigzag"][:1], None, tool=FLAT, stock=STOCK, view=View())
+    with pytest.raises(ValueError, match="positive number"):
+        best_resolution([found], **budget)
+    with pytest.raises(ValueError, match="no operation"):
+        best_resolution([], seconds=1)

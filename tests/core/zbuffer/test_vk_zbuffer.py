@@ -1,0 +1,256 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The extended z-buffer against areas and volumes known in closed form, and against its own past."""
+
+from __future__ import annotations
+
+from math import cos, hypot, pi, radians, sin, sqrt, tan
+
+import numpy as np
+import pytest
+
+from vkworkbench.core import ConvexStock, Stock, Tool, Toolpath, View
+from vkworkbench.core.zbuffer.simulate import DEXEL, INDEX, TRACE, simulate
+
+STOCK = Stock((0, 0, 0), (40, 30, 10))
+TOOLS = [
+    Tool("endmill", 6),
+    Tool("ballend", 6),
+    Tool("bullnose", 6, corner_radius=1),
+    Tool("vbit", 6, tip_angle=pi / 2),
+    Tool("drill", 6),
+]
+VIEWS = {
+    "top": (0, 0, -1),
+    "bottom": (0, 0, 1),
+    "tilted": (0, 0.5, -0.866),
+    "isometric": (-1, 1, -0.816),
+    "side": (1, 0.3, 0),
+}
+
+
+def path(points, rapid=()):
+    points = np.array(points, float).reshape(-1, 3)
+    n = max(0, len(points) - 1)
+    fast = np.zeros(n, bool)
+    fast[list(rapid)] = True
+    return Toolpath(
+        points,
+        fast,
+        np.arange(n),
+        np.where(fast, 0, 10.0),
+        np.zeros(n),
+        np.full(n, 17, np.uint8),
+        np.zeros(n, bool),
+        n,
+    )
+
+
+def cut(points, tool=TOOLS[0], stock=STOCK, direction=(0, 0, -1), width=400, height=300):
+    return simulate(path(points), tool=tool, stock=stock, view=View(direction, width, height))
+
+
+def area(zbuffer):
+    return zbuffer.traces * zbuffer.frame.pixel**2
+
+
+def test_no_trajectory_leaves_one_dexel_on_every_pixel_of_the_stock():
+    z = cut([], width=80, height=60)
+    assert (z.dexels, z.traces) == (80 * 60, 0)
+    assert z.part_volume == pytest.approx(40 * 30 * 10, rel=1e-6)
+    assert z.memory_bytes == DEXEL.itemsize * 4800 + INDEX.itemsize * 4801
+
+
+@pytest.mark.parametrize("tool", TOOLS, ids=lambda t: t.shape)
+def test_slot_is_a_stadium_from_above(tool):
+    # Deep enough for every tip to cut at its full width.
+    z = cut([(10, 15, 4), (30, 15, 4)], tool)
+    assert area(z) == pytest.approx(6 * 20 + pi * 9, rel=0.005)
+    assert z.dexels == z.frame.width * z.frame.height
+
+
+def test_only_what_lies_over_the_stock_counts():
+    assert area(cut([(0, 15, 4), (40, 15, 4)])) == pytest.approx(6 * 40, rel=0.005)
+    assert cut([(60, 60, 4), (80, 60, 4)]).traces == 0
+    assert cut([(10, 15, 10), (30, 15, 10)]).traces == 0
+    assert cut([(10, 15, 25), (30, 15, 12)]).traces == 0
+
+
+def test_a_second_pass_over_the_same_place_cuts_nothing():
+    z = cut([(10, 15, 4), (30, 15, 4), (10, 15, 4)])
+    assert set(z.trace_records["trajectory"]) == {0}
+
+
+def test_every_peck_cuts_the_hole_again():
+    points = [(20, 15, 12), (20, 15, 8), (20, 15, 11), (20, 15, 5), (20, 15, 11), (20, 15, 2)]
+    z = cut(points)
+    assert area(z) == pytest.approx(3 * 9 * pi, rel=0.01)
+    assert set(z.trace_records["trajectory"]) == {0, 2, 4}
+
+
+def test_a_through_hole_leaves_no_dexel_and_a_tunnel_two():
+    assert cut([(20, 15, 20), (20, 15, -1)]).dexels == pytest.approx(400 * 300 - 9 * pi / 0.01, rel=1e-3)
+    # From the side the rays through the slot have a wall before it and a wall behind it.
+    z = cut([(20, 15, 20), (20, 15, 4)], direction=(0, 1, 0))
+    assert z.dexels * z.frame.pixel**2 == pytest.approx(40 * 10 + 6 * 6, rel=0.01)
+
+
+def test_zigzag_of_a_flat_mill_cuts_every_pixel_once():
+    rows = [(x, 5 + 4 * k, 6) for k in range(6) for x in ((5, 35) if k % 2 == 0 else (35, 5))]
+    # Along both ends too, so that no scallops remain: a rectangle with rounded corners.
+    rows += [(5, 5, 6), (35, 5, 6), (35, 25, 6)]
+    assert area(cut(rows)) == pytest.approx(36 * 26 - (4 - pi) * 9, rel=0.005)
+
+
+@pytest.mark.parametrize("tilt", [20, 45, 70])
+def test_a_plunge_seen_obliquely_is_a_cylinder(tilt):
+    z = cut([(20, 15, 12), (20, 15, 4)], direction=(0, sin(radians(tilt)), -cos(radians(tilt))))
+    seen = pi * 9 * cos(radians(tilt)) + 6 * 6 * sin(radians(tilt))
+    assert area(z) == pytest.approx(seen, rel=0.01)
+
+
+@pytest.mark.parametrize("heading", [0, 40, 90])
+def test_a_slot_seen_obliquely_is_its_foot_and_its_wall(heading):
+    tilt, length = radians(35), 12
+    along = np.array([cos(radians(heading)), sin(radians(heading)), 0]) * length / 2
+    middle = np.array([20, 15, 5])
+    z = cut([middle - along, middle + along], direction=(0, sin(tilt), -cos(tilt)))
+    wall = 5 * (6 + length * abs(cos(radians(heading))))
+    assert area(z) == pytest.approx((6 * length + 9 * pi) * cos(tilt) + wall * sin(tilt), rel=0.01)
+
+
+def hole_volume(tool, depth):
+    """Volume of a hole drilled to `depth`, mm^3: the cylinder less what the tip leaves at the bottom."""
+    r, c, k = tool.radius, tool.rounding, tool.steepness
+    flat = r - c
+    # Pappus: the corner's spandrel (1 - pi/4) c^2, its centroid c (1 - 10 - 3 pi) / (12 - 3 pi)) from the
+    # rim.
+    spandrel = (1 - pi / 4) * c**2
+    centroid = flat + c * (1 - (10 - 3 * pi) / (12 - 3 * pi))
+    return pi * r**2 * depth - 2 * pi * centroid * spandrel - 2 / 3 * pi * k * r**3
+
+
+@pytest.mark.parametrize("tool", TOOLS, ids=lambda t: t.shape)
+@pytest.mark.parametrize("view", VIEWS)
+def test_hole_volume_in_every_view(tool, view):
+    z = cut([(20, 15, 12), (20, 15, 3)], tool, direction=VIEWS[view])
+    assert z.chip_volume == pytest.approx(hole_volume(tool, 7), rel=0.01)
+    assert z.part_volume + z.chip_volume == pytest.approx(z.at(0).part_volume, rel=1e-5)
+
+
+@pytest.mark.parametrize("tool", TOOLS, ids=lambda t: t.shape)
+@pytest.mark.parametrize("move", [(20, 10, 0), (18, -8, 3), (-15, 4, -5), (0.5, 0.2, -5)], ids=str)
+def test_one_move_has_one_volume_whatever_the_view(tool, move):
+    middle = np.array([20, 15, 5])
+    points = [middle - np.array(move) / 2, middle + np.array(move) / 2]
+    volumes = [cut(points, tool, direction=d).chip_volume for d in VIEWS.values()]
+    assert volumes == pytest.approx([volumes[0]] * len(volumes), rel=0.01)
+
+
+@pytest.mark.parametrize("view", VIEWS)
+def test_chips_and_part_are_the_stock_at_every_moment(view):
+    z = cut(winding(40), Tool("ballend", 4), direction=VIEWS[view], width=120, height=90)
+    whole = z.at(0).part_volume
+    assert whole == pytest.approx(12000, rel=0.02)
+    for step in (0, 1, 17, 40):
+        now = z.at(step)
+        assert now.part_volume + now.chip_volume == pytest.approx(whole, rel=1e-5)
+
+
+@pytest.mark.parametrize("view", VIEWS)
+def test_a_former_moment_is_the_simulation_of_the_moves_until_then(view):
+    points = winding(40)
+    z = cut(points, direction=VIEWS[view], width=120, height=90)
+    for step in (0, 1, 13, 29):
+        then = cut(points[: step + 1], direction=VIEWS[view], width=120, height=90)
+        assert (z.at(step).dexels, z.at(step).traces) == (then.dexels, then.traces)
+        assert z.at(step).part_volume == pytest.approx(then.part_volume, rel=1e-6)
+    assert z.at(13).at(40).dexels == z.dexels
+
+
+def winding(n):
+    """A path of random moves about the stock, in and out of it."""
+    rng = np.random.default_rng(7)
+    return np.column_stack((rng.uniform(0, 40, n + 1), rng.uniform(0, 30, n + 1), rng.uniform(3, 12, n + 1)))
+
+
+def test_moments_outside_the_simulation_are_refused():
+    z = cut([(10, 15, 4), (30, 15, 4)], width=40, height=30)
+    for step in (-1, 2):
+        with pytest.raises(ValueError, match="moments 0 to 1"):
+            z.at(step)
+
+
+def test_rapids_cut_what_they_meet():
+    z = simulate(path([(10, 15, 4), (30, 15, 4)], rapid=[0]), tool=TOOLS[0], stock=STOCK, view=View())
+    assert z.traces > 0
+
+
+def test_records_are_sorted_and_their_index_finds_them():
+    z = cut(winding(30), direction=VIEWS["isometric"], width=60, height=45)
+    assert (DEXEL.itemsize, TRACE.itemsize, INDEX.itemsize) == (12, 12, 4)
+    assert (np.diff(z.dexel_records["pixel"].astype(int)) >= 0).all()
+    assert z.trace_index[-1] == len(z.trace_records)
+    for pixel in range(0, 60 * 45, 97):
+        own = z.trace_records[z.trace_index[pixel] : z.trace_index[pixel + 1]]
+        dexels = z.dexel_records[z.dexel_records["pixel"] == pixel]
+        near = np.sort(np.concatenate((own["near"], dexels["near"])))
+        far = np.sort(np.concatenate((own["far"], dexels["far"])))
+        # Dexels and trace elements fill the ray's chord without gap or overlap.
+        assert near[1:] == pytest.approx(far[:-1])
+
+
+def test_a_cylinder_of_stock():
+    stock = ConvexStock.cylinder((0, 0, 0), radius=20, height=10)
+    z = simulate(path([(0, 0, 12), (0, 0, 4)]), tool=TOOLS[0], stock=stock, view=View())
+    assert z.at(0).part_volume == pytest.approx(pi * 400 * 10, rel=0.005)
+    assert z.chip_volume == pytest.approx(pi * 9 * 6, rel=0.01)
+
+
+def test_a_steep_v_bit_reaches_as_wide_as_it_is_deep():
+    tool = Tool("vbit", 6, tip_angle=radians(60))
+    z = cut([(10, 10, 8), (30, 20, 8)], tool)
+    half_width = 2 * tan(radians(30))
+    assert area(z) == pytest.approx(2 * half_width * hypot(20, 10) + pi * half_width**2, rel=0.01)
+
+
+def test_a_shallow_ball_reaches_as_wide_as_its_chord():
+    z = cut([(10, 10, 9), (30, 20, 9)], Tool("ballend", 6))
+    half_width = sqrt(3**2 - 2**2)
+    assert area(z) == pytest.approx(2 * half_width * hypot(20, 10) + pi * half_width**2, rel=0.01)
+
+
+@pytest.mark.parametrize(
+    "arguments, words",
+    [
+        (("endmil", 6), "unknown tool shape"),
+        (("endmill", 0), "positive number"),
+        (("endmill", float("nan")), "positive number"),
+        (("endmill", -3), "positive number"),
+        (("bullnose", 6, 3.5), "corner radius"),
+        (("vbit", 6, 0, 0.0), "tip angle"),
+    ],
+)
+def test_impossible_tools_are_refused_in_words(arguments, words):
+    with pytest.raises(ValueError, match=words):
+        Tool(*arguments)
+
+
+def test_impossible_stocks_and_views_are_refused_in_words():
+    with pytest.raises(ValueError, match="no volume"):
+        Stock((0, 0, 0), (10, 10, 0))
+    with pytest.raises(ValueError, match="finite"):
+        Stock((0, 0, 0), (10, float("inf"), 5))
+    open_box = [(-1, 0, 0), (1, 0, 0), (0, -1, 0), (0, 1, 0), (0, 0, -1)]
+    for normals, offsets in [
+        (open_box, [0, 9, 0, 9, 0]),
+        (open_box + [(1, 0, -1)], [0, 9, 0, 9, 0, 4]),
+        (open_box + [(0, 0, 1)], [0, 9, 0, 9, 0, -1]),
+    ]:
+        with pytest.raises(ValueError, match="bounded volume"):
+            ConvexStock(normals, offsets)
+    with pytest.raises(ValueError, match="not all zero"):
+        View((0, 0, 0))
+    with pytest.raises(ValueError, match="at least one pixel"):
+        View(width=0)
+    with pytest.raises(ValueError, match="positive number"):
+        View(pixel=0.0)

@@ -1,0 +1,300 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Commands to trajectories: modal state, arcs and canned cycles resolved into straight moves.
+
+Everything is done on whole columns: a state that a command sets and later ones inherit is the value at the
+last row that set it, which is one running maximum of row numbers. So 100,000 commands take no Python loop
+but the one that reads them.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+import numpy as np
+
+from vkworkbench.core.gcode import arcs, cycles
+from vkworkbench.core.gcode.words import COMMENT, COORDINATE_LIMIT, MODAL, TOOL_CHANGE, UNKNOWN, Words
+from vkworkbench.core.toolpath import Problem, Toolpath
+
+MOST_TRAJECTORIES = 5_000_000  # 2 GB of memory
+SLOWEST_FEED = 1e-6  # mm/s, eleven days for a millimetre
+
+_RAPID, _LINE, _CW, _CCW, _CANCEL = 0, 10, 20, 30, 800
+_MOTION = np.concatenate([[_RAPID, _LINE, _CW, _CCW], cycles.CODES])
+_PROBE = np.arange(382, 386)
+# Codes that set a state read below, or one that does not move the tool.
+_STATE = np.array([40, 70, 80, 150, 170, 180, 190, 200, 210, 400, 410, 411, 420, 421, 430, 431, 432, 490,
+                   500, 540, 550, 560, 570, 580, 590, 591, 592, 593, 610, 611, 640, 690, 800, 900, 901, 910,
+                   911, 921, 922, 930, 940, 950, 960, 970, 980, 990])  # fmt: skip
+_ZERO_LENGTH = 1e-9  # mm
+
+
+def linearize(commands: Iterable, *, tolerance: float = 0.01) -> Toolpath:
+    """Resolve the commands of one operation into straight trajectories.
+
+    The paper assumes that "all the trajectories are linearized and defined by the Cartesian co-ordinates of
+    their starting point and of their point of destination" (section 2.1); this function makes it true.
+
+    Parameters
+    ----------
+    commands : iterable
+        ``(name, parameters)`` pairs, or objects with ``.Name`` and ``.Parameters``, in FreeCAD's units
+        (mm, mm/s). Names as they come: ``G1``, ``G01``, ``(comment)``, or empty for a modal line.
+    tolerance : float
+        Largest distance between an arc and its chords, mm.
+
+    Returns
+    -------
+    Toolpath
+        Its `problems` say what could not be used. An axis that is not yet known does not move, so the
+        first words give the start position and there is no move from the origin.
+
+    Raises
+    ------
+    ValueError
+        If `tolerance` is not a positive number, or if arcs and cycles would need more than 5 million moves.
+    """
+    if not (np.isfinite(tolerance) and tolerance > 0):
+        raise ValueError(f"the tolerance must be a positive number of mm, not {tolerance}")
+    words = Words(commands)
+    problems = _Problems()
+    program = _Program(words, problems)
+    points, rapid, command, sweep, is_cycle = _moves(program, float(tolerance), problems)
+
+    moved = _moved(points)
+    while not moved.all():  # again: moves too short to count may lead away from a point and the next one back
+        points = points[np.concatenate([[True], moved])]
+        rapid, command, sweep, is_cycle = rapid[moved], command[moved], sweep[moved], is_cycle[moved]
+        moved = _moved(points)
+    points += 0.0  # -0.0 becomes 0.0
+    feed = np.where(rapid, 0.0, program.feed[command])
+    comments = np.flatnonzero(words.codes == COMMENT)
+    before = np.searchsorted(command, comments).tolist()
+    return Toolpath(
+        points, rapid, command, feed, sweep, program.plane[command].astype(np.uint8), is_cycle,
+        commands=len(words),
+        tool_changes=np.searchsorted(command, np.flatnonzero(words.codes == TOOL_CHANGE)),
+        comments=tuple((at, words.names[i].strip(" ()")) for at, i in zip(before, comments.tolist())),
+        problems=tuple(problems),
+    )  # fmt: skip
+
+
+class _Problems(list):
+    """The problems found, one for each kind."""
+
+    def add(self, rows: np.ndarray, message: str) -> None:
+        if len(rows):
+            self.append(Problem(int(rows[0]), message, len(rows)))
+
+
+class _Program:
+    """The modal state at every command: motion, position, plane, modes and feed."""
+
+    def __init__(self, words: Words, problems: _Problems) -> None:
+        self.words = words
+        codes = words.codes
+        _report_codes(words, problems)
+
+        # A name that is empty continues the last motion, until G80 ends it.
+        is_motion = np.isin(codes, _MOTION)
+        self.motion = np.where(is_motion, codes, -1)
+        modal = np.flatnonzero(codes == MODAL)
+        if len(modal):
+            setter = _last(is_motion | (codes == _CANCEL))[modal]
+            inherited = np.where(setter >= 0, codes[setter], -1)
+            self.motion[modal] = np.where(inherited == _CANCEL, -1, inherited)
+            problems.add(modal[self.motion[modal] < 0], "words without a motion before them ignored")
+        self.is_cycle = np.isin(self.motion, cycles.CODES)
+
+        self.plane = _mode(codes, {170: 17, 180: 18, 190: 19}, 17)
+        self.relative = _mode(codes, {900: 0, 910: 1}, 0) == 1
+        self.absolute_centre = _mode(codes, {901: 1, 911: 0}, 0) == 1
+        self.to_retract_plane = _mode(codes, {980: 0, 990: 1}, 0) == 1
+        self.feed = self._feed(problems)
+        self.position, self.known = self._positions(problems)
+
+    def before(self, rows: np.ndarray) -> np.ndarray:
+        """Position before each of the given commands, (m, 3) mm."""
+        return self.position[np.maximum(rows - 1, 0)]
+
+    def _feed(self, problems: _Problems) -> np.ndarray:
+        values, unusable = self.words.column("F")
+        unusable |= (values > 0) & (values < SLOWEST_FEED)
+        problems.add(np.flatnonzero(unusable), "feed rate that is no usable number ignored")
+        setter = _last(values >= SLOWEST_FEED)
+        return np.where(setter >= 0, values[setter], 0.0)
+
+    def _positions(self, problems: _Problems) -> tuple[np.ndarray, np.ndarray]:
+        moves = self.motion >= 0
+        position = np.empty((len(moves), 3))
+        known = np.empty((len(moves), 3), bool)
+        for axis, letter in enumerate("XYZ"):
+            values, unusable = self.words.column(letter)
+            problems.add(np.flatnonzero(unusable & moves), f"{letter} word that is no usable number ignored")
+            values[~moves] = np.nan
+            if letter == "Z" and self.is_cycle.any():
+                values, relative = self._cycle_heights(values, problems)
+            else:
+                relative = self.relative
+            position[:, axis], known[:, axis] = _coordinate(values, relative)
+        beyond = np.abs(position) > COORDINATE_LIMIT
+        if beyond.any():  # relative words may add up to anything
+            problems.add(np.flatnonzero(beyond.any(axis=1)), "position beyond a kilometre cut off there")
+            position = np.clip(position, -COORDINATE_LIMIT, COORDINATE_LIMIT)
+        return position, known
+
+    def _cycle_heights(self, z: np.ndarray, problems: _Problems) -> tuple[np.ndarray, np.ndarray]:
+        """Resolve the sticky words of the canned cycles; return Z as absolute values and no relative row."""
+        rows = np.flatnonzero(self.is_cycle)
+        sticky = {"Z": z[rows]}
+        for letter in "RQ":
+            sticky[letter], unusable = self.words.column(letter, rows)
+            problems.add(rows[unusable], f"{letter} word that is no usable number ignored")
+        sticky = {letter: _held(values) for letter, values in sticky.items()}
+        problems.add(rows[np.isnan(sticky["Z"])], "drilling cycle without a depth (Z): no hole")
+        problems.add(rows[np.isnan(sticky["R"])], "drilling cycle without R: it starts where it stands")
+        problems.add(rows[self.plane[rows] != 17], "drilling cycle outside the XY plane read as in XY")
+        z[rows] = np.nan
+        z, self.cycle_heights = cycles.heights(
+            z, self.relative, rows, sticky["R"], sticky["Z"], self.to_retract_plane[rows]
+        )
+        self.cycle_peck = sticky["Q"]
+        return z, np.zeros(len(z), bool)
+
+
+def _moves(program: _Program, tolerance: float, problems: _Problems):
+    """Return points, rapid, command, sweep and cycle of all moves, zero-length ones included."""
+    motion, position = program.motion, program.position
+    is_arc = (motion == _CW) | (motion == _CCW)
+    counts = (motion >= 0).astype(np.int64)
+
+    arc_rows = np.flatnonzero(is_arc)
+    if len(arc_rows):
+        axes = np.array([arcs.PLANE_AXES[p] for p in program.plane[arc_rows].tolist()])
+        start, end = program.before(arc_rows), position[arc_rows]
+        flat_start = np.take_along_axis(start, axes, 1)
+        flat_end = np.take_along_axis(end, axes, 1)
+        resolved = _resolve_arcs(program, arc_rows, axes, flat_start, flat_end, problems)
+        counts[arc_rows] = arcs.chord_counts(resolved, tolerance)
+    cycle_rows = np.flatnonzero(program.is_cycle)
+    if len(cycle_rows):
+        code = program.motion[cycle_rows]
+        counts[cycle_rows] = cycles.move_counts(code, program.cycle_heights, program.cycle_peck)
+
+    total = int(counts.sum())
+    if total > MOST_TRAJECTORIES:
+        raise ValueError(
+            f"the arcs and cycles would need {total:,} moves at a tolerance of {tolerance} mm; "
+            "use a larger tolerance"
+        )
+    command = np.repeat(np.arange(len(motion)), counts)
+    points = position[command]
+    rapid = (motion == _RAPID)[command]
+    is_cycle = program.is_cycle[command]
+    sweep = np.zeros(total)
+    if len(arc_rows):
+        chord_of = np.repeat(np.arange(len(arc_rows)), counts[arc_rows])
+        flat = arcs.chords(resolved, counts[arc_rows], flat_start[:, :2], flat_end[:, :2],
+                           flat_start[:, 2], flat_end[:, 2])  # fmt: skip
+        on_arc = is_arc[command]
+        in_space = np.empty_like(flat)
+        np.put_along_axis(in_space, axes[chord_of], flat, 1)
+        points[on_arc] = in_space
+        sweep[on_arc] = (resolved.sweep / counts[arc_rows])[chord_of]
+    if len(cycle_rows):
+        points[is_cycle], rapid[is_cycle] = _expand_cycles(program, cycle_rows)
+    start = position[:1] if total else np.empty((0, 3))
+    return np.concatenate([start, points]), rapid, command, sweep, is_cycle
+
+
+def _moved(points: np.ndarray) -> np.ndarray:
+    """Which trajectories have a length."""
+    return np.abs(np.diff(points, axis=0)).max(axis=1, initial=0.0) > _ZERO_LENGTH
+
+
+def _resolve_arcs(program, rows, axes, start, end, problems) -> arcs.Arcs:
+    words = program.words
+    columns, unusable = zip(*(words.column(letter, rows) for letter in "IJK"))
+    problems.add(rows[np.any(unusable, axis=0)], "centre word (I, J, K) that is no usable number ignored")
+    offset = np.take_along_axis(np.column_stack(columns), axes[:, :2], 1)
+    radius, unusable = words.column("R", rows)
+    problems.add(rows[unusable], "R word that is no usable number ignored")
+    clockwise = program.motion[rows] == _CW
+    resolved = arcs.resolve(start[:, :2], end[:, :2], clockwise, offset, radius, program.absolute_centre[rows])
+
+    known = np.take_along_axis(program.known[np.maximum(rows - 1, 0)] & (rows > 0)[:, None], axes[:, :2], 1)
+    unknown_start = ~known.all(axis=1)
+    problems.add(rows[unknown_start], "arc before its start is known ignored")
+    bad = resolved.degenerate & ~unknown_start
+    problems.add(rows[bad], "arc without a usable centre or radius read as a line")
+    gap = np.abs(resolved.radius[:, 1] - resolved.radius[:, 0])
+    uneven = (gap > np.maximum(0.1, 0.01 * resolved.radius[:, 0])) & (resolved.sweep != 0) & ~unknown_start
+    problems.add(rows[uneven], "arc whose end is not on its circle read with a changing radius")
+    resolved.sweep[unknown_start] = 0.0  # its start is its end: no move is left of it
+    return resolved
+
+
+def _expand_cycles(program: _Program, rows: np.ndarray):
+    start = program.before(rows).copy()
+    start[rows == 0] = program.position[0]
+    start[:, 2] = program.cycle_heights[:, 0]
+    hole = program.position[rows, :2]
+    return cycles.moves(program.motion[rows], start, hole, program.cycle_heights, program.cycle_peck)
+
+
+def _report_codes(words: Words, problems: _Problems) -> None:
+    known = np.concatenate([_MOTION, _STATE, _PROBE])
+    codes = words.codes
+    by_name: dict[str, list[int]] = {}
+    for row in np.flatnonzero((codes == UNKNOWN) | ((codes >= 0) & ~np.isin(codes, known))).tolist():
+        by_name.setdefault(words.names[row], []).append(row)
+    for name, rows in list(by_name.items())[:10]:
+        problems.add(np.array(rows), f"unknown code {name[:40]!r} ignored")
+    if len(by_name) > 10:
+        rest = np.array([row for rows in list(by_name.values())[10:] for row in rows])
+        problems.add(rest, f"{len(by_name) - 10} more unknown codes ignored")
+
+
+def _last(mask: np.ndarray) -> np.ndarray:
+    """Index of the last True at or before each place, -1 where there is none."""
+    return np.maximum.accumulate(np.where(mask, np.arange(len(mask)), -1))
+
+
+def _held(values: np.ndarray) -> np.ndarray:
+    """Fill each NaN with the last number before it."""
+    last = _last(~np.isnan(values))
+    return np.where(last >= 0, values[last], np.nan) if len(values) else values
+
+
+def _mode(codes: np.ndarray, states: dict[int, int], default: int) -> np.ndarray:
+    """State of a modal group at every command: the value of the last of its codes."""
+    state = np.full(len(codes), default, np.int64)
+    setter = _last(np.isin(codes, list(states)))
+    if setter.max(initial=-1) >= 0:
+        value = np.full(len(codes), default, np.int64)
+        for code, code_value in states.items():
+            value[codes == code] = code_value
+        state = np.where(setter >= 0, value[setter], default)
+    return state
+
+
+def _coordinate(values: np.ndarray, relative: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """One axis after every command, and whether it is known there.
+
+    Before its first word an axis stands where that word puts it; relative words count from 0 until an
+    absolute one comes; an axis without any word is 0.
+    """
+    given = ~np.isnan(values)
+    last = _last(given)
+    known = last >= 0
+    if not (relative & given).any():
+        first = values[given.argmax()] if given.any() else 0.0
+        return np.where(known, values[last], first), known
+    travelled = np.cumsum(np.where(given & relative, values, 0.0))
+    anchor = _last(given & ~relative)
+    anchored = np.where(anchor >= 0, values[anchor] - travelled[anchor], 0.0)
+    position = anchored + travelled
+    first = given.argmax()
+    if not relative[first]:
+        position[:first] = values[first]
+    return position, known

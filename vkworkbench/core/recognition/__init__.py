@@ -1,0 +1,10 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Which strategy a toolpath follows.
+
+In: `Toolpath` and the tool's diameter, where it is known.
+Out: `Recognition`, the strategy with its confidence, its reason, the numbers behind it, and the spans of the parts.
+"""
+
+from vkworkbench.core.recognition.recognize import Recognition, Span, recognize
+
+__all__ = ["Recognition", "Span", "recognize"]

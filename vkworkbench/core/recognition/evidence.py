@@ -1,0 +1,118 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The numbers behind a verdict, and the sentence that tells them in the paper's terms."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from vkworkbench.core.paper import EXACT, TURN
+from vkworkbench.core.recognition.pieces import LOOP
+from vkworkbench.core.recognition.rings import count_levels
+from vkworkbench.core.recognition.verdict import Section, Verdict
+from vkworkbench.core.strategy import Strategy
+
+AROUND = {Strategy.CONTOUR_PARALLEL, Strategy.PROFILE, Strategy.WATERLINE, Strategy.SPIRAL, Strategy.HELIX,
+          Strategy.ADAPTIVE}  # fmt: skip
+
+
+@dataclass(frozen=True)
+class Evidence:
+    """Numbers of a section; the fields are those of Recognition."""
+
+    level: int
+    phi_range: tuple[float, float]
+    reversals: int
+    sense: str | None
+    stepover: float | None
+    passes: int | None
+    depths: int
+    direction: float | None
+    closed_loops: int
+    milling: str | None
+
+
+def gather(s: Section, verdict: Verdict) -> Evidence:
+    """Collect the numbers behind a verdict."""
+    low, high = _phi_range(s)
+    extreme = high if high >= -low else low
+    level = int((abs(extreme) + EXACT) / TURN)
+    around = verdict.strategy in AROUND or not s.rows
+    rings, rows = s.rings, s.rows
+    main = max(rows, key=lambda f: f.length) if rows else None
+    sense = milling = stepover = passes = None
+    if len(rings) and around:
+        turned = float((np.sign(s.pieces.net[rings.index]) * rings.length).sum() / rings.length.sum())
+        sense = "ccw" if turned > 0.5 else "cw" if turned < -0.5 else None
+        passes = len(rings)
+        if np.isfinite(rings.step):
+            stepover = rings.step
+            if sense and abs(rings.growing - 0.5) > 0.25:
+                # What is left to cut lies on the right of a climbing tool: outward of a growing ccw loop.
+                milling = "climb" if (rings.growing > 0.5) == (sense == "ccw") else "conventional"
+    elif main:
+        # Grids are not cut row by row.
+        passes, stepover = sum(f.count for f in rows), main.period if len(rows) > 1 else main.step
+    if verdict.step and not stepover:
+        passes, stepover = verdict.count, verdict.step
+    flat = s.pieces.flat & (s.pieces.length > 0.02 * s.pieces.length.max())
+    return Evidence(
+        level=level if extreme > 0 else -level,
+        phi_range=(low, high),
+        reversals=s.moves.reversals,
+        sense=sense,
+        stepover=stepover,
+        passes=passes,
+        depths=count_levels(s.pieces.z[flat]),
+        direction=main.axis if main and not around else None,
+        closed_loops=int((s.pieces.kind == LOOP).sum()),
+        milling=milling,
+    )
+
+
+def _phi_range(s: Section) -> tuple[float, float]:
+    """Return the lowest and highest phi in any area, rad, the closing turns of loops included."""
+    m = s.moves
+    base = m.phi[m.start]
+    low = float((np.minimum.reduceat(m.phi, m.start) - base).min())
+    high = float((np.maximum.reduceat(m.phi, m.start) - base).max())
+    p = s.pieces
+    reached = m.phi[p.start] - base[p.area] + p.net
+    loops = reached[p.kind == LOOP]
+    if len(loops):
+        low, high = min(low, float(loops.min())), max(high, float(loops.max()))
+    return low, high
+
+
+def sentence(s: Section, verdict: Verdict, e: Evidence) -> str:
+    """Tell the verdict in one sentence with its numbers."""
+    low, high = e.phi_range
+    strategy = verdict.strategy
+    apart = f", {e.stepover:.3g} mm apart" if e.stepover else ""
+    depths = f" at {e.depths} depths" if e.depths > 1 else ""
+    turning = {"ccw": ", counter-clockwise", "cw": ", clockwise"}.get(e.sense or "", "")
+    between = f"between {_turns(low)} and {_turns(high)} turns"
+    stays = "stays at 0" if _turns(low) == _turns(high) == "0" else f"stays {between}"
+    if strategy in (Strategy.ZIGZAG, Strategy.ONE_WAY) and s.rows:
+        return f"phi {stays} over {e.passes} rows{apart}{depths}, {verdict.seen}: {strategy}"
+    if len(s.rings) and strategy in AROUND | {Strategy.ZIGZAG}:
+        return (
+            f"phi reaches {_turns(max(low, high, key=abs))} turns over {_count(len(s.rings), 'loop')}{apart}"
+            f"{depths}, {verdict.seen}: {strategy}{turning}"
+        )
+    if strategy is Strategy.MIXED or not len(s.strokes):
+        return f"phi lies {between}, {verdict.seen}: {strategy}"
+    strokes = _count(len(s.strokes), "open stroke")
+    return f"phi {stays} over {strokes}{apart}{depths}, {verdict.seen}: {strategy}"
+
+
+def _turns(phi: float) -> str:
+    """Return an angle in turns, to hundredths: what rounding left is nothing."""
+    turns = round(phi / TURN, 2)
+    return f"{turns:+.2f}" if turns else "0"
+
+
+def _count(number: int, thing: str) -> str:
+    """Return how many there are of a thing."""
+    return f"one {thing}" if number == 1 else f"{number} {thing}s"

@@ -1,0 +1,169 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Loops inside the areas: where the tool comes back to a point, and where phi passes another 2 pi."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from vkworkbench.core.paper import TURN, Moves, wrap
+
+CLOSE = 0.03  # mm; a path that comes back this close is closed
+OFF_ROUND = 0.377  # of a cell: grid origin off the round coordinates programs are made of
+
+
+def closed_loops(moves: Moves) -> tuple[np.ndarray, np.ndarray]:
+    """Find the closed loops: stretches that return to their first point with a net turn of +-2 pi.
+
+    Offset loops linked without a lift, and a contour before or after a zigzag in one cut, are one area to the
+    splitting at rapids; phi then runs over loops and links alike. The points where the tool comes back
+    separate them. Of two overlapping loops the one that begins first counts, but for one that turns to and fro
+    much more: a zigzag whose contour, cut in the same area, leads by its start is no loop, the contour is.
+
+    Parameters
+    ----------
+    moves : Moves
+
+    Returns
+    -------
+    first, end : (k,) int
+        The loops are the moves first[i] .. end[i] - 1, in order and without overlap.
+    """
+    turned = np.maximum.reduceat(moves.phi, moves.start) - np.minimum.reduceat(moves.phi, moves.start)
+    # A loop turns by 2 pi less its last corner, a zigzag by pi: most rasters need no search.
+    winds = turned > 1.05 * np.pi
+    if not winds.any():
+        none = np.zeros(0, np.int64)
+        return none, none
+    vertices = _vertices(moves, winds)
+    first, end = _disjoint(moves, *_returns(moves, *vertices, 1, OFF_ROUND))
+    if (end - first).sum() < 0.75 * len(vertices[0]):
+        # The border of two cells may part the visits of one point. Of three wider grids, each a third of a cell on, one
+        # parts no two points closer than that third: those that a dropped move left apart (NOISE in areas.py).
+        wider = [_returns(moves, *vertices, 2, OFF_ROUND + third / 3) for third in range(3)]
+        first, end = _disjoint(moves, *np.concatenate([(first, end), *wider], axis=1))
+    return first, end
+
+
+def _vertices(moves: Moves, winds: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
+    """Return the vertices of those areas: the starts of their moves, then the ends of the areas.
+
+    Returns
+    -------
+    x, y : (v,) float
+        In units of CLOSE, not negative.
+    at : (v,) int
+        The move that begins at the vertex; at the end of an area the move after its last.
+    area : (v,) uint32
+        Empty where there is only one.
+    """
+    end = np.append(moves.start[1:], len(moves))
+    size = end - moves.start
+    every = winds.all()
+    begun = np.arange(len(moves)) if every else np.flatnonzero(np.repeat(winds, size))
+    end = end[winds]
+    area = np.zeros(0, np.uint32)
+    if len(end) > 1:
+        area = np.arange(len(end), dtype=np.uint32)
+        area = np.append(np.repeat(area, size[winds]), area)
+    found = []
+    for v, dv in ((moves.x, moves.dx), (moves.y, moves.dy)):
+        w = np.append(v if every else v.take(begun), v[end - 1] + dv[end - 1])
+        w -= w.min()
+        w *= 1 / CLOSE
+        found.append(w)
+    return *found, np.append(begun, end), area
+
+
+def _returns(moves, x, y, at, area, width, origin) -> tuple[np.ndarray, np.ndarray]:
+    """Return the stretches from a visit of a cell, so many times CLOSE wide, to the next one that turn by +-2 pi."""
+    column, row = ((v / width + origin).astype(np.int32).view(np.uint32) for v in (x, y))
+    # Hashing the cells is O(n); sorting all vertices would not be. The products wrap, their high bits are
+    # the hash.
+    bits = (2 * len(x)).bit_length()
+    cell = column * np.uint32(2654435769)
+    cell += row * np.uint32(2246822519)
+    if len(area):
+        cell += area * np.uint32(3266489917)
+    cell >>= np.uint32(32 - bits)
+    cell = cell.astype(np.intp)
+    order = np.arange(len(cell), dtype=np.int32)
+    table = np.empty(1 << bits, np.int32)
+    table[cell] = order
+    latest = table.take(cell)
+    one = np.flatnonzero(latest != order)  # every visit but the last
+    two, own = latest[one], cell[one]
+    table[own] = one
+    last_but_one = table.take(own)
+    table[own[::-1]] = one[::-1]
+    crowded = last_but_one != table.take(own)
+    if crowded.any():
+        # Most cells are visited twice, at the beginning and the end of a loop; only the others are sorted,
+        # by the cells themselves: one that shares its hash would come between two visits of another.
+        many = np.append(one[crowded], two[crowded & (one == last_but_one)])
+        keys = (many, row[many], column[many])
+        many = many[np.lexsort((*keys, area[many]) if len(area) else keys)]
+        one, two = np.append(one[~crowded], many[:-1]), np.append(two[~crowded], many[1:])
+    near = (np.abs(x[one] - x[two]) <= 1) & (np.abs(y[one] - y[two]) <= 1)
+    if len(area):
+        near &= area[one] == area[two]
+    first, end = at[one[near]], at[two[near]]
+    long = end - first >= 3
+    first, end = first[long], end[long]
+    net = moves.phi[end - 1] - moves.phi[first] + wrap(moves.alpha[first] - moves.alpha[end - 1])
+    once = np.abs(np.abs(net) - TURN) < 0.1
+    return first[once], end[once]
+
+
+def _disjoint(moves: Moves, first: np.ndarray, end: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Keep from the left those intervals that begin after the end of the last one kept.
+
+    One that turns to and fro gives way to the first that begins inside it, goes on after it and does so by less
+    than half as much.
+    """
+    order = np.lexsort((end, first))
+    first, end = first[order], end[order]
+    new = np.append(True, first[1:] > first[:-1]) if len(first) else order
+    first, end = first[new], end[new]
+    if (end[:-1] <= first[1:]).all():
+        return first, end
+    turned = np.append(0.0, np.cumsum(np.abs(moves.turning)))
+    turned = turned[end] - turned[first + 1]
+    following = np.searchsorted(first, end).tolist()
+    wavy = (turned > 1.5 * TURN).tolist()
+    kept, at, count = [], 0, len(following)
+    while at < count:
+        if wavy[at]:
+            inside = slice(at + 1, following[at])
+            tighter = (turned[inside] - TURN < 0.5 * (turned[at] - TURN)) & (end[inside] > end[at])
+            if tighter.any():
+                at += 1 + int(np.argmax(tighter))
+                continue
+        kept.append(at)
+        at = following[at]
+    return first[kept], end[kept]
+
+
+def winding_turns(moves: Moves, start: np.ndarray, end: np.ndarray, sense: np.ndarray) -> np.ndarray:
+    """Find where each further turn of the windings begins: where phi reaches the next multiple of 2 pi.
+
+    Parameters
+    ----------
+    moves : Moves
+    start, end : (w,) int
+        The windings are the moves start[i] .. end[i] - 1.
+    sense : (w,) float
+        +1 where the winding goes counter-clockwise, -1 where clockwise.
+
+    Returns
+    -------
+    (t,) int
+        First move of every turn but the first. The level reached never falls, so that the way back out of a
+        concave corner opens no new turn.
+    """
+    size = end - start
+    of = np.repeat(np.arange(len(start)), size)
+    own = np.arange(len(of)) + np.repeat(start - np.concatenate([[0], np.cumsum(size)[:-1]]), size)
+    climb = (moves.phi[own] - moves.phi[start][of]) * sense[of]
+    above = of * (np.ptp(climb) + TURN)  # lifts every winding above all before it
+    level = np.floor((np.maximum.accumulate(climb + above) - above + 1e-6) * (1 / TURN))
+    return own[np.flatnonzero((level[1:] > level[:-1]) & (of[1:] == of[:-1])) + 1]

@@ -1,0 +1,257 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The pieces areas are made of: loops, turns of windings, back-and-forth passes and open strokes."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from vkworkbench.core.paper import TURN, Moves, axis_of, wrap
+from vkworkbench.core.recognition.loops import CLOSE, closed_loops, winding_turns
+
+LOOP, WINDING, ZIGZAG, LINE, CURVE = range(5)
+ALONG = 0.9  # |cosine| to the axis from which a move is part of a pass (25 degrees)
+FEW = 0.01  # of the length: a share that decides nothing
+WAVES = 7  # passes from which a loop that alternates may be a zigzag that came back to its start
+
+
+@dataclass(frozen=True)
+class Pieces:
+    """What the k pieces of the areas measure.
+
+    Attributes
+    ----------
+    start, end : (k,) int
+        The moves of piece i are start[i] .. end[i] - 1.
+    kind : (k,) int
+        LOOP: closed, one turn. WINDING: one turn of several. ZIGZAG: passes whose half-turns alternate in
+        sign.
+        LINE: a straight stroke. CURVE: any other open stroke.
+    area : (k,) int
+        The monotonous area each piece lies in.
+    length : (k,) float
+        Length in the plane, mm.
+    net : (k,) float
+        Turn from the first to the last move, rad; of a loop with the closing turn: +-2 pi.
+    back : (k,) float
+        Turning that undid itself, sum |turn| - |net|, rad: 0 for a convex curve.
+    enclosed : (k,) float
+        Signed area between the piece and its chord, mm2.
+    box : (k, 4) float
+        Bounding box: lowest x and y, highest x and y, mm.
+    z, last_z, rise, drop : (k,) float
+        Mean height, height of the end, range of heights and height gained from start to end, mm.
+    passes : (k,) int
+        Passes along the axis of the piece.
+    wavy : (k,) bool
+        Loops and windings whose half-turns alternate: offsets of a concave contour, or zigzags that came
+        back.
+    """
+
+    start: np.ndarray
+    end: np.ndarray
+    kind: np.ndarray
+    area: np.ndarray
+    length: np.ndarray
+    net: np.ndarray
+    back: np.ndarray
+    enclosed: np.ndarray
+    box: np.ndarray
+    z: np.ndarray
+    last_z: np.ndarray
+    rise: np.ndarray
+    drop: np.ndarray
+    passes: np.ndarray
+    wavy: np.ndarray
+
+    def __len__(self) -> int:
+        """Return the number of pieces."""
+        return len(self.start)
+
+    @property
+    def flat(self) -> np.ndarray:
+        """Whether each piece stays at one height, (k,)."""
+        return self.rise < 0.02
+
+
+def cut_pieces(moves: Moves) -> Pieces:
+    """Cut the areas into pieces and measure them.
+
+    Parameters
+    ----------
+    moves : Moves
+        With at least one move.
+    """
+    first, end = closed_loops(moves)
+    loop = np.zeros(len(moves) + 1, bool)
+    loop[first] = True
+    cut = loop.copy()
+    cut[moves.start] = True
+    cut[end] = True
+    start = np.flatnonzero(cut[:-1])
+    parts = _Stretches(moves, start)
+    net, closed = parts.net()
+    once = np.abs(np.abs(net) - TURN) < 0.1
+    kind = np.where(loop[start] | (closed & once), LOOP, CURVE)
+    # A pass between two others needs three moves; a loop of several waves turns back again and again.
+    able = np.where(kind == LOOP, parts.turned > np.abs(net) + TURN, parts.end - parts.start >= 3)
+    if parts.length[able].sum() < FEW * parts.length.sum():
+        able[:] = False  # the links between loops
+    alternating, constant, passes = half_turns(moves, parts, able)
+    opened = kind != LOOP
+    waves = (alternating > 0.3 * parts.length) & (alternating > 2 * constant)
+    winding = opened & (np.abs(net) > 1.2 * TURN)
+    zigzag = opened & ~winding & waves
+    kind[winding], kind[zigzag] = WINDING, ZIGZAG
+    kind[opened & ~winding & ~zigzag & (parts.gap > 0.98 * parts.length)] = LINE
+    wavy = (winding & waves) | ((kind == LOOP) & (alternating > 0.55 * parts.length) & (passes >= WAVES))
+    if winding.any():
+        further = winding_turns(moves, start[winding], parts.end[winding], np.sign(net[winding]))
+        start = np.union1d(start, further)
+        of = np.searchsorted(parts.start, start, side="right") - 1
+        kind, passes, wavy = kind[of], passes[of], wavy[of]
+        parts = _Stretches(moves, start)
+        net, _ = parts.net()
+    area = np.searchsorted(moves.start, start, side="right") - 1
+    return parts.measure(kind, area, net, passes, wavy)
+
+
+class _Stretches:
+    """Consecutive stretches of the moves and their common measures."""
+
+    def __init__(self, moves: Moves, start: np.ndarray) -> None:
+        self.moves = moves
+        self.start = start
+        self.end = np.append(start[1:], len(moves))
+        self.length = np.add.reduceat(moves.length, start)
+        last = self.end - 1
+        self.x, self.y = moves.x[start], moves.y[start]
+        self.end_x, self.end_y = moves.x[last] + moves.dx[last], moves.y[last] + moves.dy[last]
+        self.gap = np.hypot(self.end_x - self.x, self.end_y - self.y)
+        swept = moves.x * moves.dy
+        swept -= moves.y * moves.dx
+        swept = np.add.reduceat(swept, start)
+        self.enclosed = (swept + self.end_x * self.y - self.end_y * self.x) / 2
+
+    @cached_property
+    def turned(self) -> np.ndarray:
+        """Sum of the absolute turns, (k,) rad."""
+        return np.add.reduceat(np.abs(self.moves.turning), self.start)
+
+    def net(self) -> tuple[np.ndarray, np.ndarray]:
+        """Return the net turn of each stretch and whether it is closed.
+
+        A closed contour lacks its last exterior angle: the closing turn is added (design.md). A path counts
+        as closed with a gap small against what it encloses, as lead-ins and rounding leave it; two passes of
+        a narrow zigzag enclose little and stay open.
+        """
+        moves = self.moves
+        net = moves.phi[self.end - 1] - moves.phi[self.start]
+        closing = wrap(moves.alpha[self.start] - moves.alpha[self.end - 1])
+        near = np.maximum(CLOSE, 0.03 * np.sqrt(np.abs(self.enclosed)))
+        closed = (self.gap <= near) & (self.end - self.start > 2)
+        return net + np.where(closed, closing, 0.0), closed
+
+    def measure(self, kind, area, net, passes, wavy) -> Pieces:
+        """Return the pieces with all their measures."""
+        moves, start = self.moves, self.start
+        low, high = np.minimum, np.maximum
+        box = np.column_stack(
+            [
+                low(low.reduceat(moves.x, start), self.end_x),
+                low(low.reduceat(moves.y, start), self.end_y),
+                high(high.reduceat(moves.x, start), self.end_x),
+                high(high.reduceat(moves.y, start), self.end_y),
+            ]
+        )
+        last_z = moves.z[self.end - 1]
+        first_z = moves.z[start] - moves.dz[start]
+        if len(moves) and not moves.dz.any():
+            z, rise = last_z, np.zeros(len(start))
+        else:
+            middle = moves.z - moves.dz / 2
+            middle *= moves.length
+            z = np.add.reduceat(middle, start) / self.length
+            rise = high(high.reduceat(moves.z, start), first_z) - low(low.reduceat(moves.z, start), first_z)
+        return Pieces(
+            start=start,
+            end=self.end,
+            kind=kind,
+            area=area,
+            length=self.length,
+            net=net,
+            back=np.maximum(self.turned - np.abs(net), 0.0),
+            enclosed=self.enclosed,
+            box=box,
+            z=z,
+            last_z=last_z,
+            rise=rise,
+            drop=last_z - first_z,
+            passes=passes,
+            wavy=wavy,
+        )
+
+
+def half_turns(
+    moves: Moves, parts: _Stretches, able: np.ndarray
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Tell back-and-forth from around by the signs of the half-turns between opposite passes.
+
+    A pass is a run of moves within 25 degrees of the axis of its stretch. Between two opposite passes phi
+    turns by +-pi; in a zigzag the signs alternate, around a contour they stay (paper, section 3.2). Counting
+    signs instead of asking for -pi <= phi <= pi does not depend on the first trajectory and holds with
+    islands and concave borders.
+    An exact reversal has no sign and counts as alternating: going back and forth on one line.
+
+    Parameters
+    ----------
+    moves : Moves
+    parts : _Stretches
+    able : (k,) bool
+        The stretches to look at.
+
+    Returns
+    -------
+    alternating, constant : (k,) float
+        Length of the passes between two half-turns of opposite and of equal sign, mm.
+    passes : (k,) int
+    """
+    k = len(parts.start)
+    alternating, constant, passes = np.zeros(k), np.zeros(k), np.ones(k, np.int64)
+    stretch = np.flatnonzero(able)
+    if not len(stretch):
+        return alternating, constant, passes
+    size = (parts.end - parts.start)[stretch]
+    of, chosen = np.repeat(stretch, size), slice(None)
+    if len(stretch) < k:
+        chosen = np.flatnonzero(np.repeat(able, parts.end - parts.start))
+    dx, dy, length = moves.dx[chosen], moves.dy[chosen], moves.length[chosen]
+    begin = np.cumsum(size) - size
+    cos = dx / length
+    axis = axis_of(
+        np.add.reduceat(cos * dx, begin), np.add.reduceat(cos * dy, begin), parts.length[stretch]
+    )
+    u, v = np.cos(axis), np.sin(axis)
+    if len(stretch) > 1:
+        u, v = np.repeat(u, size), np.repeat(v, size)
+    along = dx * u
+    along += dy * v
+    on = np.flatnonzero(np.abs(along) > ALONG * length)
+    if not len(on):
+        return alternating, constant, passes
+    forward, of = along.take(on) > 0, of.take(on)
+    begin = np.flatnonzero(np.concatenate([[True], (forward[1:] != forward[:-1]) | (of[1:] != of[:-1])]))
+    length, of = np.add.reduceat(length.take(on), begin), of.take(begin)
+    first = on.take(begin)
+    phi = moves.phi.take(first if len(stretch) == k else chosen.take(first))
+    passes = np.maximum(np.bincount(of, minlength=k), 1)
+    half_turn = np.rint((phi[1:] - phi[:-1]) * (1 / np.pi))
+    same = of[1:] == of[:-1]
+    between = same[1:] & same[:-1]  # passes between two others of their stretch
+    alternates = half_turn[1:] * half_turn[:-1] <= 0
+    of, length = of[1:-1], length[1:-1]
+    alternating = np.bincount(of, weights=np.where(between & alternates, length, 0.0), minlength=k)
+    constant = np.bincount(of, weights=np.where(between & ~alternates, length, 0.0), minlength=k)
+    return alternating, constant, passes

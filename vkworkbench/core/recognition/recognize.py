@@ -1,0 +1,268 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""From a toolpath to the machining strategy it uses, with the evidence in the paper's terms."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from vkworkbench.core.paper import Moves, monotonous_areas
+from vkworkbench.core.recognition.evidence import gather, sentence
+from vkworkbench.core.recognition.rings import count_levels
+from vkworkbench.core.recognition.verdict import Section, Verdict, judge
+from vkworkbench.core.strategy import Strategy
+from vkworkbench.core.toolpath import Toolpath
+
+#: Below this confidence no strategy is defended: the answer is UNKNOWN.
+BAR = 0.65
+
+MANY_TITLES = 50  # comments; a program with more has remarks, not headings
+MANY_SECTIONS = 200  # borders; more are no operations, and each section takes its time
+DRILLED = 4  # holes in a row from which drilling is an operation of its own
+
+
+@dataclass(frozen=True)
+class Span:
+    """A stretch of an operation that follows one strategy.
+
+    Attributes
+    ----------
+    first, last : int
+        First and last trajectory, inclusive.
+    first_command, last_command : int
+        Their source commands.
+    strategy : Strategy
+    share : float
+        Share of the operation's cutting length, 0..1.
+    """
+
+    first: int
+    last: int
+    first_command: int
+    last_command: int
+    strategy: Strategy
+    share: float
+
+
+@dataclass(frozen=True)
+class Recognition:
+    """What an operation does, told from its toolpath alone.
+
+    Attributes
+    ----------
+    strategy : Strategy
+    confidence : float
+        How often verdicts with the same support are right, 0..1.
+    reason : str
+        One sentence in the paper's terms with the numbers, without a full stop.
+    spans : tuple of Span
+        In the order of cutting; more than one only where the strategy is mixed.
+    level : int
+        The level n of the paper reached, signed: whole turns of phi in one area, truncated toward zero.
+    phi_range : tuple of float
+        Lowest and highest phi reached in any area, rad, counted from the area's first trajectory.
+    reversals : int
+        Exact reversals: turns of +-pi, which have no sign.
+    sense : str or None
+        Sense of rotation of the loops, "ccw" or "cw"; None where there is none or both.
+    stepover : float or None
+        Distance between neighbouring passes, mm.
+    passes : int or None
+        Number of rows or loops, all depths together.
+    depths : int
+        Number of depths at which whole moves are cut; 0 on sculptured surfaces, which have none.
+    direction : float or None
+        Direction of the rows, rad in [0, pi).
+    closed_loops : int
+        Number of loops that return to their first point.
+    milling : str or None
+        "climb" or "conventional" for nested loops cut by a spindle that turns clockwise (M3).
+    """
+
+    strategy: Strategy
+    confidence: float
+    reason: str
+    spans: tuple[Span, ...] = ()
+    level: int = 0
+    phi_range: tuple[float, float] = (0.0, 0.0)
+    reversals: int = 0
+    sense: str | None = None
+    stepover: float | None = None
+    passes: int | None = None
+    depths: int = 0
+    direction: float | None = None
+    closed_loops: int = 0
+    milling: str | None = None
+
+
+def recognize(toolpath: Toolpath, *, tool_diameter: float | None = None) -> Recognition:
+    """Recognise the machining strategy of an operation (paper, section 3; docs/recognition.md).
+
+    Parameters
+    ----------
+    toolpath : Toolpath
+        The linearised trajectories.
+    tool_diameter : float, optional
+        mm. Where it is unknown (None, 0, nan) the usual step between passes takes its place.
+
+    Returns
+    -------
+    Recognition
+        With Strategy.EMPTY where nothing cuts. No toolpath raises.
+    """
+    rapid = toolpath.rapid
+    if rapid.all():
+        return Recognition(
+            Strategy.EMPTY,
+            1.0,
+            "nothing cuts: there are only rapid moves"
+            if len(toolpath)
+            else "nothing cuts: there are no moves",
+        )
+    tool = float(tool_diameter) if tool_diameter and np.isfinite(tool_diameter) and tool_diameter > 0 else 0.0
+    moves = monotonous_areas(toolpath)
+    first, last = int(np.argmin(rapid)), len(rapid) - 1 - int(np.argmin(rapid[::-1]))
+    whole = _judge_one(toolpath, moves, first, last, tool)
+    borders = _borders(toolpath, moves)
+    if not 0 < len(borders) <= MANY_SECTIONS:
+        return whole
+    return _judge_sections(toolpath, borders, whole, tool)
+
+
+def _judge_one(toolpath: Toolpath, moves: Moves, first: int, last: int, tool: float) -> Recognition:
+    """Recognise the trajectories first .. last as one operation."""
+    if len(moves.length) == 0 or moves.vertical > 0.95 * (moves.vertical + moves.length.sum()):
+        holes = len(moves.holes)
+        at = "one point" if holes == 1 else f"{holes or 'some'} points"
+        why = f"phi has no direction to turn, the moves are vertical at {at}: drilling"
+        spans = _spans(toolpath, [(first, last, Strategy.DRILLING)])
+        return Recognition(Strategy.DRILLING, 0.98, why, spans, passes=holes or None)
+    section = Section(moves, tool)
+    verdict = judge(section)
+    evidence = gather(section, verdict)
+    strategy, why = verdict.strategy, sentence(section, verdict, evidence)
+    if verdict.confidence < BAR:
+        strategy, why = Strategy.UNKNOWN, f"{why} only for {verdict.support:.0%} of the length: unknown"
+    runs = [(first, last, strategy)]
+    if strategy is Strategy.MIXED and verdict.parts:
+        runs = _runs(section, verdict)
+    return Recognition(strategy, verdict.confidence, why, _spans(toolpath, runs), **vars(evidence))
+
+
+def _runs(section: Section, verdict: Verdict) -> list[tuple[int, int, Strategy]]:
+    """Return the stretches of the loops and of the rows of a mixed operation, links with what they follow."""
+    of_rings, of_rows = verdict.parts
+    is_ring = section.ring_pieces.copy()
+    known = is_ring | section.row_pieces
+    held = np.maximum.accumulate(np.where(known, np.arange(len(known)), 0))
+    is_ring = is_ring[held]
+    begin = np.flatnonzero(np.concatenate([[True], is_ring[1:] != is_ring[:-1]]))
+    index, pieces = section.moves.index, section.pieces
+    first = index[pieces.start[begin]]
+    last = index[np.append(pieces.start[begin[1:]], len(index)) - 1]
+    return [
+        (int(a), int(b), of_rings.strategy if ring else of_rows.strategy)
+        for a, b, ring in zip(first, last, is_ring[begin])
+    ]
+
+
+def _borders(toolpath: Toolpath, moves: Moves) -> dict[int, bool]:
+    """Return the trajectories before which another operation may begin, and whether it certainly does.
+
+    Tool changes and runs of drilled holes are certain; a comment is a hint.
+    """
+    comments = {int(at) for at, _ in toolpath.comments}
+    borders = dict.fromkeys(comments, False) if len(comments) <= MANY_TITLES else {}
+    borders.update((int(at), True) for at in toolpath.tool_changes)
+    if len(moves.holes) >= DRILLED and len(moves) and not _sculptured(moves):
+        # Holes with no milling between them are one run.
+        place = np.searchsorted(moves.index, moves.holes)
+        begin = np.flatnonzero(np.concatenate([[True], place[1:] != place[:-1]]))
+        size = np.diff(np.append(begin, len(place)))
+        long = size >= DRILLED
+        if size[long].sum() < 0.25 * len(moves.start):
+            long[:] = False  # too few beside the milling: passes clipped to a point
+        for a, b in zip(begin[long], size[long]):
+            at = place[a]
+            borders[int(moves.index[at - 1]) + 1 if at else 0] = True
+            borders[int(moves.holes[a + b - 1]) + 1] = True
+    return {at: certain for at, certain in borders.items() if 0 < at < len(toolpath)}
+
+
+def _sculptured(moves: Moves) -> bool:
+    """Whether the heights of the moves are too many for depths: there plunges are passes clipped to a
+    point."""
+    return count_levels(moves.z[:: len(moves) // 1000 + 1]) > 10
+
+
+def _judge_sections(toolpath, borders, whole: Recognition, tool: float) -> Recognition:
+    """Recognise the sections between the borders; mixed where they differ as much as their borders ask."""
+    found, certain = [], []
+    cutting = np.flatnonzero(~toolpath.rapid)
+    at = sorted(borders)
+    for a, b in zip([0, *at], [*at, len(toolpath)]):
+        inside = cutting[np.searchsorted(cutting, a) : np.searchsorted(cutting, b)]
+        if len(inside):
+            first, last = int(inside[0]), int(inside[-1])
+            found.append(_judge_one(toolpath, monotonous_areas(toolpath, first, last), first, last, tool))
+            certain.append(borders.get(a, False))
+    length = np.array([sum(_lengths(toolpath, s.first, s.last) for s in r.spans) for r in found])
+    share = length / length.sum()
+    main = int(np.argmax(share))
+    differs = np.array([_differs(r, found[main], sure) for r, sure in zip(found, certain)])
+    drilled = np.array([r.strategy is Strategy.DRILLING for r in found])  # holes have next to no length
+    if share[differs].sum() < 0.05 and not (differs & drilled & certain).any():
+        return whole
+    runs: list[tuple[int, int, Strategy]] = []
+    for r in found:
+        for s in r.spans:
+            if runs and runs[-1][2] is s.strategy:
+                runs[-1] = (runs[-1][0], s.last, s.strategy)
+            else:
+                runs.append((s.first, s.last, s.strategy))
+    names = list(dict.fromkeys(str(strategy) for _, _, strategy in runs))
+    why = f"{len(runs)} sections parted by tool changes, titles or drilling show {', '.join(names)}: mixed"
+    confidence = float((share * [r.confidence for r in found]).sum())
+    return replace(
+        whole, strategy=Strategy.MIXED, confidence=confidence, reason=why, spans=_spans(toolpath, runs)
+    )
+
+
+_FAMILIES = {
+    Strategy.ZIGZAG: "rows", Strategy.ONE_WAY: "rows", Strategy.DRILLING: "holes", Strategy.ENGRAVING:
+    "strokes", Strategy.MIXED: "mixed", Strategy.UNKNOWN: "unknown",
+}  # fmt: skip
+
+
+def _differs(one: Recognition, main: Recognition, certain: bool) -> bool:
+    """Whether a section is another operation than the main one.
+
+    Behind a tool change another strategy is another operation. A comment alone divides only what has nothing
+    in common: FreeCAD titles the passes of one operation, and a roughing and a finishing pass of one pocket
+    are a contour-parallel and a profile.
+    """
+    if Strategy.UNKNOWN in (one.strategy, main.strategy) or one.confidence < 0.6:
+        return False
+    if not one.closed_loops and (one.passes or 0) < 3:
+        return False  # too little to tell a strategy from
+    if certain:
+        return one.strategy is not main.strategy
+    one_family, main_family = (_FAMILIES.get(r.strategy, "around") for r in (one, main))
+    return one_family != main_family and "strokes" not in (one_family, main_family)
+
+
+def _lengths(toolpath: Toolpath, first: int, last: int) -> float:
+    """Cutting length of the trajectories first .. last, mm."""
+    steps = np.diff(toolpath.points[first : last + 2], axis=0)[~toolpath.rapid[first : last + 1]]
+    return float(np.sqrt((steps * steps).sum(axis=1)).sum())
+
+
+def _spans(toolpath: Toolpath, runs: list[tuple[int, int, Strategy]]) -> tuple[Span, ...]:
+    length = [_lengths(toolpath, first, last) for first, last, _ in runs] if len(runs) > 1 else [1.0]
+    total = sum(length) or 1.0
+    command = toolpath.command
+    return tuple(
+        Span(first, last, int(command[first]), int(command[last]), strategy, part / total)
+        for (first, last, strategy), part in zip(runs, length)
+    )

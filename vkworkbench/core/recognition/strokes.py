@@ -1,0 +1,191 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Open strokes: the bites of adaptive clearing, contours cut open by the boundary, letters."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from vkworkbench.core.paper import TURN, Moves
+from vkworkbench.core.recognition.pieces import CURVE, Pieces
+from vkworkbench.core.recognition.rings import LEVEL, count_levels, footprints
+from vkworkbench.core.recognition.rows import SAME_LINE, weighted_median
+
+SQUARE = 0.15  # cosine between a move and the ray from a centre up to which it is part of a circle around it
+
+
+@dataclass(frozen=True)
+class Strokes:
+    """What k open strokes have in common.
+
+    Attributes
+    ----------
+    index : (k,) int
+        Piece of each stroke.
+    length : (k,) float
+        mm.
+    bite : (k,) bool
+        Bends by more than a quarter turn in the common sense and overlaps the stroke before or after it at
+        the same depth: the arcs of engagement an adaptive tool bites out of the stock one after the other.
+    against : (k,) bool
+        Bends as much in the other sense.
+    sloped : (k,) bool
+        Changes its height on the way.
+    distinct, levels : int
+        Number of different strokes seen from above, and of depths of level ones.
+    typical : float
+        Length of a stroke (median by length), mm.
+    """
+
+    index: np.ndarray
+    length: np.ndarray
+    bite: np.ndarray
+    against: np.ndarray
+    sloped: np.ndarray
+    distinct: int
+    levels: int
+    typical: float
+
+    def __len__(self) -> int:
+        """Return the number of strokes."""
+        return len(self.index)
+
+
+def relate_strokes(pieces: Pieces, index: np.ndarray) -> Strokes:
+    """Measure the open strokes.
+
+    Parameters
+    ----------
+    pieces : Pieces
+    index : (k,) int
+        The pieces that are open strokes.
+    """
+    length = pieces.length[index]
+    if not len(index):
+        none = np.zeros(0, bool)
+        return Strokes(index, length, none, none, none, 0, 0, 0.0)
+    bent = np.flatnonzero(
+        (np.abs(pieces.net[index]) > 0.25 * TURN)
+        & (pieces.back[index] < 0.5 * TURN)
+        & (pieces.kind[index] == CURVE)
+    )
+    sense = np.sign(pieces.net[index[bent]])
+    common = np.sign((length[bent] * sense).sum())
+    box, z = pieces.box[index[bent]], pieces.z[index]
+    meets = (box[:-1, :2] < box[1:, 2:]) & (box[1:, :2] < box[:-1, 2:])
+    meets = meets.all(axis=1) & (np.abs(np.diff(z[bent])) < LEVEL)
+    beside = np.zeros(len(bent), bool)
+    beside[:-1] |= meets
+    beside[1:] |= meets
+    bite, against = np.zeros(len(index), bool), np.zeros(len(index), bool)
+    bite[bent[(sense == common) & beside]] = True
+    against[bent[sense == -common]] = True
+    _, distinct = footprints(pieces, index)
+    return Strokes(
+        index=index,
+        length=length,
+        bite=bite,
+        against=against,
+        sloped=~pieces.flat[index],
+        distinct=distinct,
+        levels=count_levels(z[pieces.flat[index]]),
+        typical=weighted_median(length, length),
+    )
+
+
+@dataclass(frozen=True)
+class Arcs:
+    """Arcs around one centre: circles that the boundary cuts open, rows that are bent.
+
+    Attributes
+    ----------
+    count : int
+        Number of different radii: an open contour of a few arcs has few, at however many depths.
+    length : float
+        Length of all arcs, mm.
+    opposite, same : float
+        Length of the arcs whose neighbour runs the other way, and the same way, mm.
+    spiral : float
+        Length of the arcs whose radius changes steadily, mm.
+    step : float
+        Distance between arcs cut one after the other (median by length), mm.
+    even : float
+        Share of the steps that keep to the usual one.
+    """
+
+    count: int
+    length: float
+    opposite: float
+    same: float
+    spiral: float
+    step: float
+    even: float
+
+
+def find_arcs(moves: Moves, pieces: Pieces, index: np.ndarray) -> Arcs | None:
+    """Find the arcs around a common centre.
+
+    The centre c is the point that sees the moves d at their middles m at a right angle: least squares of
+    d (m - c) = 0. Straight rows have none.
+
+    Parameters
+    ----------
+    moves : Moves
+    pieces : Pieces
+    index : (k,) int
+        The pieces that may be arcs.
+
+    Returns
+    -------
+    Arcs or None
+        None where no three arcs lie around one centre.
+    """
+    chosen = np.zeros(len(pieces), bool)
+    chosen[index] = True
+    on = np.repeat(chosen, pieces.end - pieces.start)
+    of = np.repeat(np.arange(len(pieces)), pieces.end - pieces.start)[on]
+    dx, dy, length = moves.dx[on], moves.dy[on], moves.length[on]
+    x, y = moves.x[on] + dx / 2, moves.y[on] + dy / 2
+    weight = 1 / length
+    for _ in range(3):  # again without the links and the boundary, which have other centres
+        xx, xy, yy = (weight * dx) @ dx, (weight * dx) @ dy, (weight * dy) @ dy
+        if xx * yy - xy * xy < 0.01 * (xx + yy) ** 2:
+            return None
+        along = weight * (dx * x + dy * y)
+        bx, by = along @ dx, along @ dy
+        cx, cy = (yy * bx - xy * by) / (xx * yy - xy * xy), (xx * by - xy * bx) / (xx * yy - xy * xy)
+        rx, ry = x - cx, y - cy
+        r = np.hypot(rx, ry)
+        square = np.abs(dx * rx + dy * ry) < SQUARE * length * r
+        weight = np.where(square, 1 / length, 0.0)
+        if not square.any():
+            return None
+    begin = np.flatnonzero(np.concatenate([[True], of[1:] != of[:-1]]))
+    whole = np.add.reduceat(length, begin)
+    arc = np.add.reduceat(length * square, begin) > 0.9 * whole
+    if arc.sum() < 3:
+        return None
+    radius = (np.add.reduceat(length * r, begin) / whole)[arc]
+    swept = np.add.reduceat((rx * dy - ry * dx) / np.maximum(r * r, 1e-12), begin)[arc]
+    last = np.append(begin[1:], len(of)) - 1
+    climbed = (r[last] - r[begin])[arc]
+    whole = whole[arc]
+    lateral = np.abs(radius[1:] - radius[:-1])
+    shorter = np.minimum(whole[1:], whole[:-1])
+    aside = lateral > SAME_LINE
+    if aside.sum() < 2:
+        return None
+    step = weighted_median(lateral[aside], shorter[aside])
+    neighbour = aside & (lateral <= 1.6 * step)
+    turned = swept[1:] * swept[:-1] < 0
+    pitch = np.abs(climbed) * TURN / np.maximum(np.abs(swept), 1e-9)
+    return Arcs(
+        count=1 + int((np.diff(np.sort(radius)) > 0.3 * step).sum()),
+        length=float(whole.sum()),
+        opposite=float(shorter[neighbour & turned].sum()),
+        same=float(shorter[neighbour & ~turned].sum()),
+        spiral=float(whole[pitch > 0.3 * step].sum()),
+        step=step,
+        even=float(shorter[neighbour & (lateral >= 0.6 * step)].sum() / shorter[aside].sum()),
+    )

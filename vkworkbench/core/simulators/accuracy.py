@@ -1,0 +1,88 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The inverse problem for FreeCAD's legacy simulator: the finest accuracy whose play a budget allows."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from vkworkbench import friendly
+from vkworkbench.core.simulators.legacy import LegacyCost, legacy_together
+from vkworkbench.core.zbuffer import check_budget, heaviest, passes_apart
+
+
+@dataclass(frozen=True)
+class Accuracy:
+    """A position of the legacy simulator's accuracy slider, chosen for a budget of playing.
+
+    Attributes
+    ----------
+    position : int or None
+        The finest position that meets the budget, 1 to 10; None where none does: use fast-forward then.
+    seconds, memory_bytes : float
+        What playing takes with it; without a position, with the coarsest.
+    explanation : str
+        What it means and what limits it, or what helps where no position does; a sentence without a full stop.
+    """
+
+    position: int | None
+    seconds: float
+    memory_bytes: float
+    explanation: str
+
+
+def best_accuracy(
+    costs: Sequence[Sequence[LegacyCost]],
+    *,
+    memory_bytes: float,
+    seconds: float,
+    stepover: float | None = None,
+    labels: Sequence[str] = (),
+) -> Accuracy:
+    """Choose the finest position of the accuracy slider with which operations are played within a budget.
+
+    Fast-forward makes one mesh only and is as fast at the finest position as at any.
+
+    Parameters
+    ----------
+    costs : sequence of sequences of LegacyCost
+        Of every operation, what it takes at each position of the slider (``legacy.SLIDER``).
+    memory_bytes, seconds : float
+        The budget for playing them one after another.
+    stepover : float, optional
+        Smallest distance between passes, mm: says whether the cells tell the passes apart.
+    labels : sequence of str, optional
+        What the operations are called: the heaviest is named where no position helps.
+
+    Returns
+    -------
+    Accuracy
+
+    Raises
+    ------
+    ValueError
+        Without an operation, or with a budget that is not a positive number.
+    """
+    if not costs:
+        raise ValueError("there is no operation to choose an accuracy for")
+    check_budget(memory_bytes, seconds)
+    every = [legacy_together(at_position) for at_position in zip(*costs)]
+    met = [
+        position
+        for position, cost in enumerate(every, 1)
+        if cost.play_seconds <= seconds and cost.memory_bytes <= memory_bytes
+    ]
+    if not met:
+        coarsest, finest = every[0], every[-1]
+        words = f"no accuracy helps, playing takes {friendly.time(coarsest.play_seconds)} even at the coarsest"
+        words += f": use fast-forward, about {friendly.time(finest.fast_forward_seconds)} at the finest"
+        if len(labels) > 1:
+            words += f"; the heaviest is {heaviest(labels, [cost[0].play_seconds for cost in costs])}"
+        return Accuracy(None, coarsest.play_seconds, coarsest.memory_bytes, words)
+    position = met[-1]
+    chosen = every[position - 1]
+    words = f"position {position} of {len(every)}, cells of {chosen.resolution:.2g} mm"
+    words += f", plays in {friendly.time(chosen.play_seconds)}"
+    if stepover:
+        words += passes_apart(chosen.resolution, stepover)
+    return Accuracy(position, chosen.play_seconds, chosen.memory_bytes, words)

@@ -1,0 +1,254 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What FreeCAD's OpenGL simulator will cost, from exact counts of its draw calls.
+
+It keeps nothing between two frames: each draws every motion made so far nine times. The counts follow
+MillPathSegment.cpp and MillSimulation.cpp of FreeCAD 1.0.0.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from vkworkbench.core.simulators.constants import DEFAULTS, Constants
+from vkworkbench.core.simulators.motions import Motions, motions
+from vkworkbench.core.solids import ConvexStock, Stock, Tool
+from vkworkbench.core.toolpath import Toolpath
+
+# Angle of a chord of an arc, at least and at most (MillPathSegment.cpp).
+_SMALLEST_STEP, _LARGEST_STEP = np.pi / 90, np.pi / 2
+# Renders of a motion in one frame: four passes of two stencil steps, one of colour (MillSimulation.cpp).
+_PASSES = 9
+# Height of a tool as it is drawn, mm; bits are 20 to 50 mm long.
+_TOOL_HEIGHT = 30.0
+# The part is seen along Y and 30 degrees down, from 1.6 times the stock's longer side, in a window of 4:3 that shows
+# 0.7 rad of height (SimDisplay.cpp).
+_TILT = np.pi / 6
+_WINDOW = 4 / 3 * (2 * 1.6 * np.tan(0.35)) ** 2  # area, of the square on the longer side
+# Pieces in which a rounded corner of the tool is drawn, mm (SimulatorGL.py), and how much longer drawing takes for every
+# segment of its outline that a flat end has not (benchmarks/simulators.py).
+_CORNER_PIECE = 0.5
+_LONGER_PER_SEGMENT = 0.1
+# Parts of an operation whose frames are looked at where others were played before.
+_PARTS = 32
+
+
+@dataclass(frozen=True, eq=False)
+class OpenGLWork:
+    """The work of the OpenGL simulator, counted exactly.
+
+    Attributes
+    ----------
+    steps : (m,) float64
+        Steps of each motion; playing advances by as many of them per frame as its speed says.
+    draws : (m,) float64
+        Draw calls that each motion, once done, costs every frame.
+    area : (m,) float64
+        Outline of all that is drawn for each motion in one pass, as large as it is seen at first, mm^2.
+    arc : (m,) bool
+        Which motions are arcs; an arc is drawn as far as it is done, anything else is drawn whole at once.
+    """
+
+    steps: np.ndarray
+    draws: np.ndarray
+    area: np.ndarray
+    arc: np.ndarray
+
+
+def opengl_work(made: Motions, *, diameter: float, quality: int = 10) -> OpenGLWork:
+    """Count what the OpenGL simulator does (``MillPathSegment`` and ``RenderSimulation``).
+
+    Parameters
+    ----------
+    made : Motions
+        From :func:`~vkworkbench.core.simulators.motions.motions`.
+    diameter : float
+        Diameter of the tool, mm.
+    quality : int
+        Position of the quality slider, 1 to 10.
+
+    Returns
+    -------
+    OpenGLWork
+
+    Raises
+    ------
+    ValueError
+        If the diameter or the quality is not positive.
+    """
+    if not (np.isfinite(diameter) and diameter > 0):
+        raise ValueError(f"the tool diameter must be a positive number of mm, not {diameter}")
+    if not quality > 0:
+        raise ValueError(f"the quality must be positive, not {quality}")
+    # The size of the stock is not known yet when the simulator asks for it, so its 100 mm always count.
+    resolution = min(max(100 * 0.05 / quality, 0.5), 4.0)
+    small_step = np.pi / (8 if quality >= 8 else 4 if quality >= 4 else 2)
+
+    arc = made.radius > 0
+    small = made.radius <= diameter / 2
+    ratio = np.divide(resolution, made.radius, out=np.ones(len(arc)), where=made.radius > resolution)
+    step = np.where(small, small_step, np.clip(np.arcsin(ratio), _SMALLEST_STEP, _LARGEST_STEP))
+    chords = np.floor(np.abs(made.sweep) / step) + np.where(small, 1, 2)
+    lines = np.maximum(np.floor(np.linalg.norm(made.move, axis=1) / resolution), 1)
+    draws = _PASSES * np.where(arc, chords, np.where(made.level < 1e-6, 1, 2))
+    return OpenGLWork(np.where(arc, chords, lines), draws, _seen(made, diameter, arc & small, chords), arc)
+
+
+def _seen(made: Motions, diameter: float, small: np.ndarray, chords: np.ndarray) -> np.ndarray:
+    """Return the outlines of what is drawn for each motion, mm^2.
+
+    A straight motion is drawn as the box that it sweeps and the front half of the tool, a vertical one as the tool, an
+    arc as a box for every chord and the tool at its end, a small arc as the tool at the end of every chord.
+    """
+    disc = np.pi / 4 * diameter**2
+    x, y = np.abs(made.move[:, :2]).T
+    across = np.divide(y, made.level, out=np.zeros(len(y)), where=made.level > 0)
+    arc, turned = made.radius * np.abs(made.sweep), 2 / np.pi  # what is seen of lengths in all directions
+    kinds = small, made.radius > 0, made.level < 1e-6
+    wide = np.select(
+        kinds,
+        (chords * diameter, turned * (arc + (chords - 1) * diameter) + diameter, diameter),
+        x + across * diameter + (1 + across) * diameter / 2,
+    )
+    flat = np.select(kinds, (chords * disc, arc * diameter + disc, disc), made.level * diameter + disc / 2)
+    return _TOOL_HEIGHT * np.cos(_TILT) * wide + np.sin(_TILT) * flat
+
+
+def outline_segments(tool: Tool) -> int:
+    """Return in how many segments the tool's outline is drawn: its side, its rounded corner, and its flat or cone."""
+    corner = int(tool.rounding * np.pi / 2 / _CORNER_PIECE) + 1 if tool.rounding else 0
+    return 1 + corner + (tool.rounding < tool.radius)
+
+
+@dataclass(frozen=True)
+class OpenGLCost:
+    """What the OpenGL simulator takes for one operation.
+
+    Attributes
+    ----------
+    drawing_seconds : float
+        Drawing all motions once, without what every frame takes.
+    play_seconds : dict of int to float
+        Time to play for each speed, steps per frame.
+    memory_bytes : float
+        Buffers of the motions.
+    draws : int
+        Draw calls of the last frame.
+    arc_draws : int
+        Those of them for arcs.
+    steps : int
+        Steps of the whole operation.
+    constants : Constants
+        What the unit work was said to cost.
+    """
+
+    drawing_seconds: float
+    play_seconds: dict[int, float]
+    memory_bytes: float
+    draws: int
+    arc_draws: int
+    steps: int
+    constants: Constants
+
+    @property
+    def frame_seconds(self) -> float:
+        """float : one frame at the end, s; the display is that slow whenever the part is turned."""
+        return max(self.constants.refresh, self.constants.frame + self.drawing_seconds)
+
+    @property
+    def fastest_seconds(self) -> float:
+        """float : time of playing at the highest speed, s."""
+        return self.play_seconds[max(self.play_seconds)]
+
+
+def opengl_cost(
+    toolpath: Toolpath,
+    *,
+    tool: Tool,
+    stock: Stock | ConvexStock,
+    speeds: tuple[int, ...] = (1, 5, 10, 25, 50),
+    quality: int = 10,
+    constants: Constants = DEFAULTS,
+) -> OpenGLCost:
+    """Estimate the OpenGL simulator for one operation.
+
+    A frame draws a straight motion with two calls in each of nine passes, a vertical one with one and an arc
+    with one per chord, for all that was cut so far: playing takes a time of the order of the square of the
+    motions. What a motion fills of the window counts as draw calls too, and a rounded tool is drawn in more pieces.
+
+    Parameters
+    ----------
+    toolpath : Toolpath
+        The trajectories.
+    tool : Tool
+    stock : Stock or ConvexStock
+    speeds : tuple of int
+        Steps per frame, see :func:`opengl_speeds`.
+    quality : int
+        Position of the quality slider, 1 to 10.
+    constants : Constants
+        Costs of the unit work.
+
+    Returns
+    -------
+    OpenGLCost
+
+    Raises
+    ------
+    ValueError
+        If the quality is not positive.
+    """
+    work = opengl_work(motions(toolpath), diameter=tool.diameter, quality=quality)
+    steps, draws, arc = work.steps, work.draws, work.arc
+    window = _WINDOW * float(np.max((stock.upper - stock.lower)[:2])) ** 2
+    longer = 1 + _LONGER_PER_SEGMENT * (outline_segments(tool) - 2)
+    drawing = constants.draw * longer * (draws + constants.fill * _PASSES * work.area / window)
+
+    # Mean frame of every motion: a line is drawn whole at once, an arc grows chord by chord.
+    before = np.cumsum(drawing) - drawing
+    frames = np.maximum(constants.frame + before + np.where(arc, drawing / 2, drawing), constants.refresh)
+    total = float((steps * frames).sum())
+    return OpenGLCost(
+        drawing_seconds=float(drawing.sum()),
+        play_seconds={speed: total / speed for speed in speeds},
+        memory_bytes=float(np.where(arc, constants.arc_bytes, constants.line_bytes).sum()),
+        draws=int(draws.sum()),
+        arc_draws=int(draws[arc].sum()),
+        steps=int(steps.sum()),
+        constants=constants,
+    )
+
+
+def opengl_together(costs: Sequence[OpenGLCost]) -> OpenGLCost:
+    """Estimate the OpenGL simulator for several operations, played one after another.
+
+    Every frame of an operation also draws all motions of those before, so playing takes more than the sum.
+
+    Parameters
+    ----------
+    costs : sequence of OpenGLCost
+        Of the operations, in their order, at least one; all for the same stock and speeds.
+
+    Returns
+    -------
+    OpenGLCost
+    """
+    constants = costs[0].constants
+    part = (np.arange(_PARTS) + 0.5) / _PARTS
+    before = longer = 0.0
+    for cost in costs:
+        alone = constants.frame + cost.drawing_seconds * part
+        added = np.maximum(before + alone, constants.refresh) - np.maximum(alone, constants.refresh)
+        longer += cost.steps * float(added.mean())
+        before += cost.drawing_seconds
+    return OpenGLCost(
+        drawing_seconds=before,
+        play_seconds={s: sum(c.play_seconds[s] for c in costs) + longer / s for s in costs[0].play_seconds},
+        memory_bytes=sum(cost.memory_bytes for cost in costs),
+        draws=sum(cost.draws for cost in costs),
+        arc_draws=sum(cost.arc_draws for cost in costs),
+        steps=sum(cost.steps for cost in costs),
+        constants=constants,
+    )

@@ -1,0 +1,18 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The paper's extended z-buffer with traces: simulating it, and knowing its cost without.
+
+In: `Toolpath`, tool, stock and view; for the cost in closed form also the `Recognition`.
+Out: `ZBuffer`, exact dexels and traces at any moment; `Estimate`, their numbers, memory and time from sampled rays;
+`Resolution`, the finest image that a budget allows; `Speed`, how fast this computer is.
+"""
+
+from vkworkbench.core.zbuffer.closed_form import cauchy_crofton, closed_form, swept
+from vkworkbench.core.zbuffer.estimate import Estimate, Speed, estimate, work
+from vkworkbench.core.zbuffer.resolution import Resolution, best_resolution, check_budget, heaviest, passes_apart
+from vkworkbench.core.zbuffer.simulate import DEXEL, TRACE, ZBuffer, simulate
+from vkworkbench.core.zbuffer.speed import fit_speed, measure_speed
+
+__all__ = [
+    "DEXEL", "TRACE", "Estimate", "Resolution", "Speed", "ZBuffer", "best_resolution", "cauchy_crofton", "check_budget",
+    "closed_form", "estimate", "fit_speed", "heaviest", "measure_speed", "passes_apart", "simulate", "swept", "work",
+]  # fmt: skip

@@ -1,0 +1,124 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The inverse problem (paper, sections 1 and 4): the finest image that a memory or time budget allows."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from math import isfinite, sqrt
+
+from vkworkbench import friendly
+from vkworkbench.core.solids import View
+from vkworkbench.core.zbuffer.estimate import Estimate
+
+# Passes are told apart if at least this many pixels or cells lie between them.
+_CELLS_PER_STEPOVER = 4
+
+
+@dataclass(frozen=True)
+class Resolution:
+    """An image chosen for a budget.
+
+    Attributes
+    ----------
+    view : View or None
+        The finest image within the budget; None where none is.
+    memory_bytes, seconds : float
+        What the simulation takes with it; without a view, with a single pixel.
+    explanation : str
+        What limits it, or what helps where no resolution does; a sentence without a full stop.
+    """
+
+    view: View | None
+    memory_bytes: float
+    seconds: float
+    explanation: str
+
+
+def best_resolution(
+    estimates: Sequence[Estimate],
+    *,
+    memory_bytes: float | None = None,
+    seconds: float | None = None,
+    stepover: float | None = None,
+    labels: Sequence[str] = (),
+) -> Resolution:
+    """Choose the finest image with which operations are simulated within a budget.
+
+    Dexels, trace elements and candidate pixels all grow with the number of pixels, so the image that fits is
+    a square root; the time of the trajectories themselves does not, and no image shortens it.
+
+    Parameters
+    ----------
+    estimates : sequence of Estimate
+        Of the operations, all for the same view.
+    memory_bytes, seconds : float, optional
+        The budget; at least one is given. Several operations share one z-buffer and are simulated one after
+        another.
+    stepover : float, optional
+        Smallest distance between passes, mm: says whether the image tells the passes apart.
+    labels : sequence of str, optional
+        What the operations are called: the heaviest is named where no image helps.
+
+    Returns
+    -------
+    Resolution
+
+    Raises
+    ------
+    ValueError
+        Without an estimate, without a budget, or with one that is not a positive number.
+    """
+    budgets = [b for b in (memory_bytes, seconds) if b is not None]
+    if not estimates:
+        raise ValueError("there is no operation to choose an image for")
+    check_budget(*budgets)
+    view, pixel = estimates[0].view, estimates[0].pixel
+    memory = max(e.stock_bytes for e in estimates) + sum(e.memory_bytes - e.stock_bytes for e in estimates)
+    fixed = sum(e.trajectory_seconds for e in estimates)
+    scaled = sum(e.seconds for e in estimates) - fixed
+
+    # How many times as many pixels each budget allows.
+    limits = {}
+    if memory_bytes is not None:
+        limits["memory"] = memory_bytes / memory
+    if seconds is not None:
+        limits["time"] = (seconds - fixed) / scaled
+    limit = min(limits, key=limits.__getitem__)
+    pixels = view.width * view.height
+    growth = limits[limit]
+    if growth * pixels < 1:
+        words = "no resolution helps, not even a single pixel fits"
+        if limit == "time":
+            words = f"no resolution helps, the trajectories alone take {friendly.time(fixed)}"
+            words += ": simulate fewer operations"
+            if len(labels) > 1:
+                words += f"; the heaviest is {heaviest(labels, [e.seconds for e in estimates])}"
+        return Resolution(None, memory / pixels, fixed + scaled / pixels, words)
+    width = max(1, int(view.width * sqrt(growth)))
+    height = max(1, int(view.height * sqrt(growth)))
+    pixel *= max(view.width / width, view.height / height)
+    growth = width * height / pixels
+    words = f"{width} x {height} pixels of {pixel:.2g} mm, limited by the {limit}"
+    if stepover:
+        words += passes_apart(pixel, stepover)
+    chosen = replace(view, width=width, height=height, pixel=None if view.pixel is None else pixel)
+    return Resolution(chosen, memory * growth, fixed + scaled * growth, words)
+
+
+def passes_apart(pixel: float, stepover: float) -> str:
+    """Say whether cells or pixels of a size tell passes apart."""
+    finest = stepover / _CELLS_PER_STEPOVER
+    if pixel > finest:
+        return f"; passes {stepover:.3g} mm apart ask for {finest:.2g} mm"
+    return f"; {finest:.2g} mm would do for passes {stepover:.3g} mm apart"
+
+
+def heaviest(labels: Sequence[str], seconds: Sequence[float]) -> str:
+    worst = max(range(len(labels)), key=seconds.__getitem__)
+    return f"{labels[worst]} with {friendly.time(seconds[worst])}"
+
+
+def check_budget(*budgets: float) -> None:
+    if not budgets or not all(isfinite(budget) and budget > 0 for budget in budgets):
+        raise ValueError("a budget of memory or time must be a positive number")

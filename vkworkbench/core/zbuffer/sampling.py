@@ -1,0 +1,139 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Random rays where a toolpath passes: a stratified sample of an image and the totals it stands for."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from vkworkbench.core.zbuffer.removal import Removal
+
+_CELLS = 32  # a power of two, for the Morton order
+# Rays drawn where the trajectories are few, and at least; between them, as many as meet that many
+# trajectories.
+_RAYS = 450
+_FEWEST = 100
+_MEETINGS = 150_000
+
+
+@dataclass(frozen=True, eq=False)
+class Sample:
+    """Rays of an image with the areas they stand for, in the order of their strata.
+
+    Attributes
+    ----------
+    x, y : (k,) float64
+        Image coordinates of the rays, mm.
+    area : (k,) float64
+        Area of the image each ray stands for, mm^2; a sum of values times areas estimates an integral
+        over the image.
+    """
+
+    x: np.ndarray
+    y: np.ndarray
+    area: np.ndarray
+
+    def total(self, values: np.ndarray) -> tuple[float, float]:
+        """Integral of a quantity over the image and its standard error.
+
+        Each stratum holds one ray, so its variance is taken from the difference to the next stratum; this
+        counts the difference of their means as noise and errs on the safe side.
+
+        Parameters
+        ----------
+        values : (k,) ndarray
+            The quantity at the rays.
+
+        Returns
+        -------
+        total, error : float
+            In mm^2 times the unit of the values.
+        """
+        shares = values * self.area
+        k = len(shares)
+        if k < 2:
+            return float(shares.sum()), float(np.abs(shares).sum())
+        return float(shares.sum()), float(np.sqrt((np.diff(shares) ** 2).sum() / 2 * k / (k - 1)))
+
+
+def _neighbours_together() -> np.ndarray:
+    """Flat indices of the cells in Morton order: the bits of row and column interleaved."""
+    row, column = np.divmod(np.arange(_CELLS**2), _CELLS)
+    key = np.zeros(_CELLS**2, np.int64)
+    for bit in range(_CELLS.bit_length() - 1):
+        key |= ((column >> bit) & 1) << (2 * bit) | ((row >> bit) & 1) << (2 * bit + 1)
+    return np.argsort(key)
+
+
+_ORDER = _neighbours_together()
+
+
+def sample(removal: Removal, rng: np.random.Generator) -> Sample:
+    """Draw up to 450 rays where the trajectories pass, one in each of as many strata.
+
+    The part of the image the trajectories reach is divided into 32 x 32 cells. A cell's weight grows with the
+    square root of the number of trajectories that pass it, because where more pass the count varies more. The
+    strata are stretches of equal weight along a curve through the cells that keeps neighbours together
+    (Morton 1966).
+
+    Parameters
+    ----------
+    removal : Removal
+    rng : numpy.random.Generator
+
+    Returns
+    -------
+    Sample
+        Empty where no trajectory reaches the image.
+    """
+    frame = removal.frame
+    half = np.array([frame.width, frame.height]) * frame.pixel / 2
+    extent = np.abs(np.array([frame.right, frame.up])) @ (removal.stock.upper - removal.stock.lower) / 2
+    half = np.minimum(half, extent)
+    if len(removal.index) == 0:
+        return Sample(*np.empty((3, 0)))
+    low = np.maximum(-half, [removal.box[0].min(), removal.box[2].min()])
+    high = np.minimum(half, [removal.box[1].max(), removal.box[3].max()])
+    if not (low < high).all():
+        return Sample(*np.empty((3, 0)))
+    side = (high - low) / _CELLS
+    passes = _passes(removal, low, side).ravel()
+    weight = np.sqrt(passes)
+    running = np.cumsum(weight[_ORDER])
+    if running[-1] == 0:
+        return Sample(*np.empty((3, 0)))
+    rays = int(np.clip(_MEETINGS * running[-1] / (weight @ passes), _FEWEST, _RAYS))
+    at = (np.arange(rays) + rng.random(rays)) / rays * running[-1]
+    cell = _ORDER[np.minimum(np.searchsorted(running, at, side="right"), len(_ORDER) - 1)]
+    row, column = np.divmod(cell, _CELLS)
+    x = low[0] + (column + rng.random(rays)) * side[0]
+    y = low[1] + (row + rng.random(rays)) * side[1]
+    area = side.prod() * running[-1] / (rays * weight[cell])
+    return Sample(x, y, area)
+
+
+def _passes(removal: Removal, low: np.ndarray, side: np.ndarray) -> np.ndarray:
+    """How many bounding boxes of trajectories, long ones cut up, touch each cell: (rows, columns)."""
+    move = np.array((removal.move[0], removal.cosine * removal.move[1] + removal.sine * removal.move[2]))
+    low, side = low[:, None], side[:, None]
+    parts = np.ceil((np.abs(move) / side).max(axis=0) / 4).astype(np.int64)
+    parts = np.minimum(np.maximum(parts, 1), _CELLS)
+    item = np.repeat(np.arange(len(parts)), parts)
+    place = np.arange(len(item)) - np.repeat(np.cumsum(parts) - parts, parts)
+    # Each part's box is the whole box moved in from the ends.
+    share = place / parts[item]
+    rest = 1 - (place + 1) / parts[item]
+    move, forwards = np.abs(move)[:, item], move[:, item] > 0
+    lower = removal.box[::2, item] + np.where(forwards, share, rest) * move
+    upper = removal.box[1::2, item] - np.where(forwards, rest, share) * move
+    first, last = np.floor((lower - low) / side), np.floor((upper - low) / side)
+    inside = ((last >= 0) & (first < _CELLS)).all(axis=0)
+    c0, r0 = np.maximum(first[:, inside], 0).astype(np.int64)
+    c1, r1 = np.minimum(last[:, inside], _CELLS - 1).astype(np.int64) + 1
+    # Corners of the boxes, summed up twice: the number of boxes over each cell.
+    wide = _CELLS + 1
+    corner = np.concatenate((r0 * wide + c0, r1 * wide + c1, r0 * wide + c1, r1 * wide + c0))
+    sign = np.repeat([1.0, 1.0, -1.0, -1.0], len(c0))
+    counts = np.bincount(corner, sign, wide * wide).reshape(wide, wide)
+    return np.rint(counts.cumsum(axis=0).cumsum(axis=1)[:-1, :-1])

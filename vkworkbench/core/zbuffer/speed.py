@@ -1,0 +1,115 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""This computer's speed: the reference simulator timed on small made-up toolpaths."""
+
+from __future__ import annotations
+
+import time
+
+import numpy as np
+
+from vkworkbench.core.solids import Stock, Tool, View
+from vkworkbench.core.toolpath import Toolpath
+from vkworkbench.core.zbuffer.estimate import Speed, work
+from vkworkbench.core.zbuffer.simulate import simulate
+
+_STOCK = Stock((0, 0, 0), (60, 60, 20))
+_FLAT, _BALL = Tool("endmill", 8), Tool("ballend", 8)
+_TILTED = (0, 1, -2)
+_ROUNDS = 2
+# The true time is within this factor of that of a measured speed (benchmarks/resources.py).
+_FACTOR = 1.5
+# Weight of the usual proportions against one measured time.
+_RIDGE = 0.5
+# No constant is less than this share of the usual: noisy times would make some nothing.
+_LEAST = 0.1
+
+
+def measure_speed() -> Speed:
+    """Time the reference simulator on lines, arcs and a surface, in about 0.2 s.
+
+    Returns
+    -------
+    Speed
+        The constants that explain the times best, by least squares of the relative differences.
+    """
+    runs = (
+        (_rows(8.0), _FLAT, View(width=96, height=96)),
+        (_rows(1.0), _FLAT, View(width=64, height=64)),
+        (_rows(4.0), _FLAT, View(_TILTED, 64, 64)),
+        (_loops(8.0), _FLAT, View(width=64, height=64)),
+        (_surface(10.0), _BALL, View(width=64, height=64)),
+        (_surface(20.0), _BALL, View(_TILTED, 64, 64)),
+    )
+    # In turns: a moment in which the computer does something else spoils one time of each run only.
+    rounds = [[_time(*run) for run in runs] for _ in range(_ROUNDS)]
+    amounts = np.array([amount for amount, _ in rounds[0]])
+    return fit_speed(amounts, np.min([[seconds for _, seconds in times] for times in rounds], axis=0))
+
+
+def fit_speed(amounts: np.ndarray, seconds: np.ndarray) -> Speed:
+    """Find the constants that explain measured times, as near to the usual proportions as these allow.
+
+    Least squares of the relative differences, with a ridge towards the default constants times one factor
+    (Hoerl and Kennard 1970): few noisy times do not tell all constants apart.
+
+    Parameters
+    ----------
+    amounts : (k, 5) ndarray
+        The work of each simulation, see ``resources.work``.
+    seconds : (k,) ndarray
+        What they took.
+    """
+    default = Speed().constants
+    factor = float(np.median(seconds / (amounts @ default)))
+    usual = factor * default
+    rows = np.vstack((amounts * usual / seconds[:, None], _RIDGE * np.eye(len(usual))))
+    right = np.concatenate((np.ones(len(seconds)), np.full(len(usual), _RIDGE)))
+    shares = np.linalg.lstsq(rows, right, rcond=None)[0]
+    return Speed(*(usual * np.maximum(shares, _LEAST)).tolist(), factor=_FACTOR)
+
+
+def _time(toolpath: Toolpath, tool: Tool, view: View) -> tuple[np.ndarray, float]:
+    """The work of one simulation and its time."""
+    begin = time.perf_counter()
+    exact = simulate(toolpath, tool=tool, stock=_STOCK, view=view)
+    seconds = time.perf_counter() - begin
+    return work(len(toolpath), exact.dexels + exact.traces, exact.candidates, tool, view), seconds
+
+
+def _rows(step: float) -> Toolpath:
+    """Straight rows to and fro at one height."""
+    y = np.arange(8, 53, step)
+    x = np.tile([8.0, 52.0, 52.0, 8.0], len(y) // 2 + 1)[: 2 * len(y)]
+    return _toolpath(np.column_stack((x, np.repeat(y, 2), np.full(2 * len(y), 15.0))))
+
+
+def _loops(step: float) -> Toolpath:
+    """Circles from the outside inwards, of chords of 5 degrees."""
+    angles = np.linspace(0, 2 * np.pi, 73)
+    radius = np.repeat(np.arange(22, 1, -step), len(angles))
+    angle = np.tile(angles, len(radius) // len(angles))
+    return _toolpath(
+        np.column_stack((30 + radius * np.cos(angle), 30 + radius * np.sin(angle), np.full(len(angle), 12.0)))
+    )
+
+
+def _surface(step: float) -> Toolpath:
+    """Rows to and fro over waves."""
+    x, y = np.linspace(0, 60, 31), np.arange(0, 61, step)
+    x, y = np.tile(np.concatenate((x, x[::-1])), len(y))[: len(x) * len(y)], np.repeat(y, len(x))
+    return _toolpath(np.column_stack((x, y, 13 + 3 * np.sin(x / 9) * np.cos(y / 11))))
+
+
+def _toolpath(points: np.ndarray) -> Toolpath:
+    count = len(points) - 1
+    none = np.zeros(count, bool)
+    return Toolpath(
+        points,
+        rapid=none,
+        command=np.arange(count),
+        feed=np.full(count, 10.0),
+        sweep=np.zeros(count),
+        plane=np.full(count, 17, np.uint8),
+        cycle=none,
+        commands=count,
+    )
