@@ -28,12 +28,12 @@ sys.path[:0] = [str(HERE.parent), str(HERE)]
 
 import synthetic  # noqa: E402
 
-from vkworkbench.core import Toolpath  # noqa: E402
+from vkworkbench.core import Family, Strategy, Toolpath  # noqa: E402
 from vkworkbench.core.gcode import linearize  # noqa: E402
 from vkworkbench.core.recognition import recognize  # noqa: E402
 
-BACK_AND_FORTH = {"zigzag", "one-way"}
-AROUND = {"contour-parallel", "spiral", "waterline", "profile", "helix"}
+BACK_AND_FORTH = {s.value for s in Strategy if s.family is Family.ROWS}
+AROUND = {s.value for s in Strategy if s.family is Family.AROUND} - {"adaptive"}  # whose bites are neither
 WITHOUT_STEPOVER = {"adaptive", "waterline", "helix"}  # what StepOver is there is another thing
 SEEDS = 20  # synthetic toolpaths of each kind
 

@@ -62,15 +62,15 @@ def test_every_trajectory_has_the_colour_of_its_span():
     parts = dict(strategy_view.colored_parts(toolpath, spans))
     assert sorted(i for part in parts.values() for i in part) == list(range(len(toolpath)))
     assert list(parts[colors.RAPID]) == [i for i in range(len(toolpath)) if toolpath.rapid[i]]
-    assert len(parts[colors.COLORS[Strategy.ZIGZAG]]) >= 39
-    assert set(dict(strategy_view.colored_parts(toolpath, ()))) == {colors.RAPID, colors.COLORS[Strategy.UNKNOWN]}
+    assert len(parts[Strategy.ZIGZAG.color]) >= 39
+    assert set(dict(strategy_view.colored_parts(toolpath, ()))) == {colors.RAPID, Strategy.UNKNOWN.color}
 
 
 def test_the_colours_are_seen_and_go_again(opened, window, switched_on, tmp_path):
     window.screenshot("strategies-top")
     there = seen(tmp_path)
     for strategy in (Strategy.ZIGZAG, Strategy.CONTOUR_PARALLEL, Strategy.ADAPTIVE):
-        assert there[colors.COLORS[strategy]] > 20, strategy
+        assert there[strategy.color] > 20, strategy
     Gui.activeView().viewIsometric()
     Gui.SendMsgToActiveView("ViewFit")
     window.screenshot("strategies")
@@ -78,7 +78,7 @@ def test_the_colours_are_seen_and_go_again(opened, window, switched_on, tmp_path
     window.wait(lambda: not strategy_view.is_shown(opened))
     assert nodes(opened) == 0
     gone = seen(tmp_path)
-    assert gone[colors.COLORS[Strategy.ZIGZAG]] == gone[colors.COLORS[Strategy.ADAPTIVE]] == 0
+    assert gone[Strategy.ZIGZAG.color] == gone[Strategy.ADAPTIVE.color] == 0
 
 
 def test_the_document_is_not_changed(opened, window):
@@ -97,7 +97,7 @@ def test_an_operation_takes_its_colours_along(opened, window, switched_on, tmp_p
     assert count >= 8
     labelled(opened, "Adaptive pocket").ViewObject.Visibility = False
     window.idle()
-    assert seen(tmp_path)[colors.COLORS[Strategy.ADAPTIVE]] == 0
+    assert seen(tmp_path)[Strategy.ADAPTIVE.color] == 0
     labelled(opened, "Adaptive pocket").ViewObject.Visibility = True
     opened.removeObject(labelled(opened, "Adaptive pocket").Name)
     window.idle()
@@ -105,7 +105,7 @@ def test_an_operation_takes_its_colours_along(opened, window, switched_on, tmp_p
 
 
 def test_the_selected_operation_is_wider(opened, window, switched_on, tmp_path):
-    color = colors.COLORS[Strategy.HELIX]
+    color = Strategy.HELIX.color
     before = seen(tmp_path)[color]
     Gui.Selection.addSelection(labelled(opened, "Bore"))
     window.idle()

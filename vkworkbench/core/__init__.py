@@ -10,7 +10,7 @@ from vkworkbench.core.paper import Signature, signature
 from vkworkbench.core.recognition import Recognition, Span, recognize
 from vkworkbench.core.simulators import Accuracy, best_accuracy
 from vkworkbench.core.solids import ConvexStock, Stock, Tool, View
-from vkworkbench.core.strategy import Strategy
+from vkworkbench.core.strategy import Family, Strategy
 from vkworkbench.core.toolpath import Problem, Toolpath
 from vkworkbench.core.zbuffer import (
     Estimate,
@@ -24,7 +24,7 @@ from vkworkbench.core.zbuffer import (
 )
 
 __all__ = [
-    "Accuracy", "ConvexStock", "Estimate", "Machining", "Problem", "Recognition", "Resolution", "Signature",
+    "Accuracy", "ConvexStock", "Estimate", "Family", "Machining", "Problem", "Recognition", "Resolution", "Signature",
     "Span", "Speed", "Stock", "Strategy", "Tool", "Toolpath", "View", "ZBuffer", "best_accuracy",
     "best_resolution", "estimate", "exact_lengths", "linearize", "machining", "measure_speed", "recognize", "signature",
     "simulate",

@@ -1,43 +1,116 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The machining strategies that can be recognised."""
+"""The machining strategies that can be recognised: one table, one entry each."""
 
 from __future__ import annotations
 
 import enum
 
 
+def QT_TRANSLATE_NOOP(context: str, text: str) -> str:
+    """Return the text: the call tells Qt's lupdate to collect it."""
+    return text
+
+
+class Family(str, enum.Enum):
+    """How a strategy covers the part: what parts of one operation have in common."""
+
+    ROWS = "rows"
+    AROUND = "around"
+    HOLES = "holes"
+    STROKES = "strokes"
+    #: No strategy, or several.
+    NONE = "none"
+
+
 class Strategy(str, enum.Enum):
     """What one operation does, told from its toolpath alone.
 
-    The values are stable: they are stored in documents and read by macros.
+    An entry is everything that is told of one strategy wherever it is shown. Its section in docs/recognition.md has
+    its value as anchor.
+
+    Attributes
+    ----------
+    value : str
+        Stable: it is stored in documents and read by macros.
+    label : str
+        Its name for a person, in English; translated in the context "Strategy".
+    about : str
+        What it is, in one sentence.
+    family : Family
+    color : str
+        Wherever it is shown, as ``"#rrggbb"``. All have the same relative luminance, 0.17 (WCAG 2.1): white text on
+        them has a contrast above 4.5, and they stand out from light and from dark windows alike. A colour never
+        stands alone: there is always the name.
     """
 
-    #: Long moves alternate between two opposite directions, short moves link them.
-    ZIGZAG = "zigzag"
-    #: The same rows all cut in one direction, with rapid or lifted returns.
-    ONE_WAY = "one-way"
-    #: Two or more nested offset loops, one sense of rotation.
-    CONTOUR_PARALLEL = "contour-parallel"
-    #: One closed or open contour per depth, repeated at other depths at most.
-    PROFILE = "profile"
-    #: Contours at many depths whose shape changes with the depth.
-    WATERLINE = "waterline"
-    #: One continuous winding with a changing radius.
-    SPIRAL = "spiral"
-    #: Winding that descends at a constant radius (bore, thread, ramp).
-    HELIX = "helix"
-    #: Many small engagement loops (adaptive, trochoidal).
-    ADAPTIVE = "adaptive"
-    #: Vertical moves at points.
-    DRILLING = "drilling"
-    #: Many short open or closed strokes, no filling pattern.
-    ENGRAVING = "engraving"
-    #: Several of these, each in its own span.
-    MIXED = "mixed"
-    #: None can be defended.
-    UNKNOWN = "unknown"
-    #: There is no cutting move.
-    EMPTY = "empty"
+    label: str
+    about: str
+    family: Family
+    color: str
+
+    def __new__(cls, value: str, label: str, family: Family, color: str, about: str) -> Strategy:
+        entry = str.__new__(cls, value)
+        entry._value_ = value
+        entry.label, entry.family, entry.color, entry.about = label, family, color, about
+        return entry
+
+    ZIGZAG = (
+        "zigzag", QT_TRANSLATE_NOOP("Strategy", "zigzag"), Family.ROWS, "#1173d4",
+        "Long moves alternate between two opposite directions, short moves link them.",
+    )  # fmt: skip
+    ONE_WAY = (
+        "one-way", QT_TRANSLATE_NOOP("Strategy", "one-way"), Family.ROWS, "#037e96",
+        "The same rows all cut in one direction, with rapid or lifted returns.",
+    )  # fmt: skip
+    CONTOUR_PARALLEL = (
+        "contour-parallel", QT_TRANSLATE_NOOP("Strategy", "contour-parallel"), Family.AROUND, "#13851c",
+        "Two or more nested offset loops, one sense of rotation.",
+    )  # fmt: skip
+    PROFILE = (
+        "profile", QT_TRANSLATE_NOOP("Strategy", "profile"), Family.AROUND, "#b75804",
+        "One closed or open contour per depth, repeated at other depths at most.",
+    )  # fmt: skip
+    WATERLINE = (
+        "waterline", QT_TRANSLATE_NOOP("Strategy", "waterline"), Family.AROUND, "#038269",
+        "Contours at many depths whose shape changes with the depth.",
+    )  # fmt: skip
+    SPIRAL = (
+        "spiral", QT_TRANSLATE_NOOP("Strategy", "spiral"), Family.AROUND, "#8b7003",
+        "One continuous winding with a changing radius.",
+    )  # fmt: skip
+    HELIX = (
+        "helix", QT_TRANSLATE_NOOP("Strategy", "helix"), Family.AROUND, "#507f0e",
+        "Winding that descends at a constant radius (bore, thread, ramp).",
+    )  # fmt: skip
+    ADAPTIVE = (
+        "adaptive", QT_TRANSLATE_NOOP("Strategy", "adaptive"), Family.AROUND, "#df2424",
+        "Many small engagement loops (adaptive, trochoidal).",
+    )  # fmt: skip
+    DRILLING = (
+        "drilling", QT_TRANSLATE_NOOP("Strategy", "drilling"), Family.HOLES, "#9b4ed2",
+        "Vertical moves at points.",
+    )  # fmt: skip
+    ENGRAVING = (
+        "engraving", QT_TRANSLATE_NOOP("Strategy", "engraving"), Family.STROKES, "#d3258b",
+        "Many short open or closed strokes, no filling pattern.",
+    )  # fmt: skip
+    MIXED = (
+        "mixed", QT_TRANSLATE_NOOP("Strategy", "mixed"), Family.NONE, "#976851",
+        "Several of these, each in its own span.",
+    )  # fmt: skip
+    UNKNOWN = (
+        "unknown", QT_TRANSLATE_NOOP("Strategy", "unknown"), Family.NONE, "#737373",
+        "None can be defended.",
+    )  # fmt: skip
+    EMPTY = (
+        "empty", QT_TRANSLATE_NOOP("Strategy", "empty"), Family.NONE, "#737373",
+        "There is no cutting move.",
+    )  # fmt: skip
 
     def __str__(self) -> str:
         return self.value
+
+    @property
+    def is_answer(self) -> bool:
+        """bool : whether it says what the operation does, so that one can ask how sure that is."""
+        return self not in (Strategy.UNKNOWN, Strategy.EMPTY)

@@ -45,7 +45,7 @@ def contradicted(obj, found: Recognition) -> str | None:
     if meant is None:
         name = next((getattr(obj, p) for p in _PATTERN_PROPERTIES if hasattr(obj, p)), None)
         meant = _PATTERNS.get(name)
-    if meant is None or found.strategy in (_S.UNKNOWN, _S.EMPTY):
+    if meant is None or not found.strategy.is_answer:
         return None
     done = {found.strategy, *(span.strategy for span in found.spans)}
     return None if done & meant else name

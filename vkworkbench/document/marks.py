@@ -163,9 +163,8 @@ def _cost(simulator: str, seconds: float, memory: float, factor: float, least: s
 
 
 def _verdict(report: OperationReport) -> str:
-    if report.strategy in (Strategy.EMPTY, Strategy.UNKNOWN):
-        return report.strategy.value
-    return f"{report.strategy.value} {report.confidence:.0%}"
+    sure = f" {report.confidence:.0%}" if report.strategy.is_answer else ""
+    return report.strategy.value + sure
 
 
 def _shortened(text: str) -> str:

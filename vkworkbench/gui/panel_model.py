@@ -13,7 +13,6 @@ from vkworkbench.core import Strategy
 from vkworkbench.core.simulators import Simulator, available_simulators
 from vkworkbench.document import marks
 from vkworkbench.document.intent import contradicted
-from vkworkbench.gui.colors import COLORS
 from vkworkbench.gui.names import strategy_name
 from vkworkbench.gui.qt import QAbstractTableModel, QColor, QFont, QModelIndex, QSortFilterProxyModel, Qt
 from vkworkbench.gui.sentences import in_user_language
@@ -164,7 +163,7 @@ def columns(version: tuple[int, ...]) -> list[Column]:
 
 def _confidence(row: Row) -> float | None:
     strategy = getattr(row.found, "strategy", Strategy.EMPTY)
-    return None if strategy in (Strategy.EMPTY, Strategy.UNKNOWN) else row.found.confidence
+    return row.found.confidence if strategy.is_answer else None
 
 
 def _machining_seconds(row: Row) -> float | None:
@@ -252,7 +251,7 @@ class ResultsModel(QAbstractTableModel):
             right = value is not None and not isinstance(value, str)
             return _RIGHT if right else _LEFT
         if role == Qt.DecorationRole and isinstance(value, Strategy):
-            return QColor(COLORS[value])
+            return QColor(value.color)
         if role == Qt.FontRole and isinstance(row.found, Total):
             font = QFont()
             font.setBold(True)

@@ -20,7 +20,7 @@ from vkworkbench import friendly, preferences
 from vkworkbench.core import Strategy
 from vkworkbench.document import marks
 from vkworkbench.gui import tree
-from vkworkbench.gui.colors import COLORS, TEXT, TOTAL
+from vkworkbench.gui.colors import TEXT, TOTAL
 from vkworkbench.gui.names import strategy_name
 from vkworkbench.gui.qt import (
     QApplication,
@@ -71,7 +71,7 @@ class Mark:
 
     @property
     def color(self) -> str:
-        return COLORS[self.strategy] if self.strategy else TOTAL
+        return self.strategy.color if self.strategy else TOTAL
 
     @property
     def rest(self) -> str:

@@ -18,7 +18,7 @@ from vkworkbench.core import Strategy, Toolpath, linearize, recognize
 from vkworkbench.document.operations import find, kind
 from vkworkbench.document.setting import read_tool
 from vkworkbench.gui import latest
-from vkworkbench.gui.colors import COLORS, RAPID
+from vkworkbench.gui.colors import RAPID
 from vkworkbench.gui.qt import QColor
 
 _NAME = "VkStrategies"
@@ -46,7 +46,7 @@ def colored_parts(toolpath: Toolpath, spans) -> list[tuple[str, np.ndarray]]:
         color[inside] = list(Strategy).index(span.strategy)
     color[toolpath.rapid] = -1
     parts = [(RAPID, np.flatnonzero(color == -1))]
-    parts += [(COLORS[strategy], np.flatnonzero(color == number)) for number, strategy in enumerate(Strategy)]
+    parts += [(strategy.color, np.flatnonzero(color == number)) for number, strategy in enumerate(Strategy)]
     return [(name, trajectories) for name, trajectories in parts if len(trajectories)]
 
 

@@ -11,10 +11,7 @@ from vkworkbench.core.paper import EXACT, TURN
 from vkworkbench.core.recognition.pieces import LOOP
 from vkworkbench.core.recognition.rings import count_levels
 from vkworkbench.core.recognition.verdict import Section, Verdict
-from vkworkbench.core.strategy import Strategy
-
-AROUND = {Strategy.CONTOUR_PARALLEL, Strategy.PROFILE, Strategy.WATERLINE, Strategy.SPIRAL, Strategy.HELIX,
-          Strategy.ADAPTIVE}  # fmt: skip
+from vkworkbench.core.strategy import Family, Strategy
 
 
 @dataclass(frozen=True)
@@ -38,7 +35,7 @@ def gather(s: Section, verdict: Verdict) -> Evidence:
     low, high = _phi_range(s)
     extreme = high if high >= -low else low
     level = int((abs(extreme) + EXACT) / TURN)
-    around = verdict.strategy in AROUND or not s.rows
+    around = verdict.strategy.family is Family.AROUND or not s.rows
     rings, rows = s.rings, s.rows
     main = max(rows, key=lambda f: f.length) if rows else None
     sense = milling = stepover = passes = None
@@ -94,9 +91,9 @@ def sentence(s: Section, verdict: Verdict, e: Evidence) -> str:
     turning = {"ccw": ", counter-clockwise", "cw": ", clockwise"}.get(e.sense or "", "")
     between = f"between {_turns(low)} and {_turns(high)} turns"
     stays = "stays at 0" if _turns(low) == _turns(high) == "0" else f"stays {between}"
-    if strategy in (Strategy.ZIGZAG, Strategy.ONE_WAY) and s.rows:
+    if strategy.family is Family.ROWS and s.rows:
         return f"phi {stays} over {e.passes} rows{apart}{depths}, {verdict.seen}: {strategy}"
-    if len(s.rings) and strategy in AROUND | {Strategy.ZIGZAG}:
+    if len(s.rings) and (strategy.family is Family.AROUND or strategy is Strategy.ZIGZAG):
         return (
             f"phi reaches {_turns(max(low, high, key=abs))} turns over {_count(len(s.rings), 'loop')}{apart}"
             f"{depths}, {verdict.seen}: {strategy}{turning}"

@@ -11,7 +11,7 @@ from vkworkbench.core.paper import Moves, monotonous_areas
 from vkworkbench.core.recognition.evidence import gather, sentence
 from vkworkbench.core.recognition.rings import count_levels
 from vkworkbench.core.recognition.verdict import Section, Verdict, judge
-from vkworkbench.core.strategy import Strategy
+from vkworkbench.core.strategy import Family, Strategy
 from vkworkbench.core.toolpath import Toolpath
 
 #: Below this confidence no strategy is defended: the answer is UNKNOWN.
@@ -229,12 +229,6 @@ def _judge_sections(toolpath, borders, whole: Recognition, tool: float) -> Recog
     )
 
 
-_FAMILIES = {
-    Strategy.ZIGZAG: "rows", Strategy.ONE_WAY: "rows", Strategy.DRILLING: "holes", Strategy.ENGRAVING:
-    "strokes", Strategy.MIXED: "mixed", Strategy.UNKNOWN: "unknown",
-}  # fmt: skip
-
-
 def _differs(one: Recognition, main: Recognition, certain: bool) -> bool:
     """Whether a section is another operation than the main one.
 
@@ -248,8 +242,8 @@ def _differs(one: Recognition, main: Recognition, certain: bool) -> bool:
         return False  # too little to tell a strategy from
     if certain:
         return one.strategy is not main.strategy
-    one_family, main_family = (_FAMILIES.get(r.strategy, "around") for r in (one, main))
-    return one_family != main_family and "strokes" not in (one_family, main_family)
+    families = {one.strategy.family, main.strategy.family}
+    return len(families) > 1 and Family.STROKES not in families
 
 
 def _lengths(toolpath: Toolpath, first: int, last: int) -> float:
