@@ -197,7 +197,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>side by side or repeated</source>
+        <source>no nested offsets</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -213,7 +213,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>an open contour comes again at other depths</source>
+        <source>one open contour</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an open contour comes again</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

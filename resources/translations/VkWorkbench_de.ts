@@ -197,8 +197,8 @@
         <translation>eine offene Bahn liegt in einer Kontur</translation>
     </message>
     <message>
-        <source>side by side or repeated</source>
-        <translation>nebeneinander oder wiederholt</translation>
+        <source>no nested offsets</source>
+        <translation>keine ineinander liegenden Bahnen</translation>
     </message>
     <message>
         <source>half-turns alternate in sign</source>
@@ -213,8 +213,12 @@
         <translation>offene Konturen ändern sich mit der Tiefe</translation>
     </message>
     <message>
-        <source>an open contour comes again at other depths</source>
-        <translation>eine offene Kontur kehrt in anderen Tiefen wieder</translation>
+        <source>one open contour</source>
+        <translation>eine offene Kontur</translation>
+    </message>
+    <message>
+        <source>an open contour comes again</source>
+        <translation>eine offene Kontur kehrt wieder</translation>
     </message>
     <message>
         <source>open strokes as long as the part</source>

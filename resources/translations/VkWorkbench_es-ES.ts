@@ -197,8 +197,8 @@
         <translation>una pasada abierta queda dentro de un contorno</translation>
     </message>
     <message>
-        <source>side by side or repeated</source>
-        <translation>contiguos o repetidos</translation>
+        <source>no nested offsets</source>
+        <translation>sin contornos anidados</translation>
     </message>
     <message>
         <source>half-turns alternate in sign</source>
@@ -213,8 +213,12 @@
         <translation>los contornos abiertos cambian con la profundidad</translation>
     </message>
     <message>
-        <source>an open contour comes again at other depths</source>
-        <translation>un contorno abierto se repite a otras profundidades</translation>
+        <source>one open contour</source>
+        <translation>un solo contorno abierto</translation>
+    </message>
+    <message>
+        <source>an open contour comes again</source>
+        <translation>un contorno abierto se repite</translation>
     </message>
     <message>
         <source>open strokes as long as the part</source>

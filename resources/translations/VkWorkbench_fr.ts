@@ -197,8 +197,8 @@
         <translation>une passe ouverte se trouve dans un contour</translation>
     </message>
     <message>
-        <source>side by side or repeated</source>
-        <translation>côte à côte ou répétées</translation>
+        <source>no nested offsets</source>
+        <translation>aucun contour imbriqué</translation>
     </message>
     <message>
         <source>half-turns alternate in sign</source>
@@ -213,8 +213,12 @@
         <translation>des contours ouverts changent avec la profondeur</translation>
     </message>
     <message>
-        <source>an open contour comes again at other depths</source>
-        <translation>un contour ouvert revient à d&apos;autres profondeurs</translation>
+        <source>one open contour</source>
+        <translation>un seul contour ouvert</translation>
+    </message>
+    <message>
+        <source>an open contour comes again</source>
+        <translation>un contour ouvert revient</translation>
     </message>
     <message>
         <source>open strokes as long as the part</source>

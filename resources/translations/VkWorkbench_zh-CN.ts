@@ -197,8 +197,8 @@
         <translation>轮廓内有一条开放走刀</translation>
     </message>
     <message>
-        <source>side by side or repeated</source>
-        <translation>并列或重复</translation>
+        <source>no nested offsets</source>
+        <translation>没有嵌套的轮廓</translation>
     </message>
     <message>
         <source>half-turns alternate in sign</source>
@@ -213,8 +213,12 @@
         <translation>开放轮廓随深度变化</translation>
     </message>
     <message>
-        <source>an open contour comes again at other depths</source>
-        <translation>开放轮廓在其他深度重复</translation>
+        <source>one open contour</source>
+        <translation>一个开放轮廓</translation>
+    </message>
+    <message>
+        <source>an open contour comes again</source>
+        <translation>同一开放轮廓重复</translation>
     </message>
     <message>
         <source>open strokes as long as the part</source>

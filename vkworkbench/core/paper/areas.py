@@ -222,7 +222,7 @@ def _without_air(planar, index, start, rapid, z, dx, dy, dz, length) -> tuple[np
     a, b = index[start], index[last]
     level = np.abs(z[b + 1] - z[a]) < STILL
     straight = dx[a] * dx[b] + dy[a] * dy[b] > 0.999 * length[a] * length[b]
-    steep = np.where(rapid | (length > STILL), 0.0, dz)
+    steep = np.where(length > STILL, 0.0, dz)  # rapid or at feed
     rises, falls = np.append(0.0, steep)[a] > STILL, np.append(steep, 0.0)[b + 1] < -STILL
     lifted, plunges = rises | (a == 0), falls | (b == len(dz) - 1)
     air = level & straight & lifted & plunges

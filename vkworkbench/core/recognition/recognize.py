@@ -9,6 +9,7 @@ import numpy as np
 
 from vkworkbench.core.paper import Moves, monotonous_areas
 from vkworkbench.core.recognition.evidence import gather, sentence
+from vkworkbench.core.recognition.repeats import without_repeats
 from vkworkbench.core.recognition.rings import count_levels
 from vkworkbench.core.recognition.verdict import Section, Verdict, judge
 from vkworkbench.core.strategy import Family, Strategy
@@ -139,7 +140,8 @@ def _judge_one(toolpath: Toolpath, moves: Moves, first: int, last: int, tool: fl
         spans = _spans(toolpath, [(first, last, Strategy.DRILLING)])
         return Recognition(Strategy.DRILLING, 0.98, why, spans, passes=holes or None)
     section = Section(moves, tool)
-    verdict = judge(section)
+    once = without_repeats(moves)
+    verdict = judge(section if once is moves else Section(once, tool))
     evidence = gather(section, verdict)
     strategy, why = verdict.strategy, sentence(section, verdict, evidence)
     if verdict.confidence < BAR:
@@ -198,22 +200,37 @@ def _sculptured(moves: Moves) -> bool:
 
 def _judge_sections(toolpath, borders, whole: Recognition, tool: float) -> Recognition:
     """Recognise the sections between the borders; mixed where they differ as much as their borders ask."""
-    found, certain = [], []
+    found, certainly = [], []
     cutting = np.flatnonzero(~toolpath.rapid)
     at = sorted(borders)
+    parts = 0  # what certain borders part, so far
     for a, b in zip([0, *at], [*at, len(toolpath)]):
+        parts += borders.get(a, False)
         inside = cutting[np.searchsorted(cutting, a) : np.searchsorted(cutting, b)]
         if len(inside):
             first, last = int(inside[0]), int(inside[-1])
             found.append(_judge_one(toolpath, monotonous_areas(toolpath, first, last), first, last, tool))
-            certain.append(borders.get(a, False))
+            certainly.append(parts)
     length = np.array([sum(_lengths(toolpath, s.first, s.last) for s in r.spans) for r in found])
     share = length / length.sum()
     main = int(np.argmax(share))
+    # A border between a section and the longest one counts the same whichever of the two comes first.
+    certain = np.array(certainly) != certainly[main]
     differs = np.array([_differs(r, found[main], sure) for r, sure in zip(found, certain)])
     drilled = np.array([r.strategy is Strategy.DRILLING for r in found])  # holes have next to no length
     if share[differs].sum() < 0.05 and not (differs & drilled & certain).any():
-        return whole
+        return _agree(toolpath, whole, found, share)
+    runs = _joined(found)
+    names = list(dict.fromkeys(str(strategy) for _, _, strategy in runs))
+    why = f"{len(runs)} sections parted by tool changes, titles or drilling show {', '.join(names)}: mixed"
+    confidence = float((share * [r.confidence for r in found]).sum())
+    return replace(
+        whole, strategy=Strategy.MIXED, confidence=confidence, reason=why, spans=_spans(toolpath, runs)
+    )
+
+
+def _joined(found: list[Recognition]) -> list[tuple[int, int, Strategy]]:
+    """Return the spans of consecutive sections as (first, last, strategy), equal neighbours as one."""
     runs: list[tuple[int, int, Strategy]] = []
     for r in found:
         for s in r.spans:
@@ -221,12 +238,28 @@ def _judge_sections(toolpath, borders, whole: Recognition, tool: float) -> Recog
                 runs[-1] = (runs[-1][0], s.last, s.strategy)
             else:
                 runs.append((s.first, s.last, s.strategy))
-    names = list(dict.fromkeys(str(strategy) for _, _, strategy in runs))
-    why = f"{len(runs)} sections parted by tool changes, titles or drilling show {', '.join(names)}: mixed"
-    confidence = float((share * [r.confidence for r in found]).sum())
-    return replace(
-        whole, strategy=Strategy.MIXED, confidence=confidence, reason=why, spans=_spans(toolpath, runs)
-    )
+    return runs
+
+
+def _agree(toolpath, whole: Recognition, found: list[Recognition], share: np.ndarray) -> Recognition:
+    """Return the verdict on the whole; the longest section's where every section says another than the whole.
+
+    A section too short to show a strategy of its own does not count: the loops of a waterline and the rows of a
+    zigzag may each have a title.
+    """
+    told = [k for k, r in enumerate(found) if r.strategy is not Strategy.UNKNOWN and not _short(r)]
+    if not told or whole.strategy in {found[k].strategy for k in told}:
+        return whole
+    longest = found[max(told, key=lambda k: share[k])]
+    runs = [(found[0].spans[0].first, found[-1].spans[-1].last, longest.strategy)]
+    if longest.strategy is Strategy.MIXED:
+        runs = _joined(found)
+    return replace(longest, spans=_spans(toolpath, runs))
+
+
+def _short(one: Recognition) -> bool:
+    """Whether a section is too little to tell a strategy from."""
+    return one.closed_loops < 2 and (one.passes or 0) < 3
 
 
 def _differs(one: Recognition, main: Recognition, certain: bool) -> bool:

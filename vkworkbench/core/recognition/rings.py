@@ -281,7 +281,12 @@ def footprints(pieces: Pieces, index: np.ndarray) -> tuple[np.ndarray, int]:
     group : (k,) int
     groups : int
     """
-    measures = np.column_stack([pieces.box[index], pieces.length[index] / 4])
+    return same_ground(pieces.box[index], pieces.length[index])
+
+
+def same_ground(box: np.ndarray, length: np.ndarray) -> tuple[np.ndarray, int]:
+    """Group stretches by their boxes (k, 4), to 0.1 mm, and lengths (k,), to 0.4 mm; return as :func:`footprints`."""
+    measures = np.column_stack([box, length / 4])
     key = np.floor(measures / 0.1 + 0.377).astype(np.int64)
     key = (key * (73856093, 19349663, 83492791, 49979687, 86028121)).sum(axis=1)
     unique, group = np.unique(key, return_inverse=True)

@@ -288,10 +288,10 @@ def _judge_rings(s: Section, rings: float) -> Verdict:
         return Verdict(Strategy.ADAPTIVE, moved / rings, len(r), "small loops move along")
     if s.share(r.alone) > 0.5 * rings and _inside(s) > 0.1:
         return Verdict(Strategy.MIXED, 0.5, 2, "an open pass lies inside a contour")
-    # Repetition at other depths shows a contour; loops with no relation to any other are contours by default.
+    # A loop that comes again shows a contour; loops with no relation to any other are contours by default.
     support = 0.6 + 0.4 * s.share(r.repeated) / rings
     rival = max(nested, deeper if changing else 0.0, moved if len(r) >= 5 else 0.0) / rings
-    return Verdict(Strategy.PROFILE, support, len(r) + 2, "side by side or repeated", rival=rival)
+    return Verdict(Strategy.PROFILE, support, len(r) + 2, "no nested offsets", rival=rival)
 
 
 def _cornered(s: Section) -> float:
@@ -338,7 +338,8 @@ def _judge_strokes(s: Section) -> Verdict:
     if k.levels >= 4 and sloped < 0.2 and k.distinct > 0.5 * number:
         return Verdict(Strategy.WATERLINE, 0.6, k.levels, "open contours change with the depth")
     if k.distinct <= 1 or k.distinct < 0.67 * number:
-        return Verdict(Strategy.PROFILE, 0.8, number + 1, "an open contour comes again at other depths")
+        seen = "one open contour" if number == 1 else "an open contour comes again"
+        return Verdict(Strategy.PROFILE, 0.8, number + 1, seen)
     extent = s.pieces.box[:, 2:].max(axis=0) - s.pieces.box[:, :2].min(axis=0)
     if k.typical > 0.35 * extent.sum() and sloped < 0.5 and k.distinct <= 5:
         return Verdict(Strategy.PROFILE, 0.4, number, "open strokes as long as the part")

@@ -1,0 +1,131 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What parts an operation from the next, and what does not: tool changes, titles, depths and links at feed."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import programs
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from vkworkbench.core import Strategy, linearize, recognize
+
+TOOL = 5.0
+DEEPER = 0.7  # mm; no step of depths that a program here has
+
+MADE = {
+    "zigzag": lambda size: programs.SOUND["zigzag"](int(6 * size), 60.0, 3.0, [-1.0]),
+    "one-way": lambda size: programs.SOUND["one-way"](int(6 * size), 60.0, 3.0, [-1.0]),
+    "contour-parallel": lambda size: programs.SOUND["contour-parallel"](int(4 * size), 36, 3.0, 10.0, [-1.0], 0.0),
+    "profile": lambda size: programs.SOUND["profile"](24, 40.0, [-1.0 - k for k in range(int(2 * size))], 0.0),
+    "waterline": lambda size: programs.SOUND["waterline"](int(8 * size), 36, 60.0, 1.0),
+    "spiral": lambda size: programs.SOUND["spiral"](int(6 * size), 3.0, 48),
+    "helix": lambda size: programs.SOUND["helix"](int(5 * size), 15.0, 1.0),
+    "drilling": lambda size: programs.SOUND["drilling"](4, int(3 * size), 20.0, "G81"),
+    "adaptive": lambda size: programs.SOUND["adaptive"](int(24 * size), 8.0, 1.0),
+    "engraving": lambda size: programs.SOUND["engraving"](int(8 * size)),
+}
+every = pytest.mark.parametrize("name", MADE)
+
+
+def lifted(path, height):
+    """The toolpath `height` higher."""
+    return replace(path, points=path.points + (0, 0, height))
+
+
+def after(first, second):
+    """One toolpath after the other: up, over and down at rapid."""
+    top = max(first.points[:, 2].max(), second.points[:, 2].max()) + 1.0
+    a, b = first.points[-1], second.points[0]
+    link = np.array([(*a[:2], top), (*b[:2], top), b])
+    new = np.abs(np.diff(np.vstack([a, link]), axis=0)).max(axis=1) > 0
+    moves = int(new.sum())
+
+    def joined(name, fill, dtype):
+        return np.concatenate([getattr(first, name), np.full(moves, fill, dtype), getattr(second, name)])
+
+    return replace(
+        first,
+        points=np.concatenate([first.points, link[new], second.points[1:]]),
+        rapid=joined("rapid", True, bool),
+        command=joined("command", len(first) - 1, np.int64),
+        feed=joined("feed", 0.0, float),
+        sweep=joined("sweep", 0.0, float),
+        plane=joined("plane", 17, np.uint8),
+        cycle=joined("cycle", False, bool),
+    )
+
+
+@every
+@settings(max_examples=5, deadline=None)
+@given(times=st.integers(1, 3))
+def test_the_same_operation_deeper_is_the_same_operation(name, times):
+    path = linearize(MADE[name](2))
+    whole = path
+    for k in range(1, times + 1):
+        whole = after(whole, lifted(path, -DEEPER * k))
+    once, again = recognize(path, tool_diameter=TOOL), recognize(whole, tool_diameter=TOOL)
+    assert once.strategy == name
+    assert again.strategy == name, again.reason
+    assert again.depths in (0, (times + 1) * once.depths) or name == "waterline"
+
+
+@every
+def test_level_moves_at_feed_instead_of_rapid(name):
+    path = linearize(MADE[name](2))
+    path = after(path, replace(path, points=path.points + (150.0, 90.0, 0.0)))
+    level = path.rapid & (np.diff(path.points[:, 2]) == 0)
+    fed = replace(path, rapid=path.rapid & ~level, feed=np.where(level, 50.0, path.feed))
+    assert level.any()
+    assert recognize(path, tool_diameter=TOOL).strategy == name
+    assert recognize(fed, tool_diameter=TOOL).strategy == name
+
+
+SAME_FAMILY = [("zigzag", "one-way"), ("contour-parallel", "profile"), ("spiral", "profile"), ("waterline", "helix")]
+
+
+@pytest.mark.parametrize("pair", SAME_FAMILY)
+@pytest.mark.parametrize("sizes", [(3, 2), (2, 3)])
+@pytest.mark.parametrize("turned", [False, True])
+def test_a_tool_change_parts_whichever_side_is_longer(pair, sizes, turned):
+    one, two = pair[::-1] if turned else pair
+    found = recognize(linearize([*MADE[one](sizes[0]), ("M6", {"T": 2.0}), *MADE[two](sizes[1])]), tool_diameter=TOOL)
+    assert [str(s.strategy) for s in found.spans] == [one, two], found.reason
+    assert found.strategy is Strategy.MIXED
+
+
+@every
+@pytest.mark.parametrize("border", [("M6", {"T": 2.0}), ("(the second)", {})])
+@pytest.mark.parametrize("depth", [0.0, -0.3, -2.0])
+def test_the_whole_says_nothing_that_all_its_sections_deny(name, border, depth):
+    # Somewhere else and at another depth, cut with another tool.
+    sections = [linearize(MADE[name](size)) for size in (1, 2)]
+    assert all(recognize(s, tool_diameter=TOOL).strategy == name for s in sections)
+    one, two = sections
+    path = after(one, replace(two, points=two.points + (31.0, 17.0, depth)))
+    at = len(path) - len(two)
+    parted = {"tool_changes": np.array([at])} if border[0] == "M6" else {"comments": ((at, "the second"),)}
+    found = recognize(replace(path, **parted), tool_diameter=TOOL)
+    assert found.strategy == name, found.reason
+
+
+def contour(depths, closed=True):
+    """Commands of one contour at some depths."""
+    program = []
+    for z in depths:
+        program += [("G0", {"Z": 5.0}), ("G0", {"X": 0.0, "Y": 0.0}), ("G1", {"Z": z})]
+        corners = [(60, 0), (60, 40), (0, 40), (0, 0)][: 4 if closed else 2]
+        program += [("G1", {"X": float(x), "Y": float(y)}) for x, y in corners]
+    return program
+
+
+@pytest.mark.parametrize("closed", [True, False])
+def test_what_is_cut_once_is_not_said_to_come_again(closed):
+    once = recognize(linearize(contour([-1.0], closed)))
+    assert once.strategy is Strategy.PROFILE
+    assert "again" not in once.reason and "depths" not in once.reason and "repeated" not in once.reason
+    thrice = recognize(linearize(contour([-1.0, -2.0, -3.0], closed)))
+    assert thrice.strategy is Strategy.PROFILE and "at 3 depths" in thrice.reason
