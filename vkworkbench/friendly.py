@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+import math
+
 
 def time(seconds: float) -> str:
     """Return a duration, e.g. ``"12 ms"``, ``"1.4 s"``, ``"3 min"``, ``"2.5 h"``."""
@@ -38,6 +40,12 @@ def length(millimetres: float) -> str:
     if millimetres < 10_000:
         return f"{_digits(millimetres)} mm"
     return f"{_digits(millimetres / 1e3)} m"
+
+
+def turns(angle: float) -> str:
+    """Return an angle in rad as turns, signed, to hundredths: what rounding left is nothing."""
+    turned = round(angle / math.tau, 2)
+    return f"{turned:+.2f}" if turned else "0"
 
 
 def _digits(value: float) -> str:

@@ -11,6 +11,7 @@ from typing import Any
 
 from vkworkbench import friendly
 from vkworkbench.core import Estimate, Machining, Recognition, Span, Strategy
+from vkworkbench.core.paper import PaperVerdict
 from vkworkbench.core.simulators import (
     Accuracy,
     Caution,
@@ -140,12 +141,15 @@ class OperationReport:
             "confidence": round(self.confidence, 4),
             "reason": self.reason,
             "level": found.level,
+            "phi_low": found.phi_range[0],
+            "phi_high": found.phi_range[1],
             "reversals": found.reversals,
             "sense": found.sense,
             "stepover": found.stepover,
             "passes": found.passes,
             "depths": found.depths,
             "direction": found.direction,
+            **_paper(found.paper),
             "trajectories": self.trajectories,
             "length": self.length,
             "rapid_length": self.machining.rapid_length,
@@ -169,6 +173,21 @@ class OperationReport:
                 for s in found.spans
             ],
         }  # fmt: skip
+
+
+def _paper(verdict: PaperVerdict | None) -> dict[str, Any]:
+    """Return what the paper's rule says to the letter, with V_k, in rad and mm; empty cells where it says nothing."""
+    return {
+        "paper_strategy": verdict and verdict.strategy.value,
+        "paper_level": verdict and verdict.level,
+        "paper_phi_low": verdict and verdict.phi_range[0],
+        "paper_phi_high": verdict and verdict.phi_range[1],
+        "v_x": verdict and verdict.v[0],
+        "v_y": verdict and verdict.v[1],
+        "theta_low": verdict and verdict.theta_range[0],
+        "theta_high": verdict and verdict.theta_range[1],
+        "v_sense": verdict and verdict.sense,
+    }
 
 
 @dataclass(frozen=True)

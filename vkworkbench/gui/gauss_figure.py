@@ -14,7 +14,7 @@ from matplotlib.figure import Figure
 from matplotlib.gridspec import GridSpec
 from matplotlib.ticker import FuncFormatter, MaxNLocator, MultipleLocator
 
-from vkworkbench.core.paper import Areas, image_arcs, seen, thinned, turns_of
+from vkworkbench.core.paper import Areas, image_arcs, links, outline, seen, thinned, turns_of
 from vkworkbench.gui.qt import QTimer
 
 COUNTER_CLOCKWISE, CLOCKWISE = "#0072b2", "#d55e00"  # told apart also by the colour-blind
@@ -52,8 +52,9 @@ class GaussCanvas(FigureCanvasQTAgg):
 
     def show_area(self, areas: Areas, area: int) -> None:
         """Draw one area and the others around it, at its last trajectory."""
-        self._areas, self._area = areas, area
-        self.vertices, self.signature = areas.vertices(area), areas.signature(area)
+        self._areas = areas
+        self.signature = areas.signature(area)
+        self.vertices = self.signature.vertices
         self._k = len(self.signature) - 1
         self._lay_out()
 
@@ -127,12 +128,12 @@ class GaussCanvas(FigureCanvasQTAgg):
         self.draw_idle()
 
     def _draw_path(self, axes) -> None:
-        outline, links = self._areas.outline(), self._areas.links()
-        shown = seen(outline)
-        self.points, self.drawn = len(outline), len(shown)
-        axes.plot(*outline[shown].T, color=_LEVEL, linewidth=0.6)
-        if len(links):
-            axes.plot(*links[seen(links)].T, color=_LEVEL, linewidth=0.6, linestyle=":")
+        polyline, between = outline(self._areas), links(self._areas)
+        shown = seen(polyline)
+        self.points, self.drawn = len(polyline), len(shown)
+        axes.plot(*polyline[shown].T, color=_LEVEL, linewidth=0.6)
+        if len(between):
+            axes.plot(*between[seen(between)].T, color=_LEVEL, linewidth=0.6, linestyle=":")
         axes.plot(*self.vertices[seen(self.vertices)].T, color=self._text, linewidth=0.9)
         axes.plot(*self.vertices[0], "o", color=self._text, markersize=4)
         axes.set_aspect("equal", adjustable="datalim")
@@ -188,7 +189,7 @@ class GaussCanvas(FigureCanvasQTAgg):
         ):
             shown = thinned(values, _COLUMNS)
             axes.plot(k[shown], values[shown], **style)
-        arrivals = signature.reversals + 1
+        arrivals = signature.unsigned + 1
         if len(arrivals):
             arrivals = arrivals[np.linspace(0, len(arrivals) - 1, min(len(arrivals), _MARKERS)).astype(int)]
             style = {"color": self._text, "markersize": 5, "label": r"$\Delta\varphi=\pm\pi$"}

@@ -9,9 +9,9 @@ from pathlib import Path
 import FreeCAD
 import FreeCADGui as Gui
 
-from vkworkbench import preferences
+from vkworkbench import friendly, preferences
 from vkworkbench.core import linearize
-from vkworkbench.core.paper import Areas
+from vkworkbench.core.paper import Areas, Signature, monotonous_areas
 from vkworkbench.document.operations import kind
 from vkworkbench.document.setting import placed
 from vkworkbench.gui import docks
@@ -132,10 +132,11 @@ class GaussMapDock(QDockWidget):
 
     def _read(self, obj) -> None:
         try:
-            areas = Areas(placed(linearize(obj.Path.Commands, tolerance=preferences.read().tolerance), obj.Placement))
+            path = placed(linearize(obj.Path.Commands, tolerance=preferences.read().tolerance), obj.Placement)
         except ValueError as error:
             self._say(f"{obj.Label}: {in_user_language(str(error))}")
             return
+        areas = monotonous_areas(path)
         if not len(areas):
             self._say(translate("Vk_GaussMap", "{}: no cutting move has a direction in the plane").format(obj.Label))
             return
@@ -146,7 +147,7 @@ class GaussMapDock(QDockWidget):
         for area in areas.by_length[:_LISTED]:
             count = int(areas.end[area] - areas.first[area])
             text = translate("Vk_GaussMap", "Area {}: {} trajectories, {}")
-            self.chooser.addItem(text.format(area + 1, f"{count:,}", length(areas.length[area])), int(area))
+            self.chooser.addItem(text.format(area + 1, f"{count:,}", length(areas.area_length[area])), int(area))
         self.chooser.blockSignals(False)
         self._show_area(0)
 
@@ -154,14 +155,10 @@ class GaussMapDock(QDockWidget):
         canvas = self._ready_canvas()
         canvas.show_area(self._areas, self.chooser.itemData(row))
         signature = canvas.signature
-        text = translate("Vk_GaussMap", "{}: φ from {} to {}, level n from {} to {}, {} exact reversals")
-        self.title.setText(text.format(
-            self._label, _in_pi(signature.phi.min()), _in_pi(signature.phi.max()), signature.level.min(),
-            signature.level.max(), len(signature.reversals),
-        ))  # fmt: skip
-        if signature.closed:
-            self.title.setText(self.title.text() + translate("Vk_GaussMap", "; closed, with its last turn φ = {}").format(
-                _in_pi(signature.total_turning)))  # fmt: skip
+        self.title.setText("\n".join([
+            f"{self._label}: {_reached(self._areas)}",
+            translate("Vk_GaussMap", "This area: {}").format(_reached(signature)),
+        ]))  # fmt: skip
         notes = []
         if canvas.drawn < canvas.points:
             text = translate("Vk_GaussMap", "Toolpath drawn with {} of {} points: the others fall on the same pixels.")
@@ -245,6 +242,12 @@ def _row(*widgets: QWidget) -> QHBoxLayout:
     for widget in widgets:
         row.addWidget(widget, int(isinstance(widget, (QLabel, QSlider))))
     return row
+
+
+def _reached(of: Areas | Signature) -> str:
+    """What phi reaches in all areas, as the mark and the table say it, or in one."""
+    text = translate("Vk_GaussMap", "φ between {} and {} turns, level n = {}, exact reversals: {}")
+    return text.format(*map(friendly.turns, of.phi_range), of.top_level, f"{len(of.reversals):,}")
 
 
 def _legend() -> str:

@@ -7,7 +7,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from vkworkbench.core.gcode import linearize
-from vkworkbench.core.paper.picture import Areas, image_arcs, seen, thinned, turns_of
+from vkworkbench.core.paper.areas import monotonous_areas
+from vkworkbench.core.paper.picture import image_arcs, links, outline, seen, thinned, turns_of
 
 
 def spiral_in(loops):
@@ -22,21 +23,21 @@ def spiral_in(loops):
 def test_an_area_is_what_is_cut_without_rapids():
     first = spiral_in(3)
     second = [("G0", {"Z": 5.0}), ("G0", {"X": 100.0, "Y": 0.0}), ("G1", {"Z": 0.0}), ("G1", {"X": 105.0})]
-    areas = Areas(linearize(second + first))
-    assert len(areas) == 2
+    areas = monotonous_areas(linearize(second + first))
+    assert len(areas.start) == 2
     longest = areas.by_length[0]
-    assert longest == 1 and areas.length[longest] > areas.length[0] == 5.0
-    assert len(areas.vertices(longest)) == 13
+    assert longest == 1 and areas.area_length[longest] > areas.area_length[0] == 5.0
     signature = areas.signature(longest)
+    assert len(signature.vertices) == 13
     assert signature.phi[0] == 0 and signature.level[-1] == 2 and signature.phi[-1] == pytest.approx(5.5 * np.pi)
-    outline = areas.outline()
-    assert np.isnan(outline[2]).all() and np.isnan(outline[-1]).all() and len(outline) == 2 + 1 + 13 + 1
-    assert areas.links()[:2].tolist() == [[105.0, 0.0], [0.0, 0.0]]
+    polyline = outline(areas)
+    assert np.isnan(polyline[2]).all() and np.isnan(polyline[-1]).all() and len(polyline) == 2 + 1 + 13 + 1
+    assert links(areas)[:2].tolist() == [[105.0, 0.0], [0.0, 0.0]]
 
 
 def test_nothing_cut_has_no_area():
-    assert len(Areas(linearize([("G0", {"X": 0.0, "Y": 0.0, "Z": 5.0}), ("G1", {"Z": 0.0})]))) == 0
-    assert len(Areas(linearize([]))) == 0
+    assert len(monotonous_areas(linearize([("G0", {"X": 0.0, "Y": 0.0, "Z": 5.0}), ("G1", {"Z": 0.0})])).start) == 0
+    assert len(monotonous_areas(linearize([])).start) == 0
 
 
 def test_arcs_by_sense_of_rotation():

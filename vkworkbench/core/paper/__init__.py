@@ -2,15 +2,19 @@
 """The V_k vector method: what the directions of the trajectories say (paper, sections 2 and 3).
 
 In: `Toolpath`, or the vertices of a polyline.
-Out: `Moves`, the monotonous areas with directions, turns and phi; `Signature` of a polyline with levels, V_k and
-the Gauss map; what the picture of them is drawn from.
+Out: `Areas`, the monotonous areas with directions, turns, phi and loops, measured once; the `Signature` of each, with
+levels, V_k and Gauss map; `PaperVerdict`, the paper's rule to the letter; what the picture of them is drawn from.
 """
 
-from vkworkbench.core.paper.areas import EXACT, TURN, Moves, axis_of, monotonous_areas, wrap
-from vkworkbench.core.paper.picture import Areas, image_arcs, seen, thinned, turns_of
+from vkworkbench.core.paper.areas import Areas, monotonous_areas
+from vkworkbench.core.paper.directions import TURN, axis_of, directions, farthest
+from vkworkbench.core.paper.literal import PaperVerdict, paper_verdict
+from vkworkbench.core.paper.loops import closing_turns, is_closed, winding_turns
+from vkworkbench.core.paper.picture import image_arcs, links, outline, seen, thinned, turns_of
 from vkworkbench.core.paper.signature import Signature, signature
 
 __all__ = [
-    "EXACT", "TURN", "Areas", "Moves", "Signature", "axis_of", "image_arcs", "monotonous_areas", "seen", "signature",
-    "thinned", "turns_of", "wrap",
+    "TURN", "Areas", "PaperVerdict", "Signature", "axis_of", "closing_turns", "directions", "farthest", "image_arcs", "is_closed",
+    "links", "monotonous_areas", "outline", "paper_verdict", "seen", "signature", "thinned", "turns_of",
+    "winding_turns",
 ]  # fmt: skip

@@ -5,67 +5,35 @@ from __future__ import annotations
 
 import numpy as np
 
-from vkworkbench.core.paper.areas import monotonous_areas, wrap
-from vkworkbench.core.paper.signature import EXACT, Signature, signature
-from vkworkbench.core.toolpath import Toolpath
+from vkworkbench.core.paper.areas import Areas
+from vkworkbench.core.paper.directions import EXACT, turns
 
 _ARC_STEP = np.radians(4)  # an arc is drawn with chords this wide at most
 _NO_TURN = 1e-6  # rad; the image stands still
 
 
-class Areas:
-    """The monotonous areas of a toolpath, seen in its plane.
+def outline(areas: Areas) -> np.ndarray:
+    """Return all areas as one polyline, a row of NaN after each, (m + 2a, 2) mm."""
+    at = np.concatenate([areas.end, areas.end])
+    ends = _ends(areas)
+    gaps = np.full(len(areas.end), np.nan)
+    columns = [np.insert(v, at, np.append(end, gaps)) for v, end in zip((areas.x, areas.y), ends)]
+    return np.column_stack(columns)
 
-    Attributes
-    ----------
-    first, end : (a,) int
-        The moves of area i are first[i] .. end[i] - 1.
-    length : (a,) float
-        Length of each area in the plane, mm.
-    x, y : (m,) float
-        Starts of the moves, mm.
-    """
 
-    def __init__(self, toolpath: Toolpath) -> None:
-        moves = monotonous_areas(toolpath)
-        self.x, self.y = moves.x, moves.y
-        self._end_x, self._end_y = moves.x + moves.dx, moves.y + moves.dy
-        self.first = moves.start
-        self.end = np.append(moves.start[1:], len(moves)) if len(moves) else moves.start
-        self.length = np.add.reduceat(moves.length, moves.start) if len(moves) else np.empty(0)
+def links(areas: Areas) -> np.ndarray:
+    """Return how the tool gets from each area to the next, a row of NaN after each link, (3 (a-1), 2) mm."""
+    found = np.full((3 * max(len(areas.start) - 1, 0), 2), np.nan)
+    end_x, end_y = _ends(areas)
+    found[0::3] = np.column_stack([end_x[:-1], end_y[:-1]])
+    found[1::3] = np.column_stack([areas.x[areas.start[1:]], areas.y[areas.start[1:]]])
+    return found
 
-    def __len__(self) -> int:
-        """Return the number of areas."""
-        return len(self.first)
 
-    @property
-    def by_length(self) -> np.ndarray:
-        """Indices of the areas, the longest first, (a,)."""
-        return np.argsort(-self.length, kind="stable")
-
-    def vertices(self, area: int) -> np.ndarray:
-        """Return the polyline of one area, (n+1, 2) mm."""
-        first, end = self.first[area], self.end[area]
-        last = (self._end_x[end - 1], self._end_y[end - 1])
-        return np.vstack([np.column_stack([self.x[first:end], self.y[first:end]]), last])
-
-    def signature(self, area: int) -> Signature:
-        """Return the signature of one area: phi starts at 0 in each."""
-        return signature(self.vertices(area))
-
-    def outline(self) -> np.ndarray:
-        """Return all areas as one polyline, a row of NaN after each, (m + 2a, 2) mm."""
-        at = np.concatenate([self.end, self.end])
-        x = np.insert(self.x, at, np.concatenate([self._end_x[self.end - 1], np.full(len(self), np.nan)]))
-        y = np.insert(self.y, at, np.concatenate([self._end_y[self.end - 1], np.full(len(self), np.nan)]))
-        return np.column_stack([x, y])
-
-    def links(self) -> np.ndarray:
-        """Return how the tool gets from each area to the next, a row of NaN after each link, (3 (a-1), 2) mm."""
-        links = np.full((3 * max(len(self) - 1, 0), 2), np.nan)
-        links[0::3] = np.column_stack([self._end_x[self.end[:-1] - 1], self._end_y[self.end[:-1] - 1]])
-        links[1::3] = np.column_stack([self.x[self.first[1:]], self.y[self.first[1:]]])
-        return links
+def _ends(areas: Areas) -> tuple[np.ndarray, np.ndarray]:
+    """Where each area ends, (a,) and (a,) mm."""
+    last = areas.end - 1
+    return areas.x[last] + areas.dx[last], areas.y[last] + areas.dy[last]
 
 
 def turns_of(angle: np.ndarray) -> np.ndarray:
@@ -73,9 +41,9 @@ def turns_of(angle: np.ndarray) -> np.ndarray:
 
     Each goes the shorter way round; half a turn exactly has no sense and is NaN.
     """
-    turns = wrap(np.diff(angle))
-    turns[np.abs(turns) > np.pi - EXACT] = np.nan
-    return turns
+    turned = turns(angle)
+    turned[np.abs(turned) > np.pi - EXACT] = np.nan
+    return turned
 
 
 def image_arcs(angle: np.ndarray, radius: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
@@ -95,17 +63,17 @@ def image_arcs(angle: np.ndarray, radius: np.ndarray) -> tuple[np.ndarray, np.nd
         Points of the arcs, a row of NaN after each arc. Half turns exactly are in neither.
     """
     angle, radius = np.asarray(angle, float), np.asarray(radius, float)
-    turns = turns_of(angle)
-    return tuple(_arcs(angle, radius, turns, np.flatnonzero(sense * turns > _NO_TURN)) for sense in (1, -1))
+    turned = turns_of(angle)
+    return tuple(_arcs(angle, radius, turned, np.flatnonzero(sense * turned > _NO_TURN)) for sense in (1, -1))
 
 
-def _arcs(angle, radius, turns, chosen) -> np.ndarray:
-    counts = np.ceil(np.abs(turns[chosen]) / _ARC_STEP).astype(np.int64) + 2  # points of each, and the gap
+def _arcs(angle, radius, turned, chosen) -> np.ndarray:
+    counts = np.ceil(np.abs(turned[chosen]) / _ARC_STEP).astype(np.int64) + 2  # points of each, and the gap
     owner = np.repeat(chosen, counts)
     ends = np.cumsum(counts)
     place = np.arange(len(owner)) - np.repeat(ends - counts, counts)
     t = place / np.repeat(counts - 2, counts)
-    at = angle[owner] + t * turns[owner]
+    at = angle[owner] + t * turned[owner]
     r = radius[owner] + t * (radius[owner + 1] - radius[owner])
     points = np.column_stack([r * np.cos(at), r * np.sin(at)])
     points[ends - 1] = np.nan

@@ -3,12 +3,23 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass, field
 from functools import cached_property
 
 import numpy as np
 
-TURN = 2 * np.pi
-EXACT = 1e-6  # rad; a turn this close to half a turn is an exact reversal, and a level this close is reached
+from vkworkbench.core.paper.directions import (
+    EXACT,
+    TURN,
+    directions,
+    level_of,
+    signs_of_reversals,
+    top_level,
+    turns,
+    wrap,
+)
+from vkworkbench.core.paper.plane import plane_of_points
+
 NO_LENGTH = 1e-9  # mm; a shorter trajectory has no direction
 
 
@@ -36,14 +47,45 @@ def signature(points: np.ndarray) -> Signature:
     >>> float(square.phi[-1] / np.pi), int(square.level[-1])
     (2.0, 1)
     """
-    return Signature(points)
+    points = np.asarray(points, np.float64)
+    if points.ndim != 2 or points.shape[1] not in (2, 3):
+        raise ValueError(f"points must have the shape (n+1, 2) or (n+1, 3), not {points.shape}")
+    x, y = (points[:, axis] for axis in plane_of_points(points)[:2])
+    dx, dy = x[1:] - x[:-1], y[1:] - y[:-1]
+    # The work is done in few arrays: for a long path it is their memory that takes the time.
+    squares = dx * dx
+    squares += dy * dy
+    if not np.isfinite(squares.max(initial=0.0)) and not np.isfinite(points).all():
+        raise ValueError("points must be finite numbers")
+    alpha = directions(dx, dy)
+    if squares.min(initial=np.inf) < NO_LENGTH**2:
+        _carry_directions(alpha, squares < NO_LENGTH**2)
+    scratch = squares[1:]
+    turning = turns(alpha, scratch=scratch)
+    np.abs(turning, out=scratch)
+    reversals = np.empty(0, np.int64)
+    if scratch.max(initial=0.0) > np.pi - EXACT:
+        reversals = np.flatnonzero(scratch > np.pi - EXACT)
+        turning[reversals] = 0.0
+        signs = signs_of_reversals(np.cumsum(turning)[reversals], np.zeros_like(reversals))
+        turning[reversals] = np.pi * signs
+    phi = np.zeros(len(alpha))
+    np.cumsum(turning, out=phi[1:])
+    gap = np.hypot(x[-1] - x[0], y[-1] - y[0]) if len(alpha) else np.inf
+    closed = bool(gap <= EXACT * max(np.ptp(x), np.ptp(y))) if len(alpha) else False
+    return Signature(x[:-1], y[:-1], dx, dy, alpha, turning, phi, reversals, reversals, closed)
 
 
+@dataclass(frozen=True, eq=False)
 class Signature:
     """Directions, turns and levels of a polyline of n trajectories.
 
     Attributes
     ----------
+    x, y : (n,) float64
+        Start of each trajectory in the working plane, mm.
+    dx, dy : (n,) float64
+        The trajectories v_i in the plane, mm.
     alpha : (n,) float64
         Direction of trajectory v_i, rad in [-pi, pi]; one without length keeps the direction before it.
     turning : (n-1,) float64
@@ -51,61 +93,55 @@ class Signature:
         has no sign of its own: the signs alternate, so that going back and forth never adds up.
     phi : (n,) float64
         Cumulative angular function, rad; phi[0] = 0.
+    unsigned, reversals : (u,) and (r,) int64
+        Indices into `turning` of the turns without a sign: half turns to rounding, and exact ones. Of bare points both
+        are the exact ones.
+    closed : bool
+        Whether the polyline ends where it began: bare points to a millionth of their size.
+    closings : (c,) float64
+        Phi that the closed loops inside reach with their closing turn, rad.
     level : (n,) int64
         n, the integer part of phi / 2 pi, truncated toward zero.
-    reversals : (m,) int64
-        Indices into `turning` of the exact reversals.
     length : (n,) float64
         Length of V_k, the sum of the first k trajectories.
     theta : (n,) float64
-        Direction of V_k, rad in [-pi, pi].
+        Direction of V_k, rad in [-pi, pi]; back at the first point it keeps the direction before.
     theta_level : (n,) float64
         theta + n 2 pi (section 3.1).
     """
 
-    def __init__(self, points: np.ndarray) -> None:
-        points = np.asarray(points, np.float64)
-        if points.ndim != 2 or points.shape[1] not in (2, 3):
-            raise ValueError(f"points must have the shape (n+1, 2) or (n+1, 3), not {points.shape}")
-        x, y = _plane(points)
-        dx, dy = x[1:] - x[:-1], y[1:] - y[:-1]
-        self._x, self._y = x, y
-        # The work is done in few arrays: for a long path it is their memory that takes the time.
-        squares = dx * dx
-        squares += dy * dy
-        if not np.isfinite(squares.max(initial=0.0)) and not np.isfinite(points).all():
-            raise ValueError("points must be finite numbers")
-        self.alpha = np.arctan2(dy, dx)
-        if squares.min(initial=np.inf) < NO_LENGTH**2:
-            _carry_directions(self.alpha, squares < NO_LENGTH**2)
-        self.turning = turning = self.alpha[1:] - self.alpha[:-1]
-        scratch = squares[1:]
-        np.multiply(turning, 1 / TURN, out=scratch)
-        np.rint(scratch, out=scratch)
-        scratch *= TURN
-        turning -= scratch
-        np.abs(turning, out=scratch)
-        self.reversals = np.empty(0, np.int64)
-        if scratch.max(initial=0.0) > np.pi - EXACT:
-            self.reversals = np.flatnonzero(scratch > np.pi - EXACT)
-            _alternate(turning, self.reversals)
-        self.phi = np.zeros(len(self.alpha))
-        np.cumsum(turning, out=self.phi[1:])
+    x: np.ndarray
+    y: np.ndarray
+    dx: np.ndarray
+    dy: np.ndarray
+    alpha: np.ndarray
+    turning: np.ndarray
+    phi: np.ndarray
+    unsigned: np.ndarray
+    reversals: np.ndarray
+    closed: bool
+    closings: np.ndarray = field(default_factory=lambda: np.empty(0))
 
     def __len__(self) -> int:
         """Return the number of trajectories."""
         return len(self.alpha)
 
     @cached_property
+    def vertices(self) -> np.ndarray:
+        """The polyline in its plane, (n+1, 2) mm."""
+        points = np.empty((len(self) + min(len(self), 1), 2))
+        for column, start, step in zip(points.T, (self.x, self.y), (self.dx, self.dy)):
+            column[: len(self)] = start
+            column[len(self) :] = start[-1:] + step[-1:]
+        return points
+
+    @cached_property
     def level(self) -> np.ndarray:
-        turns = self.phi * (1 / TURN)
-        # Rounding must not keep a full turn from being one.
-        turns += np.copysign(EXACT / TURN, turns)
-        return turns.astype(np.int64)  # truncates
+        return level_of(self.phi)
 
     @cached_property
     def _v(self) -> tuple[np.ndarray, np.ndarray]:
-        return self._x[1:] - self._x[:1], self._y[1:] - self._y[:1]
+        return self.x + self.dx - self.x[:1], self.y + self.dy - self.y[:1]
 
     @cached_property
     def length(self) -> np.ndarray:
@@ -113,20 +149,14 @@ class Signature:
 
     @cached_property
     def theta(self) -> np.ndarray:
-        x, y = self._v
-        return np.arctan2(y, x)
+        theta = directions(*self._v)
+        if self.length.min(initial=np.inf) < NO_LENGTH:
+            _carry_directions(theta, self.length < NO_LENGTH)
+        return theta
 
     @cached_property
     def theta_level(self) -> np.ndarray:
         return self.theta + TURN * self.level
-
-    @cached_property
-    def closed(self) -> bool:
-        """Whether the polyline ends where it began, to a millionth of its size."""
-        if not len(self):
-            return False
-        size = max(np.ptp(self._x), np.ptp(self._y))
-        return bool(self.length[-1] <= EXACT * size)
 
     @cached_property
     def total_turning(self) -> float:
@@ -136,19 +166,26 @@ class Signature:
         """
         if not len(self):
             return 0.0
-        total = float(self.phi[-1])
-        if self.closed:
-            last = float(self.alpha[0] - self.alpha[-1])
-            total += last - TURN * round(last / TURN)
-        return total
+        return float(self.phi[-1] + (wrap(self.alpha[0] - self.alpha[-1]) if self.closed else 0.0))
+
+    @cached_property
+    def phi_range(self) -> tuple[float, float]:
+        """Lowest and highest phi reached, rad, closing turns included."""
+        reached = np.append(self.closings, self.total_turning)
+        return float(min(self.phi.min(initial=0.0), reached.min())), float(max(self.phi.max(initial=0.0), reached.max()))
+
+    @property
+    def top_level(self) -> int:
+        """The level n farthest from zero, closing turns included."""
+        return top_level(self.phi_range)
 
     @cached_property
     def phi_interval(self) -> tuple[np.ndarray, np.ndarray]:
-        """Phi with every exact reversal counted as -pi, and as +pi: both (n,). What holds at both ends holds."""
+        """Phi with every turn without a sign counted as -pi, and as +pi: both (n,). What holds at both ends holds."""
         signed = self.turning.copy()
-        signed[self.reversals] = 0.0
+        signed[self.unsigned] = 0.0
         doubt = np.zeros(len(self))
-        doubt[self.reversals + 1] = np.pi
+        doubt[self.unsigned + 1] = np.pi
         steady = np.concatenate([np.zeros(min(len(self), 1)), np.cumsum(signed)])
         return steady - np.cumsum(doubt), steady + np.cumsum(doubt)
 
@@ -161,19 +198,6 @@ class Signature:
         return tuple(np.column_stack([np.cos(angle), np.sin(angle)]) for angle in images)
 
 
-def _plane(points: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return the two coordinates of the plane the motion lies in."""
-    x, y = points[:, 0], points[:, 1]
-    if points.shape[1] == 3 and len(points) and (x.min() == x.max() or y.min() == y.max()):
-        z = points[:, 2]
-        if z.min() != z.max():
-            if y.min() == y.max() and x.min() != x.max():
-                return z, x  # G18: seen along Y, Z is the first axis
-            if x.min() == x.max() and y.min() != y.max():
-                return y, z
-    return x, y
-
-
 def _carry_directions(alpha: np.ndarray, still: np.ndarray) -> None:
     """Give trajectories without length the direction before them, at the beginning the one after them."""
     if still.all():
@@ -181,10 +205,3 @@ def _carry_directions(alpha: np.ndarray, still: np.ndarray) -> None:
         return
     last = np.maximum.accumulate(np.where(still, -1, np.arange(len(alpha))))
     alpha[:] = alpha[np.where(last >= 0, last, np.argmin(still))]
-
-
-def _alternate(turning: np.ndarray, reversals: np.ndarray) -> None:
-    """Sign the exact reversals in turn, the first one so that it brings phi back toward zero."""
-    before = turning[: reversals[0]].sum()
-    first = -np.pi if before > EXACT else np.pi
-    turning[reversals] = first * (-1.0) ** np.arange(len(reversals))

@@ -7,7 +7,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from vkworkbench.core.paper import EXACT, TURN
+from vkworkbench import friendly
+from vkworkbench.core.paper import farthest
 from vkworkbench.core.recognition.pieces import LOOP
 from vkworkbench.core.recognition.rings import count_levels
 from vkworkbench.core.recognition.verdict import Section, Verdict
@@ -32,9 +33,6 @@ class Evidence:
 
 def gather(s: Section, verdict: Verdict) -> Evidence:
     """Collect the numbers behind a verdict."""
-    low, high = _phi_range(s)
-    extreme = high if high >= -low else low
-    level = int((abs(extreme) + EXACT) / TURN)
     around = verdict.strategy.family is Family.AROUND or not s.rows
     rings, rows = s.rings, s.rows
     main = max(rows, key=lambda f: f.length) if rows else None
@@ -55,9 +53,9 @@ def gather(s: Section, verdict: Verdict) -> Evidence:
         passes, stepover = verdict.count, verdict.step
     flat = s.pieces.flat & (s.pieces.length > 0.02 * s.pieces.length.max())
     return Evidence(
-        level=level if extreme > 0 else -level,
-        phi_range=(low, high),
-        reversals=s.moves.reversals,
+        level=s.moves.top_level,
+        phi_range=s.moves.phi_range,
+        reversals=len(s.moves.reversals),
         sense=sense,
         stepover=stepover,
         passes=passes,
@@ -68,20 +66,6 @@ def gather(s: Section, verdict: Verdict) -> Evidence:
     )
 
 
-def _phi_range(s: Section) -> tuple[float, float]:
-    """Return the lowest and highest phi in any area, rad, the closing turns of loops included."""
-    m = s.moves
-    base = m.phi[m.start]
-    low = float((np.minimum.reduceat(m.phi, m.start) - base).min())
-    high = float((np.maximum.reduceat(m.phi, m.start) - base).max())
-    p = s.pieces
-    reached = m.phi[p.start] - base[p.area] + p.net
-    loops = reached[p.kind == LOOP]
-    if len(loops):
-        low, high = min(low, float(loops.min())), max(high, float(loops.max()))
-    return low, high
-
-
 def sentence(s: Section, verdict: Verdict, e: Evidence) -> str:
     """Tell the verdict in one sentence with its numbers."""
     low, high = e.phi_range
@@ -89,25 +73,19 @@ def sentence(s: Section, verdict: Verdict, e: Evidence) -> str:
     apart = f", {e.stepover:.3g} mm apart" if e.stepover else ""
     depths = f" at {e.depths} depths" if e.depths > 1 else ""
     turning = {"ccw": ", counter-clockwise", "cw": ", clockwise"}.get(e.sense or "", "")
-    between = f"between {_turns(low)} and {_turns(high)} turns"
-    stays = "stays at 0" if _turns(low) == _turns(high) == "0" else f"stays {between}"
+    between = f"between {friendly.turns(low)} and {friendly.turns(high)} turns"
+    stays = "stays at 0" if friendly.turns(low) == friendly.turns(high) == "0" else f"stays {between}"
     if strategy.family is Family.ROWS and s.rows:
         return f"phi {stays} over {e.passes} rows{apart}{depths}, {verdict.seen}: {strategy}"
     if len(s.rings) and (strategy.family is Family.AROUND or strategy is Strategy.ZIGZAG):
         return (
-            f"phi reaches {_turns(max(low, high, key=abs))} turns over {_count(len(s.rings), 'loop')}{apart}"
+            f"phi reaches {friendly.turns(farthest(e.phi_range))} turns over {_count(len(s.rings), 'loop')}{apart}"
             f"{depths}, {verdict.seen}: {strategy}{turning}"
         )
     if strategy is Strategy.MIXED or not len(s.strokes):
         return f"phi lies {between}, {verdict.seen}: {strategy}"
     strokes = _count(len(s.strokes), "open stroke")
     return f"phi {stays} over {strokes}{apart}{depths}, {verdict.seen}: {strategy}"
-
-
-def _turns(phi: float) -> str:
-    """Return an angle in turns, to hundredths: what rounding left is nothing."""
-    turns = round(phi / TURN, 2)
-    return f"{turns:+.2f}" if turns else "0"
 
 
 def _count(number: int, thing: str) -> str:

@@ -8,8 +8,7 @@ from functools import cached_property
 
 import numpy as np
 
-from vkworkbench.core.paper import TURN, Moves, axis_of, wrap
-from vkworkbench.core.recognition.loops import CLOSE, closed_loops, winding_turns
+from vkworkbench.core.paper import TURN, Areas, axis_of, closing_turns, is_closed, winding_turns
 
 LOOP, WINDING, ZIGZAG, LINE, CURVE = range(5)
 ALONG = 0.9  # |cosine| to the axis from which a move is part of a pass (25 degrees)
@@ -76,15 +75,15 @@ class Pieces:
         return self.rise < 0.02
 
 
-def cut_pieces(moves: Moves) -> Pieces:
+def cut_pieces(moves: Areas) -> Pieces:
     """Cut the areas into pieces and measure them.
 
     Parameters
     ----------
-    moves : Moves
+    moves : Areas
         With at least one move.
     """
-    first, end = closed_loops(moves)
+    first, end = moves.loops
     loop = np.zeros(len(moves) + 1, bool)
     loop[first] = True
     cut = loop.copy()
@@ -121,7 +120,7 @@ def cut_pieces(moves: Moves) -> Pieces:
 class _Stretches:
     """Consecutive stretches of the moves and their common measures."""
 
-    def __init__(self, moves: Moves, start: np.ndarray) -> None:
+    def __init__(self, moves: Areas, start: np.ndarray) -> None:
         self.moves = moves
         self.start = start
         self.end = np.append(start[1:], len(moves))
@@ -141,18 +140,11 @@ class _Stretches:
         return np.add.reduceat(np.abs(self.moves.turning), self.start)
 
     def net(self) -> tuple[np.ndarray, np.ndarray]:
-        """Return the net turn of each stretch and whether it is closed.
-
-        A closed contour lacks its last exterior angle: the closing turn is added (design.md). A path counts
-        as closed with a gap small against what it encloses, as lead-ins and rounding leave it; two passes of
-        a narrow zigzag enclose little and stay open.
-        """
+        """Return the net turn of each stretch, with the closing turn where it is closed, and whether it is."""
         moves = self.moves
         net = moves.phi[self.end - 1] - moves.phi[self.start]
-        closing = wrap(moves.alpha[self.start] - moves.alpha[self.end - 1])
-        near = np.maximum(CLOSE, 0.03 * np.sqrt(np.abs(self.enclosed)))
-        closed = (self.gap <= near) & (self.end - self.start > 2)
-        return net + np.where(closed, closing, 0.0), closed
+        closed = is_closed(self.gap, self.enclosed, self.end - self.start)
+        return net + np.where(closed, closing_turns(moves.alpha, self.start, self.end), 0.0), closed
 
     def measure(self, kind, area, net, passes, wavy) -> Pieces:
         """Return the pieces with all their measures."""
@@ -195,7 +187,7 @@ class _Stretches:
 
 
 def half_turns(
-    moves: Moves, parts: _Stretches, able: np.ndarray
+    moves: Areas, parts: _Stretches, able: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Tell back-and-forth from around by the signs of the half-turns between opposite passes.
 
@@ -207,7 +199,7 @@ def half_turns(
 
     Parameters
     ----------
-    moves : Moves
+    moves : Areas
     parts : _Stretches
     able : (k,) bool
         The stretches to look at.

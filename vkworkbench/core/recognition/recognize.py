@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from vkworkbench.core.paper import Moves, monotonous_areas
+from vkworkbench.core.paper import Areas, PaperVerdict, monotonous_areas, paper_verdict
 from vkworkbench.core.recognition.evidence import gather, sentence
 from vkworkbench.core.recognition.repeats import without_repeats
 from vkworkbench.core.recognition.rings import count_levels
@@ -62,7 +62,8 @@ class Recognition:
     level : int
         The level n of the paper reached, signed: whole turns of phi in one area, truncated toward zero.
     phi_range : tuple of float
-        Lowest and highest phi reached in any area, rad, counted from the area's first trajectory.
+        Lowest and highest phi reached in any area, rad, counted from the area's first trajectory, closing turns of loops
+        included.
     reversals : int
         Exact reversals: turns of +-pi, which have no sign.
     sense : str or None
@@ -79,6 +80,8 @@ class Recognition:
         Number of loops that return to their first point.
     milling : str or None
         "climb" or "conventional" for nested loops cut by a spindle that turns clockwise (M3).
+    paper : PaperVerdict or None
+        What the paper's rule says to the letter, with V_k and its Gauss image; None where no move has a direction.
     """
 
     strategy: Strategy
@@ -95,6 +98,7 @@ class Recognition:
     direction: float | None = None
     closed_loops: int = 0
     milling: str | None = None
+    paper: PaperVerdict | None = None
 
 
 def recognize(toolpath: Toolpath, *, tool_diameter: float | None = None) -> Recognition:
@@ -131,7 +135,7 @@ def recognize(toolpath: Toolpath, *, tool_diameter: float | None = None) -> Reco
     return _judge_sections(toolpath, borders, whole, tool)
 
 
-def _judge_one(toolpath: Toolpath, moves: Moves, first: int, last: int, tool: float) -> Recognition:
+def _judge_one(toolpath: Toolpath, moves: Areas, first: int, last: int, tool: float) -> Recognition:
     """Recognise the trajectories first .. last as one operation."""
     if len(moves.length) == 0 or moves.vertical > 0.95 * (moves.vertical + moves.length.sum()):
         holes = len(moves.holes)
@@ -149,7 +153,8 @@ def _judge_one(toolpath: Toolpath, moves: Moves, first: int, last: int, tool: fl
     runs = [(first, last, strategy)]
     if strategy is Strategy.MIXED and verdict.parts:
         runs = _runs(section, verdict)
-    return Recognition(strategy, verdict.confidence, why, _spans(toolpath, runs), **vars(evidence))
+    spans = _spans(toolpath, runs)
+    return Recognition(strategy, verdict.confidence, why, spans, **vars(evidence), paper=paper_verdict(moves))
 
 
 def _runs(section: Section, verdict: Verdict) -> list[tuple[int, int, Strategy]]:
@@ -169,7 +174,7 @@ def _runs(section: Section, verdict: Verdict) -> list[tuple[int, int, Strategy]]
     ]
 
 
-def _borders(toolpath: Toolpath, moves: Moves) -> dict[int, bool]:
+def _borders(toolpath: Toolpath, moves: Areas) -> dict[int, bool]:
     """Return the trajectories before which another operation may begin, and whether it certainly does.
 
     Tool changes and runs of drilled holes are certain; a comment is a hint.
@@ -192,7 +197,7 @@ def _borders(toolpath: Toolpath, moves: Moves) -> dict[int, bool]:
     return {at: certain for at, certain in borders.items() if 0 < at < len(toolpath)}
 
 
-def _sculptured(moves: Moves) -> bool:
+def _sculptured(moves: Areas) -> bool:
     """Whether the heights of the moves are too many for depths: there plunges are passes clipped to a
     point."""
     return count_levels(moves.z[:: len(moves) // 1000 + 1]) > 10

@@ -3,15 +3,13 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 import numpy as np
 
-from vkworkbench.core.paper import Moves
+from vkworkbench.core.paper import Areas
 from vkworkbench.core.recognition.rings import LEVEL, same_ground
 
 
-def without_repeats(moves: Moves) -> Moves:
+def without_repeats(moves: Areas) -> Areas:
     """Leave out the areas that an earlier area covers already, seen from above, at another depth.
 
     A pattern lies in the plane. Cut once more 0.7 mm deeper it is the same pattern, and what is measured between its
@@ -19,11 +17,11 @@ def without_repeats(moves: Moves) -> Moves:
 
     Parameters
     ----------
-    moves : Moves
+    moves : Areas
 
     Returns
     -------
-    Moves
+    Areas
         The same object where nothing comes again.
     """
     start = moves.start
@@ -50,12 +48,4 @@ def without_repeats(moves: Moves) -> Moves:
     again = np.abs(z - z[first[group]]) > LEVEL
     if not again.any():
         return moves
-    return _only(moves, ~again, last + 1 - start)
-
-
-def _only(moves: Moves, areas: np.ndarray, size: np.ndarray) -> Moves:
-    """Return the moves of these areas."""
-    kept = np.repeat(areas, size)
-    names = ("index", "x", "y", "z", "dx", "dy", "dz", "length", "alpha", "turning", "phi")
-    start = np.append(0, np.cumsum(size[areas])[:-1])
-    return replace(moves, start=start, **{name: getattr(moves, name)[kept] for name in names})
+    return moves.only(~again)

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from vkworkbench.core.paper import Moves, axis_of
+from vkworkbench.core.paper import Areas, axis_of
 
 BINS = 64  # of 2.8 degrees over half a turn; a power of two, so that & wraps
 SAMPLE = 1000  # values that are enough for a median
@@ -60,7 +60,7 @@ class Rows:
     moves: np.ndarray
 
 
-def find_rows(moves: Moves, chosen: np.ndarray) -> list[Rows]:
+def find_rows(moves: Areas, chosen: np.ndarray) -> list[Rows]:
     """Find up to two families of parallel rows among the chosen moves.
 
     The axis is where the Gauss image of the moves, taken without sense, is densest: back-and-forth is two
@@ -68,7 +68,7 @@ def find_rows(moves: Moves, chosen: np.ndarray) -> list[Rows]:
 
     Parameters
     ----------
-    moves : Moves
+    moves : Areas
     chosen : (k,) int
         Moves to look at, ascending.
     """
@@ -108,7 +108,7 @@ def _aligned(dx, dy, length, axis) -> tuple[np.ndarray, np.ndarray]:
     return along, np.flatnonzero(np.abs(along) >= np.cos(ALIGNED) * length)
 
 
-def _densest(moves: Moves, chosen: np.ndarray) -> Rows | None:
+def _densest(moves: Areas, chosen: np.ndarray) -> Rows | None:
     """Return the rows along the densest direction; None where no move keeps to it."""
     dx, dy, length = moves.dx, moves.dy, moves.length
     if len(chosen) < len(moves):

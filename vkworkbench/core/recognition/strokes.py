@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from vkworkbench.core.paper import TURN, Moves
+from vkworkbench.core.paper import TURN, Areas
 from vkworkbench.core.recognition.pieces import CURVE, Pieces
 from vkworkbench.core.recognition.rings import LEVEL, count_levels, footprints
 from vkworkbench.core.recognition.rows import SAME_LINE, weighted_median
@@ -123,7 +123,7 @@ class Arcs:
     even: float
 
 
-def find_arcs(moves: Moves, pieces: Pieces, index: np.ndarray) -> Arcs | None:
+def find_arcs(moves: Areas, pieces: Pieces, index: np.ndarray) -> Arcs | None:
     """Find the arcs around a common centre.
 
     The centre c is the point that sees the moves d at their middles m at a right angle: least squares of
@@ -131,7 +131,7 @@ def find_arcs(moves: Moves, pieces: Pieces, index: np.ndarray) -> Arcs | None:
 
     Parameters
     ----------
-    moves : Moves
+    moves : Areas
     pieces : Pieces
     index : (k,) int
         The pieces that may be arcs.

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from vkworkbench.core.paper import TURN, Moves
+from vkworkbench.core.paper import TURN, Areas
 from vkworkbench.core.recognition.pieces import CURVE, LINE, LOOP, WINDING, ZIGZAG, Pieces, cut_pieces
 from vkworkbench.core.recognition.rings import Rings, relate_rings
 from vkworkbench.core.recognition.rows import Rows, find_rows
@@ -67,7 +67,7 @@ class Verdict:
 class Section:
     """A stretch of moves judged as one, with everything that was measured on the way."""
 
-    moves: Moves
+    moves: Areas
     tool: float
     pieces: Pieces = field(init=False)
     rings: Rings = field(init=False)
@@ -189,7 +189,7 @@ def _large(p: Pieces, which: np.ndarray) -> np.ndarray:
     return index[length > SMALL * length.max()]
 
 
-def _against(moves: Moves, p: Pieces, r: Rings) -> tuple[np.ndarray, np.ndarray]:
+def _against(moves: Areas, p: Pieces, r: Rings) -> tuple[np.ndarray, np.ndarray]:
     """Return how much each winding turns against its sense, rad, and at how many places.
 
     What rounding could bend does not count: finely sampled spirals are full of it.

@@ -11,6 +11,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from vkworkbench.core.paper import directions
 from vkworkbench.core.recognition import Recognition
 from vkworkbench.core.solids import ConvexStock, Frame, Stock, Tool, View
 from vkworkbench.core.strategy import Strategy
@@ -63,7 +64,7 @@ def _in_stock(toolpath: Toolpath, tool: Tool, stock: Stock | ConvexStock) -> _Tr
         move[:, 2],
         low[inside],
         share,
-        np.arctan2(move[:, 1], move[:, 0]),
+        directions(move[:, 0], move[:, 1]),
         toolpath.sweep[inside],
     )
 

@@ -1,14 +1,55 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Loops inside the areas: where the tool comes back to a point, and where phi passes another 2 pi."""
+"""Loops inside the areas: where the tool comes back to a point and phi to +-2 pi, and where it passes another 2 pi."""
 
 from __future__ import annotations
 
 import numpy as np
 
-from vkworkbench.core.paper import TURN, Moves, wrap
+from vkworkbench.core.paper.directions import TURN, wrap
+from vkworkbench.core.paper.moves import Moves
 
 CLOSE = 0.03  # mm; a path that comes back this close is closed
+GAP = 0.03  # of the side of a square as large as what a path encloses; a gap this small does not open it
 OFF_ROUND = 0.377  # of a cell: grid origin off the round coordinates programs are made of
+
+
+def closing_turns(alpha: np.ndarray, first: np.ndarray, end: np.ndarray) -> np.ndarray:
+    """Return the turns from the last move of stretches back into their first, (k,) rad.
+
+    A closed contour of n moves turns n times and lacks the last turn where it is a stretch of its own (section 3.2:
+    phi is 2 pi at the end of the traversal).
+
+    Parameters
+    ----------
+    alpha : (m,) float64
+        Directions, rad.
+    first, end : (k,) int
+        The stretches are the moves first[i] .. end[i] - 1.
+    """
+    return wrap(alpha[first] - alpha[end - 1])
+
+
+def is_closed(gap: np.ndarray, enclosed: np.ndarray, moves: np.ndarray) -> np.ndarray:
+    """Say which stretches end where they began, (k,) bool.
+
+    A gap small against what the stretch encloses, as lead-ins and rounding leave it, does not open it; two passes of a
+    narrow zigzag enclose little and stay open.
+
+    Parameters
+    ----------
+    gap : (k,) float
+        From the end to the start, mm.
+    enclosed : (k,) float
+        Area between the stretch and its chord, mm2.
+    moves : (k,) int
+        Their number.
+    """
+    return (gap <= np.maximum(CLOSE, GAP * np.sqrt(np.abs(enclosed)))) & (moves > 2)
+
+
+def may_be_closed(gap: np.ndarray, length: np.ndarray) -> np.ndarray:
+    """Say the same before the area is known, true also where it is not closed: none encloses more than a circle."""
+    return gap <= np.maximum(CLOSE, GAP * length / np.sqrt(4 * np.pi))
 
 
 def closed_loops(moves: Moves) -> tuple[np.ndarray, np.ndarray]:
@@ -38,7 +79,7 @@ def closed_loops(moves: Moves) -> tuple[np.ndarray, np.ndarray]:
     first, end = _disjoint(moves, *_returns(moves, *vertices, 1, OFF_ROUND))
     if (end - first).sum() < 0.75 * len(vertices[0]):
         # The border of two cells may part the visits of one point. Of three wider grids, each a third of a cell on, one
-        # parts no two points closer than that third: those that a dropped move left apart (NOISE in areas.py).
+        # parts no two points closer than that third: those that a dropped move left apart (NOISE in moves.py).
         wider = [_returns(moves, *vertices, 2, OFF_ROUND + third / 3) for third in range(3)]
         first, end = _disjoint(moves, *np.concatenate([(first, end), *wider], axis=1))
     return first, end
@@ -109,7 +150,7 @@ def _returns(moves, x, y, at, area, width, origin) -> tuple[np.ndarray, np.ndarr
     first, end = at[one[near]], at[two[near]]
     long = end - first >= 3
     first, end = first[long], end[long]
-    net = moves.phi[end - 1] - moves.phi[first] + wrap(moves.alpha[first] - moves.alpha[end - 1])
+    net = moves.phi[end - 1] - moves.phi[first] + closing_turns(moves.alpha, first, end)
     once = np.abs(np.abs(net) - TURN) < 0.1
     return first[once], end[once]
 

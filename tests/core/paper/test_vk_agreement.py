@@ -1,0 +1,157 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""One computation of the signature: phi, level and reversals are the same wherever they are told."""
+
+import csv
+import gzip
+import json
+import re
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from vkworkbench import friendly
+from vkworkbench.core import Strategy, linearize, machining, recognize, signature
+from vkworkbench.core.paper.areas import monotonous_areas
+from vkworkbench.core.paper.directions import farthest
+from vkworkbench.core.paper.literal import paper_verdict
+from vkworkbench.report import OperationReport, Report
+
+# Operations of FreeCAD that are not part of this repository, where they are at hand.
+CORPUS = Path(__file__).resolve().parents[4] / "shared" / "corpus"
+FILES = sorted(CORPUS.glob("freecad-*.jsonl.gz"))
+NUMBER = re.compile(r"[+-]\d+\.\d\d|(?<![\d.])0(?![\d.%])")
+
+
+def rows(count, *, step=2.0, length=40.0, sense=1):
+    """A zigzag at one depth."""
+    commands = [("G0", {"X": 0.0, "Y": 0.0, "Z": 5.0}), ("G1", {"Z": -1.0, "F": 5.0})]
+    for row in range(count):
+        commands += [("G1", {"X": length if row % 2 == 0 else 0.0}), ("G1", {"Y": sense * step * (row + 1)})]
+    return commands
+
+
+def squares(count, *, sense=1, lifted=True, reverse=False):
+    """Square loops one inside the other; `reverse` goes back over the first side of each."""
+    commands = []
+    for loop in range(count):
+        a, b = 2.0 * loop, 60.0 - 2.0 * loop
+        corners = [(a, a), (b, a), (b, b), (a, b), (a, a)][::sense]
+        if lifted or not loop:
+            commands += [("G0", {"Z": 5.0}), ("G0", {"X": a, "Y": a}), ("G1", {"Z": -1.0, "F": 5.0})]
+        commands += [("G1", {"X": x, "Y": y}) for x, y in corners[0 if not lifted else 1 :]]
+        if reverse:
+            commands += [("G1", {"X": (a + b) / 2}), ("G1", {"X": a})]
+    return commands
+
+
+def bore(turns):
+    commands = [("G0", {"X": 5.0, "Y": 0.0, "Z": 5.0}), ("G1", {"Z": 0.0, "F": 5.0})]
+    return commands + [("G2", {"X": 5.0, "Y": 0.0, "Z": -1.0 * k, "I": -5.0, "J": 0.0}) for k in range(1, turns + 1)]
+
+
+def slot(passes):
+    """To and fro on one line, deeper each time: every turn is an exact reversal."""
+    commands = [("G0", {"X": 0.0, "Y": 0.0, "Z": 5.0}), ("G1", {"Z": 0.0, "F": 5.0})]
+    return commands + [("G1", {"X": 50.0 * (k % 2), "Z": -0.1 * k}) for k in range(1, passes + 1)]
+
+
+OWN = {
+    "zigzag": rows(12), "clockwise zigzag": rows(12, sense=-1), "nested loops": squares(8),
+    "nested clockwise loops": squares(8, sense=-1), "linked loops": squares(8, lifted=False),
+    "loops with reversals": squares(5, reverse=True), "bore": bore(7), "slot": slot(9), "one loop": squares(1),
+    "one line": rows(1)[:3],
+}  # fmt: skip
+
+
+def of_corpus():
+    """Yield the commands and the tool's diameter of every operation in the files."""
+    for file in FILES:
+        with gzip.open(file, "rt") as lines:
+            for line in lines:
+                record = json.loads(line)
+                yield record["commands"], record["tool_diameter"]
+
+
+def report(path, found):
+    """The row of an operation as an analysis makes it, without costs."""
+    unknown = dict.fromkeys(OperationReport.__dataclass_fields__)
+    known = {"document": "D", "name": "Operation", "label": "Operation", "counted": True, "recognition": found,
+             "trajectories": len(path), "machining": machining(path)}  # fmt: skip
+    for name, field in OperationReport.__dataclass_fields__.items():
+        if field.type.startswith("tuple"):
+            unknown[name] = ()
+    return Report((OperationReport(**unknown | known),), {}, {})
+
+
+def check(commands, diameter, file):
+    path = linearize([(name, words) for name, words in commands])
+    found, areas = recognize(path, tool_diameter=diameter), monotonous_areas(path)
+    if found.strategy in (Strategy.EMPTY, Strategy.DRILLING):
+        return False
+    told = found.phi_range, found.level, found.reversals
+    # What the Gauss map shows: the operation as a whole, and each area.
+    assert (areas.phi_range, areas.top_level, len(areas.reversals)) == told
+    each = [areas.signature(area) for area in range(len(areas.start))]
+    low, high = min(s.phi_range[0] for s in each), max(s.phi_range[1] for s in each)
+    assert ((low, high), sum(len(s.reversals) for s in each)) == (found.phi_range, found.reversals)
+    assert found.level in {s.top_level for s in each}
+    assert found.paper == paper_verdict(areas)
+    # What the mark, its tooltip and the panel say.
+    if found.reason.startswith("phi "):
+        shown = [friendly.turns(phi) for phi in found.phi_range]
+        numbers = NUMBER.findall(found.reason.partition(" turns")[0])
+        assert numbers in (shown, [friendly.turns(farthest(found.phi_range))], ["0"]), found.reason
+        assert numbers != ["0"] or shown == ["0", "0"]
+    report(path, found).to_csv(file)
+    with open(file, newline="", encoding="utf-8") as lines:
+        (row,) = csv.DictReader(lines)
+    assert (float(row["phi_low"]), float(row["phi_high"])) == found.phi_range
+    assert (int(row["level"]), int(row["reversals"])) == (found.level, found.reversals)
+    assert np.hypot(float(row["v_x"]), float(row["v_y"])) == each[found.paper.area].length[-1]
+    return True
+
+
+@pytest.mark.parametrize("name", OWN)
+def test_every_place_tells_the_same(name, tmp_path):
+    assert check(OWN[name], 6.0, tmp_path / "report.csv")
+
+
+@pytest.mark.skipif(not FILES, reason="the corpus of FreeCAD's operations is not beside this repository")
+def test_every_place_tells_the_same_of_500_operations(tmp_path):
+    assert sum(check(*one, tmp_path / "report.csv") for one in of_corpus()) >= 500
+
+
+def test_an_area_has_the_signature_of_its_polyline():
+    for commands in OWN.values():
+        areas = monotonous_areas(linearize(commands))
+        for area in range(len(areas.start)):
+            of_area = areas.signature(area)
+            of_points = signature(of_area.vertices)
+            assert of_area.phi == pytest.approx(of_points.phi, abs=1e-9)
+            assert (of_area.level == of_points.level).all()
+            assert of_area.reversals.tolist() == of_points.reversals.tolist()
+            assert of_area.total_turning == pytest.approx(of_points.total_turning, abs=1e-9)
+
+
+def test_areas_are_views_of_one_block():
+    areas = monotonous_areas(linearize(squares(4)))
+    one = areas.signature(1)
+    assert all(np.shares_memory(ours, whole) for ours, whole in ((one.alpha, areas.alpha), (one.phi, areas.phi)))
+
+
+def test_the_paper_to_the_letter():
+    path = {name: linearize(commands) for name, commands in OWN.items()}
+    verdicts = {name: recognize(p, tool_diameter=6.0).paper for name, p in path.items()}
+    assert verdicts["zigzag"].strategy is Strategy.ZIGZAG and verdicts["zigzag"].sense is None
+    assert verdicts["zigzag"].level == 0 and verdicts["zigzag"].v == pytest.approx((0.0, 24.0))
+    assert verdicts["zigzag"].image == pytest.approx((0.0, 1.0))
+    linked = verdicts["linked loops"]
+    assert linked.strategy is Strategy.CONTOUR_PARALLEL and linked.level >= 7
+    assert verdicts["bore"].strategy is Strategy.CONTOUR_PARALLEL and verdicts["bore"].level == -6
+    # A single loop is neither: its phi ends before 2 pi, for its last corner is not turned.
+    assert verdicts["one loop"].strategy is Strategy.UNKNOWN
+    assert verdicts["one loop"].phi_range == pytest.approx((0.0, 1.5 * np.pi))
+    # From a corner of it V_k sees a square under a quarter turn, and turns one way only.
+    assert verdicts["one loop"].sense == "ccw"
+    assert verdicts["one loop"].theta_range == pytest.approx((0.0, np.pi / 2))

@@ -1,0 +1,102 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Directions of moves and the turns between them: the one place where they are taken and wrapped (paper, section 3.2)."""
+
+from __future__ import annotations
+
+import numpy as np
+
+TURN = 2 * np.pi
+EXACT = 1e-6  # rad; a turn this close to half a turn is an exact reversal, and a level this close is reached
+UNSIGNED = 0.01  # rad; coordinates rounded to 0.001 mm may turn the sign of a turn this close to half a turn
+
+
+def directions(dx: np.ndarray, dy: np.ndarray, out: np.ndarray | None = None) -> np.ndarray:
+    """Return alpha, the directions of moves (n,), rad in [-pi, pi]."""
+    return np.arctan2(dy, dx, out=out)
+
+
+def wrap(angle):
+    """Wrap angles in rad, a number or (n,), to [-pi, pi]."""
+    return angle - TURN * np.rint(angle * (1 / TURN))
+
+
+def turns(alpha: np.ndarray, out: np.ndarray | None = None, scratch: np.ndarray | None = None) -> np.ndarray:
+    """Return delta phi, the turns between successive directions (section 3.2).
+
+    Parameters
+    ----------
+    alpha : (n,) float64
+        rad.
+    out, scratch : (n-1,) float64, optional
+        Where to put the result, and memory for the work: for a long path it is new memory that takes the time.
+
+    Returns
+    -------
+    (n-1,) float64
+        rad in [-pi, pi].
+    """
+    turning = np.subtract(alpha[1:], alpha[:-1], out=out)
+    whole = np.multiply(turning, 1 / TURN, out=scratch)
+    np.rint(whole, out=whole)
+    whole *= TURN
+    turning -= whole
+    return turning
+
+
+def signs_of_reversals(phi: np.ndarray, area: np.ndarray) -> np.ndarray:
+    """Sign turns of half a turn, which have no sign of their own: in turn, so that going back and forth never adds up.
+
+    Parameters
+    ----------
+    phi : (r,) float64
+        Phi before each of them, none of them counted, rad.
+    area : (r,) int
+        The monotonous area of each, ascending.
+
+    Returns
+    -------
+    (r,) int64
+        +1 or -1; the first of an area brings phi back toward zero.
+    """
+    first = np.flatnonzero(np.append(True, area[1:] != area[:-1]))[: len(area)]
+    size = np.diff(np.append(first, len(area)))
+    rank = np.arange(len(area)) - np.repeat(first, size)
+    begin = np.repeat(np.where(phi[first] > EXACT, -1, 1), size)
+    return begin * (1 - 2 * (rank & 1))
+
+
+def level_of(phi):
+    """Return n, the integer part of phi / 2 pi, truncated toward zero; rounding must not keep a full turn from being one.
+
+    Parameters
+    ----------
+    phi : float or (n,) float64
+        rad.
+    """
+    turned = phi * (1 / TURN)
+    turned += np.copysign(EXACT / TURN, turned)
+    return turned.astype(np.int64) if isinstance(turned, np.ndarray) else int(turned)
+
+
+def farthest(phi_range: tuple[float, float]) -> float:
+    """Return the end of a range of phi that is farther from zero, rad; the upper one of two as far to rounding."""
+    low, high = phi_range
+    return high if high >= -low - EXACT else low
+
+
+def top_level(phi_range: tuple[float, float]) -> int:
+    """Return the level that the farther end of a range of phi reaches."""
+    return level_of(farthest(phi_range))
+
+
+def axis_of(along_x, along_y, length):
+    """Return the axis of moves, rad in [-pi/2, pi/2]: the direction of their sum at twice their angle.
+
+    Parameters
+    ----------
+    along_x, along_y : float or array
+        Sum of cos^2 and of cos sin of the directions, weighted by length, mm.
+    length : float or array
+        Sum of the lengths, mm.
+    """
+    return 0.5 * np.arctan2(2 * along_y, 2 * along_x - length)

@@ -1,0 +1,91 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The paper's rule to the letter, so that anybody can see where the recognition parts from it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from vkworkbench.core.paper.areas import Areas
+from vkworkbench.core.paper.directions import EXACT, TURN, farthest, top_level, turns
+from vkworkbench.core.strategy import Strategy
+
+_TO_AND_FRO = 0.01  # of all turning of the image of V_k: less than this against its sense is rounding
+
+
+@dataclass(frozen=True)
+class PaperVerdict:
+    """What the V_k vector method says of one monotonous area, the longest (paper, sections 3.1 and 3.2).
+
+    Attributes
+    ----------
+    strategy : Strategy
+        CONTOUR_PARALLEL where phi leaves +-2 pi, ZIGZAG where -pi <= phi <= pi; UNKNOWN between them, which the paper
+        leaves open.
+    area : int
+        Which area this is of, see :class:`Areas`.
+    level : int
+        The level n farthest from zero.
+    phi_range : tuple of float
+        Lowest and highest phi, rad, counted from the first trajectory, without a closing turn.
+    v : tuple of float
+        V_k of the last trajectory in the working plane, mm.
+    theta_range : tuple of float
+        Lowest and highest theta, rad, followed over all turns of the image of V_k from theta of the first trajectory.
+    sense : str or None
+        "ccw" or "cw" where the image of V_k goes around in one sense only, as the paper expects of a contour; None
+        where it goes to and fro, as it expects of a zigzag.
+    """
+
+    strategy: Strategy
+    area: int
+    level: int
+    phi_range: tuple[float, float]
+    v: tuple[float, float]
+    theta_range: tuple[float, float]
+    sense: str | None
+
+    @property
+    def image(self) -> tuple[float, float]:
+        """The Gaussian image of V_k on the unit circle; the origin where V_k is 0."""
+        length = float(np.hypot(*self.v))
+        return (self.v[0] / length, self.v[1] / length) if length else (0.0, 0.0)
+
+
+def paper_verdict(areas: Areas) -> PaperVerdict | None:
+    """Apply the paper's rule to the longest area; None where no move has a direction.
+
+    Parameters
+    ----------
+    areas : Areas
+    """
+    if not len(areas):
+        return None
+    area = int(np.argmax(areas.area_length))
+    found = areas.signature(area)
+    phi_range = float(found.phi.min()), float(found.phi.max())
+    reached = abs(farthest(phi_range))
+    strategy = Strategy.UNKNOWN
+    if reached > TURN + EXACT:
+        strategy = Strategy.CONTOUR_PARALLEL
+    elif reached <= np.pi + EXACT:
+        strategy = Strategy.ZIGZAG
+    theta = found.theta
+    turned = np.zeros(len(theta))
+    turns(theta, out=turned[1:])
+    image = np.cumsum(turned)
+    net, both_ways = float(image[-1]), float(np.abs(turned, out=turned).sum())
+    image += theta[0]
+    sense = None
+    if both_ways > EXACT and both_ways - abs(net) <= 2 * _TO_AND_FRO * both_ways:
+        sense = "ccw" if net > 0 else "cw"
+    return PaperVerdict(
+        strategy,
+        area,
+        top_level(phi_range),
+        phi_range,
+        (float(found.x[-1] + found.dx[-1] - found.x[0]), float(found.y[-1] + found.dy[-1] - found.y[0])),
+        (float(image.min()), float(image.max())),
+        sense,
+    )

@@ -1,0 +1,219 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The cutting moves that have a direction, split into monotonous areas (paper, section 2.1), and what they measure."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from vkworkbench.core.paper.directions import EXACT, UNSIGNED, directions, turns
+from vkworkbench.core.paper.plane import STILL, plane_of_toolpath
+from vkworkbench.core.toolpath import Toolpath
+
+NOISE = 0.02  # mm; a move this short beside one 20 times longer is rounding and its direction is noise
+STEEP = 5.0  # rise over run; steeper is a plunge or a lift
+
+
+@dataclass
+class Moves:
+    """The m cutting moves that have a direction in the working plane, split into a monotonous areas.
+
+    Attributes
+    ----------
+    index : (m,) int
+        Trajectory of each move.
+    x, y, z : (m,) float
+        Start in the plane and height of the end along its normal, mm.
+    dx, dy, dz, length : (m,) float
+        The move and its length in the plane, mm.
+    alpha : (m,) float
+        Direction, rad.
+    turning : (m,) float
+        Turn at the start of the move, rad in [-pi, pi]; 0 at the start of an area, and where the turn has no sign.
+    phi : (m,) float
+        Cumulative angular function of each area, rad, 0 at its first move; turns without a sign are not in it.
+    start : (a,) int
+        First move of each area.
+    unsigned, reversals : (u,) and (r,) int
+        Moves that begin with a turn of half a turn: to rounding, and exactly. Such a turn has no sign.
+    holes : (h,) int
+        Last trajectory of each drilled hole.
+    vertical : float
+        Length of the cutting moves along the normal that are in no area (plunges, drilling), mm.
+    """
+
+    index: np.ndarray
+    x: np.ndarray
+    y: np.ndarray
+    z: np.ndarray
+    dx: np.ndarray
+    dy: np.ndarray
+    dz: np.ndarray
+    length: np.ndarray
+    alpha: np.ndarray
+    turning: np.ndarray
+    phi: np.ndarray
+    start: np.ndarray
+    unsigned: np.ndarray
+    reversals: np.ndarray
+    holes: np.ndarray
+    vertical: float
+
+    def __len__(self) -> int:
+        """Return the number of moves."""
+        return len(self.index)
+
+
+def cutting_moves(toolpath: Toolpath, first: int = 0, last: int | None = None) -> Moves:
+    """Measure the cutting moves and split them into monotonous areas.
+
+    Parameters
+    ----------
+    toolpath : Toolpath
+    first, last : int
+        Range of trajectories to look at, last inclusive; all where not given.
+
+    Returns
+    -------
+    Moves
+        With m = 0 where nothing cuts along the plane.
+    """
+    end = len(toolpath) if last is None else last + 1
+    points, rapid = toolpath.points[first : end + 1], toolpath.rapid[first:end]
+    # One block for all measures, and in place wherever that is possible: with this many moves the cost is
+    # memory, not arithmetic. Many arrays that come and go make the system map the same pages again and again.
+    block = np.empty((10, len(points)))
+    for row, axis in zip(block, plane_of_toolpath(points, rapid)):
+        row[:] = points[:, axis]
+    x, y, z = block[:3]
+    dx, dy, dz = np.subtract(block[:3, 1:], block[:3, :-1], out=block[3:6, :-1])
+    length = np.multiply(dx, dx, out=block[6, :-1])
+    length += dy * dy
+    np.sqrt(length, out=length)
+    planar = length > STILL
+    if dz.any():
+        planar &= np.abs(dz) <= STEEP * length
+    if rapid.any():
+        planar &= ~rapid
+    _drop_noise(planar, length)
+    index, start = _split(planar, rapid, z, dx, dy, dz, length)
+    index, start = _without_air(planar, index, start, rapid, z, dx, dy, dz, length)
+    holes, vertical = index[:0], 0.0
+    if len(index) < len(dx):
+        holes = _holes(points, rapid, dz, length, planar)
+        vertical = float(np.abs(dz[~rapid]).sum() - np.abs(dz[index]).sum())
+        dx, dy, dz, length, x, y, z = (v[index] for v in (dx, dy, dz, length, x, y, z[1:]))
+    else:
+        x, y, z = x[:-1], y[:-1], z[1:]
+    alpha, turning, phi = block[7:, : len(index)]
+    directions(dx, dy, out=alpha)
+    scratch = phi[1:]
+    turns(alpha, out=turning[1:], scratch=scratch)
+    turning[start] = 0.0
+    # A turn of pi has no sign (design.md): it is an event of its own, which phi does not follow.
+    unsigned = np.flatnonzero(np.abs(turning[1:], out=scratch) > np.pi - UNSIGNED) + 1
+    reversals = unsigned[phi[unsigned] > np.pi - EXACT]
+    turning[unsigned] = 0.0
+    np.cumsum(turning, out=phi)
+    if len(start) > 1:
+        phi -= np.repeat(phi[start], np.diff(start, append=len(phi)))
+    return Moves(
+        index=index + first if first else index,
+        x=x,
+        y=y,
+        z=z,
+        dx=dx,
+        dy=dy,
+        dz=dz,
+        length=length,
+        alpha=alpha,
+        turning=turning,
+        phi=phi,
+        start=start,
+        unsigned=unsigned,
+        reversals=reversals,
+        holes=holes + first,
+        vertical=vertical,
+    )
+
+
+def _drop_noise(planar: np.ndarray, length: np.ndarray) -> None:
+    """Unmark lone moves of a few micrometres beside long ones: they are rounding, their direction is
+    noise."""
+    short = np.flatnonzero(planar & (length < NOISE))
+    if not len(short):
+        return
+    before = length[np.maximum(short - 1, 0)]
+    after = length[np.minimum(short + 1, len(length) - 1)]
+    planar[short[length[short] < 0.05 * np.maximum(before, after)]] = False
+
+
+def _split(planar, rapid, z, dx, dy, dz, length) -> tuple[np.ndarray, np.ndarray]:
+    """Return the trajectories of the planar moves and the first move of each area.
+
+    Areas end at rapids, plunges and lifts. A height change between two moves of one direction is a wall the
+    tool climbs in the middle of a pass (3D rasters), not the end of the pass.
+    """
+    index = np.flatnonzero(planar)
+    if len(index) == len(planar):
+        return index, np.zeros(min(len(index), 1), np.int64)
+    gap = np.flatnonzero(index[1:] - index[:-1] > 1) + 1
+    if len(gap):
+        rapids = np.concatenate([[0], np.cumsum(rapid)])
+        after, before = index[gap], index[gap - 1]
+        lifted = rapids[after] > rapids[before]
+        steep = np.concatenate([[0], np.cumsum(np.where(planar | rapid, 0.0, np.abs(dz)))])
+        height = np.abs(z[after] - z[before + 1])
+        drilled = steep[after] - steep[before] > height + STILL  # down and up again
+        onward = dx[after] * dx[before] + dy[after] * dy[before] > 0.98 * length[after] * length[before]
+        gap = gap[lifted | drilled | ((height > STILL) & ~onward)]
+    return index, np.concatenate([[0], gap]) if len(index) else gap
+
+
+def _without_air(planar, index, start, rapid, z, dx, dy, dz, length) -> tuple[np.ndarray, np.ndarray]:
+    """Leave out the links in the air of programs that lift, go over and plunge at feed instead of rapid.
+
+    Such a link is straight and level, begins by a lift and ends by a plunge; at the ends of a program one of
+    the two is enough.
+    """
+    if not len(start) or len(index) == len(planar):
+        return index, start
+    last = np.append(start[1:], len(index)) - 1
+    a, b = index[start], index[last]
+    level = np.abs(z[b + 1] - z[a]) < STILL
+    straight = dx[a] * dx[b] + dy[a] * dy[b] > 0.999 * length[a] * length[b]
+    steep = np.where(length > STILL, 0.0, dz)  # rapid or at feed
+    rises, falls = np.append(0.0, steep)[a] > STILL, np.append(steep, 0.0)[b + 1] < -STILL
+    lifted, plunges = rises | (a == 0), falls | (b == len(dz) - 1)
+    air = level & straight & lifted & plunges
+    if len(start) > 1:
+        # A plateau between walls is no link: it goes on in the direction of the lower pass beside it.
+        before, after = b[:-1], a[1:]
+        onward = dx[after] * dx[before] + dy[after] * dy[before] > 0.98 * length[after] * length[before]
+        air[1:] &= ~(onward & (z[before + 1] < z[after] - STILL))
+        air[:-1] &= ~(onward & (z[after] < z[before + 1] - STILL))
+    air &= rises | falls
+    if not air.any():
+        return index, start
+    keep = ~np.repeat(air, last + 1 - start)
+    planar[index[~keep]] = False
+    size = (last + 1 - start)[~air]
+    return index[keep], np.concatenate([[0], np.cumsum(size)[:-1]]) if len(size) else size
+
+
+def _holes(points, rapid, dz, length, planar) -> np.ndarray:
+    """Return the last trajectory of every plunge between two rapids that cuts nothing else: drilled holes.
+
+    Pecks into one hole count once. Walls and lead-ins stand beside moves along the plane and are no holes.
+    """
+    down = np.flatnonzero(~rapid & (length <= STILL) & (dz < -STILL))
+    if not len(down):
+        return down
+    block = np.cumsum(rapid)
+    milled = np.zeros(int(block[-1]) + 1, bool)
+    milled[block[planar]] = True
+    down = down[~milled[block[down]]]
+    x, y = points[down + 1, 0], points[down + 1, 1]
+    left = (np.abs(x[1:] - x[:-1]) > STILL) | (np.abs(y[1:] - y[:-1]) > STILL)
+    return down[np.append(left, True)] if len(down) else down

@@ -1,0 +1,50 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The working plane: the coordinate plane that a motion lies in."""
+
+from __future__ import annotations
+
+import numpy as np
+
+STILL = 1e-3  # mm; a coordinate that changes by less stands still
+XY, ZX, YZ = (0, 1, 2), (2, 0, 1), (1, 2, 0)  # two axes of the plane, G17, G18 and G19, and its normal
+
+
+def plane_of_points(points: np.ndarray) -> tuple[int, ...]:
+    """Return the axes of the plane that a polyline lies in: XY, unless X or Y never changes while Z does.
+
+    Parameters
+    ----------
+    points : (n+1, 2) or (n+1, 3) float64
+    """
+    if points.shape[1] == 3 and len(points):
+        still_x, still_y = (points[:, axis].min() == points[:, axis].max() for axis in (0, 1))
+        if still_x != still_y and points[:, 2].min() != points[:, 2].max():
+            return YZ if still_x else ZX
+    return XY
+
+
+def plane_of_toolpath(points: np.ndarray, rapid: np.ndarray) -> tuple[int, ...]:
+    """Return the axes of the plane that a toolpath cuts in, and of its normal.
+
+    XY but for a path that never leaves a vertical plane and slopes in it (contouring in G18): there every row
+    would fall on one line. A slot cut at several depths by level passes and vertical plunges stays in XY.
+
+    Parameters
+    ----------
+    points : (n+1, 3) float64
+        mm.
+    rapid : (n,) bool
+    """
+    every = len(rapid) // 50 + 1
+    few = np.flatnonzero(~rapid[::every]) * every
+    for axes in (ZX, YZ):
+        u, v, aside = (points[:, axis] for axis in axes)
+        if not len(few) or np.ptp(aside[few]) > STILL:
+            continue
+        cutting = np.flatnonzero(~rapid)
+        if np.ptp(aside[cutting]) > STILL or np.ptp(aside[cutting + 1]) > STILL:
+            continue
+        du, dv = np.abs(u[cutting + 1] - u[cutting]), np.abs(v[cutting + 1] - v[cutting])
+        if ((du > 0.05 * dv) & (dv > 0.05 * du)).sum() >= 2:
+            return axes
+    return XY
