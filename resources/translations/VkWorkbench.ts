@@ -529,6 +529,7 @@
     <name>Strategy</name>
     <message>
         <source>zigzag</source>
+        <extracomment>No strategy, or several.</extracomment>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -832,14 +833,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>{}: φ from {} to {}, level n from {} to {}, {} exact reversals</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>; closed, with its last turn φ = {}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Toolpath drawn with {} of {} points: the others fall on the same pixels.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -873,6 +866,14 @@
     </message>
     <message>
         <source>Shows why the selected operation has its strategy: its toolpath, the Gauss map of its directions and of the vector V_k, and the cumulative angular function.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This area: {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>φ between {} and {} turns, level n = {}, exact reversals: {}</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -529,6 +529,7 @@
     <name>Strategy</name>
     <message>
         <source>zigzag</source>
+        <extracomment>No strategy, or several.</extracomment>
         <translation>Zickzack</translation>
     </message>
     <message>
@@ -832,14 +833,6 @@
         <translation>Bereich {}: {} Bewegungen, {}</translation>
     </message>
     <message>
-        <source>{}: φ from {} to {}, level n from {} to {}, {} exact reversals</source>
-        <translation>{}: φ von {} bis {}, Stufe n von {} bis {}, {} genaue Umkehrungen</translation>
-    </message>
-    <message>
-        <source>; closed, with its last turn φ = {}</source>
-        <translation>; geschlossen, mit der letzten Drehung φ = {}</translation>
-    </message>
-    <message>
         <source>Toolpath drawn with {} of {} points: the others fall on the same pixels.</source>
         <translation>Werkzeugweg mit {} von {} Punkten gezeichnet: Die anderen fallen auf dieselben Pixel.</translation>
     </message>
@@ -874,6 +867,14 @@
     <message>
         <source>Shows why the selected operation has its strategy: its toolpath, the Gauss map of its directions and of the vector V_k, and the cumulative angular function.</source>
         <translation>Zeigt, warum die ausgewählte Operation ihre Strategie hat: ihren Werkzeugweg, die Gauß-Abbildung seiner Richtungen und des Vektors V_k sowie die kumulierte Winkelfunktion.</translation>
+    </message>
+    <message>
+        <source>This area: {}</source>
+        <translation>Dieser Bereich: {}</translation>
+    </message>
+    <message>
+        <source>φ between {} and {} turns, level n = {}, exact reversals: {}</source>
+        <translation>φ zwischen {} und {} Umdrehungen, Stufe n = {}, exakte Umkehrungen: {}</translation>
     </message>
 </context>
 <context>

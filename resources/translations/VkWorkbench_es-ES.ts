@@ -529,6 +529,7 @@
     <name>Strategy</name>
     <message>
         <source>zigzag</source>
+        <extracomment>No strategy, or several.</extracomment>
         <translation>zigzag</translation>
     </message>
     <message>
@@ -832,14 +833,6 @@
         <translation>Zona {}: {} tramos, {}</translation>
     </message>
     <message>
-        <source>{}: φ from {} to {}, level n from {} to {}, {} exact reversals</source>
-        <translation>{}: φ de {} a {}, nivel n de {} a {}, {} inversiones exactas</translation>
-    </message>
-    <message>
-        <source>; closed, with its last turn φ = {}</source>
-        <translation>; cerrada, con el último giro φ = {}</translation>
-    </message>
-    <message>
         <source>Toolpath drawn with {} of {} points: the others fall on the same pixels.</source>
         <translation>Trayectoria dibujada con {} de {} puntos: los demás caen en los mismos píxeles.</translation>
     </message>
@@ -874,6 +867,14 @@
     <message>
         <source>Shows why the selected operation has its strategy: its toolpath, the Gauss map of its directions and of the vector V_k, and the cumulative angular function.</source>
         <translation>Muestra por qué la operación seleccionada tiene su estrategia: su trayectoria, la aplicación de Gauss de sus direcciones y del vector V_k, y la función angular acumulada.</translation>
+    </message>
+    <message>
+        <source>This area: {}</source>
+        <translation>Esta área: {}</translation>
+    </message>
+    <message>
+        <source>φ between {} and {} turns, level n = {}, exact reversals: {}</source>
+        <translation>φ entre {} y {} vueltas, nivel n = {}, inversiones exactas: {}</translation>
     </message>
 </context>
 <context>

@@ -529,6 +529,7 @@
     <name>Strategy</name>
     <message>
         <source>zigzag</source>
+        <extracomment>No strategy, or several.</extracomment>
         <translation>zigzag</translation>
     </message>
     <message>
@@ -832,14 +833,6 @@
         <translation>Zone {} : {} trajectoires, {}</translation>
     </message>
     <message>
-        <source>{}: φ from {} to {}, level n from {} to {}, {} exact reversals</source>
-        <translation>{} : φ de {} à {}, niveau n de {} à {}, {} demi-tours exacts</translation>
-    </message>
-    <message>
-        <source>; closed, with its last turn φ = {}</source>
-        <translation> ; fermé, avec le dernier virage φ = {}</translation>
-    </message>
-    <message>
         <source>Toolpath drawn with {} of {} points: the others fall on the same pixels.</source>
         <translation>Parcours dessiné avec {} points sur {} : les autres tombent sur les mêmes pixels.</translation>
     </message>
@@ -874,6 +867,14 @@
     <message>
         <source>Shows why the selected operation has its strategy: its toolpath, the Gauss map of its directions and of the vector V_k, and the cumulative angular function.</source>
         <translation>Montre pourquoi l&apos;opération sélectionnée a sa stratégie : son parcours d&apos;outil, l&apos;application de Gauss de ses directions et du vecteur V_k, et la fonction angulaire cumulée.</translation>
+    </message>
+    <message>
+        <source>This area: {}</source>
+        <translation>Cette zone : {}</translation>
+    </message>
+    <message>
+        <source>φ between {} and {} turns, level n = {}, exact reversals: {}</source>
+        <translation>φ entre {} et {} tours, niveau n = {}, demi-tours exacts : {}</translation>
     </message>
 </context>
 <context>

@@ -529,6 +529,7 @@
     <name>Strategy</name>
     <message>
         <source>zigzag</source>
+        <extracomment>No strategy, or several.</extracomment>
         <translation>往复</translation>
     </message>
     <message>
@@ -832,14 +833,6 @@
         <translation>区域 {}：{} 段轨迹，{}</translation>
     </message>
     <message>
-        <source>{}: φ from {} to {}, level n from {} to {}, {} exact reversals</source>
-        <translation>{}：φ 从 {} 到 {}，层级 n 从 {} 到 {}，{} 次正好反向</translation>
-    </message>
-    <message>
-        <source>; closed, with its last turn φ = {}</source>
-        <translation>；闭合，含最后一次转向 φ = {}</translation>
-    </message>
-    <message>
         <source>Toolpath drawn with {} of {} points: the others fall on the same pixels.</source>
         <translation>刀具路径绘制了 {} 个点，共 {} 个：其余落在相同像素上。</translation>
     </message>
@@ -874,6 +867,14 @@
     <message>
         <source>Shows why the selected operation has its strategy: its toolpath, the Gauss map of its directions and of the vector V_k, and the cumulative angular function.</source>
         <translation>显示所选操作为何被判定为其策略：刀具路径、方向和向量 V_k 的高斯映射，以及累积角函数。</translation>
+    </message>
+    <message>
+        <source>This area: {}</source>
+        <translation>此区域：{}</translation>
+    </message>
+    <message>
+        <source>φ between {} and {} turns, level n = {}, exact reversals: {}</source>
+        <translation>φ 在 {} 与 {} 圈之间，级别 n = {}，精确反向：{}</translation>
     </message>
 </context>
 <context>
