@@ -7,7 +7,7 @@ set -euo pipefail
 cd "$(dirname "$0")/translations"
 PATH=/usr/lib/qt6/bin:$PATH
 
-mapfile -t sources < <(find ../../vkworkbench/{core,document,gui} -name '*.py' | LC_ALL=C sort)
+mapfile -t sources < <(find ../../vkworkbench/{core,document,gui,language} -name '*.py' | LC_ALL=C sort)
 sources+=(../ui/*.ui)
 
 lupdate -silent -locations none -no-obsolete -source-language en "${sources[@]}" -ts VkWorkbench.ts

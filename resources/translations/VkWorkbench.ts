@@ -524,6 +524,122 @@
         <source>that sweeps no angle</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>about {number}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{number}%</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>, </source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the tool&apos;s diameter must be a positive number, not {diameter:mm}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the corner radius must lie between 0 and {radius:mm}, not be {corner:mm}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the tip angle must lie between 0 and pi, not be {angle:g}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the stock&apos;s corners must be finite numbers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the stock has no volume: its upper corner must exceed its lower corner in x, y and z</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{length:mm4} of cutting in {count:n} move without a feed rate are not in the time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{length:mm4} of cutting in {count:n} moves without a feed rate are not in the time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{length:mm4} of rapids are not in the time because the tool controller&apos;s {name} is 0</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{length:mm4} of rapids are not in the time because the tool controller&apos;s {name} and {other} are 0</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The legacy simulator hangs on an arc {reason} (command {command:n}{others}): {instead}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The legacy simulator cuts {count:n} ramp at a wrong depth, up to {error:mm2} {way} (command {command:n}): do not judge depths by it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The legacy simulator cuts {count:n} ramps at a wrong depth, up to {error:mm2} {way} (command {command:n}): do not judge depths by it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count:n} moves are shorter than a cell of the legacy simulator ({cell:mm2}), each takes its time and none is seen by itself: a coarser tolerance of the operation loses nothing there.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The OpenGL simulator takes about {time:s} for every picture at the end, {percent:n} % of it for arcs: simulate this operation alone.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The {simulator} simulator takes about {memory:bytes} for this operation, more than the {allowed:bytes} allowed: {instead}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> and {count:n} more</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{width:n} x {height:n} pixels of {pixel:mm2}, limited by the {limit}{passes}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>; passes {step:mm3} apart ask for {cell:mm2}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>; {cell:mm2} would do for passes {step:mm3} apart</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no resolution helps, the trajectories alone take {time:s}: simulate fewer operations{heaviest}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>; the heaviest is {label} with {time:s}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>position {position:n} of {positions:n}, cells of {cell:mm2}, plays in {time:s}{passes}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no accuracy helps, playing takes {longer:s} even at the coarsest: use fast-forward, about {time:s} at the finest{heaviest}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Playing takes about {longer:s} in the legacy simulator: fast-forward takes about {time:s}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Playing takes about {time:s} in the OpenGL simulator at its fastest: simulate fewer operations at a time.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> and 1 more</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

@@ -524,6 +524,122 @@
         <source>that sweeps no angle</source>
         <translation>der keinen Winkel überstreicht</translation>
     </message>
+    <message>
+        <source>about {number}</source>
+        <translation>etwa {number}</translation>
+    </message>
+    <message>
+        <source>{number}%</source>
+        <translation>{number} %</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <translation>, </translation>
+    </message>
+    <message>
+        <source>the tool&apos;s diameter must be a positive number, not {diameter:mm}</source>
+        <translation>Der Werkzeugdurchmesser muss positiv sein, nicht {diameter:mm}</translation>
+    </message>
+    <message>
+        <source>the corner radius must lie between 0 and {radius:mm}, not be {corner:mm}</source>
+        <translation>Der Eckenradius muss zwischen 0 und {radius:mm} liegen, nicht {corner:mm} sein</translation>
+    </message>
+    <message>
+        <source>the tip angle must lie between 0 and pi, not be {angle:g}</source>
+        <translation>Der Spitzenwinkel muss zwischen 0 und π liegen, nicht {angle:g} sein</translation>
+    </message>
+    <message>
+        <source>the stock&apos;s corners must be finite numbers</source>
+        <translation>Die Ecken des Rohteils müssen endliche Zahlen sein</translation>
+    </message>
+    <message>
+        <source>the stock has no volume: its upper corner must exceed its lower corner in x, y and z</source>
+        <translation>Das Rohteil hat kein Volumen: Seine obere Ecke muss in x, y und z über der unteren liegen</translation>
+    </message>
+    <message>
+        <source>{length:mm4} of cutting in {count:n} move without a feed rate are not in the time</source>
+        <translation>{length:mm4} Schnitt in {count:n} Bewegung ohne Vorschub fehlen in der Zeit</translation>
+    </message>
+    <message>
+        <source>{length:mm4} of cutting in {count:n} moves without a feed rate are not in the time</source>
+        <translation>{length:mm4} Schnitt in {count:n} Bewegungen ohne Vorschub fehlen in der Zeit</translation>
+    </message>
+    <message>
+        <source>{length:mm4} of rapids are not in the time because the tool controller&apos;s {name} is 0</source>
+        <translation>{length:mm4} Eilgänge fehlen in der Zeit, weil {name} des Werkzeugcontrollers 0 ist</translation>
+    </message>
+    <message>
+        <source>{length:mm4} of rapids are not in the time because the tool controller&apos;s {name} and {other} are 0</source>
+        <translation>{length:mm4} Eilgänge fehlen in der Zeit, weil {name} und {other} des Werkzeugcontrollers 0 sind</translation>
+    </message>
+    <message>
+        <source>The legacy simulator hangs on an arc {reason} (command {command:n}{others}): {instead}.</source>
+        <translation>Der alte Simulator hängt bei einem Bogen, {reason} (Befehl {command:n}{others}): {instead}.</translation>
+    </message>
+    <message>
+        <source>The legacy simulator cuts {count:n} ramp at a wrong depth, up to {error:mm2} {way} (command {command:n}): do not judge depths by it.</source>
+        <translation>Der alte Simulator schneidet {count:n} Rampe in falscher Tiefe, bis zu {error:mm2} {way} (Befehl {command:n}): Tiefen nicht danach beurteilen.</translation>
+    </message>
+    <message>
+        <source>The legacy simulator cuts {count:n} ramps at a wrong depth, up to {error:mm2} {way} (command {command:n}): do not judge depths by it.</source>
+        <translation>Der alte Simulator schneidet {count:n} Rampen in falscher Tiefe, bis zu {error:mm2} {way} (Befehl {command:n}): Tiefen nicht danach beurteilen.</translation>
+    </message>
+    <message>
+        <source>{count:n} moves are shorter than a cell of the legacy simulator ({cell:mm2}), each takes its time and none is seen by itself: a coarser tolerance of the operation loses nothing there.</source>
+        <translation>{count:n} Bewegungen sind kürzer als eine Zelle des alten Simulators ({cell:mm2}), jede kostet Zeit und keine ist einzeln zu sehen: Eine gröbere Toleranz der Operation verliert dort nichts.</translation>
+    </message>
+    <message>
+        <source>The OpenGL simulator takes about {time:s} for every picture at the end, {percent:n} % of it for arcs: simulate this operation alone.</source>
+        <translation>Der OpenGL-Simulator braucht am Ende etwa {time:s} für jedes Bild, {percent:n} % davon für Bögen: Diese Operation allein simulieren.</translation>
+    </message>
+    <message>
+        <source>The {simulator} simulator takes about {memory:bytes} for this operation, more than the {allowed:bytes} allowed: {instead}.</source>
+        <translation>Der Simulator ({simulator}) braucht für diese Operation etwa {memory:bytes}, mehr als die erlaubten {allowed:bytes}: {instead}.</translation>
+    </message>
+    <message>
+        <source> and {count:n} more</source>
+        <translation> und {count:n} weitere</translation>
+    </message>
+    <message>
+        <source>{width:n} x {height:n} pixels of {pixel:mm2}, limited by the {limit}{passes}</source>
+        <translation>{width:n} x {height:n} Pixel von {pixel:mm2}, begrenzt durch {limit}{passes}</translation>
+    </message>
+    <message>
+        <source>; passes {step:mm3} apart ask for {cell:mm2}</source>
+        <translation>; Bahnen im Abstand von {step:mm3} verlangen {cell:mm2}</translation>
+    </message>
+    <message>
+        <source>; {cell:mm2} would do for passes {step:mm3} apart</source>
+        <translation>; {cell:mm2} würden für Bahnen im Abstand von {step:mm3} genügen</translation>
+    </message>
+    <message>
+        <source>no resolution helps, the trajectories alone take {time:s}: simulate fewer operations{heaviest}</source>
+        <translation>keine Auflösung hilft, allein die Bewegungen brauchen {time:s}: weniger Operationen simulieren{heaviest}</translation>
+    </message>
+    <message>
+        <source>; the heaviest is {label} with {time:s}</source>
+        <translation>; am schwersten wiegt {label} mit {time:s}</translation>
+    </message>
+    <message>
+        <source>position {position:n} of {positions:n}, cells of {cell:mm2}, plays in {time:s}{passes}</source>
+        <translation>Stellung {position:n} von {positions:n}, Zellen von {cell:mm2}, Abspielen in {time:s}{passes}</translation>
+    </message>
+    <message>
+        <source>no accuracy helps, playing takes {longer:s} even at the coarsest: use fast-forward, about {time:s} at the finest{heaviest}</source>
+        <translation>keine Genauigkeit hilft, das Abspielen dauert selbst bei der gröbsten {longer:s}: schnellen Vorlauf benutzen, etwa {time:s} bei der feinsten{heaviest}</translation>
+    </message>
+    <message>
+        <source>Playing takes about {longer:s} in the legacy simulator: fast-forward takes about {time:s}.</source>
+        <translation>Das Abspielen dauert im alten Simulator etwa {longer:s}: Der schnelle Vorlauf dauert etwa {time:s}.</translation>
+    </message>
+    <message>
+        <source>Playing takes about {time:s} in the OpenGL simulator at its fastest: simulate fewer operations at a time.</source>
+        <translation>Das Abspielen dauert im OpenGL-Simulator auch am schnellsten etwa {time:s}: Weniger Operationen auf einmal simulieren.</translation>
+    </message>
+    <message>
+        <source> and 1 more</source>
+        <translation> und 1 weiterer</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

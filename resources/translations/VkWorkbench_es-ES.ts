@@ -524,6 +524,122 @@
         <source>that sweeps no angle</source>
         <translation>que no barre ningún ángulo</translation>
     </message>
+    <message>
+        <source>about {number}</source>
+        <translation>unos {number}</translation>
+    </message>
+    <message>
+        <source>{number}%</source>
+        <translation>{number} %</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <translation>, </translation>
+    </message>
+    <message>
+        <source>the tool&apos;s diameter must be a positive number, not {diameter:mm}</source>
+        <translation>el diámetro de la herramienta debe ser positivo, no {diameter:mm}</translation>
+    </message>
+    <message>
+        <source>the corner radius must lie between 0 and {radius:mm}, not be {corner:mm}</source>
+        <translation>el radio de esquina debe estar entre 0 y {radius:mm}, no ser {corner:mm}</translation>
+    </message>
+    <message>
+        <source>the tip angle must lie between 0 and pi, not be {angle:g}</source>
+        <translation>el ángulo de punta debe estar entre 0 y π, no ser {angle:g}</translation>
+    </message>
+    <message>
+        <source>the stock&apos;s corners must be finite numbers</source>
+        <translation>las esquinas del material deben ser números finitos</translation>
+    </message>
+    <message>
+        <source>the stock has no volume: its upper corner must exceed its lower corner in x, y and z</source>
+        <translation>el material no tiene volumen: su esquina superior debe superar a la inferior en x, y y z</translation>
+    </message>
+    <message>
+        <source>{length:mm4} of cutting in {count:n} move without a feed rate are not in the time</source>
+        <translation>{length:mm4} de corte en {count:n} movimiento sin avance no están en el tiempo</translation>
+    </message>
+    <message>
+        <source>{length:mm4} of cutting in {count:n} moves without a feed rate are not in the time</source>
+        <translation>{length:mm4} de corte en {count:n} movimientos sin avance no están en el tiempo</translation>
+    </message>
+    <message>
+        <source>{length:mm4} of rapids are not in the time because the tool controller&apos;s {name} is 0</source>
+        <translation>{length:mm4} de rápidos no están en el tiempo porque {name} del controlador de herramienta es 0</translation>
+    </message>
+    <message>
+        <source>{length:mm4} of rapids are not in the time because the tool controller&apos;s {name} and {other} are 0</source>
+        <translation>{length:mm4} de rápidos no están en el tiempo porque {name} y {other} del controlador de herramienta son 0</translation>
+    </message>
+    <message>
+        <source>The legacy simulator hangs on an arc {reason} (command {command:n}{others}): {instead}.</source>
+        <translation>El simulador antiguo se bloquea en un arco {reason} (orden {command:n}{others}): {instead}.</translation>
+    </message>
+    <message>
+        <source>The legacy simulator cuts {count:n} ramp at a wrong depth, up to {error:mm2} {way} (command {command:n}): do not judge depths by it.</source>
+        <translation>El simulador antiguo corta {count:n} rampa a una profundidad falsa, hasta {error:mm2} {way} (orden {command:n}): no juzgue las profundidades por él.</translation>
+    </message>
+    <message>
+        <source>The legacy simulator cuts {count:n} ramps at a wrong depth, up to {error:mm2} {way} (command {command:n}): do not judge depths by it.</source>
+        <translation>El simulador antiguo corta {count:n} rampas a una profundidad falsa, hasta {error:mm2} {way} (orden {command:n}): no juzgue las profundidades por él.</translation>
+    </message>
+    <message>
+        <source>{count:n} moves are shorter than a cell of the legacy simulator ({cell:mm2}), each takes its time and none is seen by itself: a coarser tolerance of the operation loses nothing there.</source>
+        <translation>{count:n} movimientos son más cortos que una celda del simulador antiguo ({cell:mm2}), cada uno lleva su tiempo y ninguno se ve por sí solo: una tolerancia más gruesa de la operación no pierde nada ahí.</translation>
+    </message>
+    <message>
+        <source>The OpenGL simulator takes about {time:s} for every picture at the end, {percent:n} % of it for arcs: simulate this operation alone.</source>
+        <translation>El simulador OpenGL tarda al final unos {time:s} por imagen, el {percent:n} % en arcos: simule esta operación sola.</translation>
+    </message>
+    <message>
+        <source>The {simulator} simulator takes about {memory:bytes} for this operation, more than the {allowed:bytes} allowed: {instead}.</source>
+        <translation>El simulador ({simulator}) ocupa unos {memory:bytes} en esta operación, más de los {allowed:bytes} permitidos: {instead}.</translation>
+    </message>
+    <message>
+        <source> and {count:n} more</source>
+        <translation> y {count:n} más</translation>
+    </message>
+    <message>
+        <source>{width:n} x {height:n} pixels of {pixel:mm2}, limited by the {limit}{passes}</source>
+        <translation>{width:n} x {height:n} píxeles de {pixel:mm2}, limitados por {limit}{passes}</translation>
+    </message>
+    <message>
+        <source>; passes {step:mm3} apart ask for {cell:mm2}</source>
+        <translation>; pasadas a {step:mm3} piden {cell:mm2}</translation>
+    </message>
+    <message>
+        <source>; {cell:mm2} would do for passes {step:mm3} apart</source>
+        <translation>; {cell:mm2} bastarían para pasadas a {step:mm3}</translation>
+    </message>
+    <message>
+        <source>no resolution helps, the trajectories alone take {time:s}: simulate fewer operations{heaviest}</source>
+        <translation>ninguna resolución basta, solo las trayectorias tardan {time:s}: simule menos operaciones{heaviest}</translation>
+    </message>
+    <message>
+        <source>; the heaviest is {label} with {time:s}</source>
+        <translation>; la más pesada es {label} con {time:s}</translation>
+    </message>
+    <message>
+        <source>position {position:n} of {positions:n}, cells of {cell:mm2}, plays in {time:s}{passes}</source>
+        <translation>posición {position:n} de {positions:n}, celdas de {cell:mm2}, reproducción en {time:s}{passes}</translation>
+    </message>
+    <message>
+        <source>no accuracy helps, playing takes {longer:s} even at the coarsest: use fast-forward, about {time:s} at the finest{heaviest}</source>
+        <translation>ninguna precisión basta, la reproducción tarda {longer:s} incluso con la más basta: use el avance rápido, unos {time:s} con la más fina{heaviest}</translation>
+    </message>
+    <message>
+        <source>Playing takes about {longer:s} in the legacy simulator: fast-forward takes about {time:s}.</source>
+        <translation>La reproducción dura unos {longer:s} en el simulador antiguo: el avance rápido dura unos {time:s}.</translation>
+    </message>
+    <message>
+        <source>Playing takes about {time:s} in the OpenGL simulator at its fastest: simulate fewer operations at a time.</source>
+        <translation>La reproducción dura unos {time:s} en el simulador OpenGL a su máxima velocidad: simule menos operaciones a la vez.</translation>
+    </message>
+    <message>
+        <source> and 1 more</source>
+        <translation> y 1 más</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

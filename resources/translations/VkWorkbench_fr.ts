@@ -524,6 +524,122 @@
         <source>that sweeps no angle</source>
         <translation>qui ne balaie aucun angle</translation>
     </message>
+    <message>
+        <source>about {number}</source>
+        <translation>environ {number}</translation>
+    </message>
+    <message>
+        <source>{number}%</source>
+        <translation>{number} %</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <translation>, </translation>
+    </message>
+    <message>
+        <source>the tool&apos;s diameter must be a positive number, not {diameter:mm}</source>
+        <translation>le diamètre de l&apos;outil doit être positif, pas {diameter:mm}</translation>
+    </message>
+    <message>
+        <source>the corner radius must lie between 0 and {radius:mm}, not be {corner:mm}</source>
+        <translation>le rayon de coin doit être entre 0 et {radius:mm}, pas {corner:mm}</translation>
+    </message>
+    <message>
+        <source>the tip angle must lie between 0 and pi, not be {angle:g}</source>
+        <translation>l&apos;angle de pointe doit être entre 0 et π, pas {angle:g}</translation>
+    </message>
+    <message>
+        <source>the stock&apos;s corners must be finite numbers</source>
+        <translation>les coins du brut doivent être des nombres finis</translation>
+    </message>
+    <message>
+        <source>the stock has no volume: its upper corner must exceed its lower corner in x, y and z</source>
+        <translation>le brut n&apos;a pas de volume : son coin supérieur doit dépasser l&apos;inférieur en x, y et z</translation>
+    </message>
+    <message>
+        <source>{length:mm4} of cutting in {count:n} move without a feed rate are not in the time</source>
+        <translation>{length:mm4} de coupe dans {count:n} mouvement sans avance ne sont pas dans la durée</translation>
+    </message>
+    <message>
+        <source>{length:mm4} of cutting in {count:n} moves without a feed rate are not in the time</source>
+        <translation>{length:mm4} de coupe dans {count:n} mouvements sans avance ne sont pas dans la durée</translation>
+    </message>
+    <message>
+        <source>{length:mm4} of rapids are not in the time because the tool controller&apos;s {name} is 0</source>
+        <translation>{length:mm4} de déplacements rapides ne sont pas dans la durée, car {name} du contrôleur d&apos;outil vaut 0</translation>
+    </message>
+    <message>
+        <source>{length:mm4} of rapids are not in the time because the tool controller&apos;s {name} and {other} are 0</source>
+        <translation>{length:mm4} de déplacements rapides ne sont pas dans la durée, car {name} et {other} du contrôleur d&apos;outil valent 0</translation>
+    </message>
+    <message>
+        <source>The legacy simulator hangs on an arc {reason} (command {command:n}{others}): {instead}.</source>
+        <translation>L&apos;ancien simulateur se bloque sur un arc {reason} (commande {command:n}{others}) : {instead}.</translation>
+    </message>
+    <message>
+        <source>The legacy simulator cuts {count:n} ramp at a wrong depth, up to {error:mm2} {way} (command {command:n}): do not judge depths by it.</source>
+        <translation>L&apos;ancien simulateur usine {count:n} rampe à une profondeur fausse, jusqu&apos;à {error:mm2} {way} (commande {command:n}) : ne jugez pas les profondeurs d&apos;après lui.</translation>
+    </message>
+    <message>
+        <source>The legacy simulator cuts {count:n} ramps at a wrong depth, up to {error:mm2} {way} (command {command:n}): do not judge depths by it.</source>
+        <translation>L&apos;ancien simulateur usine {count:n} rampes à une profondeur fausse, jusqu&apos;à {error:mm2} {way} (commande {command:n}) : ne jugez pas les profondeurs d&apos;après lui.</translation>
+    </message>
+    <message>
+        <source>{count:n} moves are shorter than a cell of the legacy simulator ({cell:mm2}), each takes its time and none is seen by itself: a coarser tolerance of the operation loses nothing there.</source>
+        <translation>{count:n} mouvements sont plus courts qu&apos;une cellule de l&apos;ancien simulateur ({cell:mm2}), chacun prend du temps et aucun ne se voit seul : une tolérance plus grossière de l&apos;opération n&apos;y perd rien.</translation>
+    </message>
+    <message>
+        <source>The OpenGL simulator takes about {time:s} for every picture at the end, {percent:n} % of it for arcs: simulate this operation alone.</source>
+        <translation>Le simulateur OpenGL prend à la fin environ {time:s} par image, dont {percent:n} % pour les arcs : simulez cette opération seule.</translation>
+    </message>
+    <message>
+        <source>The {simulator} simulator takes about {memory:bytes} for this operation, more than the {allowed:bytes} allowed: {instead}.</source>
+        <translation>Le simulateur ({simulator}) prend environ {memory:bytes} pour cette opération, plus que les {allowed:bytes} permis : {instead}.</translation>
+    </message>
+    <message>
+        <source> and {count:n} more</source>
+        <translation> et {count:n} autres</translation>
+    </message>
+    <message>
+        <source>{width:n} x {height:n} pixels of {pixel:mm2}, limited by the {limit}{passes}</source>
+        <translation>{width:n} x {height:n} pixels de {pixel:mm2}, limités par {limit}{passes}</translation>
+    </message>
+    <message>
+        <source>; passes {step:mm3} apart ask for {cell:mm2}</source>
+        <translation> ; des passes espacées de {step:mm3} demandent {cell:mm2}</translation>
+    </message>
+    <message>
+        <source>; {cell:mm2} would do for passes {step:mm3} apart</source>
+        <translation> ; {cell:mm2} suffiraient pour des passes espacées de {step:mm3}</translation>
+    </message>
+    <message>
+        <source>no resolution helps, the trajectories alone take {time:s}: simulate fewer operations{heaviest}</source>
+        <translation>aucune résolution ne suffit, les trajectoires seules prennent {time:s} : simuler moins d&apos;opérations{heaviest}</translation>
+    </message>
+    <message>
+        <source>; the heaviest is {label} with {time:s}</source>
+        <translation> ; la plus lourde est {label} avec {time:s}</translation>
+    </message>
+    <message>
+        <source>position {position:n} of {positions:n}, cells of {cell:mm2}, plays in {time:s}{passes}</source>
+        <translation>position {position:n} sur {positions:n}, cellules de {cell:mm2}, lecture en {time:s}{passes}</translation>
+    </message>
+    <message>
+        <source>no accuracy helps, playing takes {longer:s} even at the coarsest: use fast-forward, about {time:s} at the finest{heaviest}</source>
+        <translation>aucune précision ne suffit, la lecture prend {longer:s} même à la plus grossière : utiliser l&apos;avance rapide, environ {time:s} à la plus fine{heaviest}</translation>
+    </message>
+    <message>
+        <source>Playing takes about {longer:s} in the legacy simulator: fast-forward takes about {time:s}.</source>
+        <translation>La lecture prend environ {longer:s} dans l&apos;ancien simulateur : l&apos;avance rapide prend environ {time:s}.</translation>
+    </message>
+    <message>
+        <source>Playing takes about {time:s} in the OpenGL simulator at its fastest: simulate fewer operations at a time.</source>
+        <translation>La lecture prend environ {time:s} dans le simulateur OpenGL au plus vite : simulez moins d&apos;opérations à la fois.</translation>
+    </message>
+    <message>
+        <source> and 1 more</source>
+        <translation> et 1 autre</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

@@ -524,6 +524,122 @@
         <source>that sweeps no angle</source>
         <translation>没有扫过任何角度</translation>
     </message>
+    <message>
+        <source>about {number}</source>
+        <translation>约 {number}</translation>
+    </message>
+    <message>
+        <source>{number}%</source>
+        <translation>{number}%</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <translation>、</translation>
+    </message>
+    <message>
+        <source>the tool&apos;s diameter must be a positive number, not {diameter:mm}</source>
+        <translation>刀具直径必须为正数，而不是 {diameter:mm}</translation>
+    </message>
+    <message>
+        <source>the corner radius must lie between 0 and {radius:mm}, not be {corner:mm}</source>
+        <translation>圆角半径必须在 0 与 {radius:mm} 之间，而不是 {corner:mm}</translation>
+    </message>
+    <message>
+        <source>the tip angle must lie between 0 and pi, not be {angle:g}</source>
+        <translation>刀尖角必须在 0 与 π 之间，而不是 {angle:g}</translation>
+    </message>
+    <message>
+        <source>the stock&apos;s corners must be finite numbers</source>
+        <translation>毛坯的角点必须是有限数</translation>
+    </message>
+    <message>
+        <source>the stock has no volume: its upper corner must exceed its lower corner in x, y and z</source>
+        <translation>毛坯没有体积：其上角点在 x、y、z 上必须大于下角点</translation>
+    </message>
+    <message>
+        <source>{length:mm4} of cutting in {count:n} move without a feed rate are not in the time</source>
+        <translation>{count:n} 个没有进给速度的动作中的 {length:mm4} 切削未计入时间</translation>
+    </message>
+    <message>
+        <source>{length:mm4} of cutting in {count:n} moves without a feed rate are not in the time</source>
+        <translation>{count:n} 个没有进给速度的动作中的 {length:mm4} 切削未计入时间</translation>
+    </message>
+    <message>
+        <source>{length:mm4} of rapids are not in the time because the tool controller&apos;s {name} is 0</source>
+        <translation>刀具控制器的 {name} 为 0，因此 {length:mm4} 快速移动未计入时间</translation>
+    </message>
+    <message>
+        <source>{length:mm4} of rapids are not in the time because the tool controller&apos;s {name} and {other} are 0</source>
+        <translation>刀具控制器的 {name} 和 {other} 为 0，因此 {length:mm4} 快速移动未计入时间</translation>
+    </message>
+    <message>
+        <source>The legacy simulator hangs on an arc {reason} (command {command:n}{others}): {instead}.</source>
+        <translation>旧版模拟器会卡在{reason}的圆弧上（命令 {command:n}{others}）：{instead}。</translation>
+    </message>
+    <message>
+        <source>The legacy simulator cuts {count:n} ramp at a wrong depth, up to {error:mm2} {way} (command {command:n}): do not judge depths by it.</source>
+        <translation>旧版模拟器以错误深度切削 {count:n} 处斜坡，最多 {error:mm2} {way}（命令 {command:n}）：不要据此判断深度。</translation>
+    </message>
+    <message>
+        <source>The legacy simulator cuts {count:n} ramps at a wrong depth, up to {error:mm2} {way} (command {command:n}): do not judge depths by it.</source>
+        <translation>旧版模拟器以错误深度切削 {count:n} 处斜坡，最多 {error:mm2} {way}（命令 {command:n}）：不要据此判断深度。</translation>
+    </message>
+    <message>
+        <source>{count:n} moves are shorter than a cell of the legacy simulator ({cell:mm2}), each takes its time and none is seen by itself: a coarser tolerance of the operation loses nothing there.</source>
+        <translation>{count:n} 次移动短于旧版模拟器的一个单元（{cell:mm2}），每次都耗时却无法单独看出：对操作使用更粗的公差在此毫无损失。</translation>
+    </message>
+    <message>
+        <source>The OpenGL simulator takes about {time:s} for every picture at the end, {percent:n} % of it for arcs: simulate this operation alone.</source>
+        <translation>OpenGL 模拟器最后每幅画面约需 {time:s}，其中 {percent:n} % 用于圆弧：请单独模拟此操作。</translation>
+    </message>
+    <message>
+        <source>The {simulator} simulator takes about {memory:bytes} for this operation, more than the {allowed:bytes} allowed: {instead}.</source>
+        <translation>模拟器（{simulator}）此操作约需 {memory:bytes}，超过允许的 {allowed:bytes}：{instead}。</translation>
+    </message>
+    <message>
+        <source> and {count:n} more</source>
+        <translation>及另外 {count:n} 处</translation>
+    </message>
+    <message>
+        <source>{width:n} x {height:n} pixels of {pixel:mm2}, limited by the {limit}{passes}</source>
+        <translation>{width:n} x {height:n} 像素，每个 {pixel:mm2}，受{limit}限制{passes}</translation>
+    </message>
+    <message>
+        <source>; passes {step:mm3} apart ask for {cell:mm2}</source>
+        <translation>；间距 {step:mm3} 的走刀需要 {cell:mm2}</translation>
+    </message>
+    <message>
+        <source>; {cell:mm2} would do for passes {step:mm3} apart</source>
+        <translation>；对间距 {step:mm3} 的走刀，{cell:mm2} 已足够</translation>
+    </message>
+    <message>
+        <source>no resolution helps, the trajectories alone take {time:s}: simulate fewer operations{heaviest}</source>
+        <translation>任何分辨率都不行，仅轨迹就需要 {time:s}：请减少模拟的操作{heaviest}</translation>
+    </message>
+    <message>
+        <source>; the heaviest is {label} with {time:s}</source>
+        <translation>；最重的是 {label}，{time:s}</translation>
+    </message>
+    <message>
+        <source>position {position:n} of {positions:n}, cells of {cell:mm2}, plays in {time:s}{passes}</source>
+        <translation>位置 {position:n}/{positions:n}，单元 {cell:mm2}，播放 {time:s}{passes}</translation>
+    </message>
+    <message>
+        <source>no accuracy helps, playing takes {longer:s} even at the coarsest: use fast-forward, about {time:s} at the finest{heaviest}</source>
+        <translation>任何精度都不行，即使最粗精度播放也需要 {longer:s}：请使用快进，最细精度约 {time:s}{heaviest}</translation>
+    </message>
+    <message>
+        <source>Playing takes about {longer:s} in the legacy simulator: fast-forward takes about {time:s}.</source>
+        <translation>在旧版模拟器中播放约需 {longer:s}：快进约需 {time:s}。</translation>
+    </message>
+    <message>
+        <source>Playing takes about {time:s} in the OpenGL simulator at its fastest: simulate fewer operations at a time.</source>
+        <translation>在 OpenGL 模拟器中以最快速度播放约需 {time:s}：请一次模拟较少的操作。</translation>
+    </message>
+    <message>
+        <source> and 1 more</source>
+        <translation>及另外 1 处</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

@@ -54,7 +54,7 @@ def test_everything_is_translated(language):
     for (_, text), translation in messages(f"VkWorkbench_{language}.ts").items():
         assert translation, text
         # What is filled in, what a dialog follows, tags and lines are the same.
-        for pattern in (r"\{\w*\}", "…$", r"</?\w+>", "\n"):
+        for pattern in (r"\{[^{}]*\}", "…$", r"</?\w+>", "\n"):
             expected, found = (sorted(re.findall(pattern, t)) for t in (text, translation))
             assert found == expected, (text, translation)
 

@@ -12,6 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from vkworkbench.core.toolpath import Toolpath
+from vkworkbench.language import Message, render
 
 # Axis normal to each working plane (G17 XY, G18 ZX, G19 YZ).
 _NORMAL_AXIS = {17: 2, 18: 1, 19: 0}
@@ -32,8 +33,8 @@ class Machining:
     cutting_seconds, rapid_seconds : float or None
         Time of the moves whose speed is known; None where no speed at all is known. Moves at constant feed:
         no acceleration, no dwell, no tool change.
-    notes : tuple of str
-        What the times leave out, one sentence without a full stop each; empty when they are complete.
+    left_out : tuple of Message
+        What the times leave out; empty when they are complete.
     """
 
     cutting_length: float
@@ -42,7 +43,12 @@ class Machining:
     depth: float | None
     cutting_seconds: float | None
     rapid_seconds: float | None
-    notes: tuple[str, ...]
+    left_out: tuple[Message, ...]
+
+    @property
+    def notes(self) -> tuple[str, ...]:
+        """What the times leave out in English, one sentence without a full stop each."""
+        return tuple(map(render, self.left_out))
 
     @property
     def seconds(self) -> float | None:
@@ -115,7 +121,7 @@ def machining(
             raise ValueError(f"a rapid speed must be a number of mm/s, at least 0, not {speed}")
     lengths = exact_lengths(toolpath)
     rapid = toolpath.rapid
-    notes = []
+    left_out = []
 
     cutting_length = float(lengths[~rapid].sum())
     fed = ~rapid & (toolpath.feed > 0)
@@ -123,10 +129,7 @@ def machining(
     missing = int((~rapid & ~fed).sum())
     cutting_seconds: float | None = float((lengths[fed] / toolpath.feed[fed]).sum())
     if missing:
-        notes.append(
-            f"{unfed:.4g} mm of cutting in {missing} move{'s' * (missing > 1)} without a feed rate "
-            "are not in the time"
-        )
+        left_out.append(Message("cutting-untimed", length=unfed, count=missing))
         if not fed.any():
             cutting_seconds = None
 
@@ -146,10 +149,10 @@ def machining(
             )
             if not given and (rapid & kind).any()
         ]
-        notes.append(
-            f"{untimed:.4g} mm of rapids are not in the time because the tool controller's "
-            f"{' and '.join(names)} {'is' if len(names) == 1 else 'are'} 0"
-        )
+        if len(names) == 1:
+            left_out.append(Message("rapids-untimed", length=untimed, name=names[0]))
+        else:
+            left_out.append(Message("all-rapids-untimed", length=untimed, name=names[0], other=names[1]))
         if not timed.any():
             rapid_seconds = None
 
@@ -160,5 +163,5 @@ def machining(
         if top is not None:
             depth = max(0.0, top - lowest)
     return Machining(
-        cutting_length, rapid_length, lowest, depth, cutting_seconds, rapid_seconds, tuple(notes)
+        cutting_length, rapid_length, lowest, depth, cutting_seconds, rapid_seconds, tuple(left_out)
     )

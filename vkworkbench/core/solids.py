@@ -9,6 +9,8 @@ from math import isfinite, pi, tan
 
 import numpy as np
 
+from vkworkbench.language import Message, Unusable
+
 SHAPES = ("endmill", "ballend", "bullnose", "vbit", "drill")
 _DEFAULT_TIP_ANGLE = {"vbit": pi / 3, "drill": 118 * pi / 180}
 
@@ -32,9 +34,11 @@ class Tool:
 
     Raises
     ------
+    Unusable
+        For a diameter that is not a positive number, a corner radius above half the diameter, or a tip angle
+        outside ]0, pi].
     ValueError
-        With a sentence for the user: unknown shape, a diameter that is not a positive number, a
-        corner radius above half the diameter, a tip angle outside ]0, pi].
+        For an unknown shape.
     """
 
     shape: str
@@ -46,14 +50,11 @@ class Tool:
         if self.shape not in SHAPES:
             raise ValueError(f"unknown tool shape {self.shape!r}; known are {', '.join(SHAPES)}")
         if not (isfinite(self.diameter) and self.diameter > 0):
-            raise ValueError(f"the tool's diameter must be a positive number, not {self.diameter:g} mm")
+            raise Unusable(Message("tool-diameter", diameter=self.diameter))
         if self.shape == "bullnose" and not 0 <= self.corner_radius <= self.radius:
-            raise ValueError(
-                f"the corner radius must lie between 0 and {self.radius:g} mm, "
-                f"not be {self.corner_radius:g} mm"
-            )
+            raise Unusable(Message("corner-radius", radius=self.radius, corner=self.corner_radius))
         if self.tip_angle is not None and not 0 < self.tip_angle <= pi:
-            raise ValueError(f"the tip angle must lie between 0 and pi, not be {self.tip_angle:g}")
+            raise Unusable(Message("tip-angle", angle=self.tip_angle))
 
     @property
     def radius(self) -> float:
@@ -142,7 +143,7 @@ class Stock(_Convex):
 
     Raises
     ------
-    ValueError
+    Unusable
         If a coordinate is not finite or the box has no volume.
     """
 
@@ -150,11 +151,9 @@ class Stock(_Convex):
         self.lower = np.array(lower, float).reshape(3)
         self.upper = np.array(upper, float).reshape(3)
         if not (np.isfinite(self.lower).all() and np.isfinite(self.upper).all()):
-            raise ValueError("the stock's corners must be finite numbers")
+            raise Unusable(Message("stock-not-finite"))
         if not (self.upper > self.lower).all():
-            raise ValueError(
-                "the stock has no volume: its upper corner must exceed its lower corner in x, y and z"
-            )
+            raise Unusable(Message("stock-without-volume"))
         self.normals = np.vstack((np.eye(3), -np.eye(3)))
         self.offsets = np.concatenate((self.upper, -self.lower))
         self.corners = np.array(list(product(*zip(self.lower, self.upper))))

@@ -5,10 +5,7 @@ from __future__ import annotations
 
 import enum
 
-
-def QT_TRANSLATE_NOOP(context: str, text: str) -> str:
-    """Return the text: the call tells Qt's lupdate to collect it."""
-    return text
+from vkworkbench.language import QT_TRANSLATE_NOOP
 
 
 class Family(str, enum.Enum):

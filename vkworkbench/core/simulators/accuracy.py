@@ -6,9 +6,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from vkworkbench import friendly
 from vkworkbench.core.simulators.legacy import LegacyCost, legacy_together
 from vkworkbench.core.zbuffer import check_budget, heaviest, passes_apart
+from vkworkbench.language import Message, render
 
 
 @dataclass(frozen=True)
@@ -21,14 +21,19 @@ class Accuracy:
         The finest position that meets the budget, 1 to 10; None where none does: use fast-forward then.
     seconds, memory_bytes : float
         What playing takes with it; without a position, with the coarsest.
-    explanation : str
-        What it means and what limits it, or what helps where no position does; a sentence without a full stop.
+    why : Message
+        What it means and what limits it, or what helps where no position does.
     """
 
     position: int | None
     seconds: float
     memory_bytes: float
-    explanation: str
+    why: Message
+
+    @property
+    def explanation(self) -> str:
+        """The same as an English sentence without a full stop."""
+        return render(self.why)
 
 
 def best_accuracy(
@@ -74,15 +79,15 @@ def best_accuracy(
     ]
     if not met:
         coarsest, finest = every[0], every[-1]
-        words = f"no accuracy helps, playing takes {friendly.time(coarsest.play_seconds)} even at the coarsest"
-        words += f": use fast-forward, about {friendly.time(finest.fast_forward_seconds)} at the finest"
-        if len(labels) > 1:
-            words += f"; the heaviest is {heaviest(labels, [cost[0].play_seconds for cost in costs])}"
-        return Accuracy(None, coarsest.play_seconds, coarsest.memory_bytes, words)
+        why = Message(
+            "no-accuracy", longer=coarsest.play_seconds, time=finest.fast_forward_seconds,
+            heaviest=heaviest(labels, [cost[0].play_seconds for cost in costs]),
+        )  # fmt: skip
+        return Accuracy(None, coarsest.play_seconds, coarsest.memory_bytes, why)
     position = met[-1]
     chosen = every[position - 1]
-    words = f"position {position} of {len(every)}, cells of {chosen.resolution:.2g} mm"
-    words += f", plays in {friendly.time(chosen.play_seconds)}"
-    if stepover:
-        words += passes_apart(chosen.resolution, stepover)
-    return Accuracy(position, chosen.play_seconds, chosen.memory_bytes, words)
+    why = Message(
+        "accuracy", position=position, positions=len(every), cell=chosen.resolution, time=chosen.play_seconds,
+        passes=passes_apart(chosen.resolution, stepover),
+    )  # fmt: skip
+    return Accuracy(position, chosen.play_seconds, chosen.memory_bytes, why)

@@ -8,7 +8,6 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from vkworkbench import friendly
 from vkworkbench.core.gcode import Words
 from vkworkbench.core.simulators.constants import Simulator, available_simulators
 from vkworkbench.core.simulators.legacy import LegacyCost
@@ -16,6 +15,7 @@ from vkworkbench.core.simulators.motions import motions
 from vkworkbench.core.simulators.opengl import OpenGLCost
 from vkworkbench.core.toolpath import Toolpath
 from vkworkbench.core.zbuffer import Estimate
+from vkworkbench.language import Message, render
 
 LONGEST_PLAY = 600.0  # s
 SLOWEST_FRAME = 0.1  # s, ten pictures per second
@@ -34,15 +34,20 @@ class Caution:
     code : str
         What it is, for programs: ``"legacy-hangs"``, ``"legacy-ramp"``, ``"long-play"``, ``"memory"``,
         ``"arcs"`` or ``"short-moves"``.
-    message : str
-        What happens and what to do, one or two sentences with full stops.
+    what : Message
+        What happens and what to do.
     command : int or None
         Index of the first command concerned; None where it is the operation as a whole.
     """
 
     code: str
-    message: str
+    what: Message
     command: int | None = None
+
+    @property
+    def message(self) -> str:
+        """What happens and what to do in English, one or two sentences with full stops."""
+        return render(self.what)
 
     def __str__(self) -> str:
         return self.message
@@ -115,27 +120,25 @@ def _hangs(words: Words, toolpath: Toolpath, version: tuple[int, ...]) -> list[C
     made = motions(toolpath)
     circle = np.isin(arcs, made.command[np.abs(made.sweep) > 2 * np.pi - 1e-6])
     reasons = [
-        (absent["X"] | absent["Y"], "without an X or Y word"),
-        (absent["Z"] & (tuple(version[:2]) < (1, 1)), "without a Z word"),
-        ((i == 0) & (j == 0), "without a centre"),
-        (circle & ~absent["X"] & ~absent["Y"], "that is a full circle"),
-        (still & ~circle & ((i != 0) | (j != 0)), "that sweeps no angle"),
+        (absent["X"] | absent["Y"], Message("arc-without-xy")),
+        (absent["Z"] & (tuple(version[:2]) < (1, 1)), Message("arc-without-z")),
+        ((i == 0) & (j == 0), Message("arc-without-centre")),
+        (circle & ~absent["X"] & ~absent["Y"], Message("arc-full-circle")),
+        (still & ~circle & ((i != 0) | (j != 0)), Message("arc-without-sweep")),
     ]
+    has_opengl = Simulator.OPENGL in available_simulators(version)
+    instead = Message("use-opengl") if has_opengl else Message("leave-out")
     found = []
     for bad, reason in reasons:
         concerned = arcs[bad & plain]
         if not len(concerned):
             continue
-        others = f" and {len(concerned) - 1} more" if len(concerned) > 1 else ""
-        instead = (
-            "use the OpenGL simulator for this operation"
-            if Simulator.OPENGL in available_simulators(version)
-            else "leave this operation out of the simulation"
-        )
-        message = (
-            f"The legacy simulator hangs on an arc {reason} (command {concerned[0]}{others}): {instead}."
-        )
-        found.append(Caution("legacy-hangs", message, int(concerned[0])))
+        first, others = int(concerned[0]), len(concerned) - 1
+        what = Message(
+            "legacy-hangs", reason=reason, command=first, instead=instead,
+            others=Message("and-more", count=others) if others else None,
+        )  # fmt: skip
+        found.append(Caution("legacy-hangs", what, first))
     return found
 
 
@@ -161,22 +164,18 @@ def _ramps(toolpath: Toolpath, diameter: float) -> list[Caution]:
     if not len(wrong):
         return []
     worst = wrong[np.argmax(error[wrong])]
-    way = "too deep" if moves[worst, 2] < 0 else "too high"
-    message = (
-        f"The legacy simulator cuts {len(wrong)} ramp{'s' * (len(wrong) > 1)} at a wrong depth, up to "
-        f"{error[worst]:.2g} mm {way} (command {toolpath.command[worst]}): do not judge depths by it."
-    )
-    return [Caution("legacy-ramp", message, int(toolpath.command[wrong[0]]))]
+    what = Message(
+        "legacy-ramp", count=len(wrong), error=error[worst], command=toolpath.command[worst],
+        way=Message("too-deep") if moves[worst, 2] < 0 else Message("too-high"),
+    )  # fmt: skip
+    return [Caution("legacy-ramp", what, int(toolpath.command[wrong[0]]))]
 
 
 def _long_legacy(cost: LegacyCost, budget: float) -> list[Caution]:
     if cost.play_seconds <= budget:
         return []
-    message = (
-        f"Playing takes about {friendly.time(cost.play_seconds)} in the legacy simulator: "
-        f"fast-forward takes about {friendly.time(cost.fast_forward_seconds)}."
-    )
-    return [Caution("long-play", message)]
+    what = Message("legacy-long-play", longer=cost.play_seconds, time=cost.fast_forward_seconds)
+    return [Caution("long-play", what)]
 
 
 def _short_moves(toolpath: Toolpath, resolution: float) -> list[Caution]:
@@ -184,27 +183,17 @@ def _short_moves(toolpath: Toolpath, resolution: float) -> list[Caution]:
     short = np.flatnonzero((toolpath.sweep == 0) & ~toolpath.rapid & ((moves**2).sum(axis=1) < resolution**2))
     if len(short) <= MOST_SHORT_MOVES:
         return []
-    message = (
-        f"{len(short)} moves are shorter than a cell of the legacy simulator ({resolution:.2g} mm), each "
-        "takes its time and none is seen by itself: a coarser tolerance of the operation loses nothing there."
-    )
-    return [Caution("short-moves", message, int(toolpath.command[short[0]]))]
+    what = Message("legacy-short-moves", count=len(short), cell=resolution)
+    return [Caution("short-moves", what, int(toolpath.command[short[0]]))]
 
 
 def _long_opengl(cost: OpenGLCost, budget: float) -> list[Caution]:
     found = []
     if cost.fastest_seconds > budget:
-        message = (
-            f"Playing takes about {friendly.time(cost.fastest_seconds)} in the OpenGL simulator at its "
-            "fastest: simulate fewer operations at a time."
-        )
-        found.append(Caution("long-play", message))
+        found.append(Caution("long-play", Message("opengl-long-play", time=cost.fastest_seconds)))
     if cost.frame_seconds > SLOWEST_FRAME and 2 * cost.arc_draws > cost.draws:
-        message = (
-            f"The OpenGL simulator takes about {friendly.time(cost.frame_seconds)} for every picture at the "
-            f"end, {100 * cost.arc_draws / cost.draws:.0f} % of it for arcs: simulate this operation alone."
-        )
-        found.append(Caution("arcs", message))
+        percent = round(100 * cost.arc_draws / cost.draws)
+        found.append(Caution("arcs", Message("opengl-arcs", time=cost.frame_seconds, percent=percent)))
     return found
 
 
@@ -213,14 +202,11 @@ def _memory(
 ) -> list[Caution]:
     found = []
     for name, cost, instead in (
-        ("z-buffer", zbuffer, "choose a smaller image in the preferences"),
-        ("legacy", legacy, "move its accuracy slider to the left"),
-        ("OpenGL", opengl, "simulate fewer operations at a time"),
+        ("z-buffer", zbuffer, Message("smaller-image")),
+        ("legacy", legacy, Message("coarser-accuracy")),
+        ("OpenGL", opengl, Message("fewer-operations")),
     ):
         if cost is not None and cost.memory_bytes > budget:
-            message = (
-                f"The {name} simulator takes about {friendly.memory(cost.memory_bytes)} for this operation, "
-                f"more than the {friendly.memory(budget)} allowed: {instead}."
-            )
-            found.append(Caution("memory", message))
+            what = Message("memory", simulator=name, memory=cost.memory_bytes, allowed=budget, instead=instead)
+            found.append(Caution("memory", what))
     return found

@@ -7,9 +7,9 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from math import isfinite, sqrt
 
-from vkworkbench import friendly
 from vkworkbench.core.solids import View
 from vkworkbench.core.zbuffer.estimate import Estimate
+from vkworkbench.language import Message, render
 
 # Passes are told apart if at least this many pixels or cells lie between them.
 _CELLS_PER_STEPOVER = 4
@@ -25,14 +25,19 @@ class Resolution:
         The finest image within the budget; None where none is.
     memory_bytes, seconds : float
         What the simulation takes with it; without a view, with a single pixel.
-    explanation : str
-        What limits it, or what helps where no resolution does; a sentence without a full stop.
+    why : Message
+        What limits it, or what helps where no resolution does.
     """
 
     view: View | None
     memory_bytes: float
     seconds: float
-    explanation: str
+    why: Message
+
+    @property
+    def explanation(self) -> str:
+        """The same as an English sentence without a full stop."""
+        return render(self.why)
 
 
 def best_resolution(
@@ -88,35 +93,40 @@ def best_resolution(
     pixels = view.width * view.height
     growth = limits[limit]
     if growth * pixels < 1:
-        words = "no resolution helps, not even a single pixel fits"
+        why = Message("no-image")
         if limit == "time":
-            words = f"no resolution helps, the trajectories alone take {friendly.time(fixed)}"
-            words += ": simulate fewer operations"
-            if len(labels) > 1:
-                words += f"; the heaviest is {heaviest(labels, [e.seconds for e in estimates])}"
-        return Resolution(None, memory / pixels, fixed + scaled / pixels, words)
+            named = heaviest(labels, [e.seconds for e in estimates])
+            why = Message("no-image-in-time", time=fixed, heaviest=named)
+        return Resolution(None, memory / pixels, fixed + scaled / pixels, why)
     width = max(1, int(view.width * sqrt(growth)))
     height = max(1, int(view.height * sqrt(growth)))
     pixel *= max(view.width / width, view.height / height)
     growth = width * height / pixels
-    words = f"{width} x {height} pixels of {pixel:.2g} mm, limited by the {limit}"
-    if stepover:
-        words += passes_apart(pixel, stepover)
+    why = Message(
+        "image", width=width, height=height, pixel=pixel,
+        limit=Message("limit-memory") if limit == "memory" else Message("limit-time"),
+        passes=passes_apart(pixel, stepover),
+    )  # fmt: skip
     chosen = replace(view, width=width, height=height, pixel=None if view.pixel is None else pixel)
-    return Resolution(chosen, memory * growth, fixed + scaled * growth, words)
+    return Resolution(chosen, memory * growth, fixed + scaled * growth, why)
 
 
-def passes_apart(pixel: float, stepover: float) -> str:
-    """Say whether cells or pixels of a size tell passes apart."""
+def passes_apart(size: float, stepover: float | None) -> Message | None:
+    """Say whether cells or pixels of a size tell passes apart; None where it is not known how far apart they are."""
+    if not stepover:
+        return None
     finest = stepover / _CELLS_PER_STEPOVER
-    if pixel > finest:
-        return f"; passes {stepover:.3g} mm apart ask for {finest:.2g} mm"
-    return f"; {finest:.2g} mm would do for passes {stepover:.3g} mm apart"
+    if size > finest:
+        return Message("passes-need", step=stepover, cell=finest)
+    return Message("passes-seen", step=stepover, cell=finest)
 
 
-def heaviest(labels: Sequence[str], seconds: Sequence[float]) -> str:
+def heaviest(labels: Sequence[str], seconds: Sequence[float]) -> Message | None:
+    """Name the operation that takes the longest; None where there is no other."""
+    if len(labels) < 2:
+        return None
     worst = max(range(len(labels)), key=seconds.__getitem__)
-    return f"{labels[worst]} with {friendly.time(seconds[worst])}"
+    return Message("heaviest", label=labels[worst], time=seconds[worst])
 
 
 def check_budget(*budgets: float) -> None:

@@ -1,0 +1,176 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Codes, templates and arguments fit together, in every language and whatever the labels hold."""
+
+from __future__ import annotations
+
+import ast
+import json
+import re
+from pathlib import Path
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from readers import LANGUAGES, German, Inches, Translated
+
+from vkworkbench.core import Strategy
+from vkworkbench.language import ENGLISH, Message, Unusable, render
+from vkworkbench.language.table import TABLE
+
+PACKAGE = Path(__file__).resolve().parents[3] / "vkworkbench"
+PLACE = re.compile(r"\{(\w+)(?::([^{}\d]+)\d*)?\}")
+VALUES = {"n": 3, ",": 12345, "g": 0.5, "mm": 2.5, "s": 4.0, "bytes": 2e6, "%": 0.5, "turns": 9.0,
+          "strategy": "zigzag", "": "Face"}  # fmt: skip
+
+
+def templates(code):
+    known = TABLE[code]
+    return [known] if isinstance(known, str) else list(known)
+
+
+def places(code):
+    """Names of what a message is filled with, and the quantity of each."""
+    return dict(place for template in templates(code) for place in PLACE.findall(template))
+
+
+def made():
+    """Every message that the code makes: where, its code and the names of its arguments."""
+    for path in sorted(PACKAGE.rglob("*.py")):
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+            if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id == "Message":
+                yield f"{path.relative_to(PACKAGE)}:{node.lineno}", node
+
+
+def test_every_message_that_is_made_has_a_template_with_exactly_its_arguments():
+    for where, call in made():
+        assert len(call.args) == 1 and isinstance(call.args[0], ast.Constant), f"{where}: no literal code"
+        code = call.args[0].value
+        assert code in TABLE, f"{where}: no template for {code!r}"
+        assert {keyword.arg for keyword in call.keywords} == set(places(code)), where
+
+
+def test_every_template_is_used():
+    assert set(TABLE) == {call.args[0].value for _, call in made()}
+
+
+@pytest.mark.parametrize("code", TABLE)
+def test_templates_fit_their_kind(code):
+    for template in templates(code):
+        assert set(dict(PLACE.findall(template)).values()) <= set(VALUES)
+        assert PLACE.sub("", template).isascii() and not re.search("[{}]", PLACE.sub("", template))
+    if len(templates(code)) > 1:
+        assert places(code)["count"] in ("n", ",")
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_every_message_in_every_language(language):
+    reader = Translated(language)
+    for code in TABLE:
+        for count in (1, 3):
+            arguments = {name: VALUES[quantity] for name, quantity in places(code).items()}
+            if "count" in arguments:
+                arguments["count"] = count
+            message = Message(code, **arguments)
+            shown = render(message, reader)
+            assert shown and not re.search(r"[{}]", shown), shown
+            for template in templates(code):
+                assert ("Sentences", template) in reader.texts, template
+            for name, quantity in places(code).items():
+                assert quantity or "Face" in shown, (name, shown)
+
+
+@pytest.mark.parametrize("label", ["A; B", "{step:mm3}", "{label}", "{}", "%n %1 50%", "a: b", "⟦x⟧", "é\n\t", "", "; "])
+def test_labels_stay_as_they_are(label):
+    message = Message("heaviest", label=label, time=3.0)
+    assert render(message) == f"; the heaviest is {label} with 3.0 s"
+    assert render(message, German()) == f"; am schwersten wiegt {label} mit 3,0 s"
+    assert Message.from_data(json.loads(json.dumps(message.as_data()))) == message
+
+
+def test_numbers_as_each_reads_them():
+    message = Message("passes-need", step=2.54, cell=0.635)
+    assert render(message) == "; passes 2.54 mm apart ask for 0.64 mm"
+    assert render(message, German()) == "; Bahnen im Abstand von 2,54 mm verlangen 0,64 mm"
+    assert render(message, Inches()) == "; passes 0.1 in apart ask for 0.025 in"
+    german = German()
+    assert (german.count(1234567), german.decimals(3.14159, 2)) == ("1.234.567", "3,14")
+    assert (german.share(0.98), ENGLISH.share(0.98)) == ("98 %", "98%")
+    assert (german.about("3 s", 2.5), german.about("3 s", 1.5)) == ("etwa 3 s", "3 s")
+
+
+@pytest.mark.parametrize("number, text", [
+    (ENGLISH.time(0.0123), "12 ms"), (ENGLISH.time(1.42), "1.4 s"), (ENGLISH.time(180), "3.0 min"),
+    (ENGLISH.time(9000), "2.5 h"), (ENGLISH.time(4e-5), "0.04 ms"), (ENGLISH.time(1e7), "2,778 h"),
+    (ENGLISH.memory(1.5e9), "1.5 GB"), (ENGLISH.memory(999.9e3), "1.0 MB"), (ENGLISH.memory(0), "0 kB"),
+    (ENGLISH.length(12.345), "12 mm"), (ENGLISH.length(12_345), "12 m"),
+    (ENGLISH.measure(0.0123456, 2), "0.012 mm"), (ENGLISH.measure(12345.6, 4), "12346 mm"),
+    (ENGLISH.measure(1e-6), "1e-06 mm"), (ENGLISH.measure(float("nan")), "nan mm"),
+    (ENGLISH.turns(9.42478), "+1.50"), (ENGLISH.turns(-1e-9), "0"), (ENGLISH.share(0.005), "0%"),
+])  # fmt: skip
+def test_numbers_have_two_or_three_digits_and_a_unit(number, text):
+    assert number == text
+
+
+@pytest.mark.parametrize("strategy", Strategy)
+def test_strategies_are_named_by_their_values(strategy):
+    """A message holds the value; the translations know the name."""
+    assert strategy.value == strategy.label
+    assert all(("Strategy", strategy.value) in Translated(language).texts for language in LANGUAGES)
+
+
+def test_one_and_more():
+    assert "1 ramp at" in render(Message("legacy-ramp", count=1, error=2, way="", command=3))
+    assert "2 ramps at" in render(Message("legacy-ramp", count=2, error=2, way="", command=3))
+
+
+def test_messages_are_values():
+    one = Message("x", b=np.float64(2), a=np.int64(1), strategy=Strategy.ZIGZAG, parts=[Message("y"), "z"], no=None)
+    same = Message("x", a=1, b=2.0, strategy="zigzag", parts=(Message("y"), "z"), no=None)
+    assert one == same and hash(one) == hash(same) and one != Message("x", a=1)
+    assert type(one.arguments["a"]) is int and type(one.arguments["strategy"]) is str
+    assert Message("x", d=float("nan")) == Message("x", d=float("nan"))
+    assert repr(Message("x", a=1, b="c")) == "Message('x', a=1, b='c')"
+    with pytest.raises(AttributeError):
+        one.code = "y"
+    with pytest.raises(TypeError):
+        Message("x", a=object())
+
+
+plain = st.none() | st.integers(-(2**60), 2**60) | st.floats() | st.text(max_size=9)
+messages = st.recursive(
+    st.builds(lambda code, arguments: Message(code, **arguments), st.text(), st.dictionaries(st.text(), plain)),
+    lambda inner: st.builds(
+        lambda code, arguments: Message(code, **arguments),
+        st.text(), st.dictionaries(st.text(), plain | inner | st.lists(plain | inner, max_size=3)),
+    ),
+    max_leaves=5,
+)  # fmt: skip
+
+
+@given(messages)
+def test_there_and_back(message):
+    written = json.dumps(message.as_data(), allow_nan=False)
+    assert Message.from_data(json.loads(written)) == message
+
+
+anything = st.recursive(
+    plain | st.booleans(), lambda inner: st.lists(inner) | st.dictionaries(st.text() | st.just("code"), inner)
+)
+
+
+@given(anything)
+def test_what_is_no_message_is_refused_with_a_value_error(data):
+    for one in (data, {"code": data, "arguments": data}, {"code": "image", "arguments": {"width": data}}):
+        try:
+            message = Message.from_data(one)
+        except ValueError:
+            continue
+        with pytest.raises((LookupError, TypeError, ValueError)):
+            render(message)
+
+
+def test_an_error_that_carries_its_message():
+    error = Unusable(Message("tip-angle", angle=4.0))
+    assert isinstance(error, ValueError) and error.what.code == "tip-angle"
+    assert str(error) == "the tip angle must lie between 0 and pi, not be 4"

@@ -1,0 +1,91 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Messages: codes with arguments, which programs compare and `sentences` puts into words."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import Enum
+from math import isfinite
+from numbers import Integral, Real
+from typing import Any, Union
+
+Argument = Union[int, float, str, None, "Message", tuple]
+
+
+@dataclass(frozen=True, init=False, repr=False)
+class Message:
+    """Something to be said: a code of the table, and what its sentence is filled with.
+
+    Parameters
+    ----------
+    code : str
+        Which sentence.
+    **arguments : int, float, str, None, Message, or sequence of these
+        What is filled in: numbers in mm, s, rad, bytes and shares of 1; labels and other names, which nobody
+        translates; parts of the sentence that are messages of their own; None for a part that is not there. A
+        strategy, as any member of an enum, is kept by its value.
+    """
+
+    code: str
+    _items: tuple[tuple[str, Argument], ...]
+
+    def __init__(self, code: str, /, **arguments: Any) -> None:
+        items = tuple((name, _plain(value)) for name, value in sorted(arguments.items()))
+        object.__setattr__(self, "code", code)
+        object.__setattr__(self, "_items", items)
+
+    @property
+    def arguments(self) -> dict[str, Argument]:
+        """What the sentence is filled with, by name."""
+        return dict(self._items)
+
+    def __repr__(self) -> str:
+        return f"Message({', '.join([repr(self.code), *(f'{name}={value!r}' for name, value in self._items)])})"
+
+    def as_data(self) -> dict[str, Any]:
+        """Return the message as plain data for JSON: ``{"code": ..., "arguments": {...}}``."""
+        return {"code": self.code, "arguments": {name: _data_of(value) for name, value in self._items}}
+
+    @classmethod
+    def from_data(cls, data: Any) -> Message:
+        """Return the message that `as_data` made this of.
+
+        Raises
+        ------
+        ValueError
+            If no message looks like that.
+        """
+        match data:
+            case {"code": str(code), "arguments": dict(arguments)} if len(data) == 2:
+                return cls(code, **{name: _of_data(value) for name, value in arguments.items()})
+        raise ValueError(f"no message: {data!r}")
+
+
+def _plain(value: Any) -> Argument:
+    """Return an argument that can be compared, and written as JSON: numbers without their numpy types, for example."""
+    if value is None or isinstance(value, Message):
+        return value
+    if isinstance(value, Enum):
+        return value.value
+    if isinstance(value, str):
+        return value
+    if isinstance(value, Integral):
+        return int(value)
+    if isinstance(value, Real):
+        # JSON has no such numbers; as text they also equal themselves.
+        return float(value) if isfinite(value) else str(float(value))
+    if isinstance(value, (list, tuple)):
+        return tuple(map(_plain, value))
+    raise TypeError(f"a message cannot hold {value!r}")
+
+
+def _data_of(value: Argument) -> Any:
+    if isinstance(value, Message):
+        return value.as_data()
+    return [_data_of(one) for one in value] if isinstance(value, tuple) else value
+
+
+def _of_data(data: Any) -> Argument:
+    if isinstance(data, dict):
+        return Message.from_data(data)
+    return tuple(map(_of_data, data)) if isinstance(data, list) else data

@@ -1,0 +1,101 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Numbers as a person reads them: two or three significant digits and a unit."""
+
+from __future__ import annotations
+
+from math import tau
+
+from vkworkbench.language.marking import QT_TRANSLATE_NOOP
+
+# From which factor on a number is said to be "about".
+ROUGH = 2.0
+ABOUT = QT_TRANSLATE_NOOP("Sentences", "about {number}")
+_PERCENT = QT_TRANSLATE_NOOP("Sentences", "{number}%")
+
+
+class Reader:
+    """How somebody reads: this one English, with millimetres.
+
+    Whoever reads another language, or in other units, is a subclass.
+
+    Attributes
+    ----------
+    decimal, thousands : str
+        What separates the decimals, and groups of three digits.
+    """
+
+    decimal, thousands = ".", ","
+
+    def translate(self, context: str, text: str) -> str:
+        """Return a text that is marked for translation in the reader's language."""
+        return text
+
+    def length_unit(self, millimetres: float) -> tuple[float, str]:
+        """Return the unit in which a length of that size is read: how many mm it is, and its name."""
+        return 1.0, "mm"
+
+    def length(self, millimetres: float) -> str:
+        """Return a length in mm, m from 10 m on."""
+        if millimetres < 10_000:
+            return f"{self._digits(millimetres)} mm"
+        return f"{self._digits(millimetres / 1e3)} m"
+
+    def measure(self, millimetres: float, digits: int = 6) -> str:
+        """Return a length with a number of significant digits, e.g. ``"0.125 mm"``."""
+        factor, unit = self.length_unit(millimetres)
+        return f"{self.number(millimetres / factor, digits)} {unit}"
+
+    def number(self, value: float, digits: int = 6) -> str:
+        """Return a number with a number of significant digits; a large one to the unit."""
+        text = f"{value:.{digits}g}"
+        return self._local(f"{value:.0f}" if "e+" in text else text)
+
+    def decimals(self, value: float, places: int) -> str:
+        """Return a number with that many decimals."""
+        return self._local(f"{value:.{places}f}")
+
+    def count(self, number: int) -> str:
+        """Return how many there are, e.g. ``"5,752"``."""
+        return self._local(f"{number:,}")
+
+    def share(self, share: float) -> str:
+        """Return a share of 1 in percent, e.g. ``"98%"``."""
+        return self.translate("Sentences", _PERCENT).replace("{number}", f"{100 * share:.0f}")
+
+    def turns(self, angle: float) -> str:
+        """Return an angle, rad, in turns, to hundredths: what rounding left is nothing."""
+        turns = round(angle / tau, 2)
+        return self._local(f"{turns:+.2f}") if turns else "0"
+
+    def time(self, seconds: float) -> str:
+        """Return a duration, e.g. ``"12 ms"``, ``"1.4 s"``, ``"3 min"``, ``"2.5 h"``."""
+        if seconds < 0.9995:
+            return f"{self._digits(seconds * 1e3)} ms"
+        if seconds < 60:
+            return f"{self._digits(seconds)} s"
+        if seconds < 3600:
+            return f"{self._digits(seconds / 60)} min"
+        return f"{self._digits(seconds / 3600)} h"
+
+    def memory(self, size: float) -> str:
+        """Return a memory size in bytes as kB, MB or GB (powers of 1000)."""
+        for unit, factor in (("GB", 1e9), ("MB", 1e6)):
+            if size >= 0.9995 * factor:
+                return f"{self._digits(size / factor)} {unit}"
+        return f"{self._digits(size / 1e3)} kB"
+
+    def about(self, text: str, factor: float) -> str:
+        """Return the text of a number, with "about" before it where the true one may be half or twice of it."""
+        return self.translate("Sentences", ABOUT).replace("{number}", text) if factor >= ROUGH else text
+
+    def _digits(self, value: float) -> str:
+        if value >= 9.95 or value == 0:
+            return self._local(f"{value:,.0f}")
+        return self._local(f"{value:.1f}" if value >= 0.095 else f"{value:.2g}")
+
+    def _local(self, english: str) -> str:
+        """Return an English number with the reader's separators."""
+        return english.translate({ord("."): self.decimal, ord(","): self.thousands})
+
+
+ENGLISH = Reader()

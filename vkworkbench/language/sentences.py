@@ -1,0 +1,70 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Messages in words: the sentence of a code in the reader's language, filled with the arguments as he reads them.
+
+A place of a template is ``{name}`` or ``{name:quantity}``. Without a quantity stands there a text as it is, or another
+message. A quantity says what a number is: ``n`` how many, ``,`` how many in groups of three digits, ``g`` a number,
+``mm`` a length (both with the significant digits behind them, e.g. ``mm3``), ``s`` a duration in s, ``bytes``,
+``%`` a share of 1, ``turns`` an angle in rad, ``strategy`` a strategy by its value.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+
+from vkworkbench.language.marking import QT_TRANSLATE_NOOP
+from vkworkbench.language.message import Argument, Message
+from vkworkbench.language.numbers import ENGLISH, Reader
+from vkworkbench.language.table import TABLE
+
+_PLACE = re.compile(r"\{(\w+)(?::([^{}\d]+)(\d*))?\}")
+_BETWEEN = QT_TRANSLATE_NOOP("Sentences", ", ")
+
+_QUANTITIES: dict[str, Callable[[Reader, Argument, int], str]] = {
+    "n": lambda reader, value, digits: f"{value:d}",
+    ",": lambda reader, value, digits: reader.count(value),
+    "g": lambda reader, value, digits: reader.number(float(value), digits),
+    "mm": lambda reader, value, digits: reader.measure(float(value), digits),
+    "s": lambda reader, value, digits: reader.time(value),
+    "bytes": lambda reader, value, digits: reader.memory(value),
+    "%": lambda reader, value, digits: reader.share(value),
+    "turns": lambda reader, value, digits: reader.turns(value),
+    "strategy": lambda reader, value, digits: reader.translate("Strategy", value),
+}
+
+
+def render(message: Message, reader: Reader = ENGLISH) -> str:
+    """Return the sentence of a message, without a full stop unless it is several.
+
+    Raises
+    ------
+    LookupError, TypeError, ValueError
+        If the table has no such message: another version may have written it.
+    """
+    arguments = message.arguments
+
+    def filled(place: re.Match) -> str:
+        name, quantity, digits = place.groups()
+        return _shown(arguments[name], quantity, int(digits or 6), reader)
+
+    return _PLACE.sub(filled, reader.translate("Sentences", _template(message)))
+
+
+def _template(message: Message) -> str:
+    """The text of the table: of one or of more where it tells them apart."""
+    known = TABLE[message.code]
+    if isinstance(known, str):
+        return known
+    one, more = known
+    return one if message.arguments["count"] == 1 else more
+
+
+def _shown(value: Argument, quantity: str | None, digits: int, reader: Reader) -> str:
+    if isinstance(value, tuple):
+        between = reader.translate("Sentences", _BETWEEN)
+        return between.join(_shown(one, quantity, digits, reader) for one in value)
+    if quantity:
+        return _QUANTITIES[quantity](reader, value, digits)
+    if isinstance(value, Message):
+        return render(value, reader)
+    return "" if value is None else str(value)

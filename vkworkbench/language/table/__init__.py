@@ -1,0 +1,10 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The table of all that is said: codes and their templates, one file for each subject.
+
+A template is one text, or two, for one and for more, where the message counts something in its argument ``count``.
+"""
+
+from vkworkbench.language.table.operations import OPERATIONS
+from vkworkbench.language.table.simulators import SIMULATORS
+
+TABLE: dict[str, str | tuple[str, str]] = {**OPERATIONS, **SIMULATORS}

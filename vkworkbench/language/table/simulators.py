@@ -1,0 +1,89 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What goes wrong in a simulator, and which image or accuracy is recommended."""
+
+from __future__ import annotations
+
+from vkworkbench.language.marking import QT_TRANSLATE_NOOP
+
+SIMULATORS = {
+    # What goes wrong.
+    "legacy-hangs": QT_TRANSLATE_NOOP(
+        "Sentences", "The legacy simulator hangs on an arc {reason} (command {command:n}{others}): {instead}."
+    ),
+    "legacy-ramp": (
+        QT_TRANSLATE_NOOP(
+            "Sentences",
+            "The legacy simulator cuts {count:n} ramp at a wrong depth, up to {error:mm2} {way} (command "
+            "{command:n}): do not judge depths by it.",
+        ),
+        QT_TRANSLATE_NOOP(
+            "Sentences",
+            "The legacy simulator cuts {count:n} ramps at a wrong depth, up to {error:mm2} {way} (command "
+            "{command:n}): do not judge depths by it.",
+        ),
+    ),
+    "legacy-long-play": QT_TRANSLATE_NOOP(
+        "Sentences",
+        "Playing takes about {longer:s} in the legacy simulator: fast-forward takes about {time:s}.",
+    ),
+    "opengl-long-play": QT_TRANSLATE_NOOP(
+        "Sentences",
+        "Playing takes about {time:s} in the OpenGL simulator at its fastest: simulate fewer operations at a time.",
+    ),
+    "legacy-short-moves": QT_TRANSLATE_NOOP(
+        "Sentences",
+        "{count:n} moves are shorter than a cell of the legacy simulator ({cell:mm2}), each takes its time and "
+        "none is seen by itself: a coarser tolerance of the operation loses nothing there.",
+    ),
+    "opengl-arcs": QT_TRANSLATE_NOOP(
+        "Sentences",
+        "The OpenGL simulator takes about {time:s} for every picture at the end, {percent:n} % of it for arcs: "
+        "simulate this operation alone.",
+    ),
+    "memory": QT_TRANSLATE_NOOP(
+        "Sentences",
+        "The {simulator} simulator takes about {memory:bytes} for this operation, more than the {allowed:bytes} "
+        "allowed: {instead}.",
+    ),
+    # Why an arc makes it hang, and how many others do.
+    "arc-without-xy": QT_TRANSLATE_NOOP("Sentences", "without an X or Y word"),
+    "arc-without-z": QT_TRANSLATE_NOOP("Sentences", "without a Z word"),
+    "arc-without-centre": QT_TRANSLATE_NOOP("Sentences", "without a centre"),
+    "arc-full-circle": QT_TRANSLATE_NOOP("Sentences", "that is a full circle"),
+    "arc-without-sweep": QT_TRANSLATE_NOOP("Sentences", "that sweeps no angle"),
+    "and-more": (
+        QT_TRANSLATE_NOOP("Sentences", " and 1 more"),
+        QT_TRANSLATE_NOOP("Sentences", " and {count:n} more"),
+    ),
+    "too-deep": QT_TRANSLATE_NOOP("Sentences", "too deep"),
+    "too-high": QT_TRANSLATE_NOOP("Sentences", "too high"),
+    # What to do instead.
+    "use-opengl": QT_TRANSLATE_NOOP("Sentences", "use the OpenGL simulator for this operation"),
+    "leave-out": QT_TRANSLATE_NOOP("Sentences", "leave this operation out of the simulation"),
+    "fewer-operations": QT_TRANSLATE_NOOP("Sentences", "simulate fewer operations at a time"),
+    "smaller-image": QT_TRANSLATE_NOOP("Sentences", "choose a smaller image in the preferences"),
+    "coarser-accuracy": QT_TRANSLATE_NOOP("Sentences", "move its accuracy slider to the left"),
+    # The recommended image of the z-buffer.
+    "image": QT_TRANSLATE_NOOP(
+        "Sentences", "{width:n} x {height:n} pixels of {pixel:mm2}, limited by the {limit}{passes}"
+    ),
+    "limit-memory": QT_TRANSLATE_NOOP("Sentences", "memory"),
+    "limit-time": QT_TRANSLATE_NOOP("Sentences", "time"),
+    "passes-need": QT_TRANSLATE_NOOP("Sentences", "; passes {step:mm3} apart ask for {cell:mm2}"),
+    "passes-seen": QT_TRANSLATE_NOOP("Sentences", "; {cell:mm2} would do for passes {step:mm3} apart"),
+    "no-image": QT_TRANSLATE_NOOP("Sentences", "no resolution helps, not even a single pixel fits"),
+    "no-image-in-time": QT_TRANSLATE_NOOP(
+        "Sentences",
+        "no resolution helps, the trajectories alone take {time:s}: simulate fewer operations{heaviest}",
+    ),
+    "heaviest": QT_TRANSLATE_NOOP("Sentences", "; the heaviest is {label} with {time:s}"),
+    # The recommended accuracy of the legacy simulator.
+    "accuracy": QT_TRANSLATE_NOOP(
+        "Sentences", "position {position:n} of {positions:n}, cells of {cell:mm2}, plays in {time:s}{passes}"
+    ),
+    "no-accuracy": QT_TRANSLATE_NOOP(
+        "Sentences",
+        "no accuracy helps, playing takes {longer:s} even at the coarsest: use fast-forward, about {time:s} at "
+        "the finest{heaviest}",
+    ),
+}
