@@ -145,7 +145,7 @@ class GaussMapDock(QDockWidget):
         self.chooser.blockSignals(True)
         self.chooser.clear()
         for area in areas.by_length[:_LISTED]:
-            count = int(areas.end[area] - areas.first[area])
+            count = int(areas.end[area] - areas.start[area])
             text = translate("Vk_GaussMap", "Area {}: {} trajectories, {}")
             self.chooser.addItem(text.format(area + 1, f"{count:,}", length(areas.area_length[area])), int(area))
         self.chooser.blockSignals(False)
