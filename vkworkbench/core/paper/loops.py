@@ -10,6 +10,7 @@ from vkworkbench.core.paper.moves import Moves
 
 CLOSE = 0.03  # mm; a path that comes back this close is closed
 GAP = 0.03  # of the side of a square as large as what a path encloses; a gap this small does not open it
+ONE_TURN = 0.1  # rad; a net turn this close to a full one is one
 OFF_ROUND = 0.377  # of a cell: grid origin off the round coordinates programs are made of
 
 
@@ -50,6 +51,11 @@ def is_closed(gap: np.ndarray, enclosed: np.ndarray, moves: np.ndarray) -> np.nd
 def may_be_closed(gap: np.ndarray, length: np.ndarray) -> np.ndarray:
     """Say the same before the area is known, true also where it is not closed: none encloses more than a circle."""
     return gap <= np.maximum(CLOSE, GAP * length / np.sqrt(4 * np.pi))
+
+
+def is_one_turn(net: np.ndarray) -> np.ndarray:
+    """Say which net turns, rad, are one full turn either way."""
+    return np.abs(np.abs(net) - TURN) < ONE_TURN
 
 
 def closed_loops(moves: Moves) -> tuple[np.ndarray, np.ndarray]:
@@ -151,7 +157,7 @@ def _returns(moves, x, y, at, area, width, origin) -> tuple[np.ndarray, np.ndarr
     long = end - first >= 3
     first, end = first[long], end[long]
     net = moves.phi[end - 1] - moves.phi[first] + closing_turns(moves.alpha, first, end)
-    once = np.abs(np.abs(net) - TURN) < 0.1
+    once = is_one_turn(net)
     return first[once], end[once]
 
 

@@ -9,9 +9,11 @@ import numpy as np
 
 from vkworkbench import friendly
 from vkworkbench.core.paper import farthest
+from vkworkbench.core.recognition.footprints import count_depths
 from vkworkbench.core.recognition.pieces import LOOP
-from vkworkbench.core.recognition.rings import count_levels
-from vkworkbench.core.recognition.verdict import Section, Verdict
+from vkworkbench.core.recognition.section import Section
+from vkworkbench.core.recognition.thresholds import ENOUGH, LITTLE, RINGS
+from vkworkbench.core.recognition.verdict import Verdict
 from vkworkbench.core.strategy import Family, Strategy
 
 
@@ -39,11 +41,11 @@ def gather(s: Section, verdict: Verdict) -> Evidence:
     sense = milling = stepover = passes = None
     if len(rings) and around:
         turned = float((np.sign(s.pieces.net[rings.index]) * rings.length).sum() / rings.length.sum())
-        sense = "ccw" if turned > 0.5 else "cw" if turned < -0.5 else None
+        sense = "ccw" if turned > ENOUGH.SHARE else "cw" if turned < -ENOUGH.SHARE else None
         passes = len(rings)
         if np.isfinite(rings.step):
             stepover = rings.step
-            if sense and abs(rings.growing - 0.5) > 0.25:
+            if sense and max(rings.growing, 1 - rings.growing) > RINGS.ONE_WAY:
                 # What is left to cut lies on the right of a climbing tool: outward of a growing ccw loop.
                 milling = "climb" if (rings.growing > 0.5) == (sense == "ccw") else "conventional"
     elif main:
@@ -51,7 +53,7 @@ def gather(s: Section, verdict: Verdict) -> Evidence:
         passes, stepover = sum(f.count for f in rows), main.period if len(rows) > 1 else main.step
     if verdict.step and not stepover:
         passes, stepover = verdict.count, verdict.step
-    flat = s.pieces.flat & (s.pieces.length > 0.02 * s.pieces.length.max())
+    flat = s.pieces.flat & (s.pieces.length > LITTLE.PIECE * s.pieces.length.max())
     return Evidence(
         level=s.moves.top_level,
         phi_range=s.moves.phi_range,
@@ -59,7 +61,7 @@ def gather(s: Section, verdict: Verdict) -> Evidence:
         sense=sense,
         stepover=stepover,
         passes=passes,
-        depths=count_levels(s.pieces.z[flat]),
+        depths=count_depths(s.pieces.z[flat]),
         direction=main.axis if main and not around else None,
         closed_loops=int((s.pieces.kind == LOOP).sum()),
         milling=milling,

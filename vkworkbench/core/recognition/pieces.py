@@ -8,12 +8,10 @@ from functools import cached_property
 
 import numpy as np
 
-from vkworkbench.core.paper import TURN, Areas, axis_of, closing_turns, is_closed, winding_turns
+from vkworkbench.core.paper import TURN, Areas, axis_of, closing_turns, is_closed, is_one_turn, winding_turns
+from vkworkbench.core.recognition.thresholds import LITTLE, PASSES, SAME, STROKES, WINDINGS
 
 LOOP, WINDING, ZIGZAG, LINE, CURVE = range(5)
-ALONG = 0.9  # |cosine| to the axis from which a move is part of a pass (25 degrees)
-FEW = 0.01  # of the length: a share that decides nothing
-WAVES = 7  # passes from which a loop that alternates may be a zigzag that came back to its start
 
 
 @dataclass(frozen=True)
@@ -72,7 +70,7 @@ class Pieces:
     @property
     def flat(self) -> np.ndarray:
         """Whether each piece stays at one height, (k,)."""
-        return self.rise < 0.02
+        return self.rise < SAME.HEIGHT
 
 
 def cut_pieces(moves: Areas) -> Pieces:
@@ -92,20 +90,20 @@ def cut_pieces(moves: Areas) -> Pieces:
     start = np.flatnonzero(cut[:-1])
     parts = _Stretches(moves, start)
     net, closed = parts.net()
-    once = np.abs(np.abs(net) - TURN) < 0.1
-    kind = np.where(loop[start] | (closed & once), LOOP, CURVE)
+    kind = np.where(loop[start] | (closed & is_one_turn(net)), LOOP, CURVE)
     # A pass between two others needs three moves; a loop of several waves turns back again and again.
-    able = np.where(kind == LOOP, parts.turned > np.abs(net) + TURN, parts.end - parts.start >= 3)
-    if parts.length[able].sum() < FEW * parts.length.sum():
+    able = np.where(kind == LOOP, parts.turned > np.abs(net) + TURN, parts.end - parts.start > 2)
+    if parts.length[able].sum() < LITTLE.LINKS * parts.length.sum():
         able[:] = False  # the links between loops
     alternating, constant, passes = half_turns(moves, parts, able)
     opened = kind != LOOP
-    waves = (alternating > 0.3 * parts.length) & (alternating > 2 * constant)
-    winding = opened & (np.abs(net) > 1.2 * TURN)
+    waves = (alternating > PASSES.ALTERNATING * parts.length) & (alternating > PASSES.MORE * constant)
+    winding = opened & (np.abs(net) > WINDINGS.TURN * TURN)
     zigzag = opened & ~winding & waves
     kind[winding], kind[zigzag] = WINDING, ZIGZAG
-    kind[opened & ~winding & ~zigzag & (parts.gap > 0.98 * parts.length)] = LINE
-    wavy = (winding & waves) | ((kind == LOOP) & (alternating > 0.55 * parts.length) & (passes >= WAVES))
+    kind[opened & ~winding & ~zigzag & (parts.gap > STROKES.STRAIGHT * parts.length)] = LINE
+    back_at_start = (kind == LOOP) & (alternating > PASSES.ALTERNATING_LOOP * parts.length) & (passes >= PASSES.WAVES)
+    wavy = (winding & waves) | back_at_start
     if winding.any():
         further = winding_turns(moves, start[winding], parts.end[winding], np.sign(net[winding]))
         start = np.union1d(start, further)
@@ -129,10 +127,10 @@ class _Stretches:
         self.x, self.y = moves.x[start], moves.y[start]
         self.end_x, self.end_y = moves.x[last] + moves.dx[last], moves.y[last] + moves.dy[last]
         self.gap = np.hypot(self.end_x - self.x, self.end_y - self.y)
-        swept = moves.x * moves.dy
-        swept -= moves.y * moves.dx
-        swept = np.add.reduceat(swept, start)
-        self.enclosed = (swept + self.end_x * self.y - self.end_y * self.x) / 2
+        twice_area = moves.x * moves.dy
+        twice_area -= moves.y * moves.dx
+        twice_area = np.add.reduceat(twice_area, start)
+        self.enclosed = (twice_area + self.end_x * self.y - self.end_y * self.x) / 2
 
     @cached_property
     def turned(self) -> np.ndarray:
@@ -230,7 +228,7 @@ def half_turns(
         u, v = np.repeat(u, size), np.repeat(v, size)
     along = dx * u
     along += dy * v
-    on = np.flatnonzero(np.abs(along) > ALONG * length)
+    on = np.flatnonzero(np.abs(along) > PASSES.ALONG * length)
     if not len(on):
         return alternating, constant, passes
     forward, of = along.take(on) > 0, of.take(on)

@@ -9,18 +9,13 @@ import numpy as np
 
 from vkworkbench.core.paper import Areas, PaperVerdict, monotonous_areas, paper_verdict
 from vkworkbench.core.recognition.evidence import gather, sentence
+from vkworkbench.core.recognition.footprints import count_depths
 from vkworkbench.core.recognition.repeats import without_repeats
-from vkworkbench.core.recognition.rings import count_levels
-from vkworkbench.core.recognition.verdict import Section, Verdict, judge
+from vkworkbench.core.recognition.section import Section
+from vkworkbench.core.recognition.thresholds import CONFIDENCE, PARTS, ROWS
+from vkworkbench.core.recognition.verdict import Verdict, judge
 from vkworkbench.core.strategy import Family, Strategy
 from vkworkbench.core.toolpath import Toolpath
-
-#: Below this confidence no strategy is defended: the answer is UNKNOWN.
-BAR = 0.65
-
-MANY_TITLES = 50  # comments; a program with more has remarks, not headings
-MANY_SECTIONS = 200  # borders; more are no operations, and each section takes its time
-DRILLED = 4  # holes in a row from which drilling is an operation of its own
 
 
 @dataclass(frozen=True)
@@ -130,25 +125,25 @@ def recognize(toolpath: Toolpath, *, tool_diameter: float | None = None) -> Reco
     first, last = int(np.argmin(rapid)), len(rapid) - 1 - int(np.argmin(rapid[::-1]))
     whole = _judge_one(toolpath, moves, first, last, tool)
     borders = _borders(toolpath, moves)
-    if not 0 < len(borders) <= MANY_SECTIONS:
+    if not 0 < len(borders) <= PARTS.BORDERS:
         return whole
     return _judge_sections(toolpath, borders, whole, tool)
 
 
 def _judge_one(toolpath: Toolpath, moves: Areas, first: int, last: int, tool: float) -> Recognition:
     """Recognise the trajectories first .. last as one operation."""
-    if len(moves.length) == 0 or moves.vertical > 0.95 * (moves.vertical + moves.length.sum()):
+    if len(moves.length) == 0 or moves.vertical > PARTS.VERTICAL * (moves.vertical + moves.length.sum()):
         holes = len(moves.holes)
         at = "one point" if holes == 1 else f"{holes or 'some'} points"
         why = f"phi has no direction to turn, the moves are vertical at {at}: drilling"
         spans = _spans(toolpath, [(first, last, Strategy.DRILLING)])
-        return Recognition(Strategy.DRILLING, 0.98, why, spans, passes=holes or None)
+        return Recognition(Strategy.DRILLING, CONFIDENCE.DRILLING, why, spans, passes=holes or None)
     section = Section(moves, tool)
     once = without_repeats(moves)
     verdict = judge(section if once is moves else Section(once, tool))
     evidence = gather(section, verdict)
     strategy, why = verdict.strategy, sentence(section, verdict, evidence)
-    if verdict.confidence < BAR:
+    if verdict.confidence < CONFIDENCE.DEFENDED:
         strategy, why = Strategy.UNKNOWN, f"{why} only for {verdict.support:.0%} of the length: unknown"
     runs = [(first, last, strategy)]
     if strategy is Strategy.MIXED and verdict.parts:
@@ -180,15 +175,15 @@ def _borders(toolpath: Toolpath, moves: Areas) -> dict[int, bool]:
     Tool changes and runs of drilled holes are certain; a comment is a hint.
     """
     comments = {int(at) for at, _ in toolpath.comments}
-    borders = dict.fromkeys(comments, False) if len(comments) <= MANY_TITLES else {}
+    borders = dict.fromkeys(comments, False) if len(comments) <= PARTS.TITLES else {}
     borders.update((int(at), True) for at in toolpath.tool_changes)
-    if len(moves.holes) >= DRILLED and len(moves) and not _sculptured(moves):
+    if len(moves.holes) >= PARTS.HOLES and len(moves) and not _sculptured(moves):
         # Holes with no milling between them are one run.
         place = np.searchsorted(moves.index, moves.holes)
         begin = np.flatnonzero(np.concatenate([[True], place[1:] != place[:-1]]))
         size = np.diff(np.append(begin, len(place)))
-        long = size >= DRILLED
-        if size[long].sum() < 0.25 * len(moves.start):
+        long = size >= PARTS.HOLES
+        if size[long].sum() < PARTS.DRILLED * len(moves.start):
             long[:] = False  # too few beside the milling: passes clipped to a point
         for a, b in zip(begin[long], size[long]):
             at = place[a]
@@ -200,7 +195,7 @@ def _borders(toolpath: Toolpath, moves: Areas) -> dict[int, bool]:
 def _sculptured(moves: Areas) -> bool:
     """Whether the heights of the moves are too many for depths: there plunges are passes clipped to a
     point."""
-    return count_levels(moves.z[:: len(moves) // 1000 + 1]) > 10
+    return count_depths(moves.z[:: len(moves) // ROWS.SAMPLE + 1]) > PARTS.DEPTHS
 
 
 def _judge_sections(toolpath, borders, whole: Recognition, tool: float) -> Recognition:
@@ -223,7 +218,7 @@ def _judge_sections(toolpath, borders, whole: Recognition, tool: float) -> Recog
     certain = np.array(certainly) != certainly[main]
     differs = np.array([_differs(r, found[main], sure) for r, sure in zip(found, certain)])
     drilled = np.array([r.strategy is Strategy.DRILLING for r in found])  # holes have next to no length
-    if share[differs].sum() < 0.05 and not (differs & drilled & certain).any():
+    if share[differs].sum() < PARTS.ASIDE and not (differs & drilled & certain).any():
         return _agree(toolpath, whole, found, share)
     runs = _joined(found)
     names = list(dict.fromkeys(str(strategy) for _, _, strategy in runs))
@@ -274,7 +269,7 @@ def _differs(one: Recognition, main: Recognition, certain: bool) -> bool:
     in common: FreeCAD titles the passes of one operation, and a roughing and a finishing pass of one pocket
     are a contour-parallel and a profile.
     """
-    if Strategy.UNKNOWN in (one.strategy, main.strategy) or one.confidence < 0.6:
+    if Strategy.UNKNOWN in (one.strategy, main.strategy):
         return False
     if not one.closed_loops and (one.passes or 0) < 3:
         return False  # too little to tell a strategy from

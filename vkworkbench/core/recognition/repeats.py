@@ -6,7 +6,8 @@ from __future__ import annotations
 import numpy as np
 
 from vkworkbench.core.paper import Areas
-from vkworkbench.core.recognition.rings import LEVEL, same_ground
+from vkworkbench.core.recognition.footprints import same_ground
+from vkworkbench.core.recognition.thresholds import SAME
 
 
 def without_repeats(moves: Areas) -> Areas:
@@ -45,7 +46,7 @@ def without_repeats(moves: Areas) -> Areas:
     z = moves.z[start]
     first = np.full(groups, len(start))
     np.minimum.at(first, group, np.arange(len(start)))
-    again = np.abs(z - z[first[group]]) > LEVEL
+    again = np.abs(z - z[first[group]]) > SAME.HEIGHT
     if not again.any():
         return moves
     return moves.only(~again)

@@ -8,11 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from vkworkbench.core.paper import Areas, axis_of
-
-BINS = 64  # of 2.8 degrees over half a turn; a power of two, so that & wraps
-SAMPLE = 1000  # values that are enough for a median
-ALIGNED = 0.05  # rad; a move this close to the axis belongs to a row
-SAME_LINE = 0.02  # mm; passes closer than this are on one line
+from vkworkbench.core.recognition.thresholds import ENOUGH, LITTLE, NESTS, ROWS, SAME
 
 
 @dataclass(frozen=True)
@@ -38,10 +34,11 @@ class Rows:
     pitch : float
         Distance between neighbouring rows in whatever order (median), mm.
     period : float
-        Distance after which rows come again, mm: the passes of a lattice that bounce off the boundary lie on
-        two sets of lines, each as far apart as the stepover, and between one another at will.
+        Distance after which rows come again, mm. A lattice whose passes bounce off the boundary has two sets of
+        lines; inside each they are one stepover apart, from one set to the other by any distance. There the
+        period is the stepover; of evenly spaced rows it is the pitch.
     even : float
-        Share of the steps that keep to the usual one.
+        Share of the steps that are about as long as the usual one.
     moves : (k,) int
         The moves the passes are made of.
     """
@@ -70,7 +67,7 @@ def find_rows(moves: Areas, chosen: np.ndarray) -> list[Rows]:
     ----------
     moves : Areas
     chosen : (k,) int
-        Moves to look at, ascending.
+        Areas to look at, ascending.
     """
     found: list[Rows] = []
     total = moves.length.take(chosen).sum()
@@ -81,20 +78,20 @@ def find_rows(moves: Areas, chosen: np.ndarray) -> list[Rows]:
         found.append(family)
         total -= moves.length.take(family.moves).sum()
         # What is left when nearly all is in rows are the links between them.
-        if len(found) == 2 or total < 0.1 * found[0].length:
+        if len(found) == 2 or total < LITTLE.FAMILY * found[0].length:
             break
         left = np.zeros(len(moves), bool)
         left[chosen] = True
         left[family.moves] = False
         chosen = np.flatnonzero(left)
-    if len(found) == 2 and found[1].length < 0.1 * found[0].length:
+    if len(found) == 2 and found[1].length < LITTLE.FAMILY * found[0].length:
         found.pop()
     return found
 
 
 def weighted_median(values: np.ndarray, weights: np.ndarray) -> float:
     """Return the value at half the weight; values and weights (k,), k >= 1; of many values an even sample."""
-    every = len(values) // SAMPLE + 1
+    every = len(values) // ROWS.SAMPLE + 1
     values, weights = values[::every], weights[::every]
     order = np.argsort(values)
     reached = np.cumsum(weights[order])
@@ -105,7 +102,7 @@ def _aligned(dx, dy, length, axis) -> tuple[np.ndarray, np.ndarray]:
     """Return how far the moves go along an axis, mm, and which of them keep to it."""
     along = dx * np.cos(axis)
     along += dy * np.sin(axis)
-    return along, np.flatnonzero(np.abs(along) >= np.cos(ALIGNED) * length)
+    return along, np.flatnonzero(np.abs(along) >= np.cos(ROWS.ALIGNED) * length)
 
 
 def _densest(moves: Areas, chosen: np.ndarray) -> Rows | None:
@@ -117,14 +114,15 @@ def _densest(moves: Areas, chosen: np.ndarray) -> Rows | None:
     axis = axis_of(cos @ dx, cos @ dy, length.sum())
     along, aligned = _aligned(dx, dy, length, axis)
     kept = length.take(aligned).sum() / length.sum()
-    if kept < 0.8:
-        # Not one axis alone: take the densest of 64 directions and its neighbours.
-        bins = np.rint(moves.alpha[chosen] * (BINS / np.pi)).astype(np.int64) & (BINS - 1)
-        weight = np.bincount(bins, weights=length, minlength=BINS)
+    if kept < ROWS.ONE_AXIS:
+        # Not one axis alone: take the densest of so many directions and its neighbours.
+        bins = np.rint(moves.alpha[chosen] * (ROWS.DIRECTIONS / np.pi)).astype(np.int64) % ROWS.DIRECTIONS
+        weight = np.bincount(bins, weights=length, minlength=ROWS.DIRECTIONS)
         around = np.roll(weight, 1) + np.roll(weight, -1)
         peak = int(np.argmax(weight + 0.5 * around))
-        aligned = np.flatnonzero(np.isin(np.arange(BINS), (np.array([-1, 0, 1]) + peak) % BINS)[bins])
-    if kept < 0.98:
+        near = (np.arange(ROWS.DIRECTIONS) - peak + 1) % ROWS.DIRECTIONS <= 2
+        aligned = np.flatnonzero(near[bins])
+    if kept < ROWS.ALL_ALIGNED:
         # Once more without the links: along a slanting boundary they turn the axis.
         near = cos.take(aligned)
         axis = axis_of(near @ dx.take(aligned), near @ dy.take(aligned), length.take(aligned).sum())
@@ -144,31 +142,31 @@ def _densest(moves: Areas, chosen: np.ndarray) -> Rows | None:
     apart = np.flatnonzero(((on[1:] > on[:-1] + 1) | (area[1:] > area[:-1])) & ~new)
     before, after = on[apart], on[apart + 1]
     shift = (moves.y[after] - moves.y[before]) * u - (moves.x[after] - moves.x[before]) * v
-    new[apart] = np.abs(shift) > SAME_LINE
+    new[apart] = np.abs(shift) > SAME.PLACE
     begin = np.flatnonzero(np.concatenate([[True], new]))
     passed = np.add.reduceat(length, begin)
     typical = weighted_median(passed, passed)
     # Links along the boundary run along the axis here and there: they are no rows.
-    long = passed > 0.1 * typical
+    long = passed > LITTLE.PASS * typical
     begin, passed = begin[long], passed[long]
     first = on[begin]
     q, sense, area = moves.y[first] * u - moves.x[first] * v, forward[begin], area[begin]
     lateral = np.abs(q[1:] - q[:-1])
     shorter = np.minimum(passed[1:], passed[:-1])
-    aside = lateral > SAME_LINE
+    aside = lateral > SAME.PLACE
     axis, total = axis % np.pi, float(passed.sum())
     if not aside.any():
         return Rows(axis, total, typical, 1, 1, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, on)
     step = weighted_median(lateral[aside], shorter[aside])
-    neighbour = aside & (lateral <= 1.6 * step)
+    neighbour = aside & (lateral <= ROWS.FARTHER * step)
     turned = sense[1:] != sense[:-1]
     # Two passes the same way without a lift between them are stairs of one stroke (sampled contours), not
     # rows.
     onward = neighbour & ~turned & (area[1:] != area[:-1])
-    q = np.sort(q[:SAMPLE])
-    gaps = np.diff(q[np.append(True, q[1:] - q[:-1] > SAME_LINE)])
+    q = np.sort(q[:ROWS.SAMPLE])
+    gaps = np.diff(q[np.append(True, q[1:] - q[:-1] > SAME.PLACE)])
     pitch = period = float(np.median(gaps)) if len(gaps) else step
-    if len(gaps) > 2 and np.median(np.abs(gaps[1:] - gaps[:-1])) > 0.1 * pitch:
+    if len(gaps) > 2 and np.median(np.abs(gaps[1:] - gaps[:-1])) > ROWS.TWO_PITCHES * pitch:
         period = float(np.median(gaps[1:] + gaps[:-1]))
     return Rows(
         axis=axis,
@@ -181,6 +179,58 @@ def _densest(moves: Areas, chosen: np.ndarray) -> Rows | None:
         step=step,
         pitch=pitch,
         period=period,
-        even=float(shorter[neighbour & (lateral >= 0.6 * step)].sum() / shorter[aside].sum()),
+        even=float(shorter[neighbour & (lateral >= ROWS.NEARER * step)].sum() / shorter[aside].sum()),
         moves=on,
     )
+
+
+def filling(families: list[Rows], tool: float, *, length: float, contour: bool) -> list[Rows]:
+    """Return those families of rows that fill an area.
+
+    Parameters
+    ----------
+    families : list of Rows
+        What find_rows found.
+    tool : float
+        Tool diameter, mm; 0 where unknown.
+    length : float
+        Length of all moves that were looked at, mm.
+    contour : bool
+        Whether they are closed loops, which may be contours.
+    """
+    good = [f for f in families if _fills(f, tool) and not (contour and _walls(f, tool))]
+    if good or len(families) < 2:
+        return good
+    # The passes of a grid come in the order of a billiard, not side by side. Two families of many long rows
+    # that are all there is fill the area all the same.
+    if sum(f.length for f in families) > ROWS.GRID * length:
+        if all(f.count >= ROWS.GRID_ROWS and f.typical > ROWS.LONG * f.pitch for f in families):
+            return families
+    return []
+
+
+def _fills(f: Rows, tool: float) -> bool:
+    """Tell whether passes lie side by side as rows do: long moves, short steps between them (paper, section
+    2.1).
+    """
+    # In teeth as narrow as two steps the rows are short, but many and even.
+    longer = ROWS.LONG_IF_MANY if f.lines >= ROWS.MANY and f.even > ROWS.EVEN else ROWS.LONG
+    if f.opposite + f.same <= ROWS.BESIDE * f.length or f.typical <= longer * f.step:
+        return False
+    if f.step < ROWS.RETRACED * tool:
+        return False  # the same pass again
+    # Many even steps say that the tool is wrong, but not where other rows lie between: those are two walls.
+    tool_is_wrong = f.count >= ROWS.ROWS_TO_TELL and f.even > ROWS.EVEN and f.pitch > ROWS.NEARER * f.step
+    if tool and f.step > NESTS.REACH * tool and not tool_is_wrong:
+        return False
+    regular = f.count > 2 and f.even > ENOUGH.SHARE
+    return regular or (f.count == 2 and f.typical > ROWS.LONG_PAIR * f.step and ROWS.PAIR_APART * tool < f.step <= tool)
+
+
+def _walls(f: Rows, tool: float) -> bool:
+    """Tell whether passes of a closed contour are the walls of its teeth.
+
+    Then gaps and teeth take turns, or they are too wide to be cut from row to row. A zigzag seldom comes back to
+    its start, a contour always.
+    """
+    return f.period > ROWS.WALLS * f.pitch or bool(tool) and f.step > NESTS.REACH * tool

@@ -8,11 +8,10 @@ from dataclasses import dataclass
 import numpy as np
 
 from vkworkbench.core.paper import TURN, Areas
+from vkworkbench.core.recognition.footprints import count_depths, footprints
 from vkworkbench.core.recognition.pieces import CURVE, Pieces
-from vkworkbench.core.recognition.rings import LEVEL, count_levels, footprints
-from vkworkbench.core.recognition.rows import SAME_LINE, weighted_median
-
-SQUARE = 0.15  # cosine between a move and the ray from a centre up to which it is part of a circle around it
+from vkworkbench.core.recognition.rows import weighted_median
+from vkworkbench.core.recognition.thresholds import ARCS, BITES, ROWS, SAME, WINDINGS
 
 
 @dataclass(frozen=True)
@@ -32,8 +31,8 @@ class Strokes:
         Bends as much in the other sense.
     sloped : (k,) bool
         Changes its height on the way.
-    distinct, levels : int
-        Number of different strokes seen from above, and of depths of level ones.
+    distinct, depths : int
+        Number of different strokes seen from above, and of depths of flat ones.
     typical : float
         Length of a stroke (median by length), mm.
     """
@@ -44,7 +43,7 @@ class Strokes:
     against: np.ndarray
     sloped: np.ndarray
     distinct: int
-    levels: int
+    depths: int
     typical: float
 
     def __len__(self) -> int:
@@ -66,15 +65,15 @@ def relate_strokes(pieces: Pieces, index: np.ndarray) -> Strokes:
         none = np.zeros(0, bool)
         return Strokes(index, length, none, none, none, 0, 0, 0.0)
     bent = np.flatnonzero(
-        (np.abs(pieces.net[index]) > 0.25 * TURN)
-        & (pieces.back[index] < 0.5 * TURN)
+        (np.abs(pieces.net[index]) > BITES.BENT * TURN)
+        & (pieces.back[index] < WINDINGS.WAVERING * TURN)
         & (pieces.kind[index] == CURVE)
     )
     sense = np.sign(pieces.net[index[bent]])
     common = np.sign((length[bent] * sense).sum())
     box, z = pieces.box[index[bent]], pieces.z[index]
     meets = (box[:-1, :2] < box[1:, 2:]) & (box[1:, :2] < box[:-1, 2:])
-    meets = meets.all(axis=1) & (np.abs(np.diff(z[bent])) < LEVEL)
+    meets = meets.all(axis=1) & (np.abs(np.diff(z[bent])) < SAME.HEIGHT)
     beside = np.zeros(len(bent), bool)
     beside[:-1] |= meets
     beside[1:] |= meets
@@ -89,13 +88,13 @@ def relate_strokes(pieces: Pieces, index: np.ndarray) -> Strokes:
         against=against,
         sloped=~pieces.flat[index],
         distinct=distinct,
-        levels=count_levels(z[pieces.flat[index]]),
+        depths=count_depths(z[pieces.flat[index]]),
         typical=weighted_median(length, length),
     )
 
 
 @dataclass(frozen=True)
-class Arcs:
+class ConcentricArcs:
     """Arcs around one centre: circles that the boundary cuts open, rows that are bent.
 
     Attributes
@@ -123,7 +122,7 @@ class Arcs:
     even: float
 
 
-def find_arcs(moves: Areas, pieces: Pieces, index: np.ndarray) -> Arcs | None:
+def find_arcs(moves: Areas, pieces: Pieces, index: np.ndarray) -> ConcentricArcs | None:
     """Find the arcs around a common centre.
 
     The centre c is the point that sees the moves d at their middles m at a right angle: least squares of
@@ -138,7 +137,7 @@ def find_arcs(moves: Areas, pieces: Pieces, index: np.ndarray) -> Arcs | None:
 
     Returns
     -------
-    Arcs or None
+    ConcentricArcs or None
         None where no three arcs lie around one centre.
     """
     chosen = np.zeros(len(pieces), bool)
@@ -150,42 +149,40 @@ def find_arcs(moves: Areas, pieces: Pieces, index: np.ndarray) -> Arcs | None:
     weight = 1 / length
     for _ in range(3):  # again without the links and the boundary, which have other centres
         xx, xy, yy = (weight * dx) @ dx, (weight * dx) @ dy, (weight * dy) @ dy
-        if xx * yy - xy * xy < 0.01 * (xx + yy) ** 2:
+        if xx * yy - xy * xy < ARCS.STRAIGHT_ROWS * (xx + yy) ** 2:
             return None
         along = weight * (dx * x + dy * y)
         bx, by = along @ dx, along @ dy
         cx, cy = (yy * bx - xy * by) / (xx * yy - xy * xy), (xx * by - xy * bx) / (xx * yy - xy * xy)
         rx, ry = x - cx, y - cy
         r = np.hypot(rx, ry)
-        square = np.abs(dx * rx + dy * ry) < SQUARE * length * r
+        square = np.abs(dx * rx + dy * ry) < ARCS.SQUARE * length * r
         weight = np.where(square, 1 / length, 0.0)
         if not square.any():
             return None
     begin = np.flatnonzero(np.concatenate([[True], of[1:] != of[:-1]]))
     whole = np.add.reduceat(length, begin)
-    arc = np.add.reduceat(length * square, begin) > 0.9 * whole
-    if arc.sum() < 3:
-        return None
+    arc = np.add.reduceat(length * square, begin) > ARCS.ARC * whole
     radius = (np.add.reduceat(length * r, begin) / whole)[arc]
-    swept = np.add.reduceat((rx * dy - ry * dx) / np.maximum(r * r, 1e-12), begin)[arc]
+    angle = np.add.reduceat((rx * dy - ry * dx) / np.maximum(r * r, 1e-12), begin)[arc]
     last = np.append(begin[1:], len(of)) - 1
     climbed = (r[last] - r[begin])[arc]
     whole = whole[arc]
     lateral = np.abs(radius[1:] - radius[:-1])
     shorter = np.minimum(whole[1:], whole[:-1])
-    aside = lateral > SAME_LINE
+    aside = lateral > SAME.PLACE
     if aside.sum() < 2:
         return None
     step = weighted_median(lateral[aside], shorter[aside])
-    neighbour = aside & (lateral <= 1.6 * step)
-    turned = swept[1:] * swept[:-1] < 0
-    pitch = np.abs(climbed) * TURN / np.maximum(np.abs(swept), 1e-9)
-    return Arcs(
-        count=1 + int((np.diff(np.sort(radius)) > 0.3 * step).sum()),
+    neighbour = aside & (lateral <= ROWS.FARTHER * step)
+    turned = angle[1:] * angle[:-1] < 0
+    pitch = np.abs(climbed) * TURN / np.maximum(np.abs(angle), 1e-9)
+    return ConcentricArcs(
+        count=1 + int((np.diff(np.sort(radius)) > ARCS.RADIUS * step).sum()),
         length=float(whole.sum()),
         opposite=float(shorter[neighbour & turned].sum()),
         same=float(shorter[neighbour & ~turned].sum()),
-        spiral=float(whole[pitch > 0.3 * step].sum()),
+        spiral=float(whole[pitch > ARCS.DRIFT * step].sum()),
         step=step,
-        even=float(shorter[neighbour & (lateral >= 0.6 * step)].sum() / shorter[aside].sum()),
+        even=float(shorter[neighbour & (lateral >= ROWS.NEARER * step)].sum() / shorter[aside].sum()),
     )

@@ -1,0 +1,119 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Nesting: how far a ring lies inside another, and how far apart the rings of one pocket may lie."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from vkworkbench.core.recognition.thresholds import ENOUGH, NESTS, SAME, WATERLINES
+
+
+class Inward(dict):
+    """How far each ring lies inside the one that was cut `lag` rings before it: inward[lag], each (k - lag,).
+
+    Four arrays in mm: the least and the most that one of the four sides of the bounding box lies inside, their
+    mean (negative where the later ring is the outer one), and the distance between the two rings, 0 where
+    neither is an offset of the other.
+
+    Two parallel curves lie 2 dA / (P1 + P2) apart, with the difference of their areas and their lengths
+    (Steiner's formula), however they are turned. All four sides of an offset's box move the same way, the
+    least of them by about that distance, or by more where a sharp corner touches the box. A box that moved by
+    much less or more than the distance tells that an island takes a part of the area.
+
+    Parameters
+    ----------
+    sides : (4, k) float
+        Lowest x and y, highest x and y with their signs changed, mm.
+    enclosed, length : (k,) float
+        mm2, mm.
+    slack : (k,) float
+        1 for closed loops; 2 for turns of windings, which are open and enclose only about as much.
+    """
+
+    def __init__(self, sides, enclosed, length, slack) -> None:
+        self._of = sides, enclosed, length, slack
+
+    def __missing__(self, lag: int) -> tuple[np.ndarray, ...]:
+        sides, enclosed, length, slack = self._of
+        moved = sides[:, lag:] - sides[:, :-lag]
+        low, high, mean = moved.min(axis=0), moved.max(axis=0), moved.sum(axis=0) / 4
+        step = 2 * np.abs(enclosed[lag:] - enclosed[:-lag]) / (length[lag:] + length[:-lag])
+        near, loose = np.minimum(np.abs(low), np.abs(high)), slack[lag:]
+        fits = near > NESTS.SIDE_AT_LEAST * step / loose - SAME.PLACE
+        fits &= near < NESTS.SIDE_AT_MOST * step * loose + SAME.PLACE
+        self[lag] = low, high, mean, np.where((low * high > 0) & fits, np.minimum(step, near), 0.0)
+        return self[lag]
+
+
+def reach(inward: Inward, size, z, flat, tool) -> tuple[float, np.ndarray, np.ndarray]:
+    """Tell how far apart the rings of one nest may lie.
+
+    A little over the tool's diameter: farther apart nothing between them is cut and they are two contours.
+    Twice the usual step, where the tool is unknown or where several equal steps say that it is wrong; but only
+    where at least three rings lie inside one another. Two contours of one part, as a washer has them, are no
+    pocket when one lies inside the other and both come again at every depth.
+
+    Parameters
+    ----------
+    inward : Inward
+    size, z : (k,) float
+        Longer side of the box and mean height of each ring, mm.
+    flat : (k,) bool
+    tool : float
+        Tool diameter, mm; 0 where unknown.
+
+    Returns
+    -------
+    limit : float
+        mm.
+    steps, drops : (s,) float
+        Distance in the plane and in height from each ring to the next one, where they are even, mm.
+    """
+    steps = drops = np.zeros(0)
+    found, chained = [], False
+    for lag in range(1, min(NESTS.NEXT, len(z) - 1) + 1):
+        mean, step = inward[lag][2:]
+        even = (step > SAME.RING) & (step <= NESTS.LARGEST_STEP * np.maximum(size[lag:], size[:-lag]))
+        drop = np.abs(z[lag:] - z[:-lag])
+        if lag == 1:
+            steps, drops = step[even], drop[even]
+        signed = np.copysign(step, mean)
+        chain = even[lag:] & even[:-lag] & (np.abs(signed[lag:] - signed[:-lag]) < NESTS.SIMILAR_STEP * step[lag:])
+        # At another depth a wall that slopes a little moves the ring by less than any step.
+        found.append(step[even & ((drop < SAME.HEIGHT) | ~flat[lag:] | ~flat[:-lag])])
+        if chain.any():
+            chained = True
+            break  # the next ring of the nest is the one `lag` rings on
+    every = np.concatenate(found) if any(map(len, found)) else steps
+    if not len(every):
+        return NESTS.REACH * tool, steps, drops
+    # Where the rings around islands are cut between those of the boundary, the smaller steps are the true ones.
+    usual = middle(every, 4)
+    regular = (np.abs(every - usual) < NESTS.SIMILAR_STEP * usual).mean()
+    if not tool and (not chained or regular < ENOUGH.SHARE or usual > NESTS.TOO_LARGE * size.max()):
+        return min(NESTS.STEPS * usual, NESTS.REACH_OF_SIZE * float(size.max())), steps, drops
+    equal = (np.abs(steps - usual) < NESTS.EQUAL_STEP * usual).mean() if len(steps) >= NESTS.STEPS_TO_TELL else 0.0
+    if not tool or (chained and equal > NESTS.EQUAL_STEPS):
+        return max(NESTS.REACH * tool, NESTS.STEPS * usual), steps, drops
+    return NESTS.REACH * tool, steps, drops
+
+
+def evenness(steps: np.ndarray, drops: np.ndarray) -> float:
+    """Compare how regular the steps in the plane and in depth are.
+
+    Returns
+    -------
+    float
+        Relative spread of the steps in the plane over that in depth: under 1 where the plane is divided more
+        evenly; 0 where there is no depth.
+    """
+    if len(steps) < 3 or drops.max() < SAME.HEIGHT:
+        return 0.0
+    spread = [np.ptp(np.percentile(v, (10, 90))) / max(np.median(v), 1e-9) for v in (steps, drops)]
+    return float((spread[0] + WATERLINES.ROUNDING) / (spread[1] + WATERLINES.ROUNDING))
+
+
+def middle(values: np.ndarray, part: int = 2) -> float:
+    """Return the value at half the count, or at a quarter (part 4); O(n)."""
+    at = len(values) // part
+    return float(np.partition(values, at)[at])

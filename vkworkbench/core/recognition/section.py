@@ -1,0 +1,183 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A section: moves that are judged as one operation, and all that is measured of them before."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from vkworkbench.core.paper import TURN, Areas
+from vkworkbench.core.recognition.pieces import CURVE, LINE, LOOP, WINDING, ZIGZAG, Pieces, cut_pieces
+from vkworkbench.core.recognition.rings import Rings, relate_rings
+from vkworkbench.core.recognition.rows import Rows, filling, find_rows
+from vkworkbench.core.recognition.strokes import relate_strokes
+from vkworkbench.core.recognition.thresholds import ENOUGH, LITTLE, NESTS, POCKET, RINGS, ROWS, SAME, WINDINGS
+
+
+class Section:
+    """A stretch of moves that is judged as one operation, measured.
+
+    Parameters
+    ----------
+    moves : Areas
+        At least one.
+    tool : float
+        Tool diameter, mm; 0 where unknown.
+
+    Attributes
+    ----------
+    moves, tool
+        As given.
+    pieces : Pieces
+    length : float
+        Of all pieces, mm.
+    rings : Rings
+    aside : (k,) bool
+        Rings that step aside to the next one: windings that turn against their sense and back again.
+    hunting : (k,) bool
+        Rings along which the direction is corrected all the time, as adaptive clearing from outside the stock
+        does to keep one engagement.
+    lattice : (k,) bool
+        Rings that may be rows: passes that run from wall to wall and wind by chance.
+    strokes : Strokes
+    rows : list of Rows
+        Those families of rows that fill an area.
+    zigzag : float
+        Share of the length in pieces that go back and forth.
+    ring_pieces, row_pieces : (p,) bool
+        The pieces that count as rings, and those that count as rows or strokes.
+    """
+
+    def __init__(self, moves: Areas, tool: float) -> None:
+        self.moves, self.tool = moves, tool
+        self.pieces = p = cut_pieces(moves)
+        self.length = float(p.length.sum())
+        kind = _absorbed(p)
+        self.rings = r = relate_rings(p, _long(p, (kind == LOOP) | (kind == WINDING)), tool)
+        opened = (kind == LINE) | (kind == CURVE)
+        if p.length[opened].sum() < LITTLE.LINKS * self.length:
+            opened[:] = False
+        self.strokes = relate_strokes(p, _long(p, opened))
+        angle, places = _turned_against(moves, p, r)
+        self.aside = angle > WINDINGS.ASIDE * TURN
+        # Concave corners and links to the next loop turn by more at once, and at few places.
+        self.hunting = p.flat[r.index] & (places >= WINDINGS.CORRECTIONS) & (angle < WINDINGS.CORRECTION * places)
+        # Wavy loops that are offsets of one another follow a concave contour and are no rows.
+        wavy = p.wavy[r.index]
+        if wavy.any() and r.nested[wavy].mean() > ENOUGH.SHARE:
+            wavy[:] = False
+        bouncing = r.winding & ~self.hunting & (r.back > WINDINGS.BOUNCING * TURN)
+        self.lattice = ~r.nested & (r.crossing | bouncing | wavy)
+        rowlike = (kind == ZIGZAG) | (kind == LINE) | (kind == CURVE)
+        rowlike[r.index[self.lattice]] = True
+        self.zigzag = float(p.length[kind == ZIGZAG].sum()) / self.length
+        self.rows = self._rows(rowlike, rowlike & (kind == LOOP))
+        self.ring_pieces = np.zeros(len(p), bool)
+        self.ring_pieces[r.index] = True
+        if self.rows:
+            self.ring_pieces[r.index[self.lattice]] = False
+        self.row_pieces = rowlike & ~self.ring_pieces
+
+    def _rows(self, rowlike: np.ndarray, closed: np.ndarray) -> list[Rows]:
+        """Return the rows in the pieces that may hold some; `closed` tells which of them are loops."""
+        p = self.pieces
+        length = float(p.length[rowlike].sum())
+        if length <= LITTLE.ROWS * self.length:
+            return []  # the links between loops
+        chosen = np.arange(len(self.moves))
+        if not rowlike.all():
+            chosen = np.flatnonzero(np.repeat(rowlike, p.end - p.start))
+        contour = p.length[closed].sum() > ROWS.OF_LOOPS * length
+        return filling(find_rows(self.moves, chosen), self.tool, length=length, contour=contour)
+
+    def share(self, rings: np.ndarray) -> float:
+        """Share of the cutting length in these rings."""
+        return float(self.rings.length[rings].sum()) / self.length
+
+    def part(self, strokes: np.ndarray) -> float:
+        """Share of the cutting length in these strokes."""
+        return float(self.strokes.length[strokes].sum()) / self.length
+
+    def cornered(self) -> float:
+        """Share of the turning of the windings that lies in corners.
+
+        A spiral turns all the time. Polygons that step aside to the next one in a corner wind in one sense, too.
+        """
+        chosen = np.zeros(len(self.pieces), bool)
+        chosen[self.rings.index[self.rings.winding]] = True
+        turning = np.abs(self.moves.turning[np.repeat(chosen, self.pieces.end - self.pieces.start)])
+        return float(turning[turning > WINDINGS.CORNER].sum() / max(turning.sum(), 1e-9))
+
+    def filled(self) -> float:
+        """Share of the cutting length in open strokes that clear the inside of a ring.
+
+        The ring was cut before or after them at the same depth. They go to and fro: a stroke of one pass leads
+        in or out. They lie nowhere farther from the ring than the tool reaches, else the ground between stays
+        uncut and they are another contour that does not quite close. And they are thin, with little area
+        between them and their chord for their length: one that encloses as much as the ring is its repetition.
+        """
+        p, ring = self.pieces, self.rings.index
+        k = self.strokes.index
+        k = k[p.passes[k] > 1]
+        if not len(k):
+            return 0.0
+        after = np.clip(np.searchsorted(ring, k), 0, len(ring) - 1)
+        inside = np.zeros(len(k), bool)
+        width = np.abs(p.enclosed) / p.length
+        for beside in (ring[after], ring[np.maximum(after - 1, 0)]):
+            box = p.box[beside]
+            gap = np.column_stack([p.box[k, :2] - box[:, :2], box[:, 2:] - p.box[k, 2:]]).min(axis=1)
+            within = (gap >= -SAME.PLACE) & ((gap < NESTS.REACH * self.tool) | (self.tool == 0))
+            thin = width[k] < POCKET.WIDTH * width[beside]
+            inside |= within & thin & (np.abs(p.z[k] - p.z[beside]) < SAME.HEIGHT)
+        return float(p.length[k[inside]].sum()) / self.length
+
+
+def _absorbed(p: Pieces) -> np.ndarray:
+    """Return the kinds of the pieces, small loops inside a zigzag made a part of it.
+
+    A zigzag that runs along the boundary between its rows closes small loops. Only a loop that surrounds the
+    rows is a contour of its own.
+    """
+    kind = p.kind.copy()
+    zigzag = np.flatnonzero(kind == ZIGZAG)
+    if not len(zigzag) or not (kind == LOOP).any():
+        return kind
+    around = np.full((int(p.area[-1]) + 1, 4), np.nan)
+    around[p.area[zigzag]] = p.box[zigzag]
+    box = around[p.area]
+    low, high = box[:, :2], box[:, 2:]
+    slack = RINGS.SURROUNDS * (high - low)
+    surrounds = (p.box[:, :2] <= low + slack).all(axis=1) & (p.box[:, 2:] >= high - slack).all(axis=1)
+    kind[(kind == LOOP) & ~np.isnan(box[:, 0]) & ~surrounds & ~p.wavy] = ZIGZAG
+    return kind
+
+
+def _long(p: Pieces, which: np.ndarray) -> np.ndarray:
+    """Return the indices of these pieces without the short ones, which are links and leads."""
+    index = np.flatnonzero(which)
+    if not len(index):
+        return index
+    length = p.length[index]
+    return index[length > LITTLE.PIECE * length.max()]
+
+
+def _turned_against(moves: Areas, p: Pieces, r: Rings) -> tuple[np.ndarray, np.ndarray]:
+    """Return by how much each winding turns against its sense, rad, and at how many places.
+
+    Bends that rounding may have made do not count: finely sampled spirals are full of them.
+    """
+    angle, places = np.zeros(len(r)), np.zeros(len(r), np.int64)
+    some = np.flatnonzero(r.winding & (r.back > WINDINGS.BACK))
+    if len(some):
+        ring = np.full(len(p), -1)
+        ring[r.index[some]] = some
+        of = np.repeat(ring, p.end - p.start)
+        inside = np.flatnonzero(of >= 0)
+        of = of[inside]
+        turning = -moves.turning[inside] * np.sign(p.net[r.index])[of]
+        run = np.flatnonzero(np.append(True, ((turning[1:] > 0) != (turning[:-1] > 0)) | (of[1:] != of[:-1])))
+        bent, of = np.add.reduceat(turning, run), of[run]
+        true = bent * np.add.reduceat(moves.length[inside], run) > WINDINGS.ROUGH
+        angle = np.bincount(of[true], weights=bent[true], minlength=len(r))
+        places = np.bincount(of[true], minlength=len(r))
+    return angle, places
