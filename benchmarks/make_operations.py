@@ -24,12 +24,14 @@ from pathlib import Path
 import FreeCAD
 
 HERE = Path(__file__).resolve().parent
-sys.path[:0] = [str(HERE), str(HERE.parent / "examples")]
+sys.path[:0] = [str(HERE), str(HERE.parent / "examples"), str(HERE.parent)]
 from make_example import cam, operation, tool_controller  # noqa: E402
 from shapes import HEIGHT, SHAPES  # noqa: E402
 
-VERSION = ".".join(FreeCAD.Version()[:3])
-PATTERN = "ClearingPattern" if FreeCAD.Version()[:2] >= ["1", "1"] else "OffsetPattern"
+from vkworkbench import freecad  # noqa: E402
+
+VERSION = ".".join(map(str, freecad.version()))
+PATTERN = freecad.POCKET_PATTERN.name
 PATTERNS = ("ZigZag", "Offset", "ZigZagOffset", "Line", "Grid")
 PATIENCE = 30  # s; some operations never end
 SCULPTURED = ("saddle", "ripple", "ball", "twisted")

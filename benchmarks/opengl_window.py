@@ -3,10 +3,10 @@
 
 from PySide import QtCore, QtGui
 
-from vkworkbench.document.calibration import freecad_version
+from vkworkbench import freecad
 
 # Where they are, from the window's lower left corner.
-PLAY, FASTER = ((52, -34), (136, -34)) if freecad_version() < (1, 1, 0) else ((42, -36), (172, -36))
+PLAY, FASTER = ((52, -34), (136, -34)) if freecad.version() < (1, 1, 0) else ((42, -36), (172, -36))
 
 
 def click(window, x, y):

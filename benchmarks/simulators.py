@@ -35,9 +35,10 @@ sys.path[:0] = [str(ROOT), str(ROOT / "examples")]
 
 from make_example import make_example
 
+from vkworkbench import freecad
 from vkworkbench.core import Stock, Tool, linearize
 from vkworkbench.core.simulators import Simulator, available_simulators, legacy_costs
-from vkworkbench.document.calibration import calibrate, freecad_version
+from vkworkbench.document.calibration import calibrate
 from vkworkbench.document.operations import find
 from vkworkbench.document.setting import read_stock, read_tool
 
@@ -60,7 +61,7 @@ def main():
         import simulators_window
 
         calibrate_undisturbed()
-        if Simulator.OPENGL in available_simulators(freecad_version()):
+        if Simulator.OPENGL in available_simulators(freecad.version()):
             import simulators_opengl
 
             simulators_opengl.run(samples, OUT)

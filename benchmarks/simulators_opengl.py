@@ -17,9 +17,10 @@ from opengl_window import FASTER, PLAY, click
 from PySide import QtCore, QtGui
 from simulators import RENDERER, beside, in_rounds, left_out, summary
 
+from vkworkbench import freecad
 from vkworkbench.core import Tool, linearize
 from vkworkbench.core.simulators import opengl_cost, opengl_speeds
-from vkworkbench.document.calibration import constants, freecad_version
+from vkworkbench.document.calibration import constants
 
 LONGEST = 8.0  # s
 PATIENCE = 60.0  # s
@@ -44,7 +45,7 @@ def run(samples, out):
     Each prediction is scaled by the median of what the runs before it took, compared with theirs.
     """
     FreeCADGui.activateWorkbench("CAMWorkbench")  # which loads the pictures of the simulator's buttons
-    speed = max(opengl_speeds(freecad_version()))
+    speed = max(opengl_speeds(freecad.version()))
     simulator = PathSim()
     cases = []
     for label, commands, tool, stock in [*lines_and_arcs(samples[0]), *samples]:
@@ -101,7 +102,7 @@ def play(simulator, commands, tool, stock, frames):
     simulator.BeginSimulation(Part.makeBox(*(stock.upper - stock.lower), FreeCAD.Vector(*stock.lower)), 10)
     wait(2)
     window = next(w for w in QtGui.QGuiApplication.allWindows() if "CAMSim" in w.metaObject().className())
-    for _ in opengl_speeds(freecad_version())[1:]:
+    for _ in opengl_speeds(freecad.version())[1:]:
         click(window, *FASTER)
         wait(0.3)
     still = picture(window)

@@ -16,9 +16,10 @@ import Path
 from PySide import QtCore
 from simulators import RENDERER, beside, in_rounds, left_out, shape, summary
 
+from vkworkbench import freecad
 from vkworkbench.core import Stock, Tool, linearize
 from vkworkbench.core.simulators import legacy_costs, preflight
-from vkworkbench.document.calibration import constants, freecad_version, learn, load
+from vkworkbench.document.calibration import constants, learn, load
 
 LONGEST = {"fast-forward": 7000, "play": 100}  # commands
 ENOUGH = 5  # runs that teach before a prediction counts
@@ -40,7 +41,7 @@ def run(samples, out):
     ratios, alone = ({kind: [] for kind in LONGEST} for _ in range(2))
     for (kind, label, commands, path, tool, stock), seconds in zip(cases, durations):
         heading = f"  {kind:13}{label:40.40}{len(commands):6} commands"
-        hangs = [c for c in preflight(commands, path, version=freecad_version()) if c.code == "legacy-hangs"]
+        hangs = [c for c in preflight(commands, path, version=freecad.version()) if c.code == "legacy-hangs"]
         if seconds is None:
             print(f"{heading}  hangs, {'announced' if hangs else 'NOT announced'}", file=out)
             continue
@@ -91,7 +92,7 @@ def odd_arcs():
 
 def open_panel():
     """Open the legacy simulator's panel on the open job, with one operation to be replaced."""
-    old = freecad_version() < (1, 0, 0)
+    old = freecad.version() < (1, 0, 0)
     module = importlib.import_module("PathScripts.PathSimulatorGui" if old else "Path.Main.Gui.Simulator")
     for other in FreeCAD.ActiveDocument.Objects:  # the view is fitted to what is simulated
         other.Visibility = False

@@ -23,6 +23,7 @@ sys.path[:0] = [str(ROOT), str(ROOT / "examples")]
 from make_example import HEIGHT, LENGTH, WIDTH, cam, faces, operation, plate
 
 import vkworkbench
+from vkworkbench import freecad
 from vkworkbench.document import watcher
 
 OPERATIONS, TURNS = 200, 3
@@ -60,7 +61,7 @@ def job_document():
     controller = job.Tools.Group[0]
     top = faces(shape, "Plane", (0, 0, HEIGHT), (LENGTH, WIDTH, HEIGHT))[:1]
     pocket = faces(shape, "Plane", (18, 14, 12), (62, 48, 12))
-    pattern = "ClearingPattern" if FreeCAD.Version()[:2] >= ["1", "1"] else "OffsetPattern"
+    pattern = freecad.POCKET_PATTERN.name
     kinds = [
         ("MillFace", top, {pattern: "ZigZag"}),
         ("PocketShape", pocket, {pattern: "ZigZag"}),

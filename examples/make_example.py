@@ -18,6 +18,7 @@ import FreeCAD
 import Part
 from FreeCAD import Vector
 
+VERSION = tuple(map(int, FreeCAD.Version()[:2]))
 LENGTH, WIDTH, HEIGHT = 160.0, 100.0, 20.0  # mm; the plate's lower corner is the origin
 ALLOWANCE = Vector(2, 2, 0), Vector(2, 2, 1.5)  # mm of raw stock on the plate's lower and upper sides
 
@@ -33,7 +34,7 @@ OLD_NAMES = {
 
 def cam(name):
     """FreeCAD's CAM module called Path.`name` in 1.x."""
-    if FreeCAD.Version()[0] != "0":
+    if VERSION >= (1, 0):
         return importlib.import_module("Path." + name)
     package, _, last = name.rpartition(".")
     old = OLD_NAMES.get(name) or "Path" + last + ("Gui" if package.endswith("Gui") else "")
@@ -155,7 +156,7 @@ def make_example(path):
     # Between several tools FreeCAD lets the user choose for the first operation: without a window that fails.
     job.Tools.Group = [cutter]
 
-    pattern = "ClearingPattern" if FreeCAD.Version()[:2] >= ["1", "1"] else "OffsetPattern"
+    pattern = "ClearingPattern" if VERSION >= (1, 1) else "OffsetPattern"
     top = faces(shape, "Plane", (0, 0, HEIGHT), (LENGTH, WIDTH, HEIGHT))
     operation(job, "MillFace", "Face", cutter, top[:1], BoundaryShape="Stock", StepOver=60, StepDown=1.5,
               **{pattern: "ZigZag"})

@@ -12,6 +12,7 @@ from dataclasses import dataclass, field, fields
 
 import FreeCAD
 
+from vkworkbench.freecad import version
 from vkworkbench.simulator_names import OPENGL, SIMULATORS, ZBUFFER
 
 GROUP = "User parameter:BaseApp/Preferences/Mod/VkWorkbench"
@@ -122,5 +123,5 @@ def entry(name: str) -> str:
 def _possible(value, limits) -> bool:
     if "choices" in limits:
         # The parameters may be those of a newer FreeCAD.
-        return value in limits["choices"] and (value != OPENGL or FreeCAD.Version()[0] != "0")
+        return value in limits["choices"] and (value != OPENGL or version() >= (1, 0))
     return not limits or limits["least"] <= value <= limits["most"]

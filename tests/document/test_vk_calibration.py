@@ -10,6 +10,7 @@ from dataclasses import fields, replace
 import FreeCAD
 import pytest
 
+from vkworkbench import freecad
 from vkworkbench.core import Speed, Stock, Tool, linearize
 from vkworkbench.core.simulators import DEFAULTS, Constants, legacy_costs, opengl_cost
 from vkworkbench.document import calibration
@@ -43,7 +44,7 @@ def test_each_renderer_has_its_own(folder):
     assert calibration.load("llvmpipe (LLVM 19)") is None
     slow = calibration.constants("llvmpipe (LLVM 19)")
     assert slow.draw > 5 * DEFAULTS.draw and slow.refresh == 0 < DEFAULTS.refresh
-    assert (slow.repaint > 0) == (calibration.freecad_version() >= (1, 1)) and slow.redraw > DEFAULTS.redraw
+    assert (slow.repaint > 0) == (freecad.version() >= (1, 1)) and slow.redraw > DEFAULTS.redraw
     calibration.calibrate("llvmpipe (LLVM 19)")
     assert calibration.load("card").renderer == "card"
     assert calibration.load("llvmpipe (LLVM 19)").constants.refresh == 0

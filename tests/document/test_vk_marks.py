@@ -8,6 +8,7 @@ import FreeCAD
 import pytest
 
 import vkworkbench
+from vkworkbench import freecad
 from vkworkbench.document import marks
 
 
@@ -69,7 +70,7 @@ def test_the_users_words_stay(small, zigzag_commands, own):
 
 def posted(job):
     """The job's linuxcnc G-code, but for the line with the time of day."""
-    if FreeCAD.Version()[0] == "0":
+    if freecad.version() < (1, 0):
         from PathScripts.PathPostProcessor import PostProcessor
 
         processor = PostProcessor.load("linuxcnc")

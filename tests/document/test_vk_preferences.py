@@ -7,7 +7,7 @@ import FreeCAD
 import pytest
 
 import vkworkbench
-from vkworkbench import preferences
+from vkworkbench import freecad, preferences
 from vkworkbench.core.simulators import DEFAULTS
 from vkworkbench.document import marks, watcher
 from vkworkbench.preferences import Preferences
@@ -80,7 +80,7 @@ def test_accuracy_of_the_legacy_simulator(arc):
     assert (fine.accuracy, coarse.accuracy) == (0.1, 1.0) and fine.cells > 50 * coarse.cells
 
 
-@pytest.mark.skipif(FreeCAD.Version()[0] == "0", reason="0.20 has no OpenGL simulator")
+@pytest.mark.skipif(freecad.version() < (1, 0), reason="0.20 has no OpenGL simulator")
 def test_quality_of_the_opengl_simulator(arc):
     best = analyzed(arc).opengl
     preferences.write(opengl_quality=1)
@@ -114,7 +114,7 @@ def test_constants_of_this_computer(arc, monkeypatch):
 @pytest.mark.parametrize("simulator", [ZBUFFER, LEGACY, OPENGL])
 def test_whose_cost_the_mark_shows(arc, small, simulator):
     preferences.write(mark_simulator=simulator)
-    if simulator == OPENGL and FreeCAD.Version()[0] == "0":
+    if simulator == OPENGL and freecad.version() < (1, 0):
         simulator = ZBUFFER  # where there is no such simulator
     report = vkworkbench.analyze(arc)
     vkworkbench.mark(report)

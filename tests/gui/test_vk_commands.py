@@ -7,9 +7,10 @@ import pytest
 from PySide import QtCore, QtGui
 
 import vkworkbench
+from vkworkbench import freecad
 from vkworkbench.document import marks
 
-CAM = "PathWorkbench" if FreeCAD.Version()[0] == "0" else "CAMWorkbench"
+CAM = "PathWorkbench" if freecad.version() < (1, 0) else "CAMWorkbench"
 
 
 def marked(document):
@@ -18,7 +19,7 @@ def marked(document):
 
 def test_the_first_click_marks_the_job_and_shows_the_column(opened, window):
     FreeCAD.ParamGet("User parameter:BaseApp/Preferences/Mod/VkWorkbench").RemBool("DescriptionShown")
-    if FreeCAD.Version()[0] != "0":
+    if freecad.version() >= (1, 0):
         FreeCAD.ParamGet("User parameter:BaseApp/Preferences/TreeView").SetBool("HideColumn", True)
     window.click("Analyze toolpaths")
     window.wait(lambda: marked(opened))
@@ -26,7 +27,7 @@ def test_the_first_click_marks_the_job_and_shows_the_column(opened, window):
     assert window.main.statusBar().currentMessage().endswith("operations analyzed")
     texts = window.dismiss()
     # Only where the column was hidden is there anything to say.
-    assert [("Description column" in text) for text in texts] == ([] if FreeCAD.Version()[0] == "0" else [True])
+    assert [("Description column" in text) for text in texts] == ([] if freecad.version() < (1, 0) else [True])
     window.tree.expandAll()
     window.screenshot("marks")
     shown = window.descriptions()

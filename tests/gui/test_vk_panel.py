@@ -10,9 +10,10 @@ import pytest
 from PySide import QtCore, QtGui
 
 import vkworkbench
+from vkworkbench import freecad
 from vkworkbench.document import marks
 
-OPENGL = FreeCAD.Version()[0] != "0"
+OPENGL = freecad.version() >= (1, 0)
 
 
 @pytest.fixture

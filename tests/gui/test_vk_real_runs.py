@@ -10,7 +10,7 @@ import pytest
 from PySide import QtCore, QtGui
 
 import vkworkbench
-from vkworkbench import preferences
+from vkworkbench import freecad, preferences
 from vkworkbench.core.simulators import opengl_speeds
 from vkworkbench.document import calibration
 from vkworkbench.gui.real_runs import OpenGLRun, _played
@@ -18,7 +18,7 @@ from vkworkbench.gui.real_runs import OpenGLRun, _played
 sys.path.insert(0, str(Path(vkworkbench.__file__).resolve().parents[1] / "benchmarks"))
 from opengl_window import FASTER, PLAY, click  # noqa: E402
 
-OLD = calibration.freecad_version() < (1, 0, 0)
+OLD = freecad.version() < (1, 0, 0)
 
 
 @pytest.fixture
@@ -102,7 +102,7 @@ def test_a_run_of_the_opengl_simulator_teaches(calibrated, window):
     (simulation,) = shown()
     simulation.requestActivate()
     window.idle(2)
-    faster = len(opengl_speeds(calibration.freecad_version())) - 1
+    faster = len(opengl_speeds(freecad.version())) - 1
     for where in [FASTER] * faster + [PLAY]:
         click(simulation, *where)
         window.idle(0.3)

@@ -12,7 +12,7 @@ from dataclasses import dataclass, replace
 
 import FreeCAD
 
-from vkworkbench import preferences
+from vkworkbench import freecad, preferences
 from vkworkbench.core import Speed, Stock, Strategy, Tool, estimate, linearize, machining, recognize
 from vkworkbench.core.simulators import (
     SLIDER,
@@ -135,7 +135,7 @@ def _read(operation: Operation) -> _Reading:
         errors=tuple(errors),
         rapid_feeds=rapid_feeds(obj),
         setting_fingerprint=setting_fingerprint(obj, job),
-        version=tuple(int(number) for number in FreeCAD.Version()[:2]),
+        version=freecad.version(),
     )
 
 

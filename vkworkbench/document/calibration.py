@@ -21,6 +21,7 @@ import Part
 from Path import Command as PathCommand
 from PathSimulator import PathSim
 
+from vkworkbench import freecad
 from vkworkbench.core import Stock
 from vkworkbench.core.gcode import linearize
 from vkworkbench.core.simulators import (
@@ -42,7 +43,7 @@ _SOFTWARE_OPENGL = {"frame": 42e-3, "draw": 15e-6}
 # What a command of a play takes to show there, and a new percent of a fast-forward: Qt 6, with which FreeCAD 1.1 comes,
 # also paints the window on the processor.
 _SOFTWARE_PANEL = {"redraw": 40e-3}
-_SOFTWARE_PANEL_QT6, _QT6_SINCE = {"redraw": 56e-3, "repaint": 30e-3}, (1, 1)
+_SOFTWARE_PANEL_QT6 = {"redraw": 56e-3, "repaint": 30e-3}
 # Making meshes takes this much longer where pictures between them are drawn on the same processor.
 _SOFTWARE_MESH = 1.5
 # A benchmark cuts in a warm cache; real operations take this much longer (benchmarks/simulators.py).
@@ -88,11 +89,6 @@ class Calibration:
     processor: str
     renderer: str
     runs: dict[str, tuple]
-
-
-def freecad_version() -> tuple[int, int, int]:
-    """Return the version of this FreeCAD."""
-    return tuple(int("".join(filter(str.isdigit, part)) or 0) for part in FreeCAD.Version()[:3])
 
 
 def processor() -> str:
@@ -190,7 +186,7 @@ def calibrate(renderer: str = "") -> Calibration:
     measured = replace(_for_renderer(_measure(), renderer), legacy_factor=_CALIBRATED_FACTOR)
     known = load(renderer)
     runs = known.runs if known else dict.fromkeys(_RUNS, ())
-    version = ".".join(map(str, freecad_version()))
+    version = ".".join(map(str, freecad.version()))
     return _remember(Calibration(measured, date.today().isoformat(), version, processor(), renderer, runs))
 
 
@@ -295,7 +291,7 @@ def _records() -> dict:
 
 
 def _key(renderer: str) -> str:
-    return "; ".join((".".join(map(str, freecad_version())), processor(), renderer))
+    return "; ".join((".".join(map(str, freecad.version())), processor(), renderer))
 
 
 def _speed_key() -> str:
@@ -305,7 +301,7 @@ def _speed_key() -> str:
 
 def _for_renderer(base: Constants, renderer: str) -> Constants:
     if any(name in renderer.lower() for name in _SOFTWARE):
-        panel = _SOFTWARE_PANEL_QT6 if freecad_version() >= _QT6_SINCE else _SOFTWARE_PANEL
+        panel = _SOFTWARE_PANEL_QT6 if freecad.version() >= freecad.QT6_SINCE else _SOFTWARE_PANEL
         pictures = {name: _here(seconds, base.cell) for name, seconds in {**_SOFTWARE_OPENGL, **panel}.items()}
         mesh = {"cell": base.cell * _SOFTWARE_MESH, "facet": base.facet * _SOFTWARE_MESH}
         return replace(base, opengl_factor=DEFAULTS.legacy_factor, refresh=0.0, **mesh, **pictures)

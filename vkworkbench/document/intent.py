@@ -3,11 +3,12 @@
 
 from __future__ import annotations
 
+from vkworkbench import freecad
 from vkworkbench.core import Recognition, Strategy
 from vkworkbench.document.operations import kind
 
 _S = Strategy
-# What the operations of FreeCAD make whose kind says it all, by the last part of their module's name.
+# What the operations of FreeCAD make whose kind says it all.
 _KINDS = {
     "Adaptive": {_S.ADAPTIVE, _S.PROFILE}, "Deburr": {_S.PROFILE, _S.ENGRAVING}, "Drilling": {_S.DRILLING},
     "Engrave": {_S.ENGRAVING, _S.PROFILE}, "Helix": {_S.HELIX},
@@ -20,7 +21,6 @@ _PATTERNS = {
     "Line": {_S.ONE_WAY, _S.ZIGZAG}, "Offset": {_S.CONTOUR_PARALLEL, _S.PROFILE, _S.SPIRAL}, "Spiral": {_S.SPIRAL},
     "Triangle": {_S.ZIGZAG, _S.ONE_WAY}, "ZigZag": {_S.ZIGZAG}, "ZigZagOffset": {_S.ZIGZAG},
 }  # fmt: skip
-_PATTERN_PROPERTIES = ("ClearingPattern", "OffsetPattern", "CutPattern")  # 1.1, before, 3D surface
 
 
 def contradicted(obj, found: Recognition) -> str | None:
@@ -38,12 +38,12 @@ def contradicted(obj, found: Recognition) -> str | None:
     str or None
         FreeCAD's own name of its kind or its pattern; None where they agree, or where neither says anything.
     """
-    while kind(obj) == "dressup" and hasattr(obj.Base, "isDerivedFrom"):
-        obj = obj.Base
-    name = type(getattr(obj, "Proxy", None)).__module__.rpartition(".")[2].removeprefix("Path")
+    while kind(obj) == "dressup" and hasattr(freecad.BASE.of(obj), "isDerivedFrom"):
+        obj = freecad.BASE.of(obj)
+    name = freecad.operation_name(obj)
     meant = _KINDS.get(name)
     if meant is None:
-        name = next((getattr(obj, p) for p in _PATTERN_PROPERTIES if hasattr(obj, p)), None)
+        name = freecad.POCKET_PATTERN.of(obj) or freecad.SURFACE_PATTERN.of(obj)
         meant = _PATTERNS.get(name)
     if meant is None or not found.strategy.is_answer:
         return None

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
 
-PATH = "Path::Feature"
+from vkworkbench import freecad
 
 
 @dataclass(frozen=True)
@@ -36,15 +36,19 @@ class Operation:
 
 def kind(obj) -> str | None:
     """Return "job", "controller", "dressup", "array", "operation", or None for what has no toolpath."""
-    if not obj.isDerivedFrom(PATH):
+    if not has_toolpath(obj):
         return None
-    if hasattr(obj, "Operations") and hasattr(obj, "Tools"):
+    if freecad.OPERATIONS.is_in(obj) and freecad.TOOLS.is_in(obj):
         return "job"
-    if hasattr(obj, "ToolNumber") and hasattr(obj, "SpindleSpeed"):
+    if freecad.TOOL_NUMBER.is_in(obj) and freecad.SPINDLE_SPEED.is_in(obj):
         return "controller"
     if _bases(obj):
-        return "array" if hasattr(obj, "Copies") else "dressup"
+        return "array" if freecad.COPIES.is_in(obj) else "dressup"
     return "operation"
+
+
+def has_toolpath(obj) -> bool:
+    return obj.isDerivedFrom(freecad.TOOLPATH)
 
 
 def is_document(what) -> bool:
@@ -53,7 +57,7 @@ def is_document(what) -> bool:
 
 def is_job_group(obj) -> bool:
     """Whether it is the group in which a job keeps its operations."""
-    return any(kind(user) == "job" and user.Operations is obj for user in obj.InList)
+    return any(kind(user) == "job" and freecad.OPERATIONS.of(user) is obj for user in obj.InList)
 
 
 def find(what) -> list[Operation]:
@@ -119,7 +123,7 @@ def _find(what, jobs: dict) -> Iterator[Operation]:
 
 
 def _of_job(job) -> Iterator[Operation]:
-    members = list(getattr(job.Operations, "Group", [])) if job.Operations else []
+    members = freecad.GROUP.of(freecad.OPERATIONS.of(job)) or []
     # A file made without a window lists a dress-up and its base side by side.
     dressed = {base.Name for obj in members if kind(obj) == "dressup" for base in _all_bases(obj)}
     for obj in members:
@@ -137,9 +141,9 @@ def _with_bases(obj, job, counted: bool) -> Iterator[Operation]:
 
 def _bases(obj) -> list:
     """What a dress-up or an array is made from (an ordinary operation's Base lists faces of the model)."""
-    base = getattr(obj, "Base", None)
+    base = freecad.BASE.of(obj)
     candidates = base if isinstance(base, (list, tuple)) else [base]
-    return [b for b in candidates if hasattr(b, "isDerivedFrom") and b.isDerivedFrom(PATH)]
+    return [b for b in candidates if hasattr(b, "isDerivedFrom") and has_toolpath(b)]
 
 
 def _all_bases(obj) -> Iterator:
@@ -170,10 +174,10 @@ def job_of(obj):
     return None
 
 
-def through_bases(obj, name: str):
+def through_bases(obj, property: freecad.Property):
     """Return a property of an operation, or of the operation it dresses up; None where none has it."""
     for one in (obj, *_all_bases(obj)):
-        value = getattr(one, name, None)
+        value = property.of(one)
         if value is not None:
             return value
     return None
@@ -181,4 +185,4 @@ def through_bases(obj, name: str):
 
 def is_active(obj) -> bool:
     """Whether FreeCAD posts the operation: neither it nor what it dresses up is switched off."""
-    return all(getattr(one, "Active", True) for one in (obj, *_all_bases(obj)))
+    return all(freecad.ACTIVE.of(one, True) for one in (obj, *_all_bases(obj)))

@@ -8,6 +8,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from vkworkbench import freecad
 from vkworkbench.core import Stock, Tool, Toolpath
 from vkworkbench.document.operations import through_bases
 
@@ -28,13 +29,13 @@ def read_tool(operation) -> Tool:
     ValueError
         With words for the user where there is no tool or its measures are impossible.
     """
-    controller = through_bases(operation, "ToolController")
+    controller = through_bases(operation, freecad.CONTROLLER)
     if controller is None:
         raise ValueError("no tool: give the operation a tool controller")
-    bit = getattr(controller, "Tool", None)
+    bit = freecad.TOOL.of(controller)
     if bit is None:
         raise ValueError(f"no tool in {controller.Label}: choose a tool bit for it")
-    diameter = _number(bit, "Diameter")
+    diameter = freecad.DIAMETER.number(bit)
     if diameter is None:
         raise ValueError(f"the tool in {controller.Label} has no diameter")
     try:
@@ -44,24 +45,18 @@ def read_tool(operation) -> Tool:
 
 
 def _tool(bit, diameter: float) -> Tool:
-    names = (getattr(bit, name, None) for name in ("ShapeType", "ShapeName", "ToolType"))
-    name = next((n for n in names if isinstance(n, str) and n), "endmill")
+    name = next((n for n in freecad.TOOL_SHAPE.values(bit) if isinstance(n, str) and n), "endmill")
     shape = _SHAPES.get("".join(c for c in name.lower() if c.isalpha()), "endmill")
     if shape == "bullnose":
-        corner = _number(bit, "CornerRadius")
+        corner = freecad.CORNER_RADIUS.number(bit)
         if not corner:
-            flat = _number(bit, "FlatRadius")  # 0.20 and 1.0 give the radius of the flat part instead
+            flat = freecad.FLAT_RADIUS.number(bit)
             corner = diameter / 2 - flat if flat is not None else 0.0
         return Tool(shape, diameter, corner_radius=corner)
     if shape in ("vbit", "drill"):
-        angle = _number(bit, "TipAngle" if shape == "drill" else "CuttingEdgeAngle")
+        angle = (freecad.TIP_ANGLE if shape == "drill" else freecad.CUTTING_ANGLE).number(bit)
         return Tool(shape, diameter, tip_angle=math.radians(angle) if angle else None)
     return Tool(shape, diameter)
-
-
-def _number(bit, name: str) -> float | None:
-    value = getattr(bit, name, None)
-    return None if value is None else float(getattr(value, "Value", value))
 
 
 def read_stock(job) -> Stock:
@@ -74,8 +69,7 @@ def read_stock(job) -> Stock:
     """
     if job is None:
         raise ValueError("no stock: put the toolpath into a job")
-    solid = getattr(job, "Stock", None)
-    shape = getattr(solid, "Shape", None)
+    shape = freecad.SHAPE.of(freecad.STOCK.of(job))
     if shape is None or shape.isNull():
         raise ValueError(f"no stock: give {job.Label} a stock")
     box = shape.BoundBox
@@ -96,8 +90,8 @@ def stock_around(toolpath: Toolpath, tool: Tool) -> Stock:
 
 def rapid_feeds(operation) -> tuple[float, float]:
     """Return the horizontal and vertical rapid speed of an operation's tool controller, mm/s; 0 if unset."""
-    controller = through_bases(operation, "ToolController")
-    return tuple(_number(controller, name) or 0.0 for name in ("HorizRapid", "VertRapid"))
+    controller = through_bases(operation, freecad.CONTROLLER)
+    return tuple(rapid.number(controller) or 0.0 for rapid in (freecad.HORIZONTAL_RAPID, freecad.VERTICAL_RAPID))
 
 
 def placed(toolpath: Toolpath, placement) -> Toolpath:

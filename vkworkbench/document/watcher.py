@@ -9,15 +9,14 @@ from __future__ import annotations
 
 import FreeCAD
 
-from vkworkbench import preferences
+from vkworkbench import freecad, preferences
 from vkworkbench.document import marks
 from vkworkbench.document.fingerprint import setting_fingerprint
 from vkworkbench.document.operations import find, job_of, kind, through_bases
 
-_ON_OPERATION = {"Path", "Placement"}
+_ON_OPERATION = freecad.names_in_fingerprint("path")
 # Changes that reach operations and jobs by way of their tool, stock or group.
-_ON_SETTING = {"Group", "Active", "ToolController", "Shape", "Tool", "Diameter", "CornerRadius", "FlatRadius", "CuttingEdgeAngle", "TipAngle",
-               "ShapeType", "ShapeName", "Stock"}  # fmt: skip
+_ON_SETTING = freecad.names_in_fingerprint("setting")
 
 
 class Watcher:
@@ -71,7 +70,7 @@ def check(document, paths: set[str] | None = None, *, settings: bool = True) -> 
     known: dict[tuple, str] = {}
 
     def setting_of(obj) -> str:
-        job, controller = job_of(obj), through_bases(obj, "ToolController")
+        job, controller = job_of(obj), through_bases(obj, freecad.CONTROLLER)
         key = tuple(one and one.Name for one in (job, controller))
         if key not in known:
             known[key] = setting_fingerprint(obj, job)

@@ -9,7 +9,7 @@ from pathlib import Path
 import FreeCAD
 import FreeCADGui as Gui
 
-from vkworkbench import friendly, preferences
+from vkworkbench import freecad, friendly, preferences
 from vkworkbench.core import linearize
 from vkworkbench.core.paper import Areas, Signature, monotonous_areas
 from vkworkbench.document.operations import kind
@@ -99,7 +99,7 @@ class GaussMapDock(QDockWidget):
     # FreeCAD calls these when a document changes.
 
     def slotChangedObject(self, obj, name: str) -> None:
-        if name in ("Path", "Placement") and self._shown == (obj.Document.Name, obj.Name):
+        if name in freecad.names_in_fingerprint("path") and self._shown == (obj.Document.Name, obj.Name):
             self._shown = None
             self._later.start(0)
 

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 import FreeCAD
 
-from vkworkbench import friendly
+from vkworkbench import freecad, friendly
 from vkworkbench.core import Strategy
 from vkworkbench.core.simulators import Simulator, available_simulators
 from vkworkbench.document import marks
@@ -210,7 +210,7 @@ class ResultsModel(QAbstractTableModel):
 
     def __init__(self, parent=None) -> None:
         super().__init__(parent)
-        self.columns = columns(tuple(int(number) for number in FreeCAD.Version()[:2]))
+        self.columns = columns(freecad.version())
         self.rows: list[Row] = []
 
     def show(self, rows: list[Row]) -> None:

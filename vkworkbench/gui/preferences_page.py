@@ -9,7 +9,7 @@ from pathlib import Path
 import FreeCAD
 import FreeCADGui as Gui
 
-from vkworkbench import preferences
+from vkworkbench import freecad, preferences
 from vkworkbench.gui.qt import QApplication, QDate, QLocale, QMessageBox, Qt
 from vkworkbench.gui.text import QT_TRANSLATE_NOOP, translate
 from vkworkbench.preferences import Preferences
@@ -29,7 +29,7 @@ class PreferencesPage:
             if "least" in limits and widget is not None:
                 widget.setProperty("minimum", limits["least"])
                 widget.setProperty("maximum", limits["most"])
-        if FreeCAD.Version()[0] == "0":
+        if freecad.version() < (1, 0):
             self.form.mark_simulator.removeItem(SIMULATORS.index(OPENGL))
             for name in ("opengl_quality", "opengl_quality_label"):
                 getattr(self.form, name).hide()

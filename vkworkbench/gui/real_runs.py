@@ -14,6 +14,7 @@ import FreeCAD
 import FreeCADGui as Gui
 import numpy as np
 
+from vkworkbench import freecad
 from vkworkbench.core import linearize
 from vkworkbench.core.simulators import (
     SLIDER,
@@ -140,7 +141,7 @@ class OpenGLRun(QObject):
         if not played:
             return
         renderer = note_renderer()
-        speeds = opengl_speeds(calibration.freecad_version())
+        speeds = opengl_speeds(freecad.version())
         with suppress(OSError, ValueError):  # not kept, or arcs of too many chords
             cost = opengl_together([
                 opengl_cost(linearize(path.Commands), tool=tool, stock=stock, speeds=speeds,
@@ -175,7 +176,7 @@ def _simulated(panel) -> list:
     """Path, tool and stock of the operations that are ticked in a simulator's panel; none where that is not known."""
     jobs = FreeCAD.ActiveDocument.findObjects("Path::FeaturePython", "Job.*")
     job = jobs[panel.findChild(QComboBox, "comboJobs").currentIndex()]
-    operations = [obj for obj in job.Operations.OutList if is_active(obj)]
+    operations = [obj for obj in freecad.OPERATIONS.of(job).OutList if is_active(obj)]
     listed = panel.findChild(QListWidget, "listOperations")
     if len(operations) != listed.count():
         return []

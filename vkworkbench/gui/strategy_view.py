@@ -13,7 +13,7 @@ import FreeCADGui as Gui
 import numpy as np
 from pivy import coin
 
-from vkworkbench import preferences
+from vkworkbench import freecad, preferences
 from vkworkbench.core import Strategy, Toolpath, linearize, recognize
 from vkworkbench.document.operations import find, kind
 from vkworkbench.document.setting import read_tool
@@ -168,7 +168,7 @@ class _Watcher:
         self._changed: set[tuple[str, str]] = set()
 
     def slotChangedObject(self, obj, name: str) -> None:
-        if name == "Path" and obj.Document.Name in _drawn and kind(obj) in ("operation", "dressup", "array"):
+        if name in freecad.PATH.names and obj.Document.Name in _drawn and kind(obj) in ("operation", "dressup", "array"):
             self._changed.add((obj.Document.Name, obj.Name))
 
     def slotRecomputedDocument(self, document) -> None:

@@ -8,11 +8,11 @@ from contextlib import contextmanager
 import FreeCAD
 import FreeCADGui as Gui
 
+from vkworkbench import freecad
 from vkworkbench.gui.qt import QDockWidget, QHeaderView, Qt, QTreeView
 
 DESCRIPTION = 1
 _TREE_PREFERENCES = "User parameter:BaseApp/Preferences/TreeView"
-_DOCK_NAMES = ("Combo View", "Model", "Tree view")  # 0.20, 1.x, and the tree on its own
 _DOCK_WIDTH = 500  # px; FreeCAD's 260 would leave the column outside
 
 
@@ -25,8 +25,9 @@ def trees() -> list[QTreeView]:
 def show_description() -> bool:
     """Make the Description column visible and wide enough to read; return whether it was hidden."""
     preferences = FreeCAD.ParamGet(_TREE_PREFERENCES)
-    # 0.20 has no such preference: there the column is always visible.
-    was_hidden = FreeCAD.Version()[0] != "0" and preferences.GetBool("HideColumn", True)
+    # Before there was no such preference: the column was always visible.
+    can_hide = freecad.version() >= freecad.DESCRIPTION_HIDDEN_SINCE
+    was_hidden = can_hide and preferences.GetBool("HideColumn", True)
     if was_hidden:
         preferences.SetBool("HideColumn", False)
     for tree in trees():
@@ -34,7 +35,7 @@ def show_description() -> bool:
         tree.header().setVisible(True)
     window = Gui.getMainWindow()
     for dock in window.findChildren(QDockWidget):
-        if dock.objectName() in _DOCK_NAMES and dock.isVisible() and dock.width() < _DOCK_WIDTH:
+        if dock.objectName() in freecad.TREE_DOCKS and dock.isVisible() and dock.width() < _DOCK_WIDTH:
             window.resizeDocks([dock], [_DOCK_WIDTH], Qt.Horizontal)
     return was_hidden
 

@@ -9,6 +9,7 @@ from pathlib import Path
 import FreeCAD
 import FreeCADGui as Gui
 
+from vkworkbench import freecad
 from vkworkbench.gui import preferences_page
 from vkworkbench.gui.qt import QApplication, QTimer
 from vkworkbench.gui.text import QT_TRANSLATE_NOOP, translate
@@ -51,7 +52,7 @@ def install() -> None:
     Gui.addIconPath(str(ICONS))
     Gui.addPreferencePage(preferences_page.PreferencesPage, preferences_page.TITLE)
     Gui.addWorkbench(VkWorkbench())
-    for name, menu in (("CAMWorkbench", "&CAM"), ("PathWorkbench", "&Path")):
+    for name, menu in freecad.WORKBENCHES.items():
         workbench = Gui.listWorkbenches().get(name)
         if workbench is not None:
             _extend(workbench, menu)
@@ -139,4 +140,4 @@ def _load_commands() -> None:
 
 
 def _path_selected() -> bool:
-    return any(obj.isDerivedFrom("Path::Feature") for obj in Gui.Selection.getSelection())
+    return any(obj.isDerivedFrom(freecad.TOOLPATH) for obj in Gui.Selection.getSelection())

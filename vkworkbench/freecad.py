@@ -1,0 +1,121 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What FreeCAD calls things, and since which version: nothing else in the add-on knows.
+
+A property is known by what it means. A document keeps the names of the FreeCAD that made it, so the newest name that an
+object has is read, whatever FreeCAD runs. Loads no numpy: it is needed when FreeCAD starts.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+import FreeCAD
+
+TOOLPATH = "Path::Feature"  # the type of all that has a Path
+# The workbench for machining and its menu: since 1.0, and before.
+WORKBENCHES = {"CAMWorkbench": "&CAM", "PathWorkbench": "&Path"}
+TREE_DOCKS = ("Combo View", "Model", "Tree view")  # 0.20, since 1.0, and the tree on its own
+DESCRIPTION_HIDDEN_SINCE = (1, 0)  # the tree's Description column can be hidden, and is at first
+QT6_SINCE = (1, 1)
+
+
+def version() -> tuple[int, int, int]:
+    """Return the version of this FreeCAD, e.g. ``(0, 20, 2)``; a part that does not begin with a number is 0."""
+    return tuple(int(re.match(r"\d*", part).group() or 0) for part in FreeCAD.Version()[:3])
+
+
+@dataclass(frozen=True)
+class Property:
+    """A property, known by what it means.
+
+    Attributes
+    ----------
+    newest : str
+        Its name today.
+    since : tuple of int
+        The version that gave it this name.
+    before : tuple of str
+        Its names in versions before, the newest first.
+    fingerprint : {"path", "setting"} or None
+        Of which part of a mark's fingerprint it is: a change of it may make the mark outdated.
+    """
+
+    newest: str
+    since: tuple[int, ...] = (0,)
+    before: tuple[str, ...] = ()
+    fingerprint: str | None = None
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """tuple of str : all its names, the newest first."""
+        return (self.newest, *self.before)
+
+    @property
+    def name(self) -> str:
+        """str : its name in this FreeCAD."""
+        return self.newest if version() >= self.since else self.before[0]
+
+    def is_in(self, obj) -> bool:
+        """Whether an object has it, set or not."""
+        return any(hasattr(obj, name) for name in self.names)
+
+    def values(self, obj) -> Iterator:
+        """Return what an object has under its names, the newest first, without what is not set."""
+        found = (getattr(obj, name, None) for name in self.names)
+        return (value for value in found if value is not None)
+
+    def of(self, obj, default=None):
+        """Return its value, a default where an object does not have it or it is not set."""
+        return next(self.values(obj), default)
+
+    def number(self, obj) -> float | None:
+        """Return its value as a number in FreeCAD's own units: mm, degrees, mm/s."""
+        value = self.of(obj)
+        return None if value is None else float(getattr(value, "Value", value))
+
+
+# What has a toolpath, and what it is made from.
+PATH = Property("Path", fingerprint="path")
+PLACEMENT = Property("Placement", fingerprint="path")
+BASE = Property("Base")
+COPIES = Property("Copies")
+ACTIVE = Property("Active", fingerprint="setting")
+CONTROLLER = Property("ToolController", fingerprint="setting")
+POCKET_PATTERN = Property("ClearingPattern", since=(1, 1), before=("OffsetPattern",))
+SURFACE_PATTERN = Property("CutPattern")
+# A job and its stock.
+OPERATIONS = Property("Operations")
+TOOLS = Property("Tools")
+GROUP = Property("Group", fingerprint="setting")
+STOCK = Property("Stock", fingerprint="setting")
+SHAPE = Property("Shape", fingerprint="setting")
+# A tool controller.
+TOOL = Property("Tool", fingerprint="setting")
+TOOL_NUMBER = Property("ToolNumber")
+SPINDLE_SPEED = Property("SpindleSpeed")
+HORIZONTAL_RAPID = Property("HorizRapid")
+VERTICAL_RAPID = Property("VertRapid")
+# A tool; the last name of its shape is that of 0.20's tools without a tool bit.
+TOOL_SHAPE = Property("ShapeType", since=(1, 1), before=("ShapeName", "ToolType"), fingerprint="setting")
+DIAMETER = Property("Diameter", fingerprint="setting")
+CORNER_RADIUS = Property("CornerRadius", fingerprint="setting")  # since 1.1; before, there is
+FLAT_RADIUS = Property("FlatRadius", fingerprint="setting")  # that of a bull nose's flat part
+TIP_ANGLE = Property("TipAngle", fingerprint="setting")
+CUTTING_ANGLE = Property("CuttingEdgeAngle", fingerprint="setting")
+
+_PROPERTIES = tuple(entry for entry in globals().values() if isinstance(entry, Property))
+
+
+def names_in_fingerprint(part: str) -> frozenset[str]:
+    """Return the names of the properties that a part of a mark's fingerprint depends on, ``"path"`` or ``"setting"``."""
+    return frozenset(name for entry in _PROPERTIES if entry.fingerprint == part for name in entry.names)
+
+
+def operation_name(obj) -> str:
+    """Return FreeCAD's name of an operation's kind, e.g. ``"Profile"``; that of its proxy's module in all versions.
+
+    Where a document is of another version the proxy may be missing: the name is then none of an operation.
+    """
+    return type(getattr(obj, "Proxy", None)).__module__.rpartition(".")[2].removeprefix("Path")
