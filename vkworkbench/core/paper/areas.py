@@ -88,12 +88,18 @@ class Areas(Moves):
 
     @cached_property
     def closings(self) -> tuple[np.ndarray, np.ndarray]:
-        """Phi that loops and closed areas reach with their closing turn, (c,) rad, and the area of each, ascending."""
+        """Phi that areas reach with the closing turn at their end, (c,) rad, and the area of each, ascending.
+
+        An area ends with a closing turn where it ends where it began, or where a loop in it did: the last one of
+        offset loops that are linked without a lift. A loop that the path goes on from has no closing turn; what the
+        path turns there is in phi.
+        """
         first, end = self.loops
-        first, end = np.append(first, self.start[self.closed]), np.append(end, self.end[self.closed])
-        reached = self.signed[1][end - 1] + closing_turns(self.alpha, first, end)
-        order = np.argsort(first, kind="stable")
-        return reached[order], np.searchsorted(self.start, first[order], side="right") - 1
+        last = np.isin(end, self.end)
+        first, end = np.append(self.start[self.closed], first[last]), np.append(self.end[self.closed], end[last])
+        area, once = np.unique(np.searchsorted(self.start, first, side="right") - 1, return_index=True)
+        first, end = first[once], end[once]
+        return self.signed[1][end - 1] + closing_turns(self.alpha, first, end), area
 
     @cached_property
     def phi_range(self) -> tuple[float, float]:
