@@ -71,9 +71,12 @@ class Property:
         return next(self.values(obj), default)
 
     def number(self, obj) -> float | None:
-        """Return its value as a number in FreeCAD's own units: mm, degrees, mm/s."""
+        """Return its value as a number in FreeCAD's own units: mm, degrees, mm/s; None where it is no number."""
         value = self.of(obj)
-        return None if value is None else float(getattr(value, "Value", value))
+        try:
+            return float(getattr(value, "Value", value))
+        except (TypeError, ValueError):
+            return None
 
 
 # What has a toolpath, and what it is made from.

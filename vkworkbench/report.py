@@ -9,7 +9,6 @@ import re
 from dataclasses import dataclass
 from typing import Any
 
-from vkworkbench import friendly
 from vkworkbench.core import Estimate, Machining, Recognition, Span, Strategy
 from vkworkbench.core.paper import PaperVerdict
 from vkworkbench.core.simulators import (
@@ -22,6 +21,7 @@ from vkworkbench.core.simulators import (
     opengl_together,
 )
 from vkworkbench.core.zbuffer import Resolution, best_resolution
+from vkworkbench.language import ENGLISH, Message, render
 from vkworkbench.simulator_names import LEGACY, OPENGL, ZBUFFER
 
 # What spreadsheets take for a formula, behind anything they skip; the full-width signs in East Asian ones.
@@ -48,21 +48,21 @@ class OperationReport:
     machining : Machining
         Own lengths and machining time (FreeCAD's are wrong for arcs).
     estimate : Estimate or None
-        Dexels, traces, memory and time of simulating it; None where `error` says why.
+        Dexels, traces, memory and time of simulating it; None where `remarks` says why.
     legacy : LegacyCost or None
         What FreeCAD's legacy simulator takes for it, at the accuracy of the preferences.
     legacy_positions : tuple of LegacyCost
-        The same at each position of its accuracy slider, 1 to 10; empty where `error` says why.
+        The same at each position of its accuracy slider, 1 to 10; empty where `remarks` says why.
     opengl : OpenGLCost or None
         What FreeCAD's OpenGL simulator takes for it; None also where this FreeCAD has none.
     resolution : Resolution or None
-        The finest image of the z-buffer within the budget of the preferences; None where `error` says why.
+        The finest image of the z-buffer within the budget of the preferences; None where `remarks` says why.
     accuracy : Accuracy or None
         The finest accuracy of playing in the legacy simulator within that budget; None likewise.
     cautions : tuple of Caution
         What will go wrong or take long in FreeCAD's simulators, the worst first.
-    error : str or None
-        What is wrong, in words for the user.
+    remarks : tuple of Message
+        What is wrong with it or unknown about it.
     fingerprint : str
         Of the path, tool and stock that were analysed.
     """
@@ -82,7 +82,7 @@ class OperationReport:
     resolution: Resolution | None
     accuracy: Accuracy | None
     cautions: tuple[Caution, ...]
-    error: str | None
+    remarks: tuple[Message, ...]
     fingerprint: str
 
     @property
@@ -105,6 +105,16 @@ class OperationReport:
     def length(self) -> float:
         """Cutting length, mm, arcs by their exact length."""
         return self.machining.cutting_length
+
+    @property
+    def error(self) -> str | None:
+        """What is wrong or unknown in English, sentences with semicolons between them; None where nothing is."""
+        return "; ".join(map(render, self.remarks)) or None
+
+    @property
+    def messages(self) -> tuple[Message, ...]:
+        """All that is told of it: remarks, cautions, and what the machining time leaves out."""
+        return (*self.remarks, *(c.what for c in self.cautions), *self.machining.left_out)
 
     def cost(self, simulator: str) -> tuple[float, float] | None:
         """Return seconds and bytes of simulating it, None where they are not known.
@@ -167,6 +177,12 @@ class OperationReport:
             "opengl_factor": self.factor(OPENGL),
             "error": self.error,
             "cautions": [caution.message for caution in self.cautions],
+            "messages": {
+                "remarks": [remark.as_data() for remark in self.remarks],
+                "cautions": [caution.what.as_data() for caution in self.cautions],
+                "machining_notes": [note.as_data() for note in self.machining.left_out],
+                **_advice(self),
+            },
             "spans": [
                 {"strategy": s.strategy.value, "first_command": s.first_command, "last_command": s.last_command,
                  "share": round(s.share, 4)}
@@ -243,6 +259,7 @@ class Total:
             "memory_bytes": self.memory_bytes,
             "incomplete": self.incomplete,
             **_simulators(self),
+            "messages": _advice(self),
         }
 
 
@@ -257,6 +274,14 @@ def _simulators(of: OperationReport | Total) -> dict[str, Any]:
         "opengl_seconds": of.opengl and of.opengl.fastest_seconds,
         "opengl_frame_seconds": of.opengl and of.opengl.frame_seconds,
         "opengl_memory_bytes": of.opengl and of.opengl.memory_bytes,
+    }
+
+
+def _advice(of: OperationReport | Total) -> dict[str, Any]:
+    """Return the messages of the best resolution and accuracy, as plain data."""
+    return {
+        "resolution": of.resolution and of.resolution.why.as_data(),
+        "legacy_accuracy": of.accuracy and of.accuracy.why.as_data(),
     }
 
 
@@ -311,8 +336,8 @@ class Report:
         header = ("operation", "strategy", "sure", "trajectories", "cutting", "time", "memory", "")
         rows = [header, *(_row(o) for o in self.operations)]
         totals = [
-            (f"{_cell(t.label)}: {t.operations} operations", "", "", f"{t.trajectories:,}", friendly.length(t.length),
-             _at_least(t, friendly.time(t.seconds)), _at_least(t, friendly.memory(t.memory_bytes)), "")
+            (f"{_cell(t.label)}: {t.operations} operations", "", "", ENGLISH.count(t.trajectories), ENGLISH.length(t.length),
+             _at_least(t, ENGLISH.time(t.seconds)), _at_least(t, ENGLISH.memory(t.memory_bytes)), "")
             for t in self.totals
         ]  # fmt: skip
         widths = [max(len(row[i]) for row in rows + totals) for i in range(len(header))]
@@ -325,10 +350,13 @@ class Report:
     def to_csv(self, path: str) -> None:
         """Write one line for each operation, with a header, in mm, s, rad and bytes.
 
+        The column ``codes`` has the codes of its messages, each with those of its parts behind it.
         A text cell that a spreadsheet would take for a formula gets an apostrophe in front.
         """
         rows = [o.as_dict() for o in self.operations]
-        for row in rows:
+        for row, operation in zip(rows, self.operations):
+            del row["messages"]
+            row["codes"] = "; ".join(" ".join(message.codes) for message in operation.messages)
             row["cautions"] = "; ".join(row["cautions"])
             row["machining_notes"] = "; ".join(row["machining_notes"])
             row["spans"] = "; ".join(
@@ -356,10 +384,10 @@ def _row(o: OperationReport) -> tuple[str, ...]:
         _cell(o.label) if o.counted or o.job is None else f"({_cell(o.label)})",
         o.strategy.value,
         f"{o.confidence:.0%}",
-        f"{o.trajectories:,}",
-        friendly.length(o.length),
-        friendly.time(estimate.seconds) if estimate else "?",
-        friendly.memory(estimate.memory_bytes) if estimate else "?",
+        ENGLISH.count(o.trajectories),
+        ENGLISH.length(o.length),
+        ENGLISH.time(estimate.seconds) if estimate else "?",
+        ENGLISH.memory(estimate.memory_bytes) if estimate else "?",
         _cell(o.error or "", 200),
     )
 

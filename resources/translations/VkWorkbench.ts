@@ -640,6 +640,38 @@
         <source> and 1 more</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>{sentence} (command {command:n})</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{sentence} ({count:n} times, first at command {command:n})</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>unknown code {name} ignored</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>1 more unknown code ignored</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count:n} more unknown codes ignored</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the arcs and cycles would need {moves:,} moves at a tolerance of {tolerance:mm}; use a larger tolerance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{label}: {sentence}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>could not be analysed, please report it with the file: {error}</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

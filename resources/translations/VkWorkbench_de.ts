@@ -640,6 +640,38 @@
         <source> and 1 more</source>
         <translation> und 1 weiterer</translation>
     </message>
+    <message>
+        <source>{sentence} (command {command:n})</source>
+        <translation>{sentence} (Befehl {command:n})</translation>
+    </message>
+    <message>
+        <source>{sentence} ({count:n} times, first at command {command:n})</source>
+        <translation>{sentence} ({count:n}-mal, zuerst bei Befehl {command:n})</translation>
+    </message>
+    <message>
+        <source>unknown code {name} ignored</source>
+        <translation>unbekannter Code {name} übergangen</translation>
+    </message>
+    <message>
+        <source>1 more unknown code ignored</source>
+        <translation>1 weiterer unbekannter Code übergangen</translation>
+    </message>
+    <message>
+        <source>{count:n} more unknown codes ignored</source>
+        <translation>{count:n} weitere unbekannte Codes übergangen</translation>
+    </message>
+    <message>
+        <source>the arcs and cycles would need {moves:,} moves at a tolerance of {tolerance:mm}; use a larger tolerance</source>
+        <translation>die Bögen und Zyklen bräuchten bei einer Toleranz von {tolerance:mm} {moves:,} Bewegungen; eine größere Toleranz wählen</translation>
+    </message>
+    <message>
+        <source>{label}: {sentence}</source>
+        <translation>{label}: {sentence}</translation>
+    </message>
+    <message>
+        <source>could not be analysed, please report it with the file: {error}</source>
+        <translation>konnte nicht analysiert werden, bitte mit der Datei melden: {error}</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

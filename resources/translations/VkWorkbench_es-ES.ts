@@ -640,6 +640,38 @@
         <source> and 1 more</source>
         <translation> y 1 más</translation>
     </message>
+    <message>
+        <source>{sentence} (command {command:n})</source>
+        <translation>{sentence} (orden {command:n})</translation>
+    </message>
+    <message>
+        <source>{sentence} ({count:n} times, first at command {command:n})</source>
+        <translation>{sentence} ({count:n} veces, primero en la orden {command:n})</translation>
+    </message>
+    <message>
+        <source>unknown code {name} ignored</source>
+        <translation>código desconocido {name} ignorado</translation>
+    </message>
+    <message>
+        <source>1 more unknown code ignored</source>
+        <translation>otro código desconocido ignorado</translation>
+    </message>
+    <message>
+        <source>{count:n} more unknown codes ignored</source>
+        <translation>otros {count:n} códigos desconocidos ignorados</translation>
+    </message>
+    <message>
+        <source>the arcs and cycles would need {moves:,} moves at a tolerance of {tolerance:mm}; use a larger tolerance</source>
+        <translation>los arcos y ciclos necesitarían {moves:,} movimientos con una tolerancia de {tolerance:mm}; use una tolerancia mayor</translation>
+    </message>
+    <message>
+        <source>{label}: {sentence}</source>
+        <translation>{label}: {sentence}</translation>
+    </message>
+    <message>
+        <source>could not be analysed, please report it with the file: {error}</source>
+        <translation>no se pudo analizar, por favor infórmelo con el archivo: {error}</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

@@ -640,6 +640,38 @@
         <source> and 1 more</source>
         <translation> et 1 autre</translation>
     </message>
+    <message>
+        <source>{sentence} (command {command:n})</source>
+        <translation>{sentence} (commande {command:n})</translation>
+    </message>
+    <message>
+        <source>{sentence} ({count:n} times, first at command {command:n})</source>
+        <translation>{sentence} ({count:n} fois, d&apos;abord à la commande {command:n})</translation>
+    </message>
+    <message>
+        <source>unknown code {name} ignored</source>
+        <translation>code inconnu {name} ignoré</translation>
+    </message>
+    <message>
+        <source>1 more unknown code ignored</source>
+        <translation>1 autre code inconnu ignoré</translation>
+    </message>
+    <message>
+        <source>{count:n} more unknown codes ignored</source>
+        <translation>{count:n} autres codes inconnus ignorés</translation>
+    </message>
+    <message>
+        <source>the arcs and cycles would need {moves:,} moves at a tolerance of {tolerance:mm}; use a larger tolerance</source>
+        <translation>les arcs et cycles demanderaient {moves:,} mouvements à une tolérance de {tolerance:mm} ; choisissez une tolérance plus grande</translation>
+    </message>
+    <message>
+        <source>{label}: {sentence}</source>
+        <translation>{label} : {sentence}</translation>
+    </message>
+    <message>
+        <source>could not be analysed, please report it with the file: {error}</source>
+        <translation>n&apos;a pas pu être analysée, merci de le signaler avec le fichier : {error}</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

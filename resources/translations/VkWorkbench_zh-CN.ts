@@ -640,6 +640,38 @@
         <source> and 1 more</source>
         <translation>及另外 1 处</translation>
     </message>
+    <message>
+        <source>{sentence} (command {command:n})</source>
+        <translation>{sentence}（命令 {command:n}）</translation>
+    </message>
+    <message>
+        <source>{sentence} ({count:n} times, first at command {command:n})</source>
+        <translation>{sentence}（{count:n} 次，首次在命令 {command:n}）</translation>
+    </message>
+    <message>
+        <source>unknown code {name} ignored</source>
+        <translation>忽略了未知代码 {name}</translation>
+    </message>
+    <message>
+        <source>1 more unknown code ignored</source>
+        <translation>另忽略了 1 个未知代码</translation>
+    </message>
+    <message>
+        <source>{count:n} more unknown codes ignored</source>
+        <translation>另忽略了 {count:n} 个未知代码</translation>
+    </message>
+    <message>
+        <source>the arcs and cycles would need {moves:,} moves at a tolerance of {tolerance:mm}; use a larger tolerance</source>
+        <translation>公差为 {tolerance:mm} 时圆弧和循环需要 {moves:,} 次移动；请使用更大的公差</translation>
+    </message>
+    <message>
+        <source>{label}: {sentence}</source>
+        <translation>{label}：{sentence}</translation>
+    </message>
+    <message>
+        <source>could not be analysed, please report it with the file: {error}</source>
+        <translation>无法分析，请连同文件一起报告：{error}</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

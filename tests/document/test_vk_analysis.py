@@ -10,6 +10,8 @@ import pytest
 
 import vkworkbench
 from vkworkbench import core
+from vkworkbench.document.setting import read_tool
+from vkworkbench.language import Message, render
 
 STRATEGIES = {
     "Face": "zigzag", "Pocket zigzag": "zigzag", "Pocket around island": "contour-parallel",
@@ -195,6 +197,54 @@ def test_tools_and_stocks_that_are_missing_or_impossible(small, zigzag_commands)
     rows = {o.label: o for o in report.operations}
     assert "no stock" in rows["Fine"].error and rows["Fine"].strategy == "zigzag"
     assert report.totals[0].incomplete and ">=" in str(report)
+
+
+@pytest.mark.parametrize("label", ["T; U", "a: {label} {}", "x (command 3)", "50% %n"])
+def test_labels_in_remarks_are_arguments_of_their_codes(small, zigzag_commands, label, tmp_path):
+    small.add("Two things", [*zigzag_commands, ("G123", {"X": 5.0})])
+    small.controller.Label, small.controller.Tool.Diameter = label, 0
+    report = vkworkbench.analyze(small.document)
+    (row,) = report.operations
+    label = small.controller.Label
+    assert row.remarks == (
+        Message("of", label=label, sentence=Message("tool-diameter", diameter=0.0)),
+        Message("in-commands", sentence=Message("unknown-code", name="'G123'"), count=1, command=len(zigzag_commands)),
+    )
+    assert row.error == (
+        f"{label}: the tool's diameter must be a positive number, not 0 mm; "
+        f"unknown code 'G123' ignored (command {len(zigzag_commands)})"
+    )
+    report.to_csv(tmp_path / "r.csv")
+    report.to_json(tmp_path / "r.json")
+    with open(tmp_path / "r.csv", newline="", encoding="utf-8") as file:
+        (cells,) = csv.DictReader(file)
+    assert "of tool-diameter; in-commands unknown-code" in cells["codes"] and "messages" not in cells
+    (entry,) = json.loads((tmp_path / "r.json").read_text(encoding="utf-8"))["operations"]
+    assert tuple(map(Message.from_data, entry["messages"]["remarks"])) == row.remarks
+    assert entry["error"] == row.error
+
+
+def test_json_holds_every_message_as_data(report):
+    for o in report.operations:
+        messages = o.as_dict()["messages"]
+        assert [Message.from_data(data) for data in messages["cautions"]] == [caution.what for caution in o.cautions]
+        assert render(Message.from_data(messages["resolution"])) == o.resolution.explanation
+        assert render(Message.from_data(messages["legacy_accuracy"])) == o.accuracy.explanation
+    assert Message.from_data(report.totals[0].as_dict()["messages"]["resolution"]).code == "image"
+
+
+def test_a_tool_whose_diameter_is_no_number():
+    class Bit:
+        Diameter = "6 mm"
+
+    class Controller:
+        Tool, Label = Bit, "Odd"
+
+    class Operation:
+        Name, ToolController = "Op", Controller
+
+    with pytest.raises(ValueError, match="the tool in Odd has no diameter"):
+        read_tool(Operation)
 
 
 def test_placement_moves_the_toolpath(small, zigzag_commands):

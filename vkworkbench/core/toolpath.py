@@ -7,29 +7,39 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from vkworkbench.language import Message, render
+
 
 @dataclass(frozen=True)
 class Problem:
-    """Something in the commands that could not be used, in words for the user.
+    """Something in the commands that could not be used.
 
     Attributes
     ----------
     command : int
         Index of the first source command concerned.
-    message : str
-        One sentence without a full stop, e.g. ``"unknown G-code G999 ignored"``.
+    what : Message
+        What could not be used, and what was done instead.
     count : int
         How many commands are concerned.
     """
 
     command: int
-    message: str
+    what: Message
     count: int = 1
 
+    @property
+    def message(self) -> str:
+        """What it is in English, a sentence without a full stop, e.g. ``"unknown code 'G999' ignored"``."""
+        return render(self.what)
+
+    @property
+    def remark(self) -> Message:
+        """What it is, where, and how often."""
+        return Message("in-commands", sentence=self.what, count=self.count, command=self.command)
+
     def __str__(self) -> str:
-        if self.count == 1:
-            return f"{self.message} (command {self.command})"
-        return f"{self.message} ({self.count} times, first at command {self.command})"
+        return render(self.remark)
 
 
 @dataclass(frozen=True, eq=False)

@@ -31,6 +31,7 @@ from vkworkbench.document import calibration
 from vkworkbench.document.fingerprint import commands_fingerprint, setting_fingerprint
 from vkworkbench.document.operations import Operation, find
 from vkworkbench.document.setting import placed, rapid_feeds, read_stock, read_tool, stock_around
+from vkworkbench.language import Message, Unusable
 from vkworkbench.preferences import Preferences
 from vkworkbench.report import OperationReport, Report
 
@@ -112,7 +113,7 @@ class _Reading:
     placement: object
     tool: Tool | None
     stock: Stock | None
-    errors: tuple[str, ...]
+    remarks: tuple[Message, ...]
     rapid_feeds: tuple[float, float]
     setting_fingerprint: str
     version: tuple[int, ...]
@@ -120,7 +121,7 @@ class _Reading:
 
 def _read(operation: Operation) -> _Reading:
     obj, job = operation.object, operation.job
-    errors: list[str] = []
+    remarks: list[Message] = []
     return _Reading(
         document=obj.Document.Name,
         name=obj.Name,
@@ -130,9 +131,9 @@ def _read(operation: Operation) -> _Reading:
         active=operation.active,
         path=obj.Path,
         placement=obj.Placement,
-        tool=_or_words(errors, read_tool, obj),
-        stock=_or_words(errors, read_stock, job),
-        errors=tuple(errors),
+        tool=_or_remark(remarks, read_tool, obj),
+        stock=_or_remark(remarks, read_stock, job),
+        remarks=tuple(remarks),
         rapid_feeds=rapid_feeds(obj),
         setting_fingerprint=setting_fingerprint(obj, job),
         version=freecad.version(),
@@ -183,34 +184,34 @@ def _work(
 ) -> OperationReport:
     constants, speed = computer
     tool, stock, version = reading.tool, reading.stock, reading.version
-    errors = list(reading.errors)
+    remarks = list(reading.remarks)
     commands = reading.path.Commands
     going_on()
     try:
         toolpath = placed(linearize(commands, tolerance=chosen.tolerance), reading.placement)
-    except ValueError as error:
-        errors.append(str(error))
+    except Unusable as error:
+        remarks.append(error.what)
         toolpath = linearize([])
     going_on()
     found = recognize(toolpath, tool_diameter=tool and tool.diameter)
     if found.strategy is Strategy.EMPTY and not toolpath.commands <= len(toolpath.comments):
-        errors.append("no cutting move in its toolpath")
+        remarks.append(Message("no-cutting-move"))
     elif found.strategy is Strategy.EMPTY:
         # Without a toolpath a missing tool or stock is not what is wrong.
-        errors = [_why_empty(reading.active)]
+        remarks = [Message("no-toolpath") if reading.active else Message("inactive")]
     elif tool and not stock:
-        errors.append("the cost is that of a box around its cuts")
+        remarks.append(Message("box-of-cuts"))
         stock = stock_around(toolpath, tool)
-    errors += [str(problem) for problem in toolpath.problems]
+    remarks += [problem.remark for problem in toolpath.problems]
     cost = legacy = opengl = resolution = accuracy = None
     positions: list[LegacyCost] = []
     if tool and stock and found.strategy is not Strategy.EMPTY:
         going_on()
         cost = estimate(toolpath, found, tool=tool, stock=stock, view=chosen.view, speed=speed)
         if cost.traces == 0:
-            errors.append("it does not touch the stock: check its depths, its placement and the stock")
+            remarks.append(Message("not-touching"))
         elif tool.diameter > max(stock.upper[0] - stock.lower[0], stock.upper[1] - stock.lower[1]):
-            errors.append("its tool is wider than the stock: check the tool's diameter and the stock")
+            remarks.append(Message("tool-wider-than-stock"))
         resolution = best_resolution([cost], stepover=found.stepover, **chosen.budget)
         going_on()
         legacy, *positions = legacy_costs(
@@ -239,7 +240,7 @@ def _work(
         cautions=preflight(commands, toolpath, version=version, diameter=tool and tool.diameter, zbuffer=cost,
                            legacy=legacy, opengl=opengl, memory_budget=chosen.memory_budget_bytes,
                            time_budget=chosen.time_budget),
-        error="; ".join(errors) or None,
+        remarks=tuple(remarks),
         fingerprint=f"{commands_fingerprint(commands, reading.placement)}:{reading.setting_fingerprint}",
     )  # fmt: skip
 
@@ -263,21 +264,15 @@ def _unknown(reading: _Reading, error: Exception | None = None) -> OperationRepo
         resolution=None,
         accuracy=None,
         cautions=(),
-        error=f"could not be analysed, please report it with the file: {type(error).__name__}: {error}",
+        remarks=(Message("not-analysed", error=f"{type(error).__name__}: {error}"),),
         fingerprint=f":{reading.setting_fingerprint}",
     )
 
 
-def _or_words(errors: list[str], read: Callable, source):
-    """Return what `read` reads from `source`, or None with the reason among the errors."""
+def _or_remark(remarks: list[Message], read: Callable, source):
+    """Return what `read` reads from `source`, or None with the reason among the remarks."""
     try:
         return read(source)
-    except ValueError as error:
-        errors.append(str(error))
+    except Unusable as error:
+        remarks.append(error.what)
         return None
-
-
-def _why_empty(active: bool) -> str:
-    if not active:
-        return "inactive: switch it on and recompute it"
-    return "no toolpath: recompute the operation and see FreeCAD's report view"

@@ -13,10 +13,11 @@ from collections.abc import Callable
 
 import FreeCAD
 
-from vkworkbench import friendly, preferences
+from vkworkbench import preferences
 from vkworkbench.core import Strategy
 from vkworkbench.document.fingerprint import path_fingerprint
 from vkworkbench.document.operations import find
+from vkworkbench.language import ENGLISH
 from vkworkbench.report import OperationReport
 from vkworkbench.simulator_names import OPENGL, ZBUFFER
 
@@ -158,8 +159,8 @@ def write(obj, report: OperationReport) -> None:
 def _cost(simulator: str, seconds: float, memory: float, factor: float, least: str = "") -> list[str]:
     """Say whose time it is unless it is the z-buffer's."""
     whose = "" if simulator == ZBUFFER else f"{simulator} "
-    time = friendly.about(friendly.time(seconds), factor)
-    return [whose + least + time, least + friendly.memory(memory)]
+    time = ENGLISH.about(ENGLISH.time(seconds), factor)
+    return [whose + least + time, least + ENGLISH.memory(memory)]
 
 
 def _verdict(report: OperationReport) -> str:

@@ -11,6 +11,7 @@ import numpy as np
 from vkworkbench import freecad
 from vkworkbench.core import Stock, Tool, Toolpath
 from vkworkbench.document.operations import through_bases
+from vkworkbench.language import Message, Unusable
 
 # FreeCAD's names of tool shapes, written alike, and what they are for a simulation.
 _SHAPES = {
@@ -26,22 +27,22 @@ def read_tool(operation) -> Tool:
 
     Raises
     ------
-    ValueError
-        With words for the user where there is no tool or its measures are impossible.
+    Unusable
+        Where there is no tool or its measures are impossible.
     """
     controller = through_bases(operation, freecad.CONTROLLER)
     if controller is None:
-        raise ValueError("no tool: give the operation a tool controller")
+        raise Unusable(Message("no-tool"))
     bit = freecad.TOOL.of(controller)
     if bit is None:
-        raise ValueError(f"no tool in {controller.Label}: choose a tool bit for it")
+        raise Unusable(Message("no-tool-bit", label=controller.Label))
     diameter = freecad.DIAMETER.number(bit)
     if diameter is None:
-        raise ValueError(f"the tool in {controller.Label} has no diameter")
+        raise Unusable(Message("no-diameter", label=controller.Label))
     try:
         return _tool(bit, diameter)
-    except ValueError as error:
-        raise ValueError(f"{controller.Label}: {error}") from None
+    except Unusable as error:
+        raise Unusable(Message("of", label=controller.Label, sentence=error.what)) from None
 
 
 def _tool(bit, diameter: float) -> Tool:
@@ -64,19 +65,19 @@ def read_stock(job) -> Stock:
 
     Raises
     ------
-    ValueError
-        With words for the user where there is no job, no stock, or a stock without volume.
+    Unusable
+        Where there is no job, no stock, or a stock without volume.
     """
     if job is None:
-        raise ValueError("no stock: put the toolpath into a job")
+        raise Unusable(Message("no-job"))
     shape = freecad.SHAPE.of(freecad.STOCK.of(job))
     if shape is None or shape.isNull():
-        raise ValueError(f"no stock: give {job.Label} a stock")
+        raise Unusable(Message("no-stock", label=job.Label))
     box = shape.BoundBox
     try:
         return Stock((box.XMin, box.YMin, box.ZMin), (box.XMax, box.YMax, box.ZMax))
-    except ValueError as error:
-        raise ValueError(f"{job.Label}: {error}") from None
+    except Unusable as error:
+        raise Unusable(Message("of", label=job.Label, sentence=error.what)) from None
 
 
 def stock_around(toolpath: Toolpath, tool: Tool) -> Stock:

@@ -39,6 +39,11 @@ class Message:
         """What the sentence is filled with, by name."""
         return dict(self._items)
 
+    @property
+    def codes(self) -> tuple[str, ...]:
+        """Its code and those of its parts, in the order of the arguments' names."""
+        return (self.code, *(code for _, value in self._items for code in _codes_of(value)))
+
     def __repr__(self) -> str:
         return f"Message({', '.join([repr(self.code), *(f'{name}={value!r}' for name, value in self._items)])})"
 
@@ -77,6 +82,12 @@ def _plain(value: Any) -> Argument:
     if isinstance(value, (list, tuple)):
         return tuple(map(_plain, value))
     raise TypeError(f"a message cannot hold {value!r}")
+
+
+def _codes_of(value: Argument) -> tuple[str, ...]:
+    if isinstance(value, Message):
+        return value.codes
+    return tuple(code for one in value for code in _codes_of(one)) if isinstance(value, tuple) else ()
 
 
 def _data_of(value: Argument) -> Any:

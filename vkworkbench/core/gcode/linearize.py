@@ -15,6 +15,7 @@ import numpy as np
 from vkworkbench.core.gcode import arcs, cycles
 from vkworkbench.core.gcode.words import COMMENT, COORDINATE_LIMIT, MODAL, TOOL_CHANGE, UNKNOWN, Words
 from vkworkbench.core.toolpath import Problem, Toolpath
+from vkworkbench.language import Message, Unusable
 
 MOST_TRAJECTORIES = 5_000_000  # 2 GB of memory
 SLOWEST_FEED = 1e-6  # mm/s, eleven days for a millimetre
@@ -52,7 +53,9 @@ def linearize(commands: Iterable, *, tolerance: float = 0.01) -> Toolpath:
     Raises
     ------
     ValueError
-        If `tolerance` is not a positive number, or if arcs and cycles would need more than 5 million moves.
+        If `tolerance` is not a positive number.
+    Unusable
+        If arcs and cycles would need more than 5 million moves.
     """
     if not (np.isfinite(tolerance) and tolerance > 0):
         raise ValueError(f"the tolerance must be a positive number of mm, not {tolerance}")
@@ -82,9 +85,9 @@ def linearize(commands: Iterable, *, tolerance: float = 0.01) -> Toolpath:
 class _Problems(list):
     """The problems found, one for each kind."""
 
-    def add(self, rows: np.ndarray, message: str) -> None:
+    def add(self, rows: np.ndarray, what: Message) -> None:
         if len(rows):
-            self.append(Problem(int(rows[0]), message, len(rows)))
+            self.append(Problem(int(rows[0]), what, len(rows)))
 
 
 class _Program:
@@ -103,7 +106,7 @@ class _Program:
             setter = _last(is_motion | (codes == _CANCEL))[modal]
             inherited = np.where(setter >= 0, codes[setter], -1)
             self.motion[modal] = np.where(inherited == _CANCEL, -1, inherited)
-            problems.add(modal[self.motion[modal] < 0], "words without a motion before them ignored")
+            problems.add(modal[self.motion[modal] < 0], Message("words-without-motion"))
         self.is_cycle = np.isin(self.motion, cycles.CODES)
 
         self.plane = _mode(codes, {170: 17, 180: 18, 190: 19}, 17)
@@ -120,7 +123,7 @@ class _Program:
     def _feed(self, problems: _Problems) -> np.ndarray:
         values, unusable = self.words.column("F")
         unusable |= (values > 0) & (values < SLOWEST_FEED)
-        problems.add(np.flatnonzero(unusable), "feed rate that is no usable number ignored")
+        problems.add(np.flatnonzero(unusable), Message("unusable-feed"))
         setter = _last(values >= SLOWEST_FEED)
         return np.where(setter >= 0, values[setter], 0.0)
 
@@ -130,7 +133,7 @@ class _Program:
         known = np.empty((len(moves), 3), bool)
         for axis, letter in enumerate("XYZ"):
             values, unusable = self.words.column(letter)
-            problems.add(np.flatnonzero(unusable & moves), f"{letter} word that is no usable number ignored")
+            problems.add(np.flatnonzero(unusable & moves), Message("unusable-word", letter=letter))
             values[~moves] = np.nan
             if letter == "Z" and self.is_cycle.any():
                 values, relative = self._cycle_heights(values, problems)
@@ -139,7 +142,7 @@ class _Program:
             position[:, axis], known[:, axis] = _coordinate(values, relative)
         beyond = np.abs(position) > COORDINATE_LIMIT
         if beyond.any():  # relative words may add up to anything
-            problems.add(np.flatnonzero(beyond.any(axis=1)), "position beyond a kilometre cut off there")
+            problems.add(np.flatnonzero(beyond.any(axis=1)), Message("position-cut-off"))
             position = np.clip(position, -COORDINATE_LIMIT, COORDINATE_LIMIT)
         return position, known
 
@@ -149,11 +152,11 @@ class _Program:
         sticky = {"Z": z[rows]}
         for letter in "RQ":
             sticky[letter], unusable = self.words.column(letter, rows)
-            problems.add(rows[unusable], f"{letter} word that is no usable number ignored")
+            problems.add(rows[unusable], Message("unusable-word", letter=letter))
         sticky = {letter: _held(values) for letter, values in sticky.items()}
-        problems.add(rows[np.isnan(sticky["Z"])], "drilling cycle without a depth (Z): no hole")
-        problems.add(rows[np.isnan(sticky["R"])], "drilling cycle without R: it starts where it stands")
-        problems.add(rows[self.plane[rows] != 17], "drilling cycle outside the XY plane read as in XY")
+        problems.add(rows[np.isnan(sticky["Z"])], Message("cycle-without-depth"))
+        problems.add(rows[np.isnan(sticky["R"])], Message("cycle-without-retract"))
+        problems.add(rows[self.plane[rows] != 17], Message("cycle-outside-xy"))
         z[rows] = np.nan
         z, self.cycle_heights = cycles.heights(
             z, self.relative, rows, sticky["R"], sticky["Z"], self.to_retract_plane[rows]
@@ -183,10 +186,7 @@ def _moves(program: _Program, tolerance: float, problems: _Problems):
 
     total = int(counts.sum())
     if total > MOST_TRAJECTORIES:
-        raise ValueError(
-            f"the arcs and cycles would need {total:,} moves at a tolerance of {tolerance} mm; "
-            "use a larger tolerance"
-        )
+        raise Unusable(Message("too-many-moves", moves=total, tolerance=tolerance))
     command = np.repeat(np.arange(len(motion)), counts)
     points = position[command]
     rapid = (motion == _RAPID)[command]
@@ -215,21 +215,21 @@ def _moved(points: np.ndarray) -> np.ndarray:
 def _resolve_arcs(program, rows, axes, start, end, problems) -> arcs.Arcs:
     words = program.words
     columns, unusable = zip(*(words.column(letter, rows) for letter in "IJK"))
-    problems.add(rows[np.any(unusable, axis=0)], "centre word (I, J, K) that is no usable number ignored")
+    problems.add(rows[np.any(unusable, axis=0)], Message("unusable-centre"))
     offset = np.take_along_axis(np.column_stack(columns), axes[:, :2], 1)
     radius, unusable = words.column("R", rows)
-    problems.add(rows[unusable], "R word that is no usable number ignored")
+    problems.add(rows[unusable], Message("unusable-word", letter="R"))
     clockwise = program.motion[rows] == _CW
     resolved = arcs.resolve(start[:, :2], end[:, :2], clockwise, offset, radius, program.absolute_centre[rows])
 
     known = np.take_along_axis(program.known[np.maximum(rows - 1, 0)] & (rows > 0)[:, None], axes[:, :2], 1)
     unknown_start = ~known.all(axis=1)
-    problems.add(rows[unknown_start], "arc before its start is known ignored")
+    problems.add(rows[unknown_start], Message("arc-before-start"))
     bad = resolved.degenerate & ~unknown_start
-    problems.add(rows[bad], "arc without a usable centre or radius read as a line")
+    problems.add(rows[bad], Message("arc-as-line"))
     gap = np.abs(resolved.radius[:, 1] - resolved.radius[:, 0])
     uneven = (gap > np.maximum(0.1, 0.01 * resolved.radius[:, 0])) & (resolved.sweep != 0) & ~unknown_start
-    problems.add(rows[uneven], "arc whose end is not on its circle read with a changing radius")
+    problems.add(rows[uneven], Message("arc-of-changing-radius"))
     resolved.sweep[unknown_start] = 0.0  # its start is its end: no move is left of it
     return resolved
 
@@ -249,10 +249,10 @@ def _report_codes(words: Words, problems: _Problems) -> None:
     for row in np.flatnonzero((codes == UNKNOWN) | ((codes >= 0) & ~np.isin(codes, known))).tolist():
         by_name.setdefault(words.names[row], []).append(row)
     for name, rows in list(by_name.items())[:10]:
-        problems.add(np.array(rows), f"unknown code {name[:40]!r} ignored")
+        problems.add(np.array(rows), Message("unknown-code", name=repr(name[:40])))
     if len(by_name) > 10:
         rest = np.array([row for rows in list(by_name.values())[10:] for row in rows])
-        problems.add(rest, f"{len(by_name) - 10} more unknown codes ignored")
+        problems.add(rest, Message("more-unknown-codes", count=len(by_name) - 10))
 
 
 def _last(mask: np.ndarray) -> np.ndarray:

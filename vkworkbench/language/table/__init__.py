@@ -4,7 +4,8 @@
 A template is one text, or two, for one and for more, where the message counts something in its argument ``count``.
 """
 
+from vkworkbench.language.table.commands import COMMANDS
 from vkworkbench.language.table.operations import OPERATIONS
 from vkworkbench.language.table.simulators import SIMULATORS
 
-TABLE: dict[str, str | tuple[str, str]] = {**OPERATIONS, **SIMULATORS}
+TABLE: dict[str, str | tuple[str, str]] = {**COMMANDS, **OPERATIONS, **SIMULATORS}

@@ -6,6 +6,18 @@ from __future__ import annotations
 from vkworkbench.language.marking import QT_TRANSLATE_NOOP
 
 OPERATIONS = {
+    "of": QT_TRANSLATE_NOOP("Sentences", "{label}: {sentence}"),
+    "inactive": QT_TRANSLATE_NOOP("Sentences", "inactive: switch it on and recompute it"),
+    "no-toolpath": QT_TRANSLATE_NOOP(
+        "Sentences", "no toolpath: recompute the operation and see FreeCAD's report view"
+    ),
+    "no-cutting-move": QT_TRANSLATE_NOOP("Sentences", "no cutting move in its toolpath"),
+    "not-analysed": QT_TRANSLATE_NOOP(
+        "Sentences", "could not be analysed, please report it with the file: {error}"
+    ),
+    "no-tool": QT_TRANSLATE_NOOP("Sentences", "no tool: give the operation a tool controller"),
+    "no-tool-bit": QT_TRANSLATE_NOOP("Sentences", "no tool in {label}: choose a tool bit for it"),
+    "no-diameter": QT_TRANSLATE_NOOP("Sentences", "the tool in {label} has no diameter"),
     "tool-diameter": QT_TRANSLATE_NOOP(
         "Sentences", "the tool's diameter must be a positive number, not {diameter:mm}"
     ),
@@ -13,9 +25,18 @@ OPERATIONS = {
         "Sentences", "the corner radius must lie between 0 and {radius:mm}, not be {corner:mm}"
     ),
     "tip-angle": QT_TRANSLATE_NOOP("Sentences", "the tip angle must lie between 0 and pi, not be {angle:g}"),
+    "no-job": QT_TRANSLATE_NOOP("Sentences", "no stock: put the toolpath into a job"),
+    "no-stock": QT_TRANSLATE_NOOP("Sentences", "no stock: give {label} a stock"),
     "stock-not-finite": QT_TRANSLATE_NOOP("Sentences", "the stock's corners must be finite numbers"),
     "stock-without-volume": QT_TRANSLATE_NOOP(
         "Sentences", "the stock has no volume: its upper corner must exceed its lower corner in x, y and z"
+    ),
+    "box-of-cuts": QT_TRANSLATE_NOOP("Sentences", "the cost is that of a box around its cuts"),
+    "not-touching": QT_TRANSLATE_NOOP(
+        "Sentences", "it does not touch the stock: check its depths, its placement and the stock"
+    ),
+    "tool-wider-than-stock": QT_TRANSLATE_NOOP(
+        "Sentences", "its tool is wider than the stock: check the tool's diameter and the stock"
     ),
     "cutting-untimed": (
         QT_TRANSLATE_NOOP(

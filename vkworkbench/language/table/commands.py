@@ -1,0 +1,39 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What could not be used of an operation's commands."""
+
+from __future__ import annotations
+
+from vkworkbench.language.marking import QT_TRANSLATE_NOOP
+
+COMMANDS = {
+    "in-commands": (
+        QT_TRANSLATE_NOOP("Sentences", "{sentence} (command {command:n})"),
+        QT_TRANSLATE_NOOP("Sentences", "{sentence} ({count:n} times, first at command {command:n})"),
+    ),
+    "words-without-motion": QT_TRANSLATE_NOOP("Sentences", "words without a motion before them ignored"),
+    "unusable-feed": QT_TRANSLATE_NOOP("Sentences", "feed rate that is no usable number ignored"),
+    "unusable-centre": QT_TRANSLATE_NOOP(
+        "Sentences", "centre word (I, J, K) that is no usable number ignored"
+    ),
+    "unusable-word": QT_TRANSLATE_NOOP("Sentences", "{letter} word that is no usable number ignored"),
+    "position-cut-off": QT_TRANSLATE_NOOP("Sentences", "position beyond a kilometre cut off there"),
+    "cycle-without-depth": QT_TRANSLATE_NOOP("Sentences", "drilling cycle without a depth (Z): no hole"),
+    "cycle-without-retract": QT_TRANSLATE_NOOP(
+        "Sentences", "drilling cycle without R: it starts where it stands"
+    ),
+    "cycle-outside-xy": QT_TRANSLATE_NOOP("Sentences", "drilling cycle outside the XY plane read as in XY"),
+    "arc-before-start": QT_TRANSLATE_NOOP("Sentences", "arc before its start is known ignored"),
+    "arc-as-line": QT_TRANSLATE_NOOP("Sentences", "arc without a usable centre or radius read as a line"),
+    "arc-of-changing-radius": QT_TRANSLATE_NOOP(
+        "Sentences", "arc whose end is not on its circle read with a changing radius"
+    ),
+    "unknown-code": QT_TRANSLATE_NOOP("Sentences", "unknown code {name} ignored"),
+    "more-unknown-codes": (
+        QT_TRANSLATE_NOOP("Sentences", "1 more unknown code ignored"),
+        QT_TRANSLATE_NOOP("Sentences", "{count:n} more unknown codes ignored"),
+    ),
+    "too-many-moves": QT_TRANSLATE_NOOP(
+        "Sentences",
+        "the arcs and cycles would need {moves:,} moves at a tolerance of {tolerance:mm}; use a larger tolerance",
+    ),
+}
