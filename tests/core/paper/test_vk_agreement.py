@@ -131,7 +131,15 @@ def test_an_area_has_the_signature_of_its_polyline():
             assert of_area.phi == pytest.approx(of_points.phi, abs=1e-9)
             assert (of_area.level == of_points.level).all()
             assert of_area.reversals.tolist() == of_points.reversals.tolist()
-            assert of_area.total_turning == pytest.approx(of_points.total_turning, abs=1e-9)
+            assert of_area.closed == of_points.closed
+            if of_area.closed or not of_area.closing:
+                assert of_area.total_turning == pytest.approx(of_points.total_turning, abs=1e-9)
+
+
+def test_the_last_of_linked_loops_closes():
+    areas = monotonous_areas(linearize(OWN["linked loops"]))
+    assert len(areas.start) == 1 and not areas.closed[0]
+    assert areas.phi_range == pytest.approx((0.0, 8 * 2 * np.pi)) and areas.top_level == 8
 
 
 def test_areas_are_views_of_one_block():

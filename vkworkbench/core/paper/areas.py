@@ -14,6 +14,8 @@ from vkworkbench.core.paper.moves import Moves, cutting_moves
 from vkworkbench.core.paper.signature import Signature
 from vkworkbench.core.toolpath import Toolpath
 
+LOOPED = 0.5  # of the length of an area; with more in loops it is made of them
+
 
 def monotonous_areas(toolpath: Toolpath, first: int = 0, last: int | None = None) -> Areas:
     """Split the cutting moves into monotonous areas: stretches in which one strategy can hold (paper, section 2.1).
@@ -87,27 +89,30 @@ class Areas(Moves):
         return found
 
     @cached_property
-    def closings(self) -> tuple[np.ndarray, np.ndarray]:
-        """Phi that areas reach with the closing turn at their end, (c,) rad, and the area of each, ascending.
+    def closings(self) -> np.ndarray:
+        """The closing turn at the end of each area, (a,) rad; 0 where it has none.
 
-        An area ends with a closing turn where it ends where it began, or where a loop in it did: the last one of
-        offset loops that are linked without a lift. A loop that the path goes on from has no closing turn; what the
-        path turns there is in phi.
+        An area closes where it ends where it began, or where it is made of loops and the last of them did: offset
+        loops that are linked without a lift. The small loops of a zigzag that runs along the boundary close nothing.
         """
+        at = np.where(self.closed, self.start, -1)
         first, end = self.loops
-        last = np.isin(end, self.end)
-        first, end = np.append(self.start[self.closed], first[last]), np.append(self.end[self.closed], end[last])
-        area, once = np.unique(np.searchsorted(self.start, first, side="right") - 1, return_index=True)
-        first, end = first[once], end[once]
-        return self.signed[1][end - 1] + closing_turns(self.alpha, first, end), area
+        if len(first):
+            area = np.searchsorted(self.start, first, side="right") - 1
+            way = np.append(0.0, np.cumsum(self.length))
+            looped = np.bincount(area, way[end] - way[first], len(at)) > LOOPED * self.area_length
+            final = np.isin(end, self.end) & looped[area] & ~self.closed[area]
+            at[area[final]] = first[final]
+        return np.where(at < 0, 0.0, closing_turns(self.alpha, at, self.end))
 
     @cached_property
     def phi_range(self) -> tuple[float, float]:
         """Lowest and highest phi reached in any area, closing turns included, rad."""
         if not len(self):
             return 0.0, 0.0
-        phi, reached = self.signed[1], self.closings[0]
-        return float(min(phi.min(), reached.min(initial=0.0))), float(max(phi.max(), reached.max(initial=0.0)))
+        phi = self.signed[1]
+        total = phi[self.end - 1] + self.closings
+        return float(min(phi.min(), total.min())), float(max(phi.max(), total.max()))
 
     @property
     def top_level(self) -> int:
@@ -128,7 +133,6 @@ class Areas(Moves):
         """Return the signature of one area: views of the arrays here."""
         of = slice(self.start[area], self.end[area])
         turning, phi = self.signed
-        reached, of_area = self.closings
         unsigned, exact = (
             found[slice(*np.searchsorted(found, (of.start, of.stop)))] for found in (self.unsigned, self.reversals)
         )
@@ -143,5 +147,5 @@ class Areas(Moves):
             unsigned=unsigned - of.start - 1,
             reversals=exact - of.start - 1,
             closed=bool(self.closed[area]),
-            closings=reached[slice(*np.searchsorted(of_area, (area, area + 1)))],
+            closing=float(self.closings[area]),
         )

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
@@ -73,7 +73,8 @@ def signature(points: np.ndarray) -> Signature:
     np.cumsum(turning, out=phi[1:])
     gap = np.hypot(x[-1] - x[0], y[-1] - y[0]) if len(alpha) else np.inf
     closed = bool(gap <= EXACT * max(np.ptp(x), np.ptp(y))) if len(alpha) else False
-    return Signature(x[:-1], y[:-1], dx, dy, alpha, turning, phi, reversals, reversals, closed)
+    closing = float(wrap(alpha[0] - alpha[-1])) if closed else 0.0
+    return Signature(x[:-1], y[:-1], dx, dy, alpha, turning, phi, reversals, reversals, closed, closing)
 
 
 @dataclass(frozen=True, eq=False)
@@ -98,8 +99,9 @@ class Signature:
         are the exact ones.
     closed : bool
         Whether the polyline ends where it began: bare points to a millionth of their size.
-    closings : (c,) float64
-        Phi that the closed loops inside reach with their closing turn, rad.
+    closing : float
+        The turn from the last trajectory back into the first of a closed polyline, rad; 0 of an open one. Offset loops
+        that are linked have that of their last loop.
     level : (n,) int64
         n, the integer part of phi / 2 pi, truncated toward zero.
     length : (n,) float64
@@ -120,7 +122,7 @@ class Signature:
     unsigned: np.ndarray
     reversals: np.ndarray
     closed: bool
-    closings: np.ndarray = field(default_factory=lambda: np.empty(0))
+    closing: float
 
     def __len__(self) -> int:
         """Return the number of trajectories."""
@@ -158,21 +160,19 @@ class Signature:
     def theta_level(self) -> np.ndarray:
         return self.theta + TURN * self.level
 
-    @cached_property
+    @property
     def total_turning(self) -> float:
         """Phi after the whole traversal, rad: a closed polyline's last exterior angle included.
 
         +2 pi for a simple closed counter-clockwise polygon, -2 pi for a clockwise one (section 3.2).
         """
-        if not len(self):
-            return 0.0
-        return float(self.phi[-1] + (wrap(self.alpha[0] - self.alpha[-1]) if self.closed else 0.0))
+        return float(self.phi[-1]) + self.closing if len(self) else 0.0
 
     @cached_property
     def phi_range(self) -> tuple[float, float]:
         """Lowest and highest phi reached, rad, closing turns included."""
-        reached = np.append(self.closings, self.total_turning)
-        return float(min(self.phi.min(initial=0.0), reached.min())), float(max(self.phi.max(initial=0.0), reached.max()))
+        total = self.total_turning
+        return float(min(self.phi.min(initial=0.0), total)), float(max(self.phi.max(initial=0.0), total))
 
     @property
     def top_level(self) -> int:
