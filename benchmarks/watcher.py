@@ -24,7 +24,7 @@ from make_example import HEIGHT, LENGTH, WIDTH, cam, faces, operation, plate
 
 import vkworkbench
 from vkworkbench import freecad
-from vkworkbench.document import watcher
+from vkworkbench.document import upkeep, watcher
 
 OPERATIONS, TURNS = 200, 3
 
@@ -88,7 +88,7 @@ def main():
     document, job = job_document()
     report = vkworkbench.analyze(document)
     vkworkbench.mark(report)
-    FreeCAD.removeDocumentObserver(watcher._watcher)  # the one of mark
+    FreeCAD.removeDocumentObserver(upkeep._upkeep)  # the one of mark
     observer = Timed()
     recompute(document, job)
     without, with_watcher, shares = [], [], []

@@ -98,9 +98,9 @@ def run(results, addon):
 
     observer = None
     if addon:
-        from vkworkbench.document import watcher
+        from vkworkbench.document import upkeep
 
-        watcher.watch()
+        upkeep.watch()
         observer = MarkAtOnce()
         FreeCAD.addDocumentObserver(observer)
     module = "TestPathApp" if old else "TestCAMApp"

@@ -20,7 +20,7 @@ __all__ = ["Cancelled", "Report", "analyze", "clear", "mark"]
 _HOMES = {
     "analyze": "vkworkbench.document.analysis",
     "Cancelled": "vkworkbench.document.analysis",
-    "mark": "vkworkbench.document.marking",
+    "mark": "vkworkbench.document.upkeep",
     "clear": "vkworkbench.document.marking",
     "Report": "vkworkbench.report",
 }

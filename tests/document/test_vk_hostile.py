@@ -16,7 +16,7 @@ import Path as CAM
 import pytest
 
 import vkworkbench
-from vkworkbench.document import marks, watcher
+from vkworkbench.document import marks, upkeep, watcher
 from vkworkbench.document.operations import find
 
 LABELS = [
@@ -453,7 +453,7 @@ def test_nothing_is_written_but_the_files_the_user_names(example, tmp_path):
     try:
         report = vkworkbench.analyze(example)
         vkworkbench.mark(report)
-        watcher.watch()
+        upkeep.watch()
         example.getObjectsByLabel("Pocket around island")[0].touch()
         example.recompute()
         vkworkbench.clear(example)

@@ -9,7 +9,7 @@ import pytest
 import vkworkbench
 from vkworkbench import freecad, preferences
 from vkworkbench.core.simulators import DEFAULTS
-from vkworkbench.document import marks, watcher
+from vkworkbench.document import marks, upkeep
 from vkworkbench.preferences import Preferences
 from vkworkbench.simulator_names import LEGACY, OPENGL, ZBUFFER
 
@@ -139,7 +139,7 @@ def test_analysis_after_a_recompute(example, wanted):
     drill = example.getObjectsByLabel("Drill holes")[0]
     unmarked = example.getObjectsByLabel("Bore")[0]
     vkworkbench.mark(vkworkbench.analyze(drill))
-    watcher.watch()
+    upkeep.watch()
     before = drill.ToolpathFingerprint
     drill.setExpression("FinalDepth", None)
     drill.FinalDepth = drill.FinalDepth.Value + 1

@@ -6,14 +6,14 @@ import Path
 import pytest
 
 import vkworkbench
-from vkworkbench.document import marks, watcher
+from vkworkbench.document import marks, upkeep, watcher
 
 
 @pytest.fixture
 def watched(small, zigzag_commands):
     small.first, small.second = small.add("First", zigzag_commands), small.add("Second", zigzag_commands)
     vkworkbench.mark(vkworkbench.analyze(small.document))
-    watcher.watch()
+    upkeep.watch()
     return small
 
 
@@ -112,7 +112,7 @@ def test_reopened_marks_are_fresh_or_say_so(watched, tmp_path):
 
 def test_real_operations_outdate_and_recover(example):
     vkworkbench.mark(vkworkbench.analyze(example))
-    watcher.watch()
+    upkeep.watch()
     example.UndoMode = 1
     assert outdated(example) == []
     drill = example.getObjectsByLabel("Drill holes")[0]

@@ -8,7 +8,7 @@ from contextlib import contextmanager
 
 import FreeCAD
 
-from vkworkbench.document import marks, watcher
+from vkworkbench.document import marks
 from vkworkbench.document.operations import find, is_document, kind
 from vkworkbench.report import OperationReport, Report
 
@@ -21,7 +21,6 @@ def mark(report: Report) -> int:
     int
         How many operations were marked; one that was deleted since the analysis is passed over.
     """
-    watcher.watch()
     marked = 0
     by_document: dict[str, list[OperationReport]] = {}
     for operation in report.operations:

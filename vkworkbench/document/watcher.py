@@ -7,9 +7,7 @@ redo that changed them is over. Nothing is looked at while a document is being r
 
 from __future__ import annotations
 
-import FreeCAD
-
-from vkworkbench import freecad, preferences
+from vkworkbench import freecad
 from vkworkbench.document import marks
 from vkworkbench.document.fingerprint import setting_fingerprint
 from vkworkbench.document.operations import find, job_of, kind, through_bases
@@ -35,8 +33,6 @@ class Watcher:
 
     def slotRecomputedDocument(self, document) -> None:
         self._look(document)
-        if preferences.read().analyze_after_recompute:
-            _analyze_again(document)
 
     def slotUndoDocument(self, document) -> None:
         self._look(document)
@@ -91,23 +87,3 @@ def check(document, paths: set[str] | None = None, *, settings: bool = True) -> 
         jobs = {job.Name: job for job in map(job_of, changed) if job is not None}.values()
     for job in jobs:
         marks.refresh_total(job)
-
-
-def _analyze_again(document) -> None:
-    """Analyse the operations whose marks are outdated, and mark them."""
-    from vkworkbench.document import analysis, marking  # marking watches
-
-    outdated = [o.object for o in find(document) if marks.is_outdated(o.object)]
-    if outdated:
-        marking.mark(analysis.analyze(outdated))
-
-
-_watcher: Watcher | None = None
-
-
-def watch() -> None:
-    """Watch all documents from now on; called again it does nothing."""
-    global _watcher
-    if _watcher is None:
-        _watcher = Watcher()
-        FreeCAD.addDocumentObserver(_watcher)

@@ -109,11 +109,11 @@ class _OpenedDocuments:
             self._later(name)
         elif any(hasattr(obj, "ToolpathFingerprint") for obj in document.Objects):
             # These load numpy: only for a document with marks.
-            from vkworkbench.document import watcher
+            from vkworkbench.document import upkeep, watcher
             from vkworkbench.gui import pills
 
             pills.show()
-            watcher.watch()
+            upkeep.watch()
             watcher.check(document)
 
 

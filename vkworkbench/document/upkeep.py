@@ -1,0 +1,55 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Marks that are kept up: from the first one on all documents are watched, and analysed again if the user wishes."""
+
+from __future__ import annotations
+
+import FreeCAD
+
+from vkworkbench import preferences
+from vkworkbench.document import marking, marks
+from vkworkbench.document.operations import find
+from vkworkbench.document.watcher import Watcher
+from vkworkbench.report import Report
+
+
+class Upkeep(Watcher):
+    """An observer that also analyses again, once the watcher has found what is outdated."""
+
+    def slotRecomputedDocument(self, document) -> None:
+        super().slotRecomputedDocument(document)
+        if preferences.read().analyze_after_recompute:
+            _analyze_again(document)
+
+
+_upkeep: Upkeep | None = None
+
+
+def watch() -> None:
+    """Keep up the marks of all documents from now on; called again it does nothing."""
+    global _upkeep
+    if _upkeep is None:
+        _upkeep = Upkeep()
+        FreeCAD.addDocumentObserver(_upkeep)
+
+
+def mark(report: Report) -> int:
+    """Write a report's findings on its operations and the totals on their jobs, and keep them up.
+
+    One undo step a document.
+
+    Returns
+    -------
+    int
+        How many operations were marked; one that was deleted since the analysis is passed over.
+    """
+    watch()
+    return marking.mark(report)
+
+
+def _analyze_again(document) -> None:
+    """Analyse the operations whose marks are outdated, and mark them."""
+    outdated = [o.object for o in find(document) if marks.is_outdated(o.object)]
+    if outdated:
+        from vkworkbench.document import analysis  # loads FreeCAD's simulators
+
+        marking.mark(analysis.analyze(outdated))
