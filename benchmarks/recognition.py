@@ -8,7 +8,7 @@ Each line of a FILE is a JSON record: label, strategy, accept (the strategies th
 tool_diameter (mm or null) and commands ([name, parameters], mm and mm/s); where there are params with
 FreeCAD's StepOver (percent of the tool's diameter), the stepover is compared with it. Toolpaths that are the
 same to a micrometre count once.
-Without files the toolpaths of synthetic.py are taken. Needs numpy only.
+Without files those of toolpaths/synthetic.py are taken. Needs numpy only.
 """
 
 from __future__ import annotations
@@ -23,11 +23,9 @@ from pathlib import Path
 
 import numpy as np
 
-HERE = Path(__file__).resolve().parent
-sys.path[:0] = [str(HERE.parent), str(HERE)]
+sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 
-import synthetic  # noqa: E402
-
+from toolpaths import synthetic  # noqa: E402
 from vkworkbench.core import Family, Strategy, Toolpath  # noqa: E402
 from vkworkbench.core.gcode import linearize  # noqa: E402
 from vkworkbench.core.recognition import recognize  # noqa: E402

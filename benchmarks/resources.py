@@ -4,7 +4,7 @@
     python3 benchmarks/resources.py [FILE.jsonl.gz ...]
 
 Each line of a file is an operation: label, strategy, accept, tool_diameter, stock, commands. Without a file
-the operations are those of synthetic.py. The exact simulations run at 800 x 600 pixels, those with many
+the operations are those of toolpaths/synthetic.py. The exact simulations run at 800 x 600 pixels, those with many
 candidate pixels at 400 x 300 to bound their time (small holes are not round then). Errors are ratios, the
 larger of estimate and truth over the smaller. Times are the processor's. A shared computer's speed changes: it is
 measured anew before each operation, and for a time budget also between its three simulations.
@@ -24,8 +24,7 @@ import numpy as np
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 
-from synthetic import SAMPLES
-
+from toolpaths.synthetic import SAMPLES
 from vkworkbench.core import Stock, Strategy, Tool, Toolpath, View
 from vkworkbench.core.gcode import linearize
 from vkworkbench.core.recognition import recognize

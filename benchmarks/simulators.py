@@ -22,7 +22,6 @@ import tempfile
 import time
 import traceback
 from pathlib import Path
-from statistics import median
 
 import FreeCAD
 import numpy as np
@@ -31,9 +30,10 @@ from Path import Command
 from PathSimulator import PathSim
 
 ROOT = Path(__file__).resolve().parent.parent
-sys.path[:0] = [str(ROOT), str(ROOT / "examples")]
+sys.path[:0] = [str(ROOT), str(ROOT / "examples"), str(ROOT / "tests")]
 
 from make_example import make_example
+from measuring import RENDERER, quantiles, shape, stolen
 
 from vkworkbench import freecad
 from vkworkbench.core import Stock, Tool, linearize
@@ -44,10 +44,7 @@ from vkworkbench.document.setting import read_stock, read_tool
 
 ACCURACIES = (0.1, 0.5, 1.0)
 MOST = 60
-RENDERER = "llvmpipe"  # under Xvfb
 OUT = sys.__stdout__
-MOST_STOLEN = 0.03  # of a run's time
-ROUNDS = {"fast-forward": 3, "play": 5, "OpenGL play": 3}  # how often each simulation is run in a window
 FEW = 1000  # triangles; fewer count as so many: they take no time
 
 
@@ -56,7 +53,7 @@ def main():
     samples = list(of_document(doc))
     for name in filter(None, os.environ.get("VKWORKBENCH_CORPUS", "").split(":")):
         samples += of_corpus(name)
-    print(f"\nFreeCAD {'.'.join(FreeCAD.Version()[:3])}, {len(samples)} operations", file=OUT)
+    print(f"\nFreeCAD {'.'.join(map(str, freecad.version()))}, {len(samples)} operations", file=OUT)
     if FreeCAD.GuiUp:
         import simulators_window
 
@@ -149,19 +146,6 @@ def really(commands, tool, stock, resolution, accuracy):
     return len(moves), cut, min(times), outer.CountFacets + inner.CountFacets, cells
 
 
-def shape(tool):
-    """The solid of a tool."""
-    if tool.shape == "ballend":
-        ball = Part.makeSphere(tool.radius, FreeCAD.Vector(0, 0, tool.radius))
-        shank = Part.makeCylinder(tool.radius, 30, FreeCAD.Vector(0, 0, tool.radius))
-        return ball.fuse(shank).removeSplitter()
-    heights = tool.steepness * tool.radius
-    if heights:
-        cone = Part.makeCone(0, tool.radius, heights)
-        return cone.fuse(Part.makeCylinder(tool.radius, 30, FreeCAD.Vector(0, 0, heights))).removeSplitter()
-    return Part.makeCylinder(tool.radius, 30)
-
-
 def straight(commands, resolution, top):
     """The straight moves that PerformCutVoxel makes of commands; what it would hang on is left out."""
     at = {"X": 0.0, "Y": 0.0, "Z": top}
@@ -198,55 +182,6 @@ def straight(commands, resolution, top):
     return made
 
 
-def in_rounds(runs):
-    """Run each simulation, a kind and a function, a few times in turns: a slow minute spoils one time of each only.
-
-    Return the seconds of each, those left out from which the host took time; None if it did not end.
-    """
-    times = [[] for _ in runs]
-    for turn in range(max(ROUNDS.values())):
-        for (kind, run), seconds in zip(runs, times):
-            if turn >= ROUNDS[kind] or None in seconds:
-                continue
-            before = stolen()
-            taken = run()
-            if taken is None or stolen() - before <= MOST_STOLEN * taken:
-                seconds.append(taken)
-    return [None if None in seconds else seconds for seconds in times]
-
-
-def beside(predicted, seconds):
-    """A prediction in words, the median of the seconds that the runs took, which counts, and all of them."""
-    each = " ".join(f"{taken:.2f}" for taken in seconds)
-    return f"{predicted:7.2f} s  {median(seconds or [math.nan]):7.2f} s  of {each}"
-
-
-def left_out(durations):
-    """How many simulations have no undisturbed run, in words."""
-    return f"left out, the host took time from them: {durations.count([])} of {len(durations)}"
-
-
-def summary(kind, ratios):
-    """The ratios of a kind of simulation in words."""
-    if not ratios:
-        return f"{kind}, 0 runs"
-    return f"{kind}, {len(ratios)} runs, ratio median / p90 / worst: {quantiles(ratios)}"
-
-
-def quantiles(ratios):
-    """Their median, 90th percentile and largest in words."""
-    return " / ".join(f"{q:.2f}" for q in np.percentile(ratios, (50, 90, 100)))
-
-
-def stolen() -> float:
-    """Return the seconds that the host of a virtual machine gave to others so far; 0 where it does not say."""
-    try:
-        times = Path("/proc/stat").read_text().split("\n", 1)[0].split()
-    except OSError:
-        return 0.0
-    return int(times[8]) / os.sysconf("SC_CLK_TCK")
-
-
 def leave():
     """Run, and leave FreeCAD without its questions."""
     try:
@@ -263,7 +198,6 @@ if __name__ in ("__main__", "simulators"):  # the second where FreeCAD imports i
     if FreeCAD.GuiUp:
         from PySide import QtCore
 
-        sys.modules["simulators"] = sys.modules[__name__]
         QtCore.QTimer.singleShot(0, leave)  # once FreeCAD's event loop runs
     else:
         leave()

@@ -13,9 +13,9 @@ import numpy as np
 import Part
 import Path
 from CAMSimulator import PathSim
+from measuring import RENDERER, beside, in_rounds, left_out, summary
 from opengl_window import FASTER, PLAY, click
 from PySide import QtCore, QtGui
-from simulators import RENDERER, beside, in_rounds, left_out, summary
 
 from vkworkbench import freecad
 from vkworkbench.core import Tool, linearize

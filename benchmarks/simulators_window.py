@@ -13,8 +13,8 @@ import FreeCAD
 import FreeCADGui
 import Part
 import Path
+from measuring import RENDERER, beside, in_rounds, left_out, shape, summary
 from PySide import QtCore
-from simulators import RENDERER, beside, in_rounds, left_out, shape, summary
 
 from vkworkbench import freecad
 from vkworkbench.core import Stock, Tool, linearize

@@ -1,22 +1,16 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Simulations that the user runs teach the calibration how long they take."""
 
-import sys
-from pathlib import Path
-
 import FreeCADGui as Gui
 import numpy as np
 import pytest
+from opengl_window import FASTER, PLAY, click
 from PySide import QtCore, QtGui
 
-import vkworkbench
 from vkworkbench import freecad, preferences
 from vkworkbench.core.simulators import opengl_speeds
 from vkworkbench.document import calibration
 from vkworkbench.gui.real_runs import OpenGLRun, _played
-
-sys.path.insert(0, str(Path(vkworkbench.__file__).resolve().parents[1] / "benchmarks"))
-from opengl_window import FASTER, PLAY, click  # noqa: E402
 
 OLD = freecad.version() < (1, 0, 0)
 

@@ -3,7 +3,6 @@
 
 import ast
 import re
-import sys
 import xml.etree.ElementTree as ElementTree
 from pathlib import Path
 
@@ -14,13 +13,11 @@ import pytest
 from PySide import QtCore, QtGui
 
 import vkworkbench
+from toolpaths import synthetic
 from vkworkbench.core import linearize, recognize
 from vkworkbench.gui.sentences import fitting, in_user_language
 
 ROOT = Path(vkworkbench.__file__).resolve().parents[1]
-sys.path.insert(0, str(ROOT / "benchmarks"))
-import synthetic  # noqa: E402
-
 TRANSLATIONS = ROOT / "resources" / "translations"
 LANGUAGES = {
     "de": ("Werkzeugwege analysieren", "Werkzeugweg-Analyse"),

@@ -3,21 +3,15 @@
 
 from __future__ import annotations
 
-import sys
-from pathlib import Path
-
 import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[3] / "benchmarks"))
-
-import synthetic  # noqa: E402
-
-from vkworkbench.core import Strategy, Toolpath  # noqa: E402
-from vkworkbench.core.gcode import linearize  # noqa: E402
-from vkworkbench.core.recognition.recognize import recognize  # noqa: E402
+from toolpaths import synthetic
+from vkworkbench.core import Strategy, Toolpath
+from vkworkbench.core.gcode import linearize
+from vkworkbench.core.recognition.recognize import recognize
 
 
 def cut(points, rapid=()):
@@ -58,6 +52,11 @@ def test_synthetic_strategies(label, accepted, make):
         if str(found.strategy) not in accepted:
             wrong.append((seed, found.strategy, found.reason))
     assert len(wrong) <= 1, wrong
+
+
+def test_every_strategy_has_a_sample():
+    sampled = {strategy for _, accepted, _ in synthetic.SAMPLES for strategy in accepted}
+    assert sampled == {strategy.value for strategy in Strategy if strategy.is_answer}
 
 
 def test_evidence_of_a_zigzag():
