@@ -113,8 +113,8 @@ class OperationReport:
 
     @property
     def messages(self) -> tuple[Message, ...]:
-        """All that is told of it: remarks, cautions, and what the machining time leaves out."""
-        return (*self.remarks, *(c.what for c in self.cautions), *self.machining.left_out)
+        """All that is told of it: the reason, remarks, cautions, and what the machining time leaves out."""
+        return (self.recognition.why, *self.remarks, *(c.what for c in self.cautions), *self.machining.left_out)
 
     def cost(self, simulator: str) -> tuple[float, float] | None:
         """Return seconds and bytes of simulating it, None where they are not known.
@@ -178,6 +178,7 @@ class OperationReport:
             "error": self.error,
             "cautions": [caution.message for caution in self.cautions],
             "messages": {
+                "reason": found.why.as_data(),
                 "remarks": [remark.as_data() for remark in self.remarks],
                 "cautions": [caution.what.as_data() for caution in self.cautions],
                 "machining_notes": [note.as_data() for note in self.machining.left_out],

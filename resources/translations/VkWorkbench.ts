@@ -672,6 +672,82 @@
         <source>could not be analysed, please report it with the file: {error}</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>phi stays between {low:turns} and {high:turns} turns over {count:n} rows{spread}, {seen}: {strategy:strategy}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>phi stays at 0 over {count:n} rows{spread}, {seen}: {strategy:strategy}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>phi stays between {low:turns} and {high:turns} turns over one open stroke{spread}, {seen}: {strategy:strategy}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>phi stays between {low:turns} and {high:turns} turns over {count:n} open strokes{spread}, {seen}: {strategy:strategy}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>phi stays at 0 over one open stroke{spread}, {seen}: {strategy:strategy}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>phi stays at 0 over {count:n} open strokes{spread}, {seen}: {strategy:strategy}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>phi reaches {reached:turns} turns over one loop{spread}, {seen}: {strategy:strategy}{turning}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>phi reaches {reached:turns} turns over {count:n} loops{spread}, {seen}: {strategy:strategy}{turning}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>phi lies between {low:turns} and {high:turns} turns, {seen}: {strategy:strategy}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>phi has no direction to turn, the moves are vertical at one point: {strategy:strategy}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>phi has no direction to turn, the moves are vertical at {count:n} points: {strategy:strategy}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>phi has no direction to turn, the moves are vertical at some points: {strategy:strategy}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count:n} sections parted by tool changes, titles or drilling show {strategies:strategy}: {strategy:strategy}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{sentence} only for {share:%} of the length: {strategy:strategy}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>, {step:mm3} apart at {depths:n} depths</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>, {step:mm3} apart</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> at {depths:n} depths</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count:n} bites of one sense overlap</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>rows ({rows:%} of the length) and loops ({loops:%}) share the area</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

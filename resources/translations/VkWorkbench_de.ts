@@ -672,6 +672,82 @@
         <source>could not be analysed, please report it with the file: {error}</source>
         <translation>konnte nicht analysiert werden, bitte mit der Datei melden: {error}</translation>
     </message>
+    <message>
+        <source>phi stays between {low:turns} and {high:turns} turns over {count:n} rows{spread}, {seen}: {strategy:strategy}</source>
+        <translation>φ bleibt über {count:n} Zeilen{spread} zwischen {low:turns} und {high:turns} Umdrehungen, {seen}: {strategy:strategy}</translation>
+    </message>
+    <message>
+        <source>phi stays at 0 over {count:n} rows{spread}, {seen}: {strategy:strategy}</source>
+        <translation>φ bleibt über {count:n} Zeilen{spread} bei 0, {seen}: {strategy:strategy}</translation>
+    </message>
+    <message>
+        <source>phi stays between {low:turns} and {high:turns} turns over one open stroke{spread}, {seen}: {strategy:strategy}</source>
+        <translation>φ bleibt über einen offenen Zug{spread} zwischen {low:turns} und {high:turns} Umdrehungen, {seen}: {strategy:strategy}</translation>
+    </message>
+    <message>
+        <source>phi stays between {low:turns} and {high:turns} turns over {count:n} open strokes{spread}, {seen}: {strategy:strategy}</source>
+        <translation>φ bleibt über {count:n} offene Züge{spread} zwischen {low:turns} und {high:turns} Umdrehungen, {seen}: {strategy:strategy}</translation>
+    </message>
+    <message>
+        <source>phi stays at 0 over one open stroke{spread}, {seen}: {strategy:strategy}</source>
+        <translation>φ bleibt über einen offenen Zug{spread} bei 0, {seen}: {strategy:strategy}</translation>
+    </message>
+    <message>
+        <source>phi stays at 0 over {count:n} open strokes{spread}, {seen}: {strategy:strategy}</source>
+        <translation>φ bleibt über {count:n} offene Züge{spread} bei 0, {seen}: {strategy:strategy}</translation>
+    </message>
+    <message>
+        <source>phi reaches {reached:turns} turns over one loop{spread}, {seen}: {strategy:strategy}{turning}</source>
+        <translation>φ erreicht über eine Schleife{spread} {reached:turns} Umdrehungen, {seen}: {strategy:strategy}{turning}</translation>
+    </message>
+    <message>
+        <source>phi reaches {reached:turns} turns over {count:n} loops{spread}, {seen}: {strategy:strategy}{turning}</source>
+        <translation>φ erreicht über {count:n} Schleifen{spread} {reached:turns} Umdrehungen, {seen}: {strategy:strategy}{turning}</translation>
+    </message>
+    <message>
+        <source>phi lies between {low:turns} and {high:turns} turns, {seen}: {strategy:strategy}</source>
+        <translation>φ liegt zwischen {low:turns} und {high:turns} Umdrehungen, {seen}: {strategy:strategy}</translation>
+    </message>
+    <message>
+        <source>phi has no direction to turn, the moves are vertical at one point: {strategy:strategy}</source>
+        <translation>φ hat keine Richtung, die Bewegungen sind an einem Punkt senkrecht: {strategy:strategy}</translation>
+    </message>
+    <message>
+        <source>phi has no direction to turn, the moves are vertical at {count:n} points: {strategy:strategy}</source>
+        <translation>φ hat keine Richtung, die Bewegungen sind an {count:n} Punkten senkrecht: {strategy:strategy}</translation>
+    </message>
+    <message>
+        <source>phi has no direction to turn, the moves are vertical at some points: {strategy:strategy}</source>
+        <translation>φ hat keine Richtung, die Bewegungen sind an einigen Punkten senkrecht: {strategy:strategy}</translation>
+    </message>
+    <message>
+        <source>{count:n} sections parted by tool changes, titles or drilling show {strategies:strategy}: {strategy:strategy}</source>
+        <translation>{count:n} Abschnitte, getrennt durch Werkzeugwechsel, Titel oder Bohren, zeigen {strategies:strategy}: {strategy:strategy}</translation>
+    </message>
+    <message>
+        <source>{sentence} only for {share:%} of the length: {strategy:strategy}</source>
+        <translation>{sentence}, aber nur auf {share:%} der Länge: {strategy:strategy}</translation>
+    </message>
+    <message>
+        <source>, {step:mm3} apart at {depths:n} depths</source>
+        <translation> im Abstand von {step:mm3} in {depths:n} Tiefen</translation>
+    </message>
+    <message>
+        <source>, {step:mm3} apart</source>
+        <translation> im Abstand von {step:mm3}</translation>
+    </message>
+    <message>
+        <source> at {depths:n} depths</source>
+        <translation> in {depths:n} Tiefen</translation>
+    </message>
+    <message>
+        <source>{count:n} bites of one sense overlap</source>
+        <translation>{count:n} Bisse mit gleichem Drehsinn überlappen sich</translation>
+    </message>
+    <message>
+        <source>rows ({rows:%} of the length) and loops ({loops:%}) share the area</source>
+        <translation>Zeilen ({rows:%} der Länge) und Schleifen ({loops:%}) teilen sich die Fläche</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

@@ -672,6 +672,82 @@
         <source>could not be analysed, please report it with the file: {error}</source>
         <translation>no se pudo analizar, por favor infórmelo con el archivo: {error}</translation>
     </message>
+    <message>
+        <source>phi stays between {low:turns} and {high:turns} turns over {count:n} rows{spread}, {seen}: {strategy:strategy}</source>
+        <translation>φ se mantiene entre {low:turns} y {high:turns} vueltas en {count:n} filas{spread}, {seen}: {strategy:strategy}</translation>
+    </message>
+    <message>
+        <source>phi stays at 0 over {count:n} rows{spread}, {seen}: {strategy:strategy}</source>
+        <translation>φ se mantiene en 0 en {count:n} filas{spread}, {seen}: {strategy:strategy}</translation>
+    </message>
+    <message>
+        <source>phi stays between {low:turns} and {high:turns} turns over one open stroke{spread}, {seen}: {strategy:strategy}</source>
+        <translation>φ se mantiene entre {low:turns} y {high:turns} vueltas en un trazo abierto{spread}, {seen}: {strategy:strategy}</translation>
+    </message>
+    <message>
+        <source>phi stays between {low:turns} and {high:turns} turns over {count:n} open strokes{spread}, {seen}: {strategy:strategy}</source>
+        <translation>φ se mantiene entre {low:turns} y {high:turns} vueltas en {count:n} trazos abiertos{spread}, {seen}: {strategy:strategy}</translation>
+    </message>
+    <message>
+        <source>phi stays at 0 over one open stroke{spread}, {seen}: {strategy:strategy}</source>
+        <translation>φ se mantiene en 0 en un trazo abierto{spread}, {seen}: {strategy:strategy}</translation>
+    </message>
+    <message>
+        <source>phi stays at 0 over {count:n} open strokes{spread}, {seen}: {strategy:strategy}</source>
+        <translation>φ se mantiene en 0 en {count:n} trazos abiertos{spread}, {seen}: {strategy:strategy}</translation>
+    </message>
+    <message>
+        <source>phi reaches {reached:turns} turns over one loop{spread}, {seen}: {strategy:strategy}{turning}</source>
+        <translation>φ alcanza {reached:turns} vueltas en un lazo{spread}, {seen}: {strategy:strategy}{turning}</translation>
+    </message>
+    <message>
+        <source>phi reaches {reached:turns} turns over {count:n} loops{spread}, {seen}: {strategy:strategy}{turning}</source>
+        <translation>φ alcanza {reached:turns} vueltas en {count:n} lazos{spread}, {seen}: {strategy:strategy}{turning}</translation>
+    </message>
+    <message>
+        <source>phi lies between {low:turns} and {high:turns} turns, {seen}: {strategy:strategy}</source>
+        <translation>φ está entre {low:turns} y {high:turns} vueltas, {seen}: {strategy:strategy}</translation>
+    </message>
+    <message>
+        <source>phi has no direction to turn, the moves are vertical at one point: {strategy:strategy}</source>
+        <translation>φ no tiene dirección, los movimientos son verticales en un punto: {strategy:strategy}</translation>
+    </message>
+    <message>
+        <source>phi has no direction to turn, the moves are vertical at {count:n} points: {strategy:strategy}</source>
+        <translation>φ no tiene dirección, los movimientos son verticales en {count:n} puntos: {strategy:strategy}</translation>
+    </message>
+    <message>
+        <source>phi has no direction to turn, the moves are vertical at some points: {strategy:strategy}</source>
+        <translation>φ no tiene dirección, los movimientos son verticales en algunos puntos: {strategy:strategy}</translation>
+    </message>
+    <message>
+        <source>{count:n} sections parted by tool changes, titles or drilling show {strategies:strategy}: {strategy:strategy}</source>
+        <translation>{count:n} secciones separadas por cambios de herramienta, títulos o taladros muestran {strategies:strategy}: {strategy:strategy}</translation>
+    </message>
+    <message>
+        <source>{sentence} only for {share:%} of the length: {strategy:strategy}</source>
+        <translation>{sentence}, pero solo en el {share:%} de la longitud: {strategy:strategy}</translation>
+    </message>
+    <message>
+        <source>, {step:mm3} apart at {depths:n} depths</source>
+        <translation> a {step:mm3} en {depths:n} profundidades</translation>
+    </message>
+    <message>
+        <source>, {step:mm3} apart</source>
+        <translation> a {step:mm3}</translation>
+    </message>
+    <message>
+        <source> at {depths:n} depths</source>
+        <translation> en {depths:n} profundidades</translation>
+    </message>
+    <message>
+        <source>{count:n} bites of one sense overlap</source>
+        <translation>{count:n} bocados de un mismo sentido se solapan</translation>
+    </message>
+    <message>
+        <source>rows ({rows:%} of the length) and loops ({loops:%}) share the area</source>
+        <translation>filas ({rows:%} de la longitud) y lazos ({loops:%}) se reparten la superficie</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

@@ -672,6 +672,82 @@
         <source>could not be analysed, please report it with the file: {error}</source>
         <translation>n&apos;a pas pu être analysée, merci de le signaler avec le fichier : {error}</translation>
     </message>
+    <message>
+        <source>phi stays between {low:turns} and {high:turns} turns over {count:n} rows{spread}, {seen}: {strategy:strategy}</source>
+        <translation>φ reste entre {low:turns} et {high:turns} tours sur {count:n} lignes{spread}, {seen} : {strategy:strategy}</translation>
+    </message>
+    <message>
+        <source>phi stays at 0 over {count:n} rows{spread}, {seen}: {strategy:strategy}</source>
+        <translation>φ reste à 0 sur {count:n} lignes{spread}, {seen} : {strategy:strategy}</translation>
+    </message>
+    <message>
+        <source>phi stays between {low:turns} and {high:turns} turns over one open stroke{spread}, {seen}: {strategy:strategy}</source>
+        <translation>φ reste entre {low:turns} et {high:turns} tours sur un trait ouvert{spread}, {seen} : {strategy:strategy}</translation>
+    </message>
+    <message>
+        <source>phi stays between {low:turns} and {high:turns} turns over {count:n} open strokes{spread}, {seen}: {strategy:strategy}</source>
+        <translation>φ reste entre {low:turns} et {high:turns} tours sur {count:n} traits ouverts{spread}, {seen} : {strategy:strategy}</translation>
+    </message>
+    <message>
+        <source>phi stays at 0 over one open stroke{spread}, {seen}: {strategy:strategy}</source>
+        <translation>φ reste à 0 sur un trait ouvert{spread}, {seen} : {strategy:strategy}</translation>
+    </message>
+    <message>
+        <source>phi stays at 0 over {count:n} open strokes{spread}, {seen}: {strategy:strategy}</source>
+        <translation>φ reste à 0 sur {count:n} traits ouverts{spread}, {seen} : {strategy:strategy}</translation>
+    </message>
+    <message>
+        <source>phi reaches {reached:turns} turns over one loop{spread}, {seen}: {strategy:strategy}{turning}</source>
+        <translation>φ atteint {reached:turns} tours sur une boucle{spread}, {seen} : {strategy:strategy}{turning}</translation>
+    </message>
+    <message>
+        <source>phi reaches {reached:turns} turns over {count:n} loops{spread}, {seen}: {strategy:strategy}{turning}</source>
+        <translation>φ atteint {reached:turns} tours sur {count:n} boucles{spread}, {seen} : {strategy:strategy}{turning}</translation>
+    </message>
+    <message>
+        <source>phi lies between {low:turns} and {high:turns} turns, {seen}: {strategy:strategy}</source>
+        <translation>φ est entre {low:turns} et {high:turns} tours, {seen} : {strategy:strategy}</translation>
+    </message>
+    <message>
+        <source>phi has no direction to turn, the moves are vertical at one point: {strategy:strategy}</source>
+        <translation>φ n&apos;a pas de direction, les mouvements sont verticaux en un point : {strategy:strategy}</translation>
+    </message>
+    <message>
+        <source>phi has no direction to turn, the moves are vertical at {count:n} points: {strategy:strategy}</source>
+        <translation>φ n&apos;a pas de direction, les mouvements sont verticaux en {count:n} points : {strategy:strategy}</translation>
+    </message>
+    <message>
+        <source>phi has no direction to turn, the moves are vertical at some points: {strategy:strategy}</source>
+        <translation>φ n&apos;a pas de direction, les mouvements sont verticaux en quelques points : {strategy:strategy}</translation>
+    </message>
+    <message>
+        <source>{count:n} sections parted by tool changes, titles or drilling show {strategies:strategy}: {strategy:strategy}</source>
+        <translation>{count:n} sections séparées par des changements d&apos;outil, des titres ou des perçages montrent {strategies:strategy} : {strategy:strategy}</translation>
+    </message>
+    <message>
+        <source>{sentence} only for {share:%} of the length: {strategy:strategy}</source>
+        <translation>{sentence}, mais seulement sur {share:%} de la longueur : {strategy:strategy}</translation>
+    </message>
+    <message>
+        <source>, {step:mm3} apart at {depths:n} depths</source>
+        <translation> espacées de {step:mm3} à {depths:n} profondeurs</translation>
+    </message>
+    <message>
+        <source>, {step:mm3} apart</source>
+        <translation> espacées de {step:mm3}</translation>
+    </message>
+    <message>
+        <source> at {depths:n} depths</source>
+        <translation> à {depths:n} profondeurs</translation>
+    </message>
+    <message>
+        <source>{count:n} bites of one sense overlap</source>
+        <translation>{count:n} morsures de même sens se recouvrent</translation>
+    </message>
+    <message>
+        <source>rows ({rows:%} of the length) and loops ({loops:%}) share the area</source>
+        <translation>des lignes ({rows:%} de la longueur) et des boucles ({loops:%}) se partagent la surface</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

@@ -672,6 +672,82 @@
         <source>could not be analysed, please report it with the file: {error}</source>
         <translation>无法分析，请连同文件一起报告：{error}</translation>
     </message>
+    <message>
+        <source>phi stays between {low:turns} and {high:turns} turns over {count:n} rows{spread}, {seen}: {strategy:strategy}</source>
+        <translation>φ 在 {count:n} 行{spread}中保持在 {low:turns} 与 {high:turns} 圈之间，{seen}：{strategy:strategy}</translation>
+    </message>
+    <message>
+        <source>phi stays at 0 over {count:n} rows{spread}, {seen}: {strategy:strategy}</source>
+        <translation>φ 在 {count:n} 行{spread}中保持为 0，{seen}：{strategy:strategy}</translation>
+    </message>
+    <message>
+        <source>phi stays between {low:turns} and {high:turns} turns over one open stroke{spread}, {seen}: {strategy:strategy}</source>
+        <translation>φ 在一段开放笔画{spread}中保持在 {low:turns} 与 {high:turns} 圈之间，{seen}：{strategy:strategy}</translation>
+    </message>
+    <message>
+        <source>phi stays between {low:turns} and {high:turns} turns over {count:n} open strokes{spread}, {seen}: {strategy:strategy}</source>
+        <translation>φ 在 {count:n} 段开放笔画{spread}中保持在 {low:turns} 与 {high:turns} 圈之间，{seen}：{strategy:strategy}</translation>
+    </message>
+    <message>
+        <source>phi stays at 0 over one open stroke{spread}, {seen}: {strategy:strategy}</source>
+        <translation>φ 在一段开放笔画{spread}中保持为 0，{seen}：{strategy:strategy}</translation>
+    </message>
+    <message>
+        <source>phi stays at 0 over {count:n} open strokes{spread}, {seen}: {strategy:strategy}</source>
+        <translation>φ 在 {count:n} 段开放笔画{spread}中保持为 0，{seen}：{strategy:strategy}</translation>
+    </message>
+    <message>
+        <source>phi reaches {reached:turns} turns over one loop{spread}, {seen}: {strategy:strategy}{turning}</source>
+        <translation>φ 在一个环{spread}中达到 {reached:turns} 圈，{seen}：{strategy:strategy}{turning}</translation>
+    </message>
+    <message>
+        <source>phi reaches {reached:turns} turns over {count:n} loops{spread}, {seen}: {strategy:strategy}{turning}</source>
+        <translation>φ 在 {count:n} 个环{spread}中达到 {reached:turns} 圈，{seen}：{strategy:strategy}{turning}</translation>
+    </message>
+    <message>
+        <source>phi lies between {low:turns} and {high:turns} turns, {seen}: {strategy:strategy}</source>
+        <translation>φ 在 {low:turns} 与 {high:turns} 圈之间，{seen}：{strategy:strategy}</translation>
+    </message>
+    <message>
+        <source>phi has no direction to turn, the moves are vertical at one point: {strategy:strategy}</source>
+        <translation>φ 没有方向可转，移动在一个点上竖直：{strategy:strategy}</translation>
+    </message>
+    <message>
+        <source>phi has no direction to turn, the moves are vertical at {count:n} points: {strategy:strategy}</source>
+        <translation>φ 没有方向可转，移动在 {count:n} 个点上竖直：{strategy:strategy}</translation>
+    </message>
+    <message>
+        <source>phi has no direction to turn, the moves are vertical at some points: {strategy:strategy}</source>
+        <translation>φ 没有方向可转，移动在若干点上竖直：{strategy:strategy}</translation>
+    </message>
+    <message>
+        <source>{count:n} sections parted by tool changes, titles or drilling show {strategies:strategy}: {strategy:strategy}</source>
+        <translation>由换刀、标题或钻孔分开的 {count:n} 段显示 {strategies:strategy}：{strategy:strategy}</translation>
+    </message>
+    <message>
+        <source>{sentence} only for {share:%} of the length: {strategy:strategy}</source>
+        <translation>{sentence}，但仅占长度的 {share:%}：{strategy:strategy}</translation>
+    </message>
+    <message>
+        <source>, {step:mm3} apart at {depths:n} depths</source>
+        <translation>（间距 {step:mm3}，{depths:n} 个深度）</translation>
+    </message>
+    <message>
+        <source>, {step:mm3} apart</source>
+        <translation>（间距 {step:mm3}）</translation>
+    </message>
+    <message>
+        <source> at {depths:n} depths</source>
+        <translation>（{depths:n} 个深度）</translation>
+    </message>
+    <message>
+        <source>{count:n} bites of one sense overlap</source>
+        <translation>{count:n} 次同向切入相互重叠</translation>
+    </message>
+    <message>
+        <source>rows ({rows:%} of the length) and loops ({loops:%}) share the area</source>
+        <translation>行（占长度 {rows:%}）与环（{loops:%}）共享区域</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

@@ -21,6 +21,7 @@ from vkworkbench.core.zbuffer.sampling import sample
 from vkworkbench.core.zbuffer.silhouette import silhouette_area
 from vkworkbench.core.zbuffer.simulate import DEXEL, INDEX, TRACE, simulate
 from vkworkbench.core.zbuffer.speed import fit_speed, measure_speed
+from vkworkbench.language import Message
 
 STOCK = Stock((0, 0, 0), (80, 60, 20))
 FLAT, BALL = Tool("endmill", 6), Tool("ballend", 6)
@@ -215,7 +216,7 @@ def test_silhouettes():
 
 def expected(toolpath, strategy, tool=FLAT, direction=TOP, **known):
     view = View(direction)
-    found = Recognition(strategy, 1.0, "", **known)
+    found = Recognition(strategy, 1.0, Message("no-moves"), **known)
     count = closed_form(toolpath, found, tool=tool, stock=STOCK, view=view)
     return count / simulate(toolpath, tool=tool, stock=STOCK, view=view).traces
 

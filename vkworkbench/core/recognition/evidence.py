@@ -7,7 +7,6 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from vkworkbench import friendly
 from vkworkbench.core.paper import farthest
 from vkworkbench.core.recognition.footprints import count_depths
 from vkworkbench.core.recognition.pieces import LOOP
@@ -15,6 +14,7 @@ from vkworkbench.core.recognition.section import Section
 from vkworkbench.core.recognition.thresholds import ENOUGH, LITTLE, RINGS
 from vkworkbench.core.recognition.verdict import Verdict
 from vkworkbench.core.strategy import Family, Strategy
+from vkworkbench.language import ENGLISH, Message
 
 
 @dataclass(frozen=True)
@@ -68,28 +68,33 @@ def gather(s: Section, verdict: Verdict) -> Evidence:
     )
 
 
-def sentence(s: Section, verdict: Verdict, e: Evidence) -> str:
-    """Tell the verdict in one sentence with its numbers."""
+def sentence(s: Section, verdict: Verdict, e: Evidence) -> Message:
+    """Tell the verdict with its numbers."""
     low, high = e.phi_range
-    strategy = verdict.strategy
-    apart = f", {e.stepover:.3g} mm apart" if e.stepover else ""
-    depths = f" at {e.depths} depths" if e.depths > 1 else ""
-    turning = {"ccw": ", counter-clockwise", "cw": ", clockwise"}.get(e.sense or "", "")
-    between = f"between {friendly.turns(low)} and {friendly.turns(high)} turns"
-    stays = "stays at 0" if friendly.turns(low) == friendly.turns(high) == "0" else f"stays {between}"
+    strategy, seen, spread = verdict.strategy, verdict.seen, _spread(e)
+    at_0 = ENGLISH.turns(low) == ENGLISH.turns(high) == "0"
     if strategy.family is Family.ROWS and s.rows:
-        return f"phi {stays} over {e.passes} rows{apart}{depths}, {verdict.seen}: {strategy}"
+        if at_0:
+            return Message("rows-at-0", count=e.passes, spread=spread, seen=seen, strategy=strategy)
+        return Message("rows", low=low, high=high, count=e.passes, spread=spread, seen=seen, strategy=strategy)
     if len(s.rings) and (strategy.family is Family.AROUND or strategy is Strategy.ZIGZAG):
-        return (
-            f"phi reaches {friendly.turns(farthest(e.phi_range))} turns over {_count(len(s.rings), 'loop')}{apart}"
-            f"{depths}, {verdict.seen}: {strategy}{turning}"
-        )
+        turning = {"ccw": Message("counter-clockwise"), "cw": Message("clockwise")}.get(e.sense or "")
+        return Message(
+            "loops", reached=farthest(e.phi_range), count=len(s.rings), spread=spread, seen=seen, strategy=strategy,
+            turning=turning,
+        )  # fmt: skip
     if strategy is Strategy.MIXED or not len(s.strokes):
-        return f"phi lies {between}, {verdict.seen}: {strategy}"
-    strokes = _count(len(s.strokes), "open stroke")
-    return f"phi {stays} over {strokes}{apart}{depths}, {verdict.seen}: {strategy}"
+        return Message("between", low=low, high=high, seen=seen, strategy=strategy)
+    count = len(s.strokes)
+    if at_0:
+        return Message("strokes-at-0", count=count, spread=spread, seen=seen, strategy=strategy)
+    return Message("strokes", low=low, high=high, count=count, spread=spread, seen=seen, strategy=strategy)
 
 
-def _count(number: int, thing: str) -> str:
-    """Return how many there are of a thing."""
-    return f"one {thing}" if number == 1 else f"{number} {thing}s"
+def _spread(e: Evidence) -> Message | None:
+    """How far apart the passes lie, and at how many depths; None where there is nothing to tell."""
+    if e.stepover and e.depths > 1:
+        return Message("apart-at-depths", step=e.stepover, depths=e.depths)
+    if e.stepover:
+        return Message("apart", step=e.stepover)
+    return Message("at-depths", depths=e.depths) if e.depths > 1 else None

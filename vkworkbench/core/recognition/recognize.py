@@ -16,6 +16,7 @@ from vkworkbench.core.recognition.thresholds import CONFIDENCE, PARTS, ROWS
 from vkworkbench.core.recognition.verdict import Verdict, judge
 from vkworkbench.core.strategy import Family, Strategy
 from vkworkbench.core.toolpath import Toolpath
+from vkworkbench.language import Message, render
 
 
 @dataclass(frozen=True)
@@ -50,8 +51,8 @@ class Recognition:
     strategy : Strategy
     confidence : float
         How often verdicts with the same support are right, 0..1.
-    reason : str
-        One sentence in the paper's terms with the numbers, without a full stop.
+    why : Message
+        In the paper's terms with the numbers.
     spans : tuple of Span
         In the order of cutting; more than one only where the strategy is mixed.
     level : int
@@ -81,7 +82,7 @@ class Recognition:
 
     strategy: Strategy
     confidence: float
-    reason: str
+    why: Message
     spans: tuple[Span, ...] = ()
     level: int = 0
     phi_range: tuple[float, float] = (0.0, 0.0)
@@ -94,6 +95,11 @@ class Recognition:
     closed_loops: int = 0
     milling: str | None = None
     paper: PaperVerdict | None = None
+
+    @property
+    def reason(self) -> str:
+        """Why in English, one sentence without a full stop."""
+        return render(self.why)
 
 
 def recognize(toolpath: Toolpath, *, tool_diameter: float | None = None) -> Recognition:
@@ -113,13 +119,7 @@ def recognize(toolpath: Toolpath, *, tool_diameter: float | None = None) -> Reco
     """
     rapid = toolpath.rapid
     if rapid.all():
-        return Recognition(
-            Strategy.EMPTY,
-            1.0,
-            "nothing cuts: there are only rapid moves"
-            if len(toolpath)
-            else "nothing cuts: there are no moves",
-        )
+        return Recognition(Strategy.EMPTY, 1.0, Message("only-rapids") if len(toolpath) else Message("no-moves"))
     tool = float(tool_diameter) if tool_diameter and np.isfinite(tool_diameter) and tool_diameter > 0 else 0.0
     moves = monotonous_areas(toolpath)
     first, last = int(np.argmin(rapid)), len(rapid) - 1 - int(np.argmin(rapid[::-1]))
@@ -134,17 +134,22 @@ def _judge_one(toolpath: Toolpath, moves: Areas, first: int, last: int, tool: fl
     """Recognise the trajectories first .. last as one operation."""
     if len(moves.length) == 0 or moves.vertical > PARTS.VERTICAL * (moves.vertical + moves.length.sum()):
         holes = len(moves.holes)
-        at = "one point" if holes == 1 else f"{holes or 'some'} points"
-        why = f"phi has no direction to turn, the moves are vertical at {at}: drilling"
-        spans = _spans(toolpath, [(first, last, Strategy.DRILLING)])
-        return Recognition(Strategy.DRILLING, CONFIDENCE.DRILLING, why, spans, passes=holes or None)
+        strategy = Strategy.DRILLING
+        why = (
+            Message("vertical", count=holes, strategy=strategy)
+            if holes
+            else Message("vertical-somewhere", strategy=strategy)
+        )
+        spans = _spans(toolpath, [(first, last, strategy)])
+        return Recognition(strategy, CONFIDENCE.DRILLING, why, spans, passes=holes or None)
     section = Section(moves, tool)
     once = without_repeats(moves)
     verdict = judge(section if once is moves else Section(once, tool))
     evidence = gather(section, verdict)
     strategy, why = verdict.strategy, sentence(section, verdict, evidence)
     if verdict.confidence < CONFIDENCE.DEFENDED:
-        strategy, why = Strategy.UNKNOWN, f"{why} only for {verdict.support:.0%} of the length: unknown"
+        strategy = Strategy.UNKNOWN
+        why = Message("only-for", sentence=why, share=verdict.support, strategy=strategy)
     runs = [(first, last, strategy)]
     if strategy is Strategy.MIXED and verdict.parts:
         runs = _runs(section, verdict)
@@ -221,11 +226,11 @@ def _judge_sections(toolpath, borders, whole: Recognition, tool: float) -> Recog
     if share[differs].sum() < PARTS.ASIDE and not (differs & drilled & certain).any():
         return _agree(toolpath, whole, found, share)
     runs = _joined(found)
-    names = list(dict.fromkeys(str(strategy) for _, _, strategy in runs))
-    why = f"{len(runs)} sections parted by tool changes, titles or drilling show {', '.join(names)}: mixed"
+    names = list(dict.fromkeys(strategy for _, _, strategy in runs))
+    why = Message("sections", count=len(runs), strategies=names, strategy=Strategy.MIXED)
     confidence = float((share * [r.confidence for r in found]).sum())
     return replace(
-        whole, strategy=Strategy.MIXED, confidence=confidence, reason=why, spans=_spans(toolpath, runs)
+        whole, strategy=Strategy.MIXED, confidence=confidence, why=why, spans=_spans(toolpath, runs)
     )
 
 

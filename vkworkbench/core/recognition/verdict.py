@@ -22,8 +22,9 @@ from vkworkbench.core.recognition.thresholds import (
     WATERLINES,
 )
 from vkworkbench.core.strategy import Strategy
+from vkworkbench.language import Message
 
-ENTERED = "a winding with a helical entry or bites out of the corners"
+ENTERED = Message("winding-with-entry")
 
 
 @dataclass(frozen=True)
@@ -37,8 +38,8 @@ class Verdict:
         Share of the cutting length that shows what the strategy asks for, 0..1.
     count : int
         How many rows, rings or strokes show it.
-    seen : str
-        What shows it, without the numbers.
+    seen : Message
+        What shows it.
     parts : tuple of Verdict
         Where mixed: the verdicts on its rings and on its rows.
     rival : float
@@ -50,7 +51,7 @@ class Verdict:
     strategy: Strategy
     support: float
     count: int
-    seen: str
+    seen: Message
     parts: tuple[Verdict, ...] = ()
     rival: float = 0.0
     step: float | None = None
@@ -83,13 +84,13 @@ def judge(s: Section) -> Verdict:
     circles = arcs is not None and arcs.strategy is Strategy.CONTOUR_PARALLEL  # bites change their radius
     if many and not circles and against < BITES.AGAINST * bites and rowlike < ENOUGH.SHARE:
         support = CONFIDENCE.GIVEN + (1 - CONFIDENCE.GIVEN) * bites
-        return Verdict(Strategy.ADAPTIVE, support, number, f"{number} bites of one sense overlap")
+        return Verdict(Strategy.ADAPTIVE, support, number, Message("bites-overlap", count=number))
     if arcs:
         return arcs
     # What a hunting tool leaves between its windings it cuts in rows and bites.
     hunting, nested = s.share(s.hunting), s.share(s.rings.nested)
     if rings > ADAPTIVE.HUNTING and min(hunting, nested) > ENOUGH.SHARE * rings:
-        return Verdict(Strategy.ADAPTIVE, hunting / rings, len(s.rings), "one winding that never closes")
+        return Verdict(Strategy.ADAPTIVE, hunting / rings, len(s.rings), Message("endless-winding"))
     # Offsets whose innermost loops degenerate to passes are still offsets.
     offsets = rings > RINGS.OFFSETS and nested > RINGS.OFFSETS * rings
     if rings > RINGS.ALL or offsets or (rings > RINGS.ALONE and (rowlike < RINGS.ROWS_BESIDE or not s.rows)):
@@ -101,7 +102,7 @@ def judge(s: Section) -> Verdict:
     if not both:
         return of_rows
     of_rings = _judge_rings(s, rings)
-    seen = f"rows ({rowlike:.0%} of the length) and loops ({rings:.0%}) share the area"
+    seen = Message("rows-and-loops", rows=rowlike, loops=rings)
     support = min(1.0, CONFIDENCE.GIVEN + 2 * rings, CONFIDENCE.GIVEN + 2 * rowlike)
     return Verdict(Strategy.MIXED, support, of_rows.count, seen, (of_rings, of_rows))
 
@@ -115,18 +116,18 @@ def _judge_rings(s: Section, rings: float) -> Verdict:
         clears = r.nested & r.winding & ~r.sloped & ~r.stacked
         if (clears[1:] & clears[:-1]).sum() >= 2:
             return Verdict(Strategy.ADAPTIVE, (helix + s.share(clears)) / rings, len(r), ENTERED)
-        return Verdict(Strategy.HELIX, helix / rings, len(r), "descending at a constant radius")
+        return Verdict(Strategy.HELIX, helix / rings, len(r), Message("constant-radius"))
     opposite = s.share(r.opposite)
     if opposite > RINGS.OPPOSITE * rings:
-        return Verdict(Strategy.ZIGZAG, opposite / rings, len(r), "the sense of nested loops alternates")
+        return Verdict(Strategy.ZIGZAG, opposite / rings, len(r), Message("sense-alternates"))
     nested, deeper = s.share(r.nested), s.share(r.deeper)
     changing = r.depths >= WATERLINES.DEPTHS and r.depth_range > WATERLINES.RANGE * s.tool
     changing = changing and r.distinct > WATERLINES.DISTINCT * len(r) and deeper > WATERLINES.DEEPER * rings
     if changing and deeper > nested:
         if r.evenness < WATERLINES.EVENER:
-            seen = "evenly spaced in the plane, not in depth"
+            seen = Message("even-in-plane")
             return Verdict(Strategy.CONTOUR_PARALLEL, deeper / rings, len(r), seen, rival=nested / rings)
-        seen = "whose shape changes with the depth"
+        seen = Message("shape-changes")
         return Verdict(Strategy.WATERLINE, deeper / rings, r.depths, seen, rival=nested / rings)
     if nested > ENOUGH.SHARE * rings and (len(r) > 2 or rings > POCKET.TWO_RINGS):
         winding = s.share(r.winding)
@@ -137,18 +138,18 @@ def _judge_rings(s: Section, rings: float) -> Verdict:
             if bitten or helix > ADAPTIVE.ENTRY or s.strokes.length.sum() > ADAPTIVE.STROKES * s.length:
                 return Verdict(Strategy.ADAPTIVE, winding / rings, len(r), ENTERED)
             if s.cornered() < ENOUGH.SHARE:
-                return Verdict(Strategy.SPIRAL, winding / rings, len(r), "one winding that never closes")
+                return Verdict(Strategy.SPIRAL, winding / rings, len(r), Message("endless-winding"))
         rival = deeper / rings if changing else 0.0
-        return Verdict(Strategy.CONTOUR_PARALLEL, nested / rings, len(r), "nested", rival=rival)
+        return Verdict(Strategy.CONTOUR_PARALLEL, nested / rings, len(r), Message("nested"), rival=rival)
     moved = s.share(r.moved)
     if moved > TROCHOIDS.SHARE * rings and len(r) >= ENOUGH.TIMES:
-        return Verdict(Strategy.ADAPTIVE, moved / rings, len(r), "small loops move along")
+        return Verdict(Strategy.ADAPTIVE, moved / rings, len(r), Message("loops-move"))
     if s.share(r.alone) > ENOUGH.SHARE * rings and s.filled() > POCKET.FILLED:
-        return Verdict(Strategy.MIXED, CONFIDENCE.POCKET, 2, "an open pass lies inside a contour")
+        return Verdict(Strategy.MIXED, CONFIDENCE.POCKET, 2, Message("pass-inside"))
     # A loop that comes again shows a contour; loops with no relation to any other are contours by default.
     support = CONFIDENCE.GIVEN + (1 - CONFIDENCE.GIVEN) * s.share(r.repeated) / rings
     rival = max(nested, deeper if changing else 0.0, moved if len(r) >= ENOUGH.TIMES else 0.0) / rings
-    return Verdict(Strategy.PROFILE, support, len(r) + 2, "no nested offsets", rival=rival)
+    return Verdict(Strategy.PROFILE, support, len(r) + 2, Message("not-nested"), rival=rival)
 
 
 def _judge_rows(s: Section, rowlike: float) -> Verdict:
@@ -157,8 +158,8 @@ def _judge_rows(s: Section, rowlike: float) -> Verdict:
     if opposite >= same or s.zigzag > ENOUGH.SHARE * rowlike:
         agree = opposite / (opposite + same) if opposite + same else 1.0
         support = rowlike * max(agree, s.zigzag)
-        return Verdict(Strategy.ZIGZAG, support, max(count, 3), "half-turns alternate in sign")
-    return Verdict(Strategy.ONE_WAY, rowlike * same / (opposite + same), count, "all rows run the same way")
+        return Verdict(Strategy.ZIGZAG, support, max(count, 3), Message("half-turns-alternate"))
+    return Verdict(Strategy.ONE_WAY, rowlike * same / (opposite + same), count, Message("same-way"))
 
 
 def _judge_arcs(s: Section) -> Verdict | None:
@@ -168,11 +169,11 @@ def _judge_arcs(s: Section) -> Verdict | None:
         return None
     if arcs.opposite + arcs.same < ARCS.BESIDE * arcs.length:
         return None  # the next is not beside it
-    strategy, seen = Strategy.CONTOUR_PARALLEL, "nested"
+    strategy, seen = Strategy.CONTOUR_PARALLEL, Message("nested")
     if arcs.opposite > arcs.same:
-        strategy, seen = Strategy.ZIGZAG, "half-turns alternate in sign"
+        strategy, seen = Strategy.ZIGZAG, Message("half-turns-alternate")
     elif arcs.spiral > ARCS.SPIRAL * arcs.length:
-        strategy, seen = Strategy.SPIRAL, "one winding that never closes"
+        strategy, seen = Strategy.SPIRAL, Message("endless-winding")
     return Verdict(strategy, arcs.length / s.length, arcs.count, seen, step=arcs.step)
 
 
@@ -181,11 +182,11 @@ def _judge_strokes(s: Section) -> Verdict:
     sloped = s.part(k.sloped)
     number = len(k)
     if k.depths >= WATERLINES.OPEN_DEPTHS and sloped < WATERLINES.SLOPED and k.distinct > ENOUGH.SHARE * number:
-        return Verdict(Strategy.WATERLINE, CONFIDENCE.GIVEN, k.depths, "open contours change with the depth")
+        return Verdict(Strategy.WATERLINE, CONFIDENCE.GIVEN, k.depths, Message("open-contours-change"))
     if k.distinct <= 1 or k.distinct < STROKES.DISTINCT * number:
-        seen = "one open contour" if number == 1 else "an open contour comes again"
+        seen = Message("one-open-contour") if number == 1 else Message("open-contour-again")
         return Verdict(Strategy.PROFILE, CONFIDENCE.STROKES, number + 1, seen)
     extent = s.pieces.box[:, 2:].max(axis=0) - s.pieces.box[:, :2].min(axis=0)
     if k.typical > STROKES.LONG * extent.sum() and sloped < ENOUGH.SHARE and k.distinct <= ENOUGH.TIMES:
-        return Verdict(Strategy.PROFILE, CONFIDENCE.LONG_STROKES, number, "open strokes as long as the part")
-    return Verdict(Strategy.ENGRAVING, CONFIDENCE.STROKES, number, "short strokes that fill nothing")
+        return Verdict(Strategy.PROFILE, CONFIDENCE.LONG_STROKES, number, Message("long-strokes"))
+    return Verdict(Strategy.ENGRAVING, CONFIDENCE.STROKES, number, Message("short-strokes"))

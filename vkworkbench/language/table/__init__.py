@@ -6,6 +6,7 @@ A template is one text, or two, for one and for more, where the message counts s
 
 from vkworkbench.language.table.commands import COMMANDS
 from vkworkbench.language.table.operations import OPERATIONS
+from vkworkbench.language.table.recognition import RECOGNITION
 from vkworkbench.language.table.simulators import SIMULATORS
 
-TABLE: dict[str, str | tuple[str, str]] = {**COMMANDS, **OPERATIONS, **SIMULATORS}
+TABLE: dict[str, str | tuple[str, str]] = {**COMMANDS, **OPERATIONS, **RECOGNITION, **SIMULATORS}
