@@ -15,6 +15,6 @@ from vkworkbench.core.paper.signature import Signature, signature
 
 __all__ = [
     "OFF_ROUND", "TURN", "Areas", "PaperVerdict", "Signature", "axis_of", "closing_turns", "directions", "farthest",
-    "image_arcs", "is_closed", "is_one_turn", "links", "monotonous_areas", "outline", "paper_verdict", "seen", "signature", "thinned", "turns_of",
-    "winding_turns",
+    "image_arcs", "is_closed", "is_one_turn", "links", "monotonous_areas", "outline", "paper_verdict", "seen",
+    "signature", "thinned", "turns_of", "winding_turns",
 ]  # fmt: skip

@@ -5,9 +5,9 @@ from __future__ import annotations
 
 import numpy as np
 
+from vkworkbench.core.paper.thresholds import TURNS
+
 TURN = 2 * np.pi
-EXACT = 1e-6  # rad; a turn this close to half a turn is an exact reversal, and a level this close is reached
-UNSIGNED = 0.01  # rad; coordinates rounded to 0.001 mm may turn the sign of a turn this close to half a turn
 
 
 def directions(dx: np.ndarray, dy: np.ndarray, out: np.ndarray | None = None) -> np.ndarray:
@@ -61,7 +61,7 @@ def signs_of_reversals(phi: np.ndarray, area: np.ndarray) -> np.ndarray:
     first = np.flatnonzero(np.append(True, area[1:] != area[:-1]))[: len(area)]
     size = np.diff(np.append(first, len(area)))
     rank = np.arange(len(area)) - np.repeat(first, size)
-    begin = np.repeat(np.where(phi[first] > EXACT, -1, 1), size)
+    begin = np.repeat(np.where(phi[first] > TURNS.EXACT, -1, 1), size)
     return begin * (1 - 2 * (rank & 1))
 
 
@@ -74,14 +74,14 @@ def level_of(phi):
         rad.
     """
     turned = phi * (1 / TURN)
-    turned += np.copysign(EXACT / TURN, turned)
+    turned += np.copysign(TURNS.EXACT / TURN, turned)
     return turned.astype(np.int64) if isinstance(turned, np.ndarray) else int(turned)
 
 
 def farthest(phi_range: tuple[float, float]) -> float:
     """Return the end of a range of phi that is farther from zero, rad; the upper one of two as far to rounding."""
     low, high = phi_range
-    return high if high >= -low - EXACT else low
+    return high if high >= -low - TURNS.EXACT else low
 
 
 def top_level(phi_range: tuple[float, float]) -> int:

@@ -8,10 +8,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from vkworkbench.core.paper.areas import Areas
-from vkworkbench.core.paper.directions import EXACT, TURN, farthest, top_level, turns
+from vkworkbench.core.paper.directions import TURN, farthest, top_level, turns
+from vkworkbench.core.paper.thresholds import TURNS
 from vkworkbench.core.strategy import Strategy
-
-_TO_AND_FRO = 0.01  # of all turning of the image of V_k: less than this against its sense is rounding
 
 
 @dataclass(frozen=True)
@@ -67,9 +66,9 @@ def paper_verdict(areas: Areas) -> PaperVerdict | None:
     phi_range = float(found.phi.min()), float(found.phi.max())
     reached = abs(farthest(phi_range))
     strategy = Strategy.UNKNOWN
-    if reached > TURN + EXACT:
+    if reached > TURN + TURNS.EXACT:
         strategy = Strategy.CONTOUR_PARALLEL
-    elif reached <= np.pi + EXACT:
+    elif reached <= np.pi + TURNS.EXACT:
         strategy = Strategy.ZIGZAG
     theta = found.theta
     turned = np.zeros(len(theta))
@@ -78,7 +77,7 @@ def paper_verdict(areas: Areas) -> PaperVerdict | None:
     net, both_ways = float(image[-1]), float(np.abs(turned, out=turned).sum())
     image += theta[0]
     sense = None
-    if both_ways > EXACT and both_ways - abs(net) <= 2 * _TO_AND_FRO * both_ways:
+    if both_ways > TURNS.EXACT and both_ways - abs(net) <= 2 * TURNS.TO_AND_FRO * both_ways:
         sense = "ccw" if net > 0 else "cw"
     return PaperVerdict(
         strategy,

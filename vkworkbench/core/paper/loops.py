@@ -7,10 +7,8 @@ import numpy as np
 
 from vkworkbench.core.paper.directions import TURN, wrap
 from vkworkbench.core.paper.moves import Moves
+from vkworkbench.core.paper.thresholds import LOOPS, TURNS
 
-CLOSE = 0.03  # mm; a path that comes back this close is closed
-GAP = 0.03  # of the side of a square as large as what a path encloses; a gap this small does not open it
-ONE_TURN = 0.1  # rad; a net turn this close to a full one is one
 OFF_ROUND = 0.377  # of a cell: grid origin off the round coordinates programs are made of
 
 
@@ -45,17 +43,17 @@ def is_closed(gap: np.ndarray, enclosed: np.ndarray, moves: np.ndarray) -> np.nd
     moves : (k,) int
         Their number.
     """
-    return (gap <= np.maximum(CLOSE, GAP * np.sqrt(np.abs(enclosed)))) & (moves > 2)
+    return (gap <= np.maximum(LOOPS.CLOSE, LOOPS.GAP * np.sqrt(np.abs(enclosed)))) & (moves > 2)
 
 
 def may_be_closed(gap: np.ndarray, length: np.ndarray) -> np.ndarray:
     """Say the same before the area is known, true also where it is not closed: none encloses more than a circle."""
-    return gap <= np.maximum(CLOSE, GAP * length / np.sqrt(4 * np.pi))
+    return gap <= np.maximum(LOOPS.CLOSE, LOOPS.GAP * length / np.sqrt(4 * np.pi))
 
 
 def is_one_turn(net: np.ndarray) -> np.ndarray:
     """Say which net turns, rad, are one full turn either way."""
-    return np.abs(np.abs(net) - TURN) < ONE_TURN
+    return np.abs(np.abs(net) - TURN) < TURNS.FULL
 
 
 def closed_loops(moves: Moves) -> tuple[np.ndarray, np.ndarray]:
@@ -77,15 +75,15 @@ def closed_loops(moves: Moves) -> tuple[np.ndarray, np.ndarray]:
     """
     turned = np.maximum.reduceat(moves.phi, moves.start) - np.minimum.reduceat(moves.phi, moves.start)
     # A loop turns by 2 pi less its last corner, a zigzag by pi: most rasters need no search.
-    winds = turned > 1.05 * np.pi
+    winds = turned > LOOPS.HALF_TURNS * np.pi
     if not winds.any():
         none = np.zeros(0, np.int64)
         return none, none
     vertices = _vertices(moves, winds)
     first, end = _disjoint(moves, *_returns(moves, *vertices, 1, OFF_ROUND))
-    if (end - first).sum() < 0.75 * len(vertices[0]):
+    if (end - first).sum() < LOOPS.FOUND * len(vertices[0]):
         # The border of two cells may part the visits of one point. Of three wider grids, each a third of a cell on, one
-        # parts no two points closer than that third: those that a dropped move left apart (NOISE in moves.py).
+        # parts no two points closer than that third: those that a dropped move left apart (MOVES.NOISE).
         wider = [_returns(moves, *vertices, 2, OFF_ROUND + third / 3) for third in range(3)]
         first, end = _disjoint(moves, *np.concatenate([(first, end), *wider], axis=1))
     return first, end
@@ -97,7 +95,7 @@ def _vertices(moves: Moves, winds: np.ndarray) -> tuple[np.ndarray, np.ndarray, 
     Returns
     -------
     x, y : (v,) float
-        In units of CLOSE, not negative.
+        In units of LOOPS.CLOSE, not negative.
     at : (v,) int
         The move that begins at the vertex; at the end of an area the move after its last.
     area : (v,) uint32
@@ -116,13 +114,13 @@ def _vertices(moves: Moves, winds: np.ndarray) -> tuple[np.ndarray, np.ndarray, 
     for v, dv in ((moves.x, moves.dx), (moves.y, moves.dy)):
         w = np.append(v if every else v.take(begun), v[end - 1] + dv[end - 1])
         w -= w.min()
-        w *= 1 / CLOSE
+        w *= 1 / LOOPS.CLOSE
         found.append(w)
     return *found, np.append(begun, end), area
 
 
 def _returns(moves, x, y, at, area, width, origin) -> tuple[np.ndarray, np.ndarray]:
-    """Return the stretches from a visit of a cell, so many times CLOSE wide, to the next one that turn by +-2 pi."""
+    """Return the stretches from a visit of a cell to the next one that turn by +-2 pi; `width` in units of LOOPS.CLOSE."""
     column, row = ((v / width + origin).astype(np.int32).view(np.uint32) for v in (x, y))
     # Hashing the cells is O(n); sorting all vertices would not be. The products wrap, their high bits are
     # the hash.
@@ -154,7 +152,7 @@ def _returns(moves, x, y, at, area, width, origin) -> tuple[np.ndarray, np.ndarr
     if len(area):
         near &= area[one] == area[two]
     first, end = at[one[near]], at[two[near]]
-    long = end - first >= 3
+    long = end - first > 2
     first, end = first[long], end[long]
     net = moves.phi[end - 1] - moves.phi[first] + closing_turns(moves.alpha, first, end)
     once = is_one_turn(net)
@@ -176,12 +174,12 @@ def _disjoint(moves: Moves, first: np.ndarray, end: np.ndarray) -> tuple[np.ndar
     turned = np.append(0.0, np.cumsum(np.abs(moves.turning)))
     turned = turned[end] - turned[first + 1]
     following = np.searchsorted(first, end).tolist()
-    wavy = (turned > 1.5 * TURN).tolist()
+    wavy = (turned > LOOPS.WAVY * TURN).tolist()
     kept, at, count = [], 0, len(following)
     while at < count:
         if wavy[at]:
             inside = slice(at + 1, following[at])
-            tighter = (turned[inside] - TURN < 0.5 * (turned[at] - TURN)) & (end[inside] > end[at])
+            tighter = (turned[inside] - TURN < LOOPS.SMOOTHER * (turned[at] - TURN)) & (end[inside] > end[at])
             if tighter.any():
                 at += 1 + int(np.argmax(tighter))
                 continue
@@ -212,5 +210,5 @@ def winding_turns(moves: Moves, start: np.ndarray, end: np.ndarray, sense: np.nd
     own = np.arange(len(of)) + np.repeat(start - np.concatenate([[0], np.cumsum(size)[:-1]]), size)
     climb = (moves.phi[own] - moves.phi[start][of]) * sense[of]
     above = of * (np.ptp(climb) + TURN)  # lifts every winding above all before it
-    level = np.floor((np.maximum.accumulate(climb + above) - above + 1e-6) * (1 / TURN))
+    level = np.floor((np.maximum.accumulate(climb + above) - above + TURNS.EXACT) * (1 / TURN))
     return own[np.flatnonzero((level[1:] > level[:-1]) & (of[1:] == of[:-1])) + 1]

@@ -7,12 +7,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from vkworkbench.core.paper.directions import EXACT, UNSIGNED, directions, turns
-from vkworkbench.core.paper.plane import STILL, plane_of_toolpath
+from vkworkbench.core.paper.directions import directions, turns
+from vkworkbench.core.paper.plane import plane_of_toolpath
+from vkworkbench.core.paper.thresholds import MOVES, TURNS
 from vkworkbench.core.toolpath import Toolpath
-
-NOISE = 0.02  # mm; a move this short beside one 20 times longer is rounding and its direction is noise
-STEEP = 5.0  # rise over run; steeper is a plunge or a lift
 
 
 @dataclass
@@ -91,9 +89,9 @@ def cutting_moves(toolpath: Toolpath, first: int = 0, last: int | None = None) -
     length = np.multiply(dx, dx, out=block[6, :-1])
     length += dy * dy
     np.sqrt(length, out=length)
-    planar = length > STILL
+    planar = length > MOVES.STILL
     if dz.any():
-        planar &= np.abs(dz) <= STEEP * length
+        planar &= np.abs(dz) <= MOVES.STEEP * length
     if rapid.any():
         planar &= ~rapid
     _drop_noise(planar, length)
@@ -112,8 +110,8 @@ def cutting_moves(toolpath: Toolpath, first: int = 0, last: int | None = None) -
     turns(alpha, out=turning[1:], scratch=scratch)
     turning[start] = 0.0
     # A turn of pi has no sign (design.md): it is an event of its own, which phi does not follow.
-    unsigned = np.flatnonzero(np.abs(turning[1:], out=scratch) > np.pi - UNSIGNED) + 1
-    reversals = unsigned[phi[unsigned] > np.pi - EXACT]
+    unsigned = np.flatnonzero(np.abs(turning[1:], out=scratch) > np.pi - TURNS.UNSIGNED) + 1
+    reversals = unsigned[phi[unsigned] > np.pi - TURNS.EXACT]
     turning[unsigned] = 0.0
     np.cumsum(turning, out=phi)
     if len(start) > 1:
@@ -141,12 +139,12 @@ def cutting_moves(toolpath: Toolpath, first: int = 0, last: int | None = None) -
 def _drop_noise(planar: np.ndarray, length: np.ndarray) -> None:
     """Unmark lone moves of a few micrometres beside long ones: they are rounding, their direction is
     noise."""
-    short = np.flatnonzero(planar & (length < NOISE))
+    short = np.flatnonzero(planar & (length < MOVES.NOISE))
     if not len(short):
         return
     before = length[np.maximum(short - 1, 0)]
     after = length[np.minimum(short + 1, len(length) - 1)]
-    planar[short[length[short] < 0.05 * np.maximum(before, after)]] = False
+    planar[short[length[short] < MOVES.NOISE_BESIDE * np.maximum(before, after)]] = False
 
 
 def _split(planar, rapid, z, dx, dy, dz, length) -> tuple[np.ndarray, np.ndarray]:
@@ -165,9 +163,9 @@ def _split(planar, rapid, z, dx, dy, dz, length) -> tuple[np.ndarray, np.ndarray
         lifted = rapids[after] > rapids[before]
         steep = np.concatenate([[0], np.cumsum(np.where(planar | rapid, 0.0, np.abs(dz)))])
         height = np.abs(z[after] - z[before + 1])
-        drilled = steep[after] - steep[before] > height + STILL  # down and up again
-        onward = dx[after] * dx[before] + dy[after] * dy[before] > 0.98 * length[after] * length[before]
-        gap = gap[lifted | drilled | ((height > STILL) & ~onward)]
+        drilled = steep[after] - steep[before] > height + MOVES.STILL  # down and up again
+        onward = dx[after] * dx[before] + dy[after] * dy[before] > MOVES.ONWARD * length[after] * length[before]
+        gap = gap[lifted | drilled | ((height > MOVES.STILL) & ~onward)]
     return index, np.concatenate([[0], gap]) if len(index) else gap
 
 
@@ -181,18 +179,18 @@ def _without_air(planar, index, start, rapid, z, dx, dy, dz, length) -> tuple[np
         return index, start
     last = np.append(start[1:], len(index)) - 1
     a, b = index[start], index[last]
-    level = np.abs(z[b + 1] - z[a]) < STILL
-    straight = dx[a] * dx[b] + dy[a] * dy[b] > 0.999 * length[a] * length[b]
-    steep = np.where(length > STILL, 0.0, dz)  # rapid or at feed
-    rises, falls = np.append(0.0, steep)[a] > STILL, np.append(steep, 0.0)[b + 1] < -STILL
+    level = np.abs(z[b + 1] - z[a]) < MOVES.STILL
+    straight = dx[a] * dx[b] + dy[a] * dy[b] > MOVES.STRAIGHT * length[a] * length[b]
+    steep = np.where(length > MOVES.STILL, 0.0, dz)  # rapid or at feed
+    rises, falls = np.append(0.0, steep)[a] > MOVES.STILL, np.append(steep, 0.0)[b + 1] < -MOVES.STILL
     lifted, plunges = rises | (a == 0), falls | (b == len(dz) - 1)
     air = level & straight & lifted & plunges
     if len(start) > 1:
         # A plateau between walls is no link: it goes on in the direction of the lower pass beside it.
         before, after = b[:-1], a[1:]
-        onward = dx[after] * dx[before] + dy[after] * dy[before] > 0.98 * length[after] * length[before]
-        air[1:] &= ~(onward & (z[before + 1] < z[after] - STILL))
-        air[:-1] &= ~(onward & (z[after] < z[before + 1] - STILL))
+        onward = dx[after] * dx[before] + dy[after] * dy[before] > MOVES.ONWARD * length[after] * length[before]
+        air[1:] &= ~(onward & (z[before + 1] < z[after] - MOVES.STILL))
+        air[:-1] &= ~(onward & (z[after] < z[before + 1] - MOVES.STILL))
     air &= rises | falls
     if not air.any():
         return index, start
@@ -207,7 +205,7 @@ def _holes(points, rapid, dz, length, planar) -> np.ndarray:
 
     Pecks into one hole count once. Walls and lead-ins stand beside moves along the plane and are no holes.
     """
-    down = np.flatnonzero(~rapid & (length <= STILL) & (dz < -STILL))
+    down = np.flatnonzero(~rapid & (length <= MOVES.STILL) & (dz < -MOVES.STILL))
     if not len(down):
         return down
     block = np.cumsum(rapid)
@@ -215,5 +213,5 @@ def _holes(points, rapid, dz, length, planar) -> np.ndarray:
     milled[block[planar]] = True
     down = down[~milled[block[down]]]
     x, y = points[down + 1, 0], points[down + 1, 1]
-    left = (np.abs(x[1:] - x[:-1]) > STILL) | (np.abs(y[1:] - y[:-1]) > STILL)
+    left = (np.abs(x[1:] - x[:-1]) > MOVES.STILL) | (np.abs(y[1:] - y[:-1]) > MOVES.STILL)
     return down[np.append(left, True)] if len(down) else down

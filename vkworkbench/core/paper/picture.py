@@ -6,7 +6,8 @@ from __future__ import annotations
 import numpy as np
 
 from vkworkbench.core.paper.areas import Areas
-from vkworkbench.core.paper.directions import EXACT, turns
+from vkworkbench.core.paper.directions import turns
+from vkworkbench.core.paper.thresholds import TURNS
 
 _ARC_STEP = np.radians(4)  # an arc is drawn with chords this wide at most
 _NO_TURN = 1e-6  # rad; the image stands still
@@ -42,7 +43,7 @@ def turns_of(angle: np.ndarray) -> np.ndarray:
     Each goes the shorter way round; half a turn exactly has no sense and is NaN.
     """
     turned = turns(angle)
-    turned[np.abs(turned) > np.pi - EXACT] = np.nan
+    turned[np.abs(turned) > np.pi - TURNS.EXACT] = np.nan
     return turned
 
 

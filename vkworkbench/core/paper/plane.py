@@ -5,7 +5,8 @@ from __future__ import annotations
 
 import numpy as np
 
-STILL = 1e-3  # mm; a coordinate that changes by less stands still
+from vkworkbench.core.paper.thresholds import MOVES
+
 XY, ZX, YZ = (0, 1, 2), (2, 0, 1), (1, 2, 0)  # two axes of the plane, G17, G18 and G19, and its normal
 
 
@@ -39,12 +40,12 @@ def plane_of_toolpath(points: np.ndarray, rapid: np.ndarray) -> tuple[int, ...]:
     few = np.flatnonzero(~rapid[::every]) * every
     for axes in (ZX, YZ):
         u, v, aside = (points[:, axis] for axis in axes)
-        if not len(few) or np.ptp(aside[few]) > STILL:
+        if not len(few) or np.ptp(aside[few]) > MOVES.STILL:
             continue
         cutting = np.flatnonzero(~rapid)
-        if np.ptp(aside[cutting]) > STILL or np.ptp(aside[cutting + 1]) > STILL:
+        if np.ptp(aside[cutting]) > MOVES.STILL or np.ptp(aside[cutting + 1]) > MOVES.STILL:
             continue
         du, dv = np.abs(u[cutting + 1] - u[cutting]), np.abs(v[cutting + 1] - v[cutting])
-        if ((du > 0.05 * dv) & (dv > 0.05 * du)).sum() >= 2:
+        if ((du > MOVES.SLOPED * dv) & (dv > MOVES.SLOPED * du)).sum() >= MOVES.SLOPED_MOVES:
             return axes
     return XY

@@ -9,7 +9,6 @@ from functools import cached_property
 import numpy as np
 
 from vkworkbench.core.paper.directions import (
-    EXACT,
     TURN,
     directions,
     level_of,
@@ -19,6 +18,7 @@ from vkworkbench.core.paper.directions import (
     wrap,
 )
 from vkworkbench.core.paper.plane import plane_of_points
+from vkworkbench.core.paper.thresholds import TURNS
 
 NO_LENGTH = 1e-9  # mm; a shorter trajectory has no direction
 
@@ -64,15 +64,15 @@ def signature(points: np.ndarray) -> Signature:
     turning = turns(alpha, scratch=scratch)
     np.abs(turning, out=scratch)
     reversals = np.empty(0, np.int64)
-    if scratch.max(initial=0.0) > np.pi - EXACT:
-        reversals = np.flatnonzero(scratch > np.pi - EXACT)
+    if scratch.max(initial=0.0) > np.pi - TURNS.EXACT:
+        reversals = np.flatnonzero(scratch > np.pi - TURNS.EXACT)
         turning[reversals] = 0.0
         signs = signs_of_reversals(np.cumsum(turning)[reversals], np.zeros_like(reversals))
         turning[reversals] = np.pi * signs
     phi = np.zeros(len(alpha))
     np.cumsum(turning, out=phi[1:])
     gap = np.hypot(x[-1] - x[0], y[-1] - y[0]) if len(alpha) else np.inf
-    closed = bool(gap <= EXACT * max(np.ptp(x), np.ptp(y))) if len(alpha) else False
+    closed = bool(gap <= TURNS.EXACT * max(np.ptp(x), np.ptp(y))) if len(alpha) else False
     closing = float(wrap(alpha[0] - alpha[-1])) if closed else 0.0
     return Signature(x[:-1], y[:-1], dx, dy, alpha, turning, phi, reversals, reversals, closed, closing)
 

@@ -1,0 +1,176 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What every threshold of the recognition decides: how many verdicts change when it moves.
+
+    python3 benchmarks/thresholds.py [NAME ...] [FILE.jsonl.gz ...]
+
+Each threshold is divided by a thousand, halved, doubled and multiplied by a thousand; shares, cosines and angles move to
+the ends of their range in place of the thousand. The toolpaths are those of toolpaths/synthetic.py and those of the files
+(records as in recognition.py). NAME, as ROWS or ROWS.FARTHER, asks for some thresholds only. Needs numpy only.
+
+Printed for each move: how many of the verdicts change, how many right ones become wrong (-) and wrong ones right (+).
+After a ~ stand the answers that keep their strategy and change in a number or in the confidence.
+"""
+
+from __future__ import annotations
+
+import inspect
+import re
+import sys
+import time
+from dataclasses import fields
+from pathlib import Path
+
+import numpy as np
+
+HERE = Path(__file__).resolve().parent
+sys.path[:0] = [str(HERE.parent), str(HERE)]
+
+from recognition import key, records  # noqa: E402
+
+from vkworkbench.core.paper import thresholds as of_paper  # noqa: E402
+from vkworkbench.core.recognition import thresholds as of_recognition  # noqa: E402
+
+HOMES = (of_paper, of_recognition)
+#: What is measured once and read again where it does not depend on the threshold that moves.
+STEPS = (
+    ("recognize", "monotonous_areas"), ("recognize", "without_repeats"), ("recognize", "paper_verdict"), ("recognize", "Section"),
+    ("section", "cut_pieces"), ("section", "relate_rings"), ("section", "relate_strokes"), ("section", "find_rows"),
+)  # fmt: skip
+
+
+class Watched:
+    """Stands in for one subject of thresholds in every module that reads it."""
+
+    readers: list[set] = []  # who is at work now, the innermost last, and what each has read
+    moved: dict = {}  # values other than those of the subject
+
+    def __init__(self, subject: type) -> None:
+        self.subject = subject
+
+    def __getattr__(self, name: str):
+        threshold = self.subject.__name__, name
+        for reads in self.readers[-1:]:
+            reads.add(threshold)
+        return self.moved.get(threshold, getattr(self.subject, name))
+
+
+class Remembered:
+    """A function that is called again only where a threshold that it read has moved."""
+
+    def __init__(self, function) -> None:
+        self.function = function
+        self.known: dict = {}
+
+    def __call__(self, *arguments, **options):
+        same = tuple(a.tobytes() if isinstance(a, np.ndarray) else a if isinstance(a, (int, float)) else id(a)
+                     for a in (*arguments, *options.values()))  # fmt: skip
+        if same in self.known and not self.known[same][1] & Watched.moved.keys():
+            result, reads, _ = self.known[same]
+        else:
+            Watched.readers.append(set())
+            try:
+                result = self.function(*arguments, **options)
+                for name in ("loops", "phi_range"):  # measured when first asked for: do it now
+                    getattr(result, name, None)
+            finally:
+                reads = Watched.readers.pop()
+            if not Watched.moved:
+                self.known[same] = result, reads, (arguments, options)  # kept alive: they are known by their address
+        if Watched.readers:
+            Watched.readers[-1] |= reads
+        return result
+
+
+def subjects() -> dict[type, dict[str, str]]:
+    """Return the unit of every threshold by subject and name, as the comments tell it."""
+    found = {}
+    for home in HOMES:
+        for _, subject in inspect.getmembers(home, inspect.isclass):
+            text = inspect.getsource(subject)
+            found[subject] = {name: unit for unit, name in re.findall(r"#: ([^.\n]+)\..*\n(?:\s*#: .*\n)*\s*(\w+) = ", text)}
+    return found
+
+
+def watch(found) -> None:
+    """Put the watchers in place of the subjects, and the remembering functions in place of the steps."""
+    watchers = {subject: Watched(subject) for subject in found}
+    for name, module in list(sys.modules.items()):
+        if name.startswith("vkworkbench.core.") and module not in HOMES:
+            for own, value in list(vars(module).items()):
+                if inspect.isclass(value) and value in watchers:
+                    setattr(module, own, watchers[value])
+    for module, name in STEPS:
+        module = sys.modules[f"vkworkbench.core.recognition.{module}"]
+        setattr(module, name, Remembered(getattr(module, name)))
+
+
+def moves(value, unit: str) -> list:
+    """Return the four values a threshold is moved to."""
+    if unit.startswith(("share", "cosine", "support", "confidence", "isoperimetric")):
+        return [0.0, value / 2, min(2 * value, 1.0), 1.0]
+    if unit == "rad":
+        return [0.0, value / 2, min(2 * value, np.pi), np.pi]
+    if isinstance(value, int):
+        return [max(1, round(value * factor)) for factor in (1e-3, 0.5, 2, 1e3)]
+    return [value * factor for factor in (1e-3, 0.5, 2, 1e3)]
+
+
+def answer(path, diameter) -> tuple:
+    """Return the strategy, and all that is told besides."""
+    try:
+        found = sys.modules["vkworkbench.core.recognition.recognize"].recognize(path, tool_diameter=diameter)
+    except Exception as error:  # a threshold at the end of its range may be no sensible number
+        return f"error: {error!r}", ()
+    return str(found.strategy), tuple(repr(getattr(found, f.name)) for f in fields(found) if f.name != "paper")
+
+
+def main(names: list[str], files: list[str]) -> None:
+    began = time.perf_counter()
+    np.seterr(all="ignore")
+    units = subjects()
+    watch(units)
+    known, paths = set(), []
+    for source in ([], files) if files else ([],):
+        for _, _, accepted, diameter, _, path in records(source):
+            if (digest := (key(path), diameter)) not in known:
+                known.add(digest)
+                paths.append((path, diameter, accepted))
+    base, reads = [], []
+    for path, diameter, _ in paths:
+        Watched.readers.append(set())
+        base.append(answer(path, diameter))
+        reads.append(Watched.readers.pop())
+    right = [told in accepted for (told, _), (_, _, accepted) in zip(base, paths)]
+    print(f"{len(paths)} toolpaths, {sum(right)} verdicts right\n")
+    print(f"{'':28s}{'value':>8s}  {'read by':>7s}  {'a thousandth or 0':24s}{'half':24s}{'double':24s}{'a thousand or 1':24s}unit")
+    silent = []
+    for subject, of_subject in units.items():
+        for name, unit in of_subject.items():
+            threshold, value = (subject.__name__, name), getattr(subject, name)
+            if names and not {subject.__name__, f"{subject.__name__}.{name}"} & set(names):
+                continue
+            concerned = [k for k, r in enumerate(reads) if threshold in r]
+            columns, changed = [], 0
+            for moved in moves(value, unit):
+                Watched.moved = {threshold: moved}
+                now = {k: answer(*paths[k][:2]) for k in concerned}
+                Watched.moved = {}
+                other = [k for k in concerned if now[k][0] != base[k][0]]
+                worse = sum(right[k] and now[k][0] not in paths[k][2] for k in other)
+                better = sum(not right[k] and now[k][0] in paths[k][2] for k in other)
+                numbers = sum(now[k] != base[k] for k in concerned) - len(other)
+                columns.append(f"{len(other)} -{worse} +{better} ~{numbers}" if other or numbers else ".")
+                changed += len(other)
+            if not changed:
+                silent.append(".".join(threshold))
+            told = "".join(f"{column:24s}" for column in columns)
+            print(f"{'.'.join(threshold):28s}{value:8.4g}  {len(concerned):7d}  {told}{unit}", flush=True)
+    count = sum(map(len, units.values()))
+    print(f"\n{count} thresholds; these change no verdict wherever they are: {', '.join(silent) or 'none'}")
+    print(f"{time.perf_counter() - began:.0f} s")
+
+
+if __name__ == "__main__":
+    chosen = [a for a in sys.argv[1:] if "jsonl" not in a]
+    main(chosen, [a for a in sys.argv[1:] if "jsonl" in a])
