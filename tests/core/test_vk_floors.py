@@ -1,0 +1,250 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The house stands: who imports whom, read from the imports of every file, those inside functions too.
+
+Nobody imports from a floor above, past a room's face, or in a circle; FreeCAD, Qt and numpy come in only where they
+belong.
+"""
+
+from __future__ import annotations
+
+import ast
+import sys
+from collections.abc import Iterator
+from functools import lru_cache
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).resolve().parents[2]
+PACKAGE = "vkworkbench"
+# The floors, the lowest first. What stands side by side on one is one room.
+FLOORS = (
+    ("friendly",),
+    ("language",),
+    ("core.toolpath", "core.strategy", "core.solids", "core.machining"),
+    ("core.gcode",),
+    ("core.paper",),
+    ("core.recognition",),
+    ("core.zbuffer",),
+    ("core.simulators",),
+    ("core",),
+    ("simulator_names",),
+    ("report",),
+    ("freecad",),
+    ("preferences",),
+    ("document",),
+    ("",),  # the package itself, the names for macros
+    ("gui",),
+)
+# What comes from outside beside the standard library, by the longest name that fits.
+OUTSIDE = {
+    "": set(),
+    "core": {"numpy"},
+    "freecad": {"FreeCAD"},
+    "preferences": {"FreeCAD"},
+    "document": {"numpy", "FreeCAD", "Part", "Path", "PathSimulator"},
+    "gui": {"numpy", "FreeCAD", "FreeCADGui", "matplotlib", "pivy"},
+    "gui.qt": {"PySide"},
+}
+
+
+def read(folder: str) -> dict[str, str]:
+    """The files below a folder by their module's name, e.g. ``"vkworkbench.core.paper.areas"``; a package has its name."""
+    found = {}
+    for path in sorted((ROOT / folder).rglob("*.py")):
+        parts = path.relative_to(ROOT).with_suffix("").parts
+        found[".".join(parts[:-1] if parts[-1] == "__init__" else parts)] = path.read_text(encoding="utf-8")
+    return found
+
+
+@lru_cache(maxsize=None)
+def parsed(code: str) -> ast.Module:
+    return ast.parse(code)
+
+
+def names_of_face(code: str) -> set[str]:
+    """The names that a package offers: what its ``__all__`` lists; none where there is no such list."""
+    for node in parsed(code).body:
+        if isinstance(node, ast.Assign) and getattr(node.targets[0], "id", "") == "__all__":
+            return {element.value for element in node.value.elts}
+    return set()
+
+
+class House:
+    """The package's files, and how an imported name is read."""
+
+    def __init__(self, files: dict[str, str]) -> None:
+        self.files = files
+        packages = {name.rpartition(".")[0] for name in files if "." in name}
+        faces = {name: names_of_face(files[name]) for name in packages if name in files}
+        self.faces = {name: names for name, names in faces.items() if names and name != PACKAGE}
+
+    def imports(self, code: str) -> Iterator[tuple[int, str]]:
+        """Lines and modules that a file imports: a package where the name is one of its face."""
+        for node in ast.walk(parsed(code)):
+            if isinstance(node, ast.Import):
+                yield from ((node.lineno, alias.name) for alias in node.names)
+            elif isinstance(node, ast.ImportFrom):
+                for alias in node.names:
+                    inner = f"{node.module}.{alias.name}"
+                    is_module = inner in self.files and alias.name not in self.faces.get(node.module, ())
+                    yield node.lineno, inner if is_module and not node.level else f"{'.' * node.level}{node.module}"
+
+    def room_of(self, module: str) -> str | None:
+        """The room of a module: the innermost package with a face in which it is; None for one in no such package."""
+        inside = [name for name in self.faces if module.startswith(f"{name}.")]
+        return max(inside, key=len, default=None)
+
+
+def floor_of(module: str) -> int | None:
+    """How high a module of the package stands; None where it stands nowhere."""
+    own = module.removeprefix(PACKAGE).removeprefix(".")
+    fits = [
+        (len(room), height)
+        for height, rooms in enumerate(FLOORS)
+        for room in rooms
+        if own == room or (room and room != "core" and own.startswith(f"{room}."))
+    ]
+    return max(fits)[1] if fits else None
+
+
+def allowed_outside(module: str) -> set[str]:
+    own = module.removeprefix(PACKAGE).removeprefix(".")
+    return OUTSIDE[max((name for name in OUTSIDE if not name or f"{own}.".startswith(f"{name}.")), key=len)]
+
+
+def is_own(module: str) -> bool:
+    return module == PACKAGE or module.startswith(f"{PACKAGE}.")
+
+
+def offences(files: dict[str, str]) -> Iterator[str]:
+    """What is wrong with the imports of the package's files."""
+    house = House(files)
+    graph: dict[str, set[str]] = {}
+    for module, code in files.items():
+        here = floor_of(module)
+        if here is None:
+            yield f"{module}: stands on no floor"
+            continue
+        graph[module] = set()
+        for line, target in house.imports(code):
+            where = f"{module}:{line}"
+            if target.startswith("."):
+                yield f"{where}: a relative import"
+            elif not is_own(target):
+                top = target.partition(".")[0]
+                if top not in sys.stdlib_module_names and top not in allowed_outside(module):
+                    yield f"{where}: {top} does not belong here"
+            else:
+                graph[module].add(target)
+                if (floor_of(target) or 0) > here:
+                    yield f"{where}: {target} stands above"
+                yield from past_face(house, module, where, target)
+    yield from circles(graph)
+
+
+def past_face(house: House, module: str, where: str, target: str) -> Iterator[str]:
+    """Whether a module imports what only the room of the target may import."""
+    room = house.room_of(target)
+    if room is not None and target not in house.faces and not module.startswith(f"{room}."):
+        if module != room:
+            yield f"{where}: {target} is behind the face of {room}"
+
+
+def circles(graph: dict[str, set[str]]) -> Iterator[str]:
+    """Circles of imports, each once."""
+    done: set[str] = set()
+
+    def visit(module: str, way: list[str]) -> Iterator[str]:
+        if module in way:
+            yield "a circle: " + " > ".join([*way[way.index(module) :], module])
+        elif module not in done:
+            for target in sorted(graph.get(module, ())):
+                yield from visit(target, [*way, module])
+            done.add(module)
+
+    for module in sorted(graph):
+        yield from visit(module, [])
+
+
+FILES = read(PACKAGE)
+
+
+def test_no_import_goes_wrong():
+    assert list(offences(FILES)) == []
+
+
+@pytest.mark.parametrize(
+    "module, line, offence",
+    [
+        ("core.paper.areas", "from vkworkbench.core.recognition import recognize", "stands above"),
+        ("core.gcode.arcs", "def f():\n    from vkworkbench.core import recognize", "stands above"),
+        ("language.message", "from vkworkbench import report", "stands above"),
+        ("report", "from vkworkbench.document import marks", "stands above"),
+        ("document.marks", "from vkworkbench.gui.names import strategy_name", "stands above"),
+        ("document.marks", "import vkworkbench", "stands above"),
+        ("core.recognition.rows", "from vkworkbench.core.paper.areas import axis_of", "behind the face"),
+        ("gui.panel", "from vkworkbench.core.solids import Tool", "behind the face of vkworkbench.core"),
+        ("gui.panel", "import vkworkbench.language.message", "behind the face of vkworkbench.language"),
+        ("core.gcode.words", "from vkworkbench.core.gcode.linearize import linearize", "a circle"),
+        ("document.marks", "def f():\n    from vkworkbench.document import marking", "a circle"),
+        ("core.paper.areas", "from .signature import signature", "a relative import"),
+        ("core.solids", "import FreeCAD", "FreeCAD does not belong here"),
+        ("core.solids", "import scipy.spatial", "scipy does not belong here"),
+        ("language.message", "import numpy as np", "numpy does not belong here"),
+        ("report", "import numpy as np", "numpy does not belong here"),
+        ("document.marks", "from PySide import QtCore", "PySide does not belong here"),
+        ("gui.panel", "def f():\n    from PySide import QtCore", "PySide does not belong here"),
+        ("attic", "import os", "stands on no floor"),
+        ("core.attic", "import os", "stands on no floor"),
+    ],
+)
+def test_an_import_that_goes_wrong_is_found(module, line, offence):
+    name = f"{PACKAGE}.{module}"
+    found = list(offences(FILES | {name: FILES.get(name, "") + f"\n{line}\n"}))
+    assert len(found) >= 1 and all(one.startswith((name, "a circle")) for one in found)
+    assert any(offence in one for one in found), found
+
+
+def test_names_for_macros_are_where_they_are_said_to_be():
+    import vkworkbench
+
+    for name, module in vkworkbench._HOMES.items():
+        assert name in {getattr(node, "name", None) for node in parsed(FILES[module]).body}
+
+
+def offences_of_tests(tests: dict[str, str], benchmarks: set[str]) -> Iterator[str]:
+    """Tests import no benchmark, and of a room's own modules only those of the room in whose folder they are."""
+    house = House(FILES)
+    for module, code in tests.items():
+        for line, target in house.imports(code):
+            if target.partition(".")[0] in benchmarks:
+                yield f"{module}:{line}: {target} is a benchmark"
+            elif is_own(target):
+                room = (house.room_of(target) or "").rpartition(".")[2]
+                if room not in module.split("."):
+                    yield from past_face(house, module, f"{module}:{line}", target)
+
+
+BENCHMARKS = {"benchmarks", *(path.stem for path in (ROOT / "benchmarks").glob("*.py"))}
+
+
+def test_tests_import_no_benchmark_and_nothing_past_a_face():
+    assert list(offences_of_tests(read("tests"), BENCHMARKS)) == []
+    line = "def f():\n    import {}\n"
+    for module, offence in (
+        ("recognition", "is a benchmark"),
+        ("benchmarks.loads", "is a benchmark"),
+        ("vkworkbench.core.gcode.words", "behind the face"),
+        ("vkworkbench.core.solids", None),
+        ("vkworkbench.core.paper.areas", None),
+    ):
+        found = list(offences_of_tests({"tests.core.paper.test_vk_x": line.format(module)}, BENCHMARKS))
+        assert [offence in one for one in found] == ([True] if offence else [])
+
+
+def test_benchmarks_import_one_another_in_no_circle():
+    files = read("benchmarks")
+    graph = {name: {f"benchmarks.{target}" for _, target in House({}).imports(code)} for name, code in files.items()}
+    assert list(circles(graph)) == []
+    assert list(circles(graph | {"benchmarks.measuring": {"benchmarks.simulators"}})) != []
