@@ -3,6 +3,7 @@
 
     import vkworkbench
     report = vkworkbench.analyze()     # the active document, a job, or operations; writes nothing
+    report = vkworkbench.analyze("program.nc")     # an NC program, several, or a folder; needs no FreeCAD
     print(report)
     vkworkbench.mark(report)           # into the tree, one undo step
     vkworkbench.clear()
@@ -18,12 +19,44 @@ __version__ = "0.1.0"
 __all__ = ["Cancelled", "Report", "analyze", "clear", "mark"]
 
 _HOMES = {
-    "analyze": "vkworkbench.document.analysis",
-    "Cancelled": "vkworkbench.document.analysis",
+    "Cancelled": "vkworkbench.report",
     "mark": "vkworkbench.document.upkeep",
     "clear": "vkworkbench.document.marking",
     "Report": "vkworkbench.report",
 }
+
+
+def analyze(what=None, *, progress=None, cancelled=None):
+    """Analyse operations of FreeCAD, or NC programs: strategy, lengths and what simulating them costs.
+
+    Parameters
+    ----------
+    what : Document, DocumentObject, path, or iterable of them, optional
+        A document (all its jobs and imported toolpaths), a job, or operations; the active document if None. Or files
+        of NC programs, and folders of them.
+    progress : callable, optional
+        Called before each operation or file with how many are done, how many there are, and its label.
+    cancelled : callable, optional
+        Asked while it goes on; True ends the analysis.
+
+    Returns
+    -------
+    Report
+        One row for each operation; what is wrong with one is in its row and stops no other.
+
+    Raises
+    ------
+    ValueError
+        If `what` is None and no document is open.
+    TypeError
+        If `what` is something else.
+    Cancelled
+        If `cancelled` returned True.
+    """
+    from vkworkbench import program
+
+    home = program if program.is_path(what) else import_module("vkworkbench.document.analysis")
+    return home.analyze(what, progress=progress, cancelled=cancelled)
 
 
 def __getattr__(name: str):

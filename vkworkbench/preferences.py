@@ -8,11 +8,9 @@ registered when FreeCAD starts.
 
 from __future__ import annotations
 
+import sys
 from dataclasses import dataclass, field, fields
 
-import FreeCAD
-
-from vkworkbench.freecad import version
 from vkworkbench.simulator_names import OPENGL, SIMULATORS, ZBUFFER
 
 GROUP = "User parameter:BaseApp/Preferences/Mod/VkWorkbench"
@@ -95,7 +93,11 @@ class Preferences:
 
 
 def read() -> Preferences:
-    """Return the preferences as they are now; the default for a value that cannot be."""
+    """Return the preferences as they are now; the default for a value that cannot be, all of them outside FreeCAD."""
+    if "FreeCAD" not in sys.modules:
+        return Preferences()
+    import FreeCAD
+
     group = FreeCAD.ParamGet(GROUP)
     getters = {bool: group.GetBool, int: group.GetInt, float: group.GetFloat, str: group.GetString}
     values = {}
@@ -108,6 +110,8 @@ def read() -> Preferences:
 
 def write(**values) -> None:
     """Set preferences by their names."""
+    import FreeCAD
+
     group = FreeCAD.ParamGet(GROUP)
     setters = {bool: group.SetBool, int: group.SetInt, float: group.SetFloat, str: group.SetString}
     types = {preference.name: type(preference.default) for preference in fields(Preferences)}
@@ -123,5 +127,7 @@ def entry(name: str) -> str:
 def _possible(value, limits) -> bool:
     if "choices" in limits:
         # The parameters may be those of a newer FreeCAD.
+        from vkworkbench.freecad import version
+
         return value in limits["choices"] and (value != OPENGL or version() >= (1, 0))
     return not limits or limits["least"] <= value <= limits["most"]

@@ -29,6 +29,10 @@ _FORMULA = re.compile(r"[\s\x00-\x1f\ufeff\u200b-\u200f\u2060]*[=+\-@＝＋－�
 _CONTROL = re.compile(r"[\x00-\x1f\x7f-\x9f]+")
 
 
+class Cancelled(Exception):
+    """The analysis was cancelled; nothing has been changed."""
+
+
 @dataclass(frozen=True)
 class OperationReport:
     """What was found about one operation.
@@ -314,8 +318,9 @@ class Report:
         costs = [o.estimate for o in known]
         labels = [o.label for o in known]
         stepover = min((o.recognition.stepover for o in known if o.recognition.stepover), default=None)
+        legacy = [o.legacy for o in known if o.legacy]
         opengl = [o.opengl for o in known if o.opengl]
-        positions = [o.legacy_positions for o in known]
+        positions = [o.legacy_positions for o in known if o.legacy_positions]
         return Total(
             document, job, label,
             operations=len(counted),
@@ -325,10 +330,10 @@ class Report:
             seconds=sum(e.seconds for e in costs),
             memory_bytes=sum(e.memory_bytes for e in costs),
             incomplete=len(known) < sum(o.trajectories > 0 for o in counted),
-            legacy=legacy_together([o.legacy for o in known]) if known else None,
+            legacy=legacy_together(legacy) if legacy else None,
             opengl=opengl_together(opengl) if opengl else None,
             resolution=best_resolution(costs, stepover=stepover, labels=labels, **self.budget) if known else None,
-            accuracy=best_accuracy(positions, stepover=stepover, labels=labels, **self.budget) if known else None,
+            accuracy=best_accuracy(positions, stepover=stepover, labels=labels, **self.budget) if positions else None,
         )  # fmt: skip
 
     def __str__(self) -> str:

@@ -748,6 +748,102 @@
         <source>rows ({rows:%} of the length) and loops ({loops:%}) share the area</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>{what} (line {line:n})</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{what} ({count:n} times, first in line {line:n})</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>lines with a block delete (/) are read as the others</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a subprogram or macro call is not read</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>jumps, loops and calls are not followed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>variables and expressions are not read: the words with them are left out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>lines that are not made of words like G1 X10 are left out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>coordinates that {name} changes are read as if it were not there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a spline ({name}) is read as a line</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>what follows M2 or M30 is read as the same program</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>what follows the program&apos;s end is not read</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a program in the language of {name} controls (line {line:n}): post it as G-code (ISO) to have it read</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no NC program: {part:n} of its {lines:n} lines are not made of words like G1 X10, the first is line {line:n}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no NC program: no line of it moves a tool</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no move of it can be read: {problems}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no NC program: it is not a text</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a program for a lathe ({name}, line {line:n}): milling strategies say nothing about it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a program for a 3D printer ({name}, line {line:n}): milling strategies say nothing about it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a program for a wire cutter ({name}, line {line:n}): milling strategies say nothing about it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a rotary axis turns while the tool cuts (line {line:n}): the way of the tool cannot be told</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{length:mm4} of rapids are not in the time: a program does not say how fast they are</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no tool: the program does not say its diameter, so the cost is not known</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the file cannot be read: {name}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the file is larger than {size:bytes}</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

@@ -748,6 +748,102 @@
         <source>rows ({rows:%} of the length) and loops ({loops:%}) share the area</source>
         <translation>Zeilen ({rows:%} der Länge) und Schleifen ({loops:%}) teilen sich die Fläche</translation>
     </message>
+    <message>
+        <source>{what} (line {line:n})</source>
+        <translation>{what} (Zeile {line:n})</translation>
+    </message>
+    <message>
+        <source>{what} ({count:n} times, first in line {line:n})</source>
+        <translation>{what} ({count:n}-mal, zuerst in Zeile {line:n})</translation>
+    </message>
+    <message>
+        <source>lines with a block delete (/) are read as the others</source>
+        <translation>Zeilen mit Ausblendzeichen (/) werden wie die anderen gelesen</translation>
+    </message>
+    <message>
+        <source>a subprogram or macro call is not read</source>
+        <translation>ein Unterprogramm oder Makroaufruf wird nicht gelesen</translation>
+    </message>
+    <message>
+        <source>jumps, loops and calls are not followed</source>
+        <translation>Sprüngen, Schleifen und Aufrufen wird nicht gefolgt</translation>
+    </message>
+    <message>
+        <source>variables and expressions are not read: the words with them are left out</source>
+        <translation>Variablen und Ausdrücke werden nicht gelesen: die Wörter damit bleiben weg</translation>
+    </message>
+    <message>
+        <source>lines that are not made of words like G1 X10 are left out</source>
+        <translation>Zeilen, die nicht aus Wörtern wie G1 X10 bestehen, bleiben weg</translation>
+    </message>
+    <message>
+        <source>coordinates that {name} changes are read as if it were not there</source>
+        <translation>Koordinaten, die {name} ändert, werden gelesen, als stünde es nicht da</translation>
+    </message>
+    <message>
+        <source>a spline ({name}) is read as a line</source>
+        <translation>ein Spline ({name}) wird als Gerade gelesen</translation>
+    </message>
+    <message>
+        <source>what follows M2 or M30 is read as the same program</source>
+        <translation>was auf M2 oder M30 folgt, wird als dasselbe Programm gelesen</translation>
+    </message>
+    <message>
+        <source>what follows the program&apos;s end is not read</source>
+        <translation>was auf das Programmende folgt, wird nicht gelesen</translation>
+    </message>
+    <message>
+        <source>a program in the language of {name} controls (line {line:n}): post it as G-code (ISO) to have it read</source>
+        <translation>ein Programm in der Sprache von {name}-Steuerungen (Zeile {line:n}): als G-Code (ISO) ausgegeben wird es gelesen</translation>
+    </message>
+    <message>
+        <source>no NC program: {part:n} of its {lines:n} lines are not made of words like G1 X10, the first is line {line:n}</source>
+        <translation>kein NC-Programm: {part:n} seiner {lines:n} Zeilen bestehen nicht aus Wörtern wie G1 X10, die erste ist Zeile {line:n}</translation>
+    </message>
+    <message>
+        <source>no NC program: no line of it moves a tool</source>
+        <translation>kein NC-Programm: keine seiner Zeilen bewegt ein Werkzeug</translation>
+    </message>
+    <message>
+        <source>no move of it can be read: {problems}</source>
+        <translation>keine seiner Bewegungen kann gelesen werden: {problems}</translation>
+    </message>
+    <message>
+        <source>no NC program: it is not a text</source>
+        <translation>kein NC-Programm: es ist kein Text</translation>
+    </message>
+    <message>
+        <source>a program for a lathe ({name}, line {line:n}): milling strategies say nothing about it</source>
+        <translation>ein Programm für eine Drehmaschine ({name}, Zeile {line:n}): Frässtrategien sagen darüber nichts</translation>
+    </message>
+    <message>
+        <source>a program for a 3D printer ({name}, line {line:n}): milling strategies say nothing about it</source>
+        <translation>ein Programm für einen 3D-Drucker ({name}, Zeile {line:n}): Frässtrategien sagen darüber nichts</translation>
+    </message>
+    <message>
+        <source>a program for a wire cutter ({name}, line {line:n}): milling strategies say nothing about it</source>
+        <translation>ein Programm für eine Drahtschneidemaschine ({name}, Zeile {line:n}): Frässtrategien sagen darüber nichts</translation>
+    </message>
+    <message>
+        <source>a rotary axis turns while the tool cuts (line {line:n}): the way of the tool cannot be told</source>
+        <translation>eine Drehachse dreht, während das Werkzeug schneidet (Zeile {line:n}): der Weg des Werkzeugs ist nicht bekannt</translation>
+    </message>
+    <message>
+        <source>{length:mm4} of rapids are not in the time: a program does not say how fast they are</source>
+        <translation>{length:mm4} Eilgang sind nicht in der Zeit: ein Programm sagt nicht, wie schnell er ist</translation>
+    </message>
+    <message>
+        <source>no tool: the program does not say its diameter, so the cost is not known</source>
+        <translation>kein Werkzeug: das Programm nennt seinen Durchmesser nicht, daher ist der Aufwand unbekannt</translation>
+    </message>
+    <message>
+        <source>the file cannot be read: {name}</source>
+        <translation>die Datei kann nicht gelesen werden: {name}</translation>
+    </message>
+    <message>
+        <source>the file is larger than {size:bytes}</source>
+        <translation>die Datei ist größer als {size:bytes}</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

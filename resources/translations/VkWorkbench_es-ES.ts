@@ -748,6 +748,102 @@
         <source>rows ({rows:%} of the length) and loops ({loops:%}) share the area</source>
         <translation>filas ({rows:%} de la longitud) y lazos ({loops:%}) se reparten la superficie</translation>
     </message>
+    <message>
+        <source>{what} (line {line:n})</source>
+        <translation>{what} (línea {line:n})</translation>
+    </message>
+    <message>
+        <source>{what} ({count:n} times, first in line {line:n})</source>
+        <translation>{what} ({count:n} veces, la primera en la línea {line:n})</translation>
+    </message>
+    <message>
+        <source>lines with a block delete (/) are read as the others</source>
+        <translation>las líneas con salto de bloque (/) se leen como las demás</translation>
+    </message>
+    <message>
+        <source>a subprogram or macro call is not read</source>
+        <translation>un subprograma o una llamada a macro no se lee</translation>
+    </message>
+    <message>
+        <source>jumps, loops and calls are not followed</source>
+        <translation>no se siguen saltos, bucles ni llamadas</translation>
+    </message>
+    <message>
+        <source>variables and expressions are not read: the words with them are left out</source>
+        <translation>las variables y expresiones no se leen: se omiten las palabras que las contienen</translation>
+    </message>
+    <message>
+        <source>lines that are not made of words like G1 X10 are left out</source>
+        <translation>se omiten las líneas que no constan de palabras como G1 X10</translation>
+    </message>
+    <message>
+        <source>coordinates that {name} changes are read as if it were not there</source>
+        <translation>las coordenadas que {name} cambia se leen como si no estuviera</translation>
+    </message>
+    <message>
+        <source>a spline ({name}) is read as a line</source>
+        <translation>un spline ({name}) se lee como una recta</translation>
+    </message>
+    <message>
+        <source>what follows M2 or M30 is read as the same program</source>
+        <translation>lo que sigue a M2 o M30 se lee como el mismo programa</translation>
+    </message>
+    <message>
+        <source>what follows the program&apos;s end is not read</source>
+        <translation>lo que sigue al final del programa no se lee</translation>
+    </message>
+    <message>
+        <source>a program in the language of {name} controls (line {line:n}): post it as G-code (ISO) to have it read</source>
+        <translation>un programa en el lenguaje de los controles {name} (línea {line:n}): emítalo como código G (ISO) para que se lea</translation>
+    </message>
+    <message>
+        <source>no NC program: {part:n} of its {lines:n} lines are not made of words like G1 X10, the first is line {line:n}</source>
+        <translation>no es un programa CN: {part:n} de sus {lines:n} líneas no constan de palabras como G1 X10, la primera es la línea {line:n}</translation>
+    </message>
+    <message>
+        <source>no NC program: no line of it moves a tool</source>
+        <translation>no es un programa CN: ninguna línea mueve una herramienta</translation>
+    </message>
+    <message>
+        <source>no move of it can be read: {problems}</source>
+        <translation>no se puede leer ninguno de sus movimientos: {problems}</translation>
+    </message>
+    <message>
+        <source>no NC program: it is not a text</source>
+        <translation>no es un programa CN: no es un texto</translation>
+    </message>
+    <message>
+        <source>a program for a lathe ({name}, line {line:n}): milling strategies say nothing about it</source>
+        <translation>un programa para un torno ({name}, línea {line:n}): las estrategias de fresado no dicen nada de él</translation>
+    </message>
+    <message>
+        <source>a program for a 3D printer ({name}, line {line:n}): milling strategies say nothing about it</source>
+        <translation>un programa para una impresora 3D ({name}, línea {line:n}): las estrategias de fresado no dicen nada de él</translation>
+    </message>
+    <message>
+        <source>a program for a wire cutter ({name}, line {line:n}): milling strategies say nothing about it</source>
+        <translation>un programa para una cortadora de hilo ({name}, línea {line:n}): las estrategias de fresado no dicen nada de él</translation>
+    </message>
+    <message>
+        <source>a rotary axis turns while the tool cuts (line {line:n}): the way of the tool cannot be told</source>
+        <translation>un eje rotativo gira mientras la herramienta corta (línea {line:n}): no se conoce el recorrido de la herramienta</translation>
+    </message>
+    <message>
+        <source>{length:mm4} of rapids are not in the time: a program does not say how fast they are</source>
+        <translation>{length:mm4} de rápidos no están en el tiempo: un programa no dice su velocidad</translation>
+    </message>
+    <message>
+        <source>no tool: the program does not say its diameter, so the cost is not known</source>
+        <translation>sin herramienta: el programa no dice su diámetro, así que el coste se desconoce</translation>
+    </message>
+    <message>
+        <source>the file cannot be read: {name}</source>
+        <translation>no se puede leer el archivo: {name}</translation>
+    </message>
+    <message>
+        <source>the file is larger than {size:bytes}</source>
+        <translation>el archivo supera {size:bytes}</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

@@ -748,6 +748,102 @@
         <source>rows ({rows:%} of the length) and loops ({loops:%}) share the area</source>
         <translation>des lignes ({rows:%} de la longueur) et des boucles ({loops:%}) se partagent la surface</translation>
     </message>
+    <message>
+        <source>{what} (line {line:n})</source>
+        <translation>{what} (ligne {line:n})</translation>
+    </message>
+    <message>
+        <source>{what} ({count:n} times, first in line {line:n})</source>
+        <translation>{what} ({count:n} fois, d’abord à la ligne {line:n})</translation>
+    </message>
+    <message>
+        <source>lines with a block delete (/) are read as the others</source>
+        <translation>les lignes avec saut de bloc (/) sont lues comme les autres</translation>
+    </message>
+    <message>
+        <source>a subprogram or macro call is not read</source>
+        <translation>un sous-programme ou appel de macro n’est pas lu</translation>
+    </message>
+    <message>
+        <source>jumps, loops and calls are not followed</source>
+        <translation>les sauts, boucles et appels ne sont pas suivis</translation>
+    </message>
+    <message>
+        <source>variables and expressions are not read: the words with them are left out</source>
+        <translation>les variables et expressions ne sont pas lues : leurs mots sont omis</translation>
+    </message>
+    <message>
+        <source>lines that are not made of words like G1 X10 are left out</source>
+        <translation>les lignes qui ne sont pas faites de mots comme G1 X10 sont omises</translation>
+    </message>
+    <message>
+        <source>coordinates that {name} changes are read as if it were not there</source>
+        <translation>les coordonnées que {name} modifie sont lues comme s’il n’était pas là</translation>
+    </message>
+    <message>
+        <source>a spline ({name}) is read as a line</source>
+        <translation>une spline ({name}) est lue comme une droite</translation>
+    </message>
+    <message>
+        <source>what follows M2 or M30 is read as the same program</source>
+        <translation>ce qui suit M2 ou M30 est lu comme le même programme</translation>
+    </message>
+    <message>
+        <source>what follows the program&apos;s end is not read</source>
+        <translation>ce qui suit la fin du programme n’est pas lu</translation>
+    </message>
+    <message>
+        <source>a program in the language of {name} controls (line {line:n}): post it as G-code (ISO) to have it read</source>
+        <translation>un programme dans le langage des commandes {name} (ligne {line:n}) : sorti en code G (ISO), il sera lu</translation>
+    </message>
+    <message>
+        <source>no NC program: {part:n} of its {lines:n} lines are not made of words like G1 X10, the first is line {line:n}</source>
+        <translation>pas un programme CN : {part:n} de ses {lines:n} lignes ne sont pas faites de mots comme G1 X10, la première est la ligne {line:n}</translation>
+    </message>
+    <message>
+        <source>no NC program: no line of it moves a tool</source>
+        <translation>pas un programme CN : aucune ligne ne déplace un outil</translation>
+    </message>
+    <message>
+        <source>no move of it can be read: {problems}</source>
+        <translation>aucun de ses mouvements ne peut être lu : {problems}</translation>
+    </message>
+    <message>
+        <source>no NC program: it is not a text</source>
+        <translation>pas un programme CN : ce n’est pas un texte</translation>
+    </message>
+    <message>
+        <source>a program for a lathe ({name}, line {line:n}): milling strategies say nothing about it</source>
+        <translation>un programme pour un tour ({name}, ligne {line:n}) : les stratégies de fraisage n’en disent rien</translation>
+    </message>
+    <message>
+        <source>a program for a 3D printer ({name}, line {line:n}): milling strategies say nothing about it</source>
+        <translation>un programme pour une imprimante 3D ({name}, ligne {line:n}) : les stratégies de fraisage n’en disent rien</translation>
+    </message>
+    <message>
+        <source>a program for a wire cutter ({name}, line {line:n}): milling strategies say nothing about it</source>
+        <translation>un programme pour une découpe au fil ({name}, ligne {line:n}) : les stratégies de fraisage n’en disent rien</translation>
+    </message>
+    <message>
+        <source>a rotary axis turns while the tool cuts (line {line:n}): the way of the tool cannot be told</source>
+        <translation>un axe rotatif tourne pendant la coupe (ligne {line:n}) : le chemin de l’outil n’est pas connu</translation>
+    </message>
+    <message>
+        <source>{length:mm4} of rapids are not in the time: a program does not say how fast they are</source>
+        <translation>{length:mm4} de rapides ne sont pas dans le temps : un programme n’en dit pas la vitesse</translation>
+    </message>
+    <message>
+        <source>no tool: the program does not say its diameter, so the cost is not known</source>
+        <translation>pas d’outil : le programme n’en dit pas le diamètre, donc le coût est inconnu</translation>
+    </message>
+    <message>
+        <source>the file cannot be read: {name}</source>
+        <translation>le fichier ne peut pas être lu : {name}</translation>
+    </message>
+    <message>
+        <source>the file is larger than {size:bytes}</source>
+        <translation>le fichier dépasse {size:bytes}</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

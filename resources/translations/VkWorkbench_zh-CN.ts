@@ -748,6 +748,102 @@
         <source>rows ({rows:%} of the length) and loops ({loops:%}) share the area</source>
         <translation>行（占长度 {rows:%}）与环（{loops:%}）共享区域</translation>
     </message>
+    <message>
+        <source>{what} (line {line:n})</source>
+        <translation>{what}（第 {line:n} 行）</translation>
+    </message>
+    <message>
+        <source>{what} ({count:n} times, first in line {line:n})</source>
+        <translation>{what}（{count:n} 次，首次在第 {line:n} 行）</translation>
+    </message>
+    <message>
+        <source>lines with a block delete (/) are read as the others</source>
+        <translation>带跳段符（/）的行按普通行读取</translation>
+    </message>
+    <message>
+        <source>a subprogram or macro call is not read</source>
+        <translation>子程序或宏调用未读取</translation>
+    </message>
+    <message>
+        <source>jumps, loops and calls are not followed</source>
+        <translation>不跟随跳转、循环和调用</translation>
+    </message>
+    <message>
+        <source>variables and expressions are not read: the words with them are left out</source>
+        <translation>变量和表达式不读取：含有它们的字被略去</translation>
+    </message>
+    <message>
+        <source>lines that are not made of words like G1 X10 are left out</source>
+        <translation>不是由 G1 X10 这类字组成的行被略去</translation>
+    </message>
+    <message>
+        <source>coordinates that {name} changes are read as if it were not there</source>
+        <translation>{name} 改变的坐标按没有它来读取</translation>
+    </message>
+    <message>
+        <source>a spline ({name}) is read as a line</source>
+        <translation>样条（{name}）按直线读取</translation>
+    </message>
+    <message>
+        <source>what follows M2 or M30 is read as the same program</source>
+        <translation>M2 或 M30 之后的内容按同一程序读取</translation>
+    </message>
+    <message>
+        <source>what follows the program&apos;s end is not read</source>
+        <translation>程序结束之后的内容不读取</translation>
+    </message>
+    <message>
+        <source>a program in the language of {name} controls (line {line:n}): post it as G-code (ISO) to have it read</source>
+        <translation>{name} 控制系统语言的程序（第 {line:n} 行）：请以 G 代码（ISO）输出后再读取</translation>
+    </message>
+    <message>
+        <source>no NC program: {part:n} of its {lines:n} lines are not made of words like G1 X10, the first is line {line:n}</source>
+        <translation>不是 NC 程序：{lines:n} 行中有 {part:n} 行不是由 G1 X10 这类字组成，第一处是第 {line:n} 行</translation>
+    </message>
+    <message>
+        <source>no NC program: no line of it moves a tool</source>
+        <translation>不是 NC 程序：没有一行移动刀具</translation>
+    </message>
+    <message>
+        <source>no move of it can be read: {problems}</source>
+        <translation>其中没有可读取的运动：{problems}</translation>
+    </message>
+    <message>
+        <source>no NC program: it is not a text</source>
+        <translation>不是 NC 程序：它不是文本</translation>
+    </message>
+    <message>
+        <source>a program for a lathe ({name}, line {line:n}): milling strategies say nothing about it</source>
+        <translation>车床程序（{name}，第 {line:n} 行）：铣削策略对它不适用</translation>
+    </message>
+    <message>
+        <source>a program for a 3D printer ({name}, line {line:n}): milling strategies say nothing about it</source>
+        <translation>3D 打印机程序（{name}，第 {line:n} 行）：铣削策略对它不适用</translation>
+    </message>
+    <message>
+        <source>a program for a wire cutter ({name}, line {line:n}): milling strategies say nothing about it</source>
+        <translation>线切割程序（{name}，第 {line:n} 行）：铣削策略对它不适用</translation>
+    </message>
+    <message>
+        <source>a rotary axis turns while the tool cuts (line {line:n}): the way of the tool cannot be told</source>
+        <translation>切削时旋转轴在转动（第 {line:n} 行）：无法得知刀具的路径</translation>
+    </message>
+    <message>
+        <source>{length:mm4} of rapids are not in the time: a program does not say how fast they are</source>
+        <translation>{length:mm4} 的快速移动未计入时间：程序未说明其速度</translation>
+    </message>
+    <message>
+        <source>no tool: the program does not say its diameter, so the cost is not known</source>
+        <translation>没有刀具：程序未说明其直径，因此代价未知</translation>
+    </message>
+    <message>
+        <source>the file cannot be read: {name}</source>
+        <translation>无法读取文件：{name}</translation>
+    </message>
+    <message>
+        <source>the file is larger than {size:bytes}</source>
+        <translation>文件大于 {size:bytes}</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

@@ -32,6 +32,7 @@ FLOORS = (
     ("report",),
     ("freecad",),
     ("preferences",),
+    ("program",),
     ("document",),
     ("",),  # the package itself, the names for macros
     ("gui",),
@@ -42,6 +43,7 @@ OUTSIDE = {
     "core": {"numpy"},
     "freecad": {"FreeCAD"},
     "preferences": {"FreeCAD"},
+    "program": {"numpy", "distributed"},
     "document": {"numpy", "FreeCAD", "Part", "Path", "PathSimulator"},
     "gui": {"numpy", "FreeCAD", "FreeCADGui", "matplotlib", "pivy"},
     "gui.qt": {"PySide"},

@@ -103,7 +103,9 @@ def test_what_can_be_analyzed(small, zigzag_commands):
     with pytest.raises(TypeError, match="document, a job or operations"):
         vkworkbench.analyze(7)
     with pytest.raises(TypeError, match="not str"):
-        vkworkbench.analyze("Job")
+        vkworkbench.analyze([second, "Job"])
+    (missing,) = vkworkbench.analyze("Job").operations  # a name is that of a file
+    assert missing.error == "the file cannot be read: No such file or directory"
 
 
 def test_no_document(small):

@@ -9,7 +9,7 @@ from vkworkbench.core.machining import Machining, exact_lengths, machining
 from vkworkbench.core.paper import Signature, signature
 from vkworkbench.core.recognition import Recognition, Span, recognize
 from vkworkbench.core.simulators import Accuracy, best_accuracy
-from vkworkbench.core.solids import ConvexStock, Stock, Tool, View
+from vkworkbench.core.solids import ConvexStock, Stock, Tool, View, stock_around
 from vkworkbench.core.strategy import Family, Strategy
 from vkworkbench.core.toolpath import Problem, Toolpath
 from vkworkbench.core.zbuffer import (
@@ -27,5 +27,5 @@ __all__ = [
     "Accuracy", "ConvexStock", "Estimate", "Family", "Machining", "Problem", "Recognition", "Resolution", "Signature",
     "Span", "Speed", "Stock", "Strategy", "Tool", "Toolpath", "View", "ZBuffer", "best_accuracy",
     "best_resolution", "estimate", "exact_lengths", "linearize", "machining", "measure_speed", "recognize", "signature",
-    "simulate",
+    "simulate", "stock_around",
 ]  # fmt: skip

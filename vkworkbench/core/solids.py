@@ -9,6 +9,7 @@ from math import isfinite, pi, tan
 
 import numpy as np
 
+from vkworkbench.core.toolpath import Toolpath
 from vkworkbench.language import Message, Unusable
 
 SHAPES = ("endmill", "ballend", "bullnose", "vbit", "drill")
@@ -320,3 +321,12 @@ class Frame:
         x = (np.asarray(columns) + 0.5 - self.width / 2) * self.pixel
         y = (np.asarray(rows) + 0.5 - self.height / 2) * self.pixel
         return x, y
+
+
+def stock_around(toolpath: Toolpath, tool: Tool) -> Stock:
+    """Return a box around what a tool cuts, to the highest cut: a stand-in where there is no stock."""
+    cuts = ~toolpath.rapid
+    points = np.concatenate((toolpath.points[:-1][cuts], toolpath.points[1:][cuts]))
+    lower, upper = points.min(axis=0) - tool.radius, points.max(axis=0) + tool.radius
+    upper[2] = max(upper[2] - tool.radius, lower[2] + tool.diameter)
+    return Stock(lower, upper)

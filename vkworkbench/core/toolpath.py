@@ -92,6 +92,19 @@ class Toolpath:
         """Return the number of trajectories."""
         return len(self.rapid)
 
+    def part(self, first: int, end: int) -> Toolpath:
+        """Return the trajectories first .. end - 1, with the tool changes and comments between them and no problems."""
+        inside = (self.tool_changes > first) & (self.tool_changes < end)
+        return Toolpath(
+            self.points[first : end + 1], *(
+                column[first:end]
+                for column in (self.rapid, self.command, self.feed, self.sweep, self.plane, self.cycle)
+            ),
+            commands=self.commands,
+            tool_changes=self.tool_changes[inside] - first,
+            comments=tuple((at - first, text) for at, text in self.comments if first < at < end),
+        )  # fmt: skip
+
     @property
     def lengths(self) -> np.ndarray:
         """Chord length of every trajectory, (n,) mm."""

@@ -13,7 +13,7 @@ from dataclasses import dataclass, replace
 import FreeCAD
 
 from vkworkbench import freecad, preferences
-from vkworkbench.core import Speed, Stock, Strategy, Tool, estimate, linearize, machining, recognize
+from vkworkbench.core import Speed, Stock, Strategy, Tool, estimate, linearize, machining, recognize, stock_around
 from vkworkbench.core.simulators import (
     SLIDER,
     Constants,
@@ -30,16 +30,12 @@ from vkworkbench.core.zbuffer import best_resolution
 from vkworkbench.document import calibration
 from vkworkbench.document.fingerprint import commands_fingerprint, setting_fingerprint
 from vkworkbench.document.operations import Operation, find
-from vkworkbench.document.setting import placed, rapid_feeds, read_stock, read_tool, stock_around
+from vkworkbench.document.setting import placed, rapid_feeds, read_stock, read_tool
 from vkworkbench.language import Message, Unusable
 from vkworkbench.preferences import Preferences
-from vkworkbench.report import OperationReport, Report
+from vkworkbench.report import Cancelled, OperationReport, Report
 
 _PATIENCE = 0.05  # s between two questions whether to go on
-
-
-class Cancelled(Exception):
-    """The analysis was cancelled; nothing has been changed."""
 
 
 def analyze(

@@ -80,15 +80,6 @@ def read_stock(job) -> Stock:
         raise Unusable(Message("of", label=job.Label, sentence=error.what)) from None
 
 
-def stock_around(toolpath: Toolpath, tool: Tool) -> Stock:
-    """Return a box around what a tool cuts, to the highest cut: a stand-in where there is no stock."""
-    cuts = ~toolpath.rapid
-    points = np.concatenate((toolpath.points[:-1][cuts], toolpath.points[1:][cuts]))
-    lower, upper = points.min(axis=0) - tool.radius, points.max(axis=0) + tool.radius
-    upper[2] = max(upper[2] - tool.radius, lower[2] + tool.diameter)
-    return Stock(lower, upper)
-
-
 def rapid_feeds(operation) -> tuple[float, float]:
     """Return the horizontal and vertical rapid speed of an operation's tool controller, mm/s; 0 if unset."""
     controller = through_bases(operation, freecad.CONTROLLER)

@@ -4,9 +4,14 @@
 In: commands, as ``(name, parameters)`` pairs or FreeCAD's objects, in mm and mm/s.
 Out: `Toolpath`, straight trajectories with their source commands, and the problems met on the way.
 `Words` is the same commands as columns, for who needs a word that no trajectory tells.
+The text of an NC program becomes such commands by `read_program`; `split_sections` tells its operations and their tools.
 """
 
+from vkworkbench.core.gcode.dialects import at_line
 from vkworkbench.core.gcode.linearize import MOST_TRAJECTORIES, linearize
+from vkworkbench.core.gcode.program import Program
+from vkworkbench.core.gcode.reader import read_program
+from vkworkbench.core.gcode.sections import Section, split_sections
 from vkworkbench.core.gcode.words import Words
 
-__all__ = ["MOST_TRAJECTORIES", "Words", "linearize"]
+__all__ = ["MOST_TRAJECTORIES", "Program", "Section", "Words", "at_line", "linearize", "read_program", "split_sections"]

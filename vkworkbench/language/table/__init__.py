@@ -6,7 +6,8 @@ A template is one text, or two, for one and for more, where the message counts s
 
 from vkworkbench.language.table.commands import COMMANDS
 from vkworkbench.language.table.operations import OPERATIONS
+from vkworkbench.language.table.programs import PROGRAMS
 from vkworkbench.language.table.recognition import RECOGNITION
 from vkworkbench.language.table.simulators import SIMULATORS
 
-TABLE: dict[str, str | tuple[str, str]] = {**COMMANDS, **OPERATIONS, **RECOGNITION, **SIMULATORS}
+TABLE: dict[str, str | tuple[str, str]] = {**COMMANDS, **OPERATIONS, **PROGRAMS, **RECOGNITION, **SIMULATORS}

@@ -1,0 +1,127 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The operations of an NC program: titles, tool changes, and what comments say of the tools."""
+
+import math
+
+import pytest
+
+from vkworkbench.core.gcode.reader import read_program
+from vkworkbench.core.gcode.sections import split_sections, title_of
+from vkworkbench.core.gcode.tool_table import tool_told
+
+CUT = "G0 X0 Y0 Z5\nG1 Z-1 F100\nX10\nG0 Z5\n"
+
+
+def sections(text):
+    return [(s.title, s.number, s.tool and s.tool.diameter) for s in split_sections(read_program(text))]
+
+
+@pytest.mark.parametrize(
+    ("comment", "number", "shape", "diameter"),
+    [
+        ("T1 D=6.35 CR=0. - ZMIN=-3. - flat end mill", 1, "endmill", 6.35),
+        ("T12  D=8. CR=4. - ZMIN=-3. - ball end mill", 12, "ballend", 8),
+        ("T3 D=10 CR=1.5 - ZMIN=0 - bullnose end mill", 3, "bullnose", 10),
+        ("T4 D=12 CR=0 TAPER=45deg - ZMIN=-1 - chamfer mill", 4, "vbit", 12),
+        ("T7 D=5 CR=0. TAPER=118deg - ZMIN=-13. - drill", 7, "drill", 5),
+        ("T5 D=3.175 CR=0 - ZMIN=-4.3 - Schaftfräser", 5, "endmill", 3.175),
+        ("T6 : 6.0", 6, "endmill", 6),
+        ("TOOL/MILL,6.0,3.0,20.0,0", None, "ballend", 6),
+        ("TOOL/DRILL,4.0,118.0,20.0", None, "drill", 4),
+        ("Tool: End Mill {0.25 inch}", None, "endmill", 6.35),
+        ("Tool: End Mill (6 mm)", None, "endmill", 6),
+        ("End mill 1/8\"", None, "endmill", 3.175),
+        ("1 1/4 FACE MILL", None, "endmill", 31.75),
+        ("Fräser 3mm", None, "endmill", 3),
+        ("6MM CRB 2FL 19 LOC", None, "endmill", 6),
+        ("T4 | 3/8 FLAT ENDMILL | H4", 4, "endmill", 9.525),
+        ("T01 = 1/2\"  END MILL    03-0086", 1, "endmill", 12.7),
+        ("TOOL - 239 DIA. OFF. - 239 LEN. - 239 DIA. - .5", 239, "endmill", 0.5),
+        ("T1    CENTR3           DIA.- 3.", 1, "endmill", 3),
+        ("Tool: D = 3.0 mm  type END flutes 2", None, "endmill", 3),
+        ("TC: 5mm_Endmill001", None, "endmill", 5),
+        ("Change tool: HSS 2-Flute Endmill, 2mm", None, "endmill", 2),
+        ("T02 ID=002  DIA-0.5000    1/2 ENDMILL", 2, "endmill", 12.7),
+        ("Tool Diameter: 3,175", None, "endmill", 3.175),
+    ],
+)  # fmt: skip
+def test_tools_as_cam_systems_write_them(comment, number, shape, diameter):
+    told = tool_told(comment, inches=False)
+    assert (told.number, told.tool.shape) == (number, shape)
+    assert told.tool.diameter == pytest.approx(diameter)
+
+
+def test_what_else_is_told_of_a_tool():
+    assert tool_told("T3 D=.5 CR=.06 - bullnose end mill", inches=True).tool.corner_radius == pytest.approx(1.524)
+    assert tool_told("T3 D=.5 - flat end mill", inches=True).tool.diameter == pytest.approx(12.7)
+    assert tool_told("T3 D=12mm - flat end mill", inches=True).tool.diameter == 12
+    assert tool_told("T4 D=12 TAPER=45deg - chamfer mill", inches=False).tool.tip_angle == pytest.approx(math.pi / 2)
+    assert tool_told("T7 D=5 TAPER=118deg - drill", inches=False).tool.tip_angle == pytest.approx(math.radians(118))
+    assert tool_told("V-Bit 60° 12mm", inches=False).tool.tip_angle == pytest.approx(math.pi / 3)
+
+
+@pytest.mark.parametrize(
+    "comment",
+    ["2D Pocket3", "T1", "MANUAL TOOL CHANGE TO T5", "tool change at 0.0 0.0 17.0", "Drill 4 holes", "D=5", "",
+     "Tool length 30 mm", "stock 20 mm x 30 mm", "T2 D=0 - flat end mill", "T2 D=9999 - end mill",
+     "Feed 500 mm/min", "a story of more than sixty characters about an end mill and a 20 mm plate"],
+)  # fmt: skip
+def test_comments_that_tell_no_tool(comment):
+    assert tool_told(comment, inches=False) is None
+
+
+@pytest.mark.parametrize(
+    ("comment", "title"),
+    [
+        ("2D Contour1", "2D Contour1"), ("Pocket: Layer 6", "Pocket: Layer 6"), ("begin operation: Face", "Face"),
+        ("No. 3: Part 3", "Part 3"), ("Type:         Engrave", "Engrave"), ("*** SURFACE ***", "SURFACE"),
+        ("Taschenfräsen außen", "Taschenfräsen außen"), ("Контур 2", "Контур 2"),
+        ("finish operation: Face", ""), ("Plunge rate: 127", ""), ("Layer 3 of 12", ""), ("Path 7", ""),
+        ("MOVEMENT_LEAD_IN", ""), ("retract", ""), ("Machine", ""), ("1001", ""), ("Z=-1.5", ""), ("", ""),
+        ("Exported by FreeCAD", ""), ("Output Time:2020-01-01 12:30", ""), ("M6 T1", ""), ("-----", ""),
+    ],
+)  # fmt: skip
+def test_titles_and_remarks(comment, title):
+    assert title_of(comment) == title
+
+
+def test_titles_and_tool_changes_part_a_program():
+    text = (
+        "%\nO1000 (BRACKET)\n(T1 D=6 CR=0. - ZMIN=-3. - flat end mill)\n(T2 D=3 CR=0. - ZMIN=-3. - ball end mill)\nG21\n"
+        f"(Face1)\nT1 M6\n{CUT}(Pocket2)\n{CUT}T2 M6\n{CUT}(Pocket3)\n{CUT}M30\n%"
+    )
+    program = read_program(text)
+    found = split_sections(program)
+    assert [(s.title, s.number, s.tool.diameter, s.tool.shape) for s in found] == [
+        ("Face1", 1, 6, "endmill"), ("Pocket2", 1, 6, "endmill"), ("", 2, 3, "ballend"), ("Pocket3", 2, 3, "ballend"),
+    ]  # fmt: skip
+    assert [(s.first, s.last) for s in found] == [(2, 11), (12, 16), (17, 21), (22, 26)]
+
+
+def test_a_title_before_and_behind_its_tool_change_is_the_same_operation():
+    assert sections(f"(Slot)\nT1 M6\n{CUT}T2 M6\n(Hole)\n{CUT}") == [("Slot", 1, None), ("Hole", 2, None)]
+
+
+def test_tools_told_without_a_number():
+    assert sections(f"T1 M6 (End mill 6mm)\n{CUT}T1 M6 (End mill 3mm)\n{CUT}") == [
+        ("End mill 6mm", 1, 6), ("End mill 3mm", 1, 3)
+    ]  # fmt: skip
+    assert sections(f"(Tool: D = 3.0 mm type END)\n{CUT}") == [("Tool: D = 3.0 mm type END", None, 3)]
+    assert sections(f"(T6 D=4 - end mill)\n(Face)\n{CUT}") == [("Face", None, 4)]
+
+
+def test_remarks_and_passes_part_nothing():
+    passes = "".join(f"(Pass {k})\n{CUT}(level {k} of 60)\n{CUT}" for k in range(60))
+    assert len(sections(f"(Pocket)\n{passes}")) == 1
+    numbered = "".join(f"(Strich {k})\n{CUT}" for k in range(60))
+    assert len(sections(numbered)) == 1
+
+
+def test_the_same_name_again_is_another_operation_where_it_is_numbered():
+    text = "".join(f";Operation: {k}\n;Type: Pocket\n{CUT}" for k in range(3))
+    assert [title for title, _, _ in sections(text)] == ["Pocket"] * 3
+    assert len(sections(f"(Pocket)\n{CUT}(Pocket)\n{CUT}")) == 1
+
+
+def test_a_program_without_comments_is_one_operation():
+    assert sections(CUT) == [("", None, None)]

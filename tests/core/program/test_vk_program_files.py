@@ -1,0 +1,158 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Files and folders of NC programs, and the report on them, without FreeCAD."""
+
+import csv
+import gzip
+import json
+import lzma
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+import vkworkbench
+from vkworkbench.language import Unusable
+from vkworkbench.program import is_path
+from vkworkbench.program.files import find_programs, read_bytes, text_of
+
+ROWS = "".join(f"G1 X{40 * (k % 2)}\nY{k + 1}\n" for k in range(20))
+PROGRAM = (
+    "%\nO1000 (BRACKET)\n(T1 D=6. CR=0. - ZMIN=-1. - flat end mill)\nG21 G90\n(Face)\nT1 M6\n"
+    f"G0 X0 Y0 Z5\nG1 Z-1 F600\n{ROWS}G0 Z5\n(Holes)\nT2 M6\nG81 X5 Y5 Z-4 R2 F100\nX15\nX25\nX35\nX45\nG80\nM30\n%\n"
+)
+
+
+@pytest.mark.parametrize(
+    ("data", "text"),
+    [
+        ("Fräsen".encode(), "Fräsen"),
+        ("Fräsen G1".encode("cp1252"), "Fräsen G1"),
+        ("Контур".encode("cp1251"), "Контур"),
+        ("Контур".encode(), "Контур"),
+        ("G1 X1 (ü)".encode("utf-16"), "G1 X1 (ü)"),
+        (b"\xfe\xff" + "G1 X1".encode("utf-16-be"), "G1 X1"),
+        (b"\xef\xbb\xbfG1", "G1"),
+        (b"\0\0\0\0%\r\nG1\r\n%\r\n\x1a", "%\r\nG1\r\n%\r\n"),
+    ],
+)
+def test_encodings(data, text):
+    assert text_of(data) == text
+
+
+@pytest.mark.parametrize("data", [b"\x7fELF\x02\0\0\0G1 X1", bytes(range(256)) * 4, b"\x89PNG\r\n\x1a\n\0\0\0\rIHDR"])
+def test_no_text(data):
+    with pytest.raises(Unusable, match="it is not a text"):
+        text_of(data)
+
+
+def test_packed_files(tmp_path):
+    for name, module in (("a.nc.gz", gzip), ("a.nc.xz", lzma)):
+        path = tmp_path / name
+        path.write_bytes(module.compress(b"G1 X1"))
+        assert read_bytes(path) == b"G1 X1"
+        path.write_bytes(b"not packed")
+        with pytest.raises(Unusable, match="cannot be read"):
+            read_bytes(path)
+
+
+def test_folders_and_files(tmp_path):
+    for name in ("b.nc", "a.NGC", "c.txt", "d.tap.xz", "sub/e.gcode", ".git/f.nc", "g.nc.txt"):
+        path = tmp_path / name
+        path.parent.mkdir(exist_ok=True)
+        path.write_text("G1 X1")
+    found = [str(path.relative_to(tmp_path)) for path in find_programs([tmp_path, tmp_path / "c.txt", tmp_path / "b.nc"])]
+    assert found == ["a.NGC", "b.nc", "d.tap.xz", "sub/e.gcode", "c.txt"]
+
+
+def test_what_names_files():
+    assert is_path("a.nc") and is_path(Path("a")) and is_path(["a", Path("b")])
+    assert not is_path(None) and not is_path([]) and not is_path([object()]) and not is_path(object())
+
+
+def test_one_row_for_each_operation(tmp_path):
+    path = tmp_path / "bracket.nc"
+    path.write_text(PROGRAM)
+    asked = []
+    report = vkworkbench.analyze(str(path), progress=lambda *step: asked.append(step), cancelled=lambda: False)
+    assert asked == [(0, 1, "bracket.nc")]
+    face, holes = report.operations
+    assert (face.label, face.name, str(face.strategy)) == ("Face", "lines 2-49", "zigzag")
+    assert (holes.label, holes.name, str(holes.strategy)) == ("Holes", "lines 50-57", "drilling")
+    assert (face.document, face.job, face.counted) == (str(path), "bracket.nc", True)
+    assert (face.spans[0].first_command, face.spans[0].last_command) == (8, 48)
+    assert face.estimate.traces > 0 and face.resolution is not None and face.error is None
+    assert holes.estimate is None and holes.error.startswith("no tool: the program does not say its diameter")
+    assert face.length == pytest.approx(6 + 20 + 19 * 40)
+    assert face.machining.seconds == pytest.approx(face.length / 10)
+    assert face.machining.notes == ("6 mm of rapids are not in the time: a program does not say how fast they are",)
+    (total,) = report.totals
+    assert (total.operations, total.label, total.incomplete) == (2, "bracket.nc", True)
+    assert "Face" in str(report) and "bracket.nc: 2 operations" in str(report)
+
+
+def test_inches_and_millimetres_are_one_part(tmp_path):
+    found = []
+    for name, unit, scale in (("mm.nc", "G21", 25.4), ("inch.nc", "G20", 1.0)):
+        rows = "".join(f"G1 X{scale * 2 * (k % 2)}\nY{scale * 0.1 * (k + 1)}\n" for k in range(12))
+        path = tmp_path / name
+        path.write_text(f"{unit}\n(T1 D={scale * 0.25} - end mill)\nT1 M6\nG0 X0 Y0 Z{scale}\nG1 Z{-scale} F{scale * 20}\n{rows}")
+        (row,) = vkworkbench.analyze(path).operations
+        found.append((row.strategy, round(row.length, 6), round(row.machining.seconds, 6), row.estimate.traces, row.confidence))
+    assert found[0] == found[1]
+
+
+def test_what_cannot_be_read_costs_only_itself(tmp_path):
+    (tmp_path / "a.nc").write_bytes(b"\0\1\2binary")
+    (tmp_path / "b.nc").write_text(PROGRAM)
+    (tmp_path / "c.nc").write_text("1 L X+10 Y+5 R0 FMAX M3\n")
+    (tmp_path / "d.nc").write_text("G0 X0\nG0 X1\n")
+    report = vkworkbench.analyze([tmp_path, tmp_path / "missing.nc"])
+    errors = {Path(row.document).name: row.error for row in report.operations if not row.counted}
+    assert errors == {
+        "a.nc": "no NC program: it is not a text",
+        "c.nc": "a program in the language of Heidenhain controls (line 1): post it as G-code (ISO) to have it read",
+        "d.nc": "no cutting move in its toolpath",
+        "missing.nc": "the file cannot be read: No such file or directory",
+    }
+    assert [row.label for row in report.operations if row.counted] == ["Face", "Holes"]
+    assert [total.label for total in report.totals] == ["b.nc"]
+
+
+@pytest.mark.parametrize(
+    ("text", "error"),
+    [
+        ("G0 X50 Z2\nG96 S200 M3\nG1 Z-20 F.2\n", "a program for a lathe (G96, line 2)"),
+        ("G0 X0 Y0 A0 Z5\nG1 Z0 F100\nX9 A9\nX0 A18\n", "a rotary axis turns while the tool cuts (line 3)"),
+        ("M104 S200\nG1 X5 Y5 E1 F600\nX9\n", "a program for a 3D printer (M104, line 1)"),
+    ],
+)
+def test_what_is_no_milling_has_no_strategy(tmp_path, text, error):
+    path = tmp_path / "other.nc"
+    path.write_text(text)
+    (row,) = vkworkbench.analyze(path).operations
+    assert str(row.strategy) == "unknown" and row.error.startswith(error) and row.reason.startswith(error)
+    assert row.estimate is None and row.confidence == 0
+
+
+def test_files_of_the_report(tmp_path):
+    (tmp_path / "a.nc").write_text(PROGRAM)
+    report = vkworkbench.analyze(tmp_path)
+    report.to_csv(tmp_path / "out.csv")
+    report.to_json(tmp_path / "out.json")
+    rows = list(csv.DictReader(open(tmp_path / "out.csv", newline="", encoding="utf-8")))
+    assert [(row["label"], row["spans"]) for row in rows] == [("Face", "zigzag 8-48"), ("Holes", "drilling 52-56")]
+    assert len(json.load(open(tmp_path / "out.json", encoding="utf-8"))["operations"]) == 2
+
+
+def test_cancelled(tmp_path):
+    (tmp_path / "a.nc").write_text(PROGRAM)
+    with pytest.raises(vkworkbench.Cancelled):
+        vkworkbench.analyze(tmp_path, cancelled=lambda: True)
+
+
+def test_no_freecad_is_loaded(tmp_path):
+    (tmp_path / "a.nc").write_text(PROGRAM)
+    code = f"import sys, vkworkbench; vkworkbench.analyze({str(tmp_path)!r}); print('FreeCAD' in sys.modules)"
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, cwd=Path(vkworkbench.__file__).parents[1])
+    assert (done.stdout, done.stderr) == ("False\n", "")

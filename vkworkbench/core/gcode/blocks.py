@@ -1,0 +1,48 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""One line of an NC program: its comments, its words, and what else stands in it."""
+
+from __future__ import annotations
+
+import re
+
+# A letter and its number: G1, X-.5, Z +2, X1.5E-05; spaces may stand between them (RS274/NGC, Kramer et al. 2000).
+_WORD = re.compile(r"([A-Z])[ \t]*([-+]?(?:\d+(?:\.\d*)?|\.\d+)(?:E[-+]?\d+(?![.\d]))?)")
+_NO_COMMENT = frozenset("(;")
+
+
+def split_comments(line: str) -> tuple[str, list[str]]:
+    """Return a line without its comments, and their texts.
+
+    Comments stand in parentheses, which may be nested, or behind a semicolon.
+    """
+    if _NO_COMMENT.isdisjoint(line):
+        return line, []
+    code, comments, depth, begin = [], [], 0, 0
+    for at, character in enumerate(line):
+        if character == "(":
+            if depth == 0:
+                code.append(line[begin:at])
+                begin = at + 1
+            depth += 1
+        elif character == ")" and depth:
+            depth -= 1
+            if depth == 0:
+                comments.append(line[begin:at].strip())
+                begin = at + 1
+        elif character == ";" and depth == 0:
+            code.append(line[begin:at])
+            comments.append(line[at + 1 :].strip())
+            return " ".join(code), comments
+    (comments if depth else code).append(line[begin:].strip())
+    return " ".join(code), comments
+
+
+def split_words(code: str) -> tuple[list[tuple[str, float]], str]:
+    """Return the words of a line in capitals without comments, and what is left of it where that is no word."""
+    parts = _WORD.split(code)
+    rest = "".join(parts[::3]).strip()
+    if rest:  # spaces are allowed anywhere, within a number too
+        squeezed = _WORD.split("".join(code.split()))
+        if not any(squeezed[::3]):
+            parts, rest = squeezed, ""
+    return list(zip(parts[1::3], map(float, parts[2::3]))), rest

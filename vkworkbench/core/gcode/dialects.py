@@ -1,0 +1,118 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What tells that a text is no milling program in G-code: another control's language, a lathe's, a 3D printer's."""
+
+from __future__ import annotations
+
+import re
+
+from vkworkbench.core.toolpath import Problem
+from vkworkbench.language import Message, Unusable
+
+_HEIDENHAIN = re.compile(
+    r"^(?:\d+\s*)?(?:(?:BEGIN|END) PGM\b|BLK FORM\b|TOOL (?:CALL|DEF)\b|CYCL DEF\b|(?:L|CC|LN)\s+I?[XYZ][-+]?\d|C\s+I?X.*\bDR[-+])"
+)
+_SIEMENS = re.compile(
+    r"\b(?:CYCLE\d+|POCKET\d|SLOT\d|HOLES\d|LONGHOLE)\s*\(|=\s*(?:AC|IC|DC|ACP|ACN)\b|\b(?:MCALL|EXTCALL|WORKPIECE|SUPA|STOPRE)\b"
+    r"|^(?:N\d+\s*)?(?:DEF\s+(?:REAL|INT|BOOL|STRING)|PROC|A?TRANS|A?ROT|A?MIRROR)\b|\bT\s*=\s*\"|^;?\$PATH|^%_N_"
+)
+_TURNING = {7: "G7", 8: "G8", 32: "G32", 96: "G96"}
+_TURNING_CYCLES = {70, 71, 72, 76}
+_PRINTER = frozenset([104, 109, 140, 190])
+_EXTRUSIONS = 10  # moves; the letter may be a slip of the pen
+
+
+def at_line(problem: Problem) -> Message:
+    """Return what a problem is, where and how often, its command counted as a line of the text."""
+    return Message("at-line", what=problem.what, line=problem.command, count=problem.count)
+
+
+def refuse(code: str, line: int) -> None:
+    """Raise Unusable where a line is in another control's language."""
+    for pattern, control in ((_HEIDENHAIN, "Heidenhain"), (_SIEMENS, "Siemens")):
+        if pattern.search(code):
+            raise Unusable(Message("other-control", name=control, line=line))
+
+
+def check(blocks: int, strange: list[int], moves: bool, problems: tuple[Problem, ...]) -> None:
+    """Raise Unusable where a text is no NC program.
+
+    Parameters
+    ----------
+    blocks : int
+        Lines that are neither empty nor a comment.
+    strange : list of int
+        Those of them that are not made of words.
+    moves : bool
+        Whether any line moves a tool.
+    problems : tuple of Problem
+        What was not read.
+    """
+    if 2 * len(strange) > blocks:
+        raise Unusable(Message("no-words", part=len(strange), lines=blocks, line=strange[0]))
+    if not moves:
+        if problems:
+            raise Unusable(Message("no-moves-read", problems=[at_line(problem) for problem in problems]))
+        raise Unusable(Message("moves-nothing"))
+
+
+class Clues:
+    """What the words of a program tell about the machine that it is for.
+
+    Attributes
+    ----------
+    rotary : list of int
+        Lines in which a rotary axis turns while the tool cuts.
+    """
+
+    def __init__(self) -> None:
+        self.rotary: list[int] = []
+        self._turns: dict[str, float] = {}
+        self._turning: tuple[str, int] | None = None
+        self._plane: tuple[str, int] | None = None
+        self._printer: tuple[str, int] | None = None
+        self._extrusions: list[int] = []
+        self._wire: list[int] = []
+        self._along_y = False
+
+    def g_code(self, number: int, letters: set[str], line: int) -> bool:
+        """Note a G-code that tells a machine; return whether it is a lathe's."""
+        cycle = number in _TURNING_CYCLES and not letters.isdisjoint("PQUW") and "Y" not in letters
+        if self._turning is None and (number in _TURNING or cycle):
+            self._turning = f"G{number}", line
+        if number == 18 and self._plane is None:
+            self._plane = "G18", line
+        return number in _TURNING or cycle
+
+    def m_code(self, value: float, line: int) -> None:
+        """Note an M-code that tells a machine."""
+        if value in _PRINTER and self._printer is None:
+            self._printer = f"M{value:g}", line
+
+    def axes(self, parameters: dict[str, float], cuts: bool, line: int) -> None:
+        """Note the words of a line that moves other axes than X, Y and Z."""
+        for letter in "ABC":
+            value = parameters.get(letter)
+            if value is not None and value != self._turns.get(letter):
+                if cuts and letter in self._turns:
+                    self.rotary.append(line)
+                self._turns[letter] = value
+        if "E" in parameters:
+            self._extrusions.append(line)
+        if cuts and "U" in parameters and "V" in parameters:
+            self._wire.append(line)
+
+    def along_y(self) -> None:
+        """Note that the program moves in Y, as no lathe does."""
+        self._along_y = True
+
+    def other_machine(self) -> Message | None:
+        """Return for which machine the program is, with what says so; None for a mill."""
+        if self._printer or len(self._extrusions) > _EXTRUSIONS:
+            name, line = self._printer or ("E", self._extrusions[0])
+            return Message("printing", name=name, line=line)
+        if self._wire:
+            return Message("wire", name="U, V", line=self._wire[0])
+        if not self._along_y and (self._turning or self._plane):
+            name, line = self._turning or self._plane
+            return Message("lathe", name=name, line=line)
+        return None

@@ -1,0 +1,67 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""An NC program as commands, with what else its text says."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from vkworkbench.core.gcode.linearize import linearize
+from vkworkbench.core.machining import exact_lengths
+from vkworkbench.core.toolpath import Problem, Toolpath
+from vkworkbench.language import Message
+
+
+@dataclass(frozen=True, eq=False)
+class Program:
+    """An NC program.
+
+    Attributes
+    ----------
+    commands : list of (str, dict)
+        What `linearize` takes, in mm and mm/s; every tool change is an ``M6`` with its number as ``T``.
+    lines : (n,) int64
+        Line of the text in which each command stands, counted from 1.
+    comments : tuple of (int, int, str)
+        For each comment with a line of its own (or that of a tool change, a stop or the program's number) the
+        command before which it stands, its line and its text.
+    inverse_time : dict of int to float
+        By command the share of its move done in one second, where G93 says that instead of a feed rate.
+    inches : bool
+        Whether the program's first word on it is G20; what its comments say is in that unit.
+    other : Message or None
+        For which machine it is, where that is no mill.
+    rotary : tuple of int
+        Lines in which a rotary axis turns while the tool cuts.
+    problems : tuple of Problem
+        What is not read; the command of each is a line.
+    """
+
+    commands: list[tuple[str, dict[str, float]]]
+    lines: np.ndarray
+    comments: tuple[tuple[int, int, str], ...]
+    inverse_time: dict[int, float]
+    inches: bool
+    other: Message | None
+    rotary: tuple[int, ...]
+    problems: tuple[Problem, ...]
+
+    def toolpath(self, *, tolerance: float = 0.01) -> Toolpath:
+        """Return the whole program's trajectories, with its problems; all commands are lines of the text.
+
+        Raises
+        ------
+        ValueError
+            As `linearize`.
+        """
+        path = linearize(self.commands, tolerance=tolerance)
+        feed = path.feed
+        if self.inverse_time:
+            length = np.bincount(path.command, exact_lengths(path), len(self.commands))
+            share = np.zeros(len(self.commands))
+            share[list(self.inverse_time)] = list(self.inverse_time.values())
+            timed = (share[path.command] > 0) & ~path.rapid
+            feed = np.where(timed, (length * share)[path.command], feed)
+        problems = tuple(replace(problem, command=int(self.lines[problem.command])) for problem in path.problems)
+        return replace(path, command=self.lines[path.command], feed=feed, problems=self.problems + problems)

@@ -1,0 +1,321 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The text of an NC program becomes commands, in mm and mm/s.
+
+The dialect is that of RS274/NGC (Kramer, Proctor and Messina, NISTIR 6556, 2000) with what Fanuc, Haas, Mach3, grbl
+and LinuxCNC add. Modal state that `linearize` knows stays in the commands: planes, G90/G91, the centres of arcs,
+canned cycles. Units, feed rates, the order of words and comments end here.
+"""
+
+from __future__ import annotations
+
+import re
+
+import numpy as np
+
+from vkworkbench.core.gcode import dialects
+from vkworkbench.core.gcode.blocks import split_comments, split_words
+from vkworkbench.core.gcode.program import Program
+from vkworkbench.core.toolpath import Problem
+from vkworkbench.language import Message
+
+INCH = 25.4  # mm
+
+# G-codes in tenths, as in words.py.
+_MOTION = frozenset([0, 10, 20, 30, 730, 740, 810, 820, 830, 840, 850, 860, 880, 890])
+_CYCLES = frozenset(code for code in _MOTION if code > 30)
+_STATE = frozenset([170, 180, 190, 800, 900, 901, 910, 911, 980, 990])
+# Their axis words are no place to go to in the program's coordinates: dwell, data, home, machine coordinates, probes.
+_APART = frozenset([40, 100, 280, 281, 300, 301, 310, 382, 383, 384, 385, 530, 922, 923])
+_HARMLESS = frozenset([
+    70, 80, 90, 110, 150, 200, 210, 400, 401, 410, 411, 412, 420, 421, 422, 430, 431, 432, 440, 490, 500, 501, 540, 541, 550,
+    560, 570, 580, 590, 591, 592, 593, 600, 610, 611, 620, 630, 640, 670, 690, 700, 710, 921, 930, 940, 950, 960, 970,
+])  # fmt: skip
+_CHANGES_COORDINATES = frozenset([160, 434, 510, 520, 680, 682, 920])
+_MACRO_CALLS = frozenset([650, 660])
+_MOVES = frozenset(f"G{code // 10}" for code in _MOTION)
+_SPLINES = frozenset([50, 51])
+_AXES = frozenset("XYZIJKR")
+_LENGTHS = frozenset("XYZIJKRQ")
+_KNOWN = _LENGTHS | {"F", "S", "P", "L", "H", "D"}
+_MOST_CODES, _MOST_TOOLS, _MOST_REPEATS = 1000, 99_999_999, 10_000
+
+_FLOW = re.compile(r"\b(IF|THEN|ELSE|WHILE|GOTO|DO\s*\d|END\s*\d|ENDIF|ENDWHILE|REPEAT)|^O\s*[\d<].*\b(SUB|CALL|DO)\b")
+_BLOCK_DELETE = re.compile(r"^(?:/\d?\s*)+")
+_SUB = re.compile(r"^\s*(?:N\s*\d+\s*)?O\s*(?:\d+|<[^>]*>|\[[^]]*\])\s*(SUB|ENDSUB)\b")
+# A word whose number is a variable or an expression: X#1, Z#<depth>, Y[1 + 2].
+_MACRO_WORD = re.compile(r"[A-Z]\s*[-+]?\s*(?:#+(?:\d+|<[^>]*>)|\[[^\[\]]*(?:\[[^\[\]]*\][^\[\]]*)*\])")
+
+
+def read_program(text: str) -> Program:
+    """Read the text of an NC program.
+
+    Lines with a block delete (``/``) are read as those without, and what follows M30 as the same program, where it
+    does not begin with another's number. Variables, expressions and subprograms are not read; each of these is a
+    problem with its line.
+
+    Parameters
+    ----------
+    text : str
+        Lines end with any line end.
+
+    Raises
+    ------
+    Unusable
+        If it is no NC program, or one of a control with a language of its own.
+    """
+    reader = _Reader()
+    lines = text.replace("\r\n", "\n").replace("\r", "\n").split("\n")
+    for number, line in enumerate(lines, 1):
+        if reader.line(number, line):
+            reader.after_end(lines, number)
+            break
+    return reader.program()
+
+
+class _Reader:
+    """What the lines read so far leave behind."""
+
+    def __init__(self) -> None:
+        self.commands: list[tuple[str, dict[str, float]]] = []
+        self.lines: list[int] = []
+        self.comments: list[tuple[int, int, str]] = []
+        self.inverse_time: dict[int, float] = {}
+        self.problems: dict[Message, list[int]] = {}
+        self.clues = dialects.Clues()
+        self.unit = 1.0
+        self.first_unit: float | None = None
+        self.motion = -1
+        self.relative = False
+        self.feed_mode = 940
+        self.spindle = 0.0
+        self.tool: int | None = None
+        self.changes = False  # whether there is an M6; where there is none, T changes the tool
+        self.seconds = 0.0  # that this line's move takes, where G93 says so
+        self.later: dict[str, float] | None = None  # words of a cycle that drills nowhere yet (L0)
+        self.in_subprogram = 0
+        self.number = 0
+        self.ended = False
+        self.blocks = 0
+        self.strange: list[int] = []
+
+    def line(self, number: int, line: str) -> bool:
+        """Read one line; return whether it ends the program."""
+        self.number = number
+        code, comments = split_comments(line)
+        code = code.strip().upper()
+        if code[:1] == "%":
+            return self.motion >= 0 and len(code) == 1
+        if code[:1] == "/":
+            code = _BLOCK_DELETE.sub("", code)
+            if code:
+                self._problem(Message("block-delete"))
+        if code[:4] == "M117":  # shows the rest of its line
+            code, comments = "", [line.strip()[4:].strip()]
+        if not code:
+            self._keep(comments)
+            return False
+        if self.ended and code[0] in "O:":
+            return True
+        self.blocks += 1
+        words, rest = split_words(code)
+        if rest or self.in_subprogram:
+            words = self._strange(line, code, rest, words)
+        if words is None:
+            self._keep(comments)
+            return False
+        letters = {letter for letter, _ in words}
+        if letters.isdisjoint("XYZ") or not letters.isdisjoint("TMO"):
+            self._keep(comments)
+        return self._block(words)
+
+    def _keep(self, comments: list[str]) -> None:
+        self.comments += [(len(self.commands), self.number, text) for text in comments if text]
+
+    def _problem(self, what: Message) -> None:
+        self.problems.setdefault(what, []).append(self.number)
+
+    def _add(self, name: str, parameters: dict[str, float]) -> None:
+        self.commands.append((name, parameters))
+        self.lines.append(self.number)
+
+    def _strange(self, line: str, code: str, rest: str, words):
+        """Return the words of a line that is not words alone and can still be read; None if it cannot."""
+        subprogram = _SUB.match(code)
+        if subprogram:
+            self._problem(Message("subprogram-not-read"))
+            self.in_subprogram = max(self.in_subprogram + (1 if subprogram[1] == "SUB" else -1), 0)
+            return None
+        if self.in_subprogram > 0:
+            return None
+        dialects.refuse(line.strip().upper(), self.number)
+        if _FLOW.search(code):
+            self._problem(Message("jumps-not-followed"))
+            return None
+        if "#" in rest or "[" in rest or "=" in rest:
+            self._problem(Message("variables-not-read"))
+            words, rest = split_words(_MACRO_WORD.sub(" ", code))
+            return None if rest else words
+        if code[0] == ":" and rest == ":":  # ISO's way to write a program's number
+            return None
+        self.strange.append(self.number)
+        self._problem(Message("words-not-read"))
+        return None
+
+    def _block(self, words: list[tuple[str, float]]) -> bool:
+        """Read the words of one line; return whether they end the program."""
+        motion, apart, ended, change = None, False, False, False
+        parameters: dict[str, float] = {}
+        for letter, value in words:
+            if letter == "G":
+                code = round(10 * min(value, _MOST_CODES))
+                if code in _MOTION:
+                    motion = code
+                elif code in _STATE:
+                    self._state(code)
+                else:
+                    letters = {letter for letter, _ in words}
+                    read_as = self._read_as(code, letters)
+                    motion = motion if read_as is None else read_as
+                    apart |= read_as is None and (code in _APART or self._other(code, letters))
+            elif letter == "M":
+                change |= value == 6
+                ended |= value == 99
+                self.ended |= value in (2, 30)
+                if value == 98:
+                    self._problem(Message("subprogram-not-read"))
+                self.clues.m_code(value, self.number)
+            elif letter == "T":
+                self.tool = int(min(value, _MOST_TOOLS))
+                if not self.changes:  # where there is no M6 at all it changes the tool
+                    self._add(f"T{self.tool}", {})
+            elif letter == "S":
+                self.spindle = value
+            elif letter not in "NO":
+                parameters[letter] = value
+        if change:
+            self.changes = True
+            self._add("M6", {} if self.tool is None else {"T": self.tool})
+        self._move(motion, parameters, apart)
+        return ended
+
+    def _state(self, code: int) -> None:
+        """Take a G-code that `linearize` knows."""
+        if code in (900, 910):
+            self.relative = code == 910
+        elif code == 800:
+            self.motion, self.later = code, None
+        elif code == 180:
+            self.clues.g_code(18, set(), self.number)
+        self._add(_name(code), {})
+
+    def _read_as(self, code: int, letters: set[str]) -> int | None:
+        """Return the motion that stands for one that `linearize` does not know; None where there is none."""
+        if code in _SPLINES and not letters.isdisjoint("XYZ"):
+            self._problem(Message("spline-as-line", name=_name(code)))
+            return 10
+        if code == 760 and "R" in letters and ("Y" in letters or "P" not in letters):
+            return 860  # fine boring: a lathe's G76 cuts threads
+        return None
+
+    def _other(self, code: int, letters: set[str]) -> bool:
+        """Take a G-code that `linearize` need not know; return whether the line's axis words belong to it."""
+        turning = code in (700, 710) and not letters.isdisjoint("PQUWR")
+        if code in (200, 210, 700, 710) and not turning:
+            self.unit = INCH if code in (200, 700) else 1.0
+            if self.first_unit is None:
+                self.first_unit = self.unit
+        elif code in (930, 940, 950):
+            self.feed_mode = code
+        elif code in _SPLINES:  # without a place to go to they are modes
+            return True
+        elif code in _CHANGES_COORDINATES:
+            if code != 920 or (self.motion >= 0 and not letters.isdisjoint("XYZ")):  # before any move it moves nothing
+                self._problem(Message("coordinates-not-changed", name=_name(code)))
+            return True
+        elif code in _MACRO_CALLS:
+            self._problem(Message("subprogram-not-read"))
+            return True
+        elif self.clues.g_code(code // 10, letters, self.number):
+            return True
+        elif code not in _HARMLESS:
+            self._problem(Message("unknown-code", name=repr(_name(code))))
+            return True
+        return False
+
+    def _move(self, motion: int | None, parameters: dict[str, float], apart: bool) -> None:
+        """Add the command of a line's motion, or of its feed rate alone."""
+        if motion is None and self.motion == 800:  # behind G80 machines go on as with G0
+            motion = 0 if not _AXES.isdisjoint(parameters) and not apart else None
+        if motion is not None:
+            self.motion, self.later = motion, None
+        mode = self.motion
+        feed = self._feed(None if apart else parameters.get("F"))
+        move = {letter: self.unit * value for letter, value in parameters.items() if letter in _LENGTHS}
+        if not apart and not _KNOWN.issuperset(parameters):
+            self.clues.axes(parameters, mode > 0, self.number)
+        if feed is not None:
+            move["F"] = feed
+        if apart or _AXES.isdisjoint(move):
+            if motion is not None or feed is not None:  # G94 is no motion: a modal line would drill again
+                self._add("G94" if motion is None else _name(motion), {} if feed is None else {"F": feed})
+            return
+        if self.ended:
+            self._problem(Message("goes-on"))
+        if "Y" in move:
+            self.clues.along_y()
+        name = "" if motion is None else _name(motion)
+        repeats = 1
+        if mode in _CYCLES:
+            repeats = int(min(parameters.get("L", parameters.get("K", 1.0)), _MOST_REPEATS))
+            if repeats <= 0:
+                self.later = move
+                return
+            if self.later is not None:
+                name, move, self.later = _name(mode), {**self.later, **move}, None
+        elif self.seconds and mode > 0:
+            self.inverse_time[len(self.commands)] = 1 / self.seconds
+        for _ in range(repeats if self.relative else 1):
+            self._add(name, move)
+
+    def _feed(self, value: float | None) -> float | None:
+        """Return a feed rate in mm/s, None where there is none; G93 gives the seconds of this line instead."""
+        self.seconds = 60 / value if self.feed_mode == 930 and value else 0.0
+        if value is None or self.feed_mode == 930:
+            return None
+        return value * self.unit * (self.spindle if self.feed_mode == 950 else 1.0) / 60
+
+    def after_end(self, lines: list[str], number: int) -> None:
+        for self.number, line in enumerate(lines[number:], number + 1):
+            words, _ = split_words(split_comments(line)[0].upper())
+            if any(letter in "XYZ" for letter, _ in words):
+                self._problem(Message("after-end"))
+                return
+
+    def program(self) -> Program:
+        problems = tuple(Problem(lines[0], what, len(lines)) for what, lines in self.problems.items())
+        commands = self.commands
+        if not self.changes:
+            commands = self._changed_by_t(commands)
+        moves = any(words and (not name or name in _MOVES) for name, words in self.commands)
+        dialects.check(self.blocks, self.strange, moves, problems)
+        return Program(
+            commands, np.array(self.lines, np.int64), tuple(self.comments), self.inverse_time,
+            self.first_unit == INCH, self.clues.other_machine(), tuple(self.clues.rotary), problems,
+        )  # fmt: skip
+
+    @staticmethod
+    def _changed_by_t(commands):
+        """Make each T word that names another tool a tool change."""
+        tool, changed = None, []
+        for name, words in commands:
+            if name[:1] == "T":
+                number = int(name[1:])
+                name, words = ("M6", {"T": number}) if number != tool else ("G94", {})
+                tool = number
+            changed.append((name, words))
+        return changed
+
+
+def _name(code: int) -> str:
+    """Return the name of a G-code in tenths, e.g. ``"G90.1"``."""
+    return f"G{code // 10}.{code % 10}" if code % 10 else f"G{code // 10}"

@@ -1,0 +1,176 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The operations of an NC program, as its titles and tool changes part it."""
+
+from __future__ import annotations
+
+import re
+from bisect import bisect_left
+from collections import Counter
+from dataclasses import dataclass, field, replace
+
+from vkworkbench.core.gcode.program import Program
+from vkworkbench.core.gcode.tool_table import number_named, tool_told
+from vkworkbench.core.solids import Tool
+
+MANY_TITLES = 50  # a program with more titles of one form numbers its passes
+
+_MOTIONS = {"G0", "G1", "G2", "G3", "G73", "G74", "G81", "G82", "G83", "G84", "G85", "G86", "G88", "G89"}
+_AXES = frozenset("XYZ")
+
+# A title behind what some post processors write before it.
+_TITLED = re.compile(
+    r"(?:begin operation|toolpath(?: name)?|operation(?: name)?|op(?:eration)? ?\d+|name|type|no\.? ?\d+|nr\.? ?\d+)\s*[:=]\s*(\S.*)",
+    re.I,
+)
+# What post processors say of themselves, of the machine, of modes, and of moves within an operation.
+_REMARK = re.compile(
+    r"""
+    \W*$ | [-+.\d\s/:*x%]+$ | .{80} | .*(?:https?://|\.(?:cps|pp|ulp|h|stl|svg|brd|tpl|gmax|txt|nc|ngc|tap)\b)
+    | [A-Z0-9]+_[A-Z0-9_]+$ | \*{2,} | -{2,} | ={2,} | .*\b\d{1,2}:\d{2}\b | [MGTNS]\d+\b | \[ | .*\|
+    | .*=\s*[-+]?[\d.]+\s*\w*$ | (?:\w+\s+){0,3}\w+\s*:\s*[-+]?[\d.,]+(?:\s*(?:mm|in|%|rpm|seconds|s)?\b.*)?$ | [XYZ]\s?(?:min|max|:)
+    | .*\bdepth:\s*[-+]?[\d.]+$ | helix\ cut\ operation$ | (?:turn|wait)\b
+    | (?:msg|debug|print|id)\b\s*[,=]?
+    | .*\b(?:personal\ use|rapid|feed\s?rates?|unrestricted|subscription|machining\ time|copyright|licens\w*|gcode|g-code
+        |generated|created|erstellt|exported|made\ using|post\ ?processor|posts?\ processor|preamble|postamble|output
+        |vendor|model|description|hersteller|proveedor|machine|maschine|bearbeiten|spindle|coolant|retract\w*|plunge
+        |units?|millimeters?|millimetres?|inch(?:es)?|metric|absolute|incremental|clearance|safe\w*|attention|compensat\w*
+        |program|filename|file|settings|stock|home|dwell|laufzeit|werkzeuge|required|tools?|toolchange|mode|end\ of|return|postprocessor
+        |direction|cut\ depth|pass\ depth|paths|lead|penetrate|cancel|set|use)\b
+    | (?:finish|end|stop|start|begin|path|ramp|cut|cutting|lift|air|move\w*|link|layer|pass|depth|level|loop|z|step|line|segment|slice)
+        \b\s*[#:=]?\s*(?:operation.*|section.*|block.*|path.*|of.*|[-+\d.,/\s]*(?:of\s*\d+)?(?:mm)?)$
+    """,
+    re.I | re.X,
+)  # fmt: skip
+
+
+@dataclass(frozen=True)
+class Section:
+    """One operation of a program, in the order of cutting.
+
+    Attributes
+    ----------
+    title : str
+        What the program calls it, else its tool; empty where it says neither.
+    number : int or None
+        Of its tool.
+    tool : Tool or None
+        What the program's comments say of that tool.
+    first, last : int
+        First and last line.
+    """
+
+    title: str
+    number: int | None
+    tool: Tool | None
+    first: int
+    last: int
+
+
+@dataclass
+class _Group:
+    """The comments and the tool change between two cuts.
+
+    Attributes
+    ----------
+    line : int
+        Of the first of them.
+    title : str
+        Of the last that is no remark.
+    headings
+        All that are none, with the numbers that post processors write before the names.
+    changes, number
+        Whether the tool changes, and to which number.
+    tool, tool_name
+        What is said of a tool without its number, or of the one that is changed to, and the comment.
+    known : dict
+        The tools told by their numbers so far.
+    """
+
+    line: int
+    title: str = ""
+    headings: tuple[str, ...] = ()
+    changes: bool = False
+    number: int | None = None
+    tool: Tool | None = None
+    tool_name: str = ""
+    known: dict[int, Tool] = field(default_factory=dict)
+
+
+def split_sections(program: Program) -> tuple[Section, ...]:
+    """Part a program into its operations, at tool changes and at titles that follow a cut.
+
+    Returns
+    -------
+    tuple of Section
+        At least one; every line with a command is in one of them.
+    """
+    groups = _groups(program)
+    forms = Counter(_form(group.title) for group in groups if group.title and not group.changes)
+    passes = {form for form, times in forms.items() if times > MANY_TITLES}
+    sections: list[Section] = []
+    number = tool = headings = None
+    everything = groups[-1].known
+    for group in groups:
+        title = "" if _form(group.title) in passes else group.title
+        if group.changes:
+            number, tool = group.number, None
+        elif sections and (not title or group.headings == headings):
+            continue
+        headings = group.headings
+        tool = group.tool or tool
+        known = group.known.get(number) or everything.get(number)
+        if number is None and len(everything) == 1:
+            (known,) = everything.values()
+        if sections:
+            sections[-1] = replace(sections[-1], last=group.line - 1)
+        sections.append(Section(title or group.tool_name, number, known or tool, group.line, int(program.lines[-1])))
+    return tuple(sections)
+
+
+def _groups(program: Program) -> list[_Group]:
+    """Return what stands between the cuts, one group for the program's beginning at least."""
+    marks: list[tuple[int, int, str | float | None]] = list(program.comments)
+    cuts, motion = [], ""
+    for at, (name, words) in enumerate(program.commands):
+        if name == "M6":
+            marks.append((at, int(program.lines[at]), words.get("T")))
+        motion = name if name in _MOTIONS else motion
+        if name in ("", motion) and motion not in ("", "G0") and not _AXES.isdisjoint(words):
+            cuts.append(at)
+    marks.sort(key=lambda mark: mark[:2])
+    groups = [_Group(min([int(program.lines[0]), *(line for _, line, _ in marks[:1])]))]
+    place, known = 0, groups[0].known
+    for at, line, what in marks:
+        if bisect_left(cuts, at) != place:
+            place = bisect_left(cuts, at)
+            groups.append(_Group(line, known=known))
+        group = groups[-1]
+        if not isinstance(what, str):
+            group.changes, group.number = True, None if what is None else int(what)
+            continue
+        told = tool_told(what, inches=program.inches)
+        if told is None:
+            if not group.changes:
+                group.tool = known.get(number_named(what)) or group.tool
+            title = title_of(what)
+            if title:
+                group.title, group.headings = title, (*group.headings, what)
+        elif told.number is not None:
+            group.known = known = {**known, told.number: told.tool}
+            group.tool_name = what if told.number == group.number else group.tool_name
+        elif group.changes or group.tool is None:
+            group.tool, group.tool_name = told.tool, what
+    return groups
+
+
+def title_of(comment: str) -> str:
+    """Return the name of an operation in a comment, empty where it is a remark."""
+    text = comment.strip(" *-=#;:\t")
+    titled = _TITLED.match(text)
+    if titled:
+        return titled[1].strip()
+    return "" if not text or _REMARK.match(text) else text
+
+
+def _form(title: str) -> str:
+    return re.sub(r"[\d.,]+", "#", title)

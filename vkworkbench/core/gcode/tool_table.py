@@ -1,0 +1,161 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The tools of an NC program, as its comments describe them.
+
+Fusion and HSMWorks write ``T1 D=6.35 CR=0. - ZMIN=-3. - flat end mill``, CamBam ``T6 : 6.0`` and
+``TOOL/MILL,6.0,0.0,20.0,0``, Vectric and Estlcam ``End Mill {1/4 inch}`` and ``End mill 3mm``, Mastercam and CAMWorks
+``T4 | 3/8 FLAT ENDMILL`` and ``6MM CRB 2FL``, Fabex ``Tool: D = 3.0 mm type END``, FreeCAD ``TC: 5mm Endmill``.
+"""
+
+from __future__ import annotations
+
+import math
+import re
+from dataclasses import dataclass
+
+from vkworkbench.core.solids import Tool
+
+INCH = 25.4  # mm
+_LARGEST = 500.0  # mm
+
+_NUMBER = r"(?:\d+(?:[.,]\d*)?|[.,]\d+)"
+_FRACTION = r"(?:\d+[ -])?\d+/\d+"
+_SIZE = rf"(?P<size>{_FRACTION}|{_NUMBER})"
+_UNIT = r"\s*(?P<unit>mm\b|inch(?:es)?\b|in\b\.?|\"|'')?"
+_MILLING_WORD = (
+    r"end ?mills?(?![a-z])|mill\b|em\b|face ?mill|slot ?(?:cutter|drill)|cutter\b|ball ?(?:nose|end)|bull ?(?:nose|end)|v-?bit|"
+    r"engrav\w*|chamfer\w*|router|bit\b|drills?\b|spot ?drill|reamer|tap\b|crb\b|carbide|"
+    r"\w*fr(?:ä|ae|.)ser\b|bohrer|gravier\w*|fresa|broca|fraise|foret|frees|фреза|сверло|гравер"
+)
+_NUMBERED = re.compile(r"\b(?:T|tool\s*(?:no\.?|nr\.?|number)?)\s*[-#:=]?\s*(?P<number>\d{1,8})\b", re.I)
+_LETTER = re.compile(rf"(?<![A-Za-z])D\s*=\s*{_SIZE}{_UNIT}", re.I)
+_WORD = re.compile(
+    rf"(?:\bdia(?:meter|m)?\b\.?|\bdiametro\b|\bdiámetro\b|\bdiamètre\b|\bdurchmesser\b|[øØ⌀]|\bдиаметр)\s*[:=.\-]*\s*{_SIZE}{_UNIT}", re.I
+)
+_BEFORE = re.compile(rf"(?<![\d.,/]){_SIZE}{_UNIT}\s*\bdia(?:meter|m)?\b", re.I)
+_CAMBAM = re.compile(rf"T\d+\s*:\s*(?P<size>{_NUMBER})", re.I)
+_CUTVIEWER = re.compile(r"TOOL/(?P<kind>MILL|DRILL|CHAMFER)\s*,\s*(?P<size>[\d.]+)(?:\s*,\s*(?P<second>[\d.]+))?", re.I)
+_MEASURED = re.compile(rf"(?<![\d.,/]){_SIZE}\s*(?P<unit>mm\b|inch(?:es)?\b|in\b|\")", re.I)
+_FLUTES = re.compile(r"\b\d+\s*-?\s*fl(?:utes?)?\b", re.I)
+_LISTED = re.compile(r"\s*T\d+\s*[|:=]", re.I)
+_LONGEST_NAME = 60  # characters; longer ones tell a story
+_BARE = re.compile(rf"(?<![\w.,/#]){_SIZE}(?P<unit>)(?=(?:\s*(?:flat|square|long|stub|hss))*\s*(?:{_MILLING_WORD}))", re.I)
+_IS_TOOL = re.compile(rf"(?<![a-zà-ÿа-я])(?:{_MILLING_WORD})", re.I)
+_CORNER = re.compile(rf"\b(?:CR|corner radius|torus_radius)\s*[=:]\s*(?P<size>{_NUMBER})", re.I)
+_TAPER = re.compile(rf"\bTAPER\s*=\s*(?P<size>{_NUMBER})\s*deg", re.I)
+_ANGLE = re.compile(rf"(?<![\d.,]){_SIZE}\s*(?:°|deg(?:ree)?s?\b)", re.I)
+_SHAPES = (
+    ("ballend", r"ball|kugel|radiusfr|esf.rica|h.misph|сферич"),
+    ("bullnose", r"bull|torus|corner"),
+    ("vbit", r"v-?bit|v-?carv|chamfer|engrav|conical|gravier|fase|center|spot|countersink|гравер|senker|chafl"),
+    ("drill", r"drill|bohrer|broca|foret|сверло"),
+)
+
+
+@dataclass(frozen=True)
+class ToldTool:
+    """What a comment says of a tool.
+
+    Attributes
+    ----------
+    number : int or None
+        Its number in the program, where the comment names it.
+    tool : Tool
+    """
+
+    number: int | None
+    tool: Tool
+
+
+def tool_told(comment: str, *, inches: bool) -> ToldTool | None:
+    """Return the tool that a comment describes, None where it names no diameter.
+
+    Parameters
+    ----------
+    comment : str
+        Without its parentheses.
+    inches : bool
+        Whether lengths without a unit are inches, as G20 says. A fraction (1/4) is always one of an inch.
+    """
+    comment = _FLUTES.sub("", comment.replace("_", " "))
+    number = _NUMBERED.search(comment)
+    size = _size(comment, number)
+    if size is None:
+        return None
+    diameter = _millimetres(size, inches or _also_a_fraction(comment, size))
+    if not 0 < diameter <= _LARGEST:
+        return None
+    return ToldTool(number_named(comment), _tool(comment, size, diameter, inches))
+
+
+def number_named(comment: str) -> int | None:
+    """Return the number of the tool that a comment names, with or without its measures."""
+    number = _NUMBERED.search(comment)
+    return int(number["number"]) if number else None
+
+
+def _size(comment: str, number: re.Match | None) -> re.Match | None:
+    """Return where a comment names a tool's diameter."""
+    written = _CAMBAM.fullmatch(comment.strip()) or _CUTVIEWER.match(comment.strip())
+    if written:
+        return written
+    is_tool = _IS_TOOL.search(comment) is not None
+    if number is None and not is_tool and not re.search(r"\btool", comment, re.I):
+        return None
+    explicit = _LETTER.search(comment) or _WORD.search(comment) or _BEFORE.search(comment)
+    if explicit or not (is_tool or _LISTED.match(comment)) or len(comment) > _LONGEST_NAME:
+        return explicit
+    found = [match for match in (_MEASURED.search(comment), _BARE.search(comment)) if match]
+    return min(found, key=re.Match.start, default=None)
+
+
+def _also_a_fraction(comment: str, size: re.Match) -> bool:
+    """Whether a comment names the same size as a fraction of an inch, too."""
+    if "/" in size["size"]:
+        return False
+    value = float(size["size"].replace(",", "."))
+    return any(
+        int(below) and abs(int(above) / int(below) - value) < 1e-3
+        for above, below in re.findall(r"(\d{1,3})/(\d{1,3})", comment)
+    )
+
+
+def _millimetres(size: re.Match, inches: bool) -> float:
+    text = size["size"].replace(",", ".")
+    unit = (size.groupdict().get("unit") or "").lower()
+    if "/" in text:
+        *whole, fraction = re.split(r"[ -]", text)
+        above, below = (float(part) for part in fraction.split("/"))
+        value = sum(map(float, whole)) + (above / below if below else 0.0)
+        return value * (1.0 if unit == "mm" else INCH)
+    return float(text) * (1.0 if unit == "mm" else INCH if unit or inches else 1.0)
+
+
+def _tool(comment: str, size: re.Match, diameter: float, inches: bool) -> Tool:
+    """Return the tool; a measure that cannot be is not used."""
+    unit = INCH if inches else 1.0
+    kind = size.groupdict().get("kind")
+    shape = next((shape for shape, words in _SHAPES if re.search(words, comment, re.I)), "endmill")
+    corner = _CORNER.search(comment)
+    rounding = float(corner["size"].replace(",", ".")) * unit if corner else 0.0
+    if kind and size["second"] and kind.upper() == "MILL":
+        rounding = float(size["second"]) * unit
+    elif kind:
+        shape = {"DRILL": "drill", "CHAMFER": "vbit"}[kind.upper()] if kind.upper() != "MILL" else shape
+    if shape in ("endmill", "bullnose") and 0 < rounding <= diameter / 2:
+        ball = rounding > 0.499 * diameter
+        return Tool("ballend", diameter) if ball else Tool("bullnose", diameter, corner_radius=rounding)
+    if shape in ("vbit", "drill"):
+        return Tool(shape, diameter, tip_angle=_tip_angle(comment))
+    return Tool("endmill" if shape == "bullnose" else shape, diameter)
+
+
+def _tip_angle(comment: str) -> float | None:
+    """Return the included angle of a tip, rad; Fusion's TAPER is the half of it where a side cuts."""
+    taper = _TAPER.search(comment)
+    if taper:
+        half = re.search(r"chamfer|fase|engrav|gravier|v-?bit", comment, re.I)
+        degrees = (2 if half else 1) * float(taper["size"].replace(",", "."))
+    else:
+        angle = _ANGLE.search(comment)
+        degrees = float(angle["size"].replace(",", ".")) if angle and "/" not in angle["size"] else 0.0
+    return math.radians(degrees) if 0 < degrees <= 180 else None

@@ -1,0 +1,60 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What is said of NC programs: what in them is not read, and why one is not read at all."""
+
+from __future__ import annotations
+
+from vkworkbench.language.marking import QT_TRANSLATE_NOOP
+
+PROGRAMS = {
+    "at-line": (
+        QT_TRANSLATE_NOOP("Sentences", "{what} (line {line:n})"),
+        QT_TRANSLATE_NOOP("Sentences", "{what} ({count:n} times, first in line {line:n})"),
+    ),
+    # What is not read as a machine would do it.
+    "block-delete": QT_TRANSLATE_NOOP("Sentences", "lines with a block delete (/) are read as the others"),
+    "subprogram-not-read": QT_TRANSLATE_NOOP("Sentences", "a subprogram or macro call is not read"),
+    "jumps-not-followed": QT_TRANSLATE_NOOP("Sentences", "jumps, loops and calls are not followed"),
+    "variables-not-read": QT_TRANSLATE_NOOP(
+        "Sentences", "variables and expressions are not read: the words with them are left out"
+    ),
+    "words-not-read": QT_TRANSLATE_NOOP("Sentences", "lines that are not made of words like G1 X10 are left out"),
+    "coordinates-not-changed": QT_TRANSLATE_NOOP(
+        "Sentences", "coordinates that {name} changes are read as if it were not there"
+    ),
+    "spline-as-line": QT_TRANSLATE_NOOP("Sentences", "a spline ({name}) is read as a line"),
+    "goes-on": QT_TRANSLATE_NOOP("Sentences", "what follows M2 or M30 is read as the same program"),
+    "after-end": QT_TRANSLATE_NOOP("Sentences", "what follows the program's end is not read"),
+    # Why a program, or one of its operations, is not analysed.
+    "other-control": QT_TRANSLATE_NOOP(
+        "Sentences",
+        "a program in the language of {name} controls (line {line:n}): post it as G-code (ISO) to have it read",
+    ),
+    "no-words": QT_TRANSLATE_NOOP(
+        "Sentences",
+        "no NC program: {part:n} of its {lines:n} lines are not made of words like G1 X10, the first is line {line:n}",
+    ),
+    "moves-nothing": QT_TRANSLATE_NOOP("Sentences", "no NC program: no line of it moves a tool"),
+    "no-moves-read": QT_TRANSLATE_NOOP("Sentences", "no move of it can be read: {problems}"),
+    "no-text": QT_TRANSLATE_NOOP("Sentences", "no NC program: it is not a text"),
+    "lathe": QT_TRANSLATE_NOOP(
+        "Sentences", "a program for a lathe ({name}, line {line:n}): milling strategies say nothing about it"
+    ),
+    "printing": QT_TRANSLATE_NOOP(
+        "Sentences", "a program for a 3D printer ({name}, line {line:n}): milling strategies say nothing about it"
+    ),
+    "wire": QT_TRANSLATE_NOOP(
+        "Sentences", "a program for a wire cutter ({name}, line {line:n}): milling strategies say nothing about it"
+    ),
+    "rotary": QT_TRANSLATE_NOOP(
+        "Sentences", "a rotary axis turns while the tool cuts (line {line:n}): the way of the tool cannot be told"
+    ),
+    "rapids-not-told": QT_TRANSLATE_NOOP(
+        "Sentences", "{length:mm4} of rapids are not in the time: a program does not say how fast they are"
+    ),
+    "tool-not-told": QT_TRANSLATE_NOOP(
+        "Sentences", "no tool: the program does not say its diameter, so the cost is not known"
+    ),
+    # Files.
+    "file-unreadable": QT_TRANSLATE_NOOP("Sentences", "the file cannot be read: {name}"),
+    "file-too-large": QT_TRANSLATE_NOOP("Sentences", "the file is larger than {size:bytes}"),
+}

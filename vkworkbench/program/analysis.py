@@ -1,0 +1,196 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""From an NC program's file to a report: one row for each operation that its titles and tool changes tell."""
+
+from __future__ import annotations
+
+import hashlib
+import os
+from bisect import bisect_right
+from collections.abc import Callable, Iterable
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+
+from vkworkbench import preferences
+from vkworkbench.core import (
+    Machining,
+    Recognition,
+    Span,
+    Stock,
+    Strategy,
+    Tool,
+    Toolpath,
+    estimate,
+    linearize,
+    machining,
+    recognize,
+    stock_around,
+)
+from vkworkbench.core.gcode import Program, Section, at_line, read_program, split_sections
+from vkworkbench.core.zbuffer import best_resolution
+from vkworkbench.language import Message, Unusable
+from vkworkbench.preferences import Preferences
+from vkworkbench.program.files import find_programs, read_bytes, text_of
+from vkworkbench.report import Cancelled, OperationReport, Report
+
+
+def is_path(what) -> bool:
+    """Whether something names files: a path, or several."""
+    if isinstance(what, (str, os.PathLike)):
+        return True
+    return isinstance(what, (list, tuple)) and len(what) > 0 and all(isinstance(one, (str, os.PathLike)) for one in what)
+
+
+def analyze(
+    what: str | os.PathLike | Iterable[str | os.PathLike],
+    *,
+    progress: Callable[[int, int, str], None] | None = None,
+    cancelled: Callable[[], bool] | None = None,
+) -> Report:
+    """Analyse NC programs: strategy, lengths and what simulating their operations costs. Needs no FreeCAD.
+
+    Parameters
+    ----------
+    what : path, or iterable of paths
+        Files, and folders in which all NC programs are taken.
+    progress : callable, optional
+        Called before each file with how many are done, how many there are, and its name.
+    cancelled : callable, optional
+        Asked before each file; True ends the analysis.
+
+    Returns
+    -------
+    Report
+        One row for each operation, see `analyze_file`. A program is a job.
+
+    Raises
+    ------
+    Cancelled
+        If `cancelled` returned True.
+    """
+    paths = list(find_programs([what] if isinstance(what, (str, os.PathLike)) else what))
+    chosen = preferences.read()
+    rows: list[OperationReport] = []
+    for done, path in enumerate(paths):
+        if cancelled is not None and cancelled():
+            raise Cancelled("the analysis was cancelled; nothing has been changed")
+        if progress is not None:
+            progress(done, len(paths), path.name)
+        rows += analyze_file(path, chosen)
+    return report_of(rows, chosen)
+
+
+def report_of(rows: Iterable[OperationReport], chosen: Preferences) -> Report:
+    """Return the report of some programs' rows."""
+    rows = tuple(rows)
+    return Report(rows, {(row.document, row.job): row.job for row in rows if row.counted}, chosen.budget)
+
+
+def analyze_file(path: Path, chosen: Preferences) -> tuple[OperationReport, ...]:
+    """Analyse one program.
+
+    Returns
+    -------
+    tuple of OperationReport
+        One row for each operation with a cut. Its document is the file's path, its job the file's name, its name and
+        the commands of its spans are lines of the text, counted from 1. A file that cannot be read has one row, which
+        is not counted, with the reason among its remarks.
+    """
+    try:
+        data = read_bytes(path)
+        program = read_program(text_of(data))
+        toolpath = program.toolpath(tolerance=chosen.tolerance)
+    except Unusable as error:
+        return (unread(path, error.what),)
+    except Exception as error:  # one of ours; it costs this file only
+        return (unread(path, Message("not-analysed", error=f"{type(error).__name__}: {error}")),)
+    fingerprint = hashlib.sha1(data, usedforsecurity=False).hexdigest()[:16]
+    sections = split_sections(program)
+    return tuple(
+        replace(row, fingerprint=fingerprint) for row in _rows(path, program, toolpath, sections, chosen)
+    )
+
+
+def unread(path: Path, why: Message) -> OperationReport:
+    """Return the row of a file of which nothing is known but why."""
+    nothing = linearize([])
+    return OperationReport(
+        document=str(path), name="", label=path.name, job=path.name, counted=False, recognition=recognize(nothing),
+        trajectories=0, machining=machining(nothing), estimate=None, legacy=None, legacy_positions=(), opengl=None,
+        resolution=None, accuracy=None, cautions=(), remarks=(why,), fingerprint="",
+    )  # fmt: skip
+
+
+def _rows(
+    path: Path, program: Program, toolpath: Toolpath, sections: tuple[Section, ...], chosen: Preferences
+) -> list[OperationReport]:
+    bounds = np.searchsorted(toolpath.command, [section.first for section in sections[1:]])
+    parts = [toolpath.part(int(a), int(b)) for a, b in zip([0, *bounds], [*bounds, len(toolpath)])]
+    cutting = [(part, section) for part, section in zip(parts, sections) if not part.rapid.all()]
+    if not cutting:
+        return [replace(unread(path, Message("no-cutting-move")), trajectories=len(toolpath))]
+    stock = _stock(toolpath, [section.tool for _, section in cutting])
+    starts = [section.first for _, section in cutting]
+    remarks: list[list[Message]] = [[] for _ in cutting]
+    for problem in toolpath.problems:  # each stands with the operation in which it is first met
+        remarks[max(bisect_right(starts, problem.command) - 1, 0)].append(at_line(problem))
+    return [
+        _row(path, program, part, section, stock, chosen, said)
+        for (part, section), said in zip(cutting, remarks)
+    ]
+
+
+def _row(
+    path: Path, program: Program, part: Toolpath, section: Section, stock: Stock | None, chosen: Preferences,
+    remarks: list[Message],
+) -> OperationReport:  # fmt: skip
+    """Return the row of one operation."""
+    row = replace(
+        unread(path, Message("no-cutting-move")),
+        name=f"lines {section.first}-{section.last}",
+        label=section.title or (path.stem if section.number is None else f"T{section.number}"),
+        counted=True,
+        trajectories=len(part),
+    )
+    unlike_milling = program.other or _turned(program, section)
+    if unlike_milling:
+        return replace(row, recognition=_unknown(part, unlike_milling), remarks=(unlike_milling, *remarks))
+    tool = section.tool
+    found = recognize(part, tool_diameter=tool and tool.diameter)
+    cost = resolution = None
+    if tool and stock:
+        cost = estimate(part, found, tool=tool, stock=stock, view=chosen.view)
+        resolution = best_resolution([cost], stepover=found.stepover, **chosen.budget)
+    else:
+        remarks = [*remarks, Message("tool-not-told")]
+    return replace(
+        row, recognition=found, machining=_machining(part), estimate=cost, resolution=resolution, remarks=tuple(remarks)
+    )
+
+
+def _turned(program: Program, section: Section) -> Message | None:
+    """Return what is said where a rotary axis turns during a cut of this operation."""
+    line = next((line for line in program.rotary if section.first <= line <= section.last), None)
+    return None if line is None else Message("rotary", line=line)
+
+
+def _unknown(part: Toolpath, why: Message) -> Recognition:
+    """Return the verdict on moves whose way is not the tool's way through the part."""
+    span = Span(0, len(part) - 1, int(part.command[0]), int(part.command[-1]), Strategy.UNKNOWN, 1.0)
+    return Recognition(Strategy.UNKNOWN, 0.0, why, (span,))
+
+
+def _machining(part: Toolpath) -> Machining:
+    """Return lengths and times; a program has no tool controller that could say how fast rapids are."""
+    found = machining(part)
+    left_out = [message for message in found.left_out if message.code == "cutting-untimed"]
+    if found.rapid_length:
+        left_out.append(Message("rapids-not-told", length=found.rapid_length))
+    return replace(found, left_out=tuple(left_out))
+
+
+def _stock(toolpath: Toolpath, tools: list[Tool | None]) -> Stock | None:
+    """Return a box around all cuts of a program; None where no tool is known."""
+    known = [tool for tool in tools if tool]
+    return stock_around(toolpath, max(known, key=lambda tool: tool.diameter)) if known else None

@@ -1,0 +1,88 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Files and folders of NC programs: which there are, and their text."""
+
+from __future__ import annotations
+
+import codecs
+import gzip
+import lzma
+import os
+import re
+from collections.abc import Iterable, Iterator
+from pathlib import Path
+
+from vkworkbench.language import Message, Unusable
+
+# How NC programs are named. In a folder others are passed by; a file that is named itself is read whatever it is called.
+SUFFIXES = frozenset(
+    ".nc .ngc .gcode .gc .g .tap .cnc .ncc .ncf .iso .eia .din .min .mpf .spf .prg .fnc .nc1 .ptp .mcd".split()
+)
+MOST_BYTES = 400_000_000  # of text; some ten million lines, more than a toolpath may have
+_PACKED = {".xz": lzma.open, ".gz": gzip.open}
+_MARKS = ((codecs.BOM_UTF8, "utf-8-sig"), (codecs.BOM_UTF16_LE, "utf-16"), (codecs.BOM_UTF16_BE, "utf-16"))
+# Letters beyond ASCII side by side: Cyrillic words. Western languages have them one by one.
+_CYRILLIC = re.compile(rb"[\xc0-\xff]{3}")
+_TEXT_CONTROLS = frozenset(b"\t\n\r\f\x0b")
+
+
+def find_programs(what: Iterable[str | os.PathLike]) -> Iterator[Path]:
+    """Return the files named, and in folders, at any depth, those whose suffix is that of an NC program.
+
+    Each file comes once, those of a folder in the order of their names.
+    """
+    seen: set[Path] = set()
+    for one in map(Path, what):
+        for path in _in_folder(one) if one.is_dir() else [one]:
+            if path not in seen:
+                seen.add(path)
+                yield path
+
+
+def _in_folder(folder: Path) -> Iterator[Path]:
+    for root, folders, names in os.walk(folder):
+        folders[:] = sorted(name for name in folders if not name.startswith("."))
+        for name in sorted(names):
+            suffixes = [suffix.lower() for suffix in Path(name).suffixes[-2:]]
+            if suffixes and suffixes[-1] in _PACKED:
+                suffixes.pop()
+            if suffixes and suffixes[-1] in SUFFIXES:
+                yield Path(root, name)
+
+
+def read_bytes(path: Path) -> bytes:
+    """Return a file's content, unpacked.
+
+    Raises
+    ------
+    Unusable
+        If it cannot be read, or is too large.
+    """
+    try:
+        with _PACKED.get(path.suffix.lower(), open)(path, "rb") as file:
+            data = file.read(MOST_BYTES + 1)
+    except (OSError, EOFError, lzma.LZMAError) as error:
+        raise Unusable(Message("file-unreadable", name=getattr(error, "strerror", None) or str(error))) from None
+    if len(data) > MOST_BYTES:
+        raise Unusable(Message("file-too-large", size=MOST_BYTES))
+    return data
+
+
+def text_of(data: bytes) -> str:
+    """Return a program's text in whatever encoding: Unicode with a mark, UTF-8, else Windows' Cyrillic or Western one.
+
+    Raises
+    ------
+    Unusable
+        If it is no text.
+    """
+    for mark, encoding in _MARKS:
+        if data.startswith(mark):
+            return data.decode(encoding, "replace")
+    data = data.strip(b"\0\x1a\x7f")  # a punched tape's leader, and how DOS ends a text
+    controls = sum(data.count(code) for code in range(32) if code not in _TEXT_CONTROLS)
+    if b"\0" in data or controls > 0.01 * len(data):
+        raise Unusable(Message("no-text"))
+    try:
+        return data.decode("utf-8")
+    except UnicodeDecodeError:
+        return data.decode("cp1251" if _CYRILLIC.search(data) else "cp1252", "replace")
