@@ -163,3 +163,13 @@ def test_the_paper_to_the_letter():
     # From a corner of it V_k sees a square under a quarter turn, and turns one way only.
     assert verdicts["one loop"].sense == "ccw"
     assert verdicts["one loop"].theta_range == pytest.approx((0.0, np.pi / 2))
+
+
+def test_directions_and_turns_are_taken_in_one_file():
+    core = Path(__file__).resolve().parents[3] / "vkworkbench" / "core"
+    sources = {path: path.read_text() for path in core.rglob("*.py")}
+    # Elsewhere only the angles of arcs about their centres, and of the view.
+    arcs = {"arcs.py", "preflight.py", "closed_form.py"}
+    assert {path.name for path, text in sources.items() if "arctan2" in text} <= {"directions.py", *arcs}
+    wrapped = {path.name for path, text in sources.items() if re.search(r"rint\([^\n]*TURN|def wrap\b", text)}
+    assert wrapped == {"directions.py"}
