@@ -354,25 +354,13 @@ class Report:
         return "\n".join(lines)
 
     def to_csv(self, path: str) -> None:
-        """Write one line for each operation, with a header, in mm, s, rad and bytes.
-
-        The column ``codes`` has the codes of its messages, each with those of its parts behind it.
-        A text cell that a spreadsheet would take for a formula gets an apostrophe in front.
-        """
-        rows = [o.as_dict() for o in self.operations]
-        for row, operation in zip(rows, self.operations):
-            del row["messages"]
-            row["codes"] = "; ".join(" ".join(message.codes) for message in operation.messages)
-            row["cautions"] = "; ".join(row["cautions"])
-            row["machining_notes"] = "; ".join(row["machining_notes"])
-            row["spans"] = "; ".join(
-                f"{s['strategy']} {s['first_command']}-{s['last_command']}" for s in row["spans"]
-            )
+        """Write one line for each operation, with a header, in mm, s, rad and bytes; see `cells_of`."""
+        rows = [cells_of(operation) for operation in self.operations]
         names = list(rows[0]) if rows else ["document", "name", "label", "strategy"]
         with open(path, "w", newline="", encoding="utf-8") as file:
             writer = csv.DictWriter(file, names)
             writer.writeheader()
-            writer.writerows({k: plain_text(v) for k, v in row.items()} for row in rows)
+            writer.writerows(rows)
 
     def to_json(self, path: str) -> None:
         """Write the operations and the totals of their jobs, in mm, s, rad and bytes."""
@@ -382,6 +370,21 @@ class Report:
         }
         with open(path, "w", encoding="utf-8") as file:
             json.dump(data, file, indent=1, ensure_ascii=False)
+
+
+def cells_of(operation: OperationReport) -> dict[str, Any]:
+    """Return an operation's report as the cells of one line of a table.
+
+    The column ``codes`` has the codes of its messages, each with those of its parts behind it.
+    A text cell that a spreadsheet would take for a formula gets an apostrophe in front.
+    """
+    row = operation.as_dict()
+    del row["messages"]
+    row["codes"] = "; ".join(" ".join(message.codes) for message in operation.messages)
+    row["cautions"] = "; ".join(row["cautions"])
+    row["machining_notes"] = "; ".join(row["machining_notes"])
+    row["spans"] = "; ".join(f"{s['strategy']} {s['first_command']}-{s['last_command']}" for s in row["spans"])
+    return {name: plain_text(value) for name, value in row.items()}
 
 
 def _row(o: OperationReport) -> tuple[str, ...]:

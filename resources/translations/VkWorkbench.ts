@@ -844,6 +844,14 @@
         <source>the file is larger than {size:bytes}</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>given up after {time:s}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the process that read it died, of too little memory perhaps</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

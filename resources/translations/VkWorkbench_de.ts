@@ -844,6 +844,14 @@
         <source>the file is larger than {size:bytes}</source>
         <translation>die Datei ist größer als {size:bytes}</translation>
     </message>
+    <message>
+        <source>given up after {time:s}</source>
+        <translation>nach {time:s} aufgegeben</translation>
+    </message>
+    <message>
+        <source>the process that read it died, of too little memory perhaps</source>
+        <translation>der Prozess, der es las, ist gestorben, vielleicht aus Speichermangel</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

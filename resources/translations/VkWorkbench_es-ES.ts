@@ -844,6 +844,14 @@
         <source>the file is larger than {size:bytes}</source>
         <translation>el archivo supera {size:bytes}</translation>
     </message>
+    <message>
+        <source>given up after {time:s}</source>
+        <translation>abandonado tras {time:s}</translation>
+    </message>
+    <message>
+        <source>the process that read it died, of too little memory perhaps</source>
+        <translation>el proceso que lo leía murió, quizá por falta de memoria</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

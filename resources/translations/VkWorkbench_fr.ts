@@ -844,6 +844,14 @@
         <source>the file is larger than {size:bytes}</source>
         <translation>le fichier dépasse {size:bytes}</translation>
     </message>
+    <message>
+        <source>given up after {time:s}</source>
+        <translation>abandonné après {time:s}</translation>
+    </message>
+    <message>
+        <source>the process that read it died, of too little memory perhaps</source>
+        <translation>le processus qui le lisait est mort, faute de mémoire peut-être</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

@@ -844,6 +844,14 @@
         <source>the file is larger than {size:bytes}</source>
         <translation>文件大于 {size:bytes}</translation>
     </message>
+    <message>
+        <source>given up after {time:s}</source>
+        <translation>{time:s} 后放弃</translation>
+    </message>
+    <message>
+        <source>the process that read it died, of too little memory perhaps</source>
+        <translation>读取它的进程已终止，可能是内存不足</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

@@ -34,7 +34,7 @@ FLOORS = (
     ("preferences",),
     ("program",),
     ("document",),
-    ("",),  # the package itself, the names for macros
+    ("", "__main__"),  # the package itself, the names for macros; and its command
     ("gui",),
 )
 # What comes from outside beside the standard library, by the longest name that fits.

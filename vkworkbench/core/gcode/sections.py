@@ -19,7 +19,7 @@ _AXES = frozenset("XYZ")
 
 # A title behind what some post processors write before it.
 _TITLED = re.compile(
-    r"(?:begin operation|toolpath(?: name)?|operation(?: name)?|op(?:eration)? ?\d+|name|type|no\.? ?\d+|nr\.? ?\d+)\s*[:=]\s*(\S.*)",
+    r"(?:begin operation|path|toolpath(?: name)?|operation(?: name)?|op(?:eration)? ?\d+|name|type|no\.? ?\d+|nr\.? ?\d+)\s*[:=]\s*(\S.*)",
     re.I,
 )
 # What post processors say of themselves, of the machine, of modes, and of moves within an operation.

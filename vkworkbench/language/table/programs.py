@@ -56,5 +56,7 @@ PROGRAMS = {
     ),
     # Files.
     "file-unreadable": QT_TRANSLATE_NOOP("Sentences", "the file cannot be read: {name}"),
+    "too-long": QT_TRANSLATE_NOOP("Sentences", "given up after {time:s}"),
+    "worker-died": QT_TRANSLATE_NOOP("Sentences", "the process that read it died, of too little memory perhaps"),
     "file-too-large": QT_TRANSLATE_NOOP("Sentences", "the file is larger than {size:bytes}"),
 }

@@ -1,0 +1,224 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The command line as a user runs it: real processes, real files, real signals."""
+
+import csv
+import json
+import os
+import signal
+import subprocess
+import sys
+import threading
+import time
+from pathlib import Path
+
+import pytest
+
+from vkworkbench.preferences import Preferences
+from vkworkbench.program import apart
+
+ROOT = Path(__file__).resolve().parents[3]
+ROWS = "".join(f"G1 X{40 * (k % 2)}\nY{k + 1}\n" for k in range(20))
+PROGRAM = f"(T1 D=6. CR=0. - flat end mill)\nG21\n(Face)\nT1 M6\nG0 X0 Y0 Z5\nG1 Z-1 F600\n{ROWS}G0 Z5\nM30\n"
+LONG = "G0 X0 Y0 Z5\nG1 Z-1 F600\n" + "X1\nX2\n" * 200_000
+
+
+@pytest.fixture
+def folder(tmp_path):
+    folder = tmp_path / "programs"
+    folder.mkdir()
+    for name in "abcdef":
+        (folder / f"{name}.nc").write_text(PROGRAM)
+    (folder / "b.nc").write_bytes(b"\0\1\2")
+    return folder
+
+
+def command(*arguments):
+    return [sys.executable, "-m", "vkworkbench", *map(str, arguments)]
+
+
+def run(*arguments, **options):
+    return subprocess.run(command(*arguments), capture_output=True, text=True, cwd=ROOT, timeout=120, **options)
+
+
+def rows_of(path):
+    return list(csv.DictReader(open(path, newline="", encoding="utf-8")))
+
+
+def test_a_table_for_each_program(folder):
+    done = run(folder, "--jobs", 2)
+    assert done.returncode == 1
+    assert done.stdout.count("Face") == 5 and done.stdout.count("zigzag") == 5
+    assert f"{folder / 'b.nc'}\nno NC program: it is not a text\n" in done.stdout
+    assert done.stderr.splitlines()[-1] == "5 operations in 6 files, 1 could not be read."
+    (folder / "b.nc").unlink()
+    assert run(folder).returncode == 0
+
+
+def test_results_as_csv_and_as_json_lines(folder, tmp_path):
+    assert run(folder, "--csv", tmp_path / "out.csv").returncode == 1
+    rows = rows_of(tmp_path / "out.csv")
+    assert sorted(Path(row["document"]).name for row in rows) == [f"{name}.nc" for name in "abcdef"]
+    assert {row["strategy"] for row in rows} == {"zigzag", "empty"}
+    lines = [json.loads(line) for line in run(folder, "--json-lines").stdout.splitlines()]
+    assert sorted(line["document"] for line in lines) == sorted(row["document"] for row in rows)
+    assert run("--json-lines", tmp_path / "out.jsonl", folder / "a.nc").stdout == ""
+    (line,) = map(json.loads, (tmp_path / "out.jsonl").read_text().splitlines())
+    assert (line["label"], line["strategy"]) == ("Face", "zigzag")
+    expected = next(one for one in lines if one["document"] == line["document"])
+    assert line == expected
+
+
+@pytest.mark.parametrize("kind", ["--csv", "--json-lines"])
+def test_it_goes_on_where_it_was_stopped(folder, tmp_path, kind):
+    out = tmp_path / "out"
+    assert run(folder, kind, out, "--jobs", 1).returncode == 1
+    whole = out.read_bytes()
+    lines = whole.splitlines(keepends=True)
+    for cut in (0, len(lines[0]) + 3, len(b"".join(lines[:3])), len(b"".join(lines[:4])) - 20, len(whole)):
+        out.write_bytes(whole[:cut])
+        done = run(folder, kind, out, "--resume", "--jobs", 1)
+        assert sorted(out.read_bytes().splitlines()) == sorted(whole.splitlines()), cut
+        again = int(done.stderr.splitlines()[-1].split(" files")[0].split()[-1])
+        complete = whole[:cut].count(b"\n") - (kind == "--csv")
+        assert again == 6 - max(complete - 1, 0)  # the last one may have more rows
+
+
+def test_wrong_arguments_say_what_to_do(folder, tmp_path):
+    other = tmp_path / "other.csv"
+    other.write_text("a,b\n1,2\n")
+    empty = tmp_path / "empty"
+    empty.mkdir()
+    for arguments, words in (
+        ((empty,), f"no NC programs in {empty}"),
+        ((folder, "--resume"), "--resume needs the results' file"),
+        ((folder, "--csv", other, "--resume"), f"cannot go on with {other}: its columns are others"),
+        ((folder, "--csv", tmp_path / "no" / "x.csv"), "cannot write"),
+        ((folder, "--jobs", "0"), "invalid"),
+        ((), "required: FILE|FOLDER"),
+    ):
+        done = run(*arguments)
+        assert (done.returncode, done.stdout) == (2, "") and words in done.stderr and "Traceback" not in done.stderr
+    assert other.read_text() == "a,b\n1,2\n"
+
+
+def test_a_program_that_never_ends_costs_only_itself(folder, tmp_path):
+    os.mkfifo(folder / "endless.nc")  # a file whose end never comes
+    done = run(folder, "--csv", tmp_path / "out.csv", "--timeout", "5", "--jobs", 2)
+    errors = {Path(row["document"]).name: row["error"] for row in rows_of(tmp_path / "out.csv")}
+    assert errors.pop("endless.nc") == "given up after 5.0 s"
+    assert errors.pop("b.nc") and len(errors) == 5 and not any(errors.values())
+    assert done.stderr.splitlines()[-1] == "5 operations in 7 files, 2 could not be read."
+
+
+def test_a_process_that_dies_costs_only_its_program(tmp_path):
+    path = tmp_path / "long.nc"
+    path.write_text(LONG)
+    found = []
+
+    def work():
+        found.append(apart.analyze_apart(path, Preferences(), 60.0))
+        found.append(apart.analyze_apart(path.with_name("short.nc"), Preferences(), 60.0))
+
+    path.with_name("short.nc").write_text(PROGRAM)
+    thread = threading.Thread(target=work)
+    thread.start()
+    while not list(apart._workers):
+        time.sleep(0.01)
+    time.sleep(0.1)
+    for worker in list(apart._workers):
+        os.kill(worker._process.pid, signal.SIGKILL)
+    thread.join(60)
+    apart.end_workers()
+    (died,), (alive,) = found
+    assert died.error.startswith("the process that read it died") and not died.counted
+    assert str(alive.strategy) == "zigzag"
+
+
+def test_ctrl_c_ends_it_with_all_its_processes(folder, tmp_path):
+    os.mkfifo(folder / "endless.nc")
+    out = tmp_path / "out.csv"
+    process = subprocess.Popen(command(folder, "--csv", out, "--jobs", 2), cwd=ROOT, stderr=subprocess.PIPE, text=True)
+    deadline = time.monotonic() + 60
+    while (not out.exists() or out.read_bytes().count(b"\n") < 7) and time.monotonic() < deadline:
+        time.sleep(0.05)
+    children = Path(f"/proc/{process.pid}/task/{process.pid}/children").read_text().split()
+    children += [c for task in Path(f"/proc/{process.pid}/task").iterdir() for c in (task / "children").read_text().split()]
+    process.send_signal(signal.SIGINT)
+    _, said = process.communicate(timeout=20)
+    assert process.returncode == 130
+    assert said.splitlines()[-1] == "Stopped after 6 of 7 files; --resume goes on." and "Traceback" not in said
+    assert children and not any(Path(f"/proc/{child}/cmdline").exists() for child in children)
+    assert len(rows_of(out)) == 6
+
+
+def test_a_reader_that_goes_away_is_no_error(folder):
+    process = subprocess.Popen(command(folder), cwd=ROOT, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    process.stdout.close()
+    assert "Traceback" not in process.stderr.read()
+    process.wait(60)
+
+
+def test_names_that_are_no_utf8(tmp_path):
+    (tmp_path / "a.nc").write_text(PROGRAM)
+    os.rename(tmp_path / "a.nc", os.fsencode(tmp_path) + b"/fr\xe4sen.nc")
+    assert run(tmp_path).returncode == 0
+    for _ in range(2):
+        assert run(tmp_path, "--json-lines", tmp_path / "out.jsonl", "--resume").returncode == 0
+        assert (tmp_path / "out.jsonl").read_bytes().count(b"\n") == 1
+
+
+@pytest.fixture
+def scheduler(tmp_path):
+    """Address of a Dask scheduler with two workers, all of them real processes."""
+    pytest.importorskip("distributed", reason="python3-distributed is not installed: --scheduler is not tested")
+    file = tmp_path / "scheduler.json"
+    # They find the add-on as on a cluster: installed, not by their working folder.
+    options = {"cwd": tmp_path, "env": {**os.environ, "PYTHONPATH": str(ROOT)}, "stderr": subprocess.DEVNULL}
+    local = ("--host", "127.0.0.1", "--no-dashboard")
+    processes = [
+        subprocess.Popen([sys.executable, "-m", "distributed.cli.dask_scheduler", *local, "--port", "0",
+                          "--scheduler-file", file], **options),
+    ]  # fmt: skip
+    processes += [
+        subprocess.Popen([sys.executable, "-m", "distributed.cli.dask_worker", *local, "--scheduler-file", file,
+                          "--nthreads", "1"], **options)
+        for _ in range(2)
+    ]  # fmt: skip
+    try:
+        from distributed import Client
+
+        with Client(scheduler_file=str(file), timeout=60) as client:
+            client.wait_for_workers(2, timeout=60)
+            yield client.scheduler.address, client
+    finally:
+        for process in reversed(processes):
+            process.terminate()
+        for process in processes:
+            try:
+                process.wait(10)
+            except subprocess.TimeoutExpired:
+                process.kill()
+
+
+def test_the_same_on_a_dask_cluster(folder, tmp_path, scheduler):
+    address, client = scheduler
+    here, there = tmp_path / "here.csv", tmp_path / "there.csv"
+    os.mkfifo(folder / "endless.nc")
+    assert run(folder, "--csv", here, "--timeout", "5").returncode == 1
+    done = run(folder, "--csv", there, "--timeout", "5", "--scheduler", address)
+    assert done.returncode == 1 and done.stderr.splitlines()[-1] == "5 operations in 7 files, 2 could not be read."
+    assert sorted(there.read_bytes().splitlines()) == sorted(here.read_bytes().splitlines())
+    started = client.run(lambda: len(__import__("vkworkbench.program.apart", fromlist=["apart"])._workers))
+    assert len(started) == 2 and all(started.values())  # both had something to do
+
+
+def test_no_scheduler_is_said(folder):
+    pytest.importorskip("distributed", reason="python3-distributed is not installed: --scheduler is not tested")
+    done = run(folder, "--scheduler", "nonsense://nowhere")
+    assert done.returncode == 2 and "no Dask scheduler at nonsense://nowhere" in done.stderr and "Traceback" not in done.stderr
+
+
+def test_dask_is_loaded_for_a_cluster_only(folder):
+    code = "import sys; from vkworkbench.program import main; main(sys.argv[1:]); print('distributed' in sys.modules)"
+    done = subprocess.run([sys.executable, "-c", code, str(folder / "a.nc")], cwd=ROOT, capture_output=True, text=True)
+    assert done.stdout.splitlines()[-1] == "False"

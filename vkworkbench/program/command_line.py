@@ -1,0 +1,208 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""``python3 -m vkworkbench``: many NC programs, on all cores or on a Dask cluster."""
+
+from __future__ import annotations
+
+import argparse
+import os
+import sys
+from collections.abc import Iterable, Iterator
+from concurrent.futures import FIRST_COMPLETED, Executor, Future, ThreadPoolExecutor, wait
+from contextlib import contextmanager
+from itertools import islice
+from pathlib import Path
+
+from vkworkbench import preferences
+from vkworkbench.language import Message
+from vkworkbench.program.analysis import report_of, unread
+from vkworkbench.program.apart import analyze_apart, end_workers
+from vkworkbench.program.files import find_programs
+from vkworkbench.program.progress import Progress
+from vkworkbench.program.results import Csv, JsonLines, Results
+from vkworkbench.report import OperationReport, cells_of
+
+_WRONG, _UNREAD, _STOPPED = 2, 1, 130  # exit statuses
+_CONNECT = 30  # s
+_AHEAD = 4  # files in hand for each that is worked on
+
+
+class _Wrong(Exception):
+    """What was asked for cannot be done."""
+
+
+def main(arguments: list[str] | None = None) -> int:
+    """Run the command, and return its exit status.
+
+    0: all programs were read; 1: some could not be; 2: nothing could be done; 130: stopped with Ctrl-C.
+    """
+    asked = _parser().parse_args(arguments)
+    for stream in (sys.stdout, sys.stderr):
+        stream.reconfigure(errors="backslashreplace")
+    try:
+        return _run(asked)
+    except _Wrong as error:
+        print(f"vkworkbench: {error}", file=sys.stderr)
+        return _WRONG
+    except BrokenPipeError:  # nobody reads on, as with "| head"
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return _STOPPED
+
+
+def _parser() -> argparse.ArgumentParser:
+    parser = argparse.ArgumentParser(
+        "python3 -m vkworkbench",
+        description="Tell the machining strategy of each operation in NC programs (G-code), and what simulating it costs.",
+        epilog="Exit status: 0 all programs were read, 1 some could not be, 2 nothing could be done, 130 stopped.",
+    )
+    parser.add_argument("what", nargs="+", metavar="FILE|FOLDER", help="NC programs, and folders of them")
+    output = parser.add_mutually_exclusive_group()
+    output.add_argument("--csv", metavar="PATH", help="write a CSV file instead of a table; - is the standard output")
+    output.add_argument(
+        "--json-lines", metavar="PATH", nargs="?", const="-", help="write a JSON object a line, to PATH if it is given"
+    )
+    parser.add_argument("--resume", action="store_true", help="go on with the results in PATH after a stop")
+    parser.add_argument("--jobs", type=_positive(int), metavar="N", help="processes; one per core if not given")
+    parser.add_argument(
+        "--timeout", type=_positive(float), default=600.0, metavar="SECONDS", help="give a program up (default: 600)"
+    )
+    parser.add_argument("--scheduler", metavar="ADDRESS", help="work on a Dask cluster, e.g. tcp://host:8786")
+    return parser
+
+
+def _positive(kind):
+    def number(text: str):
+        value = kind(text)
+        if not 0 < value < float("inf"):
+            raise ValueError(text)
+        return value
+
+    return number
+
+
+def _run(asked: argparse.Namespace) -> int:
+    results = _results(asked)
+    paths = [Path(os.path.abspath(path)) for path in find_programs(asked.what)]
+    if not paths:
+        raise _Wrong(f"no NC programs in {', '.join(asked.what)}")
+    todo = [path for path in paths if results is None or str(path) not in results.done]
+    progress = Progress(todo, sys.stderr)
+    operations, unread_files = 0, 0
+    try:
+        with _executor(asked) as (executor, ahead):
+            for path, rows in _analyzed(todo, executor, ahead, asked.timeout):
+                progress.add(path)
+                if results is None:
+                    progress.clear()
+                    _show(path, rows)
+                else:
+                    results.add(rows)
+                operations += sum(row.counted for row in rows)
+                unread_files += not any(row.counted for row in rows)
+    except KeyboardInterrupt:
+        progress.clear()
+        goes_on = "; --resume goes on" if results is not None else ""
+        print(f"Stopped after {progress.files} of {len(todo)} files{goes_on}.", file=sys.stderr)
+        return _STOPPED
+    finally:
+        if results is not None:
+            results.close()
+    progress.clear()
+    before = f", {len(paths) - len(todo)} files were done before" if len(todo) < len(paths) else ""
+    not_read = f", {unread_files} could not be read" if unread_files else ""
+    print(f"{operations} operations in {len(todo)} files{not_read}{before}.", file=sys.stderr)
+    return _UNREAD if unread_files else 0
+
+
+def _results(asked: argparse.Namespace) -> Results | None:
+    """Return where the rows go, None for a table."""
+    path = asked.csv or asked.json_lines
+    if asked.resume and path in (None, "-"):
+        raise _Wrong("--resume needs the results' file: --csv PATH or --json-lines PATH")
+    if path is None:
+        return None
+    any_row = unread(Path(), Message("moves-nothing"))
+    form = Csv(cells_of(any_row)) if asked.csv else JsonLines()
+    try:
+        return Results(path, form, resume=asked.resume)
+    except ValueError as error:
+        raise _Wrong(f"cannot go on with {path}: {error}") from None
+    except OSError as error:
+        raise _Wrong(f"cannot write {path}: {error.strerror}") from None
+
+
+@contextmanager
+def _executor(asked: argparse.Namespace) -> Iterator[tuple[Executor, int]]:
+    """Give what runs the work, and how many files it is given ahead; what is not begun when left is dropped."""
+    if asked.scheduler:
+        with _cluster(asked.scheduler) as both:
+            yield both
+        return
+    jobs = asked.jobs or _cores()
+    executor = ThreadPoolExecutor(jobs)  # each thread waits for a process of its own
+    try:
+        yield executor, _AHEAD * jobs
+    finally:
+        executor.shutdown(wait=False, cancel_futures=True)
+        end_workers()
+
+
+def _cores() -> int:
+    """Return how many cores this process may use."""
+    if hasattr(os, "sched_getaffinity"):
+        return len(os.sched_getaffinity(0))
+    return os.cpu_count() or 1
+
+
+@contextmanager
+def _cluster(address: str) -> Iterator[tuple[Executor, int]]:
+    try:
+        from distributed import Client
+    except ImportError:
+        raise _Wrong("--scheduler needs Dask: install python3-distributed (Debian) or distributed (PyPI)") from None
+    try:
+        client = Client(address, timeout=_CONNECT)
+    except (OSError, ValueError) as error:
+        raise _Wrong(f"no Dask scheduler at {address}: {error}") from None
+    with client:
+        threads = sum(client.nthreads().values())
+        if not threads:
+            raise _Wrong(f"the Dask scheduler at {address} has no workers")
+        executor = client.get_executor(pure=False)
+        try:
+            yield executor, _AHEAD * threads
+        finally:
+            executor.shutdown(wait=False)
+
+
+def _analyzed(
+    paths: Iterable[Path], executor: Executor, ahead: int, patience: float
+) -> Iterator[tuple[Path, tuple[OperationReport, ...]]]:
+    """Give each program with its rows, in the order in which they are done."""
+    chosen = preferences.read()
+    rest = iter(paths)
+    pending: dict[Future, Path] = {}
+    while True:
+        for path in islice(rest, ahead - len(pending)):
+            pending[executor.submit(analyze_apart, path, chosen, patience)] = path
+        if not pending:
+            return
+        for future in wait(pending, return_when=FIRST_COMPLETED).done:
+            path = pending.pop(future)
+            yield path, _rows(path, future)
+
+
+def _rows(path: Path, future: Future) -> tuple[OperationReport, ...]:
+    """Return the rows of a program; where its computer left the cluster for good, one that says so."""
+    try:
+        return future.result()
+    except ModuleNotFoundError as error:
+        raise _Wrong(f"the workers of the cluster cannot load this add-on: {error}") from None
+    except Exception as error:
+        return (unread(path, Message("not-analysed", error=f"{type(error).__name__}: {error}")),)
+
+
+def _show(path: Path, rows: tuple[OperationReport, ...]) -> None:
+    if any(row.counted for row in rows):
+        print(f"{path}\n{report_of(rows, preferences.read())}\n", flush=True)
+    else:
+        print(f"{path}\n{rows[0].error}\n", flush=True)

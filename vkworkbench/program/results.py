@@ -1,0 +1,141 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Results written while they come: CSV or JSON lines, one line for each operation, and gone on with after a stop."""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+import re
+import sys
+from collections.abc import Iterable
+from pathlib import Path
+from typing import BinaryIO
+
+from vkworkbench.report import OperationReport, cells_of
+
+_CONTROL = re.compile(r"[\x00-\x1f\x7f-\x9f\u2028\u2029]")
+
+
+def _bytes(text: str) -> bytes:
+    """Return a text in UTF-8; a file's name may hold bytes that are none."""
+    return text.encode("utf-8", "surrogateescape")
+
+
+def _text(data: bytes) -> str:
+    return data.decode("utf-8", "surrogateescape")
+
+
+class JsonLines:
+    """One JSON object a line, in mm, s, rad and bytes, as `OperationReport.as_dict`."""
+
+    header = b""
+
+    def line(self, row: OperationReport) -> bytes:
+        return _bytes(json.dumps(row.as_dict(), ensure_ascii=False) + "\n")
+
+    def document(self, line: bytes) -> str:
+        """Return the file that a line is about. Raises ValueError, LookupError or TypeError for any other line."""
+        return json.loads(_text(line))["document"]
+
+
+class Csv:
+    """One line of a spreadsheet each, as `cells_of`, below a line of names."""
+
+    def __init__(self, names: Iterable[str]) -> None:
+        self._names = list(names)
+        self.header = self._written(self._names)
+        self._column = self._names.index("document")
+
+    def line(self, row: OperationReport) -> bytes:
+        cells = cells_of(row)
+        return self._written(cells[name] for name in self._names)
+
+    def document(self, line: bytes) -> str:
+        """Return the file that a line is about. Raises ValueError for any other line."""
+        (cells,) = csv.reader([_text(line)])
+        if len(cells) != len(self._names):
+            raise ValueError(line)
+        return cells[self._column]
+
+    @staticmethod
+    def _written(cells: Iterable) -> bytes:
+        text = io.StringIO()
+        csv.writer(text).writerow(_CONTROL.sub(" ", cell) if isinstance(cell, str) else cell for cell in cells)
+        return _bytes(text.getvalue())
+
+
+class Results:
+    """A file of results, or the standard output, to which the rows of one program after the other are added.
+
+    Parameters
+    ----------
+    path : str
+        ``"-"`` for the standard output.
+    form : JsonLines or Csv
+    resume : bool
+        Whether to go on with what the file has. Its last program is done again: its rows may not be complete.
+
+    Attributes
+    ----------
+    done : set of str
+        The programs whose rows are there already.
+
+    Raises
+    ------
+    ValueError
+        If there are other lines in the file that is to be gone on with.
+    OSError
+        If the file cannot be written.
+    """
+
+    def __init__(self, path: str, form: JsonLines | Csv, *, resume: bool = False) -> None:
+        self._form = form
+        self.done: set[str] = set()
+        self._file: BinaryIO
+        if path == "-":
+            self._file = sys.stdout.buffer
+        elif resume and Path(path).exists():
+            self._file = open(path, "r+b")
+            self._file.seek(self._keep())
+            self._file.truncate()
+        else:
+            self._file = open(path, "wb")
+        if not self.done:
+            self._write(form.header)
+
+    def add(self, rows: Iterable[OperationReport]) -> None:
+        """Write the rows of one program, all at once."""
+        self._write(b"".join(map(self._form.line, rows)))
+
+    def close(self) -> None:
+        if self._file is not sys.stdout.buffer:
+            self._file.close()
+
+    def _write(self, data: bytes) -> None:
+        self._file.write(data)
+        self._file.flush()
+
+    def _keep(self) -> int:
+        """Fill `done`, and return how many bytes of the file stay."""
+        place, begin, last = 0, 0, None
+        header = self._form.header
+        for line in self._file:
+            place += len(line)
+            if not line.endswith(b"\n"):
+                break  # it was stopped while writing this one
+            if header:
+                if line != header:
+                    raise ValueError("its columns are others")
+                header = b""
+                begin = place
+                continue
+            try:
+                document = self._form.document(line)
+            except (ValueError, LookupError, TypeError):
+                raise ValueError("a line of it is no result of this command") from None
+            if document != last:
+                self.done.add(document)
+                begin, last = place - len(line), document
+        self.done.discard(last)
+        return begin if self.done else 0
