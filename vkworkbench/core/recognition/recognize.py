@@ -12,8 +12,9 @@ from vkworkbench.core.recognition.evidence import gather, sentence
 from vkworkbench.core.recognition.footprints import count_depths
 from vkworkbench.core.recognition.repeats import without_repeats
 from vkworkbench.core.recognition.section import Section
-from vkworkbench.core.recognition.thresholds import CONFIDENCE, PARTS, ROWS
+from vkworkbench.core.recognition.thresholds import CONFIDENCE, ENOUGH, PARTS, ROWS
 from vkworkbench.core.recognition.verdict import Verdict, judge
+from vkworkbench.core.recognition.visits import begun
 from vkworkbench.core.strategy import Family, Strategy
 from vkworkbench.core.toolpath import Toolpath
 from vkworkbench.language import Message, render
@@ -125,6 +126,7 @@ def recognize(toolpath: Toolpath, *, tool_diameter: float | None = None) -> Reco
     first, last = int(np.argmin(rapid)), len(rapid) - 1 - int(np.argmin(rapid[::-1]))
     whole = _judge_one(toolpath, moves, first, last, tool)
     borders = _borders(toolpath, moves)
+    borders.update((at, True) for at in begun(toolpath, moves))
     if not 0 < len(borders) <= PARTS.BORDERS:
         return whole
     return _judge_sections(toolpath, borders, whole, tool)
@@ -223,15 +225,27 @@ def _judge_sections(toolpath, borders, whole: Recognition, tool: float) -> Recog
     certain = np.array(certainly) != certainly[main]
     differs = np.array([_differs(r, found[main], sure) for r, sure in zip(found, certain)])
     drilled = np.array([r.strategy is Strategy.DRILLING for r in found])  # holes have next to no length
-    if share[differs].sum() < PARTS.ASIDE and not (differs & drilled & certain).any():
+    if share[differs].sum() < PARTS.ASIDE and not (differs & certain & (drilled | (share > PARTS.CERTAIN))).any():
         return _agree(toolpath, whole, found, share)
-    runs = _joined(found)
+    runs = _joined([_one_span(r) for r in found])
     names = list(dict.fromkeys(strategy for _, _, strategy in runs))
     why = Message("sections", count=len(runs), strategies=names, strategy=Strategy.MIXED)
     confidence = float((share * [r.confidence for r in found]).sum())
     return replace(
         whole, strategy=Strategy.MIXED, confidence=confidence, why=why, spans=_spans(toolpath, runs)
     )
+
+
+def _one_span(one: Recognition) -> Recognition:
+    """Return an operation of a program as one span; rows with a contour around them are rows with a finishing pass."""
+    if len(one.spans) < 2:
+        return one
+    share = sum(s.share for s in one.spans if s.strategy.family is Family.ROWS)
+    rows = max((s for s in one.spans), key=lambda s: s.share if s.strategy.family is Family.ROWS else -1.0).strategy
+    strategy = rows if share > ENOUGH.SHARE else one.strategy
+    first, last = one.spans[0], one.spans[-1]
+    span = replace(first, last=last.last, last_command=last.last_command, strategy=strategy, share=1.0)
+    return replace(one, spans=(span,))
 
 
 def _joined(found: list[Recognition]) -> list[tuple[int, int, Strategy]]:

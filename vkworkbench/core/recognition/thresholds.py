@@ -288,6 +288,23 @@ class PARTS:
     DEPTHS = 10
     #: share of the length. Sections that differ and are less do not make a program mixed.
     ASIDE = 0.05
+    #: share of the length. So much is enough behind a border that is certain.
+    CERTAIN = 0.01
+
+
+class VISITS:
+    #: share of the votes. So many say that another operation begins.
+    BORDER = 0.3
+    #: visits. More sections are no operations, and each takes its time.
+    MOST = 60
+    #: share of the length. A block whose ends lie closer together is closed.
+    CLOSED = 0.03
+    #: share of the size. Visits whose boxes differ by less on every side cover the same ground.
+    PLACE = 0.01
+    #: share. Feeds that differ by less are one feed.
+    FEED = 0.01
+    #: mm. What is smaller counts as so large, that a hole has a size.
+    SMALL = 0.05
 
 
 class CONFIDENCE:

@@ -1,0 +1,97 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Learn which retracts part two operations, and write vkworkbench/core/recognition/borders.py.
+
+    python3 benchmarks/learn_borders.py PROGRAMS.jsonl.gz OPERATIONS.jsonl.gz ... [--write]
+
+PROGRAMS holds whole programs, OPERATIONS single operations as benchmarks/recognition.py reads both. The operations are
+also joined at random, two of one part with a rapid between, as examples of certain borders. What is printed is judged on
+sources that had no part in the learning: a tenth of the repositories and parts at a time.
+"""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from pathlib import Path
+
+import numpy as np
+
+HERE = Path(__file__).resolve().parent
+sys.path[:0] = [str(HERE.parent), str(HERE)]
+
+from records import JOINED, joined, operations, programs  # noqa: E402
+from trees import forest, grow  # noqa: E402
+
+from vkworkbench.core.paper import monotonous_areas  # noqa: E402
+from vkworkbench.core.recognition.borders import MEASURES  # noqa: E402
+from vkworkbench.core.recognition.thresholds import VISITS  # noqa: E402
+from vkworkbench.core.recognition.visits import compared, find_visits  # noqa: E402
+
+TREES, LEAVES = 16, 50
+MANY = 60  # visits of one operation; of more some are taken, that no raster outweighs all other programs
+FOLDS = 10
+BORDERS_OF_PROGRAMS, OF_JOINED = 4.0, 0.5  # weights: true borders of real programs are rare
+TABLE = HERE.parent / "vkworkbench" / "core" / "recognition" / "borders.py"
+
+
+def examples(path, sections) -> tuple[np.ndarray, np.ndarray]:
+    """Return the measures of those retracts of a program that lie in a section (0) or between two (1)."""
+    visits = find_visits(path, monotonous_areas(path))
+    if visits is None:
+        return np.empty((0, len(MEASURES))), np.empty(0, int)
+    before, after = visits.last[:-1], visits.first[1:]
+    border = np.full(len(before), -1)
+    for s in sections:
+        border[(before >= s.first) & (after <= s.last)] = 0
+    for one, two in zip(sections, sections[1:]):
+        border[(after > one.last) & (before < two.first)] = 1
+    inside = np.flatnonzero(border == 0)
+    if len(inside) > MANY:
+        inside = np.random.default_rng(0).choice(inside, MANY, replace=False)
+    chosen = np.union1d(inside, np.flatnonzero(border == 1))
+    return compared(visits)[chosen], border[chosen]
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
+    parser.add_argument("programs")
+    parser.add_argument("operations", nargs="+")
+    parser.add_argument("--write", action="store_true", help="write the table")
+    options = parser.parse_args()
+    x, y, group, weight, kind = [], [], [], [], []
+    single = [r for r in operations(options.operations) if len(r.path) < JOINED]
+    sources = ("programs", programs(options.programs)), ("operations", single), ("joined", joined(single, 500))
+    for name, records in sources:
+        for r in records:
+            measures, border = examples(r.path, r.sections)
+            x.append(measures)
+            y.append(border)
+            group += [r.group] * len(border)
+            of_program = np.where(border == 1, BORDERS_OF_PROGRAMS, 1.0)
+            weight.append(of_program if name == "programs" else np.full(len(border), OF_JOINED))
+            kind += [name] * len(border)
+    x, y, weight, group, kind = np.vstack(x), np.concatenate(y), np.concatenate(weight), np.array(group), np.array(kind)
+    groups = sorted(set(group))
+    fold = dict(zip(np.random.default_rng(0).permutation(groups), np.arange(len(groups)) % FOLDS))
+    fold = np.array([fold[g] for g in group])
+    share = np.empty(len(y))
+    for k in range(FOLDS):
+        out = fold == k
+        grown = forest(x[~out], y[~out], weight[~out], 2, trees=TREES, leaves=LEAVES)
+        share[out] = grown.shares(x[out])[:, 1]
+    said = share > VISITS.BORDER
+    for name in dict.fromkeys(kind):
+        of, true = kind == name, y == 1
+        print(
+            f"{name:10s} borders found {(said & true & of).sum()} of {(true & of).sum()}, "
+            f"said inside an operation {(said & ~true & of).sum()} of {(~true & of).sum()} retracts"
+        )
+    if options.write:
+        trees = grow(x, y, weight, 2, trees=TREES, leaves=LEAVES)
+        head, _ = TABLE.read_text().split("TREES = (")
+        TABLE.write_text(head + "TREES = (\n" + "".join(f'    "{t}",\n' for t in trees) + ")\n")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,146 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Labelled toolpaths: single operations, whole programs, and operations joined to programs.
+
+Each line of a file is a JSON record. Of an operation: id, label, strategy, accept (the strategies that count as right),
+tool_diameter (mm or null) and commands ([name, parameters], mm and mm/s); where there are params with FreeCAD's StepOver
+(percent of the tool's diameter), the stepover can be compared with it. Of a program: id, commands, group (what is left
+out together when something is learned) and sections, each [first command, last command, label, accept].
+"""
+
+from __future__ import annotations
+
+import gzip
+import hashlib
+import json
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from vkworkbench.core import Toolpath
+from vkworkbench.core.gcode import linearize
+
+JOINED = 20_000  # trajectories; longer operations are not joined
+
+
+@dataclass(frozen=True)
+class Section:
+    """What a program cuts from trajectory first to last, and the names that count as right."""
+
+    first: int
+    last: int
+    label: str
+    accepted: frozenset[str]
+
+
+@dataclass(frozen=True)
+class Record:
+    """A labelled toolpath; `group` names the repository or part it comes from."""
+
+    id: str
+    group: str
+    label: str
+    strategy: str
+    accepted: frozenset[str]
+    tool: float | None
+    stepover: float | None
+    path: Toolpath
+    sections: tuple[Section, ...]
+
+
+def lines(file: str) -> Iterator[dict]:
+    with gzip.open(file, "rt") if file.endswith(".gz") else open(file) as opened:
+        yield from map(json.loads, opened)
+
+
+def group_of(r: dict) -> str:
+    """Return the repository (OWNER_NAME__file) or FreeCAD's part (version:part:operation) a record comes from."""
+    if "group" in r:
+        return r["group"]
+    name = r.get("id", "")
+    return name.split("__")[0] if "__" in name else name.split(":")[1] if name.count(":") > 1 else r["label"]
+
+
+def key(path: Toolpath) -> bytes:
+    """Return what two equal toolpaths have in common."""
+    return hashlib.sha1(np.round(path.points, 3).tobytes() + path.rapid.tobytes()).digest()
+
+
+def operations(files: list[str]) -> Iterator[Record]:
+    """Yield the operations of some files; toolpaths that are the same to a micrometre come once."""
+    seen: set[bytes] = set()
+    for file in files:
+        for r in lines(file):
+            path = linearize([(name, words) for name, words in r["commands"]])
+            if (digest := key(path)) in seen:
+                continue
+            seen.add(digest)
+            cutting = np.flatnonzero(~path.rapid)
+            accepted = frozenset(r["accept"])
+            sections = ()
+            if len(cutting):
+                sections = (Section(int(cutting[0]), int(cutting[-1]), r["label"], accepted),)
+            percent = r.get("params", {}).get("StepOver")
+            stepover = percent / 100 * r["tool_diameter"] if percent and r["tool_diameter"] else None
+            yield Record(
+                r.get("id", ""), group_of(r), r["label"], r["strategy"], accepted, r["tool_diameter"], stepover, path, sections
+            )
+
+
+def programs(file: str) -> Iterator[Record]:
+    """Yield whole programs, without comments and tool changes."""
+    for r in lines(file):
+        path = linearize([(name, words) for name, words in r["commands"]])
+        path = replace(path, comments=(), tool_changes=np.empty(0, np.int64))
+        found = []
+        for first, last, label, accepted in r["sections"]:
+            a, b = np.searchsorted(path.command, (first, last + 1))
+            cutting = np.flatnonzero(~path.rapid[a:b]) + a
+            if len(cutting):
+                found.append(Section(int(cutting[0]), int(cutting[-1]), label, frozenset(accepted)))
+        yield Record(r["id"], group_of(r), "", "", frozenset(), None, None, path, tuple(found))
+
+
+def joined(records: list[Record], count: int) -> Iterator[Record]:
+    """Yield pairs of operations of one group, one after the other with a rapid between, from a fixed seed."""
+    rng = np.random.default_rng(1)
+    by_group: dict[str, list[Record]] = {}
+    for r in records:
+        if r.sections:
+            by_group.setdefault(r.group, []).append(r)
+    able = [r for of_group in by_group.values() if len(of_group) > 1 for r in of_group]
+    for _ in range(count):
+        one = able[rng.integers(len(able))]
+        other = [r for r in by_group[one.group] if r is not one]
+        two = other[rng.integers(len(other))]
+        path = after(one.path, two.path)
+        moved = len(path) - len(two.path)
+        s, t = one.sections[0], two.sections[0]
+        second = replace(t, first=t.first + moved, last=t.last + moved)
+        yield Record(f"{one.id} + {two.id}", one.group, "", "", frozenset(), None, None, path, (s, second))
+
+
+def after(first: Toolpath, second: Toolpath) -> Toolpath:
+    """Return one toolpath after the other: up, over and down at rapid."""
+    top = max(first.points[:, 2].max(), second.points[:, 2].max())
+    a, b = first.points[-1], second.points[0]
+    link = np.array([(*a[:2], top), (*b[:2], top), b])
+    link = link[np.abs(np.diff(np.vstack([a, link]), axis=0)).max(axis=1) > 0]
+
+    def both(name, value):
+        fill = np.full(len(link), value, getattr(first, name).dtype)
+        return np.concatenate([getattr(first, name), fill, getattr(second, name)])
+
+    return replace(
+        first,
+        points=np.concatenate([first.points, link, second.points[1:]]),
+        rapid=both("rapid", True),
+        command=np.arange(len(first) + len(link) + len(second)),
+        feed=both("feed", 0.0),
+        sweep=both("sweep", 0.0),
+        plane=both("plane", 17),
+        cycle=both("cycle", False),
+        commands=len(first) + len(link) + len(second),
+        comments=(),
+        tool_changes=np.empty(0, np.int64),
+    )

@@ -1,0 +1,100 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Programs are divided by how they move: with no title, no tool change and nothing but a rapid between operations."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import programs
+import pytest
+
+from vkworkbench.core import Strategy, linearize, recognize
+from vkworkbench.core.paper import monotonous_areas
+from vkworkbench.core.recognition.borders import MEASURES
+from vkworkbench.core.recognition.forest import Forest
+from vkworkbench.core.recognition.visits import begun, compared, find_visits
+
+TOOL = 5.0
+
+DIFFERENT = {
+    "zigzag": programs.SOUND["zigzag"](14, 60.0, 3.0, [-1.0, -2.0]),
+    "contour-parallel": programs.SOUND["contour-parallel"](6, 36, 3.0, 10.0, [-1.0, -2.0], 0.0),
+    "profile": programs.SOUND["profile"](24, 40.0, [-1.0, -2.0, -3.0], 0.0),
+    "spiral": programs.SOUND["spiral"](8, 3.0, 48),
+    "helix": programs.SOUND["helix"](8, 15.0, 1.0),
+    "drilling": programs.SOUND["drilling"](4, 4, 20.0, "G81"),
+    "adaptive": programs.SOUND["adaptive"](40, 8.0, 1.0),
+}
+
+
+def after(first, second):
+    """One toolpath after the other, up to the clearance height between them."""
+    commands = [*first, ("G0", {"Z": programs.CLEAR}), *second]
+    path = linearize(commands)
+    return replace(path, comments=(), tool_changes=np.empty(0, np.int64))
+
+
+def test_most_pairs_of_operations_are_told_apart():
+    right = wrong = 0
+    for one, first in DIFFERENT.items():
+        for two, second in DIFFERENT.items():
+            if one == two:
+                continue
+            path = after(first, second)
+            found = recognize(path, tool_diameter=TOOL)
+            border = len(linearize(first))
+            names = [str(s.strategy) for s in found.spans]
+            good = names == [one, two] and abs(found.spans[1].first - border) <= 6
+            right, wrong = right + good, wrong + (not good)
+    assert right >= 0.8 * (right + wrong), (right, wrong)
+
+
+@pytest.mark.parametrize("name", DIFFERENT)
+def test_an_operation_that_retracts_within_itself_is_one(name):
+    # At four places of the part, as pockets of one operation are.
+    path = linearize(DIFFERENT[name])
+    program = DIFFERENT[name]
+    for x in (150.0, 300.0, 450.0):
+        shifted = [
+            (n, {k: v + x if k == "X" else v for k, v in words.items()}) if n in ("G0", "G1", "G2", "G3", "G81") else (n, words)
+            for n, words in DIFFERENT[name]
+        ]
+        program = [*program, ("G0", {"Z": programs.CLEAR}), *shifted]
+    whole = linearize(program)
+    assert len(whole) > 3 * len(path)
+    found = recognize(replace(whole, comments=()), tool_diameter=TOOL)
+    assert found.strategy == name and len(found.spans) == 1, found.reason
+
+
+def test_visits_lie_between_retracts_to_the_top():
+    path = after(DIFFERENT["zigzag"], DIFFERENT["helix"])
+    visits = find_visits(path, monotonous_areas(path))
+    top = path.points[:, 2].max()
+    for last, first in zip(visits.last[:-1], visits.first[1:]):
+        assert path.points[last + 1 : first + 1, 2].max() == top
+    assert compared(visits).shape == (len(visits) - 1, len(MEASURES))
+    assert np.isfinite(compared(visits)).all()
+
+
+def test_borders_stand_before_the_way_down():
+    path = after(DIFFERENT["zigzag"], DIFFERENT["drilling"])
+    for at in begun(path, monotonous_areas(path)):
+        assert path.points[at, 2] == path.points[:, 2].max() and path.rapid[at]
+
+
+@pytest.mark.parametrize("commands", [[], [("G0", {"X": 5.0})], [("G1", {"X": 5.0, "Y": 1.0})]])
+def test_next_to_nothing_has_no_borders(commands):
+    path = linearize(commands)
+    assert begun(path, monotonous_areas(path)) == [] if len(path) else True
+
+
+def test_nothing_is_mixed_that_has_one_name():
+    path = after(DIFFERENT["zigzag"], DIFFERENT["zigzag"])
+    assert recognize(path, tool_diameter=TOOL).strategy is Strategy.ZIGZAG
+
+
+def test_a_forest_is_the_mean_of_its_trees():
+    forest = Forest(["0<0.5 0:100 1<2 1:100 2:50,1:50", "2:100"], 3)
+    shares = forest.shares(np.array([[0.0, 9.0], [1.0, 1.0], [1.0, 3.0]]))
+    assert shares.tolist() == [[0.5, 0.0, 0.5], [0.0, 0.5, 0.5], [0.0, 0.25, 0.75]]
