@@ -29,8 +29,7 @@ from vkworkbench.core import Stock, Strategy, Tool, Toolpath, View
 from vkworkbench.core.gcode import linearize
 from vkworkbench.core.recognition import recognize
 from vkworkbench.core.zbuffer import (
-    DEXEL,
-    TRACE,
+    RECORD_BYTES,
     Speed,
     best_resolution,
     cauchy_crofton,
@@ -115,13 +114,13 @@ def measure(toolpath, found, tool, stock, view, speed) -> dict[str, float]:
         durations.append(time.process_time() - begin)
     return {
         "n": len(toolpath), "vertical": not any(view.direction[:2]),
-        "traces": exact.traces, "dexels": exact.dexels, "candidates": exact.candidates, "seconds": seconds,
+        "traces": exact.traces, "dexels": exact.dexels, "seconds": seconds,
         "rays": guess.traces, "rays error": guess.traces_error, "rays dexels": guess.dexels,
         "duration": min(durations), "closed form": closed_form(toolpath, found, **solids),
         "blind": swept(toolpath, **solids),
         "Cauchy-Crofton": cauchy_crofton(toolpath, stock=stock, view=view),
-        "rays candidates": guess.candidates, "predicted": guess.seconds,
-        "work": work(len(toolpath), exact.dexels + exact.traces, exact.candidates, tool, view),
+        "predicted": guess.seconds,
+        "work": work(len(toolpath), exact.dexels + exact.traces, guess.candidates, tool, view),
     }  # fmt: skip
 
 
@@ -151,7 +150,6 @@ def print_errors(view: str, rows) -> None:
     ):
         print(line(f"traces, {name}", ratios(rows, estimated, "traces")))
     print(line("dexels, rays", ratios(rows, "rays dexels", "dexels")))
-    print(line("candidate pixels, rays", ratios(rows, "rays candidates", "candidates")))
     inside = [abs(r["rays"] - r["traces"]) <= 2 * r["rays error"] for r in rows]
     print(f"  within two standard errors: {100 * np.mean(inside):.1f} %")
     for r in sorted(rows, key=lambda r: -ratios([r], "rays", "traces")[0])[:3]:
@@ -225,7 +223,8 @@ def seconds_at(speed: Speed, toolpath, tool, stock, view) -> float:
         exact = simulate(toolpath, tool=tool, stock=stock, view=view)
         durations.append(time.process_time() - begin)
         speeds.append(mean_speed())
-    done = work(len(toolpath), exact.dexels + exact.traces, exact.candidates, tool, view)
+    passes = estimate(toolpath, None, tool=tool, stock=stock, view=view).candidates
+    done = work(len(toolpath), exact.dexels + exact.traces, passes, tool, view)
     expected = np.array([done @ each.constants for each in speeds])
     return float(np.median(durations / ((expected[:-1] + expected[1:]) / 2) * expected[0]))
 
@@ -259,9 +258,9 @@ def print_papers_case() -> None:
         view = View(direction)
         guess = estimate(toolpath, None, tool=tool, stock=stock, view=view)
         exact = simulate(toolpath, tool=tool, stock=stock, view=view)
-        true_d, d = (DEXEL.itemsize * z.dexels / 1e6 for z in (exact, guess))
+        true_d, d = (RECORD_BYTES * z.dexels / 1e6 for z in (exact, guess))
         true_t, t, error = (
-            TRACE.itemsize * n / 1e6 for n in (exact.traces, guess.traces, guess.traces_error)
+            RECORD_BYTES * n / 1e6 for n in (exact.traces, guess.traces, guess.traces_error)
         )
         print(f"  {name:10} dexels {true_d:.1f} MB, estimated {d:.1f}; ", end="")
         print(f"traces {true_t:.0f} MB, estimated {t:.0f} +- {error:.1f}")

@@ -852,6 +852,10 @@
         <source>the process that read it died, of too little memory perhaps</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>The simulation takes about {memory:bytes} at its peak, for {dexels:n} dexels and {traces:n} elements of traces, more than the {allowed:bytes} allowed: choose a smaller image or simulate fewer operations.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

@@ -852,6 +852,10 @@
         <source>the process that read it died, of too little memory perhaps</source>
         <translation>der Prozess, der es las, ist gestorben, vielleicht aus Speichermangel</translation>
     </message>
+    <message>
+        <source>The simulation takes about {memory:bytes} at its peak, for {dexels:n} dexels and {traces:n} elements of traces, more than the {allowed:bytes} allowed: choose a smaller image or simulate fewer operations.</source>
+        <translation>Die Simulation braucht in der Spitze etwa {memory:bytes}, für {dexels:n} Dexel und {traces:n} Spurelemente, mehr als die erlaubten {allowed:bytes}: Wählen Sie ein kleineres Bild oder simulieren Sie weniger Operationen.</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

@@ -852,6 +852,10 @@
         <source>the process that read it died, of too little memory perhaps</source>
         <translation>el proceso que lo leía murió, quizá por falta de memoria</translation>
     </message>
+    <message>
+        <source>The simulation takes about {memory:bytes} at its peak, for {dexels:n} dexels and {traces:n} elements of traces, more than the {allowed:bytes} allowed: choose a smaller image or simulate fewer operations.</source>
+        <translation>La simulación ocupa unos {memory:bytes} como máximo, para {dexels:n} dexels y {traces:n} elementos de traza, más que los {allowed:bytes} permitidos: elija una imagen más pequeña o simule menos operaciones.</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

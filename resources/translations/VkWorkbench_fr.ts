@@ -852,6 +852,10 @@
         <source>the process that read it died, of too little memory perhaps</source>
         <translation>le processus qui le lisait est mort, faute de mémoire peut-être</translation>
     </message>
+    <message>
+        <source>The simulation takes about {memory:bytes} at its peak, for {dexels:n} dexels and {traces:n} elements of traces, more than the {allowed:bytes} allowed: choose a smaller image or simulate fewer operations.</source>
+        <translation>La simulation prend environ {memory:bytes} au plus fort, pour {dexels:n} dexels et {traces:n} éléments de trace, plus que les {allowed:bytes} permis : choisissez une image plus petite ou simulez moins d’opérations.</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

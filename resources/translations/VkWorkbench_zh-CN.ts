@@ -852,6 +852,10 @@
         <source>the process that read it died, of too little memory perhaps</source>
         <translation>读取它的进程已终止，可能是内存不足</translation>
     </message>
+    <message>
+        <source>The simulation takes about {memory:bytes} at its peak, for {dexels:n} dexels and {traces:n} elements of traces, more than the {allowed:bytes} allowed: choose a smaller image or simulate fewer operations.</source>
+        <translation>该仿真峰值约占用 {memory:bytes}（{dexels:n} 个 dexel 和 {traces:n} 个轨迹痕迹元素），超过允许的 {allowed:bytes}：请选择较小的图像或减少仿真的操作。</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

@@ -8,18 +8,20 @@ from math import cos, pi, radians, sin, sqrt
 
 import numpy as np
 import pytest
+from zbuffer_reference.simulate import simulate as reference
 
 from vkworkbench.core import ConvexStock, Stock, Strategy, Tool, Toolpath, View
 from vkworkbench.core.gcode import linearize
 from vkworkbench.core.recognition import Recognition, recognize
 from vkworkbench.core.zbuffer.closed_form import cauchy_crofton, closed_form, swept
-from vkworkbench.core.zbuffer.dexels import UNCUT, cuts_from_the_eye, first_cuts
+from vkworkbench.core.zbuffer.dexels import UNCUT
 from vkworkbench.core.zbuffer.estimate import Speed, estimate, work
+from vkworkbench.core.zbuffer.records import INDEX, PIXEL_BYTES, RECORD_BYTES
 from vkworkbench.core.zbuffer.removal import Removal
 from vkworkbench.core.zbuffer.resolution import best_resolution
 from vkworkbench.core.zbuffer.sampling import sample
 from vkworkbench.core.zbuffer.silhouette import silhouette_area
-from vkworkbench.core.zbuffer.simulate import DEXEL, INDEX, TRACE, simulate
+from vkworkbench.core.zbuffer.simulate import simulate
 from vkworkbench.core.zbuffer.speed import fit_speed, measure_speed
 from vkworkbench.language import Message
 
@@ -152,7 +154,7 @@ def test_only_the_image_counts():
 
 def test_memory_is_that_of_the_records():
     found = estimate(*PATHS["zigzag"][:1], None, tool=FLAT, stock=STOCK, view=View())
-    records = DEXEL.itemsize * found.dexels + TRACE.itemsize * found.traces + INDEX.itemsize * (800 * 600 + 1)
+    records = RECORD_BYTES * (found.dexels + found.traces) + PIXEL_BYTES * 800 * 600 + INDEX.itemsize
     assert found.memory_bytes == pytest.approx(records)
 
 
@@ -249,19 +251,6 @@ def test_closed_form_recovers_the_stepover():
     assert expected(zigzag(), Strategy.ZIGZAG, passes=28, depths=2) == pytest.approx(1, rel=0.02)
 
 
-def test_cuts_from_the_eye_are_what_the_general_way_finds():
-    rng = np.random.default_rng(5)
-    near, far = np.full(50, -3.0), np.where(np.arange(50) % 7 == 0, -3.0, 9.0)  # every seventh misses the stock
-    ray = np.repeat(np.flatnonzero(far > near), 4)
-    steps = rng.choice([5e-5, 0.7, 2.0, 4.0], (len(ray) // 4, 4)) + [0.5, 0, 0, 0]
-    leave = near[ray] + steps.cumsum(axis=1).ravel()
-    trajectory, leave = np.tile([2, 3, 5, 8], len(ray) // 4), np.minimum(leave, 9.0)
-    quick = cuts_from_the_eye(near, far, ray, trajectory, leave)
-    general = first_cuts(near, far, ray, trajectory, near[ray], leave)
-    for name in ("ray", "owner", "near", "far"):
-        assert np.array_equal(getattr(quick, name), getattr(general, name)), name
-
-
 def test_a_noisy_measurement_makes_no_constant_nothing():
     amounts = 1 / np.array(Speed().constants) * (np.eye(5) + 0.1)
     seconds = amounts @ Speed().constants * [1e-6, 5, 1, 1, 1]
@@ -288,7 +277,7 @@ def test_candidate_pixels(direction):
     # Along the stock's edge and beside it: only what lies over the stock is examined.
     toolpath = path([(20, 20, 10), (60, 40, 10), (20, 40, 12), (-2, -2, 8), (-2, 90, 8)])
     view = View(direction)
-    exact = simulate(toolpath, tool=FLAT, stock=STOCK, view=view)
+    exact = reference(toolpath, tool=FLAT, stock=STOCK, view=view)
     found = estimate(toolpath, None, tool=FLAT, stock=STOCK, view=view)
     assert found.candidates == pytest.approx(exact.candidates, rel=0.08)
 
@@ -296,7 +285,7 @@ def test_candidate_pixels(direction):
 def test_the_time_is_that_of_the_work():
     toolpath, tool = PATHS["surface"]
     view = View(TILTED, 400, 300)
-    exact = simulate(toolpath, tool=tool, stock=STOCK, view=view)
+    exact = reference(toolpath, tool=tool, stock=STOCK, view=view)
     amounts = work(len(toolpath), exact.dexels + exact.traces, exact.candidates, tool, view)
     speed = Speed(2e-5, 4e-7, 3e-7, 7e-7, 3e-7)
     found = estimate(toolpath, None, tool=tool, stock=STOCK, view=view, speed=speed)

@@ -9,7 +9,8 @@ import numpy as np
 import pytest
 
 from vkworkbench.core import ConvexStock, Stock, Tool, Toolpath, View
-from vkworkbench.core.zbuffer.simulate import DEXEL, INDEX, TRACE, simulate
+from vkworkbench.core.zbuffer.records import DEXEL, INDEX, TRACE
+from vkworkbench.core.zbuffer.simulate import simulate
 
 STOCK = Stock((0, 0, 0), (40, 30, 10))
 TOOLS = [

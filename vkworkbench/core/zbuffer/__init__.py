@@ -8,11 +8,15 @@ Out: `ZBuffer`, exact dexels and traces at any moment; `Estimate`, their numbers
 
 from vkworkbench.core.zbuffer.closed_form import cauchy_crofton, closed_form, swept
 from vkworkbench.core.zbuffer.estimate import Estimate, Speed, estimate, work
+from vkworkbench.core.zbuffer.memory import OverBudget
+from vkworkbench.core.zbuffer.moments import ZBuffer
+from vkworkbench.core.zbuffer.records import DEXEL, RECORD_BYTES, TRACE
 from vkworkbench.core.zbuffer.resolution import Resolution, best_resolution, check_budget, heaviest, passes_apart
-from vkworkbench.core.zbuffer.simulate import DEXEL, TRACE, ZBuffer, simulate
+from vkworkbench.core.zbuffer.simulate import simulate
 from vkworkbench.core.zbuffer.speed import fit_speed, measure_speed
 
 __all__ = [
-    "DEXEL", "TRACE", "Estimate", "Resolution", "Speed", "ZBuffer", "best_resolution", "cauchy_crofton", "check_budget",
+    "DEXEL", "RECORD_BYTES", "TRACE", "Estimate", "OverBudget", "Resolution", "Speed", "ZBuffer", "best_resolution",
+    "cauchy_crofton", "check_budget",
     "closed_form", "estimate", "fit_speed", "heaviest", "measure_speed", "passes_apart", "simulate", "swept", "work",
 ]  # fmt: skip

@@ -89,48 +89,21 @@ def first_cuts(
     slot_ray = np.concatenate((stock, ray, ray, stock))[order]
     same_ray = slot_ray[1:] == slot_ray[:-1]
     slots = np.flatnonzero(same_ray & (depth[1:] > depth[:-1]))
-    pieces = _merge(Pieces(slot_ray[slots], owner[slots], depth[slots], depth[slots + 1]))
-    thick = np.flatnonzero(pieces.far - pieces.near > THINNEST)
-    return _merge(
-        _close_gaps(
-            Pieces(pieces.ray[thick], pieces.owner[thick], pieces.near[thick], pieces.far[thick]), near, far
-        )
-    )
+    return without_thin(merged(Pieces(slot_ray[slots], owner[slots], depth[slots], depth[slots + 1])), near, far)
 
 
-def cuts_from_the_eye(
-    near: np.ndarray, far: np.ndarray, ray: np.ndarray, trajectory: np.ndarray, leave: np.ndarray
-) -> Pieces:
-    """Cut rays by intervals that all begin where their ray does, as they do from above: no depths need sorting.
-
-    Parameters
-    ----------
-    near, far : (k,) ndarray
-        As for :func:`first_cuts`.
-    ray, trajectory, leave : (m,) ndarray
-        Ray, place in the sequence and end of each interval, longer than THINNEST; by ray, each deeper than the one
-        before it.
-
-    Returns
-    -------
-    Pieces
-    """
-    stock = np.flatnonzero(far - near > THINNEST)
-    # What is left of each ray comes after its intervals.
-    order = np.argsort(np.concatenate((ray, stock)), kind="stable")
-    ray = np.concatenate((ray, stock))[order]
-    owner = np.concatenate((trajectory, np.full(len(stock), UNCUT)))[order].astype(np.int32)
-    end = np.concatenate((leave, far[stock]))[order]
-    first = np.append(True, ray[1:] != ray[:-1])
-    begin = np.where(first, near[ray], np.append(0.0, end[:-1]))
-    thick = np.flatnonzero(end - begin > THINNEST)
-    return _close_gaps(Pieces(ray[thick], owner[thick], begin[thick], end[thick]), near, far)
+def before_in_group(values: np.ndarray, start: np.ndarray, first: np.ndarray | float) -> np.ndarray:
+    """Return each element's predecessor in its group; `first` at the positions `start`, where groups begin."""
+    before = np.empty_like(values)
+    before[1:] = values[:-1]
+    before[start] = first
+    return before
 
 
 def with_uncut(pieces: Pieces, step: int) -> Pieces:
     """Return the pieces as they are before trajectory `step`: later removals have not happened."""
     owner = np.where(pieces.owner >= step, UNCUT, pieces.owner).astype(np.int32)
-    return _merge(Pieces(pieces.ray, owner, pieces.near, pieces.far))
+    return merged(Pieces(pieces.ray, owner, pieces.near, pieces.far))
 
 
 def _lowest_cover(slots: int, first: np.ndarray, last: np.ndarray, value: np.ndarray) -> np.ndarray:
@@ -166,7 +139,7 @@ def _enter_lowest(target: np.ndarray, index: np.ndarray, value: np.ndarray) -> N
         target[index] = value
 
 
-def _merge(pieces: Pieces) -> Pieces:
+def merged(pieces: Pieces) -> Pieces:
     """Join neighbours of one ray and one owner."""
     if len(pieces.ray) == 0:
         return pieces
@@ -177,7 +150,16 @@ def _merge(pieces: Pieces) -> Pieces:
     return Pieces(pieces.ray[start], pieces.owner[start], pieces.near[start], pieces.far[end])
 
 
-def _close_gaps(pieces: Pieces, near: np.ndarray, far: np.ndarray) -> Pieces:
+def without_thin(pieces: Pieces, near: np.ndarray, far: np.ndarray) -> Pieces:
+    """Give pieces up to THINNEST to their neighbours; the rays' chords (near, far) stay filled."""
+    thick = np.flatnonzero(pieces.far - pieces.near > THINNEST)
+    if len(thick) == len(pieces.ray):
+        return pieces
+    thick = Pieces(pieces.ray[thick], pieces.owner[thick], pieces.near[thick], pieces.far[thick])
+    return merged(_without_gaps(thick, near, far))
+
+
+def _without_gaps(pieces: Pieces, near: np.ndarray, far: np.ndarray) -> Pieces:
     """Let the pieces fill their rays' chords: each reaches to where the next one begins."""
     start, end = pieces.near.copy(), pieces.far.copy()
     if len(start):

@@ -10,14 +10,9 @@ import numpy as np
 from vkworkbench.core.recognition import Recognition
 from vkworkbench.core.solids import ConvexStock, Stock, Tool, View
 from vkworkbench.core.toolpath import Toolpath
-from vkworkbench.core.zbuffer.dexels import UNCUT
+from vkworkbench.core.zbuffer.counts import count
 from vkworkbench.core.zbuffer.removal import Removal
-from vkworkbench.core.zbuffer.sampling import sample
-from vkworkbench.core.zbuffer.silhouette import silhouette_area
-from vkworkbench.core.zbuffer.simulate import DEXEL, INDEX, TRACE
 
-# The same rays every time: a click and a macro give the same numbers.
-_SEED = 2002
 # Work on a pair of ray and trajectory for rounded tools, a flat end's or a cone's taken as 1: seen from above
 # or below, and tilted. A bull-nose needs bisection.
 _BALL_WORK = (1.15, 1.45)
@@ -47,7 +42,7 @@ class Estimate:
     pixel : float
         Side of its pixels, mm.
     candidates : float
-        Pairs of pixel and trajectory that the simulator examines, whether or not anything is left to cut.
+        Pairs of pixel and trajectory that passes it, whether or not anything is left to cut.
     stock_bytes : float
         The part of `memory_bytes` that the uncut stock takes.
     trajectory_seconds : float
@@ -92,12 +87,12 @@ class Speed:
         The true time is between the estimated one divided and multiplied by this.
     """
 
-    trajectory: float = 17e-6
-    pixel: float = 0.46e-6
-    candidate: float = 0.20e-6
-    tilted_candidate: float = 0.67e-6
-    record: float = 0.22e-6
-    factor: float = 2.0
+    trajectory: float = 1.5e-6
+    pixel: float = 0.03e-6
+    candidate: float = 0.003e-6
+    tilted_candidate: float = 0.17e-6
+    record: float = 0.18e-6
+    factor: float = 3.0
 
     @property
     def constants(self) -> np.ndarray:
@@ -136,38 +131,21 @@ def estimate(
         The same for the same arguments.
     """
     frame = view.frame(stock)
-    removal = Removal(toolpath, tool, stock, frame)
-    rays = sample(removal, np.random.default_rng(_SEED))
-    pieces, passes = removal.cut(rays.x, rays.y)
-    cut = pieces.owner != UNCUT
-    cuts = np.bincount(pieces.ray[cut], minlength=len(rays.x))
-    parts = np.bincount(pieces.ray[~cut], minlength=len(rays.x))
-    per_area = 1 / frame.pixel**2
-
-    covered = silhouette_area(stock, frame)
-    # Where a ray was cut through or through a wall: fewer or more dexels than the one it began with.
-    more, _ = rays.total(parts - (cuts + parts > 0))
-    more = max(more, -covered)  # where everything is cut away, rounding leaves less than nothing
-    traces, error = rays.total(cuts)
-    touched, _ = rays.total(cuts > 0)
-    dexels, traces, error = (covered + more) * per_area, traces * per_area, error * per_area
-    index_bytes = INDEX.itemsize * (frame.width * frame.height + 1)
-    stock_bytes = DEXEL.itemsize * covered * per_area + index_bytes
-    memory = stock_bytes + DEXEL.itemsize * more * per_area + TRACE.itemsize * traces
-    candidates = rays.total(passes)[0] * per_area
+    counts = count(Removal(toolpath, tool, stock, frame))
     trajectory_seconds = speed.trajectory * len(toolpath)
-    seconds = float(work(len(toolpath), dexels + traces, candidates, tool, view) @ speed.constants)
+    records = counts.dexels + counts.traces
+    seconds = float(work(len(toolpath), records, counts.passes, tool, view) @ speed.constants)
     return Estimate(
-        dexels,
-        traces,
-        error,
-        memory,
+        counts.dexels,
+        counts.traces,
+        counts.traces_error,
+        counts.memory_bytes,
         seconds,
-        _explain(recognition, traces, touched * per_area),
+        _explain(recognition, counts.traces, counts.touched),
         view,
         frame.pixel,
-        candidates,
-        stock_bytes,
+        counts.passes,
+        counts.stock_bytes,
         trajectory_seconds,
         speed,
     )
@@ -182,7 +160,7 @@ def work(trajectories: int, records: float, candidates: float, tool: Tool, view:
     records : float
         Number of dexels and elements of traces.
     candidates : float
-        Pairs of pixel and trajectory examined.
+        Pairs of pixel and trajectory that passes it.
     tool : Tool
     view : View
 

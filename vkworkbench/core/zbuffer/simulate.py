@@ -1,127 +1,28 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The extended z-buffer with traces (Blasquez and Poiraudeau 2000): the exact reference simulator.
-
-Every pixel's ray holds the dexels of the part and the elements of the traces, the pieces the trajectories
-removed. Traces glue the chips back on the part, so every moment of the simulation can be had again.
-"""
+"""The extended z-buffer with traces (Blasquez and Poiraudeau 2000): exact simulation of a toolpath."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
-from functools import cached_property
-
 import numpy as np
 
-from vkworkbench.core.solids import ConvexStock, Frame, Stock, Tool, View
+from vkworkbench.core.solids import ConvexStock, Stock, Tool, View
 from vkworkbench.core.toolpath import Toolpath
-from vkworkbench.core.zbuffer.dexels import UNCUT, Pieces, with_uncut
+from vkworkbench.core.zbuffer.chains import cut_rays
+from vkworkbench.core.zbuffer.culling import TILE, Bounds, culled
+from vkworkbench.core.zbuffer.dexels import THINNEST, UNCUT
+from vkworkbench.core.zbuffer.memory import BUDGET, check_memory
+from vkworkbench.core.zbuffer.moments import ZBuffer
+from vkworkbench.core.zbuffer.records import INDEX, Records, Writer
 from vkworkbench.core.zbuffer.removal import Removal
-
-# The records of the z-buffer. Depths are along the view's direction, from the middle of the stock, mm.
-DEXEL = np.dtype([("near", np.float32), ("far", np.float32), ("pixel", np.uint32)])
-TRACE = np.dtype([("near", np.float32), ("far", np.float32), ("trajectory", np.uint32)])
-# One entry for each pixel: where its elements of the traces begin.
-INDEX = np.dtype(np.uint32)
-
-_TILE = 64
-# Side of a block of neighbouring pixels: the square root of removal.GROUP.
-_BLOCK = 4
-# Pairs of pixel and trajectory to which a tile is cut down.
-_PAIRS = 4_000_000
+from vkworkbench.core.zbuffer.surface import Surface
+from vkworkbench.core.zbuffer.tilted import Tilted
+from vkworkbench.core.zbuffer.trajectories import Trajectories
+from vkworkbench.core.zbuffer.upright import Upright
 
 
-@dataclass(frozen=True, eq=False)
-class ZBuffer:
-    """An image of rays cut by a toolpath, at one moment of the simulation.
-
-    Attributes
-    ----------
-    frame : Frame
-        Axes, centre and pixel of the image.
-    trajectories : int
-        How many trajectories the toolpath has.
-    step : int
-        The moment: that many trajectories have been simulated.
-    part_records : (p,) ndarray of DEXEL
-        What the whole toolpath leaves of the stock, sorted by pixel (row * width + column, row 0 below) and
-        depth.
-    trace_records : (m,) ndarray of TRACE
-        What the whole toolpath removes, sorted by pixel and depth.
-    trace_index : (pixels + 1,) ndarray of INDEX
-        First element of each pixel in `trace_records`.
-    candidates : int
-        Pairs of pixel and trajectory the simulation examined.
-    """
-
-    frame: Frame
-    trajectories: int
-    step: int
-    part_records: np.ndarray
-    trace_records: np.ndarray
-    trace_index: np.ndarray
-    candidates: int
-
-    @cached_property
-    def dexel_records(self) -> np.ndarray:
-        """The dexels at this moment: those of the part and the chips that have not been cut yet, joined."""
-        if self.step == self.trajectories:
-            return self.part_records
-        chip_pixel = np.repeat(
-            np.arange(len(self.trace_index) - 1), np.diff(self.trace_index.astype(np.int64))
-        )
-        pixel = np.concatenate((self.part_records["pixel"], chip_pixel)).astype(np.int64)
-        near, far = (
-            np.concatenate((self.part_records[end], self.trace_records[end])) for end in ("near", "far")
-        )
-        owner = np.concatenate((np.full(len(self.part_records), UNCUT), self.trace_records["trajectory"]))
-        order = np.lexsort((near, pixel))
-        pieces = Pieces(pixel[order], owner[order], near[order], far[order])
-        return _dexels(with_uncut(pieces, self.step))
-
-    @property
-    def dexels(self) -> int:
-        """Number of dexels at this moment."""
-        return len(self.dexel_records)
-
-    @property
-    def traces(self) -> int:
-        """Number of trace elements at this moment."""
-        return int(np.count_nonzero(self.trace_records["trajectory"] < self.step))
-
-    @property
-    def memory_bytes(self) -> int:
-        """Bytes of the records and of the index, the traces of later moments included."""
-        return self.dexel_records.nbytes + self.trace_records.nbytes + self.trace_index.nbytes
-
-    @property
-    def part_volume(self) -> float:
-        """Volume of what is left at this moment, mm^3."""
-        return _length(self.dexel_records) * self.frame.pixel**2
-
-    @property
-    def chip_volume(self) -> float:
-        """Volume removed until this moment, mm^3."""
-        return _length(self.trace_records[self.trace_records["trajectory"] < self.step]) * self.frame.pixel**2
-
-    def at(self, step: int) -> ZBuffer:
-        """Return the simulation at another moment.
-
-        Parameters
-        ----------
-        step : int
-            Number of trajectories simulated, from 0 (the stock) to `trajectories` (the part).
-
-        Raises
-        ------
-        ValueError
-            Where there is no such moment.
-        """
-        if not 0 <= step <= self.trajectories:
-            raise ValueError(f"the simulation has the moments 0 to {self.trajectories}, not {step}")
-        return replace(self, step=step)
-
-
-def simulate(toolpath: Toolpath, *, tool: Tool, stock: Stock | ConvexStock, view: View) -> ZBuffer:
+def simulate(
+    toolpath: Toolpath, *, tool: Tool, stock: Stock | ConvexStock, view: View, memory_budget: float = BUDGET
+) -> ZBuffer:
     """Cut the stock by all trajectories, rapids included, and count exactly.
 
     An element of a trace is one piece a trajectory removes from one pixel's ray. Pieces up to 1e-4 mm are
@@ -134,84 +35,67 @@ def simulate(toolpath: Toolpath, *, tool: Tool, stock: Stock | ConvexStock, view
     tool : Tool
     stock : Stock or ConvexStock
     view : View
+    memory_budget : float
+        Bytes that the process may take for it at its peak.
 
     Returns
     -------
     ZBuffer
         At its last moment.
+
+    Raises
+    ------
+    OverBudget
+        Before anything is simulated, if it would take more memory than that.
     """
     frame = view.frame(stock)
     removal = Removal(toolpath, tool, stock, frame)
-    dexels, traces, cut_pixels, candidates = [], [], [], 0
-    # Tiles are quarters of quarters, so that a trajectory is looked for only where it passes.
-    side = _TILE << max(0, (max(frame.width, frame.height) - 1) // _TILE).bit_length()
-    pending = [(0, 0, side, np.arange(len(removal.index)))]
-    while pending:
-        left, bottom, side, selection = pending.pop()
-        right, top = min(left + side, frame.width), min(bottom + side, frame.height)
-        x, y = frame.pixel_centres(np.array([left, right - 1]), np.array([bottom, top - 1]))
-        selection = removal.meeting(x[:1], x[1:], y[:1], y[1:], selection)[1]
-        if side > _TILE or (side > _BLOCK and len(selection) * (right - left) * (top - bottom) > _PAIRS):
-            pending += [
-                (c, r, side // 2, selection)
-                for c in (left, left + side // 2)
-                for r in (bottom, bottom + side // 2)
-                if c < right and r < top
-            ]
-            continue
-        column, row = _blockwise(left, bottom, right, top)
-        pieces, passes = removal.cut(*frame.pixel_centres(column, row), selection)
-        candidates += int(passes.sum())
-        pixel = (row * frame.width + column)[pieces.ray]
-        pieces = Pieces(pixel, pieces.owner, pieces.near, pieces.far)
-        dexels.append(_dexels(pieces))
-        traces.append(_traces(pieces))
-        cut_pixels.append(pixel[pieces.owner != UNCUT])
-    image = frame.width * frame.height
-    part, _ = _by_pixel(dexels, [d["pixel"] for d in dexels], image)
-    chips, index = _by_pixel(traces, cut_pixels, image)
-    return ZBuffer(frame, len(toolpath), len(toolpath), part, chips, index, candidates)
+    check_memory(removal, len(toolpath), memory_budget)
+    bounds = Upright(removal) if removal.sine == 0 else Tilted(removal)
+    writer = Writer(len(toolpath), frame.width * frame.height)
+    candidates = 0
+    for bottom in range(0, frame.height, TILE):
+        band, tested = _cut_band(removal, bounds, len(toolpath), bottom)
+        writer.append(band)
+        candidates += tested
+    records = writer.records()
+    return ZBuffer(frame, len(toolpath), len(toolpath), records, Surface(records), candidates)
 
 
-def _blockwise(left: int, bottom: int, right: int, top: int) -> tuple[np.ndarray, np.ndarray]:
-    """Columns and rows of a tile's pixels, in blocks of neighbours as `Removal.cut` likes them."""
-    column, row = (v.ravel() for v in np.meshgrid(np.arange(left, right), np.arange(bottom, top)))
-    order = np.lexsort(((column - left) // _BLOCK, (row - bottom) // _BLOCK))
-    return column[order], row[order]
-
-
-def _by_pixel(records: list[np.ndarray], pixels: list[np.ndarray], image: int) -> tuple[np.ndarray, np.ndarray]:
-    """Put the tiles' records in the order of their pixels; also the first record of each pixel.
-
-    A pixel's records follow each other within their tile, so nothing has to be sorted.
-    """
-    index = np.zeros(image + 1, INDEX)
-    runs = []
-    for pixel in pixels:
-        start = np.flatnonzero(np.diff(pixel, prepend=-1))
-        length = np.diff(start, append=len(pixel))
-        index[pixel[start] + 1] = length
-        runs.append((start, length))
-    np.cumsum(index, out=index)
-    ordered = np.empty(index[-1], records[0].dtype)
-    for part, pixel, (start, length) in zip(records, pixels, runs):
-        ordered[np.repeat(index[pixel[start]] - start, length) + np.arange(len(pixel))] = part
-    return ordered, index
-
-
-def _traces(pieces: Pieces) -> np.ndarray:
-    cut = pieces.owner != UNCUT
-    traces = np.empty(np.count_nonzero(cut), TRACE)
-    traces["near"], traces["far"], traces["trajectory"] = pieces.near[cut], pieces.far[cut], pieces.owner[cut]
-    return traces
-
-
-def _dexels(pieces: Pieces) -> np.ndarray:
-    left = pieces.owner == UNCUT
-    dexels = np.empty(np.count_nonzero(left), DEXEL)
-    dexels["near"], dexels["far"], dexels["pixel"] = pieces.near[left], pieces.far[left], pieces.ray[left]
-    return dexels
-
-
-def _length(records: np.ndarray) -> float:
-    return float((records["far"].astype(float) - records["near"]).sum())
+def _cut_band(
+    trajectories: Trajectories, bounds: Bounds, uncut: int, bottom: int
+) -> tuple[Records, int]:
+    """The pieces of the rays of a band of the image, and how many pairs were tested for them."""
+    frame = trajectories.frame
+    top = min(bottom + TILE, frame.height)
+    row, column = np.divmod(np.arange(bottom * frame.width, top * frame.width), frame.width)
+    x, y = frame.pixel_centres(column, row)
+    near, far = trajectories.stock.chords(frame.origins(x, y), frame.direction)
+    inside = far - near > THINNEST
+    size = inside.astype(np.int64)
+    parts, candidates = [], 0
+    for pixels, tested in culled(trajectories, bounds, bottom, top):
+        candidates += tested
+        ray = (pixels.row - bottom) * frame.width + pixels.column
+        pair = np.repeat(np.arange(len(ray)), np.diff(pixels.first))
+        at = ray.take(pair)
+        px, py = x.take(at), y.take(at)
+        hits = np.flatnonzero(inside.take(at) & trajectories.passing(px, py, pixels.item))
+        enter, leave = trajectories.intervals(px[hits], py[hits], pixels.item[hits])
+        owner = trajectories.index[pixels.item[hits]]
+        met = inside[ray]
+        if not met.all():
+            ray, pair = ray[met], (np.cumsum(met) - 1).take(pair)
+        pieces = cut_rays(near[ray], far[ray], pair[hits], owner, enter, leave)
+        count = np.bincount(pieces.ray, minlength=len(ray))
+        size[ray] = count
+        owner = np.where(pieces.owner == UNCUT, uncut, pieces.owner).astype(np.uint32)
+        parts.append((ray, count, pieces.far.astype(np.float32), owner))
+    index = np.append(0, np.cumsum(size))
+    ends, owners = np.empty(index[-1], np.float32), np.full(index[-1], uncut, np.uint32)
+    ends[index[:-1][inside]] = far[inside]  # what nothing cuts; the others' pieces are put over it
+    for ray, count, end, owner in parts:
+        at = np.repeat(index[ray] - (np.cumsum(count) - count), count) + np.arange(len(end))
+        ends[at], owners[at] = end, owner
+    entry = np.where(inside, near, 0).astype(np.float32)
+    return Records(uncut, index.astype(INDEX), entry, ends, owners), candidates

@@ -22,7 +22,7 @@ from vkworkbench.core.zbuffer.rounded import ball_chord, ball_sides, divide, rou
 
 # Ends closer than this, mm, are one: an edge of the swept volume is met in a single point, give or take
 # rounding.
-_ROUNDING = 1e-7
+ROUNDING = 1e-7
 
 
 def lowest(tool: Tool, start: np.ndarray, move: np.ndarray, x: np.ndarray, y: np.ndarray) -> np.ndarray:
@@ -114,6 +114,8 @@ def intervals(
         Depths along the ray, mm; ``near > far`` where it misses.
     """
     offset = ray - start
+    if tool.rounding == 0 and tool.steepness == 0 and not move[2].any():
+        return _level_slot(tool.radius, offset, move, sine, cosine)
     ends = [np.zeros(offset.shape[1]), np.ones(offset.shape[1])]
     corner = tool.rounding
     near, far = _extremes(
@@ -135,6 +137,33 @@ def intervals(
     return near, far
 
 
+def _level_slot(
+    radius: float, offset: np.ndarray, move: np.ndarray, sine: float, cosine: float
+) -> tuple[np.ndarray, np.ndarray]:
+    """Where tilted rays pass what a flat end sweeps along a level move: between its wall and above its floor."""
+    x, y, z = offset
+    ux, uy, _ = move
+    run = np.sqrt(ux**2 + uy**2)
+    reach = radius * uy / np.where(run > 0, run, 1)
+    low, high = np.inf, -np.inf
+    with np.errstate(invalid="ignore"):
+        for t in (0.0, 1.0, np.clip(divide(x + reach, ux), 0, 1), np.clip(divide(x - reach, ux), 0, 1)):
+            aside, along = x - t * ux, y - t * uy
+            # Not a number where the tool standing there misses the ray; fmin and fmax pass over it.
+            half = np.sqrt(radius**2 - aside * aside)
+            low, high = np.fmin(low, -half - along), np.fmax(high, half - along)
+    height = z + ROUNDING
+    tangent = cosine / sine if abs(cosine) > 1e-9 else 0.0
+    if tangent > 0:
+        high = np.minimum(high, height / tangent)
+    elif tangent < 0:
+        low = np.maximum(low, height / tangent)
+    else:
+        high = np.where(height >= 0, high, -np.inf)
+    missed = low > high + ROUNDING * sine
+    return np.where(missed, np.inf, low / sine), np.where(missed, -np.inf, high / sine)
+
+
 def _extremes(
     parameters: list[np.ndarray],
     offset: np.ndarray,
@@ -146,9 +175,9 @@ def _extremes(
     far = -near
     for t in parameters:
         enter, leave = chord(offset - np.clip(t, 0, 1) * move)
-        hit = enter <= leave + _ROUNDING
-        np.minimum(near, enter, out=near, where=hit)
-        np.maximum(far, leave, out=far, where=hit)
+        hit = enter <= leave + ROUNDING
+        near = np.where(hit, np.minimum(near, enter), near)
+        far = np.where(hit, np.maximum(far, leave), far)
     return near, far
 
 
@@ -161,7 +190,7 @@ def _straight_chord(
     half = np.sqrt(np.maximum(tool.radius**2 - x**2, 0))
     low = np.where(np.abs(x) <= tool.radius, -half, np.inf)
     # Along the ray height = level - tangent * y, y measured from the tool's axis.
-    level = z + tangent * y - base + _ROUNDING
+    level = z + tangent * y - base + ROUNDING
     if tool.steepness > 0:
         cone_low, cone_high = _cone_chord(tool.steepness, tangent, x, level)
         low, high = np.maximum(low, cone_low), np.minimum(half, cone_high)

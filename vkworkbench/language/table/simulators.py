@@ -63,6 +63,12 @@ SIMULATORS = {
     "fewer-operations": QT_TRANSLATE_NOOP("Sentences", "simulate fewer operations at a time"),
     "smaller-image": QT_TRANSLATE_NOOP("Sentences", "choose a smaller image in the preferences"),
     "coarser-accuracy": QT_TRANSLATE_NOOP("Sentences", "move its accuracy slider to the left"),
+    # The z-buffer's memory.
+    "zbuffer-memory": QT_TRANSLATE_NOOP(
+        "Sentences",
+        "The simulation takes about {memory:bytes} at its peak, for {dexels:n} dexels and {traces:n} elements of "
+        "traces, more than the {allowed:bytes} allowed: choose a smaller image or simulate fewer operations.",
+    ),
     # The recommended image of the z-buffer.
     "image": QT_TRANSLATE_NOOP(
         "Sentences", "{width:n} x {height:n} pixels of {pixel:mm2}, limited by the {limit}{passes}"

@@ -1,0 +1,81 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Any moment of a simulation: the glue of part and chips, and what is seen."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from zbuffer_reference.paths import BOX, DIRECTIONS, PATHS, ROUND, TOOLS, toolpath
+
+from vkworkbench.core import View
+from vkworkbench.core.zbuffer.simulate import simulate
+from vkworkbench.core.zbuffer.surface import STOCK
+
+
+def simulated(seed):
+    rng = np.random.default_rng(seed)
+    path, tool = PATHS[seed % len(PATHS)], TOOLS[rng.integers(len(TOOLS))]
+    view = View(DIRECTIONS[rng.integers(len(DIRECTIONS))], 70, 50)
+    points = path(rng, 60)
+    return simulate(toolpath(points), tool=tool, stock=(BOX, ROUND)[seed % 2], view=view), rng
+
+
+@pytest.mark.parametrize("seed", range(24))
+def test_part_and_chips_are_exactly_the_stock_at_every_moment(seed):
+    """No gap and no overlap on any ray, to the last bit, between the dexels of a moment and the chips cut until it."""
+    z, _ = simulated(seed)
+    stock = z.at(0).dexel_records
+    pixel = np.repeat(np.arange(len(z.records.entry)), np.diff(z.trace_index.astype(int)))
+    for step in range(0, z.trajectories + 1, 7):
+        now = z.at(step)
+        cut = z.trace_records["trajectory"] < step
+        pixels = np.concatenate((now.dexel_records["pixel"], pixel[cut]))
+        near, far = (np.concatenate((now.dexel_records[e], z.trace_records[e][cut])) for e in ("near", "far"))
+        order = np.lexsort((near, pixels))
+        pixels, near, far = pixels[order], near[order], far[order]
+        first = np.append(True, pixels[1:] != pixels[:-1])
+        assert np.array_equal(near[1:][~first[1:]], far[:-1][~first[1:]])
+        assert np.array_equal(pixels[first], stock["pixel"])
+        assert np.array_equal(near[first], stock["near"])
+        assert np.array_equal(far[np.append(first[1:], True)], stock["far"])
+        assert now.traces == np.count_nonzero(cut)
+
+
+@pytest.mark.parametrize("seed", range(24))
+def test_the_picture_is_the_first_dexel_of_every_ray(seed):
+    z, rng = simulated(seed)
+    for step in (*rng.integers(0, z.trajectories + 1, 12), *range(5), *reversed(range(5)), z.trajectories):
+        now = z.at(int(step))
+        depth, owner = expected(now)
+        assert np.array_equal(now.picture.depth, depth, equal_nan=True)
+        assert np.array_equal(now.picture.owner, owner)
+
+
+def expected(z):
+    """Depth of the first dexel on every ray, and the owner of the trace element that ends there."""
+    pixels = len(z.records.entry)
+    depth, owner = np.full(pixels, np.nan, np.float32), np.full(pixels, STOCK)
+    for dexel in z.dexel_records[::-1]:
+        depth[dexel["pixel"]] = dexel["near"]
+    for pixel in np.flatnonzero(~np.isnan(depth)):
+        own = z.trace_records[z.trace_index[pixel] : z.trace_index[pixel + 1]]
+        before = own[own["far"] == depth[pixel]]
+        if len(before):
+            owner[pixel] = before["trajectory"][-1]
+    return depth, owner
+
+
+def test_what_changes_between_two_moments():
+    z, _ = simulated(3)
+    for step in range(z.trajectories):
+        one, two = z.at(step).picture, z.at(step + 1).picture
+        differs = ~((one.depth == two.depth) | (np.isnan(one.depth) & np.isnan(two.depth)))
+        assert np.isin(np.flatnonzero(differs), z.surface.changed(step, step + 1)).all()
+    assert np.array_equal(z.surface.changed(9, 4), z.surface.changed(4, 9))
+    assert len(z.surface.changed(5, 5)) == 0
+
+
+def test_pictures_of_nothing():
+    z = simulate(toolpath(np.zeros((1, 3))), tool=TOOLS[0], stock=BOX, view=View(pixel=1.0, width=80, height=10))
+    assert np.isnan(z.picture.depth).sum() == 40 * 10
+    assert (z.picture.owner == STOCK).all()

@@ -1,0 +1,188 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The pieces of a ray: which trajectory removes each piece of it first, and what is left.
+
+A sequence of removals turns a ray's chord of the stock into pieces, each removed by one trajectory or by
+none. A removed piece is an element of that trajectory's trace, a piece that stays is a dexel. A point belongs
+to the first trajectory that covers it, so all pieces of all rays follow from one sort of the intervals' ends,
+without a loop over the sequence.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+# Pieces up to this length, mm, are rounding noise and go to their neighbour.
+THINNEST = 1e-4
+UNCUT = np.iinfo(np.int32).max
+
+
+@dataclass(frozen=True, eq=False)
+class Pieces:
+    """Consecutive pieces of rays, sorted by ray and depth.
+
+    Attributes
+    ----------
+    ray : (p,) int64
+        Index of the ray.
+    owner : (p,) int32
+        Trajectory that removes the piece, `UNCUT` where none does.
+    near, far : (p,) float64
+        Depths of the piece's ends along the ray, mm.
+    """
+
+    ray: np.ndarray
+    owner: np.ndarray
+    near: np.ndarray
+    far: np.ndarray
+
+
+def first_cuts(
+    near: np.ndarray,
+    far: np.ndarray,
+    ray: np.ndarray,
+    trajectory: np.ndarray,
+    enter: np.ndarray,
+    leave: np.ndarray,
+) -> Pieces:
+    """Cut rays by a sequence of intervals.
+
+    Parameters
+    ----------
+    near, far : (k,) ndarray
+        Ends of each ray's chord of the stock, mm; rays with ``far - near <= THINNEST`` have no pieces.
+    ray : (m,) ndarray of int
+        Ray of each interval.
+    trajectory : (m,) ndarray of int
+        Its place in the sequence.
+    enter, leave : (m,) ndarray
+        Its ends, mm.
+
+    Returns
+    -------
+    Pieces
+    """
+    stock = np.flatnonzero(far - near > THINNEST)
+    enter, leave = np.maximum(enter, near[ray]), np.minimum(leave, far[ray])
+    met = np.flatnonzero((leave - enter > THINNEST) & (far[ray] - near[ray] > THINNEST))
+    ray, trajectory, enter, leave = ray[met], trajectory[met], enter[met], leave[met]
+
+    # Every ray is moved to a stretch of its own on one common axis, so that one sort orders everything.
+    base = near.min(initial=np.inf, where=far > near)
+    stretch = (far.max(initial=-np.inf, where=far > near) - base) * 1.25 + 1 if len(stock) else 1.0
+    place = np.concatenate(
+        (
+            near[stock] + stock * stretch,
+            enter + ray * stretch,
+            leave + ray * stretch,
+            far[stock] + stock * stretch,
+        )
+    )
+    order = np.argsort(place, kind="stable")
+    rank = np.empty(len(order), np.int64)
+    rank[order] = np.arange(len(order))
+    k, m = len(stock), len(ray)
+    owner = _lowest_cover(len(order), rank[k : k + m], rank[k + m : k + 2 * m], trajectory)
+
+    depth = np.concatenate((near[stock], enter, leave, far[stock]))[order]
+    slot_ray = np.concatenate((stock, ray, ray, stock))[order]
+    same_ray = slot_ray[1:] == slot_ray[:-1]
+    slots = np.flatnonzero(same_ray & (depth[1:] > depth[:-1]))
+    pieces = _merge(Pieces(slot_ray[slots], owner[slots], depth[slots], depth[slots + 1]))
+    thick = np.flatnonzero(pieces.far - pieces.near > THINNEST)
+    return _merge(
+        _close_gaps(
+            Pieces(pieces.ray[thick], pieces.owner[thick], pieces.near[thick], pieces.far[thick]), near, far
+        )
+    )
+
+
+def cuts_from_the_eye(
+    near: np.ndarray, far: np.ndarray, ray: np.ndarray, trajectory: np.ndarray, leave: np.ndarray
+) -> Pieces:
+    """Cut rays by intervals that all begin where their ray does, as they do from above: no depths need sorting.
+
+    Parameters
+    ----------
+    near, far : (k,) ndarray
+        As for :func:`first_cuts`.
+    ray, trajectory, leave : (m,) ndarray
+        Ray, place in the sequence and end of each interval, longer than THINNEST; by ray, each deeper than the one
+        before it.
+
+    Returns
+    -------
+    Pieces
+    """
+    stock = np.flatnonzero(far - near > THINNEST)
+    # What is left of each ray comes after its intervals.
+    order = np.argsort(np.concatenate((ray, stock)), kind="stable")
+    ray = np.concatenate((ray, stock))[order]
+    owner = np.concatenate((trajectory, np.full(len(stock), UNCUT)))[order].astype(np.int32)
+    end = np.concatenate((leave, far[stock]))[order]
+    first = np.append(True, ray[1:] != ray[:-1])
+    begin = np.where(first, near[ray], np.append(0.0, end[:-1]))
+    thick = np.flatnonzero(end - begin > THINNEST)
+    return _close_gaps(Pieces(ray[thick], owner[thick], begin[thick], end[thick]), near, far)
+
+
+def with_uncut(pieces: Pieces, step: int) -> Pieces:
+    """Return the pieces as they are before trajectory `step`: later removals have not happened."""
+    owner = np.where(pieces.owner >= step, UNCUT, pieces.owner).astype(np.int32)
+    return _merge(Pieces(pieces.ray, owner, pieces.near, pieces.far))
+
+
+def _lowest_cover(slots: int, first: np.ndarray, last: np.ndarray, value: np.ndarray) -> np.ndarray:
+    """Lowest of the values of the ranges ``first <= slot < last`` that cover each slot.
+
+    A range is the union of two ranges whose length is a power of two; the values are entered on the level of
+    that power and handed down level by level (the sparse table of range minimum queries, run backwards).
+    """
+    cover = np.full(slots, UNCUT, np.int32)
+    if len(first) == 0:
+        return cover
+    level = np.frexp(last - first)[1] - 1
+    # Descending values: where ranges share a slot, the lowest is written last.
+    order = np.lexsort((-value, level))
+    bounds = np.searchsorted(level[order], np.arange(level.max() + 2))
+    for power in range(level.max(), -1, -1):
+        size = 1 << power
+        items = order[bounds[power] : bounds[power + 1]]
+        for start in (first[items], last[items] - size):
+            _enter_lowest(cover, start, value[items])
+        if power:
+            lower = cover.copy()
+            np.minimum(lower[size // 2 :], cover[: -(size // 2)], out=lower[size // 2 :])
+            cover = lower
+    return cover
+
+
+def _enter_lowest(target: np.ndarray, index: np.ndarray, value: np.ndarray) -> None:
+    """Lower ``target[index]`` to value, whatever the order in which numpy writes repeated indices."""
+    while len(index):
+        lower = np.flatnonzero(value < target[index])
+        index, value = index[lower], value[lower]
+        target[index] = value
+
+
+def _merge(pieces: Pieces) -> Pieces:
+    """Join neighbours of one ray and one owner."""
+    if len(pieces.ray) == 0:
+        return pieces
+    new = np.ones(len(pieces.ray), bool)
+    new[1:] = (pieces.ray[1:] != pieces.ray[:-1]) | (pieces.owner[1:] != pieces.owner[:-1])
+    start = np.flatnonzero(new)
+    end = np.append(start[1:], len(new)) - 1
+    return Pieces(pieces.ray[start], pieces.owner[start], pieces.near[start], pieces.far[end])
+
+
+def _close_gaps(pieces: Pieces, near: np.ndarray, far: np.ndarray) -> Pieces:
+    """Let the pieces fill their rays' chords: each reaches to where the next one begins."""
+    start, end = pieces.near.copy(), pieces.far.copy()
+    if len(start):
+        new = np.append(True, pieces.ray[1:] != pieces.ray[:-1])
+        start[new] = near[pieces.ray[new]]
+        end[:-1] = np.where(new[1:], far[pieces.ray[:-1]], start[1:])
+        end[-1] = far[pieces.ray[-1]]
+    return Pieces(pieces.ray, pieces.owner, start, end)

@@ -1,0 +1,167 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The pieces of rays whose removals connect: no depths need sorting.
+
+Trajectories that follow each other mostly touch what is open already. As long as every interval of a ray meets the one
+gap that those before it made, the gap only grows, at its near end, its far end or both, and each growth is a piece. All
+pieces of all such rays follow from two running extremes. The other rays go the general way, `dexels.first_cuts`.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from vkworkbench.core.zbuffer.dexels import (
+    THINNEST,
+    UNCUT,
+    Pieces,
+    before_in_group,
+    first_cuts,
+    without_thin,
+)
+
+
+def cut_rays(
+    near: np.ndarray,
+    far: np.ndarray,
+    ray: np.ndarray,
+    trajectory: np.ndarray,
+    enter: np.ndarray,
+    leave: np.ndarray,
+) -> Pieces:
+    """Cut rays by a sequence of intervals.
+
+    Parameters
+    ----------
+    near, far : (k,) ndarray
+        Ends of each ray's chord of the stock, mm; all rays with ``far - near > THINNEST``.
+    ray : (m,) ndarray of int
+        Ray of each interval, ascending.
+    trajectory : (m,) ndarray of int
+        Its place in the sequence, ascending within a ray.
+    enter, leave : (m,) ndarray
+        Its ends, mm.
+
+    Returns
+    -------
+    Pieces
+        Those of rays that nothing cuts included.
+    """
+    enter, leave = np.maximum(enter, near[ray]), np.minimum(leave, far[ray])
+    met = np.flatnonzero(leave - enter > THINNEST)
+    ray, trajectory, enter, leave = ray[met], trajectory[met], enter[met], leave[met]
+    if len(ray) == 0:
+        everything = np.arange(len(near))
+        return Pieces(everything, np.full(len(near), UNCUT, np.int32), near, far)
+    stretch = far.max() - near.min() + 1
+    kept = _not_yet_open(ray, enter, leave, near, stretch)
+    ray, trajectory, enter, leave = ray[kept], trajectory[kept], enter[kept], leave[kept]
+
+    offset = ray * stretch
+    start = np.flatnonzero(np.diff(ray, prepend=-1))
+    # The gap before each interval; the interval itself where it is a ray's first.
+    rising, falling = leave + offset, enter - offset
+    open_far = before_in_group(np.maximum.accumulate(rising), start, rising[start])
+    open_near = before_in_group(np.minimum.accumulate(falling), start, falling[start])
+    nearer, farther = falling < open_near, rising > open_far
+    apart = (enter + offset > open_far) | (leave - offset < open_near)
+    first = _marked(len(ray), start)
+    if not apart.any():
+        return _grown(near, far, ray, trajectory, enter, leave, first, nearer, farther)
+    scattered = np.zeros(len(near), bool)
+    scattered[ray[apart]] = True
+    loose = scattered[ray]
+    tight = np.flatnonzero(~loose)
+    loose = np.flatnonzero(loose)
+    rest, these = np.flatnonzero(~scattered), np.flatnonzero(scattered)
+    new = np.cumsum(~scattered) - 1
+    connected = _grown(
+        near[rest],
+        far[rest],
+        new[ray[tight]],
+        trajectory[tight],
+        enter[tight],
+        leave[tight],
+        first[tight],
+        nearer[tight],
+        farther[tight],
+    )
+    new = np.cumsum(scattered) - 1
+    sorted_ = first_cuts(near[these], far[these], new[ray[loose]], trajectory[loose], enter[loose], leave[loose])
+    rays = np.concatenate((rest[connected.ray], these[sorted_.ray]))
+    order = np.argsort(rays, kind="stable")
+    columns = (
+        np.concatenate((getattr(connected, name), getattr(sorted_, name)))[order] for name in ("owner", "near", "far")
+    )
+    return Pieces(rays[order], *columns)
+
+
+def _grown(
+    near: np.ndarray,
+    far: np.ndarray,
+    ray: np.ndarray,
+    trajectory: np.ndarray,
+    enter: np.ndarray,
+    leave: np.ndarray,
+    start: np.ndarray,
+    nearer: np.ndarray,
+    farther: np.ndarray,
+) -> Pieces:
+    """Pieces of rays with one gap each, that grows from the interval at `start`, `nearer` the eye and `farther`."""
+    rays = len(near)
+    # Each growth begins where the one before it, or the first interval, ended.
+    inner, outer = np.flatnonzero(nearer | start), np.flatnonzero(farther | start)
+    growth = np.flatnonzero(nearer[inner])
+    nearer, gap_near = inner[growth], enter[inner[growth - 1]]
+    growth = np.flatnonzero(farther[outer])
+    farther, gap_far = outer[growth], leave[outer[growth - 1]]
+    begins = np.flatnonzero(start)
+
+    before = np.bincount(ray[nearer], minlength=rays)
+    behind = np.bincount(ray[farther], minlength=rays)
+    cut = np.zeros(rays, bool)
+    cut[ray[begins]] = True
+    last_near, last_far = near.copy(), near.copy()
+    last_near[ray[inner]] = enter[inner]
+    last_far[ray[outer]] = leave[outer]
+    whole_before, whole_behind = cut & (near < last_near), last_far < far
+    size = whole_before + before + cut + behind + whole_behind
+    base = np.append(0, np.cumsum(size))
+    core = base[:-1] + whole_before + before
+
+    pieces = Pieces(
+        np.repeat(np.arange(rays), size),
+        np.empty(base[-1], np.int32),
+        np.empty(base[-1]),
+        np.empty(base[-1]),
+    )
+
+    def put(at: np.ndarray, owner: np.ndarray | int, begin: np.ndarray, end: np.ndarray) -> None:
+        pieces.owner[at], pieces.near[at], pieces.far[at] = owner, begin, end
+
+    put(core[ray[begins]], trajectory[begins], enter[begins], leave[begins])
+    rank = np.arange(len(nearer)) - (np.cumsum(before) - before)[ray[nearer]]
+    put(core[ray[nearer]] - 1 - rank, trajectory[nearer], enter[nearer], gap_near)
+    rank = np.arange(len(farther)) - (np.cumsum(behind) - behind)[ray[farther]]
+    put(core[ray[farther]] + 1 + rank, trajectory[farther], gap_far, leave[farther])
+    first = np.flatnonzero(whole_before)
+    put(base[first], UNCUT, near[first], last_near[first])
+    last = np.flatnonzero(whole_behind)
+    put(base[last + 1] - 1, UNCUT, last_far[last], far[last])
+    return without_thin(pieces, near, far)
+
+
+def _marked(size: int, positions: np.ndarray) -> np.ndarray:
+    marks = np.zeros(size, bool)
+    marks[positions] = True
+    return marks
+
+
+def _not_yet_open(
+    ray: np.ndarray, enter: np.ndarray, leave: np.ndarray, near: np.ndarray, stretch: float
+) -> np.ndarray:
+    """Positions of the intervals that reach deeper than earlier ones opened the ray from its near end."""
+    offset = ray * stretch
+    opened = np.where(enter <= near[ray], leave, near[ray]) + offset
+    start = np.flatnonzero(np.diff(ray, prepend=-1))
+    before = before_in_group(np.maximum.accumulate(opened), start, -np.inf)
+    return np.flatnonzero(leave + offset > before + 1e-7)

@@ -1,0 +1,185 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Which trajectories can cut which pixels: hierarchical culling along time.
+
+Greene, Kass and Miller (Hierarchical z-buffer visibility, 1993) drop what lies behind what covers a whole tile of the
+image. Here "behind" is "later": a trajectory removes nothing from a tile that earlier ones opened as deep as it
+reaches. The image is divided into tiles, these into quarters, down to the pixel; a tile's trajectories are a list in
+their order, and what is dropped from it is gone for all its quarters. Each step works on whole arrays of pairs of a tile
+and a trajectory, sorted by tile and time. The cost grows with the trajectories and with what is cut, not with their
+product.
+
+Only pairs that remove nothing are dropped: what is left gives the same pieces of every ray.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Protocol
+
+import numpy as np
+
+from vkworkbench.core.zbuffer.dexels import before_in_group
+from vkworkbench.core.zbuffer.trajectories import Trajectories
+
+# Side of the tiles to begin with, pixels; a power of two.
+TILE = 64
+# Pairs of tile and trajectory worked on at once, so that they stay in the processor's cache.
+_PAIRS_AT_ONCE = 16384
+# A reach that exceeds what is open by less than this, mm, is rounding noise.
+NOISE = 1e-8
+
+
+class Bounds(Protocol):
+    """What one kind of view knows of a trajectory above a tile."""
+
+    def quarters(
+        self, column: np.ndarray, row: np.ndarray, tile: np.ndarray, item: np.ndarray, child: int
+    ) -> Iterator[np.ndarray]:
+        """Say for each quarter of the tiles which pairs may cut it.
+
+        Parameters
+        ----------
+        column, row : (t,) ndarray of int
+            The tiles' first pixels.
+        tile, item : (p,) ndarray of int
+            The pairs, sorted by tile and time.
+        child : int
+            Side of a quarter, pixels.
+
+        Yields
+        ------
+        (k,) int64
+            Positions of the pairs that stay; for the quarters in the order of `QUARTERS`.
+        """
+
+
+# Column and row of a tile's quarters, in quarters.
+QUARTERS = ((0, 0), (1, 0), (0, 1), (1, 1))
+
+
+@dataclass(frozen=True, eq=False)
+class Tiles:
+    """Square tiles of the image, each with the trajectories that may cut it.
+
+    Attributes
+    ----------
+    side : int
+        Pixels.
+    column, row : (t,) int64
+        Their first pixels.
+    first : (t + 1,) int64
+        Where each one's list begins.
+    item : (p,) int64
+        The lists: positions in `Trajectories.index`, ascending.
+    """
+
+    side: int
+    column: np.ndarray
+    row: np.ndarray
+    first: np.ndarray
+    item: np.ndarray
+
+    def part(self, begin: int, end: int) -> Tiles:
+        """Return the tiles from `begin` to before `end`."""
+        first = self.first[begin : end + 1]
+        return Tiles(
+            self.side, self.column[begin:end], self.row[begin:end], first - first[0], self.item[first[0] : first[-1]]
+        )
+
+    def blocks(self) -> Iterator[Tiles]:
+        """Divide them so that the pairs of each part stay in the cache, as far as whole tiles allow."""
+        begin = 0
+        while begin < len(self.column):
+            end = int(np.searchsorted(self.first, self.first[begin] + _PAIRS_AT_ONCE, side="right")) - 1
+            end = max(begin + 1, end)
+            yield self.part(begin, end)
+            begin = end
+
+
+def culled(trajectories: Trajectories, bounds: Bounds, bottom: int, top: int) -> Iterator[tuple[Tiles, int]]:
+    """Go down from tiles to pixels, over a band of the image.
+
+    Parameters
+    ----------
+    trajectories : Trajectories
+    bounds : Bounds
+        Of the same view.
+    bottom, top : int
+        First row of the band, and the row after its last one; at most `TILE` rows.
+
+    Yields
+    ------
+    pixels : Tiles
+        Of side 1, with the trajectories that may cut them; each pixel once, those that nothing cuts left out.
+    tested : int
+        Pairs of a tile or pixel and a trajectory that were tested for it.
+    """
+    pending = [_tiles(trajectories, bottom, top)]
+    tested = 0
+    while pending:
+        tiles = pending.pop()
+        if tiles.side == 1:
+            yield tiles, tested
+            tested = 0
+            continue
+        for block in tiles.blocks():
+            tested += 4 * len(block.item)
+            pending.append(_quartered(trajectories, bounds, block))
+
+
+def _tiles(trajectories: Trajectories, bottom: int, top: int) -> Tiles:
+    """The band's tiles with all trajectories that pass them."""
+    frame = trajectories.frame
+    left = np.arange(0, frame.width, TILE)
+    x0, y0 = frame.pixel_centres(left, np.full(len(left), bottom))
+    x1, y1 = frame.pixel_centres(np.minimum(left + TILE, frame.width) - 1, np.full(len(left), top - 1))
+    tile, item = trajectories.meeting(x0, x1, y0, y1)
+    return Tiles(TILE, left, np.full(len(left), bottom), np.searchsorted(tile, np.arange(len(left) + 1)), item)
+
+
+def _quartered(trajectories: Trajectories, bounds: Bounds, tiles: Tiles) -> Tiles:
+    frame, side = trajectories.frame, tiles.side // 2
+    tile = np.repeat(np.arange(len(tiles.column)), np.diff(tiles.first))
+    columns, rows, counts, items = [], [], [], []
+    for (across, up), kept in zip(QUARTERS, bounds.quarters(tiles.column, tiles.row, tile, tiles.item, side)):
+        column, row = tiles.column + across * side, tiles.row + up * side
+        outside = (column >= frame.width) | (row >= frame.height)
+        if outside.any():
+            kept = kept[~outside[tile[kept]]]
+        count = np.bincount(tile[kept], minlength=len(tiles.column))
+        used = np.flatnonzero(count)
+        columns.append(column[used])
+        rows.append(row[used])
+        counts.append(count[used])
+        items.append(tiles.item[kept])
+    first = np.append(0, np.cumsum(np.concatenate(counts)))
+    return Tiles(side, np.concatenate(columns), np.concatenate(rows), first, np.concatenate(items))
+
+
+def deeper(
+    tile: np.ndarray, start: np.ndarray, reach: np.ndarray, opens: np.ndarray, near: float, far: float
+) -> np.ndarray:
+    """Positions of the pairs that reach deeper than the pairs of their tile before them opened it.
+
+    Parameters
+    ----------
+    tile : (p,) ndarray of int
+        Ascending.
+    start : (t,) ndarray of int
+        Where each tile's pairs begin.
+    reach, opens : (p,) ndarray
+        How deep the trajectory reaches at most, and the depth to which it opens all of the tile's rays from their near
+        end; -inf where it does not. Both are overwritten.
+    near, far : float
+        Where the tiles' rays begin and end, at least and at most.
+    """
+    stretch = far - near + 1
+    np.minimum(np.maximum(opens, near, out=opens), far, out=opens)
+    np.minimum(reach, far, out=reach)
+    offset = tile * stretch
+    opens += offset
+    reach -= NOISE
+    reach += offset
+    before = before_in_group(np.maximum.accumulate(opens), start, offset[start] + near)
+    return np.flatnonzero(reach > before)

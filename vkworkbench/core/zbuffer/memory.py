@@ -1,0 +1,103 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The memory that a simulation takes at its peak, known before it starts, and its limit."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from vkworkbench.core.zbuffer.counts import Counts, count
+from vkworkbench.core.zbuffer.records import PIXEL_BYTES, RECORD_BYTES
+from vkworkbench.core.zbuffer.removal import Removal
+from vkworkbench.language import Message, Unusable
+
+# What may be taken where nobody says otherwise, bytes.
+BUDGET = 2e9
+# Measured by benchmarks/zbuffer.py. Bytes of the work on one band of the image at a time, of every trajectory as the
+# simulation holds it, and of every record of a band while the band is put together.
+_BAND = 22e6
+_TRAJECTORY = 160.0
+_BAND_RECORD = 26.0
+# The records grow by an eighth when they are full.
+_SPARE = 1 / 8
+# Traces are estimated; so many standard errors are added.
+_ERRORS = 2.0
+
+
+class OverBudget(Unusable):
+    """A simulation would take more memory than it may; nothing was simulated.
+
+    Attributes
+    ----------
+    what : Message
+        For the user.
+    needed, allowed : float
+        Bytes.
+    """
+
+    def __init__(self, needed: float, allowed: float, counts: Counts) -> None:
+        super().__init__(
+            Message(
+                "zbuffer-memory", memory=needed, allowed=allowed, traces=round(counts.traces), dexels=round(counts.dexels)
+            )
+        )
+        self.needed, self.allowed = needed, allowed
+
+
+def check_memory(removal: Removal, trajectories: int, allowed: float) -> None:
+    """Refuse a simulation that would take too much memory.
+
+    Parameters
+    ----------
+    removal : Removal
+        What would be simulated.
+    trajectories : int
+        Of the whole toolpath.
+    allowed : float
+        Bytes.
+
+    Raises
+    ------
+    OverBudget
+    """
+    most = _most(removal)
+    if _peak(most, most, trajectories, removal) <= allowed:
+        return  # whatever the rays say
+    counts = count(removal)
+    needed = peak_bytes(counts, trajectories, removal)
+    if needed > allowed:
+        raise OverBudget(needed, allowed, counts)
+
+
+def peak_bytes(counts: Counts, trajectories: int, removal: Removal) -> float:
+    """Memory that a simulation takes at its peak, beyond what the process took before it, bytes.
+
+    Parameters
+    ----------
+    counts : Counts
+        Its records.
+    trajectories : int
+        Of the whole toolpath.
+    removal : Removal
+        What is simulated.
+    """
+    records = counts.dexels + counts.traces + _ERRORS * counts.traces_error
+    return _peak(records, counts.band, trajectories, removal)
+
+
+def _most(removal: Removal) -> float:
+    """No more records than this, from the trajectories' bounding boxes in the image."""
+    frame = removal.frame
+    half = np.array([frame.width, frame.height]) / 2
+    left, right, bottom, top = removal.box / frame.pixel
+    across = np.minimum(right, half[0]) - np.maximum(left, -half[0]) + 1
+    up = np.minimum(top, half[1]) - np.maximum(bottom, -half[1]) + 1
+    passes = float((np.maximum(across, 0) * np.maximum(up, 0)).sum())
+    # Within a ray an interval divides one piece into three at most.
+    return (1 if removal.sine == 0 else 2) * passes + frame.width * frame.height
+
+
+def _peak(records: float, band: float, trajectories: int, removal: Removal) -> float:
+    """Memory for so many records, in the fullest band so many."""
+    pixels = removal.frame.width * removal.frame.height
+    held = RECORD_BYTES * records * (1 + _SPARE) + PIXEL_BYTES * pixels
+    return held + _BAND + _BAND_RECORD * band + _TRAJECTORY * trajectories

@@ -1,0 +1,111 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The extended z-buffer at any moment of the simulation.
+
+Every pixel's ray holds the dexels of the part and the elements of the traces, the pieces the trajectories removed.
+Traces glue the chips back on the part, so every moment of the simulation can be had again.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from functools import cached_property
+
+import numpy as np
+
+from vkworkbench.core.solids import Frame
+from vkworkbench.core.zbuffer.records import Records
+from vkworkbench.core.zbuffer.surface import Picture, Surface
+
+
+@dataclass(frozen=True, eq=False)
+class ZBuffer:
+    """An image of rays cut by a toolpath, at one moment of the simulation.
+
+    Attributes
+    ----------
+    frame : Frame
+        Axes, centre and pixel of the image.
+    trajectories : int
+        How many trajectories the toolpath has.
+    step : int
+        The moment: that many trajectories have been simulated.
+    records : Records
+        The pieces of all rays.
+    surface : Surface
+        The pieces of rays that are seen at some moment.
+    candidates : int
+        Pairs of a tile or pixel of the image and a trajectory that the simulation tested.
+    """
+
+    frame: Frame
+    trajectories: int
+    step: int
+    records: Records
+    surface: Surface
+    candidates: int
+
+    @property
+    def picture(self) -> Picture:
+        """What is seen at this moment: depth and owner of the surface at every pixel."""
+        return self.surface.picture(self.step)
+
+    @cached_property
+    def dexel_records(self) -> np.ndarray:
+        """The dexels at this moment, the chips that have not been cut yet included: (d,) ndarray of DEXEL."""
+        return self.records.dexels(self.step)
+
+    @cached_property
+    def trace_records(self) -> np.ndarray:
+        """(m,) ndarray of TRACE : what the whole toolpath removes, sorted by pixel and depth."""
+        return self.records.traces()
+
+    @cached_property
+    def trace_index(self) -> np.ndarray:
+        """(pixels + 1,) ndarray of INDEX : first element of each pixel in `trace_records`."""
+        return self.records.trace_index()
+
+    @property
+    def dexels(self) -> int:
+        """Number of dexels at this moment."""
+        return len(self.dexel_records)
+
+    @property
+    def traces(self) -> int:
+        """Number of trace elements at this moment."""
+        return int(np.count_nonzero(self.records.owner < self.step))
+
+    @property
+    def memory_bytes(self) -> int:
+        """Bytes of the records and of the index, the traces of later moments included."""
+        return self.records.nbytes
+
+    @property
+    def part_volume(self) -> float:
+        """Volume of what is left at this moment, mm^3."""
+        return _length(self.dexel_records) * self.frame.pixel**2
+
+    @property
+    def chip_volume(self) -> float:
+        """Volume removed until this moment, mm^3."""
+        return _length(self.trace_records[self.trace_records["trajectory"] < self.step]) * self.frame.pixel**2
+
+    def at(self, step: int) -> ZBuffer:
+        """Return the simulation at another moment.
+
+        Parameters
+        ----------
+        step : int
+            Number of trajectories simulated, from 0 (the stock) to `trajectories` (the part).
+
+        Raises
+        ------
+        ValueError
+            Where there is no such moment.
+        """
+        if not 0 <= step <= self.trajectories:
+            raise ValueError(f"the simulation has the moments 0 to {self.trajectories}, not {step}")
+        return replace(self, step=step)
+
+
+def _length(records: np.ndarray) -> float:
+    return float((records["far"].astype(float) - records["near"]).sum())

@@ -1,0 +1,118 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The records of the extended z-buffer: the pieces of all rays, 8 bytes each.
+
+The pieces of a ray fill its chord of the stock, so each begins where the one before it ends, and only the first needs a
+beginning of its own.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+# Records as callers read them. Depths are along the view's direction, from the middle of the stock, mm.
+DEXEL = np.dtype([("near", np.float32), ("far", np.float32), ("pixel", np.uint32)])
+TRACE = np.dtype([("near", np.float32), ("far", np.float32), ("trajectory", np.uint32)])
+# One entry for each pixel: where its records begin.
+INDEX = np.dtype(np.uint32)
+# What one piece and one pixel take as they are held.
+RECORD_BYTES = 8
+PIXEL_BYTES = 8
+
+
+@dataclass(frozen=True, eq=False)
+class Records:
+    """The pieces of all rays of an image, sorted by pixel (row * width + column, row 0 below) and depth.
+
+    Attributes
+    ----------
+    trajectories : int
+        How many trajectories the toolpath has.
+    index : (pixels + 1,) ndarray of INDEX
+        Each pixel's first piece.
+    entry : (pixels,) float32
+        Depth at which each pixel's ray enters the stock, mm; 0 where it misses.
+    far : (p,) float32
+        Depth at which each piece ends, mm.
+    owner : (p,) uint32
+        Trajectory that removes it; `trajectories` where none does.
+    """
+
+    trajectories: int
+    index: np.ndarray
+    entry: np.ndarray
+    far: np.ndarray
+    owner: np.ndarray
+
+    @property
+    def nbytes(self) -> int:
+        """Bytes held."""
+        return self.index.nbytes + self.entry.nbytes + self.far.nbytes + self.owner.nbytes
+
+    def near(self) -> np.ndarray:
+        """Depth at which each piece begins, (p,) float32 mm."""
+        near = np.empty_like(self.far)
+        near[1:] = self.far[:-1]
+        met = np.flatnonzero(self.index[1:] > self.index[:-1])
+        near[self.index[met]] = self.entry[met]
+        return near
+
+    def pixel(self) -> np.ndarray:
+        """Pixel of each piece, (p,) uint32."""
+        return np.repeat(np.arange(len(self.entry), dtype=np.uint32), np.diff(self.index.astype(np.int64)))
+
+    def dexels(self, step: int) -> np.ndarray:
+        """Return what `step` trajectories leave of the stock: (d,) ndarray of DEXEL, by pixel and depth."""
+        left = self.owner >= step
+        pixel = self.pixel()
+        joined = np.zeros(len(left), bool)  # with the piece before it
+        joined[1:] = left[1:] & left[:-1] & (pixel[1:] == pixel[:-1])
+        first = np.flatnonzero(left & ~joined)
+        last = np.flatnonzero(left & ~np.append(joined[1:], False))
+        dexels = np.empty(len(first), DEXEL)
+        dexels["near"], dexels["far"], dexels["pixel"] = self.near()[first], self.far[last], pixel[first]
+        return dexels
+
+    def traces(self) -> np.ndarray:
+        """Return what all trajectories remove: (m,) ndarray of TRACE, by pixel and depth."""
+        cut = np.flatnonzero(self.owner < self.trajectories)
+        traces = np.empty(len(cut), TRACE)
+        traces["near"], traces["far"], traces["trajectory"] = self.near()[cut], self.far[cut], self.owner[cut]
+        return traces
+
+    def trace_index(self) -> np.ndarray:
+        """Return each pixel's first element in :meth:`traces`, (pixels + 1,) ndarray of INDEX."""
+        before = np.append(0, np.cumsum(self.owner < self.trajectories))
+        return before[self.index].astype(INDEX)
+
+
+class Writer:
+    """Records that grow by bands of the image, from below."""
+
+    def __init__(self, trajectories: int, pixels: int) -> None:
+        self.trajectories = trajectories
+        self.index = np.zeros(pixels + 1, INDEX)
+        self.entry = np.zeros(pixels, np.float32)
+        self.far, self.owner = np.empty(0, np.float32), np.empty(0, np.uint32)
+        self.pixels = self.pieces = 0
+
+    def append(self, band: Records) -> None:
+        """Add the pixels of the next band."""
+        pixels, pieces = self.pixels + len(band.entry), self.pieces + len(band.far)
+        if pieces > len(self.far):
+            self._resize(pieces + pieces // 8)
+        self.far[self.pieces : pieces], self.owner[self.pieces : pieces] = band.far, band.owner
+        self.index[self.pixels + 1 : pixels + 1] = band.index[1:] + self.pieces
+        self.entry[self.pixels : pixels] = band.entry
+        self.pixels, self.pieces = pixels, pieces
+
+    def records(self) -> Records:
+        """Return what was written."""
+        self._resize(self.pieces)
+        return Records(self.trajectories, self.index, self.entry, self.far, self.owner)
+
+    def _resize(self, pieces: int) -> None:
+        # In place: the system moves large arrays without a second copy of them.
+        self.far.resize(pieces, refcheck=False)
+        self.owner.resize(pieces, refcheck=False)

@@ -1,0 +1,182 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Which trajectories can cut tiles of an image seen obliquely.
+
+A tile's rays are the ray through its middle, moved aside by up to half a tile. So what a tool grown by that much removes
+from the middle ray holds what the tool removes from any ray of the tile, and what a tool that much smaller removes from
+the middle ray the tool removes from all of them. The rays are compared where they pass one horizontal plane, so that a
+level floor is at one depth for all of them; for balls, which have no floor, and for views from the side where they pass
+a plane across the view.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+from math import hypot, sqrt
+
+import numpy as np
+
+from vkworkbench.core.solids import ConvexStock, Frame, Stock, Tool
+from vkworkbench.core.zbuffer.culling import NOISE, QUARTERS
+from vkworkbench.core.zbuffer.dexels import THINNEST, before_in_group
+from vkworkbench.core.zbuffer.sweeps import ROUNDING, intervals
+from vkworkbench.core.zbuffer.trajectories import Trajectories
+
+# Views less steep than this cosine are compared across the view.
+_LEVEL = 0.3
+# What is left of a tool to be certain, mm.
+_LESS = 1e-6
+
+
+class Tilted:
+    """Bounds for an oblique view; see `culling.Bounds`."""
+
+    def __init__(self, trajectories: Trajectories) -> None:
+        self.tool, self.sine, self.cosine = trajectories.tool, trajectories.sine, trajectories.cosine
+        self.start, self.move, self.frame = trajectories.start, trajectories.move, trajectories.frame
+        self.growth = _Growth(self.tool, self.sine, self.cosine)
+        self.chords = _TileChords(trajectories.stock, trajectories.frame, self.growth.shear)
+
+    def quarters(
+        self, column: np.ndarray, row: np.ndarray, tile: np.ndarray, item: np.ndarray, child: int
+    ) -> Iterator[np.ndarray]:
+        """See `culling.Bounds.quarters`."""
+        start, move = self.start.take(item, axis=1), self.move.take(item, axis=1)
+        middle = (child - 1) / 2
+        reach = middle * self.frame.pixel * (1 + NOISE)
+        large, raised = self.growth.grown(reach)
+        small, lowered = self.growth.shrunk(reach)
+        for across, up in QUARTERS:
+            x, y = self.frame.pixel_centres(column + across * child + middle, row + up * child + middle)
+            near, far = self.chords.over(x, y, reach)
+            px, py = x.take(tile), y.take(tile)
+            ray = np.array([px, self.cosine * py, self.sine * py])
+            enter, leave = self._intervals(large, start, move, ray, raised)
+            enter, leave = np.maximum(enter, near.take(tile)), np.minimum(leave, far.take(tile))
+            met = np.flatnonzero(leave - enter > 0.9 * THINNEST)
+            enter, leave, its_tile = enter[met], leave[met], tile[met]
+            if large is self.tool:
+                all_enter, all_leave = enter, leave
+            elif small is None:
+                all_enter, all_leave = np.full(len(met), np.inf), np.full(len(met), -np.inf)
+            else:
+                all_enter, all_leave = self._intervals(small, start[:, met], move[:, met], ray[:, met], lowered)
+            yield met[_not_yet_open(its_tile, enter, leave, all_enter, all_leave, near, far)]
+
+    def _intervals(
+        self, tool: Tool, start: np.ndarray, move: np.ndarray, ray: np.ndarray, raised: float
+    ) -> tuple[np.ndarray, np.ndarray]:
+        if raised:
+            ray = ray.copy()
+            ray[2] -= raised
+        return intervals(tool, start, move, ray, self.sine, self.cosine)
+
+
+class _TileChords:
+    """Depths between which the stock lies, for all rays of a tile.
+
+    `shear` is how much the depth counts from further down the image, mm per mm.
+    """
+
+    def __init__(self, stock: Stock | ConvexStock, frame: Frame, shear: float) -> None:
+        slope = stock.normals @ frame.direction
+        room = stock.offsets - stock.normals @ frame.centre
+        right, up = stock.normals @ frame.right, stock.normals @ frame.up
+        # Depth at which a plane is met: constant and gradient; planes along the rays bound no depth.
+        met = np.abs(slope) >= 1e-12
+        self.entered, self.left = met & (slope < 0), met & (slope > 0)
+        slope = np.where(met, slope, 1)
+        self.planes = np.array([room, -right, -up]) / slope
+        self.shear = shear
+
+    def over(self, x: np.ndarray, y: np.ndarray, reach: float) -> tuple[np.ndarray, np.ndarray]:
+        """Least and greatest depth (t,) for squares of rays about (x, y) (t,), `reach` to each side."""
+        near, far = np.full(len(x), -np.inf), np.full(len(x), np.inf)
+        for constant, gx, gy in self.planes[:, self.entered].T:
+            np.maximum(near, constant - (abs(gx) + abs(gy - self.shear)) * reach + gx * x + gy * y, out=near)
+        for constant, gx, gy in self.planes[:, self.left].T:
+            np.minimum(far, constant + (abs(gx) + abs(gy - self.shear)) * reach + gx * x + gy * y, out=far)
+        return near, far
+
+
+class _Growth:
+    """Tools that hold, and that are held by, a tool wherever it is moved with the rays of a tile."""
+
+    def __init__(self, tool: Tool, sine: float, cosine: float) -> None:
+        self.tool, self.sine, self.cosine = tool, sine, cosine
+        self.ball = tool.rounding == tool.radius
+        self.level = not self.ball and abs(cosine) > _LEVEL
+        self.shear = sine / cosine if self.level else 0.0
+        # A bull-nose lies between two flat ends, and rays go on by this much below their floors (see `sweeps`).
+        self.flat = ROUNDING if 0 < tool.rounding < tool.radius else 0.0
+
+    def _moved(self, reach: float) -> tuple[float, float]:
+        """How far rays up to `reach` aside in the image are aside horizontally, and in space, mm."""
+        if self.level:
+            return reach * hypot(1, 1 / self.cosine), 0.0
+        return reach * hypot(1, self.cosine), reach * sqrt(2)
+
+    def grown(self, reach: float) -> tuple[Tool, float]:
+        """Return a tool that holds this one, and how much higher its tip is, mm."""
+        aside, away = self._moved(reach)
+        tool, k = self.tool, self.tool.steepness
+        if self.flat:
+            return Tool("endmill", tool.diameter + 2 * aside), self.flat if self.level else -away * self.sine
+        if reach == 0:
+            return tool, 0.0
+        wider = away if self.ball else aside
+        rise = away if self.ball else k * aside if self.level else away * hypot(1, k) if k else away * self.sine
+        return replace(tool, diameter=tool.diameter + 2 * wider), -rise
+
+    def shrunk(self, reach: float) -> tuple[Tool | None, float]:
+        """Return a tool that this one holds, None where there is none, and how much higher its tip is, mm."""
+        aside, away = self._moved(reach)
+        tool, k = self.tool, self.tool.steepness
+        # What only touches a surface is decided by rounding: a little less is certain.
+        aside, away = aside + _LESS, away + (0 if self.level else _LESS)
+        diameter = tool.diameter - 2 * (away if self.ball else aside + tool.rounding)
+        if diameter <= _LESS:
+            return None, 0.0
+        if self.flat:
+            return Tool("endmill", diameter), self.flat + away
+        rise = k * aside if self.level else away * hypot(1, k) if k else away
+        return replace(tool, diameter=diameter), rise
+
+
+def _not_yet_open(
+    tile: np.ndarray,
+    enter: np.ndarray,
+    leave: np.ndarray,
+    all_enter: np.ndarray,
+    all_leave: np.ndarray,
+    near: np.ndarray,
+    far: np.ndarray,
+) -> np.ndarray:
+    """Positions of the pairs that reach beyond what earlier ones opened from the near or from the far end.
+
+    Parameters
+    ----------
+    tile : (p,) ndarray of int
+        Ascending.
+    enter, leave : (p,) ndarray
+        Between these depths the trajectory passes the tile, if at all.
+    all_enter, all_leave : (p,) ndarray
+        Between these it opens all rays of the tile; nowhere where the first is greater.
+    near, far : (t,) ndarray
+        Of the tiles' stock.
+    """
+    if len(tile) == 0:
+        return tile
+    start = np.flatnonzero(np.diff(tile, prepend=-1))
+    near, far = near.take(tile), far.take(tile)
+    # So far apart that a running extreme starts anew in each tile.
+    offset = tile * (far.max() - near.min() + 1)
+    holds = all_enter <= all_leave
+    all_enter, all_leave = np.maximum(all_enter, near), np.minimum(all_leave, far)
+    open_near, open_far = near, far
+    for _ in range(2):  # what is open grows by what meets it
+        opens = np.where(holds & (all_enter <= open_near), all_leave, near) + offset
+        open_near = before_in_group(np.maximum.accumulate(opens), start, (near + offset)[start]) - offset
+        opens = np.where(holds & (all_leave >= open_far), all_enter, far) - offset
+        open_far = before_in_group(np.minimum.accumulate(opens), start, (far - offset)[start]) + offset
+    return np.flatnonzero((leave > open_near + NOISE) & (enter < open_far - NOISE) & (open_near < open_far))

@@ -1,0 +1,149 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""How deep trajectories reach in tiles of an image seen from above or below, and how deep they open all of a tile.
+
+Every ray is vertical, so depth is height, and a tool opens a ray from its tip's surface upwards: it does not matter
+whether one looks from above or from below.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from vkworkbench.core.solids import Tool
+from vkworkbench.core.zbuffer.culling import QUARTERS, deeper
+from vkworkbench.core.zbuffer.trajectories import Trajectories
+
+# Margin of a squared distance, mm^2: what rounding may make of the tool's rim.
+_RIM = 1e-9
+
+
+class Upright:
+    """Bounds for a vertical view; see `culling.Bounds`."""
+
+    def __init__(self, trajectories: Trajectories) -> None:
+        self.tool, self.frame, self.cosine = trajectories.tool, trajectories.frame, trajectories.cosine
+        (x, y, z), (mx, my, mz) = trajectories.start, trajectories.move
+        run = np.hypot(mx, my)
+        moving = run > 0
+        safe_run = np.where(moving, run, 1.0)
+        ux, uy = np.where(moving, mx / safe_run, 1.0), my / safe_run
+        slope = np.where(moving, mz / safe_run, 0.0)
+        # The moves from their middles: position, direction, half the length, and depth.
+        self.columns = (x + mx / 2, y + my / 2, ux, uy, run / 2, -(z + np.where(moving, mz, 0.0) / 2))
+        self.slope = slope if slope.any() else None
+        half = (trajectories.stock.upper[2] - trajectories.stock.lower[2]) / 2
+        self.near, self.far = -float(half), float(half)
+
+    def quarters(
+        self, column: np.ndarray, row: np.ndarray, tile: np.ndarray, item: np.ndarray, child: int
+    ) -> Iterator[np.ndarray]:
+        """See `culling.Bounds.quarters`."""
+        x, y = self.frame.pixel_centres(column + child - 0.5, row + child - 0.5)
+        mx, my, ux, uy, half_run, depth = (column.take(item) for column in self.columns)
+        slope = None if self.slope is None else self.slope.take(item)
+        dx, dy = x.take(tile), (self.cosine * y).take(tile)
+        dx -= mx
+        dy -= my
+        along0, aside0 = dx * ux + dy * uy, dy * ux - dx * uy
+        start = np.flatnonzero(np.diff(tile, prepend=-1))
+        step, reach = child / 2 * self.frame.pixel, (child - 1) / 2 * self.frame.pixel
+        extent = reach * (np.abs(ux) + np.abs(uy))
+        ux *= step
+        uy *= step
+        for across, up in QUARTERS:
+            right, upwards = 2 * across - 1, (2 * up - 1) * (1 if self.cosine > 0 else -1)
+            along, aside = along0 + right * ux + upwards * uy, aside0 + upwards * ux - right * uy
+            yield self._deeper(tile, start, along, aside, extent, half_run, depth, slope)
+
+    def _deeper(
+        self,
+        tile: np.ndarray,
+        start: np.ndarray,
+        along: np.ndarray,
+        aside: np.ndarray,
+        extent: np.ndarray,
+        half_run: np.ndarray,
+        depth: np.ndarray,
+        slope: np.ndarray | None,
+    ) -> np.ndarray:
+        """Pairs that cut their tile deeper than those before them; the tile is a square along the move."""
+        radius2 = self.tool.radius**2
+        aside = np.abs(aside)
+        beyond = np.abs(along) - half_run
+        nearest2 = np.maximum(aside - extent, 0.0) ** 2 + np.maximum(beyond - extent, 0.0) ** 2
+        farthest2 = (aside + extent) ** 2 + np.maximum(beyond + extent, 0.0) ** 2
+        touched, covered = nearest2 <= radius2 + _RIM, farthest2 <= radius2 - _RIM
+        if slope is None:
+            reaches, opens = depth - profile(self.tool, nearest2), depth - profile(self.tool, farthest2)
+        else:
+            deepest, shallowest = self._sloped(along, aside, extent, half_run, slope, nearest2)
+            reaches, opens = depth + deepest, depth + shallowest
+        return deeper(
+            tile,
+            start,
+            np.where(touched, reaches, -np.inf),
+            np.where(covered, opens, -np.inf),
+            self.near,
+            self.far,
+        )
+
+    def _sloped(
+        self,
+        along: np.ndarray,
+        aside: np.ndarray,
+        extent: np.ndarray,
+        half_run: np.ndarray,
+        slope: np.ndarray,
+        nearest2: np.ndarray,
+    ) -> tuple[np.ndarray, np.ndarray]:
+        """Depths below the move's middle that it reaches at most and opens at least."""
+        tool = self.tool
+        flat, corner, k = tool.radius - tool.rounding, tool.rounding, tool.steepness
+        steepness = np.abs(slope)
+        inner = np.maximum(aside - extent, 0)
+        # Above a point of the tile the tool's axis stands at most so far before or behind it.
+        half = np.sqrt(np.maximum(tool.radius**2 - inner**2, 0.0))
+        first = np.maximum(-along - half_run - extent, -half)
+        last = np.minimum(-along + half_run + extent, half)
+        lowest = np.minimum(slope * first, slope * last) + profile(tool, nearest2)
+        # The lowest place of the tool when its move has no ends: a bound too, better for long moves.
+        secant = np.sqrt(1 + slope**2)
+        if k == 0:
+            round_part = np.maximum(inner - flat, 0)
+            endless = corner - np.sqrt(np.maximum(corner**2 - round_part**2, 0.0)) * secant - steepness * flat
+        else:
+            endless = np.where(steepness < k, inner * np.sqrt(np.maximum(k**2 - slope**2, 0.0)), -np.inf)
+        deepest = -slope * along + steepness * extent - np.maximum(lowest, endless)
+
+        # Above each point the tool stands where it is about lowest, as far as the move goes.
+        outer = aside + extent
+        if k == 0:
+            rest = np.sqrt(np.maximum(corner**2 - np.maximum(outer - flat, 0.0) ** 2, 0.0))
+            ahead = np.sqrt(np.maximum(flat**2 - outer**2, 0.0)) + rest * steepness / secant
+        else:
+            gentle = np.sqrt(np.maximum(k**2 - slope**2, 1e-12))
+            ahead = np.where(steepness < k, steepness * outer / gentle, np.inf)
+            ahead = np.minimum(ahead, np.sqrt(np.maximum(tool.radius**2 - outer**2, 0.0)))
+        # The edge of the tool is left out: rounding would put it outside.
+        best = -np.sign(slope) * ahead * (1 - 1e-9)
+        at_low = np.clip(along - extent + best, -half_run, half_run)
+        at_high = np.clip(along + extent + best, -half_run, half_run)
+        away = np.maximum(np.abs(at_low - along + extent), np.abs(at_high - along - extent))
+        distance2 = outer**2 + away**2
+        highest = np.maximum(slope * at_low, slope * at_high) + profile(tool, distance2)
+        opened = np.where(distance2 <= tool.radius**2, -highest, -np.inf)
+        return deepest, opened
+
+
+def profile(tool: Tool, distance2: np.ndarray) -> np.ndarray | float:
+    """`Tool.height` at squared distances from the axis, its value at the rim beyond the rim."""
+    corner = tool.rounding
+    if corner == 0 and tool.steepness == 0:
+        return 0.0
+    distance = np.sqrt(np.minimum(distance2, tool.radius**2))
+    if corner == 0:
+        return tool.steepness * distance
+    beyond_flat = np.maximum(distance - (tool.radius - corner), 0)
+    return corner - np.sqrt(np.maximum(corner**2 - beyond_flat**2, 0.0))
