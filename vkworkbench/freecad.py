@@ -100,6 +100,7 @@ TOOL_NUMBER = Property("ToolNumber")
 SPINDLE_SPEED = Property("SpindleSpeed")
 HORIZONTAL_RAPID = Property("HorizRapid")
 VERTICAL_RAPID = Property("VertRapid")
+GCODE = Property("Gcode")  # the lines of a file that FreeCAD imported as a custom operation
 # A tool; the last name of its shape is that of 0.20's tools without a tool bit.
 TOOL_SHAPE = Property("ShapeType", since=(1, 1), before=("ShapeName", "ToolType"), fingerprint="setting")
 DIAMETER = Property("Diameter", fingerprint="setting")
@@ -114,6 +115,11 @@ _PROPERTIES = tuple(entry for entry in globals().values() if isinstance(entry, P
 def names_in_fingerprint(part: str) -> frozenset[str]:
     """Return the names of the properties that a part of a mark's fingerprint depends on, ``"path"`` or ``"setting"``."""
     return frozenset(name for entry in _PROPERTIES if entry.fingerprint == part for name in entry.names)
+
+
+def is_imported(obj) -> bool:
+    """Whether a toolpath may come from a file: a custom operation, or an object that no operation of FreeCAD's makes."""
+    return GCODE.is_in(obj) or getattr(obj, "Proxy", None) is None
 
 
 def operation_name(obj) -> str:

@@ -856,6 +856,10 @@
         <source>The simulation takes about {memory:bytes} at its peak, for {dexels:n} dexels and {traces:n} elements of traces, more than the {allowed:bytes} allowed: choose a smaller image or simulate fewer operations.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>it looks 25.4 times too small: inches read as millimetres?</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

@@ -856,6 +856,10 @@
         <source>The simulation takes about {memory:bytes} at its peak, for {dexels:n} dexels and {traces:n} elements of traces, more than the {allowed:bytes} allowed: choose a smaller image or simulate fewer operations.</source>
         <translation>Die Simulation braucht in der Spitze etwa {memory:bytes}, für {dexels:n} Dexel und {traces:n} Spurelemente, mehr als die erlaubten {allowed:bytes}: Wählen Sie ein kleineres Bild oder simulieren Sie weniger Operationen.</translation>
     </message>
+    <message>
+        <source>it looks 25.4 times too small: inches read as millimetres?</source>
+        <translation>es sieht 25,4-mal zu klein aus: Zoll als Millimeter gelesen?</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

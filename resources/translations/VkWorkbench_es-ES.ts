@@ -856,6 +856,10 @@
         <source>The simulation takes about {memory:bytes} at its peak, for {dexels:n} dexels and {traces:n} elements of traces, more than the {allowed:bytes} allowed: choose a smaller image or simulate fewer operations.</source>
         <translation>La simulación ocupa unos {memory:bytes} como máximo, para {dexels:n} dexels y {traces:n} elementos de traza, más que los {allowed:bytes} permitidos: elija una imagen más pequeña o simule menos operaciones.</translation>
     </message>
+    <message>
+        <source>it looks 25.4 times too small: inches read as millimetres?</source>
+        <translation>parece 25,4 veces demasiado pequeño: ¿pulgadas leídas como milímetros?</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

@@ -856,6 +856,10 @@
         <source>The simulation takes about {memory:bytes} at its peak, for {dexels:n} dexels and {traces:n} elements of traces, more than the {allowed:bytes} allowed: choose a smaller image or simulate fewer operations.</source>
         <translation>La simulation prend environ {memory:bytes} au plus fort, pour {dexels:n} dexels et {traces:n} éléments de trace, plus que les {allowed:bytes} permis : choisissez une image plus petite ou simulez moins d’opérations.</translation>
     </message>
+    <message>
+        <source>it looks 25.4 times too small: inches read as millimetres?</source>
+        <translation>cela semble 25,4 fois trop petit : des pouces lus comme des millimètres ?</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

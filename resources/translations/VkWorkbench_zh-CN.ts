@@ -856,6 +856,10 @@
         <source>The simulation takes about {memory:bytes} at its peak, for {dexels:n} dexels and {traces:n} elements of traces, more than the {allowed:bytes} allowed: choose a smaller image or simulate fewer operations.</source>
         <translation>该仿真峰值约占用 {memory:bytes}（{dexels:n} 个 dexel 和 {traces:n} 个轨迹痕迹元素），超过允许的 {allowed:bytes}：请选择较小的图像或减少仿真的操作。</translation>
     </message>
+    <message>
+        <source>it looks 25.4 times too small: inches read as millimetres?</source>
+        <translation>看起来小了 25.4 倍：是否把英寸读成了毫米？</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

@@ -14,6 +14,8 @@ import FreeCAD
 
 from vkworkbench import freecad, preferences
 from vkworkbench.core import Speed, Stock, Strategy, Tool, estimate, linearize, machining, recognize, stock_around
+from vkworkbench.core.gcode import looks_like_inches
+from vkworkbench.core.recognition import recognize_inches
 from vkworkbench.core.simulators import (
     SLIDER,
     Constants,
@@ -105,6 +107,7 @@ class _Reading:
     job: str | None
     counted: bool
     active: bool
+    imported: bool
     path: object
     placement: object
     tool: Tool | None
@@ -125,6 +128,7 @@ def _read(operation: Operation) -> _Reading:
         job=job.Name if job is not None else None,
         counted=operation.counted,
         active=operation.active,
+        imported=freecad.is_imported(obj),
         path=obj.Path,
         placement=obj.Placement,
         tool=_or_remark(remarks, read_tool, obj),
@@ -189,7 +193,12 @@ def _work(
         remarks.append(error.what)
         toolpath = linearize([])
     going_on()
-    found = recognize(toolpath, tool_diameter=tool and tool.diameter)
+    diameter = tool and tool.diameter
+    if reading.imported and looks_like_inches(toolpath, tool_diameter=diameter, imported=True):
+        remarks.append(Message("inches-as-millimetres"))  # FreeCAD's importer drops G20
+        found = recognize_inches(toolpath, tool_diameter=diameter)
+    else:
+        found = recognize(toolpath, tool_diameter=diameter)
     if found.strategy is Strategy.EMPTY and not toolpath.commands <= len(toolpath.comments):
         remarks.append(Message("no-cutting-move"))
     elif found.strategy is Strategy.EMPTY:

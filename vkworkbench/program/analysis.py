@@ -27,7 +27,8 @@ from vkworkbench.core import (
     recognize,
     stock_around,
 )
-from vkworkbench.core.gcode import Program, Section, at_line, read_program, split_sections
+from vkworkbench.core.gcode import INCH, Program, Section, at_line, looks_like_inches, read_program, split_sections
+from vkworkbench.core.recognition import recognize_inches
 from vkworkbench.core.zbuffer import best_resolution
 from vkworkbench.language import Message, Unusable
 from vkworkbench.preferences import Preferences
@@ -131,12 +132,13 @@ def _rows(
     if not cutting:
         return [replace(unread(path, Message("no-cutting-move")), trajectories=len(toolpath))]
     stock = _stock(toolpath, [section.tool for _, section in cutting])
+    lost = [Message("inches-as-millimetres")] if not program.unit_told and looks_like_inches(toolpath) else []
     starts = [section.first for _, section in cutting]
     remarks: list[list[Message]] = [[] for _ in cutting]
     for problem in toolpath.problems:  # each stands with the operation in which it is first met
         remarks[max(bisect_right(starts, problem.command) - 1, 0)].append(at_line(problem))
     return [
-        _row(path, program, part, section, stock, chosen, said)
+        _row(path, program, part, section, stock, chosen, [*lost, *said])
         for (part, section), said in zip(cutting, remarks)
     ]
 
@@ -157,7 +159,10 @@ def _row(
     if unlike_milling:
         return replace(row, recognition=_unknown(part, unlike_milling), remarks=(unlike_milling, *remarks))
     tool = section.tool
-    found = recognize(part, tool_diameter=tool and tool.diameter)
+    if Message("inches-as-millimetres") in remarks:  # the tool that the program tells is too small as well
+        found = recognize_inches(part, tool_diameter=tool and INCH * tool.diameter)
+    else:
+        found = recognize(part, tool_diameter=tool and tool.diameter)
     cost = resolution = None
     if tool and stock:
         cost = estimate(part, found, tool=tool, stock=stock, view=chosen.view)

@@ -156,3 +156,13 @@ def test_no_freecad_is_loaded(tmp_path):
     code = f"import sys, vkworkbench; vkworkbench.analyze({str(tmp_path)!r}); print('FreeCAD' in sys.modules)"
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, cwd=Path(vkworkbench.__file__).parents[1])
     assert (done.stdout, done.stderr) == ("False\n", "")
+
+
+@pytest.mark.parametrize(("unit", "said"), [("", True), ("G20\n", False), ("G21\n", False)])
+def test_inches_without_g20_are_noticed(tmp_path, unit, said):
+    rows = "".join(f"G1 X{3 * (k % 2)}\nY{0.1 * (k + 1):.1f}\n" for k in range(20))
+    path = tmp_path / "inch.nc"
+    path.write_text(f"{unit}(T1 D=0.25 - end mill)\nT1 M6\nG0 X0 Y0 Z.5\nG1 Z-.1 F20\n{rows}G0 Z.5\n")
+    (row,) = vkworkbench.analyze(path).operations
+    assert str(row.strategy) == "zigzag"
+    assert (row.error == "it looks 25.4 times too small: inches read as millimetres?") is said

@@ -5,6 +5,7 @@ In: commands, as ``(name, parameters)`` pairs or FreeCAD's objects, in mm and mm
 Out: `Toolpath`, straight trajectories with their source commands, and the problems met on the way.
 `Words` is the same commands as columns, for who needs a word that no trajectory tells.
 The text of an NC program becomes such commands by `read_program`; `split_sections` tells its operations and their tools.
+`looks_like_inches` tells where the unit was lost.
 """
 
 from vkworkbench.core.gcode.dialects import at_line
@@ -12,6 +13,10 @@ from vkworkbench.core.gcode.linearize import MOST_TRAJECTORIES, linearize
 from vkworkbench.core.gcode.program import Program
 from vkworkbench.core.gcode.reader import read_program
 from vkworkbench.core.gcode.sections import Section, split_sections
+from vkworkbench.core.gcode.units import INCH, looks_like_inches
 from vkworkbench.core.gcode.words import Words
 
-__all__ = ["MOST_TRAJECTORIES", "Program", "Section", "Words", "at_line", "linearize", "read_program", "split_sections"]
+__all__ = [
+    "INCH", "MOST_TRAJECTORIES", "Program", "Section", "Words", "at_line", "linearize", "looks_like_inches",
+    "read_program", "split_sections",
+]  # fmt: skip

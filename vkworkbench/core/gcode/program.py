@@ -30,6 +30,8 @@ class Program:
         By command the share of its move done in one second, where G93 says that instead of a feed rate.
     inches : bool
         Whether the program's first word on it is G20; what its comments say is in that unit.
+    unit_told : bool
+        Whether there is such a word at all; without one it is read in mm.
     other : Message or None
         For which machine it is, where that is no mill.
     rotary : tuple of int
@@ -43,6 +45,7 @@ class Program:
     comments: tuple[tuple[int, int, str], ...]
     inverse_time: dict[int, float]
     inches: bool
+    unit_told: bool
     other: Message | None
     rotary: tuple[int, ...]
     problems: tuple[Problem, ...]

@@ -15,10 +15,9 @@ import numpy as np
 from vkworkbench.core.gcode import dialects
 from vkworkbench.core.gcode.blocks import split_comments, split_words
 from vkworkbench.core.gcode.program import Program
+from vkworkbench.core.gcode.units import INCH
 from vkworkbench.core.toolpath import Problem
 from vkworkbench.language import Message
-
-INCH = 25.4  # mm
 
 # G-codes in tenths, as in words.py.
 _MOTION = frozenset([0, 10, 20, 30, 730, 740, 810, 820, 830, 840, 850, 860, 880, 890])
@@ -300,7 +299,7 @@ class _Reader:
         dialects.check(self.blocks, self.strange, moves, problems)
         return Program(
             commands, np.array(self.lines, np.int64), tuple(self.comments), self.inverse_time,
-            self.first_unit == INCH, self.clues.other_machine(), tuple(self.clues.rotary), problems,
+            self.first_unit == INCH, self.first_unit is not None, self.clues.other_machine(), tuple(self.clues.rotary), problems,
         )  # fmt: skip
 
     @staticmethod

@@ -12,9 +12,9 @@ import math
 import re
 from dataclasses import dataclass
 
+from vkworkbench.core.gcode.units import INCH
 from vkworkbench.core.solids import Tool
 
-INCH = 25.4  # mm
 _LARGEST = 500.0  # mm
 
 _NUMBER = r"(?:\d+(?:[.,]\d*)?|[.,]\d+)"

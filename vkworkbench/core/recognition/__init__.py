@@ -5,6 +5,7 @@ In: `Toolpath` and the tool's diameter, where it is known.
 Out: `Recognition`, the strategy with its confidence, its reason, the numbers behind it, and the spans of the parts.
 """
 
+from vkworkbench.core.recognition.inches import recognize_inches
 from vkworkbench.core.recognition.recognize import Recognition, Span, recognize
 
-__all__ = ["Recognition", "Span", "recognize"]
+__all__ = ["Recognition", "Span", "recognize", "recognize_inches"]

@@ -54,6 +54,9 @@ PROGRAMS = {
     "tool-not-told": QT_TRANSLATE_NOOP(
         "Sentences", "no tool: the program does not say its diameter, so the cost is not known"
     ),
+    "inches-as-millimetres": QT_TRANSLATE_NOOP(
+        "Sentences", "it looks 25.4 times too small: inches read as millimetres?"
+    ),
     # Files.
     "file-unreadable": QT_TRANSLATE_NOOP("Sentences", "the file cannot be read: {name}"),
     "too-long": QT_TRANSLATE_NOOP("Sentences", "given up after {time:s}"),

@@ -1,0 +1,77 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Inches read as millimetres are noticed, and recognised all the same."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from vkworkbench.core import Strategy, linearize, recognize
+from vkworkbench.core.gcode import INCH, looks_like_inches, read_program
+from vkworkbench.core.recognition import recognize_inches
+from vkworkbench.language import render
+
+FEED = 10.0  # mm/s
+
+
+def zigzag(width=80.0, rows=15, step=3.0, depth=-2.0, lift=8.0, feed=FEED):
+    commands = [("G0", {"X": 0.0, "Y": 0.0, "Z": lift}), ("G1", {"Z": depth, "F": feed})]
+    for k in range(rows):
+        commands += [("G1", {"X": width * (k % 2 == 0), "Y": k * step}), ("G1", {"Y": (k + 1) * step})]
+    return linearize([*commands, ("G0", {"Z": lift})])
+
+
+def offsets(size=60.0, step=2.5, lift=6.0):
+    commands = [("G0", {"X": step, "Y": step, "Z": lift}), ("G1", {"Z": -1.0, "F": FEED})]
+    for k in range(8, 0, -1):
+        a, b = k * step, size - k * step
+        commands += [("G1", {"X": x, "Y": y}) for x, y in ((a, a), (b, a), (b, b), (a, b), (a, a))]
+    return linearize([*commands, ("G0", {"Z": lift})])
+
+
+def shrunk(path):
+    return replace(path, points=path.points / INCH, feed=path.feed / INCH)
+
+
+@pytest.mark.parametrize("path", [zigzag(), offsets(), zigzag(width=200.0), zigzag(lift=25.0)])
+def test_it_is_said_of_what_is_too_small_only(path):
+    assert not looks_like_inches(path)
+    assert looks_like_inches(shrunk(path))
+    assert looks_like_inches(shrunk(path), tool_diameter=6.0)
+
+
+def test_what_speaks_against_it():
+    small = shrunk(zigzag())
+    assert not looks_like_inches(replace(small, feed=np.full(len(small), 20.0)))  # 1200 inches a minute
+    assert looks_like_inches(replace(small, feed=np.full(len(small), 20.0)), imported=True)  # 20 inches a minute
+    assert not looks_like_inches(replace(small, feed=np.full(len(small), 800.0)), imported=True)  # 800 mm/min
+    assert not looks_like_inches(small, tool_diameter=0.3)  # an engraver's work
+    assert not looks_like_inches(shrunk(zigzag(lift=200.0)))
+    assert not looks_like_inches(linearize([]))
+    assert not looks_like_inches(linearize([("G0", {"X": 1.0, "Y": 0.0, "Z": 1.0}), ("G1", {"Z": -0.1})]))  # one hole
+
+
+@pytest.mark.parametrize("path", [zigzag(), offsets()])
+def test_the_verdict_is_that_of_the_true_size(path):
+    true, found = recognize(path, tool_diameter=6.0), recognize_inches(shrunk(path), tool_diameter=6.0)
+    assert found.strategy is true.strategy and found.strategy in (Strategy.ZIGZAG, Strategy.CONTOUR_PARALLEL)
+    assert found.confidence == pytest.approx(true.confidence)
+    assert found.stepover == pytest.approx(true.stepover / INCH)
+    assert [(s.first, s.last) for s in found.spans] == [(s.first, s.last) for s in true.spans]
+    assert found.paper.v == pytest.approx([x / INCH for x in true.paper.v])
+
+
+def test_lengths_in_the_reason_are_those_of_the_path():
+    def steps(message):
+        own = [value for name, value in message.arguments.items() if name == "step"]
+        return own + [step for value in message.arguments.values() if hasattr(value, "code") for step in steps(value)]
+
+    true, found = recognize(zigzag()), recognize_inches(shrunk(zigzag()))
+    assert steps(true.why) and steps(found.why) == pytest.approx([step / INCH for step in steps(true.why)])
+    assert render(found.why).split(",")[0] == render(true.why).split(",")[0]
+
+
+def test_whether_the_program_tells_its_unit():
+    for text, told, inches in (("G20", True, True), ("G21", True, False), ("G71\nG20", True, False), ("", False, False)):
+        program = read_program(f"{text}\nG0 X0 Y0 Z1\nG1 X1 F10\n")
+        assert (program.unit_told, program.inches) == (told, inches)

@@ -1,0 +1,60 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Programs that FreeCAD's own importer brought into a job: what it lost, and what is told all the same."""
+
+from __future__ import annotations
+
+import importlib
+
+import FreeCAD
+import pytest
+
+import vkworkbench
+
+ROWS = "".join(f"G1 X{2 * (k % 2) + 0.1:.4f} Y{0.1 * k + 0.1:.4f}\nG1 Y{0.1 * (k + 1) + 0.1:.4f}\n" for k in range(12))
+PROGRAM = f"G20\nM6 T1\nG0 X0.1 Y0.1 Z1.5\nG1 Z0.7 F20\n{ROWS}G0 Z1.5\n"
+TOO_SMALL = "it looks 25.4 times too small: inches read as millimetres?"
+
+
+def importer():
+    """FreeCAD's importer of G-code, 1.x and 0.20."""
+    for name in ("Path.Post.scripts.gcode_pre", "gcode_pre", "PathScripts.post.gcode_pre"):
+        try:
+            return importlib.import_module(name)
+        except ImportError:
+            continue
+    pytest.fail("this FreeCAD has no importer of G-code")
+
+
+def imported(small, text, folder):
+    path = folder / "program.nc"
+    path.write_text(text)
+    before = set(small.document.Objects)
+    importer().insert(str(path), small.name)
+    (operation,) = [obj for obj in small.document.Objects if obj not in before and hasattr(obj, "Gcode")]
+    return operation
+
+
+def test_imported_inches_are_noticed_and_recognised(small, tmp_path):
+    FreeCAD.setActiveDocument(small.name)
+    operation = imported(small, PROGRAM, tmp_path)
+    (row,) = vkworkbench.analyze(operation).operations
+    assert TOO_SMALL in row.error and str(row.strategy) == "zigzag"
+    (file,) = vkworkbench.analyze(tmp_path / "program.nc").operations
+    assert file.strategy is row.strategy and file.length == pytest.approx(25.4 * row.length)
+
+
+def test_imported_millimetres_are_not_doubted(small, tmp_path):
+    FreeCAD.setActiveDocument(small.name)
+    lines = ROWS.replace("G1 X2.1000", "G1 X50.1000").replace("Y0.", "Y").replace("Y1.", "Y1")
+    operation = imported(small, f"G21\nM6 T1\nG0 X0.1 Y0.1 Z30\nG1 Z15 F600\n{lines}G0 Z30\n", tmp_path)
+    (row,) = vkworkbench.analyze(operation).operations
+    assert TOO_SMALL not in (row.error or "")
+
+
+def test_small_work_of_freecads_own_is_not_doubted(small, zigzag_commands):
+    """An operation with a proxy was not imported, however small it is."""
+    shrunk = [(name, {axis: v / 25.4 for axis, v in words.items()}) for name, words in zigzag_commands]
+    operation = small.add("Tiny", shrunk)
+    assert TOO_SMALL in vkworkbench.analyze(operation).operations[0].error
+    operation.Proxy = object()
+    assert TOO_SMALL not in (vkworkbench.analyze(operation).operations[0].error or "")

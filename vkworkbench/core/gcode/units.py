@@ -1,0 +1,42 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Whether inches were read as millimetres: by the size, the feeds and the tool, where no G20 or G21 says it."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from vkworkbench.core.toolpath import Toolpath
+
+INCH = 25.4  # mm
+
+# What is smaller than all of these is read in the wrong unit more often than it is jewellery
+# (benchmarks/inches.py prints how often that is said, as it is and at 1/25.4).
+SMALL = 15.0  # mm, longer side of what is cut; a part of 15 inches is a large one
+LOW = 4.0  # mm, from the lowest cut to the highest point; tools are lifted higher, even over a thin sheet
+SLOW = 5.0  # mm/s, median feed; 300 inches a minute are fast
+IMPORTED_SLOW = 300.0  # FreeCAD takes a file's mm/min, and inches a minute, for mm/s
+TOOLS = 4.0  # what is cut is this many tools wide or less; more is a part for this tool
+
+
+def looks_like_inches(toolpath: Toolpath, *, tool_diameter: float | None = None, imported: bool = False) -> bool:
+    """Return whether a toolpath looks 25.4 times too small.
+
+    Parameters
+    ----------
+    toolpath : Toolpath
+    tool_diameter : float, optional
+        mm, where it is known by other means than the program.
+    imported : bool
+        Whether FreeCAD imported it, so that its feeds are 60 times too large.
+    """
+    cuts = ~toolpath.rapid
+    if not cuts.any():
+        return False
+    points = np.concatenate((toolpath.points[:-1][cuts], toolpath.points[1:][cuts]))
+    size = float(np.ptp(points[:, :2], axis=0).max())
+    lift = float(toolpath.points[:, 2].max() - points[:, 2].min())
+    if not (0 < size < SMALL and 0 < lift < LOW):  # a single hole, or a laser, has no size, or no lift
+        return False
+    if tool_diameter and size > TOOLS * tool_diameter:
+        return False
+    return float(np.median(toolpath.feed[cuts])) <= (IMPORTED_SLOW if imported else SLOW)

@@ -1,0 +1,45 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Recognising what was read 25.4 times too small: thresholds in mm need it in its own size."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from vkworkbench.core.gcode import INCH
+from vkworkbench.core.recognition.recognize import Recognition, recognize
+from vkworkbench.core.toolpath import Toolpath
+from vkworkbench.language import Message
+
+
+def recognize_inches(toolpath: Toolpath, *, tool_diameter: float | None = None) -> Recognition:
+    """Recognise a toolpath of inches that were read as millimetres.
+
+    Parameters
+    ----------
+    toolpath : Toolpath
+        As it was read.
+    tool_diameter : float, optional
+        mm, the tool's true one.
+
+    Returns
+    -------
+    Recognition
+        The verdict on 25.4 times the size; lengths in it are those of the toolpath as it was read.
+    """
+    found = recognize(replace(toolpath, points=INCH * toolpath.points), tool_diameter=tool_diameter)
+    paper = found.paper and replace(found.paper, v=tuple(x / INCH for x in found.paper.v))
+    stepover = found.stepover and found.stepover / INCH
+    return replace(found, why=_as_read(found.why), stepover=stepover, paper=paper)
+
+
+def _as_read(value):
+    """Return a message whose steps are those of the toolpath as it was read."""
+    if isinstance(value, tuple):
+        return tuple(map(_as_read, value))
+    if not isinstance(value, Message):
+        return value
+    arguments = {
+        name: one / INCH if name == "step" and one is not None else _as_read(one)
+        for name, one in value.arguments.items()
+    }
+    return type(value)(value.code, **arguments)
