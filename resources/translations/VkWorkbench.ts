@@ -47,6 +47,10 @@
         <source>The true time is between the estimated one divided and multiplied by this</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Reason and remark as codes with their arguments</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Pills</name>
@@ -74,14 +78,6 @@
         <source>Simulating it takes {time} and {memory} ({simulator})</source>
         <translation type="unfinished"></translation>
     </message>
-    <message>
-        <source>about </source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{} to {}</source>
-        <translation type="unfinished"></translation>
-    </message>
 </context>
 <context>
     <name>QObject</name>
@@ -93,34 +89,6 @@
 <context>
     <name>Sentences</name>
     <message>
-        <source>{sentence} only for {share} of the length: {strategy}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>phi stays between {low} and {high} turns over {count} rows{more}, {seen}: {strategy}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>phi stays between {low} and {high} turns over {count} open strokes{more}, {seen}: {strategy}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>phi reaches {high} turns over {count} loops{more}, {seen}: {strategy}{turning}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>phi lies between {low} and {high} turns, {seen}: {strategy}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>phi has no direction to turn, the moves are vertical at {count} points: {strategy}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{count} sections parted by tool changes, titles or drilling show {strategies}: {strategy}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>nothing cuts: there are only rapid moves</source>
         <translation type="unfinished"></translation>
     </message>
@@ -129,35 +97,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>some</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>, {step} mm apart at {depths} depths</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>, {step} mm apart</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source> at {depths} depths</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>, counter-clockwise</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>, clockwise</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{count} bites of one sense overlap</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>rows ({rows} of the length) and loops ({loops}) share the area</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -253,18 +197,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>{label}: the tool&apos;s diameter must be a positive number, not {diameter} mm</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{label}: the corner radius must lie between 0 and {radius} mm, not be {corner} mm</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{label}: the tip angle must lie between 0 and pi, not be {angle}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>no stock: put the toolpath into a job</source>
         <translation type="unfinished"></translation>
     </message>
@@ -273,23 +205,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>{label}: the stock has no volume: its upper corner must exceed its lower corner in x, y and z</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{label}: the stock&apos;s corners must be finite numbers</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>cost unknown for {labels}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{sentence} (command {command})</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{sentence} ({count} times, first at command {command})</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -337,22 +253,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>unknown code {code} ignored</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{count} more unknown codes ignored</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>the arcs and cycles would need {count} moves at a tolerance of {tolerance} mm; use a larger tolerance</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The legacy simulator hangs on an arc {reason} (command {command}{others}): {instead}.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>without an X or Y word</source>
         <translation type="unfinished"></translation>
     </message>
@@ -369,23 +269,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source> and {count} more</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>use the OpenGL simulator for this operation</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>leave this operation out of the simulation</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The legacy simulator cuts {count} ramp at a wrong depth, up to {error} mm {way} (command {command}): do not judge depths by it.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The legacy simulator cuts {count} ramps at a wrong depth, up to {error} mm {way} (command {command}): do not judge depths by it.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -397,26 +285,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Playing takes about {longer} in the legacy simulator: fast-forward takes about {time}.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Playing takes about {time} in the OpenGL simulator at its fastest: simulate fewer operations at a time.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{count} moves are shorter than a cell of the legacy simulator ({cell} mm), each takes its time and none is seen by itself: a coarser tolerance of the operation loses nothing there.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The OpenGL simulator takes about {time} for every picture at the end, {share} % of it for arcs: simulate this operation alone.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The {simulator} simulator takes about {memory} for this operation, more than the {allowed} allowed: {instead}.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>move its accuracy slider to the left</source>
         <translation type="unfinished"></translation>
     </message>
@@ -425,23 +293,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>{width} x {height} pixels of {pixel} mm, limited by the {limit}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>memory</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>time</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>passes {step} mm apart ask for {pixel} mm</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{pixel} mm would do for passes {step} mm apart</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -457,67 +313,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>{length} mm of cutting in {count} move without a feed rate are not in the time</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{length} mm of cutting in {count} moves without a feed rate are not in the time</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{length} mm of rapids are not in the time because the tool controller&apos;s {name} is 0</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{length} mm of rapids are not in the time because the tool controller&apos;s {name} and {other} are 0</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>no resolution helps, the trajectories alone take {time}: simulate fewer operations</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>the heaviest is {label} with {time}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>position {position} of {positions}, cells of {cell} mm, plays in {time}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>no accuracy helps, playing takes {longer} even at the coarsest: use fast-forward, about {time} at the finest</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>its tool is wider than the stock: check the tool&apos;s diameter and the stock</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>choose a smaller image in the preferences</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>phi stays between {low} and {high} turns over one open stroke{more}, {seen}: {strategy}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>phi stays at 0 over {count} rows{more}, {seen}: {strategy}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>phi stays at 0 over {count} open strokes{more}, {seen}: {strategy}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>phi stays at 0 over one open stroke{more}, {seen}: {strategy}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>phi reaches {high} turns over one loop{more}, {seen}: {strategy}{turning}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>phi has no direction to turn, the moves are vertical at one point: {strategy}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -746,6 +546,10 @@
     </message>
     <message>
         <source>rows ({rows:%} of the length) and loops ({loops:%}) share the area</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{low} to {high}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1434,10 +1238,6 @@ accuracy</source>
     </message>
     <message>
         <source>fast-forward</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>about {}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

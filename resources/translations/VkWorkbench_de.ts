@@ -47,6 +47,10 @@
         <source>The true time is between the estimated one divided and multiplied by this</source>
         <translation>Die wahre Zeit liegt zwischen der geschätzten geteilt durch und mal diese Zahl</translation>
     </message>
+    <message>
+        <source>Reason and remark as codes with their arguments</source>
+        <translation>Grund und Bemerkung als Codes mit ihren Argumenten</translation>
+    </message>
 </context>
 <context>
     <name>Pills</name>
@@ -74,14 +78,6 @@
         <source>Simulating it takes {time} and {memory} ({simulator})</source>
         <translation>Die Simulation braucht {time} und {memory} ({simulator})</translation>
     </message>
-    <message>
-        <source>about </source>
-        <translation>etwa </translation>
-    </message>
-    <message>
-        <source>{} to {}</source>
-        <translation>{} bis {}</translation>
-    </message>
 </context>
 <context>
     <name>QObject</name>
@@ -93,34 +89,6 @@
 <context>
     <name>Sentences</name>
     <message>
-        <source>{sentence} only for {share} of the length: {strategy}</source>
-        <translation>{sentence}, aber nur auf {share} der Länge: {strategy}</translation>
-    </message>
-    <message>
-        <source>phi stays between {low} and {high} turns over {count} rows{more}, {seen}: {strategy}</source>
-        <translation>φ bleibt über {count} Zeilen{more} zwischen {low} und {high} Umdrehungen, {seen}: {strategy}</translation>
-    </message>
-    <message>
-        <source>phi stays between {low} and {high} turns over {count} open strokes{more}, {seen}: {strategy}</source>
-        <translation>φ bleibt über {count} offene Züge{more} zwischen {low} und {high} Umdrehungen, {seen}: {strategy}</translation>
-    </message>
-    <message>
-        <source>phi reaches {high} turns over {count} loops{more}, {seen}: {strategy}{turning}</source>
-        <translation>φ erreicht über {count} Schleifen{more} {high} Umdrehungen, {seen}: {strategy}{turning}</translation>
-    </message>
-    <message>
-        <source>phi lies between {low} and {high} turns, {seen}: {strategy}</source>
-        <translation>φ liegt zwischen {low} und {high} Umdrehungen, {seen}: {strategy}</translation>
-    </message>
-    <message>
-        <source>phi has no direction to turn, the moves are vertical at {count} points: {strategy}</source>
-        <translation>φ hat keine Richtung, die Bewegungen sind an {count} Punkten senkrecht: {strategy}</translation>
-    </message>
-    <message>
-        <source>{count} sections parted by tool changes, titles or drilling show {strategies}: {strategy}</source>
-        <translation>{count} Abschnitte, getrennt durch Werkzeugwechsel, Titel oder Bohren, zeigen {strategies}: {strategy}</translation>
-    </message>
-    <message>
         <source>nothing cuts: there are only rapid moves</source>
         <translation>nichts schneidet: Es gibt nur Eilgänge</translation>
     </message>
@@ -129,36 +97,12 @@
         <translation>nichts schneidet: Es gibt keine Bewegungen</translation>
     </message>
     <message>
-        <source>some</source>
-        <translation>einigen</translation>
-    </message>
-    <message>
-        <source>, {step} mm apart at {depths} depths</source>
-        <translation> im Abstand von {step} mm in {depths} Tiefen</translation>
-    </message>
-    <message>
-        <source>, {step} mm apart</source>
-        <translation> im Abstand von {step} mm</translation>
-    </message>
-    <message>
-        <source> at {depths} depths</source>
-        <translation> in {depths} Tiefen</translation>
-    </message>
-    <message>
         <source>, counter-clockwise</source>
         <translation>, gegen den Uhrzeigersinn</translation>
     </message>
     <message>
         <source>, clockwise</source>
         <translation>, im Uhrzeigersinn</translation>
-    </message>
-    <message>
-        <source>{count} bites of one sense overlap</source>
-        <translation>{count} Bisse mit gleichem Drehsinn überlappen sich</translation>
-    </message>
-    <message>
-        <source>rows ({rows} of the length) and loops ({loops}) share the area</source>
-        <translation>Zeilen ({rows} der Länge) und Schleifen ({loops}) teilen sich die Fläche</translation>
     </message>
     <message>
         <source>descending at a constant radius</source>
@@ -253,18 +197,6 @@
         <translation>das Werkzeug in {label} hat keinen Durchmesser</translation>
     </message>
     <message>
-        <source>{label}: the tool&apos;s diameter must be a positive number, not {diameter} mm</source>
-        <translation>{label}: Der Werkzeugdurchmesser muss positiv sein, nicht {diameter} mm</translation>
-    </message>
-    <message>
-        <source>{label}: the corner radius must lie between 0 and {radius} mm, not be {corner} mm</source>
-        <translation>{label}: Der Eckenradius muss zwischen 0 und {radius} mm liegen, nicht {corner} mm sein</translation>
-    </message>
-    <message>
-        <source>{label}: the tip angle must lie between 0 and pi, not be {angle}</source>
-        <translation>{label}: Der Spitzenwinkel muss zwischen 0 und π liegen, nicht {angle} sein</translation>
-    </message>
-    <message>
         <source>no stock: put the toolpath into a job</source>
         <translation>kein Rohteil: Den Werkzeugweg in einen Auftrag legen</translation>
     </message>
@@ -273,24 +205,8 @@
         <translation>kein Rohteil: {label} ein Rohteil geben</translation>
     </message>
     <message>
-        <source>{label}: the stock has no volume: its upper corner must exceed its lower corner in x, y and z</source>
-        <translation>{label}: Das Rohteil hat kein Volumen: Seine obere Ecke muss in x, y und z über der unteren liegen</translation>
-    </message>
-    <message>
-        <source>{label}: the stock&apos;s corners must be finite numbers</source>
-        <translation>{label}: Die Ecken des Rohteils müssen endliche Zahlen sein</translation>
-    </message>
-    <message>
         <source>cost unknown for {labels}</source>
         <translation>Aufwand unbekannt für {labels}</translation>
-    </message>
-    <message>
-        <source>{sentence} (command {command})</source>
-        <translation>{sentence} (Befehl {command})</translation>
-    </message>
-    <message>
-        <source>{sentence} ({count} times, first at command {command})</source>
-        <translation>{sentence} ({count}-mal, zuerst bei Befehl {command})</translation>
     </message>
     <message>
         <source>words without a motion before them ignored</source>
@@ -337,22 +253,6 @@
         <translation>Bogen, dessen Ende nicht auf seinem Kreis liegt, mit veränderlichem Radius gelesen</translation>
     </message>
     <message>
-        <source>unknown code {code} ignored</source>
-        <translation>unbekannter Code {code} übergangen</translation>
-    </message>
-    <message>
-        <source>{count} more unknown codes ignored</source>
-        <translation>{count} weitere unbekannte Codes übergangen</translation>
-    </message>
-    <message>
-        <source>the arcs and cycles would need {count} moves at a tolerance of {tolerance} mm; use a larger tolerance</source>
-        <translation>die Bögen und Zyklen bräuchten bei einer Toleranz von {tolerance} mm {count} Bewegungen; eine größere Toleranz wählen</translation>
-    </message>
-    <message>
-        <source>The legacy simulator hangs on an arc {reason} (command {command}{others}): {instead}.</source>
-        <translation>Der alte Simulator hängt bei einem Bogen, {reason} (Befehl {command}{others}): {instead}.</translation>
-    </message>
-    <message>
         <source>without an X or Y word</source>
         <translation>dem ein X- oder Y-Wort fehlt</translation>
     </message>
@@ -369,24 +269,12 @@
         <translation>der ein Vollkreis ist</translation>
     </message>
     <message>
-        <source> and {count} more</source>
-        <translation> und {count} weitere</translation>
-    </message>
-    <message>
         <source>use the OpenGL simulator for this operation</source>
         <translation>für diese Operation den OpenGL-Simulator benutzen</translation>
     </message>
     <message>
         <source>leave this operation out of the simulation</source>
         <translation>diese Operation bei der Simulation auslassen</translation>
-    </message>
-    <message>
-        <source>The legacy simulator cuts {count} ramp at a wrong depth, up to {error} mm {way} (command {command}): do not judge depths by it.</source>
-        <translation>Der alte Simulator schneidet {count} Rampe in falscher Tiefe, bis zu {error} mm {way} (Befehl {command}): Tiefen nicht danach beurteilen.</translation>
-    </message>
-    <message>
-        <source>The legacy simulator cuts {count} ramps at a wrong depth, up to {error} mm {way} (command {command}): do not judge depths by it.</source>
-        <translation>Der alte Simulator schneidet {count} Rampen in falscher Tiefe, bis zu {error} mm {way} (Befehl {command}): Tiefen nicht danach beurteilen.</translation>
     </message>
     <message>
         <source>too deep</source>
@@ -397,26 +285,6 @@
         <translation>zu hoch</translation>
     </message>
     <message>
-        <source>Playing takes about {longer} in the legacy simulator: fast-forward takes about {time}.</source>
-        <translation>Das Abspielen dauert im alten Simulator etwa {longer}: Der schnelle Vorlauf dauert etwa {time}.</translation>
-    </message>
-    <message>
-        <source>Playing takes about {time} in the OpenGL simulator at its fastest: simulate fewer operations at a time.</source>
-        <translation>Das Abspielen dauert im OpenGL-Simulator auch am schnellsten etwa {time}: Weniger Operationen auf einmal simulieren.</translation>
-    </message>
-    <message>
-        <source>{count} moves are shorter than a cell of the legacy simulator ({cell} mm), each takes its time and none is seen by itself: a coarser tolerance of the operation loses nothing there.</source>
-        <translation>{count} Bewegungen sind kürzer als eine Zelle des alten Simulators ({cell} mm), jede kostet Zeit und keine ist einzeln zu sehen: Eine gröbere Toleranz der Operation verliert dort nichts.</translation>
-    </message>
-    <message>
-        <source>The OpenGL simulator takes about {time} for every picture at the end, {share} % of it for arcs: simulate this operation alone.</source>
-        <translation>Der OpenGL-Simulator braucht am Ende etwa {time} für jedes Bild, {share} % davon für Bögen: Diese Operation allein simulieren.</translation>
-    </message>
-    <message>
-        <source>The {simulator} simulator takes about {memory} for this operation, more than the {allowed} allowed: {instead}.</source>
-        <translation>Der Simulator ({simulator}) braucht für diese Operation etwa {memory}, mehr als die erlaubten {allowed}: {instead}.</translation>
-    </message>
-    <message>
         <source>move its accuracy slider to the left</source>
         <translation>seinen Genauigkeitsregler nach links schieben</translation>
     </message>
@@ -425,24 +293,12 @@
         <translation>weniger Operationen auf einmal simulieren</translation>
     </message>
     <message>
-        <source>{width} x {height} pixels of {pixel} mm, limited by the {limit}</source>
-        <translation>{width} x {height} Pixel von {pixel} mm, begrenzt durch {limit}</translation>
-    </message>
-    <message>
         <source>memory</source>
         <translation>den Speicher</translation>
     </message>
     <message>
         <source>time</source>
         <translation>die Zeit</translation>
-    </message>
-    <message>
-        <source>passes {step} mm apart ask for {pixel} mm</source>
-        <translation>Bahnen im Abstand von {step} mm verlangen {pixel} mm</translation>
-    </message>
-    <message>
-        <source>{pixel} mm would do for passes {step} mm apart</source>
-        <translation>{pixel} mm würden für Bahnen im Abstand von {step} mm genügen</translation>
     </message>
     <message>
         <source>no resolution helps, not even a single pixel fits</source>
@@ -457,68 +313,12 @@
         <translation>sie berührt das Rohteil nicht: Tiefen, Platzierung und Rohteil prüfen</translation>
     </message>
     <message>
-        <source>{length} mm of cutting in {count} move without a feed rate are not in the time</source>
-        <translation>{length} mm Schnitt in {count} Bewegung ohne Vorschub fehlen in der Zeit</translation>
-    </message>
-    <message>
-        <source>{length} mm of cutting in {count} moves without a feed rate are not in the time</source>
-        <translation>{length} mm Schnitt in {count} Bewegungen ohne Vorschub fehlen in der Zeit</translation>
-    </message>
-    <message>
-        <source>{length} mm of rapids are not in the time because the tool controller&apos;s {name} is 0</source>
-        <translation>{length} mm Eilgänge fehlen in der Zeit, weil {name} des Werkzeugcontrollers 0 ist</translation>
-    </message>
-    <message>
-        <source>{length} mm of rapids are not in the time because the tool controller&apos;s {name} and {other} are 0</source>
-        <translation>{length} mm Eilgänge fehlen in der Zeit, weil {name} und {other} des Werkzeugcontrollers 0 sind</translation>
-    </message>
-    <message>
-        <source>no resolution helps, the trajectories alone take {time}: simulate fewer operations</source>
-        <translation>keine Auflösung hilft, allein die Bewegungen brauchen {time}: weniger Operationen simulieren</translation>
-    </message>
-    <message>
-        <source>the heaviest is {label} with {time}</source>
-        <translation>am schwersten wiegt {label} mit {time}</translation>
-    </message>
-    <message>
-        <source>position {position} of {positions}, cells of {cell} mm, plays in {time}</source>
-        <translation>Stellung {position} von {positions}, Zellen von {cell} mm, Abspielen in {time}</translation>
-    </message>
-    <message>
-        <source>no accuracy helps, playing takes {longer} even at the coarsest: use fast-forward, about {time} at the finest</source>
-        <translation>keine Genauigkeit hilft, das Abspielen dauert selbst bei der gröbsten {longer}: schnellen Vorlauf benutzen, etwa {time} bei der feinsten</translation>
-    </message>
-    <message>
         <source>its tool is wider than the stock: check the tool&apos;s diameter and the stock</source>
         <translation>ihr Werkzeug ist breiter als das Rohteil: Durchmesser und Rohteil prüfen</translation>
     </message>
     <message>
         <source>choose a smaller image in the preferences</source>
         <translation>in den Einstellungen ein kleineres Bild wählen</translation>
-    </message>
-    <message>
-        <source>phi stays between {low} and {high} turns over one open stroke{more}, {seen}: {strategy}</source>
-        <translation>φ bleibt über einen offenen Zug{more} zwischen {low} und {high} Umdrehungen, {seen}: {strategy}</translation>
-    </message>
-    <message>
-        <source>phi stays at 0 over {count} rows{more}, {seen}: {strategy}</source>
-        <translation>φ bleibt über {count} Zeilen{more} bei 0, {seen}: {strategy}</translation>
-    </message>
-    <message>
-        <source>phi stays at 0 over {count} open strokes{more}, {seen}: {strategy}</source>
-        <translation>φ bleibt über {count} offene Züge{more} bei 0, {seen}: {strategy}</translation>
-    </message>
-    <message>
-        <source>phi stays at 0 over one open stroke{more}, {seen}: {strategy}</source>
-        <translation>φ bleibt über einen offenen Zug{more} bei 0, {seen}: {strategy}</translation>
-    </message>
-    <message>
-        <source>phi reaches {high} turns over one loop{more}, {seen}: {strategy}{turning}</source>
-        <translation>φ erreicht über eine Schleife{more} {high} Umdrehungen, {seen}: {strategy}{turning}</translation>
-    </message>
-    <message>
-        <source>phi has no direction to turn, the moves are vertical at one point: {strategy}</source>
-        <translation>φ hat keine Richtung, die Bewegungen sind an einem Punkt senkrecht: {strategy}</translation>
     </message>
     <message>
         <source>that sweeps no angle</source>
@@ -747,6 +547,10 @@
     <message>
         <source>rows ({rows:%} of the length) and loops ({loops:%}) share the area</source>
         <translation>Zeilen ({rows:%} der Länge) und Schleifen ({loops:%}) teilen sich die Fläche</translation>
+    </message>
+    <message>
+        <source>{low} to {high}</source>
+        <translation>{low} bis {high}</translation>
     </message>
     <message>
         <source>{what} (line {line:n})</source>
@@ -1444,10 +1248,6 @@ Genauigkeit</translation>
     <message>
         <source>fast-forward</source>
         <translation>Vorlauf</translation>
-    </message>
-    <message>
-        <source>about {}</source>
-        <translation>etwa {}</translation>
     </message>
     <message>
         <source>Between {} and {}: not measured on this computer yet</source>

@@ -47,6 +47,10 @@
         <source>The true time is between the estimated one divided and multiplied by this</source>
         <translation>El tiempo real está entre el estimado dividido y multiplicado por este número</translation>
     </message>
+    <message>
+        <source>Reason and remark as codes with their arguments</source>
+        <translation>Razón y observación como códigos con sus argumentos</translation>
+    </message>
 </context>
 <context>
     <name>Pills</name>
@@ -74,14 +78,6 @@
         <source>Simulating it takes {time} and {memory} ({simulator})</source>
         <translation>Simularla requiere {time} y {memory} ({simulator})</translation>
     </message>
-    <message>
-        <source>about </source>
-        <translation>unos </translation>
-    </message>
-    <message>
-        <source>{} to {}</source>
-        <translation>{} a {}</translation>
-    </message>
 </context>
 <context>
     <name>QObject</name>
@@ -93,34 +89,6 @@
 <context>
     <name>Sentences</name>
     <message>
-        <source>{sentence} only for {share} of the length: {strategy}</source>
-        <translation>{sentence}, pero solo en el {share} de la longitud: {strategy}</translation>
-    </message>
-    <message>
-        <source>phi stays between {low} and {high} turns over {count} rows{more}, {seen}: {strategy}</source>
-        <translation>φ se mantiene entre {low} y {high} vueltas en {count} filas{more}, {seen}: {strategy}</translation>
-    </message>
-    <message>
-        <source>phi stays between {low} and {high} turns over {count} open strokes{more}, {seen}: {strategy}</source>
-        <translation>φ se mantiene entre {low} y {high} vueltas en {count} trazos abiertos{more}, {seen}: {strategy}</translation>
-    </message>
-    <message>
-        <source>phi reaches {high} turns over {count} loops{more}, {seen}: {strategy}{turning}</source>
-        <translation>φ alcanza {high} vueltas en {count} lazos{more}, {seen}: {strategy}{turning}</translation>
-    </message>
-    <message>
-        <source>phi lies between {low} and {high} turns, {seen}: {strategy}</source>
-        <translation>φ está entre {low} y {high} vueltas, {seen}: {strategy}</translation>
-    </message>
-    <message>
-        <source>phi has no direction to turn, the moves are vertical at {count} points: {strategy}</source>
-        <translation>φ no tiene dirección, los movimientos son verticales en {count} puntos: {strategy}</translation>
-    </message>
-    <message>
-        <source>{count} sections parted by tool changes, titles or drilling show {strategies}: {strategy}</source>
-        <translation>{count} secciones separadas por cambios de herramienta, títulos o taladros muestran {strategies}: {strategy}</translation>
-    </message>
-    <message>
         <source>nothing cuts: there are only rapid moves</source>
         <translation>nada corta: solo hay movimientos rápidos</translation>
     </message>
@@ -129,36 +97,12 @@
         <translation>nada corta: no hay movimientos</translation>
     </message>
     <message>
-        <source>some</source>
-        <translation>algunos</translation>
-    </message>
-    <message>
-        <source>, {step} mm apart at {depths} depths</source>
-        <translation> a {step} mm en {depths} profundidades</translation>
-    </message>
-    <message>
-        <source>, {step} mm apart</source>
-        <translation> a {step} mm</translation>
-    </message>
-    <message>
-        <source> at {depths} depths</source>
-        <translation> en {depths} profundidades</translation>
-    </message>
-    <message>
         <source>, counter-clockwise</source>
         <translation>, sentido antihorario</translation>
     </message>
     <message>
         <source>, clockwise</source>
         <translation>, sentido horario</translation>
-    </message>
-    <message>
-        <source>{count} bites of one sense overlap</source>
-        <translation>{count} bocados de un mismo sentido se solapan</translation>
-    </message>
-    <message>
-        <source>rows ({rows} of the length) and loops ({loops}) share the area</source>
-        <translation>filas ({rows} de la longitud) y lazos ({loops}) se reparten la superficie</translation>
     </message>
     <message>
         <source>descending at a constant radius</source>
@@ -253,18 +197,6 @@
         <translation>la herramienta de {label} no tiene diámetro</translation>
     </message>
     <message>
-        <source>{label}: the tool&apos;s diameter must be a positive number, not {diameter} mm</source>
-        <translation>{label}: el diámetro de la herramienta debe ser positivo, no {diameter} mm</translation>
-    </message>
-    <message>
-        <source>{label}: the corner radius must lie between 0 and {radius} mm, not be {corner} mm</source>
-        <translation>{label}: el radio de esquina debe estar entre 0 y {radius} mm, no ser {corner} mm</translation>
-    </message>
-    <message>
-        <source>{label}: the tip angle must lie between 0 and pi, not be {angle}</source>
-        <translation>{label}: el ángulo de punta debe estar entre 0 y π, no ser {angle}</translation>
-    </message>
-    <message>
         <source>no stock: put the toolpath into a job</source>
         <translation>sin material: ponga la trayectoria en un trabajo</translation>
     </message>
@@ -273,24 +205,8 @@
         <translation>sin material: asigne un material a {label}</translation>
     </message>
     <message>
-        <source>{label}: the stock has no volume: its upper corner must exceed its lower corner in x, y and z</source>
-        <translation>{label}: el material no tiene volumen: su esquina superior debe superar a la inferior en x, y y z</translation>
-    </message>
-    <message>
-        <source>{label}: the stock&apos;s corners must be finite numbers</source>
-        <translation>{label}: las esquinas del material deben ser números finitos</translation>
-    </message>
-    <message>
         <source>cost unknown for {labels}</source>
         <translation>coste desconocido de {labels}</translation>
-    </message>
-    <message>
-        <source>{sentence} (command {command})</source>
-        <translation>{sentence} (orden {command})</translation>
-    </message>
-    <message>
-        <source>{sentence} ({count} times, first at command {command})</source>
-        <translation>{sentence} ({count} veces, primero en la orden {command})</translation>
     </message>
     <message>
         <source>words without a motion before them ignored</source>
@@ -337,22 +253,6 @@
         <translation>arco cuyo final no está en su círculo leído con radio variable</translation>
     </message>
     <message>
-        <source>unknown code {code} ignored</source>
-        <translation>código desconocido {code} ignorado</translation>
-    </message>
-    <message>
-        <source>{count} more unknown codes ignored</source>
-        <translation>otros {count} códigos desconocidos ignorados</translation>
-    </message>
-    <message>
-        <source>the arcs and cycles would need {count} moves at a tolerance of {tolerance} mm; use a larger tolerance</source>
-        <translation>los arcos y ciclos necesitarían {count} movimientos con una tolerancia de {tolerance} mm; use una tolerancia mayor</translation>
-    </message>
-    <message>
-        <source>The legacy simulator hangs on an arc {reason} (command {command}{others}): {instead}.</source>
-        <translation>El simulador antiguo se bloquea en un arco {reason} (orden {command}{others}): {instead}.</translation>
-    </message>
-    <message>
         <source>without an X or Y word</source>
         <translation>sin palabra X o Y</translation>
     </message>
@@ -369,24 +269,12 @@
         <translation>que es un círculo completo</translation>
     </message>
     <message>
-        <source> and {count} more</source>
-        <translation> y {count} más</translation>
-    </message>
-    <message>
         <source>use the OpenGL simulator for this operation</source>
         <translation>use el simulador OpenGL para esta operación</translation>
     </message>
     <message>
         <source>leave this operation out of the simulation</source>
         <translation>deje esta operación fuera de la simulación</translation>
-    </message>
-    <message>
-        <source>The legacy simulator cuts {count} ramp at a wrong depth, up to {error} mm {way} (command {command}): do not judge depths by it.</source>
-        <translation>El simulador antiguo corta {count} rampa a una profundidad falsa, hasta {error} mm {way} (orden {command}): no juzgue las profundidades por él.</translation>
-    </message>
-    <message>
-        <source>The legacy simulator cuts {count} ramps at a wrong depth, up to {error} mm {way} (command {command}): do not judge depths by it.</source>
-        <translation>El simulador antiguo corta {count} rampas a una profundidad falsa, hasta {error} mm {way} (orden {command}): no juzgue las profundidades por él.</translation>
     </message>
     <message>
         <source>too deep</source>
@@ -397,26 +285,6 @@
         <translation>demasiado alto</translation>
     </message>
     <message>
-        <source>Playing takes about {longer} in the legacy simulator: fast-forward takes about {time}.</source>
-        <translation>La reproducción dura unos {longer} en el simulador antiguo: el avance rápido dura unos {time}.</translation>
-    </message>
-    <message>
-        <source>Playing takes about {time} in the OpenGL simulator at its fastest: simulate fewer operations at a time.</source>
-        <translation>La reproducción dura unos {time} en el simulador OpenGL a su máxima velocidad: simule menos operaciones a la vez.</translation>
-    </message>
-    <message>
-        <source>{count} moves are shorter than a cell of the legacy simulator ({cell} mm), each takes its time and none is seen by itself: a coarser tolerance of the operation loses nothing there.</source>
-        <translation>{count} movimientos son más cortos que una celda del simulador antiguo ({cell} mm), cada uno lleva su tiempo y ninguno se ve por sí solo: una tolerancia más gruesa de la operación no pierde nada ahí.</translation>
-    </message>
-    <message>
-        <source>The OpenGL simulator takes about {time} for every picture at the end, {share} % of it for arcs: simulate this operation alone.</source>
-        <translation>El simulador OpenGL tarda al final unos {time} por imagen, el {share} % en arcos: simule esta operación sola.</translation>
-    </message>
-    <message>
-        <source>The {simulator} simulator takes about {memory} for this operation, more than the {allowed} allowed: {instead}.</source>
-        <translation>El simulador ({simulator}) ocupa unos {memory} en esta operación, más de los {allowed} permitidos: {instead}.</translation>
-    </message>
-    <message>
         <source>move its accuracy slider to the left</source>
         <translation>mueva su control de precisión a la izquierda</translation>
     </message>
@@ -425,24 +293,12 @@
         <translation>simule menos operaciones a la vez</translation>
     </message>
     <message>
-        <source>{width} x {height} pixels of {pixel} mm, limited by the {limit}</source>
-        <translation>{width} x {height} píxeles de {pixel} mm, limitados por {limit}</translation>
-    </message>
-    <message>
         <source>memory</source>
         <translation>la memoria</translation>
     </message>
     <message>
         <source>time</source>
         <translation>el tiempo</translation>
-    </message>
-    <message>
-        <source>passes {step} mm apart ask for {pixel} mm</source>
-        <translation>pasadas a {step} mm piden {pixel} mm</translation>
-    </message>
-    <message>
-        <source>{pixel} mm would do for passes {step} mm apart</source>
-        <translation>{pixel} mm bastarían para pasadas a {step} mm</translation>
     </message>
     <message>
         <source>no resolution helps, not even a single pixel fits</source>
@@ -457,68 +313,12 @@
         <translation>no toca el material en bruto: compruebe sus profundidades, su ubicación y el bruto</translation>
     </message>
     <message>
-        <source>{length} mm of cutting in {count} move without a feed rate are not in the time</source>
-        <translation>{length} mm de corte en {count} movimiento sin avance no están en el tiempo</translation>
-    </message>
-    <message>
-        <source>{length} mm of cutting in {count} moves without a feed rate are not in the time</source>
-        <translation>{length} mm de corte en {count} movimientos sin avance no están en el tiempo</translation>
-    </message>
-    <message>
-        <source>{length} mm of rapids are not in the time because the tool controller&apos;s {name} is 0</source>
-        <translation>{length} mm de rápidos no están en el tiempo porque {name} del controlador de herramienta es 0</translation>
-    </message>
-    <message>
-        <source>{length} mm of rapids are not in the time because the tool controller&apos;s {name} and {other} are 0</source>
-        <translation>{length} mm de rápidos no están en el tiempo porque {name} y {other} del controlador de herramienta son 0</translation>
-    </message>
-    <message>
-        <source>no resolution helps, the trajectories alone take {time}: simulate fewer operations</source>
-        <translation>ninguna resolución basta, solo las trayectorias tardan {time}: simule menos operaciones</translation>
-    </message>
-    <message>
-        <source>the heaviest is {label} with {time}</source>
-        <translation>la más pesada es {label} con {time}</translation>
-    </message>
-    <message>
-        <source>position {position} of {positions}, cells of {cell} mm, plays in {time}</source>
-        <translation>posición {position} de {positions}, celdas de {cell} mm, reproducción en {time}</translation>
-    </message>
-    <message>
-        <source>no accuracy helps, playing takes {longer} even at the coarsest: use fast-forward, about {time} at the finest</source>
-        <translation>ninguna precisión basta, la reproducción tarda {longer} incluso con la más basta: use el avance rápido, unos {time} con la más fina</translation>
-    </message>
-    <message>
         <source>its tool is wider than the stock: check the tool&apos;s diameter and the stock</source>
         <translation>su herramienta es más ancha que el material en bruto: compruebe el diámetro y el bruto</translation>
     </message>
     <message>
         <source>choose a smaller image in the preferences</source>
         <translation>elija una imagen más pequeña en las preferencias</translation>
-    </message>
-    <message>
-        <source>phi stays between {low} and {high} turns over one open stroke{more}, {seen}: {strategy}</source>
-        <translation>φ se mantiene entre {low} y {high} vueltas en un trazo abierto{more}, {seen}: {strategy}</translation>
-    </message>
-    <message>
-        <source>phi stays at 0 over {count} rows{more}, {seen}: {strategy}</source>
-        <translation>φ se mantiene en 0 en {count} filas{more}, {seen}: {strategy}</translation>
-    </message>
-    <message>
-        <source>phi stays at 0 over {count} open strokes{more}, {seen}: {strategy}</source>
-        <translation>φ se mantiene en 0 en {count} trazos abiertos{more}, {seen}: {strategy}</translation>
-    </message>
-    <message>
-        <source>phi stays at 0 over one open stroke{more}, {seen}: {strategy}</source>
-        <translation>φ se mantiene en 0 en un trazo abierto{more}, {seen}: {strategy}</translation>
-    </message>
-    <message>
-        <source>phi reaches {high} turns over one loop{more}, {seen}: {strategy}{turning}</source>
-        <translation>φ alcanza {high} vueltas en un lazo{more}, {seen}: {strategy}{turning}</translation>
-    </message>
-    <message>
-        <source>phi has no direction to turn, the moves are vertical at one point: {strategy}</source>
-        <translation>φ no tiene dirección, los movimientos son verticales en un punto: {strategy}</translation>
     </message>
     <message>
         <source>that sweeps no angle</source>
@@ -747,6 +547,10 @@
     <message>
         <source>rows ({rows:%} of the length) and loops ({loops:%}) share the area</source>
         <translation>filas ({rows:%} de la longitud) y lazos ({loops:%}) se reparten la superficie</translation>
+    </message>
+    <message>
+        <source>{low} to {high}</source>
+        <translation>{low} a {high}</translation>
     </message>
     <message>
         <source>{what} (line {line:n})</source>
@@ -1444,10 +1248,6 @@ recomendada</translation>
     <message>
         <source>fast-forward</source>
         <translation>avance rápido</translation>
-    </message>
-    <message>
-        <source>about {}</source>
-        <translation>unos {}</translation>
     </message>
     <message>
         <source>Between {} and {}: not measured on this computer yet</source>

@@ -47,6 +47,10 @@
         <source>The true time is between the estimated one divided and multiplied by this</source>
         <translation>La durée réelle est comprise entre l&apos;estimation divisée et multipliée par ce nombre</translation>
     </message>
+    <message>
+        <source>Reason and remark as codes with their arguments</source>
+        <translation>Raison et remarque sous forme de codes avec leurs arguments</translation>
+    </message>
 </context>
 <context>
     <name>Pills</name>
@@ -74,14 +78,6 @@
         <source>Simulating it takes {time} and {memory} ({simulator})</source>
         <translation>Sa simulation prend {time} et {memory} ({simulator})</translation>
     </message>
-    <message>
-        <source>about </source>
-        <translation>environ </translation>
-    </message>
-    <message>
-        <source>{} to {}</source>
-        <translation>{} à {}</translation>
-    </message>
 </context>
 <context>
     <name>QObject</name>
@@ -93,34 +89,6 @@
 <context>
     <name>Sentences</name>
     <message>
-        <source>{sentence} only for {share} of the length: {strategy}</source>
-        <translation>{sentence}, mais seulement sur {share} de la longueur : {strategy}</translation>
-    </message>
-    <message>
-        <source>phi stays between {low} and {high} turns over {count} rows{more}, {seen}: {strategy}</source>
-        <translation>φ reste entre {low} et {high} tours sur {count} lignes{more}, {seen} : {strategy}</translation>
-    </message>
-    <message>
-        <source>phi stays between {low} and {high} turns over {count} open strokes{more}, {seen}: {strategy}</source>
-        <translation>φ reste entre {low} et {high} tours sur {count} traits ouverts{more}, {seen} : {strategy}</translation>
-    </message>
-    <message>
-        <source>phi reaches {high} turns over {count} loops{more}, {seen}: {strategy}{turning}</source>
-        <translation>φ atteint {high} tours sur {count} boucles{more}, {seen} : {strategy}{turning}</translation>
-    </message>
-    <message>
-        <source>phi lies between {low} and {high} turns, {seen}: {strategy}</source>
-        <translation>φ est entre {low} et {high} tours, {seen} : {strategy}</translation>
-    </message>
-    <message>
-        <source>phi has no direction to turn, the moves are vertical at {count} points: {strategy}</source>
-        <translation>φ n&apos;a pas de direction, les mouvements sont verticaux en {count} points : {strategy}</translation>
-    </message>
-    <message>
-        <source>{count} sections parted by tool changes, titles or drilling show {strategies}: {strategy}</source>
-        <translation>{count} sections séparées par des changements d&apos;outil, des titres ou des perçages montrent {strategies} : {strategy}</translation>
-    </message>
-    <message>
         <source>nothing cuts: there are only rapid moves</source>
         <translation>rien ne coupe : il n&apos;y a que des déplacements rapides</translation>
     </message>
@@ -129,36 +97,12 @@
         <translation>rien ne coupe : il n&apos;y a aucun mouvement</translation>
     </message>
     <message>
-        <source>some</source>
-        <translation>quelques</translation>
-    </message>
-    <message>
-        <source>, {step} mm apart at {depths} depths</source>
-        <translation> espacées de {step} mm à {depths} profondeurs</translation>
-    </message>
-    <message>
-        <source>, {step} mm apart</source>
-        <translation> espacées de {step} mm</translation>
-    </message>
-    <message>
-        <source> at {depths} depths</source>
-        <translation> à {depths} profondeurs</translation>
-    </message>
-    <message>
         <source>, counter-clockwise</source>
         <translation>, sens antihoraire</translation>
     </message>
     <message>
         <source>, clockwise</source>
         <translation>, sens horaire</translation>
-    </message>
-    <message>
-        <source>{count} bites of one sense overlap</source>
-        <translation>{count} morsures de même sens se recouvrent</translation>
-    </message>
-    <message>
-        <source>rows ({rows} of the length) and loops ({loops}) share the area</source>
-        <translation>des lignes ({rows} de la longueur) et des boucles ({loops}) se partagent la surface</translation>
     </message>
     <message>
         <source>descending at a constant radius</source>
@@ -253,18 +197,6 @@
         <translation>l&apos;outil dans {label} n&apos;a pas de diamètre</translation>
     </message>
     <message>
-        <source>{label}: the tool&apos;s diameter must be a positive number, not {diameter} mm</source>
-        <translation>{label} : le diamètre de l&apos;outil doit être positif, pas {diameter} mm</translation>
-    </message>
-    <message>
-        <source>{label}: the corner radius must lie between 0 and {radius} mm, not be {corner} mm</source>
-        <translation>{label} : le rayon de coin doit être entre 0 et {radius} mm, pas {corner} mm</translation>
-    </message>
-    <message>
-        <source>{label}: the tip angle must lie between 0 and pi, not be {angle}</source>
-        <translation>{label} : l&apos;angle de pointe doit être entre 0 et π, pas {angle}</translation>
-    </message>
-    <message>
         <source>no stock: put the toolpath into a job</source>
         <translation>pas de brut : mettez le parcours dans une tâche</translation>
     </message>
@@ -273,24 +205,8 @@
         <translation>pas de brut : donnez un brut à {label}</translation>
     </message>
     <message>
-        <source>{label}: the stock has no volume: its upper corner must exceed its lower corner in x, y and z</source>
-        <translation>{label} : le brut n&apos;a pas de volume : son coin supérieur doit dépasser l&apos;inférieur en x, y et z</translation>
-    </message>
-    <message>
-        <source>{label}: the stock&apos;s corners must be finite numbers</source>
-        <translation>{label} : les coins du brut doivent être des nombres finis</translation>
-    </message>
-    <message>
         <source>cost unknown for {labels}</source>
         <translation>coût inconnu pour {labels}</translation>
-    </message>
-    <message>
-        <source>{sentence} (command {command})</source>
-        <translation>{sentence} (commande {command})</translation>
-    </message>
-    <message>
-        <source>{sentence} ({count} times, first at command {command})</source>
-        <translation>{sentence} ({count} fois, d&apos;abord à la commande {command})</translation>
     </message>
     <message>
         <source>words without a motion before them ignored</source>
@@ -337,22 +253,6 @@
         <translation>arc dont la fin n&apos;est pas sur son cercle lu avec un rayon variable</translation>
     </message>
     <message>
-        <source>unknown code {code} ignored</source>
-        <translation>code inconnu {code} ignoré</translation>
-    </message>
-    <message>
-        <source>{count} more unknown codes ignored</source>
-        <translation>{count} autres codes inconnus ignorés</translation>
-    </message>
-    <message>
-        <source>the arcs and cycles would need {count} moves at a tolerance of {tolerance} mm; use a larger tolerance</source>
-        <translation>les arcs et cycles demanderaient {count} mouvements à une tolérance de {tolerance} mm ; choisissez une tolérance plus grande</translation>
-    </message>
-    <message>
-        <source>The legacy simulator hangs on an arc {reason} (command {command}{others}): {instead}.</source>
-        <translation>L&apos;ancien simulateur se bloque sur un arc {reason} (commande {command}{others}) : {instead}.</translation>
-    </message>
-    <message>
         <source>without an X or Y word</source>
         <translation>sans mot X ou Y</translation>
     </message>
@@ -369,24 +269,12 @@
         <translation>qui est un cercle complet</translation>
     </message>
     <message>
-        <source> and {count} more</source>
-        <translation> et {count} autres</translation>
-    </message>
-    <message>
         <source>use the OpenGL simulator for this operation</source>
         <translation>utilisez le simulateur OpenGL pour cette opération</translation>
     </message>
     <message>
         <source>leave this operation out of the simulation</source>
         <translation>laissez cette opération hors de la simulation</translation>
-    </message>
-    <message>
-        <source>The legacy simulator cuts {count} ramp at a wrong depth, up to {error} mm {way} (command {command}): do not judge depths by it.</source>
-        <translation>L&apos;ancien simulateur usine {count} rampe à une profondeur fausse, jusqu&apos;à {error} mm {way} (commande {command}) : ne jugez pas les profondeurs d&apos;après lui.</translation>
-    </message>
-    <message>
-        <source>The legacy simulator cuts {count} ramps at a wrong depth, up to {error} mm {way} (command {command}): do not judge depths by it.</source>
-        <translation>L&apos;ancien simulateur usine {count} rampes à une profondeur fausse, jusqu&apos;à {error} mm {way} (commande {command}) : ne jugez pas les profondeurs d&apos;après lui.</translation>
     </message>
     <message>
         <source>too deep</source>
@@ -397,26 +285,6 @@
         <translation>trop haut</translation>
     </message>
     <message>
-        <source>Playing takes about {longer} in the legacy simulator: fast-forward takes about {time}.</source>
-        <translation>La lecture prend environ {longer} dans l&apos;ancien simulateur : l&apos;avance rapide prend environ {time}.</translation>
-    </message>
-    <message>
-        <source>Playing takes about {time} in the OpenGL simulator at its fastest: simulate fewer operations at a time.</source>
-        <translation>La lecture prend environ {time} dans le simulateur OpenGL au plus vite : simulez moins d&apos;opérations à la fois.</translation>
-    </message>
-    <message>
-        <source>{count} moves are shorter than a cell of the legacy simulator ({cell} mm), each takes its time and none is seen by itself: a coarser tolerance of the operation loses nothing there.</source>
-        <translation>{count} mouvements sont plus courts qu&apos;une cellule de l&apos;ancien simulateur ({cell} mm), chacun prend du temps et aucun ne se voit seul : une tolérance plus grossière de l&apos;opération n&apos;y perd rien.</translation>
-    </message>
-    <message>
-        <source>The OpenGL simulator takes about {time} for every picture at the end, {share} % of it for arcs: simulate this operation alone.</source>
-        <translation>Le simulateur OpenGL prend à la fin environ {time} par image, dont {share} % pour les arcs : simulez cette opération seule.</translation>
-    </message>
-    <message>
-        <source>The {simulator} simulator takes about {memory} for this operation, more than the {allowed} allowed: {instead}.</source>
-        <translation>Le simulateur ({simulator}) prend environ {memory} pour cette opération, plus que les {allowed} permis : {instead}.</translation>
-    </message>
-    <message>
         <source>move its accuracy slider to the left</source>
         <translation>déplacez son curseur de précision vers la gauche</translation>
     </message>
@@ -425,24 +293,12 @@
         <translation>simulez moins d&apos;opérations à la fois</translation>
     </message>
     <message>
-        <source>{width} x {height} pixels of {pixel} mm, limited by the {limit}</source>
-        <translation>{width} x {height} pixels de {pixel} mm, limités par {limit}</translation>
-    </message>
-    <message>
         <source>memory</source>
         <translation>la mémoire</translation>
     </message>
     <message>
         <source>time</source>
         <translation>le temps</translation>
-    </message>
-    <message>
-        <source>passes {step} mm apart ask for {pixel} mm</source>
-        <translation>des passes espacées de {step} mm demandent {pixel} mm</translation>
-    </message>
-    <message>
-        <source>{pixel} mm would do for passes {step} mm apart</source>
-        <translation>{pixel} mm suffiraient pour des passes espacées de {step} mm</translation>
     </message>
     <message>
         <source>no resolution helps, not even a single pixel fits</source>
@@ -457,68 +313,12 @@
         <translation>elle ne touche pas le brut : vérifier ses profondeurs, son placement et le brut</translation>
     </message>
     <message>
-        <source>{length} mm of cutting in {count} move without a feed rate are not in the time</source>
-        <translation>{length} mm de coupe dans {count} mouvement sans avance ne sont pas dans la durée</translation>
-    </message>
-    <message>
-        <source>{length} mm of cutting in {count} moves without a feed rate are not in the time</source>
-        <translation>{length} mm de coupe dans {count} mouvements sans avance ne sont pas dans la durée</translation>
-    </message>
-    <message>
-        <source>{length} mm of rapids are not in the time because the tool controller&apos;s {name} is 0</source>
-        <translation>{length} mm de déplacements rapides ne sont pas dans la durée, car {name} du contrôleur d&apos;outil vaut 0</translation>
-    </message>
-    <message>
-        <source>{length} mm of rapids are not in the time because the tool controller&apos;s {name} and {other} are 0</source>
-        <translation>{length} mm de déplacements rapides ne sont pas dans la durée, car {name} et {other} du contrôleur d&apos;outil valent 0</translation>
-    </message>
-    <message>
-        <source>no resolution helps, the trajectories alone take {time}: simulate fewer operations</source>
-        <translation>aucune résolution ne suffit, les trajectoires seules prennent {time} : simuler moins d&apos;opérations</translation>
-    </message>
-    <message>
-        <source>the heaviest is {label} with {time}</source>
-        <translation>la plus lourde est {label} avec {time}</translation>
-    </message>
-    <message>
-        <source>position {position} of {positions}, cells of {cell} mm, plays in {time}</source>
-        <translation>position {position} sur {positions}, cellules de {cell} mm, lecture en {time}</translation>
-    </message>
-    <message>
-        <source>no accuracy helps, playing takes {longer} even at the coarsest: use fast-forward, about {time} at the finest</source>
-        <translation>aucune précision ne suffit, la lecture prend {longer} même à la plus grossière : utiliser l&apos;avance rapide, environ {time} à la plus fine</translation>
-    </message>
-    <message>
         <source>its tool is wider than the stock: check the tool&apos;s diameter and the stock</source>
         <translation>son outil est plus large que le brut : vérifier le diamètre de l&apos;outil et le brut</translation>
     </message>
     <message>
         <source>choose a smaller image in the preferences</source>
         <translation>choisir une image plus petite dans les préférences</translation>
-    </message>
-    <message>
-        <source>phi stays between {low} and {high} turns over one open stroke{more}, {seen}: {strategy}</source>
-        <translation>φ reste entre {low} et {high} tours sur un trait ouvert{more}, {seen} : {strategy}</translation>
-    </message>
-    <message>
-        <source>phi stays at 0 over {count} rows{more}, {seen}: {strategy}</source>
-        <translation>φ reste à 0 sur {count} lignes{more}, {seen} : {strategy}</translation>
-    </message>
-    <message>
-        <source>phi stays at 0 over {count} open strokes{more}, {seen}: {strategy}</source>
-        <translation>φ reste à 0 sur {count} traits ouverts{more}, {seen} : {strategy}</translation>
-    </message>
-    <message>
-        <source>phi stays at 0 over one open stroke{more}, {seen}: {strategy}</source>
-        <translation>φ reste à 0 sur un trait ouvert{more}, {seen} : {strategy}</translation>
-    </message>
-    <message>
-        <source>phi reaches {high} turns over one loop{more}, {seen}: {strategy}{turning}</source>
-        <translation>φ atteint {high} tours sur une boucle{more}, {seen} : {strategy}{turning}</translation>
-    </message>
-    <message>
-        <source>phi has no direction to turn, the moves are vertical at one point: {strategy}</source>
-        <translation>φ n&apos;a pas de direction, les mouvements sont verticaux en un point : {strategy}</translation>
     </message>
     <message>
         <source>that sweeps no angle</source>
@@ -747,6 +547,10 @@
     <message>
         <source>rows ({rows:%} of the length) and loops ({loops:%}) share the area</source>
         <translation>des lignes ({rows:%} de la longueur) et des boucles ({loops:%}) se partagent la surface</translation>
+    </message>
+    <message>
+        <source>{low} to {high}</source>
+        <translation>{low} à {high}</translation>
     </message>
     <message>
         <source>{what} (line {line:n})</source>
@@ -1444,10 +1248,6 @@ recommandée</translation>
     <message>
         <source>fast-forward</source>
         <translation>avance rapide</translation>
-    </message>
-    <message>
-        <source>about {}</source>
-        <translation>environ {}</translation>
     </message>
     <message>
         <source>Between {} and {}: not measured on this computer yet</source>

@@ -47,6 +47,10 @@
         <source>The true time is between the estimated one divided and multiplied by this</source>
         <translation>实际时间介于估计值除以该数与乘以该数之间</translation>
     </message>
+    <message>
+        <source>Reason and remark as codes with their arguments</source>
+        <translation>原因和备注的代码及其参数</translation>
+    </message>
 </context>
 <context>
     <name>Pills</name>
@@ -74,14 +78,6 @@
         <source>Simulating it takes {time} and {memory} ({simulator})</source>
         <translation>模拟需要 {time} 和 {memory}（{simulator}）</translation>
     </message>
-    <message>
-        <source>about </source>
-        <translation>约 </translation>
-    </message>
-    <message>
-        <source>{} to {}</source>
-        <translation>{} 到 {}</translation>
-    </message>
 </context>
 <context>
     <name>QObject</name>
@@ -93,34 +89,6 @@
 <context>
     <name>Sentences</name>
     <message>
-        <source>{sentence} only for {share} of the length: {strategy}</source>
-        <translation>{sentence}，但仅占长度的 {share}：{strategy}</translation>
-    </message>
-    <message>
-        <source>phi stays between {low} and {high} turns over {count} rows{more}, {seen}: {strategy}</source>
-        <translation>φ 在 {count} 行{more}中保持在 {low} 与 {high} 圈之间，{seen}：{strategy}</translation>
-    </message>
-    <message>
-        <source>phi stays between {low} and {high} turns over {count} open strokes{more}, {seen}: {strategy}</source>
-        <translation>φ 在 {count} 段开放笔画{more}中保持在 {low} 与 {high} 圈之间，{seen}：{strategy}</translation>
-    </message>
-    <message>
-        <source>phi reaches {high} turns over {count} loops{more}, {seen}: {strategy}{turning}</source>
-        <translation>φ 在 {count} 个环{more}中达到 {high} 圈，{seen}：{strategy}{turning}</translation>
-    </message>
-    <message>
-        <source>phi lies between {low} and {high} turns, {seen}: {strategy}</source>
-        <translation>φ 在 {low} 与 {high} 圈之间，{seen}：{strategy}</translation>
-    </message>
-    <message>
-        <source>phi has no direction to turn, the moves are vertical at {count} points: {strategy}</source>
-        <translation>φ 没有方向可转，移动在 {count} 个点上竖直：{strategy}</translation>
-    </message>
-    <message>
-        <source>{count} sections parted by tool changes, titles or drilling show {strategies}: {strategy}</source>
-        <translation>由换刀、标题或钻孔分开的 {count} 段显示 {strategies}：{strategy}</translation>
-    </message>
-    <message>
         <source>nothing cuts: there are only rapid moves</source>
         <translation>没有切削：只有快速移动</translation>
     </message>
@@ -129,36 +97,12 @@
         <translation>没有切削：没有移动</translation>
     </message>
     <message>
-        <source>some</source>
-        <translation>若干</translation>
-    </message>
-    <message>
-        <source>, {step} mm apart at {depths} depths</source>
-        <translation>（间距 {step} mm，{depths} 个深度）</translation>
-    </message>
-    <message>
-        <source>, {step} mm apart</source>
-        <translation>（间距 {step} mm）</translation>
-    </message>
-    <message>
-        <source> at {depths} depths</source>
-        <translation>（{depths} 个深度）</translation>
-    </message>
-    <message>
         <source>, counter-clockwise</source>
         <translation>，逆时针</translation>
     </message>
     <message>
         <source>, clockwise</source>
         <translation>，顺时针</translation>
-    </message>
-    <message>
-        <source>{count} bites of one sense overlap</source>
-        <translation>{count} 次同向切入相互重叠</translation>
-    </message>
-    <message>
-        <source>rows ({rows} of the length) and loops ({loops}) share the area</source>
-        <translation>行（占长度 {rows}）与环（{loops}）共享区域</translation>
     </message>
     <message>
         <source>descending at a constant radius</source>
@@ -253,18 +197,6 @@
         <translation>{label} 中的刀具没有直径</translation>
     </message>
     <message>
-        <source>{label}: the tool&apos;s diameter must be a positive number, not {diameter} mm</source>
-        <translation>{label}：刀具直径必须为正数，而不是 {diameter} mm</translation>
-    </message>
-    <message>
-        <source>{label}: the corner radius must lie between 0 and {radius} mm, not be {corner} mm</source>
-        <translation>{label}：圆角半径必须在 0 与 {radius} mm 之间，而不是 {corner} mm</translation>
-    </message>
-    <message>
-        <source>{label}: the tip angle must lie between 0 and pi, not be {angle}</source>
-        <translation>{label}：刀尖角必须在 0 与 π 之间，而不是 {angle}</translation>
-    </message>
-    <message>
         <source>no stock: put the toolpath into a job</source>
         <translation>没有毛坯：请将刀具路径放入作业</translation>
     </message>
@@ -273,24 +205,8 @@
         <translation>没有毛坯：请为 {label} 指定毛坯</translation>
     </message>
     <message>
-        <source>{label}: the stock has no volume: its upper corner must exceed its lower corner in x, y and z</source>
-        <translation>{label}：毛坯没有体积：其上角点在 x、y、z 上必须大于下角点</translation>
-    </message>
-    <message>
-        <source>{label}: the stock&apos;s corners must be finite numbers</source>
-        <translation>{label}：毛坯的角点必须是有限数</translation>
-    </message>
-    <message>
         <source>cost unknown for {labels}</source>
         <translation>{labels} 的开销未知</translation>
-    </message>
-    <message>
-        <source>{sentence} (command {command})</source>
-        <translation>{sentence}（命令 {command}）</translation>
-    </message>
-    <message>
-        <source>{sentence} ({count} times, first at command {command})</source>
-        <translation>{sentence}（{count} 次，首次在命令 {command}）</translation>
     </message>
     <message>
         <source>words without a motion before them ignored</source>
@@ -337,22 +253,6 @@
         <translation>终点不在圆上的圆弧按变半径处理</translation>
     </message>
     <message>
-        <source>unknown code {code} ignored</source>
-        <translation>忽略了未知代码 {code}</translation>
-    </message>
-    <message>
-        <source>{count} more unknown codes ignored</source>
-        <translation>另忽略了 {count} 个未知代码</translation>
-    </message>
-    <message>
-        <source>the arcs and cycles would need {count} moves at a tolerance of {tolerance} mm; use a larger tolerance</source>
-        <translation>公差为 {tolerance} mm 时圆弧和循环需要 {count} 次移动；请使用更大的公差</translation>
-    </message>
-    <message>
-        <source>The legacy simulator hangs on an arc {reason} (command {command}{others}): {instead}.</source>
-        <translation>旧版模拟器会卡在{reason}的圆弧上（命令 {command}{others}）：{instead}。</translation>
-    </message>
-    <message>
         <source>without an X or Y word</source>
         <translation>没有 X 或 Y 字</translation>
     </message>
@@ -369,24 +269,12 @@
         <translation>是整圆</translation>
     </message>
     <message>
-        <source> and {count} more</source>
-        <translation>及另外 {count} 处</translation>
-    </message>
-    <message>
         <source>use the OpenGL simulator for this operation</source>
         <translation>请对此操作使用 OpenGL 模拟器</translation>
     </message>
     <message>
         <source>leave this operation out of the simulation</source>
         <translation>模拟时请略去此操作</translation>
-    </message>
-    <message>
-        <source>The legacy simulator cuts {count} ramp at a wrong depth, up to {error} mm {way} (command {command}): do not judge depths by it.</source>
-        <translation>旧版模拟器以错误深度切削 {count} 处斜坡，最多 {error} mm {way}（命令 {command}）：不要据此判断深度。</translation>
-    </message>
-    <message>
-        <source>The legacy simulator cuts {count} ramps at a wrong depth, up to {error} mm {way} (command {command}): do not judge depths by it.</source>
-        <translation>旧版模拟器以错误深度切削 {count} 处斜坡，最多 {error} mm {way}（命令 {command}）：不要据此判断深度。</translation>
     </message>
     <message>
         <source>too deep</source>
@@ -397,26 +285,6 @@
         <translation>过高</translation>
     </message>
     <message>
-        <source>Playing takes about {longer} in the legacy simulator: fast-forward takes about {time}.</source>
-        <translation>在旧版模拟器中播放约需 {longer}：快进约需 {time}。</translation>
-    </message>
-    <message>
-        <source>Playing takes about {time} in the OpenGL simulator at its fastest: simulate fewer operations at a time.</source>
-        <translation>在 OpenGL 模拟器中以最快速度播放约需 {time}：请一次模拟较少的操作。</translation>
-    </message>
-    <message>
-        <source>{count} moves are shorter than a cell of the legacy simulator ({cell} mm), each takes its time and none is seen by itself: a coarser tolerance of the operation loses nothing there.</source>
-        <translation>{count} 次移动短于旧版模拟器的一个单元（{cell} mm），每次都耗时却无法单独看出：对操作使用更粗的公差在此毫无损失。</translation>
-    </message>
-    <message>
-        <source>The OpenGL simulator takes about {time} for every picture at the end, {share} % of it for arcs: simulate this operation alone.</source>
-        <translation>OpenGL 模拟器最后每幅画面约需 {time}，其中 {share} % 用于圆弧：请单独模拟此操作。</translation>
-    </message>
-    <message>
-        <source>The {simulator} simulator takes about {memory} for this operation, more than the {allowed} allowed: {instead}.</source>
-        <translation>模拟器（{simulator}）此操作约需 {memory}，超过允许的 {allowed}：{instead}。</translation>
-    </message>
-    <message>
         <source>move its accuracy slider to the left</source>
         <translation>请将其精度滑块左移</translation>
     </message>
@@ -425,24 +293,12 @@
         <translation>请一次模拟较少的操作</translation>
     </message>
     <message>
-        <source>{width} x {height} pixels of {pixel} mm, limited by the {limit}</source>
-        <translation>{width} x {height} 像素，每个 {pixel} mm，受{limit}限制</translation>
-    </message>
-    <message>
         <source>memory</source>
         <translation>内存</translation>
     </message>
     <message>
         <source>time</source>
         <translation>时间</translation>
-    </message>
-    <message>
-        <source>passes {step} mm apart ask for {pixel} mm</source>
-        <translation>间距 {step} mm 的走刀需要 {pixel} mm</translation>
-    </message>
-    <message>
-        <source>{pixel} mm would do for passes {step} mm apart</source>
-        <translation>对间距 {step} mm 的走刀，{pixel} mm 已足够</translation>
     </message>
     <message>
         <source>no resolution helps, not even a single pixel fits</source>
@@ -457,68 +313,12 @@
         <translation>它没有接触毛坯：请检查其深度、放置和毛坯</translation>
     </message>
     <message>
-        <source>{length} mm of cutting in {count} move without a feed rate are not in the time</source>
-        <translation>{count} 个没有进给速度的动作中的 {length} mm 切削未计入时间</translation>
-    </message>
-    <message>
-        <source>{length} mm of cutting in {count} moves without a feed rate are not in the time</source>
-        <translation>{count} 个没有进给速度的动作中的 {length} mm 切削未计入时间</translation>
-    </message>
-    <message>
-        <source>{length} mm of rapids are not in the time because the tool controller&apos;s {name} is 0</source>
-        <translation>刀具控制器的 {name} 为 0，因此 {length} mm 快速移动未计入时间</translation>
-    </message>
-    <message>
-        <source>{length} mm of rapids are not in the time because the tool controller&apos;s {name} and {other} are 0</source>
-        <translation>刀具控制器的 {name} 和 {other} 为 0，因此 {length} mm 快速移动未计入时间</translation>
-    </message>
-    <message>
-        <source>no resolution helps, the trajectories alone take {time}: simulate fewer operations</source>
-        <translation>任何分辨率都不行，仅轨迹就需要 {time}：请减少模拟的操作</translation>
-    </message>
-    <message>
-        <source>the heaviest is {label} with {time}</source>
-        <translation>最重的是 {label}，{time}</translation>
-    </message>
-    <message>
-        <source>position {position} of {positions}, cells of {cell} mm, plays in {time}</source>
-        <translation>位置 {position}/{positions}，单元 {cell} mm，播放 {time}</translation>
-    </message>
-    <message>
-        <source>no accuracy helps, playing takes {longer} even at the coarsest: use fast-forward, about {time} at the finest</source>
-        <translation>任何精度都不行，即使最粗精度播放也需要 {longer}：请使用快进，最细精度约 {time}</translation>
-    </message>
-    <message>
         <source>its tool is wider than the stock: check the tool&apos;s diameter and the stock</source>
         <translation>其刀具比毛坯宽：请检查刀具直径和毛坯</translation>
     </message>
     <message>
         <source>choose a smaller image in the preferences</source>
         <translation>请在首选项中选择更小的图像</translation>
-    </message>
-    <message>
-        <source>phi stays between {low} and {high} turns over one open stroke{more}, {seen}: {strategy}</source>
-        <translation>φ 在一段开放笔画{more}中保持在 {low} 与 {high} 圈之间，{seen}：{strategy}</translation>
-    </message>
-    <message>
-        <source>phi stays at 0 over {count} rows{more}, {seen}: {strategy}</source>
-        <translation>φ 在 {count} 行{more}中保持为 0，{seen}：{strategy}</translation>
-    </message>
-    <message>
-        <source>phi stays at 0 over {count} open strokes{more}, {seen}: {strategy}</source>
-        <translation>φ 在 {count} 段开放笔画{more}中保持为 0，{seen}：{strategy}</translation>
-    </message>
-    <message>
-        <source>phi stays at 0 over one open stroke{more}, {seen}: {strategy}</source>
-        <translation>φ 在一段开放笔画{more}中保持为 0，{seen}：{strategy}</translation>
-    </message>
-    <message>
-        <source>phi reaches {high} turns over one loop{more}, {seen}: {strategy}{turning}</source>
-        <translation>φ 在一个环{more}中达到 {high} 圈，{seen}：{strategy}{turning}</translation>
-    </message>
-    <message>
-        <source>phi has no direction to turn, the moves are vertical at one point: {strategy}</source>
-        <translation>φ 没有方向可转，移动在一个点上竖直：{strategy}</translation>
     </message>
     <message>
         <source>that sweeps no angle</source>
@@ -747,6 +547,10 @@
     <message>
         <source>rows ({rows:%} of the length) and loops ({loops:%}) share the area</source>
         <translation>行（占长度 {rows:%}）与环（{loops:%}）共享区域</translation>
+    </message>
+    <message>
+        <source>{low} to {high}</source>
+        <translation>{low} 至 {high}</translation>
     </message>
     <message>
         <source>{what} (line {line:n})</source>
@@ -1444,10 +1248,6 @@ accuracy</source>
     <message>
         <source>fast-forward</source>
         <translation>快进</translation>
-    </message>
-    <message>
-        <source>about {}</source>
-        <translation>约 {}</translation>
     </message>
     <message>
         <source>Between {} and {}: not measured on this computer yet</source>

@@ -19,7 +19,6 @@ ROOT = Path(__file__).resolve().parents[2]
 PACKAGE = "vkworkbench"
 # The floors, the lowest first. What stands side by side on one is one room.
 FLOORS = (
-    ("friendly",),
     ("language",),
     ("core.toolpath", "core.strategy", "core.solids", "core.machining"),
     ("core.gcode",),

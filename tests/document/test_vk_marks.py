@@ -10,6 +10,7 @@ import pytest
 import vkworkbench
 from vkworkbench import freecad
 from vkworkbench.document import marks
+from vkworkbench.language import Message, render
 
 
 def marked(document):
@@ -28,6 +29,81 @@ def test_mark_text_and_data(small, zigzag_commands):
     assert set(op.getEditorMode("ToolpathStrategy")) == {"ReadOnly"}
     assert small.job.Label2.startswith("⟦1 operation · ")
     assert small.job.ToolpathLength == pytest.approx(o.length)
+
+
+def told(op):
+    return marks.reason_of(op), marks.remarks_of(op)
+
+
+@pytest.mark.parametrize("label", ["T; U", "{label} {}", "a: b, c", "⟦x⟧ 50% \"q\" \\", "Ж 🙂"])
+def test_codes_of_a_mark(small, zigzag_commands, label):
+    op = small.add("Zigzag", [*zigzag_commands, ("G123", {"X": 5.0})])
+    small.controller.Label, small.controller.Tool.Diameter = label, 0
+    report = vkworkbench.analyze(small.document)
+    vkworkbench.mark(report)
+    (o,) = report.operations
+    assert told(op) == ((o.recognition.why,), o.remarks)
+    assert op.ToolpathRemark == o.error and small.controller.Label in op.ToolpathRemark
+    assert set(op.getEditorMode("ToolpathMessages")) == {"ReadOnly", "Hidden"} and "Touched" not in op.State
+    assert marks.remarks_of(small.job) == (Message("cost-unknown", labels=["Zigzag"]),)
+    assert small.job.ToolpathRemark == "cost unknown for Zigzag" and marks.reason_of(small.job) == ()
+
+
+def test_codes_survive_a_file(small, zigzag_commands, tmp_path):
+    op = small.add("Zigzag", zigzag_commands, controller=None)
+    vkworkbench.mark(vkworkbench.analyze(small.document))
+    before = told(op)
+    assert before[1] == (Message("no-tool"),)
+    small.document.saveAs(str(tmp_path / "small.FCStd"))
+    FreeCAD.closeDocument(small.name)
+    document = FreeCAD.openDocument(str(tmp_path / "small.FCStd"))
+    assert told(document.getObject(op_name(document))) == before
+    FreeCAD.closeDocument(document.Name)
+
+
+def op_name(document):
+    return next(obj.Name for obj in document.Objects if hasattr(obj, "ToolpathReason"))
+
+
+def test_a_mark_of_the_version_before_shows_its_english_and_is_cleared(small, zigzag_commands):
+    op = small.add("Zigzag", zigzag_commands, controller=None)
+    before = sorted(op.PropertiesList), op.Label2
+    vkworkbench.mark(vkworkbench.analyze(small.document))
+    for obj in (op, small.job):
+        obj.removeProperty("ToolpathMessages")
+    assert told(op) == tuple((Message("verbatim", text=text),) for text in (op.ToolpathReason, op.ToolpathRemark))
+    assert render(marks.reason_of(op)[0]) == op.ToolpathReason
+    # Marked again it has codes; cleared by that version it leaves them behind, which is a mark yet.
+    vkworkbench.mark(vkworkbench.analyze(small.document))
+    assert marks.remarks_of(op) == (Message("no-tool"),)
+    for name in set(marks._PROPERTIES) - {"ToolpathMessages"}:
+        if hasattr(op, name):
+            op.removeProperty(name)
+    op.Label2 = ""
+    assert marks.is_marked(op) and told(op) == ((), ())
+    vkworkbench.clear(small.document)
+    assert (sorted(op.PropertiesList), op.Label2) == before
+
+
+@pytest.mark.parametrize("written", [
+    "", "{", "null", "[]", "5", "NaN", '"x"', "{}", '{"reason": null, "remarks": 7}', '{"reason": [null]}',
+    '{"reason": [{"code": "no-moves"}], "remarks": [{"code": 1, "arguments": {}}]}',
+    '{"reason": [{"code": "nobody-knows", "arguments": {}}], "remarks": [{"code": "image", "arguments": {}}]}',
+    '{"reason": [{"code": "rows", "arguments": {"low": "x", "high": null, "count": "y", "spread": {}}}]}',
+    '{"reason": [{"code": "apart", "arguments": {"step": 1' + 400 * "0" + "}}]}",
+    '{"reason": ' + 100_000 * "[" + 100_000 * "]" + "}",
+    '{"reason": ' + 500 * '[{"code": "of", "arguments": {"label": ' + '"x"' + 500 * "}}]" + "}",
+    # Sound, but of another text: a version without codes has marked again since.
+    '{"reason": [{"code": "no-moves", "arguments": {}}], "remarks": [{"code": "no-tool", "arguments": {}}]}',
+])  # fmt: skip
+def test_damaged_codes_show_the_english_text(small, zigzag_commands, written):
+    op = small.add("Zigzag", zigzag_commands)
+    vkworkbench.mark(vkworkbench.analyze(small.document))
+    op.ToolpathRemark, op.ToolpathMessages = "as it is; {label}", written
+    assert told(op) == tuple((Message("verbatim", text=text),) for text in (op.ToolpathReason, op.ToolpathRemark))
+    assert render(marks.remarks_of(op)[0]) == "as it is; {label}"
+    vkworkbench.mark(vkworkbench.analyze(small.document))
+    assert marks.reason_of(op)[0].code == "rows" and op.ToolpathRemark == ""
 
 
 def test_one_undo_step_and_clear_leave_no_trace(example):

@@ -1,21 +1,21 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Each language, switched on in FreeCAD's window: texts are translated, and none is cut off."""
 
-import ast
 import re
 import xml.etree.ElementTree as ElementTree
+from contextlib import contextmanager
 from pathlib import Path
 
 import FreeCAD
 import FreeCADGui as Gui
-import numpy as np
 import pytest
 from PySide import QtCore, QtGui
 
 import vkworkbench
-from toolpaths import synthetic
-from vkworkbench.core import linearize, recognize
-from vkworkbench.gui.sentences import fitting, in_user_language
+from vkworkbench.document import marks
+from vkworkbench.gui import docks, pills
+from vkworkbench.gui.sentences import said, user
+from vkworkbench.language import Message, render
 
 ROOT = Path(vkworkbench.__file__).resolve().parents[1]
 TRANSLATIONS = ROOT / "resources" / "translations"
@@ -28,8 +28,8 @@ LANGUAGES = {
 DOCKS = ("VkResults", "VkGaussMap")
 
 
-@pytest.fixture(params=LANGUAGES)
-def language(request, opened, window):
+@contextmanager
+def speaking(language, window):
     """FreeCAD in a language, with the add-on's docks made anew, as after a start."""
 
     def close_docks():
@@ -44,11 +44,27 @@ def language(request, opened, window):
 
     close_docks()
     before = Gui.getLocale()
-    Gui.setLocale(request.param)
+    Gui.setLocale(language)
     window.idle()
-    yield request.param
+    yield
     Gui.setLocale(before)
     close_docks()
+
+
+@pytest.fixture(params=LANGUAGES)
+def language(request, opened, window):
+    with speaking(request.param, window):
+        yield request.param
+
+
+@pytest.fixture
+def german(opened, window):
+    """FreeCAD in German, with German numbers."""
+    numbers = QtCore.QLocale()
+    with speaking("de", window):
+        QtCore.QLocale.setDefault(QtCore.QLocale("de"))
+        yield
+        QtCore.QLocale.setDefault(numbers)
 
 
 def cut_off(root):
@@ -149,79 +165,87 @@ def test_what_is_compiled_is_what_is_translated(name):
             assert translator.translate(context.findtext("name"), text) == message.findtext("translation")
 
 
-def said_by(*paths):
-    """Every sentence that these files of the core can say, with a 1 where something is filled in.
-
-    What is filled in right behind a word is an ending, or a piece that may be missing: it is missing.
-    """
-    for path in paths:
-        for node in ast.walk(ast.parse((ROOT / "vkworkbench" / path).read_text())):
-            texts = []
-            if isinstance(node, ast.Call):
-                name = getattr(node.func, "attr", getattr(node.func, "id", ""))
-                if name in ("Verdict", "add", "append", "ValueError", "Recognition"):
-                    texts = node.args
-            elif isinstance(node, ast.Assign) and getattr(node.targets[0], "id", "") in ("seen", "message", "why"):
-                texts = [node.value]
-            elif isinstance(node, ast.Return) and isinstance(node.value, (ast.Constant, ast.JoinedStr)):
-                texts = [node.value]
-            for text in texts:
-                if isinstance(text, ast.JoinedStr):
-                    sentence = ""
-                    for part in text.values:
-                        filled = "" if re.search("[a-z]$", sentence) else "1"
-                        sentence += part.value if isinstance(part, ast.Constant) else filled
-                    yield sentence
-                elif isinstance(text, ast.Constant) and isinstance(text.value, str) and " " in text.value:
-                    yield text.value
-
-
-def test_every_sentence_of_the_core_is_known():
-    said = {*said_by("core/verdict.py", "core/evidence.py", "core/recognition.py", "core/linearize.py",
-                     "core/preflight.py", "document/setting.py", "document/analysis.py")}  # fmt: skip
-    # The sentence of a verdict has too many pieces: the next test makes real ones.
-    not_shown = re.compile(
-        "must be a positive number of mm, not|no document is open|analysis was cancelled|^phi |^1: 1$"
+def test_sentences_of_the_example_in_german(opened, german):
+    for o in vkworkbench.analyze(opened).operations:
+        messages = *o.messages, o.resolution.why, o.accuracy.why
+        for message in messages:
+            shown = said(message)
+            assert shown != render(message) and not re.search(r"\b(the|of|and|turns|is)\b|[{}]", shown), shown
+    two = (
+        Message("no-tool"),
+        Message("in-commands", sentence=Message("words-without-motion"), count=7, command=3),
     )
-    unknown = [s for s in said if fitting(s) is None and not not_shown.search(s) and len(s) > 3]
-    assert unknown == [] and len(said) > 50
+    assert list(map(said, two)) == [
+        "kein Werkzeug: Der Operation einen Werkzeugcontroller geben",
+        "Wörter ohne Bewegung davor übergangen (7-mal, zuerst bei Befehl 3)",
+    ]
 
 
-@pytest.mark.parametrize("kind, build", [(kind, build) for kind, _, build in synthetic.SAMPLES])
-def test_every_reason_is_known(kind, build):
-    for seed in range(3):
-        reason = recognize(linearize(build(np.random.default_rng(seed))), tool_diameter=6.0).reason
-        template, pieces = fitting(reason)
-        assert "seen" not in pieces or fitting(pieces["seen"]) is not None, reason
-
-
-def test_sentences_of_the_example_in_german(opened):
-    Gui.setLocale("de")
+def test_numbers_as_the_user_reads_them(german):
+    reader = user()
+    assert (reader.count(5752), reader.time(1.42), reader.share(0.98)) == ("5.752", "1,4 s", "98 %")
+    assert (reader.length(1601.38), reader.measure(2.5, 3), reader.turns(-9.0)) == ("1601,38 mm", "2,5 mm", "-1,43")
+    # A quantity of FreeCAD's own has the same separators.
+    assert FreeCAD.Units.Quantity(1234.5, FreeCAD.Units.Length).UserString == reader.length(1234.5)
+    apart = Message("passes-need", step=2.54, cell=0.635)
     try:
-        for o in vkworkbench.analyze(opened).operations:
-            for sentence in (o.reason, *filter(None, [o.error]), *(c.message for c in o.cautions)):
-                shown = in_user_language(sentence)
-                assert shown != sentence and not re.search(r"\b(the|of|and|turns|is)\b", shown), shown
-        assert in_user_language("what nobody knows: really") == "what nobody knows: really"
-        two = (
-            "no tool: give the operation a tool controller; "
-            "words without a motion before them ignored (7 times, first at command 3)"
-        )
-        assert in_user_language(two) == (
-            "kein Werkzeug: Der Operation einen Werkzeugcontroller geben; "
-            "Wörter ohne Bewegung davor übergangen (7-mal, zuerst bei Befehl 3)"
-        )
+        FreeCAD.Units.setSchema(3)  # inches
+        assert said(apart) == "; Bahnen im Abstand von 0,1 in verlangen 0,025 in"
+        assert reader.length(25.4) == "1,00 in"
+        for schema in range(9):  # whatever unit a schema takes
+            FreeCAD.Units.setSchema(schema)
+            assert not re.search("nan|inf|[{}]", said(apart))
+            assert reader.measure(float("nan")).startswith("nan") and reader.measure(0.0).startswith("0 ")
     finally:
-        Gui.setLocale("English")
+        FreeCAD.Units.setSchema(6)
 
 
-def test_pieces_of_a_reason():
-    rows = [("G0", {"X": 0, "Y": 0, "Z": 0})]
-    for i in range(12):
-        rows += [("G1", {"X": 50 if i % 2 == 0 else 0}), ("G1", {"Y": 3.0 * (i + 1)})]
-    template, pieces = fitting(recognize(linearize(rows), tool_diameter=5).reason)
-    assert template.startswith("phi stays between") and pieces["strategy"] == "zigzag"
-    assert pieces["more"].endswith("mm apart") and fitting(pieces["seen"]) is not None
+def test_a_mark_panel_and_gauss_map_in_german(opened, german, window):
+    """Their numbers have German separators, wherever they stand, and no English sentence is left."""
+    (face,) = opened.getObjectsByLabel("Face")
+    window.click("Werkzeugwege analysieren")
+    window.wait(lambda: docks.find(docks.RESULTS) is not None and marks.is_marked(face))
+    window.dismiss()
+    window.tree.expandAll()
+    Gui.Selection.clearSelection()
+    Gui.Selection.addSelection(face)
+    window.idle(0.5)
+    text = pills.explanation(pills.read_mark(face.Label2), face)
+    panel = docks.find(docks.RESULTS)
+    shown = text + panel.details.text()
+    assert f"{user().count(face.ToolpathTrajectories)} Bewegungen" in text and "φ bleibt" in shown
+    assert re.search(r"\d,\d+ mm", shown) and not re.search(r"\d\.\d\d?\b", shown), shown
+    assert not re.search(r"\b(phi stays|turns|the|of|limited)\b", shown), shown
+    assert re.search(r"\b\d+ %", text), text
+    model = panel.table.model()
+    cells = [model.index(row, column).data() for row in range(model.rowCount()) for column in range(1, 12)]
+    assert not [cell for cell in cells if re.search(r"\d\.\d{1,2}\b", str(cell))], cells
+    view = window.tree
+    (found,) = view.model().match(view.model().index(0, 0), QtCore.Qt.DisplayRole, "Face", 1,
+                                  QtCore.Qt.MatchExactly | QtCore.Qt.MatchRecursive)  # fmt: skip
+    where = view.visualRect(found.sibling(found.row(), 1)).center()
+    event = QtGui.QHelpEvent(QtCore.QEvent.ToolTip, where, view.viewport().mapToGlobal(where))
+    QtGui.QApplication.sendEvent(view.viewport(), event)
+    window.wait(QtGui.QToolTip.isVisible)
+    window.screenshot("german-tooltip-and-panel")
+    QtGui.QToolTip.hideText()
+    panel.close()
+    window.click(FreeCAD.Qt.translate("Vk_GaussMap", "Gauss map"))
+    gauss = docks.find(docks.GAUSS_MAP)
+    window.wait(lambda: gauss.title.text().startswith("Face"))
+    window.idle(0.5)
+    window.screenshot("german-gauss-map")
+    shown = " ".join([gauss.title.text(), gauss.values.text(), gauss.chooser.currentText()])
+    assert re.search(r"[+-]\d,\d\d", gauss.title.text()) and re.search(r"\d,\d°", gauss.values.text())
+    assert not re.search(r"\d\.\d{1,2}\b", shown), shown
+    gauss.close()
+
+
+def test_pills_have_the_users_numbers(german):
+    mark = pills.read_mark("⟦zigzag 98% · legacy about 1,234.5 h · ≥ 1.4 MB · no tool in A. B, C⟧")
+    assert mark.pill == "Zickzack 98 %"
+    assert mark.cost == "legacy etwa 1.234,5 h · ≥ 1,4 MB · no tool in A. B, C"
+    assert pills.read_mark("⟦zigzag 9x8 · 1.5 · 2.5⟧").cost == "1.5 · 2.5"
 
 
 def test_shortcuts_are_ours_alone(window):

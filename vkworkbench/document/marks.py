@@ -8,8 +8,9 @@ would). A file so marked opens in a FreeCAD without this add-on.
 
 from __future__ import annotations
 
+import json
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 
 import FreeCAD
 
@@ -17,7 +18,7 @@ from vkworkbench import preferences
 from vkworkbench.core import Strategy
 from vkworkbench.document.fingerprint import path_fingerprint
 from vkworkbench.document.operations import find
-from vkworkbench.language import ENGLISH
+from vkworkbench.language import ENGLISH, Message, render
 from vkworkbench.report import OperationReport
 from vkworkbench.simulator_names import OPENGL, ZBUFFER
 
@@ -41,6 +42,8 @@ _PROPERTIES = {
         "App::Property", "Why this strategy")),
     "ToolpathRemark": ("App::PropertyString", _SHOWN, QT_TRANSLATE_NOOP(
         "App::Property", "What is wrong with the operation or unknown about it")),
+    "ToolpathMessages": ("App::PropertyString", _HIDDEN, QT_TRANSLATE_NOOP(
+        "App::Property", "Reason and remark as codes with their arguments")),
     "ToolpathTrajectories": ("App::PropertyInteger", _SHOWN, QT_TRANSLATE_NOOP(
         "App::Property", "Number of straight moves, arcs chopped")),
     "ToolpathLength": ("App::PropertyFloat", _SHOWN, QT_TRANSLATE_NOOP(
@@ -59,7 +62,32 @@ _PROPERTIES = {
 
 
 def is_marked(obj) -> bool:
-    return hasattr(obj, "ToolpathFingerprint") or _SEGMENT.search(obj.Label2) is not None
+    return any(hasattr(obj, name) for name in _PROPERTIES) or _SEGMENT.search(obj.Label2) is not None
+
+
+def reason_of(obj) -> tuple[Message, ...]:
+    """Return why an operation was marked with its strategy; empty on a job."""
+    return _told(obj, "reason", getattr(obj, "ToolpathReason", ""))
+
+
+def remarks_of(obj) -> tuple[Message, ...]:
+    """Return what a mark says to be wrong or unknown."""
+    return _told(obj, "remarks", getattr(obj, "ToolpathRemark", ""))
+
+
+def _told(obj, name: str, english: str) -> tuple[Message, ...]:
+    """The messages of a mark, or its English text where none say the same: other versions write other sentences."""
+    try:
+        messages = tuple(map(Message.from_data, json.loads(obj.ToolpathMessages)[name]))
+        if "; ".join(map(render, messages)) == english:
+            return messages
+    except (AttributeError, LookupError, TypeError, ValueError, ArithmeticError, RecursionError):
+        pass  # there are none, or what is there are none of ours
+    return (Message("verbatim", text=english),) if english else ()
+
+
+def _as_json(**messages: Iterable[Message]) -> str:
+    return json.dumps({name: [message.as_data() for message in some] for name, some in messages.items()})
 
 
 def is_outdated(obj) -> bool:
@@ -140,6 +168,7 @@ def write(obj, report: OperationReport) -> None:
         "ToolpathConfidence": round(report.confidence, 4),
         "ToolpathReason": report.reason,
         "ToolpathRemark": report.error or "",
+        "ToolpathMessages": _as_json(reason=(report.recognition.why,), remarks=report.remarks),
         "ToolpathTrajectories": report.trajectories,
         "ToolpathLength": report.length,
         "ToolpathSimulator": simulator,
@@ -187,11 +216,13 @@ def write_total(job) -> None:
     seconds = sum(obj.ToolpathSeconds for obj in operations)
     memory = sum(obj.ToolpathMemory for obj in operations)
     unknown = [obj for obj in operations if obj.ToolpathTrajectories and not obj.ToolpathMemory]
+    remarks = (Message("cost-unknown", labels=[obj.Label for obj in unknown]),) if unknown else ()
     (simulator,) = simulators
     factor = max(obj.ToolpathFactor for obj in operations)
     _set(job, {
         "ToolpathSimulator": simulator,
-        "ToolpathRemark": f"cost unknown for {', '.join(obj.Label for obj in unknown)}" if unknown else "",
+        "ToolpathRemark": "; ".join(map(render, remarks)),
+        "ToolpathMessages": _as_json(remarks=remarks),
         "ToolpathTrajectories": sum(obj.ToolpathTrajectories for obj in operations),
         "ToolpathLength": sum(obj.ToolpathLength for obj in operations),
         "ToolpathSeconds": seconds,

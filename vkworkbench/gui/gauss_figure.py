@@ -6,7 +6,6 @@ Its words are the paper's symbols, the same in all languages: matplotlib's font 
 
 from __future__ import annotations
 
-import FreeCAD
 import matplotlib
 import numpy as np
 from matplotlib.backends.backend_qtagg import FigureCanvasQTAgg
@@ -16,6 +15,7 @@ from matplotlib.ticker import FuncFormatter, MaxNLocator, MultipleLocator
 
 from vkworkbench.core.paper import Areas, image_arcs, links, outline, seen, thinned, turns_of
 from vkworkbench.gui.qt import QTimer
+from vkworkbench.gui.sentences import user
 
 COUNTER_CLOCKWISE, CLOCKWISE = "#0072b2", "#d55e00"  # told apart also by the colour-blind
 _V, _LEVEL = "#009e73", "#9a9a9a"  # V_k and its angle; levels and the rest of the toolpath
@@ -271,9 +271,10 @@ def _in_pi(value: float, position=None) -> str:
 
 def _label_lengths(axes, size: float, color: str) -> None:
     """Give the axes FreeCAD's unit for lengths of this size."""
-    quantity = FreeCAD.Units.Quantity(max(size, 1e-3), FreeCAD.Units.Length)
-    _, factor, unit = quantity.getUserPreferred()
+    factor, unit = user().length_unit(max(size, 1e-3))
     for axis in (axes.xaxis, axes.yaxis):
         axis.set_major_locator(MaxNLocator(5))
-        axis.set_major_formatter(FuncFormatter(lambda value, position=None: f"{value / factor:g}".replace("-", "−")))
+        axis.set_major_formatter(
+            FuncFormatter(lambda value, position=None: user().number(value / factor).replace("-", "−"))
+        )
     axes.set_xlabel(unit, color=color, fontsize="small")

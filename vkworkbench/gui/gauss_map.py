@@ -9,7 +9,7 @@ from pathlib import Path
 import FreeCAD
 import FreeCADGui as Gui
 
-from vkworkbench import freecad, friendly, preferences
+from vkworkbench import freecad, preferences
 from vkworkbench.core import linearize
 from vkworkbench.core.paper import Areas, Signature, monotonous_areas
 from vkworkbench.document.operations import kind
@@ -33,9 +33,9 @@ from vkworkbench.gui.qt import (
     QVBoxLayout,
     QWidget,
 )  # fmt: skip
-from vkworkbench.gui.sentences import in_user_language
+from vkworkbench.gui.sentences import said, user
 from vkworkbench.gui.text import translate
-from vkworkbench.gui.units import length
+from vkworkbench.language import Message, Unusable
 
 _LISTED = 50  # areas in the chooser, the longest ones
 _NOT_IN_NAMES = '\\/:*?"<>|'
@@ -133,8 +133,8 @@ class GaussMapDock(QDockWidget):
     def _read(self, obj) -> None:
         try:
             path = placed(linearize(obj.Path.Commands, tolerance=preferences.read().tolerance), obj.Placement)
-        except ValueError as error:
-            self._say(f"{obj.Label}: {in_user_language(str(error))}")
+        except Unusable as error:
+            self._say(said(Message("of", label=obj.Label, sentence=error.what)))
             return
         areas = monotonous_areas(path)
         if not len(areas):
@@ -147,7 +147,7 @@ class GaussMapDock(QDockWidget):
         for area in areas.by_length[:_LISTED]:
             count = int(areas.end[area] - areas.start[area])
             text = translate("Vk_GaussMap", "Area {}: {} trajectories, {}")
-            self.chooser.addItem(text.format(area + 1, f"{count:,}", length(areas.area_length[area])), int(area))
+            self.chooser.addItem(text.format(area + 1, user().count(count), user().length(areas.area_length[area])), int(area))
         self.chooser.blockSignals(False)
         self._show_area(0)
 
@@ -162,9 +162,9 @@ class GaussMapDock(QDockWidget):
         notes = []
         if canvas.drawn < canvas.points:
             text = translate("Vk_GaussMap", "Toolpath drawn with {} of {} points: the others fall on the same pixels.")
-            notes.append(text.format(f"{canvas.drawn:,}", f"{canvas.points:,}"))
+            notes.append(text.format(*map(user().count, (canvas.drawn, canvas.points))))
         if len(signature) > TRAIL:
-            notes.append(translate("Vk_GaussMap", "Gauss map of the last {} trajectories up to k.").format(f"{TRAIL:,}"))
+            notes.append(translate("Vk_GaussMap", "Gauss map of the last {} trajectories up to k.").format(user().count(TRAIL)))
         self.legend.setText(_legend() + "".join(f"<br>{note}" for note in notes))
         count = len(signature)
         for widget in (self.slider, self.number):
@@ -180,9 +180,9 @@ class GaussMapDock(QDockWidget):
         signature = self._canvas.signature
         self._canvas.step(k - 1)
         self.values.setText(
-            f"k = {k:,} / {len(signature):,}   α = {math.degrees(signature.alpha[k - 1]):.1f}°   "
-            f"φ = {_in_pi(signature.phi[k - 1])}   θ = {math.degrees(signature.theta[k - 1]):.1f}°   "
-            f"|V| = {length(signature.length[k - 1])}   n = {signature.level[k - 1]}"
+            f"k = {user().count(k)} / {user().count(len(signature))}   α = {_in_degrees(signature.alpha[k - 1])}   "
+            f"φ = {_in_pi(signature.phi[k - 1])}   θ = {_in_degrees(signature.theta[k - 1])}   "
+            f"|V| = {user().length(signature.length[k - 1])}   n = {signature.level[k - 1]}"
         )
 
     def _ready_canvas(self) -> GaussCanvas:
@@ -247,7 +247,7 @@ def _row(*widgets: QWidget) -> QHBoxLayout:
 def _reached(of: Areas | Signature) -> str:
     """What phi reaches in all areas, as the mark and the table say it, or in one."""
     text = translate("Vk_GaussMap", "φ between {} and {} turns, level n = {}, exact reversals: {}")
-    return text.format(*map(friendly.turns, of.phi_range), of.top_level, f"{len(of.reversals):,}")
+    return text.format(*map(user().turns, of.phi_range), of.top_level, user().count(len(of.reversals)))
 
 
 def _legend() -> str:
@@ -260,4 +260,8 @@ def _legend() -> str:
 
 
 def _in_pi(angle: float) -> str:
-    return f"{angle / math.pi:.2f}π".replace("-", "−")
+    return f"{user().decimals(angle / math.pi, 2)}π".replace("-", "−")
+
+
+def _in_degrees(angle: float) -> str:
+    return f"{user().decimals(math.degrees(angle), 1)}°"

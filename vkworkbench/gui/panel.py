@@ -30,9 +30,8 @@ from vkworkbench.gui.qt import (
     QVBoxLayout,
     QWidget,
 )  # fmt: skip
-from vkworkbench.gui.sentences import in_user_language
+from vkworkbench.gui.sentences import said, user
 from vkworkbench.gui.text import translate
-from vkworkbench.gui.units import length
 from vkworkbench.report import Total, plain_text
 
 _WIDEST_LABEL = 260  # px; a longer one has its end in the tooltip
@@ -238,7 +237,7 @@ def _in_words(row: Row) -> str:
     if isinstance(found, Total):
         lines.append(f"<b>{escape(row.label)}</b>")
     else:
-        strategy, reason = strategy_name(found.strategy), in_user_language(found.reason)
+        strategy, reason = strategy_name(found.strategy), said(found.recognition.why)
         lines.append(f"<b>{escape(row.label)}, {escape(strategy)}</b>: {escape(reason)}")
         lines.append(escape(_machining_in_words(found.machining)))
     for text, advice in (
@@ -246,14 +245,15 @@ def _in_words(row: Row) -> str:
         (translate("Vk_Results", "Recommended accuracy: {}"), found.accuracy),
     ):
         if advice is not None:
-            lines.append(escape(text.format(in_user_language(advice.explanation))))
+            lines.append(escape(text.format(said(advice.why))))
     lines += [f"• {escape(remark)}" for remark in row.remarks]
     return "<br>".join(lines)
 
 
 def _machining_in_words(machining: Machining) -> str:
+    length = user().length
     cut, rapid = length(machining.cutting_length), length(machining.rapid_length)
     text = translate("Vk_Results", "Machining: {cut} of cutting, {rapid} of rapids").format(cut=cut, rapid=rapid)
     if machining.depth is not None:
         text += translate("Vk_Results", ", {depth} deep").format(depth=length(machining.depth))
-    return "; ".join([text, *map(in_user_language, machining.notes)])
+    return "; ".join([text, *map(said, machining.left_out)])

@@ -8,16 +8,16 @@ from dataclasses import dataclass
 
 import FreeCAD
 
-from vkworkbench import freecad, friendly
+from vkworkbench import freecad
 from vkworkbench.core import Strategy
 from vkworkbench.core.simulators import Simulator, available_simulators
 from vkworkbench.document import marks
 from vkworkbench.document.intent import contradicted
 from vkworkbench.gui.names import strategy_name
 from vkworkbench.gui.qt import QAbstractTableModel, QColor, QFont, QModelIndex, QSortFilterProxyModel, Qt
-from vkworkbench.gui.sentences import in_user_language
+from vkworkbench.gui.sentences import said, user
 from vkworkbench.gui.text import translate
-from vkworkbench.gui.units import length
+from vkworkbench.language import ROUGH
 from vkworkbench.report import OperationReport, Report, Total
 
 VALUE = Qt.UserRole  # what a column is sorted by
@@ -68,14 +68,13 @@ def _total_label(total: Total) -> str:
 def _remarks(obj, found: OperationReport):
     if marks.is_outdated(obj):
         yield translate("Vk_Results", "outdated: toolpath, tool or stock have changed since")
-    if found.error:
-        yield in_user_language(found.error)
+    yield from map(said, found.remarks)
     called = contradicted(obj, found.recognition)
     if called:
         text = translate("Vk_Results", "called {name}, but its toolpath is {strategy}")
         yield text.format(name=called, strategy=strategy_name(found.strategy))
     for caution in found.cautions:
-        yield in_user_language(caution.message)
+        yield said(caution.what)
     if not found.counted and found.job is not None:
         yield translate("Vk_Results", "not in the total: a dress-up stands for it, or it is switched off")
 
@@ -110,40 +109,40 @@ def columns(version: tuple[int, ...]) -> list[Column]:
                translate("Vk_Results", "The machining strategy recognized from the toolpath alone"),
                lambda row: getattr(row.found, "strategy", None), strategy_name),
         Column(translate("Vk_Results", "Sure"), translate("Vk_Results", "How sure the recognition is"),
-               _confidence, "{:.0%}".format),
+               _confidence, _shown("share")),
         Column(translate("Vk_Results", "Trajectories"),
                translate("Vk_Results", "Number of straight moves, arcs chopped"),
-               lambda row: row.found.trajectories, "{:,}".format),
+               lambda row: row.found.trajectories, _shown("count")),
         Column(translate("Vk_Results", "Length"), translate("Vk_Results", "Length of the cutting moves"),
-               lambda row: row.found.length, length),
+               lambda row: row.found.length, _shown("length")),
         Column(translate("Vk_Results", "Machining\ntime"),
                translate("Vk_Results", "Time on the machine at the programmed feeds; rapids where the tool "
                                        "controller says their speed"),
-               _machining_seconds, friendly.time),
+               _machining_seconds, _shown("time")),
         Column(translate("Vk_Results", "Z-buffer\ntime"),
                translate("Vk_Results", "Time to simulate it in an extended z-buffer"),
-               lambda row: _of_zbuffer(row, "seconds"), friendly.time),
+               lambda row: _of_zbuffer(row, "seconds"), _shown("time")),
         Column(translate("Vk_Results", "Z-buffer\nmemory"),
                translate("Vk_Results", "Memory to simulate it in an extended z-buffer"),
-               lambda row: _of_zbuffer(row, "memory_bytes"), friendly.memory),
+               lambda row: _of_zbuffer(row, "memory_bytes"), _shown("memory")),
         Column(translate("Vk_Results", "Legacy\ntime"),
                translate("Vk_Results",
                          "Time of FreeCAD's legacy simulator in fast-forward, at the accuracy that the preferences say"),
-               lambda row: _of(row, "legacy", lambda cost: cost.fast_forward_seconds), friendly.time,
+               lambda row: _of(row, "legacy", lambda cost: cost.fast_forward_seconds), _shown("time"),
                lambda row: row.found.legacy.constants.legacy_factor),
         Column(translate("Vk_Results", "Legacy\nmemory"),
                translate("Vk_Results", "Memory of FreeCAD's legacy simulator, at the accuracy that the preferences say"),
-               lambda row: _of(row, "legacy", lambda cost: cost.memory_bytes), friendly.memory),
+               lambda row: _of(row, "legacy", lambda cost: cost.memory_bytes), _shown("memory")),
     ]  # fmt: skip
     if Simulator.OPENGL in available_simulators(version):
         shown += [
             Column(translate("Vk_Results", "OpenGL\ntime"),
                    translate("Vk_Results", "Time of FreeCAD's OpenGL simulator at its highest speed"),
                    lambda row: _of(row, "opengl", lambda cost: cost.fastest_seconds),
-                   friendly.time, lambda row: row.found.opengl.constants.opengl_factor),
+                   _shown("time"), lambda row: row.found.opengl.constants.opengl_factor),
             Column(translate("Vk_Results", "OpenGL\nmemory"),
                    translate("Vk_Results", "Memory of FreeCAD's OpenGL simulator"),
-                   lambda row: _of(row, "opengl", lambda cost: cost.memory_bytes), friendly.memory),
+                   lambda row: _of(row, "opengl", lambda cost: cost.memory_bytes), _shown("memory")),
         ]  # fmt: skip
     return [
         *shown,
@@ -159,6 +158,11 @@ def columns(version: tuple[int, ...]) -> list[Column]:
                translate("Vk_Results", "What is wrong with the operation, or will be with its simulation"),
                lambda row: "; ".join(row.remarks)),
     ]  # fmt: skip
+
+
+def _shown(kind: str) -> Callable[[object], str]:
+    """Return how the user reads numbers of a kind, by the name of the reader's method."""
+    return lambda value: getattr(user(), kind)(value)
 
 
 def _confidence(row: Row) -> float | None:
@@ -241,10 +245,8 @@ class ResultsModel(QAbstractTableModel):
             if value is None:
                 return ""
             factor = column.factor(row)
-            if factor < friendly.ROUGH:
-                return column.text(value)
-            if role == Qt.DisplayRole:
-                return translate("Vk_Results", "about {}").format(column.text(value))
+            if role == Qt.DisplayRole or factor < ROUGH:
+                return user().about(column.text(value), factor)
             text = translate("Vk_Results", "Between {} and {}: not measured on this computer yet")
             return text.format(column.text(value / factor), column.text(value * factor))
         if role == Qt.TextAlignmentRole:

@@ -16,7 +16,7 @@ from html import escape
 import FreeCAD
 import FreeCADGui as Gui
 
-from vkworkbench import friendly, preferences
+from vkworkbench import preferences
 from vkworkbench.core import Strategy
 from vkworkbench.document import marks
 from vkworkbench.gui import tree
@@ -35,14 +35,17 @@ from vkworkbench.gui.qt import (
     Qt,
     QToolTip,
 )  # fmt: skip
-from vkworkbench.gui.sentences import in_user_language
+from vkworkbench.gui.sentences import said, user
 from vkworkbench.gui.text import translate
-from vkworkbench.gui.units import length
+from vkworkbench.language import ENGLISH, ROUGH
 from vkworkbench.simulator_names import ZBUFFER
 
 _PADDING = 6  # px within a pill, left and right
 _SPACE = "\u00a0"  # is not stretched or cut off at a line's end
 _TOTAL = re.compile(r"(\d+) operations?")
+_PERCENT = re.compile(r"(\d{1,3})%")
+_MEMORY = re.compile(r"(≥ )?[\d.,]+ [kMG]B")
+_ABOUT = ENGLISH.about("", ROUGH)
 
 
 @dataclass(frozen=True)
@@ -96,12 +99,21 @@ def read_mark(label2: str) -> Mark | None:
         text = one if total.group(1) == "1" else more
         strategy, pill = None, text.format(total.group(1))
     else:
-        name, _, confidence = first.partition(" ")
+        name, _, sure = first.partition(" ")
         strategy = Strategy(name)
-        pill = f"{strategy_name(strategy)} {confidence}".rstrip()
+        percent = _PERCENT.fullmatch(sure)
+        sure = user().share(int(percent.group(1)) / 100) if percent else sure
+        pill = f"{strategy_name(strategy)} {sure}".rstrip()
     before, after = label2[:opening].strip(), label2[closing:].strip()
-    cost = marks.SEPARATOR.join(rest).replace(friendly.ABOUT, translate("Pills", "about "))
-    return Mark(before, after, strategy, pill, cost, outdated)
+    if len(rest) > 1 and _MEMORY.fullmatch(rest[1]):
+        rest[:2] = map(_as_read, rest[:2])
+    return Mark(before, after, strategy, pill, marks.SEPARATOR.join(rest), outdated)
+
+
+def _as_read(cost: str) -> str:
+    """Return the time or memory of a mark as the user reads it."""
+    before, about, number = user().separated(cost).partition(_ABOUT)
+    return before + user().about(number, ROUGH) if about else before
 
 
 class PillDelegate(QStyledItemDelegate):
@@ -183,18 +195,17 @@ def explanation(mark: Mark, obj) -> str:
     if obj is None:
         lines.append(escape(mark.cost))
     else:
-        reason, remark = getattr(obj, "ToolpathReason", ""), getattr(obj, "ToolpathRemark", "")
-        lines += [escape(in_user_language(reason))] if reason else []
+        lines += [escape(said(reason)) for reason in marks.reason_of(obj)]
         lines.append(translate("Pills", "{trajectories} trajectories, {length} cutting").format(
-            trajectories=f"{obj.ToolpathTrajectories:,}", length=length(obj.ToolpathLength)
+            trajectories=user().count(obj.ToolpathTrajectories), length=user().length(obj.ToolpathLength)
         ))  # fmt: skip
         if obj.ToolpathMemory:
             whose = getattr(obj, "ToolpathSimulator", ZBUFFER)
             text = translate("Pills", "Simulating it takes {time} and {memory} ({simulator})")
             lines.append(text.format(
-                time=_time(obj), memory=friendly.memory(obj.ToolpathMemory), simulator=whose
+                time=_time(obj), memory=user().memory(obj.ToolpathMemory), simulator=whose
             ))  # fmt: skip
-        lines += [f"<b>{escape(in_user_language(remark))}</b>"] if remark else []
+        lines += [f"<b>{escape(said(remark))}</b>" for remark in marks.remarks_of(obj)]
     if mark.outdated:
         text = translate("Pills", "Outdated: toolpath, tool or stock have changed since. Analyze it again.")
         lines.append(f"<i>{escape(text)}</i>")
@@ -204,9 +215,8 @@ def explanation(mark: Mark, obj) -> str:
 def _time(obj) -> str:
     """The time of an object's mark, between what and what where it is only about that."""
     seconds, factor = obj.ToolpathSeconds, obj.ToolpathFactor
-    if factor < friendly.ROUGH:
-        return friendly.time(seconds)
-    return translate("Pills", "{} to {}").format(friendly.time(seconds / factor), friendly.time(seconds * factor))
+    time = user().time
+    return time(seconds) if factor < ROUGH else user().between(time(seconds / factor), time(seconds * factor))
 
 
 def _object_of(index):

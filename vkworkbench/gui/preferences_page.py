@@ -11,6 +11,7 @@ import FreeCADGui as Gui
 
 from vkworkbench import freecad, preferences
 from vkworkbench.gui.qt import QApplication, QDate, QLocale, QMessageBox, Qt
+from vkworkbench.gui.sentences import user
 from vkworkbench.gui.text import QT_TRANSLATE_NOOP, translate
 from vkworkbench.preferences import Preferences
 from vkworkbench.simulator_names import OPENGL, SIMULATORS
@@ -106,7 +107,8 @@ class PreferencesPage:
             "a factor of {factor}. Measured with FreeCAD {freecad} on {processor}, display {renderer}.",
         )
         self.form.calibrated.setText(text.format(
-            date=_local_date(known.date), moves=f"{1 / known.constants.call:,.0f}", factor=known.constants.legacy_factor,
+            date=_local_date(known.date), moves=user().count(round(1 / known.constants.call)),
+            factor=user().number(known.constants.legacy_factor),
             freecad=known.freecad, processor=known.processor, renderer=known.renderer or "?",
         ))  # fmt: skip
 

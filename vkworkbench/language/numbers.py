@@ -10,6 +10,7 @@ from vkworkbench.language.marking import QT_TRANSLATE_NOOP
 # From which factor on a number is said to be "about".
 ROUGH = 2.0
 ABOUT = QT_TRANSLATE_NOOP("Sentences", "about {number}")
+_BETWEEN = QT_TRANSLATE_NOOP("Sentences", "{low} to {high}")
 _PERCENT = QT_TRANSLATE_NOOP("Sentences", "{number}%")
 
 
@@ -48,15 +49,15 @@ class Reader:
     def number(self, value: float, digits: int = 6) -> str:
         """Return a number with a number of significant digits; a large one to the unit."""
         text = f"{value:.{digits}g}"
-        return self._local(f"{value:.0f}" if "e+" in text else text)
+        return self.separated(f"{value:.0f}" if "e+" in text else text)
 
     def decimals(self, value: float, places: int) -> str:
         """Return a number with that many decimals."""
-        return self._local(f"{value:.{places}f}")
+        return self.separated(f"{value:.{places}f}")
 
     def count(self, number: int) -> str:
         """Return how many there are, e.g. ``"5,752"``."""
-        return self._local(f"{number:,}")
+        return self.separated(f"{number:,}")
 
     def share(self, share: float) -> str:
         """Return a share of 1 in percent, e.g. ``"98%"``."""
@@ -65,7 +66,7 @@ class Reader:
     def turns(self, angle: float) -> str:
         """Return an angle, rad, in turns, to hundredths: what rounding left is nothing."""
         turns = round(angle / tau, 2)
-        return self._local(f"{turns:+.2f}") if turns else "0"
+        return self.separated(f"{turns:+.2f}") if turns else "0"
 
     def time(self, seconds: float) -> str:
         """Return a duration, e.g. ``"12 ms"``, ``"1.4 s"``, ``"3 min"``, ``"2.5 h"``."""
@@ -84,17 +85,21 @@ class Reader:
                 return f"{self._digits(size / factor)} {unit}"
         return f"{self._digits(size / 1e3)} kB"
 
+    def between(self, low: str, high: str) -> str:
+        """Return two numbers between which the true one is."""
+        return self.translate("Sentences", _BETWEEN).replace("{low}", low).replace("{high}", high)
+
     def about(self, text: str, factor: float) -> str:
         """Return the text of a number, with "about" before it where the true one may be half or twice of it."""
         return self.translate("Sentences", ABOUT).replace("{number}", text) if factor >= ROUGH else text
 
     def _digits(self, value: float) -> str:
         if value >= 9.95 or value == 0:
-            return self._local(f"{value:,.0f}")
-        return self._local(f"{value:.1f}" if value >= 0.095 else f"{value:.2g}")
+            return self.separated(f"{value:,.0f}")
+        return self.separated(f"{value:.1f}" if value >= 0.095 else f"{value:.2g}")
 
-    def _local(self, english: str) -> str:
-        """Return an English number with the reader's separators."""
+    def separated(self, english: str) -> str:
+        """Return an English number, alone or in a text without other points and commas, with the reader's separators."""
         return english.translate({ord("."): self.decimal, ord(","): self.thousands})
 
 

@@ -10,11 +10,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from vkworkbench import friendly
 from vkworkbench.core import Strategy, linearize, machining, recognize, signature
 from vkworkbench.core.paper.areas import monotonous_areas
 from vkworkbench.core.paper.directions import farthest
 from vkworkbench.core.paper.literal import paper_verdict
+from vkworkbench.language import ENGLISH
 from vkworkbench.report import OperationReport, Report
 
 # Operations of FreeCAD that are not part of this repository, where they are at hand.
@@ -99,9 +99,9 @@ def check(commands, diameter, file):
     assert found.paper == paper_verdict(areas)
     # What the mark, its tooltip and the panel say.
     if found.reason.startswith("phi "):
-        shown = [friendly.turns(phi) for phi in found.phi_range]
+        shown = [ENGLISH.turns(phi) for phi in found.phi_range]
         numbers = NUMBER.findall(found.reason.partition(" turns")[0])
-        assert numbers in (shown, [friendly.turns(farthest(found.phi_range))], ["0"]), found.reason
+        assert numbers in (shown, [ENGLISH.turns(farthest(found.phi_range))], ["0"]), found.reason
         assert numbers != ["0"] or shown == ["0", "0"]
     report(path, found).to_csv(file)
     with open(file, newline="", encoding="utf-8") as lines:

@@ -6,6 +6,7 @@ from __future__ import annotations
 from vkworkbench.language.marking import QT_TRANSLATE_NOOP
 
 OPERATIONS = {
+    "verbatim": "{text}",  # what was written by a version without codes
     "of": QT_TRANSLATE_NOOP("Sentences", "{label}: {sentence}"),
     "inactive": QT_TRANSLATE_NOOP("Sentences", "inactive: switch it on and recompute it"),
     "no-toolpath": QT_TRANSLATE_NOOP(
@@ -31,6 +32,7 @@ OPERATIONS = {
     "stock-without-volume": QT_TRANSLATE_NOOP(
         "Sentences", "the stock has no volume: its upper corner must exceed its lower corner in x, y and z"
     ),
+    "cost-unknown": QT_TRANSLATE_NOOP("Sentences", "cost unknown for {labels}"),
     "box-of-cuts": QT_TRANSLATE_NOOP("Sentences", "the cost is that of a box around its cuts"),
     "not-touching": QT_TRANSLATE_NOOP(
         "Sentences", "it does not touch the stock: check its depths, its placement and the stock"
