@@ -182,7 +182,7 @@ def test_no_import_goes_wrong():
         ("core.gcode.arcs", "def f():\n    from vkworkbench.core import recognize", "stands above"),
         ("language.message", "from vkworkbench import report", "stands above"),
         ("report", "from vkworkbench.document import marks", "stands above"),
-        ("document.marks", "from vkworkbench.gui.names import strategy_name", "stands above"),
+        ("document.marks", "from vkworkbench.gui.sentences import said", "stands above"),
         ("document.marks", "import vkworkbench", "stands above"),
         ("core.recognition.rows", "from vkworkbench.core.paper.areas import axis_of", "behind the face"),
         ("gui.panel", "from vkworkbench.core.solids import Tool", "behind the face of vkworkbench.core"),

@@ -11,7 +11,6 @@ import FreeCADGui as Gui
 
 from vkworkbench.core import Machining
 from vkworkbench.gui import docks, latest
-from vkworkbench.gui.names import strategy_name
 from vkworkbench.gui.panel_model import VALUE, ResultsModel, ResultsOrder, Row, rows_of
 from vkworkbench.gui.qt import (
     QAbstractItemView,
@@ -30,7 +29,7 @@ from vkworkbench.gui.qt import (
     QVBoxLayout,
     QWidget,
 )  # fmt: skip
-from vkworkbench.gui.sentences import said, user
+from vkworkbench.gui.sentences import said, strategy_name, user
 from vkworkbench.gui.text import translate
 from vkworkbench.report import Total, plain_text
 

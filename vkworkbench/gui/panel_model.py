@@ -13,9 +13,8 @@ from vkworkbench.core import Strategy
 from vkworkbench.core.simulators import Simulator, available_simulators
 from vkworkbench.document import marks
 from vkworkbench.document.intent import contradicted
-from vkworkbench.gui.names import strategy_name
 from vkworkbench.gui.qt import QAbstractTableModel, QColor, QFont, QModelIndex, QSortFilterProxyModel, Qt
-from vkworkbench.gui.sentences import said, user
+from vkworkbench.gui.sentences import said, strategy_name, user
 from vkworkbench.gui.text import translate
 from vkworkbench.language import ROUGH
 from vkworkbench.report import OperationReport, Report, Total

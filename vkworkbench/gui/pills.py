@@ -21,7 +21,6 @@ from vkworkbench.core import Strategy
 from vkworkbench.document import marks
 from vkworkbench.gui import tree
 from vkworkbench.gui.colors import TEXT, TOTAL
-from vkworkbench.gui.names import strategy_name
 from vkworkbench.gui.qt import (
     QApplication,
     QColor,
@@ -35,7 +34,7 @@ from vkworkbench.gui.qt import (
     Qt,
     QToolTip,
 )  # fmt: skip
-from vkworkbench.gui.sentences import said, user
+from vkworkbench.gui.sentences import said, strategy_name, user
 from vkworkbench.gui.text import translate
 from vkworkbench.language import ENGLISH, ROUGH
 from vkworkbench.simulator_names import ZBUFFER

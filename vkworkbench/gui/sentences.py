@@ -6,6 +6,8 @@ Documents, CSV and JSON keep English sentences and millimetres, the same for eve
 
 from __future__ import annotations
 
+from enum import Enum
+
 import FreeCAD
 
 from vkworkbench.gui.qt import QLocale
@@ -39,6 +41,11 @@ def user() -> User:
 def said(message: Message) -> str:
     """Return the sentence of a message as the user reads it."""
     return render(message, user())
+
+
+def strategy_name(strategy: Enum) -> str:
+    """Return the name of a member of `Strategy` in the user's language; loads no numpy, as its table would."""
+    return user().translate("Strategy", strategy.label)
 
 
 def _quantity(millimetres: float):
