@@ -37,7 +37,7 @@ from measuring import RENDERER, quantiles, shape, stolen
 
 from vkworkbench import freecad
 from vkworkbench.core import Stock, Tool, linearize
-from vkworkbench.core.simulators import Simulator, available_simulators, legacy_costs
+from vkworkbench.core.simulators import OPENGL, Task, available, legacy_costs
 from vkworkbench.document.calibration import calibrate
 from vkworkbench.document.operations import find
 from vkworkbench.document.setting import read_stock, read_tool
@@ -58,7 +58,7 @@ def main():
         import simulators_window
 
         calibrate_undisturbed()
-        if Simulator.OPENGL in available_simulators(freecad.version()):
+        if OPENGL in available(freecad.version()):
             import simulators_opengl
 
             simulators_opengl.run(samples, OUT)
@@ -100,7 +100,7 @@ def headless(samples):
     exact = total = 0
     for _, commands, tool, stock in samples:
         path = linearize(commands)
-        predictions = legacy_costs(path, tool=tool, stock=stock, accuracies=ACCURACIES, constants=constants)
+        predictions = legacy_costs(Task(path, tool, stock), accuracies=ACCURACIES, constants=constants)
         for accuracy, predicted in zip(ACCURACIES, predictions):
             moves, cut, mesh, facets, cells = really(commands, tool, stock, predicted.resolution, accuracy)
             exact += abs(moves - predicted.moves) <= max(3, 0.02 * moves)

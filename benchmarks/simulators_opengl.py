@@ -19,7 +19,7 @@ from PySide import QtCore, QtGui
 
 from vkworkbench import freecad
 from vkworkbench.core import Tool, linearize
-from vkworkbench.core.simulators import opengl_cost, opengl_speeds
+from vkworkbench.core.simulators import Task, opengl_cost, opengl_speeds
 from vkworkbench.document.calibration import constants
 
 LONGEST = 8.0  # s
@@ -49,9 +49,7 @@ def run(samples, out):
     simulator = PathSim()
     cases = []
     for label, commands, tool, stock in [*lines_and_arcs(samples[0]), *samples]:
-        cost = opengl_cost(
-            linearize(commands), tool=tool, stock=stock, speeds=(speed,), constants=constants(RENDERER)
-        )
+        cost = opengl_cost(Task(linearize(commands), tool, stock), speeds=(speed,), constants=constants(RENDERER))
         if 1 < cost.play_seconds[speed] < LONGEST:
             frames = -(-cost.steps // speed)
             cases.append((label, cost, partial(play, simulator, commands, tool, stock, frames)))

@@ -18,7 +18,8 @@ from PySide import QtCore
 
 from vkworkbench import freecad
 from vkworkbench.core import Stock, Tool, linearize
-from vkworkbench.core.simulators import legacy_costs, preflight
+from vkworkbench.core.gcode import Words
+from vkworkbench.core.simulators import Conditions, Task, legacy_costs, preflight
 from vkworkbench.document.calibration import constants, learn, load
 
 LONGEST = {"fast-forward": 7000, "play": 100}  # commands
@@ -41,7 +42,8 @@ def run(samples, out):
     ratios, alone = ({kind: [] for kind in LONGEST} for _ in range(2))
     for (kind, label, commands, path, tool, stock), seconds in zip(cases, durations):
         heading = f"  {kind:13}{label:40.40}{len(commands):6} commands"
-        hangs = [c for c in preflight(commands, path, version=freecad.version()) if c.code == "legacy-hangs"]
+        cautions = preflight(Task(path, words=Words(commands)), {}, Conditions(version=freecad.version()))
+        hangs = [caution for caution in cautions if caution.code == "legacy-hangs"]
         if seconds is None:
             print(f"{heading}  hangs, {'announced' if hangs else 'NOT announced'}", file=out)
             continue
@@ -56,7 +58,7 @@ def run(samples, out):
         alone[kind].append(max(unlearned / true, true / unlearned))
         if len(load(RENDERER).runs[kind]) >= ENOUGH:
             ratios[kind].append(max(predicted / true, true / predicted))
-        learn(cost, true, played=kind == "play", renderer=RENDERER)
+        learn(kind, cost, true, renderer=RENDERER)
     for kind, values in ratios.items():
         print(summary(f"{kind}, by calibration alone", alone[kind]), file=out)
         print(summary(kind, values), file=out)
@@ -65,7 +67,7 @@ def run(samples, out):
 
 def cost_of(path, tool, stock, known):
     """Predict what a path costs, with the constants known."""
-    return legacy_costs(path, tool=tool, stock=stock, constants=known)[0]
+    return legacy_costs(Task(path, tool, stock), constants=known)[0]
 
 
 def seconds_of(cost, kind):

@@ -26,7 +26,8 @@ sys.path[:0] = [str(Path(__file__).parent), str(Path(__file__).parents[1])]
 import programs
 
 from vkworkbench.core import Stock, Strategy, Tool, View, estimate, linearize, machining, recognize, signature
-from vkworkbench.core.simulators import opengl_cost, preflight
+from vkworkbench.core.gcode import Words
+from vkworkbench.core.simulators import Conditions, Task, opengl_cost, preflight
 
 # Time of one call is bounded by START + EACH * (commands + trajectories): linear, whatever the commands say.
 START, EACH = 0.5, 50e-6  # s
@@ -142,7 +143,8 @@ def feed_program(commands, tolerance=0.01, diameter=5.0):
         with warnings.catch_warnings():
             warnings.simplefilter("error")
             try:
-                path = linearize(commands, tolerance=tolerance)
+                words = Words(commands)
+                path = linearize(words, tolerance=tolerance)
             except ValueError as error:
                 assert str(error).startswith(REFUSALS), error
                 return Result("refused", count, 0, time.process_time() - start)
@@ -160,8 +162,8 @@ def feed_program(commands, tolerance=0.01, diameter=5.0):
             if tool is not None:
                 cost = estimate(path, found, tool=tool, stock=STOCK, view=VIEW)
                 check_estimate(cost)
-                opengl_cost(path, tool=tool, stock=STOCK)
-            preflight(commands, path, version=(1, 0), diameter=tool and diameter)
+                opengl_cost(Task(path, tool, STOCK))
+            preflight(Task(path, tool, STOCK, words), {}, Conditions(version=(1, 0)))
     except Exception as error:
         return Result(where(error), count, len(path), time.process_time() - start)
     result = Result("read", count, len(path), time.process_time() - start)

@@ -9,9 +9,8 @@ registered when FreeCAD starts.
 from __future__ import annotations
 
 import sys
+from collections.abc import Callable
 from dataclasses import dataclass, field, fields
-
-from vkworkbench.simulator_names import OPENGL, SIMULATORS, ZBUFFER
 
 GROUP = "User parameter:BaseApp/Preferences/Mod/VkWorkbench"
 
@@ -26,8 +25,16 @@ def _number(default: float, least: float, most: float):
     return field(default=default, metadata={"least": least, "most": most})
 
 
-def _choice(default: str, choices):
-    return field(default=default, metadata={"choices": tuple(choices)})
+def _choice(default: str, choices: Callable[[], tuple[str, ...]]):
+    return field(default=default, metadata={"choices": choices})
+
+
+def _simulators() -> tuple[str, ...]:
+    """Names of the simulators that this FreeCAD has."""
+    from vkworkbench.core.simulators import available
+    from vkworkbench.freecad import version
+
+    return tuple(simulator.name for simulator in available(version()))
 
 
 @dataclass(frozen=True)
@@ -62,14 +69,14 @@ class Preferences:
         OpenGL's name of what draws on this computer, noted by the last calibration; not on the page.
     """
 
-    mark_simulator: str = _choice(ZBUFFER, SIMULATORS)
+    mark_simulator: str = _choice("z-buffer", _simulators)
     legacy_accuracy: float = _number(0.1, 0.1, 1.0)
     opengl_quality: int = _number(10, 1, 10)
     time_budget: float = _number(600.0, 0.1, 1e6)
     memory_budget: float = _number(1000.0, 1.0, 1e6)
     image_width: int = _number(800, 1, 10_000)
     image_height: int = _number(600, 1, 10_000)
-    view_direction: str = _choice("Top", DIRECTIONS)
+    view_direction: str = _choice("Top", lambda: tuple(DIRECTIONS))
     tolerance: float = _number(0.01, 1e-4, 1.0)
     analyze_after_recompute: bool = False
     show_pills: bool = True
@@ -126,8 +133,5 @@ def entry(name: str) -> str:
 
 def _possible(value, limits) -> bool:
     if "choices" in limits:
-        # The parameters may be those of a newer FreeCAD.
-        from vkworkbench.freecad import version
-
-        return value in limits["choices"] and (value != OPENGL or version() >= (1, 0))
+        return value in limits["choices"]()  # the parameters may be those of a newer FreeCAD
     return not limits or limits["least"] <= value <= limits["most"]

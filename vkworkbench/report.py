@@ -11,18 +11,8 @@ from typing import Any
 
 from vkworkbench.core import Estimate, Machining, Recognition, Span, Strategy
 from vkworkbench.core.paper import PaperVerdict
-from vkworkbench.core.simulators import (
-    Accuracy,
-    Caution,
-    LegacyCost,
-    OpenGLCost,
-    best_accuracy,
-    legacy_together,
-    opengl_together,
-)
-from vkworkbench.core.zbuffer import Resolution, best_resolution
+from vkworkbench.core.simulators import ZBUFFER, Caution, Cost, Costs, LegacyCost, together
 from vkworkbench.language import ENGLISH, Message, render
-from vkworkbench.simulator_names import LEGACY, OPENGL, ZBUFFER
 
 # What spreadsheets take for a formula, behind anything they skip; the full-width signs in East Asian ones.
 _FORMULA = re.compile(r"[\s\x00-\x1f\ufeff\u200b-\u200f\u2060]*[=+\-@＝＋－＠]")
@@ -34,7 +24,7 @@ class Cancelled(Exception):
 
 
 @dataclass(frozen=True)
-class OperationReport:
+class OperationReport(Costs):
     """What was found about one operation.
 
     Attributes
@@ -51,18 +41,8 @@ class OperationReport:
         Number of straight moves, arcs chopped.
     machining : Machining
         Own lengths and machining time (FreeCAD's are wrong for arcs).
-    estimate : Estimate or None
-        Dexels, traces, memory and time of simulating it; None where `remarks` says why.
-    legacy : LegacyCost or None
-        What FreeCAD's legacy simulator takes for it, at the accuracy of the preferences.
-    legacy_positions : tuple of LegacyCost
-        The same at each position of its accuracy slider, 1 to 10; empty where `remarks` says why.
-    opengl : OpenGLCost or None
-        What FreeCAD's OpenGL simulator takes for it; None also where this FreeCAD has none.
-    resolution : Resolution or None
-        The finest image of the z-buffer within the budget of the preferences; None where `remarks` says why.
-    accuracy : Accuracy or None
-        The finest accuracy of playing in the legacy simulator within that budget; None likewise.
+    costs, advice : dict
+        As of `Costs`; empty where `remarks` says why.
     cautions : tuple of Caution
         What will go wrong or take long in FreeCAD's simulators, the worst first.
     remarks : tuple of Message
@@ -79,12 +59,8 @@ class OperationReport:
     recognition: Recognition
     trajectories: int
     machining: Machining
-    estimate: Estimate | None
-    legacy: LegacyCost | None
-    legacy_positions: tuple[LegacyCost, ...]
-    opengl: OpenGLCost | None
-    resolution: Resolution | None
-    accuracy: Accuracy | None
+    costs: dict[str, Cost]
+    advice: dict[str, Any]
     cautions: tuple[Caution, ...]
     remarks: tuple[Message, ...]
     fingerprint: str
@@ -106,6 +82,16 @@ class OperationReport:
         return self.recognition.spans
 
     @property
+    def estimate(self) -> Estimate | None:
+        """Dexels, traces, memory and time of simulating it in the extended z-buffer."""
+        return self.costs.get(ZBUFFER.name)
+
+    @property
+    def legacy_positions(self) -> tuple[LegacyCost, ...]:
+        """What the legacy simulator takes at each position of its accuracy slider, 1 to 10."""
+        return self.legacy.positions if self.legacy else ()
+
+    @property
     def length(self) -> float:
         """Cutting length, mm, arcs by their exact length."""
         return self.machining.cutting_length
@@ -120,31 +106,9 @@ class OperationReport:
         """All that is told of it: the reason, remarks, cautions, and what the machining time leaves out."""
         return (self.recognition.why, *self.remarks, *(c.what for c in self.cautions), *self.machining.left_out)
 
-    def cost(self, simulator: str) -> tuple[float, float] | None:
-        """Return seconds and bytes of simulating it, None where they are not known.
-
-        Parameters
-        ----------
-        simulator : {"z-buffer", "legacy", "OpenGL"}
-            The legacy simulator runs in fast-forward, the OpenGL simulator at its highest speed.
-        """
-        if simulator == LEGACY:
-            return self.legacy and (self.legacy.fast_forward_seconds, self.legacy.memory_bytes)
-        if simulator == OPENGL:
-            return self.opengl and (self.opengl.fastest_seconds, self.opengl.memory_bytes)
-        return self.estimate and (self.estimate.seconds, float(self.estimate.memory_bytes))
-
-    def factor(self, simulator: str) -> float:
-        """Return how sure the time of :meth:`cost` is: the true one is between it divided and multiplied by this."""
-        if simulator == LEGACY:
-            return self.legacy.constants.legacy_factor if self.legacy else 1.0
-        if simulator == OPENGL:
-            return self.opengl.constants.opengl_factor if self.opengl else 1.0
-        return self.estimate.speed.factor if self.estimate else 1.0
-
     def as_dict(self) -> dict[str, Any]:
         """Return the report as numbers, strings and lists, in mm, s, rad and bytes."""
-        found, estimate = self.recognition, self.estimate
+        found = self.recognition
         return {
             "document": self.document,
             "name": self.name,
@@ -170,15 +134,9 @@ class OperationReport:
             "depth": self.machining.depth,
             "machining_seconds": self.machining.seconds,
             "machining_notes": list(self.machining.notes),
-            "dexels": estimate and estimate.dexels,
-            "traces": estimate and estimate.traces,
-            "traces_error": estimate and estimate.traces_error,
-            "memory_bytes": estimate and estimate.memory_bytes,
-            "seconds": estimate and estimate.seconds,
-            "factor": self.estimate and self.factor(ZBUFFER),
-            **_simulators(self),
-            "legacy_factor": self.factor(LEGACY),
-            "opengl_factor": self.factor(OPENGL),
+            **ZBUFFER.figures(self.estimate),
+            **self.columns(),
+            **self.factors(),
             "error": self.error,
             "cautions": [caution.message for caution in self.cautions],
             "messages": {
@@ -186,7 +144,7 @@ class OperationReport:
                 "remarks": [remark.as_data() for remark in self.remarks],
                 "cautions": [caution.what.as_data() for caution in self.cautions],
                 "machining_notes": [note.as_data() for note in self.machining.left_out],
-                **_advice(self),
+                **self.advice_messages(),
             },
             "spans": [
                 {"strategy": s.strategy.value, "first_command": s.first_command, "last_command": s.last_command,
@@ -212,7 +170,7 @@ def _paper(verdict: PaperVerdict | None) -> dict[str, Any]:
 
 
 @dataclass(frozen=True)
-class Total:
+class Total(Costs):
     """What the operations of one job that are posted take together.
 
     Attributes
@@ -224,15 +182,10 @@ class Total:
         Cutting length, mm.
     machining_seconds : float
         Time of the moves whose speed is known.
-    seconds, memory_bytes : float
-        Of the extended z-buffer, s and bytes.
     incomplete : bool
         Whether some operation's cost is unknown, so that the sums are lower bounds.
-    legacy, opengl : LegacyCost, OpenGLCost or None
-        Of FreeCAD's simulators, one operation after another: more than the sum where what was cut before is
-        drawn again. None where there is none, or no operation's cost is known.
-    resolution, accuracy : Resolution, Accuracy or None
-        The finest image and accuracy within the budget for all of them together.
+    costs, advice : dict
+        As of `Costs`, for the operations one after another; empty where no operation's cost is known.
     """
 
     document: str
@@ -242,13 +195,19 @@ class Total:
     trajectories: int
     length: float
     machining_seconds: float
-    seconds: float
-    memory_bytes: float
     incomplete: bool
-    legacy: LegacyCost | None
-    opengl: OpenGLCost | None
-    resolution: Resolution | None
-    accuracy: Accuracy | None
+    costs: dict[str, Cost]
+    advice: dict[str, Any]
+
+    @property
+    def seconds(self) -> float:
+        """Of the extended z-buffer, s; 0 where no operation's cost is known."""
+        return (self.cost(ZBUFFER.name) or (0, 0))[0]
+
+    @property
+    def memory_bytes(self) -> float:
+        """Of the extended z-buffer, likewise."""
+        return (self.cost(ZBUFFER.name) or (0, 0))[1]
 
     def as_dict(self) -> dict[str, Any]:
         """Return the total as numbers and strings, in mm, s and bytes."""
@@ -263,31 +222,9 @@ class Total:
             "seconds": self.seconds,
             "memory_bytes": self.memory_bytes,
             "incomplete": self.incomplete,
-            **_simulators(self),
-            "messages": _advice(self),
+            **self.columns(),
+            "messages": self.advice_messages(),
         }
-
-
-def _simulators(of: OperationReport | Total) -> dict[str, Any]:
-    """Return the best resolution and accuracy, and what FreeCAD's simulators take, s and bytes."""
-    return {
-        "resolution": of.resolution and of.resolution.explanation,
-        "legacy_accuracy": of.accuracy and of.accuracy.explanation,
-        "legacy_seconds": of.legacy and of.legacy.fast_forward_seconds,
-        "legacy_play_seconds": of.legacy and of.legacy.play_seconds,
-        "legacy_memory_bytes": of.legacy and of.legacy.memory_bytes,
-        "opengl_seconds": of.opengl and of.opengl.fastest_seconds,
-        "opengl_frame_seconds": of.opengl and of.opengl.frame_seconds,
-        "opengl_memory_bytes": of.opengl and of.opengl.memory_bytes,
-    }
-
-
-def _advice(of: OperationReport | Total) -> dict[str, Any]:
-    """Return the messages of the best resolution and accuracy, as plain data."""
-    return {
-        "resolution": of.resolution and of.resolution.why.as_data(),
-        "legacy_accuracy": of.accuracy and of.accuracy.why.as_data(),
-    }
 
 
 @dataclass(frozen=True)
@@ -314,26 +251,20 @@ class Report:
 
     def _total(self, document: str, job: str, label: str) -> Total:
         counted = [o for o in self.operations if o.counted and (o.document, o.job) == (document, job)]
-        known = [o for o in counted if o.estimate]
-        costs = [o.estimate for o in known]
-        labels = [o.label for o in known]
-        stepover = min((o.recognition.stepover for o in known if o.recognition.stepover), default=None)
-        legacy = [o.legacy for o in known if o.legacy]
-        opengl = [o.opengl for o in known if o.opengl]
-        positions = [o.legacy_positions for o in known if o.legacy_positions]
+        known = [o for o in counted if o.costs]
+        costs, advice = together(
+            [o.costs for o in known], labels=[o.label for o in known],
+            stepover=min((o.recognition.stepover for o in known if o.recognition.stepover), default=None), **self.budget,
+        )  # fmt: skip
         return Total(
             document, job, label,
             operations=len(counted),
             trajectories=sum(o.trajectories for o in counted),
             length=sum(o.length for o in counted),
             machining_seconds=sum(o.machining.seconds or 0.0 for o in counted),
-            seconds=sum(e.seconds for e in costs),
-            memory_bytes=sum(e.memory_bytes for e in costs),
             incomplete=len(known) < sum(o.trajectories > 0 for o in counted),
-            legacy=legacy_together(legacy) if legacy else None,
-            opengl=opengl_together(opengl) if opengl else None,
-            resolution=best_resolution(costs, stepover=stepover, labels=labels, **self.budget) if known else None,
-            accuracy=best_accuracy(positions, stepover=stepover, labels=labels, **self.budget) if positions else None,
+            costs=costs,
+            advice=advice,
         )  # fmt: skip
 
     def __str__(self) -> str:

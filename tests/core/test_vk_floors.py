@@ -27,7 +27,6 @@ FLOORS = (
     ("core.zbuffer",),
     ("core.simulators",),
     ("core",),
-    ("simulator_names",),
     ("report",),
     ("freecad",),
     ("preferences",),

@@ -3,13 +3,15 @@
 
 import csv
 import json
+import sys
+from pathlib import PurePath
 
 import FreeCAD
 import Path
 import pytest
 
 import vkworkbench
-from vkworkbench import core
+from vkworkbench import core, freecad
 from vkworkbench.document.setting import read_tool
 from vkworkbench.language import Message, render
 
@@ -285,3 +287,25 @@ def test_an_error_of_our_own_costs_one_row_only(small, zigzag_commands, monkeypa
     rows = vkworkbench.analyze(small.document).operations
     assert [row.strategy.value for row in rows] == ["empty", "zigzag"]
     assert "please report" in rows[0].error and rows[1].error is None
+
+
+def test_everything_is_read_and_made_once(small, zigzag_commands):
+    """Words and motions of the commands, tool and stock of the document: one analysis, one of each."""
+    arc = ("G2", {"X": 30.0, "Y": 20.0, "I": -5.0, "J": 0.0})  # so that what goes wrong with arcs is looked at
+    small.add("Rows", [*zigzag_commands, ("G1", {"X": 40.0, "Y": 20.0, "Z": 15.0}), arc])
+    vkworkbench.analyze(small.document)  # measures the computer where nobody has
+    counted = dict.fromkeys(["words.__init__", "motions.motions", "setting.read_tool", "setting.read_stock"], 0)
+
+    def count(frame, event, argument):
+        name = f"{PurePath(frame.f_code.co_filename).stem}.{frame.f_code.co_name}"
+        if event == "call" and name in counted:
+            counted[name] += 1
+
+    sys.setprofile(count)
+    try:
+        report = vkworkbench.analyze(small.document)
+    finally:
+        sys.setprofile(None)
+    (found,) = report.operations
+    assert found.legacy is not None and (found.opengl is not None) == (freecad.version() >= (1, 0))
+    assert counted == dict.fromkeys(counted, 1)

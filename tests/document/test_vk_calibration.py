@@ -12,7 +12,7 @@ import pytest
 
 from vkworkbench import freecad
 from vkworkbench.core import Speed, Stock, Tool, linearize
-from vkworkbench.core.simulators import DEFAULTS, Constants, legacy_costs, opengl_cost
+from vkworkbench.core.simulators import DEFAULTS, Constants, Task, legacy_costs, opengl_cost
 from vkworkbench.document import calibration
 
 
@@ -100,23 +100,23 @@ def cost_of(commands, **known):
         ("G1", {"X": 10.0 + 60 * (i % 2), "Y": 5.0 + i % 40, "Z": 10.0, "F": 5.0}) for i in range(commands)
     ]
     tool, stock = Tool("endmill", 6.0), Stock((0, 0, 0), (100, 60, 20))
-    return legacy_costs(linearize(rows), tool=tool, stock=stock, **known)[0]
+    return legacy_costs(Task(linearize(rows), tool, stock), **known)[0]
 
 
 def test_real_runs_teach_fast_forward_and_the_display(folder, monkeypatch):
     # Measured while other programs run, a cut could outlast the tick, which then could not be learned exactly.
     monkeypatch.setattr(calibration, "_measure", lambda: DEFAULTS)
     calibration.calibrate("card")
-    assert calibration.learn(cost_of(10), 3.0, played=True, renderer="card") is None
+    assert calibration.learn("play", cost_of(10), 3.0, renderer="card") is None
     cost = cost_of(100, constants=calibration.constants("card"))
-    assert calibration.learn(cost, cost.play_seconds / 4, played=True, renderer="card").constants.redraw == 1e-3
+    assert calibration.learn("play", cost, cost.play_seconds / 4, renderer="card").constants.redraw == 1e-3
     slow = Constants(start=0.9, tick=3e-3, repaint=0.03, redraw=0.2)
     for commands in (10, 1000, 60, 2000, 150, 1000, 30):
-        for played in (False, True):
+        for kind in ("fast-forward", "play"):
             true = cost_of(commands, constants=slow)
             predicted = cost_of(commands, constants=calibration.constants("card"))
-            seconds = true.play_seconds if played else true.fast_forward_seconds
-            calibration.learn(predicted, seconds, played=played, renderer="card")
+            seconds = true.play_seconds if kind == "play" else true.fast_forward_seconds
+            calibration.learn(kind, predicted, seconds, renderer="card")
     learned = calibration.constants("card")
     assert learned.start == pytest.approx(0.9, rel=0.1) and learned.tick == pytest.approx(3e-3, rel=0.05)
     assert learned.repaint == pytest.approx(0.03, rel=0.1) and learned.redraw == pytest.approx(0.2, rel=0.02)
@@ -129,14 +129,14 @@ def frame_cost(renderer, rows=400, slower=1.0):
     known = calibration.constants(renderer)
     known = replace(known, frame=known.frame * slower, draw=known.draw * slower)
     tool, stock = Tool("endmill", 6.0), Stock((0, 0, 0), (100, 60, 20))
-    return opengl_cost(linearize(commands), tool=tool, stock=stock, constants=known)
+    return opengl_cost(Task(linearize(commands), tool, stock), constants=known)
 
 
 @pytest.mark.parametrize("renderer, slower", [("card", 30.0), ("llvmpipe", 3.0), ("llvmpipe", 0.3)])
 def test_the_last_frame_teaches_how_fast_opengl_draws(folder, renderer, slower):
     calibration.calibrate(renderer)
     true = frame_cost(renderer, slower=slower)
-    learned = calibration.learn_frame(frame_cost(renderer), true.frame_seconds, renderer=renderer).constants
+    learned = calibration.learn("draw", frame_cost(renderer), true.frame_seconds, renderer=renderer).constants
     assert (learned.frame, learned.draw) == pytest.approx((true.constants.frame, true.constants.draw))
     assert frame_cost(renderer).play_seconds == pytest.approx(true.play_seconds)
     assert calibration.calibrate(renderer).constants.draw == learned.draw  # what was learned stays
@@ -144,19 +144,19 @@ def test_the_last_frame_teaches_how_fast_opengl_draws(folder, renderer, slower):
 
 def test_a_frame_teaches_nothing_if_it_waited_for_the_screen_or_drew_nothing(folder):
     calibration.calibrate("card")
-    assert calibration.learn_frame(frame_cost("card"), 1.1 * DEFAULTS.refresh, renderer="card") is None
-    assert calibration.learn_frame(frame_cost("card", rows=0), 1.0, renderer="card") is None
+    assert calibration.learn("draw", frame_cost("card"), 1.1 * DEFAULTS.refresh, renderer="card") is None
+    assert calibration.learn("draw", frame_cost("card", rows=0), 1.0, renderer="card") is None
 
 
 def test_one_odd_run_does_no_harm_and_a_new_benchmark_forgets_nothing(folder):
     calibration.calibrate()
     true = cost_of(1000, constants=calibration.constants()).fast_forward_seconds
     for seconds in (true, 1e4, true, true):
-        calibration.learn(cost_of(1000, constants=calibration.constants()), seconds, played=False)
+        calibration.learn("fast-forward", cost_of(1000, constants=calibration.constants()), seconds)
     assert cost_of(1000, constants=calibration.constants()).fast_forward_seconds == pytest.approx(true, rel=0.2)
     taught = calibration.load().runs
     assert len(taught["fast-forward"]) == 4 and calibration.calibrate().runs == taught
 
 
 def test_nothing_is_learned_before_the_benchmark(folder):
-    assert calibration.learn(cost_of(1000), 5.0, played=False) is None and not list(folder.iterdir())
+    assert calibration.learn("fast-forward", cost_of(1000), 5.0) is None and not list(folder.iterdir())

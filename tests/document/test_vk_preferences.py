@@ -8,10 +8,9 @@ import pytest
 
 import vkworkbench
 from vkworkbench import freecad, preferences
-from vkworkbench.core.simulators import DEFAULTS
+from vkworkbench.core.simulators import DEFAULTS, LEGACY, OPENGL, ZBUFFER
 from vkworkbench.document import marks, upkeep
 from vkworkbench.preferences import Preferences
-from vkworkbench.simulator_names import LEGACY, OPENGL, ZBUFFER
 
 ARC = [("G0", {"X": 20, "Y": 10, "Z": 25}), ("G1", {"Z": 18, "F": 5}), ("G2", {"X": 40, "Y": 10, "I": 10, "J": 0})]
 
@@ -39,12 +38,12 @@ def analyzed(obj):
 
 def test_defaults_and_their_parameters():
     assert preferences.read() == Preferences()
-    preferences.write(image_width=1234, tolerance=0.02, analyze_after_recompute=True, mark_simulator=LEGACY)
+    preferences.write(image_width=1234, tolerance=0.02, analyze_after_recompute=True, mark_simulator=LEGACY.name)
     group = FreeCAD.ParamGet(preferences.GROUP)
     assert group.GetInt("ImageWidth") == 1234 and group.GetFloat("Tolerance") == 0.02
-    assert group.GetBool("AnalyzeAfterRecompute") and group.GetString("MarkSimulator") == LEGACY
+    assert group.GetBool("AnalyzeAfterRecompute") and group.GetString("MarkSimulator") == LEGACY.name
     read = preferences.read()
-    assert (read.image_width, read.tolerance, read.mark_simulator) == (1234, 0.02, LEGACY)
+    assert (read.image_width, read.tolerance, read.mark_simulator) == (1234, 0.02, LEGACY.name)
     assert read.image_height == Preferences().image_height
 
 
@@ -111,24 +110,24 @@ def test_constants_of_this_computer(arc, monkeypatch):
     assert asked == ["llvmpipe"]
 
 
-@pytest.mark.parametrize("simulator", [ZBUFFER, LEGACY, OPENGL])
+@pytest.mark.parametrize("simulator", [ZBUFFER.name, LEGACY.name, OPENGL.name])
 def test_whose_cost_the_mark_shows(arc, small, simulator):
     preferences.write(mark_simulator=simulator)
-    if simulator == OPENGL and freecad.version() < (1, 0):
-        simulator = ZBUFFER  # where there is no such simulator
+    if simulator == OPENGL.name and freecad.version() < (1, 0):
+        simulator = ZBUFFER.name  # where there is no such simulator
     report = vkworkbench.analyze(arc)
     vkworkbench.mark(report)
     seconds, memory = report.operations[0].cost(simulator)
     assert (arc.ToolpathSimulator, arc.ToolpathSeconds, arc.ToolpathMemory) == (simulator, seconds, memory)
     for obj in (arc, small.job):
         named = f" · {simulator} " in obj.Label2
-        assert named == (simulator != ZBUFFER)
+        assert named == (simulator != ZBUFFER.name)
 
 
 def test_marks_of_different_simulators_have_no_total(arc, small):
     other = small.add("Other", ARC)
     vkworkbench.mark(vkworkbench.analyze(arc))
-    preferences.write(mark_simulator=LEGACY)
+    preferences.write(mark_simulator=LEGACY.name)
     vkworkbench.mark(vkworkbench.analyze(other))
     assert marks.is_marked(arc) and marks.is_marked(other) and not marks.is_marked(small.job)
 

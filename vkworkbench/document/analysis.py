@@ -13,22 +13,10 @@ from dataclasses import dataclass, replace
 import FreeCAD
 
 from vkworkbench import freecad, preferences
-from vkworkbench.core import Speed, Stock, Strategy, Tool, estimate, linearize, machining, recognize, stock_around
-from vkworkbench.core.gcode import looks_like_inches
+from vkworkbench.core import Stock, Strategy, Tool, linearize, machining, recognize, stock_around
+from vkworkbench.core.gcode import Words, looks_like_inches
 from vkworkbench.core.recognition import recognize_inches
-from vkworkbench.core.simulators import (
-    SLIDER,
-    Constants,
-    LegacyCost,
-    Simulator,
-    available_simulators,
-    best_accuracy,
-    legacy_costs,
-    opengl_cost,
-    opengl_speeds,
-    preflight,
-)
-from vkworkbench.core.zbuffer import best_resolution
+from vkworkbench.core.simulators import ZBUFFER, Conditions, Task, predict, preflight
 from vkworkbench.document import calibration
 from vkworkbench.document.fingerprint import commands_fingerprint, setting_fingerprint
 from vkworkbench.document.operations import Operation, find
@@ -38,6 +26,7 @@ from vkworkbench.preferences import Preferences
 from vkworkbench.report import Cancelled, OperationReport, Report
 
 _PATIENCE = 0.05  # s between two questions whether to go on
+_NOTHING = linearize([])
 
 
 def analyze(
@@ -81,7 +70,16 @@ def analyze(
             raise ValueError("no document is open: open one with a job or a toolpath")
     operations = find(what)
     chosen = preferences.read()
-    computer = calibration.measured_constants(chosen.renderer), calibration.measured_speed()
+    conditions = Conditions(
+        version=freecad.version(),
+        constants=calibration.measured_constants(chosen.renderer),
+        speed=calibration.measured_speed(),
+        view=chosen.view,
+        legacy_accuracy=chosen.legacy_accuracy,
+        opengl_quality=chosen.opengl_quality,
+        memory_budget=chosen.memory_budget_bytes,
+        time_budget=chosen.time_budget,
+    )
     jobs = {(o.job.Document.Name, o.job.Name): o.job.Label for o in operations if o.job is not None}
     labels = [o.object.Label for o in operations]
     reports = []
@@ -92,7 +90,7 @@ def analyze(
             progress(done, len(operations), labels[done])
         with suppress(ReferenceError):  # deleted meanwhile, or its document closed
             reading = _read(operation)
-            reports.append(_patiently(lambda going_on, reading=reading: _row(reading, chosen, computer, going_on),
+            reports.append(_patiently(lambda going_on, reading=reading: _row(reading, chosen, conditions, going_on),
                                       cancelled))  # fmt: skip
     return Report(tuple(reports), jobs, chosen.budget)
 
@@ -115,12 +113,12 @@ class _Reading:
     remarks: tuple[Message, ...]
     rapid_feeds: tuple[float, float]
     setting_fingerprint: str
-    version: tuple[int, ...]
 
 
 def _read(operation: Operation) -> _Reading:
     obj, job = operation.object, operation.job
     remarks: list[Message] = []
+    tool, stock = _or_remark(remarks, read_tool, obj), _or_remark(remarks, read_stock, job)
     return _Reading(
         document=obj.Document.Name,
         name=obj.Name,
@@ -131,12 +129,11 @@ def _read(operation: Operation) -> _Reading:
         imported=freecad.is_imported(obj),
         path=obj.Path,
         placement=obj.Placement,
-        tool=_or_remark(remarks, read_tool, obj),
-        stock=_or_remark(remarks, read_stock, job),
+        tool=tool,
+        stock=stock,
         remarks=tuple(remarks),
         rapid_feeds=rapid_feeds(obj),
-        setting_fingerprint=setting_fingerprint(obj, job),
-        version=freecad.version(),
+        setting_fingerprint=setting_fingerprint(tool, stock),
     )
 
 
@@ -167,11 +164,11 @@ def _patiently(work: Callable, cancelled: Callable[[], bool] | None):
 
 
 def _row(
-    reading: _Reading, chosen: Preferences, computer: tuple[Constants, Speed], going_on: Callable
+    reading: _Reading, chosen: Preferences, conditions: Conditions, going_on: Callable
 ) -> OperationReport:
     """The row of one operation, whatever happens: an error of ours must not cost the others theirs."""
     try:
-        return _work(reading, chosen, computer, going_on)
+        return _work(reading, chosen, conditions, going_on)
     except Cancelled:
         raise
     except Exception as error:
@@ -180,18 +177,18 @@ def _row(
 
 
 def _work(
-    reading: _Reading, chosen: Preferences, computer: tuple[Constants, Speed], going_on: Callable
+    reading: _Reading, chosen: Preferences, conditions: Conditions, going_on: Callable
 ) -> OperationReport:
-    constants, speed = computer
-    tool, stock, version = reading.tool, reading.stock, reading.version
+    tool, stock = reading.tool, reading.stock
     remarks = list(reading.remarks)
     commands = reading.path.Commands
     going_on()
+    words = Words(commands)
     try:
-        toolpath = placed(linearize(commands, tolerance=chosen.tolerance), reading.placement)
+        toolpath = placed(linearize(words, tolerance=chosen.tolerance), reading.placement)
     except Unusable as error:
         remarks.append(error.what)
-        toolpath = linearize([])
+        toolpath = _NOTHING
     going_on()
     diameter = tool and tool.diameter
     if reading.imported and looks_like_inches(toolpath, tool_diameter=diameter, imported=True):
@@ -208,26 +205,14 @@ def _work(
         remarks.append(Message("box-of-cuts"))
         stock = stock_around(toolpath, tool)
     remarks += [problem.remark for problem in toolpath.problems]
-    cost = legacy = opengl = resolution = accuracy = None
-    positions: list[LegacyCost] = []
+    task = Task(toolpath, tool, stock, words, found)
+    costs, advice = {}, {}
     if tool and stock and found.strategy is not Strategy.EMPTY:
-        going_on()
-        cost = estimate(toolpath, found, tool=tool, stock=stock, view=chosen.view, speed=speed)
-        if cost.traces == 0:
+        costs, advice = predict(task, conditions, going_on=going_on)
+        if costs[ZBUFFER.name].traces == 0:
             remarks.append(Message("not-touching"))
         elif tool.diameter > max(stock.upper[0] - stock.lower[0], stock.upper[1] - stock.lower[1]):
             remarks.append(Message("tool-wider-than-stock"))
-        resolution = best_resolution([cost], stepover=found.stepover, **chosen.budget)
-        going_on()
-        legacy, *positions = legacy_costs(
-            toolpath, tool=tool, stock=stock, accuracies=(chosen.legacy_accuracy, *SLIDER), constants=constants
-        )
-        accuracy = best_accuracy([positions], stepover=found.stepover, **chosen.budget)
-        if Simulator.OPENGL in available_simulators(version):
-            opengl = opengl_cost(
-                toolpath, tool=tool, stock=stock, speeds=opengl_speeds(version),
-                quality=chosen.opengl_quality, constants=constants,
-            )  # fmt: skip
     going_on()
     horizontal, vertical = reading.rapid_feeds
     return replace(
@@ -236,15 +221,9 @@ def _work(
         trajectories=len(toolpath),
         machining=machining(toolpath, horizontal_rapid=horizontal, vertical_rapid=vertical,
                             top=reading.stock and reading.stock.upper[2]),
-        estimate=cost,
-        legacy=legacy,
-        legacy_positions=tuple(positions),
-        opengl=opengl,
-        resolution=resolution,
-        accuracy=accuracy,
-        cautions=preflight(commands, toolpath, version=version, diameter=tool and tool.diameter, zbuffer=cost,
-                           legacy=legacy, opengl=opengl, memory_budget=chosen.memory_budget_bytes,
-                           time_budget=chosen.time_budget),
+        costs=costs,
+        advice=advice,
+        cautions=preflight(task, costs, conditions),
         remarks=tuple(remarks),
         fingerprint=f"{commands_fingerprint(commands, reading.placement)}:{reading.setting_fingerprint}",
     )  # fmt: skip
@@ -252,22 +231,17 @@ def _work(
 
 def _unknown(reading: _Reading, error: Exception | None = None) -> OperationReport:
     """The row of an operation of which nothing is known yet, or nothing because of an error in this add-on."""
-    nothing = linearize([])
     return OperationReport(
         document=reading.document,
         name=reading.name,
         label=reading.label,
         job=reading.job,
         counted=reading.counted,
-        recognition=recognize(nothing),
+        recognition=recognize(_NOTHING),
         trajectories=0,
-        machining=machining(nothing),
-        estimate=None,
-        legacy=None,
-        legacy_positions=(),
-        opengl=None,
-        resolution=None,
-        accuracy=None,
+        machining=machining(_NOTHING),
+        costs={},
+        advice={},
         cautions=(),
         remarks=(Message("not-analysed", error=f"{type(error).__name__}: {error}"),),
         fingerprint=f":{reading.setting_fingerprint}",

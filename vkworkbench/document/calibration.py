@@ -13,7 +13,6 @@ from contextlib import suppress
 from dataclasses import asdict, dataclass, fields, replace
 from datetime import date
 from pathlib import Path
-from statistics import median_low
 
 import FreeCAD
 import numpy as np
@@ -22,18 +21,8 @@ from Path import Command as PathCommand
 from PathSimulator import PathSim
 
 from vkworkbench import freecad
-from vkworkbench.core import Stock
-from vkworkbench.core.gcode import linearize
-from vkworkbench.core.simulators import (
-    DEFAULTS,
-    Constants,
-    LegacyCost,
-    OpenGLCost,
-    fit_fast_forward,
-    fit_play,
-    legacy_work,
-    motions,
-)
+from vkworkbench.core import Stock, linearize
+from vkworkbench.core.simulators import CALIBRATED_FACTOR, DEFAULTS, SIMULATORS, Constants, Cost, Task, legacy_work
 from vkworkbench.core.zbuffer import Speed, measure_speed
 
 # Names of OpenGL renderers on the processor, which wait for no screen, and what a frame and a draw call were measured
@@ -48,18 +37,9 @@ _SOFTWARE_PANEL_QT6 = {"redraw": 56e-3, "repaint": 30e-3}
 _SOFTWARE_MESH = 1.5
 # A benchmark cuts in a warm cache; real operations take this much longer (benchmarks/simulators.py).
 _COLD_CACHE = 1.5
-# With measured constants the true number is within this factor (benchmarks/simulators.py).
-_CALIBRATED_FACTOR = 1.3
-# What is kept of real runs, and how it is read from the file.
-_RUNS = {
-    "fast-forward": lambda run: (int(run[0]), float(run[1])),
-    "play": lambda run: (int(run[0]), *(float(run[k]) for k in (1, 2, 3))),
-    "draw": float,
-}
-_SHORTEST_PLAY = 20  # commands
+# What real runs teach, by their kind, and how many of each are kept.
+_LESSONS = {lesson.kind: lesson for simulator in SIMULATORS for lesson in simulator.lessons}
 _LAST_RUNS = 15
-# A frame that takes less than this many refreshes may have waited for the screen.
-_SLOW_FRAME = 1.25
 # What the benchmark cuts.
 _STOCK = Stock((0, 0, 0), (100, 60, 20))
 _BOX = Part.makeBox(100, 60, 20)
@@ -78,9 +58,7 @@ class Calibration:
     freecad, processor, renderer : str
         What it holds for.
     runs : dict of str to tuple
-        Of the last real runs: of every "fast-forward" the commands and what it took beyond cutting, s; of every "play"
-        the commands, the triangles and what it took to show them and in all, s; what OpenGL's frames said of the
-        constant "draw", s.
+        What is kept of the last real runs, by their kind: see the simulators' lessons.
     """
 
     constants: Constants
@@ -156,7 +134,7 @@ def load(renderer: str = "") -> Calibration | None:
         values = {field.name: float(record["constants"][field.name]) for field in fields(Constants)}
         if not all(math.isfinite(value) and value >= 0 for value in values.values()):
             return None
-        runs = {name: tuple(map(read, record["runs"].get(name, ()))) for name, read in _RUNS.items()}
+        runs = {kind: tuple(map(lesson.read, record["runs"].get(kind, ()))) for kind, lesson in _LESSONS.items()}
         words = (str(record[name]) for name in ("date", "freecad", "processor", "renderer"))
         return Calibration(Constants(**values), *words, runs)
     except (TypeError, KeyError, IndexError, ValueError, AttributeError):
@@ -183,86 +161,47 @@ def calibrate(renderer: str = "") -> Calibration:
         If the user data folder cannot be written.
     """
     _write({_speed_key(): asdict(measure_speed())})
-    measured = replace(_for_renderer(_measure(), renderer), legacy_factor=_CALIBRATED_FACTOR)
+    measured = replace(_for_renderer(_measure(), renderer), legacy_factor=CALIBRATED_FACTOR)
     known = load(renderer)
-    runs = known.runs if known else dict.fromkeys(_RUNS, ())
+    runs = known.runs if known else dict.fromkeys(_LESSONS, ())
     version = ".".join(map(str, freecad.version()))
     return _remember(Calibration(measured, date.today().isoformat(), version, processor(), renderer, runs))
 
 
-def learn(cost: LegacyCost, seconds: float, *, played: bool, renderer: str = "") -> Calibration | None:
-    """Learn start, tick and repaint of fast-forward, or the display of play, from a simulation that the user ran.
+def learn(kind: str, cost: Cost, seconds: float, *, renderer: str = "") -> Calibration | None:
+    """Learn from a simulation that the user ran.
 
     What the last fifteen runs say counts, and an odd one among them does no harm.
 
     Parameters
     ----------
-    cost : LegacyCost
+    kind : {"fast-forward", "play", "draw"}
+        Of the run, as the simulators' lessons name it; "draw" are the last frames of a play of the OpenGL simulator.
+    cost : Cost
         What was predicted with :func:`constants` for what was run.
     seconds : float
-        What it took.
-    played : bool
-        Whether it was played; else it was run in fast-forward.
+        What it took; of frames, each.
     renderer : str
         OpenGL's name of its renderer.
 
     Returns
     -------
     Calibration or None
-        The new calibration; None where the run teaches nothing: not calibrated yet, too short a play, or a
-        fast-forward faster than it can be.
+        The new calibration; None where the run teaches nothing, or nothing was calibrated yet.
     """
     known = load(renderer)
-    if known is None or (played and cost.shown < _SHORTEST_PLAY):
+    run = known and _LESSONS[kind].run(cost, seconds, known.constants)
+    if run is None:
         return None
-    if played:
-        display = seconds - cost.play_seconds + cost.display_seconds
-        return _learn(known, "play", (cost.shown, cost.drawn, display, seconds))
-    panel = seconds - cost.fast_forward_seconds + cost.panel_seconds
-    return _learn(known, "fast-forward", (cost.commands, panel)) if panel > 0 else None
-
-
-def learn_frame(cost: OpenGLCost, seconds: float, *, renderer: str) -> Calibration | None:
-    """Learn how fast OpenGL draws from the last frames of a simulation that the user ran.
-
-    Parameters
-    ----------
-    cost : OpenGLCost
-        What was predicted with :func:`constants` for what was run.
-    seconds : float
-        What a frame with all of it took.
-    renderer : str
-        OpenGL's name of its renderer.
-
-    Returns
-    -------
-    Calibration or None
-        The new calibration; None where the run teaches nothing: not calibrated yet, or a frame so short that it
-        may have waited for the screen.
-    """
-    known = load(renderer)
-    if known is None or seconds < _SLOW_FRAME * known.constants.refresh or not cost.drawing_seconds:
-        return None
-    slower = seconds / (known.constants.frame + cost.drawing_seconds)
-    return _learn(known, "draw", known.constants.draw * slower)
-
-
-def _learn(known: Calibration, name: str, run: float | tuple) -> Calibration:
-    return _remember(replace(known, runs=known.runs | {name: (*known.runs[name], run)[-_LAST_RUNS:]}))
+    return _remember(replace(known, runs=known.runs | {kind: (*known.runs[kind], run)[-_LAST_RUNS:]}))
 
 
 def _remember(calibration: Calibration) -> Calibration:
     """Apply what runs taught, write the calibration to the file, and return it."""
-    runs = calibration.runs
     learned = {}
-    if runs["fast-forward"]:
-        learned |= zip(("start", "tick", "repaint"), fit_fast_forward(*np.array(runs["fast-forward"]).T))
-    if runs["play"]:
-        learned |= zip(("redraw", "display"), fit_play(*np.array(runs["play"]).T))
-    if runs["draw"]:
-        draw = median_low(runs["draw"])
-        frame = calibration.constants.frame * draw / calibration.constants.draw
-        learned |= {"frame": frame, "draw": draw, "opengl_factor": _CALIBRATED_FACTOR}
+    for kind, runs in calibration.runs.items():
+        if runs:
+            learned |= _LESSONS[kind].learned(runs, calibration.constants)
     calibration = replace(calibration, constants=replace(calibration.constants, **learned))
     _write({_key(calibration.renderer): asdict(calibration)})
     return calibration
@@ -353,8 +292,8 @@ def _cut(diameter: float, length: float, count: int) -> tuple[list[float], float
         for command in commands:
             position = sim.ApplyCommand(position, command)
 
-    made = motions(linearize([("G1", word) for word in words]))
-    work = legacy_work(made, diameter=diameter, stock=_STOCK, accuracy=resolution)
+    task = Task(linearize([("G1", word) for word in words]))
+    work = legacy_work(task.motions, diameter=diameter, stock=_STOCK, accuracy=resolution)
     counts = [work.calls, work.rings, work.line_steps, work.cap_steps]
     return [float(count.sum()) for count in counts], _best(run)
 

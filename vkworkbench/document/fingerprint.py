@@ -8,7 +8,9 @@ saving, reopening, and another FreeCAD version.
 from __future__ import annotations
 
 import hashlib
+from collections.abc import Callable
 
+from vkworkbench.core import Stock, Tool
 from vkworkbench.document.setting import read_stock, read_tool
 
 
@@ -31,22 +33,28 @@ def _of_gcode(text: str, placement) -> str:
     return _digest(text)
 
 
-def setting_fingerprint(obj, job) -> str:
-    """Return the fingerprint of tool and stock."""
-    parts = []
-    try:
-        tool = read_tool(obj)
+def setting_fingerprint(tool: Tool | None, stock: Stock | None) -> str:
+    """Return the fingerprint of tool and stock, None where one cannot be read."""
+    parts = [None, None]
+    if tool is not None:
         angle = None if tool.tip_angle is None else round(tool.tip_angle, 4)
-        parts.append((tool.shape, round(tool.diameter, 4), round(tool.corner_radius, 4), angle))
-    except ValueError:
-        parts.append(None)
-    try:
-        stock = read_stock(job)
+        parts[0] = (tool.shape, round(tool.diameter, 4), round(tool.corner_radius, 4), angle)
+    if stock is not None:
         # Two FreeCADs bound the same solid alike to a hundredth of a millimetre.
-        parts.append([round(float(value), 2) + 0.0 for value in (*stock.lower, *stock.upper)])
-    except ValueError:
-        parts.append(None)
+        parts[1] = [round(float(value), 2) + 0.0 for value in (*stock.lower, *stock.upper)]
     return _digest(repr(parts))
+
+
+def read_setting_fingerprint(obj, job) -> str:
+    """Return that of the tool and the stock that an operation and its job have now."""
+    return setting_fingerprint(_or_none(read_tool, obj), _or_none(read_stock, job))
+
+
+def _or_none(read: Callable, source):
+    try:
+        return read(source)
+    except ValueError:
+        return None
 
 
 def _digest(text: str) -> str:

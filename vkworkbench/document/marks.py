@@ -16,11 +16,11 @@ import FreeCAD
 
 from vkworkbench import preferences
 from vkworkbench.core import Strategy
+from vkworkbench.core.simulators import SIMULATORS, ZBUFFER
 from vkworkbench.document.fingerprint import path_fingerprint
 from vkworkbench.document.operations import find
 from vkworkbench.language import ENGLISH, Message, render
 from vkworkbench.report import OperationReport
-from vkworkbench.simulator_names import OPENGL, ZBUFFER
 
 OPENING, CLOSING, SEPARATOR, OUTDATED = "⟦", "⟧", " · ", "outdated"
 # A segment is ours if it begins as ours do: brackets may be the user's or another tool's.
@@ -187,7 +187,7 @@ def write(obj, report: OperationReport) -> None:
 
 def _cost(simulator: str, seconds: float, memory: float, factor: float, least: str = "") -> list[str]:
     """Say whose time it is unless it is the z-buffer's."""
-    whose = "" if simulator == ZBUFFER else f"{simulator} "
+    whose = "" if simulator == ZBUFFER.name else f"{simulator} "
     time = ENGLISH.about(ENGLISH.time(seconds), factor)
     return [whose + least + time, least + ENGLISH.memory(memory)]
 
@@ -230,8 +230,8 @@ def write_total(job) -> None:
         "ToolpathMemory": memory,
         "ToolpathFingerprint": _total_fingerprint(operations),
     })  # fmt: skip
-    # The OpenGL simulator draws again what operations before have cut: together they take more than the sum.
-    least = "≥ " if unknown or (simulator == OPENGL and len(operations) > 1) else ""
+    more = len(operations) > 1 and any(s.name == simulator and not s.adds_up for s in SIMULATORS)
+    least = "≥ " if unknown or more else ""
     count = f"{len(operations)} operation" + ("s" if len(operations) > 1 else "")
     _describe(job, SEPARATOR.join([count, *_cost(simulator, seconds, memory, factor, least)]))
     _refresh_total(job, operations)

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from vkworkbench import freecad
 from vkworkbench.document import marks
-from vkworkbench.document.fingerprint import setting_fingerprint
+from vkworkbench.document.fingerprint import read_setting_fingerprint
 from vkworkbench.document.operations import find, job_of, kind, through_bases
 
 _ON_OPERATION = freecad.names_in_fingerprint("path")
@@ -69,7 +69,7 @@ def check(document, paths: set[str] | None = None, *, settings: bool = True) -> 
         job, controller = job_of(obj), through_bases(obj, freecad.CONTROLLER)
         key = tuple(one and one.Name for one in (job, controller))
         if key not in known:
-            known[key] = setting_fingerprint(obj, job)
+            known[key] = read_setting_fingerprint(obj, job)
         return known[key]
 
     if settings or paths is None:

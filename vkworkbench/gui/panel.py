@@ -10,6 +10,7 @@ import FreeCAD
 import FreeCADGui as Gui
 
 from vkworkbench.core import Machining
+from vkworkbench.core.simulators import SIMULATORS
 from vkworkbench.gui import docks, latest
 from vkworkbench.gui.panel_model import VALUE, ResultsModel, ResultsOrder, Row, rows_of
 from vkworkbench.gui.qt import (
@@ -239,12 +240,11 @@ def _in_words(row: Row) -> str:
         strategy, reason = strategy_name(found.strategy), said(found.recognition.why)
         lines.append(f"<b>{escape(row.label)}, {escape(strategy)}</b>: {escape(reason)}")
         lines.append(escape(_machining_in_words(found.machining)))
-    for text, advice in (
-        (translate("Vk_Results", "Recommended image: {}"), found.resolution),
-        (translate("Vk_Results", "Recommended accuracy: {}"), found.accuracy),
-    ):
-        if advice is not None:
-            lines.append(escape(text.format(said(advice.why))))
+    for simulator in SIMULATORS:
+        chosen = found.advice.get(simulator.name)
+        if chosen is not None:
+            text = FreeCAD.Qt.translate("Vk_Results", simulator.advice.sentence)
+            lines.append(escape(text.format(said(chosen.why))))
     lines += [f"• {escape(remark)}" for remark in row.remarks]
     return "<br>".join(lines)
 

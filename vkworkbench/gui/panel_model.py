@@ -5,12 +5,13 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import partial
 
 import FreeCAD
 
 from vkworkbench import freecad
 from vkworkbench.core import Strategy
-from vkworkbench.core.simulators import Simulator, available_simulators
+from vkworkbench.core.simulators import Simulator, available
 from vkworkbench.document import marks
 from vkworkbench.document.intent import contradicted
 from vkworkbench.gui.qt import QAbstractTableModel, QColor, QFont, QModelIndex, QSortFilterProxyModel, Qt
@@ -102,7 +103,8 @@ class Column:
 
 def columns(version: tuple[int, ...]) -> list[Column]:
     """Return the columns, with the simulators that a FreeCAD version has."""
-    shown = [
+    there_are = available(version)
+    return [
         Column(translate("Vk_Results", "Operation"), "", lambda row: row.label),
         Column(translate("Vk_Results", "Strategy"),
                translate("Vk_Results", "The machining strategy recognized from the toolpath alone"),
@@ -118,41 +120,8 @@ def columns(version: tuple[int, ...]) -> list[Column]:
                translate("Vk_Results", "Time on the machine at the programmed feeds; rapids where the tool "
                                        "controller says their speed"),
                _machining_seconds, _shown("time")),
-        Column(translate("Vk_Results", "Z-buffer\ntime"),
-               translate("Vk_Results", "Time to simulate it in an extended z-buffer"),
-               lambda row: _of_zbuffer(row, "seconds"), _shown("time")),
-        Column(translate("Vk_Results", "Z-buffer\nmemory"),
-               translate("Vk_Results", "Memory to simulate it in an extended z-buffer"),
-               lambda row: _of_zbuffer(row, "memory_bytes"), _shown("memory")),
-        Column(translate("Vk_Results", "Legacy\ntime"),
-               translate("Vk_Results",
-                         "Time of FreeCAD's legacy simulator in fast-forward, at the accuracy that the preferences say"),
-               lambda row: _of(row, "legacy", lambda cost: cost.fast_forward_seconds), _shown("time"),
-               lambda row: row.found.legacy.constants.legacy_factor),
-        Column(translate("Vk_Results", "Legacy\nmemory"),
-               translate("Vk_Results", "Memory of FreeCAD's legacy simulator, at the accuracy that the preferences say"),
-               lambda row: _of(row, "legacy", lambda cost: cost.memory_bytes), _shown("memory")),
-    ]  # fmt: skip
-    if Simulator.OPENGL in available_simulators(version):
-        shown += [
-            Column(translate("Vk_Results", "OpenGL\ntime"),
-                   translate("Vk_Results", "Time of FreeCAD's OpenGL simulator at its highest speed"),
-                   lambda row: _of(row, "opengl", lambda cost: cost.fastest_seconds),
-                   _shown("time"), lambda row: row.found.opengl.constants.opengl_factor),
-            Column(translate("Vk_Results", "OpenGL\nmemory"),
-                   translate("Vk_Results", "Memory of FreeCAD's OpenGL simulator"),
-                   lambda row: _of(row, "opengl", lambda cost: cost.memory_bytes), _shown("memory")),
-        ]  # fmt: skip
-    return [
-        *shown,
-        Column(translate("Vk_Results", "Recommended\nimage"),
-               translate("Vk_Results", "The finest image of the z-buffer within the budgets of the preferences"),
-               _recommended, _size),
-        Column(translate("Vk_Results", "Recommended\naccuracy"),
-               translate("Vk_Results",
-                         "The finest position of the legacy simulator's accuracy slider, 1 to 10, with which playing "
-                         "stays within the budgets of the preferences"),
-               _position, _position_text),
+        *(column for simulator in there_are for column in _of_simulator(simulator)),
+        *(_of_advice(simulator) for simulator in there_are if simulator.advice),
         Column(translate("Vk_Results", "Remarks"),
                translate("Vk_Results", "What is wrong with the operation, or will be with its simulation"),
                lambda row: "; ".join(row.remarks)),
@@ -164,6 +133,29 @@ def _shown(kind: str) -> Callable[[object], str]:
     return lambda value: getattr(user(), kind)(value)
 
 
+def _of_simulator(simulator: Simulator) -> tuple[Column, Column]:
+    """Time and memory that a simulator takes for an operation, or for all of a job together."""
+    name, text = simulator.name, partial(FreeCAD.Qt.translate, "Vk_Results")
+    return (
+        Column(text(simulator.time_title), text(simulator.time_tooltip),
+               lambda row: (row.found.cost(name) or (None, None))[0], _shown("time"), lambda row: row.found.factor(name)),
+        Column(text(simulator.memory_title), text(simulator.memory_tooltip),
+               lambda row: (row.found.cost(name) or (None, None))[1], _shown("memory")),
+    )  # fmt: skip
+
+
+def _of_advice(simulator: Simulator) -> Column:
+    """The finest setting of a simulator within the budgets; numbers of 0 where there is none."""
+    advice, text = simulator.advice, partial(FreeCAD.Qt.translate, "Vk_Results")
+
+    def numbers(row: Row) -> tuple[int, ...] | None:
+        chosen = row.found.advice.get(simulator.name)
+        return chosen and advice.numbers(chosen)
+
+    return Column(text(advice.title), text(advice.tooltip), numbers,
+                  lambda found: advice.form.format(*found) if all(found) else text(advice.none))  # fmt: skip
+
+
 def _confidence(row: Row) -> float | None:
     strategy = getattr(row.found, "strategy", Strategy.EMPTY)
     return row.found.confidence if strategy.is_answer else None
@@ -172,40 +164,6 @@ def _confidence(row: Row) -> float | None:
 def _machining_seconds(row: Row) -> float | None:
     found = row.found
     return found.machining_seconds if isinstance(found, Total) else found.machining.seconds
-
-
-def _recommended(row: Row) -> tuple[int, int] | None:
-    """Width and height; 0 where no image is within the budgets, None where that is not known."""
-    resolution = row.found.resolution
-    if resolution is None:
-        return None
-    view = resolution.view
-    return (view.width, view.height) if view else (0, 0)
-
-
-def _size(size: tuple[int, int]) -> str:
-    return "{} × {}".format(*size) if all(size) else translate("Vk_Results", "none")
-
-
-def _position(row: Row) -> int | None:
-    """The slider's position; 0 where none is within the budgets, None where that is not known."""
-    accuracy = row.found.accuracy
-    return accuracy and (accuracy.position or 0)
-
-
-def _position_text(position: int) -> str:
-    return str(position) if position else translate("Vk_Results", "fast-forward")
-
-
-def _of_zbuffer(row: Row, name: str):
-    source = row.found if isinstance(row.found, Total) else row.found.estimate
-    return source and getattr(source, name)
-
-
-def _of(row: Row, simulator: str, number: Callable):
-    """A number of what one of FreeCAD's simulators takes for an operation, or for all of a job together."""
-    cost = getattr(row.found, simulator)
-    return cost and number(cost)
 
 
 class ResultsModel(QAbstractTableModel):

@@ -18,6 +18,7 @@ import FreeCADGui as Gui
 
 from vkworkbench import preferences
 from vkworkbench.core import Strategy
+from vkworkbench.core.simulators import ZBUFFER
 from vkworkbench.document import marks
 from vkworkbench.gui import tree
 from vkworkbench.gui.colors import TEXT, TOTAL
@@ -37,7 +38,6 @@ from vkworkbench.gui.qt import (
 from vkworkbench.gui.sentences import said, strategy_name, user
 from vkworkbench.gui.text import translate
 from vkworkbench.language import ENGLISH, ROUGH
-from vkworkbench.simulator_names import ZBUFFER
 
 _PADDING = 6  # px within a pill, left and right
 _SPACE = "\u00a0"  # is not stretched or cut off at a line's end
@@ -199,7 +199,7 @@ def explanation(mark: Mark, obj) -> str:
             trajectories=user().count(obj.ToolpathTrajectories), length=user().length(obj.ToolpathLength)
         ))  # fmt: skip
         if obj.ToolpathMemory:
-            whose = getattr(obj, "ToolpathSimulator", ZBUFFER)
+            whose = getattr(obj, "ToolpathSimulator", ZBUFFER.name)
             text = translate("Pills", "Simulating it takes {time} and {memory} ({simulator})")
             lines.append(text.format(
                 time=_time(obj), memory=user().memory(obj.ToolpathMemory), simulator=whose

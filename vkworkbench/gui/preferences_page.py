@@ -14,7 +14,6 @@ from vkworkbench.gui.qt import QApplication, QDate, QLocale, QMessageBox, Qt
 from vkworkbench.gui.sentences import user
 from vkworkbench.gui.text import QT_TRANSLATE_NOOP, translate
 from vkworkbench.preferences import Preferences
-from vkworkbench.simulator_names import OPENGL, SIMULATORS
 
 UI = Path(__file__).resolve().parents[2] / "resources" / "ui" / "preferences.ui"
 TITLE = QT_TRANSLATE_NOOP("QObject", "Toolpath Analysis")  # of the group; its icon is preferences-toolpath_analysis.svg
@@ -30,11 +29,20 @@ class PreferencesPage:
             if "least" in limits and widget is not None:
                 widget.setProperty("minimum", limits["least"])
                 widget.setProperty("maximum", limits["most"])
-        if freecad.version() < (1, 0):
-            self.form.mark_simulator.removeItem(SIMULATORS.index(OPENGL))
-            for name in ("opengl_quality", "opengl_quality_label"):
-                getattr(self.form, name).hide()
+        self._offer_simulators()
         self.form.calibrate.clicked.connect(self._calibrate)
+
+    def _offer_simulators(self) -> None:
+        """List the simulators that this FreeCAD has, and hide what means nothing without the others."""
+        from vkworkbench.core.simulators import SIMULATORS, available
+
+        there_are = available(freecad.version())
+        self.form.mark_simulator.addItems([FreeCAD.Qt.translate("VkPreferences", s.choice) for s in there_are])
+        for simulator in SIMULATORS:
+            if simulator not in there_are:
+                for name in simulator.preferences:
+                    getattr(self.form, name).hide()
+                    getattr(self.form, f"{name}_label").hide()
 
     def loadSettings(self) -> None:
         self._show(preferences.read())
@@ -115,7 +123,7 @@ class PreferencesPage:
 
 def _choices(name: str) -> tuple[str, ...]:
     """What a preference can be, in the order in which the form lists it."""
-    return next(preference.metadata["choices"] for preference in fields(Preferences) if preference.name == name)
+    return next(preference.metadata["choices"]() for preference in fields(Preferences) if preference.name == name)
 
 
 def _is_length(widget) -> bool:

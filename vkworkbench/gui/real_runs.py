@@ -18,6 +18,7 @@ from vkworkbench import freecad
 from vkworkbench.core import linearize
 from vkworkbench.core.simulators import (
     SLIDER,
+    Task,
     legacy_costs,
     legacy_together,
     opengl_cost,
@@ -71,13 +72,13 @@ class LegacyRuns(QObject):
         while self._panel.findChild(QSlider, "sliderAccuracy") is None:
             self._panel = self._panel.parent()
         self._begin = None
-        fast_forward.pressed.connect(lambda: self._pressed(False))
-        self._panel.findChild(QToolButton, "toolButtonPlay").pressed.connect(lambda: self._pressed(True))
+        fast_forward.pressed.connect(lambda: self._pressed("fast-forward"))
+        self._panel.findChild(QToolButton, "toolButtonPlay").pressed.connect(lambda: self._pressed("play"))
         fast_forward.installEventFilter(self)
 
-    def _pressed(self, played: bool) -> None:
+    def _pressed(self, kind: str) -> None:
         whole = self._done() in (0, 100)  # not the rest of one that was paused
-        self._begin = (time.perf_counter(), played, self._sliders()) if whole else None
+        self._begin = (time.perf_counter(), kind, self._sliders()) if whole else None
 
     def eventFilter(self, button, event) -> bool:
         if event.type() == QEvent.EnabledChange and button.isEnabled() and self._begin and self._done() == 100:
@@ -86,7 +87,7 @@ class LegacyRuns(QObject):
         return False
 
     def _ended(self) -> None:
-        (begin, played, sliders), self._begin = self._begin, None
+        (begin, kind, sliders), self._begin = self._begin, None
         seconds = time.perf_counter() - begin
         if sliders != self._sliders():
             return
@@ -94,12 +95,12 @@ class LegacyRuns(QObject):
         renderer = note_renderer()
         with suppress(OSError, ValueError):  # not kept, or arcs of too many chords
             costs = [
-                legacy_costs(linearize(path.Commands), tool=tool, stock=stock, accuracies=(SLIDER[position - 1],),
+                legacy_costs(Task(linearize(path.Commands), tool, stock), accuracies=(SLIDER[position - 1],),
                              speed=speed, constants=calibration.constants(renderer))[0]
                 for path, tool, stock in _simulated(self._panel)
             ]  # fmt: skip
             if costs:
-                calibration.learn(legacy_together(costs), seconds, played=played, renderer=renderer)
+                calibration.learn(kind, legacy_together(costs), seconds, renderer=renderer)
 
     def _done(self) -> int:
         """Percent of the run."""
@@ -144,13 +145,13 @@ class OpenGLRun(QObject):
         speeds = opengl_speeds(freecad.version())
         with suppress(OSError, ValueError):  # not kept, or arcs of too many chords
             cost = opengl_together([
-                opengl_cost(linearize(path.Commands), tool=tool, stock=stock, speeds=speeds,
-                            quality=quality, constants=calibration.constants(renderer))
+                opengl_cost(Task(linearize(path.Commands), tool, stock), speeds=speeds, quality=quality,
+                            constants=calibration.constants(renderer))
                 for path, tool, stock in simulated
             ])  # fmt: skip
             if any(_FEWEST < played * speed / cost.steps < _MOST for speed in speeds):
                 frame = float(np.median(frames[played - _LAST_FRAMES : played]))
-                calibration.learn_frame(cost, frame, renderer=renderer)
+                calibration.learn("draw", cost, frame, renderer=renderer)
 
 
 def _played(frames: np.ndarray) -> int:

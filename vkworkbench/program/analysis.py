@@ -21,7 +21,6 @@ from vkworkbench.core import (
     Strategy,
     Tool,
     Toolpath,
-    estimate,
     linearize,
     machining,
     recognize,
@@ -29,7 +28,7 @@ from vkworkbench.core import (
 )
 from vkworkbench.core.gcode import INCH, Program, Section, at_line, looks_like_inches, read_program, split_sections
 from vkworkbench.core.recognition import recognize_inches
-from vkworkbench.core.zbuffer import best_resolution
+from vkworkbench.core.simulators import Conditions, Task, predict
 from vkworkbench.language import Message, Unusable
 from vkworkbench.preferences import Preferences
 from vkworkbench.program.files import find_programs, read_bytes, text_of
@@ -118,8 +117,7 @@ def unread(path: Path, why: Message) -> OperationReport:
     nothing = linearize([])
     return OperationReport(
         document=str(path), name="", label=path.name, job=path.name, counted=False, recognition=recognize(nothing),
-        trajectories=0, machining=machining(nothing), estimate=None, legacy=None, legacy_positions=(), opengl=None,
-        resolution=None, accuracy=None, cautions=(), remarks=(why,), fingerprint="",
+        trajectories=0, machining=machining(nothing), costs={}, advice={}, cautions=(), remarks=(why,), fingerprint="",
     )  # fmt: skip
 
 
@@ -163,14 +161,16 @@ def _row(
         found = recognize_inches(part, tool_diameter=tool and INCH * tool.diameter)
     else:
         found = recognize(part, tool_diameter=tool and tool.diameter)
-    cost = resolution = None
+    costs, advice = {}, {}
     if tool and stock:
-        cost = estimate(part, found, tool=tool, stock=stock, view=chosen.view)
-        resolution = best_resolution([cost], stepover=found.stepover, **chosen.budget)
+        conditions = Conditions(
+            view=chosen.view, memory_budget=chosen.memory_budget_bytes, time_budget=chosen.time_budget
+        )
+        costs, advice = predict(Task(part, tool, stock, recognition=found), conditions)
     else:
         remarks = [*remarks, Message("tool-not-told")]
     return replace(
-        row, recognition=found, machining=_machining(part), estimate=cost, resolution=resolution, remarks=tuple(remarks)
+        row, recognition=found, machining=_machining(part), costs=costs, advice=advice, remarks=tuple(remarks)
     )
 
 

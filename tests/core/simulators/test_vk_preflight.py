@@ -10,12 +10,13 @@ import numpy as np
 import pytest
 
 from vkworkbench.core import Stock, Tool, View
-from vkworkbench.core.gcode import linearize
+from vkworkbench.core.gcode import Words, linearize
 from vkworkbench.core.recognition import recognize
 from vkworkbench.core.simulators.constants import Constants
 from vkworkbench.core.simulators.legacy import legacy_costs
 from vkworkbench.core.simulators.opengl import opengl_cost
 from vkworkbench.core.simulators.preflight import preflight
+from vkworkbench.core.simulators.simulator import Conditions, Task
 from vkworkbench.core.zbuffer import estimate
 
 START = ("G0", {"X": 10.0, "Y": 0.0, "Z": 5.0})
@@ -23,8 +24,10 @@ HALF = {"X": -10.0, "Y": 0.0, "Z": 5.0, "I": -10.0, "J": 0.0}
 STOCK = Stock((-50, -50, 0), (50, 50, 20))
 
 
-def check(commands, version=(1, 0), **known):
-    return preflight(commands, linearize(commands), version=version, **known)
+def check(commands, version=(1, 0), *, diameter=None, memory_budget=1e9, **costs):
+    words = Words(commands)
+    task = Task(linearize(words), diameter and Tool("endmill", diameter), STOCK, words)
+    return preflight(task, costs, Conditions(version=version, memory_budget=memory_budget))
 
 
 def without(*letters):
@@ -34,7 +37,7 @@ def without(*letters):
 def test_a_sound_arc_and_a_sound_line_raise_nothing():
     commands = [START, ("G3", HALF), ("G1", {"X": 40.0, "F": 5.0})]
     assert check(commands, diameter=6.0) == ()
-    assert preflight([], linearize([]), version=(1, 0), diameter=6.0) == ()
+    assert check([], diameter=6.0) == ()
 
 
 @pytest.mark.parametrize("version, hangs", [((0, 20), True), ((1, 0), True), ((1, 1), False)])
@@ -89,31 +92,30 @@ def zigzag(rows):
 def test_a_long_play_is_announced_with_the_faster_way():
     commands = zigzag(20000)
     path = linearize(commands)
-    (legacy,) = legacy_costs(path, tool=Tool("endmill", 6.0), stock=STOCK)
-    opengl = opengl_cost(path, tool=Tool("endmill", 6.0), stock=STOCK, constants=Constants(refresh=0.035, draw=25e-6))
-    found = [one for one in preflight(commands, path, version=(1, 1), legacy=legacy, opengl=opengl)
-             if one.code == "long-play"]  # fmt: skip
+    (legacy,) = legacy_costs(Task(path, Tool("endmill", 6.0), STOCK))
+    opengl = opengl_cost(Task(path, Tool("endmill", 6.0), STOCK), constants=Constants(refresh=0.035, draw=25e-6))
+    found = [one for one in check(commands, (1, 1), legacy=legacy, OpenGL=opengl) if one.code == "long-play"]
     assert len(found) == 2  # 20,001 commands of 25 ms, a mesh of a million cells of 27 ns and its triangles
     assert re.search(
         r"about 18 min in the legacy simulator: fast-forward takes about 2\d s\.", found[0].message
     )
-    only_legacy = preflight(commands, path, version=(0, 20), legacy=legacy, opengl=opengl)
+    only_legacy = check(commands, (0, 20), legacy=legacy, OpenGL=opengl)
     assert [one.code for one in only_legacy if one.code == "long-play"] == ["long-play"]
 
 
 def test_arcs_that_dominate_a_slow_frame():
     arcs = [START] + [("G3", HALF), ("G3", {"X": 10.0, "Y": 0.0, "Z": 5.0, "I": 10.0, "J": 0.0})] * 1000
-    slow = opengl_cost(linearize(arcs), tool=Tool("endmill", 6.0), stock=STOCK)
-    (found,) = [one for one in check(arcs, opengl=slow) if one.code == "arcs"]
+    slow = opengl_cost(Task(linearize(arcs), Tool("endmill", 6.0), STOCK))
+    (found,) = [one for one in check(arcs, OpenGL=slow) if one.code == "arcs"]
     assert "100 % of it for arcs" in found.message
-    assert check(arcs[:5], opengl=opengl_cost(linearize(arcs[:5]), tool=Tool("endmill", 6.0), stock=STOCK)) == ()
+    assert check(arcs[:5], OpenGL=opengl_cost(Task(linearize(arcs[:5]), Tool("endmill", 6.0), STOCK))) == ()
 
 
 def test_thousands_of_moves_shorter_than_a_cell():
     commands = [START] + [("G1", {"X": 10.0 + 0.01 * i, "F": 5.0}) for i in range(1, 3000)]
     path = linearize(commands)
-    (legacy,) = legacy_costs(path, tool=Tool("endmill", 6.0), stock=STOCK)
-    (found,) = preflight(commands, path, version=(1, 0), legacy=legacy)
+    (legacy,) = legacy_costs(Task(path, Tool("endmill", 6.0), STOCK))
+    (found,) = check(commands, legacy=legacy)
     assert found.code == "short-moves" and found.message.startswith(
         "2999 moves are shorter than a cell of the legacy simulator (0.1 mm)"
     )
@@ -123,16 +125,16 @@ def test_memory_beyond_the_budget():
     commands = zigzag(100)
     path = linearize(commands)
     tool = Tool("endmill", 6.0)
-    (legacy,) = legacy_costs(path, tool=tool, stock=STOCK)
+    (legacy,) = legacy_costs(Task(path, tool, STOCK))
     costs = {
-        "zbuffer": estimate(path, recognize(path), tool=tool, stock=STOCK, view=View(width=80, height=60)),
+        "z-buffer": estimate(path, recognize(path), tool=tool, stock=STOCK, view=View(width=80, height=60)),
         "legacy": legacy,
-        "opengl": opengl_cost(path, tool=Tool("endmill", 6.0), stock=STOCK),
+        "OpenGL": opengl_cost(Task(path, Tool("endmill", 6.0), STOCK)),
     }
-    found = preflight(commands, path, version=(1, 0), **costs, memory_budget=1e4)
+    found = check(commands, **costs, memory_budget=1e4)
     assert [(one.code, one.message.split()[1]) for one in found] == [
         ("memory", "z-buffer"),
         ("memory", "legacy"),
         ("memory", "OpenGL"),
     ]
-    assert preflight(commands, path, version=(1, 0), **costs, memory_budget=1e8) == ()
+    assert check(commands, **costs, memory_budget=1e8) == ()

@@ -12,14 +12,22 @@ import pytest
 from vkworkbench.core import Stock, Tool
 from vkworkbench.core.gcode import linearize
 from vkworkbench.core.simulators.accuracy import best_accuracy
-from vkworkbench.core.simulators.constants import DEFAULTS, Constants, Simulator, available_simulators, opengl_speeds
+from vkworkbench.core.simulators.constants import DEFAULTS, Constants
 from vkworkbench.core.simulators.floors import floors
 from vkworkbench.core.simulators.heightmap import heightmaps
 from vkworkbench.core.simulators.legacy import SLIDER, legacy_costs, legacy_together, legacy_work
 from vkworkbench.core.simulators.legacy_mesh import bottom_rectangles, mesh_facets
 from vkworkbench.core.simulators.legacy_panel import fit_fast_forward, fit_play
 from vkworkbench.core.simulators.motions import motions
-from vkworkbench.core.simulators.opengl import opengl_cost, opengl_together, opengl_work, outline_segments
+from vkworkbench.core.simulators.opengl import (
+    opengl_cost,
+    opengl_speeds,
+    opengl_together,
+    opengl_work,
+    outline_segments,
+)
+from vkworkbench.core.simulators.simulator import Task
+from vkworkbench.core.simulators.table import LEGACY, OPENGL, ZBUFFER, available
 
 STOCK = Stock((0, 0, 0), (100, 60, 20))
 TOOL = Tool("endmill", 6.0)
@@ -149,7 +157,7 @@ def test_counts_equal_the_loops_of_the_legacy_simulator(accuracy, diameter):
 def test_grid_has_a_thousand_cells_along_the_longer_side_and_five_bytes_each():
     work = legacy_work(motions(linearize(zigzag(3))), diameter=6.0, stock=STOCK)
     assert 1000 * 600 <= work.cells <= 1001 * 601
-    (cost,) = legacy_costs(linearize(zigzag(3)), tool=TOOL, stock=STOCK)
+    (cost,) = legacy_costs(Task(linearize(zigzag(3)), TOOL, STOCK))
     assert cost.memory_bytes == pytest.approx(5 * work.cells + 150 * cost.facets)
 
 
@@ -162,15 +170,15 @@ def test_an_arc_is_cut_in_as_many_moves_as_freecad_makes_of_it():
 
 def test_fast_forward_costs_a_tick_per_command_whatever_the_accuracy():
     path = linearize(zigzag(500))
-    fine, coarse = legacy_costs(path, tool=TOOL, stock=STOCK, accuracies=(0.1, 1.0))
+    fine, coarse = legacy_costs(Task(path, TOOL, STOCK), accuracies=(0.1, 1.0))
     ticks = path.commands * Constants().tick
     assert ticks < coarse.fast_forward_seconds < ticks + 0.5
     assert ticks < fine.fast_forward_seconds < ticks + 1.0
 
 
 def test_comments_take_a_tick_but_show_nothing():
-    (bare,) = legacy_costs(linearize(zigzag(20)), tool=TOOL, stock=STOCK)
-    (noted,) = legacy_costs(linearize(zigzag(20) + [("(note)", {})] * 1000), tool=TOOL, stock=STOCK)
+    (bare,) = legacy_costs(Task(linearize(zigzag(20)), TOOL, STOCK))
+    (noted,) = legacy_costs(Task(linearize(zigzag(20) + [("(note)", {})] * 1000), TOOL, STOCK))
     constants = Constants()
     assert noted.fast_forward_seconds - bare.fast_forward_seconds == pytest.approx(1000 * constants.tick)
     assert noted.play_seconds - bare.play_seconds == pytest.approx(1000 / 50)
@@ -179,7 +187,7 @@ def test_comments_take_a_tick_but_show_nothing():
 def test_fast_forward_waits_for_the_last_mesh_to_be_shown():
     slow = Constants(display=1e-4)
     rough, plain = (
-        legacy_costs(linearize(path), tool=TOOL, stock=STOCK, constants=slow)[0] for path in (surface(), zigzag(500))
+        legacy_costs(Task(linearize(path), TOOL, STOCK), constants=slow)[0] for path in (surface(), zigzag(500))
     )
     assert rough.facets > 10 * plain.facets
     for cost in (rough, plain):
@@ -194,7 +202,7 @@ def test_fast_forward_waits_for_the_last_mesh_to_be_shown():
 def test_play_is_never_faster_than_its_speed_slider():
     path = linearize(zigzag(50))
     fast = Constants(start=0.0, redraw=0.0, cell=0.0, facet=0.0, display=0.0, profile=0.0)
-    (cost,) = legacy_costs(path, tool=TOOL, stock=STOCK, speed=50, constants=fast)
+    (cost,) = legacy_costs(Task(path, TOOL, STOCK), speed=50, constants=fast)
     assert cost.play_seconds == pytest.approx(path.commands / 50)
 
 
@@ -210,7 +218,7 @@ def surface(rows=60, points=60):
 
 
 def positions(path, tool):
-    return legacy_costs(path, tool=tool, stock=STOCK, accuracies=SLIDER)
+    return legacy_costs(Task(path, tool, STOCK), accuracies=SLIDER)
 
 
 def test_budget_of_play_is_met_by_the_finest_position_that_meets_it():
@@ -231,7 +239,7 @@ def test_budget_of_play_is_met_by_the_finest_position_that_meets_it():
 def test_play_shows_the_uncut_stock_and_every_command():
     path = linearize(zigzag(40))
     half, one = (
-        legacy_costs(path, tool=TOOL, stock=STOCK, constants=Constants(redraw=redraw))[0] for redraw in (0.5, 1.0)
+        legacy_costs(Task(path, TOOL, STOCK), constants=Constants(redraw=redraw))[0] for redraw in (0.5, 1.0)
     )
     assert one.play_seconds - half.play_seconds == pytest.approx(0.5 * (1 + one.shown))
 
@@ -254,10 +262,10 @@ def test_operations_together_start_once_and_draw_what_was_cut_before():
     assert one.memory_bytes < two.memory_bytes < 2 * one.memory_bytes
 
     path = linearize(zigzag(400))
-    whole = opengl_cost(path, tool=TOOL, stock=STOCK, speeds=(10,))
+    whole = opengl_cost(Task(path, TOOL, STOCK), speeds=(10,))
     assert opengl_together([whole]) == whole
     # The same motions, half of them twice: nearly as long as all at once.
-    half = opengl_cost(linearize(zigzag(200)), tool=TOOL, stock=STOCK, speeds=(10,))
+    half = opengl_cost(Task(linearize(zigzag(200)), TOOL, STOCK), speeds=(10,))
     both = opengl_together([half, half])
     assert both.play_seconds[10] == pytest.approx(whole.play_seconds[10], rel=0.03)
     assert both.frame_seconds == pytest.approx(whole.frame_seconds, rel=0.01)
@@ -299,11 +307,11 @@ def test_impossible_input_is_refused_in_words():
     with pytest.raises(ValueError, match="accuracy"):
         legacy_work(made, diameter=6.0, stock=STOCK, accuracy=0.0)
     with pytest.raises(ValueError, match="speed"):
-        legacy_costs(linearize(zigzag(2)), tool=TOOL, stock=STOCK, speed=0)
+        legacy_costs(Task(linearize(zigzag(2)), TOOL, STOCK), speed=0)
     with pytest.raises(ValueError, match="tool diameter"):
         opengl_work(made, diameter=float("nan"))
     with pytest.raises(ValueError, match="quality"):
-        opengl_cost(linearize(zigzag(2)), tool=TOOL, stock=STOCK, quality=0)
+        opengl_cost(Task(linearize(zigzag(2)), TOOL, STOCK), quality=0)
 
 
 # --- heights and mesh
@@ -391,14 +399,14 @@ def test_on_a_ramp_the_lower_face_is_cut_from_where_the_tip_comes_through():
 
 def test_draw_calls_of_lines_plunges_and_arcs():
     start = [("G0", {"X": 0.0, "Y": 0.0, "Z": 10.0})]
-    assert opengl_cost(linearize(start + [("G1", {"X": 10.0})]), tool=TOOL, stock=STOCK).draws == 18
-    assert opengl_cost(linearize(start + [("G1", {"Z": 1.0})]), tool=TOOL, stock=STOCK).draws == 9
+    assert opengl_cost(Task(linearize(start + [("G1", {"X": 10.0})]), TOOL, STOCK)).draws == 18
+    assert opengl_cost(Task(linearize(start + [("G1", {"Z": 1.0})]), TOOL, STOCK)).draws == 9
     # A half circle of 5 mm was counted in FreeCAD 1.0: 33 chords, 297 draw calls.
-    half = opengl_cost(linearize(arcs(1, 5.0)), tool=TOOL, stock=STOCK)
+    half = opengl_cost(Task(linearize(arcs(1, 5.0)), TOOL, STOCK))
     assert (half.steps, half.draws, half.arc_draws) == (33, 297, 297)
     # Within the tool's radius an arc is drawn with the tool every 22.5 degrees.
-    assert opengl_cost(linearize(arcs(1, 2.0)), tool=TOOL, stock=STOCK).draws == 9 * 9
-    assert opengl_cost(linearize(arcs(1, 2.0)), tool=TOOL, stock=STOCK, quality=1).draws == 9 * 3
+    assert opengl_cost(Task(linearize(arcs(1, 2.0)), TOOL, STOCK)).draws == 9 * 9
+    assert opengl_cost(Task(linearize(arcs(1, 2.0)), TOOL, STOCK), quality=1).draws == 9 * 3
 
 
 def outline(*bases):
@@ -463,15 +471,15 @@ def play(path, diameter, speed, constants):
 def test_playing_takes_what_its_frames_add_up_to(speed):
     software = Constants(refresh=0.02, frame=0.01, draw=25e-6)
     path = linearize(zigzag(60) + arcs(40, 5.0) + arcs(40, 2.0))
-    predicted = opengl_cost(path, tool=TOOL, stock=STOCK, speeds=(speed,), constants=software).play_seconds[speed]
+    predicted = opengl_cost(Task(path, TOOL, STOCK), speeds=(speed,), constants=software).play_seconds[speed]
     assert predicted == pytest.approx(play(path, 6.0, speed, software), rel=0.02)
 
 
 def test_wide_cuts_take_longer_to_draw_than_narrow_ones_and_long_ones_than_short_ones():
     path, only = linearize(zigzag(60)), Constants(refresh=0.0, frame=0.0)
-    wide, narrow = (opengl_cost(path, tool=Tool("endmill", d), stock=STOCK, constants=only) for d in (12.0, 3.0))
+    wide, narrow = (opengl_cost(Task(path, Tool("endmill", d), STOCK), constants=only) for d in (12.0, 3.0))
     assert wide.draws == narrow.draws and wide.frame_seconds > 1.2 * narrow.frame_seconds
-    short = opengl_cost(linearize(zigzag(60, width=8.0)), tool=Tool("endmill", 3.0), stock=STOCK, constants=only)
+    short = opengl_cost(Task(linearize(zigzag(60, width=8.0)), Tool("endmill", 3.0), STOCK), constants=only)
     assert short.draws == narrow.draws and narrow.frame_seconds > 1.4 * short.frame_seconds
 
 
@@ -480,14 +488,14 @@ def test_rounded_tools_take_longer_to_draw_by_the_segments_of_their_outline():
     tools = TOOL, Tool("vbit", 6.0), *rounded
     assert [outline_segments(tool) for tool in tools] == [2, 2, 6, 11, 17]
     path, only = linearize(zigzag(60)), Constants(refresh=0.0, frame=0.0)
-    flat, ball = (opengl_cost(path, tool=tool, stock=STOCK, constants=only) for tool in (TOOL, Tool("ballend", 6.0)))
+    flat, ball = (opengl_cost(Task(path, tool, STOCK), constants=only) for tool in (TOOL, Tool("ballend", 6.0)))
     assert ball.draws == flat.draws and ball.frame_seconds == pytest.approx(1.9 * flat.frame_seconds)
 
 
 def test_playing_twice_the_path_takes_four_times_as_long_once_drawing_dominates():
     slow = Constants(refresh=0.0, frame=0.0, draw=1e-3)
-    once = opengl_cost(linearize(zigzag(200, pitch=0.1)), tool=TOOL, stock=STOCK, constants=slow).play_seconds[1]
-    twice = opengl_cost(linearize(zigzag(400, pitch=0.1)), tool=TOOL, stock=STOCK, constants=slow).play_seconds[1]
+    once = opengl_cost(Task(linearize(zigzag(200, pitch=0.1)), TOOL, STOCK), constants=slow).play_seconds[1]
+    twice = opengl_cost(Task(linearize(zigzag(400, pitch=0.1)), TOOL, STOCK), constants=slow).play_seconds[1]
     assert twice / once == pytest.approx(4, rel=0.05)
 
 
@@ -495,13 +503,9 @@ def test_playing_twice_the_path_takes_four_times_as_long_once_drawing_dominates(
 
 
 def test_which_simulators_a_version_has():
-    assert available_simulators((0, 20, 2)) == (Simulator.LEGACY,)
-    assert available_simulators((0, 21)) == (Simulator.LEGACY,)
-    assert (
-        available_simulators((1, 0, 0))
-        == available_simulators((1, 1, 3))
-        == (Simulator.LEGACY, Simulator.OPENGL)
-    )
+    assert available(()) == (ZBUFFER,)
+    assert available((0, 20, 2)) == available((0, 21)) == (ZBUFFER, LEGACY)
+    assert available((1, 0, 0)) == available((1, 1, 3)) == (ZBUFFER, LEGACY, OPENGL)
     assert opengl_speeds((1, 0, 0)) == (1, 10, 40)
     assert opengl_speeds((1, 1, 3)) == (1, 5, 10, 25, 50)
 
@@ -567,7 +571,7 @@ def test_play_shows_the_mesh_as_it_grows():
     shown = Constants(start=0.0, redraw=0.0, cell=0.0, facet=0.0, profile=0.0, display=1e-3)
 
     def mean_facets(commands, tool):
-        (cost,) = legacy_costs(linearize(commands), tool=tool, stock=STOCK, speed=1e9, constants=shown)
+        (cost,) = legacy_costs(Task(linearize(commands), tool, STOCK), speed=1e9, constants=shown)
         return cost.play_seconds / cost.shown / 1e-3, cost.facets
 
     mean, last = mean_facets(surface(), Tool("ballend", 6.0))

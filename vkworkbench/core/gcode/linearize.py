@@ -30,7 +30,7 @@ _STATE = np.array([40, 70, 80, 150, 170, 180, 190, 200, 210, 400, 410, 411, 420,
 _ZERO_LENGTH = 1e-9  # mm
 
 
-def linearize(commands: Iterable, *, tolerance: float = 0.01) -> Toolpath:
+def linearize(commands: Iterable | Words, *, tolerance: float = 0.01) -> Toolpath:
     """Resolve the commands of one operation into straight trajectories.
 
     The paper assumes that "all the trajectories are linearized and defined by the Cartesian co-ordinates of
@@ -38,7 +38,7 @@ def linearize(commands: Iterable, *, tolerance: float = 0.01) -> Toolpath:
 
     Parameters
     ----------
-    commands : iterable
+    commands : iterable or Words
         ``(name, parameters)`` pairs, or objects with ``.Name`` and ``.Parameters``, in FreeCAD's units
         (mm, mm/s). Names as they come: ``G1``, ``G01``, ``(comment)``, or empty for a modal line.
     tolerance : float
@@ -59,7 +59,7 @@ def linearize(commands: Iterable, *, tolerance: float = 0.01) -> Toolpath:
     """
     if not (np.isfinite(tolerance) and tolerance > 0):
         raise ValueError(f"the tolerance must be a positive number of mm, not {tolerance}")
-    words = Words(commands)
+    words = commands if isinstance(commands, Words) else Words(commands)
     problems = _Problems()
     program = _Program(words, problems)
     points, rapid, command, sweep, is_cycle = _moves(program, float(tolerance), problems)

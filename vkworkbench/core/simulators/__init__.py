@@ -1,21 +1,23 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What FreeCAD's own simulators will cost, and what goes wrong in them.
+"""What simulating costs, simulator by simulator: the paper's extended z-buffer and FreeCAD's own, one entry each.
 
-In: `Toolpath`, tool, stock, and `Constants`, what a unit of their work takes on one computer.
-Out: `LegacyCost` and `OpenGLCost` of one operation or of several together; `Accuracy`, the finest that a budget
-allows; `Caution`, what to know before they are started; what real runs teach about the constants.
+In: `Task`, one operation's toolpath with tool and stock; `Conditions`, the FreeCAD, the computer and the settings.
+Out: the table `SIMULATORS`, each with its Cost of one operation or of several together, its advice for a budget and
+what real runs teach it about the `Constants`; `Caution`, what to know before a simulation is started.
 """
 
 from vkworkbench.core.simulators.accuracy import Accuracy, best_accuracy
-from vkworkbench.core.simulators.constants import DEFAULTS, Constants, Simulator, available_simulators, opengl_speeds
+from vkworkbench.core.simulators.constants import CALIBRATED_FACTOR, DEFAULTS, Constants
+from vkworkbench.core.simulators.costs import Costs
 from vkworkbench.core.simulators.legacy import SLIDER, LegacyCost, legacy_costs, legacy_together, legacy_work
-from vkworkbench.core.simulators.legacy_panel import fit_fast_forward, fit_play
-from vkworkbench.core.simulators.motions import motions
-from vkworkbench.core.simulators.opengl import OpenGLCost, opengl_cost, opengl_together
-from vkworkbench.core.simulators.preflight import Caution, preflight
+from vkworkbench.core.simulators.opengl import OpenGLCost, opengl_cost, opengl_speeds, opengl_together
+from vkworkbench.core.simulators.preflight import preflight
+from vkworkbench.core.simulators.simulator import Advice, Caution, Conditions, Cost, Lesson, Simulator, Task
+from vkworkbench.core.simulators.table import LEGACY, OPENGL, SIMULATORS, ZBUFFER, available, predict, together
 
 __all__ = [
-    "DEFAULTS", "SLIDER", "Accuracy", "Caution", "Constants", "LegacyCost", "OpenGLCost", "Simulator",
-    "available_simulators", "best_accuracy", "fit_fast_forward", "fit_play", "legacy_costs", "legacy_together",
-    "legacy_work", "motions", "opengl_cost", "opengl_speeds", "opengl_together", "preflight",
+    "CALIBRATED_FACTOR", "DEFAULTS", "LEGACY", "OPENGL", "SIMULATORS", "SLIDER", "ZBUFFER", "Accuracy", "Advice",
+    "Caution", "Conditions", "Constants", "Cost", "Costs", "LegacyCost", "Lesson", "OpenGLCost", "Simulator", "Task",
+    "available", "best_accuracy", "legacy_costs", "legacy_together", "legacy_work", "opengl_cost",
+    "opengl_speeds", "opengl_together", "predict", "preflight", "together",
 ]  # fmt: skip

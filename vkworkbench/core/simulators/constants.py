@@ -1,21 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""FreeCAD's simulators: which a version has and what their unit work costs on one computer.
-
-The *legacy* simulator (``PathSimulator.PathSim``) is in every version, see legacy.py; the *OpenGL* simulator
-(``CAMSimulator.PathSim``) came with FreeCAD 1.0, see opengl.py.
-"""
+"""What the unit work of FreeCAD's simulators costs on one computer."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
-from enum import Enum
-
-
-class Simulator(str, Enum):
-    """FreeCAD's simulators."""
-
-    LEGACY = "legacy"
-    OPENGL = "opengl"
 
 
 @dataclass(frozen=True)
@@ -84,24 +72,5 @@ class Constants:
 
 
 DEFAULTS = Constants()
-
-
-def available_simulators(version: tuple[int, ...]) -> tuple[Simulator, ...]:
-    """Which simulators a FreeCAD has.
-
-    Parameters
-    ----------
-    version : tuple of int
-        At least major and minor, e.g. ``(1, 0)``.
-
-    Returns
-    -------
-    tuple of Simulator
-        In the order of their age.
-    """
-    return (Simulator.LEGACY, Simulator.OPENGL) if tuple(version[:2]) >= (1, 0) else (Simulator.LEGACY,)
-
-
-def opengl_speeds(version: tuple[int, ...]) -> tuple[int, ...]:
-    """Steps per frame that the OpenGL simulator's speed button offers in a FreeCAD version."""
-    return (1, 5, 10, 25, 50) if tuple(version[:2]) >= (1, 1) else (1, 10, 40)
+# With measured constants the true number is within this factor (benchmarks/simulators.py).
+CALIBRATED_FACTOR = 1.3

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What FreeCAD's legacy simulator will cost, from exact counts of the work it does.
+"""What FreeCAD's legacy simulator (``PathSimulator.PathSim``) will cost, from exact counts of the work it does.
 
 It holds the stock as a grid of heights, walks every move in steps of 0.6 cell and turns the grid into a mesh.
 The counts follow VolSim.cpp and PathSimulatorGui.py of FreeCAD 0.20.2, 1.0.0 and 1.1.3, which agree.
@@ -8,7 +8,7 @@ The counts follow VolSim.cpp and PathSimulatorGui.py of FreeCAD 0.20.2, 1.0.0 an
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -17,7 +17,8 @@ from vkworkbench.core.simulators.floors import floors
 from vkworkbench.core.simulators.heightmap import heightmaps
 from vkworkbench.core.simulators.legacy_mesh import BOX, mesh_facets
 from vkworkbench.core.simulators.legacy_panel import panel_seconds
-from vkworkbench.core.simulators.motions import Motions, motions
+from vkworkbench.core.simulators.motions import Motions
+from vkworkbench.core.simulators.simulator import Conditions, Task
 from vkworkbench.core.solids import Stock, Tool
 from vkworkbench.core.toolpath import Toolpath
 
@@ -132,6 +133,8 @@ class LegacyCost:
         Time to cut them all, and to make the last mesh.
     constants : Constants
         What the unit work was said to cost.
+    positions : tuple of LegacyCost
+        The same at each position of the accuracy slider, 1 to 10; empty where nobody asked.
     """
 
     fast_forward_seconds: float
@@ -148,6 +151,17 @@ class LegacyCost:
     cut_seconds: float
     mesh_seconds: float
     constants: Constants
+    positions: tuple[LegacyCost, ...] = ()
+
+    @property
+    def seconds(self) -> float:
+        """float : what is told as its time, that of fast-forward, s."""
+        return self.fast_forward_seconds
+
+    @property
+    def factor(self) -> float:
+        """float : the true time is between the estimated one divided and multiplied by this."""
+        return self.constants.legacy_factor
 
     @property
     def panel_seconds(self) -> float:
@@ -165,11 +179,16 @@ class LegacyCost:
         return self.constants.redraw * self.shown + self.constants.display * self.drawn
 
 
+def predict(task: Task, conditions: Conditions) -> LegacyCost:
+    """Estimate it at the accuracy of the conditions, and at every position of its slider."""
+    accuracies = conditions.legacy_accuracy, *SLIDER
+    cost, *positions = legacy_costs(task, accuracies=accuracies, constants=conditions.constants)
+    return replace(cost, positions=tuple(positions))
+
+
 def legacy_costs(
-    toolpath: Toolpath,
+    task: Task,
     *,
-    tool: Tool,
-    stock: Stock,
     accuracies: tuple[float, ...] = (0.1,),
     speed: float = 50.0,
     constants: Constants = DEFAULTS,
@@ -182,12 +201,7 @@ def legacy_costs(
 
     Parameters
     ----------
-    toolpath : Toolpath
-        The trajectories.
-    tool : Tool
-        A shank wider than the cutting edge counts as cutter in FreeCAD; give its diameter then.
-    stock : Stock
-        Anything with ``lower`` and ``upper`` corners, mm.
+    task : Task
     accuracies : tuple of float
         Edges of a cell in percent of the stock's longer side; the slider has 1.1 - 0.1 times its position,
         and starts at its finest, 0.1.
@@ -208,7 +222,7 @@ def legacy_costs(
     """
     if not speed > 0:
         raise ValueError(f"the speed must be positive, not {speed} commands per second")
-    made = motions(toolpath)
+    toolpath, tool, stock, made = task.toolpath, task.tool, task.stock, task.motions
     shown = toolpath.commands - len(toolpath.comments)
     # A drilling cycle makes a mesh after each of its three moves.
     meshes = shown + 2 * len(np.unique(toolpath.command[toolpath.cycle]))

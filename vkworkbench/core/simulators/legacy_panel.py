@@ -7,9 +7,12 @@ progress. A play redraws the window for every command, and every triangle of its
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 
 from vkworkbench.core.simulators.constants import DEFAULTS, Constants
+from vkworkbench.core.simulators.simulator import Lesson
 
 _PERCENTS = 100
 # How far the constants usually lie from the defaults, and what they are at least (the tick is that of a timer of 1 ms),
@@ -25,6 +28,7 @@ _EXACT = 0.05
 _ROUNDS = 30
 # How often the short fast-forwards are looked at with the tick that the long ones told.
 _ROUNDS_OF_TICK = 5
+_SHORTEST_PLAY = 20  # commands
 
 
 def panel_seconds(constants: Constants, commands: int) -> float:
@@ -111,3 +115,35 @@ def _work(commands: int | np.ndarray) -> np.ndarray:
 
 def _of(constants: Constants) -> np.ndarray:
     return np.array([constants.start, constants.tick, constants.repaint])
+
+
+def _fast_forward_of(cost, seconds: float, constants: Constants) -> tuple[int, float] | None:
+    """Commands of a fast-forward and what it took beyond cutting; None where it was faster than it can be."""
+    panel = seconds - cost.fast_forward_seconds + cost.panel_seconds
+    return (cost.commands, panel) if panel > 0 else None
+
+
+def _play_of(cost, seconds: float, constants: Constants) -> tuple[int, float, float, float] | None:
+    """Commands and triangles of a play, what it took to show them, and in all; None where it was too short."""
+    if cost.shown < _SHORTEST_PLAY:
+        return None
+    return cost.shown, cost.drawn, seconds - cost.play_seconds + cost.display_seconds, seconds
+
+
+def _fast_forwards(runs: Sequence, constants: Constants) -> dict[str, float]:
+    return dict(zip(("start", "tick", "repaint"), fit_fast_forward(*np.array(runs).T)))
+
+
+def _plays(runs: Sequence, constants: Constants) -> dict[str, float]:
+    return dict(zip(("redraw", "display"), fit_play(*np.array(runs).T)))
+
+
+def _read_numbers(count: int):
+    """How a run is read of which the file has so many numbers, the first of them whole."""
+    return lambda run: (int(run[0]), *(float(run[k]) for k in range(1, count)))
+
+
+LESSONS = (
+    Lesson("fast-forward", _fast_forward_of, _read_numbers(2), _fast_forwards),
+    Lesson("play", _play_of, _read_numbers(4), _plays),
+)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What FreeCAD's OpenGL simulator will cost, from exact counts of its draw calls.
+"""What FreeCAD's OpenGL simulator (``CAMSimulator.PathSim``) will cost, from exact counts of its draw calls.
 
 It keeps nothing between two frames: each draws every motion made so far nine times. The counts follow
 MillPathSegment.cpp and MillSimulation.cpp of FreeCAD 1.0.0.
@@ -9,13 +9,18 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from statistics import median_low
 
 import numpy as np
 
-from vkworkbench.core.simulators.constants import DEFAULTS, Constants
-from vkworkbench.core.simulators.motions import Motions, motions
-from vkworkbench.core.solids import ConvexStock, Stock, Tool
-from vkworkbench.core.toolpath import Toolpath
+from vkworkbench.core.simulators.constants import CALIBRATED_FACTOR, DEFAULTS, Constants
+from vkworkbench.core.simulators.motions import Motions
+from vkworkbench.core.simulators.simulator import Caution, Conditions, Lesson, Task
+from vkworkbench.core.solids import Tool
+from vkworkbench.language import Message
+
+SINCE = (1, 0)
+SLOWEST_FRAME = 0.1  # s, ten pictures per second
 
 # Angle of a chord of an arc, at least and at most (MillPathSegment.cpp).
 _SMALLEST_STEP, _LARGEST_STEP = np.pi / 90, np.pi / 2
@@ -33,6 +38,13 @@ _CORNER_PIECE = 0.5
 _LONGER_PER_SEGMENT = 0.1
 # Parts of an operation whose frames are looked at where others were played before.
 _PARTS = 32
+# A frame that takes less than this many refreshes may have waited for the screen.
+_SLOW_FRAME = 1.25
+
+
+def opengl_speeds(version: tuple[int, ...]) -> tuple[int, ...]:
+    """Steps per frame that the speed button offers in a FreeCAD version."""
+    return (1, 5, 10, 25, 50) if tuple(version[:2]) >= (1, 1) else (1, 10, 40)
 
 
 @dataclass(frozen=True, eq=False)
@@ -153,6 +165,16 @@ class OpenGLCost:
     constants: Constants
 
     @property
+    def seconds(self) -> float:
+        """float : what is told as its time, that of playing at the highest speed, s."""
+        return self.fastest_seconds
+
+    @property
+    def factor(self) -> float:
+        """float : the true time is between the estimated one divided and multiplied by this."""
+        return self.constants.opengl_factor
+
+    @property
     def frame_seconds(self) -> float:
         """float : one frame at the end, s; the display is that slow whenever the part is turned."""
         return max(self.constants.refresh, self.constants.frame + self.drawing_seconds)
@@ -163,11 +185,16 @@ class OpenGLCost:
         return self.play_seconds[max(self.play_seconds)]
 
 
+def predict(task: Task, conditions: Conditions) -> OpenGLCost:
+    """Estimate it with the quality of the conditions, at the speeds that their FreeCAD offers."""
+    return opengl_cost(
+        task, speeds=opengl_speeds(conditions.version), quality=conditions.opengl_quality, constants=conditions.constants
+    )
+
+
 def opengl_cost(
-    toolpath: Toolpath,
+    task: Task,
     *,
-    tool: Tool,
-    stock: Stock | ConvexStock,
     speeds: tuple[int, ...] = (1, 5, 10, 25, 50),
     quality: int = 10,
     constants: Constants = DEFAULTS,
@@ -180,10 +207,7 @@ def opengl_cost(
 
     Parameters
     ----------
-    toolpath : Toolpath
-        The trajectories.
-    tool : Tool
-    stock : Stock or ConvexStock
+    task : Task
     speeds : tuple of int
         Steps per frame, see :func:`opengl_speeds`.
     quality : int
@@ -200,7 +224,8 @@ def opengl_cost(
     ValueError
         If the quality is not positive.
     """
-    work = opengl_work(motions(toolpath), diameter=tool.diameter, quality=quality)
+    tool, stock = task.tool, task.stock
+    work = opengl_work(task.motions, diameter=tool.diameter, quality=quality)
     steps, draws, arc = work.steps, work.draws, work.arc
     window = _WINDOW * float(np.max((stock.upper - stock.lower)[:2])) ** 2
     longer = 1 + _LONGER_PER_SEGMENT * (outline_segments(tool) - 2)
@@ -252,3 +277,32 @@ def opengl_together(costs: Sequence[OpenGLCost]) -> OpenGLCost:
         steps=sum(cost.steps for cost in costs),
         constants=constants,
     )
+
+
+def cautions(task: Task, cost: OpenGLCost | None, conditions: Conditions) -> list[Caution]:
+    """Find what takes long in it."""
+    found = []
+    if cost is not None and cost.fastest_seconds > conditions.time_budget:
+        found.append(Caution("long-play", Message("opengl-long-play", time=cost.fastest_seconds)))
+    if cost is not None and cost.frame_seconds > SLOWEST_FRAME and 2 * cost.arc_draws > cost.draws:
+        percent = round(100 * cost.arc_draws / cost.draws)
+        found.append(Caution("arcs", Message("opengl-arcs", time=cost.frame_seconds, percent=percent)))
+    return found
+
+
+def _draw_of(cost: OpenGLCost, seconds: float, constants: Constants) -> float | None:
+    """What the last frames of a play, which took so many seconds each, say of the constant "draw".
+
+    Nothing where they were so short that they may have waited for the screen.
+    """
+    if seconds < _SLOW_FRAME * constants.refresh or not cost.drawing_seconds:
+        return None
+    return constants.draw * seconds / (constants.frame + cost.drawing_seconds)
+
+
+def _drawing(runs: Sequence[float], constants: Constants) -> dict[str, float]:
+    draw = median_low(runs)
+    return {"frame": constants.frame * draw / constants.draw, "draw": draw, "opengl_factor": CALIBRATED_FACTOR}
+
+
+LESSONS = (Lesson("draw", _draw_of, float, _drawing),)

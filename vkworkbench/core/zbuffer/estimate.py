@@ -64,6 +64,11 @@ class Estimate:
     trajectory_seconds: float
     speed: Speed
 
+    @property
+    def factor(self) -> float:
+        """The true time is between the estimated one divided and multiplied by this."""
+        return self.speed.factor
+
 
 @dataclass(frozen=True)
 class Speed:

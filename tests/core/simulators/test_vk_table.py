@@ -1,0 +1,144 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The table of simulators: every entry is complete, and one more entry is all that a new simulator takes."""
+
+from __future__ import annotations
+
+import csv
+import json
+import xml.etree.ElementTree as ElementTree
+from dataclasses import dataclass, fields, replace
+from pathlib import Path
+
+import pytest
+
+from vkworkbench import preferences
+from vkworkbench.core import Stock, Tool, linearize, machining, recognize
+from vkworkbench.core.gcode import Words
+from vkworkbench.core.simulators import costs, preflight, table
+from vkworkbench.core.simulators.simulator import Caution, Conditions, Task
+from vkworkbench.core.simulators.table import LEGACY, SIMULATORS, ZBUFFER
+from vkworkbench.language import Message
+from vkworkbench.report import OperationReport, Report
+
+ROOT = Path(__file__).parents[3]
+ROWS = [("G0", {"X": 5.0, "Y": 5.0, "Z": 30.0}), ("G1", {"Z": 15.0, "F": 5.0})]
+ROWS += [("G1", {"X": 5.0 + 50 * (i % 4 in (0, 1)), "Y": 5.0 + 2 * ((i + 1) // 2)}) for i in range(20)]
+STOCK = Stock((0, 0, 0), (60, 40, 20))
+
+
+def translated(language):
+    """Translated texts of a language by context and English text."""
+    tree = ElementTree.parse(ROOT / "resources" / "translations" / f"VkWorkbench_{language}.ts").getroot()
+    return {
+        (context.findtext("name"), message.findtext("source")): message.findtext("translation")
+        for context in tree.iter("context")
+        for message in context.iter("message")
+    }
+
+
+def texts(simulator):
+    """Context and text of all that a person reads of it."""
+    yield "VkPreferences", simulator.choice
+    for name in ("time_title", "time_tooltip", "memory_title", "memory_tooltip"):
+        yield "Vk_Results", getattr(simulator, name)
+    if simulator.advice:
+        for name in ("title", "tooltip", "sentence", "none"):
+            yield "Vk_Results", getattr(simulator.advice, name)
+
+
+@pytest.mark.parametrize("language", ["de", "fr", "es-ES", "zh-CN"])
+def test_every_text_of_an_entry_is_translated(language):
+    known = translated(language)
+    for simulator in SIMULATORS:
+        for key in texts(simulator):
+            assert known.get(key), (simulator.name, key)
+
+
+def test_entries_do_not_collide():
+    names = [simulator.name for simulator in SIMULATORS]
+    columns = [column for s in SIMULATORS for column in (*s.columns, s.factor_column, s.advice and s.advice.column) if column]
+    kinds = [lesson.kind for simulator in SIMULATORS for lesson in simulator.lessons]
+    for unique in (names, columns, kinds):
+        assert len(set(unique)) == len(unique)
+    assert preferences.Preferences().mark_simulator == SIMULATORS[0].name == ZBUFFER.name
+
+
+def test_preferences_that_only_one_reads_are_preferences():
+    known = {field.name for field in fields(preferences.Preferences)}
+    form = (ROOT / "resources" / "ui" / "preferences.ui").read_text(encoding="utf-8")
+    for simulator in SIMULATORS:
+        assert set(simulator.preferences) <= known
+        for name in simulator.preferences:
+            assert f'name="{name}"' in form and f'name="{name}_label"' in form
+
+
+@dataclass(frozen=True)
+class WireframeCost:
+    """Of a simulator that takes a second for every trajectory."""
+
+    seconds: float
+    memory_bytes: float
+    factor: float = 3.0
+
+
+WIREFRAME = replace(
+    LEGACY,
+    name="wireframe",
+    since=(1, 2),
+    predict=lambda task, conditions: WireframeCost(float(len(task.toolpath)), 1e3 * len(task.motions.command)),
+    together=lambda costs: WireframeCost(sum(c.seconds for c in costs), sum(c.memory_bytes for c in costs)),
+    cautions=lambda task, cost, conditions: [Caution("wires", Message("leave-out"))],
+    less_memory=Message("fewer-operations"),
+    columns={"wireframe_seconds": lambda cost: cost.seconds},
+    factor_column="wireframe_factor",
+    advice=None,
+    lessons=(),
+)
+
+
+@pytest.fixture
+def wireframe(monkeypatch):
+    for module in (table, costs):
+        monkeypatch.setattr(module, "SIMULATORS", (*SIMULATORS, WIREFRAME))
+    return WIREFRAME
+
+
+def row(version):
+    words = Words(ROWS)
+    path = linearize(words)
+    task = Task(path, Tool("endmill", 5.0), STOCK, words, recognize(path))
+    conditions = Conditions(version=version, memory_budget=1.5e4)
+    predicted, advice = table.predict(task, conditions)
+    return OperationReport(
+        document="D", name="Op", label="Rows", job="Job", counted=True, recognition=task.recognition,
+        trajectories=len(path), machining=machining(path), costs=predicted, advice=advice,
+        cautions=preflight(task, predicted, conditions), remarks=(), fingerprint="",
+    )  # fmt: skip
+
+
+def test_one_more_entry_is_predicted_warned_of_and_written_everywhere(wireframe, tmp_path):
+    operation = row((1, 2))
+    count = operation.trajectories
+    assert operation.cost("wireframe") == (float(count), 1e3 * count) and operation.factor("wireframe") == 3.0
+    codes = [(caution.code, caution.what.code) for caution in operation.cautions]
+    assert ("wires", "leave-out") in codes
+    assert any("wireframe" in caution.message for caution in operation.cautions if caution.code == "memory")
+
+    both = Report((operation, replace(operation, name="Other")), {("D", "Job"): "Job"}, {"memory_bytes": 1e9, "seconds": 1e3})
+    (total,) = both.totals
+    assert total.cost("wireframe") == (2.0 * count, 2e3 * count)
+    both.to_csv(str(tmp_path / "report.csv"))
+    both.to_json(str(tmp_path / "report.json"))
+    with open(tmp_path / "report.csv", newline="", encoding="utf-8") as file:
+        first = next(csv.DictReader(file))
+    assert float(first["wireframe_seconds"]) == count and float(first["wireframe_factor"]) == 3.0
+    data = json.loads((tmp_path / "report.json").read_text(encoding="utf-8"))
+    assert data["totals"][0]["wireframe_seconds"] == 2 * count
+
+
+def test_a_freecad_without_it_says_nothing_of_it(wireframe):
+    operation = row((1, 1))
+    assert set(operation.costs) == {"z-buffer", "legacy", "OpenGL"}
+    assert operation.cost("wireframe") is None and operation.factor("wireframe") == 1.0
+    assert operation.as_dict()["wireframe_seconds"] is None
+    assert set(row(()).costs) == {"z-buffer"}

@@ -1,0 +1,87 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What all simulators take for one thing, an operation or a job, as it is asked for and written."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from vkworkbench.core.simulators.accuracy import Accuracy
+from vkworkbench.core.simulators.legacy import LegacyCost
+from vkworkbench.core.simulators.opengl import OpenGLCost
+from vkworkbench.core.simulators.simulator import Advice, Cost, Simulator
+from vkworkbench.core.simulators.table import LEGACY, OPENGL, SIMULATORS, ZBUFFER
+from vkworkbench.core.zbuffer import Resolution
+
+
+class Costs:
+    """What the simulators take for an operation, or for several one after another, by their names.
+
+    Attributes
+    ----------
+    costs : dict of str to Cost
+        Nothing of a simulator that this FreeCAD does not have, nor where a cost is not known.
+    advice : dict of str to Resolution, Accuracy
+        The finest setting of a simulator within the budget of the preferences, likewise.
+    """
+
+    costs: dict[str, Cost]
+    advice: dict[str, Any]
+
+    @property
+    def legacy(self) -> LegacyCost | None:
+        """What FreeCAD's legacy simulator takes, at the accuracy of the preferences."""
+        return self.costs.get(LEGACY.name)
+
+    @property
+    def opengl(self) -> OpenGLCost | None:
+        """What FreeCAD's OpenGL simulator takes; None also where this FreeCAD has none."""
+        return self.costs.get(OPENGL.name)
+
+    @property
+    def resolution(self) -> Resolution | None:
+        """The finest image of the z-buffer within the budget of the preferences."""
+        return self.advice.get(ZBUFFER.name)
+
+    @property
+    def accuracy(self) -> Accuracy | None:
+        """The finest accuracy of playing in the legacy simulator within that budget."""
+        return self.advice.get(LEGACY.name)
+
+    def cost(self, simulator: str) -> tuple[float, float] | None:
+        """Return seconds and bytes of simulating it, None where they are not known.
+
+        Parameters
+        ----------
+        simulator : str
+            Name of a simulator: ``"z-buffer"``, ``"legacy"``, which runs in fast-forward, or ``"OpenGL"``, at its
+            highest speed.
+        """
+        cost = self.costs.get(simulator)
+        return cost and (cost.seconds, float(cost.memory_bytes))
+
+    def factor(self, simulator: str) -> float:
+        """Return how sure the time of :meth:`cost` is: the true one is between it divided and multiplied by this."""
+        cost = self.costs.get(simulator)
+        return cost.factor if cost else 1.0
+
+    def columns(self) -> dict[str, Any]:
+        """Return the explanations of the advice, and what the simulators beside the paper's take, for CSV and JSON."""
+        columns = {advice.column: chosen and chosen.explanation for advice, chosen in self._advised()}
+        for simulator in _beside_the_papers():
+            columns |= simulator.figures(self.costs.get(simulator.name))
+        return columns
+
+    def factors(self) -> dict[str, float]:
+        """Return how sure the times of these are, likewise."""
+        return {simulator.factor_column: self.factor(simulator.name) for simulator in _beside_the_papers()}
+
+    def advice_messages(self) -> dict[str, Any]:
+        """Return the messages of the advice as plain data."""
+        return {advice.column: chosen and chosen.why.as_data() for advice, chosen in self._advised()}
+
+    def _advised(self) -> list[tuple[Advice, Any]]:
+        return [(s.advice, self.advice.get(s.name)) for s in SIMULATORS if s.advice]
+
+
+def _beside_the_papers() -> tuple[Simulator, ...]:
+    return tuple(simulator for simulator in SIMULATORS if simulator is not ZBUFFER)

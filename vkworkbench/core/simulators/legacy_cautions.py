@@ -1,0 +1,115 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What goes wrong or takes long in FreeCAD's legacy simulator, found in O(n)."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from vkworkbench.core.gcode import Words
+from vkworkbench.core.simulators import opengl
+from vkworkbench.core.simulators.legacy import LegacyCost
+from vkworkbench.core.simulators.simulator import Caution, Conditions, Task
+from vkworkbench.core.toolpath import Toolpath
+from vkworkbench.language import Message
+
+MOST_SHORT_MOVES = 2000
+RAMP_ERROR = 0.1  # mm
+
+_CLOCKWISE, _COUNTERCLOCKWISE = 20, 30
+
+
+def cautions(task: Task, cost: LegacyCost | None, conditions: Conditions) -> list[Caution]:
+    """Find what goes wrong or takes long in it: arcs where the words are known, ramps where the tool is."""
+    found = _hangs(task, conditions.version) if task.words is not None else []
+    if task.tool is not None:
+        found += _ramps(task.toolpath, task.tool.diameter)
+    if cost is not None:
+        found += _long(cost, conditions.time_budget) + _short_moves(task.toolpath, cost.resolution)
+    return found
+
+
+def _hangs(task: Task, version: tuple[int, ...]) -> list[Caution]:
+    """Arcs on which ``PerformCutVoxel`` raises an error, after which the legacy simulator never goes on.
+
+    It computes with the words X, Y and, before FreeCAD 1.1, Z of an arc even where they are absent, and
+    divides by a number of chords that is 0 where radius or sweep is 0: of full circles, and where start and end lie
+    in one direction from the centre, as in FreeCAD's Deburr. Arcs with a K word take another way.
+    """
+    words = task.words
+    arcs = np.flatnonzero((words.codes == _CLOCKWISE) | (words.codes == _COUNTERCLOCKWISE))
+    if not len(arcs):
+        return []
+    values = {letter: words.column(letter, arcs)[0] for letter in "XYZIJK"}
+    i, j = (np.nan_to_num(values[letter]) for letter in "IJ")
+    x, y = (_last_word(words, letter, arcs) for letter in "XY")
+    swept = np.arctan2(values["Y"] - y - j, values["X"] - x - i) - np.arctan2(-j, -i)
+    still = np.abs(np.remainder(swept + np.pi, 2 * np.pi) - np.pi) < 1e-9
+    plain = ~(np.abs(values["K"]) > 0)
+    absent = {letter: np.isnan(values[letter]) for letter in "XYZ"}
+    made = task.motions
+    circle = np.isin(arcs, made.command[np.abs(made.sweep) > 2 * np.pi - 1e-6])
+    reasons = [
+        (absent["X"] | absent["Y"], Message("arc-without-xy")),
+        (absent["Z"] & (tuple(version[:2]) < (1, 1)), Message("arc-without-z")),
+        ((i == 0) & (j == 0), Message("arc-without-centre")),
+        (circle & ~absent["X"] & ~absent["Y"], Message("arc-full-circle")),
+        (still & ~circle & ((i != 0) | (j != 0)), Message("arc-without-sweep")),
+    ]
+    instead = Message("use-opengl") if version >= opengl.SINCE else Message("leave-out")
+    found = []
+    for bad, reason in reasons:
+        concerned = arcs[bad & plain]
+        if not len(concerned):
+            continue
+        first, others = int(concerned[0]), len(concerned) - 1
+        what = Message(
+            "legacy-hangs", reason=reason, command=first, instead=instead,
+            others=Message("and-more", count=others) if others else None,
+        )  # fmt: skip
+        found.append(Caution("legacy-hangs", what, first))
+    return found
+
+
+def _last_word(words: Words, letter: str, rows: np.ndarray) -> np.ndarray:
+    """The last value of a parameter before each of the commands `rows`; NaN before the first."""
+    values = words.column(letter)[0]
+    last = np.maximum.accumulate(np.where(np.isnan(values), -1, np.arange(len(values))))
+    last = np.where(rows > 0, last[rows - 1], -1)
+    return np.where(last < 0, np.nan, values[last])
+
+
+def _ramps(toolpath: Toolpath, diameter: float) -> list[Caution]:
+    """Sloping lines longer than the tool is wide.
+
+    ``ApplyLinearTool`` divides the rise by the steps across the tool and adds it at every step along the
+    move, so the far end is cut at ``length / diameter`` times the rise.
+    """
+    moves = np.diff(toolpath.points, axis=0)
+    level = np.hypot(moves[:, 0], moves[:, 1])
+    lines = (toolpath.sweep == 0) & ~(toolpath.rapid & (moves[:, 2] > 0))
+    error = np.where(lines, np.abs(moves[:, 2]) * (level / diameter - 1), 0.0)
+    wrong = np.flatnonzero(error > RAMP_ERROR)
+    if not len(wrong):
+        return []
+    worst = wrong[np.argmax(error[wrong])]
+    what = Message(
+        "legacy-ramp", count=len(wrong), error=error[worst], command=toolpath.command[worst],
+        way=Message("too-deep") if moves[worst, 2] < 0 else Message("too-high"),
+    )  # fmt: skip
+    return [Caution("legacy-ramp", what, int(toolpath.command[wrong[0]]))]
+
+
+def _long(cost: LegacyCost, budget: float) -> list[Caution]:
+    if cost.play_seconds <= budget:
+        return []
+    what = Message("legacy-long-play", longer=cost.play_seconds, time=cost.fast_forward_seconds)
+    return [Caution("long-play", what)]
+
+
+def _short_moves(toolpath: Toolpath, resolution: float) -> list[Caution]:
+    moves = np.diff(toolpath.points, axis=0)
+    short = np.flatnonzero((toolpath.sweep == 0) & ~toolpath.rapid & ((moves**2).sum(axis=1) < resolution**2))
+    if len(short) <= MOST_SHORT_MOVES:
+        return []
+    what = Message("legacy-short-moves", count=len(short), cell=resolution)
+    return [Caution("short-moves", what, int(toolpath.command[short[0]]))]

@@ -1,0 +1,231 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What a simulator is to everything else: the entry that each has in the table (table.py), and what is handed to it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field
+from functools import cached_property
+from typing import Any, Protocol
+
+from vkworkbench.core.gcode import Words
+from vkworkbench.core.recognition import Recognition
+from vkworkbench.core.simulators.constants import DEFAULTS, Constants
+from vkworkbench.core.simulators.motions import Motions, motions
+from vkworkbench.core.solids import ConvexStock, Stock, Tool, View
+from vkworkbench.core.toolpath import Toolpath
+from vkworkbench.core.zbuffer import Speed
+from vkworkbench.language import Message, render
+
+
+@dataclass(frozen=True, eq=False)
+class Task:
+    """What is to be simulated: one operation.
+
+    Attributes
+    ----------
+    toolpath : Toolpath
+    tool : Tool or None
+        Where it or the stock is not known no cost is predicted. A shank wider than the cutting edge counts as cutter
+        in FreeCAD's legacy simulator; give its diameter then.
+    stock : Stock, ConvexStock or None
+    words : Words or None
+        Of the commands, for what goes wrong with them.
+    recognition : Recognition or None
+    """
+
+    toolpath: Toolpath
+    tool: Tool | None = None
+    stock: Stock | ConvexStock | None = None
+    words: Words | None = None
+    recognition: Recognition | None = None
+
+    @cached_property
+    def motions(self) -> Motions:
+        """The motions that FreeCAD's simulators make of the toolpath, all of the same ones."""
+        return motions(self.toolpath)
+
+
+@dataclass(frozen=True)
+class Conditions:
+    """With what it is simulated.
+
+    Attributes
+    ----------
+    version : tuple of int
+        Of FreeCAD, at least major and minor; empty where there is none.
+    constants : Constants
+        What the work of FreeCAD's simulators costs on this computer.
+    speed : Speed
+        Of this computer, for the extended z-buffer.
+    view : View
+        Image of the extended z-buffer.
+    legacy_accuracy : float
+        Edge of a cell of the legacy simulator in percent of the stock's longer side.
+    opengl_quality : int
+        Position of the OpenGL simulator's quality slider, 1 to 10.
+    memory_budget, time_budget : float
+        Bytes and s that one operation may take; what takes more is told.
+    """
+
+    version: tuple[int, ...] = ()
+    constants: Constants = DEFAULTS
+    speed: Speed = Speed()
+    view: View = field(default_factory=View)
+    legacy_accuracy: float = 0.1
+    opengl_quality: int = 10
+    memory_budget: float = 1e9
+    time_budget: float = 600.0
+
+
+class Cost(Protocol):
+    """What a simulator takes for an operation, or for several one after another.
+
+    Attributes
+    ----------
+    seconds, memory_bytes : float
+    factor : float
+        The true time is between `seconds` divided and multiplied by this.
+    """
+
+    seconds: float
+    memory_bytes: float
+    factor: float
+
+
+@dataclass(frozen=True)
+class Caution:
+    """Something to know before a simulation is started.
+
+    Attributes
+    ----------
+    code : str
+        What it is, for programs: ``"legacy-hangs"``, ``"legacy-ramp"``, ``"long-play"``, ``"memory"``,
+        ``"arcs"`` or ``"short-moves"``.
+    what : Message
+        What happens and what to do.
+    command : int or None
+        Index of the first command concerned; None where it is the operation as a whole.
+    """
+
+    code: str
+    what: Message
+    command: int | None = None
+
+    @property
+    def message(self) -> str:
+        """What happens and what to do in English, one or two sentences with full stops."""
+        return render(self.what)
+
+    def __str__(self) -> str:
+        return self.message
+
+
+@dataclass(frozen=True)
+class Lesson:
+    """What the real runs of one kind, which the user starts, teach about the constants.
+
+    Attributes
+    ----------
+    kind : str
+        Name of these runs in the calibration's file.
+    run : callable
+        ``run(cost, seconds, constants)`` is what is kept of a run that took so many seconds where `cost` was predicted
+        with the constants; None where it teaches nothing.
+    read : callable
+        ``read(run)`` is a run as the file has it.
+    learned : callable
+        ``learned(runs, constants)`` are the constants that all runs kept tell, by name.
+    """
+
+    kind: str
+    run: Callable[[Any, float, Constants], Any]
+    read: Callable[[Any], Any]
+    learned: Callable[[Sequence, Constants], dict[str, float]]
+
+
+@dataclass(frozen=True)
+class Advice:
+    """How the finest setting is chosen with which a simulator stays within a budget, and how it is told.
+
+    Attributes
+    ----------
+    choose : callable
+        ``choose(costs, memory_bytes=, seconds=, stepover=, labels=)`` is the choice for operations one after another,
+        an object with the message `why` and its English `explanation`.
+    numbers : callable
+        The numbers of a choice, all 0 where no setting helps.
+    form : str
+        What these are filled in.
+    column : str
+        Name of its column in CSV and JSON.
+    title, tooltip, sentence, none : str
+        Of its column in the panel, and below it; what stands there where no setting helps. Translated in the
+        context "Vk_Results".
+    """
+
+    choose: Callable[..., Any]
+    numbers: Callable[[Any], tuple[int, ...]]
+    form: str
+    column: str
+    title: str
+    tooltip: str
+    sentence: str
+    none: str
+
+
+@dataclass(frozen=True, eq=False)
+class Simulator:
+    """One simulator whose cost is told: all that anything else asks of it.
+
+    Attributes
+    ----------
+    name : str
+        Stable: it is stored in preferences and documents, and what macros ask for.
+    since : tuple of int
+        The first FreeCAD that has it; empty for what does not need FreeCAD.
+    predict : callable
+        ``predict(task, conditions)`` is the Cost of one operation whose tool and stock are known.
+    together : callable
+        ``together(costs)`` is the Cost of several operations, one after another.
+    cautions : callable
+        ``cautions(task, cost, conditions)`` are the Cautions for one operation, the worst first; the cost may be None.
+    less_memory : Message
+        What helps where it takes too much memory.
+    columns : dict of str to callable
+        Its columns in CSV and JSON, and their numbers by its cost.
+    factor_column : str or None
+        That of the cost's factor, behind those of all simulators; None where it is among its own.
+    choice : str
+        What the preferences call it; translated in the context "VkPreferences".
+    time_title, time_tooltip, memory_title, memory_tooltip : str
+        Of its columns in the panel; translated in the context "Vk_Results".
+    advice : Advice or None
+    lessons : tuple of Lesson
+    preferences : tuple of str
+        Names of the preferences that mean nothing without it.
+    adds_up : bool
+        Whether several operations take no more together than the sum of each alone.
+    """
+
+    name: str
+    since: tuple[int, ...]
+    predict: Callable[[Task, Conditions], Cost]
+    together: Callable[[Sequence], Cost]
+    cautions: Callable[[Task, Any, Conditions], list[Caution]]
+    less_memory: Message
+    columns: dict[str, Callable[[Any], Any]]
+    factor_column: str | None
+    choice: str
+    time_title: str
+    time_tooltip: str
+    memory_title: str
+    memory_tooltip: str
+    advice: Advice | None = None
+    lessons: tuple[Lesson, ...] = ()
+    preferences: tuple[str, ...] = ()
+    adds_up: bool = True
+
+    def figures(self, cost: Cost | None) -> dict[str, Any]:
+        """Return the columns with a cost's numbers; empty cells where there is none."""
+        return {name: None if cost is None else number(cost) for name, number in self.columns.items()}

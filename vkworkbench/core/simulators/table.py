@@ -1,0 +1,188 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The table of the simulators whose costs are told: a new one is a module with its model and an entry here."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from typing import Any
+
+from vkworkbench.core.simulators import legacy, legacy_cautions, legacy_panel, opengl, zbuffer
+from vkworkbench.core.simulators.accuracy import best_accuracy
+from vkworkbench.core.simulators.simulator import Advice, Conditions, Cost, Simulator, Task
+from vkworkbench.core.zbuffer import best_resolution
+from vkworkbench.language import QT_TRANSLATE_NOOP, Message
+
+#: The paper's; the columns of its cost have no other name before them.
+ZBUFFER = Simulator(
+    name="z-buffer",
+    since=(),
+    predict=zbuffer.predict,
+    together=zbuffer.together,
+    cautions=zbuffer.cautions,
+    less_memory=Message("smaller-image"),
+    columns={
+        "dexels": lambda cost: cost.dexels,
+        "traces": lambda cost: cost.traces,
+        "traces_error": lambda cost: cost.traces_error,
+        "memory_bytes": lambda cost: cost.memory_bytes,
+        "seconds": lambda cost: cost.seconds,
+        "factor": lambda cost: cost.factor,
+    },
+    factor_column=None,
+    choice=QT_TRANSLATE_NOOP("VkPreferences", "Extended z-buffer"),
+    time_title=QT_TRANSLATE_NOOP("Vk_Results", "Z-buffer\ntime"),
+    time_tooltip=QT_TRANSLATE_NOOP("Vk_Results", "Time to simulate it in an extended z-buffer"),
+    memory_title=QT_TRANSLATE_NOOP("Vk_Results", "Z-buffer\nmemory"),
+    memory_tooltip=QT_TRANSLATE_NOOP("Vk_Results", "Memory to simulate it in an extended z-buffer"),
+    advice=Advice(
+        choose=best_resolution,
+        numbers=lambda chosen: (chosen.view.width, chosen.view.height) if chosen.view else (0, 0),
+        form="{} × {}",
+        column="resolution",
+        title=QT_TRANSLATE_NOOP("Vk_Results", "Recommended\nimage"),
+        tooltip=QT_TRANSLATE_NOOP(
+            "Vk_Results", "The finest image of the z-buffer within the budgets of the preferences"
+        ),
+        sentence=QT_TRANSLATE_NOOP("Vk_Results", "Recommended image: {}"),
+        none=QT_TRANSLATE_NOOP("Vk_Results", "none"),
+    ),
+)
+
+#: FreeCAD's older one.
+LEGACY = Simulator(
+    name="legacy",
+    since=(0,),
+    predict=legacy.predict,
+    together=legacy.legacy_together,
+    cautions=legacy_cautions.cautions,
+    less_memory=Message("coarser-accuracy"),
+    columns={
+        "legacy_seconds": lambda cost: cost.seconds,
+        "legacy_play_seconds": lambda cost: cost.play_seconds,
+        "legacy_memory_bytes": lambda cost: cost.memory_bytes,
+    },
+    factor_column="legacy_factor",
+    choice=QT_TRANSLATE_NOOP("VkPreferences", "FreeCAD's legacy simulator"),
+    time_title=QT_TRANSLATE_NOOP("Vk_Results", "Legacy\ntime"),
+    time_tooltip=QT_TRANSLATE_NOOP(
+        "Vk_Results",
+        "Time of FreeCAD's legacy simulator in fast-forward, at the accuracy that the preferences say",
+    ),
+    memory_title=QT_TRANSLATE_NOOP("Vk_Results", "Legacy\nmemory"),
+    memory_tooltip=QT_TRANSLATE_NOOP(
+        "Vk_Results", "Memory of FreeCAD's legacy simulator, at the accuracy that the preferences say"
+    ),
+    advice=Advice(
+        choose=lambda costs, **budget: best_accuracy([cost.positions for cost in costs], **budget),
+        numbers=lambda chosen: (chosen.position or 0,),
+        form="{}",
+        column="legacy_accuracy",
+        title=QT_TRANSLATE_NOOP("Vk_Results", "Recommended\naccuracy"),
+        tooltip=QT_TRANSLATE_NOOP(
+            "Vk_Results",
+            "The finest position of the legacy simulator's accuracy slider, 1 to 10, with which playing stays within "
+            "the budgets of the preferences",
+        ),
+        sentence=QT_TRANSLATE_NOOP("Vk_Results", "Recommended accuracy: {}"),
+        none=QT_TRANSLATE_NOOP("Vk_Results", "fast-forward"),
+    ),
+    lessons=legacy_panel.LESSONS,
+    preferences=("legacy_accuracy",),
+)
+
+#: FreeCAD's newer one, which draws what was cut before with every operation.
+OPENGL = Simulator(
+    name="OpenGL",
+    since=opengl.SINCE,
+    predict=opengl.predict,
+    together=opengl.opengl_together,
+    cautions=opengl.cautions,
+    less_memory=Message("fewer-operations"),
+    columns={
+        "opengl_seconds": lambda cost: cost.seconds,
+        "opengl_frame_seconds": lambda cost: cost.frame_seconds,
+        "opengl_memory_bytes": lambda cost: cost.memory_bytes,
+    },
+    factor_column="opengl_factor",
+    choice=QT_TRANSLATE_NOOP("VkPreferences", "FreeCAD's OpenGL simulator"),
+    time_title=QT_TRANSLATE_NOOP("Vk_Results", "OpenGL\ntime"),
+    time_tooltip=QT_TRANSLATE_NOOP("Vk_Results", "Time of FreeCAD's OpenGL simulator at its highest speed"),
+    memory_title=QT_TRANSLATE_NOOP("Vk_Results", "OpenGL\nmemory"),
+    memory_tooltip=QT_TRANSLATE_NOOP("Vk_Results", "Memory of FreeCAD's OpenGL simulator"),
+    lessons=opengl.LESSONS,
+    preferences=("opengl_quality",),
+    adds_up=False,
+)
+
+SIMULATORS = (ZBUFFER, LEGACY, OPENGL)
+
+
+def available(version: tuple[int, ...]) -> tuple[Simulator, ...]:
+    """Return the simulators that a FreeCAD has.
+
+    Parameters
+    ----------
+    version : tuple of int
+        Of FreeCAD, at least major and minor; empty where there is none.
+    """
+    return tuple(simulator for simulator in SIMULATORS if tuple(version) >= simulator.since)
+
+
+def predict(
+    task: Task, conditions: Conditions, *, going_on: Callable[[], None] = lambda: None
+) -> tuple[dict[str, Cost], dict[str, Any]]:
+    """Predict what every simulator that there is takes for an operation whose tool and stock are known.
+
+    Parameters
+    ----------
+    task : Task
+    conditions : Conditions
+    going_on : callable
+        Called before each; what it raises ends the work.
+
+    Returns
+    -------
+    costs, advice : dict
+        The cost, and the finest setting within the budget, by the simulators' names.
+    """
+    stepover = task.recognition and task.recognition.stepover
+    budget = {"memory_bytes": conditions.memory_budget, "seconds": conditions.time_budget}
+    costs, advice = {}, {}
+    for simulator in available(conditions.version):
+        going_on()
+        costs[simulator.name] = cost = simulator.predict(task, conditions)
+        if simulator.advice:
+            advice[simulator.name] = simulator.advice.choose([cost], stepover=stepover, **budget)
+    return costs, advice
+
+
+def together(
+    each: Sequence[Mapping[str, Cost]], *, labels: Sequence[str], stepover: float | None, **budget: float
+) -> tuple[dict[str, Cost], dict[str, Any]]:
+    """Return what operations take one after another.
+
+    Parameters
+    ----------
+    each : sequence of mappings of str to Cost
+        What each of them takes by the simulators' names.
+    labels : sequence of str
+        What they are called.
+    stepover : float or None
+        Smallest distance between passes, mm.
+    **budget : float
+        `memory_bytes` and `seconds`, for the advice.
+
+    Returns
+    -------
+    costs, advice : dict
+        As of :func:`predict`; nothing of a simulator of which no cost is known.
+    """
+    costs, advice = {}, {}
+    for simulator in SIMULATORS:
+        known = [(label, own[simulator.name]) for label, own in zip(labels, each) if simulator.name in own]
+        if known:
+            named, alone = zip(*known)
+            costs[simulator.name] = simulator.together(alone)
+            if simulator.advice:
+                advice[simulator.name] = simulator.advice.choose(alone, labels=named, stepover=stepover, **budget)
+    return costs, advice

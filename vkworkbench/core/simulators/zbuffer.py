@@ -1,0 +1,46 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The paper's extended z-buffer as one simulator among the others."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from vkworkbench.core.simulators.simulator import Caution, Conditions, Task
+from vkworkbench.core.zbuffer import Estimate, estimate
+
+
+@dataclass(frozen=True)
+class ZBufferCost:
+    """What several operations take, one after another.
+
+    Attributes
+    ----------
+    seconds, memory_bytes, factor : float
+        As of :class:`~vkworkbench.core.zbuffer.Estimate`.
+    """
+
+    seconds: float
+    memory_bytes: float
+    factor: float
+
+
+def predict(task: Task, conditions: Conditions) -> Estimate:
+    """Estimate it for the image of the conditions."""
+    return estimate(
+        task.toolpath, task.recognition, tool=task.tool, stock=task.stock, view=conditions.view, speed=conditions.speed
+    )
+
+
+def together(costs: Sequence[Estimate]) -> ZBufferCost:
+    """Add up the operations."""
+    return ZBufferCost(
+        sum(cost.seconds for cost in costs),
+        sum(cost.memory_bytes for cost in costs),
+        max(cost.factor for cost in costs),
+    )
+
+
+def cautions(task: Task, cost: Estimate | None, conditions: Conditions) -> list[Caution]:
+    """Nothing goes wrong in it."""
+    return []
