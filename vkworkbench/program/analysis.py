@@ -100,16 +100,13 @@ def analyze_file(path: Path, chosen: Preferences) -> tuple[OperationReport, ...]
     try:
         data = read_bytes(path)
         program = read_program(text_of(data))
-        toolpath = program.toolpath(tolerance=chosen.tolerance)
+        rows = _rows(path, program, program.toolpath(tolerance=chosen.tolerance), split_sections(program), chosen)
     except Unusable as error:
         return (unread(path, error.what),)
     except Exception as error:  # one of ours; it costs this file only
         return (unread(path, Message("not-analysed", error=f"{type(error).__name__}: {error}")),)
     fingerprint = hashlib.sha1(data, usedforsecurity=False).hexdigest()[:16]
-    sections = split_sections(program)
-    return tuple(
-        replace(row, fingerprint=fingerprint) for row in _rows(path, program, toolpath, sections, chosen)
-    )
+    return tuple(replace(row, fingerprint=fingerprint) for row in rows)
 
 
 def unread(path: Path, why: Message) -> OperationReport:

@@ -123,5 +123,10 @@ def test_the_same_name_again_is_another_operation_where_it_is_numbered():
     assert len(sections(f"(Pocket)\n{CUT}(Pocket)\n{CUT}")) == 1
 
 
+def test_long_comments_take_no_long_time():
+    for text in ("1" * 50_000, "T1 D=" + "1 " * 20_000, "a: " * 20_000, "-" * 50_000, "end mill " * 5000):
+        assert len(sections(f"({text})\n{CUT}")) == 1
+
+
 def test_a_program_without_comments_is_one_operation():
     assert sections(CUT) == [("", None, None)]

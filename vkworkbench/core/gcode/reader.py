@@ -166,7 +166,7 @@ class _Reader:
         parameters: dict[str, float] = {}
         for letter, value in words:
             if letter == "G":
-                code = round(10 * min(value, _MOST_CODES))
+                code = _whole(10 * value, 10 * _MOST_CODES)
                 if code in _MOTION:
                     motion = code
                 elif code in _STATE:
@@ -184,7 +184,7 @@ class _Reader:
                     self._problem(Message("subprogram-not-read"))
                 self.clues.m_code(value, self.number)
             elif letter == "T":
-                self.tool = int(min(value, _MOST_TOOLS))
+                self.tool = _whole(value, _MOST_TOOLS)
                 if not self.changes:  # where there is no M6 at all it changes the tool
                     self._add(f"T{self.tool}", {})
             elif letter == "S":
@@ -265,7 +265,7 @@ class _Reader:
         name = "" if motion is None else _name(motion)
         repeats = 1
         if mode in _CYCLES:
-            repeats = int(min(parameters.get("L", parameters.get("K", 1.0)), _MOST_REPEATS))
+            repeats = _whole(parameters.get("L", parameters.get("K", 1.0)), _MOST_REPEATS)
             if repeats <= 0:
                 self.later = move
                 return
@@ -313,6 +313,11 @@ class _Reader:
                 tool = number
             changed.append((name, words))
         return changed
+
+
+def _whole(value: float, most: int) -> int:
+    """Return the nearest whole number between -1 and `most`."""
+    return round(max(-1.0, min(value, most)))
 
 
 def _name(code: int) -> str:

@@ -7,6 +7,7 @@ import re
 from bisect import bisect_left
 from collections import Counter
 from dataclasses import dataclass, field, replace
+from functools import lru_cache
 
 from vkworkbench.core.gcode.program import Program
 from vkworkbench.core.gcode.tool_table import number_named, tool_told
@@ -163,6 +164,7 @@ def _groups(program: Program) -> list[_Group]:
     return groups
 
 
+@lru_cache(maxsize=1000)
 def title_of(comment: str) -> str:
     """Return the name of an operation in a comment, empty where it is a remark."""
     text = comment.strip(" *-=#;:\t")

@@ -11,6 +11,7 @@ from __future__ import annotations
 import math
 import re
 from dataclasses import dataclass
+from functools import lru_cache
 
 from vkworkbench.core.gcode.units import INCH
 from vkworkbench.core.solids import Tool
@@ -37,7 +38,7 @@ _CUTVIEWER = re.compile(r"TOOL/(?P<kind>MILL|DRILL|CHAMFER)\s*,\s*(?P<size>[\d.]
 _MEASURED = re.compile(rf"(?<![\d.,/]){_SIZE}\s*(?P<unit>mm\b|inch(?:es)?\b|in\b|\")", re.I)
 _FLUTES = re.compile(r"\b\d+\s*-?\s*fl(?:utes?)?\b", re.I)
 _LISTED = re.compile(r"\s*T\d+\s*[|:=]", re.I)
-_LONGEST_NAME = 60  # characters; longer ones tell a story
+_LONGEST, _LONGEST_NAME = 200, 60  # characters; longer ones tell a story, and name a size in passing
 _BARE = re.compile(rf"(?<![\w.,/#]){_SIZE}(?P<unit>)(?=(?:\s*(?:flat|square|long|stub|hss))*\s*(?:{_MILLING_WORD}))", re.I)
 _IS_TOOL = re.compile(rf"(?<![a-zà-ÿа-я])(?:{_MILLING_WORD})", re.I)
 _CORNER = re.compile(rf"\b(?:CR|corner radius|torus_radius)\s*[=:]\s*(?P<size>{_NUMBER})", re.I)
@@ -66,6 +67,7 @@ class ToldTool:
     tool: Tool
 
 
+@lru_cache(maxsize=1000)
 def tool_told(comment: str, *, inches: bool) -> ToldTool | None:
     """Return the tool that a comment describes, None where it names no diameter.
 
@@ -76,6 +78,8 @@ def tool_told(comment: str, *, inches: bool) -> ToldTool | None:
     inches : bool
         Whether lengths without a unit are inches, as G20 says. A fraction (1/4) is always one of an inch.
     """
+    if len(comment) > _LONGEST:
+        return None
     comment = _FLUTES.sub("", comment.replace("_", " "))
     number = _NUMBERED.search(comment)
     size = _size(comment, number)
