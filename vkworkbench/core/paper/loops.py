@@ -53,7 +53,7 @@ def may_be_closed(gap: np.ndarray, length: np.ndarray) -> np.ndarray:
 
 def is_one_turn(net: np.ndarray) -> np.ndarray:
     """Say which net turns, rad, are one full turn either way."""
-    return np.abs(np.abs(net) - TURN) < TURNS.FULL
+    return np.abs(np.rint(net / np.pi)) == 2
 
 
 def closed_loops(moves: Moves) -> tuple[np.ndarray, np.ndarray]:

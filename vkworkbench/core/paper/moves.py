@@ -37,8 +37,6 @@ class Moves:
         Moves that begin with a turn of half a turn: to rounding, and exactly. Such a turn has no sign.
     holes : (h,) int
         Last trajectory of each drilled hole.
-    vertical : float
-        Length of the cutting moves along the normal that are in no area (plunges, drilling), mm.
     """
 
     index: np.ndarray
@@ -56,7 +54,6 @@ class Moves:
     unsigned: np.ndarray
     reversals: np.ndarray
     holes: np.ndarray
-    vertical: float
 
     def __len__(self) -> int:
         """Return the number of moves."""
@@ -97,10 +94,9 @@ def cutting_moves(toolpath: Toolpath, first: int = 0, last: int | None = None) -
     _drop_noise(planar, length)
     index, start = _split(planar, rapid, z, dx, dy, dz, length)
     index, start = _without_air(planar, index, start, rapid, z, dx, dy, dz, length)
-    holes, vertical = index[:0], 0.0
+    holes = index[:0]
     if len(index) < len(dx):
         holes = _holes(points, rapid, dz, length, planar)
-        vertical = float(np.abs(dz[~rapid]).sum() - np.abs(dz[index]).sum())
         dx, dy, dz, length, x, y, z = (v[index] for v in (dx, dy, dz, length, x, y, z[1:]))
     else:
         x, y, z = x[:-1], y[:-1], z[1:]
@@ -132,7 +128,6 @@ def cutting_moves(toolpath: Toolpath, first: int = 0, last: int | None = None) -
         unsigned=unsigned,
         reversals=reversals,
         holes=holes + first,
-        vertical=vertical,
     )
 
 
@@ -180,7 +175,7 @@ def _without_air(planar, index, start, rapid, z, dx, dy, dz, length) -> tuple[np
     last = np.append(start[1:], len(index)) - 1
     a, b = index[start], index[last]
     level = np.abs(z[b + 1] - z[a]) < MOVES.STILL
-    straight = dx[a] * dx[b] + dy[a] * dy[b] > MOVES.STRAIGHT * length[a] * length[b]
+    straight = dx[a] * dx[b] + dy[a] * dy[b] > MOVES.ONWARD * length[a] * length[b]
     steep = np.where(length > MOVES.STILL, 0.0, dz)  # rapid or at feed
     rises, falls = np.append(0.0, steep)[a] > MOVES.STILL, np.append(steep, 0.0)[b + 1] < -MOVES.STILL
     lifted, plunges = rises | (a == 0), falls | (b == len(dz) - 1)

@@ -46,6 +46,6 @@ def plane_of_toolpath(points: np.ndarray, rapid: np.ndarray) -> tuple[int, ...]:
         if np.ptp(aside[cutting]) > MOVES.STILL or np.ptp(aside[cutting + 1]) > MOVES.STILL:
             continue
         du, dv = np.abs(u[cutting + 1] - u[cutting]), np.abs(v[cutting + 1] - v[cutting])
-        if ((du > MOVES.SLOPED * dv) & (dv > MOVES.SLOPED * du)).sum() >= MOVES.SLOPED_MOVES:
+        if ((du > MOVES.SLOPED * dv) & (dv > MOVES.SLOPED * du)).any():
             return axes
     return XY

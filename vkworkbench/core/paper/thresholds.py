@@ -19,12 +19,8 @@ class MOVES:
     STEEP = 5.0
     #: cosine. Moves on both sides of a wall that keep their direction so well are one pass over it.
     ONWARD = 0.98
-    #: cosine. An area whose first and last move are so parallel is straight: a link in the air may be.
-    STRAIGHT = 0.999
-    #: slope. A move that slopes by more against both axes of a vertical plane lies in that plane,
+    #: slope. A move that slopes by more against both axes of a vertical plane makes that the working plane.
     SLOPED = 0.05
-    #: moves. and so many make it the working plane.
-    SLOPED_MOVES = 2
 
 
 class TURNS:
@@ -34,8 +30,6 @@ class TURNS:
     EXACT = 1e-6
     #: rad. Coordinates rounded to 0.001 mm may change the sign of a turn this close to half a turn.
     UNSIGNED = 0.01
-    #: rad. A net turn this close to a full turn is one.
-    FULL = 0.1
     #: share of all turning of the image of V_k. Less than this against its sense is rounding.
     TO_AND_FRO = 0.01
 

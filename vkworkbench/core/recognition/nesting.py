@@ -92,7 +92,7 @@ def reach(inward: Inward, size, z, flat, tool) -> tuple[float, np.ndarray, np.nd
     regular = (np.abs(every - usual) < NESTS.SIMILAR_STEP * usual).mean()
     if not tool and (not chained or regular < ENOUGH.SHARE or usual > NESTS.TOO_LARGE * size.max()):
         return min(NESTS.STEPS * usual, NESTS.REACH_OF_SIZE * float(size.max())), steps, drops
-    equal = (np.abs(steps - usual) < NESTS.EQUAL_STEP * usual).mean() if len(steps) >= NESTS.STEPS_TO_TELL else 0.0
+    equal = (np.abs(steps - usual) < NESTS.SIMILAR_STEP * usual).mean() if len(steps) >= ENOUGH.TIMES else 0.0
     if not tool or (chained and equal > NESTS.EQUAL_STEPS):
         return max(NESTS.REACH * tool, NESTS.STEPS * usual), steps, drops
     return NESTS.REACH * tool, steps, drops

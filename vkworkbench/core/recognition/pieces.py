@@ -9,9 +9,9 @@ from functools import cached_property
 import numpy as np
 
 from vkworkbench.core.paper import TURN, Areas, axis_of, closing_turns, is_closed, is_one_turn, winding_turns
-from vkworkbench.core.recognition.thresholds import LITTLE, PASSES, SAME, STROKES, WINDINGS
+from vkworkbench.core.recognition.thresholds import LITTLE, PASSES, SAME, WINDINGS
 
-LOOP, WINDING, ZIGZAG, LINE, CURVE = range(5)
+LOOP, WINDING, ZIGZAG, STROKE = range(4)
 
 
 @dataclass(frozen=True)
@@ -90,19 +90,18 @@ def cut_pieces(moves: Areas) -> Pieces:
     start = np.flatnonzero(cut[:-1])
     parts = _Stretches(moves, start)
     net, closed = parts.net()
-    kind = np.where(loop[start] | (closed & is_one_turn(net)), LOOP, CURVE)
+    kind = np.where(loop[start] | (closed & is_one_turn(net)), LOOP, STROKE)
     # A pass between two others needs three moves; a loop of several waves turns back again and again.
     able = np.where(kind == LOOP, parts.turned > np.abs(net) + TURN, parts.end - parts.start > 2)
     if parts.length[able].sum() < LITTLE.LINKS * parts.length.sum():
-        able[:] = False  # the links between loops
+        able[:] = False
     alternating, constant, passes = half_turns(moves, parts, able)
     opened = kind != LOOP
     waves = (alternating > PASSES.ALTERNATING * parts.length) & (alternating > PASSES.MORE * constant)
     winding = opened & (np.abs(net) > WINDINGS.TURN * TURN)
     zigzag = opened & ~winding & waves
     kind[winding], kind[zigzag] = WINDING, ZIGZAG
-    kind[opened & ~winding & ~zigzag & (parts.gap > STROKES.STRAIGHT * parts.length)] = LINE
-    back_at_start = (kind == LOOP) & (alternating > PASSES.ALTERNATING_LOOP * parts.length) & (passes >= PASSES.WAVES)
+    back_at_start = (kind == LOOP) & (alternating > PASSES.ALTERNATING_LOOP * parts.length)
     wavy = (winding & waves) | back_at_start
     if winding.any():
         further = winding_turns(moves, start[winding], parts.end[winding], np.sign(net[winding]))

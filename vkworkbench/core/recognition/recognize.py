@@ -134,7 +134,7 @@ def recognize(toolpath: Toolpath, *, tool_diameter: float | None = None) -> Reco
 
 def _judge_one(toolpath: Toolpath, moves: Areas, first: int, last: int, tool: float) -> Recognition:
     """Recognise the trajectories first .. last as one operation."""
-    if len(moves.length) == 0 or moves.vertical > PARTS.VERTICAL * (moves.vertical + moves.length.sum()):
+    if not len(moves):
         holes = len(moves.holes)
         strategy = Strategy.DRILLING
         why = (
@@ -182,20 +182,16 @@ def _borders(toolpath: Toolpath, moves: Areas) -> dict[int, bool]:
     Tool changes and runs of drilled holes are certain; a comment is a hint.
     """
     comments = {int(at) for at, _ in toolpath.comments}
-    borders = dict.fromkeys(comments, False) if len(comments) <= PARTS.TITLES else {}
+    borders = dict.fromkeys(comments, False) if len(comments) <= PARTS.BORDERS else {}
     borders.update((int(at), True) for at in toolpath.tool_changes)
-    if len(moves.holes) >= PARTS.HOLES and len(moves) and not _sculptured(moves):
+    holes = moves.holes
+    if len(moves) and len(holes) and len(holes) >= PARTS.DRILLED * len(moves.start) and not _sculptured(moves):
         # Holes with no milling between them are one run.
-        place = np.searchsorted(moves.index, moves.holes)
-        begin = np.flatnonzero(np.concatenate([[True], place[1:] != place[:-1]]))
-        size = np.diff(np.append(begin, len(place)))
-        long = size >= PARTS.HOLES
-        if size[long].sum() < PARTS.DRILLED * len(moves.start):
-            long[:] = False  # too few beside the milling: passes clipped to a point
-        for a, b in zip(begin[long], size[long]):
-            at = place[a]
-            borders[int(moves.index[at - 1]) + 1 if at else 0] = True
-            borders[int(moves.holes[a + b - 1]) + 1] = True
+        place = np.searchsorted(moves.index, holes)
+        begin = np.flatnonzero(np.append(True, place[1:] != place[:-1]))
+        before = np.append(-1, moves.index)[place[begin]] + 1
+        after = np.append(holes[begin[1:] - 1], holes[-1]) + 1
+        borders.update(dict.fromkeys(np.concatenate([before, after]).tolist(), True))
     return {at: certain for at, certain in borders.items() if 0 < at < len(toolpath)}
 
 

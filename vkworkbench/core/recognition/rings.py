@@ -138,7 +138,7 @@ def relate_rings(pieces: Pieces, index: np.ndarray, tool: float) -> Rings:
         }  # fmt: skip
         if lag == 1:
             # The loops of one pattern keep their shape; a boundary and an island between its offsets do not.
-            turns = even & (high - low <= NESTS.SIMILAR_SIDES * np.abs(mean) + SAME.PLACE) & (sense[a] != sense[b])
+            turns = even & (high - low <= NESTS.EQUAL_SIDES * np.abs(mean) + SAME.PLACE) & (sense[a] != sense[b])
             # And it goes on to a third: an outline and the hole in it are cut in opposite senses, too.
             onward = turns[1:] & turns[:-1] & (mean[1:] * mean[:-1] > 0)
             found["opposite"] = np.append(onward, False) | np.append(False, onward)

@@ -204,7 +204,7 @@ def filling(families: list[Rows], tool: float, *, length: float, contour: bool) 
     # The passes of a grid come in the order of a billiard, not side by side. Two families of many long rows
     # that are all there is fill the area all the same.
     if sum(f.length for f in families) > ROWS.GRID * length:
-        if all(f.count >= ROWS.GRID_ROWS and f.typical > ROWS.LONG * f.pitch for f in families):
+        if all(f.count >= ENOUGH.TIMES and f.typical > ROWS.LONG * f.pitch for f in families):
             return families
     return []
 
@@ -219,12 +219,10 @@ def _fills(f: Rows, tool: float) -> bool:
         return False
     if f.step < ROWS.RETRACED * tool:
         return False  # the same pass again
-    # Many even steps say that the tool is wrong, but not where other rows lie between: those are two walls.
-    tool_is_wrong = f.count >= ROWS.ROWS_TO_TELL and f.even > ROWS.EVEN and f.pitch > ROWS.NEARER * f.step
-    if tool and f.step > NESTS.REACH * tool and not tool_is_wrong:
+    if tool and f.step > NESTS.REACH * tool:
         return False
     regular = f.count > 2 and f.even > ENOUGH.SHARE
-    return regular or (f.count == 2 and f.typical > ROWS.LONG_PAIR * f.step and ROWS.PAIR_APART * tool < f.step <= tool)
+    return regular or (f.count == 2 and f.step <= tool)
 
 
 def _walls(f: Rows, tool: float) -> bool:

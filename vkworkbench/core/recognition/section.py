@@ -6,11 +6,11 @@ from __future__ import annotations
 import numpy as np
 
 from vkworkbench.core.paper import TURN, Areas
-from vkworkbench.core.recognition.pieces import CURVE, LINE, LOOP, WINDING, ZIGZAG, Pieces, cut_pieces
+from vkworkbench.core.recognition.pieces import LOOP, STROKE, WINDING, ZIGZAG, Pieces, cut_pieces
 from vkworkbench.core.recognition.rings import Rings, relate_rings
 from vkworkbench.core.recognition.rows import Rows, filling, find_rows
 from vkworkbench.core.recognition.strokes import relate_strokes
-from vkworkbench.core.recognition.thresholds import ENOUGH, LITTLE, NESTS, POCKET, RINGS, ROWS, SAME, WINDINGS
+from vkworkbench.core.recognition.thresholds import ENOUGH, LITTLE, NESTS, POCKET, RINGS, SAME, WINDINGS
 
 
 class Section:
@@ -53,7 +53,7 @@ class Section:
         self.length = float(p.length.sum())
         kind = _absorbed(p)
         self.rings = r = relate_rings(p, _long(p, (kind == LOOP) | (kind == WINDING)), tool)
-        opened = (kind == LINE) | (kind == CURVE)
+        opened = kind == STROKE
         if p.length[opened].sum() < LITTLE.LINKS * self.length:
             opened[:] = False
         self.strokes = relate_strokes(p, _long(p, opened))
@@ -67,7 +67,7 @@ class Section:
             wavy[:] = False
         bouncing = r.winding & ~self.hunting & (r.back > WINDINGS.BOUNCING * TURN)
         self.lattice = ~r.nested & (r.crossing | bouncing | wavy)
-        rowlike = (kind == ZIGZAG) | (kind == LINE) | (kind == CURVE)
+        rowlike = (kind == ZIGZAG) | (kind == STROKE)
         rowlike[r.index[self.lattice]] = True
         self.zigzag = float(p.length[kind == ZIGZAG].sum()) / self.length
         self.rows = self._rows(rowlike, rowlike & (kind == LOOP))
@@ -86,7 +86,7 @@ class Section:
         chosen = np.arange(len(self.moves))
         if not rowlike.all():
             chosen = np.flatnonzero(np.repeat(rowlike, p.end - p.start))
-        contour = p.length[closed].sum() > ROWS.OF_LOOPS * length
+        contour = p.length[closed].sum() > ENOUGH.SHARE * length
         return filling(find_rows(self.moves, chosen), self.tool, length=length, contour=contour)
 
     def share(self, rings: np.ndarray) -> float:
@@ -167,7 +167,7 @@ def _turned_against(moves: Areas, p: Pieces, r: Rings) -> tuple[np.ndarray, np.n
     Bends that rounding may have made do not count: finely sampled spirals are full of them.
     """
     angle, places = np.zeros(len(r)), np.zeros(len(r), np.int64)
-    some = np.flatnonzero(r.winding & (r.back > WINDINGS.BACK))
+    some = np.flatnonzero(r.winding)
     if len(some):
         ring = np.full(len(p), -1)
         ring[r.index[some]] = some

@@ -9,7 +9,7 @@ import numpy as np
 
 from vkworkbench.core.paper import TURN, Areas
 from vkworkbench.core.recognition.footprints import count_depths, footprints
-from vkworkbench.core.recognition.pieces import CURVE, Pieces
+from vkworkbench.core.recognition.pieces import Pieces
 from vkworkbench.core.recognition.rows import weighted_median
 from vkworkbench.core.recognition.thresholds import ARCS, BITES, ROWS, SAME, WINDINGS
 
@@ -67,7 +67,6 @@ def relate_strokes(pieces: Pieces, index: np.ndarray) -> Strokes:
     bent = np.flatnonzero(
         (np.abs(pieces.net[index]) > BITES.BENT * TURN)
         & (pieces.back[index] < WINDINGS.WAVERING * TURN)
-        & (pieces.kind[index] == CURVE)
     )
     sense = np.sign(pieces.net[index[bent]])
     common = np.sign((length[bent] * sense).sum())

@@ -52,23 +52,19 @@ class PASSES:
     MORE = 2
     #: share of the length. The same of closed loops.
     ALTERNATING_LOOP = 0.55
-    #: passes. A loop with fewer is no zigzag that came back to its start.
-    WAVES = 7
 
 
 class WINDINGS:
+    #: turns. A winding that turns by more against its sense steps aside to the next loop.
+    ASIDE = 0.075
     #: turns. A stretch with a larger net turn is a winding.
     TURN = 1.2
     #: turns. A winding that turns back by more in all is wavy, a stroke no bite.
     WAVERING = 0.5
-    #: turns. A winding that turns by more against its sense steps aside to the next loop.
-    ASIDE = 0.075
     #: places. A winding that is corrected at fewer is no hunt for the engagement.
     CORRECTIONS = 8
     #: rad. Nor where it turns by more at each.
     CORRECTION = 0.17453292519943295
-    #: rad. Windings that turn back by less are not looked at.
-    BACK = 0.1
     #: rad mm. What bends by less over its length may be rounding to 0.01 mm.
     ROUGH = 0.05
     #: turns. A winding that turns back by more may be passes of a lattice.
@@ -78,8 +74,6 @@ class WINDINGS:
 
 
 class STROKES:
-    #: share of the length. A stroke is straight where its ends are farther apart.
-    STRAIGHT = 0.98
     #: share of the strokes. Where fewer are different, they are the same contour at other depths.
     DISTINCT = 0.67
     #: share of width and height of the part together. Longer strokes are contours.
@@ -87,16 +81,14 @@ class STROKES:
 
 
 class NESTS:
+    #: mm. Rings that lie closer are not beside one another.
+    APART = 0.01
     #: tool diameters. Farther apart two rings, rows or strokes leave ground uncut between them.
     REACH = 1.2
     #: rings. Each is compared with so many of those cut after it: around islands the rings of two nests take turns.
     NEXT = 3
-    #: mm. Rings that lie closer are not beside one another.
-    APART = 0.01
     #: share of the mean. Offsets of a wavy ring move all sides of its box by the same to this.
     EQUAL_SIDES = 0.1
-    #: share of the mean. Offsets of one pattern move all sides of their boxes by the same to this.
-    SIMILAR_SIDES = 0.3
     #: share of the distance. No side of an offset's box moves by less.
     SIDE_AT_LEAST = 0.5
     #: ratio to the distance. Nor all of them by more.
@@ -105,10 +97,6 @@ class NESTS:
     LARGEST_STEP = 0.3
     #: share of the step. Steps that differ by less are the same step again.
     SIMILAR_STEP = 0.3
-    #: share of the step. Steps that differ by less are equal.
-    EQUAL_STEP = 0.1
-    #: steps. So many are needed to tell that the tool is wrong.
-    STEPS_TO_TELL = 4
     #: share of the steps. And so many of them must be equal.
     EQUAL_STEPS = 0.6
     #: share of the largest ring. Without a tool, a usual step that is larger is none.
@@ -120,25 +108,25 @@ class NESTS:
 
 
 class WATERLINES:
+    #: share of the length. And no more of it is sloped.
+    SLOPED = 0.2
     #: relative spread. Spreads of steps are compared beyond this: rounding is no unevenness.
     ROUNDING = 0.01
     #: depths. A waterline has so many.
     DEPTHS = 3
     #: tool diameters. It goes deeper than this.
     RANGE = 0.35
-    #: share of the rings. So many of its rings are different.
-    DISTINCT = 0.4
     #: share of the length in rings. So many have another below or above.
     DEEPER = 0.3
     #: ratio of spreads. Below it the plane is divided evenly and not the depth.
     EVENER = 0.5
     #: depths. An open waterline has so many.
     OPEN_DEPTHS = 4
-    #: share of the length. And no more of it is sloped.
-    SLOPED = 0.2
 
 
 class RINGS:
+    #: share of the length. Fewer rows are none beside rings.
+    ROWS_BESIDE = 0.15
     #: isoperimetric quotient 4 pi A / P^2. A ring above it is a circle; a square has 0.79.
     ROUND = 0.93
     #: share of the drop. A ring whose mean height is so close to the middle of its drop descends all along.
@@ -149,29 +137,23 @@ class RINGS:
     ALL_ROUND = 0.85
     #: share of the length. So much in rings of which so many are nested is enough to judge by the rings alone.
     OFFSETS = 0.7
-    #: share of the length. So much in rings is judged by them in any case.
-    ALL = 0.88
     #: share of the length. So much in rings where there are hardly any rows.
     ALONE = 0.35
-    #: share of the length. Fewer rows are none beside rings.
-    ROWS_BESIDE = 0.15
     #: share of the length. Fewer rings are none among rows.
     AMONG_ROWS = 0.1
     #: share of the steps. Nests of which more go one way are cut in that order.
     ONE_WAY = 0.75
-    #: share of the length in rings. Loops of which more turn the other way than their neighbours go back and forth.
-    OPPOSITE = 0.6
 
 
 class TROCHOIDS:
+    #: share of the length in rings. So many that move along are trochoids.
+    SHARE = 0.4
     #: share of the range. Trochoids move aside: the sides of their boxes move both ways, in the mean by less.
     SWAY = 0.35
     #: share of the smaller loop. They move by no more.
     STEP = 1.2
     #: share of the larger loop. And are of one size.
     SIZE = 0.65
-    #: share of the length in rings. So many that move along are trochoids.
-    SHARE = 0.4
 
 
 class ROWS:
@@ -203,20 +185,10 @@ class ROWS:
     EVEN = 0.8
     #: tool diameters. Passes closer than this are the same pass again.
     RETRACED = 0.03
-    #: rows. So many even ones tell that the tool is wrong.
-    ROWS_TO_TELL = 6
-    #: steps. Two passes alone are rows where they are longer.
-    LONG_PAIR = 10
-    #: tool diameters. And farther apart.
-    PAIR_APART = 0.1
     #: pitches. A contour's rows that come again later are the walls of teeth.
     WALLS = 1.05
-    #: share of the length. Rows that are more of loops than this may be walls of a contour.
-    OF_LOOPS = 0.9
     #: share of the length. Two families of rows that are more are a grid.
     GRID = 0.85
-    #: rows. Of which each family has so many.
-    GRID_ROWS = 8
 
 
 class ARCS:
@@ -230,25 +202,15 @@ class ARCS:
     RADIUS = 0.3
     #: steps. An arc that drifts by more in a turn is part of a spiral.
     DRIFT = 0.3
-    #: share of the length. Arcs that are less are no pattern.
-    SHARE = 0.65
-    #: share of the arcs. Nor where fewer have a neighbour.
-    BESIDE = 0.3
-    #: share of the arcs. So many that drift are a spiral.
-    SPIRAL = 0.8
 
 
 class BITES:
     #: turns. A stroke that bends by more may be a bite.
     BENT = 0.25
-    #: share of the length. So much in bites,
-    SHARE = 0.25
-    #: bites. by so many,
-    COUNT = 4
     #: share of the length. or so much
-    SHARE_OF_MANY = 0.1
+    SHARE = 0.1
     #: bites. by so many is adaptive.
-    MANY = 10
+    COUNT = 10
     #: share of the bites. But not where more bend the other way.
     AGAINST = 0.3
 
@@ -256,15 +218,11 @@ class BITES:
 class POCKET:
     #: ratio. Strokes that enclose less for their length than the ring fill it.
     WIDTH = 0.75
-    #: share of the length. Two rings are nested where they are more.
-    TWO_RINGS = 0.75
     #: share of the length. So much in strokes inside a ring fills it.
     FILLED = 0.1
 
 
 class ADAPTIVE:
-    #: share of the length. Windings that hunt are adaptive where they are more.
-    HUNTING = 0.3
     #: share of the length. Windings with so much in bites are adaptive,
     BITES = 0.03
     #: share of the length. or with so much in a helix,
@@ -274,14 +232,8 @@ class ADAPTIVE:
 
 
 class PARTS:
-    #: share of the length. So much along the tool's axis is drilling.
-    VERTICAL = 0.95
-    #: comments. A program with more has remarks, not headings.
-    TITLES = 50
     #: borders. More are no operations, and each section takes its time.
     BORDERS = 200
-    #: holes. So many in a row are an operation of their own.
-    HOLES = 4
     #: share of the areas. Fewer holes beside the milling are passes clipped to a point.
     DRILLED = 0.25
     #: depths. Where there are more, heights are those of a surface.

@@ -11,7 +11,6 @@ from vkworkbench.core.recognition.section import Section
 from vkworkbench.core.recognition.strokes import find_arcs
 from vkworkbench.core.recognition.thresholds import (
     ADAPTIVE,
-    ARCS,
     BITES,
     CONFIDENCE,
     ENOUGH,
@@ -80,7 +79,7 @@ def judge(s: Section) -> Verdict:
     arcs = _judge_arcs(s) if rings < RINGS.OFFSETS and rowlike < ENOUGH.SHARE else None
     bites, against = s.part(s.strokes.bite), s.part(s.strokes.against)
     number = int(s.strokes.bite.sum())
-    many = (bites > BITES.SHARE and number >= BITES.COUNT) or (bites > BITES.SHARE_OF_MANY and number >= BITES.MANY)
+    many = bites > BITES.SHARE and number >= BITES.COUNT
     circles = arcs is not None and arcs.strategy is Strategy.CONTOUR_PARALLEL  # bites change their radius
     if many and not circles and against < BITES.AGAINST * bites and rowlike < ENOUGH.SHARE:
         support = CONFIDENCE.GIVEN + (1 - CONFIDENCE.GIVEN) * bites
@@ -89,11 +88,11 @@ def judge(s: Section) -> Verdict:
         return arcs
     # What a hunting tool leaves between its windings it cuts in rows and bites.
     hunting, nested = s.share(s.hunting), s.share(s.rings.nested)
-    if rings > ADAPTIVE.HUNTING and min(hunting, nested) > ENOUGH.SHARE * rings:
+    if min(hunting, nested) > ENOUGH.SHARE * rings:
         return Verdict(Strategy.ADAPTIVE, hunting / rings, len(s.rings), Message("endless-winding"))
     # Offsets whose innermost loops degenerate to passes are still offsets.
     offsets = rings > RINGS.OFFSETS and nested > RINGS.OFFSETS * rings
-    if rings > RINGS.ALL or offsets or (rings > RINGS.ALONE and (rowlike < RINGS.ROWS_BESIDE or not s.rows)):
+    if offsets or (rings > RINGS.ALONE and (rowlike < RINGS.ROWS_BESIDE or not s.rows)):
         return _judge_rings(s, rings)
     of_rows = _judge_rows(s, rowlike)
     both = rings > RINGS.AMONG_ROWS and rowlike > RINGS.ROWS_BESIDE and of_rows.count >= ENOUGH.TIMES
@@ -118,18 +117,18 @@ def _judge_rings(s: Section, rings: float) -> Verdict:
             return Verdict(Strategy.ADAPTIVE, (helix + s.share(clears)) / rings, len(r), ENTERED)
         return Verdict(Strategy.HELIX, helix / rings, len(r), Message("constant-radius"))
     opposite = s.share(r.opposite)
-    if opposite > RINGS.OPPOSITE * rings:
+    if opposite > ENOUGH.SHARE * rings:
         return Verdict(Strategy.ZIGZAG, opposite / rings, len(r), Message("sense-alternates"))
     nested, deeper = s.share(r.nested), s.share(r.deeper)
     changing = r.depths >= WATERLINES.DEPTHS and r.depth_range > WATERLINES.RANGE * s.tool
-    changing = changing and r.distinct > WATERLINES.DISTINCT * len(r) and deeper > WATERLINES.DEEPER * rings
+    changing = changing and deeper > WATERLINES.DEEPER * rings
     if changing and deeper > nested:
         if r.evenness < WATERLINES.EVENER:
             seen = Message("even-in-plane")
             return Verdict(Strategy.CONTOUR_PARALLEL, deeper / rings, len(r), seen, rival=nested / rings)
         seen = Message("shape-changes")
         return Verdict(Strategy.WATERLINE, deeper / rings, r.depths, seen, rival=nested / rings)
-    if nested > ENOUGH.SHARE * rings and (len(r) > 2 or rings > POCKET.TWO_RINGS):
+    if nested > ENOUGH.SHARE * rings:
         winding = s.share(r.winding)
         linked = s.share(s.aside)
         if winding > ENOUGH.SHARE * rings and linked < ENOUGH.SHARE * winding:
@@ -165,14 +164,12 @@ def _judge_rows(s: Section, rowlike: float) -> Verdict:
 def _judge_arcs(s: Section) -> Verdict | None:
     """Judge circles that the boundary cuts open: rows around a centre in place of along an axis."""
     arcs = find_arcs(s.moves, s.pieces, np.union1d(s.strokes.index, s.rings.index))
-    if arcs is None or arcs.count < ENOUGH.TIMES or arcs.even < ENOUGH.SHARE or arcs.length < ARCS.SHARE * s.length:
+    if arcs is None or arcs.count < ENOUGH.TIMES or arcs.even < ENOUGH.SHARE or arcs.length < ENOUGH.SHARE * s.length:
         return None
-    if arcs.opposite + arcs.same < ARCS.BESIDE * arcs.length:
-        return None  # the next is not beside it
     strategy, seen = Strategy.CONTOUR_PARALLEL, Message("nested")
     if arcs.opposite > arcs.same:
         strategy, seen = Strategy.ZIGZAG, Message("half-turns-alternate")
-    elif arcs.spiral > ARCS.SPIRAL * arcs.length:
+    elif arcs.spiral > ENOUGH.SHARE * arcs.length:
         strategy, seen = Strategy.SPIRAL, Message("endless-winding")
     return Verdict(strategy, arcs.length / s.length, arcs.count, seen, step=arcs.step)
 
