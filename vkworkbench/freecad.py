@@ -113,7 +113,7 @@ _PROPERTIES = tuple(entry for entry in globals().values() if isinstance(entry, P
 
 
 def names_in_fingerprint(part: str) -> frozenset[str]:
-    """Return the names of the properties that a part of a mark's fingerprint depends on, ``"path"`` or ``"setting"``."""
+    """Return the names of the properties on which a part of a mark's fingerprint, "path" or "setting", depends."""
     return frozenset(name for entry in _PROPERTIES if entry.fingerprint == part for name in entry.names)
 
 

@@ -252,10 +252,9 @@ class Report:
     def _total(self, document: str, job: str, label: str) -> Total:
         counted = [o for o in self.operations if o.counted and (o.document, o.job) == (document, job)]
         known = [o for o in counted if o.costs]
-        costs, advice = together(
-            [o.costs for o in known], labels=[o.label for o in known],
-            stepover=min((o.recognition.stepover for o in known if o.recognition.stepover), default=None), **self.budget,
-        )  # fmt: skip
+        stepover = min((o.recognition.stepover for o in known if o.recognition.stepover), default=None)
+        labels = [o.label for o in known]
+        costs, advice = together([o.costs for o in known], labels=labels, stepover=stepover, **self.budget)
         return Total(
             document, job, label,
             operations=len(counted),

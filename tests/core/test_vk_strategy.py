@@ -73,7 +73,7 @@ def test_documents_know_no_other_strategy():
 
 def test_values_are_stable():
     # They are stored in documents and read by macros: one may be added, none changed.
-    stored = {"zigzag", "one-way", "contour-parallel", "profile", "waterline", "spiral", "helix", "adaptive", "drilling",
-              "engraving", "mixed", "unknown", "empty"}  # fmt: skip
+    stored = {"zigzag", "one-way", "contour-parallel", "profile", "waterline", "spiral", "helix", "adaptive",
+              "drilling", "engraving", "mixed", "unknown", "empty"}  # fmt: skip
     assert stored <= {strategy.value for strategy in Strategy}
     assert Strategy("one-way") is Strategy.ONE_WAY and f"{Strategy.ONE_WAY}" == Strategy.ONE_WAY == "one-way"

@@ -136,11 +136,19 @@ def _shown(kind: str) -> Callable[[object], str]:
 def _of_simulator(simulator: Simulator) -> tuple[Column, Column]:
     """Time and memory that a simulator takes for an operation, or for all of a job together."""
     name, text = simulator.name, partial(FreeCAD.Qt.translate, "Vk_Results")
+
+    def seconds(row: Row) -> float | None:
+        cost = row.found.cost(name)
+        return cost and cost[0]
+
+    def size(row: Row) -> float | None:
+        cost = row.found.cost(name)
+        return cost and cost[1]
+
     return (
-        Column(text(simulator.time_title), text(simulator.time_tooltip),
-               lambda row: (row.found.cost(name) or (None, None))[0], _shown("time"), lambda row: row.found.factor(name)),
-        Column(text(simulator.memory_title), text(simulator.memory_tooltip),
-               lambda row: (row.found.cost(name) or (None, None))[1], _shown("memory")),
+        Column(text(simulator.time_title), text(simulator.time_tooltip), seconds, _shown("time"),
+               lambda row: row.found.factor(name)),
+        Column(text(simulator.memory_title), text(simulator.memory_tooltip), size, _shown("memory")),
     )  # fmt: skip
 
 

@@ -56,7 +56,7 @@ def test_every_text_of_an_entry_is_translated(language):
 
 def test_entries_do_not_collide():
     names = [simulator.name for simulator in SIMULATORS]
-    columns = [column for s in SIMULATORS for column in (*s.columns, s.factor_column, s.advice and s.advice.column) if column]
+    columns = [name for s in SIMULATORS for name in (*s.columns, s.factor_column, s.advice and s.advice.column) if name]
     kinds = [lesson.kind for simulator in SIMULATORS for lesson in simulator.lessons]
     for unique in (names, columns, kinds):
         assert len(set(unique)) == len(unique)
@@ -124,7 +124,8 @@ def test_one_more_entry_is_predicted_warned_of_and_written_everywhere(wireframe,
     assert ("wires", "leave-out") in codes
     assert any("wireframe" in caution.message for caution in operation.cautions if caution.code == "memory")
 
-    both = Report((operation, replace(operation, name="Other")), {("D", "Job"): "Job"}, {"memory_bytes": 1e9, "seconds": 1e3})
+    budget = {"memory_bytes": 1e9, "seconds": 1e3}
+    both = Report((operation, replace(operation, name="Other")), {("D", "Job"): "Job"}, budget)
     (total,) = both.totals
     assert total.cost("wireframe") == (2.0 * count, 2e3 * count)
     both.to_csv(str(tmp_path / "report.csv"))

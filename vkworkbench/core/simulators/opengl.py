@@ -187,9 +187,8 @@ class OpenGLCost:
 
 def predict(task: Task, conditions: Conditions) -> OpenGLCost:
     """Estimate it with the quality of the conditions, at the speeds that their FreeCAD offers."""
-    return opengl_cost(
-        task, speeds=opengl_speeds(conditions.version), quality=conditions.opengl_quality, constants=conditions.constants
-    )
+    speeds = opengl_speeds(conditions.version)
+    return opengl_cost(task, speeds=speeds, quality=conditions.opengl_quality, constants=conditions.constants)
 
 
 def opengl_cost(
