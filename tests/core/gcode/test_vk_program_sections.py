@@ -43,6 +43,14 @@ def sections(text):
         ("Change tool: HSS 2-Flute Endmill, 2mm", None, "endmill", 2),
         ("T02 ID=002  DIA-0.5000    1/2 ENDMILL", 2, "endmill", 12.7),
         ("Tool Diameter: 3,175", None, "endmill", 3.175),
+        ("T2 = End Mill {0.5 inches}", 2, "endmill", 12.7),
+        ("TOOL - 6 2\"  FACE MILL    DIA. OFF. - 6  LEN. - 6  DIA. - 50.8", 6, "endmill", 50.8),
+        ("T3|NO. 7 DRILL|H3|D3|TOOL DIA. - 5.1", 3, "drill", 5.1),
+        ("TOOL 1 1/4 END MILL", 1, "endmill", 6.35),
+        ("Tool: 1/4 in Carbide End Mill", None, "endmill", 6.35),
+        ("T01 FRAISE 2T D10", 1, "endmill", 10),
+        ("V-Bit {90 deg 0.5\"}", None, "vbit", 12.7),
+        ("Сверло 3мм", None, "drill", 3),
     ],
 )  # fmt: skip
 def test_tools_as_cam_systems_write_them(comment, number, shape, diameter):

@@ -96,7 +96,7 @@ class Clues:
                 if cuts and letter in self._turns:
                     self.rotary.append(line)
                 self._turns[letter] = value
-        if "E" in parameters:
+        if "E" in parameters and ("X" in parameters or "Y" in parameters):
             self._extrusions.append(line)
         if cuts and "U" in parameters and "V" in parameters:
             self._wire.append(line)

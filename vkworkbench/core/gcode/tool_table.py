@@ -21,13 +21,14 @@ _LARGEST = 500.0  # mm
 _NUMBER = r"(?:\d+(?:[.,]\d*)?|[.,]\d+)"
 _FRACTION = r"(?:\d+[ -])?\d+/\d+"
 _SIZE = rf"(?P<size>{_FRACTION}|{_NUMBER})"
-_UNIT = r"\s*(?P<unit>mm\b|inch(?:es)?\b|in\b\.?|\"|'')?"
+_METRIC = ("mm", "мм")
+_UNIT = r"\s*(?P<unit>mm\b|мм\b|inch(?:es)?\b|in\b\.?|\"|'')?"
 _MILLING_WORD = (
-    r"end ?mills?(?![a-z])|mill\b|em\b|face ?mill|slot ?(?:cutter|drill)|cutter\b|ball ?(?:nose|end)|bull ?(?:nose|end)|v-?bit|"
+    r"end ?mills?(?![a-z])|mill\b|em\b|face ?mill|slot ?(?:cutter|drill)|cutter\b|ball ?(?:nose|end)|bull ?(?:nose|end)|v[- ]?bit|"
     r"engrav\w*|chamfer\w*|router|bit\b|drills?\b|spot ?drill|reamer|tap\b|crb\b|carbide|"
-    r"\w*fr(?:ä|ae|.)ser\b|bohrer|gravier\w*|fresa|broca|fraise|foret|frees|фреза|сверло|гравер"
+    r"\w*fr(?:ä|ae|.)ser\b|bohrer|gravier\w*|freza|sverlo|fresa|broca|fraise|foret|frees|фреза|сверло|гравер"
 )
-_NUMBERED = re.compile(r"\b(?:T|tool\s*(?:no\.?|nr\.?|number)?)\s*[-#:=]?\s*(?P<number>\d{1,8})\b", re.I)
+_NUMBERED = re.compile(r"\b(?:T|tool\s*(?:no\.?|nr\.?|number)?)\s*[-#:=]?\s*(?P<number>\d{1,8})\b(?![./]\d)", re.I)
 _LETTER = re.compile(rf"(?<![A-Za-z])D\s*=\s*{_SIZE}{_UNIT}", re.I)
 _WORD = re.compile(
     rf"(?:\bdia(?:meter|m)?\b\.?|\bdiametro\b|\bdiámetro\b|\bdiamètre\b|\bdurchmesser\b|[øØ⌀]|\bдиаметр)\s*[:=.\-]*\s*{_SIZE}{_UNIT}", re.I
@@ -35,7 +36,8 @@ _WORD = re.compile(
 _BEFORE = re.compile(rf"(?<![\d.,/]){_SIZE}{_UNIT}\s*\bdia(?:meter|m)?\b", re.I)
 _CAMBAM = re.compile(rf"T\d+\s*:\s*(?P<size>{_NUMBER})", re.I)
 _CUTVIEWER = re.compile(r"TOOL/(?P<kind>MILL|DRILL|CHAMFER)\s*,\s*(?P<size>[\d.]+)(?:\s*,\s*(?P<second>[\d.]+))?", re.I)
-_MEASURED = re.compile(rf"(?<![\d.,/]){_SIZE}\s*(?P<unit>mm\b|inch(?:es)?\b|in\b|\")", re.I)
+_MEASURED = re.compile(rf"(?<![\d.,/]){_SIZE}\s*(?P<unit>mm\b|мм\b|inch(?:es)?\b|in\b|\")", re.I)
+_SHORT = re.compile(rf"(?<![\w|])D(?P<size>{_NUMBER})(?![\w|])")  # D10; between bars it is an offset
 _FLUTES = re.compile(r"\b\d+\s*-?\s*fl(?:utes?)?\b", re.I)
 _LISTED = re.compile(r"\s*T\d+\s*[|:=]", re.I)
 _LONGEST, _LONGEST_NAME = 200, 60  # characters; longer ones tell a story, and name a size in passing
@@ -47,7 +49,7 @@ _ANGLE = re.compile(rf"(?<![\d.,]){_SIZE}\s*(?:°|deg(?:ree)?s?\b)", re.I)
 _SHAPES = (
     ("ballend", r"ball|kugel|radiusfr|esf.rica|h.misph|сферич"),
     ("bullnose", r"bull|torus|corner"),
-    ("vbit", r"v-?bit|v-?carv|chamfer|engrav|conical|gravier|fase|center|spot|countersink|гравер|senker|chafl"),
+    ("vbit", r"v[- ]?bit|v-?carv|chamfer|engrav|conical|gravier|fase|center|spot|countersink|гравер|senker|chafl"),
     ("drill", r"drill|bohrer|broca|foret|сверло"),
 )
 
@@ -108,8 +110,10 @@ def _size(comment: str, number: re.Match | None) -> re.Match | None:
     explicit = _LETTER.search(comment) or _WORD.search(comment) or _BEFORE.search(comment)
     if explicit or not (is_tool or _LISTED.match(comment)) or len(comment) > _LONGEST_NAME:
         return explicit
+    if number is not None:  # "tool 1 1/4" is no tool of 1 1/4
+        comment = f"{comment[: number.start()]}  {comment[number.end() :]}"
     found = [match for match in (_MEASURED.search(comment), _BARE.search(comment)) if match]
-    return min(found, key=re.Match.start, default=None)
+    return min(found, key=re.Match.start, default=_SHORT.search(comment))
 
 
 def _also_a_fraction(comment: str, size: re.Match) -> bool:
@@ -130,8 +134,8 @@ def _millimetres(size: re.Match, inches: bool) -> float:
         *whole, fraction = re.split(r"[ -]", text)
         above, below = (float(part) for part in fraction.split("/"))
         value = sum(map(float, whole)) + (above / below if below else 0.0)
-        return value * (1.0 if unit == "mm" else INCH)
-    return float(text) * (1.0 if unit == "mm" else INCH if unit or inches else 1.0)
+        return value * (1.0 if unit in _METRIC else INCH)
+    return float(text) * (1.0 if unit in _METRIC else INCH if unit or inches else 1.0)
 
 
 def _tool(comment: str, size: re.Match, diameter: float, inches: bool) -> Tool:
