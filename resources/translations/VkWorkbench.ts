@@ -521,7 +521,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>{count:n} sections parted by tool changes, titles or drilling show {strategies:strategy}: {strategy:strategy}</source>
+        <source>{count:n} sections parted by tool changes, titles, retracts or drilling show {strategies:strategy}: {strategy:strategy}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -753,14 +753,17 @@
     </message>
     <message>
         <source>Extended z-buffer</source>
+        <extracomment>The paper&apos;s; the columns of its cost have no other name before them.</extracomment>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>FreeCAD&apos;s legacy simulator</source>
+        <extracomment>FreeCAD&apos;s older one.</extracomment>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>FreeCAD&apos;s OpenGL simulator</source>
+        <extracomment>FreeCAD&apos;s newer one, which draws what was cut before with every operation.</extracomment>
         <translation type="unfinished"></translation>
     </message>
     <message>

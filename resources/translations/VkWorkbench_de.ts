@@ -521,8 +521,8 @@
         <translation>φ hat keine Richtung, die Bewegungen sind an einigen Punkten senkrecht: {strategy:strategy}</translation>
     </message>
     <message>
-        <source>{count:n} sections parted by tool changes, titles or drilling show {strategies:strategy}: {strategy:strategy}</source>
-        <translation>{count:n} Abschnitte, getrennt durch Werkzeugwechsel, Titel oder Bohren, zeigen {strategies:strategy}: {strategy:strategy}</translation>
+        <source>{count:n} sections parted by tool changes, titles, retracts or drilling show {strategies:strategy}: {strategy:strategy}</source>
+        <translation>{count:n} Abschnitte, getrennt durch Werkzeugwechsel, Titel, Rückzüge oder Bohren, zeigen {strategies:strategy}: {strategy:strategy}</translation>
     </message>
     <message>
         <source>{sentence} only for {share:%} of the length: {strategy:strategy}</source>
@@ -753,14 +753,17 @@
     </message>
     <message>
         <source>Extended z-buffer</source>
+        <extracomment>The paper&apos;s; the columns of its cost have no other name before them.</extracomment>
         <translation>Erweiterter Z-Buffer</translation>
     </message>
     <message>
         <source>FreeCAD&apos;s legacy simulator</source>
+        <extracomment>FreeCAD&apos;s older one.</extracomment>
         <translation>Alter Simulator von FreeCAD</translation>
     </message>
     <message>
         <source>FreeCAD&apos;s OpenGL simulator</source>
+        <extracomment>FreeCAD&apos;s newer one, which draws what was cut before with every operation.</extracomment>
         <translation>OpenGL-Simulator von FreeCAD</translation>
     </message>
     <message>

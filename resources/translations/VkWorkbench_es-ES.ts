@@ -521,8 +521,8 @@
         <translation>φ no tiene dirección, los movimientos son verticales en algunos puntos: {strategy:strategy}</translation>
     </message>
     <message>
-        <source>{count:n} sections parted by tool changes, titles or drilling show {strategies:strategy}: {strategy:strategy}</source>
-        <translation>{count:n} secciones separadas por cambios de herramienta, títulos o taladros muestran {strategies:strategy}: {strategy:strategy}</translation>
+        <source>{count:n} sections parted by tool changes, titles, retracts or drilling show {strategies:strategy}: {strategy:strategy}</source>
+        <translation>{count:n} secciones separadas por cambios de herramienta, títulos, retiradas o taladros muestran {strategies:strategy}: {strategy:strategy}</translation>
     </message>
     <message>
         <source>{sentence} only for {share:%} of the length: {strategy:strategy}</source>
@@ -753,14 +753,17 @@
     </message>
     <message>
         <source>Extended z-buffer</source>
+        <extracomment>The paper&apos;s; the columns of its cost have no other name before them.</extracomment>
         <translation>Z-buffer extendido</translation>
     </message>
     <message>
         <source>FreeCAD&apos;s legacy simulator</source>
+        <extracomment>FreeCAD&apos;s older one.</extracomment>
         <translation>Simulador antiguo de FreeCAD</translation>
     </message>
     <message>
         <source>FreeCAD&apos;s OpenGL simulator</source>
+        <extracomment>FreeCAD&apos;s newer one, which draws what was cut before with every operation.</extracomment>
         <translation>Simulador OpenGL de FreeCAD</translation>
     </message>
     <message>

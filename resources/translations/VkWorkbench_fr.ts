@@ -521,8 +521,8 @@
         <translation>φ n&apos;a pas de direction, les mouvements sont verticaux en quelques points : {strategy:strategy}</translation>
     </message>
     <message>
-        <source>{count:n} sections parted by tool changes, titles or drilling show {strategies:strategy}: {strategy:strategy}</source>
-        <translation>{count:n} sections séparées par des changements d&apos;outil, des titres ou des perçages montrent {strategies:strategy} : {strategy:strategy}</translation>
+        <source>{count:n} sections parted by tool changes, titles, retracts or drilling show {strategies:strategy}: {strategy:strategy}</source>
+        <translation>{count:n} sections séparées par des changements d&apos;outil, des titres, des retraits ou des perçages montrent {strategies:strategy} : {strategy:strategy}</translation>
     </message>
     <message>
         <source>{sentence} only for {share:%} of the length: {strategy:strategy}</source>
@@ -753,14 +753,17 @@
     </message>
     <message>
         <source>Extended z-buffer</source>
+        <extracomment>The paper&apos;s; the columns of its cost have no other name before them.</extracomment>
         <translation>Z-buffer étendu</translation>
     </message>
     <message>
         <source>FreeCAD&apos;s legacy simulator</source>
+        <extracomment>FreeCAD&apos;s older one.</extracomment>
         <translation>Ancien simulateur de FreeCAD</translation>
     </message>
     <message>
         <source>FreeCAD&apos;s OpenGL simulator</source>
+        <extracomment>FreeCAD&apos;s newer one, which draws what was cut before with every operation.</extracomment>
         <translation>Simulateur OpenGL de FreeCAD</translation>
     </message>
     <message>

@@ -521,8 +521,8 @@
         <translation>φ 没有方向可转，移动在若干点上竖直：{strategy:strategy}</translation>
     </message>
     <message>
-        <source>{count:n} sections parted by tool changes, titles or drilling show {strategies:strategy}: {strategy:strategy}</source>
-        <translation>由换刀、标题或钻孔分开的 {count:n} 段显示 {strategies:strategy}：{strategy:strategy}</translation>
+        <source>{count:n} sections parted by tool changes, titles, retracts or drilling show {strategies:strategy}: {strategy:strategy}</source>
+        <translation>由换刀、标题、退刀或钻孔分开的 {count:n} 段显示 {strategies:strategy}：{strategy:strategy}</translation>
     </message>
     <message>
         <source>{sentence} only for {share:%} of the length: {strategy:strategy}</source>
@@ -753,14 +753,17 @@
     </message>
     <message>
         <source>Extended z-buffer</source>
+        <extracomment>The paper&apos;s; the columns of its cost have no other name before them.</extracomment>
         <translation>扩展 Z 缓冲</translation>
     </message>
     <message>
         <source>FreeCAD&apos;s legacy simulator</source>
+        <extracomment>FreeCAD&apos;s older one.</extracomment>
         <translation>FreeCAD 旧版模拟器</translation>
     </message>
     <message>
         <source>FreeCAD&apos;s OpenGL simulator</source>
+        <extracomment>FreeCAD&apos;s newer one, which draws what was cut before with every operation.</extracomment>
         <translation>FreeCAD OpenGL 模拟器</translation>
     </message>
     <message>

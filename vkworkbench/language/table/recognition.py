@@ -62,7 +62,7 @@ RECOGNITION = {
     ),
     "sections": QT_TRANSLATE_NOOP(
         "Sentences",
-        "{count:n} sections parted by tool changes, titles or drilling show {strategies:strategy}: "
+        "{count:n} sections parted by tool changes, titles, retracts or drilling show {strategies:strategy}: "
         "{strategy:strategy}",
     ),
     "only-for": QT_TRANSLATE_NOOP(
