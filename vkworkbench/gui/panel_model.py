@@ -145,9 +145,11 @@ def _of_simulator(simulator: Simulator) -> tuple[Column, Column]:
         cost = row.found.cost(name)
         return cost and cost[1]
 
+    def factor(row: Row) -> float:
+        return row.found.factor(name) if simulator.lessons else 1.0  # else no run makes it surer
+
     return (
-        Column(text(simulator.time_title), text(simulator.time_tooltip), seconds, _shown("time"),
-               lambda row: row.found.factor(name)),
+        Column(text(simulator.time_title), text(simulator.time_tooltip), seconds, _shown("time"), factor),
         Column(text(simulator.memory_title), text(simulator.memory_tooltip), size, _shown("memory")),
     )  # fmt: skip
 
