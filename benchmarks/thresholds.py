@@ -9,11 +9,13 @@ the ends of their range in place of the thousand. The toolpaths are those of too
 (records as in recognition.py). NAME, as ROWS or ROWS.FARTHER, asks for some thresholds only. Needs numpy only.
 
 Printed for each move: how many of the verdicts change, how many right ones become wrong (-) and wrong ones right (+).
-After a ~ stand the answers that keep their strategy and change in a number or in the confidence.
+After a ~ stand the answers that keep their strategy and change in a number or in the confidence. For the thresholds that
+were asked for by name, the kinds of toolpath that get another verdict follow.
 """
 
 from __future__ import annotations
 
+import collections
 import inspect
 import re
 import sys
@@ -132,16 +134,16 @@ def main(names: list[str], files: list[str]) -> None:
     watch(units)
     known, paths = set(), []
     for source in ([], files) if files else ([],):
-        for _, _, accepted, diameter, _, path in records(source):
+        for label, _, accepted, diameter, _, path in records(source):
             if (digest := (key(path), diameter)) not in known:
                 known.add(digest)
-                paths.append((path, diameter, accepted))
+                paths.append((path, diameter, accepted, label))
     base, reads = [], []
-    for path, diameter, _ in paths:
+    for path, diameter, *_ in paths:
         Watched.readers.append(set())
         base.append(answer(path, diameter))
         reads.append(Watched.readers.pop())
-    right = [told in accepted for (told, _), (_, _, accepted) in zip(base, paths)]
+    right = [told in accepted for (told, _), (_, _, accepted, _) in zip(base, paths)]
     print(f"{len(paths)} toolpaths, {sum(right)} verdicts right\n")
     print(f"{'':28s}{'value':>8s}  {'read by':>7s}  {'a thousandth or 0':24s}{'half':24s}{'double':24s}{'a thousand or 1':24s}unit")
     silent = []
@@ -151,7 +153,7 @@ def main(names: list[str], files: list[str]) -> None:
             if names and not {subject.__name__, f"{subject.__name__}.{name}"} & set(names):
                 continue
             concerned = [k for k, r in enumerate(reads) if threshold in r]
-            columns, changed = [], 0
+            columns, kinds, changed = [], [], 0
             for moved in moves(value, unit):
                 Watched.moved = {threshold: moved}
                 now = {k: answer(*paths[k][:2]) for k in concerned}
@@ -162,10 +164,14 @@ def main(names: list[str], files: list[str]) -> None:
                 numbers = sum(now[k] != base[k] for k in concerned) - len(other)
                 columns.append(f"{len(other)} -{worse} +{better} ~{numbers}" if other or numbers else ".")
                 changed += len(other)
+                flips = collections.Counter((paths[k][3], base[k][0], now[k][0]) for k in other)
+                kinds += [f"    {moved:.4g}: {n} {label}, {a} -> {b}" for (label, a, b), n in flips.most_common(6)]
             if not changed:
                 silent.append(".".join(threshold))
             told = "".join(f"{column:24s}" for column in columns)
             print(f"{'.'.join(threshold):28s}{value:8.4g}  {len(concerned):7d}  {told}{unit}", flush=True)
+            if names and kinds:
+                print("\n".join(kinds))
     count = sum(map(len, units.values()))
     print(f"\n{count} thresholds; these change no verdict wherever they are: {', '.join(silent) or 'none'}")
     print(f"{time.perf_counter() - began:.0f} s")

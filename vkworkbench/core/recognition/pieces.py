@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The pieces areas are made of: loops, turns of windings, back-and-forth passes and open strokes."""
+"""The pieces that areas are cut into: loops, turns of windings, zigzags and open strokes."""
 
 from __future__ import annotations
 
@@ -23,9 +23,8 @@ class Pieces:
     start, end : (k,) int
         The moves of piece i are start[i] .. end[i] - 1.
     kind : (k,) int
-        LOOP: closed, one turn. WINDING: one turn of several. ZIGZAG: passes whose half-turns alternate in
-        sign.
-        LINE: a straight stroke. CURVE: any other open stroke.
+        LOOP: closed, with a net turn of 2 pi. WINDING: one of several turns that go on into one another. ZIGZAG:
+        back and forth, the half-turns between its passes alternate in sign. STROKE: anything else, open.
     area : (k,) int
         The monotonous area each piece lies in.
     length : (k,) float
@@ -33,7 +32,7 @@ class Pieces:
     net : (k,) float
         Turn from the first to the last move, rad; of a loop with the closing turn: +-2 pi.
     back : (k,) float
-        Turning that undid itself, sum |turn| - |net|, rad: 0 for a convex curve.
+        Turning that undid itself, sum |turn| - |net|, rad; 0 of a convex curve.
     enclosed : (k,) float
         Signed area between the piece and its chord, mm2.
     box : (k, 4) float
@@ -41,10 +40,10 @@ class Pieces:
     z, last_z, rise, drop : (k,) float
         Mean height, height of the end, range of heights and height gained from start to end, mm.
     passes : (k,) int
-        Passes along the axis of the piece.
+        How often it goes along its axis, one way or the other.
     wavy : (k,) bool
-        Loops and windings whose half-turns alternate: offsets of a concave contour, or zigzags that came
-        back.
+        Loops and windings with half-turns that alternate: they follow a concave contour, or they are zigzags that
+        end where they began.
     """
 
     start: np.ndarray
@@ -91,18 +90,17 @@ def cut_pieces(moves: Areas) -> Pieces:
     parts = _Stretches(moves, start)
     net, closed = parts.net()
     kind = np.where(loop[start] | (closed & is_one_turn(net)), LOOP, STROKE)
-    # A pass between two others needs three moves; a loop of several waves turns back again and again.
+    # Only these may go back and forth: open pieces of three moves or more, and loops that turn back by a turn in all.
     able = np.where(kind == LOOP, parts.turned > np.abs(net) + TURN, parts.end - parts.start > 2)
     if parts.length[able].sum() < LITTLE.LINKS * parts.length.sum():
-        able[:] = False
+        able[:] = False  # the links between loops
     alternating, constant, passes = half_turns(moves, parts, able)
     opened = kind != LOOP
     waves = (alternating > PASSES.ALTERNATING * parts.length) & (alternating > PASSES.MORE * constant)
     winding = opened & (np.abs(net) > WINDINGS.TURN * TURN)
     zigzag = opened & ~winding & waves
     kind[winding], kind[zigzag] = WINDING, ZIGZAG
-    back_at_start = (kind == LOOP) & (alternating > PASSES.ALTERNATING_LOOP * parts.length)
-    wavy = (winding & waves) | back_at_start
+    wavy = (winding & waves) | ((kind == LOOP) & (alternating > PASSES.ALTERNATING_LOOP * parts.length))
     if winding.any():
         further = winding_turns(moves, start[winding], parts.end[winding], np.sign(net[winding]))
         start = np.union1d(start, further)
@@ -115,7 +113,7 @@ def cut_pieces(moves: Areas) -> Pieces:
 
 
 class _Stretches:
-    """Consecutive stretches of the moves and their common measures."""
+    """All moves, cut into k consecutive stretches, and what is measured of every stretch."""
 
     def __init__(self, moves: Areas, start: np.ndarray) -> None:
         self.moves = moves
@@ -186,20 +184,19 @@ class _Stretches:
 def half_turns(
     moves: Areas, parts: _Stretches, able: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Tell back-and-forth from around by the signs of the half-turns between opposite passes.
+    """Tell back-and-forth from around by the signs of the half-turns between passes.
 
-    A pass is a run of moves within 25 degrees of the axis of its stretch. Between two opposite passes phi
-    turns by +-pi; in a zigzag the signs alternate, around a contour they stay (paper, section 3.2). Counting
-    signs instead of asking for -pi <= phi <= pi does not depend on the first trajectory and holds with
-    islands and concave borders.
-    An exact reversal has no sign and counts as alternating: going back and forth on one line.
+    A pass is a run of moves one way along the axis of its stretch. Between two opposite passes phi turns by pi or
+    -pi: in a zigzag the signs alternate, around a contour they stay the same (paper, section 3.2). The signs, other
+    than the paper's -pi <= phi <= pi, do not depend on the first trajectory, and they hold with islands and concave
+    borders. An exact reversal has no sign; it goes back on its own line and counts as alternating.
 
     Parameters
     ----------
     moves : Areas
     parts : _Stretches
     able : (k,) bool
-        The stretches to look at.
+        The stretches to look at; the others have one pass.
 
     Returns
     -------

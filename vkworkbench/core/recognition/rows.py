@@ -60,14 +60,14 @@ class Rows:
 def find_rows(moves: Areas, chosen: np.ndarray) -> list[Rows]:
     """Find up to two families of parallel rows among the chosen moves.
 
-    The axis is where the Gauss image of the moves, taken without sense, is densest: back-and-forth is two
-    opposite points of the circle. Grids and crossed rasters have a second family.
+    On the Gauss image rows are two opposite points of the circle, one for each way. The axis of a family is where
+    the image, both ways taken together, is densest. Grids and crossed rasters have a second family.
 
     Parameters
     ----------
     moves : Areas
     chosen : (k,) int
-        Areas to look at, ascending.
+        The moves to look at, ascending.
     """
     found: list[Rows] = []
     total = moves.length.take(chosen).sum()
@@ -77,7 +77,7 @@ def find_rows(moves: Areas, chosen: np.ndarray) -> list[Rows]:
             break
         found.append(family)
         total -= moves.length.take(family.moves).sum()
-        # What is left when nearly all is in rows are the links between them.
+        # Where nearly everything is in rows, the rest are the links between them.
         if len(found) == 2 or total < LITTLE.FAMILY * found[0].length:
             break
         left = np.zeros(len(moves), bool)
@@ -90,7 +90,13 @@ def find_rows(moves: Areas, chosen: np.ndarray) -> list[Rows]:
 
 
 def weighted_median(values: np.ndarray, weights: np.ndarray) -> float:
-    """Return the value at half the weight; values and weights (k,), k >= 1; of many values an even sample."""
+    """Return the value at half the weight; of many values every second, third, ... one is looked at.
+
+    Parameters
+    ----------
+    values, weights : (k,) float
+        At least one.
+    """
     every = len(values) // ROWS.SAMPLE + 1
     values, weights = values[::every], weights[::every]
     order = np.argsort(values)
@@ -98,35 +104,9 @@ def weighted_median(values: np.ndarray, weights: np.ndarray) -> float:
     return float(values[order[np.searchsorted(reached, reached[-1] / 2)]])
 
 
-def _aligned(dx, dy, length, axis) -> tuple[np.ndarray, np.ndarray]:
-    """Return how far the moves go along an axis, mm, and which of them keep to it."""
-    along = dx * np.cos(axis)
-    along += dy * np.sin(axis)
-    return along, np.flatnonzero(np.abs(along) >= np.cos(ROWS.ALIGNED) * length)
-
-
 def _densest(moves: Areas, chosen: np.ndarray) -> Rows | None:
     """Return the rows along the densest direction; None where no move keeps to it."""
-    dx, dy, length = moves.dx, moves.dy, moves.length
-    if len(chosen) < len(moves):
-        dx, dy, length = dx[chosen], dy[chosen], length[chosen]
-    cos = dx / length
-    axis = axis_of(cos @ dx, cos @ dy, length.sum())
-    along, aligned = _aligned(dx, dy, length, axis)
-    kept = length.take(aligned).sum() / length.sum()
-    if kept < ROWS.ONE_AXIS:
-        # Not one axis alone: take the densest of so many directions and its neighbours.
-        bins = np.rint(moves.alpha[chosen] * (ROWS.DIRECTIONS / np.pi)).astype(np.int64) % ROWS.DIRECTIONS
-        weight = np.bincount(bins, weights=length, minlength=ROWS.DIRECTIONS)
-        around = np.roll(weight, 1) + np.roll(weight, -1)
-        peak = int(np.argmax(weight + 0.5 * around))
-        near = (np.arange(ROWS.DIRECTIONS) - peak + 1) % ROWS.DIRECTIONS <= 2
-        aligned = np.flatnonzero(near[bins])
-    if kept < ROWS.ALL_ALIGNED:
-        # Once more without the links: along a slanting boundary they turn the axis.
-        near = cos.take(aligned)
-        axis = axis_of(near @ dx.take(aligned), near @ dy.take(aligned), length.take(aligned).sum())
-        along, aligned = _aligned(dx, dy, length, axis)
+    axis, along, aligned, length = _main_axis(moves, chosen)
     u, v = np.cos(axis), np.sin(axis)
     on, forward, length = chosen.take(aligned), along.take(aligned) > 0, length.take(aligned)
     if not len(on):
@@ -136,8 +116,8 @@ def _densest(moves: Areas, chosen: np.ndarray) -> Rows | None:
         if len(moves.start) > 1
         else np.zeros(len(on), np.int64)
     )
-    # A pass goes on while the sense stays, and over a lift while the line stays: spans of one line are one
-    # row.
+    # A pass ends where the next move runs the other way. It goes on over links and lifts while it stays on its line:
+    # a row that islands interrupt is one row.
     new = forward[1:] != forward[:-1]
     apart = np.flatnonzero(((on[1:] > on[:-1] + 1) | (area[1:] > area[:-1])) & ~new)
     before, after = on[apart], on[apart + 1]
@@ -146,7 +126,7 @@ def _densest(moves: Areas, chosen: np.ndarray) -> Rows | None:
     begin = np.flatnonzero(np.concatenate([[True], new]))
     passed = np.add.reduceat(length, begin)
     typical = weighted_median(passed, passed)
-    # Links along the boundary run along the axis here and there: they are no rows.
+    # Links that follow the boundary run along the axis here and there. They are short, and no rows.
     long = passed > LITTLE.PASS * typical
     begin, passed = begin[long], passed[long]
     first = on[begin]
@@ -160,10 +140,10 @@ def _densest(moves: Areas, chosen: np.ndarray) -> Rows | None:
     step = weighted_median(lateral[aside], shorter[aside])
     neighbour = aside & (lateral <= ROWS.FARTHER * step)
     turned = sense[1:] != sense[:-1]
-    # Two passes the same way without a lift between them are stairs of one stroke (sampled contours), not
-    # rows.
+    # Two passes the same way in one area, with no lift between them, are steps of one stroke and no rows: a contour
+    # that was sampled on a grid looks like a staircase.
     onward = neighbour & ~turned & (area[1:] != area[:-1])
-    q = np.sort(q[:ROWS.SAMPLE])
+    q = np.sort(q[: ROWS.SAMPLE])
     gaps = np.diff(q[np.append(True, q[1:] - q[:-1] > SAME.PLACE)])
     pitch = period = float(np.median(gaps)) if len(gaps) else step
     if len(gaps) > 2 and np.median(np.abs(gaps[1:] - gaps[:-1])) > ROWS.TWO_PITCHES * pitch:
@@ -184,6 +164,50 @@ def _densest(moves: Areas, chosen: np.ndarray) -> Rows | None:
     )
 
 
+def _main_axis(moves: Areas, chosen: np.ndarray) -> tuple[float, np.ndarray, np.ndarray, np.ndarray]:
+    """Find the axis that most of the length keeps to.
+
+    Returns
+    -------
+    axis : float
+        rad.
+    along : (k,) float
+        How far each of the chosen moves goes along the axis, mm.
+    aligned : (a,) int
+        Which of them keep to it.
+    length : (k,) float
+        Their lengths, mm.
+    """
+    dx, dy, length = moves.dx, moves.dy, moves.length
+    if len(chosen) < len(moves):
+        dx, dy, length = dx[chosen], dy[chosen], length[chosen]
+    cos = dx / length
+    axis = axis_of(cos @ dx, cos @ dy, length.sum())
+    along, aligned = _aligned(dx, dy, length, axis)
+    kept = length.take(aligned).sum() / length.sum()
+    if kept < ROWS.ONE_AXIS:
+        # There are several axes, and the mean lies between them: take the densest direction and its neighbours.
+        bins = np.rint(moves.alpha[chosen] * (ROWS.DIRECTIONS / np.pi)).astype(np.int64) % ROWS.DIRECTIONS
+        weight = np.bincount(bins, weights=length, minlength=ROWS.DIRECTIONS)
+        around = np.roll(weight, 1) + np.roll(weight, -1)
+        peak = int(np.argmax(weight + 0.5 * around))
+        near = (np.arange(ROWS.DIRECTIONS) - peak + 1) % ROWS.DIRECTIONS <= 2
+        aligned = np.flatnonzero(near[bins])
+    if kept < ROWS.ALL_ALIGNED:
+        # Once more without the links: along a slanting boundary they turn the axis.
+        cos = cos.take(aligned)
+        axis = axis_of(cos @ dx.take(aligned), cos @ dy.take(aligned), length.take(aligned).sum())
+        along, aligned = _aligned(dx, dy, length, axis)
+    return axis, along, aligned, length
+
+
+def _aligned(dx, dy, length, axis) -> tuple[np.ndarray, np.ndarray]:
+    """Return how far the moves go along an axis, mm, and which of them keep to it."""
+    along = dx * np.cos(axis)
+    along += dy * np.sin(axis)
+    return along, np.flatnonzero(np.abs(along) >= np.cos(ROWS.ALIGNED) * length)
+
+
 def filling(families: list[Rows], tool: float, *, length: float, contour: bool) -> list[Rows]:
     """Return those families of rows that fill an area.
 
@@ -201,8 +225,8 @@ def filling(families: list[Rows], tool: float, *, length: float, contour: bool) 
     good = [f for f in families if _fills(f, tool) and not (contour and _walls(f, tool))]
     if good or len(families) < 2:
         return good
-    # The passes of a grid come in the order of a billiard, not side by side. Two families of many long rows
-    # that are all there is fill the area all the same.
+    # The tool cuts a grid as a ball runs on a billiard table, and no row is followed by its neighbour. Two families of
+    # many long rows that are nearly everything fill the area all the same.
     if sum(f.length for f in families) > ROWS.GRID * length:
         if all(f.count >= ENOUGH.TIMES and f.typical > ROWS.LONG * f.pitch for f in families):
             return families
@@ -210,10 +234,8 @@ def filling(families: list[Rows], tool: float, *, length: float, contour: bool) 
 
 
 def _fills(f: Rows, tool: float) -> bool:
-    """Tell whether passes lie side by side as rows do: long moves, short steps between them (paper, section
-    2.1).
-    """
-    # In teeth as narrow as two steps the rows are short, but many and even.
+    """Tell whether passes lie side by side as rows do: long moves, short steps between them (paper, section 2.1)."""
+    # In teeth that are two steps wide the rows are short, but there are many, and they are even.
     longer = ROWS.LONG_IF_MANY if f.lines >= ROWS.MANY and f.even > ROWS.EVEN else ROWS.LONG
     if f.opposite + f.same <= ROWS.BESIDE * f.length or f.typical <= longer * f.step:
         return False

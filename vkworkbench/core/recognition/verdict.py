@@ -7,8 +7,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from vkworkbench.core.recognition.concentric import find_arcs
 from vkworkbench.core.recognition.section import Section
-from vkworkbench.core.recognition.strokes import find_arcs
 from vkworkbench.core.recognition.thresholds import (
     ADAPTIVE,
     BITES,
