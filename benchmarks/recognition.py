@@ -2,17 +2,19 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """How often the recognition is right, what its confidence is worth and what it costs.
 
-    python3 benchmarks/recognition.py [FILE.jsonl.gz ...]
+    python3 benchmarks/recognition.py [FILE.jsonl.gz ...] [--programs PROGRAMS.jsonl.gz]
 
 Each line of a FILE is a JSON record: label, strategy, accept (the strategies that count as right),
 tool_diameter (mm or null) and commands ([name, parameters], mm and mm/s); where there are params with
 FreeCAD's StepOver (percent of the tool's diameter), the stepover is compared with it. Toolpaths that are the
-same to a micrometre count once.
+same to a micrometre count once. Operations of FILE are also joined to pairs, one file of PROGRAMS holds whole programs with
+their sections (records.py tells its form), and toolpaths/nonsense.py makes paths that machine nothing.
 Without files those of toolpaths/synthetic.py are taken. Needs numpy only.
 """
 
 from __future__ import annotations
 
+import argparse
 import collections
 import gzip
 import hashlib
@@ -23,7 +25,10 @@ from pathlib import Path
 
 import numpy as np
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
+HERE = Path(__file__).resolve().parent
+sys.path[:0] = [str(HERE.parent), str(HERE)]
+
+import whole_programs  # noqa: E402
 
 from toolpaths import synthetic  # noqa: E402
 from vkworkbench.core import Family, Strategy, Toolpath  # noqa: E402
@@ -103,6 +108,13 @@ def accuracy(files: list[str]) -> None:
     print(f"{seconds / max(1, moves) * 1e6:.2f} us per trajectory over {moves} trajectories")
 
 
+def calibration_error(confidence: np.ndarray, right: np.ndarray, bins: int = 10) -> float:
+    """Return the expected calibration error: |mean confidence - share of right ones| over equal bins, by their size."""
+    of = np.minimum((confidence * bins).astype(int), bins - 1)
+    errors = [(of == k).mean() * abs(confidence[of == k].mean() - right[of == k].mean()) for k in set(of.tolist())]
+    return float(sum(errors))
+
+
 def _print_labels(by_label) -> None:
     print("right by label (only where something is wrong)")
     for label, (right, count) in sorted(by_label.items()):
@@ -126,6 +138,11 @@ def _print_confusion(confusion) -> None:
 def _print_reliability(answers) -> None:
     print("\nreliability: how often verdicts of one confidence are right")
     answers = np.array(answers, float)
+    sure = answers[answers[:, 0] >= 0.9, 1]
+    print(
+        f"  expected calibration error {calibration_error(*answers.T):.3f}; "
+        f"where it says 0.9 and more, {np.mean(sure) if len(sure) else 0:.3f} of {len(sure)} are right"
+    )
     edges = np.array([0.0, 0.65, 0.75, 0.85, 0.95, 1.0001])
     for low, high in zip(edges[:-1], edges[1:]):
         some = answers[(answers[:, 0] >= low) & (answers[:, 0] < high)]
@@ -220,5 +237,13 @@ def speed() -> None:
 
 
 if __name__ == "__main__":
-    accuracy(sys.argv[1:])
+    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
+    parser.add_argument("files", nargs="*")
+    parser.add_argument("--programs")
+    options = parser.parse_args()
+    accuracy(options.files)
+    if options.programs:
+        whole_programs.report_programs(options.programs)
+    whole_programs.report_joined(options.files)
+    whole_programs.report_nonsense()
     speed()

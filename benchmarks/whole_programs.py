@@ -1,0 +1,103 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""How well programs are divided, and what is said of paths that machine nothing: a part of recognition.py."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from records import JOINED, Record, joined, operations, programs
+
+from toolpaths import nonsense
+from vkworkbench.core import Recognition, Strategy
+from vkworkbench.core.gcode import linearize
+from vkworkbench.core.recognition import recognize
+
+NAMED, IN_PLACE = 0.5, 0.9  # share of a section's length under a right name: in a program, and of each of a pair
+NEAR = 0.02  # share of a section's length by which a border may lie inside it
+PAIRS, SEEDS = 200, 20
+
+
+@dataclass
+class Borders:
+    """How many borders between sections of different names there are and were found, were said, and were said rightly."""
+
+    true: int = 0
+    found: int = 0
+    said: int = 0
+    right: int = 0
+
+
+def covered(record: Record, found: Recognition, reached: np.ndarray) -> list[float]:
+    """Share of each section's cutting length that lies in spans with a right name; `reached` is the length before a move."""
+    shares = []
+    for s in record.sections:
+        length = reached[s.last + 1] - reached[s.first]
+        named = sum(
+            max(0.0, reached[min(s.last, span.last) + 1] - reached[max(s.first, span.first)])
+            for span in found.spans
+            if span.strategy.value in s.accepted and span.first <= s.last and span.last >= s.first
+        )
+        shares.append(named / length if length else 0.0)
+    return shares
+
+
+def compare(record: Record, found: Recognition, reached: np.ndarray, borders: Borders) -> None:
+    """Count the borders of a program."""
+    said = [(reached[a.last + 1], reached[b.first]) for a, b in zip(found.spans, found.spans[1:])]
+    true = []
+    for s, t in zip(record.sections, record.sections[1:]):
+        before = reached[s.last + 1] - NEAR * (reached[s.last + 1] - reached[s.first])
+        after = reached[t.first] + NEAR * (reached[t.last + 1] - reached[t.first])
+        true.append((before - 1e-6, after + 1e-6, bool(s.accepted & t.accepted)))
+    begin, end = reached[record.sections[0].first], reached[record.sections[-1].last + 1]
+    for before, after, one_name in true:
+        if not one_name:
+            borders.true += 1
+            borders.found += any(before <= x <= after for pair in said for x in pair)
+    for pair in said:
+        if pair[1] > begin and pair[0] < end:
+            borders.said += 1
+            borders.right += any(before <= x <= after for before, after, _ in true for x in pair)
+
+
+def reached(record: Record) -> np.ndarray:
+    """Cutting length before every trajectory and after the last, mm."""
+    return np.append(0.0, np.cumsum(np.where(record.path.rapid, 0.0, record.path.lengths)))
+
+
+def report_programs(file: str) -> None:
+    """Print how many labelled sections of whole programs have their name, and how their borders are found."""
+    shares, borders, several = [], Borders(), 0
+    for record in programs(file):
+        if len(record.sections) < 2:
+            continue
+        several += 1
+        found, length = recognize(record.path), reached(record)
+        shares += covered(record, found, length)
+        compare(record, found, length, borders)
+    print(
+        f"\n{several} programs of several sections, without comments and tool changes: "
+        f"{np.mean(np.array(shares) >= NAMED):.3f} of {len(shares)} sections under a right name; "
+        f"borders between different names found {borders.found}/{borders.true} = {borders.found / max(1, borders.true):.3f}; "
+        f"borders said true {borders.right}/{borders.said} = {borders.right / max(1, borders.said):.3f}"
+    )
+
+
+def report_joined(files: list[str]) -> None:
+    """Print how many pairs of operations with a rapid between are told apart."""
+    single = [r for r in operations(files) if r.sections and len(r.path) < JOINED]
+    pairs = [r for r in joined(single, 2 * PAIRS) if not r.sections[0].accepted & r.sections[1].accepted][:PAIRS]
+    if pairs:
+        good = [min(covered(r, recognize(r.path), reached(r))) >= IN_PLACE for r in pairs]
+        print(f"{len(pairs)} pairs of operations with a rapid between: both spans right and in place {np.mean(good):.3f}")
+
+
+def report_nonsense() -> None:
+    """Print how often the answer is unknown where nothing is machined."""
+    unknown = [
+        recognize(linearize(nonsense.commands(kind, np.random.default_rng([seed, 3])))).strategy is Strategy.UNKNOWN
+        for kind in nonsense.KINDS
+        for seed in range(SEEDS)
+    ]
+    print(f"{len(unknown)} paths that machine nothing: unknown {np.mean(unknown):.3f}")

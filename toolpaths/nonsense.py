@@ -1,0 +1,111 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Paths that machine nothing: random walks, noise, rolling curves and curves that fill the plane."""
+
+from __future__ import annotations
+
+import numpy as np
+
+CLEAR, DEPTH, FEED = 5.0, -1.0, 10.0
+
+
+def walk(rng):
+    return np.cumsum(rng.normal(size=(_count(rng), 2)), axis=0)
+
+
+def persistent_walk(rng):
+    angle = np.cumsum(rng.normal(0, rng.uniform(0.2, 1.2), _count(rng)))
+    return np.cumsum(np.column_stack([np.cos(angle), np.sin(angle)]) * rng.uniform(0.3, 1.5, (len(angle), 1)), axis=0)
+
+
+def walk_on_a_grid(rng):
+    n = _count(rng)
+    steps = np.array([(1, 0), (0, 1), (-1, 0), (0, -1)])[rng.integers(0, 4, n)]
+    return np.cumsum(steps * rng.integers(1, 4, (n, 1)), axis=0)
+
+
+def noise(rng):
+    return rng.uniform(size=(_count(rng), 2))
+
+
+def normal_noise(rng):
+    return rng.normal(size=(_count(rng), 2))
+
+
+def epicycloid(rng):
+    k, arm = rng.uniform(1.5, 9), rng.uniform(0.3, 1.5)
+    return _rolling(rng, 1 + 1 / k, -arm / k, k + 1)
+
+
+def hypocycloid(rng):
+    k, arm = rng.uniform(2.2, 9), rng.uniform(0.3, 1.5)
+    return _rolling(rng, 1 - 1 / k, arm / k, 1 - k)
+
+
+def lissajous(rng):
+    t = np.linspace(0, 2 * np.pi, 2 * _count(rng))
+    return np.column_stack([np.sin(rng.integers(3, 20) * t + rng.uniform(0, 3)), np.sin(rng.integers(3, 20) * t)])
+
+
+def hilbert(rng):
+    return _grown("A", {"A": "+BF-AFA-FB+", "B": "-AF+BFB+FA-"}, 90, rng.integers(3, 6), "F")
+
+
+def peano(rng):
+    rules = {"X": "XFYFX+F+YFXFY-F-XFYFX", "Y": "YFXFY-F-XFYFX+F+YFXFY"}
+    return _grown("X", rules, 90, rng.integers(2, 4), "F")
+
+
+def dragon(rng):
+    return _grown("F", {"F": "F+G", "G": "F-G"}, 90, rng.integers(6, 11), "FG")
+
+
+def gosper(rng):
+    return _grown("A", {"A": "A-B--B+A++AA+B-", "B": "+A-BB--B-A++A+B"}, 60, rng.integers(2, 5), "AB")
+
+
+def koch(rng):
+    return _grown("F", {"F": "F+F-F-F+F"}, 90, rng.integers(2, 5), "F")
+
+
+KINDS = (
+    walk, persistent_walk, walk_on_a_grid, noise, normal_noise, epicycloid, hypocycloid, lissajous, hilbert, peano, dragon,
+    gosper, koch,
+)  # fmt: skip
+
+
+def commands(kind, rng) -> list[tuple[str, dict]]:
+    """Return the commands that cut one of KINDS, 20 to 300 mm large; those of walks and noise may lift here and there."""
+    points = kind(rng)
+    points = points - points.min(axis=0)
+    points = points / max(points.max(), 1e-9) * np.exp(rng.uniform(np.log(20), np.log(300)))
+    if rng.random() < 0.5:
+        angle = rng.uniform(0, np.pi)
+        points = points @ np.array([(np.cos(angle), -np.sin(angle)), (np.sin(angle), np.cos(angle))])
+    random = kind in (walk, persistent_walk, walk_on_a_grid, noise, normal_noise)
+    lifts = rng.random(len(points)) < (rng.uniform(0.02, 0.4) if random and rng.random() < 0.4 else 0.0)
+    program: list[tuple[str, dict]] = []
+    for (x, y), lifted in zip(points, lifts):
+        if lifted or not program:
+            program += [("G0", {"Z": CLEAR}), ("G0", {"X": x, "Y": y}), ("G1", {"Z": DEPTH, "F": FEED})]
+        else:
+            program.append(("G1", {"X": x, "Y": y, "F": FEED}))
+    return [*program, ("G0", {"Z": CLEAR})]
+
+
+def _count(rng) -> int:
+    return int(rng.integers(60, 1500))
+
+
+def _rolling(rng, radius, arm, turns):
+    t = np.linspace(0, 2 * np.pi * rng.integers(5, 40), 2 * _count(rng))
+    return np.column_stack([radius * np.cos(t) + arm * np.cos(turns * t), radius * np.sin(t) + arm * np.sin(turns * t)])
+
+
+def _grown(word, rules, degrees, times, forward):
+    """Points of a turtle that follows a word whose letters were replaced some times (Lindenmayer)."""
+    for _ in range(times):
+        word = "".join(rules.get(letter, letter) for letter in word)
+    turn = np.cumsum([(letter == "+") - (letter == "-") for letter in word])
+    step = np.exp(1j * np.radians(degrees) * turn)[[letter in forward for letter in word]][:4000]
+    at = np.append(0, np.cumsum(step))
+    return np.column_stack([at.real, at.imag])
