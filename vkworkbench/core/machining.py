@@ -29,7 +29,7 @@ class Machining:
     lowest : float or None
         Lowest height the tool tip reaches at feed, mm; None where nothing cuts.
     depth : float or None
-        How far below the top of the stock that is, mm, at least 0; None where either is unknown.
+        How far that is below the top of the stock, mm, at least 0; None where either is unknown.
     cutting_seconds, rapid_seconds : float or None
         Time of the moves whose speed is known; None where no speed at all is known. Moves at constant feed:
         no acceleration, no dwell, no tool change.

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The solids of a simulation and how it is looked at: tool, stock and parallel view."""
+"""The solids of a simulation, tool and stock, and the parallel view of it."""
 
 from __future__ import annotations
 
@@ -195,7 +195,7 @@ class ConvexStock(_Convex):
         self.offsets = np.array(offsets, float).reshape(len(normals)) / lengths
         self.corners = corners = self._corners()
         solid = len(corners) >= 4 and np.linalg.matrix_rank(corners - corners[0], tol=1e-9) == 3
-        # Rays from the middle of a bounded solid end in it, whichever way they go.
+        # Rays from the middle of a bounded solid leave it, whichever way they go.
         if not solid or not all(
             np.isfinite(self.chords(corners.mean(axis=0)[None], axis)).all() for axis in np.eye(3)
         ):
@@ -247,8 +247,7 @@ class View:
     width, height : int
         Size of the image, pixels. The default is the paper's image (section 1).
     pixel : float, optional
-        Side of a pixel, mm; by default the largest side at which the image still resolves the whole
-        stock and holds all of it.
+        Side of a pixel, mm; by default the smallest with which the image holds the whole stock.
 
     Raises
     ------
@@ -292,7 +291,7 @@ class View:
 
 @dataclass(frozen=True, eq=False)
 class Frame:
-    """A view made definite by a stock: image coordinates x, y in mm about its centre, depth along the view.
+    """A view fitted to a stock: image coordinates x, y in mm about its centre, depth along the view.
 
     Attributes
     ----------
@@ -324,7 +323,7 @@ class Frame:
 
 
 def stock_around(toolpath: Toolpath, tool: Tool) -> Stock:
-    """Return a box around what a tool cuts, to the highest cut: a stand-in where there is no stock."""
+    """Return the box around all cuts of a tool, up to the highest: a stand-in where the stock is unknown."""
     cuts = ~toolpath.rapid
     points = np.concatenate((toolpath.points[:-1][cuts], toolpath.points[1:][cuts]))
     lower, upper = points.min(axis=0) - tool.radius, points.max(axis=0) + tool.radius

@@ -9,7 +9,7 @@ from vkworkbench.language import QT_TRANSLATE_NOOP
 
 
 class Family(str, enum.Enum):
-    """How a strategy covers the part: what parts of one operation have in common."""
+    """How a strategy covers the part."""
 
     ROWS = "rows"
     AROUND = "around"
@@ -22,8 +22,7 @@ class Family(str, enum.Enum):
 class Strategy(str, enum.Enum):
     """What one operation does, told from its toolpath alone.
 
-    An entry is everything that is told of one strategy wherever it is shown. Its section in docs/recognition.md has
-    its value as anchor.
+    An entry has all that is shown of one strategy. Its section in docs/recognition.md has its value as anchor.
 
     Attributes
     ----------
@@ -35,8 +34,8 @@ class Strategy(str, enum.Enum):
         What it is, in one sentence.
     family : Family
     color : str
-        Wherever it is shown, as ``"#rrggbb"``. All have the same relative luminance, 0.17 (WCAG 2.1): white text on
-        them has a contrast above 4.5, and they stand out from light and from dark windows alike. A colour never
+        Its colour wherever it is shown, ``"#rrggbb"``. All have the same relative luminance, 0.17 (WCAG 2.1): white
+        text on them has a contrast above 4.5, and they stand out from light and from dark windows alike. A colour never
         stands alone: there is always the name.
     """
 

@@ -35,7 +35,7 @@ class Problem:
 
     @property
     def remark(self) -> Message:
-        """What it is, where, and how often."""
+        """The problem as a message with its first command and how many commands are concerned."""
         return Message("in-commands", sentence=self.what, count=self.count, command=self.command)
 
     def __str__(self) -> str:

@@ -3,9 +3,9 @@
 
 In: commands, as ``(name, parameters)`` pairs or FreeCAD's objects, in mm and mm/s.
 Out: `Toolpath`, straight trajectories with their source commands, and the problems met on the way.
-`Words` is the same commands as columns, for who needs a word that no trajectory tells.
-The text of an NC program becomes such commands by `read_program`; `split_sections` tells its operations and their tools.
-`looks_like_inches` tells where the unit was lost.
+`Words` is the same commands as columns, for readers of words that trajectories do not keep.
+The text of an NC program becomes such commands by `read_program`; `split_sections` finds its operations and tools.
+`looks_like_inches` tells whether inches were read as millimetres.
 """
 
 from vkworkbench.core.gcode.dialects import at_line

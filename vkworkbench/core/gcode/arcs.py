@@ -11,9 +11,9 @@ import numpy as np
 PLANE_AXES = {17: (0, 1, 2), 18: (2, 0, 1), 19: (1, 2, 0)}
 
 KILOMETRE = 1e6  # mm; an arc of such a radius is a line
-LARGEST_CIRCLE = 1e4  # mm; above it, more than half a turn is a centre rounded to the wrong side
+LARGEST_CIRCLE = 1e4  # mm; a larger arc of more than half a turn has a centre that was rounded to the wrong side
 LARGEST_STEP = np.pi / 4  # a chord never spans more, so that tiny circles keep their directions
-SMALLEST_STEP = 1e-9  # rad; finer ones are more than any memory holds
+SMALLEST_STEP = 1e-9  # rad; finer chords would not fit into memory
 SAME_POINT = 1e-6  # mm; FreeCAD saves 6 decimals
 
 
@@ -63,7 +63,7 @@ def resolve(start, end, clockwise, offset, radius_word, absolute_centre) -> Arcs
 
     by_radius = ~by_centre & ~np.isnan(radius_word) & (distance > SAME_POINT)
     size = np.abs(radius_word)
-    # A radius shorter than half the chord is allowed what rounding explains: then it is a half circle.
+    # A radius that only rounding makes shorter than half the chord makes a half circle.
     by_radius &= size > 0.5 * distance - np.maximum(1e-3, 1e-4 * distance)
     height = np.sqrt(np.maximum(size**2 - 0.25 * distance**2, 0.0))
     left = np.where(clockwise == (radius_word < 0), 1.0, -1.0) * height / np.where(distance > SAME_POINT, distance, 1.0)

@@ -38,7 +38,7 @@ def split_comments(line: str) -> tuple[str, list[str]]:
 
 
 def split_words(code: str) -> tuple[list[tuple[str, float]], str]:
-    """Return the words of a line in capitals without comments, and what is left of it where that is no word."""
+    """Return the words of a line (in capitals, without comments), and the rest of the line that is no word."""
     parts = _WORD.split(code)
     rest = "".join(parts[::3]).strip()
     if rest:  # spaces are allowed anywhere, within a number too

@@ -7,7 +7,7 @@ import numpy as np
 
 CODES = np.array([730, 740, 810, 820, 830, 840, 850, 860, 880, 890])
 CHIP_BREAK, PECK = 730, 830
-FEED_OUT = np.array([740, 840, 850, 880, 890])  # tapping and boring leave the hole at feed rate
+FEED_OUT = np.array([740, 840, 850, 880, 890])  # codes in tenths: tapping and boring leave the hole at feed rate
 CHIP_BREAK_RETRACT = 0.25  # mm, as LinuxCNC's G73
 MOST_PECKS = 10_000  # more is a Q word gone wrong, and would fill the memory
 

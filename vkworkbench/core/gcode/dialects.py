@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What tells that a text is no milling program in G-code: another control's language, a lathe's, a 3D printer's."""
+"""Signs that a text is no milling program in G-code: another control's language, a lathe's, a 3D printer's."""
 
 from __future__ import annotations
 
@@ -18,11 +18,11 @@ _SIEMENS = re.compile(
 _TURNING = {7: "G7", 8: "G8", 32: "G32", 96: "G96"}
 _TURNING_CYCLES = {70, 71, 72, 76}
 _PRINTER = frozenset([104, 109, 140, 190])
-_EXTRUSIONS = 10  # moves; the letter may be a slip of the pen
+_EXTRUSIONS = 10  # moves; fewer E words may be typing errors
 
 
 def at_line(problem: Problem) -> Message:
-    """Return what a problem is, where and how often, its command counted as a line of the text."""
+    """Return a problem as a message with how often it occurs; its command is counted as a line of the text."""
     return Message("at-line", what=problem.what, line=problem.command, count=problem.count)
 
 
@@ -41,7 +41,7 @@ def check(blocks: int, strange: list[int], moves: bool, problems: tuple[Problem,
     blocks : int
         Lines that are neither empty nor a comment.
     strange : list of int
-        Those of them that are not made of words.
+        Those of these lines that hold more than words.
     moves : bool
         Whether any line moves a tool.
     problems : tuple of Problem
@@ -106,7 +106,7 @@ class Clues:
         self._along_y = True
 
     def other_machine(self) -> Message | None:
-        """Return for which machine the program is, with what says so; None for a mill."""
+        """Return the other machine that the program is for, with the sign of it; None for a mill."""
         if self._printer or len(self._extrusions) > _EXTRUSIONS:
             name, line = self._printer or ("E", self._extrusions[0])
             return Message("printing", name=name, line=line)

@@ -65,7 +65,7 @@ def linearize(commands: Iterable | Words, *, tolerance: float = 0.01) -> Toolpat
     points, rapid, command, sweep, is_cycle = _moves(program, float(tolerance), problems)
 
     moved = _moved(points)
-    while not moved.all():  # again: moves too short to count may lead away from a point and the next one back
+    while not moved.all():  # again: leaving out short moves may shorten the next one
         points = points[np.concatenate([[True], moved])]
         rapid, command, sweep, is_cycle = rapid[moved], command[moved], sweep[moved], is_cycle[moved]
         moved = _moved(points)
@@ -230,7 +230,7 @@ def _resolve_arcs(program, rows, axes, start, end, problems) -> arcs.Arcs:
     gap = np.abs(resolved.radius[:, 1] - resolved.radius[:, 0])
     uneven = (gap > np.maximum(0.1, 0.01 * resolved.radius[:, 0])) & (resolved.sweep != 0) & ~unknown_start
     problems.add(rows[uneven], Message("arc-of-changing-radius"))
-    resolved.sweep[unknown_start] = 0.0  # its start is its end: no move is left of it
+    resolved.sweep[unknown_start] = 0.0  # an unknown start is set to the end, so a line has no length
     return resolved
 
 

@@ -27,17 +27,17 @@ class Program:
         For each comment with a line of its own (or that of a tool change, a stop or the program's number) the
         command before which it stands, its line and its text.
     inverse_time : dict of int to float
-        By command the share of its move done in one second, where G93 says that instead of a feed rate.
+        For each command under G93 (inverse time) the share of its move that is done in one second, 1/s.
     inches : bool
-        Whether the program's first word on it is G20; what its comments say is in that unit.
+        Whether the program's first unit word is G20; lengths in its comments are in that unit.
     unit_told : bool
-        Whether there is such a word at all; without one it is read in mm.
+        Whether there is a unit word (G20, G21) at all; without one it is read in mm.
     other : Message or None
         For which machine it is, where that is no mill.
     rotary : tuple of int
         Lines in which a rotary axis turns while the tool cuts.
     problems : tuple of Problem
-        What is not read; the command of each is a line.
+        What is not read; `command` is a line of the text.
     """
 
     commands: list[tuple[str, dict[str, float]]]
@@ -51,7 +51,7 @@ class Program:
     problems: tuple[Problem, ...]
 
     def toolpath(self, *, tolerance: float = 0.01) -> Toolpath:
-        """Return the whole program's trajectories, with its problems; all commands are lines of the text.
+        """Return the whole program's trajectories, with its problems; `command` is a line of the text in all of them.
 
         Raises
         ------

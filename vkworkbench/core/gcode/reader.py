@@ -3,7 +3,7 @@
 
 The dialect is that of RS274/NGC (Kramer, Proctor and Messina, NISTIR 6556, 2000) with what Fanuc, Haas, Mach3, grbl
 and LinuxCNC add. Modal state that `linearize` knows stays in the commands: planes, G90/G91, the centres of arcs,
-canned cycles. Units, feed rates, the order of words and comments end here.
+canned cycles. Units, feed rates, the order of words and comments are resolved here.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ from vkworkbench.language import Message
 _MOTION = frozenset([0, 10, 20, 30, 730, 740, 810, 820, 830, 840, 850, 860, 880, 890])
 _CYCLES = frozenset(code for code in _MOTION if code > 30)
 _STATE = frozenset([170, 180, 190, 800, 900, 901, 910, 911, 980, 990])
-# Their axis words are no place to go to in the program's coordinates: dwell, data, home, machine coordinates, probes.
+# Codes whose axis words are no target in the program's coordinates: dwell, data, home, machine coordinates, probes.
 _APART = frozenset([40, 100, 280, 281, 300, 301, 310, 382, 383, 384, 385, 530, 922, 923])
 _HARMLESS = frozenset([
     70, 80, 90, 110, 150, 200, 210, 400, 401, 410, 411, 412, 420, 421, 422, 430, 431, 432, 440, 490, 500, 501, 540, 541, 550,
@@ -48,8 +48,8 @@ _MACRO_WORD = re.compile(r"[A-Z]\s*[-+]?\s*(?:#+(?:\d+|<[^>]*>)|\[[^\[\]]*(?:\[[
 def read_program(text: str) -> Program:
     """Read the text of an NC program.
 
-    Lines with a block delete (``/``) are read as those without, and what follows M30 as the same program, where it
-    does not begin with another's number. Variables, expressions and subprograms are not read; each of these is a
+    Lines with a block delete (``/``) are read as those without. What follows M30 is read as part of the same program,
+    up to the number of another one. Variables, expressions and subprograms are not read; each of these is a
     problem with its line.
 
     Parameters
@@ -72,7 +72,7 @@ def read_program(text: str) -> Program:
 
 
 class _Reader:
-    """What the lines read so far leave behind."""
+    """The commands of the lines read so far, and the state in which these lines leave the machine."""
 
     def __init__(self) -> None:
         self.commands: list[tuple[str, dict[str, float]]] = []
@@ -138,7 +138,7 @@ class _Reader:
         self.lines.append(self.number)
 
     def _strange(self, line: str, code: str, rest: str, words):
-        """Return the words of a line that is not words alone and can still be read; None if it cannot."""
+        """Return the words of a line that holds more than words; None if it cannot be read."""
         subprogram = _SUB.match(code)
         if subprogram:
             self._problem(Message("subprogram-not-read"))
@@ -208,12 +208,12 @@ class _Reader:
         self._add(_name(code), {})
 
     def _read_as(self, code: int, letters: set[str]) -> int | None:
-        """Return the motion that stands for one that `linearize` does not know; None where there is none."""
+        """Return the motion as which a G-code is read that `linearize` does not know; None where there is none."""
         if code in _SPLINES and not letters.isdisjoint("XYZ"):
             self._problem(Message("spline-as-line", name=_name(code)))
             return 10
         if code == 760 and "R" in letters and ("Y" in letters or "P" not in letters):
-            return 860  # fine boring: a lathe's G76 cuts threads
+            return 860  # fine boring; a lathe's G76, which cuts threads, has other words
         return None
 
     def _other(self, code: int, letters: set[str]) -> bool:
@@ -225,7 +225,7 @@ class _Reader:
                 self.first_unit = self.unit
         elif code in (930, 940, 950):
             self.feed_mode = code
-        elif code in _SPLINES:  # without a place to go to they are modes
+        elif code in _SPLINES:  # without a target they are modes
             return True
         elif code in _CHANGES_COORDINATES:
             if code != 920 or (self.motion >= 0 and not letters.isdisjoint("XYZ")):  # before any move it moves nothing
@@ -255,7 +255,7 @@ class _Reader:
         if feed is not None:
             move["F"] = feed
         if apart or _AXES.isdisjoint(move):
-            if motion is not None or feed is not None:  # G94 is no motion: a modal line would drill again
+            if motion is not None or feed is not None:  # not a line without a name: that would repeat a cycle
                 self._add("G94" if motion is None else _name(motion), {} if feed is None else {"F": feed})
             return
         if self.ended:
@@ -316,7 +316,7 @@ class _Reader:
 
 
 def _whole(value: float, most: int) -> int:
-    """Return the nearest whole number between -1 and `most`."""
+    """Return the nearest whole number, at least -1 and at most `most`."""
     return round(max(-1.0, min(value, most)))
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The operations of an NC program, as its titles and tool changes part it."""
+"""The operations of an NC program, divided at its titles and tool changes."""
 
 from __future__ import annotations
 
@@ -13,17 +13,17 @@ from vkworkbench.core.gcode.program import Program
 from vkworkbench.core.gcode.tool_table import number_named, tool_told
 from vkworkbench.core.solids import Tool
 
-MANY_TITLES = 50  # a program with more titles of one form numbers its passes
+MANY_TITLES = 50  # titles of one form; a program with more numbers its passes, not its operations
 
 _MOTIONS = {"G0", "G1", "G2", "G3", "G73", "G74", "G81", "G82", "G83", "G84", "G85", "G86", "G88", "G89"}
 _AXES = frozenset("XYZ")
 
-# A title behind what some post processors write before it.
+# A title after the words that some post processors write before it.
 _TITLED = re.compile(
     r"(?:begin operation|path|toolpath(?: name)?|operation(?: name)?|op(?:eration)? ?\d+|name|type|no\.? ?\d+|nr\.? ?\d+)\s*[:=]\s*(\S.*)",
     re.I,
 )
-# What post processors say of themselves, of the machine, of modes, and of moves within an operation.
+# Comments that are no titles: what post processors say of themselves, the machine, modes, and moves in an operation.
 _REMARK = re.compile(
     r"""
     \W*$ | [-+.\d\s/:*x%]+$ | .{80} | .*(?:https?://|\.(?:cps|pp|ulp|h|stl|svg|brd|tpl|gmax|txt|nc|ngc|tap)\b)
@@ -53,7 +53,7 @@ class Section:
     title : str
         What the program calls it, else its tool; empty where it says neither.
     number : int or None
-        Of its tool.
+        Number of its tool.
     tool : Tool or None
         What the program's comments say of that tool.
     first, last : int
@@ -74,17 +74,17 @@ class _Group:
     Attributes
     ----------
     line : int
-        Of the first of them.
+        Line of the first of them.
     title : str
-        Of the last that is no remark.
+        Title in the last comment that is no remark.
     headings
-        All that are none, with the numbers that post processors write before the names.
+        All comments that are no remarks, with the numbers that post processors write before the titles.
     changes, number
         Whether the tool changes, and to which number.
     tool, tool_name
-        What is said of a tool without its number, or of the one that is changed to, and the comment.
+        The tool that is described without a number, or with the number that is changed to, and that comment.
     known : dict
-        The tools told by their numbers so far.
+        The tools described so far, by their numbers.
     """
 
     line: int
@@ -98,7 +98,7 @@ class _Group:
 
 
 def split_sections(program: Program) -> tuple[Section, ...]:
-    """Part a program into its operations, at tool changes and at titles that follow a cut.
+    """Divide a program into its operations, at tool changes and at titles that follow a cut.
 
     Returns
     -------
@@ -129,7 +129,7 @@ def split_sections(program: Program) -> tuple[Section, ...]:
 
 
 def _groups(program: Program) -> list[_Group]:
-    """Return what stands between the cuts, one group for the program's beginning at least."""
+    """Return the comments and tool changes between the cuts, one group for the program's beginning at least."""
     marks: list[tuple[int, int, str | float | None]] = list(program.comments)
     cuts, motion = [], ""
     for at, (name, words) in enumerate(program.commands):

@@ -40,7 +40,7 @@ _MEASURED = re.compile(rf"(?<![\d.,/]){_SIZE}\s*(?P<unit>mm\b|мм\b|inch(?:es)?
 _SHORT = re.compile(rf"(?<![\w|])D(?P<size>{_NUMBER})(?![\w|])")  # D10; between bars it is an offset
 _FLUTES = re.compile(r"\b\d+\s*-?\s*fl(?:utes?)?\b", re.I)
 _LISTED = re.compile(r"\s*T\d+\s*[|:=]", re.I)
-_LONGEST, _LONGEST_NAME = 200, 60  # characters; longer ones tell a story, and name a size in passing
+_LONGEST, _LONGEST_NAME = 200, 60  # characters; longer comments are prose that mentions a size in passing
 _BARE = re.compile(rf"(?<![\w.,/#]){_SIZE}(?P<unit>)(?=(?:\s*(?:flat|square|long|stub|hss))*\s*(?:{_MILLING_WORD}))", re.I)
 _IS_TOOL = re.compile(rf"(?<![a-zà-ÿа-я])(?:{_MILLING_WORD})", re.I)
 _CORNER = re.compile(rf"\b(?:CR|corner radius|torus_radius)\s*[=:]\s*(?P<size>{_NUMBER})", re.I)
@@ -139,7 +139,7 @@ def _millimetres(size: re.Match, inches: bool) -> float:
 
 
 def _tool(comment: str, size: re.Match, diameter: float, inches: bool) -> Tool:
-    """Return the tool; a measure that cannot be is not used."""
+    """Return the tool; impossible measures are not used."""
     unit = INCH if inches else 1.0
     kind = size.groupdict().get("kind")
     shape = next((shape for shape, words in _SHAPES if re.search(words, comment, re.I)), "endmill")

@@ -9,13 +9,13 @@ from vkworkbench.core.toolpath import Toolpath
 
 INCH = 25.4  # mm
 
-# What is smaller than all of these is read in the wrong unit more often than it is jewellery
-# (benchmarks/inches.py prints how often that is said, as it is and at 1/25.4).
+# A toolpath below all of these limits is more often in the wrong unit than really that small (benchmarks/inches.py
+# prints how often toolpaths are said to be inches at their true size, and at 1/25.4 of it).
 SMALL = 15.0  # mm, longer side of what is cut; a part of 15 inches is a large one
-LOW = 4.0  # mm, from the lowest cut to the highest point; tools are lifted higher, even over a thin sheet
+LOW = 4.0  # mm, from the lowest cut to the highest point; tools are lifted higher than this, even over a thin sheet
 SLOW = 5.0  # mm/s, median feed; 300 inches a minute are fast
-IMPORTED_SLOW = 300.0  # FreeCAD takes a file's mm/min, and inches a minute, for mm/s
-TOOLS = 4.0  # what is cut is this many tools wide or less; more is a part for this tool
+IMPORTED_SLOW = 300.0  # mm/s as FreeCAD imports: it takes the mm or inches a minute of a file for mm/s
+TOOLS = 4.0  # tool diameters; something wider was made for this tool, so its size is right
 
 
 def looks_like_inches(toolpath: Toolpath, *, tool_diameter: float | None = None, imported: bool = False) -> bool:

@@ -8,7 +8,7 @@ from collections.abc import Iterable, Sequence
 
 import numpy as np
 
-# Beyond a kilometre no milling machine goes: such a word is an error, and would overflow later.
+# mm. No milling machine goes beyond a kilometre: such a word is an error, and would overflow later.
 COORDINATE_LIMIT = 1e6
 
 # G-codes are numbered in tenths (G90.1 is 901); what is not a G-code is negative.

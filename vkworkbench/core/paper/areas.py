@@ -14,7 +14,7 @@ from vkworkbench.core.paper.moves import Moves, cutting_moves
 from vkworkbench.core.paper.signature import Signature
 from vkworkbench.core.toolpath import Toolpath
 
-LOOPED = 0.5  # of the length of an area; with more in loops it is made of them
+LOOPED = 0.5  # share of an area's length; an area with more of it in loops is made of loops
 
 
 def monotonous_areas(toolpath: Toolpath, first: int = 0, last: int | None = None) -> Areas:
@@ -35,7 +35,7 @@ def monotonous_areas(toolpath: Toolpath, first: int = 0, last: int | None = None
 
 
 class Areas(Moves):
-    """The moves of a monotonous areas, and what every area adds up to."""
+    """The moves of `a` monotonous areas, and what is measured of each area as a whole."""
 
     @cached_property
     def end(self) -> np.ndarray:
@@ -59,7 +59,7 @@ class Areas(Moves):
 
     @cached_property
     def signed(self) -> tuple[np.ndarray, np.ndarray]:
-        """Turning and phi with a sign for every turn without one, both (m,) rad, as :class:`Signature` has them."""
+        """Turning and phi after every turn without a sign was given one, both (m,) rad, as in :class:`Signature`."""
         if not len(self.unsigned):
             return self.turning, self.phi
         area = np.searchsorted(self.start, self.unsigned, side="right") - 1
@@ -92,8 +92,8 @@ class Areas(Moves):
     def closings(self) -> np.ndarray:
         """The closing turn at the end of each area, (a,) rad; 0 where it has none.
 
-        An area closes where it ends where it began, or where it is made of loops and the last of them did: offset
-        loops that are linked without a lift. The small loops of a zigzag that runs along the boundary close nothing.
+        An area has one if it ends where it began, or if it is made of loops and ends with one (offset loops that are
+        linked without a lift). The small loops of a zigzag that runs along the boundary do not count.
         """
         at = np.where(self.closed, self.start, -1)
         first, end = self.loops
@@ -120,9 +120,9 @@ class Areas(Moves):
         return top_level(self.phi_range)
 
     def only(self, kept: np.ndarray) -> Areas:
-        """Return the areas that are to be kept, (a,) bool."""
+        """Return the areas that are marked, (a,) bool."""
         moves = np.repeat(kept, self.end - self.start)
-        place = np.cumsum(moves) - 1  # of a move among those that are kept
+        place = np.cumsum(moves) - 1  # index of a move among those that are kept
         measures = ("index", "x", "y", "z", "dx", "dy", "dz", "length", "alpha", "turning", "phi")
         numbers = ("start", "unsigned", "reversals")
         parts = {name: getattr(self, name)[moves] for name in measures}

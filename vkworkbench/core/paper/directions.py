@@ -28,7 +28,7 @@ def turns(alpha: np.ndarray, out: np.ndarray | None = None, scratch: np.ndarray 
     alpha : (n,) float64
         rad.
     out, scratch : (n-1,) float64, optional
-        Where to put the result, and memory for the work: for a long path it is new memory that takes the time.
+        Where to put the result, and memory to work in: for a long path, allocating memory takes most of the time.
 
     Returns
     -------
@@ -44,12 +44,12 @@ def turns(alpha: np.ndarray, out: np.ndarray | None = None, scratch: np.ndarray 
 
 
 def signs_of_reversals(phi: np.ndarray, area: np.ndarray) -> np.ndarray:
-    """Sign turns of half a turn, which have no sign of their own: in turn, so that going back and forth never adds up.
+    """Give half turns, which have no sign of their own, alternating signs, so that going back and forth never adds up.
 
     Parameters
     ----------
     phi : (r,) float64
-        Phi before each of them, none of them counted, rad.
+        Phi before each half turn, in which no half turn is counted, rad.
     area : (r,) int
         The monotonous area of each, ascending.
 
@@ -66,7 +66,7 @@ def signs_of_reversals(phi: np.ndarray, area: np.ndarray) -> np.ndarray:
 
 
 def level_of(phi):
-    """Return n, the integer part of phi / 2 pi, truncated toward zero; rounding must not keep a full turn from being one.
+    """Return n, the integer part of phi / 2 pi, truncated toward zero; short of a full turn by rounding is a full turn.
 
     Parameters
     ----------
@@ -79,7 +79,7 @@ def level_of(phi):
 
 
 def farthest(phi_range: tuple[float, float]) -> float:
-    """Return the end of a range of phi that is farther from zero, rad; the upper one of two as far to rounding."""
+    """Return the end of a range of phi that is farther from zero, rad; the upper end if they are equally far."""
     low, high = phi_range
     return high if high >= -low - TURNS.EXACT else low
 
@@ -90,7 +90,7 @@ def top_level(phi_range: tuple[float, float]) -> int:
 
 
 def axis_of(along_x, along_y, length):
-    """Return the axis of moves, rad in [-pi/2, pi/2]: the direction of their sum at twice their angle.
+    """Return the axis of moves, rad in [-pi/2, pi/2]: half the direction of the sum of the moves with doubled angles.
 
     Parameters
     ----------

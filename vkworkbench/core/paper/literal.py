@@ -23,7 +23,7 @@ class PaperVerdict:
         CONTOUR_PARALLEL where phi leaves +-2 pi, ZIGZAG where -pi <= phi <= pi; UNKNOWN between them, which the paper
         leaves open.
     area : int
-        Which area this is of, see :class:`Areas`.
+        Index of that area in :class:`Areas`.
     level : int
         The level n farthest from zero.
     phi_range : tuple of float

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Loops inside the areas: where the tool comes back to a point and phi to +-2 pi, and where it passes another 2 pi."""
+"""Loops in the areas: where the tool is back at a point after a turn of +-2 pi, and where windings begin a new turn."""
 
 from __future__ import annotations
 
@@ -9,14 +9,14 @@ from vkworkbench.core.paper.directions import TURN, wrap
 from vkworkbench.core.paper.moves import Moves
 from vkworkbench.core.paper.thresholds import LOOPS, TURNS
 
-OFF_ROUND = 0.377  # of a cell: grid origin off the round coordinates programs are made of
+OFF_ROUND = 0.377  # of a cell: shift of the grid, so that round coordinates do not lie on the borders of cells
 
 
 def closing_turns(alpha: np.ndarray, first: np.ndarray, end: np.ndarray) -> np.ndarray:
     """Return the turns from the last move of stretches back into their first, (k,) rad.
 
-    A closed contour of n moves turns n times and lacks the last turn where it is a stretch of its own (section 3.2:
-    phi is 2 pi at the end of the traversal).
+    A closed contour of n moves turns n times, but a stretch has a turn only between two of its moves: the last one is
+    missing (section 3.2: phi is 2 pi at the end of the traversal).
 
     Parameters
     ----------
@@ -31,8 +31,8 @@ def closing_turns(alpha: np.ndarray, first: np.ndarray, end: np.ndarray) -> np.n
 def is_closed(gap: np.ndarray, enclosed: np.ndarray, moves: np.ndarray) -> np.ndarray:
     """Say which stretches end where they began, (k,) bool.
 
-    A gap small against what the stretch encloses, as lead-ins and rounding leave it, does not open it; two passes of a
-    narrow zigzag enclose little and stay open.
+    A gap that is small against the area enclosed, as lead-ins and rounding leave it, counts as closed. Two passes of a
+    narrow zigzag enclose little, so they are open.
 
     Parameters
     ----------
@@ -47,7 +47,7 @@ def is_closed(gap: np.ndarray, enclosed: np.ndarray, moves: np.ndarray) -> np.nd
 
 
 def may_be_closed(gap: np.ndarray, length: np.ndarray) -> np.ndarray:
-    """Say the same before the area is known, true also where it is not closed: none encloses more than a circle."""
+    """Say which stretches can be closed, (k,) bool, as none encloses more than a circle of its length."""
     return gap <= np.maximum(LOOPS.CLOSE, LOOPS.GAP * length / np.sqrt(4 * np.pi))
 
 
@@ -59,10 +59,10 @@ def is_one_turn(net: np.ndarray) -> np.ndarray:
 def closed_loops(moves: Moves) -> tuple[np.ndarray, np.ndarray]:
     """Find the closed loops: stretches that return to their first point with a net turn of +-2 pi.
 
-    Offset loops linked without a lift, and a contour before or after a zigzag in one cut, are one area to the
-    splitting at rapids; phi then runs over loops and links alike. The points where the tool comes back
-    separate them. Of two overlapping loops the one that begins first counts, but for one that turns to and fro
-    much more: a zigzag whose contour, cut in the same area, leads by its start is no loop, the contour is.
+    An area may hold offset loops that are linked without a lift, or a contour cut together with a zigzag: phi then adds
+    up over loops and links. The loops are found by the points to which the tool returns. Of two overlapping loops the
+    one that begins first counts, unless it turns to and fro much more: where a zigzag and then its contour lead through
+    the zigzag's start, the contour is the loop.
 
     Parameters
     ----------
@@ -82,15 +82,15 @@ def closed_loops(moves: Moves) -> tuple[np.ndarray, np.ndarray]:
     vertices = _vertices(moves, winds)
     first, end = _disjoint(moves, *_returns(moves, *vertices, 1, OFF_ROUND))
     if (end - first).sum() < LOOPS.FOUND * len(vertices[0]):
-        # The border of two cells may part the visits of one point. Of three wider grids, each a third of a cell on, one
-        # parts no two points closer than that third: those that a dropped move left apart (MOVES.NOISE).
+        # A border between cells may separate two visits of one point that a dropped move left apart (MOVES.NOISE). Of
+        # three wider grids, each shifted by a third of a cell, one has no border between points closer than that.
         wider = [_returns(moves, *vertices, 2, OFF_ROUND + third / 3) for third in range(3)]
         first, end = _disjoint(moves, *np.concatenate([(first, end), *wider], axis=1))
     return first, end
 
 
 def _vertices(moves: Moves, winds: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
-    """Return the vertices of those areas: the starts of their moves, then the ends of the areas.
+    """Return the vertices of the areas that wind: the starts of their moves, then the ends of the areas.
 
     Returns
     -------
@@ -99,7 +99,7 @@ def _vertices(moves: Moves, winds: np.ndarray) -> tuple[np.ndarray, np.ndarray, 
     at : (v,) int
         The move that begins at the vertex; at the end of an area the move after its last.
     area : (v,) uint32
-        Empty where there is only one.
+        Index of the area among these; empty where there is only one.
     """
     end = np.append(moves.start[1:], len(moves))
     size = end - moves.start
@@ -120,9 +120,9 @@ def _vertices(moves: Moves, winds: np.ndarray) -> tuple[np.ndarray, np.ndarray, 
 
 
 def _returns(moves, x, y, at, area, width, origin) -> tuple[np.ndarray, np.ndarray]:
-    """Return the stretches from a visit of a cell to the next one that turn by +-2 pi; `width` in units of LOOPS.CLOSE."""
+    """Return the stretches between visits of one cell that turn by +-2 pi; a cell is `width` times LOOPS.CLOSE wide."""
     column, row = ((v / width + origin).astype(np.int32).view(np.uint32) for v in (x, y))
-    # Hashing the cells is O(n); sorting all vertices would not be. The products wrap, their high bits are
+    # Hashing the cells is O(n); sorting all vertices would not be. The products overflow, and their high bits are
     # the hash.
     bits = (2 * len(x)).bit_length()
     cell = column * np.uint32(2654435769)
@@ -142,8 +142,8 @@ def _returns(moves, x, y, at, area, width, origin) -> tuple[np.ndarray, np.ndarr
     table[own[::-1]] = one[::-1]
     crowded = last_but_one != table.take(own)
     if crowded.any():
-        # Most cells are visited twice, at the beginning and the end of a loop; only the others are sorted,
-        # by the cells themselves: one that shares its hash would come between two visits of another.
+        # Most cells are visited twice, at the beginning and the end of a loop. Only the others are sorted, by cell:
+        # another cell with the same hash may be visited between two visits of one.
         many = np.append(one[crowded], two[crowded & (one == last_but_one)])
         keys = (many, row[many], column[many])
         many = many[np.lexsort((*keys, area[many]) if len(area) else keys)]
@@ -160,10 +160,10 @@ def _returns(moves, x, y, at, area, width, origin) -> tuple[np.ndarray, np.ndarr
 
 
 def _disjoint(moves: Moves, first: np.ndarray, end: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Keep from the left those intervals that begin after the end of the last one kept.
+    """Keep, from left to right, the intervals that begin after the end of the last one kept.
 
-    One that turns to and fro gives way to the first that begins inside it, goes on after it and does so by less
-    than half as much.
+    An interval that turns to and fro is dropped for the first one that begins inside it, ends after it, and turns to
+    and fro less than half as much.
     """
     order = np.lexsort((end, first))
     first, end = first[order], end[order]
@@ -202,13 +202,13 @@ def winding_turns(moves: Moves, start: np.ndarray, end: np.ndarray, sense: np.nd
     Returns
     -------
     (t,) int
-        First move of every turn but the first. The level reached never falls, so that the way back out of a
-        concave corner opens no new turn.
+        First move of every turn but the first. A turn counts once phi has reached it: turning back at a concave corner
+        and on again begins no new turn.
     """
     size = end - start
     of = np.repeat(np.arange(len(start)), size)
     own = np.arange(len(of)) + np.repeat(start - np.concatenate([[0], np.cumsum(size)[:-1]]), size)
     climb = (moves.phi[own] - moves.phi[start][of]) * sense[of]
-    above = of * (np.ptp(climb) + TURN)  # lifts every winding above all before it
+    above = of * (np.ptp(climb) + TURN)  # sets each winding above all before it: the running maximum starts anew
     level = np.floor((np.maximum.accumulate(climb + above) - above + TURNS.EXACT) * (1 / TURN))
     return own[np.flatnonzero((level[1:] > level[:-1]) & (of[1:] == of[:-1])) + 1]

@@ -15,14 +15,14 @@ from vkworkbench.core.toolpath import Toolpath
 
 @dataclass
 class Moves:
-    """The m cutting moves that have a direction in the working plane, split into a monotonous areas.
+    """The `m` cutting moves that have a direction in the working plane, split into `a` monotonous areas.
 
     Attributes
     ----------
     index : (m,) int
         Trajectory of each move.
     x, y, z : (m,) float
-        Start in the plane and height of the end along its normal, mm.
+        Start of the move in the plane, and height of its end along the plane's normal, mm.
     dx, dy, dz, length : (m,) float
         The move and its length in the plane, mm.
     alpha : (m,) float
@@ -34,7 +34,7 @@ class Moves:
     start : (a,) int
         First move of each area.
     unsigned, reversals : (u,) and (r,) int
-        Moves that begin with a turn of half a turn: to rounding, and exactly. Such a turn has no sign.
+        Moves that begin with a half turn: within rounding (TURNS.UNSIGNED), and exactly. Such a turn has no sign.
     holes : (h,) int
         Last trajectory of each drilled hole.
     """
@@ -76,7 +76,7 @@ def cutting_moves(toolpath: Toolpath, first: int = 0, last: int | None = None) -
     """
     end = len(toolpath) if last is None else last + 1
     points, rapid = toolpath.points[first : end + 1], toolpath.rapid[first:end]
-    # One block for all measures, and in place wherever that is possible: with this many moves the cost is
+    # One block for all measures, and in place wherever that is possible: with this many moves the time goes into
     # memory, not arithmetic. Many arrays that come and go make the system map the same pages again and again.
     block = np.empty((10, len(points)))
     for row, axis in zip(block, plane_of_toolpath(points, rapid)):
@@ -105,7 +105,7 @@ def cutting_moves(toolpath: Toolpath, first: int = 0, last: int | None = None) -
     scratch = phi[1:]
     turns(alpha, out=turning[1:], scratch=scratch)
     turning[start] = 0.0
-    # A turn of pi has no sign (design.md): it is an event of its own, which phi does not follow.
+    # A turn of pi has no sign: it is listed in `unsigned`, and phi leaves it out.
     unsigned = np.flatnonzero(np.abs(turning[1:], out=scratch) > np.pi - TURNS.UNSIGNED) + 1
     reversals = unsigned[phi[unsigned] > np.pi - TURNS.EXACT]
     turning[unsigned] = 0.0
@@ -132,8 +132,7 @@ def cutting_moves(toolpath: Toolpath, first: int = 0, last: int | None = None) -
 
 
 def _drop_noise(planar: np.ndarray, length: np.ndarray) -> None:
-    """Unmark lone moves of a few micrometres beside long ones: they are rounding, their direction is
-    noise."""
+    """Unmark very short moves beside long ones: they are rounding, their direction is noise."""
     short = np.flatnonzero(planar & (length < MOVES.NOISE))
     if not len(short):
         return
@@ -165,7 +164,7 @@ def _split(planar, rapid, z, dx, dy, dz, length) -> tuple[np.ndarray, np.ndarray
 
 
 def _without_air(planar, index, start, rapid, z, dx, dy, dz, length) -> tuple[np.ndarray, np.ndarray]:
-    """Leave out the links in the air of programs that lift, go over and plunge at feed instead of rapid.
+    """Leave out the links in the air of programs that lift, traverse and plunge at feed instead of rapid.
 
     Such a link is straight and level, begins by a lift and ends by a plunge; at the ends of a program one of
     the two is enough.
@@ -176,7 +175,7 @@ def _without_air(planar, index, start, rapid, z, dx, dy, dz, length) -> tuple[np
     a, b = index[start], index[last]
     level = np.abs(z[b + 1] - z[a]) < MOVES.STILL
     straight = dx[a] * dx[b] + dy[a] * dy[b] > MOVES.ONWARD * length[a] * length[b]
-    steep = np.where(length > MOVES.STILL, 0.0, dz)  # rapid or at feed
+    steep = np.where(length > MOVES.STILL, 0.0, dz)  # moves straight up or down, rapid or at feed
     rises, falls = np.append(0.0, steep)[a] > MOVES.STILL, np.append(steep, 0.0)[b + 1] < -MOVES.STILL
     lifted, plunges = rises | (a == 0), falls | (b == len(dz) - 1)
     air = level & straight & lifted & plunges
@@ -196,9 +195,9 @@ def _without_air(planar, index, start, rapid, z, dx, dy, dz, length) -> tuple[np
 
 
 def _holes(points, rapid, dz, length, planar) -> np.ndarray:
-    """Return the last trajectory of every plunge between two rapids that cuts nothing else: drilled holes.
+    """Return the last trajectory of every drilled hole: a plunge, where nothing is milled between two rapids.
 
-    Pecks into one hole count once. Walls and lead-ins stand beside moves along the plane and are no holes.
+    Pecks into one hole count once. Plunges beside moves along the plane (walls, lead-ins) are no holes.
     """
     down = np.flatnonzero(~rapid & (length <= MOVES.STILL) & (dz < -MOVES.STILL))
     if not len(down):

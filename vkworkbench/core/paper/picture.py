@@ -10,7 +10,7 @@ from vkworkbench.core.paper.directions import turns
 from vkworkbench.core.paper.thresholds import TURNS
 
 _ARC_STEP = np.radians(4)  # an arc is drawn with chords this wide at most
-_NO_TURN = 1e-6  # rad; the image stands still
+_NO_TURN = 1e-6  # rad; the image does not move
 
 
 def outline(areas: Areas) -> np.ndarray:
@@ -40,7 +40,7 @@ def _ends(areas: Areas) -> tuple[np.ndarray, np.ndarray]:
 def turns_of(angle: np.ndarray) -> np.ndarray:
     """Return the turns of an image between successive angles, (n,) -> (n-1,) rad.
 
-    Each goes the shorter way round; half a turn exactly has no sense and is NaN.
+    Each goes the shorter way round; exactly half a turn has no sense of rotation and is NaN.
     """
     turned = turns(angle)
     turned[np.abs(turned) > np.pi - TURNS.EXACT] = np.nan
@@ -82,7 +82,7 @@ def _arcs(angle, radius, turned, chosen) -> np.ndarray:
 
 
 def thinned(values: np.ndarray, count: int) -> np.ndarray:
-    """Return indices of at most 4 * `count` of the values whose graph looks as that of all of them.
+    """Return indices of at most 4 * `count` values whose graph looks like that of all values.
 
     The values are cut into `count` stretches; of each the first, least, greatest and last are kept.
     """
@@ -91,7 +91,7 @@ def thinned(values: np.ndarray, count: int) -> np.ndarray:
         return np.arange(n)
     edges = np.arange(count + 1) * n // count
     kept = [edges[:-1], edges[1:] - 1]
-    # Stretches of one width, the last values repeated: argmin in one go.
+    # Stretches made equally long by repeating their last index: one argmin does them all.
     width = int(np.diff(edges).max())
     index = np.minimum(edges[:-1, None] + np.arange(width), edges[1:, None] - 1)
     block = np.asarray(values)[index]

@@ -27,8 +27,8 @@ def plane_of_points(points: np.ndarray) -> tuple[int, ...]:
 def plane_of_toolpath(points: np.ndarray, rapid: np.ndarray) -> tuple[int, ...]:
     """Return the axes of the plane that a toolpath cuts in, and of its normal.
 
-    XY but for a path that never leaves a vertical plane and slopes in it (contouring in G18): there every row
-    would fall on one line. A slot cut at several depths by level passes and vertical plunges stays in XY.
+    XY, unless the path stays in a vertical plane and slopes in it (contouring in G18): in XY all its rows would lie
+    on one line. A slot cut at several depths by level passes and vertical plunges stays in XY.
 
     Parameters
     ----------

@@ -52,7 +52,7 @@ def signature(points: np.ndarray) -> Signature:
         raise ValueError(f"points must have the shape (n+1, 2) or (n+1, 3), not {points.shape}")
     x, y = (points[:, axis] for axis in plane_of_points(points)[:2])
     dx, dy = x[1:] - x[:-1], y[1:] - y[:-1]
-    # The work is done in few arrays: for a long path it is their memory that takes the time.
+    # The work is done in few arrays: for a long path, allocating memory takes most of the time.
     squares = dx * dx
     squares += dy * dy
     if not np.isfinite(squares.max(initial=0.0)) and not np.isfinite(points).all():
@@ -95,10 +95,10 @@ class Signature:
     phi : (n,) float64
         Cumulative angular function, rad; phi[0] = 0.
     unsigned, reversals : (u,) and (r,) int64
-        Indices into `turning` of the turns without a sign: half turns to rounding, and exact ones. Of bare points both
-        are the exact ones.
+        Indices into `turning` of the turns without a sign: half turns within rounding, and exact ones. Of a polyline
+        that is given by its points both are the exact ones.
     closed : bool
-        Whether the polyline ends where it began: bare points to a millionth of their size.
+        Whether the polyline ends where it began; one given by its points, to a millionth of its size.
     closing : float
         The turn from the last trajectory back into the first of a closed polyline, rad; 0 of an open one. Offset loops
         that are linked have that of their last loop.
@@ -107,7 +107,7 @@ class Signature:
     length : (n,) float64
         Length of V_k, the sum of the first k trajectories.
     theta : (n,) float64
-        Direction of V_k, rad in [-pi, pi]; back at the first point it keeps the direction before.
+        Direction of V_k, rad in [-pi, pi]; where V_k is 0, back at the first point, that before it.
     theta_level : (n,) float64
         theta + n 2 pi (section 3.1).
     """
@@ -181,7 +181,7 @@ class Signature:
 
     @cached_property
     def phi_interval(self) -> tuple[np.ndarray, np.ndarray]:
-        """Phi with every turn without a sign counted as -pi, and as +pi: both (n,). What holds at both ends holds."""
+        """Phi with every turn without a sign counted as -pi, and as +pi, both (n,): what is true of both is certain."""
         signed = self.turning.copy()
         signed[self.unsigned] = 0.0
         doubt = np.zeros(len(self))

@@ -39,13 +39,13 @@ class LOOPS:
 
     #: mm. A path that comes back this close is closed.
     CLOSE = 0.03
-    #: share of the side of a square as large as what the path encloses. So is one with a gap this small.
+    #: share of the side of a square as large as what the path encloses. A path with so small a gap is closed as well.
     GAP = 0.03
     #: half-turns. An area in which phi changes by less has no loop.
     HALF_TURNS = 1.05
     #: share of the vertices. Where fewer lie in loops, they are looked for once more on wider grids.
     FOUND = 0.75
-    #: turns. A loop that turns by more in all, to and fro, may be a zigzag that leads by its start.
+    #: turns. A loop that turns by more in all, to and fro, may be a zigzag that comes back to its start.
     WAVY = 1.5
-    #: share of the turning beyond one turn. Of two loops that overlap, one that turns by less than this is the contour.
+    #: share of the turning beyond one turn. A loop with less than this of the loop it overlaps is the contour.
     SMOOTHER = 0.5

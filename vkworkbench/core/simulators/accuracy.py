@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The inverse problem for FreeCAD's legacy simulator: the finest accuracy whose play a budget allows."""
+"""The finest accuracy at which FreeCAD's legacy simulator plays within a budget of time and memory."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ class Accuracy:
     position : int or None
         The finest position that meets the budget, 1 to 10; None where none does: use fast-forward then.
     seconds, memory_bytes : float
-        What playing takes with it; without a position, with the coarsest.
+        What playing takes at that position; at the coarsest one where no position meets the budget.
     why : Message
         What it means and what limits it, or what helps where no position does.
     """
@@ -46,7 +46,7 @@ def best_accuracy(
 ) -> Accuracy:
     """Choose the finest position of the accuracy slider with which operations are played within a budget.
 
-    Fast-forward makes one mesh only and is as fast at the finest position as at any.
+    Fast-forward needs no such choice: it makes only one mesh and is as fast at the finest position as at any.
 
     Parameters
     ----------

@@ -11,8 +11,8 @@ class Constants:
     """What one unit of work costs on one computer, seconds and bytes.
 
     The defaults were measured with FreeCAD 0.20.2, 1.0.0 and 1.1.3 on two Xeon cores without a graphics card;
-    ``redraw``, ``frame``, ``draw`` and ``fill`` are a guess for a graphics card, none was there.
-    ``document/calibration.py`` has those of software rendering, and finds them on the user's computer.
+    ``redraw``, ``frame``, ``draw`` and ``fill`` are guesses for a computer with a graphics card: none was measured.
+    ``document/calibration.py`` has the values for software rendering and measures the user's computer.
 
     Attributes
     ----------
@@ -25,7 +25,7 @@ class Constants:
     redraw : float
         Legacy: showing one command in play, without its mesh.
     call, ring, line, cap : float
-        Legacy: one move, one ring of its end cap, one step along it, one step of a ring.
+        Legacy: one straight move, one ring of the half disc at its end, one step along the move, one step of a ring.
     cell : float
         Legacy: one cell of the grid, each time it becomes a mesh.
     facet : float
@@ -37,11 +37,11 @@ class Constants:
     facet_bytes : float
         Legacy: memory of one triangle.
     refresh : float
-        OpenGL: at least from one frame to the next (every second refresh of a 60 Hz screen).
+        OpenGL: the shortest time from one frame to the next (two refreshes of a 60 Hz screen).
     frame, draw : float
-        OpenGL: what every frame draws, and one draw call.
+        OpenGL: the part of every frame that does not depend on the path, and one draw call.
     fill : float
-        OpenGL: filling the window once, in draw calls.
+        OpenGL: filling the whole window once; not in seconds but in draw calls that take as long.
     line_bytes, arc_bytes : float
         OpenGL: memory of a straight motion and of an arc.
     legacy_factor, opengl_factor : float

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What all simulators take for one thing, an operation or a job, as it is asked for and written."""
+"""What simulating an operation or a job costs in every simulator."""
 
 from __future__ import annotations
 
@@ -14,14 +14,14 @@ from vkworkbench.core.zbuffer import Resolution
 
 
 class Costs:
-    """What the simulators take for an operation, or for several one after another, by their names.
+    """What the simulators take for an operation, or for several one after another, by the simulators' names.
 
     Attributes
     ----------
     costs : dict of str to Cost
-        Nothing of a simulator that this FreeCAD does not have, nor where a cost is not known.
+        Without simulators that this FreeCAD does not have, and without those whose cost is not known.
     advice : dict of str to Resolution, Accuracy
-        The finest setting of a simulator within the budget of the preferences, likewise.
+        The finest setting of a simulator within the budget of the preferences; the same simulators are missing.
     """
 
     costs: dict[str, Cost]
@@ -60,19 +60,19 @@ class Costs:
         return cost and (cost.seconds, float(cost.memory_bytes))
 
     def factor(self, simulator: str) -> float:
-        """Return how sure the time of :meth:`cost` is: the true one is between it divided and multiplied by this."""
+        """Return the factor of the time of :meth:`cost`: the true time is between it divided and multiplied by this."""
         cost = self.costs.get(simulator)
         return cost.factor if cost else 1.0
 
     def columns(self) -> dict[str, Any]:
-        """Return the explanations of the advice, and what the simulators beside the paper's take, for CSV and JSON."""
+        """Return columns of CSV and JSON: the explanations of the advice, and the costs in FreeCAD's simulators."""
         columns = {advice.column: chosen and chosen.explanation for advice, chosen in self._advised()}
         for simulator in _beside_the_papers():
             columns |= simulator.figures(self.costs.get(simulator.name))
         return columns
 
     def factors(self) -> dict[str, float]:
-        """Return how sure the times of these are, likewise."""
+        """Return the factors of these times, see :meth:`factor`, for CSV and JSON."""
         return {simulator.factor_column: self.factor(simulator.name) for simulator in _beside_the_papers()}
 
     def advice_messages(self) -> dict[str, Any]:

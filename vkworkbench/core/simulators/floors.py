@@ -9,7 +9,7 @@ from vkworkbench.core.simulators.heightmap import grid_shape, motions_done
 from vkworkbench.core.solids import Stock, Tool
 from vkworkbench.core.toolpath import Toolpath
 
-# Cells along the longer side, and rows of cells that the tool may pass over in all; more make them wider.
+# Cells along the stock's longer side. Cells become larger where the moves would pass over more rows of cells in all.
 _CELLS = 500
 _MOST_ROWS = 300_000
 
@@ -17,22 +17,22 @@ _MOST_ROWS = 300_000
 def floors(
     toolpath: Toolpath, *, tool: Tool, stock: Stock, thickness: float, parts: int = 1
 ) -> tuple[list[np.ndarray], float]:
-    """Where the path leaves the lower face of the stock's bounding box.
+    """Map where the path leaves material at the lower face of the stock's bounding box.
 
-    Finer than the map of heights: only what cuts through counts, a disc swept along a line, and a row of cells lies in
-    one interval of it.
+    The map is finer than that of the heights. That is affordable because only moves that cut through count, and each of
+    them, a disc swept along a line, covers one interval of a row of cells.
 
     Parameters
     ----------
     toolpath, tool, stock, parts
         As in :func:`~vkworkbench.core.simulators.heightmap.heightmaps`.
     thickness : float
-        What is left is no more than this where it counts as cut through, mm.
+        Material no thicker than this counts as cut through, mm.
 
     Returns
     -------
     kept : list of (nx, ny) bool
-        For each part.
+        Where material is left after each part.
     size : float
         Edge of a cell, mm.
     """
@@ -43,7 +43,7 @@ def floors(
     begin, end = points[through], points[through + 1]
     width = np.linspace(0, tool.radius, 65)
     radius = width[np.searchsorted(tool.height(width), level - lowest[through], side="right") - 1]
-    # Only as far as the tip is below the level.
+    # Only the piece of the move on which the tip is below the level.
     rise = end[:, 2] - begin[:, 2]
     crossing = (level - begin[:, 2]) / np.where(rise == 0, 1, rise)
     first, last = np.where(begin[:, 2] > level, crossing, 0), np.where(end[:, 2] > level, crossing, 1)

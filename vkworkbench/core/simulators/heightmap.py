@@ -28,7 +28,7 @@ def heightmaps(toolpath: Toolpath, *, tool: Tool, stock: Stock, parts: int = 1) 
     stock : Stock
         Anything with ``lower`` and ``upper`` corners, mm.
     parts : int
-        How often to look: after every one of so many equal parts of the commands that move.
+        Number of maps: one after each of so many equal parts of the commands that move.
 
     Returns
     -------
@@ -72,7 +72,7 @@ def _stamp(tips: np.ndarray, points: np.ndarray, origin: np.ndarray, size: float
         return
     moves = np.diff(points, axis=0)
     lengths = np.abs(moves[:, :2]).max(axis=1, initial=0)
-    # A path so long that it needs more passes over every cell many times.
+    # A path that would need more samples passes over every cell many times: wider spacing misses none.
     spacing = max(spacing, float(lengths.sum()) / _MOST_SAMPLES)
     samples = np.ceil(lengths / spacing) + 1
     counts = samples.astype(int)
@@ -91,7 +91,7 @@ def grid_shape(stock: Stock, size: float) -> np.ndarray:
 
 
 def motions_done(toolpath: Toolpath, parts: int) -> np.ndarray:
-    """Motions done before and after each of so many equal parts of the commands that move, (parts + 1,) int."""
+    """Return how many moves are done before and after each of `parts` equal parts of the commands, (parts + 1,) int."""
     moving = np.unique(toolpath.command)
     ends = np.append(moving, toolpath.commands)[np.arange(parts + 1) * len(moving) // parts]
     return np.searchsorted(toolpath.command, ends)

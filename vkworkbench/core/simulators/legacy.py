@@ -26,7 +26,7 @@ from vkworkbench.core.toolpath import Toolpath
 _WALK = 0.6
 # A float for the height and a character for the mesh.
 _BYTES_PER_CELL = 5
-# How often the mesh is looked at while it grows.
+# Moments of a play at which the size of the mesh is estimated.
 _LOOKS = 5
 # What the positions 1 to 10 of the accuracy slider stand for, percent of the stock's longer side.
 SLIDER = tuple(round(1.1 - 0.1 * position, 1) for position in range(1, 11))
@@ -57,8 +57,8 @@ class LegacyWork:
 def legacy_work(made: Motions, *, diameter: float, stock: Stock, accuracy: float = 0.1) -> LegacyWork:
     """Count what the legacy simulator does to cut (``ApplyLinearTool`` in VolSim.cpp).
 
-    Every move walks ``2 r / 0.6`` lines of ``L / 0.6`` steps and ends in half a disc of rings (a whole one
-    where it is vertical), in cells, inside the stock or not, rapids included. An arc is cut in
+    Every move, rapids and moves outside the stock included, walks ``2 r / 0.6`` lines of ``L / 0.6`` steps (r and L in
+    cells) and ends in rings that fill half a disc, or a whole one where the move is vertical. An arc is cut in
     ``ceil(sqrt(radius / resolution) sweep)`` straight moves (``PerformCutVoxel`` in PathSimulatorGui.py).
 
     Parameters
@@ -132,9 +132,9 @@ class LegacyCost:
     cut_seconds, mesh_seconds : float
         Time to cut them all, and to make the last mesh.
     constants : Constants
-        What the unit work was said to cost.
+        The unit costs that the prediction used.
     positions : tuple of LegacyCost
-        The same at each position of the accuracy slider, 1 to 10; empty where nobody asked.
+        The same at each position of the accuracy slider, 1 to 10; empty where it was not computed.
     """
 
     fast_forward_seconds: float
@@ -155,7 +155,7 @@ class LegacyCost:
 
     @property
     def seconds(self) -> float:
-        """float : what is told as its time, that of fast-forward, s."""
+        """float : the time shown for this simulator, that of fast-forward, s."""
         return self.fast_forward_seconds
 
     @property
@@ -180,7 +180,7 @@ class LegacyCost:
 
 
 def predict(task: Task, conditions: Conditions) -> LegacyCost:
-    """Estimate it at the accuracy of the conditions, and at every position of its slider."""
+    """Estimate the simulator at the accuracy of the conditions, and at every position of its accuracy slider."""
     accuracies = conditions.legacy_accuracy, *SLIDER
     cost, *positions = legacy_costs(task, accuracies=accuracies, constants=conditions.constants)
     return replace(cost, positions=tuple(positions))
@@ -196,8 +196,8 @@ def legacy_costs(
     """Estimate the legacy simulator for one operation at several accuracies.
 
     In fast-forward every command, comments too, takes one tick of a timer, every new percent of the progress a
-    repaint, and one mesh is made and shown at the end. Play shows the uncut stock, and then a command takes 1/`speed`,
-    or what a mesh and its display need if that is more; the mesh grows, or shrinks where it ends flat.
+    repaint, and one mesh is made and shown at the end. Play shows the uncut stock first. Then a command takes 1/`speed`
+    s, or the time to make and show a mesh if that is longer. The mesh grows with the cuts, or shrinks if it ends flat.
 
     Parameters
     ----------
@@ -262,7 +262,7 @@ def legacy_costs(
 
 
 def _triangles(toolpath: Toolpath, tool: Tool, stock: Stock, resolutions: list[float]) -> tuple[np.ndarray, float]:
-    """Triangles of the mesh at the end for each resolution; their mean while it plays, compared with the end."""
+    """Return the triangles of the last mesh at each resolution, and their mean over the play as a share of the last."""
     finest = min(resolutions)
     maps, size = heightmaps(toolpath, tool=tool, stock=stock, parts=_LOOKS)
     kept, floor_size = floors(toolpath, tool=tool, stock=stock, thickness=finest, parts=_LOOKS)

@@ -19,7 +19,7 @@ _CLOCKWISE, _COUNTERCLOCKWISE = 20, 30
 
 
 def cautions(task: Task, cost: LegacyCost | None, conditions: Conditions) -> list[Caution]:
-    """Find what goes wrong or takes long in it: arcs where the words are known, ramps where the tool is."""
+    """Find what goes wrong or takes long in it: arcs only if the words are known, ramps only if the tool is known."""
     found = _hangs(task, conditions.version) if task.words is not None else []
     if task.tool is not None:
         found += _ramps(task.toolpath, task.tool.diameter)
@@ -32,8 +32,8 @@ def _hangs(task: Task, version: tuple[int, ...]) -> list[Caution]:
     """Arcs on which ``PerformCutVoxel`` raises an error, after which the legacy simulator never goes on.
 
     It computes with the words X, Y and, before FreeCAD 1.1, Z of an arc even where they are absent, and
-    divides by a number of chords that is 0 where radius or sweep is 0: of full circles, and where start and end lie
-    in one direction from the centre, as in FreeCAD's Deburr. Arcs with a K word take another way.
+    divides by a number of chords. That is 0 where the computed radius or sweep is 0: for full circles, and where start
+    and end lie in the same direction from the centre, as in FreeCAD's Deburr. Arcs with a K word are cut by other code.
     """
     words = task.words
     arcs = np.flatnonzero((words.codes == _CLOCKWISE) | (words.codes == _COUNTERCLOCKWISE))

@@ -7,15 +7,17 @@ from collections.abc import Sequence
 
 import numpy as np
 
-# A step between two cells of the map that is no slope: higher than this many cells, or alone among flat ones.
+# A step in height between two cells is a wall, not a slope, if it is higher than this many cells' edges, or more than
+# twice as high as the steps beside it.
 _WALL = 1.8
 # Triangles per corner of a wall, per cell of wall, per rectangle on a slope and of a plain box, fitted to FreeCAD's
 # meshes (benchmarks/simulators.py).
 _CORNER, _ALONG, _RECTANGLE, BOX = 3.6, 0.26, 3.65, 12.0
 # FreeCAD's rectangles are no longer than this many times their width (VolSim.cpp).
 _LONGEST = 5
-# A finer grid follows an outline's curves more closely: pieces in its cells compared with those in the map's, fitted to
-# FreeCAD's meshes of round holes, discs and slanted cuts.
+# The simulator's grid is finer than the map and follows curved outlines more closely. So it has this many times more
+# rectangles than the map has, scaled by the number of cells; fitted to FreeCAD's meshes of round holes, discs and
+# slanted cuts.
 _FINER = 1.05
 
 
@@ -24,10 +26,10 @@ def mesh_facets(
 ) -> np.ndarray:
     """Triangles of the meshes that the legacy simulator makes of a stock at several accuracies.
 
-    They cover the stock with rectangles whose cells differ by less than one cell's edge. On a slope of (gx,
-    gy) such a rectangle spans 1/gx by 1/gy cells and at most 5:1, so a cell has gx gy of them; a floor has a
-    few and each wall a few per corner. The lower face falls to pieces where it is cut through,
-    see :func:`bottom_rectangles`; their number grows with that of the cells.
+    They cover the stock with rectangles of cells whose heights differ by less than a cell's edge. On a slope of
+    (gx, gy) such a rectangle spans 1/gx by 1/gy cells, no longer than 5:1, so there are gx gy of them per cell. A flat
+    floor has a few, and each wall a few per corner. A lower face that is cut through is divided into many, see
+    :func:`bottom_rectangles`; their number grows with that of the cells.
 
     Parameters
     ----------
@@ -40,7 +42,7 @@ def mesh_facets(
     floor : (mx, my) bool
         Map of what is left of the lower face.
     floor_size : float
-        Edge of a cell of that, mm.
+        Edge of a cell of that map, mm.
 
     Returns
     -------
@@ -73,9 +75,9 @@ def mesh_facets(
 def bottom_rectangles(kept: np.ndarray) -> int:
     """Rectangles that the legacy simulator makes of what is left of the lower face (``TesselBot`` in VolSim.cpp).
 
-    From the first free cell a rectangle grows in three directions in turn. Of one longer than 5:1 it takes,
-    by a slip, a single cell five widths on, and begins anew: beside a curved outline nearly all rectangles are that
-    long, so they fall to pieces of about one by five cells.
+    From the first free cell a rectangle grows to the right, left and upwards in turn. If it is longer than 5:1, FreeCAD
+    by mistake takes a single cell, five widths further on, and starts again. Beside a curved outline nearly all
+    rectangles are that long, so the face is divided into pieces of about one by five cells.
 
     Parameters
     ----------
@@ -86,7 +88,7 @@ def bottom_rectangles(kept: np.ndarray) -> int:
     -------
     int
     """
-    # The free cells of each row and column are the bits of a number.
+    # Each row and each column is one integer; its set bits are the free cells: stock that is in no rectangle yet.
     columns, rows = _bits(kept), _bits(kept.T)
     count = 0
     for y in range(len(rows)):
@@ -140,7 +142,7 @@ def _common(lines: list[int]) -> int:
 
 
 def _ones(bits: int) -> int:
-    """Number of set bits before the first that is not."""
+    """Number of set bits below the lowest bit that is not set."""
     return (~bits & (bits + 1)).bit_length() - 1
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What the legacy simulator's panel takes beyond cutting and making meshes: what it costs, and learning it from runs.
+"""The time of the legacy simulator's panel beyond cutting and making meshes: predicted, and learned from real runs.
 
 A fast-forward starts once, takes a tick of a timer for every command and repaints for every new percent of its
 progress. A play redraws the window for every command, and every triangle of its mesh.
@@ -15,18 +15,18 @@ from vkworkbench.core.simulators.constants import DEFAULTS, Constants
 from vkworkbench.core.simulators.simulator import Lesson
 
 _PERCENTS = 100
-# How far the constants usually lie from the defaults, and what they are at least (the tick is that of a timer of 1 ms),
-# s: start, tick and repaint of fast-forward; redraw and display of play.
+# How far the constants usually lie from their defaults, and their least values, s: of start, tick (a timer of 1 ms)
+# and repaint in fast-forward; of redraw and display in play.
 _USUAL_FAST_FORWARD, _LEAST_FAST_FORWARD = np.array([0.5, 0.3e-3, 0.02]), np.array([0.0, 1e-3, 0.0])
 _USUAL_PLAY, _LEAST_PLAY = np.array([0.03, 1e-6]), np.array([1e-3, 0.0])
-# Commands of a fast-forward that tells how long a tick is; a shorter one is mostly start and repaint.
+# The tick is found from fast-forwards of at least so many commands; shorter ones are mostly start and repaint.
 _LONG = 500
-# The weight of the defaults against a run.
+# Weight of the defaults in the fit, compared with that of a run.
 _PRIOR = 0.02
 # Relative errors below this count as equal, and rounds of the reweighting.
 _EXACT = 0.05
 _ROUNDS = 30
-# How often the short fast-forwards are looked at with the tick that the long ones told.
+# Rounds in which the ticks of short fast-forwards are taken off, as the long ones tell them.
 _ROUNDS_OF_TICK = 5
 _SHORTEST_PLAY = 20  # commands
 
@@ -46,8 +46,8 @@ def panel_seconds(constants: Constants, commands: int) -> float:
 def fit_fast_forward(commands: np.ndarray, seconds: np.ndarray) -> tuple[float, float, float]:
     """Find start, tick and repaint that explain real fast-forwards.
 
-    Short ones have no say in the tick: what makes them differ by a fifth of a second would make a tick wrong that long
-    ones have thousands of.
+    The tick is found from long runs only. Short ones differ by a fifth of a second for other reasons, which would make
+    the tick wrong, and long runs have thousands of ticks.
 
     Parameters
     ----------
@@ -79,7 +79,7 @@ def fit_play(
     shown, drawn : (k,) ndarray
         Commands, and triangles of all their meshes.
     display_seconds, seconds : (k,) ndarray
-        What each run took to show them, as far as the rest is known, and in all.
+        Time of each run for redraw and display (the whole less what is predicted of the rest), and the whole, s.
 
     Returns
     -------
@@ -91,11 +91,11 @@ def fit_play(
 
 
 def _fit(work, part_seconds, seconds, default, usual, least) -> tuple[float, ...]:
-    """Find what units of work cost, from the work of k runs, the part of their time that it took, and that time.
+    """Find the costs of the units of work of k runs, from the time that this work took and the whole time, (k,) s.
 
-    Least absolute deviations by reweighted least squares (Schlossmacher 1973), so that an odd run does no harm, from
-    the runs, relative to their time or to the time found if that is more, and from the defaults: runs of one kind
-    tell one number.
+    Least absolute deviations by reweighted least squares (Schlossmacher 1973), so that one odd run does no harm. A
+    run's error is relative to its time, or to the time fitted if that is longer. The distance from the defaults counts
+    as well: runs of one kind determine only one number.
     """
     found = default / usual
     for _ in range(_ROUNDS):
@@ -109,7 +109,7 @@ def _fit(work, part_seconds, seconds, default, usual, least) -> tuple[float, ...
 
 
 def _work(commands: int | np.ndarray) -> np.ndarray:
-    """How often start, tick and repaint are due: (3,), or (k, 3) for k runs."""
+    """How often a fast-forward starts, ticks and repaints: (3,), or (k, 3) for k runs."""
     return np.stack((np.ones_like(commands), commands, np.minimum(commands, _PERCENTS)), axis=-1)
 
 
@@ -118,13 +118,13 @@ def _of(constants: Constants) -> np.ndarray:
 
 
 def _fast_forward_of(cost, seconds: float, constants: Constants) -> tuple[int, float] | None:
-    """Commands of a fast-forward and what it took beyond cutting; None where it was faster than it can be."""
+    """Return a fast-forward's commands and its time beyond cutting and mesh, s; None where that is not positive."""
     panel = seconds - cost.fast_forward_seconds + cost.panel_seconds
     return (cost.commands, panel) if panel > 0 else None
 
 
 def _play_of(cost, seconds: float, constants: Constants) -> tuple[int, float, float, float] | None:
-    """Commands and triangles of a play, what it took to show them, and in all; None where it was too short."""
+    """Return commands, triangles, time of showing and whole time of a play, s; None where it was too short."""
     if cost.shown < _SHORTEST_PLAY:
         return None
     return cost.shown, cost.drawn, seconds - cost.play_seconds + cost.display_seconds, seconds
@@ -139,7 +139,7 @@ def _plays(runs: Sequence, constants: Constants) -> dict[str, float]:
 
 
 def _read_numbers(count: int):
-    """How a run is read of which the file has so many numbers, the first of them whole."""
+    """Return the function that reads a run from the file: `count` numbers, the first of them an integer."""
     return lambda run: (int(run[0]), *(float(run[k]) for k in range(1, count)))
 
 

@@ -36,8 +36,7 @@ class Motions:
 
 
 def motions(toolpath: Toolpath) -> Motions:
-    """Join the chords of each arc and reduce each drilling cycle to the three motions both simulators make of
-    it.
+    """Join the chords of each arc, and reduce each drilling cycle to the three motions both simulators make of it.
 
     Arcs in the ZX and YZ planes stay chords: the simulators read every arc as one in XY, so what they would
     draw has nothing to do with the path.
@@ -76,7 +75,7 @@ def motions(toolpath: Toolpath) -> Motions:
     down = np.column_stack((np.zeros((len(first), 2)), lowest - retract))
     move = np.stack((approach, down, -down), axis=1)
     exists = (np.abs(move) > 1e-9).any(axis=2)
-    exists[~cycle, 0] = True  # the chord of a full circle is nothing, the motion is not
+    exists[~cycle, 0] = True  # a full circle has no chord but is a motion
     exists[:, 1:] &= cycle[:, None]
     arcs = np.zeros((len(first), 3))
     radii = np.zeros((len(first), 3))

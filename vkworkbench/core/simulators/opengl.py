@@ -22,7 +22,7 @@ from vkworkbench.language import Message
 SINCE = (1, 0)
 SLOWEST_FRAME = 0.1  # s, ten pictures per second
 
-# Angle of a chord of an arc, at least and at most (MillPathSegment.cpp).
+# Smallest and largest angle of a chord of an arc, rad (MillPathSegment.cpp).
 _SMALLEST_STEP, _LARGEST_STEP = np.pi / 90, np.pi / 2
 # Renders of a motion in one frame: four passes of two stencil steps, one of colour (MillSimulation.cpp).
 _PASSES = 9
@@ -31,12 +31,12 @@ _TOOL_HEIGHT = 30.0
 # The part is seen along Y and 30 degrees down, from 1.6 times the stock's longer side, in a window of 4:3 that shows
 # 0.7 rad of height (SimDisplay.cpp).
 _TILT = np.pi / 6
-_WINDOW = 4 / 3 * (2 * 1.6 * np.tan(0.35)) ** 2  # area, of the square on the longer side
-# Pieces in which a rounded corner of the tool is drawn, mm (SimulatorGL.py), and how much longer drawing takes for every
-# segment of its outline that a flat end has not (benchmarks/simulators.py).
+_WINDOW = 4 / 3 * (2 * 1.6 * np.tan(0.35)) ** 2  # area of the window, as a share of the square on that side
+# Length of the pieces in which a rounded corner of the tool is drawn, mm (SimulatorGL.py), and the share by which
+# drawing takes longer for each segment of the outline beyond the two of a flat end (benchmarks/simulators.py).
 _CORNER_PIECE = 0.5
 _LONGER_PER_SEGMENT = 0.1
-# Parts of an operation whose frames are looked at where others were played before.
+# Parts into which an operation is divided to estimate its frames where other operations were played before it.
 _PARTS = 32
 # A frame that takes less than this many refreshes may have waited for the screen.
 _SLOW_FRAME = 1.25
@@ -58,7 +58,7 @@ class OpenGLWork:
     draws : (m,) float64
         Draw calls that each motion, once done, costs every frame.
     area : (m,) float64
-        Outline of all that is drawn for each motion in one pass, as large as it is seen at first, mm^2.
+        Area of all that is drawn for each motion in one pass, as seen in the first view, mm^2.
     arc : (m,) bool
         Which motions are arcs; an arc is drawn as far as it is done, anything else is drawn whole at once.
     """
@@ -109,7 +109,7 @@ def opengl_work(made: Motions, *, diameter: float, quality: int = 10) -> OpenGLW
 
 
 def _seen(made: Motions, diameter: float, small: np.ndarray, chords: np.ndarray) -> np.ndarray:
-    """Return the outlines of what is drawn for each motion, mm^2.
+    """Return the area of what is drawn for each motion, as seen in the first view, (m,) mm^2.
 
     A straight motion is drawn as the box that it sweeps and the front half of the tool, a vertical one as the tool, an
     arc as a box for every chord and the tool at its end, a small arc as the tool at the end of every chord.
@@ -117,7 +117,7 @@ def _seen(made: Motions, diameter: float, small: np.ndarray, chords: np.ndarray)
     disc = np.pi / 4 * diameter**2
     x, y = np.abs(made.move[:, :2]).T
     across = np.divide(y, made.level, out=np.zeros(len(y)), where=made.level > 0)
-    arc, turned = made.radius * np.abs(made.sweep), 2 / np.pi  # what is seen of lengths in all directions
+    arc, turned = made.radius * np.abs(made.sweep), 2 / np.pi  # mean share that is seen of a length that turns
     kinds = small, made.radius > 0, made.level < 1e-6
     wide = np.select(
         kinds,
@@ -141,7 +141,7 @@ class OpenGLCost:
     Attributes
     ----------
     drawing_seconds : float
-        Drawing all motions once, without what every frame takes.
+        Drawing all motions once, without the constant part of a frame.
     play_seconds : dict of int to float
         Time to play for each speed, steps per frame.
     memory_bytes : float
@@ -153,7 +153,7 @@ class OpenGLCost:
     steps : int
         Steps of the whole operation.
     constants : Constants
-        What the unit work was said to cost.
+        The unit costs that the prediction used.
     """
 
     drawing_seconds: float
@@ -166,7 +166,7 @@ class OpenGLCost:
 
     @property
     def seconds(self) -> float:
-        """float : what is told as its time, that of playing at the highest speed, s."""
+        """float : the time shown for this simulator, that of playing at the highest speed, s."""
         return self.fastest_seconds
 
     @property
@@ -186,7 +186,7 @@ class OpenGLCost:
 
 
 def predict(task: Task, conditions: Conditions) -> OpenGLCost:
-    """Estimate it with the quality of the conditions, at the speeds that their FreeCAD offers."""
+    """Estimate the simulator with the quality of the conditions, at the speeds that their FreeCAD offers."""
     speeds = opengl_speeds(conditions.version)
     return opengl_cost(task, speeds=speeds, quality=conditions.opengl_quality, constants=conditions.constants)
 
@@ -201,8 +201,8 @@ def opengl_cost(
     """Estimate the OpenGL simulator for one operation.
 
     A frame draws a straight motion with two calls in each of nine passes, a vertical one with one and an arc
-    with one per chord, for all that was cut so far: playing takes a time of the order of the square of the
-    motions. What a motion fills of the window counts as draw calls too, and a rounded tool is drawn in more pieces.
+    with one per chord, for all that was cut so far: the time of playing grows with the square of the number of motions.
+    The area that a motion fills in the window counts as further draw calls, and a rounded tool is drawn in more pieces.
 
     Parameters
     ----------
@@ -230,7 +230,7 @@ def opengl_cost(
     longer = 1 + _LONGER_PER_SEGMENT * (outline_segments(tool) - 2)
     drawing = constants.draw * longer * (draws + constants.fill * _PASSES * work.area / window)
 
-    # Mean frame of every motion: a line is drawn whole at once, an arc grows chord by chord.
+    # Mean time of the frames during each motion: a line is drawn whole at once, an arc grows chord by chord.
     before = np.cumsum(drawing) - drawing
     frames = np.maximum(constants.frame + before + np.where(arc, drawing / 2, drawing), constants.refresh)
     total = float((steps * frames).sum())
@@ -290,9 +290,9 @@ def cautions(task: Task, cost: OpenGLCost | None, conditions: Conditions) -> lis
 
 
 def _draw_of(cost: OpenGLCost, seconds: float, constants: Constants) -> float | None:
-    """What the last frames of a play, which took so many seconds each, say of the constant "draw".
+    """Return the constant "draw" that follows from the last frames of a play, which took `seconds` each.
 
-    Nothing where they were so short that they may have waited for the screen.
+    None where they were so short that they may have waited for the screen.
     """
     if seconds < _SLOW_FRAME * constants.refresh or not cost.drawing_seconds:
         return None

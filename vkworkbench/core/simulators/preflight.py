@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What to know before a simulation is started: what every simulator says of its own, and its memory."""
+"""What to know before a simulation is started: the cautions of every simulator, and too much memory."""
 
 from __future__ import annotations
 
@@ -11,14 +11,14 @@ from vkworkbench.language import Message
 
 
 def preflight(task: Task, costs: Mapping[str, Cost], conditions: Conditions) -> tuple[Caution, ...]:
-    """Find what goes wrong or takes too much in the simulators that there are.
+    """Find what goes wrong, takes too long or too much memory in the simulators.
 
     Parameters
     ----------
     task : Task
         Without words nothing is said of its commands, without a tool nothing of its ramps.
     costs : mapping of str to Cost
-        What was predicted for it, by the simulators' names; nothing is said of the time and memory of others.
+        The predicted costs by the simulators' names. Without one nothing is said of that simulator's time and memory.
     conditions : Conditions
 
     Returns

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What a simulator is to everything else: the entry that each has in the table (table.py), and what is handed to it."""
+"""The interface of a simulator: its entry in the table (table.py), and what its functions are given."""
 
 from __future__ import annotations
 
@@ -26,11 +26,11 @@ class Task:
     ----------
     toolpath : Toolpath
     tool : Tool or None
-        Where it or the stock is not known no cost is predicted. A shank wider than the cutting edge counts as cutter
-        in FreeCAD's legacy simulator; give its diameter then.
+        No cost is predicted where the tool or the stock is None. In FreeCAD's legacy simulator a shank wider than the
+        cutting edge cuts as well; give its diameter then.
     stock : Stock, ConvexStock or None
     words : Words or None
-        Of the commands, for what goes wrong with them.
+        Of the commands; in them the simulators look for what they handle wrongly.
     recognition : Recognition or None
     """
 
@@ -42,13 +42,13 @@ class Task:
 
     @cached_property
     def motions(self) -> Motions:
-        """The motions that FreeCAD's simulators make of the toolpath, all of the same ones."""
+        """The motions that FreeCAD's simulators make of the toolpath; computed once for all of them."""
         return motions(self.toolpath)
 
 
 @dataclass(frozen=True)
 class Conditions:
-    """With what it is simulated.
+    """The FreeCAD, the computer and the settings of a simulation.
 
     Attributes
     ----------
@@ -65,7 +65,7 @@ class Conditions:
     opengl_quality : int
         Position of the OpenGL simulator's quality slider, 1 to 10.
     memory_budget, time_budget : float
-        Bytes and s that one operation may take; what takes more is told.
+        Bytes and s that one operation may take; more gives a caution.
     """
 
     version: tuple[int, ...] = ()
@@ -123,19 +123,19 @@ class Caution:
 
 @dataclass(frozen=True)
 class Lesson:
-    """What the real runs of one kind, which the user starts, teach about the constants.
+    """How constants are learned from the simulations of one kind that the user runs.
 
     Attributes
     ----------
     kind : str
         Name of these runs in the calibration's file.
     run : callable
-        ``run(cost, seconds, constants)`` is what is kept of a run that took so many seconds where `cost` was predicted
-        with the constants; None where it teaches nothing.
+        ``run(cost, seconds, constants)`` returns what is kept of a run that took `seconds`, where `cost` was predicted
+        with `constants`; None where nothing can be learned from it.
     read : callable
-        ``read(run)`` is a run as the file has it.
+        ``read(run)`` returns a run as it was kept, from the calibration's file.
     learned : callable
-        ``learned(runs, constants)`` are the constants that all runs kept tell, by name.
+        ``learned(runs, constants)`` returns the constants that follow from all runs kept, by name.
     """
 
     kind: str
@@ -154,14 +154,14 @@ class Advice:
         ``choose(costs, memory_bytes=, seconds=, stepover=, labels=)`` is the choice for operations one after another,
         an object with the message `why` and its English `explanation`.
     numbers : callable
-        The numbers of a choice, all 0 where no setting helps.
+        The numbers of a choice, which `form` shows; all 0 where no setting helps.
     form : str
-        What these are filled in.
+        The format string of these numbers.
     column : str
         Name of its column in CSV and JSON.
     title, tooltip, sentence, none : str
-        Of its column in the panel, and below it; what stands there where no setting helps. Translated in the
-        context "Vk_Results".
+        Title and tooltip of its column in the panel, the sentence below the table, and the text where no setting helps.
+        Translated in the context "Vk_Results".
     """
 
     choose: Callable[..., Any]
@@ -176,7 +176,7 @@ class Advice:
 
 @dataclass(frozen=True, eq=False)
 class Simulator:
-    """One simulator whose cost is told: all that anything else asks of it.
+    """One simulator whose cost is predicted: all that the rest of the add-on asks of it.
 
     Attributes
     ----------
@@ -193,17 +193,17 @@ class Simulator:
     less_memory : Message
         What helps where it takes too much memory.
     columns : dict of str to callable
-        Its columns in CSV and JSON, and their numbers by its cost.
+        Its columns in CSV and JSON: names, and the functions that take their numbers from a cost.
     factor_column : str or None
-        That of the cost's factor, behind those of all simulators; None where it is among its own.
+        Column of the cost's factor, which comes after the columns of all simulators; None where `columns` has it.
     choice : str
         What the preferences call it; translated in the context "VkPreferences".
     time_title, time_tooltip, memory_title, memory_tooltip : str
-        Of its columns in the panel; translated in the context "Vk_Results".
+        Titles and tooltips of its columns in the panel; translated in the context "Vk_Results".
     advice : Advice or None
     lessons : tuple of Lesson
     preferences : tuple of str
-        Names of the preferences that mean nothing without it.
+        Names of the preferences that have no effect without it.
     adds_up : bool
         Whether several operations take no more together than the sum of each alone.
     """

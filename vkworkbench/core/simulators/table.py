@@ -12,7 +12,7 @@ from vkworkbench.core.simulators.simulator import Advice, Conditions, Cost, Simu
 from vkworkbench.core.zbuffer import best_resolution
 from vkworkbench.language import QT_TRANSLATE_NOOP, Message
 
-#: The paper's; the columns of its cost have no other name before them.
+#: The paper's; its columns in CSV and JSON have no prefix.
 ZBUFFER = Simulator(
     name="z-buffer",
     since=(),
@@ -90,7 +90,7 @@ LEGACY = Simulator(
     preferences=("legacy_accuracy",),
 )
 
-#: FreeCAD's newer one, which draws what was cut before with every operation.
+#: FreeCAD's newer one, which draws the cuts of all operations before with every operation.
 OPENGL = Simulator(
     name="OpenGL",
     since=opengl.SINCE,
@@ -118,7 +118,7 @@ SIMULATORS = (ZBUFFER, LEGACY, OPENGL)
 
 
 def available(version: tuple[int, ...]) -> tuple[Simulator, ...]:
-    """Return the simulators that a FreeCAD has.
+    """Return the simulators that a version of FreeCAD has.
 
     Parameters
     ----------
@@ -131,14 +131,14 @@ def available(version: tuple[int, ...]) -> tuple[Simulator, ...]:
 def predict(
     task: Task, conditions: Conditions, *, going_on: Callable[[], None] = lambda: None
 ) -> tuple[dict[str, Cost], dict[str, Any]]:
-    """Predict what every simulator that there is takes for an operation whose tool and stock are known.
+    """Predict the cost of an operation, whose tool and stock are known, in every simulator of this FreeCAD.
 
     Parameters
     ----------
     task : Task
     conditions : Conditions
     going_on : callable
-        Called before each; what it raises ends the work.
+        Called before each simulator; an exception that it raises ends the prediction.
 
     Returns
     -------
@@ -159,14 +159,14 @@ def predict(
 def together(
     each: Sequence[Mapping[str, Cost]], *, labels: Sequence[str], stepover: float | None, **budget: float
 ) -> tuple[dict[str, Cost], dict[str, Any]]:
-    """Return what operations take one after another.
+    """Return the costs of several operations that are simulated one after another.
 
     Parameters
     ----------
     each : sequence of mappings of str to Cost
-        What each of them takes by the simulators' names.
+        The costs of each operation by the simulators' names.
     labels : sequence of str
-        What they are called.
+        The operations' labels.
     stepover : float or None
         Smallest distance between passes, mm.
     **budget : float
@@ -175,7 +175,7 @@ def together(
     Returns
     -------
     costs, advice : dict
-        As of :func:`predict`; nothing of a simulator of which no cost is known.
+        As of :func:`predict`; without the simulators of which no cost is known.
     """
     costs, advice = {}, {}
     for simulator in SIMULATORS:

@@ -26,14 +26,14 @@ class ZBufferCost:
 
 
 def predict(task: Task, conditions: Conditions) -> Estimate:
-    """Estimate it for the image of the conditions."""
+    """Estimate the simulation for the image of the conditions."""
     return estimate(
         task.toolpath, task.recognition, tool=task.tool, stock=task.stock, view=conditions.view, speed=conditions.speed
     )
 
 
 def together(costs: Sequence[Estimate]) -> ZBufferCost:
-    """Add up the operations."""
+    """Add up the costs of several operations."""
     return ZBufferCost(
         sum(cost.seconds for cost in costs),
         sum(cost.memory_bytes for cost in costs),
@@ -42,5 +42,5 @@ def together(costs: Sequence[Estimate]) -> ZBufferCost:
 
 
 def cautions(task: Task, cost: Estimate | None, conditions: Conditions) -> list[Caution]:
-    """Nothing goes wrong in it."""
+    """Return no cautions: nothing goes wrong in it."""
     return []
