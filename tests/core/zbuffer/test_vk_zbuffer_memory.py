@@ -23,10 +23,7 @@ from pathlib import Path
 import numpy as np
 sys.path[:0] = [{root!r}, {root!r} + "/tests"]
 from vkworkbench.core import View
-from vkworkbench.core.zbuffer.counts import count
-from vkworkbench.core.zbuffer.memory import peak_bytes
-from vkworkbench.core.zbuffer.removal import Removal
-from vkworkbench.core.zbuffer.simulate import simulate
+from vkworkbench.core.zbuffer import memory_needed, simulate
 from zbuffer_reference.paths import BOX, TOOLS, surface, toolpath
 
 def memory(line):
@@ -35,9 +32,7 @@ def memory(line):
 
 trajectories, direction, width, height = {case!r}
 path, tool, view = toolpath(surface(None, trajectories)), TOOLS[2], View(direction, width, height)
-removal = Removal(path, tool, BOX, view.frame(BOX))
-expected = peak_bytes(count(removal), len(path), removal)
-del removal
+expected = memory_needed(path, tool=tool, stock=BOX, view=view)
 Path("/proc/self/clear_refs").write_text("5")
 before = memory("VmRSS")
 simulate(path, tool=tool, stock=BOX, view=view)

@@ -19,6 +19,9 @@ from vkworkbench.core.zbuffer.dexels import (
     without_thin,
 )
 
+# What reaches deeper by less, mm, is rounding noise.
+_NOISE = 1e-7
+
 
 def cut_rays(
     near: np.ndarray,
@@ -46,16 +49,22 @@ def cut_rays(
     Pieces
         Those of rays that nothing cuts included.
     """
-    enter, leave = np.maximum(enter, near[ray]), np.minimum(leave, far[ray])
-    met = np.flatnonzero(leave - enter > THINNEST)
-    ray, trajectory, enter, leave = ray[met], trajectory[met], enter[met], leave[met]
-    if len(ray) == 0:
-        everything = np.arange(len(near))
-        return Pieces(everything, np.full(len(near), UNCUT, np.int32), near, far)
-    stretch = far.max() - near.min() + 1
-    kept = _not_yet_open(ray, enter, leave, near, stretch)
+    first, last = near.take(ray), far.take(ray)
+    enter, leave = np.maximum(enter, first), np.minimum(leave, last)
+    met = leave - enter > THINNEST
+    stretch = far.max(initial=0) - near.min(initial=0) + 1
+    # Most trajectories that pass a ray cut nothing new: they reach no deeper than it is open from its near end.
+    offset = ray * stretch
+    opened = np.where(met & (enter <= first), leave, first) + offset
+    start = np.flatnonzero(np.diff(ray, prepend=-1))
+    before = before_in_group(np.maximum.accumulate(opened), start, -np.inf)
+    kept = np.flatnonzero(met & (leave + offset > before + _NOISE))
+    from_the_eye = not (enter > first).any()
     ray, trajectory, enter, leave = ray[kept], trajectory[kept], enter[kept], leave[kept]
-
+    if from_the_eye:
+        return _deepened(near, far, ray, trajectory, leave)
+    if len(ray) == 0:
+        return Pieces(np.arange(len(near)), np.full(len(near), UNCUT, np.int32), near, far)
     offset = ray * stretch
     start = np.flatnonzero(np.diff(ray, prepend=-1))
     # The gap before each interval; the interval itself where it is a ray's first.
@@ -93,6 +102,31 @@ def cut_rays(
         np.concatenate((getattr(connected, name), getattr(sorted_, name)))[order] for name in ("owner", "near", "far")
     )
     return Pieces(rays[order], *columns)
+
+
+def _deepened(
+    near: np.ndarray, far: np.ndarray, ray: np.ndarray, trajectory: np.ndarray, leave: np.ndarray
+) -> Pieces:
+    """Pieces of rays that are cut from their near end on, by each interval to a greater depth."""
+    end = near.copy()
+    end[ray] = leave  # the last one's
+    whole = end < far
+    size = np.bincount(ray, minlength=len(near)) + whole
+    base = np.append(0, np.cumsum(size))
+    pieces = Pieces(
+        np.repeat(np.arange(len(near)), size),
+        np.full(base[-1], UNCUT, np.int32),
+        np.empty(base[-1]),
+        np.empty(base[-1]),
+    )
+    # The pieces before an interval's own are those of the intervals before it and what is left of the rays before.
+    at = np.arange(len(ray)) + (np.cumsum(whole) - whole).take(ray)
+    pieces.owner[at], pieces.far[at] = trajectory, leave
+    pieces.far[base[1:][whole] - 1] = far[whole]
+    pieces.near[1:] = pieces.far[:-1]
+    cut = size > 0
+    pieces.near[base[:-1][cut]] = near[cut]
+    return without_thin(pieces, near, far)
 
 
 def _grown(
@@ -154,14 +188,3 @@ def _marked(size: int, positions: np.ndarray) -> np.ndarray:
     marks = np.zeros(size, bool)
     marks[positions] = True
     return marks
-
-
-def _not_yet_open(
-    ray: np.ndarray, enter: np.ndarray, leave: np.ndarray, near: np.ndarray, stretch: float
-) -> np.ndarray:
-    """Positions of the intervals that reach deeper than earlier ones opened the ray from its near end."""
-    offset = ray * stretch
-    opened = np.where(enter <= near[ray], leave, near[ray]) + offset
-    start = np.flatnonzero(np.diff(ray, prepend=-1))
-    before = before_in_group(np.maximum.accumulate(opened), start, -np.inf)
-    return np.flatnonzero(leave + offset > before + 1e-7)

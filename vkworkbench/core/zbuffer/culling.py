@@ -4,9 +4,9 @@
 Greene, Kass and Miller (Hierarchical z-buffer visibility, 1993) drop what lies behind what covers a whole tile of the
 image. Here "behind" is "later": a trajectory removes nothing from a tile that earlier ones opened as deep as it
 reaches. The image is divided into tiles, these into quarters, down to the pixel; a tile's trajectories are a list in
-their order, and what is dropped from it is gone for all its quarters. Each step works on whole arrays of pairs of a tile
-and a trajectory, sorted by tile and time. The cost grows with the trajectories and with what is cut, not with their
-product.
+their order, and what is dropped from it is gone for all its quarters. Each step works on whole arrays of pairs of a
+tile and a trajectory, sorted by tile and time. The cost grows with the trajectories and with what is cut, not with
+their product.
 
 Only pairs that remove nothing are dropped: what is left gives the same pieces of every ray.
 """
@@ -31,7 +31,15 @@ NOISE = 1e-8
 
 
 class Bounds(Protocol):
-    """What one kind of view knows of a trajectory above a tile."""
+    """What one kind of view knows of a trajectory above a tile.
+
+    Attributes
+    ----------
+    finest : int
+        Side of the smallest tiles that are worth it, pixels: 1 or 2.
+    """
+
+    finest: int
 
     def quarters(
         self, column: np.ndarray, row: np.ndarray, tile: np.ndarray, item: np.ndarray, child: int
@@ -125,7 +133,11 @@ def culled(trajectories: Trajectories, bounds: Bounds, bottom: int, top: int) ->
             continue
         for block in tiles.blocks():
             tested += 4 * len(block.item)
-            pending.append(_quartered(trajectories, bounds, block))
+            if tiles.side > bounds.finest:
+                pending.append(_quartered(trajectories, bounds, block))
+            else:
+                yield _pixels(trajectories, block), tested
+                tested = 0
 
 
 def _tiles(trajectories: Trajectories, bottom: int, top: int) -> Tiles:
@@ -155,6 +167,19 @@ def _quartered(trajectories: Trajectories, bounds: Bounds, tiles: Tiles) -> Tile
         items.append(tiles.item[kept])
     first = np.append(0, np.cumsum(np.concatenate(counts)))
     return Tiles(side, np.concatenate(columns), np.concatenate(rows), first, np.concatenate(items))
+
+
+def _pixels(trajectories: Trajectories, tiles: Tiles) -> Tiles:
+    """The pixels of tiles of side 2, each with all of its tile's trajectories."""
+    frame = trajectories.frame
+    across, up = np.array(QUARTERS).T
+    column, row = (tiles.column + across[:, None]).ravel(), (tiles.row + up[:, None]).ravel()
+    count, item = np.tile(np.diff(tiles.first), 4), np.tile(tiles.item, 4)
+    inside = (column < frame.width) & (row < frame.height)
+    if not inside.all():
+        item = item[np.repeat(inside, count)]
+        column, row, count = column[inside], row[inside], count[inside]
+    return Tiles(1, column, row, np.append(0, np.cumsum(count)), item)
 
 
 def deeper(

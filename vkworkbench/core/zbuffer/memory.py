@@ -5,6 +5,8 @@ from __future__ import annotations
 
 import numpy as np
 
+from vkworkbench.core.solids import ConvexStock, Stock, Tool, View
+from vkworkbench.core.toolpath import Toolpath
 from vkworkbench.core.zbuffer.counts import Counts, count
 from vkworkbench.core.zbuffer.records import PIXEL_BYTES, RECORD_BYTES
 from vkworkbench.core.zbuffer.removal import Removal
@@ -14,7 +16,7 @@ from vkworkbench.language import Message, Unusable
 BUDGET = 2e9
 # Measured by benchmarks/zbuffer.py. Bytes of the work on one band of the image at a time, of every trajectory as the
 # simulation holds it, and of every record of a band while the band is put together.
-_BAND = 22e6
+_BAND = 26e6
 _TRAJECTORY = 160.0
 _BAND_RECORD = 26.0
 # The records grow by an eighth when they are full.
@@ -37,10 +39,25 @@ class OverBudget(Unusable):
     def __init__(self, needed: float, allowed: float, counts: Counts) -> None:
         super().__init__(
             Message(
-                "zbuffer-memory", memory=needed, allowed=allowed, traces=round(counts.traces), dexels=round(counts.dexels)
-            )
+                "zbuffer-memory", memory=needed, allowed=allowed,
+                traces=round(counts.traces), dexels=round(counts.dexels),
+            )  # fmt: skip
         )
         self.needed, self.allowed = needed, allowed
+
+
+def memory_needed(toolpath: Toolpath, *, tool: Tool, stock: Stock | ConvexStock, view: View) -> float:
+    """Memory that `simulate` takes at its peak for these arguments, bytes, from some hundred rays.
+
+    Parameters
+    ----------
+    toolpath : Toolpath
+    tool : Tool
+    stock : Stock or ConvexStock
+    view : View
+    """
+    removal = Removal(toolpath, tool, stock, view.frame(stock))
+    return peak_bytes(count(removal), len(toolpath), removal)
 
 
 def check_memory(removal: Removal, trajectories: int, allowed: float) -> None:

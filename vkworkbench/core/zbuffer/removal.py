@@ -108,8 +108,5 @@ class Removal(Trajectories):
         near: np.ndarray,
         far: np.ndarray,
     ) -> Pieces:
-        enter, leave = np.empty(len(ray)), np.empty(len(ray))
-        for begin in range(0, len(ray), _PAIRS_AT_ONCE):
-            part = slice(begin, begin + _PAIRS_AT_ONCE)
-            enter[part], leave[part] = self.intervals(x[ray[part]], y[ray[part]], item[part])
+        enter, leave = self.intervals(x[ray], y[ray], item)
         return cut_rays(near, far, ray, self.index[item], enter, leave)

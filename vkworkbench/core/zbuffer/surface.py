@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What is seen of the part at any moment of the simulation, without sorting anything again.
 
-What a ray meets first at moment k is its first piece from the eye that no trajectory before k removes. Only a piece whose
-owner is greater than that of every piece before it on the ray can ever be that one. These prefix maxima are in the order
-of ``pixel * (trajectories + 1) + owner`` already, so one binary search finds the piece of every pixel, for any k, forwards
-or backwards. The interval treap of Blasquez and Poiraudeau (2000) answers the same for one ray at a time.
+What a ray meets first at moment k is its first piece from the eye that no trajectory before k removes. Only a piece
+whose owner is greater than that of every piece before it on the ray can ever be that one. These prefix maxima ascend
+along the ray, so a binary search finds the piece, for any k, forwards or backwards. The interval treap of Blasquez and
+Poiraudeau (2000) answers the same.
 """
 
 from __future__ import annotations
@@ -53,57 +53,65 @@ class Surface:
 
     def picture(self, step: int) -> Picture:
         """Return what is seen at a moment: what has changed since the last one that was asked for is looked up."""
-        latest = self._latest
-        if latest is None or latest.step != step:
-            pixels = everywhere = np.arange(len(self.records.entry))
-            if latest is not None:
-                pixels = self.changed(latest.step, step)
-            if len(pixels) > len(everywhere) // 4:
-                latest = Picture(step, *self._seen(step, everywhere))
-            else:
-                depth, owner = latest.depth.copy(), latest.owner.copy()
-                depth[pixels], owner[pixels] = self._seen(step, pixels)
-                latest = Picture(step, depth, owner)
-            self._latest = latest
+        latest, everywhere = self._latest, np.arange(len(self.records.entry))
+        if latest is None or len(self._removed(latest.step, step)) > len(everywhere) // 4:
+            latest = Picture(step, *self._seen(step, everywhere))
+        elif latest.step != step:
+            pixels = self.changed(latest.step, step)
+            depth, owner = latest.depth.copy(), latest.owner.copy()
+            depth[pixels], owner[pixels] = self._seen(step, pixels)
+            latest = Picture(step, depth, owner)
+        self._latest = latest
         return latest
 
     def changed(self, step: int, other: int) -> np.ndarray:
         """Return the pixels, ascending, whose picture may differ between two moments."""
+        return np.unique(self._removed(step, other)).astype(np.int64)
+
+    def _removed(self, step: int, other: int) -> np.ndarray:
+        """Pixels of the pieces that go between two moments, some of them more than once."""
         owners, pixels = self._by_owner
-        first, last = np.searchsorted(owners, (min(step, other), max(step, other)))
-        return np.unique(pixels[first:last]).astype(np.int64)
+        # Of the same type: a search among others converts them all.
+        between = np.array((min(step, other), max(step, other)), owners.dtype)
+        first, last = np.searchsorted(owners, between)
+        return pixels[first:last]
 
     def _seen(self, step: int, pixels: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        records, base = self.records, self.records.trajectories + 1
-        keys, pieces = self._maxima
-        at = np.searchsorted(keys, pixels * base + step)
-        last = len(keys) - 1
-        piece = pieces[np.minimum(at, last)].astype(np.int64) if last >= 0 else at
-        first, end = records.index[pixels], records.index[pixels + 1]
-        none = (at > last) | (piece >= end)
-        behind = ~none & (piece > first)
-        before = piece[behind] - 1
-        depth = np.where(none, np.float32(np.nan), records.entry[pixels])
+        """Depth and owner of the surface at some pixels: a binary search in each one's maxima, all at once."""
+        records, (owners, pieces, first) = self.records, self._maxima
+        low, end = first[pixels], first[pixels + 1]
+        high = end
+        for _ in range(int((high - low).max(initial=0)).bit_length()):
+            middle = (low + high) // 2
+            earlier = (low < high) & (owners.take(middle, mode="clip") < step)
+            low, high = np.where(earlier, middle + 1, low), np.where(earlier, high, middle)
+        seen = low < end
+        depth = np.full(len(pixels), np.nan, np.float32)
+        depth[seen] = records.entry[pixels[seen]]
         owner = np.full(len(pixels), STOCK, np.int32)
-        depth[behind], owner[behind] = records.far[before], records.owner[before]
+        piece = pieces[low[seen]].astype(np.int64)
+        behind = piece > records.index[pixels[seen]]
+        at, before = np.flatnonzero(seen)[behind], piece[behind] - 1
+        depth[at], owner[at] = records.far[before], records.owner[before]
         return depth, owner
 
     @cached_property
-    def _maxima(self) -> tuple[np.ndarray, np.ndarray]:
-        """The prefix maxima of the owners along the rays: their keys, ascending, and their pieces."""
+    def _maxima(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        """The prefix maxima along the rays: their owners, their pieces, and each pixel's first one."""
         keys = self.records.pixel().astype(np.int64)
         keys *= self.records.trajectories + 1
         keys += self.records.owner
         new = np.ones(len(keys), bool)
         new[1:] = keys[1:] > np.maximum.accumulate(keys)[:-1]
-        return keys[new], np.flatnonzero(new).astype(np.uint32)
+        first = np.append(0, np.cumsum(new))[self.records.index]
+        pieces = np.flatnonzero(new).astype(np.uint32)
+        return self.records.owner[pieces], pieces, first
 
     @cached_property
     def _by_owner(self) -> tuple[np.ndarray, np.ndarray]:
-        """Owners of the pieces, ascending, and their pixels: a radix sort, 16 bits at a time."""
-        keys, pieces = self._maxima
-        owner = self.records.owner[pieces]
+        """Owners of the maxima, ascending, and their pixels: a radix sort, 16 bits at a time."""
+        owner, pieces, _ = self._maxima
         order = np.argsort(owner.astype(np.uint16), kind="stable")
         if self.records.trajectories >> 16:
             order = order[np.argsort((owner >> 16).astype(np.uint16)[order], kind="stable")]
-        return owner[order], (keys[order] // (self.records.trajectories + 1)).astype(np.uint32)
+        return owner[order], self.records.pixel()[pieces[order]]

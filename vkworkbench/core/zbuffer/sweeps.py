@@ -25,14 +25,18 @@ from vkworkbench.core.zbuffer.rounded import ball_chord, ball_sides, divide, rou
 ROUNDING = 1e-7
 
 
-def lowest(tool: Tool, start: np.ndarray, move: np.ndarray, x: np.ndarray, y: np.ndarray) -> np.ndarray:
+def lowest(
+    tool: Tool, start: np.ndarray, heading: np.ndarray, x: np.ndarray, y: np.ndarray
+) -> np.ndarray:
     """Height of the lower surface of the swept volume above points of the plane.
 
     Parameters
     ----------
     tool : Tool
-    start, move : (3, k) ndarray
-        Where the tip starts and how it moves, mm; vertical moves upwards only.
+    start : (3, k) ndarray
+        Where the tip starts, mm.
+    heading : (4, k) ndarray
+        Unit direction in the plane (x, y), length in the plane, mm, and slope; see :func:`headings`.
     x, y : (k,) ndarray
         The points.
 
@@ -41,11 +45,7 @@ def lowest(tool: Tool, start: np.ndarray, move: np.ndarray, x: np.ndarray, y: np
     (k,) ndarray
         Height z, mm; infinite where the tool does not pass.
     """
-    run = np.sqrt(move[0] ** 2 + move[1] ** 2)
-    moving = run > 0
-    safe_run = np.where(moving, run, 1.0)
-    ux, uy = np.where(moving, move[0] / safe_run, 1.0), move[1] / safe_run
-    slope = np.where(moving, move[2] / safe_run, 0.0)
+    ux, uy, run, slope = heading
     px, py = x - start[0], y - start[1]
     along = px * ux + py * uy
     aside2 = (py * ux - px * uy) ** 2
@@ -57,6 +57,15 @@ def lowest(tool: Tool, start: np.ndarray, move: np.ndarray, x: np.ndarray, y: np
     position = np.minimum(np.maximum(_lowest_position(tool, slope, aside2, half, first, last), first), last)
     height = start[2] + slope * (along + position) + _profile(tool, np.sqrt(aside2 + position**2))
     return np.where((half2 >= 0) & (first <= last), height, np.inf)
+
+
+def headings(move: np.ndarray) -> np.ndarray:
+    """Direction (x, y), length in the plane and slope (4, k) of moves (3, k), vertical ones upwards only."""
+    run = np.sqrt(move[0] ** 2 + move[1] ** 2)
+    moving = run > 0
+    safe_run = np.where(moving, run, 1.0)
+    ux, uy = np.where(moving, move[0] / safe_run, 1.0), move[1] / safe_run
+    return np.array([ux, uy, run, np.where(moving, move[2] / safe_run, 0.0)])
 
 
 def _profile(tool: Tool, r: np.ndarray) -> np.ndarray:
@@ -116,10 +125,9 @@ def intervals(
     offset = ray - start
     if tool.rounding == 0 and tool.steepness == 0 and not move[2].any():
         return _level_slot(tool.radius, offset, move, sine, cosine)
-    ends = [np.zeros(offset.shape[1]), np.ones(offset.shape[1])]
     corner = tool.rounding
     near, far = _extremes(
-        ends + _straight_sides(tool, corner, offset, move, sine, cosine),
+        _straight_sides(tool, corner, offset, move, sine, cosine),
         offset,
         move,
         lambda at: _straight_chord(tool, corner, at, sine, cosine),
@@ -132,7 +140,7 @@ def intervals(
         else:
             sides = rounded_sides(tool, raised, move, sine, cosine)
             chord = rounded_chord
-        near2, far2 = _extremes(ends + sides, raised, move, lambda at: chord(tool, at, sine, cosine))
+        near2, far2 = _extremes(sides, raised, move, lambda at: chord(tool, at, sine, cosine))
         near, far = np.minimum(near, near2), np.maximum(far, far2)
     return near, far
 
@@ -170,11 +178,12 @@ def _extremes(
     move: np.ndarray,
     chord: Callable[[np.ndarray], tuple[np.ndarray, np.ndarray]],
 ) -> tuple[np.ndarray, np.ndarray]:
-    """First entry and last exit of the tool standing at the given parameters of its move."""
+    """First entry and last exit of the tool standing at the ends of its move and at the given parameters."""
     near = np.full(offset.shape[1], np.inf)
     far = -near
-    for t in parameters:
-        enter, leave = chord(offset - np.clip(t, 0, 1) * move)
+    places = [offset, offset - move] + [offset - np.clip(t, 0, 1) * move for t in parameters]
+    for at in places:
+        enter, leave = chord(at)
         hit = enter <= leave + ROUNDING
         near = np.where(hit, np.minimum(near, enter), near)
         far = np.where(hit, np.maximum(far, leave), far)
@@ -227,11 +236,13 @@ def _straight_sides(
     """Parameters at which a ray may enter or leave a swept cylinder or cone between the move's ends."""
     x, y, z = offset
     ux, uy, uz = move
-    run = np.hypot(ux, uy)
+    run = np.sqrt(ux**2 + uy**2)
     safe_run = np.where(run > 0, run, 1)
     # The two vertical side faces.
     reach = tool.radius * uy / safe_run
     sides = [divide(x + reach, ux), divide(x - reach, ux)]
+    if tool.rounding == tool.radius:
+        return sides  # a ball goes on where the cylinder ends: there is no edge between them
     # The swept rim, where cylinder and bottom (or cone) meet.
     tilted = cosine * y + sine * (z - base - tool.steepness * tool.radius)
     tilted_move = cosine * uy + sine * uz

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Which trajectories can cut tiles of an image seen obliquely.
 
-A tile's rays are the ray through its middle, moved aside by up to half a tile. So what a tool grown by that much removes
-from the middle ray holds what the tool removes from any ray of the tile, and what a tool that much smaller removes from
-the middle ray the tool removes from all of them. The rays are compared where they pass one horizontal plane, so that a
-level floor is at one depth for all of them; for balls, which have no floor, and for views from the side where they pass
-a plane across the view.
+A tile's rays are the ray through its middle, moved aside by up to half a tile. So what a tool grown by that much
+removes from the middle ray holds what the tool removes from any ray of the tile, and what a tool that much smaller
+removes from the middle ray the tool removes from all of them. The rays are compared where they pass one horizontal
+plane, so that a level floor is at one depth for all of them; for balls, which have no floor, and for views from the
+side where they pass a plane across the view.
 """
 
 from __future__ import annotations
@@ -31,6 +31,8 @@ _LESS = 1e-6
 class Tilted:
     """Bounds for an oblique view; see `culling.Bounds`."""
 
+    finest = 2
+
     def __init__(self, trajectories: Trajectories) -> None:
         self.tool, self.sine, self.cosine = trajectories.tool, trajectories.sine, trajectories.cosine
         self.start, self.move, self.frame = trajectories.start, trajectories.move, trajectories.frame
@@ -55,9 +57,7 @@ class Tilted:
             enter, leave = np.maximum(enter, near.take(tile)), np.minimum(leave, far.take(tile))
             met = np.flatnonzero(leave - enter > 0.9 * THINNEST)
             enter, leave, its_tile = enter[met], leave[met], tile[met]
-            if large is self.tool:
-                all_enter, all_leave = enter, leave
-            elif small is None:
+            if small is None:
                 all_enter, all_leave = np.full(len(met), np.inf), np.full(len(met), -np.inf)
             else:
                 all_enter, all_leave = self._intervals(small, start[:, met], move[:, met], ray[:, met], lowered)
@@ -122,8 +122,6 @@ class _Growth:
         tool, k = self.tool, self.tool.steepness
         if self.flat:
             return Tool("endmill", tool.diameter + 2 * aside), self.flat if self.level else -away * self.sine
-        if reach == 0:
-            return tool, 0.0
         wider = away if self.ball else aside
         rise = away if self.ball else k * aside if self.level else away * hypot(1, k) if k else away * self.sine
         return replace(tool, diameter=tool.diameter + 2 * wider), -rise

@@ -7,7 +7,10 @@ import numpy as np
 
 from vkworkbench.core.solids import ConvexStock, Frame, Stock, Tool
 from vkworkbench.core.toolpath import Toolpath
-from vkworkbench.core.zbuffer.sweeps import intervals, lowest
+from vkworkbench.core.zbuffer.sweeps import headings, intervals, lowest
+
+# Pairs of ray and trajectory worked on at once, so that they stay in the processor's cache.
+_PAIRS_AT_ONCE = 16_384
 
 
 class Trajectories:
@@ -25,6 +28,8 @@ class Trajectories:
     ----------
     index : (m,) int64
         The trajectories that can meet the stock, in order; the others are above it or beside it.
+    heading : (4, m) float64
+        Direction in the plane, length in the plane and slope of each one, see ``sweeps.headings``.
     box : (4, m) float64
         Left, right, bottom and top of each one's bounding box in the image, mm.
     strip : (4, m) float64
@@ -54,6 +59,7 @@ class Trajectories:
         self.start = axes @ (start - frame.centre).T
         self.move = axes @ (end - start).T
         self.ceiling = float(stock.upper[2] - frame.centre[2])
+        self.heading = headings(self.move)
         self.box = self._boxes()
         self.strip = self._strips()
 
@@ -128,10 +134,18 @@ class Trajectories:
         near, far : (k,) ndarray
             Depths, mm, unbounded where they are; ``near > far`` where a ray misses.
         """
-        start, move = self.start.take(item, axis=1), self.move.take(item, axis=1)
+        near, far = np.empty(len(item)), np.empty(len(item))
+        for begin in range(0, len(item), _PAIRS_AT_ONCE):
+            part = slice(begin, begin + _PAIRS_AT_ONCE)
+            near[part], far[part] = self._intervals(x[part], y[part], item[part])
+        return near, far
+
+    def _intervals(self, x: np.ndarray, y: np.ndarray, item: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        start = self.start.take(item, axis=1)
         if self.sine == 0:
-            height = lowest(self.tool, start, move, x, self.cosine * y)
+            height = lowest(self.tool, start, self.heading.take(item, axis=1), x, self.cosine * y)
             everywhere = np.full(len(x), np.inf)
             return (-everywhere, -height) if self.cosine > 0 else (height, everywhere)
+        move = self.move.take(item, axis=1)
         ray = np.array([x, self.cosine * y, self.sine * y])
         return intervals(self.tool, start, move, ray, self.sine, self.cosine)

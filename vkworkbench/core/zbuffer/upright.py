@@ -24,15 +24,13 @@ class Upright:
 
     def __init__(self, trajectories: Trajectories) -> None:
         self.tool, self.frame, self.cosine = trajectories.tool, trajectories.frame, trajectories.cosine
-        (x, y, z), (mx, my, mz) = trajectories.start, trajectories.move
-        run = np.hypot(mx, my)
-        moving = run > 0
-        safe_run = np.where(moving, run, 1.0)
-        ux, uy = np.where(moving, mx / safe_run, 1.0), my / safe_run
-        slope = np.where(moving, mz / safe_run, 0.0)
+        (x, y, z), (mx, my, _) = trajectories.start, trajectories.move
+        ux, uy, run, slope = trajectories.heading
         # The moves from their middles: position, direction, half the length, and depth.
-        self.columns = (x + mx / 2, y + my / 2, ux, uy, run / 2, -(z + np.where(moving, mz, 0.0) / 2))
+        self.columns = (x + mx / 2, y + my / 2, ux, uy, run / 2, -(z + slope * run / 2))
         self.slope = slope if slope.any() else None
+        # A level floor is as deep everywhere: bounds of pixels tell as much as the rays. Else the rays are as quick.
+        self.finest = 1 if self.slope is None else 2
         half = (trajectories.stock.upper[2] - trajectories.stock.lower[2]) / 2
         self.near, self.far = -float(half), float(half)
 

@@ -1,0 +1,148 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Speed and memory of the extended z-buffer, at 800 x 600.
+
+    python3 benchmarks/zbuffer.py [quick]
+
+It needs numpy alone. Printed for toolpaths made by zbuffer_cases.py, from above and obliquely: the records, the pairs
+of tile or pixel and trajectory that were tested, the processor time (of three runs the best) and how many times as long
+trying every trajectory on every ray it passes takes, where that ends soon enough; how time grows with the number of
+trajectories; any moment of a simulation; and a million trajectories (not with `quick`). Times hold for the computer;
+the ratios are what counts. benchmarks/zbuffer_freecad.py compares with FreeCAD.
+"""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import numpy as np
+
+ROOT = Path(__file__).resolve().parent.parent
+sys.path[:0] = [str(ROOT), str(ROOT / "tests"), str(ROOT / "benchmarks")]
+
+from zbuffer_cases import BALL, BLOCK, CASES, FLAT, PLATE, surface, zigzag
+from zbuffer_reference.simulate import simulate as tried
+
+from vkworkbench.core import View, estimate, linearize, simulate
+from vkworkbench.core.zbuffer import memory_needed
+
+# Pairs of pixel and trajectory that the old way may take.
+MOST_TRIED = 50e6
+VIEWS = {"above": (0, 0, -1), "oblique": (1, 1, -1)}
+MOMENTS = 60
+GROWTH = (2_000, 8_000, 32_000)
+
+
+def main() -> None:
+    quick = "quick" in sys.argv[1:]
+    if "million" in sys.argv[1:]:
+        million()
+        return
+    cases(1 if quick else 3)
+    growth()
+    moments()
+    if not quick:
+        # A process of its own: memory that is used again does not count.
+        subprocess.run([sys.executable, __file__, "million"], check=True)
+
+
+def processor_time(function, runs=1):
+    """Seconds of the fastest run, and what it returned."""
+    durations = []
+    for _ in range(runs):
+        begin = time.process_time()
+        result = function()
+        durations.append(time.process_time() - begin)
+    return min(durations), result
+
+
+def cases(runs) -> None:
+    print(f"{'':24}trajectories  traces, 10^6  pairs tested, 10^6   time, s  trying all takes")
+    for name, (toolpath, tool, stock) in CASES.items():
+        for seen, direction in VIEWS.items():
+            solids = {"tool": tool, "stock": stock, "view": View(direction)}
+            seconds, z = processor_time(lambda: simulate(toolpath, **solids), runs)
+            told = f"{name + ', ' + seen:24}{len(toolpath):12,}{z.traces / 1e6:14.2f}"
+            told += f"{z.candidates / 1e6:20.1f}{seconds:10.2f}"
+            view = tried_in(toolpath, tool, stock, direction)
+            small = {**solids, "view": view}
+            ours, _ = processor_time(lambda: simulate(toolpath, **small), runs)
+            theirs, z = processor_time(lambda: tried(toolpath, **small))
+            size = f"{view.width} x {view.height}, {z.candidates / 1e6:.1f}"
+            print(f"{told}{theirs / ours:12.1f} times, at {size} * 10^6 pairs", flush=True)
+
+
+def tried_in(toolpath, tool, stock, direction) -> View:
+    """The largest image in which trying everything ends soon."""
+    views = [View(direction, width, width * 3 // 4) for width in (800, 400, 200)]
+    passes = (estimate(toolpath, None, tool=tool, stock=stock, view=view).candidates for view in views)
+    return next((view for view, pairs in zip(views, passes) if pairs < MOST_TRIED), views[-1])
+
+
+def growth() -> None:
+    """Exponents of time in the number of trajectories: over one plate, ever closer, so that no more is cut."""
+    print("\ntime ~ trajectories ^ exponent, and pairs tested:")
+    for name, path, tool, stock in (
+        ("zigzag", zigzag, FLAT, PLATE),
+        ("surface", lambda n: surface(100, n // 100), BALL, BLOCK),
+    ):
+        rows = []
+        for count in GROWTH:
+            toolpath = path(count)
+            seconds, z = processor_time(lambda: simulate(toolpath, tool=tool, stock=stock, view=View()), 2)
+            rows.append((len(toolpath), seconds, z.candidates, z.traces))
+        sizes, seconds, pairs, traces = np.log(np.array(rows, float)).T
+        slopes = [np.polyfit(sizes, values, 1)[0] for values in (seconds, pairs, traces)]
+        print(f"  {name:10} time {slopes[0]:.2f}, pairs {slopes[1]:.2f}, traces {slopes[2]:.2f}", flush=True)
+
+
+def moments() -> None:
+    print("\nany moment, ms, median of random ones, and of steps forwards and backwards by one:")
+    rng = np.random.default_rng(0)
+    for name, view in (("Z, zigzag", "above"), ("surface", "above"), ("adaptive", "oblique"), ("helices", "above")):
+        toolpath, tool, stock = CASES[name]
+        z = simulate(toolpath, tool=tool, stock=stock, view=View(VIEWS[view]))
+        first, _ = processor_time(lambda: (z.picture, z.surface.changed(0, 1)))
+        somewhere = rng.integers(0, z.trajectories, MOMENTS).tolist()
+        anywhere = [processor_time(lambda: z.at(k).picture)[0] for k in somewhere]
+        middle = z.trajectories // 2
+        forwards = [processor_time(lambda: z.at(middle + k).picture)[0] for k in range(MOMENTS)]
+        backwards = [processor_time(lambda: z.at(middle - k).picture)[0] for k in range(MOMENTS)]
+        told = (1e3 * float(np.median(times)) for times in (anywhere, forwards, backwards))
+        times = "".join(f"{ms:8.1f}" for ms in told)
+        print(f"  {name + ', ' + view:22}{times}   once before: {first:.2f} s", flush=True)
+
+
+def million() -> None:
+    toolpath = surface(1000, 1000)
+    reading = reading_time(toolpath)
+    view = View()
+    needed = memory_needed(toolpath, tool=BALL, stock=BLOCK, view=view)
+    Path("/proc/self/clear_refs").write_text("5")  # resets the peak
+    before = memory("VmRSS")
+    seconds, z = processor_time(lambda: simulate(toolpath, tool=BALL, stock=BLOCK, view=view))
+    peak = memory("VmHWM") - before
+    print(
+        f"\n{len(toolpath):,} trajectories: {z.traces / 1e6:.1f} * 10^6 traces in {seconds:.1f} s, "
+        f"{seconds / reading:.1f} times reading them\n  peak {peak / 1e9:.2f} GB, "
+        f"said before {needed / 1e9:.2f} GB ({needed / peak:.2f} times), "
+        f"held {z.memory_bytes / 1e9:.2f} GB"
+    )
+
+
+def reading_time(toolpath) -> float:
+    """Seconds to make a toolpath of its commands."""
+    commands = [("G1", dict(zip("XYZ", point), F=10.0)) for point in toolpath.points.tolist()]
+    return processor_time(lambda: linearize(commands))[0]
+
+
+def memory(line) -> int:
+    """A line of the process's status in bytes: VmRSS is what it takes, VmHWM the peak since the last reset."""
+    status = Path("/proc/self/status").read_text()
+    return 1024 * next(int(entry.split()[1]) for entry in status.splitlines() if entry.startswith(line + ":"))
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,109 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What the traces tell of each trajectory: what it removes, and where it should not have."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from vkworkbench.core.toolpath import Toolpath
+from vkworkbench.core.zbuffer.moments import ZBuffer
+
+
+def removed_volumes(zbuffer: ZBuffer) -> np.ndarray:
+    """Volume that each trajectory removes, (n,) float64 mm^3.
+
+    Parameters
+    ----------
+    zbuffer : ZBuffer
+        Of any moment.
+    """
+    records, n = zbuffer.records, zbuffer.trajectories
+    length = records.far.astype(float) - records.near()
+    volumes = np.bincount(records.owner, length, n + 1)[:n]
+    return volumes * zbuffer.frame.pixel**2
+
+
+def removal_rates(zbuffer: ZBuffer, toolpath: Toolpath) -> np.ndarray:
+    """Volume that each trajectory removes in a minute, (n,) float64 mm^3/min; not a number for those without a feed.
+
+    Parameters
+    ----------
+    zbuffer : ZBuffer
+    toolpath : Toolpath
+        What it was cut by.
+    """
+    seconds = np.where(toolpath.feed > 0, toolpath.lengths / np.where(toolpath.feed > 0, toolpath.feed, 1), np.nan)
+    return 60 * removed_volumes(zbuffer) / seconds
+
+
+def air_share(zbuffer: ZBuffer, toolpath: Toolpath) -> float:
+    """Share of the length of the cutting moves that removes nothing, 0 to 1; 0 where no move cuts.
+
+    Parameters
+    ----------
+    zbuffer : ZBuffer
+    toolpath : Toolpath
+        What it was cut by.
+    """
+    length = np.where(toolpath.rapid, 0.0, toolpath.lengths)
+    total = float(length.sum())
+    return float(length[removed_volumes(zbuffer) == 0].sum()) / total if total else 0.0
+
+
+@dataclass(frozen=True)
+class Crash:
+    """A rapid that cuts.
+
+    Attributes
+    ----------
+    trajectory, command : int
+        Which one, and the index of its source command.
+    place : (3,) tuple of float
+        Where the piece that it removes is longest, mm.
+    depth : float
+        How long that piece is along the view, mm.
+    volume : float
+        What it removes, mm^3.
+    """
+
+    trajectory: int
+    command: int
+    place: tuple[float, float, float]
+    depth: float
+    volume: float
+
+
+def crashes(zbuffer: ZBuffer, toolpath: Toolpath) -> list[Crash]:
+    """Rapids that remove material, in their order.
+
+    Parameters
+    ----------
+    zbuffer : ZBuffer
+    toolpath : Toolpath
+        What it was cut by.
+    """
+    records, frame = zbuffer.records, zbuffer.frame
+    rapid = np.append(toolpath.rapid, False)
+    pieces = np.flatnonzero(rapid[records.owner])
+    if len(pieces) == 0:
+        return []
+    owner, near, far = records.owner[pieces], records.near()[pieces].astype(float), records.far[pieces].astype(float)
+    pixel = np.searchsorted(records.index, pieces, side="right") - 1
+    row, column = np.divmod(pixel, frame.width)
+    middle = frame.origins(*frame.pixel_centres(column, row)) + ((near + far) / 2)[:, None] * frame.direction
+    volumes = removed_volumes(zbuffer)
+    # The longest piece of each rapid comes last of its own.
+    order = np.lexsort((far - near, owner))
+    last = order[np.append(owner[order][1:] != owner[order][:-1], True)]
+    return [
+        Crash(
+            int(owner[i]),
+            int(toolpath.command[owner[i]]),
+            tuple(middle[i].tolist()),
+            float(far[i] - near[i]),
+            float(volumes[owner[i]]),
+        )
+        for i in last
+    ]
