@@ -16,7 +16,7 @@ import FreeCAD
 TOOLPATH = "Path::Feature"  # the type of all that has a Path
 # The workbench for machining and its menu: since 1.0, and before.
 WORKBENCHES = {"CAMWorkbench": "&CAM", "PathWorkbench": "&Path"}
-TREE_DOCKS = ("Combo View", "Model", "Tree view")  # 0.20, since 1.0, and the tree on its own
+TREE_DOCKS = ("Combo View", "Model", "Tree view")  # docks with the tree: in 0.20, since 1.0, and one of its own
 DESCRIPTION_HIDDEN_SINCE = (1, 0)  # the tree's Description column can be hidden, and is at first
 QT6_SINCE = (1, 1)
 
@@ -104,8 +104,8 @@ GCODE = Property("Gcode")  # the lines of a file that FreeCAD imported as a cust
 # A tool; the last name of its shape is that of 0.20's tools without a tool bit.
 TOOL_SHAPE = Property("ShapeType", since=(1, 1), before=("ShapeName", "ToolType"), fingerprint="setting")
 DIAMETER = Property("Diameter", fingerprint="setting")
-CORNER_RADIUS = Property("CornerRadius", fingerprint="setting")  # since 1.1; before, there is
-FLAT_RADIUS = Property("FlatRadius", fingerprint="setting")  # that of a bull nose's flat part
+CORNER_RADIUS = Property("CornerRadius", fingerprint="setting")  # since 1.1
+FLAT_RADIUS = Property("FlatRadius", fingerprint="setting")  # before 1.1: radius of a bull nose's flat part
 TIP_ANGLE = Property("TipAngle", fingerprint="setting")
 CUTTING_ANGLE = Property("CuttingEdgeAngle", fingerprint="setting")
 
@@ -123,8 +123,8 @@ def is_imported(obj) -> bool:
 
 
 def operation_name(obj) -> str:
-    """Return FreeCAD's name of an operation's kind, e.g. ``"Profile"``; that of its proxy's module in all versions.
+    """Return FreeCAD's name of an operation's kind, e.g. ``"Profile"``: the module of its proxy, alike in all versions.
 
-    Where a document is of another version the proxy may be missing: the name is then none of an operation.
+    In a document of another version the proxy may be missing; the name is then not that of an operation.
     """
     return type(getattr(obj, "Proxy", None)).__module__.rpartition(".")[2].removeprefix("Path")

@@ -52,9 +52,9 @@ class Preferences:
     opengl_quality : int
         Position of the OpenGL simulator's quality slider; 10 is the best.
     time_budget : float
-        s a simulation may take: more is warned of, and the recommended image takes no longer.
+        Time that a simulation may take, s: more gives a warning, and recommended settings stay within it.
     memory_budget : float
-        MB it may take, likewise.
+        Memory that it may take, MB, likewise.
     image_width, image_height : int
         Image of the extended z-buffer, pixels; the paper's by default (section 1).
     view_direction : str
@@ -93,14 +93,14 @@ class Preferences:
 
     @property
     def view(self):
-        """The View that these say."""
+        """The View that these preferences describe."""
         from vkworkbench.core import View
 
         return View(DIRECTIONS[self.view_direction], self.image_width, self.image_height)
 
 
 def read() -> Preferences:
-    """Return the preferences as they are now; the default for a value that cannot be, all of them outside FreeCAD."""
+    """Return the preferences as they are now; the default for an impossible value, and outside FreeCAD for all."""
     if "FreeCAD" not in sys.modules:
         return Preferences()
     import FreeCAD

@@ -14,7 +14,8 @@ from vkworkbench.core.paper import PaperVerdict
 from vkworkbench.core.simulators import ZBUFFER, Caution, Cost, Costs, LegacyCost, together
 from vkworkbench.language import ENGLISH, Message, render
 
-# What spreadsheets take for a formula, behind anything they skip; the full-width signs in East Asian ones.
+# A text that spreadsheets take for a formula: one of these signs, after characters that they skip. East Asian ones
+# take the full-width signs as well.
 _FORMULA = re.compile(r"[\s\x00-\x1f\ufeff\u200b-\u200f\u2060]*[=+\-@＝＋－＠]")
 _CONTROL = re.compile(r"[\x00-\x1f\x7f-\x9f]+")
 
@@ -38,7 +39,7 @@ class OperationReport(Costs):
     recognition : Recognition
         Strategy, confidence, reason and spans with their evidence.
     trajectories : int
-        Number of straight moves, arcs chopped.
+        Number of straight moves, arcs divided into chords.
     machining : Machining
         Own lengths and machining time (FreeCAD's are wrong for arcs).
     costs, advice : dict
@@ -305,7 +306,7 @@ class Report:
 def cells_of(operation: OperationReport) -> dict[str, Any]:
     """Return an operation's report as the cells of one line of a table.
 
-    The column ``codes`` has the codes of its messages, each with those of its parts behind it.
+    The column ``codes`` has the codes of its messages, each followed by those of the messages in it.
     A text cell that a spreadsheet would take for a formula gets an apostrophe in front.
     """
     row = operation.as_dict()
@@ -332,7 +333,7 @@ def _row(o: OperationReport) -> tuple[str, ...]:
 
 
 def _cell(text: str, longest: int = 60) -> str:
-    """Text that stays in its cell: control characters would break the table or command the terminal."""
+    """Return a text that fits into its cell; control characters would break the table or steer the terminal."""
     text = _CONTROL.sub(" ", text)
     return text if len(text) <= longest else text[: longest - 1] + "…"
 

@@ -25,7 +25,7 @@ from vkworkbench.language import Message, Unusable
 from vkworkbench.preferences import Preferences
 from vkworkbench.report import Cancelled, OperationReport, Report
 
-_PATIENCE = 0.05  # s between two questions whether to go on
+_PATIENCE = 0.05  # s between two calls of `cancelled`
 _NOTHING = linearize([])
 
 
@@ -46,13 +46,13 @@ def analyze(
     progress : callable, optional
         Called before each operation with how many are done, how many there are, and its label.
     cancelled : callable, optional
-        Asked before each operation, and every 50 ms while one is worked on in a thread of its own; True ends
-        the analysis. It may let the window live, which must not change the documents meanwhile.
+        Called before each operation, and every 50 ms while a thread of its own analyses one; True ends the analysis.
+        It may process the window's events, but none of these may change the documents.
 
     Returns
     -------
     Report
-        One row for each operation; what is wrong with one is in its row and stops no other. An operation
+        One row for each operation. An error in one is told in its row and stops no other. An operation
         that is deleted during the analysis has no row.
 
     Raises
@@ -97,7 +97,7 @@ def analyze(
 
 @dataclass(frozen=True)
 class _Reading:
-    """What the document says of one operation: copies, which another thread may read."""
+    """Copies of what the document says of one operation, which another thread may read."""
 
     document: str
     name: str
@@ -138,7 +138,7 @@ def _read(operation: Operation) -> _Reading:
 
 
 def _patiently(work: Callable, cancelled: Callable[[], bool] | None):
-    """Do the work in a thread of its own while `cancelled` is asked; at once where there is nothing to ask.
+    """Do the work in a thread of its own and call `cancelled` meanwhile; do it in this thread where there is none.
 
     `work` is given a function that raises Cancelled once the work has been given up.
     """
@@ -166,7 +166,7 @@ def _patiently(work: Callable, cancelled: Callable[[], bool] | None):
 def _row(
     reading: _Reading, chosen: Preferences, conditions: Conditions, going_on: Callable
 ) -> OperationReport:
-    """The row of one operation, whatever happens: an error of ours must not cost the others theirs."""
+    """Return the row of one operation; an error of this add-on must not cost the other operations theirs."""
     try:
         return _work(reading, chosen, conditions, going_on)
     except Cancelled:
@@ -199,7 +199,7 @@ def _work(
     if found.strategy is Strategy.EMPTY and not toolpath.commands <= len(toolpath.comments):
         remarks.append(Message("no-cutting-move"))
     elif found.strategy is Strategy.EMPTY:
-        # Without a toolpath a missing tool or stock is not what is wrong.
+        # Where there is no toolpath, remarks on tool and stock would miss the point.
         remarks = [Message("no-toolpath") if reading.active else Message("inactive")]
     elif tool and not stock:
         remarks.append(Message("box-of-cuts"))
@@ -230,7 +230,7 @@ def _work(
 
 
 def _unknown(reading: _Reading, error: Exception | None = None) -> OperationReport:
-    """The row of an operation of which nothing is known yet, or nothing because of an error in this add-on."""
+    """Return the row of an operation without results: they are still to come, or `error` prevented them."""
     return OperationReport(
         document=reading.document,
         name=reading.name,

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What FreeCAD's simulators take on this computer: measured once, kept in FreeCAD's user data folder."""
+"""How fast this computer simulates: measured once, learned from real runs, kept in FreeCAD's user data folder."""
 
 from __future__ import annotations
 
@@ -25,22 +25,22 @@ from vkworkbench.core import Stock, linearize
 from vkworkbench.core.simulators import CALIBRATED_FACTOR, DEFAULTS, SIMULATORS, Constants, Cost, Task, legacy_work
 from vkworkbench.core.zbuffer import Speed, measure_speed
 
-# Names of OpenGL renderers on the processor, which wait for no screen, and what a frame and a draw call were measured
-# to take there.
+# Names of OpenGL renderers that draw on the processor and wait for no screen, and the times of a frame and of a draw
+# call as measured with them, s.
 _SOFTWARE = ("llvmpipe", "softpipe", "swr", "swiftshader", "gdi generic", "microsoft basic render")
 _SOFTWARE_OPENGL = {"frame": 42e-3, "draw": 15e-6}
-# What a command of a play takes to show there, and a new percent of a fast-forward: Qt 6, with which FreeCAD 1.1 comes,
-# also paints the window on the processor.
+# Times with them to show a command of a play and a new percent of a fast-forward, s. Qt 6, with which FreeCAD 1.1
+# comes, paints the window on the processor, too.
 _SOFTWARE_PANEL = {"redraw": 40e-3}
 _SOFTWARE_PANEL_QT6 = {"redraw": 56e-3, "repaint": 30e-3}
-# Making meshes takes this much longer where pictures between them are drawn on the same processor.
+# Making meshes takes this many times longer where pictures between them are drawn on the same processor.
 _SOFTWARE_MESH = 1.5
-# A benchmark cuts in a warm cache; real operations take this much longer (benchmarks/simulators.py).
+# The calibration cuts in a warm cache; real operations take this many times longer (benchmarks/simulators.py).
 _COLD_CACHE = 1.5
-# What real runs teach, by their kind, and how many of each are kept.
+# The kinds of real runs to learn from, and how many of each are kept.
 _LESSONS = {lesson.kind: lesson for simulator in SIMULATORS for lesson in simulator.lessons}
 _LAST_RUNS = 15
-# What the benchmark cuts.
+# The stock that the calibration cuts.
 _STOCK = Stock((0, 0, 0), (100, 60, 20))
 _BOX = Part.makeBox(100, 60, 20)
 
@@ -56,7 +56,7 @@ class Calibration:
     date : str
         Day of the measurement, ISO 8601.
     freecad, processor, renderer : str
-        What it holds for.
+        With what it was measured: it holds for nothing else.
     runs : dict of str to tuple
         What is kept of the last real runs, by their kind: see the simulators' lessons.
     """
@@ -93,9 +93,9 @@ def constants(renderer: str = "") -> Constants:
 
 
 def measured_constants(renderer: str = "") -> Constants:
-    """Return the constants of this computer, in a window measured now if they never were.
+    """Return the constants of this computer; if there is a window and they never were measured, measure them now.
 
-    Without a window FreeCAD would fill a macro's output with the progress of the benchmark's meshes.
+    Without a window FreeCAD would write the progress of the calibration's meshes into a macro's output.
 
     Parameters
     ----------
@@ -103,7 +103,7 @@ def measured_constants(renderer: str = "") -> Constants:
         OpenGL's name of its renderer; empty where there is no window.
     """
     if FreeCAD.GuiUp and load(renderer) is None:
-        with suppress(OSError):  # what cannot be kept is measured the next time
+        with suppress(OSError):  # a calibration that cannot be saved is made again the next time
             return calibrate(renderer).constants
     return constants(renderer)
 
@@ -144,7 +144,7 @@ def load(renderer: str = "") -> Calibration | None:
 def calibrate(renderer: str = "") -> Calibration:
     """Measure the extended z-buffer and the legacy simulator on this computer, in half a second, and remember it.
 
-    The steps of a timer and the display cannot be measured without a window: :func:`learn` does.
+    What takes a timer or a display cannot be measured without a window: :func:`learn` finds it from real runs.
 
     Parameters
     ----------
@@ -171,16 +171,16 @@ def calibrate(renderer: str = "") -> Calibration:
 def learn(kind: str, cost: Cost, seconds: float, *, renderer: str = "") -> Calibration | None:
     """Learn from a simulation that the user ran.
 
-    What the last fifteen runs say counts, and an odd one among them does no harm.
+    The last fifteen runs count, and an odd one among them does no harm.
 
     Parameters
     ----------
     kind : {"fast-forward", "play", "draw"}
-        Of the run, as the simulators' lessons name it; "draw" are the last frames of a play of the OpenGL simulator.
+        Kind of the run, as the simulators' lessons name it; "draw" are the last frames of a play in the OpenGL one.
     cost : Cost
-        What was predicted with :func:`constants` for what was run.
+        The cost that was predicted for the run with :func:`constants`.
     seconds : float
-        What it took; of frames, each.
+        Time that the run took, s; for "draw", that of each frame.
     renderer : str
         OpenGL's name of its renderer.
 
@@ -234,7 +234,7 @@ def _key(renderer: str) -> str:
 
 
 def _speed_key() -> str:
-    """The z-buffer's speed is that of the processor with this numpy, in every FreeCAD."""
+    """Return the key of the z-buffer's speed, which depends on the processor and numpy but not on FreeCAD."""
     return "; ".join(("z-buffer", np.__version__, processor()))
 
 
@@ -248,13 +248,13 @@ def _for_renderer(base: Constants, renderer: str) -> Constants:
 
 
 def _here(seconds: float, cell: float) -> float:
-    """What takes so long where the defaults were measured, on a processor on which a mesh takes `cell` s a cell."""
+    """Scale a time from the computer of the defaults to one where a mesh takes `cell` s per cell."""
     return seconds * cell / DEFAULTS.cell
 
 
 def _measure() -> Constants:
     """Time small pieces of the legacy simulator's work, each dominated by one constant."""
-    # Short moves of a tool smaller than a cell and of a few cells; long ones; short ones of a wide tool.
+    # Short moves of a tool smaller than a cell, of one a few cells wide; long moves; short moves of a wide tool.
     pieces = [_cut(0.08, 0.1, 400), _cut(0.9, 0.1, 300), _cut(8.0, 80.0, 4), _cut(12.0, 0.1, 12)]
     work = np.array([counts for counts, _ in pieces])
     seconds = np.array([taken for _, taken in pieces])
@@ -278,7 +278,7 @@ def _measure() -> Constants:
 
 
 def _cut(diameter: float, length: float, count: int) -> tuple[list[float], float]:
-    """Cut moves to and fro; return how many calls, rings, steps along and around that is, and the time."""
+    """Cut moves to and fro; return the numbers of calls, rings, steps along and steps around, and the time, s."""
     resolution = 0.1
     words = [{"X": 10.0 + length * (i % 2), "Y": 30.0, "Z": 15.0} for i in range(count + 1)]
     commands = [PathCommand("G1", word) for word in words[1:]]
@@ -299,7 +299,7 @@ def _cut(diameter: float, length: float, count: int) -> tuple[list[float], float
 
 
 def _rough() -> PathSim:
-    """A stock of 50 x 60 cells of different heights, whose mesh joins none of them."""
+    """Return a stock of 50 x 60 cells whose heights differ so that its mesh joins none of them."""
     sim = PathSim()
     sim.BeginSimulation(Part.makeBox(50, 60, 20), 1.0)
     sim.SetToolShape(Part.makeCylinder(0.55, 20), 1.0)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Fingerprints that tell whether a mark still speaks of the operation it stands on.
+"""Fingerprints that tell whether a mark still describes the operation it stands on.
 
 They hold what the analysis depends on and nothing else, to the digits a file keeps: so they survive renaming,
 saving, reopening, and another FreeCAD version.
@@ -20,7 +20,7 @@ def path_fingerprint(obj) -> str:
 
 
 def commands_fingerprint(commands: list, placement) -> str:
-    """Return the same of a path's commands, one by one: the whole at once would hold up other threads."""
+    """Return the fingerprint of a path's commands; to write them all at once would hold up other threads."""
     return _of_gcode("".join([f"{command.toGCode()}\n" for command in commands]), placement)
 
 
@@ -40,13 +40,13 @@ def setting_fingerprint(tool: Tool | None, stock: Stock | None) -> str:
         angle = None if tool.tip_angle is None else round(tool.tip_angle, 4)
         parts[0] = (tool.shape, round(tool.diameter, 4), round(tool.corner_radius, 4), angle)
     if stock is not None:
-        # Two FreeCADs bound the same solid alike to a hundredth of a millimetre.
+        # The bounding boxes of one solid in two versions of FreeCAD agree to a hundredth of a millimetre.
         parts[1] = [round(float(value), 2) + 0.0 for value in (*stock.lower, *stock.upper)]
     return _digest(repr(parts))
 
 
 def read_setting_fingerprint(obj, job) -> str:
-    """Return that of the tool and the stock that an operation and its job have now."""
+    """Return the fingerprint of the tool and the stock that an operation and its job have now."""
     return setting_fingerprint(_or_none(read_tool, obj), _or_none(read_stock, job))
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What an operation is called, by its kind and its pattern, and whether its toolpath does that."""
+"""Whether an operation's toolpath does what the operation's kind and pattern say."""
 
 from __future__ import annotations
 
@@ -8,14 +8,14 @@ from vkworkbench.core import Recognition, Strategy
 from vkworkbench.document.operations import kind
 
 _S = Strategy
-# What the operations of FreeCAD make whose kind says it all.
+# The strategies that fit FreeCAD's kinds of operations without patterns.
 _KINDS = {
     "Adaptive": {_S.ADAPTIVE, _S.PROFILE}, "Deburr": {_S.PROFILE, _S.ENGRAVING}, "Drilling": {_S.DRILLING},
     "Engrave": {_S.ENGRAVING, _S.PROFILE}, "Helix": {_S.HELIX},
     "Profile": {_S.PROFILE, _S.ENGRAVING, _S.CONTOUR_PARALLEL}, "Tapping": {_S.DRILLING}, "ThreadMilling": {_S.HELIX},
     "Vcarve": {_S.ENGRAVING, _S.PROFILE}, "Waterline": {_S.WATERLINE},
 }  # fmt: skip
-# Patterns of pockets, facing and surfaces; FreeCAD's lines of a pocket are cut to and fro.
+# The strategies that fit the patterns of pockets, facing and surfaces; FreeCAD cuts a pocket's "Line" to and fro.
 _PATTERNS = {
     "Circular": {_S.CONTOUR_PARALLEL}, "CircularZigZag": {_S.ZIGZAG}, "Grid": {_S.ZIGZAG, _S.ONE_WAY},
     "Line": {_S.ONE_WAY, _S.ZIGZAG}, "Offset": {_S.CONTOUR_PARALLEL, _S.PROFILE, _S.SPIRAL}, "Spiral": {_S.SPIRAL},
@@ -24,7 +24,7 @@ _PATTERNS = {
 
 
 def contradicted(obj, found: Recognition) -> str | None:
-    """Return what an operation is called where its toolpath does something else.
+    """Return the kind or the pattern of an operation if its toolpath does something else.
 
     Parameters
     ----------

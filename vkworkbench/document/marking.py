@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Mark what a report found, and clear marks again: one undo step a document."""
+"""Write what a report found as marks, and clear marks again: one undo step for each document."""
 
 from __future__ import annotations
 
@@ -75,7 +75,7 @@ def clear(what=None) -> int:
 
 @contextmanager
 def transaction(document, name: str):
-    """Make the changes within one undo step, undone if one fails; part of the step that is already open."""
+    """Make changes as one undo step, undone if one fails; where a step is open already they become part of it."""
     if document.HasPendingTransaction or FreeCAD.getActiveTransaction():
         yield
         return
@@ -85,8 +85,8 @@ def transaction(document, name: str):
     except BaseException:
         FreeCAD.closeActiveTransaction(True)
         raise
-    # The document's own commit leaves it open where nothing changed or the document keeps no undo steps, and
-    # what the user does next, in whatever document, would be part of it.
+    # The document's own commit would leave the step open where nothing changed or the document keeps no undo steps;
+    # the user's next changes, in any document, would then be part of it.
     FreeCAD.closeActiveTransaction()
 
 
@@ -95,7 +95,7 @@ def _jobs(document) -> list:
 
 
 def _with_jobs(what) -> Iterator:
-    """The operations that `what` stands for and their jobs, also a job that has none any more."""
+    """The operations that `what` stands for and their jobs, also a job without operations."""
     for one in what if isinstance(what, Iterable) else [what]:
         if is_document(one):
             yield from (obj for obj in one.Objects if kind(obj))

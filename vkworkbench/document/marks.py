@@ -23,7 +23,7 @@ from vkworkbench.language import ENGLISH, Message, render
 from vkworkbench.report import OperationReport
 
 OPENING, CLOSING, SEPARATOR, OUTDATED = "⟦", "⟧", " · ", "outdated"
-# A segment is ours if it begins as ours do: brackets may be the user's or another tool's.
+# Segments that begin with these words are this add-on's; other brackets may be the user's or another tool's.
 _FIRST_WORDS = "|".join([*(strategy.value for strategy in Strategy), "[0-9]+ operations?"])
 _SEGMENT = re.compile(f" ?{OPENING}(?:{_FIRST_WORDS})(?: [^{OPENING}{CLOSING}]*)?{CLOSING}")
 _LONGEST_REMARK = 60  # characters of what is wrong; the whole is in the tooltip, the report and the properties
@@ -31,7 +31,7 @@ _LONGEST_REMARK = 60  # characters of what is wrong; the whole is in the tooltip
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
 
 GROUP = "Toolpath analysis"
-# Output (8) keeps a change from touching the object, ReadOnly (1) the user from changing it; 4 hides.
+# Attributes: Output (8) keeps a change from touching the object, ReadOnly (1) keeps the user from it, Hidden is 4.
 _SHOWN, _HIDDEN = 9, 13
 _PROPERTIES = {
     "ToolpathStrategy": ("App::PropertyString", _SHOWN, QT_TRANSLATE_NOOP(
@@ -76,13 +76,13 @@ def remarks_of(obj) -> tuple[Message, ...]:
 
 
 def _told(obj, name: str, english: str) -> tuple[Message, ...]:
-    """The messages of a mark, or its English text where none say the same: other versions write other sentences."""
+    """Return the messages of a mark, or its English text where they render otherwise: another version wrote them."""
     try:
         messages = tuple(map(Message.from_data, json.loads(obj.ToolpathMessages)[name]))
         if "; ".join(map(render, messages)) == english:
             return messages
     except (AttributeError, LookupError, TypeError, ValueError, ArithmeticError, RecursionError):
-        pass  # there are none, or what is there are none of ours
+        pass  # the mark has no messages, or none that this version can read
     return (Message("verbatim", text=english),) if english else ()
 
 
@@ -115,7 +115,7 @@ def with_words(label2: str, words: str) -> str:
 
 
 def refresh(obj, setting_of: Callable, *, path_changed: bool = True, setting_changed: bool = True) -> bool:
-    """Say "outdated" in a mark that no longer fits its operation, and no longer where it fits again.
+    """Add "outdated" to a mark that no longer fits its operation, and take it away where it fits again.
 
     Parameters
     ----------
@@ -124,7 +124,7 @@ def refresh(obj, setting_of: Callable, *, path_changed: bool = True, setting_cha
     setting_of : callable
         Returns the setting's fingerprint of an operation.
     path_changed, setting_changed : bool
-        What may differ from what the mark, if it is not outdated, was last found to fit.
+        What may have changed since the mark was last compared; an outdated mark is compared as a whole.
 
     Returns
     -------
@@ -144,7 +144,7 @@ def refresh(obj, setting_of: Callable, *, path_changed: bool = True, setting_cha
 
 
 def refresh_total(job) -> None:
-    """Say "outdated" in a job's mark while that of one of its operations is, or where it has others."""
+    """Say "outdated" in a job's mark while an operation's mark says it, or while the job has other operations."""
     if hasattr(job, "ToolpathFingerprint"):
         _refresh_total(job, [o.object for o in find(job) if o.counted])
 
@@ -186,7 +186,7 @@ def write(obj, report: OperationReport) -> None:
 
 
 def _cost(simulator: str, seconds: float, memory: float, factor: float, least: str = "") -> list[str]:
-    """Say whose time it is unless it is the z-buffer's."""
+    """Return time and memory in words, with the name of the simulator unless it is the z-buffer."""
     whose = "" if simulator == ZBUFFER.name else f"{simulator} "
     time = ENGLISH.about(ENGLISH.time(seconds), factor)
     return [whose + least + time, least + ENGLISH.memory(memory)]
@@ -248,7 +248,7 @@ def _set(obj, values: dict) -> None:
 
 
 def _describe(obj, segment: str) -> None:
-    """Put the segment where one stands already, else behind the user's own words."""
+    """Put the segment in the place of the present one, or behind the user's own words."""
     text = f"{OPENING}{segment}{CLOSING}"
     match = _SEGMENT.search(obj.Label2)
     if match:

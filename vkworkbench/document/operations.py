@@ -23,7 +23,7 @@ class Operation:
     job : DocumentObject or None
         Its job; None for a toolpath imported without one.
     counted : bool
-        Whether it counts in the job's total: what is posted, and nothing twice.
+        Whether the job's total counts it: the total has what is posted, and nothing twice.
     active : bool
         Whether FreeCAD posts it, by its own switch or that of the operation it dresses up.
     """
@@ -83,7 +83,7 @@ def find(what) -> list[Operation]:
 
 
 def _once(operations: Iterable[Operation]) -> dict[tuple[str, str], Operation]:
-    """Return each object's first operation by the names of its document and its own."""
+    """Return the first operation of each object, by the names of its document and of the object."""
     found: dict[tuple[str, str], Operation] = {}
     for operation in operations:
         found.setdefault(_key(operation.object), operation)
@@ -95,7 +95,7 @@ def _key(obj) -> tuple[str, str]:
 
 
 def _find(what, jobs: dict) -> Iterator[Operation]:
-    """Find the operations; `jobs` keeps those of each job, which a selection would find again and again."""
+    """Find the operations; `jobs` keeps those of each job, so that a selection searches no job twice."""
     if is_document(what):
         for obj in what.Objects:
             if kind(obj) == "job":

@@ -13,7 +13,7 @@ from vkworkbench.core import Stock, Tool, Toolpath
 from vkworkbench.document.operations import through_bases
 from vkworkbench.language import Message, Unusable
 
-# FreeCAD's names of tool shapes, written alike, and what they are for a simulation.
+# FreeCAD's names of tool shapes, in small letters only, and the shapes that stand for them in a simulation.
 _SHAPES = {
     "endmill": "endmill", "ballend": "ballend", "ballnose": "ballend", "bullnose": "bullnose", "torus": "bullnose",
     "vbit": "vbit", "chamfer": "vbit", "engraver": "vbit", "taperedballnose": "ballend", "drill": "drill",
@@ -87,7 +87,7 @@ def rapid_feeds(operation) -> tuple[float, float]:
 
 
 def placed(toolpath: Toolpath, placement) -> Toolpath:
-    """Return the toolpath where the operation's placement puts it."""
+    """Return the toolpath moved by the operation's placement."""
     if placement is None or placement.isIdentity():
         return toolpath
     matrix = np.array(placement.toMatrix().A).reshape(4, 4)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Marks that are kept up: from the first one on all documents are watched, and analysed again if the user wishes."""
+"""Marks kept up to date: all documents are watched from the first mark on, and analysed again if the user wishes."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ _upkeep: Upkeep | None = None
 
 
 def watch() -> None:
-    """Keep up the marks of all documents from now on; called again it does nothing."""
+    """Keep the marks of all documents up to date from now on; called again it does nothing."""
     global _upkeep
     if _upkeep is None:
         _upkeep = Upkeep()
@@ -33,7 +33,7 @@ def watch() -> None:
 
 
 def mark(report: Report) -> int:
-    """Write a report's findings on its operations and the totals on their jobs, and keep them up.
+    """Write a report's findings on its operations and the totals on their jobs, and keep them up to date.
 
     One undo step a document.
 

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Marks that stay true: a mark says "outdated" when its operation's path, tool or stock changed.
 
-FreeCAD tells of every changed property; those that matter are noted, and looked at when the recompute, undo or
-redo that changed them is over. Nothing is looked at while a document is being restored.
+FreeCAD tells of every changed property. Those that matter are noted, and the marks are compared when the recompute,
+undo or redo that changed them is over. Nothing is noted while a document is being restored.
 """
 
 from __future__ import annotations

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""From an NC program's file to a report: one row for each operation that its titles and tool changes tell."""
+"""From an NC program's file to a report: one row for each operation, divided by titles and tool changes."""
 
 from __future__ import annotations
 
@@ -103,14 +103,14 @@ def analyze_file(path: Path, chosen: Preferences) -> tuple[OperationReport, ...]
         rows = _rows(path, program, program.toolpath(tolerance=chosen.tolerance), split_sections(program), chosen)
     except Unusable as error:
         return (unread(path, error.what),)
-    except Exception as error:  # one of ours; it costs this file only
+    except Exception as error:  # an error of this add-on costs this file only
         return (unread(path, Message("not-analysed", error=f"{type(error).__name__}: {error}")),)
     fingerprint = hashlib.sha1(data, usedforsecurity=False).hexdigest()[:16]
     return tuple(replace(row, fingerprint=fingerprint) for row in rows)
 
 
 def unread(path: Path, why: Message) -> OperationReport:
-    """Return the row of a file of which nothing is known but why."""
+    """Return the row of a file without results, which says why."""
     nothing = linearize([])
     return OperationReport(
         document=str(path), name="", label=path.name, job=path.name, counted=False, recognition=recognize(nothing),
@@ -130,7 +130,7 @@ def _rows(
     lost = [Message("inches-as-millimetres")] if not program.unit_told and looks_like_inches(toolpath) else []
     starts = [section.first for _, section in cutting]
     remarks: list[list[Message]] = [[] for _ in cutting]
-    for problem in toolpath.problems:  # each stands with the operation in which it is first met
+    for problem in toolpath.problems:  # each is told with the operation in which it first occurs
         remarks[max(bisect_right(starts, problem.command) - 1, 0)].append(at_line(problem))
     return [
         _row(path, program, part, section, stock, chosen, [*lost, *said])
@@ -154,7 +154,7 @@ def _row(
     if unlike_milling:
         return replace(row, recognition=_unknown(part, unlike_milling), remarks=(unlike_milling, *remarks))
     tool = section.tool
-    if Message("inches-as-millimetres") in remarks:  # the tool that the program tells is too small as well
+    if Message("inches-as-millimetres") in remarks:  # the tool's size in the comments was read in mm as well
         found = recognize_inches(part, tool_diameter=tool and INCH * tool.diameter)
     else:
         found = recognize(part, tool_diameter=tool and tool.diameter)
@@ -172,13 +172,13 @@ def _row(
 
 
 def _turned(program: Program, section: Section) -> Message | None:
-    """Return what is said where a rotary axis turns during a cut of this operation."""
+    """Return the message about a rotary axis that turns during a cut of this operation, None if none does."""
     line = next((line for line in program.rotary if section.first <= line <= section.last), None)
     return None if line is None else Message("rotary", line=line)
 
 
 def _unknown(part: Toolpath, why: Message) -> Recognition:
-    """Return the verdict on moves whose way is not the tool's way through the part."""
+    """Return the verdict on moves that are not the tool's path through the part, with the reason."""
     span = Span(0, len(part) - 1, int(part.command[0]), int(part.command[-1]), Strategy.UNKNOWN, 1.0)
     return Recognition(Strategy.UNKNOWN, 0.0, why, (span,))
 

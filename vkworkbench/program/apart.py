@@ -32,7 +32,7 @@ def analyze_apart(path: Path, chosen: Preferences, patience: float) -> tuple[Ope
     path : Path
     chosen : Preferences
     patience : float
-        s after which it is given up, without starting a process.
+        Time for the analysis, s, after which it is given up; starting a process is not counted.
 
     Returns
     -------
@@ -96,10 +96,10 @@ class _Worker:
 
 def serve() -> None:
     """Analyse the programs that come on the standard input, until it ends; the rows go to the standard output."""
-    signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C is for who started it, and ends it with the input
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C is for the parent process, which then ends the input
     answers = os.fdopen(os.dup(sys.stdout.fileno()), "wb")
-    os.dup2(2, 1)  # nothing else may come between the answers
-    pickle.dump(True, answers)  # what it takes to start is not the first program's
+    os.dup2(2, 1)  # no other output may come between the answers
+    pickle.dump(True, answers)  # ready: the first program's time does not include the start
     answers.flush()
     while True:
         try:

@@ -23,7 +23,7 @@ from vkworkbench.report import OperationReport, cells_of
 
 _WRONG, _UNREAD, _STOPPED = 2, 1, 130  # exit statuses
 _CONNECT = 30  # s
-_AHEAD = 4  # files in hand for each that is worked on
+_AHEAD = 4  # files handed out for each one that is worked on
 
 
 class _Wrong(Exception):
@@ -43,7 +43,7 @@ def main(arguments: list[str] | None = None) -> int:
     except _Wrong as error:
         print(f"vkworkbench: {error}", file=sys.stderr)
         return _WRONG
-    except BrokenPipeError:  # nobody reads on, as with "| head"
+    except BrokenPipeError:  # the reader of the output has gone, as with "| head"
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return _STOPPED
 
@@ -132,7 +132,7 @@ def _results(asked: argparse.Namespace) -> Results | None:
 
 @contextmanager
 def _executor(asked: argparse.Namespace) -> Iterator[tuple[Executor, int]]:
-    """Give what runs the work, and how many files it is given ahead; what is not begun when left is dropped."""
+    """Give the executor and how many files it is handed ahead; on leaving, files that were not begun are dropped."""
     if asked.scheduler:
         with _cluster(asked.scheduler) as both:
             yield both
@@ -177,7 +177,7 @@ def _cluster(address: str) -> Iterator[tuple[Executor, int]]:
 def _analyzed(
     paths: Iterable[Path], executor: Executor, ahead: int, patience: float
 ) -> Iterator[tuple[Path, tuple[OperationReport, ...]]]:
-    """Give each program with its rows, in the order in which they are done."""
+    """Give each program with its rows, in the order in which they become ready."""
     chosen = preferences.read()
     rest = iter(paths)
     pending: dict[Future, Path] = {}
@@ -192,7 +192,7 @@ def _analyzed(
 
 
 def _rows(path: Path, future: Future) -> tuple[OperationReport, ...]:
-    """Return the rows of a program; where its computer left the cluster for good, one that says so."""
+    """Return the rows of a program; if its computer left the cluster for good, one row that says so."""
     try:
         return future.result()
     except ModuleNotFoundError as error:

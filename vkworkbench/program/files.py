@@ -13,14 +13,14 @@ from pathlib import Path
 
 from vkworkbench.language import Message, Unusable
 
-# How NC programs are named. In a folder others are passed by; a file that is named itself is read whatever it is called.
+# Suffixes of NC programs. In a folder other files are left out; a file that is named itself is read in any case.
 SUFFIXES = frozenset(
     ".nc .ngc .gcode .gc .g .tap .cnc .ncc .ncf .iso .eia .din .min .mpf .spf .prg .fnc .nc1 .ptp .mcd".split()
 )
 MOST_BYTES = 400_000_000  # of text; some ten million lines, more than a toolpath may have
 _PACKED = {".xz": lzma.open, ".gz": gzip.open}
 _MARKS = ((codecs.BOM_UTF8, "utf-8-sig"), (codecs.BOM_UTF16_LE, "utf-16"), (codecs.BOM_UTF16_BE, "utf-16"))
-# Letters beyond ASCII side by side: Cyrillic words. Western languages have them one by one.
+# Three letters beyond ASCII side by side are Cyrillic: Western languages have them one at a time.
 _CYRILLIC = re.compile(rb"[\xc0-\xff]{3}")
 _TEXT_CONTROLS = frozenset(b"\t\n\r\f\x0b")
 
@@ -78,7 +78,7 @@ def text_of(data: bytes) -> str:
     for mark, encoding in _MARKS:
         if data.startswith(mark):
             return data.decode(encoding, "replace")
-    data = data.strip(b"\0\x1a\x7f")  # a punched tape's leader, and how DOS ends a text
+    data = data.strip(b"\0\x1a\x7f")  # the leader of a punched tape, and the mark with which DOS ends a text
     controls = sum(data.count(code) for code in range(32) if code not in _TEXT_CONTROLS)
     if b"\0" in data or controls > 0.01 * len(data):
         raise Unusable(Message("no-text"))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""How far many files are, and how long the rest takes."""
+"""How many of many files are done, and how long the rest takes."""
 
 from __future__ import annotations
 
@@ -13,18 +13,18 @@ from typing import TextIO
 from vkworkbench.language import ENGLISH
 
 _PAUSE = 0.2, 30.0  # s between two reports, to a terminal and to a file
-_SMALL = 2000  # bytes that a file's own work is worth beside its size
+_SMALL = 2000  # bytes that are added to a file's size for the work that every file takes
 
 
 class Progress:
-    """Reports to a stream, the time by the sizes of the files.
+    """Reports progress to a stream; the remaining time is estimated from the sizes of the files.
 
     Parameters
     ----------
     paths : iterable of Path
         What there is to do.
     stream : TextIO
-        A terminal has one line that changes, anything else a line now and then.
+        On a terminal one line changes; anything else gets a new line now and then.
     """
 
     def __init__(self, paths: Iterable[Path], stream: TextIO) -> None:

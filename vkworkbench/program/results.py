@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Results written while they come: CSV or JSON lines, one line for each operation, and gone on with after a stop."""
+"""Results written as they come, one line of CSV or JSON for each operation; a stopped run can be continued."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ class JsonLines:
 
 
 class Csv:
-    """One line of a spreadsheet each, as `cells_of`, below a line of names."""
+    """One line of a table for each operation, as `cells_of`, below a line with the names of the columns."""
 
     def __init__(self, names: Iterable[str]) -> None:
         self._names = list(names)
@@ -74,7 +74,7 @@ class Results:
         ``"-"`` for the standard output.
     form : JsonLines or Csv
     resume : bool
-        Whether to go on with what the file has. Its last program is done again: its rows may not be complete.
+        Whether to continue the file. Its last program is done again: its rows may not be complete.
 
     Attributes
     ----------
@@ -84,7 +84,7 @@ class Results:
     Raises
     ------
     ValueError
-        If there are other lines in the file that is to be gone on with.
+        If the file that is to be continued holds other lines.
     OSError
         If the file cannot be written.
     """
@@ -123,7 +123,7 @@ class Results:
         for line in self._file:
             place += len(line)
             if not line.endswith(b"\n"):
-                break  # it was stopped while writing this one
+                break  # the run was stopped while it wrote this line
             if header:
                 if line != header:
                     raise ValueError("its columns are others")
