@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""How often a toolpath is said to be 25.4 times too small: as it is, and where it is.
+"""How often a toolpath is said to be in inches: wrongly at its true size, and rightly at 1/25.4 of it.
 
     python3 benchmarks/inches.py FILE...
 
 FILE is an NC program, a folder of them, or a ``.jsonl.gz`` of operations with their ``commands`` and ``tool_diameter``,
-as FreeCAD has them. Prints for each kind how often it is said of the true size, how often of 1/25.4 of it, and how many
-strategies are the same at both where it is said: with `recognize`, and with `recognize_inches`.
+as FreeCAD has them. Prints for each kind how often that is said at the true size and at 1/25.4 of it, and how many of
+the strategies found at the two sizes agree where it is said: with `recognize`, and with `recognize_inches`.
 """
 
 from __future__ import annotations
@@ -49,7 +49,7 @@ def shrunk(toolpath: Toolpath, feeds: float) -> Toolpath:
 def main() -> None:
     print(f"{'':40s} {'number':>7s} {'said at 1':>10s} {'at 1/25.4':>10s} {'same':>7s} {'as inches':>10s}")
     for name in map(Path, sys.argv[1:]):
-        imported = name.name.endswith(".jsonl.gz")  # FreeCAD takes a file's mm/min for mm/s, and inches
+        imported = name.name.endswith(".jsonl.gz")  # FreeCAD takes a file's mm or inches a minute for mm/s
         number = said = found = same = same_in_inches = judged = 0
         for toolpath, tool in (operations if imported else programs)(name):
             small = shrunk(toolpath, 60 / INCH if imported else 1 / INCH)

@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Learn which retracts part two operations, and write vkworkbench/core/recognition/borders.py.
+"""Learn which retracts separate two operations, and write vkworkbench/core/recognition/borders.py.
 
     python3 benchmarks/learn_borders.py PROGRAMS.jsonl.gz OPERATIONS.jsonl.gz ... [--write]
 
 PROGRAMS holds whole programs, OPERATIONS single operations as benchmarks/recognition.py reads both. The operations are
-also joined at random, two of one part with a rapid between, as examples of certain borders. What is printed is judged on
-sources that had no part in the learning: a tenth of the repositories and parts at a time.
+also joined at random, two of one part with a rapid between, so that their border is certain. What is printed is judged
+on sources that had no part in the learning: a tenth of the repositories and parts at a time.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ from vkworkbench.core.recognition.thresholds import VISITS  # noqa: E402
 from vkworkbench.core.recognition.visits import compared, find_visits  # noqa: E402
 
 TREES, LEAVES = 16, 50
-MANY = 60  # visits of one operation; of more some are taken, that no raster outweighs all other programs
+MANY = 60  # visits of one operation that are taken at most, so that no raster outweighs all other programs
 FOLDS = 10
 BORDERS_OF_PROGRAMS, OF_JOINED = 4.0, 0.5  # weights: true borders of real programs are rare
 TABLE = HERE.parent / "vkworkbench" / "core" / "recognition" / "borders.py"

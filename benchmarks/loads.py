@@ -3,9 +3,9 @@
 
     python3 benchmarks/loads.py
 
-It needs freecadcmd. Each size is analysed, marked and cleared in a FreeCAD of its own. Printed are the memory that
-the analysis takes beyond what FreeCAD and the document took before it, at its peak, and the time, also for each
-decade as a ratio: 10 is linear.
+It needs freecadcmd. Each size is analysed, marked and cleared in a FreeCAD of its own. Prints the peak of the memory
+that the analysis takes beyond that of FreeCAD and the document, the time, and the ratio of each time to that of a
+tenth of the commands: 10 is linear.
 """
 
 from __future__ import annotations

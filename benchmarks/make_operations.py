@@ -82,7 +82,7 @@ class Part:
     def make(self, kind, label, truth, base, diameter, tool="endmill.fcstd", **properties):
         """Make an operation of `kind` and write its record; afterwards the document is as before."""
         controller = self.controller(tool, diameter)
-        self.job.Tools.Group = [controller]  # of several FreeCAD asks which
+        self.job.Tools.Group = [controller]  # with several, FreeCAD asks which
         before = self.names()
         signal.alarm(PATIENCE)
         try:
@@ -105,7 +105,7 @@ class Part:
             self.out.write(json.dumps(record) + "\n")
         self.job.Operations.Group = []
         for name in self.names() - before:
-            if self.document.getObject(name):  # some go with others
+            if self.document.getObject(name):  # some are removed together with others
                 self.document.removeObject(name)
 
     def mill(self):

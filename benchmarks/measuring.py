@@ -33,7 +33,7 @@ def shape(tool):
 def in_rounds(runs):
     """Run each simulation, a kind and a function, a few times in turns: a slow minute spoils one time of each only.
 
-    Return the seconds of each, those left out from which the host took time; None if it did not end.
+    Return the seconds of each without the runs from which the host took time; None for one that did not end.
     """
     times = [[] for _ in runs]
     for turn in range(max(ROUNDS.values())):
@@ -48,7 +48,7 @@ def in_rounds(runs):
 
 
 def beside(predicted, seconds):
-    """A prediction in words, the median of the seconds that the runs took, which counts, and all of them."""
+    """A prediction, the median of the runs' seconds, which counts, and all of these seconds, in words."""
     each = " ".join(f"{taken:.2f}" for taken in seconds)
     return f"{predicted:7.2f} s  {median(seconds or [math.nan]):7.2f} s  of {each}"
 

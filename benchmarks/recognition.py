@@ -36,8 +36,8 @@ from vkworkbench.core.gcode import linearize  # noqa: E402
 from vkworkbench.core.recognition import recognize  # noqa: E402
 
 BACK_AND_FORTH = {s.value for s in Strategy if s.family is Family.ROWS}
-AROUND = {s.value for s in Strategy if s.family is Family.AROUND} - {"adaptive"}  # whose bites are neither
-WITHOUT_STEPOVER = {"adaptive", "waterline", "helix"}  # what StepOver is there is another thing
+AROUND = {s.value for s in Strategy if s.family is Family.AROUND} - {"adaptive"}  # adaptive bites are neither
+WITHOUT_STEPOVER = {"adaptive", "waterline", "helix"}  # their StepOver means something else
 SEEDS = 20  # synthetic toolpaths of each kind
 
 

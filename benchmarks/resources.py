@@ -216,7 +216,7 @@ def print_budgets(operations) -> None:
 
 
 def seconds_at(speed: Speed, toolpath, tool, stock, view) -> float:
-    """Time of a simulation, of three the median, if the computer's speed had stayed what it was."""
+    """Median time of three simulations, s, corrected to the computer's speed at the beginning."""
     durations, speeds = [], [speed]
     for _ in range(3):
         begin = time.process_time()

@@ -84,7 +84,7 @@ def of_document(doc):
 
 
 def of_corpus(name):
-    """The same of a file of JSON lines; 3D surfaces are cut with a ball end."""
+    """Name, commands, tool and stock of every operation in a file of JSON lines; 3D surfaces get a ball end."""
     with (gzip.open if name.endswith(".gz") else open)(name, "rt") as lines:
         records = [r for r in map(json.loads, lines) if r.get("stock") and r.get("tool_diameter")]
     for record in records[:: math.ceil(len(records) / MOST)]:

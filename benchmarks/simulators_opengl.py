@@ -42,7 +42,7 @@ class Frames(QtCore.QObject):
 def run(samples, out):
     """Play every sample that does not take too long at the fastest speed, and print the ratios.
 
-    Each prediction is scaled by the median of what the runs before it took, compared with theirs.
+    Each prediction is multiplied by the median ratio of time to prediction in the runs before it.
     """
     FreeCADGui.activateWorkbench("CAMWorkbench")  # which loads the pictures of the simulator's buttons
     speed = max(opengl_speeds(freecad.version()))

@@ -88,12 +88,12 @@ def main():
     document, job = job_document()
     report = vkworkbench.analyze(document)
     vkworkbench.mark(report)
-    FreeCAD.removeDocumentObserver(upkeep._upkeep)  # the one of mark
+    FreeCAD.removeDocumentObserver(upkeep._upkeep)  # the watcher that `mark` has added
     observer = Timed()
     recompute(document, job)
     without, with_watcher, shares = [], [], []
     for turn in range(2 * TURNS):
-        if turn % 4 in (1, 2):  # without, with, with, without: what drifts does not favour one
+        if turn % 4 in (1, 2):  # without, with, with, without: a drift of the computer's speed favours neither
             FreeCAD.addDocumentObserver(observer)
             Timed.seconds, Timed.calls = 0.0, 0
             with_watcher.append(recompute(document, job))

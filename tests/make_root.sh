@@ -14,7 +14,7 @@ flock 9 # two runs of the tests may want it at the same time
 
 if [ ! -d "$root" ]; then
     rm -rf "$root.new"
-    # debootstrap names its scripts by suite; one older than the suite still has sid's.
+    # debootstrap has a script for each suite; that of sid is also there in a debootstrap older than the suite.
     debootstrap --variant=minbase "$suite" "$root.new" "$mirror" /usr/share/debootstrap/scripts/sid
     # A testing suite's Release file may have expired on a mirror that is not updated.
     echo 'Acquire::Check-Valid-Until "false";' > "$root.new/etc/apt/apt.conf.d/99vkworkbench"

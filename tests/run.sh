@@ -5,7 +5,7 @@
 #     tests/run.sh [core|document|gui] [0.20.2|1.0.0|1.1.3|bookworm|trixie|forky] [PYTEST ARGUMENTS]
 #
 # The FreeCADs come from Debian: the machine's own release and roots of the others, made once, a few minutes each, in a
-# cache folder. A FreeCAD that cannot be had is said at the end. Logs and pictures are in build/tests.
+# cache folder. A FreeCAD that cannot be installed is named at the end. Logs and pictures are in build/tests.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 

@@ -25,7 +25,7 @@ for layer in $layers; do
         gui) command=(xvfb-run -a -s "-screen 0 1280x1024x24 -dpi 96 -ac" "${limit[@]}" freecad "$PWD/tests/in_freecad.py") ;;
     esac
     status=0
-    # Only a FreeCAD layer is not captured: its log has to show what FreeCAD swallows.
+    # pytest captures no output of the FreeCAD layers: their logs have to show what FreeCAD swallows.
     # FreeCAD as root needs its browser's sandbox off, and under Xvfb OpenGL in software.
     env -i HOME="$home" XDG_RUNTIME_DIR="$home/run" PATH=/usr/sbin:/usr/bin:/sbin:/bin LC_ALL=C.UTF-8 \
         PYTHONDONTWRITEBYTECODE=1 HYPOTHESIS_STORAGE_DIRECTORY="$home/hypothesis" \

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What is coloured beside the strategies, whose colours are in their table (core/strategy.py)."""
+"""Colours of what is no strategy; those of the strategies are in their table (core/strategy.py)."""
 
 TEXT = "#ffffff"  # on any strategy
-TOTAL = "#62748d"  # of a job
+TOTAL = "#62748d"  # of a job's total
 RAPID = "#8c8c8c"

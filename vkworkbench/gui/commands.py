@@ -97,7 +97,7 @@ def _selected() -> list:
 
 
 def mark(report) -> None:
-    """Write the marks and show them as pills, without a pause that one could see."""
+    """Write the marks and show them as pills, without a visible delay."""
     pills.show()
     with tree.steady_columns():
         vkworkbench.mark(report)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The add-on's docks at the bottom of the window: one behind the other, for side by side none has room."""
+"""The add-on's docks at the bottom of the window, as tabs: there is no room for them side by side."""
 
 from __future__ import annotations
 

@@ -29,7 +29,7 @@ _GROWTH = 0.5  # how much the arcs' radius grows or shrinks along the trail
 class GaussCanvas(FigureCanvasQTAgg):
     """A widget with the three plots of one area; `step` moves through its trajectories.
 
-    What changes with the step is drawn upon a picture of the rest, so that a slider stays quick.
+    What changes with the step is drawn over a stored picture of the rest, so that the slider responds at once.
     """
 
     def __init__(self) -> None:
@@ -39,7 +39,7 @@ class GaussCanvas(FigureCanvasQTAgg):
         self._moving: list = []
         self._still = None
         self._k = 0
-        self.points, self.drawn = 0, 0  # of the polyline, and of it on the picture
+        self.points, self.drawn = 0, 0  # points of the polyline, and those of them that the picture has
         # Matplotlib's own timer for drawing later never fires again in FreeCAD 1.0 once an SVG was saved.
         self._later = QTimer(self)
         self._later.setSingleShot(True)

@@ -55,7 +55,7 @@ class GaussMapDock(QDockWidget):
         self._later.timeout.connect(self.refresh)
 
         self.title, self.values, self.legend = QLabel(), QLabel(), QLabel(_legend())
-        self.title.setTextFormat(Qt.PlainText)  # an operation's label is text, whatever it looks like
+        self.title.setTextFormat(Qt.PlainText)  # plain text: an operation's label may look like HTML
         for label in (self.title, self.values, self.legend):
             label.setWordWrap(True)  # a dock may be narrow
             label.setTextInteractionFlags(Qt.TextSelectableByMouse)
@@ -112,7 +112,7 @@ class GaussMapDock(QDockWidget):
             self._say_nothing()
 
     def refresh(self) -> None:
-        """Show the selected operation; another selection leaves what is shown."""
+        """Show the selected operation; where none is selected, what is shown stays."""
         if not self.isVisible():
             return
         chosen = [obj for obj in Gui.Selection.getSelection() if kind(obj) in ("operation", "dressup", "array")]
@@ -245,7 +245,7 @@ def _row(*widgets: QWidget) -> QHBoxLayout:
 
 
 def _reached(of: Areas | Signature) -> str:
-    """What phi reaches in all areas, as the mark and the table say it, or in one."""
+    """Return the range of phi and the level in words: of all areas, as in the mark and the table, or of one area."""
     text = translate("Vk_GaussMap", "φ between {} and {} turns, level n = {}, exact reversals: {}")
     return text.format(*map(user().turns, of.phi_range), of.top_level, user().count(len(of.reversals)))
 

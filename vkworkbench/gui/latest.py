@@ -20,7 +20,7 @@ def remember(report: Report) -> None:
 
 
 def report_of(document) -> Report:
-    """Return what is known of a document's operations as they are now, in their order; nothing of no document."""
+    """Return the latest findings on the operations that a document has now, in their order; none without a document."""
     known = _found.get(document.Name, {}) if document is not None else {}
     operations = tuple(known[o.object.Name] for o in find(document) if o.object.Name in known) if known else ()
     jobs = {(o.document, o.job): _jobs[o.document, o.job] for o in operations if o.job is not None}
@@ -28,7 +28,7 @@ def report_of(document) -> Report:
 
 
 def found_of(obj) -> OperationReport | None:
-    """Return what is known of an operation, None where its path has changed since."""
+    """Return the latest finding on an operation, None if its path has changed since."""
     known = _found.get(obj.Document.Name, {}).get(obj.Name)
     if known is None or known.fingerprint.partition(":")[0] != path_fingerprint(obj):
         return None
@@ -36,5 +36,5 @@ def found_of(obj) -> OperationReport | None:
 
 
 def forget(document_name: str) -> None:
-    """Drop what is known of a document."""
+    """Drop the findings on a document."""
     _found.pop(document_name, None)

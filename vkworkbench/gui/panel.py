@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The results panel: a dock with the table of operations, what is to be said of the selected one, exports."""
+"""The results panel: a dock with the table of operations, the findings on the selected one in words, exports."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ _WIDEST_LABEL = 260  # px; a longer one has its end in the tooltip
 
 
 class ResultsDock(QDockWidget):
-    """Shows what was found in the active document; its selection and FreeCAD's are one."""
+    """Shows what was found in the active document; a selection in its table is one in FreeCAD, and the reverse."""
 
     def __init__(self, parent: QWidget) -> None:
         super().__init__(translate("Vk_Results", "Toolpath results"), parent)
@@ -94,7 +94,7 @@ class ResultsDock(QDockWidget):
         self.refresh()
 
     def _timer(self, work) -> QTimer:
-        """Many changes, one piece of work once FreeCAD is done with them."""
+        """Return a timer that does the work once for many changes, as soon as FreeCAD is done with them."""
         timer = QTimer(self)
         timer.setSingleShot(True)
         timer.timeout.connect(work)
@@ -150,7 +150,7 @@ class ResultsDock(QDockWidget):
         header.setStretchLastSection(False)
         self.table.resizeColumnsToContents()
         self.table.setColumnWidth(0, min(self.table.columnWidth(0), _WIDEST_LABEL))
-        # Where there is no room to give, stretching would take some.
+        # Where the table has no room to spare, stretching would make the last column narrower.
         header.setStretchLastSection(header.length() < self.table.viewport().width())
         for button in (self.csv, self.json, self.copy):
             button.setEnabled(bool(self._report.operations))

@@ -26,7 +26,7 @@ _LEFT, _RIGHT = 0x81, 0x82  # with Qt.AlignVCenter; as numbers, which every PySi
 
 @dataclass(frozen=True)
 class Row:
-    """One operation or one total, with what can only be read from the document.
+    """One operation or one total, with what is read from the document as it is now.
 
     Attributes
     ----------
@@ -81,7 +81,7 @@ def _remarks(obj, found: OperationReport):
 
 @dataclass(frozen=True)
 class Column:
-    """One column: its title, what it explains, how it is sorted and shown.
+    """One column: its title and explanation, how it is sorted and shown.
 
     Attributes
     ----------
@@ -91,7 +91,7 @@ class Column:
     text : callable
         What the user reads of that value.
     factor : callable
-        How sure the value of a row is: the true one is between it divided and multiplied by this.
+        The true value of a row is between the value divided and multiplied by this factor.
     """
 
     title: str
@@ -238,7 +238,7 @@ class ResultsOrder(QSortFilterProxyModel):
         model = self.sourceModel()
         row = model.rows[index.row()]
         value = model.columns[index.column()].value(row)
-        # Qt turns the order round where it falls; what stays below then has to come first.
+        # Qt reverses a descending order; what has to stay below must then come first.
         below = [isinstance(row.found, Total), value is None]
         if self.sortOrder() != Qt.AscendingOrder:
             below = [not flag for flag in below]

@@ -2,8 +2,8 @@
 """Marks as pills in the tree's Description column: the strategy on its colour, the cost beside it.
 
 A delegate makes them out of the cell's text and keeps no state, so recompute, undo, renaming and reopening
-need no care. The style still paints all text, with a gap where the pill goes: themes know the colours of their
-text best.
+need no special care. The style still paints all text, and leaves a gap for the pill: themes know the colours of
+their text best.
 """
 
 from __future__ import annotations
@@ -77,7 +77,7 @@ class Mark:
 
     @property
     def rest(self) -> str:
-        """What stands behind the pill, what must be seen first."""
+        """The text behind the pill, the most important part first."""
         words = [translate("Pills", "outdated") if self.outdated else "", self.cost, self.after]
         return "  ".join(filter(None, words))
 
@@ -183,7 +183,7 @@ def _gap(mark: Mark, metrics) -> str:
 
 
 def _outlined(mark: Mark, metrics) -> str:
-    """The pill's text with room for its outline: without a colour below it, it is in that of all text."""
+    """Return the pill's text with room for its outline: such a pill is not filled, so its text has the usual colour."""
     padding = _SPACE * math.ceil(_PADDING / metrics.horizontalAdvance(_SPACE))
     return f"{padding}{mark.pill}{padding}"
 
@@ -212,14 +212,14 @@ def explanation(mark: Mark, obj) -> str:
 
 
 def _time(obj) -> str:
-    """The time of an object's mark, between what and what where it is only about that."""
+    """Return the time in an object's mark; as a range where it is only a rough estimate."""
     seconds, factor = obj.ToolpathSeconds, obj.ToolpathFactor
     time = user().time
     return time(seconds) if factor < ROUGH else user().between(time(seconds / factor), time(seconds * factor))
 
 
 def _object_of(index):
-    """Return the marked object of a cell of the tree, by its label and its document's; None if that is not one."""
+    """Return the marked object of a cell of the tree, by the labels of object and document; None unless one fits."""
     root = index.sibling(index.row(), 0)
     label, description = root.data(), index.data()
     above = []  # in 0.20 documents stand below "Application", later at the top

@@ -33,7 +33,7 @@ class PreferencesPage:
         self.form.calibrate.clicked.connect(self._calibrate)
 
     def _offer_simulators(self) -> None:
-        """List the simulators that this FreeCAD has, and hide what means nothing without the others."""
+        """List the simulators that this FreeCAD has, and hide the preferences of the others."""
         from vkworkbench.core.simulators import SIMULATORS, available
 
         there_are = available(freecad.version())

@@ -12,7 +12,7 @@ from vkworkbench.gui.text import translate
 from vkworkbench.report import Report
 
 _DELAY = 300  # ms; a shorter analysis shows no dialog
-_WIDTH = 400  # px; else it would change with every label, and FreeCAD draw the 3D view behind it anew
+_WIDTH = 400  # px; a width that changed with every label would make FreeCAD draw the 3D view behind it anew
 
 
 def analyze(what) -> Report:
@@ -28,7 +28,7 @@ def analyze(what) -> Report:
     dialog.setWindowModality(Qt.WindowModal)
     dialog.setMinimumDuration(_DELAY)
     dialog.setMinimumWidth(_WIDTH)
-    # An operation's label is text, whatever it looks like.
+    # Plain text: an operation's label may look like HTML.
     dialog.findChild(QLabel).setTextFormat(Qt.PlainText)
     dialog.rejected.connect(dialog.cancel)  # Esc, whichever part of the dialog takes it
 
@@ -38,7 +38,7 @@ def analyze(what) -> Report:
         dialog.setValue(done)
 
     def cancelled() -> bool:
-        # Before the dialog is there to keep them from the window, clicks have to wait.
+        # Clicks have to wait until the dialog is visible and keeps them from the window.
         waiting = QEventLoop.AllEvents if dialog.isVisible() else QEventLoop.ExcludeUserInputEvents
         QApplication.processEvents(waiting)
         return dialog.wasCanceled()

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Learns from the simulations that the user runs how long FreeCAD's simulators take on this computer.
 
-It looks at the simulators' own widgets and windows and slows nothing down: what it notes are times, and it computes
-when a run is over.
+It watches the simulators' own widgets and windows and slows nothing down: during a run it only notes times, and it
+computes afterwards.
 """
 
 from __future__ import annotations
@@ -41,12 +41,12 @@ from vkworkbench.gui.qt import (
 )  # fmt: skip
 from vkworkbench.gui.renderer import note_renderer
 
-# Longer operations and plays are not learned from: that would be felt, s of work for a constant.
+# Nothing is learned from longer operations and plays: the seconds of computing would be felt.
 _MOST_COMMANDS = 50_000
 _MOST_FRAMES = 2000
-# Frames that show the end of a play: the picture that is finished is shown in less than half their time.
+# The last frames of a play. Their time has to be more than twice that of the finished picture.
 _LAST_FRAMES = 5
-# Frames played for the steps of a whole play: more or fewer were paused, or begun before.
+# Frames played as a share of those of a whole play; outside, the play was paused, or began before it was watched.
 _FEWEST, _MOST = 0.9, 1.2
 
 
@@ -64,7 +64,7 @@ def watch_opengl(window) -> None:
 
 
 class LegacyRuns(QObject):
-    """The runs of one legacy simulator's panel, each from the press of a button until all are free again."""
+    """The runs of one legacy simulator's panel, each from the press of a button until all buttons are enabled again."""
 
     def __init__(self, fast_forward) -> None:
         super().__init__(fast_forward)
@@ -82,7 +82,7 @@ class LegacyRuns(QObject):
 
     def eventFilter(self, button, event) -> bool:
         if event.type() == QEvent.EnabledChange and button.isEnabled() and self._begin and self._done() == 100:
-            # FreeCAD makes and shows the last mesh yet.
+            # FreeCAD has yet to make and to show the last mesh.
             QTimer.singleShot(0, lambda: QTimer.singleShot(0, self._ended))
         return False
 
@@ -93,7 +93,7 @@ class LegacyRuns(QObject):
             return
         position, speed = sliders
         renderer = note_renderer()
-        with suppress(OSError, ValueError):  # not kept, or arcs of too many chords
+        with suppress(OSError, ValueError):  # the file cannot be written, or an arc has too many chords
             costs = [
                 legacy_costs(Task(linearize(path.Commands), tool, stock), accuracies=(SLIDER[position - 1],),
                              speed=speed, constants=calibration.constants(renderer))[0]
@@ -111,7 +111,7 @@ class LegacyRuns(QObject):
 
 
 class OpenGLRun(QObject):
-    """One window of the OpenGL simulator: when it draws, from the last click, "play", until it is closed."""
+    """One window of the OpenGL simulator: when it draws, from the last click (that on "play") until it is closed."""
 
     def __init__(self, window) -> None:
         super().__init__(window)
@@ -143,7 +143,7 @@ class OpenGLRun(QObject):
             return
         renderer = note_renderer()
         speeds = opengl_speeds(freecad.version())
-        with suppress(OSError, ValueError):  # not kept, or arcs of too many chords
+        with suppress(OSError, ValueError):  # the file cannot be written, or an arc has too many chords
             cost = opengl_together([
                 opengl_cost(Task(linearize(path.Commands), tool, stock), speeds=speeds, quality=quality,
                             constants=calibration.constants(renderer))
@@ -155,10 +155,10 @@ class OpenGLRun(QObject):
 
 
 def _played(frames: np.ndarray) -> int:
-    """Return the number of frames until all was drawn, 0 where it was not.
+    """Return the number of frames until all was drawn, 0 if that did not happen.
 
-    Frames grow with what they draw, and all after the last are alike: the end is where two such lines fit best. They
-    are fitted with medians, because other programs make frames slow for a while.
+    A frame takes longer the more it draws, and after the last motion all frames take the same time: the end is where
+    two such lines fit best. They are fitted with medians, because other programs make frames slow for a while.
     """
     if not 2 * _LAST_FRAMES <= len(frames) <= _MOST_FRAMES:
         return 0

@@ -27,7 +27,7 @@ def note_renderer(*, again: bool = False) -> str:
     Parameters
     ----------
     again : bool
-        Whether to ask OpenGL where it is known already.
+        Whether to ask OpenGL even if the name is known already.
     """
     known = preferences.read().renderer
     if known and not again:

@@ -150,7 +150,7 @@ def _emphasize() -> None:
 
 
 def _spans(obj, toolpath: Toolpath):
-    """The spans that the last analysis found, or those of the toolpath if it has changed since."""
+    """Return the spans that the last analysis found; if the toolpath has changed since, recognise it now."""
     known = latest.found_of(obj)
     if known is not None:
         return known.spans

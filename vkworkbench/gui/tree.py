@@ -13,7 +13,7 @@ from vkworkbench.gui.qt import QDockWidget, QHeaderView, Qt, QTreeView
 
 DESCRIPTION = 1
 _TREE_PREFERENCES = "User parameter:BaseApp/Preferences/TreeView"
-_DOCK_WIDTH = 500  # px; FreeCAD's 260 would leave the column outside
+_DOCK_WIDTH = 500  # px; with FreeCAD's 260 the column would be out of sight
 
 
 def trees() -> list[QTreeView]:
@@ -25,7 +25,7 @@ def trees() -> list[QTreeView]:
 def show_description() -> bool:
     """Make the Description column visible and wide enough to read; return whether it was hidden."""
     preferences = FreeCAD.ParamGet(_TREE_PREFERENCES)
-    # Before there was no such preference: the column was always visible.
+    # Before 1.0 there was no such preference: the column was always visible.
     can_hide = freecad.version() >= freecad.DESCRIPTION_HIDDEN_SINCE
     was_hidden = can_hide and preferences.GetBool("HideColumn", True)
     if was_hidden:
@@ -41,7 +41,7 @@ def show_description() -> bool:
 
 
 def fit_description() -> None:
-    """Fit the columns of the trees to the rows in sight; 1.x fits them by itself."""
+    """Fit the columns of the trees to the visible rows; 1.x does that by itself."""
     for tree in trees():
         tree.header().setResizeContentsPrecision(0)
         for column in (0, DESCRIPTION):
@@ -51,7 +51,7 @@ def fit_description() -> None:
 
 @contextmanager
 def steady_columns():
-    """Keep the trees from being laid out again after each change of a text: 200 marks cost 1 s in 1.x else."""
+    """Keep the trees from a new layout after each changed text, which takes 1 s for 200 marks in 1.x."""
     views = trees()
     modes = [[view.header().sectionResizeMode(i) for i in range(view.header().count())] for view in views]
     uniform = [view.uniformRowHeights() for view in views]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The workbench, its guests in FreeCAD's own CAM workbench, and what starts with FreeCAD. Loads no numpy."""
+"""The workbench, its commands in FreeCAD's own CAM workbench, and what starts with FreeCAD. Loads no numpy."""
 
 from __future__ import annotations
 
@@ -84,7 +84,7 @@ def _extend(workbench, menu: str) -> None:
 
 
 class _OpenedDocuments:
-    """Looks at the marks of a document once it has been opened: they may have been made for another path."""
+    """Compares the marks of a document with its paths once it has been opened: they may be of other paths."""
 
     def slotCreatedDocument(self, document) -> None:
         self._later(document.Name)
@@ -105,7 +105,7 @@ class _OpenedDocuments:
         document = FreeCAD.listDocuments().get(name)
         if document is None:
             return
-        if document.Restoring:  # FreeCAD's progress bar lets timers run
+        if document.Restoring:  # still loading: FreeCAD's progress bar lets timers run meanwhile
             self._later(name)
         elif any(hasattr(obj, "ToolpathFingerprint") for obj in document.Objects):
             # These load numpy: only for a document with marks.
@@ -118,7 +118,7 @@ class _OpenedDocuments:
 
 
 class _Simulations:
-    """Sees when the user opens the legacy simulator: it puts the part it cuts into the document."""
+    """Notices that the user opens the legacy simulator, by the part to be cut, which it puts into the document."""
 
     def slotCreatedObject(self, obj) -> None:
         if obj.Name.startswith("CutMaterial"):
@@ -128,7 +128,7 @@ class _Simulations:
 
 
 def _focus_changed(window) -> None:
-    """See when the user opens the OpenGL simulator, a window of its own."""
+    """Notice that the user opens the OpenGL simulator, which has a window of its own."""
     if window is not None and "CAMSim" in window.metaObject().className():
         from vkworkbench.gui import real_runs
 
