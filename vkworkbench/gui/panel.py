@@ -34,7 +34,7 @@ from vkworkbench.gui.sentences import said, strategy_name, user
 from vkworkbench.gui.text import translate
 from vkworkbench.report import Total, plain_text
 
-_WIDEST_LABEL = 260  # px; a longer one has its end in the tooltip
+_WIDEST_LABEL = 260  # px; the tooltip shows the end of a longer one
 
 
 class ResultsDock(QDockWidget):

@@ -24,7 +24,7 @@ def monotonous_areas(toolpath: Toolpath, first: int = 0, last: int | None = None
     ----------
     toolpath : Toolpath
     first, last : int
-        Range of trajectories to look at, last inclusive; all where not given.
+        Range of trajectories to split, last inclusive; all where not given.
 
     Returns
     -------

@@ -67,7 +67,7 @@ def cutting_moves(toolpath: Toolpath, first: int = 0, last: int | None = None) -
     ----------
     toolpath : Toolpath
     first, last : int
-        Range of trajectories to look at, last inclusive; all where not given.
+        Range of trajectories to split, last inclusive; all where not given.
 
     Returns
     -------

@@ -100,8 +100,8 @@ class Signature:
     closed : bool
         Whether the polyline ends where it began; one given by its points, to a millionth of its size.
     closing : float
-        The turn from the last trajectory back into the first of a closed polyline, rad; 0 of an open one. Offset loops
-        that are linked have that of their last loop.
+        The turn from the last trajectory back into the first of a closed polyline, rad; 0 of an open one. For linked
+        offset loops, that of the last loop.
     level : (n,) int64
         n, the integer part of phi / 2 pi, truncated toward zero.
     length : (n,) float64

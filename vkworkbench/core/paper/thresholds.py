@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The thresholds below which a move, a direction or a gap is rounding; written as those of the recognition.
+"""The thresholds below which a move, a direction or a gap is rounding; in the form of recognition/thresholds.py.
 
 Each has its unit (up to the first full stop), what it tells apart, and what goes wrong without it. How the verdicts
 change when one moves is printed by benchmarks/thresholds.py.

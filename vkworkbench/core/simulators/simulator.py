@@ -146,7 +146,7 @@ class Lesson:
 
 @dataclass(frozen=True)
 class Advice:
-    """How the finest setting is chosen with which a simulator stays within a budget, and how it is told.
+    """How a simulator's finest setting within a budget is chosen, and how it is shown.
 
     Attributes
     ----------
