@@ -83,9 +83,9 @@ class Areas(Moves):
         if len(chosen):
             size = (self.end - self.start)[chosen]
             of = np.flatnonzero(np.repeat(found, self.end - self.start))
-            swept = np.add.reduceat(self.x[of] * self.dy[of] - self.y[of] * self.dx[of], np.cumsum(size) - size)
+            twice_area = np.add.reduceat(self.x[of] * self.dy[of] - self.y[of] * self.dx[of], np.cumsum(size) - size)
             chord = (end_x * self.y[first] - end_y * self.x[first])[chosen]
-            found[chosen] = is_closed(gap[chosen], (swept + chord) / 2, size)
+            found[chosen] = is_closed(gap[chosen], (twice_area + chord) / 2, size)
         return found
 
     @cached_property

@@ -166,19 +166,19 @@ def _split(planar, rapid, z, dx, dy, dz, length) -> tuple[np.ndarray, np.ndarray
 def _without_air(planar, index, start, rapid, z, dx, dy, dz, length) -> tuple[np.ndarray, np.ndarray]:
     """Leave out the links in the air of programs that lift, traverse and plunge at feed instead of rapid.
 
-    Such a link is straight and level, begins by a lift and ends by a plunge; at the ends of a program one of
+    Such a link is straight and horizontal, begins by a lift and ends by a plunge; at the ends of a program one of
     the two is enough.
     """
     if not len(start) or len(index) == len(planar):
         return index, start
     last = np.append(start[1:], len(index)) - 1
     a, b = index[start], index[last]
-    level = np.abs(z[b + 1] - z[a]) < MOVES.STILL
+    horizontal = np.abs(z[b + 1] - z[a]) < MOVES.STILL
     straight = dx[a] * dx[b] + dy[a] * dy[b] > MOVES.ONWARD * length[a] * length[b]
     steep = np.where(length > MOVES.STILL, 0.0, dz)  # moves straight up or down, rapid or at feed
     rises, falls = np.append(0.0, steep)[a] > MOVES.STILL, np.append(steep, 0.0)[b + 1] < -MOVES.STILL
     lifted, plunges = rises | (a == 0), falls | (b == len(dz) - 1)
-    air = level & straight & lifted & plunges
+    air = horizontal & straight & lifted & plunges
     if len(start) > 1:
         # A plateau between walls is no link: it goes on in the direction of the lower pass beside it.
         before, after = b[:-1], a[1:]

@@ -28,7 +28,7 @@ def plane_of_toolpath(points: np.ndarray, rapid: np.ndarray) -> tuple[int, ...]:
     """Return the axes of the plane that a toolpath cuts in, and of its normal.
 
     XY, unless the path stays in a vertical plane and slopes in it (contouring in G18): in XY all its rows would lie
-    on one line. A slot cut at several depths by level passes and vertical plunges stays in XY.
+    on one line. A slot cut at several depths by horizontal passes and vertical plunges stays in XY.
 
     Parameters
     ----------

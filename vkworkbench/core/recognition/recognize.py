@@ -160,7 +160,7 @@ def _judge_one(toolpath: Toolpath, moves: Areas, first: int, last: int, tool: fl
 
 
 def _runs(section: Section, verdict: Verdict) -> list[tuple[int, int, Strategy]]:
-    """Return the stretches of the loops and of the rows of a mixed operation, links with what they follow."""
+    """Return the stretches of loops and of rows in a mixed operation; a link belongs to what it follows."""
     of_rings, of_rows = verdict.parts
     is_ring = section.ring_pieces.copy()
     known = is_ring | section.row_pieces
@@ -196,8 +196,7 @@ def _borders(toolpath: Toolpath, moves: Areas) -> dict[int, bool]:
 
 
 def _sculptured(moves: Areas) -> bool:
-    """Whether the heights of the moves are too many for depths: there plunges are passes clipped to a
-    point."""
+    """Whether there are too many heights for depths: then plunges are passes of a raster, clipped to a point."""
     return count_depths(moves.z[:: len(moves) // ROWS.SAMPLE + 1]) > PARTS.DEPTHS
 
 
@@ -273,21 +272,21 @@ def _agree(toolpath, whole: Recognition, found: list[Recognition], share: np.nda
 
 
 def _short(one: Recognition) -> bool:
-    """Whether a section is too little to tell a strategy from."""
+    """Whether a section is too little to show a strategy."""
     return one.closed_loops < 2 and (one.passes or 0) < 3
 
 
 def _differs(one: Recognition, main: Recognition, certain: bool) -> bool:
     """Whether a section is another operation than the main one.
 
-    Behind a tool change another strategy is another operation. A comment alone divides only what has nothing
-    in common: FreeCAD titles the passes of one operation, and a roughing and a finishing pass of one pocket
-    are a contour-parallel and a profile.
+    Where a tool change parts them, another strategy is another operation. A comment alone divides only strategies of
+    different families: FreeCAD titles the passes of one operation, and the roughing and the finishing pass of one
+    pocket are a contour-parallel and a profile.
     """
     if Strategy.UNKNOWN in (one.strategy, main.strategy):
         return False
     if not one.closed_loops and (one.passes or 0) < 3:
-        return False  # too little to tell a strategy from
+        return False  # too little to show a strategy
     if certain:
         return one.strategy is not main.strategy
     families = {one.strategy.family, main.strategy.family}

@@ -70,7 +70,7 @@ class Verdict:
 
 
 def judge(s: Section) -> Verdict:
-    """Judge a section by its rings, its rows or its open strokes, whichever it is made of."""
+    """Judge a section by its rings, its rows or its open strokes, whichever make up most of it."""
     rings = s.share(s.ring_pieces[s.rings.index])
     opened = 1 - rings
     rowlike = max(s.zigzag, sum(f.length for f in s.rows) / s.length)
@@ -80,17 +80,18 @@ def judge(s: Section) -> Verdict:
     bites, against = s.part(s.strokes.bite), s.part(s.strokes.against)
     number = int(s.strokes.bite.sum())
     many = bites > BITES.SHARE and number >= BITES.COUNT
-    circles = arcs is not None and arcs.strategy is Strategy.CONTOUR_PARALLEL  # bites change their radius
+    # Circles that the boundary cuts open overlap, too. Those keep their radii, and bites do not.
+    circles = arcs is not None and arcs.strategy is Strategy.CONTOUR_PARALLEL
     if many and not circles and against < BITES.AGAINST * bites and rowlike < ENOUGH.SHARE:
         support = CONFIDENCE.GIVEN + (1 - CONFIDENCE.GIVEN) * bites
         return Verdict(Strategy.ADAPTIVE, support, number, Message("bites-overlap", count=number))
     if arcs:
         return arcs
-    # What a hunting tool leaves between its windings it cuts in rows and bites.
+    # Whatever the rest is: a tool that corrects its direction all the time leaves remnants to rows and bites.
     hunting, nested = s.share(s.hunting), s.share(s.rings.nested)
     if min(hunting, nested) > ENOUGH.SHARE * rings:
         return Verdict(Strategy.ADAPTIVE, hunting / rings, len(s.rings), Message("endless-winding"))
-    # Offsets whose innermost loops degenerate to passes are still offsets.
+    # Offsets are still offsets where the innermost are so narrow that they are passes and no loops.
     offsets = rings > RINGS.OFFSETS and nested > RINGS.OFFSETS * rings
     if offsets or (rings > RINGS.ALONE and (rowlike < RINGS.ROWS_BESIDE or not s.rows)):
         return _judge_rings(s, rings)
@@ -109,9 +110,9 @@ def judge(s: Section) -> Verdict:
 def _judge_rings(s: Section, rings: float) -> Verdict:
     r = s.rings
     helix = s.share(r.stacked & r.sloped & r.round)
-    # Circles among other contours ramped in the same way are profiles, too.
+    # Where other contours are ramped in the same way, the round ones among them are profiles like those.
     if helix > ENOUGH.SHARE * rings and s.share(r.round) > RINGS.ALL_ROUND * rings:
-        # A level winding that goes on outward clears a pocket, however long the helix that leads into it.
+        # A flat winding that goes on outward clears a pocket, however long the helix that leads into it.
         clears = r.nested & r.winding & ~r.sloped & ~r.stacked
         if (clears[1:] & clears[:-1]).sum() >= 2:
             return Verdict(Strategy.ADAPTIVE, (helix + s.share(clears)) / rings, len(r), ENTERED)
@@ -132,7 +133,7 @@ def _judge_rings(s: Section, rings: float) -> Verdict:
         winding = s.share(r.winding)
         linked = s.share(s.aside)
         if winding > ENOUGH.SHARE * rings and linked < ENOUGH.SHARE * winding:
-            # A spiral that its boundary clips leaves arcs around its centre, which are judged before.
+            # A spiral leaves nothing to bites and strokes; one that the boundary cuts open is judged by its arcs.
             bitten = s.part(s.strokes.bite) > ADAPTIVE.BITES and s.strokes.bite.sum() >= ENOUGH.TIMES
             if bitten or helix > ADAPTIVE.ENTRY or s.strokes.length.sum() > ADAPTIVE.STROKES * s.length:
                 return Verdict(Strategy.ADAPTIVE, winding / rings, len(r), ENTERED)
@@ -145,7 +146,7 @@ def _judge_rings(s: Section, rings: float) -> Verdict:
         return Verdict(Strategy.ADAPTIVE, moved / rings, len(r), Message("loops-move"))
     if s.share(r.alone) > ENOUGH.SHARE * rings and s.filled() > POCKET.FILLED:
         return Verdict(Strategy.MIXED, CONFIDENCE.POCKET, 2, Message("pass-inside"))
-    # A loop that comes again shows a contour; loops with no relation to any other are contours by default.
+    # A loop that comes again is a contour. So are loops that have nothing to do with one another, with less support.
     support = CONFIDENCE.GIVEN + (1 - CONFIDENCE.GIVEN) * s.share(r.repeated) / rings
     rival = max(nested, deeper if changing else 0.0, moved if len(r) >= ENOUGH.TIMES else 0.0) / rings
     return Verdict(Strategy.PROFILE, support, len(r) + 2, Message("not-nested"), rival=rival)
@@ -162,7 +163,7 @@ def _judge_rows(s: Section, rowlike: float) -> Verdict:
 
 
 def _judge_arcs(s: Section) -> Verdict | None:
-    """Judge circles that the boundary cuts open: rows around a centre in place of along an axis."""
+    """Judge circles that the boundary cuts open: rows around a centre."""
     arcs = find_arcs(s.moves, s.pieces, np.union1d(s.strokes.index, s.rings.index))
     if arcs is None or arcs.count < ENOUGH.TIMES or arcs.even < ENOUGH.SHARE or arcs.length < ENOUGH.SHARE * s.length:
         return None
