@@ -73,7 +73,7 @@ def report_programs(file: str) -> None:
         if len(record.sections) < 2:
             continue
         several += 1
-        found, length = recognize(record.path), reached(record)
+        found, length = recognize(record.path, program=True), reached(record)
         shares += covered(record, found, length)
         compare(record, found, length, borders)
     print(
@@ -89,7 +89,7 @@ def report_joined(files: list[str]) -> None:
     single = [r for r in operations(files) if r.sections and len(r.path) < JOINED]
     pairs = [r for r in joined(single, 2 * PAIRS) if not r.sections[0].accepted & r.sections[1].accepted][:PAIRS]
     if pairs:
-        good = [min(covered(r, recognize(r.path), reached(r))) >= IN_PLACE for r in pairs]
+        good = [min(covered(r, recognize(r.path, program=True), reached(r))) >= IN_PLACE for r in pairs]
         print(f"{len(pairs)} pairs of operations with a rapid between: both spans right and in place {np.mean(good):.3f}")
 
 

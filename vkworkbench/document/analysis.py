@@ -193,9 +193,9 @@ def _work(
     diameter = tool and tool.diameter
     if reading.imported and looks_like_inches(toolpath, tool_diameter=diameter, imported=True):
         remarks.append(Message("inches-as-millimetres"))  # FreeCAD's importer drops G20
-        found = recognize_inches(toolpath, tool_diameter=diameter)
+        found = recognize_inches(toolpath, tool_diameter=diameter, program=True)
     else:
-        found = recognize(toolpath, tool_diameter=diameter)
+        found = recognize(toolpath, tool_diameter=diameter, program=reading.imported)
     if found.strategy is Strategy.EMPTY and not toolpath.commands <= len(toolpath.comments):
         remarks.append(Message("no-cutting-move"))
     elif found.strategy is Strategy.EMPTY:

@@ -132,15 +132,16 @@ def _rows(
     remarks: list[list[Message]] = [[] for _ in cutting]
     for problem in toolpath.problems:  # each is told with the operation in which it first occurs
         remarks[max(bisect_right(starts, problem.command) - 1, 0)].append(at_line(problem))
+    undivided = len(cutting) == 1  # no title and no tool change tells whether it is one operation
     return [
-        _row(path, program, part, section, stock, chosen, [*lost, *said])
+        _row(path, program, part, section, stock, chosen, [*lost, *said], undivided)
         for (part, section), said in zip(cutting, remarks)
     ]
 
 
 def _row(
     path: Path, program: Program, part: Toolpath, section: Section, stock: Stock | None, chosen: Preferences,
-    remarks: list[Message],
+    remarks: list[Message], undivided: bool,
 ) -> OperationReport:  # fmt: skip
     """Return the row of one operation."""
     row = replace(
@@ -155,9 +156,9 @@ def _row(
         return replace(row, recognition=_unknown(part, unlike_milling), remarks=(unlike_milling, *remarks))
     tool = section.tool
     if Message("inches-as-millimetres") in remarks:  # the tool's size in the comments was read in mm as well
-        found = recognize_inches(part, tool_diameter=tool and INCH * tool.diameter)
+        found = recognize_inches(part, tool_diameter=tool and INCH * tool.diameter, program=undivided)
     else:
-        found = recognize(part, tool_diameter=tool and tool.diameter)
+        found = recognize(part, tool_diameter=tool and tool.diameter, program=undivided)
     costs, advice = {}, {}
     if tool and stock:
         conditions = Conditions(

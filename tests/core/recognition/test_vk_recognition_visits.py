@@ -42,7 +42,7 @@ def test_most_pairs_of_operations_are_told_apart():
             if one == two:
                 continue
             path = after(first, second)
-            found = recognize(path, tool_diameter=TOOL)
+            found = recognize(path, tool_diameter=TOOL, program=True)
             border = len(linearize(first))
             names = [str(s.strategy) for s in found.spans]
             good = names == [one, two] and abs(found.spans[1].first - border) <= 6
@@ -63,12 +63,12 @@ def test_an_operation_that_retracts_within_itself_is_one(name):
         program = [*program, ("G0", {"Z": programs.CLEAR}), *shifted]
     whole = linearize(program)
     assert len(whole) > 3 * len(path)
-    found = recognize(replace(whole, comments=()), tool_diameter=TOOL)
+    found = recognize(replace(whole, comments=()), tool_diameter=TOOL, program=True)
     assert found.strategy == name and len(found.spans) == 1, found.reason
 
 
 def test_visits_lie_between_retracts_to_the_top():
-    path = after(DIFFERENT["zigzag"], DIFFERENT["helix"])
+    path = after(DIFFERENT["profile"], DIFFERENT["helix"])
     visits = find_visits(path, monotonous_areas(path))
     top = path.points[:, 2].max()
     for last, first in zip(visits.last[:-1], visits.first[1:]):
@@ -91,10 +91,16 @@ def test_next_to_nothing_has_no_borders(commands):
 
 def test_nothing_is_mixed_that_has_one_name():
     path = after(DIFFERENT["zigzag"], DIFFERENT["zigzag"])
-    assert recognize(path, tool_diameter=TOOL).strategy is Strategy.ZIGZAG
+    assert recognize(path, tool_diameter=TOOL, program=True).strategy is Strategy.ZIGZAG
 
 
 def test_a_forest_is_the_mean_of_its_trees():
     forest = Forest(["0<0.5 0:100 1<2 1:100 2:50,1:50", "2:100"], 3)
     shares = forest.shares(np.array([[0.0, 9.0], [1.0, 1.0], [1.0, 3.0]]))
     assert shares.tolist() == [[0.5, 0.0, 0.5], [0.0, 0.5, 0.5], [0.0, 0.25, 0.75]]
+
+
+def test_only_what_may_be_a_program_is_divided():
+    path = after(DIFFERENT["profile"], DIFFERENT["helix"])
+    assert len(recognize(path, tool_diameter=TOOL, program=True).spans) == 2
+    assert len(recognize(path, tool_diameter=TOOL).spans) == 1

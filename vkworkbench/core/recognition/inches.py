@@ -11,7 +11,9 @@ from vkworkbench.core.toolpath import Toolpath
 from vkworkbench.language import Message
 
 
-def recognize_inches(toolpath: Toolpath, *, tool_diameter: float | None = None) -> Recognition:
+def recognize_inches(
+    toolpath: Toolpath, *, tool_diameter: float | None = None, program: bool = False
+) -> Recognition:
     """Recognise a toolpath of inches that were read as millimetres.
 
     Parameters
@@ -20,13 +22,15 @@ def recognize_inches(toolpath: Toolpath, *, tool_diameter: float | None = None) 
         As it was read.
     tool_diameter : float, optional
         mm, the tool's true one.
+    program : bool
+        As `recognize` takes it.
 
     Returns
     -------
     Recognition
         The verdict on 25.4 times the size; lengths in it are those of the toolpath as it was read.
     """
-    found = recognize(replace(toolpath, points=INCH * toolpath.points), tool_diameter=tool_diameter)
+    found = recognize(replace(toolpath, points=INCH * toolpath.points), tool_diameter=tool_diameter, program=program)
     paper = found.paper and replace(found.paper, v=tuple(x / INCH for x in found.paper.v))
     stepover = found.stepover and found.stepover / INCH
     return replace(found, why=_as_read(found.why), stepover=stepover, paper=paper)

@@ -103,7 +103,9 @@ class Recognition:
         return render(self.why)
 
 
-def recognize(toolpath: Toolpath, *, tool_diameter: float | None = None) -> Recognition:
+def recognize(
+    toolpath: Toolpath, *, tool_diameter: float | None = None, program: bool = False
+) -> Recognition:
     """Recognise the machining strategy of an operation (paper, section 3; docs/recognition.md).
 
     Parameters
@@ -112,6 +114,9 @@ def recognize(toolpath: Toolpath, *, tool_diameter: float | None = None) -> Reco
         The linearised trajectories.
     tool_diameter : float, optional
         mm. Where it is unknown (None, 0, nan) the usual step between passes takes its place.
+    program : bool
+        Whether it may hold several operations that nothing parts but a retract, as an imported program does. One
+        operation must not be divided so: it retracts, too.
 
     Returns
     -------
@@ -126,10 +131,11 @@ def recognize(toolpath: Toolpath, *, tool_diameter: float | None = None) -> Reco
     first, last = int(np.argmin(rapid)), len(rapid) - 1 - int(np.argmin(rapid[::-1]))
     whole = _judge_one(toolpath, moves, first, last, tool)
     borders = _borders(toolpath, moves)
-    borders.update((at, True) for at in begun(toolpath, moves))
+    if program:
+        borders.update((at, True) for at in begun(toolpath, moves))
     if not 0 < len(borders) <= PARTS.BORDERS:
         return whole
-    return _judge_sections(toolpath, borders, whole, tool)
+    return _judge_sections(toolpath, borders, whole, tool, program)
 
 
 def _judge_one(toolpath: Toolpath, moves: Areas, first: int, last: int, tool: float) -> Recognition:
@@ -200,7 +206,7 @@ def _sculptured(moves: Areas) -> bool:
     return count_depths(moves.z[:: len(moves) // ROWS.SAMPLE + 1]) > PARTS.DEPTHS
 
 
-def _judge_sections(toolpath, borders, whole: Recognition, tool: float) -> Recognition:
+def _judge_sections(toolpath, borders, whole: Recognition, tool: float, program: bool) -> Recognition:
     """Recognise the sections between the borders; mixed where they differ as much as their borders ask."""
     found, certainly = [], []
     cutting = np.flatnonzero(~toolpath.rapid)
@@ -220,9 +226,10 @@ def _judge_sections(toolpath, borders, whole: Recognition, tool: float) -> Recog
     certain = np.array(certainly) != certainly[main]
     differs = np.array([_differs(r, found[main], sure) for r, sure in zip(found, certain)])
     drilled = np.array([r.strategy is Strategy.DRILLING for r in found])  # holes have next to no length
-    if share[differs].sum() < PARTS.ASIDE and not (differs & certain & (drilled | (share > PARTS.CERTAIN))).any():
+    enough = drilled | (share > PARTS.CERTAIN) if program else drilled
+    if share[differs].sum() < PARTS.ASIDE and not (differs & certain & enough).any():
         return _agree(toolpath, whole, found, share)
-    runs = _joined([_one_span(r) for r in found])
+    runs = _joined([_one_span(r) for r in found] if program else found)
     names = list(dict.fromkeys(strategy for _, _, strategy in runs))
     why = Message("sections", count=len(runs), strategies=names, strategy=Strategy.MIXED)
     confidence = float((share * [r.confidence for r in found]).sum())

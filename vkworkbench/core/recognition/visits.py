@@ -210,7 +210,7 @@ def begun(toolpath: Toolpath, moves: Areas) -> list[int]:
 
     FreeCAD retracts within one operation and foreign programs do not mark theirs: a retract to the top height is a
     border only where what follows differs from what came before in feed, ground, depths or pattern as it does between
-    operations. How such differences go together was learned (benchmarks/learn_recognition.py).
+    operations. How such differences go together was learned (benchmarks/learn_borders.py).
     """
     visits = find_visits(toolpath, moves)
     if visits is None:
