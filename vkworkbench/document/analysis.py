@@ -37,7 +37,7 @@ def analyze(
 ) -> Report:
     """Analyse operations: strategy, lengths and what simulating them costs. Writes nothing in a document.
 
-    The first time it also measures this computer, in half a second.
+    The first time it also measures this computer, in about a second.
 
     Parameters
     ----------

@@ -142,7 +142,7 @@ def load(renderer: str = "") -> Calibration | None:
 
 
 def calibrate(renderer: str = "") -> Calibration:
-    """Measure the extended z-buffer and the legacy simulator on this computer, in half a second, and remember it.
+    """Measure the extended z-buffer and the legacy simulator on this computer, in about a second, and remember it.
 
     What takes a timer or a display cannot be measured without a window: :func:`learn` finds it from real runs.
 
