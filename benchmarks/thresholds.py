@@ -4,13 +4,13 @@
 
     python3 benchmarks/thresholds.py [NAME ...] [FILE.jsonl.gz ...]
 
-Each threshold is divided by a thousand, halved, doubled and multiplied by a thousand; shares, cosines and angles move to
-the ends of their range in place of the thousand. The toolpaths are those of toolpaths/synthetic.py and those of the files
+Each threshold is divided by a thousand, halved, doubled and multiplied by a thousand; shares, cosines and angles move
+to the ends of their range in place of the thousand. The toolpaths are those of toolpaths/synthetic.py and of the files
 (records as in recognition.py). NAME, as ROWS or ROWS.FARTHER, asks for some thresholds only. Needs numpy only.
 
 Printed for each move: how many of the verdicts change, how many right ones become wrong (-) and wrong ones right (+).
-After a ~ stand the answers that keep their strategy and change in a number or in the confidence. For the thresholds that
-were asked for by name, the kinds of toolpath that get another verdict follow.
+After a ~ stand the answers that keep their strategy and change in a number or in the confidence. For the thresholds
+that were asked for by name, the kinds of toolpath that get another verdict follow.
 """
 
 from __future__ import annotations
@@ -36,7 +36,8 @@ from vkworkbench.core.recognition import thresholds as of_recognition  # noqa: E
 HOMES = (of_paper, of_recognition)
 #: What is measured once and read again where it does not depend on the threshold that moves.
 STEPS = (
-    ("recognize", "monotonous_areas"), ("recognize", "without_repeats"), ("recognize", "paper_verdict"), ("recognize", "Section"),
+    ("recognize", "monotonous_areas"), ("recognize", "without_repeats"), ("recognize", "paper_verdict"),
+    ("recognize", "begun"), ("recognize", "Section"),
     ("section", "cut_pieces"), ("section", "relate_rings"), ("section", "relate_strokes"), ("section", "find_rows"),
 )  # fmt: skip
 
@@ -90,7 +91,8 @@ def subjects() -> dict[type, dict[str, str]]:
     for home in HOMES:
         for _, subject in inspect.getmembers(home, inspect.isclass):
             text = inspect.getsource(subject)
-            found[subject] = {name: unit for unit, name in re.findall(r"#: ([^.\n]+)\..*\n(?:\s*#: .*\n)*\s*(\w+) = ", text)}
+            declared = re.findall(r"#: ([^.\n]+)\..*\n(?:\s*#: .*\n)*\s*(\w+) = ", text)
+            found[subject] = {name: unit for unit, name in declared}
     return found
 
 
@@ -145,8 +147,9 @@ def main(names: list[str], files: list[str]) -> None:
         reads.append(Watched.readers.pop())
     right = [told in accepted for (told, _), (_, _, accepted, _) in zip(base, paths)]
     print(f"{len(paths)} toolpaths, {sum(right)} verdicts right\n")
-    print(f"{'':28s}{'value':>8s}  {'read by':>7s}  {'a thousandth or 0':24s}{'half':24s}{'double':24s}{'a thousand or 1':24s}unit")
-    silent = []
+    heads = "".join(f"{head:24s}" for head in ("a thousandth or 0", "half", "double", "a thousand or the end"))
+    print(f"{'':28s}{'value':>8s}  {'read by':>7s}  {heads}unit")
+    count, silent = 0, []
     for subject, of_subject in units.items():
         for name, unit in of_subject.items():
             threshold, value = (subject.__name__, name), getattr(subject, name)
@@ -154,6 +157,7 @@ def main(names: list[str], files: list[str]) -> None:
                 continue
             concerned = [k for k, r in enumerate(reads) if threshold in r]
             columns, kinds, changed = [], [], 0
+            count += 1
             for moved in moves(value, unit):
                 Watched.moved = {threshold: moved}
                 now = {k: answer(*paths[k][:2]) for k in concerned}
@@ -172,8 +176,7 @@ def main(names: list[str], files: list[str]) -> None:
             print(f"{'.'.join(threshold):28s}{value:8.4g}  {len(concerned):7d}  {told}{unit}", flush=True)
             if names and kinds:
                 print("\n".join(kinds))
-    count = sum(map(len, units.values()))
-    print(f"\n{count} thresholds; these change no verdict wherever they are: {', '.join(silent) or 'none'}")
+    print(f"\n{count} thresholds; without changing a verdict anywhere: {', '.join(silent) or 'none'}")
     print(f"{time.perf_counter() - began:.0f} s")
 
 

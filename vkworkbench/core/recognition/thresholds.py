@@ -1,280 +1,373 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Every threshold of the recogniser: its unit, what it tells apart and what goes wrong without it.
+"""Every threshold of the recogniser: its unit, what it tells apart, and what goes wrong without it.
 
-One idea has one threshold, however many places ask for it. How the verdicts change when one moves is printed by
-`benchmarks/thresholds.py`, which reads the unit (up to the first full stop) from the comments here.
+One idea has one threshold, however many places ask for it. "Without" means at the end of its range. The command
+`benchmarks/thresholds.py` moves each and prints the verdicts that change; it reads the unit from the comment, up to
+the first full stop. "By tests" says what only a toolpath of tests/core/recognition needs, "by real code" what only
+programs of others need, which had no part in the rules.
 """
 
 
 class SAME:
-    #: mm. Heights closer than this are one depth.
+    """What rounding and sampling leave between two things that are one."""
+
+    #: mm. Heights closer than this are one depth. Larger: the turns of helices lie at one depth and are profiles.
     HEIGHT = 0.02
-    #: mm. Lines and sides of boxes closer than this in the plane are one line.
+    #: mm. Lines and sides of boxes closer than this are one line. Larger: all rows lie on one, and zigzags are
+    #: engravings. At 0 so are a few whose rows were rounded.
     PLACE = 0.02
-    #: mm. Rings whose boxes differ by less on every side are one ring.
+    #: mm. Rings whose boxes differ by less on every side are one ring. Larger: all offsets are, and pockets profiles.
     RING = 0.05
-    #: share of the ring's size. Large rings may differ by so much more.
+    #: share of the ring's size. Large rings may differ by this much more. At 1 all offsets are one ring.
     RING_OF_SIZE = 0.002
-    #: share of the reach. But by no more than this of the distance at which two rings are neighbours.
+    #: share of the reach. But by no more than this of it, where that is more than RING. With no such bound, and no
+    #: tool, helices are profiles; at 1, by real code, contours are mixed.
     RING_OF_REACH = 0.25
-    #: share of the larger area. Two rings in one box that differ more are two shapes.
+    #: share of the larger area. Two rings in one box whose areas differ by more are two shapes. At 0 the turns of a
+    #: helix in chords are all different, and it is a profile.
     AREA = 0.05
-    #: mm. Boxes this close are one footprint, whatever their depth.
+    #: mm. Pieces with boxes and lengths this close have one footprint. Larger: the contours of a waterline repeat.
     GROUND = 0.1
 
 
 class LITTLE:
-    #: share of the length. Open strokes in all that are less are the links between loops.
+    """What is too little to decide: links from pass to pass, leads, remnants."""
+
+    #: share of the length. Open strokes in all that are less are the links between loops. Larger: bites are links.
     LINKS = 0.02
-    #: share of the longest. Shorter rings and strokes are links and leads.
+    #: share of the longest. Shorter rings and strokes are links and leads. Larger: the inner offsets of a pocket are.
     PIECE = 0.02
-    #: share of the longest pass. Shorter ones along the rows are links that run along the boundary.
+    #: share of the usual pass. Shorter ones are links along the boundary. Larger: a raster of triangles loses its rows.
     PASS = 0.1
-    #: share of the length. Where less may be rows, it is links.
+    #: share of the length. What may be rows is links where it is less. Larger: zigzags are engravings.
     ROWS = 0.1
-    #: share of the first family of rows. Less in other directions is no second family.
+    #: share of the first family of rows. Less in other directions is no second family. Larger: grids are engravings.
     FAMILY = 0.1
 
 
 class ENOUGH:
-    #: share. What more than half of it is, it is.
+    """How much of something makes the whole."""
+
+    #: share. What more than half of it is, the whole is. Nothing else can say so: at 0 everything is everything.
     SHARE = 0.5
-    #: count. Fewer repetitions are chance.
+    #: count. Fewer repetitions are chance: rows that share an area with loops, trochoids, bites, arcs, lines of a grid,
+    #: equal steps. At 1 open profiles are zigzags, larger: trochoids are profiles.
     TIMES = 5
 
 
 class PASSES:
-    #: cosine. A move so close to the axis of its stretch is part of a pass.
+    """Back and forth, or around."""
+
+    #: cosine. A move so parallel to the axis of its stretch is part of a pass. At 0 and at 1 the links between rows
+    #: are passes and rows are none: zigzags are mixed.
     ALONG = 0.9
-    #: share of the length. A stretch of which more lies between half-turns that alternate goes back and forth.
+    #: share of the length. A stretch goes back and forth where more of it lies between half-turns that alternate.
+    #: At 1 zigzags with a piece of the boundary are mixed.
     ALTERNATING = 0.3
-    #: ratio. So many times as long as what lies between half-turns of one sense.
+    #: ratio. And it is so many times as long as what lies between half-turns that do not. Less: grids are mixed.
     MORE = 2
-    #: share of the length. The same of closed loops.
+    #: share of the length. The same of closed loops. At 0 the finishing pass of a pocket is taken for a zigzag; at 1
+    #: zigzags that end where they began are loops.
     ALTERNATING_LOOP = 0.55
 
 
 class WINDINGS:
-    #: turns. A winding that turns by more against its sense steps aside to the next loop.
-    ASIDE = 0.075
-    #: turns. A stretch with a larger net turn is a winding.
+    """What goes around several times without closing."""
+
+    #: turns. A stretch with a larger net turn is a winding. Less: letters are; with no limit, spirals are profiles.
     TURN = 1.2
-    #: turns. A winding that turns back by more in all is wavy, a stroke no bite.
+    #: turns. A winding that turns back by more in all is wavy, a stroke that does is no bite. At 0 smoothly linked
+    #: offsets and sampled spirals are profiles.
     WAVERING = 0.5
-    #: places. A winding that is corrected at fewer is no hunt for the engagement.
-    CORRECTIONS = 8
-    #: rad. Nor where it turns by more at each.
-    CORRECTION = 0.17453292519943295
-    #: rad mm. What bends by less over its length may be rounding to 0.01 mm.
-    ROUGH = 0.05
-    #: turns. A winding that turns back by more may be passes of a lattice.
+    #: turns. A winding that turns back by more may be passes of a lattice. Larger: grids are mixed.
     BOUNCING = 0.75
-    #: rad. Turns that are larger are corners.
+    #: turns. A winding that turns by more against its sense steps aside to the next loop. Larger: smoothly linked
+    #: offsets are spirals; at 0, by real code, spirals are linked offsets.
+    ASIDE = 0.075
+    #: rad mm. A bend may be made by rounding to 0.01 mm where angle times length is less. At 0 smoothly linked offsets
+    #: are adaptive; larger: they are spirals.
+    ROUGH = 0.05
+    #: places. Adaptive clearing that keeps its engagement corrects its direction at so many places in a winding.
+    #: Fewer: smoothly linked offsets are adaptive; more: by other parts that FreeCAD cut, such clearing is a pocket.
+    CORRECTIONS = 8
+    #: rad. And by no more than this at each, 10 degrees. Larger: links to the next loop are corrections.
+    CORRECTION = 0.17453292519943295
+    #: rad. Larger turns are corners, 30 degrees. At 0 spirals are all corners and contour-parallel; at pi, spirals of
+    #: straight sides are spirals.
     CORNER = 0.5235987755982988
 
 
 class STROKES:
-    #: share of the strokes. Where fewer are different, they are the same contour at other depths.
+    """What is open and neither winds nor goes back and forth."""
+
+    #: share of the strokes. Where fewer have different footprints, they are contours at other depths. At 0, by real
+    #: code, such contours are engravings.
     DISTINCT = 0.67
-    #: share of width and height of the part together. Longer strokes are contours.
+    #: share of width and height of the part together. Strokes that are usually longer are contours. At 0 carved ones
+    #: are; larger: the outlines that adaptive clearing leaves on thin stock are engravings.
     LONG = 0.35
 
 
 class NESTS:
-    #: mm. Rings that lie closer are not beside one another.
+    """Rings that lie inside one another."""
+
+    #: mm. Rings that lie closer are no neighbours. Larger: none are, and pockets are profiles.
     APART = 0.01
-    #: tool diameters. Farther apart two rings, rows or strokes leave ground uncut between them.
+    #: tool diameters. Rings, rows and strokes farther apart leave ground uncut between them. Less: pockets are
+    #: profiles; more: the contours of a washer, and of chamfered and engraved edges, are pockets.
     REACH = 1.2
-    #: rings. Each is compared with so many of those cut after it: around islands the rings of two nests take turns.
+    #: rings. Each is compared with so many that are cut after it. At 1 pockets with islands, around which the rings of
+    #: two nests are cut in turn, are profiles; comparing with all takes time and gains nothing.
     NEXT = 3
-    #: share of the mean. Offsets of a wavy ring move all sides of its box by the same to this.
+    #: share of the mean. All sides of the box of a wavy ring, or of one that turns the other way, move by the same to
+    #: this. Larger: passes of a lattice that wind by chance are nested.
     EQUAL_SIDES = 0.1
-    #: share of the distance. No side of an offset's box moves by less.
+    #: share of the distance. No side of an offset's box moves by less. At 0 ramped profiles are pockets; at 1 pockets
+    #: with rounded corners are profiles.
     SIDE_AT_LEAST = 0.5
-    #: ratio to the distance. Nor all of them by more.
+    #: ratio to the distance. And not all sides by more. Less: nothing is nested; larger: grids are.
     SIDE_AT_MOST = 1.5
-    #: share of the ring's size. Two rings with a longer step between them are no nest.
+    #: share of the ring's size. Rings with a longer step between them are no nest. At 0 none are; larger: contours of
+    #: three sizes at different depths are a pocket.
     LARGEST_STEP = 0.3
-    #: share of the step. Steps that differ by less are the same step again.
+    #: share of the step. Steps that differ by less are the same step again. At 0 no nest has three rings, and without
+    #: a tool pockets are profiles.
     SIMILAR_STEP = 0.3
-    #: share of the steps. And so many of them must be equal.
+    #: share of the steps. Where more are as long as the usual one, a tool that reaches less is wrong. It changes no
+    #: verdict, and one stepover for the worse.
     EQUAL_STEPS = 0.6
-    #: share of the largest ring. Without a tool, a usual step that is larger is none.
+    #: share of the largest ring. Without a tool, a step that is usually longer than this is none. At 0 pockets are
+    #: profiles; larger: waterlines are pockets.
     TOO_LARGE = 0.2
-    #: share of the largest ring. Without a tool and a usual step, rings farther apart are two contours.
+    #: share of the largest ring. Without a tool and without three rings, two that lie farther apart are two contours.
+    #: At 0 narrow pockets around an island are; larger: engraved contours are pockets.
     REACH_OF_SIZE = 0.05
-    #: steps. The reach where the tool is unknown or wrong.
+    #: steps. The reach where no tool is known, or a wrong one. At 1 linked offsets and spirals lose every other ring.
     STEPS = 2
 
 
-class WATERLINES:
-    #: share of the length. And no more of it is sloped.
-    SLOPED = 0.2
-    #: relative spread. Spreads of steps are compared beyond this: rounding is no unevenness.
-    ROUNDING = 0.01
-    #: depths. A waterline has so many.
-    DEPTHS = 3
-    #: tool diameters. It goes deeper than this.
-    RANGE = 0.35
-    #: share of the length in rings. So many have another below or above.
-    DEEPER = 0.3
-    #: ratio of spreads. Below it the plane is divided evenly and not the depth.
-    EVENER = 0.5
-    #: depths. An open waterline has so many.
-    OPEN_DEPTHS = 4
-
-
 class RINGS:
-    #: share of the length. Fewer rows are none beside rings.
-    ROWS_BESIDE = 0.15
-    #: isoperimetric quotient 4 pi A / P^2. A ring above it is a circle; a square has 0.79.
+    """What rings are, and how many stand for the whole."""
+
+    #: isoperimetric quotient 4 pi A / P^2. A ring above it is a circle; a square has 0.79. Less: ramped profiles are
+    #: helices; at 1 helices in chords are profiles.
     ROUND = 0.93
-    #: share of the drop. A ring whose mean height is so close to the middle of its drop descends all along.
+    #: share of the drop. A ring descends all along where its mean height is so close to the middle of its drop. At 0
+    #: no helix does; larger, with a tool: profiles that ramp in over their first moves are helices.
     STEADY = 0.2
-    #: share of the zigzag's box. A loop that is smaller by more on any side does not surround it.
-    SURROUNDS = 0.15
-    #: share of the length in rings. So much in circles is all.
+    #: share of the rings' length. Circles that are less are part of other contours. Less: profiles with bores, ramped
+    #: alike, are helices.
     ALL_ROUND = 0.85
-    #: share of the length. So much in rings of which so many are nested is enough to judge by the rings alone.
+    #: share of the zigzag's box. A loop surrounds a zigzag where no side lies farther inside than this. At 0 contours
+    #: beside a zigzag are part of it; at 1 the small loops between its rows are contours.
+    SURROUNDS = 0.15
+    #: share of the length, and of the rings' length. So much in rings, and of these in nested ones, is offsets. At 0
+    #: clipped spirals are adaptive; at 1 linked offsets are spirals.
     OFFSETS = 0.7
-    #: share of the length. So much in rings where there are hardly any rows.
+    #: share of the length. So much in rings is judged by them where there are hardly any rows, so much in rows by
+    #: these. At 0 strokes are unknown; at 1 profiles with leads are engravings.
     ALONE = 0.35
-    #: share of the length. Fewer rings are none among rows.
+    #: share of the length. Less in rows is none beside rings. Larger: a pocket and its contour are a zigzag; at 0, by
+    #: real code, profiles are mixed.
+    ROWS_BESIDE = 0.15
+    #: share of the length. Less in rings is none among rows. At 0 every closed link of a zigzag is a contour.
     AMONG_ROWS = 0.1
-    #: share of the steps. Nests of which more go one way are cut in that order.
+    #: share of the steps. Where more go inward, or outward, the nest is cut in that order and mills climb or
+    #: conventional; otherwise neither is said. It changes no verdict.
     ONE_WAY = 0.75
 
 
+class WATERLINES:
+    """Contours that change with the depth."""
+
+    #: depths. A waterline has at least so many. With no such depth, waterlines are profiles.
+    DEPTHS = 3
+    #: tool diameters. It goes deeper than this. At 0 deburred edges are pockets; larger: waterlines are profiles.
+    RANGE = 0.35
+    #: share of the rings' length. So much has a ring of another shape below or above. At 0 engraved contours do; at 1
+    #: waterlines are profiles.
+    DEEPER = 0.3
+    #: ratio of spreads. Where the steps in the plane spread by less than this of those in depth, the plane is divided
+    #: and not the depth: circles on a dome. At 0 these are waterlines; larger: waterlines are contour-parallel.
+    EVENER = 0.5
+    #: relative spread. Two spreads that are both smaller are equal: rounding left them. At 0, by tests, a waterline
+    #: that is turned or scaled is contour-parallel.
+    ROUNDING = 0.01
+    #: depths. So many of open contours are a waterline. Less: letters and open profiles are; more: waterlines cut open
+    #: by the stock are engravings.
+    OPEN_DEPTHS = 4
+    #: share of the length. Where more of open contours is sloped, they are none. At 0 no waterline is open; at 1, by
+    #: real code, V-carving is one.
+    SLOPED = 0.2
+
+
 class TROCHOIDS:
-    #: share of the length in rings. So many that move along are trochoids.
+    """Loops of one size that move along."""
+
+    #: share of the rings' length. So much in loops that move along is trochoids. At 0 contours that overlap are;
+    #: larger: adaptive clearing that is not lifted is a profile.
     SHARE = 0.4
-    #: share of the range. Trochoids move aside: the sides of their boxes move both ways, in the mean by less.
+    #: share of the range. They move aside: some sides of their boxes move one way, some the other, in the mean by less
+    #: than this. At 0 none do.
     SWAY = 0.35
-    #: share of the smaller loop. They move by no more.
+    #: share of the smaller loop. They move by no more. At 0 none do, and trochoids are profiles.
     STEP = 1.2
-    #: share of the larger loop. And are of one size.
+    #: share of the larger loop. The smaller one is no smaller. At 1 no two are of one size.
     SIZE = 0.65
 
 
 class ROWS:
-    #: directions in half a turn. The densest direction is looked for among so many.
+    """Parallel passes side by side."""
+
+    #: directions in half a turn. The densest direction is looked for among so many. At 1 grids have no axis.
     DIRECTIONS = 64
-    #: values. So many are enough for a median.
+    #: values. So many are enough for a median, and for the lines of a family. At 1 zigzags are engravings; taking all
+    #: takes time and gains nothing.
     SAMPLE = 1000
-    #: rad. A move this close to the axis belongs to a row.
+    #: rad. A move this close to the axis belongs to a row. At 0 rows of sampled moves break up; larger: bites are rows.
     ALIGNED = 0.05
-    #: share of the length. Where less keeps to the main axis, there are several.
+    #: share of the length. Where less keeps to the mean axis, there are several. At 0 grids have one, between theirs.
     ONE_AXIS = 0.8
-    #: share of the length. Where less does, the links have turned the axis.
+    #: share of the length. Where less does, the links have turned the axis, and it is taken again without them. At 0
+    #: zigzags along a slanting boundary are profiles.
     ALL_ALIGNED = 0.98
-    #: steps. A neighbour is no farther away.
+    #: usual steps. A row's neighbour is no farther away. Less: no row has one, and zigzags are engravings.
     FARTHER = 1.6
-    #: steps. And no nearer.
+    #: usual steps. Steps are even where they are no shorter. Larger: none are, and zigzags are engravings.
     NEARER = 0.6
-    #: share of the pitch. Gaps that differ by more in turn are those of two sets of lines.
+    #: share of the pitch. Where a gap differs by more from the next, the lines are two sets, as a lattice has. At 0
+    #: evenly spaced rows are, and zigzags that end where they began are walls.
     TWO_PITCHES = 0.1
-    #: share of the length. Where less has a neighbour, the passes are no rows.
+    #: share of the length. Where less has a neighbour, passes are no rows. At 0 adaptive clearing and waterlines have
+    #: some; at 1 zigzags are engravings.
     BESIDE = 0.25
-    #: steps. Rows are longer.
+    #: steps. Rows are longer. At 0 the sides of small contours are rows; larger: grids are engravings.
     LONG = 2.5
-    #: steps. Many even rows are longer than this.
+    #: steps. Many even rows are longer than this. Larger: zigzags in narrow teeth are profiles.
     LONG_IF_MANY = 1.5
-    #: lines. So many are many.
+    #: lines. So many rows are many. At infinity zigzags in narrow teeth are profiles.
     MANY = 10
-    #: share of the steps. Rows with more usual steps are even.
+    #: share of the steps. Where more are even, many rows are even. At 1 zigzags in narrow teeth are profiles.
     EVEN = 0.8
-    #: tool diameters. Passes closer than this are the same pass again.
+    #: tool diameters. Passes that lie closer are one pass retraced. At 0, with a tool, ramped profiles are mixed.
     RETRACED = 0.03
-    #: pitches. A contour's rows that come again later are the walls of teeth.
+    #: pitches. Rows of a contour that come again only after more than this are the walls of its teeth. Less: zigzags
+    #: that end where they began are profiles; larger, by tests: combs are zigzags.
     WALLS = 1.05
-    #: share of the length. Two families of rows that are more are a grid.
+    #: share of the length. Two families of rows with more of it are a grid. At 0 waterlines and adaptive clearing are;
+    #: at 1 grids are engravings.
     GRID = 0.85
 
 
 class ARCS:
-    #: cosine. A move at so right an angle to the ray from the centre is part of a circle around it.
+    """Open strokes around one centre."""
+
+    #: cosine. A move at so right an angle to the ray from the centre lies on a circle around it. At 0 circles that the
+    #: boundary cuts open are engravings; at 1 open waterlines are spirals.
     SQUARE = 0.15
-    #: share of the squared length. Moves that are more alike in direction have no centre.
+    #: share of the squared length. Moves that are more alike in direction have no centre. At 0 that of straight rows is
+    #: divided by 0; at 1 clipped circles have none.
     STRAIGHT_ROWS = 0.01
-    #: share of the length. A stroke of which more lies on the circle is an arc.
+    #: share of the length. A stroke of which more lies on the circle is an arc. At 0 open waterlines are spirals.
     ARC = 0.9
-    #: steps. Radii that differ by less are one.
+    #: steps. Radii that differ by more are two. At 0 the outlines that adaptive clearing leaves on thin stock have
+    #: many.
     RADIUS = 0.3
-    #: steps. An arc that drifts by more in a turn is part of a spiral.
+    #: steps. An arc whose radius changes by more in a turn is part of a spiral. At 0 clipped circles are; larger:
+    #: adaptive clearing from a centre is contour-parallel.
     DRIFT = 0.3
 
 
 class BITES:
-    #: turns. A stroke that bends by more may be a bite.
+    """The arcs that an adaptive tool bites out of the stock one after the other."""
+
+    #: turns. A stroke that bends by more may be one. Larger: none is, and adaptive clearing is a spiral or engraving.
     BENT = 0.25
-    #: share of the length. or so much
+    #: share of the length. So much in bites is adaptive. At 0, by real code, spirals and profiles are; at 1 nothing is.
     SHARE = 0.1
-    #: bites. by so many is adaptive.
+    #: bites. And so many. At 1 V-carving and circles that are cut open are; twice as many: small adaptive clearing is
+    #: a spiral.
     COUNT = 10
-    #: share of the bites. But not where more bend the other way.
+    #: share of the bites. Where more bends the other way, they are letters. At 1 these are adaptive; at 0 nothing is.
     AGAINST = 0.3
 
 
-class POCKET:
-    #: ratio. Strokes that enclose less for their length than the ring fill it.
-    WIDTH = 0.75
-    #: share of the length. So much in strokes inside a ring fills it.
-    FILLED = 0.1
-
-
 class ADAPTIVE:
-    #: share of the length. Windings with so much in bites are adaptive,
+    """What else tells adaptive clearing from a spiral or a helix that clears a pocket."""
+
+    #: share of the length. A winding with so much in bites clears corners. At 1, by other parts that FreeCAD cut, such
+    #: clearing is a spiral.
     BITES = 0.03
-    #: share of the length. or with so much in a helix,
+    #: share of the length. A winding with so much in a helix was entered by it. At 1, by real code, adaptive clearing
+    #: is a spiral.
     ENTRY = 0.005
-    #: share of the length. or with so much left to open strokes.
+    #: share of the length. A winding that leaves so much to open strokes is no spiral. At 0 spirals are adaptive; at 1,
+    #: by tests, clearing of which a third is open strokes is a spiral.
     STROKES = 0.3
 
 
+class POCKET:
+    """A ring that is cleared inside by an open stroke: the narrowest pocket with a finishing pass."""
+
+    #: share of the length. So much in strokes inside rings clears them. At 0, by real code, engraved contours are
+    #: mixed.
+    FILLED = 0.1
+    #: ratio. Strokes that enclose no more than this of what the ring does, both for their length. Larger, by real code:
+    #: contours inside contours are mixed.
+    WIDTH = 0.75
+
+
 class PARTS:
-    #: borders. More are no operations, and each section takes its time.
+    """Where a program is divided, and when that makes it mixed."""
+
+    #: borders. More are no operations, and each section takes its time. At 1 boards and programs are one operation.
     BORDERS = 200
-    #: share of the areas. Fewer holes beside the milling are passes clipped to a point.
+    #: share of the areas. Fewer holes beside the milling are passes clipped to a point. At 1 boards are profiles.
     DRILLED = 0.25
-    #: depths. Where there are more, heights are those of a surface.
+    #: depths. Where there are more, heights are those of a surface. Less: boards engraved at a few depths are.
     DEPTHS = 10
-    #: share of the length. Sections that differ and are less do not make a program mixed.
+    #: share of the length. Sections that differ and are less do not make a program mixed. At 0 rasters on surfaces are.
     ASIDE = 0.05
-    #: share of the length. So much is enough behind a border that is certain.
+    #: share of the length. Behind a border that is certain, so much does. At 1 short zigzags before a profile are lost.
     CERTAIN = 0.01
 
 
 class VISITS:
-    #: share of the votes. So many say that another operation begins.
+    """Which retracts begin another operation; how that was learned, benchmarks/learn_recognition.py tells."""
+
+    #: share of the votes. So many say that another operation begins. At 0 every visit does, and pockets are mixed; at 1
+    #: none does, and a zigzag with a profile behind it is one.
     BORDER = 0.3
-    #: visits. More sections are no operations, and each takes its time.
+    #: visits. More sections are no operations, and each takes its time. At 1 most programs are one.
     MOST = 60
-    #: share of the length. A block whose ends lie closer together is closed.
+    #: share of the length. A block whose ends lie closer together is closed, as the measure says.
     CLOSED = 0.03
-    #: share of the size. Visits whose boxes differ by less on every side cover the same ground.
+    #: share of the size. Visits whose boxes differ by less on every side cover the same ground, as the measure says.
     PLACE = 0.01
-    #: share. Feeds that differ by less are one feed.
+    #: share. Feeds that differ by less are one feed, as the measure says.
     FEED = 0.01
     #: mm. What is smaller counts as so large, that a hole has a size.
     SMALL = 0.05
 
 
 class CONFIDENCE:
-    #: confidence. Below it no strategy is defended: the answer is "unknown".
+    """How sure a verdict is. Only DEFENDED decides; the others are read off how often verdicts are right."""
+
+    #: confidence. Below it no strategy is defended: the answer is "unknown". At 1 every answer is.
     DEFENDED = 0.65
-    #: confidence. Of drilling.
+    #: confidence. That of drilling, which is vertical and nothing else.
     DRILLING = 0.98
     #: confidence. That of a verdict for which hardly anything is seen.
     LEAST = 0.62
-    #: confidence. What support and number may add.
+    #: confidence. What support and number may add to it.
     SPAN = 0.35
     #: repetitions. After so many the confidence has grown by two thirds of what the number may add.
     TIMES = 1.5
-    #: support. Of a pattern that is there, whatever its share.
+    #: support. That of a pattern that is there, whatever its share. At 0 profiles that are cut once are unknown.
     GIVEN = 0.6
-    #: support. Of a pocket of one ring and one stroke inside.
+    #: support. That of a pocket of one ring and a stroke inside.
     POCKET = 0.5
-    #: support. Of open strokes that have no pattern among them.
+    #: support. That of open strokes with no pattern among them. At 0 letters are unknown.
     STROKES = 0.8
-    #: support. Of open strokes that are called contours because they are long.
+    #: support. That of open strokes that are called contours because they are long.
     LONG_STROKES = 0.4
