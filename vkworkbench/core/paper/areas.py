@@ -89,21 +89,23 @@ class Areas(Moves):
         return found
 
     @cached_property
-    def closings(self) -> np.ndarray:
-        """The closing turn at the end of each area, (a,) rad; 0 where it has none.
+    def total_turning(self) -> np.ndarray:
+        """Phi of each area after its traversal, (a,) rad, with the closing turn where it has one.
 
-        An area has one if it ends where it began, or if it is made of loops and ends with one (offset loops that are
-        linked without a lift). The small loops of a zigzag that runs along the boundary do not count.
+        It has one where it ends where it began; and where it is made of loops, offset loops that are linked without a
+        lift, the last of them has one. The small loops of a zigzag that runs along the boundary close nothing.
         """
-        at = np.where(self.closed, self.start, -1)
-        first, end = self.loops
+        begin, end = self.start.copy(), self.end.copy()
+        closes = self.closed.copy()
+        first, loop_end = self.loops
         if len(first):
             area = np.searchsorted(self.start, first, side="right") - 1
             way = np.append(0.0, np.cumsum(self.length))
-            looped = np.bincount(area, way[end] - way[first], len(at)) > LOOPED * self.area_length
-            final = np.isin(end, self.end) & looped[area] & ~self.closed[area]
-            at[area[final]] = first[final]
-        return np.where(at < 0, 0.0, closing_turns(self.alpha, at, self.end))
+            looped = np.bincount(area, way[loop_end] - way[first], len(begin)) > LOOPED * self.area_length
+            final = np.append(area[1:] > area[:-1], True) & looped[area] & ~self.closed[area]
+            begin[area[final]], end[area[final]] = first[final], loop_end[final]
+            closes[area[final]] = True
+        return self.signed[1][end - 1] + np.where(closes, closing_turns(self.alpha, begin, end), 0.0)
 
     @cached_property
     def phi_range(self) -> tuple[float, float]:
@@ -111,7 +113,7 @@ class Areas(Moves):
         if not len(self):
             return 0.0, 0.0
         phi = self.signed[1]
-        total = phi[self.end - 1] + self.closings
+        total = self.total_turning
         return float(min(phi.min(), total.min())), float(max(phi.max(), total.max()))
 
     @property
@@ -147,5 +149,5 @@ class Areas(Moves):
             unsigned=unsigned - of.start - 1,
             reversals=exact - of.start - 1,
             closed=bool(self.closed[area]),
-            closing=float(self.closings[area]),
+            total_turning=float(self.total_turning[area]),
         )

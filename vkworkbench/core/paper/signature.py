@@ -73,8 +73,8 @@ def signature(points: np.ndarray) -> Signature:
     np.cumsum(turning, out=phi[1:])
     gap = np.hypot(x[-1] - x[0], y[-1] - y[0]) if len(alpha) else np.inf
     closed = bool(gap <= TURNS.EXACT * max(np.ptp(x), np.ptp(y))) if len(alpha) else False
-    closing = float(wrap(alpha[0] - alpha[-1])) if closed else 0.0
-    return Signature(x[:-1], y[:-1], dx, dy, alpha, turning, phi, reversals, reversals, closed, closing)
+    total = float(phi[-1] + (wrap(alpha[0] - alpha[-1]) if closed else 0.0)) if len(alpha) else 0.0
+    return Signature(x[:-1], y[:-1], dx, dy, alpha, turning, phi, reversals, reversals, closed, total)
 
 
 @dataclass(frozen=True, eq=False)
@@ -99,9 +99,10 @@ class Signature:
         that is given by its points both are the exact ones.
     closed : bool
         Whether the polyline ends where it began; one given by its points, to a millionth of its size.
-    closing : float
-        The turn from the last trajectory back into the first of a closed polyline, rad; 0 of an open one. For linked
-        offset loops, that of the last loop.
+    total_turning : float
+        Phi after the whole traversal, rad: a closed polyline's last exterior angle included. +2 pi for a simple closed
+        counter-clockwise polygon, -2 pi for a clockwise one (section 3.2). Of offset loops that are linked, phi at the
+        end of the last of them, with its closing turn.
     level : (n,) int64
         n, the integer part of phi / 2 pi, truncated toward zero.
     length : (n,) float64
@@ -122,7 +123,7 @@ class Signature:
     unsigned: np.ndarray
     reversals: np.ndarray
     closed: bool
-    closing: float
+    total_turning: float
 
     def __len__(self) -> int:
         """Return the number of trajectories."""
@@ -159,14 +160,6 @@ class Signature:
     @cached_property
     def theta_level(self) -> np.ndarray:
         return self.theta + TURN * self.level
-
-    @property
-    def total_turning(self) -> float:
-        """Phi after the whole traversal, rad: a closed polyline's last exterior angle included.
-
-        +2 pi for a simple closed counter-clockwise polygon, -2 pi for a clockwise one (section 3.2).
-        """
-        return float(self.phi[-1]) + self.closing if len(self) else 0.0
 
     @cached_property
     def phi_range(self) -> tuple[float, float]:
