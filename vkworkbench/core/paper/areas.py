@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from functools import cached_property
 
 import numpy as np
@@ -120,16 +119,6 @@ class Areas(Moves):
     def top_level(self) -> int:
         """The level n farthest from zero that phi reaches in any area, closing turns included."""
         return top_level(self.phi_range)
-
-    def only(self, kept: np.ndarray) -> Areas:
-        """Return the areas that are marked, (a,) bool."""
-        moves = np.repeat(kept, self.end - self.start)
-        place = np.cumsum(moves) - 1  # index of a move among those that are kept
-        measures = ("index", "x", "y", "z", "dx", "dy", "dz", "length", "alpha", "turning", "phi")
-        numbers = ("start", "unsigned", "reversals")
-        parts = {name: getattr(self, name)[moves] for name in measures}
-        parts |= {name: place[found[moves[found]]] for name in numbers for found in [getattr(self, name)]}
-        return replace(self, **parts)
 
     def signature(self, area: int) -> Signature:
         """Return the signature of one area: views of the arrays here."""

@@ -29,13 +29,8 @@ def footprints(pieces: Pieces, index: np.ndarray) -> tuple[np.ndarray, int]:
     groups : int
         How many different footprints there are.
     """
-    return same_ground(pieces.box[index], pieces.length[index])
-
-
-def same_ground(box: np.ndarray, length: np.ndarray) -> tuple[np.ndarray, int]:
-    """Group stretches by their boxes (k, 4) and lengths (k,), mm; return as :func:`footprints`."""
     # A quarter of the length: it is the side of a square, and as exact as the sides of the box.
-    measures = np.column_stack([box, length / 4])
+    measures = np.column_stack([pieces.box[index], pieces.length[index] / 4])
     key = np.floor(measures / SAME.GROUND + OFF_ROUND).astype(np.int64)
     key = (key * _PRIMES).sum(axis=1)
     unique, group = np.unique(key, return_inverse=True)

@@ -10,7 +10,6 @@ import numpy as np
 from vkworkbench.core.paper import Areas, PaperVerdict, monotonous_areas, paper_verdict
 from vkworkbench.core.recognition.evidence import gather, sentence
 from vkworkbench.core.recognition.footprints import count_depths
-from vkworkbench.core.recognition.repeats import without_repeats
 from vkworkbench.core.recognition.section import Section
 from vkworkbench.core.recognition.thresholds import CONFIDENCE, ENOUGH, PARTS, ROWS
 from vkworkbench.core.recognition.verdict import Verdict, judge
@@ -151,8 +150,7 @@ def _judge_one(toolpath: Toolpath, moves: Areas, first: int, last: int, tool: fl
         spans = _spans(toolpath, [(first, last, strategy)])
         return Recognition(strategy, CONFIDENCE.DRILLING, why, spans, passes=holes or None)
     section = Section(moves, tool)
-    once = without_repeats(moves)
-    verdict = judge(section if once is moves else Section(once, tool))
+    verdict = judge(section)
     evidence = gather(section, verdict)
     strategy, why = verdict.strategy, sentence(section, verdict, evidence)
     if verdict.confidence < CONFIDENCE.DEFENDED:
