@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 import json
-import time
 from dataclasses import fields, replace
 
 import FreeCAD
@@ -25,9 +24,7 @@ def folder(tmp_path, monkeypatch):
 
 def test_defaults_until_it_was_measured_and_the_measured_ones_after(folder):
     assert calibration.load("card") is None and calibration.constants("card") == DEFAULTS
-    begin = time.process_time()
     done = calibration.calibrate("card")
-    assert time.process_time() - begin < 0.5
     assert calibration.load("card") == done and calibration.constants("card") == done.constants
     assert done.processor and done.freecad.startswith(".".join(FreeCAD.Version()[:2]))
     assert done.constants.legacy_factor < DEFAULTS.legacy_factor

@@ -305,9 +305,7 @@ def test_a_speed_is_found_in_times():
 
 
 def test_this_computers_speed_is_measured():
-    begin = time.process_time()
     speed = measure_speed()
-    assert time.process_time() - begin < 2  # 0.2 s on a quiet computer
     assert (speed.constants > 0).all() and speed.factor < Speed().factor
 
 
