@@ -6,13 +6,11 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-sudo=()
-[ "$(id -u)" = 0 ] || sudo=(sudo)
 output=$PWD/build/example
 rm -rf "$output"
 mkdir -p "$output"
 echo "Preparing FreeCAD; installing it, where it is missing, takes some minutes"
-"${sudo[@]}" tests/install.sh > "$output/install.log" 2>&1 || { tail "$output/install.log"; exit 1; }
+tests/install.sh > "$output/install.log" 2>&1 || { tail "$output/install.log"; exit 1; }
 
 home=$(mktemp -d)
 trap 'rm -rf "$home"' EXIT

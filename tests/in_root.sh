@@ -2,16 +2,43 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # in_root.sh ROOT USER COMMAND...: run COMMAND in this checkout as USER (uid:gid), but in the Debian root ROOT. Needs root.
 # The checkout is read-only there but for build/. Processes, mounts and /tmp end with the command; there is no network.
+# Where mounts of one's own are not allowed, as in most containers, COMMAND gets a copy of the checkout, and its build/ is
+# brought back. Exits with 125 where not even that can be done, after one line that says why.
 set -euo pipefail
 
+cd "$(dirname "$0")/.."
 if [ "$1" != --inside ]; then
-    exec unshare --mount --net --pid --fork --kill-child "$0" --inside "$@"
+    unshare --mount --net --pid --fork true 2> /dev/null &&
+        exec unshare --mount --net --pid --fork --kill-child "tests/$(basename "$0")" --inside "$@"
+    root=$1
+    user=$2
+    shift 2
+    exec 9> "$root.in-use"
+    flock 9 # there is one place for the copy
+    find "$root/mnt" -mindepth 1 -delete
+    tar -c --exclude=./build --exclude=./.git . | tar -x -C "$root/mnt"
+    mkdir -p "$root/mnt/build"
+    cp -a build/. "$root/mnt/build"
+    chown -R "$user" "$root/mnt/build"
+    if [ ! -e "$root/proc/self/exe" ]; then
+        mount -t proc proc "$root/proc" 2> /dev/null || { # FreeCAD asks it where it is
+            echo "Neither mounts nor /proc of its own are allowed here" >&2
+            exit 125
+        }
+        trap 'umount "$root/proc"' EXIT
+    fi
+    cp "$root/etc/passwd" "$root/etc/passwd.own"
+    cp /etc/passwd "$root/etc/passwd"
+    status=0
+    chroot --userspec="$user" "$root" env --chdir=/mnt "$@" || status=$?
+    mv "$root/etc/passwd.own" "$root/etc/passwd"
+    cp -a "$root/mnt/build/." build
+    exit "$status"
 fi
 root=$2
 user=$3
 shift 3
 
-cd "$(dirname "$0")/.."
 mount -t proc proc "$root/proc"
 mount --rbind /dev "$root/dev"
 mount -t tmpfs tmpfs "$root/tmp"

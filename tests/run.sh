@@ -5,7 +5,7 @@
 #     tests/run.sh [core|document|gui] [0.20.2|1.0.0|1.1.3|bookworm|trixie|forky] [PYTEST ARGUMENTS]
 #
 # The FreeCADs come from Debian: the machine's own release and roots of the others, made once, a few minutes each, in a
-# cache folder. A FreeCAD that cannot be installed is named at the end. Logs and pictures are in build/tests.
+# cache folder. A FreeCAD that could not be tested is named at the end. Logs and pictures are in build/tests.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -27,16 +27,14 @@ results=build/tests
 # shellcheck source=/dev/null
 own=$(. /etc/os-release && echo "${VERSION_CODENAME-}")
 user=$(id -u):$(id -g)
-sudo=()
-[ "$(id -u)" = 0 ] || sudo=(sudo "--preserve-env=http_proxy,https_proxy")
 
 # prepare SUITE COMMAND...: run COMMAND, which installs what SUITE needs; note a failure's reason where it has none.
 prepare() {
     local folder=$results/$1
     shift
     mkdir -p "$folder"
-    "${sudo[@]}" "$@" > "$folder/install.log" 2>&1 && return
-    grep -v '^W: ' "$folder/install.log" | tail -n 2 | tr '\n' ' ' > "$folder/not-installed"
+    "$@" > "$folder/install.log" 2>&1 && return
+    grep -v '^W: ' "$folder/install.log" | tail -n 2 | tr '\n' ' ' > "$folder/not-tested"
     return 1
 }
 
@@ -45,20 +43,28 @@ exec 9> build/tests.lock
 flock --nonblock 9 || { echo "Waiting for another run of the tests in this checkout"; flock 9; }
 
 rm -rf "$results"
-echo "Preparing the FreeCADs of: $suites"
+echo "Preparing the FreeCADs of: $suites. One that is missing takes some minutes and 2 GB; its tests about ten minutes"
 # Whatever its own release, the machine makes the roots.
-prepare "own" tests/install.sh || echo "This machine lacks packages: $(cat "$results/own/not-installed")"
+prepare "own" tests/install.sh || echo "This machine lacks packages: $(cat "$results/own/not-tested")"
 for suite in $suites; do
     if [ "$suite" = "$own" ]; then
         mv "$results/own" "$results/$suite"
-        [ -e "$results/$suite/not-installed" ] && continue
+        [ -e "$results/$suite/not-tested" ] && continue
         echo "$suite, this machine"
         tests/run_layers.sh "$results/$suite" "$layers" "$@"
     else
         root=$cache/roots/$suite
-        prepare "$suite" tests/make_root.sh "$suite" "$root" || continue
+        prepare "$suite" tests/as_root.sh tests/make_root.sh "$suite" "$root" || continue
         echo "$suite, $root"
-        "${sudo[@]}" tests/in_root.sh "$root" "$user" tests/run_layers.sh "$results/$suite" "$layers" "$@"
+        status=0
+        tests/as_root.sh tests/in_root.sh "$root" "$user" tests/run_layers.sh "$results/$suite" "$layers" "$@" \
+            2> "$results/$suite/root.log" || status=$?
+        if [ "$status" = 125 ]; then
+            mv "$results/$suite/root.log" "$results/$suite/not-tested"
+        elif [ "$status" != 0 ]; then
+            cat "$results/$suite/root.log"
+            exit "$status"
+        fi
     fi
 done
 rm -rf "$results/own"

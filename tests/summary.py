@@ -4,7 +4,7 @@
     python3 tests/summary.py RESULTS SUITES...       # a folder with one folder for each Debian suite
 
 Exits with 1 where a test failed, a layer did not end by itself, or FreeCAD swallowed an exception: it prints
-those and goes on, so that only its log tells. A FreeCAD that could not be installed is said, and is no failure.
+those and goes on, so that only its log tells. A FreeCAD that could not be installed or run is said, and is no failure.
 """
 
 from __future__ import annotations
@@ -63,10 +63,10 @@ def main(results, suites):
     total = Counter()
     rows, absent = [], []
     for folder in [results / suite for suite in suites]:
-        reason = folder / "not-installed"
+        reason = folder / "not-tested"
         if reason.exists():
-            rows.append([folder.name] + ["not installed"] * len(LAYERS))
-            absent.append(f"NOT INSTALLED: FreeCAD of {folder.name}: {reason.read_text().strip()}")
+            rows.append([folder.name] + ["not tested"] * len(LAYERS))
+            absent.append(f"NOT TESTED: FreeCAD of {folder.name}: {reason.read_text().strip()}")
             continue
         row = [f"{folder.name}: {(folder / 'versions').read_text().strip()}"]
         for layer in LAYERS:
