@@ -1,0 +1,72 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What users get is installed into clean homes and does the main job there."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+import zipfile
+from pathlib import Path
+
+import pytest
+
+RESOURCES = Path(__file__).resolve().parents[2] / "resources"
+sys.path.append(str(RESOURCES))
+import make_release  # noqa: E402
+
+MACRO = """
+import sys, traceback
+import FreeCAD, Path
+try:
+    import vkworkbench
+    document = FreeCAD.newDocument()
+    op = document.addObject("Path::Feature", "Rows")
+    y = [5.0 * (row // 2) for row in range(1, 40)]
+    op.Path = Path.Path([Path.Command("G1", {"X": 60.0 * ((row // 2) % 2), "Y": y, "Z": -1.0, "F": 10.0})
+                         for row, y in enumerate(y)])
+    report = vkworkbench.analyze(document)
+    print("FOUND", vkworkbench.__file__, report.operations[0].strategy, vkworkbench.mark(report))
+except BaseException:
+    traceback.print_exc()
+sys.stdout.flush()
+"""
+
+
+@pytest.fixture(scope="module")
+def archive(tmp_path_factory):
+    return make_release.make_release(tmp_path_factory.mktemp("release"))
+
+
+def test_it_has_what_users_need_and_nothing_else(archive):
+    with zipfile.ZipFile(archive) as file:
+        names = {name.split("/", 1)[1] for name in file.namelist()}
+    assert {"InitGui.py", "Init.py", "package.xml", "LICENSE", "README.md", "vkworkbench/__init__.py"} <= names
+    assert any(name.endswith(".qm") for name in names) and any(name.endswith(".ui") for name in names)
+    assert not any(name.startswith(("tests/", "benchmarks/", "toolpaths/", "examples/", ".")) for name in names)
+
+
+@pytest.mark.parametrize("folder", ["ToolpathAnalysis", "Toolpath-Analysis-main", "Fräsen mit Überblick 刀具"])
+def test_it_works_from_a_folder_of_any_name_that_cannot_be_written(archive, tmp_path, folder):
+    home = tmp_path / "Hæuser und Höfe"
+    places = [home / ".local/share/FreeCAD/Mod" / folder, home / ".local/share/FreeCAD/v1-1/Mod" / folder]
+    for place in places:
+        with zipfile.ZipFile(archive) as file:
+            file.extractall(tmp_path / "unpacked")
+        place.parent.mkdir(parents=True)
+        (tmp_path / "unpacked" / make_release.FOLDER).rename(place)
+        for path in [place, *place.rglob("*")]:
+            path.chmod(path.stat().st_mode & ~0o222)
+    before = sorted(home.glob(".local/share/FreeCAD/**/Mod/**/*"))
+    (home / "run").mkdir(mode=0o700)
+    macro = tmp_path / "macro.py"
+    macro.write_text(MACRO)
+    environment = {"HOME": str(home), "XDG_RUNTIME_DIR": str(home / "run"), "PATH": os.environ["PATH"],
+                   "LC_ALL": "C.UTF-8"}  # fmt: skip
+    done = subprocess.run(["freecadcmd", str(macro)], env=environment, stdin=subprocess.DEVNULL, text=True,
+                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=120, check=False)  # fmt: skip
+    assert "Traceback" not in done.stdout, done.stdout
+    (found,) = [line for line in done.stdout.splitlines() if line.startswith("FOUND")]
+    assert f"Mod/{folder}/" in found and found.endswith(" zigzag 1")
+    written = [path for path in sorted(home.glob(".local/share/FreeCAD/**/Mod/**/*")) if path not in before]
+    assert all("__pycache__" in path.parts for path in written)  # root, as which tests may run, may write anywhere
