@@ -8,6 +8,8 @@ import FreeCADGui as Gui
 import pytest
 from PySide import QtGui
 
+from make_example import cam
+
 from vkworkbench.core import Strategy, linearize, recognize
 from vkworkbench.gui import colors, strategy_view
 
@@ -147,3 +149,20 @@ def test_closing_the_document_forgets_it(example_path, window):
     FreeCAD.closeDocument(name)
     window.idle()
     assert name not in strategy_view._drawn
+
+
+def test_an_operation_that_freecad_does_not_draw_is_passed_over(opened, window):
+    """One that a macro made has no view proxy, and FreeCAD gives it nothing that lines could hang below."""
+    profile = cam("Op.Profile").Create("Macro", parentJob=opened.getObject("Job"))
+    profile.ToolController = opened.getObject("Job").Tools.Group[0]
+    opened.recompute()
+    assert profile.Path.Size > 2 and profile.ViewObject.SwitchNode.getNumChildren() == 0
+    window.click(SWITCH)
+    window.wait(lambda: strategy_view.is_shown(opened))
+    assert nodes(opened) == len(strategy_view._drawn[opened.Name]) >= 8
+    profile.touch()
+    opened.recompute()  # drawn anew while it is shown
+    window.idle()
+    window.click(SWITCH)
+    window.wait(lambda: not strategy_view.is_shown(opened))
+    assert nodes(opened) == 0

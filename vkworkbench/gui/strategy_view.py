@@ -133,9 +133,12 @@ def _draw(obj) -> None:
     if obj.Name in here:
         parent, drawn = here.pop(obj.Name)
         parent.removeChild(drawn.root)
+    modes = obj.ViewObject.SwitchNode
+    if not modes.getNumChildren():
+        return  # FreeCAD does not draw it: a macro made it, without a view proxy
     toolpath = linearize(obj.Path.Commands, tolerance=preferences.read().tolerance)
     if len(toolpath):
-        parent = obj.ViewObject.SwitchNode.getChild(0)
+        parent = modes.getChild(0)
         drawn = lines(toolpath, _spans(obj, toolpath))
         parent.addChild(drawn.root)
         here[obj.Name] = parent, drawn
