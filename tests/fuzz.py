@@ -28,11 +28,13 @@ import programs
 from vkworkbench.core import Stock, Strategy, Tool, View, estimate, linearize, machining, recognize, signature
 from vkworkbench.core.gcode import Words
 from vkworkbench.core.simulators import Conditions, Task, opengl_cost, preflight
+from vkworkbench.preferences import DIRECTIONS
 
 # Time of one call is bounded by START + EACH * (commands + trajectories): linear, whatever the commands say.
 START, EACH = 0.5, 50e-6  # s
 
-STOCK, VIEW = Stock((-10, -10, -20), (60, 60, 0)), View(width=80, height=60)
+STOCK = Stock((-10, -10, -20), (60, 60, 0))
+VIEWS = {name: View(direction, width=80, height=60) for name, direction in DIRECTIONS.items()}
 REFUSALS = "the tolerance must be", "the arcs and cycles would need"  # the documented ValueErrors
 
 CODES = ["G0", "G1", "G2", "G3", "G00", "G01", "g1", "G17", "G18", "G19", "G20", "G21", "G38.2", "G40", "G43", "G54",
@@ -96,7 +98,25 @@ def scaled(value, scale):
 
 
 def program(seed):
-    """The program of a seed and what else is given to the core: commands, tolerance, tool diameter."""
+    """What is given to the core for a seed: commands, tolerance, tool diameter and the name of the view."""
+    rng = random.Random(f"view {seed}")
+    commands, tolerance, diameter = flat_program(seed)
+    if rng.random() < 0.3:
+        commands = slanted(commands, rng.choice([-2.0, -0.5, -0.1, 0.1, 0.5, 2.0]))
+    return commands, tolerance, diameter, rng.choice(list(VIEWS))
+
+
+def slanted(commands, slope):
+    """The program with every move in X made a ramp."""
+    return [(name, {**words, "Z": slope * words["X"]} if words and usable(words.get("X")) else words) for name, words in commands]
+
+
+def usable(value):
+    return isinstance(value, float) and abs(value) < 1e100
+
+
+def flat_program(seed):
+    """Random words, or sound programs mutated: commands, tolerance and tool diameter."""
     rng = random.Random(seed)
     if rng.random() < 0.5:
         commands = [command(rng) for _ in range(int(10 ** rng.uniform(0, 2.5)) - 1)]
@@ -136,7 +156,7 @@ def feed(seed):
     return feed_program(*program(seed))
 
 
-def feed_program(commands, tolerance=0.01, diameter=5.0):
+def feed_program(commands, tolerance=0.01, diameter=5.0, view="Top"):
     count, path = len(commands), ()
     start = time.process_time()
     try:
@@ -160,7 +180,7 @@ def feed_program(commands, tolerance=0.01, diameter=5.0):
             except (TypeError, ValueError):  # None and impossible diameters: there is nothing to estimate with
                 tool = None
             if tool is not None:
-                cost = estimate(path, found, tool=tool, stock=STOCK, view=VIEW)
+                cost = estimate(path, found, tool=tool, stock=STOCK, view=VIEWS[view])
                 check_estimate(cost)
                 opengl_cost(Task(path, tool, STOCK))
             preflight(Task(path, tool, STOCK, words), {}, Conditions(version=(1, 0)))

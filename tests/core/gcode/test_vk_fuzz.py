@@ -32,8 +32,18 @@ def test_random_programs(first):
 
 @pytest.mark.parametrize("seed", [seed for seeds in FAILED.values() for seed in seeds])
 def test_programs_that_failed_once(seed):
-    result = fuzz.feed(seed)
+    result = fuzz.feed_program(*fuzz.flat_program(seed))
     assert not result.failed, result.outcome
+
+
+RAMP = [("G0", {"X": 0.0, "Y": 25.0, "Z": 5.0}), ("G1", {"X": 50.0, "Z": -15.0, "F": 5.0}), ("G1", {"X": 0.0, "Z": 4.0})]
+
+
+@pytest.mark.parametrize("diameter", [0.5, 5.0, 40.0])
+@pytest.mark.parametrize("view", fuzz.VIEWS)
+def test_ramps_are_seen_from_every_side(view, diameter):
+    result = fuzz.feed_program(RAMP, diameter=diameter, view=view)
+    assert result.outcome == "read", result.outcome
 
 
 HOLE = {"X": 0.0, "Y": 0.0, "Z": -100.0, "R": 1.0, "Q": 0.02, "F": 5.0}

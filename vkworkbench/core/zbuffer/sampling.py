@@ -115,20 +115,18 @@ def sample(removal: Removal, rng: np.random.Generator) -> Sample:
 
 def _passes(removal: Removal, low: np.ndarray, side: np.ndarray) -> np.ndarray:
     """How many bounding boxes of trajectories, long ones cut up, touch each cell: (rows, columns)."""
-    move = np.array((removal.move[0], removal.cosine * removal.move[1] + removal.sine * removal.move[2]))
+    seen = np.array((removal.move[0], removal.cosine * removal.move[1] + removal.sine * removal.move[2]))
     low, side = low[:, None], side[:, None]
-    parts = np.ceil((np.abs(move) / side).max(axis=0) / 4).astype(np.int64)
+    parts = np.ceil((np.abs(seen) / side).max(axis=0) / 4).astype(np.int64)
     parts = np.minimum(np.maximum(parts, 1), _CELLS)
     item = np.repeat(np.arange(len(parts)), parts)
     place = np.arange(len(item)) - np.repeat(np.cumsum(parts) - parts, parts)
-    # Each part's box is the whole box moved in from the ends.
-    share = place / parts[item]
-    rest = 1 - (place + 1) / parts[item]
-    move, forwards = np.abs(move)[:, item], move[:, item] > 0
-    lower = removal.box[::2, item] + np.where(forwards, share, rest) * move
-    upper = removal.box[1::2, item] - np.where(forwards, rest, share) * move
+    start, move = removal.start[:, item], removal.move[:, item]
+    box = removal.boxes(start + place / parts[item] * move, start + (place + 1) / parts[item] * move)
+    lower, upper = box[::2], box[1::2]
     first, last = np.floor((lower - low) / side), np.floor((upper - low) / side)
-    inside = ((last >= 0) & (first < _CELLS)).all(axis=0)
+    # Seen from the side, the box of a part above the stock ends before it begins.
+    inside = ((last >= np.maximum(first, 0)) & (first < _CELLS)).all(axis=0)
     c0, r0 = np.maximum(first[:, inside], 0).astype(np.int64)
     c1, r1 = np.minimum(last[:, inside], _CELLS - 1).astype(np.int64) + 1
     # Corners of the boxes, summed up twice: the number of boxes over each cell.

@@ -60,11 +60,11 @@ class Trajectories:
         self.move = axes @ (end - start).T
         self.ceiling = float(stock.upper[2] - frame.centre[2])
         self.heading = headings(self.move)
-        self.box = self._boxes()
+        self.box = self.boxes(self.start, self.start + self.move)
         self.strip = self._strips()
 
-    def _boxes(self) -> np.ndarray:
-        first, last = self.start, self.start + self.move
+    def boxes(self, first: np.ndarray, last: np.ndarray) -> np.ndarray:
+        """Bounds in the image of what moves from `first` to `last` (3, k) sweep: left, right, bottom, top (4, k), mm."""
         low, high = np.minimum(first, last), np.maximum(first, last)
         a, b = self.cosine * low[1], self.cosine * high[1]
         reach = self.tool.radius
