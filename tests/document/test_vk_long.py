@@ -1,6 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Long analyses: the same numbers with and without a thread, and a cancel that leaves everything as it was."""
 
+import concurrent.futures
+import threading
+
 import FreeCAD
 import Path
 import pytest
@@ -23,6 +26,18 @@ def test_one_by_one_or_at_once_is_the_same_fingerprint(example):
 def test_a_thread_finds_the_same(example):
     alone = vkworkbench.analyze(example)
     assert vkworkbench.analyze(example, cancelled=lambda: False) == alone
+
+
+def test_a_thread_that_takes_long_is_waited_for_by_any_python(small, zigzag_commands, monkeypatch):
+    """Before Python 3.11 the TimeoutError of concurrent.futures is not the built-in one."""
+    from vkworkbench.document import analysis
+
+    small.add("Zigzag", zigzag_commands)
+    monkeypatch.setattr(concurrent.futures._base, "TimeoutError", type("TimeoutError", (Exception,), {}))
+    asked, recognize = threading.Event(), analysis.recognize
+    monkeypatch.setattr(analysis, "recognize", lambda *what, **more: asked.wait() and recognize(*what, **more))
+    (row,) = vkworkbench.analyze(small.document, cancelled=asked.set).operations
+    assert row.strategy == "zigzag" and row.error is None
 
 
 def test_a_failure_in_the_thread_is_the_callers(example, monkeypatch):

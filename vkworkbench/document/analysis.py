@@ -6,7 +6,7 @@ from __future__ import annotations
 import threading
 import traceback
 from collections.abc import Callable
-from concurrent.futures import ThreadPoolExecutor
+from concurrent.futures import ThreadPoolExecutor, wait
 from contextlib import suppress
 from dataclasses import dataclass, replace
 
@@ -153,12 +153,11 @@ def _patiently(work: Callable, cancelled: Callable[[], bool] | None):
     threads = ThreadPoolExecutor(1)
     try:
         done = threads.submit(work, going_on)
-        while True:
-            with suppress(TimeoutError):
-                return done.result(_PATIENCE)
+        while not wait([done], _PATIENCE).done:
             if cancelled():
                 given_up.set()
                 going_on()
+        return done.result()
     finally:
         threads.shutdown(wait=False)
 
