@@ -14,6 +14,7 @@ from dataclasses import dataclass
 import FreeCAD
 
 TOOLPATH = "Path::Feature"  # the type of all that has a Path
+COMPOUND = "Path::FeatureCompound"  # the type of what has the paths of its members once more
 # The workbench for machining and its menu: since 1.0, and before.
 WORKBENCHES = {"CAMWorkbench": "&CAM", "PathWorkbench": "&Path"}
 TREE_DOCKS = ("Combo View", "Model", "Tree view")  # docks with the tree: in 0.20, since 1.0, and one of its own

@@ -35,11 +35,16 @@ class Operation:
 
 
 def kind(obj) -> str | None:
-    """Return "job", "controller", "dressup", "array", "operation", or None for what has no toolpath."""
+    """Return "job", "group", "controller", "dressup", "array", "operation", or None for what has no toolpath.
+
+    A group has the toolpaths of its members once more: before FreeCAD 0.20 a job kept its operations in one.
+    """
     if not has_toolpath(obj):
         return None
-    if freecad.OPERATIONS.is_in(obj) and freecad.TOOLS.is_in(obj):
+    if _is_job(obj):
         return "job"
+    if obj.isDerivedFrom(freecad.COMPOUND) or is_job_group(obj):
+        return "group"
     if freecad.TOOL_NUMBER.is_in(obj) and freecad.SPINDLE_SPEED.is_in(obj):
         return "controller"
     if _bases(obj):
@@ -55,9 +60,37 @@ def is_document(what) -> bool:
     return hasattr(what, "Objects") and hasattr(what, "getObject")
 
 
+def _is_job(obj) -> bool:
+    return has_toolpath(obj) and freecad.OPERATIONS.is_in(obj) and (freecad.TOOLS.is_in(obj) or freecad.CONTROLLER.is_in(obj))
+
+
 def is_job_group(obj) -> bool:
-    """Whether it is the group in which a job keeps its operations."""
-    return any(kind(user) == "job" and freecad.OPERATIONS.of(user) is obj for user in obj.InList)
+    """Whether it is the group in which a job keeps its operations, of whatever type."""
+    return freecad.GROUP.is_in(obj) and any(_is_job(user) and freecad.OPERATIONS.of(user) is obj for user in obj.InList)
+
+
+def _members(group) -> Iterator:
+    """The members of a group, those of groups in it in their place."""
+    seen = {group.Name}
+    pending = list(_listed(group))
+    while pending:
+        obj = pending.pop(0)
+        if obj.Name not in seen:
+            seen.add(obj.Name)
+            if is_group(obj):
+                pending[:0] = _listed(obj)
+            else:
+                yield obj
+
+
+def _listed(group) -> list:
+    members = freecad.GROUP.of(group)
+    return members if isinstance(members, list) else []
+
+
+def is_group(obj) -> bool:
+    """Whether it only holds other objects together: a folder of the tree, or a compound of toolpaths."""
+    return obj.isDerivedFrom("App::DocumentObjectGroup") or kind(obj) == "group"
 
 
 def find(what) -> list[Operation]:
@@ -115,6 +148,9 @@ def _find(what, jobs: dict) -> Iterator[Operation]:
             yield listed or next(_with_bases(what, job, counted=True))
         elif is_job_group(what):
             yield from _of_job(job_of(what))
+        elif sort == "group":
+            for obj in _members(what):
+                yield from _find(obj, jobs)
     elif isinstance(what, Iterable) and not isinstance(what, str):
         for one in what:
             yield from _find(one, jobs)
@@ -123,7 +159,8 @@ def _find(what, jobs: dict) -> Iterator[Operation]:
 
 
 def _of_job(job) -> Iterator[Operation]:
-    members = freecad.GROUP.of(freecad.OPERATIONS.of(job)) or []
+    group = freecad.OPERATIONS.of(job)
+    members = list(_members(group)) if group is not None else []
     # A file made without a window lists a dress-up and its base side by side.
     dressed = {base.Name for obj in members if kind(obj) == "dressup" for base in _all_bases(obj)}
     for obj in members:
@@ -169,7 +206,7 @@ def job_of(obj):
         for user in one.InList:
             if kind(user) == "job":
                 return user
-            if user.isDerivedFrom("App::DocumentObjectGroup") or kind(user) in ("dressup", "array"):
+            if is_group(user) or kind(user) in ("dressup", "array"):
                 pending.append(user)
     return None
 

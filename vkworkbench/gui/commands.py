@@ -92,7 +92,7 @@ class ClearCommand:
 def _selected() -> list:
     """Return the selected jobs and operations."""
     selection = Gui.Selection.getSelection()
-    groups = {"job", "operation", "dressup", "array"}
+    groups = {"job", "group", "operation", "dressup", "array"}
     return [obj for obj in selection if operations.kind(obj) in groups or operations.is_job_group(obj)]
 
 

@@ -1,0 +1,103 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Jobs made before FreeCAD 0.20 keep their operations in a compound of toolpaths: it holds them, and is none itself."""
+
+import FreeCAD
+import pytest
+
+import vkworkbench
+from vkworkbench.document import marks, watcher
+from vkworkbench.document.operations import find, job_of, kind
+
+
+def in_compound(small, *operations):
+    """Put operations into a compound as the job's group; the compound's path has all of theirs."""
+    compound = small.document.addObject("Path::FeatureCompoundPython", "Compound")
+    compound.Group = list(operations)
+    group = small.job.Operations
+    small.job.Operations = compound
+    if group.isDerivedFrom("App::DocumentObjectGroup"):
+        small.document.removeObject(group.Name)
+    small.document.recompute()
+    return compound
+
+
+@pytest.fixture
+def old(small, zigzag_commands):
+    """A job document whose two operations are in a compound."""
+    small.operations = [small.add(label, zigzag_commands, job=False) for label in ("One", "Two")]
+    small.compound = in_compound(small, *small.operations)
+    return small
+
+
+def test_a_compound_of_a_job_is_no_operation(old):
+    assert old.compound.Path.Size >= sum(op.Path.Size for op in old.operations)
+    report = vkworkbench.analyze(old.document)
+    assert [row.label for row in report.operations] == ["One", "Two"]
+    (total,) = report.totals
+    assert total.operations == 2 and total.length == pytest.approx(sum(row.length for row in report.operations))
+    for what in (old.job, old.compound, [old.compound, *old.operations]):
+        assert [row.label for row in vkworkbench.analyze(what).operations] == ["One", "Two"]
+
+
+def test_its_operations_know_their_job(old):
+    assert kind(old.compound) == "group"
+    assert all(job_of(op) is old.job for op in old.operations)
+    assert all(row.job == old.job.Name and row.error is None for row in vkworkbench.analyze(old.operations[0]).operations)
+
+
+def test_its_marks_are_fresh_after_reopening(old, tmp_path):
+    vkworkbench.mark(vkworkbench.analyze(old.document))
+    assert not marks.is_marked(old.compound) and old.job.Label2.startswith("⟦2 operations")
+    path = str(tmp_path / "old.FCStd")
+    old.document.saveAs(path)
+    FreeCAD.closeDocument(old.name)
+    document = FreeCAD.openDocument(path)
+    try:
+        watcher.check(document)
+        marked = [obj for obj in document.Objects if marks.is_marked(obj)]
+        assert len(marked) == 3 and not any(map(marks.is_outdated, marked))
+    finally:
+        FreeCAD.closeDocument(document.Name)
+
+
+def test_a_job_that_no_later_freecad_has_touched(old):
+    """Its list of tool controllers is a property of its own; there is no group of tools yet."""
+    tools = old.job.Tools
+    old.job.Proxy = None
+    old.job.removeProperty("Tools")
+    old.job.addProperty("App::PropertyLinkList", "ToolController").ToolController = tools.Group
+    assert kind(old.job) == "job" and kind(old.compound) == "group"
+    assert [operation.object for operation in find(old.document)] == old.operations
+
+
+def test_compounds_in_compounds(old, zigzag_commands):
+    inner = old.document.addObject("Path::FeatureCompound", "Inner")
+    third, outer = old.add("Three", zigzag_commands, job=False), old.add("Outside", zigzag_commands, job=False)
+    inner.Group = [third]
+    old.compound.Group = [old.operations[0], inner, old.operations[1]]
+    loose = old.document.addObject("Path::FeatureCompound", "Loose")
+    loose.Group = [outer]
+    old.document.recompute()
+    rows = vkworkbench.analyze(old.document).operations
+    assert [(row.label, row.job) for row in rows] == [
+        ("One", old.job.Name), ("Three", old.job.Name), ("Two", old.job.Name), ("Outside", None)
+    ]  # fmt: skip
+    assert [row.label for row in vkworkbench.analyze(inner).operations] == ["Three"]
+
+
+def test_dress_ups_in_a_compound_stand_for_their_bases(old, zigzag_commands):
+    dressup = old.add("Dress-up", zigzag_commands, job=False)
+    dressup.addProperty("App::PropertyLink", "Base", "Path").Base = old.operations[0]
+    old.compound.Group = [*old.operations, dressup]
+    report = vkworkbench.analyze(old.job)
+    assert {row.label: row.counted for row in report.operations} == {"One": False, "Two": True, "Dress-up": True}
+
+
+def test_operations_in_a_folder_of_the_job_belong_to_it(small, zigzag_commands):
+    op = small.add("Zigzag", zigzag_commands, job=False)
+    folder = small.document.addObject("App::DocumentObjectGroup", "Folder")
+    folder.Group = [op]
+    small.job.Operations.Group += [folder]
+    for what in (small.document, small.job, op):
+        (row,) = vkworkbench.analyze(what).operations
+        assert row.job == small.job.Name and row.counted
