@@ -1,11 +1,16 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Labels that look like HTML are shown as they are."""
 
+from dataclasses import replace
+
 import FreeCADGui as Gui
+import pytest
 from PySide import QtCore, QtGui
 
 import vkworkbench
-from vkworkbench.gui import progress
+from vkworkbench import preferences
+from vkworkbench.document import calibration
+from vkworkbench.gui import plain_text, preferences_page, progress
 
 HTML = "<b>bold</b><img src='x.png'>"
 
@@ -34,3 +39,60 @@ def test_gauss_map_shows_labels_as_text(opened, window):
     window.wait(lambda: title.text().startswith(HTML))
     assert title.textFormat() == QtCore.Qt.PlainText
     window.click("Gauss map")
+
+
+@pytest.fixture
+def trap(tmp_path, window):
+    """A label that is HTML with a picture to load: red, 60 x 60 pixels."""
+    picture = QtGui.QPixmap(60, 60)
+    picture.fill(QtGui.QColor("#ff0000"))
+    assert picture.save(str(tmp_path / "red.png"))
+    return f"<img src='{(tmp_path / 'red.png').as_uri()}'>"
+
+
+def is_shown_as_it_is(html, text):
+    """Whether Qt would show this tooltip as the text, and nothing else."""
+    document = QtGui.QTextDocument()
+    document.setHtml(html)
+    shown = document.toPlainText()
+    return html.startswith("<p ") and text in shown and "\ufffc" not in shown  # the sign of a picture
+
+
+def test_tooltips_show_labels_as_text(opened, window, trap):
+    face = opened.getObjectsByLabel("Face")[0]
+    face.Label = trap
+    face.ToolController.Label = f"{trap} tool"
+    face.ToolController.Tool.Diameter = 0
+    window.click("Analyze toolpaths")
+    window.wait(lambda: "⟦" in face.Label2)
+    window.dismiss()
+    model = window.main.findChild(QtGui.QDockWidget, "VkResults").model
+    row = next(i for i in range(model.rowCount()) if model.index(i, 0).data() == trap)
+    tooltips = [model.index(row, column).data(QtCore.Qt.ToolTipRole) for column in range(model.columnCount())]
+    assert is_shown_as_it_is(tooltips[0], trap) and is_shown_as_it_is(tooltips[-1], trap)
+    assert all(tooltip == "" or "<img" not in tooltip for tooltip in tooltips)
+    index = next(i for i in window.tree.model().match(
+        window.tree.model().index(0, 0), QtCore.Qt.DisplayRole, trap, 1, QtCore.Qt.MatchExactly | QtCore.Qt.MatchRecursive))  # fmt: skip
+    QtGui.QToolTip.hideText()
+    where = window.tree.visualRect(index.sibling(index.row(), 1)).center()
+    event = QtGui.QHelpEvent(QtCore.QEvent.ToolTip, where, window.tree.viewport().mapToGlobal(where))
+    QtGui.QApplication.sendEvent(window.tree.viewport(), event)
+    window.wait(QtGui.QToolTip.isVisible)
+    assert is_shown_as_it_is(QtGui.QToolTip.text(), trap)
+
+
+def test_boxes_show_texts_as_they_are(window, trap):
+    for show in (plain_text.tell, plain_text.warn):
+        box = show("Title", trap, window.main)
+        assert (box.text(), box.textFormat(), box.isModal()) == (trap, QtCore.Qt.PlainText, False)
+    assert window.dismiss() == [trap, trap]
+
+
+def test_the_preferences_show_a_calibration_as_text(window, trap, monkeypatch):
+    known = calibration.load(preferences.read().renderer) or calibration.calibrate("")
+    monkeypatch.setattr(calibration, "load", lambda *_: replace(known, processor=trap))
+    page = preferences_page.PreferencesPage()
+    page.loadSettings()
+    label = page.form.calibrated
+    assert trap in label.text() and label.textFormat() == QtCore.Qt.PlainText
+    page.form.deleteLater()

@@ -223,6 +223,7 @@ def test_an_export_that_fails_is_said(panel, window, tmp_path):
     try:
         QtCore.QTimer.singleShot(300, look)
         window.click_on(panel.csv)
+        window.wait(lambda: said)
     finally:
         module.QFileDialog.getSaveFileName = name
     assert said

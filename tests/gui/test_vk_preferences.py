@@ -158,8 +158,8 @@ def test_a_failed_calibration_is_said(with_page, window, monkeypatch):
     monkeypatch.setattr(calibration, "calibrate", fail)
 
     def click(form):
-        QtCore.QTimer.singleShot(300, lambda: said.extend(window.dismiss()))
         window.click_on(form.calibrate)
+        said.extend(window.dismiss())
 
     said = []
     with_page(click)

@@ -9,7 +9,7 @@ import FreeCADGui as Gui
 import vkworkbench
 from vkworkbench.document import operations
 from vkworkbench.gui import latest, panel_command, pills, progress, tree
-from vkworkbench.gui.qt import QMessageBox, Qt
+from vkworkbench.gui.plain_text import tell
 from vkworkbench.gui.text import QT_TRANSLATE_NOOP, translate
 from vkworkbench.preferences import GROUP
 
@@ -118,12 +118,7 @@ def _show_marks() -> None:
 
 
 def _tell(text: str) -> None:
-    """Show a message that does not block."""
-    box = QMessageBox(QMessageBox.Information, translate("Vk_Analyze", "Toolpath analysis"), text, QMessageBox.Ok,
-                      Gui.getMainWindow())  # fmt: skip
-    box.setAttribute(Qt.WA_DeleteOnClose)
-    box.setModal(False)
-    box.show()
+    tell(translate("Vk_Analyze", "Toolpath analysis"), text, Gui.getMainWindow())
 
 
 def _status(text: str) -> None:

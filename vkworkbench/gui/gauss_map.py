@@ -16,6 +16,7 @@ from vkworkbench.document.operations import kind
 from vkworkbench.document.setting import placed
 from vkworkbench.gui import docks
 from vkworkbench.gui.gauss_figure import CLOCKWISE, COUNTER_CLOCKWISE, TRAIL, GaussCanvas
+from vkworkbench.gui.plain_text import as_plain, warn
 from vkworkbench.gui.qt import (
     QApplication,
     QComboBox,
@@ -23,7 +24,6 @@ from vkworkbench.gui.qt import (
     QFileDialog,
     QHBoxLayout,
     QLabel,
-    QMessageBox,
     QPalette,
     QPushButton,
     QSlider,
@@ -55,7 +55,7 @@ class GaussMapDock(QDockWidget):
         self._later.timeout.connect(self.refresh)
 
         self.title, self.values, self.legend = QLabel(), QLabel(), QLabel(_legend())
-        self.title.setTextFormat(Qt.PlainText)  # plain text: an operation's label may look like HTML
+        as_plain(self.title)
         for label in (self.title, self.values, self.legend):
             label.setWordWrap(True)  # a dock may be narrow
             label.setTextInteractionFlags(Qt.TextSelectableByMouse)
@@ -233,7 +233,7 @@ class GaussMapDock(QDockWidget):
         try:
             self._canvas.save(path)
         except OSError as error:
-            QMessageBox.warning(self, translate("Vk_GaussMap", "Save picture"), str(error))
+            warn(translate("Vk_GaussMap", "Save picture"), str(error), self)
 
 
 def _row(*widgets: QWidget) -> QHBoxLayout:

@@ -13,6 +13,7 @@ from vkworkbench.core import Machining
 from vkworkbench.core.simulators import SIMULATORS
 from vkworkbench.gui import docks, latest
 from vkworkbench.gui.panel_model import VALUE, ResultsModel, ResultsOrder, Row, rows_of
+from vkworkbench.gui.plain_text import warn
 from vkworkbench.gui.qt import (
     QAbstractItemView,
     QApplication,
@@ -22,7 +23,6 @@ from vkworkbench.gui.qt import (
     QHeaderView,
     QItemSelectionModel,
     QLabel,
-    QMessageBox,
     QPushButton,
     Qt,
     QTableView,
@@ -215,7 +215,7 @@ class ResultsDock(QDockWidget):
         try:
             self._report.to_csv(path) if ending == "csv" else self._report.to_json(path)
         except OSError as error:
-            QMessageBox.warning(self, title, str(error))
+            warn(title, str(error), self)
 
     def _copy(self) -> None:
         """Copy the table as tabulated text, in the order and with the units that are shown."""

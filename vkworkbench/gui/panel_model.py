@@ -14,6 +14,7 @@ from vkworkbench.core import Strategy
 from vkworkbench.core.simulators import Simulator, available
 from vkworkbench.document import marks
 from vkworkbench.document.intent import contradicted
+from vkworkbench.gui.plain_text import as_html
 from vkworkbench.gui.qt import QAbstractTableModel, QColor, QFont, QModelIndex, QSortFilterProxyModel, Qt
 from vkworkbench.gui.sentences import said, strategy_name, user
 from vkworkbench.gui.text import translate
@@ -208,14 +209,16 @@ class ResultsModel(QAbstractTableModel):
             return value
         if role in (Qt.DisplayRole, Qt.ToolTipRole):
             if role == Qt.ToolTipRole and index.column() == len(self.columns) - 1:
-                return "\n".join(row.remarks)
+                return as_html("\n".join(row.remarks))
             if value is None:
                 return ""
             factor = column.factor(row)
-            if role == Qt.DisplayRole or factor < ROUGH:
+            if role == Qt.DisplayRole:
                 return user().about(column.text(value), factor)
+            if factor < ROUGH:
+                return as_html(column.text(value))
             text = translate("Vk_Results", "Between {} and {}: not measured on this computer yet")
-            return text.format(column.text(value / factor), column.text(value * factor))
+            return as_html(text.format(column.text(value / factor), column.text(value * factor)))
         if role == Qt.TextAlignmentRole:
             right = value is not None and not isinstance(value, str)
             return _RIGHT if right else _LEFT

@@ -22,6 +22,7 @@ from vkworkbench.core.simulators import ZBUFFER
 from vkworkbench.document import marks
 from vkworkbench.gui import tree
 from vkworkbench.gui.colors import TEXT, TOTAL
+from vkworkbench.gui.plain_text import show_tooltip
 from vkworkbench.gui.qt import (
     QApplication,
     QColor,
@@ -33,7 +34,6 @@ from vkworkbench.gui.qt import (
     QStyledItemDelegate,
     QStyleOptionViewItem,
     Qt,
-    QToolTip,
 )  # fmt: skip
 from vkworkbench.gui.sentences import said, strategy_name, user
 from vkworkbench.gui.text import translate
@@ -160,7 +160,7 @@ class PillDelegate(QStyledItemDelegate):
         mark = read_mark(index.data() or "")
         if event.type() != QEvent.ToolTip or mark is None:
             return super().helpEvent(event, view, option, index)
-        QToolTip.showText(event.globalPos(), explanation(mark, _object_of(index)), view)
+        show_tooltip(event.globalPos(), explanation(mark, _object_of(index)), view)
         return True
 
     def setEditorData(self, editor, index) -> None:
@@ -208,7 +208,7 @@ def explanation(mark: Mark, obj) -> str:
     if mark.outdated:
         text = translate("Pills", "Outdated: toolpath, tool or stock have changed since. Analyze it again.")
         lines.append(f"<i>{escape(text)}</i>")
-    return "<p style='white-space: pre-wrap'>" + "<br>".join(lines) + "</p>"
+    return "<br>".join(lines)
 
 
 def _time(obj) -> str:

@@ -10,7 +10,8 @@ import FreeCAD
 import FreeCADGui as Gui
 
 from vkworkbench import freecad, preferences
-from vkworkbench.gui.qt import QApplication, QDate, QLocale, QMessageBox, Qt
+from vkworkbench.gui.plain_text import as_plain, warn
+from vkworkbench.gui.qt import QApplication, QDate, QLocale, Qt
 from vkworkbench.gui.sentences import user
 from vkworkbench.gui.text import QT_TRANSLATE_NOOP, translate
 from vkworkbench.preferences import Preferences
@@ -30,6 +31,7 @@ class PreferencesPage:
                 widget.setProperty("minimum", limits["least"])
                 widget.setProperty("maximum", limits["most"])
         self._offer_simulators()
+        as_plain(self.form.calibrated)
         self.form.calibrate.clicked.connect(self._calibrate)
 
     def _offer_simulators(self) -> None:
@@ -94,7 +96,7 @@ class PreferencesPage:
         try:
             calibration.calibrate(note_renderer(again=True))
         except OSError as error:
-            QMessageBox.warning(self.form, translate("VkPreferences", "Calibrate"), str(error))
+            warn(translate("VkPreferences", "Calibrate"), str(error), self.form)
         finally:
             QApplication.restoreOverrideCursor()
         self._say_last_calibration()

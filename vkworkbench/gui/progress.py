@@ -6,6 +6,7 @@ from __future__ import annotations
 import FreeCADGui as Gui
 
 import vkworkbench
+from vkworkbench.gui.plain_text import as_plain
 from vkworkbench.gui.qt import QApplication, QEventLoop, QLabel, QProgressDialog, Qt
 from vkworkbench.gui.renderer import note_renderer
 from vkworkbench.gui.text import translate
@@ -28,8 +29,7 @@ def analyze(what) -> Report:
     dialog.setWindowModality(Qt.WindowModal)
     dialog.setMinimumDuration(_DELAY)
     dialog.setMinimumWidth(_WIDTH)
-    # Plain text: an operation's label may look like HTML.
-    dialog.findChild(QLabel).setTextFormat(Qt.PlainText)
+    as_plain(dialog.findChild(QLabel))
     dialog.rejected.connect(dialog.cancel)  # Esc, whichever part of the dialog takes it
 
     def progress(done: int, count: int, label: str) -> None:

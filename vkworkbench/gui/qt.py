@@ -13,6 +13,7 @@ from PySide.QtCore import (
     QLocale,
     QModelIndex,
     QObject,
+    QPoint,
     QRectF,
     QSortFilterProxyModel,
     Qt,
@@ -56,7 +57,7 @@ __all__ = [
     "QAbstractItemView", "QAbstractTableModel", "QApplication", "QColor", "QComboBox", "QDate",
     "QDockWidget", "QEvent", "QEventLoop", "QFileDialog", "QFont", "QHBoxLayout", "QHeaderView", "QItemSelectionModel",
     "QLabel", "QListWidget", "QLocale", "QMessageBox", "QModelIndex", "QObject", "QOffscreenSurface", "QOpenGLContext",
-    "QPainter", "QPalette", "QPen", "QProgressBar", "QProgressDialog", "QPushButton", "QRectF", "QSlider",
+    "QPainter", "QPalette", "QPen", "QPoint", "QProgressBar", "QProgressDialog", "QPushButton", "QRectF", "QSlider",
     "QSortFilterProxyModel", "QSpinBox", "QStyle", "QStyleOptionViewItem", "QStyledItemDelegate",
     "QTableView", "QTimer", "QToolButton", "QToolTip", "QTreeView", "QVBoxLayout", "QWidget", "Qt",
 ]  # fmt: skip

@@ -1,0 +1,56 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Texts of documents and files as plain text, in every tooltip, label and box.
+
+Qt takes a text that begins like HTML for HTML: a label such as ``<img src='file:...'>`` would load the file.
+"""
+
+from __future__ import annotations
+
+from html import escape
+
+from vkworkbench.gui.qt import QLabel, QMessageBox, QPoint, Qt, QToolTip, QWidget
+
+
+def as_html(text: str) -> str:
+    """Return HTML that shows a text as it is, for Qt to take as such: tooltips of models and widgets."""
+    return in_paragraph(lines(text))
+
+
+def lines(text: str) -> str:
+    """Return a text as a part of HTML, with its line breaks."""
+    return escape(text).replace("\n", "<br>")
+
+
+def in_paragraph(html: str) -> str:
+    """Return a part of HTML as a tooltip that keeps its spaces."""
+    return f"<p style='white-space: pre-wrap'>{html}</p>" if html else ""
+
+
+def as_plain(label: QLabel) -> QLabel:
+    """Make a label show every text as it is, and return it."""
+    label.setTextFormat(Qt.PlainText)
+    return label
+
+
+def show_tooltip(where: QPoint, html: str, widget: QWidget) -> None:
+    """Show a part of HTML as a tooltip; what it takes from documents has gone through `lines`."""
+    QToolTip.showText(where, in_paragraph(html), widget)
+
+
+def tell(title: str, text: str, parent: QWidget) -> QMessageBox:
+    """Tell something in a box that does not block."""
+    return _box(QMessageBox.Information, title, text, parent)
+
+
+def warn(title: str, text: str, parent: QWidget) -> QMessageBox:
+    """Tell what went wrong in a box that does not block."""
+    return _box(QMessageBox.Warning, title, text, parent)
+
+
+def _box(icon, title: str, text: str, parent: QWidget) -> QMessageBox:
+    box = QMessageBox(icon, title, text, QMessageBox.Ok, parent)
+    box.setTextFormat(Qt.PlainText)
+    box.setAttribute(Qt.WA_DeleteOnClose)
+    box.setModal(False)
+    box.show()
+    return box
