@@ -26,7 +26,7 @@ from zbuffer_cases import BALL, BLOCK, CASES, FLAT, PLATE, surface, zigzag
 from zbuffer_reference.simulate import simulate as tried
 
 from vkworkbench.core import View, estimate, linearize, simulate
-from vkworkbench.core.zbuffer import memory_needed
+from vkworkbench.core.zbuffer import Cut, memory_needed
 
 # Pairs of pixel and trajectory that the old way may take.
 MOST_TRIED = 50e6
@@ -119,7 +119,7 @@ def million() -> None:
     toolpath = surface(1000, 1000)
     reading = reading_time(toolpath)
     view = View()
-    needed = memory_needed(toolpath, tool=BALL, stock=BLOCK, view=view)
+    needed = memory_needed([Cut(toolpath, BALL)], stock=BLOCK, view=view)
     Path("/proc/self/clear_refs").write_text("5")  # resets the peak
     before = memory("VmRSS")
     seconds, z = processor_time(lambda: simulate(toolpath, tool=BALL, stock=BLOCK, view=view))

@@ -13,6 +13,7 @@ from vkworkbench.core.solids import ConvexStock, Stock, Tool, View, stock_around
 from vkworkbench.core.strategy import Family, Strategy
 from vkworkbench.core.toolpath import Problem, Toolpath
 from vkworkbench.core.zbuffer import (
+    Cut,
     Estimate,
     Resolution,
     Speed,
@@ -21,11 +22,12 @@ from vkworkbench.core.zbuffer import (
     estimate,
     measure_speed,
     simulate,
+    simulate_job,
 )
 
 __all__ = [
-    "Accuracy", "ConvexStock", "Estimate", "Family", "Machining", "Problem", "Recognition", "Resolution", "Signature",
-    "Span", "Speed", "Stock", "Strategy", "Tool", "Toolpath", "View", "ZBuffer", "best_accuracy",
-    "best_resolution", "estimate", "exact_lengths", "linearize", "machining", "measure_speed", "recognize", "signature",
-    "simulate", "stock_around",
+    "Accuracy", "ConvexStock", "Cut", "Estimate", "Family", "Machining", "Problem", "Recognition", "Resolution",
+    "Signature", "Span", "Speed", "Stock", "Strategy", "Tool", "Toolpath", "View", "ZBuffer", "best_accuracy",
+    "best_resolution", "estimate", "exact_lengths", "linearize", "machining", "measure_speed", "recognize",
+    "signature", "simulate", "simulate_job", "stock_around",
 ]  # fmt: skip

@@ -14,6 +14,7 @@ from vkworkbench.core import ConvexStock, Stock, Strategy, Tool, Toolpath, View
 from vkworkbench.core.gcode import linearize
 from vkworkbench.core.recognition import Recognition, recognize
 from vkworkbench.core.zbuffer.closed_form import cauchy_crofton, closed_form, swept
+from vkworkbench.core.zbuffer.cuts import Cut, Cuts
 from vkworkbench.core.zbuffer.dexels import UNCUT
 from vkworkbench.core.zbuffer.estimate import Speed, estimate, work
 from vkworkbench.core.zbuffer.records import INDEX, PIXEL_BYTES, RECORD_BYTES
@@ -114,7 +115,7 @@ def test_the_error_bar_holds_as_often_as_it_should():
     within = []
     for name, (toolpath, tool) in PATHS.items():
         frame = View(TOP if name == "helix" else TILTED).frame(STOCK)
-        removal = Removal(toolpath, tool, STOCK, frame)
+        removal = Removal(Cuts([Cut(toolpath, tool)]), STOCK, frame)
         totals = []
         for seed in range(40):
             rays = sample(removal, np.random.default_rng(seed))

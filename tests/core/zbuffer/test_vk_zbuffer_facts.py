@@ -22,12 +22,12 @@ def cut(points, rapid=(), direction=(0, 0, -1)):
     fast = np.zeros(len(path), bool)
     fast[list(rapid)] = True
     path = replace(path, rapid=fast, feed=np.where(fast, 0.0, 10.0))
-    return simulate(path, tool=FLAT, stock=STOCK, view=View(direction)), path
+    return simulate(path, tool=FLAT, stock=STOCK, view=View(direction))
 
 
 @pytest.mark.parametrize("direction", DIRECTIONS)
 def test_each_trajectory_removes_its_own(direction):
-    z, path = cut([(10, 15, 12), (10, 15, 6), (30, 15, 6), (10, 15, 6), (10, 15, 4)], direction=direction)
+    z = cut([(10, 15, 12), (10, 15, 6), (30, 15, 6), (10, 15, 6), (10, 15, 4)], direction=direction)
     volumes = removed_volumes(z)
     assert volumes == pytest.approx([9 * pi * 4, 20 * 6 * 4, 0, 9 * pi * 2], rel=0.03, abs=0.1)
     assert volumes.sum() == pytest.approx(z.chip_volume)
@@ -40,28 +40,28 @@ def test_volumes_are_those_of_all_chips():
 
 
 def test_rates_follow_the_feed():
-    z, path = cut([(10, 15, 6), (30, 15, 6), (30, 25, 12)], rapid=[1])
-    rates = removal_rates(z, path)
+    z = cut([(10, 15, 6), (30, 15, 6), (30, 25, 12)], rapid=[1])
+    rates = removal_rates(z)
     assert rates[0] == pytest.approx(60 * removed_volumes(z)[0] / 2)
     assert np.isnan(rates[1])
 
 
 def test_air_is_what_removes_nothing():
-    z, path = cut([(10, 15, 6), (30, 15, 6), (10, 15, 6), (10, 15, 40), (10, 20, 40)], rapid=[2])
-    assert air_share(z, path) == pytest.approx(25 / 45)
-    nothing, path = cut([(10, 15, 20)])
-    assert air_share(nothing, path) == 0
+    z = cut([(10, 15, 6), (30, 15, 6), (10, 15, 6), (10, 15, 40), (10, 20, 40)], rapid=[2])
+    assert air_share(z) == pytest.approx(25 / 45)
+    nothing = cut([(10, 15, 20)])
+    assert air_share(nothing) == 0
 
 
 @pytest.mark.parametrize("direction", DIRECTIONS)
 def test_a_rapid_through_the_stock_is_found(direction):
     sound = [(10, 15, 12), (10, 15, 6), (20, 15, 6), (20, 15, 12)]
-    z, path = cut(sound, rapid=[2], direction=direction)
-    assert crashes(z, path) == []
-    z, path = cut([*sound, (30, 15, 12), (30, 15, 7), (30, 25, 7)], rapid=[2, 3, 4, 5], direction=direction)
-    found = crashes(z, path)
+    z = cut(sound, rapid=[2], direction=direction)
+    assert crashes(z) == []
+    z = cut([*sound, (30, 15, 12), (30, 15, 7), (30, 25, 7)], rapid=[2, 3, 4, 5], direction=direction)
+    found = crashes(z)
     assert [c.trajectory for c in found] == [4, 5]
-    assert [c.command for c in found] == [4, 5]
+    assert [c.source.command for c in found] == [4, 5]
     assert found[0].volume == pytest.approx(9 * pi * 3, rel=0.03)
     x, y, height = found[0].place
     assert np.hypot(x - 30, y - 15) < 3.1 and 7 <= height <= 10

@@ -23,7 +23,7 @@ from pathlib import Path
 import numpy as np
 sys.path[:0] = [{root!r}, {root!r} + "/tests"]
 from vkworkbench.core import View
-from vkworkbench.core.zbuffer import memory_needed, simulate
+from vkworkbench.core.zbuffer import Cut, memory_needed, simulate
 from zbuffer_reference.paths import BOX, TOOLS, surface, toolpath
 
 def memory(line):
@@ -37,7 +37,7 @@ before = memory("VmRSS")
 simulate(path, tool=tool, stock=BOX, view=view)
 taken = memory("VmHWM") - before
 # Only now: memory that it gives back would be used again, and not be seen to be taken.
-print(memory_needed(path, tool=tool, stock=BOX, view=view), taken)
+print(memory_needed([Cut(path, tool)], stock=BOX, view=view), taken)
 """
 
 

@@ -1,24 +1,26 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The paper's extended z-buffer with traces: simulating it, and knowing its cost without.
 
-In: `Toolpath`, tool, stock and view; for the cost in closed form also the `Recognition`.
-Out: `ZBuffer`, exact dexels and traces at any moment; `Estimate`, their numbers, memory and time from sampled rays;
+In: `Cut`, a toolpath with its tool, one or several; stock and view; for the cost in closed form also the `Recognition`.
+Out: `ZBuffer`, exact dexels and traces at any moment, and what they tell; `Estimate`, their numbers, memory and time from sampled rays;
 `Resolution`, the finest image that a budget allows; `OverBudget`, the error of a simulation that takes too much memory;
 `Speed`, how fast this computer is.
 """
 
 from vkworkbench.core.zbuffer.closed_form import cauchy_crofton, closed_form, swept
+from vkworkbench.core.zbuffer.cuts import Cut, Cuts, Source
 from vkworkbench.core.zbuffer.estimate import Estimate, Speed, estimate, work
 from vkworkbench.core.zbuffer.facts import Crash, air_share, crashes, removal_rates, removed_volumes
 from vkworkbench.core.zbuffer.memory import OverBudget, memory_needed
 from vkworkbench.core.zbuffer.moments import ZBuffer
 from vkworkbench.core.zbuffer.records import DEXEL, RECORD_BYTES, TRACE
 from vkworkbench.core.zbuffer.resolution import Resolution, best_resolution, check_budget, heaviest, passes_apart
-from vkworkbench.core.zbuffer.simulate import simulate
+from vkworkbench.core.zbuffer.simulate import simulate, simulate_job
 from vkworkbench.core.zbuffer.speed import fit_speed, measure_speed
 
 __all__ = [
-    "DEXEL", "RECORD_BYTES", "TRACE", "Crash", "Estimate", "OverBudget", "Resolution", "Speed", "ZBuffer", "air_share",
-    "best_resolution", "cauchy_crofton", "check_budget", "closed_form", "crashes", "estimate", "fit_speed", "heaviest",
-    "measure_speed", "memory_needed", "passes_apart", "removal_rates", "removed_volumes", "simulate", "swept", "work",
+    "DEXEL", "RECORD_BYTES", "TRACE", "Crash", "Cut", "Cuts", "Estimate", "OverBudget", "Resolution", "Source",
+    "Speed", "ZBuffer", "air_share", "best_resolution", "cauchy_crofton", "check_budget", "closed_form", "crashes",
+    "estimate", "fit_speed", "heaviest", "measure_speed", "memory_needed", "passes_apart", "removal_rates",
+    "removed_volumes", "simulate", "simulate_job", "swept", "work",
 ]  # fmt: skip

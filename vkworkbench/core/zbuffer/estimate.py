@@ -11,6 +11,7 @@ from vkworkbench.core.recognition import Recognition
 from vkworkbench.core.solids import ConvexStock, Stock, Tool, View
 from vkworkbench.core.toolpath import Toolpath
 from vkworkbench.core.zbuffer.counts import count
+from vkworkbench.core.zbuffer.cuts import Cut, Cuts
 from vkworkbench.core.zbuffer.removal import Removal
 
 # Work on a pair of ray and trajectory for rounded tools, a flat end's or a cone's taken as 1: seen from above
@@ -136,7 +137,7 @@ def estimate(
         The same for the same arguments.
     """
     frame = view.frame(stock)
-    counts = count(Removal(toolpath, tool, stock, frame))
+    counts = count(Removal(Cuts([Cut(toolpath, tool)]), stock, frame))
     trajectory_seconds = speed.trajectory * len(toolpath)
     records = counts.dexels + counts.traces
     seconds = float(work(len(toolpath), records, counts.passes, tool, view) @ speed.constants)

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from vkworkbench.core.toolpath import Toolpath
+from vkworkbench.core.zbuffer.cuts import Source
 from vkworkbench.core.zbuffer.moments import ZBuffer
 
 
@@ -25,29 +25,26 @@ def removed_volumes(zbuffer: ZBuffer) -> np.ndarray:
     return volumes * zbuffer.frame.pixel**2
 
 
-def removal_rates(zbuffer: ZBuffer, toolpath: Toolpath) -> np.ndarray:
+def removal_rates(zbuffer: ZBuffer) -> np.ndarray:
     """Volume that each trajectory removes in a minute, (n,) float64 mm^3/min; not a number for those without a feed.
 
     Parameters
     ----------
     zbuffer : ZBuffer
-    toolpath : Toolpath
-        What it was cut by.
     """
-    seconds = np.where(toolpath.feed > 0, toolpath.lengths / np.where(toolpath.feed > 0, toolpath.feed, 1), np.nan)
+    feed = zbuffer.cuts.feed
+    seconds = np.where(feed > 0, zbuffer.cuts.lengths / np.where(feed > 0, feed, 1), np.nan)
     return 60 * removed_volumes(zbuffer) / seconds
 
 
-def air_share(zbuffer: ZBuffer, toolpath: Toolpath) -> float:
+def air_share(zbuffer: ZBuffer) -> float:
     """Share of the length of the cutting moves that removes nothing, 0 to 1; 0 where no move cuts.
 
     Parameters
     ----------
     zbuffer : ZBuffer
-    toolpath : Toolpath
-        What it was cut by.
     """
-    length = np.where(toolpath.rapid, 0.0, toolpath.lengths)
+    length = np.where(zbuffer.cuts.rapid, 0.0, zbuffer.cuts.lengths)
     total = float(length.sum())
     return float(length[removed_volumes(zbuffer) == 0].sum()) / total if total else 0.0
 
@@ -58,8 +55,10 @@ class Crash:
 
     Attributes
     ----------
-    trajectory, command : int
-        Which one, and the index of its source command.
+    trajectory : int
+        Its number.
+    source : Source
+        Its cut and command.
     place : (3,) tuple of float
         Where the piece that it removes is longest, mm.
     depth : float
@@ -69,23 +68,21 @@ class Crash:
     """
 
     trajectory: int
-    command: int
+    source: Source
     place: tuple[float, float, float]
     depth: float
     volume: float
 
 
-def crashes(zbuffer: ZBuffer, toolpath: Toolpath) -> list[Crash]:
+def crashes(zbuffer: ZBuffer) -> list[Crash]:
     """Rapids that remove material, in their order.
 
     Parameters
     ----------
     zbuffer : ZBuffer
-    toolpath : Toolpath
-        What it was cut by.
     """
     records, frame = zbuffer.records, zbuffer.frame
-    rapid = np.append(toolpath.rapid, False)
+    rapid = np.append(zbuffer.cuts.rapid, False)
     pieces = np.flatnonzero(rapid[records.owner])
     if len(pieces) == 0:
         return []
@@ -100,7 +97,7 @@ def crashes(zbuffer: ZBuffer, toolpath: Toolpath) -> list[Crash]:
     return [
         Crash(
             int(owner[i]),
-            int(toolpath.command[owner[i]]),
+            zbuffer.cuts.source(int(owner[i])),
             tuple(middle[i].tolist()),
             float(far[i] - near[i]),
             float(volumes[owner[i]]),

@@ -3,11 +3,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+
 import numpy as np
 
-from vkworkbench.core.solids import ConvexStock, Stock, Tool, View
-from vkworkbench.core.toolpath import Toolpath
+from vkworkbench.core.solids import ConvexStock, Stock, View
 from vkworkbench.core.zbuffer.counts import Counts, count
+from vkworkbench.core.zbuffer.cuts import Cut, Cuts
 from vkworkbench.core.zbuffer.records import PIXEL_BYTES, RECORD_BYTES
 from vkworkbench.core.zbuffer.removal import Removal
 from vkworkbench.language import Message, Unusable
@@ -46,18 +48,18 @@ class OverBudget(Unusable):
         self.needed, self.allowed = needed, allowed
 
 
-def memory_needed(toolpath: Toolpath, *, tool: Tool, stock: Stock | ConvexStock, view: View) -> float:
-    """Memory that `simulate` takes at its peak for these arguments, bytes, from some hundred rays.
+def memory_needed(cuts: Iterable[Cut], *, stock: Stock | ConvexStock, view: View) -> float:
+    """Memory that `simulate_job` takes at its peak for these arguments, bytes, from some hundred rays.
 
     Parameters
     ----------
-    toolpath : Toolpath
-    tool : Tool
+    cuts : iterable of Cut
     stock : Stock or ConvexStock
     view : View
     """
-    removal = Removal(toolpath, tool, stock, view.frame(stock))
-    return peak_bytes(count(removal), len(toolpath), removal)
+    cuts = Cuts(cuts)
+    removal = Removal(cuts, stock, view.frame(stock))
+    return peak_bytes(count(removal), len(cuts), removal)
 
 
 def check_memory(removal: Removal, trajectories: int, allowed: float) -> None:
@@ -68,7 +70,7 @@ def check_memory(removal: Removal, trajectories: int, allowed: float) -> None:
     removal : Removal
         What would be simulated.
     trajectories : int
-        Of the whole toolpath.
+        How many there are, those that miss the stock included.
     allowed : float
         Bytes.
 
@@ -93,7 +95,7 @@ def peak_bytes(counts: Counts, trajectories: int, removal: Removal) -> float:
     counts : Counts
         Its records.
     trajectories : int
-        Of the whole toolpath.
+        How many there are, those that miss the stock included.
     removal : Removal
         What is simulated.
     """

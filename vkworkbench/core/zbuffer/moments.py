@@ -13,20 +13,21 @@ from functools import cached_property
 import numpy as np
 
 from vkworkbench.core.solids import Frame
+from vkworkbench.core.zbuffer.cuts import Cuts
 from vkworkbench.core.zbuffer.records import Records
 from vkworkbench.core.zbuffer.surface import Picture, Surface
 
 
 @dataclass(frozen=True, eq=False)
 class ZBuffer:
-    """An image of rays cut by a toolpath, at one moment of the simulation.
+    """An image of rays cut by toolpaths, at one moment of the simulation.
 
     Attributes
     ----------
     frame : Frame
         Axes, centre and pixel of the image.
-    trajectories : int
-        How many trajectories the toolpath has.
+    cuts : Cuts
+        What it is cut by; tells where a trajectory comes from.
     step : int
         The moment: that many trajectories have been simulated.
     records : Records
@@ -38,11 +39,16 @@ class ZBuffer:
     """
 
     frame: Frame
-    trajectories: int
+    cuts: Cuts
     step: int
     records: Records
     surface: Surface
     candidates: int
+
+    @property
+    def trajectories(self) -> int:
+        """How many trajectories there are."""
+        return len(self.cuts)
 
     @property
     def picture(self) -> Picture:
@@ -56,7 +62,7 @@ class ZBuffer:
 
     @cached_property
     def trace_records(self) -> np.ndarray:
-        """(m,) ndarray of TRACE : what the whole toolpath removes, sorted by pixel and depth."""
+        """(m,) ndarray of TRACE : what all trajectories remove, sorted by pixel and depth."""
         return self.records.traces()
 
     @cached_property
@@ -95,7 +101,8 @@ class ZBuffer:
         Parameters
         ----------
         step : int
-            Number of trajectories simulated, from 0 (the stock) to `trajectories` (the part).
+            Number of trajectories simulated, from 0 (the stock) to `trajectories` (the part); ``cuts.first[i]`` is the
+            moment before cut `i`.
 
         Raises
         ------

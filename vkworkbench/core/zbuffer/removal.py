@@ -20,7 +20,7 @@ _PAIRS_AT_ONCE = 16_384
 
 
 class Removal(Trajectories):
-    """A toolpath ready to cut scattered rays, as the estimate does."""
+    """Toolpaths ready to cut scattered rays, as the estimate does."""
 
     def cut(
         self, x: np.ndarray, y: np.ndarray, selection: np.ndarray | None = None
@@ -37,7 +37,7 @@ class Removal(Trajectories):
         Returns
         -------
         pieces : Pieces
-            Their owners are indices of the toolpath's trajectories.
+            Their owners are numbers of trajectories.
         passes : (k,) int64
             How many trajectories each ray was examined with.
         """

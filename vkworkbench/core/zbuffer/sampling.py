@@ -121,8 +121,7 @@ def _passes(removal: Removal, low: np.ndarray, side: np.ndarray) -> np.ndarray:
     parts = np.minimum(np.maximum(parts, 1), _CELLS)
     item = np.repeat(np.arange(len(parts)), parts)
     place = np.arange(len(item)) - np.repeat(np.cumsum(parts) - parts, parts)
-    start, move = removal.start[:, item], removal.move[:, item]
-    box = removal.boxes(start + place / parts[item] * move, start + (place + 1) / parts[item] * move)
+    box = removal.boxes(item, place / parts[item], (place + 1) / parts[item])
     lower, upper = box[::2], box[1::2]
     first, last = np.floor((lower - low) / side), np.floor((upper - low) / side)
     # Seen from the side, the box of a part above the stock ends before it begins.

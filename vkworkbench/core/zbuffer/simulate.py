@@ -1,14 +1,17 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The extended z-buffer with traces (Blasquez and Poiraudeau 2000): exact simulation of a toolpath."""
+"""The extended z-buffer with traces (Blasquez and Poiraudeau 2000): exact simulation of toolpaths."""
 
 from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator
 
 import numpy as np
 
 from vkworkbench.core.solids import ConvexStock, Stock, Tool, View
 from vkworkbench.core.toolpath import Toolpath
 from vkworkbench.core.zbuffer.chains import cut_rays
-from vkworkbench.core.zbuffer.culling import TILE, Bounds, culled
+from vkworkbench.core.zbuffer.culling import TILE, Tiles, culled
+from vkworkbench.core.zbuffer.cuts import Cut, Cuts
 from vkworkbench.core.zbuffer.dexels import THINNEST, UNCUT
 from vkworkbench.core.zbuffer.memory import BUDGET, check_memory
 from vkworkbench.core.zbuffer.moments import ZBuffer
@@ -21,22 +24,43 @@ from vkworkbench.core.zbuffer.upright import Upright
 
 
 def simulate(
-    toolpath: Toolpath, *, tool: Tool, stock: Stock | ConvexStock, view: View, memory_budget: float = BUDGET
+    toolpath: Toolpath,
+    *,
+    tool: Tool,
+    stock: Stock | ConvexStock,
+    view: View,
+    memory_budget: float = BUDGET,
+    going_on: Callable[[float], None] | None = None,
 ) -> ZBuffer:
-    """Cut the stock by all trajectories, rapids included, and count exactly.
+    """Cut the stock by one toolpath; see :func:`simulate_job`, of which this is a job of one operation."""
+    cuts = [Cut(toolpath, tool)]
+    return simulate_job(cuts, stock=stock, view=view, memory_budget=memory_budget, going_on=going_on)
+
+
+def simulate_job(
+    cuts: Iterable[Cut],
+    *,
+    stock: Stock | ConvexStock,
+    view: View,
+    memory_budget: float = BUDGET,
+    going_on: Callable[[float], None] | None = None,
+) -> ZBuffer:
+    """Cut the stock by toolpaths one after the other, by all trajectories, rapids included, and count exactly.
 
     An element of a trace is one piece a trajectory removes from one pixel's ray. Pieces up to 1e-4 mm are
     rounding noise and go to their neighbour. A trajectory is the straight sweep of the tool between two
-    points of the toolpath.
+    points of the toolpath. The trajectories of all cuts are numbered through; see `Cuts`.
 
     Parameters
     ----------
-    toolpath : Toolpath
-    tool : Tool
+    cuts : iterable of Cut
+        The operations in their order.
     stock : Stock or ConvexStock
     view : View
     memory_budget : float
         Bytes that the process may take for it at its peak.
+    going_on : callable, optional
+        Called many times a second with the share of the image that is done, 0 to 1; what it raises ends the simulation.
 
     Returns
     -------
@@ -48,22 +72,32 @@ def simulate(
     OverBudget
         Before anything is simulated, if it would take more memory than that.
     """
+    cuts = Cuts(cuts)
     frame = view.frame(stock)
-    removal = Removal(toolpath, tool, stock, frame)
-    check_memory(removal, len(toolpath), memory_budget)
+    removal = Removal(cuts, stock, frame)
+    check_memory(removal, len(cuts), memory_budget)
     bounds = Upright(removal) if removal.sine == 0 else Tilted(removal)
-    writer = Writer(len(toolpath), frame.width * frame.height)
+    writer = Writer(len(cuts), frame.width * frame.height)
     candidates = 0
     for bottom in range(0, frame.height, TILE):
-        band, tested = _cut_band(removal, bounds, len(toolpath), bottom)
+        blocks = culled(removal, bounds, bottom, min(bottom + TILE, frame.height))
+        if going_on is not None:
+            blocks = _told(blocks, going_on, bottom / frame.height)
+        band, tested = _cut_band(removal, blocks, len(cuts), bottom)
         writer.append(band)
         candidates += tested
     records = writer.records()
-    return ZBuffer(frame, len(toolpath), len(toolpath), records, Surface(records), candidates)
+    return ZBuffer(frame, cuts, len(cuts), records, Surface(records), candidates)
+
+
+def _told(blocks: Iterator, going_on: Callable[[float], None], done: float) -> Iterator:
+    for block in blocks:
+        going_on(done)
+        yield block
 
 
 def _cut_band(
-    trajectories: Trajectories, bounds: Bounds, uncut: int, bottom: int
+    trajectories: Trajectories, blocks: Iterable[tuple[Tiles, int]], uncut: int, bottom: int
 ) -> tuple[Records, int]:
     """The pieces of the rays of a band of the image, and how many pairs were tested for them."""
     frame = trajectories.frame
@@ -74,7 +108,7 @@ def _cut_band(
     inside = far - near > THINNEST
     size = inside.astype(np.int64)
     parts, candidates = [], 0
-    for pixels, tested in culled(trajectories, bounds, bottom, top):
+    for pixels, tested in blocks:
         candidates += tested
         ray = (pixels.row - bottom) * frame.width + pixels.column
         pair = np.repeat(np.arange(len(ray)), np.diff(pixels.first))

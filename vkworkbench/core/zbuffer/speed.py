@@ -10,6 +10,7 @@ import numpy as np
 from vkworkbench.core.solids import Stock, Tool, View
 from vkworkbench.core.toolpath import Toolpath
 from vkworkbench.core.zbuffer.counts import count
+from vkworkbench.core.zbuffer.cuts import Cut, Cuts
 from vkworkbench.core.zbuffer.estimate import Speed, work
 from vkworkbench.core.zbuffer.removal import Removal
 from vkworkbench.core.zbuffer.simulate import simulate
@@ -78,7 +79,7 @@ def _time(toolpath: Toolpath, tool: Tool, view: View) -> tuple[np.ndarray, float
     begin = time.process_time()
     exact = simulate(toolpath, tool=tool, stock=_STOCK, view=view)
     seconds = time.process_time() - begin
-    passes = count(Removal(toolpath, tool, _STOCK, exact.frame)).passes
+    passes = count(Removal(Cuts([Cut(toolpath, tool)]), _STOCK, exact.frame)).passes
     return work(len(toolpath), exact.dexels + exact.traces, passes, tool, view), seconds
 
 

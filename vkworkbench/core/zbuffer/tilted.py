@@ -4,8 +4,8 @@
 A tile's rays are the ray through its middle, moved aside by up to half a tile. So what a tool grown by that much
 removes from the middle ray holds what the tool removes from any ray of the tile, and what a tool that much smaller
 removes from the middle ray the tool removes from all of them. The rays are compared where they pass one horizontal
-plane, so that a level floor is at one depth for all of them; for balls, which have no floor, and for views from the
-side where they pass a plane across the view.
+plane, so that a level floor is at one depth for all of them; where all tools are balls, which have no floor, and in views
+from the side where they pass a plane across the view.
 """
 
 from __future__ import annotations
@@ -34,10 +34,14 @@ class Tilted:
     finest = 2
 
     def __init__(self, trajectories: Trajectories) -> None:
-        self.tool, self.sine, self.cosine = trajectories.tool, trajectories.sine, trajectories.cosine
+        self.trajectories, self.sine, self.cosine = trajectories, trajectories.sine, trajectories.cosine
         self.start, self.move, self.frame = trajectories.start, trajectories.move, trajectories.frame
-        self.growth = _Growth(self.tool, self.sine, self.cosine)
-        self.chords = _TileChords(trajectories.stock, trajectories.frame, self.growth.shear)
+        tools = [kind.tool for kind in trajectories.kinds]
+        level = abs(self.cosine) > _LEVEL and not all(tool.rounding == tool.radius for tool in tools)
+        self.growths = [_Growth(tool, level, self.sine, self.cosine) for tool in tools]
+        self.chords = _TileChords(
+            trajectories.stock, trajectories.frame, self.sine / self.cosine if level else 0.0
+        )
 
     def quarters(
         self, column: np.ndarray, row: np.ndarray, tile: np.ndarray, item: np.ndarray, child: int
@@ -46,30 +50,37 @@ class Tilted:
         start, move = self.start.take(item, axis=1), self.move.take(item, axis=1)
         middle = (child - 1) / 2
         reach = middle * self.frame.pixel * (1 + NOISE)
-        large, raised = self.growth.grown(reach)
-        small, lowered = self.growth.shrunk(reach)
+        large = [growth.grown(reach) for growth in self.growths]
+        small = [growth.shrunk(reach) for growth in self.growths]
         for across, up in QUARTERS:
             x, y = self.frame.pixel_centres(column + across * child + middle, row + up * child + middle)
             near, far = self.chords.over(x, y, reach)
             px, py = x.take(tile), y.take(tile)
             ray = np.array([px, self.cosine * py, self.sine * py])
-            enter, leave = self._intervals(large, start, move, ray, raised)
+            enter, leave = self._intervals(large, item, start, move, ray)
             enter, leave = np.maximum(enter, near.take(tile)), np.minimum(leave, far.take(tile))
             met = np.flatnonzero(leave - enter > 0.9 * THINNEST)
-            enter, leave, its_tile = enter[met], leave[met], tile[met]
-            if small is None:
-                all_enter, all_leave = np.full(len(met), np.inf), np.full(len(met), -np.inf)
-            else:
-                all_enter, all_leave = self._intervals(small, start[:, met], move[:, met], ray[:, met], lowered)
-            yield met[_not_yet_open(its_tile, enter, leave, all_enter, all_leave, near, far)]
+            all_enter, all_leave = self._intervals(small, item[met], start[:, met], move[:, met], ray[:, met])
+            yield met[_not_yet_open(tile[met], enter[met], leave[met], all_enter, all_leave, near, far)]
 
     def _intervals(
-        self, tool: Tool, start: np.ndarray, move: np.ndarray, ray: np.ndarray, raised: float
+        self,
+        tools: list[tuple[Tool | None, float]],
+        item: np.ndarray,
+        start: np.ndarray,
+        move: np.ndarray,
+        ray: np.ndarray,
     ) -> tuple[np.ndarray, np.ndarray]:
-        if raised:
-            ray = ray.copy()
-            ray[2] -= raised
-        return intervals(tool, start, move, ray, self.sine, self.cosine)
+        """Where rays pass what tools in the place of each kind's sweep, these raised by so much."""
+        enter, leave = np.full(len(item), np.inf), np.full(len(item), -np.inf)
+        for number, own in self.trajectories.by_kind(item):
+            tool, raised = tools[number]
+            if tool is not None:
+                its_ray = ray[:, own] - np.array([[0.0], [0.0], [raised]])
+                enter[own], leave[own] = intervals(
+                    tool, start[:, own], move[:, own], its_ray, self.sine, self.cosine
+                )
+        return enter, leave
 
 
 class _TileChords:
@@ -102,18 +113,17 @@ class _TileChords:
 class _Growth:
     """Tools that hold, and that are held by, a tool wherever it is moved with the rays of a tile."""
 
-    def __init__(self, tool: Tool, sine: float, cosine: float) -> None:
-        self.tool, self.sine, self.cosine = tool, sine, cosine
+    def __init__(self, tool: Tool, level: bool, sine: float, cosine: float) -> None:
+        self.tool, self.level, self.sine, self.cosine = tool, level, sine, cosine
         self.ball = tool.rounding == tool.radius
-        self.level = not self.ball and abs(cosine) > _LEVEL
-        self.shear = sine / cosine if self.level else 0.0
         # A bull-nose lies between two flat ends, and rays go on by this much below their floors (see `sweeps`).
         self.flat = ROUNDING if 0 < tool.rounding < tool.radius else 0.0
 
     def _moved(self, reach: float) -> tuple[float, float]:
         """How far rays up to `reach` aside in the image are aside horizontally, and in space, mm."""
         if self.level:
-            return reach * hypot(1, 1 / self.cosine), 0.0
+            aside = reach * hypot(1, 1 / self.cosine)
+            return aside, aside if self.ball else 0.0
         return reach * hypot(1, self.cosine), reach * sqrt(2)
 
     def grown(self, reach: float) -> tuple[Tool, float]:
@@ -123,7 +133,13 @@ class _Growth:
         if self.flat:
             return Tool("endmill", tool.diameter + 2 * aside), self.flat if self.level else -away * self.sine
         wider = away if self.ball else aside
-        rise = away if self.ball else k * aside if self.level else away * hypot(1, k) if k else away * self.sine
+        rise = away * self.sine
+        if self.ball:
+            rise = away
+        elif self.level:
+            rise = k * aside
+        elif k:
+            rise = away * hypot(1, k)
         return replace(tool, diameter=tool.diameter + 2 * wider), -rise
 
     def shrunk(self, reach: float) -> tuple[Tool | None, float]:
@@ -131,13 +147,15 @@ class _Growth:
         aside, away = self._moved(reach)
         tool, k = self.tool, self.tool.steepness
         # What only touches a surface is decided by rounding: a little less is certain.
-        aside, away = aside + _LESS, away + (0 if self.level else _LESS)
+        aside, away = aside + _LESS, away + (0 if self.level and not self.ball else _LESS)
         diameter = tool.diameter - 2 * (away if self.ball else aside + tool.rounding)
         if diameter <= _LESS:
             return None, 0.0
         if self.flat:
             return Tool("endmill", diameter), self.flat + away
-        rise = k * aside if self.level else away * hypot(1, k) if k else away
+        rise = away
+        if not self.ball:
+            rise = k * aside if self.level else away * hypot(1, k)
         return replace(tool, diameter=diameter), rise
 
 

@@ -1,25 +1,34 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A toolpath as the volumes it sweeps, made ready for the rays of one view."""
+"""Toolpaths as the volumes they sweep, made ready for the rays of one view."""
 
 from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import NamedTuple
 
 import numpy as np
 
 from vkworkbench.core.solids import ConvexStock, Frame, Stock, Tool
-from vkworkbench.core.toolpath import Toolpath
+from vkworkbench.core.zbuffer.cuts import Cuts
 from vkworkbench.core.zbuffer.sweeps import headings, intervals, lowest
 
 # Pairs of ray and trajectory worked on at once, so that they stay in the processor's cache.
 _PAIRS_AT_ONCE = 16_384
 
 
+class Kind(NamedTuple):
+    """What trajectories have in common that are worked on together."""
+
+    tool: Tool
+    level: bool
+
+
 class Trajectories:
-    """The swept volumes of a toolpath that can meet the stock.
+    """The swept volumes that can meet the stock.
 
     Parameters
     ----------
-    toolpath : Toolpath
-    tool : Tool
+    cuts : Cuts
     stock : Stock or ConvexStock
     frame : Frame
         The view of this stock.
@@ -28,6 +37,10 @@ class Trajectories:
     ----------
     index : (m,) int64
         The trajectories that can meet the stock, in order; the others are above it or beside it.
+    kinds : tuple of Kind
+        The different tools, and whether they move on one level; a vertical move stands at its lowest point.
+    kind : (m,) int64
+        Which of these each trajectory is.
     heading : (4, m) float64
         Direction in the plane, length in the plane and slope of each one, see ``sweeps.headings``.
     box : (4, m) float64
@@ -37,20 +50,20 @@ class Trajectories:
         image's centre, mm.
     """
 
-    def __init__(self, toolpath: Toolpath, tool: Tool, stock: Stock | ConvexStock, frame: Frame) -> None:
-        self.tool, self.stock, self.frame = tool, stock, frame
+    def __init__(self, cuts: Cuts, stock: Stock | ConvexStock, frame: Frame) -> None:
+        self.stock, self.frame = stock, frame
         self.sine = float(np.hypot(frame.direction[0], frame.direction[1]))
         self.cosine = float(-frame.direction[2])
 
-        ends = np.asarray(toolpath.points, float)
-        start, end = ends[:-1], ends[1:]
+        start, end = cuts.ends
+        radius = np.array([cut.tool.radius for cut in cuts.cuts])[cuts.cut]
         low, high = np.minimum(start, end), np.maximum(start, end)
-        reach = np.array([tool.radius, tool.radius, 0])
+        reach = radius[:, None] * [1, 1, 0]
         self.index = np.flatnonzero(
             (low - reach < stock.upper).all(axis=1)
-            & (high[:, :2] + tool.radius > stock.lower[:2]).all(axis=1)
+            & (high[:, :2] + reach[:, :2] > stock.lower[:2]).all(axis=1)
         )
-        start, end = start[self.index], end[self.index]
+        start, end, self.radius = start[self.index], end[self.index], radius[self.index]
         # The tool is unbounded upwards: a vertical move removes what it removes at its lowest point.
         vertical = np.hypot(*(end - start)[:, :2].T) < 1e-6
         bottom = np.where((start[:, 2] < end[:, 2])[:, None], start, end)
@@ -60,14 +73,43 @@ class Trajectories:
         self.move = axes @ (end - start).T
         self.ceiling = float(stock.upper[2] - frame.centre[2])
         self.heading = headings(self.move)
-        self.box = self.boxes(self.start, self.start + self.move)
+        self.kinds, self.kind = self._kinds(cuts)
+        self.box = self.boxes(np.arange(len(self.index)), 0.0, 1.0)
         self.strip = self._strips()
 
-    def boxes(self, first: np.ndarray, last: np.ndarray) -> np.ndarray:
-        """Bounds in the image of what moves from `first` to `last` (3, k) sweep: left, right, bottom, top (4, k), mm."""
+    def _kinds(self, cuts: Cuts) -> tuple[tuple[Kind, ...], np.ndarray]:
+        tools = list(dict.fromkeys(cut.tool for cut in cuts.cuts))
+        of_cut = np.array([tools.index(cut.tool) for cut in cuts.cuts], np.int64)
+        number = 2 * of_cut[cuts.cut[self.index]] + (self.move[2] == 0)
+        found, kind = np.unique(number, return_inverse=True)
+        return tuple(Kind(tools[n // 2], bool(n % 2)) for n in found), kind
+
+    def by_kind(self, item: np.ndarray) -> Iterator[tuple[int, slice | np.ndarray]]:
+        """Divide positions in `index` (k,) by their kinds: numbers of kinds, and which of the positions."""
+        if len(self.kinds) == 1:
+            yield 0, slice(None)
+            return
+        kind = self.kind.take(item)
+        for number in range(len(self.kinds)):
+            own = np.flatnonzero(kind == number)
+            if len(own):
+                yield number, own
+
+    def boxes(
+        self, item: np.ndarray, begin: np.ndarray | float, end: np.ndarray | float
+    ) -> np.ndarray:
+        """Bounds in the image of parts of moves: left, right, bottom, top (4, k), mm.
+
+        Parameters
+        ----------
+        item : (k,) ndarray of int
+        begin, end : (k,) ndarray or float
+            Where each part begins and ends, 0 to 1.
+        """
+        start, move, reach = self.start.take(item, axis=1), self.move.take(item, axis=1), self.radius.take(item)
+        first, last = start + begin * move, start + end * move
         low, high = np.minimum(first, last), np.maximum(first, last)
         a, b = self.cosine * low[1], self.cosine * high[1]
-        reach = self.tool.radius
         return np.array(
             [
                 low[0] - reach,
@@ -84,7 +126,7 @@ class Trajectories:
         length = np.where(moving, length, 1)
         nx, ny = np.where(moving, -along / length, 1.0), across / length
         middle = nx * self.start[0] + ny * (self.cosine * self.start[1] + self.sine * self.start[2])
-        reach = self.tool.radius * np.hypot(nx, self.cosine * ny)
+        reach = self.radius * np.hypot(nx, self.cosine * ny)
         depth = self.ceiling - self.start[2] - np.minimum(self.move[2], 0)
         rise = ny * self.sine * np.maximum(depth, 0)
         return np.array([nx, ny, middle - reach + np.minimum(rise, 0), middle + reach + np.maximum(rise, 0)])
@@ -141,11 +183,21 @@ class Trajectories:
         return near, far
 
     def _intervals(self, x: np.ndarray, y: np.ndarray, item: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        if len(self.kinds) == 1:
+            return self._of_kind(self.kinds[0].tool, x, y, item)
+        near, far = np.empty((2, len(item)))
+        for number, own in self.by_kind(item):
+            near[own], far[own] = self._of_kind(self.kinds[number].tool, x[own], y[own], item[own])
+        return near, far
+
+    def _of_kind(
+        self, tool: Tool, x: np.ndarray, y: np.ndarray, item: np.ndarray
+    ) -> tuple[np.ndarray, np.ndarray]:
         start = self.start.take(item, axis=1)
         if self.sine == 0:
-            height = lowest(self.tool, start, self.heading.take(item, axis=1), x, self.cosine * y)
+            height = lowest(tool, start, self.heading.take(item, axis=1), x, self.cosine * y)
             everywhere = np.full(len(x), np.inf)
             return (-everywhere, -height) if self.cosine > 0 else (height, everywhere)
         move = self.move.take(item, axis=1)
         ray = np.array([x, self.cosine * y, self.sine * y])
-        return intervals(self.tool, start, move, ray, self.sine, self.cosine)
+        return intervals(tool, start, move, ray, self.sine, self.cosine)

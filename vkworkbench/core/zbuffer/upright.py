@@ -7,7 +7,7 @@ whether one looks from above or from below.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 import numpy as np
 
@@ -23,14 +23,14 @@ class Upright:
     """Bounds for a vertical view; see `culling.Bounds`."""
 
     def __init__(self, trajectories: Trajectories) -> None:
-        self.tool, self.frame, self.cosine = trajectories.tool, trajectories.frame, trajectories.cosine
+        self.trajectories, self.frame, self.cosine = trajectories, trajectories.frame, trajectories.cosine
         (x, y, z), (mx, my, _) = trajectories.start, trajectories.move
         ux, uy, run, slope = trajectories.heading
-        # The moves from their middles: position, direction, half the length, and depth.
+        # The moves from their middles: position, direction, half the length, depth, and slope.
         self.columns = (x + mx / 2, y + my / 2, ux, uy, run / 2, -(z + slope * run / 2))
-        self.slope = slope if slope.any() else None
+        self.slope = slope
         # A level floor is as deep everywhere: bounds of pixels tell as much as the rays. Else the rays are as quick.
-        self.finest = 1 if self.slope is None else 2
+        self.finest = 1 if 2 * np.count_nonzero(slope) <= len(slope) else 2
         half = (trajectories.stock.upper[2] - trajectories.stock.lower[2]) / 2
         self.near, self.far = -float(half), float(half)
 
@@ -40,7 +40,6 @@ class Upright:
         """See `culling.Bounds.quarters`."""
         x, y = self.frame.pixel_centres(column + child - 0.5, row + child - 0.5)
         mx, my, ux, uy, half_run, depth = (column.take(item) for column in self.columns)
-        slope = None if self.slope is None else self.slope.take(item)
         dx, dy = x.take(tile), (self.cosine * y).take(tile)
         dx -= mx
         dy -= my
@@ -50,89 +49,117 @@ class Upright:
         extent = reach * (np.abs(ux) + np.abs(uy))
         ux *= step
         uy *= step
+        kinds = list(self.trajectories.by_kind(item))
         for across, up in QUARTERS:
             right, upwards = 2 * across - 1, (2 * up - 1) * (1 if self.cosine > 0 else -1)
             along, aside = along0 + right * ux + upwards * uy, aside0 + upwards * ux - right * uy
-            yield self._deeper(tile, start, along, aside, extent, half_run, depth, slope)
+            places = along, aside, extent, half_run, depth
+            yield deeper(tile, start, *self._bounds(kinds, item, places), self.near, self.far)
 
-    def _deeper(
-        self,
-        tile: np.ndarray,
-        start: np.ndarray,
-        along: np.ndarray,
-        aside: np.ndarray,
-        extent: np.ndarray,
-        half_run: np.ndarray,
-        depth: np.ndarray,
-        slope: np.ndarray | None,
-    ) -> np.ndarray:
-        """Pairs that cut their tile deeper than those before them; the tile is a square along the move."""
-        radius2 = self.tool.radius**2
-        aside = np.abs(aside)
-        beyond = np.abs(along) - half_run
-        nearest2 = np.maximum(aside - extent, 0.0) ** 2 + np.maximum(beyond - extent, 0.0) ** 2
-        farthest2 = (aside + extent) ** 2 + np.maximum(beyond + extent, 0.0) ** 2
-        touched, covered = nearest2 <= radius2 + _RIM, farthest2 <= radius2 - _RIM
-        if slope is None:
-            reaches, opens = depth - profile(self.tool, nearest2), depth - profile(self.tool, farthest2)
-        else:
-            deepest, shallowest = self._sloped(along, aside, extent, half_run, slope, nearest2)
-            reaches, opens = depth + deepest, depth + shallowest
-        return deeper(
-            tile,
-            start,
-            np.where(touched, reaches, -np.inf),
-            np.where(covered, opens, -np.inf),
-            self.near,
-            self.far,
-        )
-
-    def _sloped(
-        self,
-        along: np.ndarray,
-        aside: np.ndarray,
-        extent: np.ndarray,
-        half_run: np.ndarray,
-        slope: np.ndarray,
-        nearest2: np.ndarray,
+    def _bounds(
+        self, kinds: list[tuple[int, slice | np.ndarray]], item: np.ndarray, places: Sequence[np.ndarray]
     ) -> tuple[np.ndarray, np.ndarray]:
-        """Depths below the move's middle that it reaches at most and opens at least."""
-        tool = self.tool
-        flat, corner, k = tool.radius - tool.rounding, tool.rounding, tool.steepness
-        steepness = np.abs(slope)
-        inner = np.maximum(aside - extent, 0)
-        # Above a point of the tile the tool's axis stands at most so far before or behind it.
-        half = np.sqrt(np.maximum(tool.radius**2 - inner**2, 0.0))
-        first = np.maximum(-along - half_run - extent, -half)
-        last = np.minimum(-along + half_run + extent, half)
-        lowest = np.minimum(slope * first, slope * last) + profile(tool, nearest2)
-        # The lowest place of the tool when its move has no ends: a bound too, better for long moves.
-        secant = np.sqrt(1 + slope**2)
-        if k == 0:
-            round_part = np.maximum(inner - flat, 0)
-            endless = corner - np.sqrt(np.maximum(corner**2 - round_part**2, 0.0)) * secant - steepness * flat
-        else:
-            endless = np.where(steepness < k, inner * np.sqrt(np.maximum(k**2 - slope**2, 0.0)), -np.inf)
-        deepest = -slope * along + steepness * extent - np.maximum(lowest, endless)
+        if len(kinds) == 1:
+            return self._of_kind(kinds[0][0], item, places)
+        reaches, opens = np.empty((2, len(item)))
+        for number, own in kinds:
+            reaches[own], opens[own] = self._of_kind(number, item[own], [place[own] for place in places])
+        return reaches, opens
 
-        # Above each point the tool stands where it is about lowest, as far as the move goes.
-        outer = aside + extent
-        if k == 0:
-            rest = np.sqrt(np.maximum(corner**2 - np.maximum(outer - flat, 0.0) ** 2, 0.0))
-            ahead = np.sqrt(np.maximum(flat**2 - outer**2, 0.0)) + rest * steepness / secant
-        else:
-            gentle = np.sqrt(np.maximum(k**2 - slope**2, 1e-12))
-            ahead = np.where(steepness < k, steepness * outer / gentle, np.inf)
-            ahead = np.minimum(ahead, np.sqrt(np.maximum(tool.radius**2 - outer**2, 0.0)))
-        # The edge of the tool is left out: rounding would put it outside.
-        best = -np.sign(slope) * ahead * (1 - 1e-9)
-        at_low = np.clip(along - extent + best, -half_run, half_run)
-        at_high = np.clip(along + extent + best, -half_run, half_run)
-        away = np.maximum(np.abs(at_low - along + extent), np.abs(at_high - along - extent))
-        distance2 = outer**2 + away**2
-        highest = np.maximum(slope * at_low, slope * at_high) + profile(tool, distance2)
-        opened = np.where(distance2 <= tool.radius**2, -highest, -np.inf)
-        return deepest, opened
+    def _of_kind(
+        self, number: int, item: np.ndarray, places: Sequence[np.ndarray]
+    ) -> tuple[np.ndarray, np.ndarray]:
+        tool, level = self.trajectories.kinds[number]
+        return bounds(tool, *places, None if level else self.slope.take(item))
+
+
+def bounds(
+    tool: Tool,
+    along: np.ndarray,
+    aside: np.ndarray,
+    extent: np.ndarray,
+    half_run: np.ndarray,
+    depth: np.ndarray,
+    slope: np.ndarray | None,
+) -> tuple[np.ndarray, np.ndarray]:
+    """Depths that moves reach at most in squares along them, and to which they open all of these at least.
+
+    Parameters
+    ----------
+    tool : Tool
+    along, aside : (p,) ndarray
+        Middles of the squares from those of the moves, mm.
+    extent, half_run : (p,) ndarray
+        Half the squares' sides and half the moves' lengths, mm.
+    depth : (p,) ndarray
+        Of the moves' middles, mm.
+    slope : (p,) ndarray or None
+        Rise of the moves per mm; None where all are level.
+
+    Returns
+    -------
+    reaches, opens : (p,) ndarray
+        mm; -inf where a move does not meet a square, or does not cover it.
+    """
+    radius2 = tool.radius**2
+    aside = np.abs(aside)
+    beyond = np.abs(along) - half_run
+    nearest2 = np.maximum(aside - extent, 0.0) ** 2 + np.maximum(beyond - extent, 0.0) ** 2
+    farthest2 = (aside + extent) ** 2 + np.maximum(beyond + extent, 0.0) ** 2
+    touched, covered = nearest2 <= radius2 + _RIM, farthest2 <= radius2 - _RIM
+    if slope is None:
+        reaches, opens = depth - profile(tool, nearest2), depth - profile(tool, farthest2)
+    else:
+        deepest, shallowest = _sloped(tool, along, aside, extent, half_run, slope, nearest2)
+        reaches, opens = depth + deepest, depth + shallowest
+    return np.where(touched, reaches, -np.inf), np.where(covered, opens, -np.inf)
+
+
+def _sloped(
+    tool: Tool,
+    along: np.ndarray,
+    aside: np.ndarray,
+    extent: np.ndarray,
+    half_run: np.ndarray,
+    slope: np.ndarray,
+    nearest2: np.ndarray,
+) -> tuple[np.ndarray, np.ndarray]:
+    """Depths below the move's middle that it reaches at most and opens at least."""
+    flat, corner, k = tool.radius - tool.rounding, tool.rounding, tool.steepness
+    steepness = np.abs(slope)
+    inner = np.maximum(aside - extent, 0)
+    # Above a point of the tile the tool's axis stands at most so far before or behind it.
+    half = np.sqrt(np.maximum(tool.radius**2 - inner**2, 0.0))
+    first = np.maximum(-along - half_run - extent, -half)
+    last = np.minimum(-along + half_run + extent, half)
+    lowest = np.minimum(slope * first, slope * last) + profile(tool, nearest2)
+    # The lowest place of the tool when its move has no ends: a bound too, better for long moves.
+    secant = np.sqrt(1 + slope**2)
+    if k == 0:
+        round_part = np.maximum(inner - flat, 0)
+        endless = corner - np.sqrt(np.maximum(corner**2 - round_part**2, 0.0)) * secant - steepness * flat
+    else:
+        endless = np.where(steepness < k, inner * np.sqrt(np.maximum(k**2 - slope**2, 0.0)), -np.inf)
+    deepest = -slope * along + steepness * extent - np.maximum(lowest, endless)
+
+    # Above each point the tool stands where it is about lowest, as far as the move goes.
+    outer = aside + extent
+    if k == 0:
+        rest = np.sqrt(np.maximum(corner**2 - np.maximum(outer - flat, 0.0) ** 2, 0.0))
+        ahead = np.sqrt(np.maximum(flat**2 - outer**2, 0.0)) + rest * steepness / secant
+    else:
+        gentle = np.sqrt(np.maximum(k**2 - slope**2, 1e-12))
+        ahead = np.where(steepness < k, steepness * outer / gentle, np.inf)
+        ahead = np.minimum(ahead, np.sqrt(np.maximum(tool.radius**2 - outer**2, 0.0)))
+    # The edge of the tool is left out: rounding would put it outside.
+    best = -np.sign(slope) * ahead * (1 - 1e-9)
+    at_low = np.clip(along - extent + best, -half_run, half_run)
+    at_high = np.clip(along + extent + best, -half_run, half_run)
+    away = np.maximum(np.abs(at_low - along + extent), np.abs(at_high - along - extent))
+    distance2 = outer**2 + away**2
+    highest = np.maximum(slope * at_low, slope * at_high) + profile(tool, distance2)
+    opened = np.where(distance2 <= tool.radius**2, -highest, -np.inf)
+    return deepest, opened
 
 
 def profile(tool: Tool, distance2: np.ndarray) -> np.ndarray | float:

@@ -1,0 +1,115 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Operations one after the other in one z-buffer, each with its tool."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from math import pi
+
+import numpy as np
+import pytest
+from zbuffer_reference.dexels import UNCUT
+from zbuffer_reference.jobs import pieces_of_job
+from zbuffer_reference.paths import BOX, DIRECTIONS, PATHS, ROUND, TOOLS, toolpath
+
+from vkworkbench.core import Tool, View
+from vkworkbench.core.zbuffer.cuts import Cut, Cuts, Source
+from vkworkbench.core.zbuffer.facts import removed_volumes
+from vkworkbench.core.zbuffer.memory import OverBudget, memory_needed
+from vkworkbench.core.zbuffer.simulate import simulate, simulate_job
+
+NOISE = 1e-7  # mm
+BALLS = [Tool("ballend", 6), Tool("ballend", 2.5)]
+
+
+@pytest.mark.parametrize("seed", range(60))
+def test_a_job_is_every_trajectory_tried_on_every_ray(seed):
+    rng = np.random.default_rng(seed)
+    tools = BALLS if seed % 6 == 0 else TOOLS
+    paths = [PATHS[rng.integers(len(PATHS))] for _ in range(rng.integers(1, 5))]
+    cuts = [Cut(toolpath(path(rng, int(rng.choice([4, 30])))), tools[rng.integers(len(tools))]) for path in paths]
+    width, height = (int(v) for v in rng.integers(1, rng.choice([10, 60, 200]), 2))
+    view = View(DIRECTIONS[seed % len(DIRECTIONS)], width, height)
+    stock = (BOX, ROUND)[rng.integers(2)]
+    z = simulate_job(cuts, stock=stock, view=view)
+    pieces = pieces_of_job([(cut.toolpath, cut.tool) for cut in cuts], stock, z.frame)
+    records = z.records
+    assert np.array_equal(records.pixel(), pieces.ray)
+    assert np.array_equal(records.owner, np.where(pieces.owner == UNCUT, z.trajectories, pieces.owner))
+    assert records.near() == pytest.approx(pieces.near, abs=NOISE, rel=NOISE)
+    assert records.far == pytest.approx(pieces.far, abs=NOISE, rel=NOISE)
+
+
+def slot(*heights, y):
+    """To and fro from x = 8 to 32 mm, deeper and deeper."""
+    x = np.tile([8.0, 32.0, 32.0, 8.0], len(heights))[: 2 * len(heights)]
+    return toolpath(np.column_stack((x, np.full(len(x), y), np.repeat(heights, 2))))
+
+
+FLAT, WIDE = Tool("endmill", 6), Tool("endmill", 14)
+
+
+@pytest.fixture(scope="module")
+def job():
+    view = View((0, 0, -1), 160, 120)
+    cuts = [Cut(slot(8, 6, y=6.0), FLAT), Cut(slot(7, y=20.0), WIDE), Cut(slot(9, 6, 3, y=6.0), FLAT)]
+    return simulate_job(cuts, stock=BOX, view=view)
+
+
+def test_the_moment_after_a_cut_is_the_part_that_it_leaves(job):
+    first, _, _ = job.cuts.cuts
+    alone = simulate(first.toolpath, tool=FLAT, stock=BOX, view=View((0, 0, -1), 160, 120))
+    assert np.array_equal(job.at(job.cuts.first[1]).dexel_records, alone.dexel_records)
+    assert job.at(int(job.cuts.first[1])).traces == alone.traces
+
+
+def test_a_later_cut_removes_only_what_those_before_it_left(job):
+    # The slots at 9 and 6 mm are cut already; from 6 to 3 mm is left to the last cut's plunge and its last row.
+    small, wide = 24 * 6 + 9 * pi, 24 * 14 + 49 * pi
+    expected = [2 * small, 2 * 9 * pi, 2 * (small - 9 * pi), 3 * wide, 0, 0, 0, 3 * 9 * pi, 3 * (small - 9 * pi)]
+    assert removed_volumes(job) == pytest.approx(expected, rel=0.02)
+
+
+def test_trajectories_are_numbered_through(job):
+    assert [job.cuts.source(k) for k in (0, 2, 3, 4, 8)] == [
+        Source(0, 0, 0), Source(0, 2, 2), Source(1, 0, 0), Source(2, 0, 0), Source(2, 4, 4)
+    ]  # fmt: skip
+    assert job.cuts.cut.tolist() == [0, 0, 0, 1, 2, 2, 2, 2, 2]
+    for wrong in (-1, 9):
+        with pytest.raises(IndexError):
+            job.cuts.source(wrong)
+
+
+def test_cuts_without_trajectories_change_nothing(job):
+    nothing = Cut(replace(toolpath(np.zeros((1, 3))), points=np.empty((0, 3))), WIDE)
+    cuts = [nothing, *(cut for own in job.cuts.cuts for cut in (own, nothing))]
+    again = simulate_job(cuts, stock=BOX, view=View((0, 0, -1), 160, 120))
+    assert np.array_equal(again.trace_records, job.trace_records)
+    assert again.cuts.source(3) == Source(3, 0, 0)
+    empty = simulate_job([], stock=BOX, view=View((0, 0, -1), 16, 12))
+    assert (empty.traces, empty.dexels, empty.trajectories) == (0, 16 * 12, 0)
+    assert len(Cuts([]).lengths) == 0
+
+
+def test_the_memory_of_a_job_is_that_of_one_stock(job):
+    view, cuts = View((0, 0, -1), 1600, 1200), list(job.cuts.cuts)
+    alone = [memory_needed([cut], stock=BOX, view=view) for cut in cuts]
+    together = memory_needed(cuts, stock=BOX, view=view)
+    assert max(alone) < together < sum(alone) - 2 * 16 * 1600 * 1200
+    with pytest.raises(OverBudget):
+        simulate_job(cuts, stock=BOX, view=view, memory_budget=0.9 * together)
+
+
+def test_it_goes_on_as_long_as_nobody_stops_it(job):
+    shares = []
+    simulate_job(job.cuts.cuts, stock=BOX, view=View((1, 1, -1), 160, 200), going_on=shares.append)
+    assert shares == sorted(shares) and 0 <= shares[0] and 0.5 < shares[-1] <= 1
+
+    class Stopped(Exception):
+        pass
+
+    def stop(share):
+        raise Stopped
+
+    with pytest.raises(Stopped):
+        simulate_job(job.cuts.cuts, stock=BOX, view=View((1, 1, -1), 160, 200), going_on=stop)

@@ -1,0 +1,112 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What cuts a stock: toolpaths one after the other, each with its tool, their trajectories numbered through."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from vkworkbench.core.solids import Tool
+from vkworkbench.core.toolpath import Toolpath
+
+
+@dataclass(frozen=True, eq=False)
+class Cut:
+    """A toolpath and the tool that follows it: one operation.
+
+    Attributes
+    ----------
+    toolpath : Toolpath
+    tool : Tool
+    """
+
+    toolpath: Toolpath
+    tool: Tool
+
+
+@dataclass(frozen=True)
+class Source:
+    """Where a trajectory comes from.
+
+    Attributes
+    ----------
+    cut : int
+        Which of the cuts.
+    trajectory, command : int
+        Its number in that cut's toolpath, and the index of its source command there.
+    """
+
+    cut: int
+    trajectory: int
+    command: int
+
+
+class Cuts:
+    """Cuts one after the other. How the tool gets from one to the next is not known, and cuts nothing.
+
+    Parameters
+    ----------
+    cuts : iterable of Cut
+
+    Attributes
+    ----------
+    cuts : tuple of Cut
+    first : (c + 1,) int64
+        Number of each cut's first trajectory; behind the last cut, how many there are.
+    """
+
+    def __init__(self, cuts: Iterable[Cut]) -> None:
+        self.cuts = tuple(cuts)
+        self.first = np.append(0, np.cumsum([len(cut.toolpath) for cut in self.cuts])).astype(np.int64)
+
+    def __len__(self) -> int:
+        """Return the number of trajectories."""
+        return int(self.first[-1])
+
+    @property
+    def ends(self) -> tuple[np.ndarray, np.ndarray]:
+        """Where every trajectory starts and ends, two arrays (n, 3), mm."""
+        starts = [np.asarray(cut.toolpath.points, float)[:-1] for cut in self.cuts]
+        ends = [np.asarray(cut.toolpath.points, float)[1:] for cut in self.cuts]
+        nothing = np.empty((0, 3))
+        return np.concatenate((nothing, *starts)), np.concatenate((nothing, *ends))
+
+    @cached_property
+    def rapid(self) -> np.ndarray:
+        """Which trajectories position, (n,) bool."""
+        return self._column("rapid", bool)
+
+    @cached_property
+    def feed(self) -> np.ndarray:
+        """Feed rates, (n,) mm/s; 0 for rapids and where none was given."""
+        return self._column("feed", float)
+
+    @cached_property
+    def lengths(self) -> np.ndarray:
+        """Chord lengths, (n,) mm."""
+        return self._column("lengths", float)
+
+    @cached_property
+    def cut(self) -> np.ndarray:
+        """Which cut each trajectory belongs to, (n,) int64."""
+        return np.repeat(np.arange(len(self.cuts)), np.diff(self.first))
+
+    def source(self, trajectory: int) -> Source:
+        """Return where a trajectory comes from.
+
+        Raises
+        ------
+        IndexError
+            Where there is no such trajectory.
+        """
+        if not 0 <= trajectory < len(self):
+            raise IndexError(f"there are the trajectories 0 to {len(self) - 1}, not {trajectory}")
+        cut = int(np.searchsorted(self.first, trajectory, side="right")) - 1
+        own = int(trajectory - self.first[cut])
+        return Source(cut, own, int(self.cuts[cut].toolpath.command[own]))
+
+    def _column(self, name: str, kind: type) -> np.ndarray:
+        return np.concatenate((np.empty(0, kind), *(getattr(cut.toolpath, name) for cut in self.cuts)))
