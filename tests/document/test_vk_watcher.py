@@ -2,11 +2,14 @@
 """Marks that stay true: outdated by an edit of path, tool or stock, fresh again when it is undone."""
 
 import FreeCAD
+import Part
 import Path
 import pytest
 
 import vkworkbench
 from vkworkbench.document import marks, upkeep, watcher
+from vkworkbench.document.fingerprint import setting_fingerprint
+from vkworkbench.document.setting import read_stock
 
 
 @pytest.fixture
@@ -135,3 +138,27 @@ def test_nothing_is_looked_at_while_restoring(watched, tmp_path, monkeypatch):
     document = FreeCAD.openDocument(path)
     assert looked == []
     FreeCAD.closeDocument(document.Name)
+
+
+# Stocks of curved faces, and what of a mark on them was written by FreeCAD 0.20.2, 1.0.0 and 1.1.3 alike.
+CURVED = {
+    "round": (lambda: Part.makeCylinder(25.4 / 8, 20, FreeCAD.Vector(30, 20, 0)), "9aa4b6c64a753d85"),
+    "tilted": (lambda: Part.makeCylinder(30, 20, FreeCAD.Vector(1, 2, 0), FreeCAD.Vector(1, 1, 3)), "becb408387289149"),
+    "torus": (lambda: Part.makeTorus(20, 5), "b8547f8fa43d8adb"),
+    "drilled": (lambda: Part.makeBox(60, 40, 20).cut(
+        Part.makeCylinder(5, 40, FreeCAD.Vector(30, 20, -5), FreeCAD.Vector(0.3, 0.1, 1))), "88088bbf8f0b76f0"),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", CURVED)
+def test_the_display_of_a_stock_does_not_matter(watched, name):
+    make, fingerprint = CURVED[name]
+    watched.job.Stock.Proxy = None  # keeps the shape it is given
+    watched.job.Stock.Shape = make()
+    vkworkbench.mark(vkworkbench.analyze(watched.document))
+    box = str(watched.job.Stock.Shape.BoundBox)
+    watched.job.Stock.Shape.tessellate(0.5)
+    assert str(watched.job.Stock.Shape.BoundBox) != box
+    watcher.check(watched.document)
+    assert outdated(watched.document) == []
+    assert setting_fingerprint(None, read_stock(watched.job)) == fingerprint

@@ -13,6 +13,10 @@ from collections.abc import Callable
 from vkworkbench.core import Stock, Tool
 from vkworkbench.document.setting import read_stock, read_tool
 
+# mm, added before a stock's corners are rounded to hundredths: no measure in mm or inches is then on a border between
+# two of them, where another version's last digit would decide.
+_ASIDE = 3.7e-4
+
 
 def path_fingerprint(obj) -> str:
     """Return the fingerprint of an object's path and where it is placed."""
@@ -40,8 +44,7 @@ def setting_fingerprint(tool: Tool | None, stock: Stock | None) -> str:
         angle = None if tool.tip_angle is None else round(tool.tip_angle, 4)
         parts[0] = (tool.shape, round(tool.diameter, 4), round(tool.corner_radius, 4), angle)
     if stock is not None:
-        # The bounding boxes of one solid in two versions of FreeCAD agree to a hundredth of a millimetre.
-        parts[1] = [round(float(value), 2) + 0.0 for value in (*stock.lower, *stock.upper)]
+        parts[1] = [round(float(value) + _ASIDE, 2) + 0.0 for value in (*stock.lower, *stock.upper)]
     return _digest(repr(parts))
 
 

@@ -21,6 +21,9 @@ _SHAPES = {
     "slotcutter": "endmill", "dovetail": "endmill", "radius": "endmill",
 }  # fmt: skip
 
+_MOST_BOXES = 16  # exact boxes that are kept, of the stocks read last: one with many curved faces takes 0.1 s
+_exact_boxes: dict[tuple, tuple[tuple, tuple]] = {}
+
 
 def read_tool(operation) -> Tool:
     """Return the tool of an operation, of whatever FreeCAD version.
@@ -73,11 +76,28 @@ def read_stock(job) -> Stock:
     shape = freecad.SHAPE.of(freecad.STOCK.of(job))
     if shape is None or shape.isNull():
         raise Unusable(Message("no-stock", label=job.Label))
-    box = shape.BoundBox
     try:
-        return Stock((box.XMin, box.YMin, box.ZMin), (box.XMax, box.YMax, box.ZMax))
+        return Stock(*exact_box(shape))
     except Unusable as error:
         raise Unusable(Message("of", label=job.Label, sentence=error.what)) from None
+
+
+def exact_box(shape) -> tuple[tuple, tuple]:
+    """Return the lower and the upper corner of a shape's exact bounding box, mm.
+
+    The shape's own `BoundBox` depends on the mesh by which a window displays it, and so does its optimal box before
+    FreeCAD 1.0: a copy without the mesh has none.
+    """
+    key = (shape.hashCode(), *_corners(shape.BoundBox))
+    if key not in _exact_boxes:
+        if len(_exact_boxes) >= _MOST_BOXES:
+            _exact_boxes.pop(next(iter(_exact_boxes)))
+        _exact_boxes[key] = _corners(shape.copy(False, False).optimalBoundingBox(False))
+    return _exact_boxes[key]
+
+
+def _corners(box) -> tuple[tuple, tuple]:
+    return (box.XMin, box.YMin, box.ZMin), (box.XMax, box.YMax, box.ZMax)
 
 
 def rapid_feeds(operation) -> tuple[float, float]:
