@@ -3,7 +3,6 @@
 
 import FreeCAD
 import FreeCADGui as Gui
-import pytest
 from PySide import QtCore, QtGui
 
 import vkworkbench
@@ -114,31 +113,6 @@ def test_guests_in_freecads_own_workbench(opened, window):
     assert len(own_toolbars) > 5  # the workbench's own are still there
     window.click("Analyze toolpaths")
     window.wait(lambda: marked(opened))
-
-
-@pytest.mark.parametrize("workbench", ["VkWorkbench", CAM])
-def test_context_menu_of_an_operation(opened, window, workbench):
-    window.activate(workbench)
-    window.tree.expandAll()
-    Gui.Selection.addSelection(opened.getObjectsByLabel("Face")[0])
-    window.idle()
-    seen = []
-
-    def look():
-        menu = QtGui.QApplication.activePopupWidget()
-        if menu is not None:
-            seen.extend(menu_texts(menu))
-            window.screenshot(f"context-menu-{workbench}")
-            menu.close()
-
-    QtCore.QTimer.singleShot(500, look)
-    tree = window.tree
-    window.wait(lambda: tree.selectionModel().selectedIndexes())
-    (index,) = [i for i in tree.selectionModel().selectedIndexes() if i.column() == 0]
-    where = tree.visualRect(index).center()
-    event = QtGui.QContextMenuEvent(QtGui.QContextMenuEvent.Mouse, where, tree.viewport().mapToGlobal(where))
-    QtGui.QApplication.sendEvent(tree.viewport(), event)
-    assert {"Analyze toolpaths", "Clear analysis"} <= set(seen)
 
 
 def test_resources_of_the_commands(window):

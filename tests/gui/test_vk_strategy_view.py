@@ -6,9 +6,8 @@ from collections import Counter
 import FreeCAD
 import FreeCADGui as Gui
 import pytest
-from PySide import QtGui
-
 from make_example import cam
+from PySide import QtGui
 
 from vkworkbench.core import Strategy, linearize, recognize
 from vkworkbench.gui import colors, strategy_view

@@ -7,9 +7,9 @@ import FreeCAD
 import FreeCADGui as Gui
 
 import vkworkbench
-from vkworkbench.document import operations
 from vkworkbench.gui import latest, panel_command, pills, progress, tree
 from vkworkbench.gui.plain_text import tell
+from vkworkbench.gui.selection import selected_operations
 from vkworkbench.gui.text import QT_TRANSLATE_NOOP, translate
 from vkworkbench.preferences import GROUP
 
@@ -41,7 +41,7 @@ class AnalyzeCommand:
             _tell(translate("Vk_Analyze", "No document is open. Open one with a job or a toolpath first."))
             return
         try:
-            report = progress.analyze(_selected() or FreeCAD.ActiveDocument)
+            report = progress.analyze(selected_operations() or FreeCAD.ActiveDocument)
         except vkworkbench.Cancelled:
             _status(translate("Vk_Analyze", "Analysis cancelled, nothing changed."))
             return
@@ -85,15 +85,8 @@ class ClearCommand:
         if FreeCAD.ActiveDocument is None:
             return
         with tree.steady_columns():
-            cleared = vkworkbench.clear(_selected() or FreeCAD.ActiveDocument)
+            cleared = vkworkbench.clear(selected_operations() or FreeCAD.ActiveDocument)
         _status(translate("Vk_Clear", "{} marks removed").format(cleared))
-
-
-def _selected() -> list:
-    """Return the selected jobs and operations."""
-    selection = Gui.Selection.getSelection()
-    groups = {"job", "group", "operation", "dressup", "array"}
-    return [obj for obj in selection if operations.kind(obj) in groups or operations.is_job_group(obj)]
 
 
 def mark(report) -> None:

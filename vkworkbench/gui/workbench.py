@@ -12,6 +12,7 @@ import FreeCADGui as Gui
 from vkworkbench import freecad
 from vkworkbench.gui import preferences_page
 from vkworkbench.gui.qt import QApplication, QTimer
+from vkworkbench.gui.selection import selected_operations
 from vkworkbench.gui.text import QT_TRANSLATE_NOOP, translate
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -38,8 +39,7 @@ class VkWorkbench(Gui.Workbench):
         self.appendMenu(TITLE, COMMANDS)
 
     def ContextMenu(self, recipient: str) -> None:
-        if _path_selected():
-            self.appendContextMenu("", COMMANDS)
+        _append_to_context_menu(self)
 
     def GetClassName(self) -> str:
         return "Gui::PythonWorkbench"
@@ -76,9 +76,10 @@ def _extend(workbench, menu: str) -> None:
         workbench.appendMenu([menu], ["Separator", *COMMANDS])
 
     def ContextMenu(recipient: str) -> None:
-        context_menu(recipient)
-        if _path_selected():
-            workbench.appendContextMenu("", COMMANDS)
+        try:
+            context_menu(recipient)  # FreeCAD's own fails on what has no Proxy: a group, imported G-code
+        finally:
+            _append_to_context_menu(workbench)
 
     workbench.Initialize, workbench.ContextMenu = Initialize, ContextMenu
 
@@ -139,5 +140,6 @@ def _load_commands() -> None:
     from vkworkbench.gui import commands, gauss_map_command, panel_command, strategy_command  # noqa: F401
 
 
-def _path_selected() -> bool:
-    return any(obj.isDerivedFrom(freecad.TOOLPATH) for obj in Gui.Selection.getSelection())
+def _append_to_context_menu(workbench) -> None:
+    if selected_operations():
+        workbench.appendContextMenu("", [*COMMANDS, "Separator"])

@@ -1,0 +1,113 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The add-on's entries in context menus, opened by real right clicks in the tree."""
+
+import subprocess
+
+import FreeCADGui as Gui
+import Path
+import pytest
+from PySide import QtCore, QtGui
+
+from vkworkbench import freecad
+from vkworkbench.document import marks
+
+CAM = "PathWorkbench" if freecad.version() < (1, 0) else "CAMWorkbench"
+OURS = {"Analyze toolpaths", "Clear analysis", "Toolpath results", "Show strategies", "Gauss map"}
+
+
+@pytest.fixture(params=["VkWorkbench", CAM])
+def tree(request, opened, window):
+    """The example's tree with imported G-code: a toolpath without a Proxy."""
+    imported = opened.addObject("Path::Feature", "Imported")
+    imported.Path = Path.Path("G0 Z30\nG0 X5 Y5\nG1 Z15 F10\nG1 X50\nG1 Y10\nG1 X5\nG1 Y15\nG1 X50\nG0 Z30")
+    window.activate(request.param)
+    window.tree.expandAll()
+    window.idle()
+    yield Tree(window, opened)
+    Gui.Selection.clearSelection()
+
+
+class Tree:
+    """The tree under a real mouse."""
+
+    def __init__(self, window, document):
+        self.window, self.document = window, document
+
+    def row(self, label):
+        """The index of the first row that begins with the label."""
+        model = self.window.tree.model()
+
+        def visit(parent):
+            for number in range(model.rowCount(parent)):
+                index = model.index(number, 0, parent)
+                if index.data() == label:
+                    return index
+                below = visit(index)
+                if below is not None:
+                    return below
+            return None
+
+        return visit(QtCore.QModelIndex())
+
+    def click(self, label, button, *keys):
+        view, index = self.window.tree, self.row(label)
+        view.scrollTo(index)
+        self.window.idle(0.1)
+        at = view.visualRect(index)
+        self._press(view.viewport().mapToGlobal(QtCore.QPoint(at.left() + 40, at.center().y())), button, *keys)
+
+    def _press(self, where, button, *keys):
+        command = ["xdotool", *(word for key in keys for word in ("keydown", key))]
+        command += ["mousemove", str(where.x()), str(where.y()), "click", str(button)]
+        command += [word for key in keys for word in ("keyup", key)]
+        subprocess.run(command, check=True, timeout=20)
+
+    def menu_of(self, label, choose=None):
+        """Open the context menu of a row; return its texts once it is closed, by choosing an entry or by Esc."""
+        texts = []
+
+        def look():
+            menu = QtGui.QApplication.activePopupWidget()
+            if menu is None:
+                QtCore.QTimer.singleShot(50, look)
+                return
+            actions = {action.text().replace("&", ""): action for action in menu.actions()}
+            texts.extend(actions)
+            if choose is None:
+                self.window.screenshot(f"context-menu-{label}")
+                self.window.press(menu, QtCore.Qt.Key_Escape)
+            else:
+                where = menu.mapToGlobal(menu.actionGeometry(actions[choose]).center())
+                self._press(where, 1)
+
+        QtCore.QTimer.singleShot(50, look)
+        self.click(label, 3)
+        self.window.wait(lambda: texts and QtGui.QApplication.activePopupWidget() is None)
+        return set(texts)
+
+
+@pytest.mark.parametrize("label", ["Job", "Operations", "Face", "Cut out with tags", "Imported"])
+def test_they_come_on_all_that_has_operations(tree, label):
+    tree.click(label, 1)
+    assert tree.menu_of(label) >= OURS
+
+
+def test_they_come_on_several_selected(tree, window):
+    tree.click("Face", 1)
+    tree.click("Imported", 1, "ctrl")
+    window.wait(lambda: len(Gui.Selection.getSelection()) == 2)
+    assert tree.menu_of("Imported") >= OURS
+    assert len(Gui.Selection.getSelection()) == 2
+
+
+def test_they_do_not_come_on_a_model_and_a_tool(tree):
+    for label in ("Model", "Tools"):
+        tree.click(label, 1)
+        assert not tree.menu_of(label) & OURS
+
+
+def test_an_entry_does_what_it_says(tree, window):
+    tree.click("Imported", 1)
+    tree.menu_of("Imported", choose="Analyze toolpaths")
+    document = tree.document
+    window.wait(lambda: [obj.Label for obj in document.Objects if marks.is_marked(obj)] == ["Imported"])
