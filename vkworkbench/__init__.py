@@ -7,6 +7,7 @@
     print(report)
     vkworkbench.mark(report)           # into the tree, one undo step
     vkworkbench.clear()
+    vkworkbench.simulate(job, view="Isometric").at(100)     # the part after 100 trajectories
 
 Importing this package is cheap; what the functions need is loaded when they are first called.
 """
@@ -16,13 +17,14 @@ from __future__ import annotations
 from importlib import import_module
 
 __version__ = "0.1.0"
-__all__ = ["Cancelled", "Report", "analyze", "clear", "mark"]
+__all__ = ["Cancelled", "Report", "analyze", "clear", "mark", "simulate"]
 
 _HOMES = {
     "Cancelled": "vkworkbench.report",
     "mark": "vkworkbench.document.upkeep",
     "clear": "vkworkbench.document.marking",
     "Report": "vkworkbench.report",
+    "simulate": "vkworkbench.document.simulation",
 }
 
 

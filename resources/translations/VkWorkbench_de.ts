@@ -664,6 +664,14 @@
         <source>it looks 25.4 times too small: inches read as millimetres?</source>
         <translation>es sieht 25,4-mal zu klein aus: Zoll als Millimeter gelesen?</translation>
     </message>
+    <message>
+        <source>there is nothing to simulate: choose a job, or operations with a toolpath</source>
+        <translation>es gibt nichts zu simulieren: Wählen Sie einen Auftrag oder Operationen mit einem Werkzeugweg</translation>
+    </message>
+    <message>
+        <source>these operations belong to several jobs, choose one of them: {labels}</source>
+        <translation>diese Operationen gehören zu mehreren Aufträgen, wählen Sie einen davon: {labels}</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>
@@ -753,7 +761,7 @@
     </message>
     <message>
         <source>Extended z-buffer</source>
-        <extracomment>The paper&apos;s; the columns of its cost have no other name before them.</extracomment>
+        <extracomment>The paper&apos;s; its columns in CSV and JSON have no prefix.</extracomment>
         <translation>Erweiterter Z-Buffer</translation>
     </message>
     <message>
@@ -763,7 +771,7 @@
     </message>
     <message>
         <source>FreeCAD&apos;s OpenGL simulator</source>
-        <extracomment>FreeCAD&apos;s newer one, which draws what was cut before with every operation.</extracomment>
+        <extracomment>FreeCAD&apos;s newer one, which draws the cuts of all operations before with every operation.</extracomment>
         <translation>OpenGL-Simulator von FreeCAD</translation>
     </message>
     <message>

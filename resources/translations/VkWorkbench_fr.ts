@@ -664,6 +664,14 @@
         <source>it looks 25.4 times too small: inches read as millimetres?</source>
         <translation>cela semble 25,4 fois trop petit : des pouces lus comme des millimètres ?</translation>
     </message>
+    <message>
+        <source>there is nothing to simulate: choose a job, or operations with a toolpath</source>
+        <translation>il n&apos;y a rien à simuler : choisissez une tâche, ou des opérations avec un parcours d&apos;outil</translation>
+    </message>
+    <message>
+        <source>these operations belong to several jobs, choose one of them: {labels}</source>
+        <translation>ces opérations appartiennent à plusieurs tâches, choisissez-en une : {labels}</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>
@@ -753,7 +761,7 @@
     </message>
     <message>
         <source>Extended z-buffer</source>
-        <extracomment>The paper&apos;s; the columns of its cost have no other name before them.</extracomment>
+        <extracomment>The paper&apos;s; its columns in CSV and JSON have no prefix.</extracomment>
         <translation>Z-buffer étendu</translation>
     </message>
     <message>
@@ -763,7 +771,7 @@
     </message>
     <message>
         <source>FreeCAD&apos;s OpenGL simulator</source>
-        <extracomment>FreeCAD&apos;s newer one, which draws what was cut before with every operation.</extracomment>
+        <extracomment>FreeCAD&apos;s newer one, which draws the cuts of all operations before with every operation.</extracomment>
         <translation>Simulateur OpenGL de FreeCAD</translation>
     </message>
     <message>

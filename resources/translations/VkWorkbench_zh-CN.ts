@@ -664,6 +664,14 @@
         <source>it looks 25.4 times too small: inches read as millimetres?</source>
         <translation>看起来小了 25.4 倍：是否把英寸读成了毫米？</translation>
     </message>
+    <message>
+        <source>there is nothing to simulate: choose a job, or operations with a toolpath</source>
+        <translation>没有可模拟的内容：请选择一个作业，或带有刀具路径的操作</translation>
+    </message>
+    <message>
+        <source>these operations belong to several jobs, choose one of them: {labels}</source>
+        <translation>这些操作属于多个作业，请选择其中一个：{labels}</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>
@@ -753,7 +761,7 @@
     </message>
     <message>
         <source>Extended z-buffer</source>
-        <extracomment>The paper&apos;s; the columns of its cost have no other name before them.</extracomment>
+        <extracomment>The paper&apos;s; its columns in CSV and JSON have no prefix.</extracomment>
         <translation>扩展 Z 缓冲</translation>
     </message>
     <message>
@@ -763,7 +771,7 @@
     </message>
     <message>
         <source>FreeCAD&apos;s OpenGL simulator</source>
-        <extracomment>FreeCAD&apos;s newer one, which draws what was cut before with every operation.</extracomment>
+        <extracomment>FreeCAD&apos;s newer one, which draws the cuts of all operations before with every operation.</extracomment>
         <translation>FreeCAD OpenGL 模拟器</translation>
     </message>
     <message>

@@ -82,6 +82,7 @@ def simulate_job(
     for bottom in range(0, frame.height, TILE):
         blocks = culled(removal, bounds, bottom, min(bottom + TILE, frame.height))
         if going_on is not None:
+            going_on(bottom / frame.height)
             blocks = _told(blocks, going_on, bottom / frame.height)
         band, tested = _cut_band(removal, blocks, len(cuts), bottom)
         writer.append(band)

@@ -33,6 +33,12 @@ OPERATIONS = {
         "Sentences", "the stock has no volume: its upper corner must exceed its lower corner in x, y and z"
     ),
     "cost-unknown": QT_TRANSLATE_NOOP("Sentences", "cost unknown for {labels}"),
+    "nothing-to-simulate": QT_TRANSLATE_NOOP(
+        "Sentences", "there is nothing to simulate: choose a job, or operations with a toolpath"
+    ),
+    "several-jobs": QT_TRANSLATE_NOOP(
+        "Sentences", "these operations belong to several jobs, choose one of them: {labels}"
+    ),
     "box-of-cuts": QT_TRANSLATE_NOOP("Sentences", "the cost is that of a box around its cuts"),
     "not-touching": QT_TRANSLATE_NOOP(
         "Sentences", "it does not touch the stock: check its depths, its placement and the stock"

@@ -1,0 +1,126 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""simulate: which operations, in which order, with what; and what it refuses."""
+
+import FreeCAD
+import numpy as np
+import pytest
+
+import vkworkbench
+from vkworkbench.core import View
+from vkworkbench.core.zbuffer import OverBudget
+from vkworkbench.language import Unusable
+
+VIEW = View((0, 0, -1), 120, 80)
+
+
+def slot(y, z=15.0):
+    """Commands of one slot along X, 50 mm long."""
+    return [("G0", {"X": 5.0, "Y": y, "Z": 30.0}), ("G1", {"Z": z, "F": 5.0}), ("G1", {"X": 55.0, "F": 10.0}), ("G0", {"Z": 30.0})]
+
+
+def test_a_job_is_simulated_in_its_order(small):
+    first, second = small.add("First", slot(10.0)), small.add("Second", slot(12.0))
+    for what in (None, small.document, small.job, [second, first]):
+        done = vkworkbench.simulate(what, view=VIEW)
+        assert [o.label for o in done.job.operations] == ["First", "Second"]
+        assert done.trajectories == 6 and done.step == 6 and done.job.remarks == ()
+    # The second slot overlaps the first by 3 of its 5 mm: 100 mm^2 are new, and what two discs 2 mm apart have not in common.
+    fine = vkworkbench.simulate(small.job, view=View((0, 0, -1), 500, 340))
+    volumes = [fine.at(3).zbuffer.chip_volume, fine.zbuffer.chip_volume]
+    assert volumes == pytest.approx([6 * (250 + 19.6), 6 * (250 + 19.6 + 100 + 9.7)], rel=0.02)
+    assert done.source(1)[0].name == first.Name and done.source(1)[1] == 2
+    assert done.source(4)[0].name == second.Name and done.source(4)[1] == 2
+    assert [o.label for o in vkworkbench.simulate(second, view=VIEW).job.operations] == ["Second"]
+
+
+def test_it_writes_nothing_in_the_document(small):
+    small.add("First", slot(10.0))
+    before = [(obj.Name, sorted(obj.PropertiesList), list(obj.State)) for obj in small.document.Objects]
+    vkworkbench.simulate(small.job, view=VIEW)
+    assert [(obj.Name, sorted(obj.PropertiesList), list(obj.State)) for obj in small.document.Objects] == before
+
+
+def test_what_is_not_posted_is_not_simulated(small):
+    base = small.add("Base", slot(10.0))
+    dressup = small.add("Dress-up", slot(12.0))
+    dressup.addProperty("App::PropertyLink", "Base", "Path").Base = base
+    off = small.add("Off", slot(30.0))
+    off.Active = False
+    done = vkworkbench.simulate(small.job, view=VIEW)
+    assert [o.label for o in done.job.operations] == ["Dress-up"]
+    assert [o.label for o in vkworkbench.simulate(base, view=VIEW).job.operations] == ["Base"]
+
+
+def test_the_view_is_that_of_the_preferences_or_given(small, monkeypatch):
+    small.add("First", slot(10.0))
+    assert vkworkbench.simulate(small.job).zbuffer.frame.width == 800
+    seen = vkworkbench.simulate(small.job, view="Isometric").zbuffer.frame
+    assert seen.direction * np.sqrt(3) == pytest.approx([-1, 1, -1]) and seen.height == 600
+    with pytest.raises(ValueError, match="Sideways.*Isometric"):
+        vkworkbench.simulate(small.job, view="Sideways")
+
+
+def test_the_placement_of_an_operation_counts(small):
+    op = small.add("First", slot(10.0))
+    op.Placement = FreeCAD.Placement(FreeCAD.Vector(0, 20, 0), FreeCAD.Rotation())
+    (cut,) = vkworkbench.simulate(small.job, view=VIEW).job.cuts
+    assert (cut.toolpath.points[:, 1] == 30).all()
+
+
+def test_an_operation_that_cannot_be_simulated_is_left_out_and_named(small):
+    small.add("Fine", slot(10.0))
+    small.add("No tool", slot(20.0), controller=None)
+    small.add("Words only", [("(nothing)", {})])
+    done = vkworkbench.simulate(small.job, view=VIEW)
+    assert [o.label for o in done.job.operations] == ["Fine"]
+    (remark,) = done.job.remarks
+    assert remark.codes == ("of", "no-tool") and remark.arguments["label"] == "No tool"
+
+
+def test_it_refuses_what_cannot_be(small):
+    with pytest.raises(Unusable, match="nothing to simulate"):
+        vkworkbench.simulate(small.job)
+    op = small.add("First", slot(10.0))
+    with pytest.raises(OverBudget, match="smaller image"):
+        vkworkbench.simulate(op, memory_budget=1e6)
+    with pytest.raises(TypeError):
+        vkworkbench.simulate(7)
+    small.job.Stock = None
+    with pytest.raises(Unusable, match="no stock"):
+        vkworkbench.simulate(op)
+    FreeCAD.closeDocument(small.document.Name)
+    with pytest.raises(ValueError, match="no document is open"):
+        vkworkbench.simulate()
+
+
+def test_operations_of_two_jobs_are_refused(small):
+    small.add("First", slot(10.0))
+    other = type(small)()
+    try:
+        other.add("Other", slot(10.0))
+        with pytest.raises(Unusable, match="several jobs"):
+            vkworkbench.simulate([small.job, other.job])
+    finally:
+        FreeCAD.closeDocument(other.name)
+
+
+def test_it_can_be_stopped(small):
+    small.add("First", slot(10.0))
+    shares = []
+    vkworkbench.simulate(small.job, going_on=shares.append)
+    assert shares == sorted(shares) and shares[-1] > 0.5
+
+    def stop(share):
+        raise vkworkbench.Cancelled("enough")
+
+    with pytest.raises(vkworkbench.Cancelled):
+        vkworkbench.simulate(small.job, going_on=stop)
+
+
+def test_the_example_is_simulated_as_one_part(example):
+    done = vkworkbench.simulate(example, view=View((0, 0, -1), 200, 150))
+    labels = [o.label for o in done.job.operations]
+    assert labels[0] == "Face" and len(labels) >= 7 and "Cut out" not in labels
+    moments = [done.at(int(k)).zbuffer.part_volume for k in done.zbuffer.cuts.first]
+    assert moments[0] == pytest.approx(np.prod(done.job.stock.upper - done.job.stock.lower), rel=0.02)
+    assert all(later < before for before, later in zip(moments, moments[1:]))
