@@ -25,6 +25,7 @@ FLOORS = (
     ("core.paper",),
     ("core.recognition",),
     ("core.zbuffer",),
+    ("core.rendering",),
     ("core.simulators",),
     ("core",),
     ("report",),

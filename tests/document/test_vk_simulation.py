@@ -124,3 +124,17 @@ def test_the_example_is_simulated_as_one_part(example):
     moments = [done.at(int(k)).zbuffer.part_volume for k in done.zbuffer.cuts.first]
     assert moments[0] == pytest.approx(np.prod(done.job.stock.upper - done.job.stock.lower), rel=0.02)
     assert all(later < before for before, later in zip(moments, moments[1:]))
+
+
+def test_a_picture_of_the_part_at_any_moment(small, tmp_path):
+    small.add("First", slot(10.0))
+    done = vkworkbench.simulate(small.job, view=VIEW)
+    image, before = done.image(), done.at(0).image()
+    assert image.shape == before.shape == (80, 120, 3) and image.dtype == np.uint8
+    changed = (image != before).any(axis=-1)
+    row, column = np.nonzero(changed)
+    assert row.min() > 40 and column.max() - column.min() > 90  # the slot lies near the front, all along X
+    done.save_png(tmp_path / "part.png")
+    assert (tmp_path / "part.png").read_bytes().startswith(b"\x89PNG")
+    with pytest.raises(OSError):
+        done.save_png(tmp_path / "nowhere" / "part.png")

@@ -3,13 +3,17 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Callable
 from dataclasses import dataclass, replace
+from pathlib import Path
 
 import FreeCAD
+import numpy as np
 
 from vkworkbench import preferences
 from vkworkbench.core import Cut, Stock, View, ZBuffer, linearize, simulate_job
+from vkworkbench.core.rendering import CUT, colors_of, palette, png, shade
 from vkworkbench.document.operations import Operation, find
 from vkworkbench.document.setting import placed, read_stock, read_tool
 from vkworkbench.language import Message, Unusable
@@ -145,6 +149,22 @@ class Simulation:
             Where there is no such moment.
         """
         return replace(self, zbuffer=self.zbuffer.at(step))
+
+    def image(self) -> np.ndarray:
+        """Return the shaded part as it is seen, (height, width, 3) uint8, row 0 at the top."""
+        frame, picture = self.zbuffer.frame, self.zbuffer.picture
+        size = frame.height, frame.width
+        return shade(picture.depth.reshape(size), frame.pixel, colors_of(picture.owner.reshape(size), palette(CUT)))
+
+    def save_png(self, path: str | os.PathLike[str]) -> None:
+        """Write the picture to a PNG file.
+
+        Raises
+        ------
+        OSError
+            If the file cannot be written.
+        """
+        Path(path).write_bytes(png(self.image()))
 
     def source(self, trajectory: int) -> tuple[SimulatedOperation, int]:
         """Return the operation of a trajectory and the index of its command in the operation's Path."""

@@ -1,0 +1,108 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Where the eye looks, where points lie in the image, and the pictures made of them."""
+
+from __future__ import annotations
+
+import struct
+import zlib
+from math import pi, radians, sqrt
+
+import numpy as np
+import pytest
+
+from vkworkbench.core import Cut, Stock, Tool, View, linearize, simulate_job
+from vkworkbench.core.rendering import (
+    BACKGROUND, RAW, Points, colors_of, direction_of, distinct_colors, palette, png, project, scale_colors, shade,
+    tool_outline, turned,
+)  # fmt: skip
+
+STOCK = Stock((0, 0, 0), (80, 60, 20))
+ISOMETRIC = (-1, 1, -1)
+
+
+def test_turning_there_and_back():
+    there = turned(ISOMETRIC, 0.4, 0.2)
+    assert turned(there, -0.4, -0.2) == pytest.approx(np.array(ISOMETRIC) / sqrt(3))
+    assert turned(ISOMETRIC, pi, 0)[:2] == pytest.approx(np.array((1, -1)) / sqrt(3))
+
+
+def test_the_part_follows_the_hand():
+    """Dragged to the right what is in front of the axis goes to the right, dragged up it goes up."""
+    front = np.array([[40.0, 0.0, 10.0]])
+    before = project(front, View((0, 1, 0)).frame(STOCK))[0]
+    right = project(front, View(turned((0, 1, 0), 0.1, 0)).frame(STOCK))[0]
+    up = project(front, View(turned((0, 1, 0), 0, 0.1)).frame(STOCK))[0]
+    assert right[0] > before[0] and up[1] < before[1]
+
+
+def test_turning_from_straight_above_keeps_the_image_upright():
+    a, b = View((0, 0, -1)).frame(STOCK), View(turned((0, 0, -1), 0, 0)).frame(STOCK)
+    assert b.right == pytest.approx(a.right, abs=2e-3) and b.up == pytest.approx(a.up, abs=2e-3)
+    steep = turned((0, 0, -1), 0, -9.0)
+    assert steep[2] > -1 and np.isfinite(View(steep).frame(STOCK).right).all()
+
+
+def test_cameras_of_freecad():
+    assert direction_of((0, 0, 0, 1)) == (0, 0, -1)
+    assert direction_of((sqrt(0.5), 0, 0, sqrt(0.5))) == pytest.approx((0, 1, 0), abs=1e-12)  # from the front
+    assert direction_of((0.424708, 0.17592, 0.339851, 0.820473)) == pytest.approx(np.array(ISOMETRIC) / sqrt(3), abs=1e-5)
+
+
+def test_points_lie_where_their_pixels_are():
+    frame = View(ISOMETRIC, 200, 150).frame(STOCK)
+    columns, rows = np.array([0, 17, 199]), np.array([0, 149, 60])
+    places = frame.origins(*frame.pixel_centres(columns, rows)) + np.array([3, 4, 5])[:, None] * frame.direction
+    assert project(places, frame) == pytest.approx(np.column_stack((columns + 0.5, 149.5 - rows, [3, 4, 5])))
+
+
+def simulated(direction):
+    toolpath = linearize([("G0", {"X": -9, "Y": 30, "Z": 12}), ("G1", {"X": 90, "F": 5})])
+    return simulate_job([Cut(toolpath, Tool("ballend", 16))], stock=STOCK, view=View(direction, 160, 120))
+
+
+def test_the_old_picture_seen_from_elsewhere_is_nearly_the_new_one():
+    zbuffer, frame = simulated((-1, 1, -1)), View(turned((-1, 1, -1), 0.15, 0.1), 160, 120).frame(STOCK)
+
+    def picture(zbuffer):
+        depth, owner = (part.reshape(120, 160) for part in (zbuffer.picture.depth, zbuffer.picture.owner))
+        colors = colors_of(owner, palette((20, 200, 20)))
+        return depth, shade(depth, zbuffer.frame.pixel, colors)
+
+    depth, image = picture(zbuffer)
+    drawn = Points(depth, image, zbuffer.frame).draw(frame, BACKGROUND).astype(int)
+    _, true = picture(simulated(frame.direction))
+    green = lambda image: image[..., 1] > 1.3 * image[..., 0]  # noqa: E731
+    assert np.mean(green(drawn) != green(true.astype(int))) < 0.03
+    assert np.mean((drawn == BACKGROUND).all(-1) != (true == BACKGROUND).all(-1)) < 0.03
+
+
+@pytest.mark.parametrize("tool", [
+    Tool("endmill", 6), Tool("ballend", 6), Tool("bullnose", 6, 1.0), Tool("vbit", 6, tip_angle=radians(60)), Tool("drill", 6),
+])  # fmt: skip
+def test_the_outline_of_a_tool_stands_on_its_tip(tool):
+    frame = View((0, 1, 0), 800, 600).frame(STOCK)
+    column, row = (tool_outline(tool, (40, 30, 5), frame) * frame.pixel).T
+    tip = project([(40, 30, 5)], frame)[0] * frame.pixel
+    assert row.max() == pytest.approx(tip[1]) and np.ptp(column) == pytest.approx(6)
+    assert (column.min() + column.max()) / 2 == pytest.approx(tip[0])
+    from_above = tool_outline(tool, (40, 30, 5), View(width=800, height=600).frame(STOCK)) * frame.pixel
+    assert np.ptp(from_above, axis=0) == pytest.approx([6, 6])
+
+
+def test_a_png_holds_the_image():
+    image = np.random.default_rng(1).integers(0, 256, (5, 7, 3)).astype(np.uint8)
+    data = png(image)
+    assert data[:8] == b"\x89PNG\r\n\x1a\n" and struct.unpack(">II", data[16:24]) == (7, 5)
+    start = data.index(b"IDAT")
+    (length,) = struct.unpack(">I", data[start - 4 : start])
+    rows = np.frombuffer(zlib.decompress(data[start + 4 : start + 4 + length]), np.uint8).reshape(5, 22)
+    assert (rows[:, 0] == 0).all() and (rows[:, 1:].reshape(5, 7, 3) == image).all()
+
+
+def test_colours():
+    colors = distinct_colors(12).astype(int)
+    assert min(np.abs(a - b).sum() for i, a in enumerate(colors) for b in colors[:i]) > 20
+    scale = scale_colors(np.array([0, 0.5, 1, 2, np.nan])).astype(int)
+    assert (np.diff(scale[:3].sum(axis=1)) > 0).all() and (scale[3] == scale[2]).all() and (scale[4] == scale[0]).all()
+    owners = np.array([[-1, 0], [5, 2]])
+    assert (colors_of(owners, palette((1, 2, 3))) == [[RAW, (1, 2, 3)], [(1, 2, 3), (1, 2, 3)]]).all()

@@ -1,0 +1,65 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Pictures of depths: where light falls, where lines are, what is background."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from vkworkbench.core.rendering import BACKGROUND, shade
+
+GREY = (200, 200, 200)
+
+
+def plane(right=0.0, up=0.0, size=(40, 60)):
+    """A plane that rises towards the eye by so much for each mm to the right and up, pixels of 0.5 mm."""
+    row, column = np.mgrid[: size[0], : size[1]]
+    return (100 - 0.5 * (right * column + up * row)).astype(np.float32)
+
+
+def brightness(depth):
+    image = shade(depth, 0.5, GREY)
+    return float(image[5:-5, 5:-5].mean())
+
+
+def test_a_plane_has_one_colour_whose_light_comes_from_above_on_the_left():
+    assert np.ptp(shade(plane(0.3, -0.2), 0.5, GREY).reshape(-1, 3), axis=0).max() <= 1
+    assert brightness(plane(up=-1)) > brightness(plane()) > brightness(plane(up=1))
+    assert brightness(plane(right=0.5)) > brightness(plane()) > brightness(plane(right=-0.5)) - 60
+    assert brightness(plane(right=1)) > brightness(plane(right=-1))
+
+
+def test_where_nothing_is_seen_is_background_and_the_outline_stays():
+    depth = plane()
+    depth[:10] = np.nan  # the lowest rows
+    image = shade(depth, 0.5, GREY)
+    assert (image[-10:] == BACKGROUND).all()
+    assert (image[:-10] == image[0, 0]).all()
+
+
+def test_a_step_is_a_dark_line_and_nothing_else():
+    depth = plane()
+    depth[:, 30:] -= 5
+    image = shade(depth, 0.5, GREY)
+    line = image[20, 29:31].astype(int)
+    assert (line < image[20, 10].astype(int) - 40).all()
+    assert (np.delete(image, (29, 30), axis=1) == image[20, 10]).all()
+
+
+def test_a_finished_surface_has_no_lines():
+    x = np.arange(60) * 0.5
+    depth = np.tile(100 + 0.05 * np.cos(2 * np.pi * x / 3), (40, 1)).astype(np.float32)
+    image = shade(depth, 0.5, GREY)
+    assert image.min() > 0.8 * image.max()
+
+
+@pytest.mark.parametrize("size", [(1, 1), (1, 7), (5, 1), (2, 2)])
+def test_images_of_any_size(size):
+    assert shade(np.zeros(size, np.float32), 1.0, GREY).shape == (*size, 3)
+
+
+def test_each_pixel_has_its_own_colour_row_0_below():
+    colors = np.zeros((40, 60, 3), np.uint8)
+    colors[0] = 255, 0, 0
+    image = shade(plane(), 0.5, colors)
+    assert image[-1, 5, 0] > 150 and (image[-1, 5, 1:] == 0).all() and (image[0] == 0).all()

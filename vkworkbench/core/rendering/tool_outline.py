@@ -1,0 +1,60 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The outline of the tool in an image: the convex hull of the rings of its profile."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from vkworkbench.core.rendering.camera import project
+from vkworkbench.core.solids import Frame, Tool
+
+_AROUND, _ALONG = 32, 7
+# The shank is drawn so many diameters long.
+_LENGTH = 3.0
+
+
+def tool_outline(tool: Tool, tip: np.ndarray, frame: Frame) -> np.ndarray:
+    """Return the tool's outline.
+
+    Parameters
+    ----------
+    tool : Tool
+    tip : (3,) array_like
+        Where its tip is, mm.
+    frame : Frame
+
+    Returns
+    -------
+    (m, 2) ndarray
+        Corners of a convex polygon, column and row in pixels from the image's upper left corner.
+    """
+    radii = tool.radius * np.sin(np.linspace(0, np.pi / 2, _ALONG))
+    heights = tool.height(radii)
+    radii, heights = np.append(radii, tool.radius), np.append(heights, heights[-1] + _LENGTH * tool.diameter)
+    angles = np.linspace(0, 2 * np.pi, _AROUND, endpoint=False)
+    rings = np.stack(
+        (
+            np.multiply.outer(radii, np.cos(angles)),
+            np.multiply.outer(radii, np.sin(angles)),
+            np.broadcast_to(heights[:, None], (len(radii), _AROUND)),
+        ),
+        axis=-1,
+    ).reshape(-1, 3)
+    return _hull(project(rings + np.asarray(tip, float), frame)[:, :2])
+
+
+def _hull(points: np.ndarray) -> np.ndarray:
+    """Convex hull in the plane (Andrew 1979)."""
+    ordered = sorted(set(map(tuple, points.round(6).tolist())))
+
+    def half(points):
+        chain: list = []
+        for x, y in points:
+            while len(chain) > 1 and (chain[-1][0] - chain[-2][0]) * (y - chain[-2][1]) <= (
+                chain[-1][1] - chain[-2][1]
+            ) * (x - chain[-2][0]):
+                chain.pop()
+            chain.append((x, y))
+        return chain[:-1]
+
+    return np.array(half(ordered) + half(ordered[::-1])).reshape(-1, 2)
