@@ -26,6 +26,45 @@ def version() -> tuple[int, int, int]:
     """Return the version of this FreeCAD, e.g. ``(0, 20, 2)``; a part that does not begin with a number is 0."""
     return tuple(int(re.match(r"\d*", part).group() or 0) for part in FreeCAD.Version()[:3])
 
+# FreeCAD's simulators by the names of their entries in core/simulators: what the menu calls them since which version,
+# the newest first, with the context of that text and the command's name.
+_SIMULATORS = {
+    "legacy": (
+        ((1, 1), "CAM_Simulator", "Legacy CAM Simulator", "CAM_Simulator"),
+        ((1, 0), "CAM_Simulator", "CAM Simulator", "CAM_Simulator"),
+        ((0,), "Path_Simulator", "CAM Simulator", "Path_Simulator"),
+    ),
+    "OpenGL": (
+        ((1, 1), "CAM_Simulator", "CAM Simulator", "CAM_SimulatorGL"),
+        ((1, 0), "CAM_Simulator", "New CAM Simulator", "CAM_SimulatorGL"),
+    ),
+}
+_LEGACY_FIRST = (1, 1)  # a preference makes the button start the legacy simulator
+
+
+def simulator_title(name: str) -> str | None:
+    """Return what this FreeCAD's menu calls a simulator, in the user's language; None where it has none such."""
+    entry = _simulator(name)
+    return FreeCAD.Qt.translate(*entry[:2]) if entry else None
+
+
+def simulator_command(name: str) -> str | None:
+    """Return the name of the command that starts a simulator; None where this FreeCAD has none such."""
+    entry = _simulator(name)
+    return entry[2] if entry else None
+
+
+def own_simulator() -> str:
+    """Return the name of the simulator that this FreeCAD's own button starts."""
+    chosen = FreeCAD.ParamGet("User parameter:BaseApp/Preferences/Mod/CAM")
+    legacy = version() >= _LEGACY_FIRST and chosen.GetBool("DefaultSimulatorLegacy", False)
+    return "legacy" if legacy or _simulator("OpenGL") is None else "OpenGL"
+
+
+def _simulator(name: str) -> tuple[str, str, str] | None:
+    known = (entry for since, *entry in _SIMULATORS.get(name, ()) if version() >= since)
+    return next(known, None)
+
 
 @dataclass(frozen=True)
 class Property:

@@ -269,10 +269,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>use the OpenGL simulator for this operation</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>leave this operation out of the simulation</source>
         <translation type="unfinished"></translation>
     </message>
@@ -373,30 +369,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The legacy simulator hangs on an arc {reason} (command {command:n}{others}): {instead}.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The legacy simulator cuts {count:n} ramp at a wrong depth, up to {error:mm2} {way} (command {command:n}): do not judge depths by it.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The legacy simulator cuts {count:n} ramps at a wrong depth, up to {error:mm2} {way} (command {command:n}): do not judge depths by it.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{count:n} moves are shorter than a cell of the legacy simulator ({cell:mm2}), each takes its time and none is seen by itself: a coarser tolerance of the operation loses nothing there.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The OpenGL simulator takes about {time:s} for every picture at the end, {percent:n} % of it for arcs: simulate this operation alone.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The {simulator} simulator takes about {memory:bytes} for this operation, more than the {allowed:bytes} allowed: {instead}.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source> and {count:n} more</source>
         <translation type="unfinished"></translation>
     </message>
@@ -426,14 +398,6 @@
     </message>
     <message>
         <source>no accuracy helps, playing takes {longer:s} even at the coarsest: use fast-forward, about {time:s} at the finest{heaviest}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Playing takes about {longer:s} in the legacy simulator: fast-forward takes about {time:s}.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Playing takes about {time:s} in the OpenGL simulator at its fastest: simulate fewer operations at a time.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -672,6 +636,54 @@
         <source>these operations belong to several jobs, choose one of them: {labels}</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>extended z-buffer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>legacy simulator</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>OpenGL simulator</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The {simulator:simulator} hangs on an arc {reason} (command {command:n}{others}): {instead}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The {simulator:simulator} cuts {count:n} ramp at a wrong depth, up to {error:mm2} {way} (command {command:n}): do not judge depths by it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The {simulator:simulator} cuts {count:n} ramps at a wrong depth, up to {error:mm2} {way} (command {command:n}): do not judge depths by it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Playing takes about {longer:s} in the {simulator:simulator}: fast-forward takes about {time:s}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Playing takes about {time:s} in the {simulator:simulator} at its fastest: simulate fewer operations at a time.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count:n} moves are shorter than a cell of the {simulator:simulator} ({cell:mm2}), each takes its time and none is seen by itself: a coarser tolerance of the operation loses nothing there.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The {simulator:simulator} takes about {time:s} for every picture at the end, {percent:n} % of it for arcs: simulate this operation alone.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The {simulator:simulator} takes about {memory:bytes} for this operation, more than the {allowed:bytes} allowed: {instead}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>use the {simulator:simulator} for this operation</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>
@@ -737,10 +749,6 @@
     </message>
     <message>
         <source>Never calibrated on this computer: times of FreeCAD&apos;s simulators are right within a factor of two.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Last calibrated on {date}: the legacy simulator makes {moves} cuts a second, its times are right within a factor of {factor}. Measured with FreeCAD {freecad} on {processor}, display {renderer}.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -896,6 +904,10 @@
     </message>
     <message>
         <source>Measures how fast FreeCAD&apos;s simulators are on this computer, which takes about a second, and remembers it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Last calibrated on {date}: the {simulator} makes {moves} cuts a second, its times are right within a factor of {factor}. Measured with FreeCAD {freecad} on {processor}, display {renderer}.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -269,10 +269,6 @@
         <translation>der ein Vollkreis ist</translation>
     </message>
     <message>
-        <source>use the OpenGL simulator for this operation</source>
-        <translation>für diese Operation den OpenGL-Simulator benutzen</translation>
-    </message>
-    <message>
         <source>leave this operation out of the simulation</source>
         <translation>diese Operation bei der Simulation auslassen</translation>
     </message>
@@ -373,30 +369,6 @@
         <translation>{length:mm4} Eilgänge fehlen in der Zeit, weil {name} und {other} des Werkzeugcontrollers 0 sind</translation>
     </message>
     <message>
-        <source>The legacy simulator hangs on an arc {reason} (command {command:n}{others}): {instead}.</source>
-        <translation>Der alte Simulator hängt bei einem Bogen, {reason} (Befehl {command:n}{others}): {instead}.</translation>
-    </message>
-    <message>
-        <source>The legacy simulator cuts {count:n} ramp at a wrong depth, up to {error:mm2} {way} (command {command:n}): do not judge depths by it.</source>
-        <translation>Der alte Simulator schneidet {count:n} Rampe in falscher Tiefe, bis zu {error:mm2} {way} (Befehl {command:n}): Tiefen nicht danach beurteilen.</translation>
-    </message>
-    <message>
-        <source>The legacy simulator cuts {count:n} ramps at a wrong depth, up to {error:mm2} {way} (command {command:n}): do not judge depths by it.</source>
-        <translation>Der alte Simulator schneidet {count:n} Rampen in falscher Tiefe, bis zu {error:mm2} {way} (Befehl {command:n}): Tiefen nicht danach beurteilen.</translation>
-    </message>
-    <message>
-        <source>{count:n} moves are shorter than a cell of the legacy simulator ({cell:mm2}), each takes its time and none is seen by itself: a coarser tolerance of the operation loses nothing there.</source>
-        <translation>{count:n} Bewegungen sind kürzer als eine Zelle des alten Simulators ({cell:mm2}), jede kostet Zeit und keine ist einzeln zu sehen: Eine gröbere Toleranz der Operation verliert dort nichts.</translation>
-    </message>
-    <message>
-        <source>The OpenGL simulator takes about {time:s} for every picture at the end, {percent:n} % of it for arcs: simulate this operation alone.</source>
-        <translation>Der OpenGL-Simulator braucht am Ende etwa {time:s} für jedes Bild, {percent:n} % davon für Bögen: Diese Operation allein simulieren.</translation>
-    </message>
-    <message>
-        <source>The {simulator} simulator takes about {memory:bytes} for this operation, more than the {allowed:bytes} allowed: {instead}.</source>
-        <translation>Der Simulator ({simulator}) braucht für diese Operation etwa {memory:bytes}, mehr als die erlaubten {allowed:bytes}: {instead}.</translation>
-    </message>
-    <message>
         <source> and {count:n} more</source>
         <translation> und {count:n} weitere</translation>
     </message>
@@ -427,14 +399,6 @@
     <message>
         <source>no accuracy helps, playing takes {longer:s} even at the coarsest: use fast-forward, about {time:s} at the finest{heaviest}</source>
         <translation>keine Genauigkeit hilft, das Abspielen dauert selbst bei der gröbsten {longer:s}: schnellen Vorlauf benutzen, etwa {time:s} bei der feinsten{heaviest}</translation>
-    </message>
-    <message>
-        <source>Playing takes about {longer:s} in the legacy simulator: fast-forward takes about {time:s}.</source>
-        <translation>Das Abspielen dauert im alten Simulator etwa {longer:s}: Der schnelle Vorlauf dauert etwa {time:s}.</translation>
-    </message>
-    <message>
-        <source>Playing takes about {time:s} in the OpenGL simulator at its fastest: simulate fewer operations at a time.</source>
-        <translation>Das Abspielen dauert im OpenGL-Simulator auch am schnellsten etwa {time:s}: Weniger Operationen auf einmal simulieren.</translation>
     </message>
     <message>
         <source> and 1 more</source>
@@ -672,6 +636,54 @@
         <source>these operations belong to several jobs, choose one of them: {labels}</source>
         <translation>diese Operationen gehören zu mehreren Aufträgen, wählen Sie einen davon: {labels}</translation>
     </message>
+    <message>
+        <source>extended z-buffer</source>
+        <translation>erweiterter Z-Buffer</translation>
+    </message>
+    <message>
+        <source>legacy simulator</source>
+        <translation>alter Simulator</translation>
+    </message>
+    <message>
+        <source>OpenGL simulator</source>
+        <translation>OpenGL-Simulator</translation>
+    </message>
+    <message>
+        <source>The {simulator:simulator} hangs on an arc {reason} (command {command:n}{others}): {instead}.</source>
+        <translation>Der {simulator:simulator} hängt bei einem Bogen, {reason} (Befehl {command:n}{others}): {instead}.</translation>
+    </message>
+    <message>
+        <source>The {simulator:simulator} cuts {count:n} ramp at a wrong depth, up to {error:mm2} {way} (command {command:n}): do not judge depths by it.</source>
+        <translation>Der {simulator:simulator} schneidet {count:n} Rampe in falscher Tiefe, bis zu {error:mm2} {way} (Befehl {command:n}): Tiefen nicht danach beurteilen.</translation>
+    </message>
+    <message>
+        <source>The {simulator:simulator} cuts {count:n} ramps at a wrong depth, up to {error:mm2} {way} (command {command:n}): do not judge depths by it.</source>
+        <translation>Der {simulator:simulator} schneidet {count:n} Rampen in falscher Tiefe, bis zu {error:mm2} {way} (Befehl {command:n}): Tiefen nicht danach beurteilen.</translation>
+    </message>
+    <message>
+        <source>Playing takes about {longer:s} in the {simulator:simulator}: fast-forward takes about {time:s}.</source>
+        <translation>Das Abspielen dauert im {simulator:simulator} etwa {longer:s}: Der schnelle Vorlauf dauert etwa {time:s}.</translation>
+    </message>
+    <message>
+        <source>Playing takes about {time:s} in the {simulator:simulator} at its fastest: simulate fewer operations at a time.</source>
+        <translation>Das Abspielen dauert im {simulator:simulator} auch am schnellsten etwa {time:s}: Weniger Operationen auf einmal simulieren.</translation>
+    </message>
+    <message>
+        <source>{count:n} moves are shorter than a cell of the {simulator:simulator} ({cell:mm2}), each takes its time and none is seen by itself: a coarser tolerance of the operation loses nothing there.</source>
+        <translation>{count:n} Bewegungen sind kürzer als eine Zelle von {simulator:simulator} ({cell:mm2}), jede kostet Zeit und keine ist einzeln zu sehen: Eine gröbere Toleranz der Operation verliert dort nichts.</translation>
+    </message>
+    <message>
+        <source>The {simulator:simulator} takes about {time:s} for every picture at the end, {percent:n} % of it for arcs: simulate this operation alone.</source>
+        <translation>Der {simulator:simulator} braucht am Ende etwa {time:s} für jedes Bild, {percent:n} % davon für Bögen: Diese Operation allein simulieren.</translation>
+    </message>
+    <message>
+        <source>The {simulator:simulator} takes about {memory:bytes} for this operation, more than the {allowed:bytes} allowed: {instead}.</source>
+        <translation>Der {simulator:simulator} braucht für diese Operation etwa {memory:bytes}, mehr als die erlaubten {allowed:bytes}: {instead}.</translation>
+    </message>
+    <message>
+        <source>use the {simulator:simulator} for this operation</source>
+        <translation>für diese Operation den {simulator:simulator} benutzen</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>
@@ -738,10 +750,6 @@
     <message>
         <source>Never calibrated on this computer: times of FreeCAD&apos;s simulators are right within a factor of two.</source>
         <translation>Auf diesem Computer noch nie kalibriert: Die Zeiten der FreeCAD-Simulatoren stimmen auf einen Faktor zwei genau.</translation>
-    </message>
-    <message>
-        <source>Last calibrated on {date}: the legacy simulator makes {moves} cuts a second, its times are right within a factor of {factor}. Measured with FreeCAD {freecad} on {processor}, display {renderer}.</source>
-        <translation>Zuletzt kalibriert am {date}: Der alte Simulator macht {moves} Schnitte pro Sekunde, seine Zeiten stimmen auf einen Faktor {factor} genau. Gemessen mit FreeCAD {freecad} auf {processor}, Anzeige {renderer}.</translation>
     </message>
     <message>
         <source>General</source>
@@ -897,6 +905,10 @@
     <message>
         <source>Measures how fast FreeCAD&apos;s simulators are on this computer, which takes about a second, and remembers it.</source>
         <translation>Misst in etwa einer Sekunde, wie schnell die FreeCAD-Simulatoren auf diesem Computer sind, und merkt es sich.</translation>
+    </message>
+    <message>
+        <source>Last calibrated on {date}: the {simulator} makes {moves} cuts a second, its times are right within a factor of {factor}. Measured with FreeCAD {freecad} on {processor}, display {renderer}.</source>
+        <translation>Zuletzt kalibriert am {date}: Der {simulator} macht {moves} Schnitte pro Sekunde, seine Zeiten stimmen auf einen Faktor {factor} genau. Gemessen mit FreeCAD {freecad} auf {processor}, Anzeige {renderer}.</translation>
     </message>
 </context>
 <context>

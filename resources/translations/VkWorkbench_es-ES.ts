@@ -269,10 +269,6 @@
         <translation>que es un círculo completo</translation>
     </message>
     <message>
-        <source>use the OpenGL simulator for this operation</source>
-        <translation>use el simulador OpenGL para esta operación</translation>
-    </message>
-    <message>
         <source>leave this operation out of the simulation</source>
         <translation>deje esta operación fuera de la simulación</translation>
     </message>
@@ -373,30 +369,6 @@
         <translation>{length:mm4} de rápidos no están en el tiempo porque {name} y {other} del controlador de herramienta son 0</translation>
     </message>
     <message>
-        <source>The legacy simulator hangs on an arc {reason} (command {command:n}{others}): {instead}.</source>
-        <translation>El simulador antiguo se bloquea en un arco {reason} (orden {command:n}{others}): {instead}.</translation>
-    </message>
-    <message>
-        <source>The legacy simulator cuts {count:n} ramp at a wrong depth, up to {error:mm2} {way} (command {command:n}): do not judge depths by it.</source>
-        <translation>El simulador antiguo corta {count:n} rampa a una profundidad falsa, hasta {error:mm2} {way} (orden {command:n}): no juzgue las profundidades por él.</translation>
-    </message>
-    <message>
-        <source>The legacy simulator cuts {count:n} ramps at a wrong depth, up to {error:mm2} {way} (command {command:n}): do not judge depths by it.</source>
-        <translation>El simulador antiguo corta {count:n} rampas a una profundidad falsa, hasta {error:mm2} {way} (orden {command:n}): no juzgue las profundidades por él.</translation>
-    </message>
-    <message>
-        <source>{count:n} moves are shorter than a cell of the legacy simulator ({cell:mm2}), each takes its time and none is seen by itself: a coarser tolerance of the operation loses nothing there.</source>
-        <translation>{count:n} movimientos son más cortos que una celda del simulador antiguo ({cell:mm2}), cada uno lleva su tiempo y ninguno se ve por sí solo: una tolerancia más gruesa de la operación no pierde nada ahí.</translation>
-    </message>
-    <message>
-        <source>The OpenGL simulator takes about {time:s} for every picture at the end, {percent:n} % of it for arcs: simulate this operation alone.</source>
-        <translation>El simulador OpenGL tarda al final unos {time:s} por imagen, el {percent:n} % en arcos: simule esta operación sola.</translation>
-    </message>
-    <message>
-        <source>The {simulator} simulator takes about {memory:bytes} for this operation, more than the {allowed:bytes} allowed: {instead}.</source>
-        <translation>El simulador ({simulator}) ocupa unos {memory:bytes} en esta operación, más de los {allowed:bytes} permitidos: {instead}.</translation>
-    </message>
-    <message>
         <source> and {count:n} more</source>
         <translation> y {count:n} más</translation>
     </message>
@@ -427,14 +399,6 @@
     <message>
         <source>no accuracy helps, playing takes {longer:s} even at the coarsest: use fast-forward, about {time:s} at the finest{heaviest}</source>
         <translation>ninguna precisión basta, la reproducción tarda {longer:s} incluso con la más basta: use el avance rápido, unos {time:s} con la más fina{heaviest}</translation>
-    </message>
-    <message>
-        <source>Playing takes about {longer:s} in the legacy simulator: fast-forward takes about {time:s}.</source>
-        <translation>La reproducción dura unos {longer:s} en el simulador antiguo: el avance rápido dura unos {time:s}.</translation>
-    </message>
-    <message>
-        <source>Playing takes about {time:s} in the OpenGL simulator at its fastest: simulate fewer operations at a time.</source>
-        <translation>La reproducción dura unos {time:s} en el simulador OpenGL a su máxima velocidad: simule menos operaciones a la vez.</translation>
     </message>
     <message>
         <source> and 1 more</source>
@@ -672,6 +636,54 @@
         <source>these operations belong to several jobs, choose one of them: {labels}</source>
         <translation>estas operaciones pertenecen a varios trabajos, elija uno de ellos: {labels}</translation>
     </message>
+    <message>
+        <source>extended z-buffer</source>
+        <translation>z-buffer extendido</translation>
+    </message>
+    <message>
+        <source>legacy simulator</source>
+        <translation>simulador antiguo</translation>
+    </message>
+    <message>
+        <source>OpenGL simulator</source>
+        <translation>simulador OpenGL</translation>
+    </message>
+    <message>
+        <source>The {simulator:simulator} hangs on an arc {reason} (command {command:n}{others}): {instead}.</source>
+        <translation>El {simulator:simulator} se bloquea en un arco {reason} (orden {command:n}{others}): {instead}.</translation>
+    </message>
+    <message>
+        <source>The {simulator:simulator} cuts {count:n} ramp at a wrong depth, up to {error:mm2} {way} (command {command:n}): do not judge depths by it.</source>
+        <translation>El {simulator:simulator} corta {count:n} rampa a una profundidad falsa, hasta {error:mm2} {way} (orden {command:n}): no juzgue las profundidades por él.</translation>
+    </message>
+    <message>
+        <source>The {simulator:simulator} cuts {count:n} ramps at a wrong depth, up to {error:mm2} {way} (command {command:n}): do not judge depths by it.</source>
+        <translation>El {simulator:simulator} corta {count:n} rampas a una profundidad falsa, hasta {error:mm2} {way} (orden {command:n}): no juzgue las profundidades por él.</translation>
+    </message>
+    <message>
+        <source>Playing takes about {longer:s} in the {simulator:simulator}: fast-forward takes about {time:s}.</source>
+        <translation>La reproducción dura unos {longer:s} en el {simulator:simulator}: el avance rápido dura unos {time:s}.</translation>
+    </message>
+    <message>
+        <source>Playing takes about {time:s} in the {simulator:simulator} at its fastest: simulate fewer operations at a time.</source>
+        <translation>La reproducción dura unos {time:s} en el {simulator:simulator} a su máxima velocidad: simule menos operaciones a la vez.</translation>
+    </message>
+    <message>
+        <source>{count:n} moves are shorter than a cell of the {simulator:simulator} ({cell:mm2}), each takes its time and none is seen by itself: a coarser tolerance of the operation loses nothing there.</source>
+        <translation>{count:n} movimientos son más cortos que una celda del {simulator:simulator} ({cell:mm2}), cada uno lleva su tiempo y ninguno se ve por sí solo: una tolerancia más gruesa de la operación no pierde nada ahí.</translation>
+    </message>
+    <message>
+        <source>The {simulator:simulator} takes about {time:s} for every picture at the end, {percent:n} % of it for arcs: simulate this operation alone.</source>
+        <translation>El {simulator:simulator} tarda al final unos {time:s} por imagen, el {percent:n} % en arcos: simule esta operación sola.</translation>
+    </message>
+    <message>
+        <source>The {simulator:simulator} takes about {memory:bytes} for this operation, more than the {allowed:bytes} allowed: {instead}.</source>
+        <translation>El {simulator:simulator} ocupa unos {memory:bytes} en esta operación, más de los {allowed:bytes} permitidos: {instead}.</translation>
+    </message>
+    <message>
+        <source>use the {simulator:simulator} for this operation</source>
+        <translation>use el {simulator:simulator} para esta operación</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>
@@ -738,10 +750,6 @@
     <message>
         <source>Never calibrated on this computer: times of FreeCAD&apos;s simulators are right within a factor of two.</source>
         <translation>Nunca calibrado en este equipo: los tiempos de los simuladores de FreeCAD aciertan dentro de un factor dos.</translation>
-    </message>
-    <message>
-        <source>Last calibrated on {date}: the legacy simulator makes {moves} cuts a second, its times are right within a factor of {factor}. Measured with FreeCAD {freecad} on {processor}, display {renderer}.</source>
-        <translation>Última calibración el {date}: el simulador antiguo hace {moves} cortes por segundo, sus tiempos aciertan dentro de un factor {factor}. Medido con FreeCAD {freecad} en {processor}, pantalla {renderer}.</translation>
     </message>
     <message>
         <source>General</source>
@@ -897,6 +905,10 @@
     <message>
         <source>Measures how fast FreeCAD&apos;s simulators are on this computer, which takes about a second, and remembers it.</source>
         <translation>Mide en un segundo aproximadamente lo rápidos que son los simuladores de FreeCAD en este equipo, y lo recuerda.</translation>
+    </message>
+    <message>
+        <source>Last calibrated on {date}: the {simulator} makes {moves} cuts a second, its times are right within a factor of {factor}. Measured with FreeCAD {freecad} on {processor}, display {renderer}.</source>
+        <translation>Última calibración el {date}: el {simulator} hace {moves} cortes por segundo, sus tiempos aciertan dentro de un factor {factor}. Medido con FreeCAD {freecad} en {processor}, pantalla {renderer}.</translation>
     </message>
 </context>
 <context>

@@ -269,10 +269,6 @@
         <translation>qui est un cercle complet</translation>
     </message>
     <message>
-        <source>use the OpenGL simulator for this operation</source>
-        <translation>utilisez le simulateur OpenGL pour cette opération</translation>
-    </message>
-    <message>
         <source>leave this operation out of the simulation</source>
         <translation>laissez cette opération hors de la simulation</translation>
     </message>
@@ -373,30 +369,6 @@
         <translation>{length:mm4} de déplacements rapides ne sont pas dans la durée, car {name} et {other} du contrôleur d&apos;outil valent 0</translation>
     </message>
     <message>
-        <source>The legacy simulator hangs on an arc {reason} (command {command:n}{others}): {instead}.</source>
-        <translation>L&apos;ancien simulateur se bloque sur un arc {reason} (commande {command:n}{others}) : {instead}.</translation>
-    </message>
-    <message>
-        <source>The legacy simulator cuts {count:n} ramp at a wrong depth, up to {error:mm2} {way} (command {command:n}): do not judge depths by it.</source>
-        <translation>L&apos;ancien simulateur usine {count:n} rampe à une profondeur fausse, jusqu&apos;à {error:mm2} {way} (commande {command:n}) : ne jugez pas les profondeurs d&apos;après lui.</translation>
-    </message>
-    <message>
-        <source>The legacy simulator cuts {count:n} ramps at a wrong depth, up to {error:mm2} {way} (command {command:n}): do not judge depths by it.</source>
-        <translation>L&apos;ancien simulateur usine {count:n} rampes à une profondeur fausse, jusqu&apos;à {error:mm2} {way} (commande {command:n}) : ne jugez pas les profondeurs d&apos;après lui.</translation>
-    </message>
-    <message>
-        <source>{count:n} moves are shorter than a cell of the legacy simulator ({cell:mm2}), each takes its time and none is seen by itself: a coarser tolerance of the operation loses nothing there.</source>
-        <translation>{count:n} mouvements sont plus courts qu&apos;une cellule de l&apos;ancien simulateur ({cell:mm2}), chacun prend du temps et aucun ne se voit seul : une tolérance plus grossière de l&apos;opération n&apos;y perd rien.</translation>
-    </message>
-    <message>
-        <source>The OpenGL simulator takes about {time:s} for every picture at the end, {percent:n} % of it for arcs: simulate this operation alone.</source>
-        <translation>Le simulateur OpenGL prend à la fin environ {time:s} par image, dont {percent:n} % pour les arcs : simulez cette opération seule.</translation>
-    </message>
-    <message>
-        <source>The {simulator} simulator takes about {memory:bytes} for this operation, more than the {allowed:bytes} allowed: {instead}.</source>
-        <translation>Le simulateur ({simulator}) prend environ {memory:bytes} pour cette opération, plus que les {allowed:bytes} permis : {instead}.</translation>
-    </message>
-    <message>
         <source> and {count:n} more</source>
         <translation> et {count:n} autres</translation>
     </message>
@@ -427,14 +399,6 @@
     <message>
         <source>no accuracy helps, playing takes {longer:s} even at the coarsest: use fast-forward, about {time:s} at the finest{heaviest}</source>
         <translation>aucune précision ne suffit, la lecture prend {longer:s} même à la plus grossière : utiliser l&apos;avance rapide, environ {time:s} à la plus fine{heaviest}</translation>
-    </message>
-    <message>
-        <source>Playing takes about {longer:s} in the legacy simulator: fast-forward takes about {time:s}.</source>
-        <translation>La lecture prend environ {longer:s} dans l&apos;ancien simulateur : l&apos;avance rapide prend environ {time:s}.</translation>
-    </message>
-    <message>
-        <source>Playing takes about {time:s} in the OpenGL simulator at its fastest: simulate fewer operations at a time.</source>
-        <translation>La lecture prend environ {time:s} dans le simulateur OpenGL au plus vite : simulez moins d&apos;opérations à la fois.</translation>
     </message>
     <message>
         <source> and 1 more</source>
@@ -672,6 +636,54 @@
         <source>these operations belong to several jobs, choose one of them: {labels}</source>
         <translation>ces opérations appartiennent à plusieurs tâches, choisissez-en une : {labels}</translation>
     </message>
+    <message>
+        <source>extended z-buffer</source>
+        <translation>z-buffer étendu</translation>
+    </message>
+    <message>
+        <source>legacy simulator</source>
+        <translation>ancien simulateur</translation>
+    </message>
+    <message>
+        <source>OpenGL simulator</source>
+        <translation>simulateur OpenGL</translation>
+    </message>
+    <message>
+        <source>The {simulator:simulator} hangs on an arc {reason} (command {command:n}{others}): {instead}.</source>
+        <translation>Le {simulator:simulator} se bloque sur un arc {reason} (commande {command:n}{others}) : {instead}.</translation>
+    </message>
+    <message>
+        <source>The {simulator:simulator} cuts {count:n} ramp at a wrong depth, up to {error:mm2} {way} (command {command:n}): do not judge depths by it.</source>
+        <translation>Le {simulator:simulator} usine {count:n} rampe à une profondeur fausse, jusqu&apos;à {error:mm2} {way} (commande {command:n}) : ne jugez pas les profondeurs d&apos;après lui.</translation>
+    </message>
+    <message>
+        <source>The {simulator:simulator} cuts {count:n} ramps at a wrong depth, up to {error:mm2} {way} (command {command:n}): do not judge depths by it.</source>
+        <translation>Le {simulator:simulator} usine {count:n} rampes à une profondeur fausse, jusqu&apos;à {error:mm2} {way} (commande {command:n}) : ne jugez pas les profondeurs d&apos;après lui.</translation>
+    </message>
+    <message>
+        <source>Playing takes about {longer:s} in the {simulator:simulator}: fast-forward takes about {time:s}.</source>
+        <translation>La lecture prend environ {longer:s} dans le {simulator:simulator} : l&apos;avance rapide prend environ {time:s}.</translation>
+    </message>
+    <message>
+        <source>Playing takes about {time:s} in the {simulator:simulator} at its fastest: simulate fewer operations at a time.</source>
+        <translation>La lecture prend environ {time:s} dans le {simulator:simulator} au plus vite : simulez moins d&apos;opérations à la fois.</translation>
+    </message>
+    <message>
+        <source>{count:n} moves are shorter than a cell of the {simulator:simulator} ({cell:mm2}), each takes its time and none is seen by itself: a coarser tolerance of the operation loses nothing there.</source>
+        <translation>{count:n} mouvements sont plus courts qu&apos;une cellule du {simulator:simulator} ({cell:mm2}), chacun prend du temps et aucun ne se voit seul : une tolérance plus grossière de l&apos;opération n&apos;y perd rien.</translation>
+    </message>
+    <message>
+        <source>The {simulator:simulator} takes about {time:s} for every picture at the end, {percent:n} % of it for arcs: simulate this operation alone.</source>
+        <translation>Le {simulator:simulator} prend à la fin environ {time:s} par image, dont {percent:n} % pour les arcs : simulez cette opération seule.</translation>
+    </message>
+    <message>
+        <source>The {simulator:simulator} takes about {memory:bytes} for this operation, more than the {allowed:bytes} allowed: {instead}.</source>
+        <translation>Le {simulator:simulator} prend environ {memory:bytes} pour cette opération, plus que les {allowed:bytes} permis : {instead}.</translation>
+    </message>
+    <message>
+        <source>use the {simulator:simulator} for this operation</source>
+        <translation>utilisez le {simulator:simulator} pour cette opération</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>
@@ -738,10 +750,6 @@
     <message>
         <source>Never calibrated on this computer: times of FreeCAD&apos;s simulators are right within a factor of two.</source>
         <translation>Jamais étalonné sur cet ordinateur : les temps des simulateurs de FreeCAD sont justes à un facteur deux près.</translation>
-    </message>
-    <message>
-        <source>Last calibrated on {date}: the legacy simulator makes {moves} cuts a second, its times are right within a factor of {factor}. Measured with FreeCAD {freecad} on {processor}, display {renderer}.</source>
-        <translation>Dernier étalonnage le {date} : l&apos;ancien simulateur fait {moves} coupes par seconde, ses temps sont justes à un facteur {factor} près. Mesuré avec FreeCAD {freecad} sur {processor}, affichage {renderer}.</translation>
     </message>
     <message>
         <source>General</source>
@@ -897,6 +905,10 @@
     <message>
         <source>Measures how fast FreeCAD&apos;s simulators are on this computer, which takes about a second, and remembers it.</source>
         <translation>Mesure en une seconde environ la vitesse des simulateurs de FreeCAD sur cet ordinateur, et la retient.</translation>
+    </message>
+    <message>
+        <source>Last calibrated on {date}: the {simulator} makes {moves} cuts a second, its times are right within a factor of {factor}. Measured with FreeCAD {freecad} on {processor}, display {renderer}.</source>
+        <translation>Dernier étalonnage le {date} : le {simulator} fait {moves} coupes par seconde, ses temps sont justes à un facteur {factor} près. Mesuré avec FreeCAD {freecad} sur {processor}, affichage {renderer}.</translation>
     </message>
 </context>
 <context>

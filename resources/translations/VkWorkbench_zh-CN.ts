@@ -269,10 +269,6 @@
         <translation>是整圆</translation>
     </message>
     <message>
-        <source>use the OpenGL simulator for this operation</source>
-        <translation>请对此操作使用 OpenGL 模拟器</translation>
-    </message>
-    <message>
         <source>leave this operation out of the simulation</source>
         <translation>模拟时请略去此操作</translation>
     </message>
@@ -373,30 +369,6 @@
         <translation>刀具控制器的 {name} 和 {other} 为 0，因此 {length:mm4} 快速移动未计入时间</translation>
     </message>
     <message>
-        <source>The legacy simulator hangs on an arc {reason} (command {command:n}{others}): {instead}.</source>
-        <translation>旧版模拟器会卡在{reason}的圆弧上（命令 {command:n}{others}）：{instead}。</translation>
-    </message>
-    <message>
-        <source>The legacy simulator cuts {count:n} ramp at a wrong depth, up to {error:mm2} {way} (command {command:n}): do not judge depths by it.</source>
-        <translation>旧版模拟器以错误深度切削 {count:n} 处斜坡，最多 {error:mm2} {way}（命令 {command:n}）：不要据此判断深度。</translation>
-    </message>
-    <message>
-        <source>The legacy simulator cuts {count:n} ramps at a wrong depth, up to {error:mm2} {way} (command {command:n}): do not judge depths by it.</source>
-        <translation>旧版模拟器以错误深度切削 {count:n} 处斜坡，最多 {error:mm2} {way}（命令 {command:n}）：不要据此判断深度。</translation>
-    </message>
-    <message>
-        <source>{count:n} moves are shorter than a cell of the legacy simulator ({cell:mm2}), each takes its time and none is seen by itself: a coarser tolerance of the operation loses nothing there.</source>
-        <translation>{count:n} 次移动短于旧版模拟器的一个单元（{cell:mm2}），每次都耗时却无法单独看出：对操作使用更粗的公差在此毫无损失。</translation>
-    </message>
-    <message>
-        <source>The OpenGL simulator takes about {time:s} for every picture at the end, {percent:n} % of it for arcs: simulate this operation alone.</source>
-        <translation>OpenGL 模拟器最后每幅画面约需 {time:s}，其中 {percent:n} % 用于圆弧：请单独模拟此操作。</translation>
-    </message>
-    <message>
-        <source>The {simulator} simulator takes about {memory:bytes} for this operation, more than the {allowed:bytes} allowed: {instead}.</source>
-        <translation>模拟器（{simulator}）此操作约需 {memory:bytes}，超过允许的 {allowed:bytes}：{instead}。</translation>
-    </message>
-    <message>
         <source> and {count:n} more</source>
         <translation>及另外 {count:n} 处</translation>
     </message>
@@ -427,14 +399,6 @@
     <message>
         <source>no accuracy helps, playing takes {longer:s} even at the coarsest: use fast-forward, about {time:s} at the finest{heaviest}</source>
         <translation>任何精度都不行，即使最粗精度播放也需要 {longer:s}：请使用快进，最细精度约 {time:s}{heaviest}</translation>
-    </message>
-    <message>
-        <source>Playing takes about {longer:s} in the legacy simulator: fast-forward takes about {time:s}.</source>
-        <translation>在旧版模拟器中播放约需 {longer:s}：快进约需 {time:s}。</translation>
-    </message>
-    <message>
-        <source>Playing takes about {time:s} in the OpenGL simulator at its fastest: simulate fewer operations at a time.</source>
-        <translation>在 OpenGL 模拟器中以最快速度播放约需 {time:s}：请一次模拟较少的操作。</translation>
     </message>
     <message>
         <source> and 1 more</source>
@@ -672,6 +636,54 @@
         <source>these operations belong to several jobs, choose one of them: {labels}</source>
         <translation>这些操作属于多个作业，请选择其中一个：{labels}</translation>
     </message>
+    <message>
+        <source>extended z-buffer</source>
+        <translation>扩展 Z-buffer</translation>
+    </message>
+    <message>
+        <source>legacy simulator</source>
+        <translation>旧版模拟器</translation>
+    </message>
+    <message>
+        <source>OpenGL simulator</source>
+        <translation>OpenGL 模拟器</translation>
+    </message>
+    <message>
+        <source>The {simulator:simulator} hangs on an arc {reason} (command {command:n}{others}): {instead}.</source>
+        <translation>{simulator:simulator}会卡在{reason}的圆弧上（命令 {command:n}{others}）：{instead}。</translation>
+    </message>
+    <message>
+        <source>The {simulator:simulator} cuts {count:n} ramp at a wrong depth, up to {error:mm2} {way} (command {command:n}): do not judge depths by it.</source>
+        <translation>{simulator:simulator}以错误深度切削 {count:n} 处斜坡，最多 {error:mm2} {way}（命令 {command:n}）：不要据此判断深度。</translation>
+    </message>
+    <message>
+        <source>The {simulator:simulator} cuts {count:n} ramps at a wrong depth, up to {error:mm2} {way} (command {command:n}): do not judge depths by it.</source>
+        <translation>{simulator:simulator}以错误深度切削 {count:n} 处斜坡，最多 {error:mm2} {way}（命令 {command:n}）：不要据此判断深度。</translation>
+    </message>
+    <message>
+        <source>Playing takes about {longer:s} in the {simulator:simulator}: fast-forward takes about {time:s}.</source>
+        <translation>在{simulator:simulator}中播放约需 {longer:s}：快进约需 {time:s}。</translation>
+    </message>
+    <message>
+        <source>Playing takes about {time:s} in the {simulator:simulator} at its fastest: simulate fewer operations at a time.</source>
+        <translation>在 {simulator:simulator}中以最快速度播放约需 {time:s}：请一次模拟较少的操作。</translation>
+    </message>
+    <message>
+        <source>{count:n} moves are shorter than a cell of the {simulator:simulator} ({cell:mm2}), each takes its time and none is seen by itself: a coarser tolerance of the operation loses nothing there.</source>
+        <translation>{count:n} 次移动短于{simulator:simulator}的一个单元（{cell:mm2}），每次都耗时却无法单独看出：对操作使用更粗的公差在此毫无损失。</translation>
+    </message>
+    <message>
+        <source>The {simulator:simulator} takes about {time:s} for every picture at the end, {percent:n} % of it for arcs: simulate this operation alone.</source>
+        <translation>{simulator:simulator}最后每幅画面约需 {time:s}，其中 {percent:n} % 用于圆弧：请单独模拟此操作。</translation>
+    </message>
+    <message>
+        <source>The {simulator:simulator} takes about {memory:bytes} for this operation, more than the {allowed:bytes} allowed: {instead}.</source>
+        <translation>{simulator:simulator}此操作约需 {memory:bytes}，超过允许的 {allowed:bytes}：{instead}。</translation>
+    </message>
+    <message>
+        <source>use the {simulator:simulator} for this operation</source>
+        <translation>请对此操作使用 {simulator:simulator}</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>
@@ -738,10 +750,6 @@
     <message>
         <source>Never calibrated on this computer: times of FreeCAD&apos;s simulators are right within a factor of two.</source>
         <translation>尚未在此计算机上校准：FreeCAD 模拟器的时间误差在两倍以内。</translation>
-    </message>
-    <message>
-        <source>Last calibrated on {date}: the legacy simulator makes {moves} cuts a second, its times are right within a factor of {factor}. Measured with FreeCAD {freecad} on {processor}, display {renderer}.</source>
-        <translation>上次校准于 {date}：旧版模拟器每秒切削 {moves} 次，其时间误差在 {factor} 倍以内。测量环境：FreeCAD {freecad}，{processor}，显示 {renderer}。</translation>
     </message>
     <message>
         <source>General</source>
@@ -897,6 +905,10 @@
     <message>
         <source>Measures how fast FreeCAD&apos;s simulators are on this computer, which takes about a second, and remembers it.</source>
         <translation>用大约一秒测量 FreeCAD 模拟器在此计算机上的速度，并记住结果。</translation>
+    </message>
+    <message>
+        <source>Last calibrated on {date}: the {simulator} makes {moves} cuts a second, its times are right within a factor of {factor}. Measured with FreeCAD {freecad} on {processor}, display {renderer}.</source>
+        <translation>上次校准于 {date}：{simulator}每秒切削 {moves} 次，其时间误差在 {factor} 倍以内。测量环境：FreeCAD {freecad}，{processor}，显示 {renderer}。</translation>
     </message>
 </context>
 <context>

@@ -11,6 +11,7 @@ from vkworkbench import freecad, preferences
 from vkworkbench.core.simulators import opengl_speeds
 from vkworkbench.document import calibration
 from vkworkbench.gui.real_runs import OpenGLRun, _played
+from vkworkbench.gui.sentences import user
 
 OLD = freecad.version() < (1, 0, 0)
 
@@ -115,3 +116,14 @@ def test_the_end_of_a_play_is_found_while_other_programs_run():
         frames[begin:end] *= 2.5
     assert _played(frames) == 70
     assert _played(growing) == _played(finished) == _played(frames[:0]) == 0
+
+
+def test_simulators_are_called_as_in_freecads_menu(opened, window):
+    window.activate("PathWorkbench" if OLD else "CAMWorkbench")
+    names = ["legacy"] if OLD else ["legacy", "OpenGL"]
+    for name in names:
+        (action, *_) = Gui.Command.get(freecad.simulator_command(name)).getAction()
+        assert action.text().replace("&", "") == freecad.simulator_title(name) == user().simulator(name)
+    assert freecad.own_simulator() == names[-1]
+    assert freecad.simulator_title("z-buffer") is freecad.simulator_command("z-buffer") is None
+    assert user().simulator("z-buffer") == "extended z-buffer"

@@ -102,6 +102,7 @@ class PreferencesPage:
         self._say_last_calibration()
 
     def _say_last_calibration(self) -> None:
+        from vkworkbench.core.simulators import LEGACY
         from vkworkbench.document import calibration
 
         known = calibration.load(preferences.read().renderer)
@@ -113,13 +114,13 @@ class PreferencesPage:
             return
         text = translate(
             "VkPreferences",
-            "Last calibrated on {date}: the legacy simulator makes {moves} cuts a second, its times are right within "
+            "Last calibrated on {date}: the {simulator} makes {moves} cuts a second, its times are right within "
             "a factor of {factor}. Measured with FreeCAD {freecad} on {processor}, display {renderer}.",
         )
         self.form.calibrated.setText(text.format(
             date=_local_date(known.date), moves=user().count(round(1 / known.constants.call)),
             factor=user().number(known.constants.legacy_factor),
-            freecad=known.freecad, processor=known.processor, renderer=known.renderer or "?",
+            simulator=user().simulator(LEGACY.name), freecad=known.freecad, processor=known.processor, renderer=known.renderer or "?",
         ))  # fmt: skip
 
 

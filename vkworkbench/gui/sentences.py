@@ -10,6 +10,7 @@ from enum import Enum
 
 import FreeCAD
 
+from vkworkbench import freecad
 from vkworkbench.gui.qt import QLocale
 from vkworkbench.language import Message, Reader, render
 
@@ -23,6 +24,10 @@ class User(Reader):
 
     def translate(self, context: str, text: str) -> str:
         return FreeCAD.Qt.translate(context, text)
+
+    def simulator(self, name: str) -> str:
+        """Return what this FreeCAD's menu calls a simulator; the words of documents where it has none."""
+        return freecad.simulator_title(name) or super().simulator(name)
 
     def length_unit(self, millimetres: float) -> tuple[float, str]:
         _, factor, unit = _quantity(millimetres).getUserPreferred()

@@ -12,6 +12,12 @@ ROUGH = 2.0
 ABOUT = QT_TRANSLATE_NOOP("Sentences", "about {number}")
 _BETWEEN = QT_TRANSLATE_NOOP("Sentences", "{low} to {high}")
 _PERCENT = QT_TRANSLATE_NOOP("Sentences", "{number}%")
+# What documents call the simulators; a window calls FreeCAD's own as its menu does.
+_SIMULATORS = {
+    "z-buffer": QT_TRANSLATE_NOOP("Sentences", "extended z-buffer"),
+    "legacy": QT_TRANSLATE_NOOP("Sentences", "legacy simulator"),
+    "OpenGL": QT_TRANSLATE_NOOP("Sentences", "OpenGL simulator"),
+}
 
 
 class Reader:
@@ -30,6 +36,10 @@ class Reader:
     def translate(self, context: str, text: str) -> str:
         """Return a text that is marked for translation in the reader's language."""
         return text
+
+    def simulator(self, name: str) -> str:
+        """Return what the reader knows a simulator as, by the name of its entry in the table of simulators."""
+        return self.translate("Sentences", _SIMULATORS.get(name, name))
 
     def length_unit(self, millimetres: float) -> tuple[float, str]:
         """Return the unit in which a length of that size is read: how many mm it is, and its name."""

@@ -4,7 +4,7 @@
 A place of a template is ``{name}`` or ``{name:quantity}``. Without a quantity stands there a text as it is, or another
 message. A quantity says what a number is: ``n`` how many, ``,`` how many in groups of three digits, ``g`` a number,
 ``mm`` a length (both with the significant digits behind them, e.g. ``mm3``), ``s`` a duration in s, ``bytes``,
-``%`` a share of 1, ``turns`` an angle in rad, ``strategy`` a strategy by its value.
+``%`` a share of 1, ``turns`` an angle in rad, ``strategy`` a strategy and ``simulator`` a simulator by its name.
 """
 
 from __future__ import annotations
@@ -29,6 +29,7 @@ _QUANTITIES: dict[str, Callable[[Reader, Argument, int], str]] = {
     "bytes": lambda reader, value, digits: reader.memory(value),
     "%": lambda reader, value, digits: reader.share(value),
     "turns": lambda reader, value, digits: reader.turns(value),
+    "simulator": lambda reader, value, digits: reader.simulator(value),
     "strategy": lambda reader, value, digits: reader.translate("Strategy", value),
 }
 

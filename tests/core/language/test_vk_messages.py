@@ -22,7 +22,7 @@ from vkworkbench.language.table import TABLE
 PACKAGE = Path(__file__).resolve().parents[3] / "vkworkbench"
 PLACE = re.compile(r"\{(\w+)(?::([^{}\d]+)\d*)?\}")
 VALUES = {"n": 3, ",": 12345, "g": 0.5, "mm": 2.5, "s": 4.0, "bytes": 2e6, "%": 0.5, "turns": 9.0,
-          "strategy": "zigzag", "": "Face"}  # fmt: skip
+          "strategy": "zigzag", "simulator": "legacy", "": "Face"}  # fmt: skip
 
 
 def templates(code):
@@ -144,8 +144,8 @@ def test_strategies_are_named_by_their_values(strategy):
 
 
 def test_one_and_more():
-    assert "1 ramp at" in render(Message("legacy-ramp", count=1, error=2, way="", command=3))
-    assert "2 ramps at" in render(Message("legacy-ramp", count=2, error=2, way="", command=3))
+    assert "1 ramp at" in render(Message("legacy-ramp", simulator="legacy", count=1, error=2, way="", command=3))
+    assert "2 ramps at" in render(Message("legacy-ramp", simulator="legacy", count=2, error=2, way="", command=3))
 
 
 def test_messages_are_values():

@@ -133,7 +133,7 @@ def test_memory_beyond_the_budget():
     }
     found = check(commands, **costs, memory_budget=1e4)
     assert [(one.code, one.message.split()[1]) for one in found] == [
-        ("memory", "z-buffer"),
+        ("memory", "extended"),
         ("memory", "legacy"),
         ("memory", "OpenGL"),
     ]

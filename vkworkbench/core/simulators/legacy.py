@@ -22,6 +22,8 @@ from vkworkbench.core.simulators.simulator import Conditions, Task
 from vkworkbench.core.solids import Stock, Tool
 from vkworkbench.core.toolpath import Toolpath
 
+NAME = "legacy"
+
 # A step of the walk along a move, in cells (SIM_WALK_RES in VolSim.h).
 _WALK = 0.6
 # A float for the height and a character for the mesh.

@@ -7,7 +7,7 @@ import numpy as np
 
 from vkworkbench.core.gcode import Words
 from vkworkbench.core.simulators import opengl
-from vkworkbench.core.simulators.legacy import LegacyCost
+from vkworkbench.core.simulators.legacy import NAME, LegacyCost
 from vkworkbench.core.simulators.simulator import Caution, Conditions, Task
 from vkworkbench.core.toolpath import Toolpath
 from vkworkbench.language import Message
@@ -55,7 +55,7 @@ def _hangs(task: Task, version: tuple[int, ...]) -> list[Caution]:
         (circle & ~absent["X"] & ~absent["Y"], Message("arc-full-circle")),
         (still & ~circle & ((i != 0) | (j != 0)), Message("arc-without-sweep")),
     ]
-    instead = Message("use-opengl") if version >= opengl.SINCE else Message("leave-out")
+    instead = Message("use-opengl", simulator=opengl.NAME) if version >= opengl.SINCE else Message("leave-out")
     found = []
     for bad, reason in reasons:
         concerned = arcs[bad & plain]
@@ -63,7 +63,7 @@ def _hangs(task: Task, version: tuple[int, ...]) -> list[Caution]:
             continue
         first, others = int(concerned[0]), len(concerned) - 1
         what = Message(
-            "legacy-hangs", reason=reason, command=first, instead=instead,
+            "legacy-hangs", simulator=NAME, reason=reason, command=first, instead=instead,
             others=Message("and-more", count=others) if others else None,
         )  # fmt: skip
         found.append(Caution("legacy-hangs", what, first))
@@ -93,7 +93,7 @@ def _ramps(toolpath: Toolpath, diameter: float) -> list[Caution]:
         return []
     worst = wrong[np.argmax(error[wrong])]
     what = Message(
-        "legacy-ramp", count=len(wrong), error=error[worst], command=toolpath.command[worst],
+        "legacy-ramp", simulator=NAME, count=len(wrong), error=error[worst], command=toolpath.command[worst],
         way=Message("too-deep") if moves[worst, 2] < 0 else Message("too-high"),
     )  # fmt: skip
     return [Caution("legacy-ramp", what, int(toolpath.command[wrong[0]]))]
@@ -102,7 +102,7 @@ def _ramps(toolpath: Toolpath, diameter: float) -> list[Caution]:
 def _long(cost: LegacyCost, budget: float) -> list[Caution]:
     if cost.play_seconds <= budget:
         return []
-    what = Message("legacy-long-play", longer=cost.play_seconds, time=cost.fast_forward_seconds)
+    what = Message("legacy-long-play", simulator=NAME, longer=cost.play_seconds, time=cost.fast_forward_seconds)
     return [Caution("long-play", what)]
 
 
@@ -111,5 +111,5 @@ def _short_moves(toolpath: Toolpath, resolution: float) -> list[Caution]:
     short = np.flatnonzero((toolpath.sweep == 0) & ~toolpath.rapid & ((moves**2).sum(axis=1) < resolution**2))
     if len(short) <= MOST_SHORT_MOVES:
         return []
-    what = Message("legacy-short-moves", count=len(short), cell=resolution)
+    what = Message("legacy-short-moves", simulator=NAME, count=len(short), cell=resolution)
     return [Caution("short-moves", what, int(toolpath.command[short[0]]))]

@@ -19,6 +19,7 @@ from vkworkbench.core.simulators.simulator import Caution, Conditions, Lesson, T
 from vkworkbench.core.solids import Tool
 from vkworkbench.language import Message
 
+NAME = "OpenGL"
 SINCE = (1, 0)
 SLOWEST_FRAME = 0.1  # s, ten pictures per second
 
@@ -282,10 +283,10 @@ def cautions(task: Task, cost: OpenGLCost | None, conditions: Conditions) -> lis
     """Find what takes long in it."""
     found = []
     if cost is not None and cost.fastest_seconds > conditions.time_budget:
-        found.append(Caution("long-play", Message("opengl-long-play", time=cost.fastest_seconds)))
+        found.append(Caution("long-play", Message("opengl-long-play", simulator=NAME, time=cost.fastest_seconds)))
     if cost is not None and cost.frame_seconds > SLOWEST_FRAME and 2 * cost.arc_draws > cost.draws:
         percent = round(100 * cost.arc_draws / cost.draws)
-        found.append(Caution("arcs", Message("opengl-arcs", time=cost.frame_seconds, percent=percent)))
+        found.append(Caution("arcs", Message("opengl-arcs", simulator=NAME, time=cost.frame_seconds, percent=percent)))
     return found
 
 

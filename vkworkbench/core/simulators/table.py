@@ -50,7 +50,7 @@ ZBUFFER = Simulator(
 
 #: FreeCAD's older one.
 LEGACY = Simulator(
-    name="legacy",
+    name=legacy.NAME,
     since=(0,),
     predict=legacy.predict,
     together=legacy.legacy_together,
@@ -92,7 +92,7 @@ LEGACY = Simulator(
 
 #: FreeCAD's newer one, which draws the cuts of all operations before with every operation.
 OPENGL = Simulator(
-    name="OpenGL",
+    name=opengl.NAME,
     since=opengl.SINCE,
     predict=opengl.predict,
     together=opengl.opengl_together,

@@ -8,41 +8,41 @@ from vkworkbench.language.marking import QT_TRANSLATE_NOOP
 SIMULATORS = {
     # What goes wrong.
     "legacy-hangs": QT_TRANSLATE_NOOP(
-        "Sentences", "The legacy simulator hangs on an arc {reason} (command {command:n}{others}): {instead}."
+        "Sentences", "The {simulator:simulator} hangs on an arc {reason} (command {command:n}{others}): {instead}."
     ),
     "legacy-ramp": (
         QT_TRANSLATE_NOOP(
             "Sentences",
-            "The legacy simulator cuts {count:n} ramp at a wrong depth, up to {error:mm2} {way} (command "
+            "The {simulator:simulator} cuts {count:n} ramp at a wrong depth, up to {error:mm2} {way} (command "
             "{command:n}): do not judge depths by it.",
         ),
         QT_TRANSLATE_NOOP(
             "Sentences",
-            "The legacy simulator cuts {count:n} ramps at a wrong depth, up to {error:mm2} {way} (command "
+            "The {simulator:simulator} cuts {count:n} ramps at a wrong depth, up to {error:mm2} {way} (command "
             "{command:n}): do not judge depths by it.",
         ),
     ),
     "legacy-long-play": QT_TRANSLATE_NOOP(
         "Sentences",
-        "Playing takes about {longer:s} in the legacy simulator: fast-forward takes about {time:s}.",
+        "Playing takes about {longer:s} in the {simulator:simulator}: fast-forward takes about {time:s}.",
     ),
     "opengl-long-play": QT_TRANSLATE_NOOP(
         "Sentences",
-        "Playing takes about {time:s} in the OpenGL simulator at its fastest: simulate fewer operations at a time.",
+        "Playing takes about {time:s} in the {simulator:simulator} at its fastest: simulate fewer operations at a time.",
     ),
     "legacy-short-moves": QT_TRANSLATE_NOOP(
         "Sentences",
-        "{count:n} moves are shorter than a cell of the legacy simulator ({cell:mm2}), each takes its time and "
+        "{count:n} moves are shorter than a cell of the {simulator:simulator} ({cell:mm2}), each takes its time and "
         "none is seen by itself: a coarser tolerance of the operation loses nothing there.",
     ),
     "opengl-arcs": QT_TRANSLATE_NOOP(
         "Sentences",
-        "The OpenGL simulator takes about {time:s} for every picture at the end, {percent:n} % of it for arcs: "
+        "The {simulator:simulator} takes about {time:s} for every picture at the end, {percent:n} % of it for arcs: "
         "simulate this operation alone.",
     ),
     "memory": QT_TRANSLATE_NOOP(
         "Sentences",
-        "The {simulator} simulator takes about {memory:bytes} for this operation, more than the {allowed:bytes} "
+        "The {simulator:simulator} takes about {memory:bytes} for this operation, more than the {allowed:bytes} "
         "allowed: {instead}.",
     ),
     # Why an arc makes it hang, and how many others do.
@@ -58,7 +58,7 @@ SIMULATORS = {
     "too-deep": QT_TRANSLATE_NOOP("Sentences", "too deep"),
     "too-high": QT_TRANSLATE_NOOP("Sentences", "too high"),
     # What to do instead.
-    "use-opengl": QT_TRANSLATE_NOOP("Sentences", "use the OpenGL simulator for this operation"),
+    "use-opengl": QT_TRANSLATE_NOOP("Sentences", "use the {simulator:simulator} for this operation"),
     "leave-out": QT_TRANSLATE_NOOP("Sentences", "leave this operation out of the simulation"),
     "fewer-operations": QT_TRANSLATE_NOOP("Sentences", "simulate fewer operations at a time"),
     "smaller-image": QT_TRANSLATE_NOOP("Sentences", "choose a smaller image in the preferences"),
