@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Sequence
+from itertools import chain
 
 import numpy as np
 
@@ -54,35 +55,41 @@ class Words:
         commands = commands if isinstance(commands, Sequence) else list(commands)
         if len(commands) and hasattr(commands[0], "Parameters"):
             self.names = [c.Name for c in commands]
-            self._parameters = [c.Parameters for c in commands]
+            parameters = [c.Parameters for c in commands]
         else:
             self.names = [c[0] for c in commands]
-            self._parameters = [c[1] for c in commands]
+            parameters = [c[1] for c in commands]
         word_names = {name for name in set(self.names) if name and name[0] in "XYZIJKRFNxyzijkrfn \t"}
         if word_names:
-            self._read_word_names(word_names)
+            self._read_word_names(word_names, parameters)
         table = {name: code_of(name) for name in set(self.names)}
         self.codes = np.fromiter(map(table.__getitem__, self.names), np.int64, len(self.names))
+        try:
+            count, letters, self._values = _table(parameters)
+        except (TypeError, ValueError, OverflowError):
+            count, letters, self._values = _table([_numbers(p) for p in parameters])
+        self._letters = np.frombuffer(letters.encode("ascii", "replace"), np.uint8)
+        self._rows = np.repeat(np.arange(len(count), dtype=np.int32), count)
 
     def __len__(self) -> int:
         return len(self.names)
 
-    def _read_word_names(self, word_names: set[str]) -> None:
+    def _read_word_names(self, word_names: set[str], all_parameters: list) -> None:
         """Turn ``X10`` into a modal line with an X word, and ``N10`` with a G word into that G-code."""
         for i, name in enumerate(self.names):
             match = _WORD_NAME.fullmatch(name) if name in word_names else None
             if match is None:
                 continue
             letter, value = match[1].upper(), float(match[2])
-            parameters = dict(self._parameters[i] or {})
-            code = _number(parameters, "G")
+            parameters = dict(all_parameters[i] or {})
+            code = _number(parameters.get("G", _ABSENT))
             parameters.pop("G", None)
             self.names[i] = "" if code == _ABSENT else f"G{code:g}"
             if letter != "N":
                 parameters[letter] = value
             elif not parameters and not self.names[i]:
                 self.names[i] = name
-            self._parameters[i] = parameters
+            all_parameters[i] = parameters
 
     def column(self, letter: str, rows: np.ndarray | None = None) -> tuple[np.ndarray, np.ndarray]:
         """Return the values of one parameter and which of them cannot be used.
@@ -101,19 +108,36 @@ class Words:
         unusable : (m,) bool
             True where the word is there but is no finite number below `COORDINATE_LIMIT`.
         """
-        parameters = self._parameters if rows is None else [self._parameters[i] for i in rows.tolist()]
-        try:
-            values = np.fromiter((p.get(letter, _ABSENT) for p in parameters), np.float64, len(parameters))
-        except (TypeError, ValueError, OverflowError, AttributeError):
-            values = np.array([_number(p, letter) for p in parameters], np.float64)
-        usable = np.abs(values) <= COORDINATE_LIMIT
-        unusable = ~usable & (values != _ABSENT)
-        values[~usable] = np.nan
-        return values, unusable
+        given = np.flatnonzero(self._letters == ord(letter))
+        row, value = self._rows.take(given), self._values.take(given)
+        usable = np.abs(value) <= COORDINATE_LIMIT
+        values, unusable = np.full(len(self), np.nan), np.zeros(len(self), bool)
+        values[row] = np.where(usable, value, np.nan)
+        unusable[row] = ~usable
+        return (values, unusable) if rows is None else (values[rows], unusable[rows])
 
 
-def _number(parameters, letter: str) -> float:
+def _table(parameters: list[dict]) -> tuple[np.ndarray, str, np.ndarray]:
+    """Return how many parameters each command has, and of all of them the letters and the values.
+
+    No Python loop: each of the three passes runs inside of an iterator.
+    """
+    count = np.fromiter(map(len, parameters), np.int64, len(parameters))
+    names = ",".join(chain.from_iterable(parameters))
+    letters, total = names[::2], int(count.sum())
+    if len(letters) != total or names[1::2] != "," * (total - 1):
+        raise ValueError("a parameter's name is no single letter")
+    return count, letters, np.fromiter(chain.from_iterable(map(dict.values, parameters)), np.float64, total)
+
+
+def _numbers(parameters) -> dict[str, float]:
+    """Return the parameters that a letter names, NaN where they are no number."""
+    words = parameters.items() if parameters else ()
+    return {letter: _number(value) for letter, value in words if isinstance(letter, str) and len(letter) == 1}
+
+
+def _number(value) -> float:
     try:
-        return float(parameters.get(letter, _ABSENT)) if parameters else _ABSENT
+        return float(value)
     except (TypeError, ValueError, OverflowError):
         return np.nan
