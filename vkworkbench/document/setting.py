@@ -111,4 +111,4 @@ def placed(toolpath: Toolpath, placement) -> Toolpath:
     if placement is None or placement.isIdentity():
         return toolpath
     matrix = np.array(placement.toMatrix().A).reshape(4, 4)
-    return replace(toolpath, points=toolpath.points @ matrix[:3, :3].T + matrix[:3, 3])
+    return replace(toolpath, points=np.einsum("ni,ji->nj", toolpath.points, matrix[:3, :3]) + matrix[:3, 3])

@@ -9,7 +9,7 @@ import numpy as np
 
 from vkworkbench.core.paper import TURN, Areas
 from vkworkbench.core.recognition.pieces import Pieces
-from vkworkbench.core.recognition.rows import weighted_median
+from vkworkbench.core.recognition.rows import dot, weighted_median
 from vkworkbench.core.recognition.thresholds import ARCS, ROWS, SAME
 
 
@@ -68,11 +68,11 @@ def find_arcs(moves: Areas, pieces: Pieces, index: np.ndarray) -> ConcentricArcs
     x, y = moves.x[on] + dx / 2, moves.y[on] + dy / 2
     weight = 1 / length
     for _ in range(3):  # again and again without links and pieces of the boundary, which have other centres
-        xx, xy, yy = (weight * dx) @ dx, (weight * dx) @ dy, (weight * dy) @ dy
+        xx, xy, yy = dot(weight * dx, dx), dot(weight * dx, dy), dot(weight * dy, dy)
         if xx * yy - xy * xy < ARCS.STRAIGHT_ROWS * (xx + yy) ** 2:
             return None
         along = weight * (dx * x + dy * y)
-        bx, by = along @ dx, along @ dy
+        bx, by = dot(along, dx), dot(along, dy)
         cx, cy = (yy * bx - xy * by) / (xx * yy - xy * xy), (xx * by - xy * bx) / (xx * yy - xy * xy)
         rx, ry = x - cx, y - cy
         r = np.hypot(rx, ry)

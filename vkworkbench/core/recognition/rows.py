@@ -104,6 +104,11 @@ def weighted_median(values: np.ndarray, weights: np.ndarray) -> float:
     return float(values[order[np.searchsorted(reached, reached[-1] / 2)]])
 
 
+def dot(a: np.ndarray, b: np.ndarray) -> float:
+    """Return the sum of the products of two arrays (k,) in this thread: BLAS starts others, and waits for them."""
+    return float(np.einsum("i,i->", a, b))
+
+
 def _densest(moves: Areas, chosen: np.ndarray) -> Rows | None:
     """Return the rows along the densest direction; None where no move keeps to it."""
     axis, along, aligned, length = _main_axis(moves, chosen)
@@ -182,7 +187,7 @@ def _main_axis(moves: Areas, chosen: np.ndarray) -> tuple[float, np.ndarray, np.
     if len(chosen) < len(moves):
         dx, dy, length = dx[chosen], dy[chosen], length[chosen]
     cos = dx / length
-    axis = axis_of(cos @ dx, cos @ dy, length.sum())
+    axis = axis_of(dot(cos, dx), dot(cos, dy), length.sum())
     along, aligned = _aligned(dx, dy, length, axis)
     kept = length.take(aligned).sum() / length.sum()
     if kept < ROWS.ONE_AXIS:
@@ -196,7 +201,7 @@ def _main_axis(moves: Areas, chosen: np.ndarray) -> tuple[float, np.ndarray, np.
     if kept < ROWS.ALL_ALIGNED:
         # Once more without the links: along a slanting boundary they turn the axis.
         cos = cos.take(aligned)
-        axis = axis_of(cos @ dx.take(aligned), cos @ dy.take(aligned), length.take(aligned).sum())
+        axis = axis_of(dot(cos, dx.take(aligned)), dot(cos, dy.take(aligned)), length.take(aligned).sum())
         along, aligned = _aligned(dx, dy, length, axis)
     return axis, along, aligned, length
 

@@ -1,0 +1,35 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Recognising runs in one thread: on a busy computer the threads of BLAS wait for each other."""
+
+from __future__ import annotations
+
+import ast
+from pathlib import Path
+
+import pytest
+
+CORE = Path(__file__).parents[3] / "vkworkbench" / "core"
+SOURCES = [*(p for room in ("gcode", "paper", "recognition") for p in (CORE / room).glob("*.py")), *CORE.glob("*.py")]
+BLAS = {"dot", "vdot", "inner", "matmul", "tensordot", "linalg", "polyfit", "corrcoef", "cov", "convolve", "correlate"}
+# Solids are no part of recognising; the products there are of three numbers.
+OTHER = {"solids.py"}
+
+
+def products(code):
+    """Where numpy would call BLAS: products of matrices, and functions of numpy that do so."""
+    for node in ast.walk(ast.parse(code)):
+        if isinstance(node, (ast.BinOp, ast.AugAssign)) and isinstance(node.op, ast.MatMult):
+            yield node.lineno
+        elif isinstance(node, ast.Attribute) and node.attr in BLAS:
+            if node.attr in ("dot", "linalg") or isinstance(node.value, ast.Name) and node.value.id == "np":
+                yield node.lineno
+
+
+@pytest.mark.parametrize("path", [p for p in SOURCES if p.name not in OTHER], ids=lambda p: str(p.relative_to(CORE)))
+def test_nothing_that_recognises_multiplies_matrices(path):
+    assert not list(products(path.read_text(encoding="utf-8")))
+
+
+def test_the_search_finds_what_it_looks_for():
+    code = "a @ b\na @= b\nnp.dot(a, b)\na.dot(b)\nnp.linalg.solve(a, b)\nnp.polyfit(x, y, 1)\ndot(a, b)\nnp.einsum('i,i', a, b)"
+    assert sorted(products(code)) == [1, 2, 3, 4, 5, 6]
