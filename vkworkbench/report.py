@@ -6,6 +6,7 @@ from __future__ import annotations
 import csv
 import json
 import re
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
@@ -42,7 +43,7 @@ class OperationReport(Costs):
         Number of straight moves, arcs divided into chords.
     machining : Machining
         Own lengths and machining time (FreeCAD's are wrong for arcs).
-    costs, advice : dict
+    costs, advice : mapping
         As of `Costs`; empty where `remarks` says why.
     cautions : tuple of Caution
         What will go wrong or take long in FreeCAD's simulators, the worst first.
@@ -60,8 +61,8 @@ class OperationReport(Costs):
     recognition: Recognition
     trajectories: int
     machining: Machining
-    costs: dict[str, Cost]
-    advice: dict[str, Any]
+    costs: Mapping[str, Cost]
+    advice: Mapping[str, Any]
     cautions: tuple[Caution, ...]
     remarks: tuple[Message, ...]
     fingerprint: str
@@ -185,7 +186,7 @@ class Total(Costs):
         Time of the moves whose speed is known.
     incomplete : bool
         Whether some operation's cost is unknown, so that the sums are lower bounds.
-    costs, advice : dict
+    costs, advice : mapping
         As of `Costs`, for the operations one after another; empty where no operation's cost is known.
     """
 
@@ -197,8 +198,8 @@ class Total(Costs):
     length: float
     machining_seconds: float
     incomplete: bool
-    costs: dict[str, Cost]
-    advice: dict[str, Any]
+    costs: Mapping[str, Cost]
+    advice: Mapping[str, Any]
 
     @property
     def seconds(self) -> float:

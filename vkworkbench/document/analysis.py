@@ -17,6 +17,7 @@ from vkworkbench.core import Stock, Strategy, Tool, linearize, machining, recogn
 from vkworkbench.core.gcode import Words, looks_like_inches
 from vkworkbench.core.recognition import recognize_inches
 from vkworkbench.core.simulators import ZBUFFER, Conditions, Task, predict, preflight
+from vkworkbench.core.zbuffer import cuts_surely
 from vkworkbench.document import calibration
 from vkworkbench.document.fingerprint import commands_fingerprint, setting_fingerprint
 from vkworkbench.document.operations import Operation, find
@@ -207,8 +208,8 @@ def _work(
     task = Task(toolpath, tool, stock, words, found)
     costs, advice = {}, {}
     if tool and stock and found.strategy is not Strategy.EMPTY:
-        costs, advice = predict(task, conditions, going_on=going_on)
-        if costs[ZBUFFER.name].traces == 0:
+        costs, advice = predict(task, conditions)
+        if not cuts_surely(toolpath, stock) and costs[ZBUFFER.name].traces == 0:
             remarks.append(Message("not-touching"))
         elif tool.diameter > max(stock.upper[0] - stock.lower[0], stock.upper[1] - stock.lower[1]):
             remarks.append(Message("tool-wider-than-stock"))

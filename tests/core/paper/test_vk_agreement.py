@@ -81,7 +81,7 @@ def report(path, found):
     for name, field in OperationReport.__dataclass_fields__.items():
         if field.type.startswith("tuple"):
             unknown[name] = ()
-        elif field.type.startswith("dict"):
+        elif field.type.startswith(("dict", "Mapping")):
             unknown[name] = {}
     return Report((OperationReport(**unknown | known),), {}, {})
 

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import Any
 
 from vkworkbench.core.simulators.accuracy import Accuracy
@@ -18,14 +19,14 @@ class Costs:
 
     Attributes
     ----------
-    costs : dict of str to Cost
-        Without simulators that this FreeCAD does not have, and without those whose cost is not known.
-    advice : dict of str to Resolution, Accuracy
+    costs : mapping of str to Cost
+        Computed when they are asked for. Without simulators that this FreeCAD does not have, and without those whose cost is not known.
+    advice : mapping of str to Resolution, Accuracy
         The finest setting of a simulator within the budget of the preferences; the same simulators are missing.
     """
 
-    costs: dict[str, Cost]
-    advice: dict[str, Any]
+    costs: Mapping[str, Cost]
+    advice: Mapping[str, Any]
 
     @property
     def legacy(self) -> LegacyCost | None:

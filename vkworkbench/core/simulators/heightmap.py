@@ -11,6 +11,8 @@ from vkworkbench.core.toolpath import Toolpath
 _CELLS = 100
 _CELLS_PER_RADIUS = 16
 _MOST_SAMPLES = 300_000
+# Samples worked on at once, so that they stay in the processor's cache.
+_SAMPLES_AT_ONCE = 16_384
 
 
 def heightmaps(toolpath: Toolpath, *, tool: Tool, stock: Stock, parts: int = 1) -> tuple[list[np.ndarray], float]:
@@ -76,12 +78,32 @@ def _stamp(tips: np.ndarray, points: np.ndarray, origin: np.ndarray, size: float
     spacing = max(spacing, float(lengths.sum()) / _MOST_SAMPLES)
     samples = np.ceil(lengths / spacing) + 1
     counts = samples.astype(int)
-    of = np.repeat(np.arange(len(moves)), counts)
-    step = (np.arange(counts.sum()) - np.repeat(np.cumsum(counts) - counts, counts) + 1) / counts[of]
-    position = np.concatenate((points[:1], points[of] + step[:, None] * moves[of]))
-    cell = np.floor((position[:, :2] - origin) / size).astype(int)
-    inside = ((cell >= 0) & (cell < tips.shape)).all(axis=1)
-    np.minimum.at(tips, tuple(cell[inside].T), position[inside, 2])
+    ends = np.cumsum(counts)
+    _lower(tips, *points[:1].T, origin, size)
+    begin = 0
+    while begin < len(moves):
+        before = ends[begin] - counts[begin]
+        end = max(begin + 1, int(np.searchsorted(ends, before + _SAMPLES_AT_ONCE, side="right")))
+        part = counts[begin:end]
+        of = np.repeat(np.arange(begin, end), part)
+        step = (np.arange(before, ends[end - 1]) - np.repeat(ends[begin:end] - part, part) + 1) / counts[of]
+        _lower(tips, *(points[of, axis] + step * moves[of, axis] for axis in range(3)), origin, size)
+        begin = end
+
+
+def _lower(tips: np.ndarray, x: np.ndarray, y: np.ndarray, z: np.ndarray, origin: np.ndarray, size: float) -> None:
+    """Lower the cells at points to their heights."""
+    column, row = np.floor((x - origin[0]) / size), np.floor((y - origin[1]) / size)
+    inside = np.flatnonzero((column >= 0) & (column < tips.shape[0]) & (row >= 0) & (row < tips.shape[1]))
+    if not len(inside):
+        return
+    # The maps have less than 2^16 cells, and numbers so short are sorted by radix.
+    cell = (column[inside] * tips.shape[1] + row[inside]).astype(np.uint16)
+    order = np.argsort(cell, kind="stable")
+    cell = cell[order]
+    first = np.flatnonzero(np.append(True, cell[1:] != cell[:-1]))
+    lowest, flat = np.minimum.reduceat(z[inside][order], first), tips.reshape(-1)
+    flat[cell[first]] = np.minimum(flat[cell[first]], lowest)
 
 
 def grid_shape(stock: Stock, size: float) -> np.ndarray:

@@ -28,6 +28,8 @@ NAME = "legacy"
 _WALK = 0.6
 # A float for the height and a character for the mesh.
 _BYTES_PER_CELL = 5
+# Motions of a command at most: those of a drilling cycle.
+_MOST_MOTIONS = 3
 # Moments of a play at which the size of the mesh is estimated.
 _LOOKS = 5
 # What the positions 1 to 10 of the accuracy slider stand for, percent of the stock's longer side.
@@ -94,13 +96,17 @@ def legacy_work(made: Motions, *, diameter: float, stock: Stock, accuracy: float
     cells = int((np.floor(side / resolution) + 1).prod())
     radius = diameter / 2 / resolution
 
-    arc = made.radius > 0
-    calls = np.where(arc, np.ceil(np.sqrt(made.radius / resolution) * np.abs(made.sweep) - 1e-9), 1.0)
-    calls = np.maximum(calls, 1.0)
-    chord = np.where(arc, 2 * made.radius * np.abs(np.sin(made.sweep / calls / 2)), made.level)
+    arc = np.flatnonzero(made.radius)
+    calls, chord = np.ones(len(made.radius)), made.level
+    if len(arc):
+        arc_radius, sweep = made.radius[arc], made.sweep[arc]
+        calls[arc] = np.maximum(np.ceil(np.sqrt(arc_radius / resolution) * np.abs(sweep) - 1e-9), 1.0)
+        chord = chord.copy()
+        chord[arc] = 2 * arc_radius * np.abs(np.sin(sweep / calls[arc] / 2))
     # Lengths are in cells across and, by an oversight of FreeCAD's, in mm upwards.
-    length = np.hypot(chord / resolution, made.move[:, 2] / calls)
-    vertical = chord / resolution < 1e-5
+    chord = chord / resolution
+    length = np.hypot(chord, made.move[:, 2] / calls)
+    vertical = chord < 1e-5
     lines = np.floor(2 * radius / _WALK) + 1
     line_steps = np.where(vertical, 0.0, calls * (np.floor(length / _WALK) + 1) * lines)
     ring = np.arange(0.5, radius + 1e-9, _WALK)
@@ -237,8 +243,10 @@ def legacy_costs(
         mesh = constants.cell * work.cells + constants.facet * facets
         drawn = meshes * facets * growth
         profile = constants.profile * (3 * tool.radius + float(tool.height(tool.radius))) / (0.05 * accuracy)
-        each = np.bincount(made.command, cut, minlength=toolpath.commands)
-        slower = float(np.maximum(each - constants.tick, 0).sum())
+        slower = 0.0
+        if _MOST_MOTIONS * cut.max(initial=0.0) > constants.tick:
+            each = np.bincount(made.command, cut, minlength=toolpath.commands)
+            slower = float(np.maximum(each - constants.tick, 0).sum())
         cut_seconds = float(cut.sum())
         shows = (constants.redraw * shown + constants.cell * work.cells * meshes
                  + (constants.facet + constants.display) * drawn + cut_seconds)  # fmt: skip

@@ -50,26 +50,36 @@ def mesh_facets(
         Numbers of triangles, inner and outer mesh together.
     """
     step_x, step_y = np.abs(np.diff(heights, axis=0)), np.abs(np.diff(heights, axis=1))
+    may_x, may_y = _may_be_walls(step_x, size), _may_be_walls(step_y.T, size).T
     pieces = 1 if floor.all() else bottom_rectangles(floor)
+    parts = {}  # by the number of walls: of two resolutions the finer one has all walls of the other
     facets = []
     for resolution in resolutions:
         finer = size / resolution
-        wall_x, wall_y = _walls(step_x, size, resolution), _walls(step_y.T, size, resolution).T
-        cells = wall_x.sum() + wall_y.sum()
-        straight = (wall_x[:, 1:] & wall_x[:, :-1]).sum() + (wall_y[1:] & wall_y[:-1]).sum()
-
-        slope_x, slope_y = np.zeros(heights.shape), np.zeros(heights.shape)
-        slope_x[:-1] = np.where(wall_x, 0, step_x) / size
-        slope_y[:, :-1] = np.where(wall_y, 0, step_y) / size
-        across = np.minimum(np.maximum(slope_x, slope_y / _LONGEST), 1)
-        along = np.minimum(np.maximum(slope_y, slope_x / _LONGEST), 1)
+        wall_x, wall_y = may_x & (step_x > resolution), may_y & (step_y > resolution)
+        walls = int(wall_x.sum()), int(wall_y.sum())
+        if walls not in parts:
+            parts[walls] = _parts(heights.shape, size, step_x, step_y, wall_x, wall_y)
+        cells, straight, sloping = parts[walls]
         facets.append(
             BOX
             + finer * (_CORNER * (cells - straight) + _ALONG * cells)
-            + finer**2 * _RECTANGLE * (across * along).sum()
+            + finer**2 * _RECTANGLE * sloping
             + (floor_size / resolution) ** 2 * 2 * _FINER * max(pieces - 1, 0)
         )
     return np.array(facets)
+
+
+def _parts(shape, size, step_x, step_y, wall_x, wall_y) -> tuple[int, int, float]:
+    """Cells of the map at walls, those of them where a wall goes straight on, and rectangles of a cell on the slopes."""
+    cells = wall_x.sum() + wall_y.sum()
+    straight = (wall_x[:, 1:] & wall_x[:, :-1]).sum() + (wall_y[1:] & wall_y[:-1]).sum()
+    slope_x, slope_y = np.zeros(shape), np.zeros(shape)
+    slope_x[:-1] = np.where(wall_x, 0, step_x) / size
+    slope_y[:, :-1] = np.where(wall_y, 0, step_y) / size
+    across = np.minimum(np.maximum(slope_x, slope_y / _LONGEST), 1)
+    along = np.minimum(np.maximum(slope_y, slope_x / _LONGEST), 1)
+    return cells, straight, (across * along).sum()
 
 
 def bottom_rectangles(kept: np.ndarray) -> int:
@@ -152,8 +162,8 @@ def _clear(lines: list[int], first: int, count: int, begin: int, length: int) ->
         lines[k] &= kept
 
 
-def _walls(step: np.ndarray, size: float, resolution: float) -> np.ndarray:
-    """Which steps along the first axis are walls."""
+def _may_be_walls(step: np.ndarray, size: float) -> np.ndarray:
+    """Which steps along the first axis are walls if they are higher than a cell of the simulator."""
     around = np.pad(step, ((1, 1), (0, 0)))
     alone = (around[:-2] < step / 2) & (around[2:] < step / 2)
-    return (step > resolution) & (alone | (step >= _WALL * size))
+    return alone | (step >= _WALL * size)

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
@@ -29,7 +30,7 @@ class Motions:
     radius: np.ndarray
     command: np.ndarray
 
-    @property
+    @cached_property
     def level(self) -> np.ndarray:
         """(m,) length in the XY plane, mm; of an arc, its chord."""
         return np.hypot(self.move[:, 0], self.move[:, 1])

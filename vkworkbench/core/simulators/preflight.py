@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from vkworkbench.core.simulators.simulator import Caution, Conditions, Cost, Task
+from vkworkbench.core.simulators.simulator import Caution, Conditions, Cost, Simulator, Task
 from vkworkbench.core.simulators.table import available
 from vkworkbench.language import Message
 
@@ -27,8 +27,10 @@ def preflight(task: Task, costs: Mapping[str, Cost], conditions: Conditions) -> 
         The worst first; empty when there is nothing to say.
     """
     simulators = available(conditions.version)
-    found = [c for s in simulators for c in s.cautions(task, costs.get(s.name), conditions)]
+    found = [c for s in simulators if s.cautions for c in s.cautions(task, costs.get(s.name), conditions)]
     for simulator in simulators:
+        if _surely_fits(simulator, task, conditions):
+            continue
         cost = costs.get(simulator.name)
         if cost is not None and cost.memory_bytes > conditions.memory_budget:
             what = Message(
@@ -37,3 +39,10 @@ def preflight(task: Task, costs: Mapping[str, Cost], conditions: Conditions) -> 
             )  # fmt: skip
             found.append(Caution("memory", what))
     return tuple(found)
+
+
+def _surely_fits(simulator: Simulator, task: Task, conditions: Conditions) -> bool:
+    """Whether a quick bound of the memory is allowed."""
+    if simulator.most_bytes is None or not (task.tool and task.stock):
+        return False
+    return simulator.most_bytes(task, conditions) <= conditions.memory_budget

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Any, Protocol
 
@@ -44,6 +44,12 @@ class Task:
     def motions(self) -> Motions:
         """The motions that FreeCAD's simulators make of the toolpath; computed once for all of them."""
         return motions(self.toolpath)
+
+    def without_words(self) -> Task:
+        """Return the same task without the words, which take more memory than all the rest."""
+        bare = replace(self, words=None)
+        vars(bare)["motions"] = self.motions
+        return bare
 
 
 @dataclass(frozen=True)
@@ -188,8 +194,9 @@ class Simulator:
         ``predict(task, conditions)`` is the Cost of one operation whose tool and stock are known.
     together : callable
         ``together(costs)`` is the Cost of several operations, one after another.
-    cautions : callable
+    cautions : callable or None
         ``cautions(task, cost, conditions)`` are the Cautions for one operation, the worst first; the cost may be None.
+        None where nothing goes wrong in it.
     less_memory : Message
         What helps where it takes too much memory.
     columns : dict of str to callable
@@ -204,6 +211,9 @@ class Simulator:
     lessons : tuple of Lesson
     preferences : tuple of str
         Names of the preferences that have no effect without it.
+    most_bytes : callable or None
+        ``most_bytes(task, conditions)`` is a quick bound of the memory of one operation: the cost is not asked for where
+        even that is allowed.
     adds_up : bool
         Whether several operations take no more together than the sum of each alone.
     """
@@ -212,7 +222,7 @@ class Simulator:
     since: tuple[int, ...]
     predict: Callable[[Task, Conditions], Cost]
     together: Callable[[Sequence], Cost]
-    cautions: Callable[[Task, Any, Conditions], list[Caution]]
+    cautions: Callable[[Task, Any, Conditions], list[Caution]] | None
     less_memory: Message
     columns: dict[str, Callable[[Any], Any]]
     factor_column: str | None
@@ -224,6 +234,7 @@ class Simulator:
     advice: Advice | None = None
     lessons: tuple[Lesson, ...] = ()
     preferences: tuple[str, ...] = ()
+    most_bytes: Callable[[Task, Conditions], float] | None = None
     adds_up: bool = True
 
     def figures(self, cost: Cost | None) -> dict[str, Any]:

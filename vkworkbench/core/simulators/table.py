@@ -3,11 +3,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
+from functools import partial
 from typing import Any
 
 from vkworkbench.core.simulators import legacy, legacy_cautions, legacy_panel, opengl, zbuffer
 from vkworkbench.core.simulators.accuracy import best_accuracy
+from vkworkbench.core.simulators.on_demand import OnDemand
 from vkworkbench.core.simulators.simulator import Advice, Conditions, Cost, Simulator, Task
 from vkworkbench.core.zbuffer import best_resolution
 from vkworkbench.language import QT_TRANSLATE_NOOP, Message
@@ -18,8 +20,9 @@ ZBUFFER = Simulator(
     since=(),
     predict=zbuffer.predict,
     together=zbuffer.together,
-    cautions=zbuffer.cautions,
+    cautions=None,
     less_memory=Message("smaller-image"),
+    most_bytes=zbuffer.most_bytes,
     columns={
         "dexels": lambda cost: cost.dexels,
         "traces": lambda cost: cost.traces,
@@ -128,37 +131,35 @@ def available(version: tuple[int, ...]) -> tuple[Simulator, ...]:
     return tuple(simulator for simulator in SIMULATORS if tuple(version) >= simulator.since)
 
 
-def predict(
-    task: Task, conditions: Conditions, *, going_on: Callable[[], None] = lambda: None
-) -> tuple[dict[str, Cost], dict[str, Any]]:
+def predict(task: Task, conditions: Conditions) -> tuple[OnDemand, OnDemand]:
     """Predict the cost of an operation, whose tool and stock are known, in every simulator of this FreeCAD.
 
     Parameters
     ----------
     task : Task
     conditions : Conditions
-    going_on : callable
-        Called before each simulator; an exception that it raises ends the prediction.
 
     Returns
     -------
-    costs, advice : dict
-        The cost, and the finest setting within the budget, by the simulators' names.
+    costs, advice : OnDemand
+        The cost, and the finest setting within the budget, by the simulators' names; each is computed when it is asked
+        for.
     """
+    task = task.without_words()
     stepover = task.recognition and task.recognition.stepover
     budget = {"memory_bytes": conditions.memory_budget, "seconds": conditions.time_budget}
-    costs, advice = {}, {}
-    for simulator in available(conditions.version):
-        going_on()
-        costs[simulator.name] = cost = simulator.predict(task, conditions)
-        if simulator.advice:
-            advice[simulator.name] = simulator.advice.choose([cost], stepover=stepover, **budget)
+    simulators = available(conditions.version)
+    costs = OnDemand({s.name: partial(s.predict, task, conditions) for s in simulators})
+    advice = OnDemand({
+        s.name: lambda s=s: s.advice.choose([costs[s.name]], stepover=stepover, **budget)
+        for s in simulators if s.advice
+    })  # fmt: skip
     return costs, advice
 
 
 def together(
     each: Sequence[Mapping[str, Cost]], *, labels: Sequence[str], stepover: float | None, **budget: float
-) -> tuple[dict[str, Cost], dict[str, Any]]:
+) -> tuple[OnDemand, OnDemand]:
     """Return the costs of several operations that are simulated one after another.
 
     Parameters
@@ -174,15 +175,18 @@ def together(
 
     Returns
     -------
-    costs, advice : dict
+    costs, advice : OnDemand
         As of :func:`predict`; without the simulators of which no cost is known.
     """
-    costs, advice = {}, {}
-    for simulator in SIMULATORS:
-        known = [(label, own[simulator.name]) for label, own in zip(labels, each) if simulator.name in own]
-        if known:
-            named, alone = zip(*known)
-            costs[simulator.name] = simulator.together(alone)
-            if simulator.advice:
-                advice[simulator.name] = simulator.advice.choose(alone, labels=named, stepover=stepover, **budget)
-    return costs, advice
+    def known(simulator: Simulator) -> tuple[list[str], list[Cost]]:
+        pairs = [(label, own[simulator.name]) for label, own in zip(labels, each) if simulator.name in own]
+        if not pairs:
+            raise KeyError(simulator.name)
+        return tuple(map(list, zip(*pairs)))
+
+    def advise(simulator: Simulator) -> Any:
+        named, alone = known(simulator)
+        return simulator.advice.choose(alone, labels=named, stepover=stepover, **budget)
+
+    costs = OnDemand({s.name: lambda s=s: s.together(known(s)[1]) for s in SIMULATORS})
+    return costs, OnDemand({s.name: partial(advise, s) for s in SIMULATORS if s.advice})

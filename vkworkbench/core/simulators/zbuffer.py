@@ -6,8 +6,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from vkworkbench.core.simulators.simulator import Caution, Conditions, Task
+from vkworkbench.core.simulators.simulator import Conditions, Task
 from vkworkbench.core.zbuffer import Estimate, estimate
+from vkworkbench.core.zbuffer import most_bytes as most_bytes_of
 
 
 @dataclass(frozen=True)
@@ -41,6 +42,6 @@ def together(costs: Sequence[Estimate]) -> ZBufferCost:
     )
 
 
-def cautions(task: Task, cost: Estimate | None, conditions: Conditions) -> list[Caution]:
-    """Return no cautions: nothing goes wrong in it."""
-    return []
+def most_bytes(task: Task, conditions: Conditions) -> float:
+    """Bound the memory of its records, bytes, in much less time than the estimate takes."""
+    return most_bytes_of(task.toolpath, tool=task.tool, stock=task.stock, view=conditions.view)

@@ -7,6 +7,7 @@ Out: `ZBuffer`, exact dexels and traces at any moment, and what they tell; `Esti
 `Speed`, how fast this computer is.
 """
 
+from vkworkbench.core.zbuffer.bound import cuts_surely, most_bytes
 from vkworkbench.core.zbuffer.closed_form import cauchy_crofton, closed_form, swept
 from vkworkbench.core.zbuffer.cuts import Cut, Cuts, Source
 from vkworkbench.core.zbuffer.estimate import Estimate, Speed, estimate, work
@@ -21,6 +22,6 @@ from vkworkbench.core.zbuffer.speed import fit_speed, measure_speed
 __all__ = [
     "DEXEL", "RECORD_BYTES", "TRACE", "Crash", "Cut", "Cuts", "Estimate", "OverBudget", "Resolution", "Source",
     "Speed", "ZBuffer", "air_share", "best_resolution", "cauchy_crofton", "check_budget", "closed_form", "crashes",
-    "estimate", "fit_speed", "heaviest", "measure_speed", "memory_needed", "passes_apart", "removal_rates",
-    "removed_volumes", "simulate", "simulate_job", "swept", "work",
+    "cuts_surely", "estimate", "fit_speed", "heaviest", "measure_speed", "memory_needed", "most_bytes", "passes_apart",
+    "removal_rates", "removed_volumes", "simulate", "simulate_job", "swept", "work",
 ]  # fmt: skip

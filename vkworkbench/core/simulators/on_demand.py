@@ -1,0 +1,59 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Values that are computed when somebody asks for them."""
+
+from __future__ import annotations
+
+import logging
+import threading
+from collections.abc import Callable, Iterator, Mapping
+from typing import Any
+
+
+class OnDemand(Mapping):
+    """Values by name, each computed when it is first asked for, and only then: whoever asks gets the same one.
+
+    A value whose computation fails is missing, and the error goes to the log. To copy or to send the mapping computes
+    all of it, and so does going through it; whether there are any names is told without.
+
+    Parameters
+    ----------
+    makers : dict of str to callable
+        What computes each value. A KeyError says that there is none.
+    """
+
+    def __init__(self, makers: dict[str, Callable[[], Any]]) -> None:
+        self._names = tuple(makers)
+        self._makers = dict(makers)  # a maker goes when it is done, with all that it held
+        self._made: dict[str, Any] = {}
+        self._lock = threading.RLock()
+
+    def __getitem__(self, name: str) -> Any:
+        with self._lock:
+            if name in self._makers:
+                try:
+                    self._made[name] = self._makers[name]()
+                except KeyError:
+                    pass
+                except Exception:
+                    logging.getLogger(__name__).exception("%s could not be computed", name)
+                del self._makers[name]
+            return self._made[name]
+
+    def __iter__(self) -> Iterator[str]:
+        return (name for name in self._names if name in self)
+
+    def __len__(self) -> int:
+        return sum(1 for _ in self)
+
+    def __bool__(self) -> bool:
+        return bool(self._names)
+
+    def __repr__(self) -> str:
+        return repr(dict(self))
+
+    def __reduce__(self):
+        return dict, (dict(self),)
+
+    def computed(self) -> tuple[str, ...]:
+        """Return the names whose values are there already."""
+        return tuple(self._made)

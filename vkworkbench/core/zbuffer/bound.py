@@ -1,0 +1,76 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What a few operations for each trajectory tell of a simulation, without a ray."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from vkworkbench.core.solids import ConvexStock, Stock, Tool, View
+from vkworkbench.core.toolpath import Toolpath
+from vkworkbench.core.zbuffer.records import PIXEL_BYTES, RECORD_BYTES
+
+_SHALLOW = 1e-3  # mm
+
+
+def cuts_surely(toolpath: Toolpath, stock: Stock | ConvexStock) -> bool:
+    """Whether the tip stands in a box of stock or below it at the end of some trajectory; else it may cut or not."""
+    if not isinstance(stock, Stock):
+        return False
+    points = toolpath.points
+    inside = points[:, 2] < stock.upper[2] - _SHALLOW
+    for axis in (0, 1):
+        inside &= (points[:, axis] > stock.lower[axis]) & (points[:, axis] < stock.upper[axis])
+    return bool(inside.any())
+
+
+def most_bytes(toolpath: Toolpath, *, tool: Tool, stock: Stock | ConvexStock, view: View) -> float:
+    """No more bytes than this hold the records of a simulation.
+
+    A trajectory adds one record to a pixel it passes, two in an oblique view. A convex outline of area A and perimeter P
+    holds at most A + P / 2 + 1 points of a lattice of step 1 (Nosarzewska 1948). Seen from above it is that of the tool
+    sent along the move, obliquely the box around it. What a flat end cuts at one height it cuts once.
+
+    Parameters
+    ----------
+    toolpath : Toolpath
+    tool : Tool
+    stock : Stock or ConvexStock
+        Any other solid has no bound.
+    view : View
+
+    Returns
+    -------
+    float
+        Bytes.
+    """
+    if not isinstance(stock, (Stock, ConvexStock)):
+        return np.inf
+    frame = view.frame(stock)
+    points, top = toolpath.points, float(stock.upper[2])
+    cuts = np.flatnonzero(np.minimum(points[:-1, 2], points[1:, 2]) < top) if len(toolpath) else np.empty(0, int)
+    move = points[cuts + 1] - points[cuts]
+    pixels, radius = frame.width * frame.height, tool.radius / frame.pixel
+    if not any(view.direction[:2]):
+        run = np.sqrt(move[:, 0] ** 2 + move[:, 1] ** 2) / frame.pixel
+        passed = (2 * radius + 1) * run + np.pi * radius * (radius + 1) + 1
+        records = _on_levels(points[cuts], move, passed, tool, pixels)
+    else:
+        # The tool seen obliquely is no wider than its diameter, and reaches up to the stock's top.
+        height = (top - np.minimum(points[cuts, 2], points[cuts + 1, 2])) / frame.pixel
+        right, up = (
+            sum(np.abs(move[:, axis] * direction[axis]) for axis in range(3)) / frame.pixel + 2 * radius
+            for direction in (frame.right, frame.up)
+        )
+        up += height
+        records = 2 * np.minimum(right * up + right + up + 1, pixels).sum()
+    return RECORD_BYTES * (float(records) + pixels) + PIXEL_BYTES * (pixels + 1)
+
+
+def _on_levels(start: np.ndarray, move: np.ndarray, passed: np.ndarray, tool: Tool, pixels: int) -> float:
+    """Sum up the pixels that trajectories pass, those of one height no more than once if the tool's end is flat."""
+    if passed.sum() <= pixels or tool.rounding or tool.steepness:
+        return float(np.minimum(passed, pixels).sum())
+    flat = (move[:, 2] == 0) | ~move[:, :2].any(axis=1)
+    low = start[flat, 2] + np.minimum(move[flat, 2], 0)
+    _, level = np.unique(low, return_inverse=True)
+    return float(np.minimum(np.bincount(level, passed[flat]), pixels).sum() + np.minimum(passed[~flat], pixels).sum())
