@@ -113,6 +113,8 @@ class Property:
     def number(self, obj) -> float | None:
         """Return its value as a number in FreeCAD's own units: mm, degrees, mm/s; None where it is no number."""
         value = self.of(obj)
+        if isinstance(value, bool):
+            return None
         try:
             return float(getattr(value, "Value", value))
         except (TypeError, ValueError):

@@ -290,7 +290,7 @@ class Report:
         rows = [cells_of(operation) for operation in self.operations]
         names = list(rows[0]) if rows else ["document", "name", "label", "strategy"]
         with open(path, "w", newline="", encoding="utf-8") as file:
-            writer = csv.DictWriter(file, names)
+            writer = csv.DictWriter(file, names, quoting=csv.QUOTE_NONNUMERIC)
             writer.writeheader()
             writer.writerows(rows)
 

@@ -333,19 +333,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>the tool&apos;s diameter must be a positive number, not {diameter:mm}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>the corner radius must lie between 0 and {radius:mm}, not be {corner:mm}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>the tip angle must lie between 0 and pi, not be {angle:g}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>the stock&apos;s corners must be finite numbers</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -682,6 +674,14 @@
     </message>
     <message>
         <source>use the {simulator:simulator} for this operation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the tool&apos;s diameter must be a positive number of at most a kilometre, not {diameter:mm}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the stock&apos;s corners must be numbers within a kilometre of the origin</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

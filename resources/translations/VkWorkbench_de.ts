@@ -333,20 +333,12 @@
         <translation>, </translation>
     </message>
     <message>
-        <source>the tool&apos;s diameter must be a positive number, not {diameter:mm}</source>
-        <translation>Der Werkzeugdurchmesser muss positiv sein, nicht {diameter:mm}</translation>
-    </message>
-    <message>
         <source>the corner radius must lie between 0 and {radius:mm}, not be {corner:mm}</source>
         <translation>Der Eckenradius muss zwischen 0 und {radius:mm} liegen, nicht {corner:mm} sein</translation>
     </message>
     <message>
         <source>the tip angle must lie between 0 and pi, not be {angle:g}</source>
         <translation>Der Spitzenwinkel muss zwischen 0 und π liegen, nicht {angle:g} sein</translation>
-    </message>
-    <message>
-        <source>the stock&apos;s corners must be finite numbers</source>
-        <translation>Die Ecken des Rohteils müssen endliche Zahlen sein</translation>
     </message>
     <message>
         <source>the stock has no volume: its upper corner must exceed its lower corner in x, y and z</source>
@@ -683,6 +675,14 @@
     <message>
         <source>use the {simulator:simulator} for this operation</source>
         <translation>für diese Operation den {simulator:simulator} benutzen</translation>
+    </message>
+    <message>
+        <source>the tool&apos;s diameter must be a positive number of at most a kilometre, not {diameter:mm}</source>
+        <translation>Der Werkzeugdurchmesser muss positiv und höchstens ein Kilometer sein, nicht {diameter:mm}</translation>
+    </message>
+    <message>
+        <source>the stock&apos;s corners must be numbers within a kilometre of the origin</source>
+        <translation>Die Ecken des Rohteils müssen Zahlen innerhalb eines Kilometers vom Ursprung sein</translation>
     </message>
 </context>
 <context>

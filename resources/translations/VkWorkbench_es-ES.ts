@@ -333,20 +333,12 @@
         <translation>, </translation>
     </message>
     <message>
-        <source>the tool&apos;s diameter must be a positive number, not {diameter:mm}</source>
-        <translation>el diámetro de la herramienta debe ser positivo, no {diameter:mm}</translation>
-    </message>
-    <message>
         <source>the corner radius must lie between 0 and {radius:mm}, not be {corner:mm}</source>
         <translation>el radio de esquina debe estar entre 0 y {radius:mm}, no ser {corner:mm}</translation>
     </message>
     <message>
         <source>the tip angle must lie between 0 and pi, not be {angle:g}</source>
         <translation>el ángulo de punta debe estar entre 0 y π, no ser {angle:g}</translation>
-    </message>
-    <message>
-        <source>the stock&apos;s corners must be finite numbers</source>
-        <translation>las esquinas del material deben ser números finitos</translation>
     </message>
     <message>
         <source>the stock has no volume: its upper corner must exceed its lower corner in x, y and z</source>
@@ -683,6 +675,14 @@
     <message>
         <source>use the {simulator:simulator} for this operation</source>
         <translation>use el {simulator:simulator} para esta operación</translation>
+    </message>
+    <message>
+        <source>the tool&apos;s diameter must be a positive number of at most a kilometre, not {diameter:mm}</source>
+        <translation>el diámetro de la herramienta debe ser positivo y de un kilómetro como máximo, no {diameter:mm}</translation>
+    </message>
+    <message>
+        <source>the stock&apos;s corners must be numbers within a kilometre of the origin</source>
+        <translation>las esquinas del material deben ser números a menos de un kilómetro del origen</translation>
     </message>
 </context>
 <context>

@@ -333,20 +333,12 @@
         <translation>, </translation>
     </message>
     <message>
-        <source>the tool&apos;s diameter must be a positive number, not {diameter:mm}</source>
-        <translation>le diamètre de l&apos;outil doit être positif, pas {diameter:mm}</translation>
-    </message>
-    <message>
         <source>the corner radius must lie between 0 and {radius:mm}, not be {corner:mm}</source>
         <translation>le rayon de coin doit être entre 0 et {radius:mm}, pas {corner:mm}</translation>
     </message>
     <message>
         <source>the tip angle must lie between 0 and pi, not be {angle:g}</source>
         <translation>l&apos;angle de pointe doit être entre 0 et π, pas {angle:g}</translation>
-    </message>
-    <message>
-        <source>the stock&apos;s corners must be finite numbers</source>
-        <translation>les coins du brut doivent être des nombres finis</translation>
     </message>
     <message>
         <source>the stock has no volume: its upper corner must exceed its lower corner in x, y and z</source>
@@ -683,6 +675,14 @@
     <message>
         <source>use the {simulator:simulator} for this operation</source>
         <translation>utilisez le {simulator:simulator} pour cette opération</translation>
+    </message>
+    <message>
+        <source>the tool&apos;s diameter must be a positive number of at most a kilometre, not {diameter:mm}</source>
+        <translation>le diamètre de l&apos;outil doit être positif et d&apos;un kilomètre au plus, pas {diameter:mm}</translation>
+    </message>
+    <message>
+        <source>the stock&apos;s corners must be numbers within a kilometre of the origin</source>
+        <translation>les coins du brut doivent être des nombres à moins d&apos;un kilomètre de l&apos;origine</translation>
     </message>
 </context>
 <context>

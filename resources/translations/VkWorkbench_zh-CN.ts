@@ -333,20 +333,12 @@
         <translation>、</translation>
     </message>
     <message>
-        <source>the tool&apos;s diameter must be a positive number, not {diameter:mm}</source>
-        <translation>刀具直径必须为正数，而不是 {diameter:mm}</translation>
-    </message>
-    <message>
         <source>the corner radius must lie between 0 and {radius:mm}, not be {corner:mm}</source>
         <translation>圆角半径必须在 0 与 {radius:mm} 之间，而不是 {corner:mm}</translation>
     </message>
     <message>
         <source>the tip angle must lie between 0 and pi, not be {angle:g}</source>
         <translation>刀尖角必须在 0 与 π 之间，而不是 {angle:g}</translation>
-    </message>
-    <message>
-        <source>the stock&apos;s corners must be finite numbers</source>
-        <translation>毛坯的角点必须是有限数</translation>
     </message>
     <message>
         <source>the stock has no volume: its upper corner must exceed its lower corner in x, y and z</source>
@@ -683,6 +675,14 @@
     <message>
         <source>use the {simulator:simulator} for this operation</source>
         <translation>请对此操作使用 {simulator:simulator}</translation>
+    </message>
+    <message>
+        <source>the tool&apos;s diameter must be a positive number of at most a kilometre, not {diameter:mm}</source>
+        <translation>刀具直径必须为正数且不超过一千米，而不是 {diameter:mm}</translation>
+    </message>
+    <message>
+        <source>the stock&apos;s corners must be numbers within a kilometre of the origin</source>
+        <translation>毛坯的角点必须是距原点一千米以内的数</translation>
     </message>
 </context>
 <context>

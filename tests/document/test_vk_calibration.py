@@ -70,6 +70,57 @@ def test_a_damaged_file_counts_as_none_and_is_replaced(folder, damage):
     assert [one.name for one in path.parent.iterdir()] == ["calibration.json"]
 
 
+def huge(text, name, number):
+    """The text with another number behind a name."""
+    head, tail = text.split(f'"{name}": ', 1)
+    return f'{head}"{name}": {number}{tail[tail.index(","):]}'
+
+
+NESTED = 100_000 * "[" + 100_000 * "]"
+
+
+@pytest.mark.parametrize("damage", [
+    *(lambda text, number=number: huge(text, "facet", number)
+      for number in ("1e999", "1" + 400 * "0", "1" + 9000 * "0", "1e300", "NaN", "-Infinity", "0", "[]", '"one"', "null", NESTED)),
+    *(lambda text, number=number: huge(text, "legacy_factor", number) for number in ("0", "0.5", "1e300")),
+    lambda text: NESTED, lambda text: f'{{"other": {NESTED}, {text[1:]}', lambda text: "\ufeff{}", lambda text: "",
+    lambda text: text.replace('"runs": {', '"runs": [{', 1), lambda text: text.replace('"draw": [', '"draw": [1e300, ', 1),
+    lambda text: text.replace('"draw": [', '"draw": [1' + 400 * "0" + ", ", 1),
+    lambda text: text.replace('"play": [', '"play": [[1e999, 1, 1, 1], ', 1), lambda text: text.replace('"play": [', '"play": [7, ', 1),
+])  # fmt: skip
+def test_numbers_that_cannot_be_count_as_none(folder, damage, monkeypatch):
+    monkeypatch.setattr(calibration, "_measure", lambda: DEFAULTS)
+    calibration.calibrate("card")
+    calibration.learn("draw", frame_cost("card", slower=30.0), 1.0, renderer="card")
+    calibration.learn("play", cost_of(100), 9.0, renderer="card")
+    (path,) = folder.rglob("calibration.json")
+    sound = path.read_text()
+    path.write_text(damage(sound), encoding="utf-8")
+    assert path.read_text() != sound
+    assert calibration.load("card") is None and calibration.constants("card") == DEFAULTS
+    assert calibration.learn("play", cost_of(100), 9.0, renderer="card") is None
+    calibration.measured_speed()
+    calibration.calibrate("card")
+    assert calibration.load("card") is not None
+    assert [one.name for one in path.parent.iterdir()] == ["calibration.json"]
+
+
+@pytest.mark.parametrize("number", ["0", "1e999", "1" + 400 * "0", NESTED])
+def test_a_speed_that_cannot_be_is_measured_again(folder, number):
+    speed = calibration.measured_speed()
+    (path,) = folder.rglob("calibration.json")
+    path.write_text(huge(path.read_text(), "candidate", number))
+    assert calibration.measured_speed().candidate > 0 and calibration.measured_speed() != speed
+
+
+def test_no_temporary_file_stays_where_the_file_cannot_be_replaced(folder):
+    path = calibration._path()
+    path.mkdir(parents=True)
+    with pytest.raises(OSError):
+        calibration.calibrate("card")
+    assert list(path.parent.iterdir()) == [path]
+
+
 def test_what_is_kept_is_plain_json(folder):
     calibration.calibrate("card")
     (path,) = folder.rglob("calibration.json")

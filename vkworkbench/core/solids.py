@@ -13,6 +13,7 @@ from vkworkbench.core.toolpath import Toolpath
 from vkworkbench.language import Message, Unusable
 
 SHAPES = ("endmill", "ballend", "bullnose", "vbit", "drill")
+LARGEST, SMALLEST = 1e6, 1e-6  # mm; no machine has more, no document keeps less
 _DEFAULT_TIP_ANGLE = {"vbit": pi / 3, "drill": 118 * pi / 180}
 
 
@@ -36,7 +37,7 @@ class Tool:
     Raises
     ------
     Unusable
-        For a diameter that is not a positive number, a corner radius above half the diameter, or a tip angle
+        For a diameter that is not a positive number of at most a kilometre, a corner radius above half the diameter, or a tip angle
         outside ]0, pi].
     ValueError
         For an unknown shape.
@@ -50,7 +51,7 @@ class Tool:
     def __post_init__(self) -> None:
         if self.shape not in SHAPES:
             raise ValueError(f"unknown tool shape {self.shape!r}; known are {', '.join(SHAPES)}")
-        if not (isfinite(self.diameter) and self.diameter > 0):
+        if not 0 < self.diameter <= LARGEST:
             raise Unusable(Message("tool-diameter", diameter=self.diameter))
         if self.shape == "bullnose" and not 0 <= self.corner_radius <= self.radius:
             raise Unusable(Message("corner-radius", radius=self.radius, corner=self.corner_radius))
@@ -145,15 +146,15 @@ class Stock(_Convex):
     Raises
     ------
     Unusable
-        If a coordinate is not finite or the box has no volume.
+        If a coordinate is not finite or beyond a kilometre, or the box has no volume.
     """
 
     def __init__(self, lower: np.ndarray, upper: np.ndarray) -> None:
         self.lower = np.array(lower, float).reshape(3)
         self.upper = np.array(upper, float).reshape(3)
-        if not (np.isfinite(self.lower).all() and np.isfinite(self.upper).all()):
+        if not (np.abs([self.lower, self.upper]) <= LARGEST).all():
             raise Unusable(Message("stock-not-finite"))
-        if not (self.upper > self.lower).all():
+        if not (self.upper - self.lower >= SMALLEST).all():
             raise Unusable(Message("stock-without-volume"))
         self.normals = np.vstack((np.eye(3), -np.eye(3)))
         self.offsets = np.concatenate((self.upper, -self.lower))

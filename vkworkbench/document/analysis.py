@@ -106,36 +106,47 @@ class _Reading:
     job: str | None
     counted: bool
     active: bool
-    imported: bool
-    path: object
-    placement: object
-    tool: Tool | None
-    stock: Stock | None
-    remarks: tuple[Message, ...]
-    rapid_feeds: tuple[float, float]
-    setting_fingerprint: str
+    imported: bool = False
+    path: object = None
+    placement: object = None
+    tool: Tool | None = None
+    stock: Stock | None = None
+    remarks: tuple[Message, ...] = ()
+    rapid_feeds: tuple[float, float] = (0.0, 0.0)
+    setting_fingerprint: str = ""
+    error: Exception | None = None
 
 
 def _read(operation: Operation) -> _Reading:
+    """Read an operation; an error in it must not cost the other operations their rows."""
     obj, job = operation.object, operation.job
-    remarks: list[Message] = []
-    tool, stock = _or_remark(remarks, read_tool, obj), _or_remark(remarks, read_stock, job)
-    return _Reading(
+    reading = _Reading(
         document=obj.Document.Name,
         name=obj.Name,
         label=obj.Label,
         job=job.Name if job is not None else None,
         counted=operation.counted,
         active=operation.active,
-        imported=freecad.is_imported(obj),
-        path=obj.Path,
-        placement=obj.Placement,
-        tool=tool,
-        stock=stock,
-        remarks=tuple(remarks),
-        rapid_feeds=rapid_feeds(obj),
-        setting_fingerprint=setting_fingerprint(tool, stock),
     )
+    remarks: list[Message] = []
+    try:
+        tool, stock = _or_remark(remarks, read_tool, obj), _or_remark(remarks, read_stock, job)
+        return replace(
+            reading,
+            imported=freecad.is_imported(obj),
+            path=obj.Path,
+            placement=obj.Placement,
+            tool=tool,
+            stock=stock,
+            remarks=tuple(remarks),
+            rapid_feeds=rapid_feeds(obj),
+            setting_fingerprint=setting_fingerprint(tool, stock),
+        )
+    except ReferenceError:  # deleted meanwhile
+        raise
+    except Exception as error:
+        FreeCAD.Console.PrintLog(traceback.format_exc())
+        return replace(reading, error=error)
 
 
 def _patiently(work: Callable, cancelled: Callable[[], bool] | None):
@@ -167,6 +178,8 @@ def _row(
     reading: _Reading, chosen: Preferences, conditions: Conditions, going_on: Callable
 ) -> OperationReport:
     """Return the row of one operation; an error of this add-on must not cost the other operations theirs."""
+    if reading.error is not None:
+        return _unknown(reading, reading.error)
     try:
         return _work(reading, chosen, conditions, going_on)
     except Cancelled:

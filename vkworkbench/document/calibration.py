@@ -40,6 +40,11 @@ _COLD_CACHE = 1.5
 # The kinds of real runs to learn from, and how many of each are kept.
 _LESSONS = {lesson.kind: lesson for simulator in SIMULATORS for lesson in simulator.lessons}
 _LAST_RUNS = 15
+# What a damaged file raises where it holds other things than a calibration, numbers too large or lists nested too deep.
+_UNREADABLE = (TypeError, LookupError, ValueError, AttributeError, ArithmeticError, RecursionError)
+# No constant and no number of a run is larger; these constants may be 0 as they are measured, or by default.
+_LARGEST = 1e15
+_MAYBE_NOTHING = frozenset(["repaint", "call", "ring", "line", "cap", "refresh"])
 # The stock that the calibration cuts.
 _STOCK = Stock((0, 0, 0), (100, 60, 20))
 _BOX = Part.makeBox(100, 60, 20)
@@ -122,9 +127,9 @@ def _speed() -> Speed | None:
     record = _records().get(_speed_key())
     try:
         values = {field.name: float(record[field.name]) for field in fields(Speed)}
-    except (TypeError, KeyError, ValueError, AttributeError):
+    except _UNREADABLE:
         return None
-    return Speed(**values) if all(math.isfinite(v) and v > 0 for v in values.values()) else None
+    return Speed(**values) if all(0 < value <= _LARGEST for value in values.values()) else None
 
 
 def load(renderer: str = "") -> Calibration | None:
@@ -132,13 +137,22 @@ def load(renderer: str = "") -> Calibration | None:
     record = _records().get(_key(renderer))
     try:
         values = {field.name: float(record["constants"][field.name]) for field in fields(Constants)}
-        if not all(math.isfinite(value) and value >= 0 for value in values.values()):
+        if not all(_least(name) <= value <= _LARGEST for name, value in values.items()):
             return None
         runs = {kind: tuple(map(lesson.read, record["runs"].get(kind, ()))) for kind, lesson in _LESSONS.items()}
+        if not all((np.abs(run) <= _LARGEST).all() for some in runs.values() for run in some):
+            return None
         words = (str(record[name]) for name in ("date", "freecad", "processor", "renderer"))
         return Calibration(Constants(**values), *words, runs)
-    except (TypeError, KeyError, IndexError, ValueError, AttributeError):
+    except _UNREADABLE:
         return None
+
+
+def _least(name: str) -> float:
+    """The least that a constant can be: a factor is at least 1, and what is always measured is never nothing."""
+    if name.endswith("factor"):
+        return 1.0
+    return 0.0 if name in _MAYBE_NOTHING else math.ulp(0.0)
 
 
 def calibrate(renderer: str = "") -> Calibration:
@@ -213,8 +227,12 @@ def _write(new: dict) -> None:
     path.parent.mkdir(parents=True, exist_ok=True)
     # Another FreeCAD may read it at this moment: it sees the old file or the new one.
     fresh = path.with_suffix(f".{os.getpid()}")
-    fresh.write_text(json.dumps(_records() | new, indent=1))
-    os.replace(fresh, path)
+    try:
+        fresh.write_text(json.dumps({**_records(), **new}, indent=1))
+        os.replace(fresh, path)
+    finally:
+        with suppress(OSError):  # where it took the place of the old one it is no longer there
+            fresh.unlink()
 
 
 def _path() -> Path:
@@ -224,7 +242,8 @@ def _path() -> Path:
 def _records() -> dict:
     try:
         records = json.loads(_path().read_text())
-    except (OSError, ValueError):
+        json.dumps(records)  # what cannot be written again, nested too deep, is lost
+    except (OSError, *_UNREADABLE):
         return {}
     return records if isinstance(records, dict) else {}
 

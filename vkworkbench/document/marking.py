@@ -9,7 +9,7 @@ from contextlib import contextmanager
 import FreeCAD
 
 from vkworkbench.document import marks
-from vkworkbench.document.operations import find, is_document, kind
+from vkworkbench.document.operations import find, is_document, is_object, kind
 from vkworkbench.report import OperationReport, Report
 
 
@@ -20,7 +20,14 @@ def mark(report: Report) -> int:
     -------
     int
         How many operations were marked; one that was deleted since the analysis is passed over.
+
+    Raises
+    ------
+    TypeError
+        If `report` is no report.
     """
+    if not isinstance(report, Report):
+        raise TypeError(f"mark takes the Report that analyze returns, not {type(report).__name__}")
     marked = 0
     by_document: dict[str, list[OperationReport]] = {}
     for operation in report.operations:
@@ -57,6 +64,8 @@ def clear(what=None) -> int:
     ------
     ValueError
         If `what` is None and no document is open.
+    TypeError
+        If `what` is something else.
     """
     if what is None:
         what = FreeCAD.ActiveDocument
@@ -96,12 +105,14 @@ def _jobs(document) -> list:
 
 def _with_jobs(what) -> Iterator:
     """The operations that `what` stands for and their jobs, also a job without operations."""
-    for one in what if isinstance(what, Iterable) else [what]:
+    chosen = list(what) if isinstance(what, Iterable) else [what]
+    operations = find(chosen)
+    for one in chosen:
         if is_document(one):
             yield from (obj for obj in one.Objects if kind(obj))
-        elif kind(one) == "job":
+        elif is_object(one) and kind(one) == "job":
             yield one
-    for operation in find(what):
+    for operation in operations:
         yield operation.object
         if operation.job is not None:
             yield operation.job

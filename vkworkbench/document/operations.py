@@ -56,6 +56,11 @@ def has_toolpath(obj) -> bool:
     return obj.isDerivedFrom(freecad.TOOLPATH)
 
 
+def is_object(what) -> bool:
+    """Whether it is an object of a document; a property of a file may hold anything."""
+    return hasattr(what, "isDerivedFrom") and hasattr(what, "InList")
+
+
 def is_document(what) -> bool:
     return hasattr(what, "Objects") and hasattr(what, "getObject")
 
@@ -70,9 +75,9 @@ def is_job_group(obj) -> bool:
 
 
 def _members(group) -> Iterator:
-    """The members of a group, those of groups in it in their place."""
-    seen = {group.Name}
-    pending = list(_listed(group))
+    """The members of a group or of a list, those of groups among them in their place."""
+    seen = set()
+    pending = _listed(group)
     while pending:
         obj = pending.pop(0)
         if obj.Name not in seen:
@@ -84,8 +89,8 @@ def _members(group) -> Iterator:
 
 
 def _listed(group) -> list:
-    members = freecad.GROUP.of(group)
-    return members if isinstance(members, list) else []
+    members = group if isinstance(group, list) else freecad.GROUP.of(group)
+    return [one for one in members if is_object(one)] if isinstance(members, list) else []
 
 
 def is_group(obj) -> bool:
@@ -136,7 +141,7 @@ def _find(what, jobs: dict) -> Iterator[Operation]:
         for obj in what.Objects:
             if kind(obj) in ("operation", "dressup", "array"):
                 yield from _with_bases(obj, job_of(obj), counted=True)
-    elif hasattr(what, "isDerivedFrom"):
+    elif is_object(what):
         sort = kind(what)
         if sort == "job":
             yield from _of_job(what)
@@ -151,16 +156,15 @@ def _find(what, jobs: dict) -> Iterator[Operation]:
         elif sort == "group":
             for obj in _members(what):
                 yield from _find(obj, jobs)
-    elif isinstance(what, Iterable) and not isinstance(what, str):
+    elif isinstance(what, Iterable) and not isinstance(what, (str, bytes)):
         for one in what:
             yield from _find(one, jobs)
     else:
-        raise TypeError(f"analyze takes a document, a job or operations, not {type(what).__name__}")
+        raise TypeError(f"only a document, a job or operations have toolpaths, not {type(what).__name__}")
 
 
 def _of_job(job) -> Iterator[Operation]:
-    group = freecad.OPERATIONS.of(job)
-    members = list(_members(group)) if group is not None else []
+    members = list(_members(freecad.OPERATIONS.of(job)))
     # A file made without a window lists a dress-up and its base side by side.
     dressed = {base.Name for obj in members if kind(obj) == "dressup" for base in _all_bases(obj)}
     for obj in members:
@@ -180,7 +184,7 @@ def _bases(obj) -> list:
     """What a dress-up or an array is made from (an ordinary operation's Base lists faces of the model)."""
     base = freecad.BASE.of(obj)
     candidates = base if isinstance(base, (list, tuple)) else [base]
-    return [b for b in candidates if hasattr(b, "isDerivedFrom") and has_toolpath(b)]
+    return [b for b in candidates if is_object(b) and has_toolpath(b)]
 
 
 def _all_bases(obj) -> Iterator:

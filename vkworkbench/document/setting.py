@@ -7,10 +7,11 @@ import math
 from dataclasses import replace
 
 import numpy as np
+import Part
 
 from vkworkbench import freecad
 from vkworkbench.core import Stock, Tool, Toolpath
-from vkworkbench.document.operations import through_bases
+from vkworkbench.document.operations import is_object, through_bases
 from vkworkbench.language import Message, Unusable
 
 # FreeCAD's names of tool shapes, in small letters only, and the shapes that stand for them in a simulation.
@@ -34,7 +35,7 @@ def read_tool(operation) -> Tool:
         Where there is no tool or its measures are impossible.
     """
     controller = through_bases(operation, freecad.CONTROLLER)
-    if controller is None:
+    if not is_object(controller):
         raise Unusable(Message("no-tool"))
     bit = freecad.TOOL.of(controller)
     if bit is None:
@@ -74,7 +75,7 @@ def read_stock(job) -> Stock:
     if job is None:
         raise Unusable(Message("no-job"))
     shape = freecad.SHAPE.of(freecad.STOCK.of(job))
-    if shape is None or shape.isNull():
+    if not isinstance(shape, Part.Shape) or shape.isNull():
         raise Unusable(Message("no-stock", label=job.Label))
     try:
         return Stock(*exact_box(shape))
@@ -103,7 +104,8 @@ def _corners(box) -> tuple[tuple, tuple]:
 def rapid_feeds(operation) -> tuple[float, float]:
     """Return the horizontal and vertical rapid speed of an operation's tool controller, mm/s; 0 if unset."""
     controller = through_bases(operation, freecad.CONTROLLER)
-    return tuple(rapid.number(controller) or 0.0 for rapid in (freecad.HORIZONTAL_RAPID, freecad.VERTICAL_RAPID))
+    speeds = (rapid.number(controller) for rapid in (freecad.HORIZONTAL_RAPID, freecad.VERTICAL_RAPID))
+    return tuple(speed if speed and 0 < speed < math.inf else 0.0 for speed in speeds)
 
 
 def placed(toolpath: Toolpath, placement) -> Toolpath:

@@ -67,7 +67,7 @@ def check(document, paths: set[str] | None = None, *, settings: bool = True) -> 
 
     def setting_of(obj) -> str:
         job, controller = job_of(obj), through_bases(obj, freecad.CONTROLLER)
-        key = tuple(one and one.Name for one in (job, controller))
+        key = tuple(getattr(one, "Name", None) for one in (job, controller))
         if key not in known:
             known[key] = read_setting_fingerprint(obj, job)
         return known[key]

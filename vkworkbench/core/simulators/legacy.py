@@ -30,6 +30,8 @@ _WALK = 0.6
 _BYTES_PER_CELL = 5
 # Motions of a command at most: those of a drilling cycle.
 _MOST_MOTIONS = 3
+# Rings at the end of a move that are counted one by one; a tool of a metre has fewer on a stock of a hand's width.
+_RINGS_COUNTED = 20_000
 # Moments of a play at which the size of the mesh is estimated.
 _LOOKS = 5
 # What the positions 1 to 10 of the accuracy slider stand for, percent of the stock's longer side.
@@ -109,10 +111,20 @@ def legacy_work(made: Motions, *, diameter: float, stock: Stock, accuracy: float
     vertical = chord < 1e-5
     lines = np.floor(2 * radius / _WALK) + 1
     line_steps = np.where(vertical, 0.0, calls * (np.floor(length / _WALK) + 1) * lines)
-    ring = np.arange(0.5, radius + 1e-9, _WALK)
-    half, whole = np.ceil(np.pi * ring / _WALK).sum(), np.ceil(2 * np.pi * ring / _WALK).sum()
+    rings, half, whole = _rings(radius)
     cap_steps = calls * np.where(vertical, whole, half)
-    return LegacyWork(calls, calls * len(ring), line_steps, cap_steps, cells, float(resolution))
+    return LegacyWork(calls, calls * rings, line_steps, cap_steps, cells, float(resolution))
+
+
+def _rings(radius: float) -> tuple[float, float, float]:
+    """Return the numbers of rings in a disc of `radius` cells, and of steps around half of and around all of them."""
+    rings = max(np.ceil((radius + 1e-9 - 0.5) / _WALK), 0.0)
+    ring = 0.5 + _WALK * np.arange(min(rings, _RINGS_COUNTED))
+    half, whole = np.ceil(np.pi * ring / _WALK).sum(), np.ceil(2 * np.pi * ring / _WALK).sum()
+    if rings > len(ring):  # of many each takes half a step more than its length, on average
+        circles = np.pi * ((rings - 1) * rings / 2 + rings * 0.5 / _WALK)
+        half, whole = circles + rings / 2, 2 * circles + rings / 2
+    return float(rings), float(half), float(whole)
 
 
 @dataclass(frozen=True)

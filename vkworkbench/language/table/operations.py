@@ -20,7 +20,7 @@ OPERATIONS = {
     "no-tool-bit": QT_TRANSLATE_NOOP("Sentences", "no tool in {label}: choose a tool bit for it"),
     "no-diameter": QT_TRANSLATE_NOOP("Sentences", "the tool in {label} has no diameter"),
     "tool-diameter": QT_TRANSLATE_NOOP(
-        "Sentences", "the tool's diameter must be a positive number, not {diameter:mm}"
+        "Sentences", "the tool's diameter must be a positive number of at most a kilometre, not {diameter:mm}"
     ),
     "corner-radius": QT_TRANSLATE_NOOP(
         "Sentences", "the corner radius must lie between 0 and {radius:mm}, not be {corner:mm}"
@@ -28,7 +28,9 @@ OPERATIONS = {
     "tip-angle": QT_TRANSLATE_NOOP("Sentences", "the tip angle must lie between 0 and pi, not be {angle:g}"),
     "no-job": QT_TRANSLATE_NOOP("Sentences", "no stock: put the toolpath into a job"),
     "no-stock": QT_TRANSLATE_NOOP("Sentences", "no stock: give {label} a stock"),
-    "stock-not-finite": QT_TRANSLATE_NOOP("Sentences", "the stock's corners must be finite numbers"),
+    "stock-not-finite": QT_TRANSLATE_NOOP(
+        "Sentences", "the stock's corners must be numbers within a kilometre of the origin"
+    ),
     "stock-without-volume": QT_TRANSLATE_NOOP(
         "Sentences", "the stock has no volume: its upper corner must exceed its lower corner in x, y and z"
     ),

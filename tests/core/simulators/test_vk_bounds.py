@@ -1,0 +1,65 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Tools and stocks of impossible sizes: refused, or counted without an array for each of their cells."""
+
+from __future__ import annotations
+
+import tracemalloc
+
+import numpy as np
+import programs
+import pytest
+
+from vkworkbench.core import Stock, Tool, linearize, recognize
+from vkworkbench.core.simulators import Conditions, Task, predict, preflight
+from vkworkbench.core.simulators.legacy import _RINGS_COUNTED, _WALK, _rings
+from vkworkbench.language import Unusable
+
+STOCK = Stock((-10, -10, -20), (60, 60, 0))
+
+
+@pytest.mark.parametrize("tool, stock", [
+    (Tool("endmill", 1e6), STOCK), (Tool("ballend", 1e6), STOCK), (Tool("endmill", 1e-12), STOCK), (Tool("vbit", 1e5), STOCK),
+    (Tool("endmill", 5), Stock((0, 0, -2e-5), (2e-5, 2e-5, 0))), (Tool("drill", 5), Stock((0, 0, -1e-6), (1e-6, 1e-6, 0))),
+    (Tool("endmill", 5), Stock((-1e6, -1e6, -1e6), (1e6, 1e6, 0))), (Tool("endmill", 1e6), Stock((0, 0, -20), (1e-6, 60, 0))),
+], ids=range(8))  # fmt: skip
+@pytest.mark.parametrize("program", ["zigzag", "helix", "drilling"])
+def test_any_size_takes_little_memory(tool, stock, program):
+    path = linearize(programs.SOUND[program]())
+    task, conditions = Task(path, tool, stock, None, recognize(path)), Conditions(version=(1, 0, 0))
+    tracemalloc.start()
+    try:
+        costs, _ = predict(task, conditions)
+        preflight(task, costs, conditions)
+        assert tracemalloc.get_traced_memory()[1] < 200e6
+    finally:
+        tracemalloc.stop()
+    assert all(np.isfinite((cost.seconds, cost.memory_bytes)).all() for cost in costs.values())
+
+
+@pytest.mark.parametrize("diameter", [1.0000001e6, 1e9, 1e300, float("inf"), float("nan"), 0, -1.0])
+def test_tools_that_no_machine_has(diameter):
+    with pytest.raises(Unusable, match="at most a kilometre"):
+        Tool("endmill", diameter)
+
+
+@pytest.mark.parametrize("corner, words", [
+    ((1e-7, 60, 20), "no volume"), ((60, 60, 1e-300), "no volume"), ((1e7, 60, 20), "within a kilometre"),
+    ((60, 1e300, 20), "within a kilometre"), ((float("nan"), 60, 20), "within a kilometre"),
+])  # fmt: skip
+def test_stocks_that_no_machine_has(corner, words):
+    with pytest.raises(Unusable, match=words):
+        Stock((0, 0, 0), corner)
+
+
+@pytest.mark.parametrize("radius", [0.1, 0.5, 3.0, 250.3])
+def test_rings_are_counted_as_freecad_makes_them(radius):
+    ring = np.arange(0.5, radius + 1e-9, _WALK)
+    half, whole = (np.ceil(turns * np.pi * ring / _WALK).sum() for turns in (1, 2))
+    assert _rings(radius) == (len(ring), half, whole)
+
+
+def test_many_rings_are_those_of_a_row_of_numbers():
+    radius = 4 * _RINGS_COUNTED * _WALK
+    ring = np.arange(0.5, radius + 1e-9, _WALK)
+    half, whole = (np.ceil(turns * np.pi * ring / _WALK).sum() for turns in (1, 2))
+    assert _rings(radius) == pytest.approx((len(ring), half, whole), rel=1e-6)

@@ -1,0 +1,152 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Properties of another type than FreeCAD's: a file or another add-on may have them. One odd object stops no other."""
+
+from __future__ import annotations
+
+import FreeCAD
+import pytest
+
+import vkworkbench
+from vkworkbench.document import marks, watcher
+
+VALUES = {
+    "App::PropertyString": "10 mm/s", "App::PropertyStringList": ["a", "b"], "App::PropertyBool": True,
+    "App::PropertyInteger": -3, "App::PropertyFloat": float("nan"), "App::PropertyFloatList": [1.0, 2.0],
+    "App::PropertyVector": FreeCAD.Vector(1, 2, 3), "App::PropertyPythonObject": {"a": [None]}, "App::PropertyLinkList": None,
+    "App::PropertyLink": None, "App::PropertyMap": {"a": "b"},
+}  # fmt: skip
+
+
+class Odd:
+    """Stands for an object that has a property of another type."""
+
+    def __init__(self, obj, name, type_id, value):
+        obj.addProperty(type_id, name, "Odd")
+        if value is not None:
+            setattr(obj, name, value)
+
+
+def bare(small, name, type_name="Path::FeaturePython"):
+    return small.document.addObject(type_name, name)
+
+
+def operation(small, commands, controller):
+    """An operation whose controller is any object."""
+    op = small.add("Odd", commands, controller=None)
+    op.ToolController = controller
+    return op
+
+
+def odd_row(small, op):
+    """Analyse a sound and an odd operation, mark, watch and clear them; return the odd one's row."""
+    report = vkworkbench.analyze(small.document)
+    rows = {row.label: row for row in report.operations}
+    assert rows["Sound"].strategy == "zigzag" and rows["Sound"].error is None
+    vkworkbench.mark(report)
+    watcher.check(small.document)
+    assert not marks.is_outdated(op)
+    vkworkbench.clear(small.document)
+    str(report)
+    row = rows["Odd"]
+    assert "please report" not in (row.error or ""), row.error
+    return row
+
+
+@pytest.fixture
+def sound(small, zigzag_commands):
+    small.add("Sound", zigzag_commands)
+    return small
+
+
+@pytest.mark.parametrize("type_id", VALUES)
+@pytest.mark.parametrize("name", ["Diameter", "ShapeName", "ShapeType", "CornerRadius", "TipAngle", "CuttingEdgeAngle"])
+def test_tools(sound, zigzag_commands, name, type_id):
+    tool, controller = bare(sound, "Tool", "App::FeaturePython"), bare(sound, "Controller")
+    Odd(tool, name, type_id, VALUES[type_id])
+    if name != "Diameter":
+        tool.addProperty("App::PropertyLength", "Diameter").Diameter = 5
+    controller.addProperty("App::PropertyLink", "Tool").Tool = tool
+    for number in ("ToolNumber", "SpindleSpeed"):
+        controller.addProperty("App::PropertyInteger", number)
+    assert odd_row(sound, operation(sound, zigzag_commands, controller)).strategy == "zigzag"
+
+
+@pytest.mark.parametrize("type_id", VALUES)
+@pytest.mark.parametrize("name", ["Tool", "HorizRapid", "VertRapid"])
+def test_tool_controllers(sound, zigzag_commands, name, type_id):
+    controller = bare(sound, "Controller")
+    Odd(controller, name, type_id, VALUES[type_id])
+    row = odd_row(sound, operation(sound, zigzag_commands, controller))
+    assert row.strategy == "zigzag" and ("no tool" in row.error or "no diameter" in row.error)
+    assert row.machining.left_out
+
+
+@pytest.mark.parametrize("speed", [float("nan"), float("inf"), -5.0])
+def test_rapids_that_are_no_speed(sound, zigzag_commands, speed):
+    controller = bare(sound, "Controller")
+    controller.addProperty("App::PropertyLink", "Tool").Tool = sound.controller.Tool
+    for name in ("HorizRapid", "VertRapid"):
+        controller.addProperty("App::PropertyFloat", name)
+        setattr(controller, name, speed)
+    row = odd_row(sound, operation(sound, zigzag_commands, controller))
+    assert row.error is None and row.machining.rapid_seconds is None
+
+
+@pytest.mark.parametrize("type_id", VALUES)
+@pytest.mark.parametrize("name", ["ToolController", "Active", "Base", "Copies", "Gcode", "Group"])
+def test_operations(sound, zigzag_commands, name, type_id):
+    op = bare(sound, "Op")
+    op.Label, op.Path = "Odd", sound.document.getObject("Op").Path
+    Odd(op, name, type_id, VALUES[type_id])
+    sound.job.Operations.Group += [op]
+    sound.document.recompute()
+    assert odd_row(sound, op).strategy == "zigzag"
+
+
+@pytest.mark.parametrize("type_id", VALUES)
+@pytest.mark.parametrize("name", ["Operations", "Tools", "Stock", "Shape", "Model"])
+def test_jobs(sound, zigzag_commands, name, type_id):
+    job, stock = bare(sound, "OddJob"), bare(sound, "OddStock", "App::FeaturePython")
+    group = sound.document.addObject("App::DocumentObjectGroup", "Group")
+    odd = operation(sound, zigzag_commands, sound.controller)
+    sound.job.Operations.Group = [sound.document.getObject("Op")]
+    group.Group = [odd]
+    for known, value in (("Operations", group), ("Tools", group), ("Stock", stock)):
+        if known != name:
+            job.addProperty("App::PropertyLink", known)
+            setattr(job, known, value)
+    Odd(stock if name == "Shape" else job, name, type_id, VALUES[type_id])
+    assert odd_row(sound, odd).strategy == "zigzag"
+
+
+def test_a_failure_of_reading_costs_one_row(sound, zigzag_commands, monkeypatch):
+    """Whatever else may be odd: it is said in its row."""
+    from vkworkbench.document import analysis
+
+    sound.add("Odd", zigzag_commands)
+    read = analysis.rapid_feeds
+    monkeypatch.setattr(analysis, "rapid_feeds", lambda obj: read(obj) if obj.Label == "Sound" else 1 / 0)
+    first, second = vkworkbench.analyze(sound.document).operations
+    assert (first.label, first.error) == ("Sound", None)
+    assert second.label == "Odd" and "ZeroDivisionError" in second.error and second.recognition.strategy == "empty"
+
+
+@pytest.mark.parametrize("what", ["x", 5, b"x", ["x"], [None], [[5]], 1.5, object()])
+def test_what_is_no_document_is_told_in_a_sentence(small, what):
+    with pytest.raises(TypeError, match="only a document, a job or operations"):
+        vkworkbench.clear(what)
+    if not isinstance(what, str) and what != ["x"]:  # these are files
+        with pytest.raises(TypeError, match="only a document, a job or operations"):
+            vkworkbench.analyze(what)
+
+
+@pytest.mark.parametrize("what", [None, "x", 5, []])
+def test_mark_takes_a_report(small, what):
+    with pytest.raises(TypeError, match="mark takes the Report that analyze returns"):
+        vkworkbench.mark(what)
+
+
+def test_an_iterator_is_cleared_as_a_list(small, zigzag_commands):
+    op = small.add("Zigzag", zigzag_commands)
+    vkworkbench.mark(vkworkbench.analyze(small.document))
+    assert vkworkbench.clear(iter([op])) == 2 and not marks.is_marked(op) and not marks.is_marked(small.job)
