@@ -949,6 +949,10 @@
         <source>Toolpath analysis</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Cancel</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Vk_Clear</name>
@@ -1276,6 +1280,14 @@ accuracy</source>
     </message>
     <message>
         <source>Show strategies</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>rapid moves</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drawing strategies: {} operations to go</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

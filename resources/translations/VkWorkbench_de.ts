@@ -949,6 +949,10 @@
         <source>Toolpath analysis</source>
         <translation>Werkzeugweg-Analyse</translation>
     </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
 </context>
 <context>
     <name>Vk_Clear</name>
@@ -1286,6 +1290,14 @@ Genauigkeit</translation>
     <message>
         <source>Show strategies</source>
         <translation>Strategien zeigen</translation>
+    </message>
+    <message>
+        <source>rapid moves</source>
+        <translation>Eilgänge</translation>
+    </message>
+    <message>
+        <source>Drawing strategies: {} operations to go</source>
+        <translation>Strategien werden gezeichnet: noch {} Operationen</translation>
     </message>
 </context>
 <context>

@@ -949,6 +949,10 @@
         <source>Toolpath analysis</source>
         <translation>Análisis de trayectorias</translation>
     </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Cancelar</translation>
+    </message>
 </context>
 <context>
     <name>Vk_Clear</name>
@@ -1286,6 +1290,14 @@ recomendada</translation>
     <message>
         <source>Show strategies</source>
         <translation>Mostrar estrategias</translation>
+    </message>
+    <message>
+        <source>rapid moves</source>
+        <translation>movimientos rápidos</translation>
+    </message>
+    <message>
+        <source>Drawing strategies: {} operations to go</source>
+        <translation>Dibujando estrategias: faltan {} operaciones</translation>
     </message>
 </context>
 <context>

@@ -949,6 +949,10 @@
         <source>Toolpath analysis</source>
         <translation>Analyse des parcours d&apos;outil</translation>
     </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuler</translation>
+    </message>
 </context>
 <context>
     <name>Vk_Clear</name>
@@ -1286,6 +1290,14 @@ recommandée</translation>
     <message>
         <source>Show strategies</source>
         <translation>Montrer les stratégies</translation>
+    </message>
+    <message>
+        <source>rapid moves</source>
+        <translation>déplacements rapides</translation>
+    </message>
+    <message>
+        <source>Drawing strategies: {} operations to go</source>
+        <translation>Dessin des stratégies : encore {} opérations</translation>
     </message>
 </context>
 <context>

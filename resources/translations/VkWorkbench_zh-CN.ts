@@ -949,6 +949,10 @@
         <source>Toolpath analysis</source>
         <translation>刀具路径分析</translation>
     </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
 </context>
 <context>
     <name>Vk_Clear</name>
@@ -1286,6 +1290,14 @@ accuracy</source>
     <message>
         <source>Show strategies</source>
         <translation>显示策略</translation>
+    </message>
+    <message>
+        <source>rapid moves</source>
+        <translation>快速移动</translation>
+    </message>
+    <message>
+        <source>Drawing strategies: {} operations to go</source>
+        <translation>正在绘制策略：还剩 {} 个操作</translation>
     </message>
 </context>
 <context>

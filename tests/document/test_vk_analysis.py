@@ -275,15 +275,15 @@ def test_an_error_of_our_own_costs_one_row_only(small, zigzag_commands, monkeypa
     small.add("Second", zigzag_commands[:-4])
     from vkworkbench.document import analysis
 
-    recognize = analysis.recognize
+    recognized = analysis.recognized
 
-    def broken(toolpath, **tool):
+    def broken(toolpath, *rest):
         if len(toolpath) == len(first):
             raise ZeroDivisionError("a bug")
-        return recognize(toolpath, **tool)
+        return recognized(toolpath, *rest)
 
     first = core.linearize(zigzag_commands)
-    monkeypatch.setattr(analysis, "recognize", broken)
+    monkeypatch.setattr(analysis, "recognized", broken)
     rows = vkworkbench.analyze(small.document).operations
     assert [row.strategy.value for row in rows] == ["empty", "zigzag"]
     assert "please report" in rows[0].error and rows[1].error is None

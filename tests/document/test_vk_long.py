@@ -34,8 +34,8 @@ def test_a_thread_that_takes_long_is_waited_for_by_any_python(small, zigzag_comm
 
     small.add("Zigzag", zigzag_commands)
     monkeypatch.setattr(concurrent.futures._base, "TimeoutError", type("TimeoutError", (Exception,), {}))
-    asked, recognize = threading.Event(), analysis.recognize
-    monkeypatch.setattr(analysis, "recognize", lambda *what, **more: asked.wait() and recognize(*what, **more))
+    asked, recognized = threading.Event(), analysis.recognized
+    monkeypatch.setattr(analysis, "recognized", lambda *what: asked.wait() and recognized(*what))
     (row,) = vkworkbench.analyze(small.document, cancelled=asked.set).operations
     assert row.strategy == "zigzag" and row.error is None
 
@@ -46,6 +46,6 @@ def test_a_failure_in_the_thread_is_the_callers(example, monkeypatch):
     def fail(*what, **more):
         raise RuntimeError("of the thread")
 
-    monkeypatch.setattr(analysis, "recognize", fail)
+    monkeypatch.setattr(analysis, "recognized", fail)
     with pytest.raises(RuntimeError, match="of the thread"):
         vkworkbench.analyze(example, cancelled=lambda: False)

@@ -1,16 +1,19 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Strategies in the 3D view: the colours that are seen, that nothing is changed, and that nothing stays behind."""
 
+import threading
+import time
 from collections import Counter
 
 import FreeCAD
 import FreeCADGui as Gui
+import Path
 import pytest
 from make_example import cam
-from PySide import QtGui
+from PySide import QtCore, QtGui
 
 from vkworkbench.core import Strategy, linearize, recognize
-from vkworkbench.gui import colors, strategy_view
+from vkworkbench.gui import colors, strategy_lines, strategy_view
 
 SWITCH = "Show strategies"
 
@@ -22,11 +25,15 @@ def switched_on(opened, window):
     Gui.SendMsgToActiveView("ViewFit")
     window.idle(0.3)
     window.click(SWITCH)
-    window.wait(lambda: strategy_view.is_shown(opened))
+    window.wait(lambda: drawn(opened))
     window.idle(0.5)
     yield opened
     if strategy_view.is_shown(opened):
         window.click(SWITCH)
+
+
+def drawn(document):
+    return strategy_view.is_shown(document) and not strategy_view.is_drawing()
 
 
 def labelled(document, label):
@@ -60,11 +67,10 @@ def test_every_trajectory_has_the_colour_of_its_span():
         commands += [("G1", {"X": 60.0 * (row % 2 == 0)}), ("G1", {"Y": 2.0 * row + 2})]
     toolpath = linearize([*commands, ("G0", {"Z": 5.0})])
     spans = recognize(toolpath, tool_diameter=5).spans
-    parts = dict(strategy_view.colored_parts(toolpath, spans))
-    assert sorted(i for part in parts.values() for i in part) == list(range(len(toolpath)))
-    assert list(parts[colors.RAPID]) == [i for i in range(len(toolpath)) if toolpath.rapid[i]]
-    assert len(parts[Strategy.ZIGZAG.color]) >= 39
-    assert set(dict(strategy_view.colored_parts(toolpath, ()))) == {colors.RAPID, Strategy.UNKNOWN.color}
+    color = strategy_lines.colored(toolpath, spans)
+    assert ((color == -1) == toolpath.rapid).all()
+    assert (color == list(Strategy).index(Strategy.ZIGZAG)).sum() >= 39
+    assert set(strategy_lines.colored(toolpath, ())) == {-1, list(Strategy).index(Strategy.UNKNOWN)}
 
 
 def test_the_colours_are_seen_and_go_again(opened, window, switched_on, tmp_path):
@@ -86,7 +92,7 @@ def test_the_document_is_not_changed(opened, window):
     before = [(obj.Name, obj.Label2, tuple(obj.PropertiesList), list(obj.State)) for obj in opened.Objects]
     undo = opened.UndoCount
     window.click(SWITCH)
-    window.wait(lambda: strategy_view.is_shown(opened))
+    window.wait(lambda: drawn(opened))
     window.click(SWITCH)
     window.wait(lambda: not strategy_view.is_shown(opened))
     assert [(obj.Name, obj.Label2, tuple(obj.PropertiesList), list(obj.State)) for obj in opened.Objects] == before
@@ -118,16 +124,17 @@ def test_the_selected_operation_is_wider(opened, window, switched_on, tmp_path):
 
 def test_a_changed_toolpath_is_coloured_anew(opened, window, switched_on):
     drill = labelled(opened, "Drill holes")
-    _, before = strategy_view._drawn[opened.Name][drill.Name]
+    _, before = strategy_view._shown[opened.Name].lines[drill.Name]
     opened.openTransaction("Depth")
     drill.setExpression("FinalDepth", None)
     drill.FinalDepth = drill.FinalDepth.Value + 1
     opened.recompute()
     opened.commitTransaction()
-    _, after = strategy_view._drawn[opened.Name][drill.Name]
+    window.wait(lambda: drawn(opened))
+    _, after = strategy_view._shown[opened.Name].lines[drill.Name]
     assert after is not before
     window.idle()
-    assert nodes(opened) == len(strategy_view._drawn[opened.Name])
+    assert nodes(opened) == len(strategy_view._shown[opened.Name].lines)
 
 
 def test_each_document_has_its_own_switch(opened, window, switched_on):
@@ -144,10 +151,10 @@ def test_closing_the_document_forgets_it(example_path, window):
     window.activate("VkWorkbench")
     name = document.Name
     window.click(SWITCH)
-    window.wait(lambda: strategy_view.is_shown(document))
+    window.wait(lambda: drawn(document))
     FreeCAD.closeDocument(name)
     window.idle()
-    assert name not in strategy_view._drawn
+    assert name not in strategy_view._shown
 
 
 def test_an_operation_that_freecad_does_not_draw_is_passed_over(opened, window):
@@ -157,11 +164,108 @@ def test_an_operation_that_freecad_does_not_draw_is_passed_over(opened, window):
     opened.recompute()
     assert profile.Path.Size > 2 and profile.ViewObject.SwitchNode.getNumChildren() == 0
     window.click(SWITCH)
-    window.wait(lambda: strategy_view.is_shown(opened))
-    assert nodes(opened) == len(strategy_view._drawn[opened.Name]) >= 8
+    window.wait(lambda: drawn(opened))
+    assert nodes(opened) == len(strategy_view._shown[opened.Name].lines) >= 8
     profile.touch()
     opened.recompute()  # drawn anew while it is shown
-    window.idle()
+    window.wait(lambda: drawn(opened))
     window.click(SWITCH)
     window.wait(lambda: not strategy_view.is_shown(opened))
     assert nodes(opened) == 0
+
+
+def test_rapids_are_grey_those_from_the_origin_too(opened, window, tmp_path):
+    def red(there):
+        return there["#aa0000"] + there["#e03131"]  # FreeCAD's own colours of rapids, the second since 1.1
+
+    Gui.activeView().viewIsometric()
+    Gui.SendMsgToActiveView("ViewFit")
+    window.idle(0.3)
+    assert red(seen(tmp_path)) > 100
+    window.click(SWITCH)
+    window.wait(lambda: drawn(opened))
+    window.idle(0.3)
+    there = seen(tmp_path)
+    assert red(there) == 0 and there[colors.RAPID] > 100
+
+
+def test_a_legend_names_the_colours_that_are_seen(opened, window, tmp_path):
+    Gui.SendMsgToActiveView("ViewFit")
+    window.click(SWITCH)
+    window.wait(lambda: drawn(opened))
+    found = legend_colors(tmp_path)
+    for strategy in (Strategy.ZIGZAG, Strategy.ADAPTIVE, Strategy.HELIX):
+        assert strategy.color in found, strategy
+    assert colors.RAPID in found and Strategy.ENGRAVING.color not in found
+    labelled(opened, "Adaptive pocket").ViewObject.Visibility = False
+    opened.removeObject(labelled(opened, "Bore").Name)
+    window.idle(0.3)
+    found = legend_colors(tmp_path)
+    assert not {Strategy.ADAPTIVE.color, Strategy.HELIX.color} & found and Strategy.ZIGZAG.color in found
+
+
+def legend_colors(tmp_path):
+    """The colours in the lower left corner of the 3D view, where the example has no toolpath."""
+    path = str(tmp_path / "view.png")
+    Gui.activeView().saveImage(path, 700, 600, "#ffffff")
+    corner = QtGui.QImage(path).copy(0, 350, 60, 250)
+    return {corner.pixelColor(x, y).name() for x in range(corner.width()) for y in range(corner.height())}
+
+
+def test_the_legend_takes_no_place(opened, window, switched_on):
+    from pivy import coin
+
+    def box_of(name):
+        search = coin.SoSearchAction()
+        search.setName(name)
+        search.apply(Gui.activeView().getSceneGraph())
+        box = coin.SoGetBoundingBoxAction(coin.SbViewportRegion(700, 600))
+        box.apply(search.getPath())
+        return box.getBoundingBox()
+
+    assert box_of("VkLegend").isEmpty() and not box_of("VkStrategies").isEmpty()
+
+
+@pytest.fixture
+def long(opened):
+    """Five operations of the example with 100,000 commands each."""
+    lines = ["G0 Z30", "G0 X10 Y10", "G1 Z18 F10"]
+    for number in range(100_000):
+        row, step = divmod(number, 500)
+        x = 10 + 0.2 * (step if row % 2 == 0 else 499 - step)
+        lines.append(f"G1 X{x:.3f} Y{10 + 0.3 * row:.3f}")
+    path = Path.Path("\n".join(lines))
+    for obj in opened.getObject("Job").Operations.Group[:5]:
+        obj.Path = path
+    return opened
+
+
+def test_the_window_lives_while_half_a_million_commands_are_drawn(long, window):
+    beats, begin = [], time.monotonic()
+    timer = QtCore.QTimer()
+    timer.timeout.connect(lambda: beats.append(time.monotonic() - begin))
+    timer.start(5)
+    window.click(SWITCH)
+    window.wait(lambda: beats and drawn(long), 120)
+    timer.stop()
+    gaps = [b - a for a, b in zip([0.0, *beats], beats)]
+    print(f"drawn after {beats[-1]:.2f} s, in which the window lived {len(beats)} times, the longest pause "
+          f"{max(gaps):.3f} s")  # fmt: skip
+    assert len(beats) > 20
+    shown = strategy_view._shown[long.Name].lines
+    assert {s for _, lines in shown.values() for s in lines.strategies} >= {Strategy.ZIGZAG, Strategy.DRILLING}
+    window.click(SWITCH)
+
+
+def test_the_drawing_is_given_up_and_its_thread_ends(long, window):
+    before = threading.active_count()
+    window.click(SWITCH)
+    window.wait(lambda: threading.active_count() > before)
+    busy = strategy_view._drawer._background.busy
+    window.wait(busy.isVisible)
+    assert "operations to go" in busy.label.text()
+    window.screenshot("strategies-busy")
+    window.click_on(busy.button)
+    assert not strategy_view.is_shown(long) and not strategy_view.is_drawing() and not busy.isVisible()
+    assert not window.button(SWITCH).isChecked() and nodes(long) == 0
+    window.wait(lambda: threading.active_count() == before)

@@ -14,13 +14,13 @@ import FreeCAD
 
 from vkworkbench import freecad, preferences
 from vkworkbench.core import Stock, Strategy, Tool, linearize, machining, recognize, stock_around
-from vkworkbench.core.gcode import Words, looks_like_inches
-from vkworkbench.core.recognition import recognize_inches
+from vkworkbench.core.gcode import Words
 from vkworkbench.core.simulators import ZBUFFER, Conditions, Task, predict, preflight
 from vkworkbench.core.zbuffer import cuts_surely
 from vkworkbench.document import calibration
 from vkworkbench.document.fingerprint import commands_fingerprint, setting_fingerprint
 from vkworkbench.document.operations import Operation, find
+from vkworkbench.document.recognized import recognized
 from vkworkbench.document.setting import placed, rapid_feeds, read_stock, read_tool
 from vkworkbench.language import Message, Unusable
 from vkworkbench.preferences import Preferences
@@ -203,12 +203,9 @@ def _work(
         remarks.append(error.what)
         toolpath = _NOTHING
     going_on()
-    diameter = tool and tool.diameter
-    if reading.imported and looks_like_inches(toolpath, tool_diameter=diameter, imported=True):
-        remarks.append(Message("inches-as-millimetres"))  # FreeCAD's importer drops G20
-        found = recognize_inches(toolpath, tool_diameter=diameter, program=True)
-    else:
-        found = recognize(toolpath, tool_diameter=diameter, program=reading.imported)
+    found, inches = recognized(toolpath, tool and tool.diameter, reading.imported)
+    if inches:
+        remarks.append(Message("inches-as-millimetres"))
     if found.strategy is Strategy.EMPTY and not toolpath.commands <= len(toolpath.comments):
         remarks.append(Message("no-cutting-move"))
     elif found.strategy is Strategy.EMPTY:

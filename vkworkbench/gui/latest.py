@@ -1,10 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What was found last in each open document: the panel shows it, the 3D view takes its colours from it."""
+"""What was found last in each open document: the panel shows it."""
 
 from __future__ import annotations
 
 from vkworkbench import preferences
-from vkworkbench.document.fingerprint import path_fingerprint
 from vkworkbench.document.operations import find
 from vkworkbench.report import OperationReport, Report
 
@@ -25,14 +24,6 @@ def report_of(document) -> Report:
     operations = tuple(known[o.object.Name] for o in find(document) if o.object.Name in known) if known else ()
     jobs = {(o.document, o.job): _jobs[o.document, o.job] for o in operations if o.job is not None}
     return Report(operations, jobs, preferences.read().budget)
-
-
-def found_of(obj) -> OperationReport | None:
-    """Return the latest finding on an operation, None if its path has changed since."""
-    known = _found.get(obj.Document.Name, {}).get(obj.Name)
-    if known is None or known.fingerprint.partition(":")[0] != path_fingerprint(obj):
-        return None
-    return known
 
 
 def forget(document_name: str) -> None:

@@ -14,6 +14,7 @@ from PySide.QtCore import (
     QModelIndex,
     QObject,
     QPoint,
+    QPointF,
     QRectF,
     QSortFilterProxyModel,
     Qt,
@@ -27,8 +28,10 @@ from PySide.QtGui import (
     QDockWidget,
     QFileDialog,
     QFont,
+    QFontMetrics,
     QHBoxLayout,
     QHeaderView,
+    QImage,
     QLabel,
     QListWidget,
     QMessageBox,
@@ -54,10 +57,11 @@ from PySide.QtGui import (
 )  # fmt: skip
 
 __all__ = [
-    "QAbstractItemView", "QAbstractTableModel", "QApplication", "QColor", "QComboBox", "QDate",
-    "QDockWidget", "QEvent", "QEventLoop", "QFileDialog", "QFont", "QHBoxLayout", "QHeaderView", "QItemSelectionModel",
-    "QLabel", "QListWidget", "QLocale", "QMessageBox", "QModelIndex", "QObject", "QOffscreenSurface", "QOpenGLContext",
-    "QPainter", "QPalette", "QPen", "QPoint", "QProgressBar", "QProgressDialog", "QPushButton", "QRectF", "QSlider",
-    "QSortFilterProxyModel", "QSpinBox", "QStyle", "QStyleOptionViewItem", "QStyledItemDelegate",
-    "QTableView", "QTimer", "QToolButton", "QToolTip", "QTreeView", "QVBoxLayout", "QWidget", "Qt",
+    "QAbstractItemView", "QAbstractTableModel", "QApplication", "QColor", "QComboBox", "QDate", "QDockWidget",
+    "QEvent", "QEventLoop", "QFileDialog", "QFont", "QFontMetrics", "QHBoxLayout", "QHeaderView", "QImage",
+    "QItemSelectionModel", "QLabel", "QListWidget", "QLocale", "QMessageBox", "QModelIndex", "QObject",
+    "QOffscreenSurface", "QOpenGLContext", "QPainter", "QPalette", "QPen", "QPoint", "QPointF", "QProgressBar",
+    "QProgressDialog", "QPushButton", "QRectF", "QSlider", "QSortFilterProxyModel", "QSpinBox", "QStyle",
+    "QStyleOptionViewItem", "QStyledItemDelegate", "QTableView", "QTimer", "QToolButton", "QToolTip", "QTreeView",
+    "QVBoxLayout", "QWidget", "Qt",
 ]  # fmt: skip

@@ -6,9 +6,7 @@ from __future__ import annotations
 import FreeCAD
 import FreeCADGui as Gui
 
-import vkworkbench
-from vkworkbench.document.operations import find
-from vkworkbench.gui import latest, progress, strategy_view
+from vkworkbench.gui import strategy_view
 from vkworkbench.gui.text import QT_TRANSLATE_NOOP
 
 NAME = "Vk_Strategies"
@@ -42,13 +40,7 @@ class StrategiesCommand:
         if not checked:
             strategy_view.hide(document)
             return
-        unknown = [o.object for o in find(document) if latest.found_of(o.object) is None]
-        try:
-            latest.remember(progress.analyze(unknown))
-        except vkworkbench.Cancelled:
-            follow_document(document)
-            return
-        strategy_view.show(document)
+        strategy_view.show(document, lambda: follow_document(FreeCAD.ActiveDocument))
 
 
 def follow_document(document) -> None:

@@ -1,178 +1,214 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Toolpaths in the 3D view in the colours of their strategies, rapids grey; no document is changed.
 
-Each operation's lines hang below its own view provider, so they are placed, hidden and freed with it.
+Each operation's lines hang below its own view provider, so they are placed, hidden and freed with it. They are worked
+out in a thread, a few operations at a time, while the window lives on.
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+import time
+import traceback
+from collections.abc import Callable, Iterator
 
 import FreeCAD
 import FreeCADGui as Gui
-import numpy as np
 from pivy import coin
 
-from vkworkbench import freecad, preferences
-from vkworkbench.core import Strategy, Toolpath, linearize, recognize
+from vkworkbench import freecad
 from vkworkbench.document.operations import find, kind
-from vkworkbench.document.setting import read_tool
-from vkworkbench.gui import latest
-from vkworkbench.gui.colors import RAPID
-from vkworkbench.gui.qt import QColor
+from vkworkbench.document.recognized import Source, source_of
+from vkworkbench.gui.background import Background
+from vkworkbench.gui.qt import QTimer
+from vkworkbench.gui.strategy_legend import Legend
+from vkworkbench.gui.strategy_lines import Drawing, Lines, drawings
+from vkworkbench.gui.text import translate
+from vkworkbench.report import Cancelled
 
-_NAME = "VkStrategies"
-_WIDTH, _SELECTED_WIDTH, _RAPID_WIDTH = 3, 6, 1  # px
-_DEPTH = 0.9995  # of the depth range: in front of FreeCAD's own lines, which lie in the same place
+_READING = 0.03  # s for copying paths out of a document, then other events come
+
+Key = tuple[str, str]  # the names of document and object
 
 
-def colored_parts(toolpath: Toolpath, spans) -> list[tuple[str, np.ndarray]]:
-    """Return which trajectories are to be drawn in which colour.
+class _Shown:
+    """What is shown of one document: lines and the nodes they hang below, by the names of operations."""
+
+    def __init__(self, document_name: str) -> None:
+        self._document = document_name
+        self.lines: dict[str, tuple[coin.SoGroup, Lines]] = {}
+        self.legend = Legend(document_name)
+
+    def put(self, name: str, parent: coin.SoGroup, lines: Lines) -> None:
+        self.take_away(name)
+        parent.addChild(lines.root)
+        self.lines[name] = parent, lines
+        self.name_colors()
+
+    def take_away(self, name: str) -> None:
+        if name in self.lines:
+            parent, lines = self.lines.pop(name)
+            parent.removeChild(lines.root)
+            self.name_colors()
+
+    def forget(self, name: str) -> None:
+        """Pass over an operation that is gone, and its lines with it."""
+        if self.lines.pop(name, None) is not None:
+            self.name_colors()
+
+    def end(self) -> None:
+        """Take all away."""
+        for parent, lines in self.lines.values():
+            parent.removeChild(lines.root)
+        self.lines.clear()
+        self.legend.remove()
+
+    def name_colors(self) -> None:
+        """Show in the legend what is visible."""
+        document = FreeCAD.getDocument(self._document)
+        visible = [lines for name, (_, lines) in self.lines.items() if document.getObject(name).Visibility]
+        self.legend.show(strategy for lines in visible for strategy in lines.strategies)
+
+
+class _Drawer:
+    """Draws what is pending, a few operations at a time."""
+
+    def __init__(self, cancelled: Callable) -> None:
+        self._cancelled = cancelled
+        self._background = Background()
+        Gui.getMainWindow().statusBar().addPermanentWidget(self._background.busy)
+        self._pending: dict[Key, None] = {}
+        self._at_work: list[Key] = []
+        self._later = QTimer()
+        self._later.setSingleShot(True)
+        self._later.timeout.connect(self._read)
+
+    @property
+    def works(self) -> bool:
+        return bool(self._pending) or self._background.works
+
+    def draw(self, objects) -> None:
+        self._pending.update(dict.fromkeys((obj.Document.Name, obj.Name) for obj in objects))
+        if self._pending and not self._background.works:
+            self._later.start(0)
+
+    def forget(self, document_name: str) -> None:
+        """Draw nothing more of a document."""
+        self._background.give_up()
+        keys = [key for key in (*self._at_work, *self._pending) if key[0] != document_name]
+        self._pending, self._at_work = dict.fromkeys(keys), []
+        self.draw(())
+
+    def _read(self) -> None:
+        until = time.monotonic() + _READING
+        batch: list[tuple[Key, Source]] = []
+        while self._pending and (not batch or time.monotonic() < until):
+            key = next(iter(self._pending))
+            del self._pending[key]
+            obj = _object(key)
+            if obj is not None and obj.ViewObject.SwitchNode.getNumChildren():  # else FreeCAD draws nothing either
+                batch.append((key, source_of(obj)))
+        self._at_work = [key for key, _ in batch]
+        if batch:
+            text = translate("Vk_Strategies", "Drawing strategies: {} operations to go")
+            self._background.start(text.format(len(batch) + len(self._pending)), _work(batch), self._show, self._ended)
+
+    def _show(self, result: tuple[Key, Drawing | None]) -> None:
+        key, drawing = result
+        obj = _object(key)
+        if obj is None:
+            return
+        shown = _shown[key[0]]
+        if drawing is None:
+            shown.take_away(key[1])
+            return
+        lines = Lines(drawing)
+        lines.emphasize(obj in Gui.Selection.getSelection("*"))
+        shown.put(key[1], obj.ViewObject.SwitchNode.getChild(0), lines)
+
+    def _ended(self, error: Exception | None) -> None:
+        self._at_work = []
+        if error is None:
+            self.draw(())
+            return
+        for name in list(_shown):
+            hide(FreeCAD.getDocument(name))
+        self._cancelled()
+
+
+def _work(batch: list[tuple[Key, Source]]) -> Callable:
+    def work(going_on: Callable) -> Iterator[tuple[Key, Drawing | None]]:
+        for key, source in batch:
+            found = False
+            try:
+                for drawing in drawings(source, going_on):
+                    found = True
+                    yield key, drawing
+            except Cancelled:
+                raise
+            except Exception:  # one operation must not stop the others; the analysis says what is wrong with it
+                FreeCAD.Console.PrintLog(traceback.format_exc())
+            if not found:
+                yield key, None
+
+    return work
+
+
+def _object(key: Key):
+    """Return an operation of a document that is shown; None where either is gone."""
+    document = FreeCAD.listDocuments().get(key[0])
+    return document.getObject(key[1]) if document is not None and key[0] in _shown else None
+
+
+_shown: dict[str, _Shown] = {}
+_drawer: _Drawer | None = None
+
+
+def show(document, cancelled: Callable) -> None:
+    """Colour the toolpaths of a document; they keep their colours up to date by themselves.
 
     Parameters
     ----------
-    toolpath : Toolpath
-    spans : sequence of Span
-        Of its recognition; a cutting move outside all of them has the colour of an unknown strategy.
-
-    Returns
-    -------
-    list of (str, (m,) int64 array)
-        Colour and indices of trajectories, the rapids first.
+    document : Document
+    cancelled : callable
+        Called when the user gave up the drawing; then nothing is shown any more.
     """
-    color = np.full(len(toolpath), list(Strategy).index(Strategy.UNKNOWN))
-    for span in spans:
-        inside = (toolpath.command >= span.first_command) & (toolpath.command <= span.last_command)
-        color[inside] = list(Strategy).index(span.strategy)
-    color[toolpath.rapid] = -1
-    parts = [(RAPID, np.flatnonzero(color == -1))]
-    parts += [(strategy.color, np.flatnonzero(color == number)) for number, strategy in enumerate(Strategy)]
-    return [(name, trajectories) for name, trajectories in parts if len(trajectories)]
-
-
-@dataclass(frozen=True)
-class Lines:
-    """The coloured lines of one operation in the scene graph.
-
-    Attributes
-    ----------
-    root : coin.SoSeparator
-    cuts : coin.SoDrawStyle
-        Of all lines but the rapids.
-    """
-
-    root: coin.SoSeparator
-    cuts: coin.SoDrawStyle
-
-
-def lines(toolpath: Toolpath, spans) -> Lines:
-    """Return the scene graph of a toolpath in the colours of its strategies."""
-    root = coin.SoSeparator()
-    root.setName(_NAME)
-    pick = coin.SoPickStyle()
-    pick.style = coin.SoPickStyle.UNPICKABLE  # the operation is picked by FreeCAD's own lines
-    light = coin.SoLightModel()
-    light.model = coin.SoLightModel.BASE_COLOR
-    depth = coin.SoDepthBuffer()
-    depth.range = (0, _DEPTH)
-    points = coin.SoCoordinate3()
-    points.point.setValues(0, len(toolpath.points), toolpath.points.astype(np.float32).tolist())
-    cuts, rapids = coin.SoDrawStyle(), coin.SoDrawStyle()
-    cuts.lineWidth, rapids.lineWidth = _WIDTH, _RAPID_WIDTH
-    for node in (pick, light, depth, points):
-        root.addChild(node)
-    for name, trajectories in colored_parts(toolpath, spans):
-        color = coin.SoBaseColor()
-        color.rgb = QColor(name).getRgbF()[:3]
-        strips = coin.SoIndexedLineSet()
-        indices = _strips(trajectories)
-        strips.coordIndex.setValues(0, len(indices), indices)
-        for node in (rapids if name == RAPID else cuts, color, strips):
-            root.addChild(node)
-    return Lines(root, cuts)
-
-
-def _strips(trajectories: np.ndarray) -> list[int]:
-    """Indices of points, runs of consecutive trajectories joined, -1 after each run."""
-    ends = np.flatnonzero(np.diff(trajectories) > 1) + 1
-    indices: list[int] = []
-    for run in np.split(trajectories, ends):
-        indices += [*run.tolist(), int(run[-1]) + 1, -1]
-    return indices
-
-
-def show(document) -> None:
-    """Colour the toolpaths of a document; they keep their colours up to date by themselves."""
-    global _watcher
-    if _watcher is None:
-        _watcher = _Watcher()
-        FreeCAD.addDocumentObserver(_watcher)
-        Gui.Selection.addObserver(_watcher)
-    _drawn[document.Name] = {}
-    for operation in find(document):
-        _draw(operation.object)
-    _emphasize()
+    global _drawer
+    if _drawer is None:
+        _drawer = _Drawer(cancelled)
+        watcher = _Watcher()
+        FreeCAD.addDocumentObserver(watcher)
+        Gui.Selection.addObserver(watcher)
+    _shown[document.Name] = _Shown(document.Name)
+    _drawer.draw(operation.object for operation in find(document))
 
 
 def hide(document) -> None:
     """Take the colours away."""
-    for parent, drawn in _drawn.pop(document.Name, {}).values():
-        parent.removeChild(drawn.root)
+    if is_shown(document):
+        _shown.pop(document.Name).end()
+        _drawer.forget(document.Name)
 
 
 def is_shown(document) -> bool:
-    return document is not None and document.Name in _drawn
+    return document is not None and document.Name in _shown
 
 
-# Lines and the node they hang below, by the names of document and object.
-_drawn: dict[str, dict[str, tuple[coin.SoGroup, Lines]]] = {}
-
-
-def _draw(obj) -> None:
-    here = _drawn[obj.Document.Name]
-    if obj.Name in here:
-        parent, drawn = here.pop(obj.Name)
-        parent.removeChild(drawn.root)
-    modes = obj.ViewObject.SwitchNode
-    if not modes.getNumChildren():
-        return  # FreeCAD does not draw it: a macro made it, without a view proxy
-    toolpath = linearize(obj.Path.Commands, tolerance=preferences.read().tolerance)
-    if len(toolpath):
-        parent = modes.getChild(0)
-        drawn = lines(toolpath, _spans(obj, toolpath))
-        parent.addChild(drawn.root)
-        here[obj.Name] = parent, drawn
-
-
-def _emphasize() -> None:
-    """Draw the selected operations wider: FreeCAD's own lines, which it highlights, are covered."""
-    selected = {(obj.Document.Name, obj.Name) for obj in Gui.Selection.getSelection("*")}
-    for document, here in _drawn.items():
-        for name, (_, drawn) in here.items():
-            drawn.cuts.lineWidth = _SELECTED_WIDTH if (document, name) in selected else _WIDTH
-
-
-def _spans(obj, toolpath: Toolpath):
-    """Return the spans that the last analysis found; if the toolpath has changed since, recognise it now."""
-    known = latest.found_of(obj)
-    if known is not None:
-        return known.spans
-    try:
-        diameter = read_tool(obj).diameter
-    except ValueError:
-        diameter = None
-    return recognize(toolpath, tool_diameter=diameter).spans
+def is_drawing() -> bool:
+    """Whether there is more to come."""
+    return _drawer is not None and _drawer.works
 
 
 class _Watcher:
     """Draws toolpaths anew that changed, and forgets those that are gone."""
 
     def __init__(self) -> None:
-        self._changed: set[tuple[str, str]] = set()
+        self._changed: set[Key] = set()
 
     def slotChangedObject(self, obj, name: str) -> None:
-        if name in freecad.PATH.names and obj.Document.Name in _drawn and kind(obj) in ("operation", "dressup", "array"):
+        if name in freecad.PATH.names and obj.Document.Name in _shown and kind(obj) in ("operation", "dressup", "array"):
             self._changed.add((obj.Document.Name, obj.Name))
+        elif name == "Visibility" and obj.Document.Name in _shown and obj.Name in _shown[obj.Document.Name].lines:
+            _shown[obj.Document.Name].name_colors()
 
     def slotRecomputedDocument(self, document) -> None:
         self._draw_changed(document)
@@ -184,32 +220,32 @@ class _Watcher:
         self._draw_changed(document)
 
     def addSelection(self, *what) -> None:
-        _emphasize()
+        self._emphasize()
 
     def setSelection(self, *what) -> None:
-        _emphasize()
+        self._emphasize()
 
     def removeSelection(self, *what) -> None:
-        _emphasize()
+        self._emphasize()
 
     def clearSelection(self, *what) -> None:
-        _emphasize()
+        self._emphasize()
 
     def slotDeletedObject(self, obj) -> None:
-        _drawn.get(obj.Document.Name, {}).pop(obj.Name, None)
+        if obj.Document.Name in _shown:
+            _shown[obj.Document.Name].forget(obj.Name)
 
     def slotDeletedDocument(self, document) -> None:
-        _drawn.pop(document.Name, None)
+        if _shown.pop(document.Name, None) is not None:
+            _drawer.forget(document.Name)
 
     def _draw_changed(self, document) -> None:
         here = {key for key in self._changed if key[0] == document.Name}
         self._changed -= here
-        for _, name in here:
-            obj = document.getObject(name)
-            if obj is not None and is_shown(document):
-                _draw(obj)
-        if here:
-            _emphasize()
+        _drawer.draw(filter(None, map(_object, here)))
 
-
-_watcher: _Watcher | None = None
+    def _emphasize(self) -> None:
+        selected = {(obj.Document.Name, obj.Name) for obj in Gui.Selection.getSelection("*")}
+        for document, shown in _shown.items():
+            for name, (_, lines) in shown.lines.items():
+                lines.emphasize((document, name) in selected)

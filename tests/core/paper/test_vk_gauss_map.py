@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 
 from vkworkbench.core.gcode import linearize
 from vkworkbench.core.paper.areas import monotonous_areas
-from vkworkbench.core.paper.picture import image_arcs, links, outline, seen, thinned, turns_of
+from vkworkbench.core.paper.picture import distinct, image_arcs, links, outline, seen, thinned, turns_of
 
 
 def spiral_in(loops):
@@ -81,3 +81,24 @@ def test_seen_leaves_out_what_falls_on_the_same_pixel():
     broken[50_000] = np.nan
     assert 50_000 in seen(broken, cells=500)
     assert len(seen(circle[:1000], cells=500)) == 1000
+
+
+def test_rows_closer_than_pixels_are_drawn_once():
+    rows = np.arange(100_000)
+    points = np.column_stack([np.where(rows % 2, 100.0, 0.0), rows * 1e-3])
+    points[500] = np.nan
+    kept = distinct(points, 200, 5000)
+    assert len(kept) <= 1000 and (np.diff(kept) > 0).all()
+    assert not {499, 500} & set(kept.tolist())
+    # Every segment has one that is drawn within a cell of it.
+    cell = 100.0 / 200
+    a, b = points[kept], points[kept + 1]
+    for i in (1, 777, 50_001, 99_998):
+        ends = np.sort(points[i : i + 2], axis=0)
+        assert (np.abs(np.sort([a, b], axis=0) - ends[:, None]).max(axis=(0, 2)) <= cell).any()
+
+
+def test_a_short_polyline_is_drawn_whole_and_a_scribble_with_fewer_cells():
+    points = np.random.default_rng(0).uniform(size=(3001, 3))
+    assert distinct(points, 200, 3000).tolist() == list(range(3000))
+    assert 0 < len(distinct(points, 200, 500)) <= 500

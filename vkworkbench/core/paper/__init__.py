@@ -10,11 +10,11 @@ from vkworkbench.core.paper.areas import Areas, monotonous_areas
 from vkworkbench.core.paper.directions import TURN, axis_of, directions, farthest
 from vkworkbench.core.paper.literal import PaperVerdict, paper_verdict
 from vkworkbench.core.paper.loops import OFF_ROUND, closing_turns, is_closed, is_one_turn, winding_turns
-from vkworkbench.core.paper.picture import image_arcs, links, outline, seen, thinned, turns_of
+from vkworkbench.core.paper.picture import distinct, image_arcs, links, outline, seen, thinned, turns_of
 from vkworkbench.core.paper.signature import Signature, signature
 
 __all__ = [
-    "OFF_ROUND", "TURN", "Areas", "PaperVerdict", "Signature", "axis_of", "closing_turns", "directions", "farthest",
-    "image_arcs", "is_closed", "is_one_turn", "links", "monotonous_areas", "outline", "paper_verdict", "seen",
+    "OFF_ROUND", "TURN", "Areas", "PaperVerdict", "Signature", "axis_of", "closing_turns", "directions", "distinct",
+    "farthest", "image_arcs", "is_closed", "is_one_turn", "links", "monotonous_areas", "outline", "paper_verdict", "seen",
     "signature", "thinned", "turns_of", "winding_turns",
 ]  # fmt: skip

@@ -114,3 +114,42 @@ def seen(points: np.ndarray, cells: int = 2000) -> np.ndarray:
     kept[1:] = (cell[1:] != cell[:-1]).any(axis=1)  # NaN differs from everything
     kept[-1] = True
     return np.flatnonzero(kept)
+
+
+def distinct(points: np.ndarray, cells: int, most: int) -> np.ndarray:
+    """Return the segments of a polyline that can be told apart on a picture.
+
+    A segment that joins the same two cells as one before it is left out, and one with NaN. So thousands of rows on a
+    few hundred pixels are as many segments as there are pixels.
+
+    Parameters
+    ----------
+    points : (n+1, 2) or (n+1, 3) float
+    cells : int
+        Width of the picture in cells, up to 1000 in the plane and 200 in space; fewer where the segments are many.
+    most : int
+        How many segments there may be.
+
+    Returns
+    -------
+    (m,) int64
+        Indices of the segments, ascending; segment i joins points i and i + 1.
+    """
+    known = np.isfinite(points).all(axis=1)
+    segments = np.flatnonzero(known[1:] & known[:-1])
+    if len(segments) <= most:
+        return segments
+    lower, upper = points[known].min(axis=0), points[known].max(axis=0)
+    size = max(float((upper - lower).max()), 1e-9)
+    while True:
+        cell = np.zeros(len(points), np.int64)
+        for axis in range(points.shape[1]):
+            cell *= cells + 1
+            cell[known] += ((points[known, axis] - lower[axis]) * (cells / size)).astype(np.int64)
+        a, b = cell[segments], cell[segments + 1]
+        # Up to the second power of a billion: enough for 64 bits.
+        pair = np.minimum(a, b) * (cells + 1) ** points.shape[1] + np.maximum(a, b)
+        first = np.unique(pair, return_index=True)[1]
+        if len(first) <= most or cells <= 2:
+            return segments[np.sort(first)[:most]]
+        cells //= 2

@@ -1,0 +1,137 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Work in a thread of its own while the window lives on: progress, results piece by piece, and a way out."""
+
+from __future__ import annotations
+
+import threading
+import time
+from collections.abc import Callable, Iterator
+from queue import Empty, SimpleQueue
+
+from vkworkbench.gui.plain_text import as_plain
+from vkworkbench.gui.qt import QHBoxLayout, QLabel, QProgressBar, QPushButton, QTimer, QWidget
+from vkworkbench.gui.text import translate
+from vkworkbench.report import Cancelled
+
+_LOOK = 20  # ms between two looks at what the thread has done
+_AT_ONCE = 0.03  # s for showing results, then other events come
+_PATIENCE = 300  # ms; shorter work shows no progress
+
+
+class Background:
+    """Does one work at a time; a new one takes the place of the one before.
+
+    Attributes
+    ----------
+    busy : Busy
+        The progress with its button, for the place where the user waits; hidden where nothing is done.
+    """
+
+    def __init__(self) -> None:
+        self.busy = Busy()
+        self.busy.button.clicked.connect(self._cancel_clicked)
+        self._timer = QTimer(self.busy)
+        self._timer.timeout.connect(self._look)
+        self._given_up: threading.Event | None = None
+
+    @property
+    def works(self) -> bool:
+        return self._given_up is not None
+
+    def start(self, text: str, work: Callable[[Callable], Iterator], show: Callable, ended: Callable) -> None:
+        """Begin a work.
+
+        Parameters
+        ----------
+        text : str
+            What is being done.
+        work : callable
+            Given a function that raises `Cancelled` once the work has been given up; yields results, in a thread of
+            its own that sees neither documents nor the window.
+        show : callable
+            Called with each result, in the window's thread.
+        ended : callable
+            Called when the work is over, with None, with `Cancelled` where the user gave it up, or with the exception
+            that ended it; not called where it was given up otherwise.
+        """
+        self.give_up()
+        given_up, results = threading.Event(), SimpleQueue()
+        self._given_up, self._results = given_up, results
+        self._show, self._ended = show, ended
+        threading.Thread(target=_run, args=(work, given_up, results), daemon=True).start()
+        self.busy.announce(text)
+        self._timer.start(_LOOK)
+
+    def give_up(self) -> None:
+        """End the work, if there is one: its thread ends at its next step."""
+        if self._given_up is not None:
+            self._given_up.set()
+            self._end()
+
+    def _end(self) -> None:
+        self._given_up = None
+        self._timer.stop()
+        self.busy.end()
+
+    def _cancel_clicked(self) -> None:
+        if self.works:
+            self.give_up()
+            self._ended(Cancelled("given up"))
+
+    def _look(self) -> None:
+        until = time.monotonic() + _AT_ONCE
+        while self.works and time.monotonic() < until:
+            try:
+                is_result, what = self._results.get_nowait()
+            except Empty:
+                return
+            if is_result:
+                self._show(what)
+            else:
+                self._end()
+                self._ended(what)
+                return
+
+
+def _run(work: Callable, given_up: threading.Event, results: SimpleQueue) -> None:
+    def going_on() -> None:
+        if given_up.is_set():
+            raise Cancelled("given up")
+
+    try:
+        for result in work(going_on):
+            results.put((True, result))
+            going_on()
+        results.put((False, None))
+    except Exception as error:
+        results.put((False, error))  # nobody looks where it was given up
+
+
+class Busy(QWidget):
+    """A line that says what is being done, after a while in which nothing needs to be said, with a button to cancel."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.label, bar = as_plain(QLabel()), QProgressBar()
+        bar.setRange(0, 0)
+        bar.setMaximumWidth(120)
+        bar.setTextVisible(False)
+        self.button = QPushButton(translate("Vk_Analyze", "Cancel"))
+        row = QHBoxLayout(self)
+        row.setContentsMargins(0, 0, 0, 0)
+        for widget in (self.label, bar, self.button):
+            row.addWidget(widget)
+        row.addStretch(1)
+        self.hide()
+        self._later = QTimer(self)
+        self._later.setSingleShot(True)
+        self._later.timeout.connect(self.show)
+
+    def announce(self, text: str) -> None:
+        self.label.setText(text)
+        if not self.isVisible():
+            self._later.start(_PATIENCE)
+
+    def end(self) -> None:
+        self._later.stop()
+        self.hide()
