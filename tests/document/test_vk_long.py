@@ -46,6 +46,6 @@ def test_a_failure_in_the_thread_is_the_callers(example, monkeypatch):
     def fail(*what, **more):
         raise RuntimeError("of the thread")
 
-    monkeypatch.setattr(analysis, "recognized", fail)
+    monkeypatch.setattr(analysis, "recognize", fail)
     with pytest.raises(RuntimeError, match="of the thread"):
         vkworkbench.analyze(example, cancelled=lambda: False)
