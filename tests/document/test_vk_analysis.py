@@ -156,6 +156,12 @@ def test_inactive_operation(small, zigzag_commands):
     assert small.document.getObject(off.name) is op and vkworkbench.analyze(small.document).totals[0].operations == 0
 
 
+def test_a_stop_needs_no_tool(small):
+    small.add("Stop", [("(Stop)", {}), ("M1", {})], controller=None)
+    (stop,) = vkworkbench.analyze(small.document).operations
+    assert stop.strategy == "empty" and stop.error == "no cutting move in its toolpath"
+
+
 BAD_PATHS = {
     "Empty": ([], "no toolpath"),
     "Rapids": ([("G0", {"X": 1.0, "Y": 1.0, "Z": 1.0}), ("G0", {"X": 9.0})], "no cutting move"),

@@ -17,6 +17,7 @@ import pytest
 
 import vkworkbench
 from vkworkbench.document import marks, upkeep, watcher
+from vkworkbench.document.intent import contradicted
 from vkworkbench.document.operations import find
 
 LABELS = [
@@ -66,6 +67,7 @@ def test_operations_that_dress_up_each_other(small, zigzag_commands):
         op.addProperty("App::PropertyLink", "Base", "Path").Base = other  # a file can say so
     rows = analyze_mark_clear(small.document).operations
     assert sorted(o.label for o in rows) == ["First", "Second"]
+    assert [contradicted(op, row.recognition) for op, row in zip((first, second), rows)] == [None, None]
 
 
 @pytest.mark.parametrize("lost, words", [

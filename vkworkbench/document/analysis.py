@@ -207,7 +207,7 @@ def _work(
     if inches:
         remarks.append(Message("inches-as-millimetres"))
     if found.strategy is Strategy.EMPTY and not toolpath.commands <= len(toolpath.comments):
-        remarks.append(Message("no-cutting-move"))
+        remarks = [Message("no-cutting-move")]  # a stop or a fixture needs neither tool nor stock
     elif found.strategy is Strategy.EMPTY:
         # Where there is no toolpath, remarks on tool and stock would miss the point.
         remarks = [Message("no-toolpath") if reading.active else Message("inactive")]

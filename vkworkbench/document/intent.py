@@ -38,8 +38,8 @@ def contradicted(obj, found: Recognition) -> str | None:
     str or None
         FreeCAD's own name of its kind or its pattern; None where they agree, or where neither says anything.
     """
-    while kind(obj) == "dressup" and hasattr(freecad.BASE.of(obj), "isDerivedFrom"):
-        obj = freecad.BASE.of(obj)
+    if kind(obj) in ("dressup", "array"):
+        return None
     name = freecad.operation_name(obj)
     meant = _KINDS.get(name)
     if meant is None:
