@@ -134,6 +134,7 @@ SURFACE_PATTERN = Property("CutPattern")
 OPERATIONS = Property("Operations")
 TOOLS = Property("Tools")
 GROUP = Property("Group", fingerprint="setting")
+FIXTURES = Property("Fixtures")  # work offsets, G54 to G59; all operations are posted once for each
 STOCK = Property("Stock", fingerprint="setting")
 SHAPE = Property("Shape", fingerprint="setting")
 # A tool controller.

@@ -7,7 +7,7 @@ import csv
 import json
 import re
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
 from vkworkbench.core import Estimate, Machining, Recognition, Span, Strategy
@@ -135,6 +135,7 @@ class OperationReport(Costs):
             "rapid_length": self.machining.rapid_length,
             "depth": self.machining.depth,
             "machining_seconds": self.machining.seconds,
+            "machining_complete": self.machining.complete,
             "machining_notes": list(self.machining.notes),
             **ZBUFFER.figures(self.estimate),
             **self.columns(),
@@ -181,9 +182,13 @@ class Total(Costs):
         Internal names of the document and the job, and the job's label.
     operations, trajectories : int
     length : float
-        Cutting length, mm.
+        Cutting length for one fixture, mm.
+    fixtures : int
+        How often they are posted, once for each work offset (G54 to G59) of the job.
     machining_seconds : float
-        Time of the moves whose speed is known.
+        Time of the moves whose speed is known, for all fixtures.
+    machining_complete : bool
+        Whether that is the time of all moves; else it is the least that they take.
     incomplete : bool
         Whether some operation's cost is unknown, so that the sums are lower bounds.
     costs, advice : mapping
@@ -196,7 +201,9 @@ class Total(Costs):
     operations: int
     trajectories: int
     length: float
+    fixtures: int
     machining_seconds: float
+    machining_complete: bool
     incomplete: bool
     costs: Mapping[str, Cost]
     advice: Mapping[str, Any]
@@ -220,7 +227,9 @@ class Total(Costs):
             "operations": self.operations,
             "trajectories": self.trajectories,
             "length": self.length,
+            "fixtures": self.fixtures,
             "machining_seconds": self.machining_seconds,
+            "machining_complete": self.machining_complete,
             "seconds": self.seconds,
             "memory_bytes": self.memory_bytes,
             "incomplete": self.incomplete,
@@ -240,11 +249,14 @@ class Report:
         Label of each job by (document name, job name).
     budget : dict
         Of memory and time, as `best_resolution` takes it.
+    fixtures : dict
+        How often each job's operations are posted, where that is known, likewise.
     """
 
     operations: tuple[OperationReport, ...]
     jobs: dict[tuple[str, str], str]
     budget: dict[str, float]
+    fixtures: dict[tuple[str, str], int] = field(default_factory=dict)
 
     @property
     def totals(self) -> tuple[Total, ...]:
@@ -256,13 +268,16 @@ class Report:
         known = [o for o in counted if o.costs]
         stepover = min((o.recognition.stepover for o in known if o.recognition.stepover), default=None)
         labels = [o.label for o in known]
+        fixtures = self.fixtures.get((document, job), 1)
         costs, advice = together([o.costs for o in known], labels=labels, stepover=stepover, **self.budget)
         return Total(
             document, job, label,
             operations=len(counted),
             trajectories=sum(o.trajectories for o in counted),
             length=sum(o.length for o in counted),
-            machining_seconds=sum(o.machining.seconds or 0.0 for o in counted),
+            fixtures=fixtures,
+            machining_seconds=fixtures * sum(o.machining.seconds or 0.0 for o in counted),
+            machining_complete=all(o.machining.complete for o in counted),
             incomplete=len(known) < sum(o.trajectories > 0 for o in counted),
             costs=costs,
             advice=advice,

@@ -684,6 +684,10 @@
         <source>the stock&apos;s corners must be numbers within a kilometre of the origin</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>its feeds, up to {feed:g} mm/s, are taken for mm/min: FreeCAD&apos;s importer keeps them as mm/s</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

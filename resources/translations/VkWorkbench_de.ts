@@ -684,6 +684,10 @@
         <source>the stock&apos;s corners must be numbers within a kilometre of the origin</source>
         <translation>Die Ecken des Rohteils müssen Zahlen innerhalb eines Kilometers vom Ursprung sein</translation>
     </message>
+    <message>
+        <source>its feeds, up to {feed:g} mm/s, are taken for mm/min: FreeCAD&apos;s importer keeps them as mm/s</source>
+        <translation>Seine Vorschübe, bis zu {feed:g} mm/s, werden als mm/min gelesen: FreeCADs Import behält sie als mm/s</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

@@ -684,6 +684,10 @@
         <source>the stock&apos;s corners must be numbers within a kilometre of the origin</source>
         <translation>las esquinas del material deben ser números a menos de un kilómetro del origen</translation>
     </message>
+    <message>
+        <source>its feeds, up to {feed:g} mm/s, are taken for mm/min: FreeCAD&apos;s importer keeps them as mm/s</source>
+        <translation>sus avances, de hasta {feed:g} mm/s, se leen como mm/min: la importación de FreeCAD los conserva como mm/s</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

@@ -684,6 +684,10 @@
         <source>the stock&apos;s corners must be numbers within a kilometre of the origin</source>
         <translation>les coins du brut doivent être des nombres à moins d&apos;un kilomètre de l&apos;origine</translation>
     </message>
+    <message>
+        <source>its feeds, up to {feed:g} mm/s, are taken for mm/min: FreeCAD&apos;s importer keeps them as mm/s</source>
+        <translation>ses avances, jusqu&apos;à {feed:g} mm/s, sont lues en mm/min : l&apos;importation de FreeCAD les garde en mm/s</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

@@ -684,6 +684,10 @@
         <source>the stock&apos;s corners must be numbers within a kilometre of the origin</source>
         <translation>毛坯的角点必须是距原点一千米以内的数</translation>
     </message>
+    <message>
+        <source>its feeds, up to {feed:g} mm/s, are taken for mm/min: FreeCAD&apos;s importer keeps them as mm/s</source>
+        <translation>其进给速度（最高 {feed:g} mm/s）按 mm/min 读取：FreeCAD 导入时将其保留为 mm/s</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

@@ -221,7 +221,7 @@ def test_labels_in_remarks_are_arguments_of_their_codes(small, zigzag_commands, 
         Message("in-commands", sentence=Message("unknown-code", name="'G123'"), count=1, command=len(zigzag_commands)),
     )
     assert row.error == (
-        f"{label}: the tool's diameter must be a positive number, not 0 mm; "
+        f"{label}: the tool's diameter must be a positive number of at most a kilometre, not 0 mm; "
         f"unknown code 'G123' ignored (command {len(zigzag_commands)})"
     )
     report.to_csv(tmp_path / "r.csv")
@@ -315,3 +315,28 @@ def test_everything_is_read_and_made_once(small, zigzag_commands):
     (found,) = report.operations
     assert found.legacy is not None and (found.opengl is not None) == (freecad.version() >= (1, 0))
     assert counted == dict.fromkeys(counted, 1)
+
+
+def test_a_time_without_rapids_is_the_least(small, zigzag_commands):
+    small.add("Zigzag", zigzag_commands)
+    report = vkworkbench.analyze(small.document)
+    (row,), (total,) = report.operations, report.totals
+    assert not row.machining.complete and not total.machining_complete
+    assert row.as_dict()["machining_complete"] is False and total.as_dict()["machining_complete"] is False
+    sheet = small.job.SetupSheet
+    sheet.HorizRapid = sheet.VertRapid = "50 mm/s"
+    small.document.recompute()
+    report = vkworkbench.analyze(small.document)
+    (row,), (total,) = report.operations, report.totals
+    assert row.machining.left_out == () and row.machining.complete and total.machining_complete
+
+
+@pytest.mark.parametrize("fixtures, count", [(["G54"], 1), (["G54", "G55", "G59"], 3), ([], 1)])
+def test_operations_take_their_time_for_every_fixture(small, zigzag_commands, fixtures, count):
+    small.add("Zigzag", zigzag_commands)
+    small.job.Fixtures = fixtures
+    report = vkworkbench.analyze(small.document)
+    (row,), (total,) = report.operations, report.totals
+    assert total.fixtures == count and total.length == row.length
+    assert total.machining_seconds == pytest.approx(count * row.machining.seconds)
+    assert total.as_dict()["fixtures"] == count

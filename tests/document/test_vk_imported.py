@@ -58,3 +58,27 @@ def test_small_work_of_freecads_own_is_not_doubted(small, zigzag_commands):
     assert TOO_SMALL in vkworkbench.analyze(operation).operations[0].error
     operation.Proxy = object()
     assert TOO_SMALL not in (vkworkbench.analyze(operation).operations[0].error or "")
+
+
+MINUTES = "are taken for mm/min"
+
+
+def test_the_time_of_an_import_is_that_of_its_feeds_in_a_minute(small, tmp_path):
+    FreeCAD.setActiveDocument(small.name)
+    lines = "".join(f"G1 X{55 if k % 2 == 0 else 5} F1200\nG1 Y{5 + 3 * k}\n" for k in range(10))
+    operation = imported(small, f"G21\nM6 T1\nG0 X5 Y5 Z30\nG1 Z15 F300\n{lines}G0 Z30\n", tmp_path)
+    (row,) = vkworkbench.analyze(operation).operations
+    (file,) = vkworkbench.analyze(tmp_path / "program.nc").operations
+    assert MINUTES in row.error and "1200 mm/s" in row.error
+    assert row.machining.cutting_seconds == pytest.approx(file.machining.cutting_seconds)
+    operation.Proxy = None
+    assert MINUTES in vkworkbench.analyze(operation).operations[0].error
+
+
+def test_feeds_of_a_machine_are_not_doubted(small, zigzag_commands):
+    """FreeCAD's own feeds are mm/s; one that a file of another version has lost the proxy of, too."""
+    (row,) = vkworkbench.analyze(small.add("Zigzag", zigzag_commands)).operations
+    assert row.machining.cutting_seconds == pytest.approx(56) and MINUTES not in (row.error or "")
+    fast = small.add("Fast", [(name, {**words, "F": 300.0}) for name, words in zigzag_commands])
+    fast.Proxy = object()
+    assert MINUTES not in (vkworkbench.analyze(fast).operations[0].error or "")

@@ -46,6 +46,11 @@ class Machining:
     left_out: tuple[Message, ...]
 
     @property
+    def complete(self) -> bool:
+        """Whether the time is that of all moves; else it is the least that they take."""
+        return not self.left_out
+
+    @property
     def notes(self) -> tuple[str, ...]:
         """What the times leave out in English, one sentence without a full stop each."""
         return tuple(map(render, self.left_out))

@@ -14,12 +14,12 @@ import FreeCAD
 
 from vkworkbench import freecad, preferences
 from vkworkbench.core import Stock, Strategy, Tool, linearize, machining, recognize, stock_around
-from vkworkbench.core.gcode import Words
+from vkworkbench.core.gcode import Words, looks_like_minutes
 from vkworkbench.core.simulators import ZBUFFER, Conditions, Task, predict, preflight
 from vkworkbench.core.zbuffer import cuts_surely
 from vkworkbench.document import calibration
 from vkworkbench.document.fingerprint import commands_fingerprint, setting_fingerprint
-from vkworkbench.document.operations import Operation, find
+from vkworkbench.document.operations import Operation, find, fixtures_of
 from vkworkbench.document.recognized import recognized
 from vkworkbench.document.setting import placed, rapid_feeds, read_stock, read_tool
 from vkworkbench.language import Message, Unusable
@@ -82,6 +82,7 @@ def analyze(
         time_budget=chosen.time_budget,
     )
     jobs = {(o.job.Document.Name, o.job.Name): o.job.Label for o in operations if o.job is not None}
+    fixtures = {(o.job.Document.Name, o.job.Name): fixtures_of(o.job) for o in operations if o.job is not None}
     labels = [o.object.Label for o in operations]
     reports = []
     for done, operation in enumerate(operations):
@@ -93,7 +94,7 @@ def analyze(
             reading = _read(operation)
             reports.append(_patiently(lambda going_on, reading=reading: _row(reading, chosen, conditions, going_on),
                                       cancelled))  # fmt: skip
-    return Report(tuple(reports), jobs, chosen.budget)
+    return Report(tuple(reports), jobs, chosen.budget, fixtures)
 
 
 @dataclass(frozen=True)
@@ -224,6 +225,9 @@ def _work(
         elif tool.diameter > max(stock.upper[0] - stock.lower[0], stock.upper[1] - stock.lower[1]):
             remarks.append(Message("tool-wider-than-stock"))
     going_on()
+    if reading.imported and looks_like_minutes(toolpath):
+        remarks.append(Message("feeds-per-minute", feed=float(toolpath.feed.max())))
+        toolpath = replace(toolpath, feed=toolpath.feed / 60)
     horizontal, vertical = reading.rapid_feeds
     return replace(
         _unknown(reading),

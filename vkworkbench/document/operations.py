@@ -198,6 +198,12 @@ def _all_bases(obj) -> Iterator:
             pending += _bases(base)
 
 
+def fixtures_of(job) -> int:
+    """Return how often a job's operations are posted: once for each fixture it lists."""
+    listed = freecad.FIXTURES.of(job)
+    return max(len(listed), 1) if isinstance(listed, list) else 1
+
+
 def job_of(obj):
     """Return the job of an operation, also where only a dress-up of it is in the job's group."""
     seen = set()

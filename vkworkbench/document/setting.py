@@ -11,7 +11,7 @@ import Part
 
 from vkworkbench import freecad
 from vkworkbench.core import Stock, Tool, Toolpath
-from vkworkbench.document.operations import is_object, through_bases
+from vkworkbench.document.operations import through_bases
 from vkworkbench.language import Message, Unusable
 
 # FreeCAD's names of tool shapes, in small letters only, and the shapes that stand for them in a simulation.
@@ -35,7 +35,7 @@ def read_tool(operation) -> Tool:
         Where there is no tool or its measures are impossible.
     """
     controller = through_bases(operation, freecad.CONTROLLER)
-    if not is_object(controller):
+    if not hasattr(controller, "Label"):
         raise Unusable(Message("no-tool"))
     bit = freecad.TOOL.of(controller)
     if bit is None:

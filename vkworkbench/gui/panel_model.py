@@ -93,6 +93,8 @@ class Column:
         What the user reads of that value.
     factor : callable
         The true value of a row is between the value divided and multiplied by this factor.
+    least : callable
+        Whether the value of a row is a lower bound.
     """
 
     title: str
@@ -100,6 +102,7 @@ class Column:
     value: Callable[[Row], object]
     text: Callable[[object], str] = str
     factor: Callable[[Row], float] = lambda row: 1.0
+    least: Callable[[Row], bool] = lambda row: False
 
 
 def columns(version: tuple[int, ...]) -> list[Column]:
@@ -120,7 +123,7 @@ def columns(version: tuple[int, ...]) -> list[Column]:
         Column(translate("Vk_Results", "Machining\ntime"),
                translate("Vk_Results", "Time on the machine at the programmed feeds; rapids where the tool "
                                        "controller says their speed"),
-               _machining_seconds, _shown("time")),
+               _machining_seconds, _shown("time"), least=_machining_incomplete),
         *(column for simulator in there_are for column in _of_simulator(simulator)),
         *(_of_advice(simulator) for simulator in there_are if simulator.advice),
         Column(translate("Vk_Results", "Remarks"),
@@ -177,6 +180,11 @@ def _machining_seconds(row: Row) -> float | None:
     return found.machining_seconds if isinstance(found, Total) else found.machining.seconds
 
 
+def _machining_incomplete(row: Row) -> bool:
+    found = row.found
+    return not (found.machining_complete if isinstance(found, Total) else found.machining.complete)
+
+
 class ResultsModel(QAbstractTableModel):
     """The rows of the panel as Qt asks for them."""
 
@@ -214,7 +222,7 @@ class ResultsModel(QAbstractTableModel):
                 return ""
             factor = column.factor(row)
             if role == Qt.DisplayRole:
-                return user().about(column.text(value), factor)
+                return ("≥ " if column.least(row) else "") + user().about(column.text(value), factor)
             if factor < ROUGH:
                 return as_html(column.text(value))
             text = translate("Vk_Results", "Between {} and {}: not measured on this computer yet")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Whether inches were read as millimetres: by the size, the feeds and the tool, where no G20 or G21 says it."""
+"""Whether units were mistaken: inches read as millimetres, mm/min as mm/s, where nothing else says it."""
 
 from __future__ import annotations
 
@@ -15,6 +15,7 @@ SMALL = 15.0  # mm, longer side of what is cut; a part of 15 inches is a large o
 LOW = 4.0  # mm, from the lowest cut to the highest point; tools are lifted higher than this, even over a thin sheet
 SLOW = 5.0  # mm/s, median feed; 300 inches a minute are fast
 IMPORTED_SLOW = 300.0  # mm/s as FreeCAD imports: it takes the mm or inches a minute of a file for mm/s
+PER_MINUTE = 250.0  # mm/s, 15 m/min: faster mills exist, but a program whose fastest cut is slower than 250 mm/min is rarer
 TOOLS = 4.0  # tool diameters; something wider was made for this tool, so its size is right
 
 
@@ -40,3 +41,11 @@ def looks_like_inches(toolpath: Toolpath, *, tool_diameter: float | None = None,
     if tool_diameter and size > TOOLS * tool_diameter:
         return False
     return float(np.median(toolpath.feed[cuts])) <= (IMPORTED_SLOW if imported else SLOW)
+
+
+def looks_like_minutes(toolpath: Toolpath) -> bool:
+    """Return whether the feeds of an imported toolpath are mm/min that FreeCAD took for mm/s.
+
+    Its importers keep the F words of the file as they are, while the feeds of its own operations are mm/s.
+    """
+    return float(toolpath.feed.max(initial=0.0)) >= PER_MINUTE

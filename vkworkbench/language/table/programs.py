@@ -57,6 +57,9 @@ PROGRAMS = {
     "inches-as-millimetres": QT_TRANSLATE_NOOP(
         "Sentences", "it looks 25.4 times too small: inches read as millimetres?"
     ),
+    "feeds-per-minute": QT_TRANSLATE_NOOP(
+        "Sentences", "its feeds, up to {feed:g} mm/s, are taken for mm/min: FreeCAD's importer keeps them as mm/s"
+    ),
     # Files.
     "file-unreadable": QT_TRANSLATE_NOOP("Sentences", "the file cannot be read: {name}"),
     "too-long": QT_TRANSLATE_NOOP("Sentences", "given up after {time:s}"),
