@@ -136,6 +136,7 @@ TOOLS = Property("Tools")
 GROUP = Property("Group", fingerprint="setting")
 FIXTURES = Property("Fixtures")  # work offsets, G54 to G59; all operations are posted once for each
 STOCK = Property("Stock", fingerprint="setting")
+MODEL = Property("Model")
 SHAPE = Property("Shape", fingerprint="setting")
 # A tool controller.
 TOOL = Property("Tool", fingerprint="setting")
@@ -143,6 +144,7 @@ TOOL_NUMBER = Property("ToolNumber")
 SPINDLE_SPEED = Property("SpindleSpeed")
 HORIZONTAL_RAPID = Property("HorizRapid")
 VERTICAL_RAPID = Property("VertRapid")
+VERTICAL_FEED = Property("VertFeed")
 GCODE = Property("Gcode")  # the lines of a file that FreeCAD imported as a custom operation
 # A tool; the last name of its shape is that of 0.20's tools without a tool bit.
 TOOL_SHAPE = Property("ShapeType", since=(1, 1), before=("ShapeName", "ToolType"), fingerprint="setting")
@@ -151,6 +153,7 @@ CORNER_RADIUS = Property("CornerRadius", fingerprint="setting")  # since 1.1
 FLAT_RADIUS = Property("FlatRadius", fingerprint="setting")  # before 1.1: radius of a bull nose's flat part
 TIP_ANGLE = Property("TipAngle", fingerprint="setting")
 CUTTING_ANGLE = Property("CuttingEdgeAngle", fingerprint="setting")
+TIP_DIAMETER = Property("TipDiameter", fingerprint="setting")  # of a V-bit's or chamfer mill's flat end
 
 _PROPERTIES = tuple(entry for entry in globals().values() if isinstance(entry, Property))
 

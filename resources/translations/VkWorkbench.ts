@@ -688,6 +688,34 @@
         <source>its feeds, up to {feed:g} mm/s, are taken for mm/min: FreeCAD&apos;s importer keeps them as mm/s</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>the tip&apos;s diameter must lie between 0 and {diameter:mm}, not be {tip:mm}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the solid&apos;s surface is not closed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the stock of {label} is taken for the box around it: {sentence}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{label} is not simulated exactly, but {instead}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>as an end mill of its largest diameter</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>as a ball end of its tip&apos;s diameter</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>as a drill</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

@@ -688,6 +688,34 @@
         <source>its feeds, up to {feed:g} mm/s, are taken for mm/min: FreeCAD&apos;s importer keeps them as mm/s</source>
         <translation>Seine Vorschübe, bis zu {feed:g} mm/s, werden als mm/min gelesen: FreeCADs Import behält sie als mm/s</translation>
     </message>
+    <message>
+        <source>the tip&apos;s diameter must lie between 0 and {diameter:mm}, not be {tip:mm}</source>
+        <translation>der Durchmesser der Spitze muss zwischen 0 und {diameter:mm} liegen, nicht {tip:mm} sein</translation>
+    </message>
+    <message>
+        <source>the solid&apos;s surface is not closed</source>
+        <translation>die Oberfläche des Körpers ist nicht geschlossen</translation>
+    </message>
+    <message>
+        <source>the stock of {label} is taken for the box around it: {sentence}</source>
+        <translation>als Rohteil von {label} gilt der Quader darum herum: {sentence}</translation>
+    </message>
+    <message>
+        <source>{label} is not simulated exactly, but {instead}</source>
+        <translation>{label} wird nicht genau simuliert, sondern {instead}</translation>
+    </message>
+    <message>
+        <source>as an end mill of its largest diameter</source>
+        <translation>als Schaftfräser mit dem größten Durchmesser</translation>
+    </message>
+    <message>
+        <source>as a ball end of its tip&apos;s diameter</source>
+        <translation>als Kugelfräser mit dem Durchmesser der Spitze</translation>
+    </message>
+    <message>
+        <source>as a drill</source>
+        <translation>als Bohrer</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

@@ -688,6 +688,34 @@
         <source>its feeds, up to {feed:g} mm/s, are taken for mm/min: FreeCAD&apos;s importer keeps them as mm/s</source>
         <translation>sus avances, de hasta {feed:g} mm/s, se leen como mm/min: la importación de FreeCAD los conserva como mm/s</translation>
     </message>
+    <message>
+        <source>the tip&apos;s diameter must lie between 0 and {diameter:mm}, not be {tip:mm}</source>
+        <translation>el diámetro de la punta debe estar entre 0 y {diameter:mm}, no ser {tip:mm}</translation>
+    </message>
+    <message>
+        <source>the solid&apos;s surface is not closed</source>
+        <translation>la superficie del sólido no está cerrada</translation>
+    </message>
+    <message>
+        <source>the stock of {label} is taken for the box around it: {sentence}</source>
+        <translation>como material de {label} se toma la caja que lo rodea: {sentence}</translation>
+    </message>
+    <message>
+        <source>{label} is not simulated exactly, but {instead}</source>
+        <translation>{label} no se simula exactamente, sino {instead}</translation>
+    </message>
+    <message>
+        <source>as an end mill of its largest diameter</source>
+        <translation>como fresa recta de su diámetro mayor</translation>
+    </message>
+    <message>
+        <source>as a ball end of its tip&apos;s diameter</source>
+        <translation>como fresa esférica del diámetro de su punta</translation>
+    </message>
+    <message>
+        <source>as a drill</source>
+        <translation>como broca</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

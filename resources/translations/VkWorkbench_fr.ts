@@ -688,6 +688,34 @@
         <source>its feeds, up to {feed:g} mm/s, are taken for mm/min: FreeCAD&apos;s importer keeps them as mm/s</source>
         <translation>ses avances, jusqu&apos;à {feed:g} mm/s, sont lues en mm/min : l&apos;importation de FreeCAD les garde en mm/s</translation>
     </message>
+    <message>
+        <source>the tip&apos;s diameter must lie between 0 and {diameter:mm}, not be {tip:mm}</source>
+        <translation>le diamètre de la pointe doit être compris entre 0 et {diameter:mm}, et non {tip:mm}</translation>
+    </message>
+    <message>
+        <source>the solid&apos;s surface is not closed</source>
+        <translation>la surface du solide n&apos;est pas fermée</translation>
+    </message>
+    <message>
+        <source>the stock of {label} is taken for the box around it: {sentence}</source>
+        <translation>le brut de {label} est remplacé par la boîte qui l&apos;entoure : {sentence}</translation>
+    </message>
+    <message>
+        <source>{label} is not simulated exactly, but {instead}</source>
+        <translation>{label} n&apos;est pas simulé exactement, mais {instead}</translation>
+    </message>
+    <message>
+        <source>as an end mill of its largest diameter</source>
+        <translation>comme une fraise droite de son plus grand diamètre</translation>
+    </message>
+    <message>
+        <source>as a ball end of its tip&apos;s diameter</source>
+        <translation>comme une fraise hémisphérique du diamètre de sa pointe</translation>
+    </message>
+    <message>
+        <source>as a drill</source>
+        <translation>comme un foret</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

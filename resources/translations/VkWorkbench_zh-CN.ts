@@ -688,6 +688,34 @@
         <source>its feeds, up to {feed:g} mm/s, are taken for mm/min: FreeCAD&apos;s importer keeps them as mm/s</source>
         <translation>其进给速度（最高 {feed:g} mm/s）按 mm/min 读取：FreeCAD 导入时将其保留为 mm/s</translation>
     </message>
+    <message>
+        <source>the tip&apos;s diameter must lie between 0 and {diameter:mm}, not be {tip:mm}</source>
+        <translation>刀尖直径必须在 0 和 {diameter:mm} 之间，而不是 {tip:mm}</translation>
+    </message>
+    <message>
+        <source>the solid&apos;s surface is not closed</source>
+        <translation>实体的表面不封闭</translation>
+    </message>
+    <message>
+        <source>the stock of {label} is taken for the box around it: {sentence}</source>
+        <translation>{label} 的毛坯按其外接长方体计算：{sentence}</translation>
+    </message>
+    <message>
+        <source>{label} is not simulated exactly, but {instead}</source>
+        <translation>{label} 不是精确模拟，而是{instead}</translation>
+    </message>
+    <message>
+        <source>as an end mill of its largest diameter</source>
+        <translation>按其最大直径的平底立铣刀模拟</translation>
+    </message>
+    <message>
+        <source>as a ball end of its tip&apos;s diameter</source>
+        <translation>按刀尖直径的球头铣刀模拟</translation>
+    </message>
+    <message>
+        <source>as a drill</source>
+        <translation>按钻头模拟</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

@@ -10,6 +10,7 @@ from vkworkbench.core.paper import Signature, signature
 from vkworkbench.core.recognition import Recognition, Span, recognize
 from vkworkbench.core.simulators import Accuracy, best_accuracy
 from vkworkbench.core.solids import ConvexStock, Stock, Tool, View, stock_around
+from vkworkbench.core.stocks import Cylinder, Mesh, Solid
 from vkworkbench.core.strategy import Family, Strategy
 from vkworkbench.core.toolpath import Problem, Toolpath
 from vkworkbench.core.zbuffer import (
@@ -26,8 +27,8 @@ from vkworkbench.core.zbuffer import (
 )
 
 __all__ = [
-    "Accuracy", "ConvexStock", "Cut", "Estimate", "Family", "Machining", "Problem", "Recognition", "Resolution",
-    "Signature", "Span", "Speed", "Stock", "Strategy", "Tool", "Toolpath", "View", "ZBuffer", "best_accuracy",
+    "Accuracy", "ConvexStock", "Cut", "Cylinder", "Estimate", "Family", "Machining", "Mesh", "Problem", "Recognition", "Resolution",
+    "Signature", "Span", "Solid", "Speed", "Stock", "Strategy", "Tool", "Toolpath", "View", "ZBuffer", "best_accuracy",
     "best_resolution", "estimate", "exact_lengths", "linearize", "machining", "measure_speed", "recognize",
     "signature", "simulate", "simulate_job", "stock_around",
 ]  # fmt: skip

@@ -6,6 +6,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from itertools import combinations, product
 from math import isfinite, pi, tan
+from typing import NamedTuple
 
 import numpy as np
 
@@ -33,12 +34,14 @@ class Tool:
         Radius of a bull-nose mill's corner, mm; 0 makes it flat, half the diameter makes it a ball.
     tip_angle : float, optional
         Included angle of a V-bit's or a drill's tip, rad; 60 and 118 degrees where not given.
+    tip_diameter : float
+        Diameter of the flat end of a V-bit's cone, mm: chamfer mills and engravers have one.
 
     Raises
     ------
     Unusable
-        For a diameter that is not a positive number of at most a kilometre, a corner radius above half the diameter, or a tip angle
-        outside ]0, pi].
+        For a diameter that is not a positive number of at most a kilometre, a corner radius above half the diameter,
+        a tip angle outside ]0, pi], or a tip that is wider than the tool.
     ValueError
         For an unknown shape.
     """
@@ -47,6 +50,7 @@ class Tool:
     diameter: float
     corner_radius: float = 0.0
     tip_angle: float | None = None
+    tip_diameter: float = 0.0
 
     def __post_init__(self) -> None:
         if self.shape not in SHAPES:
@@ -57,6 +61,8 @@ class Tool:
             raise Unusable(Message("corner-radius", radius=self.radius, corner=self.corner_radius))
         if self.tip_angle is not None and not 0 < self.tip_angle <= pi:
             raise Unusable(Message("tip-angle", angle=self.tip_angle))
+        if not 0 <= self.tip_diameter <= self.diameter:
+            raise Unusable(Message("tip-diameter", diameter=self.diameter, tip=self.tip_diameter))
 
     @property
     def radius(self) -> float:
@@ -76,6 +82,11 @@ class Tool:
         angle = self.tip_angle if self.tip_angle is not None else _DEFAULT_TIP_ANGLE[self.shape]
         return 1 / tan(angle / 2)
 
+    @property
+    def tip(self) -> float:
+        """Radius within which a conical tip is flat, mm; 0 where there is no cone."""
+        return self.tip_diameter / 2 if self.steepness else 0.0
+
     def height(self, r: np.ndarray | float) -> np.ndarray:
         """Height of the tool's lower surface above its tip.
 
@@ -92,11 +103,43 @@ class Tool:
         r = np.asarray(r, float)
         corner = self.rounding
         beyond_flat = np.clip(r - (self.radius - corner), 0, corner)
-        rise = corner - np.sqrt(corner**2 - beyond_flat**2) + self.steepness * r
+        rise = corner - np.sqrt(corner**2 - beyond_flat**2) + self.steepness * np.maximum(r - self.tip, 0)
         return np.where(r <= self.radius, rise, np.inf)
 
 
-class _Convex:
+class Gaps(NamedTuple):
+    """Stretches of rays outside a solid, between parts of it.
+
+    Attributes
+    ----------
+    ray : (g,) ndarray of int
+        Ascending.
+    enter, leave : (g,) ndarray
+        Depths, mm, ascending within a ray.
+    """
+
+    ray: np.ndarray
+    enter: np.ndarray
+    leave: np.ndarray
+
+
+class Spans(NamedTuple):
+    """Where rays are inside a solid.
+
+    Attributes
+    ----------
+    near, far : (k,) ndarray
+        Depths at which each ray first enters and last leaves it, mm; ``near >= far`` where it misses.
+    gaps : Gaps
+        What lies outside in between.
+    """
+
+    near: np.ndarray
+    far: np.ndarray
+    gaps: Gaps
+
+
+class Convex:
     """A convex solid as the common part of half-spaces; what the rays need of any stock."""
 
     normals: np.ndarray
@@ -135,7 +178,20 @@ class _Convex:
         return near, far
 
 
-class Stock(_Convex):
+    def spans(self, frame: Frame, x: np.ndarray, y: np.ndarray) -> Spans:
+        """Where rays of a view are inside the solid.
+
+        Parameters
+        ----------
+        frame : Frame
+        x, y : (k,) ndarray
+            Image coordinates of the rays, mm.
+        """
+        near, far = self.chords(frame.origins(x, y), frame.direction)
+        return Spans(near, far, Gaps(np.empty(0, np.int64), np.empty(0), np.empty(0)))
+
+
+class Stock(Convex):
     """A box of raw material.
 
     Parameters
@@ -164,7 +220,7 @@ class Stock(_Convex):
         return f"Stock({self.lower.tolist()}, {self.upper.tolist()})"
 
 
-class ConvexStock(_Convex):
+class ConvexStock(Convex):
     """Raw material bounded by planes.
 
     Parameters
@@ -271,7 +327,7 @@ class View:
         if self.pixel is not None and not (isfinite(self.pixel) and self.pixel > 0):
             raise ValueError(f"the side of a pixel must be a positive number, not {self.pixel:g} mm")
 
-    def frame(self, stock: _Convex) -> Frame:
+    def frame(self, stock: Convex) -> Frame:
         """Return the image's axes, centre and pixel for this stock."""
         direction = np.array(self.direction) / np.linalg.norm(self.direction)
         sine = np.hypot(direction[0], direction[1])

@@ -13,7 +13,7 @@ from dataclasses import dataclass, replace
 import FreeCAD
 
 from vkworkbench import freecad, preferences
-from vkworkbench.core import Stock, Strategy, Tool, linearize, machining, recognize, stock_around
+from vkworkbench.core import Solid, Strategy, Tool, linearize, machining, recognize, stock_around
 from vkworkbench.core.gcode import Words, looks_like_minutes
 from vkworkbench.core.simulators import ZBUFFER, Conditions, Task, predict, preflight
 from vkworkbench.core.zbuffer import cuts_surely
@@ -21,7 +21,8 @@ from vkworkbench.document import calibration
 from vkworkbench.document.fingerprint import commands_fingerprint, setting_fingerprint
 from vkworkbench.document.operations import Operation, find, fixtures_of
 from vkworkbench.document.recognized import recognized
-from vkworkbench.document.setting import placed, rapid_feeds, read_stock, read_tool
+from vkworkbench.document.setting import placed, rapid_feeds, read_stock, read_tool, tool_remark
+from vkworkbench.document.solids import stock_solid
 from vkworkbench.language import Message, Unusable
 from vkworkbench.preferences import Preferences
 from vkworkbench.report import Cancelled, OperationReport, Report
@@ -111,7 +112,7 @@ class _Reading:
     path: object = None
     placement: object = None
     tool: Tool | None = None
-    stock: Stock | None = None
+    stock: Solid | None = None
     remarks: tuple[Message, ...] = ()
     rapid_feeds: tuple[float, float] = (0.0, 0.0)
     setting_fingerprint: str = ""
@@ -131,7 +132,9 @@ def _read(operation: Operation) -> _Reading:
     )
     remarks: list[Message] = []
     try:
-        tool, stock = _or_remark(remarks, read_tool, obj), _or_remark(remarks, read_stock, job)
+        tool, box = _or_remark(remarks, read_tool, obj), _or_remark(remarks, read_stock, job)
+        stock, told = stock_solid(job, box) if box else (None, None)
+        remarks += [remark for remark in (told, tool and tool_remark(obj)) if remark]
         return replace(
             reading,
             imported=freecad.is_imported(obj),
@@ -141,7 +144,7 @@ def _read(operation: Operation) -> _Reading:
             stock=stock,
             remarks=tuple(remarks),
             rapid_feeds=rapid_feeds(obj),
-            setting_fingerprint=setting_fingerprint(tool, stock),
+            setting_fingerprint=setting_fingerprint(tool, box),
         )
     except ReferenceError:  # deleted meanwhile
         raise

@@ -43,6 +43,8 @@ def setting_fingerprint(tool: Tool | None, stock: Stock | None) -> str:
     if tool is not None:
         angle = None if tool.tip_angle is None else round(tool.tip_angle, 4)
         parts[0] = (tool.shape, round(tool.diameter, 4), round(tool.corner_radius, 4), angle)
+        if tool.tip:
+            parts[0] += (round(tool.tip, 4),)
     if stock is not None:
         parts[1] = [round(float(value) + _ASIDE, 2) + 0.0 for value in (*stock.lower, *stock.upper)]
     return _digest(repr(parts))

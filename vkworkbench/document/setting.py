@@ -21,6 +21,12 @@ _SHAPES = {
     "countersink": "vbit", "tap": "drill", "reamer": "endmill", "threadmill": "endmill", "slittingsaw": "endmill",
     "slotcutter": "endmill", "dovetail": "endmill", "radius": "endmill",
 }  # fmt: skip
+# Those of them that these only stand for: what is not convex is simulated by its hull, a taper above a ball is left out.
+_AS_END_MILL, _AS_BALL_END, _AS_DRILL = Message("as-end-mill"), Message("as-ball-end"), Message("as-drill")
+_SIMPLIFIED = {
+    "taperedballnose": _AS_BALL_END, "tap": _AS_DRILL, "threadmill": _AS_END_MILL, "slittingsaw": _AS_END_MILL,
+    "slotcutter": _AS_END_MILL, "dovetail": _AS_END_MILL, "radius": _AS_END_MILL,
+}  # fmt: skip
 
 _MOST_BOXES = 16  # exact boxes that are kept, of the stocks read last: one with many curved faces takes 0.1 s
 _exact_boxes: dict[tuple, tuple[tuple, tuple]] = {}
@@ -49,19 +55,38 @@ def read_tool(operation) -> Tool:
         raise Unusable(Message("of", label=controller.Label, sentence=error.what)) from None
 
 
-def _tool(bit, diameter: float) -> Tool:
+def tool_remark(operation) -> Message | None:
+    """Return what of its tool is not simulated; None where all of it is, and where it has none."""
+    controller = through_bases(operation, freecad.CONTROLLER)
+    bit = controller and freecad.TOOL.of(controller)
+    instead = bit and _SIMPLIFIED.get(_shape_name(bit))
+    return Message("tool-simplified", label=controller.Label, instead=instead) if instead else None
+
+
+def _shape_name(bit) -> str:
+    """Return FreeCAD's name of a tool's shape, in small letters only."""
     name = next((n for n in freecad.TOOL_SHAPE.values(bit) if isinstance(n, str) and n), "endmill")
-    shape = _SHAPES.get("".join(c for c in name.lower() if c.isalpha()), "endmill")
+    return "".join(c for c in name.lower() if c.isalpha())
+
+
+def _tool(bit, diameter: float) -> Tool:
+    shape = _SHAPES.get(_shape_name(bit), "endmill")
     if shape == "bullnose":
         corner = freecad.CORNER_RADIUS.number(bit)
         if not corner:
             flat = freecad.FLAT_RADIUS.number(bit)
             corner = diameter / 2 - flat if flat is not None else 0.0
         return Tool(shape, diameter, corner_radius=corner)
-    if shape in ("vbit", "drill"):
-        angle = (freecad.TIP_ANGLE if shape == "drill" else freecad.CUTTING_ANGLE).number(bit)
-        return Tool(shape, diameter, tip_angle=math.radians(angle) if angle else None)
+    if shape == "drill":
+        return Tool(shape, diameter, tip_angle=_radians(freecad.TIP_ANGLE.number(bit)))
+    if shape == "vbit":
+        angle, tip = freecad.CUTTING_ANGLE.number(bit), freecad.TIP_DIAMETER.number(bit)
+        return Tool(shape, diameter, tip_angle=_radians(angle), tip_diameter=tip or 0.0)
     return Tool(shape, diameter)
+
+
+def _radians(degrees: float | None) -> float | None:
+    return math.radians(degrees) if degrees else None
 
 
 def read_stock(job) -> Stock:
@@ -106,6 +131,11 @@ def rapid_feeds(operation) -> tuple[float, float]:
     controller = through_bases(operation, freecad.CONTROLLER)
     speeds = (rapid.number(controller) for rapid in (freecad.HORIZONTAL_RAPID, freecad.VERTICAL_RAPID))
     return tuple(speed if speed and 0 < speed < math.inf else 0.0 for speed in speeds)
+
+
+def vertical_feed(operation) -> float:
+    """Return the vertical feed of an operation's tool controller, mm/s; 0 if unset."""
+    return freecad.VERTICAL_FEED.number(through_bases(operation, freecad.CONTROLLER)) or 0.0
 
 
 def placed(toolpath: Toolpath, placement) -> Toolpath:

@@ -12,10 +12,11 @@ import FreeCAD
 import numpy as np
 
 from vkworkbench import preferences
-from vkworkbench.core import Cut, Stock, View, ZBuffer, linearize, simulate_job
+from vkworkbench.core import Cut, Solid, View, ZBuffer, linearize, simulate_job
 from vkworkbench.core.rendering import CUT, colors_of, palette, png, shade
 from vkworkbench.document.operations import Operation, find
-from vkworkbench.document.setting import placed, read_stock, read_tool
+from vkworkbench.document.setting import placed, read_stock, read_tool, tool_remark
+from vkworkbench.document.solids import stock_solid
 from vkworkbench.language import Message, Unusable
 
 
@@ -83,14 +84,14 @@ class SimulatedJob:
         In the order of their job.
     cuts : tuple of Cut
         Their toolpaths and tools.
-    stock : Stock
+    stock : Solid
     remarks : tuple of Message
-        What is left out, and why.
+        What is left out or not simulated exactly, and why.
     """
 
     operations: tuple[SimulatedOperation, ...]
     cuts: tuple[Cut, ...]
-    stock: Stock
+    stock: Solid
     remarks: tuple[Message, ...]
 
     def simulate(
@@ -188,11 +189,15 @@ def read_job(what=None) -> SimulatedJob:
             if len(toolpath):
                 cuts.append(Cut(toolpath, read_tool(obj)))
                 simulated.append(SimulatedOperation(obj.Document.Name, obj.Name, obj.Label))
+                told = tool_remark(obj)
+                remarks += [Message("of", label=obj.Label, sentence=told)] if told else []
         except Unusable as error:
             remarks.append(Message("of", label=obj.Label, sentence=error.what))
     if not cuts:
         raise Unusable(remarks[0] if remarks else Message("nothing-to-simulate"))
-    return SimulatedJob(tuple(simulated), tuple(cuts), read_stock(operations[0].job), tuple(remarks))
+    stock, told = stock_solid(operations[0].job, read_stock(operations[0].job))
+    remarks += [told] if told else []
+    return SimulatedJob(tuple(simulated), tuple(cuts), stock, tuple(remarks))
 
 
 def _chosen(found: list[Operation]) -> list[Operation]:

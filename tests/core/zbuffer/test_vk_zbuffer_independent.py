@@ -26,6 +26,9 @@ TOOLS = [
     Tool("vbit", 6, tip_angle=pi / 2),
     Tool("vbit", 4, tip_angle=0.6),
     Tool("drill", 5),
+    Tool("vbit", 6, tip_angle=pi / 2, tip_diameter=2),
+    Tool("vbit", 5, tip_angle=0.7, tip_diameter=0.4),
+    Tool("vbit", 6, tip_angle=2.6, tip_diameter=5.5),
 ]
 DIRECTIONS = [(0, 0, -1), (0, 0, 1), (0, 1, -1), (1, 0.5, -0.3), (-0.4, 1, 0), (0.1, 0.1, -1), (1, -2, 1.5)]
 BOX = Stock((0, 0, 0), (20, 16, 8))

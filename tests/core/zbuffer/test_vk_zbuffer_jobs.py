@@ -16,6 +16,7 @@ from vkworkbench.core import Tool, View
 from vkworkbench.core.zbuffer.cuts import Cut, Cuts, Source
 from vkworkbench.core.zbuffer.facts import removed_volumes
 from vkworkbench.core.zbuffer.memory import OverBudget, memory_needed
+from vkworkbench.core.zbuffer.removal import Removal
 from vkworkbench.core.zbuffer.simulate import simulate, simulate_job
 
 NOISE = 1e-7  # mm
@@ -38,6 +39,24 @@ def test_a_job_is_every_trajectory_tried_on_every_ray(seed):
     assert np.array_equal(records.owner, np.where(pieces.owner == UNCUT, z.trajectories, pieces.owner))
     assert records.near() == pytest.approx(pieces.near, abs=NOISE, rel=NOISE)
     assert records.far == pytest.approx(pieces.far, abs=NOISE, rel=NOISE)
+
+
+CHAMFERS = [Tool("vbit", 6, tip_angle=pi / 2, tip_diameter=2), Tool("vbit", 5, tip_angle=0.7, tip_diameter=0.4)]
+
+
+@pytest.mark.parametrize("seed", range(40))
+def test_culling_drops_nothing_that_flat_tipped_cones_cut(seed):
+    """Against rays that are tried with all trajectories whose box they pass."""
+    rng = np.random.default_rng(seed)
+    paths = [PATHS[rng.integers(len(PATHS))] for _ in range(2)]
+    cuts = [Cut(toolpath(path(rng, 40)), CHAMFERS[rng.integers(2)]) for path in paths]
+    stock = (BOX, ROUND)[rng.integers(2)]
+    z = simulate_job(cuts, stock=stock, view=View(DIRECTIONS[seed % len(DIRECTIONS)], 170, 130))
+    row, column = np.divmod(np.arange(170 * 130), 170)
+    pieces, _ = Removal(Cuts(cuts), stock, z.frame).cut(*z.frame.pixel_centres(column, row))
+    assert np.array_equal(z.records.pixel(), pieces.ray)
+    assert np.array_equal(z.records.owner, np.where(pieces.owner == UNCUT, z.trajectories, pieces.owner))
+    assert z.records.far == pytest.approx(pieces.far, abs=NOISE, rel=NOISE)
 
 
 def slot(*heights, y):

@@ -12,7 +12,8 @@ from vkworkbench.core.gcode import Words
 from vkworkbench.core.recognition import Recognition
 from vkworkbench.core.simulators.constants import DEFAULTS, Constants
 from vkworkbench.core.simulators.motions import Motions, motions
-from vkworkbench.core.solids import ConvexStock, Stock, Tool, View
+from vkworkbench.core.solids import Tool, View
+from vkworkbench.core.stocks import Solid
 from vkworkbench.core.toolpath import Toolpath
 from vkworkbench.core.zbuffer import Speed
 from vkworkbench.language import Message, render
@@ -28,7 +29,7 @@ class Task:
     tool : Tool or None
         No cost is predicted where the tool or the stock is None. In FreeCAD's legacy simulator a shank wider than the
         cutting edge cuts as well; give its diameter then.
-    stock : Stock, ConvexStock or None
+    stock : Solid or None
     words : Words or None
         Of the commands; in them the simulators look for what they handle wrongly.
     recognition : Recognition or None
@@ -36,7 +37,7 @@ class Task:
 
     toolpath: Toolpath
     tool: Tool | None = None
-    stock: Stock | ConvexStock | None = None
+    stock: Solid | None = None
     words: Words | None = None
     recognition: Recognition | None = None
 

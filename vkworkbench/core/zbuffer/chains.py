@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from vkworkbench.core.solids import Gaps
 from vkworkbench.core.zbuffer.dexels import (
     THINNEST,
     UNCUT,
@@ -18,6 +19,7 @@ from vkworkbench.core.zbuffer.dexels import (
     first_cuts,
     without_thin,
 )
+from vkworkbench.core.zbuffer.records import GAP
 
 # What reaches deeper by less, mm, is rounding noise.
 _NOISE = 1e-7
@@ -30,6 +32,7 @@ def cut_rays(
     trajectory: np.ndarray,
     enter: np.ndarray,
     leave: np.ndarray,
+    gaps: Gaps | None = None,
 ) -> Pieces:
     """Cut rays by a sequence of intervals.
 
@@ -43,12 +46,16 @@ def cut_rays(
         Its place in the sequence, ascending within a ray.
     enter, leave : (m,) ndarray
         Its ends, mm.
+    gaps : Gaps, optional
+        What is open from the start; its pieces belong to `GAP`.
 
     Returns
     -------
     Pieces
         Those of rays that nothing cuts included.
     """
+    if gaps is not None and len(gaps.ray):
+        ray, trajectory, enter, leave = _behind(gaps, ray, trajectory, enter, leave)
     first, last = near.take(ray), far.take(ray)
     enter, leave = np.maximum(enter, first), np.minimum(leave, last)
     met = leave - enter > THINNEST
@@ -102,6 +109,24 @@ def cut_rays(
         np.concatenate((getattr(connected, name), getattr(sorted_, name)))[order] for name in ("owner", "near", "far")
     )
     return Pieces(rays[order], *columns)
+
+
+def among(gaps: Gaps, rays: np.ndarray) -> Gaps:
+    """Return the gaps of some rays, their rays counted as they are listed in `rays` (k,)."""
+    if len(gaps.ray) == 0:
+        return gaps
+    first, end = np.searchsorted(gaps.ray, rays), np.searchsorted(gaps.ray, rays, side="right")
+    listed = np.repeat(np.arange(len(rays)), end - first)
+    at = np.arange(len(listed)) - np.repeat(np.cumsum(end - first) - end, end - first)
+    return Gaps(listed, gaps.enter[at], gaps.leave[at])
+
+
+def _behind(gaps: Gaps, ray: np.ndarray, *others: np.ndarray) -> list[np.ndarray]:
+    """The intervals of rays with their gaps before them."""
+    rays = np.concatenate((gaps.ray, ray))
+    order = np.argsort(rays, kind="stable")
+    columns = (np.full(len(gaps.ray), GAP), gaps.enter, gaps.leave)
+    return [rays[order], *(np.concatenate(both)[order] for both in zip(columns, others))]
 
 
 def _deepened(

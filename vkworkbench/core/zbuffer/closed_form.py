@@ -13,7 +13,8 @@ import numpy as np
 
 from vkworkbench.core.paper import directions
 from vkworkbench.core.recognition import Recognition
-from vkworkbench.core.solids import ConvexStock, Frame, Stock, Tool, View
+from vkworkbench.core.solids import Frame, Tool, View
+from vkworkbench.core.stocks import Solid
 from vkworkbench.core.strategy import Strategy
 from vkworkbench.core.toolpath import Toolpath
 from vkworkbench.core.zbuffer.silhouette import clip, polygon_area
@@ -48,7 +49,7 @@ class _Trajectories:
     turn: np.ndarray
 
 
-def _in_stock(toolpath: Toolpath, tool: Tool, stock: Stock | ConvexStock) -> _Trajectories:
+def _in_stock(toolpath: Toolpath, tool: Tool, stock: Solid) -> _Trajectories:
     start, end = toolpath.points[:-1], toolpath.points[1:]
     low = np.minimum(start[:, 2], end[:, 2])
     inside = np.flatnonzero(low < stock.upper[2] - _LEVEL)
@@ -69,7 +70,7 @@ def _in_stock(toolpath: Toolpath, tool: Tool, stock: Stock | ConvexStock) -> _Tr
     )
 
 
-def cauchy_crofton(toolpath: Toolpath, *, stock: Stock | ConvexStock, view: View) -> float:
+def cauchy_crofton(toolpath: Toolpath, *, stock: Solid, view: View) -> float:
     """Crossings of the toolpath with the pixel rows, M = projected length / epsilon (paper, section 2.1).
 
     The baseline the paper rejects: it sees neither the tool's width nor the sequence.
@@ -77,7 +78,7 @@ def cauchy_crofton(toolpath: Toolpath, *, stock: Stock | ConvexStock, view: View
     Parameters
     ----------
     toolpath : Toolpath
-    stock : Stock or ConvexStock
+    stock : Solid
     view : View
 
     Returns
@@ -91,14 +92,14 @@ def cauchy_crofton(toolpath: Toolpath, *, stock: Stock | ConvexStock, view: View
     return float(np.hypot(move @ frame.right, move @ frame.up).sum() * 2 / np.pi / frame.pixel)
 
 
-def swept(toolpath: Toolpath, *, tool: Tool, stock: Stock | ConvexStock, view: View) -> float:
+def swept(toolpath: Toolpath, *, tool: Tool, stock: Solid, view: View) -> float:
     """Strategy-blind count of trace elements, top view: every trajectory cuts its whole width.
 
     Parameters
     ----------
     toolpath : Toolpath
     tool : Tool
-    stock : Stock or ConvexStock
+    stock : Solid
     view : View
     """
     t = _in_stock(toolpath, tool, stock)
@@ -108,7 +109,7 @@ def swept(toolpath: Toolpath, *, tool: Tool, stock: Stock | ConvexStock, view: V
 
 
 def closed_form(
-    toolpath: Toolpath, recognition: Recognition, *, tool: Tool, stock: Stock | ConvexStock, view: View
+    toolpath: Toolpath, recognition: Recognition, *, tool: Tool, stock: Solid, view: View
 ) -> float:
     """Number of trace elements expected from the strategy, the stepover and the tool.
 
@@ -118,7 +119,7 @@ def closed_form(
     recognition : Recognition
         Its strategy, stepover (the tool's whole width where there is none), passes and depths are used.
     tool : Tool
-    stock : Stock or ConvexStock
+    stock : Solid
     view : View
     """
     frame = view.frame(stock)
@@ -146,7 +147,7 @@ def _tilt(frame: Frame) -> tuple[float, float, float]:
 
 
 def _levels(
-    t: _Trajectories, recognition: Recognition, tool: Tool, stock: Stock | ConvexStock, stepover: float
+    t: _Trajectories, recognition: Recognition, tool: Tool, stock: Solid, stepover: float
 ) -> float:
     """Area a flat tool cuts, mm^2: each level once, and its whole foot again wherever it descends."""
     radius = tool.radius
@@ -257,7 +258,7 @@ def _rows_area(t: _Trajectories, rows: np.ndarray, tool: Tool, stepover: float) 
     return step * along + passes * ends + (tool.diameter - step) * along / passes
 
 
-def _grown_hull(points: np.ndarray, radius: float, stock: Stock | ConvexStock) -> tuple[float, float]:
+def _grown_hull(points: np.ndarray, radius: float, stock: Solid) -> tuple[float, float]:
     """Area of the points' convex hull grown by the radius, cut to the stock, and the hull's perimeter."""
     angles = 2 * np.pi * np.arange(64) / 64
     normals = np.column_stack((np.cos(angles), np.sin(angles)))
@@ -274,7 +275,7 @@ def _grown_hull(points: np.ndarray, radius: float, stock: Stock | ConvexStock) -
     return polygon_area(outline), float(reach.mean() * 2 * np.pi)
 
 
-def _recut(t: _Trajectories, tool: Tool, stock: Stock | ConvexStock, stepover: float) -> float:
+def _recut(t: _Trajectories, tool: Tool, stock: Solid, stepover: float) -> float:
     """Area a ball or a cone cuts, mm^2: it deepens what lies ahead of it at every trajectory.
 
     Ahead of the tool a pixel is cut again by each trajectory until the axis has passed, as far as the tool is
@@ -297,7 +298,7 @@ def _recut(t: _Trajectories, tool: Tool, stock: Stock | ConvexStock, stepover: f
 
 
 def _walls(
-    t: _Trajectories, tool: Tool, stock: Stock | ConvexStock, stepover: float, azimuth: float
+    t: _Trajectories, tool: Tool, stock: Solid, stepover: float, azimuth: float
 ) -> float:
     """Area of the walls the trajectories cut, seen from the side, mm^2."""
     key = np.rint(t.low / _LEVEL).astype(np.int64)

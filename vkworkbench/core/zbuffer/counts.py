@@ -9,7 +9,7 @@ import numpy as np
 
 from vkworkbench.core.zbuffer.culling import TILE
 from vkworkbench.core.zbuffer.dexels import UNCUT
-from vkworkbench.core.zbuffer.records import INDEX, PIXEL_BYTES, RECORD_BYTES
+from vkworkbench.core.zbuffer.records import GAP, INDEX, PIXEL_BYTES, RECORD_BYTES
 from vkworkbench.core.zbuffer.removal import Removal
 from vkworkbench.core.zbuffer.sampling import sample
 from vkworkbench.core.zbuffer.silhouette import silhouette_area
@@ -77,14 +77,16 @@ def count(removal: Removal) -> Counts:
     frame = removal.frame
     rays = sample(removal, np.random.default_rng(_SEED))
     pieces, passes = removal.cut(rays.x, rays.y)
-    cut = pieces.owner != UNCUT
-    cuts = np.bincount(pieces.ray[cut], minlength=len(rays.x))
-    parts = np.bincount(pieces.ray[~cut], minlength=len(rays.x))
+    # A ray begins with a dexel, and one more behind every gap of the stock.
+    first = np.bincount(pieces.ray[pieces.owner == GAP], minlength=len(rays.x))
+    parts = np.bincount(pieces.ray[pieces.owner == UNCUT], minlength=len(rays.x))
+    cuts = np.bincount(pieces.ray, minlength=len(rays.x)) - first - parts
+    first += cuts + parts > 0
     per_area = 1 / frame.pixel**2
 
     covered = silhouette_area(removal.stock, frame)
-    # Where a ray was cut through or through a wall: fewer or more dexels than the one it began with.
-    more, _ = rays.total(parts - (cuts + parts > 0))
+    # Where a ray was cut through or through a wall: fewer or more dexels than it began with.
+    more, _ = rays.total(parts - first)
     more = max(more, -covered)  # where everything is cut away, rounding leaves less than nothing
     traces, error = rays.total(cuts)
     band = np.floor((rays.y / frame.pixel + frame.height / 2) / TILE).astype(np.int64)

@@ -8,7 +8,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from vkworkbench.core.recognition import Recognition
-from vkworkbench.core.solids import ConvexStock, Stock, Tool, View
+from vkworkbench.core.solids import Tool, View
+from vkworkbench.core.stocks import Solid
 from vkworkbench.core.toolpath import Toolpath
 from vkworkbench.core.zbuffer.counts import count
 from vkworkbench.core.zbuffer.cuts import Cut, Cuts
@@ -111,7 +112,7 @@ def estimate(
     recognition: Recognition | None,
     *,
     tool: Tool,
-    stock: Stock | ConvexStock,
+    stock: Solid,
     view: View,
     speed: Speed = Speed(),
 ) -> Estimate:
@@ -126,7 +127,7 @@ def estimate(
     recognition : Recognition or None
         For the words of the explanation.
     tool : Tool
-    stock : Stock or ConvexStock
+    stock : Solid
     view : View
     speed : Speed
         Of this computer.

@@ -9,6 +9,7 @@ import numpy as np
 
 from vkworkbench.core.zbuffer.cuts import Source
 from vkworkbench.core.zbuffer.moments import ZBuffer
+from vkworkbench.core.zbuffer.records import GAP
 
 
 def removed_volumes(zbuffer: ZBuffer) -> np.ndarray:
@@ -21,7 +22,7 @@ def removed_volumes(zbuffer: ZBuffer) -> np.ndarray:
     """
     records, n = zbuffer.records, zbuffer.trajectories
     length = records.far.astype(float) - records.near()
-    volumes = np.bincount(records.owner, length, n + 1)[:n]
+    volumes = np.bincount(records.owner - GAP, length, n + 2)[1:-1]  # gaps come first, what stays last
     return volumes * zbuffer.frame.pixel**2
 
 
@@ -82,7 +83,7 @@ def crashes(zbuffer: ZBuffer) -> list[Crash]:
     zbuffer : ZBuffer
     """
     records, frame = zbuffer.records, zbuffer.frame
-    rapid = np.append(zbuffer.cuts.rapid, False)
+    rapid = np.append(zbuffer.cuts.rapid, [False, False])  # what stays, and gaps
     pieces = np.flatnonzero(rapid[records.owner])
     if len(pieces) == 0:
         return []

@@ -7,7 +7,8 @@ from collections.abc import Iterable
 
 import numpy as np
 
-from vkworkbench.core.solids import ConvexStock, Stock, View
+from vkworkbench.core.solids import View
+from vkworkbench.core.stocks import Solid
 from vkworkbench.core.zbuffer.counts import Counts, count
 from vkworkbench.core.zbuffer.cuts import Cut, Cuts
 from vkworkbench.core.zbuffer.records import PIXEL_BYTES, RECORD_BYTES
@@ -48,13 +49,13 @@ class OverBudget(Unusable):
         self.needed, self.allowed = needed, allowed
 
 
-def memory_needed(cuts: Iterable[Cut], *, stock: Stock | ConvexStock, view: View) -> float:
+def memory_needed(cuts: Iterable[Cut], *, stock: Solid, view: View) -> float:
     """Memory that `simulate_job` takes at its peak for these arguments, bytes, from some hundred rays.
 
     Parameters
     ----------
     cuts : iterable of Cut
-    stock : Stock or ConvexStock
+    stock : Solid
     view : View
     """
     cuts = Cuts(cuts)

@@ -78,7 +78,7 @@ class ZBuffer:
     @property
     def traces(self) -> int:
         """Number of trace elements at this moment."""
-        return int(np.count_nonzero(self.records.owner < self.step))
+        return int(np.count_nonzero(self.records.cut & (self.records.owner < self.step)))
 
     @property
     def memory_bytes(self) -> int:

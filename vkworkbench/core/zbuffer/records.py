@@ -16,6 +16,8 @@ DEXEL = np.dtype([("near", np.float32), ("far", np.float32), ("pixel", np.uint32
 TRACE = np.dtype([("near", np.float32), ("far", np.float32), ("trajectory", np.uint32)])
 # One entry for each pixel: where its records begin.
 INDEX = np.dtype(np.uint32)
+# Owner of a piece in which nothing was from the start: of a gap of the stock.
+GAP = -1
 # What one piece and one pixel take as they are held.
 RECORD_BYTES = 8
 PIXEL_BYTES = 8
@@ -35,8 +37,8 @@ class Records:
         Depth at which each pixel's ray enters the stock, mm; 0 where it misses.
     far : (p,) float32
         Depth at which each piece ends, mm.
-    owner : (p,) uint32
-        Trajectory that removes it; `trajectories` where none does.
+    owner : (p,) int32
+        Trajectory that removes it; `trajectories` where none does, `GAP` where nothing was from the start.
     """
 
     trajectories: int
@@ -49,6 +51,11 @@ class Records:
     def nbytes(self) -> int:
         """Bytes held."""
         return self.index.nbytes + self.entry.nbytes + self.far.nbytes + self.owner.nbytes
+
+    @property
+    def cut(self) -> np.ndarray:
+        """Which pieces a trajectory removes, (p,) bool."""
+        return (self.owner != GAP) & (self.owner < self.trajectories)
 
     def near(self) -> np.ndarray:
         """Depth at which each piece begins, (p,) float32 mm."""
@@ -76,14 +83,14 @@ class Records:
 
     def traces(self) -> np.ndarray:
         """Return what all trajectories remove: (m,) ndarray of TRACE, by pixel and depth."""
-        cut = np.flatnonzero(self.owner < self.trajectories)
+        cut = np.flatnonzero(self.cut)
         traces = np.empty(len(cut), TRACE)
         traces["near"], traces["far"], traces["trajectory"] = self.near()[cut], self.far[cut], self.owner[cut]
         return traces
 
     def trace_index(self) -> np.ndarray:
         """Return each pixel's first element in :meth:`traces`, (pixels + 1,) ndarray of INDEX."""
-        before = np.append(0, np.cumsum(self.owner < self.trajectories))
+        before = np.append(0, np.cumsum(self.cut))
         return before[self.index].astype(INDEX)
 
 
@@ -94,7 +101,7 @@ class Writer:
         self.trajectories = trajectories
         self.index = np.zeros(pixels + 1, INDEX)
         self.entry = np.zeros(pixels, np.float32)
-        self.far, self.owner = np.empty(0, np.float32), np.empty(0, np.uint32)
+        self.far, self.owner = np.empty(0, np.float32), np.empty(0, np.int32)
         self.pixels = self.pieces = 0
 
     def append(self, band: Records) -> None:

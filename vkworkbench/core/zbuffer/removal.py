@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from vkworkbench.core.zbuffer.chains import cut_rays
+from vkworkbench.core.zbuffer.chains import among, cut_rays
 from vkworkbench.core.zbuffer.dexels import THINNEST, Pieces
 from vkworkbench.core.zbuffer.trajectories import Trajectories
 
@@ -37,22 +37,22 @@ class Removal(Trajectories):
         Returns
         -------
         pieces : Pieces
-            Their owners are numbers of trajectories.
+            Their owners are numbers of trajectories, `GAP` where nothing was from the start.
         passes : (k,) int64
             How many trajectories each ray was examined with.
         """
-        near, far = self.stock.chords(self.frame.origins(x, y), self.frame.direction)
+        near, far, gaps = self.stock.spans(self.frame, x, y)
         # Beside the stock there is nothing to cut.
         inside = np.flatnonzero(far - near > THINNEST)
         passes = np.zeros(len(x), np.int64)
-        x, y, near, far = x[inside], y[inside], near[inside], far[inside]
+        x, y, near, far, gaps = x[inside], y[inside], near[inside], far[inside], among(gaps, inside)
         parts = [(np.empty(0, np.int64), np.empty(0, np.int32), np.empty(0), np.empty(0))]
         for first, last, group, item in self._meetings(x, y, selection):
             ray, item = self._pairs(group, item, x[first:last], y[first:last])
             passes[inside[first:last]] = np.bincount(ray, minlength=last - first)
-            pieces = self._cut_pairs(
-                ray, item, x[first:last], y[first:last], near[first:last], far[first:last]
-            )
+            enter, leave = self.intervals(x[first:last][ray], y[first:last][ray], item)
+            own = among(gaps, np.arange(first, last))
+            pieces = cut_rays(near[first:last], far[first:last], ray, self.index[item], enter, leave, own)
             parts.append((inside[pieces.ray + first], pieces.owner, pieces.near, pieces.far))
         return Pieces(*(np.concatenate(columns) for columns in zip(*parts))), passes
 
@@ -98,15 +98,3 @@ class Removal(Trajectories):
         # Radix sort, while there are few rays.
         order = np.argsort(ray.astype(np.uint16) if len(x) < 1 << 16 else ray, kind="stable")
         return ray[order], hit[order]
-
-    def _cut_pairs(
-        self,
-        ray: np.ndarray,
-        item: np.ndarray,
-        x: np.ndarray,
-        y: np.ndarray,
-        near: np.ndarray,
-        far: np.ndarray,
-    ) -> Pieces:
-        enter, leave = self.intervals(x[ray], y[ray], item)
-        return cut_rays(near, far, ray, self.index[item], enter, leave)

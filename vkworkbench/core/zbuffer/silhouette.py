@@ -5,17 +5,21 @@ from __future__ import annotations
 
 import numpy as np
 
-from vkworkbench.core.solids import ConvexStock, Frame, Stock
+from vkworkbench.core.solids import Frame
+from vkworkbench.core.stocks import Mesh, Solid
 
 
-def silhouette_area(stock: Stock | ConvexStock, frame: Frame) -> float:
-    """Area of the image a convex stock covers, mm^2.
+def silhouette_area(stock: Solid, frame: Frame) -> float:
+    """Area of the image a stock covers, mm^2; where a mesh covers it several times, as often.
 
     Parameters
     ----------
-    stock : Stock or ConvexStock
+    stock : Solid
     frame : Frame
+        Whose image holds a mesh as a whole.
     """
+    if isinstance(stock, Mesh):
+        return stock.seen_area(frame)
     points = (stock.corners - frame.centre) @ np.array([frame.right, frame.up]).T
     outline = _convex_hull(points.tolist())
     for axis, pixels in enumerate((frame.width, frame.height)):

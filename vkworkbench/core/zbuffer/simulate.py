@@ -7,12 +7,13 @@ from collections.abc import Callable, Iterable, Iterator
 
 import numpy as np
 
-from vkworkbench.core.solids import ConvexStock, Stock, Tool, View
+from vkworkbench.core.solids import Tool, View
+from vkworkbench.core.stocks import Solid
 from vkworkbench.core.toolpath import Toolpath
-from vkworkbench.core.zbuffer.chains import cut_rays
+from vkworkbench.core.zbuffer.chains import among, cut_rays
 from vkworkbench.core.zbuffer.culling import TILE, Tiles, culled
 from vkworkbench.core.zbuffer.cuts import Cut, Cuts
-from vkworkbench.core.zbuffer.dexels import THINNEST, UNCUT
+from vkworkbench.core.zbuffer.dexels import THINNEST, UNCUT, Pieces
 from vkworkbench.core.zbuffer.memory import BUDGET, check_memory
 from vkworkbench.core.zbuffer.moments import ZBuffer
 from vkworkbench.core.zbuffer.records import INDEX, Records, Writer
@@ -27,7 +28,7 @@ def simulate(
     toolpath: Toolpath,
     *,
     tool: Tool,
-    stock: Stock | ConvexStock,
+    stock: Solid,
     view: View,
     memory_budget: float = BUDGET,
     going_on: Callable[[float], None] | None = None,
@@ -40,7 +41,7 @@ def simulate(
 def simulate_job(
     cuts: Iterable[Cut],
     *,
-    stock: Stock | ConvexStock,
+    stock: Solid,
     view: View,
     memory_budget: float = BUDGET,
     going_on: Callable[[float], None] | None = None,
@@ -55,7 +56,7 @@ def simulate_job(
     ----------
     cuts : iterable of Cut
         The operations in their order.
-    stock : Stock or ConvexStock
+    stock : Solid
     view : View
     memory_budget : float
         Bytes that the process may take for it at its peak.
@@ -105,10 +106,11 @@ def _cut_band(
     top = min(bottom + TILE, frame.height)
     row, column = np.divmod(np.arange(bottom * frame.width, top * frame.width), frame.width)
     x, y = frame.pixel_centres(column, row)
-    near, far = trajectories.stock.chords(frame.origins(x, y), frame.direction)
+    near, far, gaps = trajectories.stock.spans(frame, x, y)
     inside = far - near > THINNEST
     size = inside.astype(np.int64)
-    parts, candidates = [], 0
+    parts, candidates, pending = [], 0, np.zeros(len(x), bool)
+    pending[gaps.ray] = True
     for pixels, tested in blocks:
         candidates += tested
         ray = (pixels.row - bottom) * frame.width + pixels.column
@@ -121,16 +123,30 @@ def _cut_band(
         met = inside[ray]
         if not met.all():
             ray, pair = ray[met], (np.cumsum(met) - 1).take(pair)
-        pieces = cut_rays(near[ray], far[ray], pair[hits], owner, enter, leave)
-        count = np.bincount(pieces.ray, minlength=len(ray))
+        pieces = cut_rays(near[ray], far[ray], pair[hits], owner, enter, leave, among(gaps, ray))
+        parts.append(_counted(ray, pieces, uncut))
+        pending[ray] = False
+    ray = np.flatnonzero(pending & inside)
+    if len(ray):
+        nobody, nowhere = np.empty(0, np.int64), np.empty(0)
+        pieces = cut_rays(near[ray], far[ray], nobody, nobody, nowhere, nowhere, among(gaps, ray))
+        parts.append(_counted(ray, pieces, uncut))
+    for ray, count, _, _ in parts:
         size[ray] = count
-        owner = np.where(pieces.owner == UNCUT, uncut, pieces.owner).astype(np.uint32)
-        parts.append((ray, count, pieces.far.astype(np.float32), owner))
     index = np.append(0, np.cumsum(size))
-    ends, owners = np.empty(index[-1], np.float32), np.full(index[-1], uncut, np.uint32)
+    ends, owners = np.empty(index[-1], np.float32), np.full(index[-1], uncut, np.int32)
     ends[index[:-1][inside]] = far[inside]  # what nothing cuts; the others' pieces are put over it
     for ray, count, end, owner in parts:
         at = np.repeat(index[ray] - (np.cumsum(count) - count), count) + np.arange(len(end))
         ends[at], owners[at] = end, owner
     entry = np.where(inside, near, 0).astype(np.float32)
     return Records(uncut, index.astype(INDEX), entry, ends, owners), candidates
+
+
+def _counted(
+    ray: np.ndarray, pieces: Pieces, uncut: int
+) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
+    """Rays with the number of their pieces; ends and owners of these."""
+    count = np.bincount(pieces.ray, minlength=len(ray))
+    owner = np.where(pieces.owner == UNCUT, uncut, pieces.owner).astype(np.int32)
+    return ray, count, pieces.far.astype(np.float32), owner

@@ -14,10 +14,10 @@ from functools import cached_property
 
 import numpy as np
 
-from vkworkbench.core.zbuffer.records import Records
+from vkworkbench.core.zbuffer.records import GAP, Records
 
 # Owner of a surface that no trajectory made: the stock's own, or none.
-STOCK = -1
+STOCK = GAP
 
 
 @dataclass(frozen=True, eq=False)

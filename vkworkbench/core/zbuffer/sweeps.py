@@ -72,7 +72,7 @@ def _profile(tool: Tool, r: np.ndarray) -> np.ndarray:
     """Tool.height without its end at the rim, where rounding would make points of the rim infinite."""
     corner = tool.rounding
     if corner == 0:
-        return tool.steepness * r
+        return tool.steepness * np.maximum(r - tool.tip, 0)
     beyond_flat = np.clip(r - (tool.radius - corner), 0, corner)
     return corner - np.sqrt(corner**2 - beyond_flat**2)
 
@@ -87,7 +87,9 @@ def _lowest_position(
         return -slope * half / np.sqrt(1 + slope**2)
     if tool.rounding == 0:
         steeper = tool.steepness**2 - slope**2
-        inner = -slope * np.sqrt(aside2 / np.where(steeper > 0, steeper, 1))
+        inner = np.abs(slope) * np.sqrt(aside2 / np.where(steeper > 0, steeper, 1))
+        # Where that is on the flat tip, its edge is lower.
+        inner = -np.sign(slope) * np.maximum(inner, np.sqrt(np.maximum(tool.tip**2 - aside2, 0)))
         return np.where(steeper > 0, inner, np.where(slope > 0, first, last))
     low, high = first.copy(), last.copy()
     flat = tool.radius - tool.rounding
@@ -201,14 +203,18 @@ def _straight_chord(
     # Along the ray height = level - tangent * y, y measured from the tool's axis.
     level = z + tangent * y - base + ROUNDING
     if tool.steepness > 0:
-        cone_low, cone_high = _cone_chord(tool.steepness, tangent, x, level)
+        # The cone's apex lies below a flat tip.
+        cone_low, cone_high = _cone_chord(tool.steepness, tangent, x, level + tool.steepness * tool.tip)
         low, high = np.maximum(low, cone_low), np.minimum(half, cone_high)
-    elif tangent > 0:
-        high = np.minimum(half, level / tangent)
-    elif tangent < 0:
-        low, high = np.maximum(low, level / tangent), half
     else:
-        high = np.where(level >= 0, half, -np.inf)
+        high = half
+    if tool.steepness == 0 or tool.tip > 0:
+        if tangent > 0:
+            high = np.minimum(high, level / tangent)
+        elif tangent < 0:
+            low = np.maximum(low, level / tangent)
+        else:
+            high = np.where(level >= 0, high, -np.inf)
     return (low - y) / sine, (high - y) / sine
 
 
@@ -243,20 +249,21 @@ def _straight_sides(
     sides = [divide(x + reach, ux), divide(x - reach, ux)]
     if tool.rounding == tool.radius:
         return sides  # a ball goes on where the cylinder ends: there is no edge between them
-    # The swept rim, where cylinder and bottom (or cone) meet.
-    tilted = cosine * y + sine * (z - base - tool.steepness * tool.radius)
+    # The swept rims, where cylinder and bottom (or cone) meet, and cone and flat tip.
+    k = tool.steepness
     tilted_move = cosine * uy + sine * uz
     square = (cosine * ux) ** 2 + tilted_move**2
-    middle = cosine**2 * x * ux + tilted * tilted_move
-    rest = cosine**2 * (x**2 - tool.radius**2) + tilted**2
-    root = np.sqrt(np.maximum(middle**2 - square * rest, 0))
-    sides += [divide(middle - root, square), divide(middle + root, square)]
-    if tool.steepness > 0:
+    for radius, height in ((tool.radius, k * (tool.radius - tool.tip)), (tool.tip, 0.0))[: 2 if tool.tip else 1]:
+        tilted = cosine * y + sine * (z - base - height)
+        middle = cosine**2 * x * ux + tilted * tilted_move
+        rest = cosine**2 * (x**2 - radius**2) + tilted**2
+        root = np.sqrt(np.maximum(middle**2 - square * rest, 0))
+        sides += [divide(middle - root, square), divide(middle + root, square)]
+    if k > 0:
         # The two planes that touch the cone all along the move.
-        k = tool.steepness
         cos_touch = np.clip(uz / (k * safe_run), -1, 1)
         sin_touch = np.sqrt(1 - cos_touch**2)
-        tilted = cosine * y + sine * z
+        tilted = cosine * y + sine * (z + k * tool.tip)
         for sign in (1, -1):
             ex = (cos_touch * ux - sign * sin_touch * uy) / safe_run
             ey = (cos_touch * uy + sign * sin_touch * ux) / safe_run

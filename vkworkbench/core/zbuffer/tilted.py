@@ -16,7 +16,8 @@ from math import hypot, sqrt
 
 import numpy as np
 
-from vkworkbench.core.solids import ConvexStock, Frame, Stock, Tool
+from vkworkbench.core.solids import Frame, Tool
+from vkworkbench.core.stocks import Solid
 from vkworkbench.core.zbuffer.culling import NOISE, QUARTERS
 from vkworkbench.core.zbuffer.dexels import THINNEST, before_in_group
 from vkworkbench.core.zbuffer.sweeps import ROUNDING, intervals
@@ -89,7 +90,7 @@ class _TileChords:
     `shear` is how much the depth counts from further down the image, mm per mm.
     """
 
-    def __init__(self, stock: Stock | ConvexStock, frame: Frame, shear: float) -> None:
+    def __init__(self, stock: Solid, frame: Frame, shear: float) -> None:
         slope = stock.normals @ frame.direction
         room = stock.offsets - stock.normals @ frame.centre
         right, up = stock.normals @ frame.right, stock.normals @ frame.up
@@ -129,23 +130,18 @@ class _Growth:
     def grown(self, reach: float) -> tuple[Tool, float]:
         """Return a tool that holds this one, and how much higher its tip is, mm."""
         aside, away = self._moved(reach)
-        tool, k = self.tool, self.tool.steepness
-        if self.flat:
-            return Tool("endmill", tool.diameter + 2 * aside), self.flat if self.level else -away * self.sine
-        wider = away if self.ball else aside
-        rise = away * self.sine
+        tool = self.tool
         if self.ball:
-            rise = away
-        elif self.level:
-            rise = k * aside
-        elif k:
-            rise = away * hypot(1, k)
-        return replace(tool, diameter=tool.diameter + 2 * wider), -rise
+            return replace(tool, diameter=tool.diameter + 2 * away), -away
+        lower = 0.0 if self.level else away * self.sine
+        if self.flat:
+            return Tool("endmill", tool.diameter + 2 * aside), self.flat - lower
+        return self._wider(aside), -lower
 
     def shrunk(self, reach: float) -> tuple[Tool | None, float]:
         """Return a tool that this one holds, None where there is none, and how much higher its tip is, mm."""
         aside, away = self._moved(reach)
-        tool, k = self.tool, self.tool.steepness
+        tool = self.tool
         # What only touches a surface is decided by rounding: a little less is certain.
         aside, away = aside + _LESS, away + (0 if self.level and not self.ball else _LESS)
         diameter = tool.diameter - 2 * (away if self.ball else aside + tool.rounding)
@@ -153,10 +149,15 @@ class _Growth:
             return None, 0.0
         if self.flat:
             return Tool("endmill", diameter), self.flat + away
-        rise = away
-        if not self.ball:
-            rise = k * aside if self.level else away * hypot(1, k)
-        return replace(tool, diameter=diameter), rise
+        if self.ball:
+            return replace(tool, diameter=diameter), away
+        # Of a tip that is narrower than that, its cone is left above it.
+        return self._wider(-aside), away + tool.steepness * max(aside - tool.tip, 0.0)
+
+    def _wider(self, aside: float) -> Tool:
+        """Return the end mill or cone wider by so much all around: its flat tip as well."""
+        tip = max(self.tool.tip + aside, 0.0) if self.tool.steepness else 0.0
+        return replace(self.tool, diameter=self.tool.diameter + 2 * aside, tip_diameter=2 * tip)
 
 
 def _not_yet_open(

@@ -8,7 +8,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vkworkbench.core.solids import ConvexStock, Frame, Stock, Tool
+from vkworkbench.core.solids import Frame, Tool
+from vkworkbench.core.stocks import Solid
 from vkworkbench.core.zbuffer.cuts import Cuts
 from vkworkbench.core.zbuffer.sweeps import headings, intervals, lowest
 
@@ -29,7 +30,7 @@ class Trajectories:
     Parameters
     ----------
     cuts : Cuts
-    stock : Stock or ConvexStock
+    stock : Solid
     frame : Frame
         The view of this stock.
 
@@ -50,7 +51,7 @@ class Trajectories:
         image's centre, mm.
     """
 
-    def __init__(self, cuts: Cuts, stock: Stock | ConvexStock, frame: Frame) -> None:
+    def __init__(self, cuts: Cuts, stock: Solid, frame: Frame) -> None:
         self.stock, self.frame = stock, frame
         self.sine = float(np.hypot(frame.direction[0], frame.direction[1]))
         self.cosine = float(-frame.direction[2])

@@ -139,7 +139,7 @@ def _sloped(
         round_part = np.maximum(inner - flat, 0)
         endless = corner - np.sqrt(np.maximum(corner**2 - round_part**2, 0.0)) * secant - steepness * flat
     else:
-        endless = np.where(steepness < k, inner * np.sqrt(np.maximum(k**2 - slope**2, 0.0)), -np.inf)
+        endless = np.where(steepness < k, inner * np.sqrt(np.maximum(k**2 - slope**2, 0.0)) - k * tool.tip, -np.inf)
     deepest = -slope * along + steepness * extent - np.maximum(lowest, endless)
 
     # Above each point the tool stands where it is about lowest, as far as the move goes.
@@ -149,7 +149,8 @@ def _sloped(
         ahead = np.sqrt(np.maximum(flat**2 - outer**2, 0.0)) + rest * steepness / secant
     else:
         gentle = np.sqrt(np.maximum(k**2 - slope**2, 1e-12))
-        ahead = np.where(steepness < k, steepness * outer / gentle, np.inf)
+        ahead = np.maximum(steepness * outer / gentle, np.sqrt(np.maximum(tool.tip**2 - outer**2, 0.0)))
+        ahead = np.where(steepness < k, ahead, np.inf)
         ahead = np.minimum(ahead, np.sqrt(np.maximum(tool.radius**2 - outer**2, 0.0)))
     # The edge of the tool is left out: rounding would put it outside.
     best = -np.sign(slope) * ahead * (1 - 1e-9)
@@ -169,6 +170,6 @@ def profile(tool: Tool, distance2: np.ndarray) -> np.ndarray | float:
         return 0.0
     distance = np.sqrt(np.minimum(distance2, tool.radius**2))
     if corner == 0:
-        return tool.steepness * distance
+        return tool.steepness * np.maximum(distance - tool.tip, 0)
     beyond_flat = np.maximum(distance - (tool.radius - corner), 0)
     return corner - np.sqrt(np.maximum(corner**2 - beyond_flat**2, 0.0))

@@ -26,6 +26,9 @@ OPERATIONS = {
         "Sentences", "the corner radius must lie between 0 and {radius:mm}, not be {corner:mm}"
     ),
     "tip-angle": QT_TRANSLATE_NOOP("Sentences", "the tip angle must lie between 0 and pi, not be {angle:g}"),
+    "tip-diameter": QT_TRANSLATE_NOOP(
+        "Sentences", "the tip's diameter must lie between 0 and {diameter:mm}, not be {tip:mm}"
+    ),
     "no-job": QT_TRANSLATE_NOOP("Sentences", "no stock: put the toolpath into a job"),
     "no-stock": QT_TRANSLATE_NOOP("Sentences", "no stock: give {label} a stock"),
     "stock-not-finite": QT_TRANSLATE_NOOP(
@@ -34,6 +37,14 @@ OPERATIONS = {
     "stock-without-volume": QT_TRANSLATE_NOOP(
         "Sentences", "the stock has no volume: its upper corner must exceed its lower corner in x, y and z"
     ),
+    "solid-not-closed": QT_TRANSLATE_NOOP("Sentences", "the solid's surface is not closed"),
+    "stock-as-box": QT_TRANSLATE_NOOP(
+        "Sentences", "the stock of {label} is taken for the box around it: {sentence}"
+    ),
+    "tool-simplified": QT_TRANSLATE_NOOP("Sentences", "{label} is not simulated exactly, but {instead}"),
+    "as-end-mill": QT_TRANSLATE_NOOP("Sentences", "as an end mill of its largest diameter"),
+    "as-ball-end": QT_TRANSLATE_NOOP("Sentences", "as a ball end of its tip's diameter"),
+    "as-drill": QT_TRANSLATE_NOOP("Sentences", "as a drill"),
     "cost-unknown": QT_TRANSLATE_NOOP("Sentences", "cost unknown for {labels}"),
     "nothing-to-simulate": QT_TRANSLATE_NOOP(
         "Sentences", "there is nothing to simulate: choose a job, or operations with a toolpath"

@@ -1,0 +1,176 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Stocks that no planes bound: cylinders, and closed meshes with holes and undercuts."""
+
+from __future__ import annotations
+
+from math import pi
+
+import numpy as np
+import pytest
+from zbuffer_reference.dexels import Pieces, first_cuts
+from zbuffer_reference.paths import BOX, DIRECTIONS, PATHS, TOOLS, toolpath
+
+from vkworkbench.core import ConvexStock, Cylinder, Mesh, Tool, View, estimate
+from vkworkbench.core.zbuffer.cuts import Cut, Cuts
+from vkworkbench.core.zbuffer.facts import removed_volumes
+from vkworkbench.core.zbuffer.records import GAP
+from vkworkbench.core.zbuffer.removal import Removal
+from vkworkbench.core.zbuffer.simulate import simulate
+from vkworkbench.core.zbuffer.surface import STOCK
+from vkworkbench.language import Unusable
+
+NOISE = 1e-5  # mm
+
+
+def box(lower, upper):
+    """The twelve triangles of a box."""
+    corner = np.array([[(lower, upper)[bits >> axis & 1][axis] for axis in range(3)] for bits in range(8)], float)
+    faces = [(0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3)]
+    return np.array([corner[[a, b, c]] for a, b, c, d in faces for a, b, c in ((a, b, c), (a, c, d))])
+
+
+def ball(middle, radius, parts=24):
+    """Triangles of a ball's inscribed polyhedron."""
+    phi, theta = np.meshgrid(0.1 + np.linspace(0, 2 * pi, 2 * parts + 1), np.linspace(0, pi, parts + 1))
+    at = np.stack((np.sin(theta) * np.cos(phi), np.sin(theta) * np.sin(phi), np.cos(theta)), axis=-1) * radius + middle
+    a, b, c, d = at[:-1, :-1], at[:-1, 1:], at[1:, :-1], at[1:, 1:]
+    return np.concatenate((np.stack((a, b, c), 2).reshape(-1, 3, 3), np.stack((b, d, c), 2).reshape(-1, 3, 3)))
+
+
+# A block of 40 x 30 x 10 with a cavity of 20 x 10 x 4 in it, and a block beside it behind a slot.
+HOLLOW = np.concatenate((box((0, 0, 0), (25, 30, 10)), box((5, 10, 3), (20, 20, 7)), box((30, 0, 0), (40, 30, 10))))
+
+
+@pytest.mark.parametrize("direction", DIRECTIONS)
+def test_a_mesh_of_a_box_is_the_box(direction):
+    rng = np.random.default_rng(3)
+    points = PATHS[0](rng, 30)
+    for tool in TOOLS[::2]:
+        solids = {"tool": tool, "view": View(direction, 70, 50)}
+        mesh = simulate(toolpath(points), stock=Mesh(box(BOX.lower, BOX.upper)), **solids).records
+        plain = simulate(toolpath(points), stock=BOX, **solids).records
+        assert np.array_equal(mesh.index, plain.index) and np.array_equal(mesh.owner, plain.owner)
+        assert mesh.far == pytest.approx(plain.far, abs=NOISE) and mesh.entry == pytest.approx(plain.entry, abs=NOISE)
+
+
+@pytest.mark.parametrize("direction", DIRECTIONS)
+def test_holes_are_holes_from_the_start(direction):
+    z = simulate(toolpath(np.zeros((1, 3))), tool=TOOLS[0], stock=Mesh(HOLLOW), view=View(direction, 200, 150))
+    assert z.part_volume == pytest.approx(25 * 30 * 10 - 15 * 10 * 4 + 10 * 30 * 10, rel=0.02)
+    assert z.chip_volume == 0 and (z.picture.owner == STOCK).all()
+    inside = z.records.far.astype(float) - z.records.near()
+    assert inside.min() > 0
+    if direction[:2] == (0, 0):
+        assert inside[z.records.owner == GAP].sum() * z.frame.pixel**2 == pytest.approx(15 * 10 * 4, rel=0.02)
+        assert z.dexels * z.frame.pixel**2 == pytest.approx(35 * 30 + 15 * 10, rel=0.02)
+
+
+@pytest.mark.parametrize("seed", range(18))
+def test_a_mesh_is_cut_as_every_trajectory_on_every_ray_cuts_it(seed):
+    """Its inside from the crossings of ray and triangle, one pair after the other (Moeller and Trumbore 1997)."""
+    rng = np.random.default_rng(seed)
+    stock = Mesh(HOLLOW if seed % 2 else np.concatenate((ball((20, 15, 5), 14), ball((20, 15, 5), 9))))
+    path, tool = PATHS[rng.integers(len(PATHS))], TOOLS[rng.integers(len(TOOLS))]
+    moves = toolpath(path(rng, 30))
+    z = simulate(moves, tool=tool, stock=stock, view=View(DIRECTIONS[seed % len(DIRECTIONS)], 46, 38, pixel=0.97))
+    frame = z.frame
+    row, column = np.divmod(np.arange(46 * 38), 46)
+    x, y = frame.pixel_centres(column, row)
+    ray, near, far = inside(stock, frame.origins(x, y), frame.direction)
+    removal = Removal(Cuts([Cut(moves, tool)]), stock, frame)
+    # Each stretch inside is cut as a ray of its own.
+    stretch, item = (pairs.ravel() for pairs in np.indices((len(ray), len(removal.index))))
+    enter, leave = removal.intervals(x[ray[stretch]], y[ray[stretch]], item)
+    pieces = first_cuts(near, far, stretch, removal.index[item], enter, leave)
+    expected = Pieces(ray[pieces.ray], pieces.owner, pieces.near, pieces.far)
+    records = z.records
+    kept = records.owner != GAP
+    assert np.array_equal(records.pixel()[kept], expected.ray)
+    assert np.array_equal(records.owner[kept], np.minimum(expected.owner, z.trajectories))
+    assert records.near()[kept] == pytest.approx(expected.near, abs=NOISE)
+    assert records.far[kept] == pytest.approx(expected.far, abs=NOISE)
+
+
+def inside(mesh, origins, direction):
+    """Rays, and where each enters and leaves the solid, by ray and depth."""
+    a, b, c = (mesh.corners[mesh.triangles[:, k]] for k in range(3))
+    found = []
+    for ray, origin in enumerate(origins):
+        across = np.cross(direction, c - a)
+        volume = (across * (b - a)).sum(axis=1)
+        volume = np.where(volume == 0, np.nan, volume)
+        to = origin - a
+        u = (to * across).sum(axis=1) / volume
+        turned = np.cross(to, b - a)
+        v = (turned @ direction) / volume
+        depth = ((c - a) * turned).sum(axis=1) / volume
+        crossed = np.sort(depth[(u >= 0) & (v >= 0) & (u + v <= 1)])
+        crossed = crossed[np.diff(crossed, prepend=-np.inf) > 1e-9]  # an edge is met twice
+        assert len(crossed) % 2 == 0
+        found += [(ray, *pair) for pair in crossed.reshape(-1, 2) if pair[1] - pair[0] > 1e-4]
+    ray, near, far = np.array(found).T
+    return ray.astype(int), near, far
+
+
+def test_no_ray_slips_through_between_triangles():
+    """Rays through corners and along edges: on the grid on which the corners lie."""
+    corners = np.stack(np.meshgrid(np.arange(9.0), np.arange(9.0), indexing="ij"), axis=-1).reshape(81, 2)
+    height = np.random.default_rng(0).uniform(3, 6, 81)
+    top, ground = (np.column_stack((corners, z)) for z in (height, np.zeros(81)))
+    a = np.add.outer(9 * np.arange(8), np.arange(8)).ravel()
+    squares = np.concatenate([np.stack((a, a + 9, a + 1), 1), np.stack((a + 9, a + 10, a + 1), 1)])
+    rim = np.concatenate((np.arange(9), np.arange(17, 81, 9), np.arange(79, 71, -1), np.arange(63, 0, -9)))
+    after = np.roll(rim, -1)
+    walls = np.concatenate((np.stack((ground[rim], ground[after], top[rim]), 1), np.stack((ground[after], top[after], top[rim]), 1)))
+    mesh = Mesh(np.concatenate((top[squares], ground[squares], walls)))
+    for direction in DIRECTIONS:
+        frame = View(direction, 128, 128, pixel=0.125).frame(mesh)
+        x, y = frame.pixel_centres(*np.divmod(np.arange(128 * 128), 128))
+        for shift in (0.0, 0.0625):
+            spans = mesh.spans(frame, x + shift, y + shift)
+            assert (spans.far >= spans.near).all() and (spans.gaps.leave >= spans.gaps.enter).all()
+            volume = (spans.far - spans.near).sum() - (spans.gaps.leave - spans.gaps.enter).sum()
+            assert volume * 0.125**2 == pytest.approx(prism_volume(corners, height, squares), rel=0.02)
+
+
+def prism_volume(corners, height, triangles):
+    (ax, ay), (bx, by), (cx, cy) = (corners[triangles[:, k]].T for k in range(3))
+    areas = np.abs((bx - ax) * (cy - ay) - (cx - ax) * (by - ay)) / 2
+    return (areas * height[triangles].mean(axis=1)).sum()
+
+
+@pytest.mark.parametrize("direction", DIRECTIONS)
+def test_a_cylinder_is_round(direction):
+    exact, prism = Cylinder((20, 15, 1), 14, 9), ConvexStock.cylinder((20, 15, 1), 14, 9, sides=180)
+    points = PATHS[0](np.random.default_rng(1), 20)
+    view = View(direction, 160, 120, pixel=0.3)
+    one, two = (simulate(toolpath(points), tool=TOOLS[0], stock=stock, view=view) for stock in (exact, prism))
+    assert one.at(0).part_volume == pytest.approx(pi * 14**2 * 9, rel=0.01)
+    assert one.part_volume == pytest.approx(two.part_volume, rel=0.002)
+    assert removed_volumes(one) == pytest.approx(removed_volumes(two), rel=0.01, abs=2)
+
+
+@pytest.mark.parametrize("direction", DIRECTIONS)
+@pytest.mark.parametrize("stock", [Cylinder((20, 15, 1), 14, 9), Mesh(HOLLOW)], ids=["cylinder", "hollow"])
+def test_the_estimate_knows_the_stock(stock, direction):
+    points = PATHS[1](np.random.default_rng(2), 40)
+    solids = {"tool": Tool("endmill", 4), "stock": stock, "view": View(direction, 200, 150)}
+    told, true = estimate(toolpath(points), None, **solids), simulate(toolpath(points), **solids)
+    assert abs(told.traces - true.traces) < 3 * told.traces_error + 0.01 * true.traces
+    assert told.dexels == pytest.approx(true.dexels, rel=0.1)
+
+
+def test_what_is_no_solid_is_refused():
+    for triangles, code in (
+        (HOLLOW[1:], "solid-not-closed"),
+        (HOLLOW * [1, 1, np.nan], "stock-not-finite"),
+        (np.zeros((4, 3, 3)), "stock-without-volume"),
+    ):
+        with pytest.raises(Unusable) as refused:
+            Mesh(triangles)
+        assert refused.value.what.code == code
+    for radius, height in ((0, 5), (5, -1)):
+        with pytest.raises(Unusable):
+            Cylinder((0, 0, 0), radius, height)
+    with pytest.raises(Unusable):
+        Cylinder((0, 0, np.inf), 1, 1)

@@ -1,0 +1,101 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Stocks, models and tools of FreeCAD as the simulation has them."""
+
+from math import pi
+from types import SimpleNamespace
+
+import FreeCAD
+import numpy as np
+import Part
+import pytest
+
+import vkworkbench
+from vkworkbench.core import Cylinder, Mesh, Stock, View
+from vkworkbench.document.setting import read_stock, read_tool, tool_remark
+from vkworkbench.document.solids import model_solid, stock_solid
+from vkworkbench.language import render
+
+VIEW = View((1, 1, -1), 200, 150)
+SHAPES = {
+    "box": (Part.makeBox(60, 40, 20), Stock),
+    "cylinder": (Part.makeCylinder(20, 15, FreeCAD.Vector(30, 20, 2)), Cylinder),
+    "lying cylinder": (Part.makeCylinder(8, 50, FreeCAD.Vector(5, 20, 10), FreeCAD.Vector(1, 0, 0)), Mesh),
+    "tube": (Part.makeCylinder(20, 15).cut(Part.makeCylinder(10, 15)), Mesh),
+    "hollow": (Part.makeBox(60, 40, 20).cut(Part.makeSphere(8, FreeCAD.Vector(30, 20, 10))), Mesh),
+    "turned box": (Part.makeBox(30, 20, 10, FreeCAD.Vector(10, 5, 0), FreeCAD.Vector(1, 1, 1)), Mesh),
+    "two": (Part.Compound([Part.makeBox(10, 10, 10), Part.makeBox(10, 10, 10, FreeCAD.Vector(20, 0, 0))]), Mesh),
+}
+
+
+def with_stock(small, shape):
+    solid = small.document.addObject("Part::Feature", "Solid")
+    solid.Shape = shape
+    small.job.Stock = solid
+    small.document.recompute()
+    return small.job
+
+
+@pytest.mark.parametrize("name", SHAPES)
+def test_a_stock_is_what_it_is(small, name):
+    shape, kind = SHAPES[name]
+    job = with_stock(small, shape)
+    solid, remark = stock_solid(job, read_stock(job))
+    assert type(solid) is kind and remark is None
+    assert np.allclose([*solid.lower, *solid.upper], [*read_stock(job).lower, *read_stock(job).upper], atol=0.05)
+    small.add("Beside", [("G0", {"X": -50.0, "Y": 0.0, "Z": 30.0}), ("G1", {"X": -60.0, "F": 5.0})])
+    done = vkworkbench.simulate(small.job, view=VIEW)
+    assert done.zbuffer.part_volume == pytest.approx(shape.Volume, rel=0.01)
+    assert stock_solid(job, read_stock(job))[0] is solid
+
+
+def test_a_stock_without_a_volume_is_its_box(small, zigzag_commands):
+    job = with_stock(small, Part.makeBox(60, 40, 20).Shells[0])
+    small.add("Rows", zigzag_commands)
+    (row,) = vkworkbench.analyze(job).operations
+    assert "box around it" in row.error and row.estimate.traces > 0
+    assert [remark.code for remark in vkworkbench.simulate(job, view=VIEW).job.remarks] == ["stock-as-box"]
+
+
+def test_a_cylinder_has_fewer_traces_than_its_box(small, zigzag_commands):
+    small.add("Rows", zigzag_commands)
+    job = with_stock(small, SHAPES["cylinder"][0])
+    estimate = vkworkbench.analyze(job).operations[0].estimate
+    assert estimate.dexels == pytest.approx(pi / 4 * 600 * 600, rel=0.02)
+
+
+def test_a_job_has_its_model(small):
+    model = model_solid(small.job)
+    assert np.allclose([*model.lower, *model.upper], [0, 0, 0, 60, 40, 20])
+    small.job.Model.Group[0].Objects[0].Height = 25
+    small.document.recompute()
+    assert model_solid(small.job).upper[2] == pytest.approx(25)
+    small.job.Model.Group = []
+    assert model_solid(small.job) is None
+
+
+def operation(**bit):
+    bit = SimpleNamespace(Diameter=10.0, Label="T", **bit)
+    return SimpleNamespace(Name="Op", ToolController=SimpleNamespace(Label="TC", Tool=bit))
+
+
+def test_chamfer_mills_and_engravers_have_a_flat_tip():
+    for shape in ("chamfer", "v-bit", "engraver"):
+        tool = read_tool(operation(ShapeName=shape, CuttingEdgeAngle=90.0, TipDiameter=4.0))
+        assert (tool.shape, tool.tip) == ("vbit", 2.0)
+        assert tool.height([1, 2, 5]) == pytest.approx([0, 0, 3])
+    assert read_tool(operation(ShapeName="vbit", CuttingEdgeAngle=60.0)).tip == 0
+
+
+@pytest.mark.parametrize(
+    "shape, simulated, told",
+    [("dovetail", "endmill", "largest"), ("SlotCutter", "endmill", "largest"), ("thread-mill", "endmill", "largest"),
+     ("TaperedBallNose", "ballend", "ball end"), ("slittingsaw", "endmill", "largest"), ("endmill", "endmill", None),
+     ("ballend", "ballend", None), ("drill", "drill", None), ("chamfer", "vbit", None)],
+)  # fmt: skip
+def test_what_is_not_simulated_exactly_is_said(shape, simulated, told):
+    op = operation(ShapeName=shape)
+    assert read_tool(op).shape == simulated
+    remark = tool_remark(op)
+    assert (remark is None) == (told is None)
+    if told:
+        assert render(remark).startswith("TC is not simulated exactly") and told in render(remark)

@@ -1,0 +1,200 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Raw material, and models, that no few planes bound: upright cylinders, and closed meshes of triangles."""
+
+from __future__ import annotations
+
+from math import pi
+from typing import Union
+
+import numpy as np
+
+from vkworkbench.core.solids import Convex, Frame, Gaps, Spans
+from vkworkbench.language import Message, Unusable
+
+# Corners of a mesh this close, mm, are one.
+_SAME = 1e-6
+_AROUND = 64
+
+
+class Cylinder(Convex):
+    """An upright cylinder.
+
+    Parameters
+    ----------
+    base : (3,) array_like
+        Centre of the lower face, mm.
+    radius, height : float
+        mm.
+
+    Attributes
+    ----------
+    lower, upper : (3,) ndarray
+        Corners of the bounding box, mm; `normals` and `offsets` are that box's.
+    corners : (c, 3) ndarray
+        Points of the two rims.
+
+    Raises
+    ------
+    Unusable
+        If it has no volume.
+    """
+
+    def __init__(self, base: np.ndarray, radius: float, height: float) -> None:
+        base = np.array(base, float).reshape(3)
+        if not (np.isfinite(base).all() and np.isfinite((radius, height)).all()):
+            raise Unusable(Message("stock-not-finite"))
+        if not (radius > 0 and height > 0):
+            raise Unusable(Message("stock-without-volume"))
+        self.base, self.radius, self.height = base, float(radius), float(height)
+        self.lower, self.upper = base - [radius, radius, 0], base + [radius, radius, height]
+        self.normals = np.vstack((np.eye(3), -np.eye(3)))
+        self.offsets = np.concatenate((self.upper, -self.lower))
+        angle = 2 * pi * np.arange(_AROUND) / _AROUND
+        rim = base + radius * np.column_stack((np.cos(angle), np.sin(angle), np.zeros(_AROUND)))
+        self.corners = np.concatenate((rim, rim + [0, 0, height]))
+
+    def __repr__(self) -> str:
+        return f"Cylinder({self.base.tolist()}, {self.radius:g}, {self.height:g})"
+
+    def chords(self, origins: np.ndarray, direction: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """See `Convex.chords`."""
+        x, y, z = (origins - self.base).T
+        dx, dy, dz = direction.tolist()
+        near, far = np.full(len(x), -np.inf), np.full(len(x), np.inf)
+        if dz:
+            a, b = -z / dz, (self.height - z) / dz
+            near, far = np.minimum(a, b), np.maximum(a, b)
+        else:
+            far[(z < 0) | (z > self.height)] = -np.inf
+        square = dx * dx + dy * dy
+        if square < 1e-18:
+            far[x * x + y * y > self.radius**2] = -np.inf
+            return near, far
+        middle = -(x * dx + y * dy) / square
+        half2 = self.radius**2 - (x * dy - y * dx) ** 2 / square
+        half = np.sqrt(np.maximum(half2, 0) / square)
+        near, far = np.maximum(near, middle - half), np.minimum(far, middle + half)
+        far[half2 < 0] = -np.inf
+        return near, far
+
+
+class Mesh:
+    """A solid bounded by triangles, with holes and undercuts as it has them.
+
+    Inside is where a ray has crossed the triangles an odd number of times (even-odd rule); which way round their
+    corners go does not matter.
+
+    Parameters
+    ----------
+    triangles : (t, 3, 3) array_like
+        Their corners, mm; corners closer than 1e-6 mm are one.
+
+    Attributes
+    ----------
+    lower, upper : (3,) ndarray
+        Corners of the bounding box, mm; `normals` and `offsets` are that box's.
+    corners : (c, 3) ndarray
+        All corners of triangles.
+    triangles : (t, 3) ndarray of int
+        Positions in `corners`.
+
+    Raises
+    ------
+    Unusable
+        If the triangles do not close, or a coordinate is not finite.
+    """
+
+    def __init__(self, triangles: np.ndarray) -> None:
+        points = np.array(triangles, float).reshape(-1, 3)
+        if not np.isfinite(points).all():
+            raise Unusable(Message("stock-not-finite"))
+        _, first, corner = np.unique(np.rint(points / _SAME).astype(np.int64), axis=0, return_index=True, return_inverse=True)
+        self.corners, corner = points[first], corner.reshape(-1, 3)
+        proper = (corner[:, 0] != corner[:, 1]) & (corner[:, 1] != corner[:, 2]) & (corner[:, 2] != corner[:, 0])
+        self.triangles = corner[proper]
+        if len(self.triangles) == 0:
+            raise Unusable(Message("stock-without-volume"))
+        edges = np.sort(np.concatenate([self.triangles[:, [a, b]] for a, b in ((0, 1), (1, 2), (2, 0))]), axis=1)
+        _, count = np.unique(edges, axis=0, return_counts=True)
+        if (count % 2).any():
+            raise Unusable(Message("solid-not-closed"))
+        self.lower, self.upper = self.corners.min(axis=0), self.corners.max(axis=0)
+        self.normals = np.vstack((np.eye(3), -np.eye(3)))
+        self.offsets = np.concatenate((self.upper, -self.lower))
+
+    def spans(self, frame: Frame, x: np.ndarray, y: np.ndarray) -> Spans:
+        """See `Convex.spans`."""
+        ray, depth = self._crossings(frame, x, y)
+        order = np.lexsort((depth, ray))
+        ray, depth = ray[order], depth[order]
+        near, far = np.zeros((2, len(x)))
+        first = np.flatnonzero(np.diff(ray, prepend=-1))
+        end = np.append(first[1:], len(ray))[: len(first)]
+        near[ray[first]], far[ray[first]] = depth[first], depth[end - 1]
+        # Every second stretch of a ray is outside.
+        number = np.arange(len(ray)) - np.repeat(first, end - first)
+        outside = np.flatnonzero((number[:-1] % 2 == 1) & (ray[1:] == ray[:-1]))
+        return Spans(near, far, Gaps(ray[outside], depth[outside], depth[outside + 1]))
+
+    def seen_area(self, frame: Frame) -> float:
+        """Area of the image that the solid covers, where it does so several times counted as often, mm^2."""
+        ends = (self.corners - frame.centre) @ np.array([frame.right, frame.up]).T
+        (ax, ay), (bx, by), (cx, cy) = (ends[self.triangles[:, k]].T for k in range(3))
+        return float(np.abs((bx - ax) * (cy - ay) - (cx - ax) * (by - ay)).sum()) / 4
+
+    def _crossings(self, frame: Frame, x: np.ndarray, y: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Rays and the depths at which they cross triangles, in no order.
+
+        Row by row of rays: where two edges of a triangle cross the row, the rays from the one to the other cross the
+        triangle. An edge is computed alike in both its triangles, so that no ray slips through between them.
+        """
+        if len(x) == 0:
+            return np.empty(0, np.int64), np.empty(0)
+        order = np.lexsort((x, y))
+        rows, first = np.unique(y[order], return_index=True)
+        row_of_ray = np.repeat(np.arange(len(rows)), np.diff(first, append=len(y)))
+        axes = np.array([frame.right, frame.up, frame.direction])
+        points = (self.corners - frame.centre) @ axes.T
+        rank = np.empty(len(points), np.int64)
+        rank[np.lexsort((points[:, 0], points[:, 1]))] = np.arange(len(points))
+        triangles = np.take_along_axis(self.triangles, np.argsort(rank[self.triangles], axis=1), axis=1)
+        a, b, c = (points[triangles[:, k]].T for k in range(3))  # from the lowest corner to the highest
+
+        begin, end = np.searchsorted(rows, a[1]), np.searchsorted(rows, c[1])
+        triangle = np.repeat(np.arange(len(begin)), end - begin)
+        row = np.arange(len(triangle)) - np.repeat(np.cumsum(end - begin) - end, end - begin)
+        at = rows[row]
+        a, b, c = a[:, triangle], b[:, triangle], c[:, triangle]
+        upper = at >= b[1]
+        there = _crossed(a, c, at)
+        here = np.where(upper, _crossed(b, c, at), _crossed(a, b, at))
+        # Each row's rays lie on a stretch of their own of one common axis.
+        left, right = x.min() - 1, x.max() + 1
+        places = x[order] + row_of_ray * (right - left)
+        low, high = np.clip(np.minimum(here, there), left, right), np.clip(np.maximum(here, there), left, right)
+        begin = np.searchsorted(places, low + row * (right - left))
+        end = np.searchsorted(places, high + row * (right - left))
+        pair = np.repeat(np.arange(len(begin)), end - begin)
+        ray = order[np.arange(len(pair)) - np.repeat(np.cumsum(end - begin) - end, end - begin)]
+
+        normal = np.cross(b - a, c - a, axis=0)
+        upright = normal[2] == 0
+        normal[2, upright] = 1
+        slope = -normal[:2] / normal[2]
+        slope[:, upright] = 0
+        a, slope = a[:, pair], slope[:, pair]
+        depth = a[2] + slope[0] * (x[ray] - a[0]) + slope[1] * (y[ray] - a[1])
+        # Triangles seen nearly edge-on are steep: rounding must not lead out of them.
+        ends = a[2], b[2, pair], c[2, pair]
+        return ray, np.clip(depth, np.minimum.reduce(ends), np.maximum.reduce(ends))
+
+
+def _crossed(lower: np.ndarray, upper: np.ndarray, at: np.ndarray) -> np.ndarray:
+    """Where edges from `lower` to `upper` (3, k) cross the rows `at` (k,): image coordinate x."""
+    rise = upper[1] - lower[1]
+    share = (upper[0] - lower[0]) / np.where(rise > 0, rise, 1)
+    return lower[0] + (at - lower[1]) * share
+
+
+# What a stock or a model may be.
+Solid = Union[Convex, Mesh]

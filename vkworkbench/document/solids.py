@@ -1,0 +1,84 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Shapes of FreeCAD as the solids of a simulation: a job's stock, and the model that it is to become."""
+
+from __future__ import annotations
+
+from math import pi
+
+import numpy as np
+import Part
+
+from vkworkbench import freecad
+from vkworkbench.core import Cylinder, Mesh, Solid, Stock
+from vkworkbench.document.setting import exact_box
+from vkworkbench.language import Message, Unusable
+
+# A curved face lies so far from its triangles, mm: at least, and as a share of the shape's diagonal.
+_FINEST, _SHARE = 0.01, 1e-4
+# Shapes are what they seem up to this share of their volume.
+_ALIKE = 1e-6
+_MOST_KEPT = 8  # solids, of the shapes read last: triangles take their time
+_kept: dict[tuple, tuple[Solid, Message | None]] = {}
+
+
+def stock_solid(job, box: Stock) -> tuple[Solid, Message | None]:
+    """Return a job's stock as it is, or its box and what prevents that.
+
+    Parameters
+    ----------
+    job : DocumentObject
+    box : Stock
+        The box around it, which it has.
+    """
+    shape = freecad.SHAPE.of(freecad.STOCK.of(job))
+    key = (shape.hashCode(), *box.lower.tolist(), *box.upper.tolist())
+    if key not in _kept:
+        if len(_kept) >= _MOST_KEPT:
+            _kept.pop(next(iter(_kept)))
+        try:
+            _kept[key] = _solid(shape, box), None
+        except Unusable as error:
+            _kept[key] = box, Message("stock-as-box", label=job.Label, sentence=error.what)
+    return _kept[key]
+
+
+def model_solid(job) -> Mesh | None:
+    """Return the model of a job; None where it has none, or none that is closed."""
+    group = freecad.GROUP.of(freecad.MODEL.of(job)) or []
+    shapes = [shape for shape in map(freecad.SHAPE.of, group) if shape is not None and not shape.isNull()]
+    try:
+        return _mesh(shapes) if shapes else None
+    except Unusable:
+        return None
+
+
+def _solid(shape, box: Stock) -> Solid:
+    if not shape.Solids:
+        raise Unusable(Message("solid-not-closed"))
+    size = box.upper - box.lower
+    if _alike(shape.Volume, float(size.prod())):
+        return box
+    if _is_cylinder(shape) and _alike(shape.Volume, pi / 4 * float(size.prod())) and _alike(*size[:2]):
+        return Cylinder(((box.lower + box.upper) / 2 - [0, 0, size[2] / 2]), float(size[:2].mean()) / 2, float(size[2]))
+    return _mesh([shape])
+
+
+def _alike(one: float, other: float) -> bool:
+    return abs(one - other) <= _ALIKE * abs(other)
+
+
+def _is_cylinder(shape) -> bool:
+    """Whether all faces are planes but one, which is an upright cylinder."""
+    curved = [face.Surface for face in shape.Faces if not isinstance(face.Surface, Part.Plane)]
+    return len(curved) == 1 and isinstance(curved[0], Part.Cylinder) and abs(abs(curved[0].Axis.z) - 1) < _ALIKE
+
+
+def _mesh(shapes: list) -> Mesh:
+    triangles = []
+    for shape in shapes:
+        lower, upper = map(np.array, exact_box(shape))
+        deviation = max(_FINEST, _SHARE * float(np.linalg.norm(upper - lower)))
+        # The mesh by which a window displays the shape stays as it is.
+        points, corners = shape.copy(True, False).tessellate(deviation)
+        triangles.append(np.array([tuple(point) for point in points])[np.array(corners, int).reshape(-1, 3)])
+    return Mesh(np.concatenate(triangles))
