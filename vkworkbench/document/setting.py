@@ -58,7 +58,7 @@ def read_tool(operation) -> Tool:
 def tool_remark(operation) -> Message | None:
     """Return what of its tool is not simulated; None where all of it is, and where it has none."""
     controller = through_bases(operation, freecad.CONTROLLER)
-    bit = controller and freecad.TOOL.of(controller)
+    bit = freecad.TOOL.of(controller) if hasattr(controller, "Label") else None
     instead = bit and _SIMPLIFIED.get(_shape_name(bit))
     return Message("tool-simplified", label=controller.Label, instead=instead) if instead else None
 
