@@ -716,6 +716,42 @@
         <source>as a drill</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>a rotary axis ({letter}) turns while the tool cuts: the way of the tool cannot be told</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>turns of a rotary axis ({letter}) are not followed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{letter} words are not read</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a cycle&apos;s repeats ({letter}) are not made</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>further turns of an arc (P) are not made</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>inches (G20) are not followed: lengths are read in mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cutter compensation ({name}) is not followed: the way is that of the program</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>feeds after {name} are not read</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>dwells are not in the time</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

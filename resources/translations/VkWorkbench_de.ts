@@ -716,6 +716,42 @@
         <source>as a drill</source>
         <translation>als Bohrer</translation>
     </message>
+    <message>
+        <source>a rotary axis ({letter}) turns while the tool cuts: the way of the tool cannot be told</source>
+        <translation>Eine Drehachse ({letter}) dreht, während das Werkzeug schneidet: Der Weg des Werkzeugs ist nicht bestimmbar</translation>
+    </message>
+    <message>
+        <source>turns of a rotary axis ({letter}) are not followed</source>
+        <translation>Drehungen einer Drehachse ({letter}) werden nicht berücksichtigt</translation>
+    </message>
+    <message>
+        <source>{letter} words are not read</source>
+        <translation>{letter}-Wörter werden nicht gelesen</translation>
+    </message>
+    <message>
+        <source>a cycle&apos;s repeats ({letter}) are not made</source>
+        <translation>Wiederholungen eines Zyklus ({letter}) werden nicht ausgeführt</translation>
+    </message>
+    <message>
+        <source>further turns of an arc (P) are not made</source>
+        <translation>Weitere Umdrehungen eines Bogens (P) werden nicht ausgeführt</translation>
+    </message>
+    <message>
+        <source>inches (G20) are not followed: lengths are read in mm</source>
+        <translation>Zoll (G20) werden nicht berücksichtigt: Längen werden in mm gelesen</translation>
+    </message>
+    <message>
+        <source>cutter compensation ({name}) is not followed: the way is that of the program</source>
+        <translation>Die Radiuskorrektur ({name}) wird nicht berücksichtigt: Der Weg ist der des Programms</translation>
+    </message>
+    <message>
+        <source>feeds after {name} are not read</source>
+        <translation>Vorschübe nach {name} werden nicht gelesen</translation>
+    </message>
+    <message>
+        <source>dwells are not in the time</source>
+        <translation>Verweilzeiten sind nicht in der Zeit enthalten</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

@@ -716,6 +716,42 @@
         <source>as a drill</source>
         <translation>como broca</translation>
     </message>
+    <message>
+        <source>a rotary axis ({letter}) turns while the tool cuts: the way of the tool cannot be told</source>
+        <translation>un eje rotativo ({letter}) gira mientras la herramienta corta: no se puede saber su recorrido</translation>
+    </message>
+    <message>
+        <source>turns of a rotary axis ({letter}) are not followed</source>
+        <translation>no se siguen los giros de un eje rotativo ({letter})</translation>
+    </message>
+    <message>
+        <source>{letter} words are not read</source>
+        <translation>no se leen las palabras {letter}</translation>
+    </message>
+    <message>
+        <source>a cycle&apos;s repeats ({letter}) are not made</source>
+        <translation>no se hacen las repeticiones de un ciclo ({letter})</translation>
+    </message>
+    <message>
+        <source>further turns of an arc (P) are not made</source>
+        <translation>no se hacen las vueltas adicionales de un arco (P)</translation>
+    </message>
+    <message>
+        <source>inches (G20) are not followed: lengths are read in mm</source>
+        <translation>no se siguen las pulgadas (G20): las longitudes se leen en mm</translation>
+    </message>
+    <message>
+        <source>cutter compensation ({name}) is not followed: the way is that of the program</source>
+        <translation>no se sigue la compensación de radio ({name}): el recorrido es el del programa</translation>
+    </message>
+    <message>
+        <source>feeds after {name} are not read</source>
+        <translation>no se leen los avances después de {name}</translation>
+    </message>
+    <message>
+        <source>dwells are not in the time</source>
+        <translation>las pausas no están incluidas en el tiempo</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

@@ -716,6 +716,42 @@
         <source>as a drill</source>
         <translation>comme un foret</translation>
     </message>
+    <message>
+        <source>a rotary axis ({letter}) turns while the tool cuts: the way of the tool cannot be told</source>
+        <translation>un axe rotatif ({letter}) tourne pendant la coupe : le trajet de l&apos;outil ne peut pas être déterminé</translation>
+    </message>
+    <message>
+        <source>turns of a rotary axis ({letter}) are not followed</source>
+        <translation>les rotations d&apos;un axe rotatif ({letter}) ne sont pas suivies</translation>
+    </message>
+    <message>
+        <source>{letter} words are not read</source>
+        <translation>les mots {letter} ne sont pas lus</translation>
+    </message>
+    <message>
+        <source>a cycle&apos;s repeats ({letter}) are not made</source>
+        <translation>les répétitions d&apos;un cycle ({letter}) ne sont pas faites</translation>
+    </message>
+    <message>
+        <source>further turns of an arc (P) are not made</source>
+        <translation>les tours supplémentaires d&apos;un arc (P) ne sont pas faits</translation>
+    </message>
+    <message>
+        <source>inches (G20) are not followed: lengths are read in mm</source>
+        <translation>les pouces (G20) ne sont pas suivis : les longueurs sont lues en mm</translation>
+    </message>
+    <message>
+        <source>cutter compensation ({name}) is not followed: the way is that of the program</source>
+        <translation>la compensation de rayon ({name}) n&apos;est pas suivie : le trajet est celui du programme</translation>
+    </message>
+    <message>
+        <source>feeds after {name} are not read</source>
+        <translation>les avances après {name} ne sont pas lues</translation>
+    </message>
+    <message>
+        <source>dwells are not in the time</source>
+        <translation>les temporisations ne sont pas comptées dans le temps</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

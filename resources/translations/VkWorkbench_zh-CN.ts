@@ -716,6 +716,42 @@
         <source>as a drill</source>
         <translation>按钻头模拟</translation>
     </message>
+    <message>
+        <source>a rotary axis ({letter}) turns while the tool cuts: the way of the tool cannot be told</source>
+        <translation>切削时旋转轴（{letter}）在转动：无法确定刀具的路径</translation>
+    </message>
+    <message>
+        <source>turns of a rotary axis ({letter}) are not followed</source>
+        <translation>不跟随旋转轴（{letter}）的转动</translation>
+    </message>
+    <message>
+        <source>{letter} words are not read</source>
+        <translation>不读取 {letter} 字</translation>
+    </message>
+    <message>
+        <source>a cycle&apos;s repeats ({letter}) are not made</source>
+        <translation>不执行循环的重复（{letter}）</translation>
+    </message>
+    <message>
+        <source>further turns of an arc (P) are not made</source>
+        <translation>不执行圆弧的附加圈数（P）</translation>
+    </message>
+    <message>
+        <source>inches (G20) are not followed: lengths are read in mm</source>
+        <translation>不处理英寸（G20）：长度按 mm 读取</translation>
+    </message>
+    <message>
+        <source>cutter compensation ({name}) is not followed: the way is that of the program</source>
+        <translation>不处理刀具半径补偿（{name}）：路径按程序读取</translation>
+    </message>
+    <message>
+        <source>feeds after {name} are not read</source>
+        <translation>不读取 {name} 之后的进给</translation>
+    </message>
+    <message>
+        <source>dwells are not in the time</source>
+        <translation>时间不包括暂停</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

@@ -161,6 +161,7 @@ def machining(
         if not timed.any():
             rapid_seconds = None
 
+    left_out += [problem.remark for problem in toolpath.problems if problem.of_time]
     lowest = depth = None
     if (~rapid).any():
         heights = toolpath.points[:, 2]

@@ -34,6 +34,11 @@ class Problem:
         return render(self.what)
 
     @property
+    def of_time(self) -> bool:
+        """Whether only the machining time lacks it: nothing is wrong with the tool's way."""
+        return self.what.code == "dwell-untimed"
+
+    @property
     def remark(self) -> Message:
         """The problem as a message with its first command and how many commands are concerned."""
         return Message("in-commands", sentence=self.what, count=self.count, command=self.command)

@@ -218,7 +218,7 @@ def _work(
     elif tool and not stock:
         remarks.append(Message("box-of-cuts"))
         stock = stock_around(toolpath, tool)
-    remarks += [problem.remark for problem in toolpath.problems]
+    remarks += [problem.remark for problem in toolpath.problems if not problem.of_time]
     task = Task(toolpath, tool, stock, words, found)
     costs, advice = {}, {}
     if tool and stock and found.strategy is not Strategy.EMPTY:

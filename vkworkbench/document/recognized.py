@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from vkworkbench import freecad, preferences
 from vkworkbench.core import Recognition, Toolpath, recognize
 from vkworkbench.core.gcode import looks_like_inches
-from vkworkbench.core.recognition import recognize_inches
+from vkworkbench.core.recognition import recognize_inches, unknown
 from vkworkbench.document.setting import read_tool
 
 
@@ -56,6 +56,9 @@ def recognized(toolpath: Toolpath, tool_diameter: float | None, imported: bool) 
     imported : bool
         Whether it may come from a file: FreeCAD's importer drops G20.
     """
+    turning = next((problem for problem in toolpath.problems if problem.what.code == "rotary-cuts"), None)
+    if turning and len(toolpath):
+        return unknown(toolpath, turning.remark), False
     if imported and looks_like_inches(toolpath, tool_diameter=tool_diameter, imported=True):
         return recognize_inches(toolpath, tool_diameter=tool_diameter, program=True), True
     return recognize(toolpath, tool_diameter=tool_diameter, program=imported), False

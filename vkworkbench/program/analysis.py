@@ -15,10 +15,7 @@ import numpy as np
 from vkworkbench import preferences
 from vkworkbench.core import (
     Machining,
-    Recognition,
-    Span,
     Stock,
-    Strategy,
     Tool,
     Toolpath,
     linearize,
@@ -27,7 +24,7 @@ from vkworkbench.core import (
     stock_around,
 )
 from vkworkbench.core.gcode import INCH, Program, Section, at_line, looks_like_inches, read_program, split_sections
-from vkworkbench.core.recognition import recognize_inches
+from vkworkbench.core.recognition import recognize_inches, unknown
 from vkworkbench.core.simulators import Conditions, Task, predict
 from vkworkbench.language import Message, Unusable
 from vkworkbench.preferences import Preferences
@@ -153,7 +150,7 @@ def _row(
     )
     unlike_milling = program.other or _turned(program, section)
     if unlike_milling:
-        return replace(row, recognition=_unknown(part, unlike_milling), remarks=(unlike_milling, *remarks))
+        return replace(row, recognition=unknown(part, unlike_milling), remarks=(unlike_milling, *remarks))
     tool = section.tool
     if Message("inches-as-millimetres") in remarks:  # the tool's size in the comments was read in mm as well
         found = recognize_inches(part, tool_diameter=tool and INCH * tool.diameter, program=undivided)
@@ -176,12 +173,6 @@ def _turned(program: Program, section: Section) -> Message | None:
     """Return the message about a rotary axis that turns during a cut of this operation, None if none does."""
     line = next((line for line in program.rotary if section.first <= line <= section.last), None)
     return None if line is None else Message("rotary", line=line)
-
-
-def _unknown(part: Toolpath, why: Message) -> Recognition:
-    """Return the verdict on moves that are not the tool's path through the part, with the reason."""
-    span = Span(0, len(part) - 1, int(part.command[0]), int(part.command[-1]), Strategy.UNKNOWN, 1.0)
-    return Recognition(Strategy.UNKNOWN, 0.0, why, (span,))
 
 
 def _machining(part: Toolpath) -> Machining:

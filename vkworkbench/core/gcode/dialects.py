@@ -68,6 +68,7 @@ class Clues:
         self.rotary: list[int] = []
         self._turns: dict[str, float] = {}
         self._turning: tuple[str, int] | None = None
+        self._incremental: tuple[str, int] | None = None
         self._plane: tuple[str, int] | None = None
         self._printer: tuple[str, int] | None = None
         self._extrusions: list[int] = []
@@ -93,9 +94,11 @@ class Clues:
         for letter in "ABC":
             value = parameters.get(letter)
             if value is not None and value != self._turns.get(letter):
-                if cuts and letter in self._turns:
+                if cuts and (value or letter in self._turns):  # it stands at 0 before its first word
                     self.rotary.append(line)
                 self._turns[letter] = value
+        if self._incremental is None and not {"U", "W"}.isdisjoint(parameters):
+            self._incremental = "U, W", line
         if "E" in parameters and ("X" in parameters or "Y" in parameters):
             self._extrusions.append(line)
         if cuts and "U" in parameters and "V" in parameters:
@@ -112,7 +115,8 @@ class Clues:
             return Message("printing", name=name, line=line)
         if self._wire:
             return Message("wire", name="U, V", line=self._wire[0])
-        if not self._along_y and (self._turning or self._plane):
-            name, line = self._turning or self._plane
+        turned = self._turning or self._plane or self._incremental
+        if not self._along_y and turned:
+            name, line = turned
             return Message("lathe", name=name, line=line)
         return None

@@ -13,6 +13,7 @@ from collections.abc import Iterable
 import numpy as np
 
 from vkworkbench.core.gcode import arcs, cycles
+from vkworkbench.core.gcode.unread import unread
 from vkworkbench.core.gcode.words import COMMENT, COORDINATE_LIMIT, MODAL, TOOL_CHANGE, UNKNOWN, Words
 from vkworkbench.core.toolpath import Problem, Toolpath
 from vkworkbench.language import Message, Unusable
@@ -108,6 +109,8 @@ class _Program:
             self.motion[modal] = np.where(inherited == _CANCEL, -1, inherited)
             problems.add(modal[self.motion[modal] < 0], Message("words-without-motion"))
         self.is_cycle = np.isin(self.motion, cycles.CODES)
+        for rows, what in unread(words, self.motion):
+            problems.add(rows, what)
 
         self.plane = _mode(codes, {170: 17, 180: 18, 190: 19}, 17)
         self.relative = _mode(codes, {900: 0, 910: 1}, 0) == 1
@@ -125,7 +128,8 @@ class _Program:
         unusable |= (values > 0) & (values < SLOWEST_FEED)
         problems.add(np.flatnonzero(unusable), Message("unusable-feed"))
         setter = _last(values >= SLOWEST_FEED)
-        return np.where(setter >= 0, values[setter], 0.0)
+        per_minute = _mode(self.words.codes, {930: 0, 940: 1, 950: 0}, 1) == 1
+        return np.where((setter >= 0) & per_minute, values[setter], 0.0)
 
     def _positions(self, problems: _Problems) -> tuple[np.ndarray, np.ndarray]:
         moves = self.motion >= 0

@@ -16,6 +16,7 @@ from vkworkbench.core.gcode import dialects
 from vkworkbench.core.gcode.blocks import split_comments, split_words
 from vkworkbench.core.gcode.program import Program
 from vkworkbench.core.gcode.units import INCH
+from vkworkbench.core.gcode.unread import ROTARY
 from vkworkbench.core.toolpath import Problem
 from vkworkbench.language import Message
 
@@ -24,7 +25,7 @@ _MOTION = frozenset([0, 10, 20, 30, 730, 740, 810, 820, 830, 840, 850, 860, 880,
 _CYCLES = frozenset(code for code in _MOTION if code > 30)
 _STATE = frozenset([170, 180, 190, 800, 900, 901, 910, 911, 980, 990])
 # Codes whose axis words are no target in the program's coordinates: dwell, data, home, machine coordinates, probes.
-_APART = frozenset([40, 100, 280, 281, 300, 301, 310, 382, 383, 384, 385, 530, 922, 923])
+_APART = frozenset([100, 280, 281, 300, 301, 310, 382, 383, 384, 385, 530, 922, 923])
 _HARMLESS = frozenset([
     70, 80, 90, 110, 150, 200, 210, 400, 401, 410, 411, 412, 420, 421, 422, 430, 431, 432, 440, 490, 500, 501, 540, 541, 550,
     560, 570, 580, 590, 591, 592, 593, 600, 610, 611, 620, 630, 640, 670, 690, 700, 710, 921, 930, 940, 950, 960, 970, 1030, 1870,
@@ -33,6 +34,8 @@ _CHANGES_COORDINATES = frozenset([160, 434, 510, 520, 680, 682, 920])
 _MACRO_CALLS = frozenset([650, 660])
 _MOVES = frozenset(f"G{code // 10}" for code in _MOTION)
 _SPLINES = frozenset([50, 51])
+_DWELLS = frozenset([40])
+_COMPENSATION = frozenset([410, 411, 420, 421])
 _AXES = frozenset("XYZIJKR")
 _LENGTHS = frozenset("XYZIJKRQ")
 _KNOWN = _LENGTHS | {"F", "S", "P", "L", "H", "D"}
@@ -91,6 +94,7 @@ class _Reader:
         self.changes = False  # whether there is an M6; where there is none, T changes the tool
         self.seconds = 0.0  # that this line's move takes, where G93 says so
         self.later: dict[str, float] | None = None  # words of a cycle that drills nowhere yet (L0)
+        self.angles: dict[str, float] = {}  # of the rotary axes
         self.in_subprogram = 0
         self.number = 0
         self.ended = False
@@ -225,6 +229,11 @@ class _Reader:
                 self.first_unit = self.unit
         elif code in (930, 940, 950):
             self.feed_mode = code
+        elif code in _DWELLS:
+            self._problem(Message("dwell-untimed"))
+            return True
+        elif code in _COMPENSATION:
+            self._problem(Message("compensation-not-read", name=_name(code)))
         elif code in _SPLINES:  # without a target they are modes
             return True
         elif code in _CHANGES_COORDINATES:
@@ -252,6 +261,8 @@ class _Reader:
         move = {letter: self.unit * value for letter, value in parameters.items() if letter in _LENGTHS}
         if not apart and not _KNOWN.issuperset(parameters):
             self.clues.axes(parameters, mode > 0, self.number)
+            for letter in sorted(set(parameters) - _KNOWN):
+                self._unread(letter, parameters[letter])
         if feed is not None:
             move["F"] = feed
         if apart or _AXES.isdisjoint(move):
@@ -262,6 +273,10 @@ class _Reader:
             self._problem(Message("goes-on"))
         if "Y" in move:
             self.clues.along_y()
+        if mode in (20, 30) and parameters.get("P", 1.0) > 1:
+            self._problem(Message("turns-not-read"))
+        if mode in _CYCLES and parameters.get("P", 0.0) > 0:
+            self._problem(Message("dwell-untimed"))
         name = "" if motion is None else _name(motion)
         repeats = 1
         if mode in _CYCLES:
@@ -275,6 +290,14 @@ class _Reader:
             self.inverse_time[len(self.commands)] = 1 / self.seconds
         for _ in range(repeats if self.relative else 1):
             self._add(name, move)
+
+    def _unread(self, letter: str, value: float) -> None:
+        """Tell of a word that is none of a mill's three axes; a rotary axis stands at 0 before its first word."""
+        if letter not in ROTARY:
+            self._problem(Message("word-not-read", letter=letter))
+        elif value != self.angles.get(letter, 0.0):
+            self._problem(Message("rotary-not-read", letter=letter))
+            self.angles[letter] = value
 
     def _feed(self, value: float | None) -> float | None:
         """Return a feed rate in mm/s, None where there is none; G93 gives the seconds of this line instead."""

@@ -74,6 +74,11 @@ class Words:
     def __len__(self) -> int:
         return len(self.names)
 
+    @property
+    def letters(self) -> set[str]:
+        """set of str : the letters of all parameters."""
+        return {chr(letter) for letter in np.flatnonzero(np.bincount(self._letters)).tolist()}
+
     def _read_word_names(self, word_names: set[str], all_parameters: list) -> None:
         """Turn ``X10`` into a modal line with an X word, and ``N10`` with a G word into that G-code."""
         for i, name in enumerate(self.names):

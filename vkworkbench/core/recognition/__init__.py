@@ -7,5 +7,6 @@ Out: `Recognition`, the strategy with its confidence, its reason, the numbers be
 
 from vkworkbench.core.recognition.inches import recognize_inches
 from vkworkbench.core.recognition.recognize import Recognition, Span, recognize
+from vkworkbench.core.recognition.unknown import unknown
 
-__all__ = ["Recognition", "Span", "recognize", "recognize_inches"]
+__all__ = ["Recognition", "Span", "recognize", "recognize_inches", "unknown"]

@@ -32,6 +32,20 @@ COMMANDS = {
         QT_TRANSLATE_NOOP("Sentences", "1 more unknown code ignored"),
         QT_TRANSLATE_NOOP("Sentences", "{count:n} more unknown codes ignored"),
     ),
+    # What a machine understands and is not read here.
+    "rotary-cuts": QT_TRANSLATE_NOOP(
+        "Sentences", "a rotary axis ({letter}) turns while the tool cuts: the way of the tool cannot be told"
+    ),
+    "rotary-not-read": QT_TRANSLATE_NOOP("Sentences", "turns of a rotary axis ({letter}) are not followed"),
+    "word-not-read": QT_TRANSLATE_NOOP("Sentences", "{letter} words are not read"),
+    "repeats-not-read": QT_TRANSLATE_NOOP("Sentences", "a cycle's repeats ({letter}) are not made"),
+    "turns-not-read": QT_TRANSLATE_NOOP("Sentences", "further turns of an arc (P) are not made"),
+    "inches-not-read": QT_TRANSLATE_NOOP("Sentences", "inches (G20) are not followed: lengths are read in mm"),
+    "compensation-not-read": QT_TRANSLATE_NOOP(
+        "Sentences", "cutter compensation ({name}) is not followed: the way is that of the program"
+    ),
+    "feed-mode-not-read": QT_TRANSLATE_NOOP("Sentences", "feeds after {name} are not read"),
+    "dwell-untimed": QT_TRANSLATE_NOOP("Sentences", "dwells are not in the time"),
     "too-many-moves": QT_TRANSLATE_NOOP(
         "Sentences",
         "the arcs and cycles would need {moves:,} moves at a tolerance of {tolerance:mm}; use a larger tolerance",

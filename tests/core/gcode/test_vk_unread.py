@@ -1,0 +1,82 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Every word that a machine understands and that is not read is told, of commands and of programs."""
+
+from __future__ import annotations
+
+import pytest
+
+from vkworkbench.core import linearize, machining
+from vkworkbench.core.gcode import read_program
+from vkworkbench.language import Unusable
+
+START = [("G0", {"X": 0.0, "Y": 0.0, "Z": 5.0}), ("G1", {"Z": -1.0, "F": 10.0})]
+HOLE = {"X": 1.0, "Y": 2.0, "Z": -3.0, "R": 1.0, "F": 2.0}
+
+
+def told(commands):
+    """Codes, letters or names, first commands and counts of what is told of a program that begins with START."""
+    problems = linearize([*START, *commands]).problems
+    return [(p.what.code, *p.what.arguments.values(), p.command, p.count) for p in problems]
+
+
+@pytest.mark.parametrize("commands, problems", [
+    ([("G1", {"A": 360.0})], [("rotary-cuts", "A", 2, 1)]),
+    ([("G1", {"A": 0.0, "X": 5.0}), ("G1", {"A": 0.0, "X": 9.0})], []),
+    ([("G0", {"B": 90.0}), ("G1", {"B": 90.0, "X": 9.0})], [("rotary-not-read", "B", 2, 1)]),
+    ([("G0", {"C": 90.0}), ("G1", {"C": 80.0}), ("G1", {"C": 70.0})], [("rotary-cuts", "C", 3, 2), ("rotary-not-read", "C", 2, 1)]),
+    ([("G1", {"A": float("nan")})], [("rotary-cuts", "A", 2, 1)]),
+    ([("G1", {"U": 1.0, "X": 3.0}), ("G1", {"U": 2.0})], [("word-not-read", "U", 2, 2)]),
+    ([("G1", {"V": 1.0, "W": 3.0, "E": 1.0})], [("word-not-read", letter, 2, 1) for letter in "EVW"]),
+    ([("G81", {**HOLE, "L": 3.0}), ("G81", {**HOLE, "L": 1.0})], [("repeats-not-read", "L", 2, 1)]),
+    ([("G81", {**HOLE, "K": 2.0})], [("repeats-not-read", "K", 2, 1)]),
+    ([("G2", {"X": 4.0, "Y": 0.0, "I": 2.0, "J": 0.0, "K": 3.0, "P": 1.0})], []),
+    ([("G2", {"X": 4.0, "Y": 0.0, "I": 2.0, "J": 0.0, "P": 2.0})], [("turns-not-read", 2, 1)]),
+    ([("G82", {**HOLE, "P": 0.5})], [("dwell-untimed", 2, 1)]),
+    ([("G4", {"P": 2.0})], [("dwell-untimed", 2, 1)]),
+    ([("G20", {}), ("G1", {"X": 1.0})], [("inches-not-read", 2, 1)]),
+    ([("G21", {}), ("G40", {}), ("G94", {}), ("M3", {"S": 500.0}), ("T1", {}), ("G43", {"H": 1.0})], []),
+    ([("G41", {"D": 1.0}), ("G42.1", {})], [("compensation-not-read", "G41", 2, 1), ("compensation-not-read", "G42.1", 3, 1)]),
+    ([("G93", {}), ("G95", {})], [("feed-mode-not-read", "G93", 2, 1), ("feed-mode-not-read", "G95", 3, 1)]),
+    ([("M98", {"P": 100.0}), ("m098", {})], [("subprogram-not-read", 2, 2)]),
+    ([("M30", {})], []),
+    ([("G1", {"X": 1.0}), ("M02", {}), ("M5", {}), ("G1", {"X": 2.0}), ("M30", {}), ("G0", {"X": 3.0})], [("goes-on", 5, 2)]),
+])  # fmt: skip
+def test_commands(commands, problems):
+    assert told(commands) == problems
+
+
+def test_feeds_of_another_mode_are_no_times():
+    path = linearize([*START, ("G93", {}), ("G1", {"X": 10.0, "F": 2.0}), ("G94", {}), ("G1", {"X": 20.0, "F": 5.0})])
+    assert path.feed.tolist() == [10.0, 0.0, 5.0]
+    assert [note.code for note in machining(path).left_out] == ["cutting-untimed"]
+
+
+def test_a_time_with_a_dwell_is_the_least():
+    assert [note.codes for note in machining(linearize([*START, ("G4", {"P": 1.0})])).left_out] == [("in-commands", "dwell-untimed")]
+
+
+@pytest.mark.parametrize("line, problem", [
+    ("G0 A90", ("rotary-not-read", "A")), ("G1 X1 U2", ("word-not-read", "U")), ("G1 E5", ("word-not-read", "E")),
+    ("G2 X4 Y0 I2 P3", ("turns-not-read",)), ("G4 P2", ("dwell-untimed",)), ("G82 X1 Z-2 R1 P0.5", ("dwell-untimed",)),
+    ("G41 D1", ("compensation-not-read", "G41")), ("M98 P100", ("subprogram-not-read",)),
+])  # fmt: skip
+def test_programs(line, problem):
+    program = read_program(f"G21 G90\nG0 X0 Y0 Z5\nG1 Z-1 F100\n{line}\nX10 Y3")
+    assert [(p.what.code, *p.what.arguments.values()) for p in program.problems] == [problem]
+    assert program.problems[0].command == 4
+
+
+@pytest.mark.parametrize("line", ["G1 X1 A0", "G43 H1", "G40", "M3 S500", "G2 X4 Y0 I2 P1", "G94"])
+def test_words_that_say_nothing_of_the_way(line):
+    assert read_program(f"G21 G90\nG0 X0 Y0 Z5\nG1 Z-1 F100\n{line}\nX10 Y3").problems == ()
+
+
+def test_a_program_that_turns_says_so():
+    assert read_program("G0 X0 Y0 Z5\nG1 Z-1 F100\nG1 A360\nA0").rotary == (3, 4)
+    other = read_program("G0 X20 Z5\nG1 X10 F100\nW-5\nU2 W-1").other
+    assert other.code == "lathe" and other.arguments["name"] == "U, W"
+
+
+def test_a_program_that_moves_nothing_but_what_is_not_read():
+    with pytest.raises(Unusable, match=r"turns of a rotary axis \(A\) are not followed"):
+        read_program("G1 A5\nG1 A9")

@@ -1,0 +1,78 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Words that are understood by a machine but not read here: each is told, none is passed over in silence."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+import numpy as np
+
+from vkworkbench.core.gcode import cycles
+from vkworkbench.core.gcode.words import Words
+from vkworkbench.language import Message
+
+ROTARY = "ABC"
+# Words that moves and cycles are read from, and those that say nothing about the way of the tool.
+_READ = frozenset("XYZIJKRQF" + "GMNSTDH" + "LP")
+_INCHES, _DWELL, _ARCS = 200, 40, (20, 30)
+_COMPENSATION = {410: "G41", 411: "G41.1", 420: "G42", 421: "G42.1"}
+_FEED_MODES = {930: "G93", 950: "G95"}
+_M_CODE = re.compile(r"\s*[Mm]0*(2|30|98)(?:\.0*)?\s*", re.ASCII)
+
+
+def unread(words: Words, motion: np.ndarray) -> Iterator[tuple[np.ndarray, Message]]:
+    """Return what is not read of a program, with the commands concerned.
+
+    Parameters
+    ----------
+    words : Words
+        Of n commands.
+    motion : (n,) int
+        The motion of each, in tenths of its G-code; negative where it is none.
+
+    Returns
+    -------
+    iterator of ((m,) int, Message)
+        No commands where there is nothing to tell.
+    """
+    codes, moves = words.codes, motion >= 0
+    for letter in sorted(words.letters - _READ):
+        if letter in ROTARY:
+            turned = _changed(words, letter)
+            yield turned[motion[turned] > 0], Message("rotary-cuts", letter=letter)
+            yield turned[motion[turned] <= 0], Message("rotary-not-read", letter=letter)
+        else:
+            yield np.flatnonzero(moves & _given(words, letter)), Message("word-not-read", letter=letter)
+    in_cycle = np.isin(motion, cycles.CODES)
+    for letter in "KL" if in_cycle.any() else ():
+        yield np.flatnonzero(in_cycle & (words.column(letter)[0] > 1)), Message("repeats-not-read", letter=letter)
+    if "P" in words.letters:
+        p = words.column("P")[0]
+        yield np.flatnonzero(np.isin(motion, _ARCS) & (p > 1)), Message("turns-not-read")
+        yield np.flatnonzero(in_cycle & (p > 0)), Message("dwell-untimed")
+    yield np.flatnonzero(codes == _DWELL), Message("dwell-untimed")
+    yield np.flatnonzero(codes == _INCHES), Message("inches-not-read")
+    for code, name in _COMPENSATION.items():
+        yield np.flatnonzero(codes == code), Message("compensation-not-read", name=name)
+    for code, name in _FEED_MODES.items():
+        yield np.flatnonzero(codes == code), Message("feed-mode-not-read", name=name)
+    m_codes = {name: match[1] for name in set(words.names) if (match := _M_CODE.fullmatch(name))}
+    if m_codes:
+        called = np.array([m_codes.get(name, "") for name in words.names])
+        yield np.flatnonzero(called == "98"), Message("subprogram-not-read")
+        ends = np.flatnonzero((called == "2") | (called == "30"))
+        if len(ends):
+            yield ends[0] + np.flatnonzero(moves[ends[0] :]), Message("goes-on")
+
+
+def _given(words: Words, letter: str) -> np.ndarray:
+    values, unusable = words.column(letter)
+    return ~np.isnan(values) | unusable
+
+
+def _changed(words: Words, letter: str) -> np.ndarray:
+    """Commands that turn an axis, which stands at 0 before its first word, (m,) int."""
+    values, unusable = words.column(letter)
+    rows = np.flatnonzero(~np.isnan(values) | unusable)
+    return rows[np.diff(values[rows], prepend=0.0) != 0]

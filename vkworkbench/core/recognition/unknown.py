@@ -1,0 +1,15 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The verdict on moves that are not the tool's way through the part."""
+
+from __future__ import annotations
+
+from vkworkbench.core.recognition.recognize import Recognition, Span
+from vkworkbench.core.strategy import Strategy
+from vkworkbench.core.toolpath import Toolpath
+from vkworkbench.language import Message
+
+
+def unknown(toolpath: Toolpath, why: Message) -> Recognition:
+    """Return that a toolpath's strategy is unknown, with the reason; it has at least one trajectory."""
+    first, last = int(toolpath.command[0]), int(toolpath.command[-1])
+    return Recognition(Strategy.UNKNOWN, 0.0, why, (Span(0, len(toolpath) - 1, first, last, Strategy.UNKNOWN, 1.0),))
