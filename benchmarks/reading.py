@@ -26,6 +26,7 @@ from make_example import cam  # noqa: E402
 
 import vkworkbench  # noqa: E402
 from vkworkbench.core import linearize, recognize  # noqa: E402
+from vkworkbench.document.known import KNOWN  # noqa: E402
 
 COUNT = 100_000
 RUNS = 7
@@ -211,8 +212,9 @@ def a_job():
     steps = {
         "Path.Commands": lambda: [operation.Path.Commands for operation in operations],
         "names and parameters": lambda: [bare_loop(operation) for operation in operations],
-        "analysis": lambda: vkworkbench.analyze(document),
-        "analysis, and all columns": lambda: [row.as_dict() for row in vkworkbench.analyze(document).operations],
+        "analysis": lambda: analyzed(document),
+        "analysis again, nothing changed": lambda: vkworkbench.analyze(document),
+        "analysis, and every column": lambda: [row.as_dict() for row in analyzed(document).operations],
     }
     best = dict.fromkeys(steps, float("inf"))
     for _ in range(ANALYSES):
@@ -220,6 +222,12 @@ def a_job():
             best[name] = min(best[name], seconds_of(step))
     print(f"\n{len(operations)} operations, {commands:,} commands")
     told(best, "names and parameters")
+
+
+def analyzed(document):
+    """The report of an analysis that knows nothing from before."""
+    KNOWN.forget()
+    return vkworkbench.analyze(document)
 
 
 def told(best, unit):

@@ -8,6 +8,14 @@ import Path
 import pytest
 from make_example import cam
 
+from vkworkbench.document.known import KNOWN
+
+
+@pytest.fixture(autouse=True)
+def nothing_known():
+    """No test finds what another one's analysis found."""
+    KNOWN.forget()
+
 
 class JobDocument:
     """A document with one job of FreeCAD's on a block of 60 x 40 x 20 mm with a 5 mm end mill."""

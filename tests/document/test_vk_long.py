@@ -9,18 +9,18 @@ import Path
 import pytest
 
 import vkworkbench
-from vkworkbench.document.fingerprint import commands_fingerprint, path_fingerprint
+from vkworkbench.document.fingerprint import path_fingerprint, text_fingerprint, text_of
 
 
 def test_one_by_one_or_at_once_is_the_same_fingerprint(example):
     for obj in example.Objects:
         if obj.isDerivedFrom("Path::Feature"):
-            assert commands_fingerprint(obj.Path.Commands, obj.Placement) == path_fingerprint(obj), obj.Label
+            assert text_fingerprint(text_of(obj.Path.Commands), obj.Placement) == path_fingerprint(obj), obj.Label
     bare = example.addObject("Path::Feature", "Bare")
     bare.Path = Path.Path("(first)\nG0 X-0.0000001 Y0\nG1 X1 F5\n(G1 X2)\nM5")
-    assert commands_fingerprint(bare.Path.Commands, bare.Placement) == path_fingerprint(bare)
+    assert text_fingerprint(text_of(bare.Path.Commands), bare.Placement) == path_fingerprint(bare)
     bare.Placement.Base = FreeCAD.Vector(1, 0, 0)
-    assert commands_fingerprint(bare.Path.Commands, bare.Placement) == path_fingerprint(bare)
+    assert text_fingerprint(text_of(bare.Path.Commands), bare.Placement) == path_fingerprint(bare)
 
 
 def test_a_thread_finds_the_same(example):
@@ -46,6 +46,6 @@ def test_a_failure_in_the_thread_is_the_callers(example, monkeypatch):
     def fail(*what, **more):
         raise RuntimeError("of the thread")
 
-    monkeypatch.setattr(analysis, "recognize", fail)
+    monkeypatch.setattr(analysis, "_row", fail)
     with pytest.raises(RuntimeError, match="of the thread"):
         vkworkbench.analyze(example, cancelled=lambda: False)

@@ -18,6 +18,14 @@ try:  # in this order: where FreeCAD runs on PySide2, loading PySide6 beside it 
 except ImportError:
     from PySide6.QtTest import QTest
 
+from vkworkbench.document.known import KNOWN
+
+
+@pytest.fixture(autouse=True)
+def nothing_known():
+    """No test finds what another one's analysis found."""
+    KNOWN.forget()
+
 
 DARK = """
 QWidget { background-color: #26282c; color: #e6e6e6; }

@@ -8,7 +8,7 @@ import traceback
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor, wait
 from contextlib import suppress
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, fields, replace
 
 import FreeCAD
 
@@ -18,7 +18,8 @@ from vkworkbench.core.gcode import Words, looks_like_minutes
 from vkworkbench.core.simulators import ZBUFFER, Conditions, Task, predict, preflight
 from vkworkbench.core.zbuffer import cuts_surely
 from vkworkbench.document import calibration
-from vkworkbench.document.fingerprint import commands_fingerprint, setting_fingerprint
+from vkworkbench.document.fingerprint import setting_fingerprint, text_fingerprint, text_of
+from vkworkbench.document.known import KNOWN, key_of
 from vkworkbench.document.operations import Operation, find, fixtures_of
 from vkworkbench.document.recognized import recognized
 from vkworkbench.document.setting import placed, rapid_feeds, read_stock, read_tool, tool_remark
@@ -28,7 +29,9 @@ from vkworkbench.preferences import Preferences
 from vkworkbench.report import Cancelled, OperationReport, Report
 
 _PATIENCE = 0.05  # s between two calls of `cancelled`
+_AT_ONCE = 50_000  # commands whose text is written in a tenth of a second, during which no other thread runs
 _NOTHING = linearize([])
+_NOT_RECOGNIZED = recognize(_NOTHING)
 
 
 def analyze(
@@ -39,7 +42,8 @@ def analyze(
 ) -> Report:
     """Analyse operations: strategy, lengths and what simulating them costs. Writes nothing in a document.
 
-    The first time it also measures this computer, in about a second.
+    The first time it also measures this computer, in about a second. An operation that is as it was when it was
+    analysed before in this session, with the same preferences and calibration, is not analysed again.
 
     Parameters
     ----------
@@ -119,6 +123,14 @@ class _Reading:
     error: Exception | None = None
 
 
+# What of a reading says whose row it is; and what the results follow from, beside the path and its placement.
+_WHOSE = ("document", "name", "label", "job", "counted")
+_READ = tuple(
+    field.name for field in fields(_Reading)
+    if field.name not in (*_WHOSE, "path", "placement", "setting_fingerprint")
+)  # fmt: skip
+
+
 def _read(operation: Operation) -> _Reading:
     """Read an operation; an error in it must not cost the other operations their rows."""
     obj, job = operation.object, operation.job
@@ -196,10 +208,27 @@ def _row(
 def _work(
     reading: _Reading, chosen: Preferences, conditions: Conditions, going_on: Callable
 ) -> OperationReport:
+    commands = None if reading.path.Size <= _AT_ONCE else reading.path.Commands
+    text = reading.path.toGCode() if commands is None else text_of(commands)
+    going_on()
+    key = key_of(text, *reading.placement.toMatrix().A, *(getattr(reading, name) for name in _READ), chosen.tolerance,
+                 conditions)  # fmt: skip
+    known = KNOWN.find(key)
+    if known is None:
+        known = _analysed(reading, commands or reading.path.Commands, chosen, conditions, going_on)
+        KNOWN.keep(key, known)
+    return replace(
+        known,
+        **{name: getattr(reading, name) for name in _WHOSE},
+        fingerprint=f"{text_fingerprint(text, reading.placement)}:{reading.setting_fingerprint}",
+    )
+
+
+def _analysed(
+    reading: _Reading, commands: list, chosen: Preferences, conditions: Conditions, going_on: Callable
+) -> OperationReport:
     tool, stock = reading.tool, reading.stock
     remarks = list(reading.remarks)
-    commands = reading.path.Commands
-    going_on()
     words = Words(commands)
     try:
         toolpath = placed(linearize(words, tolerance=chosen.tolerance), reading.placement)
@@ -242,19 +271,14 @@ def _work(
         advice=advice,
         cautions=preflight(task, costs, conditions),
         remarks=tuple(remarks),
-        fingerprint=f"{commands_fingerprint(commands, reading.placement)}:{reading.setting_fingerprint}",
     )  # fmt: skip
 
 
 def _unknown(reading: _Reading, error: Exception | None = None) -> OperationReport:
     """Return the row of an operation without results: they are still to come, or `error` prevented them."""
     return OperationReport(
-        document=reading.document,
-        name=reading.name,
-        label=reading.label,
-        job=reading.job,
-        counted=reading.counted,
-        recognition=recognize(_NOTHING),
+        **{name: getattr(reading, name) for name in _WHOSE},
+        recognition=_NOT_RECOGNIZED,
         trajectories=0,
         machining=machining(_NOTHING),
         costs={},

@@ -20,15 +20,16 @@ _ASIDE = 3.7e-4
 
 def path_fingerprint(obj) -> str:
     """Return the fingerprint of an object's path and where it is placed."""
-    return _of_gcode(obj.Path.toGCode(), obj.Placement)
+    return text_fingerprint(obj.Path.toGCode(), obj.Placement)
 
 
-def commands_fingerprint(commands: list, placement) -> str:
-    """Return the fingerprint of a path's commands; to write them all at once would hold up other threads."""
-    return _of_gcode("".join([f"{command.toGCode()}\n" for command in commands]), placement)
+def text_of(commands: list) -> str:
+    """Return the text of a path's commands; to write very many of them at once would hold up other threads."""
+    return "".join([f"{command.toGCode()}\n" for command in commands])
 
 
-def _of_gcode(text: str, placement) -> str:
+def text_fingerprint(text: str, placement) -> str:
+    """Return the fingerprint of a path's text and where it is placed."""
     text = text.replace("-0.000000", "0.000000")
     if "(" in text:
         text = "\n".join([line for line in text.split("\n") if not line.startswith("(")])

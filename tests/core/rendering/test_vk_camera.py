@@ -12,8 +12,19 @@ import pytest
 
 from vkworkbench.core import Cut, Stock, Tool, View, linearize, simulate_job
 from vkworkbench.core.rendering import (
-    BACKGROUND, RAW, Points, colors_of, direction_of, distinct_colors, palette, png, project, scale_colors, shade,
-    tool_outline, turned,
+    BACKGROUND,
+    RAW,
+    Points,
+    colors_of,
+    direction_of,
+    distinct_colors,
+    palette,
+    png,
+    project,
+    scale_colors,
+    shade,
+    tool_outline,
+    turned,
 )  # fmt: skip
 
 STOCK = Stock((0, 0, 0), (80, 60, 20))

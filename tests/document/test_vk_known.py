@@ -1,0 +1,181 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""An operation that is as it was is not analysed again, one of which anything changed is."""
+
+from dataclasses import replace
+from types import SimpleNamespace
+
+import FreeCAD
+import Path
+import pytest
+
+import vkworkbench
+from vkworkbench import preferences
+from vkworkbench.core import Stock, Tool
+from vkworkbench.document import analysis, calibration
+from vkworkbench.document.known import KNOWN, Known, key_of
+
+
+@pytest.fixture
+def recognized(monkeypatch):
+    """The lengths of the toolpaths that were recognised."""
+    lengths, recognize = [], analysis.recognize
+
+    def noting(toolpath, **more):
+        lengths.append(len(toolpath))
+        return recognize(toolpath, **more)
+
+    monkeypatch.setattr(analysis, "recognize", noting)
+    return lengths
+
+
+def paths(zigzag_commands, count):
+    """Zigzags of different lengths."""
+    return [zigzag_commands[: len(zigzag_commands) - k] for k in range(count)]
+
+
+def test_the_second_analysis_recognizes_nothing_and_finds_the_same(small, zigzag_commands, recognized):
+    for k, commands in enumerate(paths(zigzag_commands, 6)):
+        small.add(f"Op {k}", commands)
+    first = vkworkbench.analyze(small.document)
+    assert len(recognized) == 6
+    again = vkworkbench.analyze(small.document)
+    assert len(recognized) == 6
+    assert again == first and str(again) == str(first)
+    assert vkworkbench.analyze(small.job, cancelled=lambda: False) == first and len(recognized) == 6
+
+
+def test_what_does_not_matter_is_told_as_it_is_now(small, zigzag_commands, recognized):
+    op = small.add("Before", zigzag_commands)
+    (first,) = vkworkbench.analyze(small.document).operations
+    op.Label, op.Label2 = "After", "my words"
+    (again,) = vkworkbench.analyze(op).operations
+    assert len(recognized) == 1 and again.label == "After"
+    assert replace(again, label="Before") == first
+    copy = small.add("Copy", zigzag_commands)
+    (of_copy,) = vkworkbench.analyze(copy).operations
+    assert len(recognized) == 1 and (of_copy.name, of_copy.label) == (copy.Name, "Copy")
+    assert vkworkbench.analyze(op).operations[0].name == op.Name
+
+
+def changes():
+    """What changes the results of an analysis."""
+
+    def path(small, op, _):
+        op.Path = Path.Path([*op.Path.Commands[:-1], Path.Command("G1", {"X": 12.25})])
+
+    def comment(small, op, _):
+        op.Path = Path.Path([Path.Command("(Finishing)"), *op.Path.Commands])
+
+    def tool(small, op, _):
+        small.controller.Tool.Diameter = 5.00001
+
+    def stock(small, op, _):
+        small.document.Block.Height = 20.001
+        small.document.recompute()
+
+    def placement(small, op, _):
+        op.Placement.Base = FreeCAD.Vector(0, 0, 1e-4)
+
+    def rapids(small, op, _):
+        small.controller.HorizRapid = "1234 mm/min"
+
+    def active(small, op, _):
+        op.Active = False
+
+    def no_tool(small, op, _):
+        op.ToolController = None
+
+    def chords(small, op, monkeypatch):
+        preferred(monkeypatch, tolerance=0.02)
+
+    def image(small, op, monkeypatch):
+        preferred(monkeypatch, image_width=801)
+
+    def budget(small, op, monkeypatch):
+        preferred(monkeypatch, time_budget=601.0)
+
+    def accuracy(small, op, monkeypatch):
+        preferred(monkeypatch, legacy_accuracy=0.2)
+
+    def speed(small, op, monkeypatch):
+        now = calibration.measured_speed()
+        monkeypatch.setattr(calibration, "measured_speed", lambda: replace(now, record=2 * now.record))
+
+    def constants(small, op, monkeypatch):
+        now = calibration.measured_constants()
+        monkeypatch.setattr(calibration, "measured_constants", lambda renderer: replace(now, tick=2 * now.tick))
+
+    return [path, comment, tool, stock, placement, rapids, active, no_tool, chords, image, budget, accuracy, speed,
+            constants]  # fmt: skip
+
+
+def preferred(monkeypatch, **values):
+    chosen = replace(preferences.read(), **values)
+    monkeypatch.setattr(analysis, "preferences", SimpleNamespace(read=lambda: chosen))
+
+
+@pytest.mark.parametrize("change", changes(), ids=lambda change: change.__name__)
+def test_whatever_changes_is_analysed_anew(small, zigzag_commands, recognized, monkeypatch, change):
+    op = small.add("Zigzag", zigzag_commands)
+    vkworkbench.analyze(small.document)
+    vkworkbench.analyze(small.document)
+    assert len(recognized) == 1
+    change(small, op, monkeypatch)
+    changed = vkworkbench.analyze(small.document)
+    assert len(recognized) == 2
+    KNOWN.forget()
+    assert vkworkbench.analyze(small.document) == changed and len(recognized) == 3
+
+
+def test_an_undone_change_is_known_again(small, zigzag_commands, recognized):
+    op = small.add("Zigzag", zigzag_commands)
+    first = vkworkbench.analyze(small.document)
+    before = op.Path
+    op.Path = Path.Path(before.Commands[:-3])
+    assert vkworkbench.analyze(small.document) != first
+    op.Path = before
+    assert vkworkbench.analyze(small.document) == first and len(recognized) == 2
+
+
+def test_an_error_is_not_kept(small, zigzag_commands, monkeypatch):
+    small.add("Zigzag", zigzag_commands)
+
+    def fail(*what, **more):
+        raise ZeroDivisionError("a bug")
+
+    with monkeypatch.context() as broken:
+        broken.setattr(analysis, "recognize", fail)
+        assert "please report" in vkworkbench.analyze(small.document).operations[0].error
+    assert vkworkbench.analyze(small.document).operations[0].error is None
+
+
+def test_long_paths_are_known_too(small, zigzag_commands, recognized, monkeypatch):
+    monkeypatch.setattr(analysis, "_AT_ONCE", 5)
+    small.add("Zigzag", zigzag_commands)
+    assert vkworkbench.analyze(small.document) == vkworkbench.analyze(small.document) and len(recognized) == 1
+
+
+def test_it_is_bounded():
+    known = Known(most_rows=3, most_trajectories=100)
+    rows = [SimpleNamespace(trajectories=10, number=k) for k in range(6)]
+    for k, row in enumerate(rows):
+        known.keep(("key", k), row)
+        known.find(("key", 0))
+    assert len(known) == 3 and known.find(("key", 0)) is rows[0] and known.find(("key", 1)) is None
+    known.keep(("large", 1), SimpleNamespace(trajectories=85))
+    assert known.find(("large", 1)) and len(known) == 2
+    known.keep(("too large", 1), SimpleNamespace(trajectories=101))
+    assert known.find(("too large", 1)) is None and len(known) == 0
+    known.keep(None, rows[0])
+    assert known.find(None) is None and len(known) == 0
+
+
+def test_a_key_tells_all_of_its_parts():
+    def keys(*parts):
+        return key_of("G1 X1", *parts)
+
+    assert keys(Tool("endmill", 5.0), Stock((0, 0, 0), (1, 1, 1))) == keys(Tool("endmill", 5.0), Stock((0, 0, 0), (1, 1, 1)))
+    different = [keys(), keys(Tool("endmill", 5.0)), keys(Tool("endmill", 5.0 + 1e-15 * 5)), keys(Tool("ballend", 5.0)),
+                 keys(Stock((0, 0, 0), (1, 1, 1))), keys(Stock((0, 0, 0), (1, 1, 1 + 1e-12))), key_of("G1 X2")]  # fmt: skip
+    assert len(set(different)) == len(different) and None not in different
+    assert keys(object()) is None and keys([1, object()]) is None
