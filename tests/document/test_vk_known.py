@@ -12,19 +12,20 @@ import vkworkbench
 from vkworkbench import preferences
 from vkworkbench.core import Stock, Tool
 from vkworkbench.document import analysis, calibration
+from vkworkbench.document import recognized as told
 from vkworkbench.document.known import KNOWN, Known, key_of
 
 
 @pytest.fixture
 def recognized(monkeypatch):
     """The lengths of the toolpaths that were recognised."""
-    lengths, recognize = [], analysis.recognize
+    lengths, recognize = [], told.recognize
 
     def noting(toolpath, **more):
         lengths.append(len(toolpath))
         return recognize(toolpath, **more)
 
-    monkeypatch.setattr(analysis, "recognize", noting)
+    monkeypatch.setattr(told, "recognize", noting)
     return lengths
 
 
@@ -144,7 +145,7 @@ def test_an_error_is_not_kept(small, zigzag_commands, monkeypatch):
         raise ZeroDivisionError("a bug")
 
     with monkeypatch.context() as broken:
-        broken.setattr(analysis, "recognize", fail)
+        broken.setattr(told, "recognize", fail)
         assert "please report" in vkworkbench.analyze(small.document).operations[0].error
     assert vkworkbench.analyze(small.document).operations[0].error is None
 

@@ -82,15 +82,17 @@ def exact_lengths(toolpath: Toolpath) -> np.ndarray:
     moves = np.diff(toolpath.points, axis=0)
     if not len(moves):
         return np.zeros(0)
-    squares = moves**2
-    normal = np.zeros(len(moves), dtype=int)
-    for plane, axis in _NORMAL_AXIS.items():
-        normal[toolpath.plane == plane] = axis
-    rise2 = squares[np.arange(len(moves)), normal]
-    half = np.abs(toolpath.sweep) / 2
-    with np.errstate(divide="ignore", invalid="ignore"):
-        stretch = np.where(half > 0, half / np.sin(half), 1.0)
-    return np.sqrt((squares.sum(axis=1) - rise2) * stretch**2 + rise2)
+    lengths = np.sqrt((moves**2).sum(axis=1))
+    arc = np.flatnonzero(toolpath.sweep)
+    if len(arc):
+        squares = moves[arc] ** 2
+        normal = np.zeros(len(arc), dtype=int)
+        for plane, axis in _NORMAL_AXIS.items():
+            normal[toolpath.plane[arc] == plane] = axis
+        rise2 = squares[np.arange(len(arc)), normal]
+        half = np.abs(toolpath.sweep[arc]) / 2
+        lengths[arc] = np.sqrt((squares.sum(axis=1) - rise2) * (half / np.sin(half)) ** 2 + rise2)
+    return lengths
 
 
 def machining(
@@ -138,8 +140,8 @@ def machining(
         if not fed.any():
             cutting_seconds = None
 
-    moves = np.diff(toolpath.points, axis=0)
-    upright = np.abs(moves[:, :2]).max(axis=1, initial=0.0) < 1e-6
+    points = toolpath.points
+    upright = (np.abs(points[1:, 0] - points[:-1, 0]) < 1e-6) & (np.abs(points[1:, 1] - points[:-1, 1]) < 1e-6)
     speed = np.where(upright, vertical_rapid, horizontal_rapid)
     timed = rapid & (speed > 0)
     rapid_length = float(lengths[rapid].sum())

@@ -16,9 +16,9 @@ import numpy as np
 
 from vkworkbench.report import OperationReport
 
-# Rows kept, and the trajectories that they hold together: what is computed on demand is computed from these.
+# Rows kept, and the trajectories that they hold together, in half a GB: what is computed on demand needs these.
 _MOST_ROWS = 5_000
-_MOST_TRAJECTORIES = 2_000_000
+_MOST_TRAJECTORIES = 10_000_000
 
 
 

@@ -76,18 +76,20 @@ def _stamp(tips: np.ndarray, points: np.ndarray, origin: np.ndarray, size: float
     lengths = np.abs(moves[:, :2]).max(axis=1, initial=0)
     # A path that would need more samples passes over every cell many times: wider spacing misses none.
     spacing = max(spacing, float(lengths.sum()) / _MOST_SAMPLES)
-    samples = np.ceil(lengths / spacing) + 1
-    counts = samples.astype(int)
-    ends = np.cumsum(counts)
     _lower(tips, *points[:1].T, origin, size)
+    low = np.flatnonzero(np.minimum(points[:-1, 2], points[1:, 2]) < tips.max())
+    start, move = points[low].T, moves[low].T
+    counts = (np.ceil(lengths[low] / spacing) + 1).astype(int)
+    ends = np.cumsum(counts)
     begin = 0
-    while begin < len(moves):
+    while begin < len(low):
         before = ends[begin] - counts[begin]
         end = max(begin + 1, int(np.searchsorted(ends, before + _SAMPLES_AT_ONCE, side="right")))
         part = counts[begin:end]
-        of = np.repeat(np.arange(begin, end), part)
-        step = (np.arange(before, ends[end - 1]) - np.repeat(ends[begin:end] - part, part) + 1) / counts[of]
-        _lower(tips, *(points[of, axis] + step * moves[of, axis] for axis in range(3)), origin, size)
+        step = np.arange(1, ends[end - 1] - before + 1) - np.repeat(ends[begin:end] - part - before, part)
+        step = step / np.repeat(part, part)
+        _lower(tips, *(np.repeat(start[axis, begin:end], part) + step * np.repeat(move[axis, begin:end], part)
+                       for axis in range(3)), origin, size)  # fmt: skip
         begin = end
 
 
