@@ -29,6 +29,7 @@ FLOORS = (
     ("core.simulators",),
     ("core",),
     ("report",),
+    ("simulation_facts",),
     ("freecad",),
     ("preferences",),
     ("program",),

@@ -1,6 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """simulate: which operations, in which order, with what; and what it refuses."""
 
+import csv
+import json
+
 import FreeCAD
 import numpy as np
 import pytest
@@ -138,3 +141,42 @@ def test_a_picture_of_the_part_at_any_moment(small, tmp_path):
     assert (tmp_path / "part.png").read_bytes().startswith(b"\x89PNG")
     with pytest.raises(OSError):
         done.save_png(tmp_path / "nowhere" / "part.png")
+
+
+def test_facts_of_a_job_with_a_fault_of_each_kind(small, tmp_path):
+    """A slot is cut by a rapid and below the model, and plunged into too fast; the rest of the block's skin is left."""
+    small.controller.VertFeed, small.controller.HorizFeed = "2 mm/s", "10 mm/s"
+    small.document.recompute()
+    small.add("=Fault", [
+        ("G0", {"X": 10.0, "Y": 10.0, "Z": 30.0}), ("G1", {"Z": 15.0, "F": 5.0}), ("G0", {"X": 30.0}), ("G0", {"Z": 30.0}),
+    ])  # fmt: skip
+    found = vkworkbench.simulate(small.job, view=View((0, 0, -1), 300, 200)).facts()
+    ((label, facts),) = found.operations
+    assert label == "=Fault" and facts.cutting_length == 15 and facts.air_length == 0
+    (crash,), (plunge,), (gouge,) = facts.crashes, facts.fast_plunges, facts.gouges
+    assert crash.source.command == 2 and crash.depth == pytest.approx(6) and (plunge.feed, plunge.allowed) == (5, 2)
+    assert gouge.depth == pytest.approx(5)
+    (left,) = found.job.left
+    assert left.depth == pytest.approx(1) and facts.left == ()
+    assert "=Fault" in str(found) and "5.0 mm" in str(found)
+
+    found.to_csv(tmp_path / "facts.csv")
+    found.to_json(tmp_path / "facts.json")
+    with open(tmp_path / "facts.csv", newline="", encoding="utf-8") as file:
+        (row,) = csv.DictReader(file)
+    data = json.loads((tmp_path / "facts.json").read_text(encoding="utf-8"))
+    assert row["label"] == "'=Fault" and (row["crashes"], row["first_crash_command"], row["fast_plunges"]) == ("1", "2", "1")
+    assert float(row["removed_volume"]) == data["operations"][0]["removed_volume"] == facts.removed_volume
+    assert data["operations"][0]["crashes"][0]["place"] == list(crash.place)
+    assert data["job"]["left"][0]["command"] is None and float(row["deepest_gouge"]) == gouge.depth
+
+
+def test_the_example_has_no_fault(example):
+    found = vkworkbench.simulate(example).facts()
+    assert found.job.crashes == found.job.fast_plunges == found.job.gouges == ()
+    assert all(facts.removed_volume > 100 and 0 <= facts.air_length_share < 0.5 for _, facts in found.operations)
+    assert sum(facts.removed_volume for _, facts in found.operations) == pytest.approx(found.job.removed_volume)
+    # Inside corners that are sharp in the model, the corners that facing leaves; and the dish, where nobody cuts it.
+    dish = "Dish" in [label for label, _ in found.operations]
+    area = sum(left.area for left in found.job.left)
+    assert area < 100 if dish else 950 < area < 1050

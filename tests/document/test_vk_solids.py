@@ -12,7 +12,7 @@ import pytest
 import vkworkbench
 from vkworkbench.core import Cylinder, Mesh, Stock, View
 from vkworkbench.document.setting import read_stock, read_tool, tool_remark
-from vkworkbench.document.solids import model_solid, stock_solid
+from vkworkbench.document.solids import model_shapes, model_solid, stock_solid
 from vkworkbench.language import render
 
 VIEW = View((1, 1, -1), 200, 150)
@@ -64,13 +64,13 @@ def test_a_cylinder_has_fewer_traces_than_its_box(small, zigzag_commands):
 
 
 def test_a_job_has_its_model(small):
-    model = model_solid(small.job)
+    model = model_solid(model_shapes(small.job))
     assert np.allclose([*model.lower, *model.upper], [0, 0, 0, 60, 40, 20])
     small.job.Model.Group[0].Objects[0].Height = 25
     small.document.recompute()
-    assert model_solid(small.job).upper[2] == pytest.approx(25)
+    assert model_solid(model_shapes(small.job)).upper[2] == pytest.approx(25)
     small.job.Model.Group = []
-    assert model_solid(small.job) is None
+    assert model_solid(model_shapes(small.job)) is None
 
 
 def operation(**bit):

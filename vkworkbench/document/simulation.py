@@ -6,6 +6,7 @@ from __future__ import annotations
 import os
 from collections.abc import Callable
 from dataclasses import dataclass, replace
+from functools import cached_property
 from pathlib import Path
 
 import FreeCAD
@@ -14,10 +15,12 @@ import numpy as np
 from vkworkbench import preferences
 from vkworkbench.core import Cut, Solid, View, ZBuffer, linearize, simulate_job
 from vkworkbench.core.rendering import CUT, colors_of, palette, png, shade
+from vkworkbench.core.zbuffer import facts
 from vkworkbench.document.operations import Operation, find
-from vkworkbench.document.setting import placed, read_stock, read_tool, tool_remark
-from vkworkbench.document.solids import stock_solid
+from vkworkbench.document.setting import placed, read_stock, read_tool, tool_remark, vertical_feed
+from vkworkbench.document.solids import model_shapes, model_solid, stock_solid
 from vkworkbench.language import Message, Unusable
+from vkworkbench.simulation_facts import SimulationFacts
 
 
 def simulate(
@@ -85,6 +88,8 @@ class SimulatedJob:
     cuts : tuple of Cut
         Their toolpaths and tools.
     stock : Solid
+    model_shapes : tuple of Shape
+        Of what the part is to be.
     remarks : tuple of Message
         What is left out or not simulated exactly, and why.
     """
@@ -92,7 +97,13 @@ class SimulatedJob:
     operations: tuple[SimulatedOperation, ...]
     cuts: tuple[Cut, ...]
     stock: Solid
+    model_shapes: tuple
     remarks: tuple[Message, ...]
+
+    @cached_property
+    def model(self) -> Solid | None:
+        """What the part is to be; None where the job has no closed model. Made when it is first asked for."""
+        return model_solid(self.model_shapes)
 
     def simulate(
         self,
@@ -167,6 +178,20 @@ class Simulation:
         """
         Path(path).write_bytes(png(self.image()))
 
+    def facts(self, *, tolerance: float = 0.1) -> SimulationFacts:
+        """Tell what each operation and the job remove, where they cut air, crash, plunge too fast, gouge or leave material.
+
+        Passes closer than a pixel are not told apart; what has walls is best seen from above.
+
+        Parameters
+        ----------
+        tolerance : float
+            Deviations from the job's model up to this, mm, are none.
+        """
+        labels = [operation.label for operation in self.job.operations]
+        found = facts(self.at(self.trajectories).zbuffer, model=self.job.model, tolerance=tolerance)
+        return SimulationFacts(tuple(zip(labels, found.cuts)), found.job)
+
     def source(self, trajectory: int) -> tuple[SimulatedOperation, int]:
         """Return the operation of a trajectory and the index of its command in the operation's Path."""
         source = self.zbuffer.cuts.source(trajectory)
@@ -187,7 +212,7 @@ def read_job(what=None) -> SimulatedJob:
         try:
             toolpath = placed(linearize(obj.Path.Commands, tolerance=tolerance), obj.Placement)
             if len(toolpath):
-                cuts.append(Cut(toolpath, read_tool(obj)))
+                cuts.append(Cut(toolpath, read_tool(obj), vertical_feed(obj)))
                 simulated.append(SimulatedOperation(obj.Document.Name, obj.Name, obj.Label))
                 told = tool_remark(obj)
                 remarks += [Message("of", label=obj.Label, sentence=told)] if told else []
@@ -197,7 +222,7 @@ def read_job(what=None) -> SimulatedJob:
         raise Unusable(remarks[0] if remarks else Message("nothing-to-simulate"))
     stock, told = stock_solid(operations[0].job, read_stock(operations[0].job))
     remarks += [told] if told else []
-    return SimulatedJob(tuple(simulated), tuple(cuts), stock, tuple(remarks))
+    return SimulatedJob(tuple(simulated), tuple(cuts), stock, model_shapes(operations[0].job), tuple(remarks))
 
 
 def _chosen(found: list[Operation]) -> list[Operation]:

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from math import pi
 
 import numpy as np
@@ -42,10 +43,15 @@ def stock_solid(job, box: Stock) -> tuple[Solid, Message | None]:
     return _kept[key]
 
 
-def model_solid(job) -> Mesh | None:
-    """Return the model of a job; None where it has none, or none that is closed."""
+def model_shapes(job) -> tuple:
+    """Return copies of the shapes of a job's model, which another thread may read."""
     group = freecad.GROUP.of(freecad.MODEL.of(job)) or []
     shapes = [shape for shape in map(freecad.SHAPE.of, group) if shape is not None and not shape.isNull()]
+    return tuple(shape.copy(True, False) for shape in shapes)
+
+
+def model_solid(shapes: tuple) -> Mesh | None:
+    """Return shapes as one solid; None where there are none, or where they are not closed."""
     try:
         return _mesh(shapes) if shapes else None
     except Unusable:
@@ -73,7 +79,7 @@ def _is_cylinder(shape) -> bool:
     return len(curved) == 1 and isinstance(curved[0], Part.Cylinder) and abs(abs(curved[0].Axis.z) - 1) < _ALIKE
 
 
-def _mesh(shapes: list) -> Mesh:
+def _mesh(shapes: Sequence) -> Mesh:
     triangles = []
     for shape in shapes:
         lower, upper = map(np.array, exact_box(shape))

@@ -10,8 +10,20 @@ Out: `ZBuffer`, exact dexels and traces at any moment, and what they tell; `Esti
 from vkworkbench.core.zbuffer.bound import cuts_surely, most_bytes
 from vkworkbench.core.zbuffer.closed_form import cauchy_crofton, closed_form, swept
 from vkworkbench.core.zbuffer.cuts import Cut, Cuts, Source
+from vkworkbench.core.zbuffer.deviations import Deviation, Deviations, deviations, gouges, material_left
 from vkworkbench.core.zbuffer.estimate import Estimate, Speed, estimate, work
-from vkworkbench.core.zbuffer.facts import Crash, air_share, crashes, removal_rates, removed_volumes
+from vkworkbench.core.zbuffer.facts import (
+    Crash,
+    Plunge,
+    air_share,
+    crashes,
+    cuts_air,
+    engagement,
+    fast_plunges,
+    removal_rates,
+    removed_volumes,
+)
+from vkworkbench.core.zbuffer.job_facts import CutFacts, JobFacts, facts, removal_over_time
 from vkworkbench.core.zbuffer.memory import OverBudget, memory_needed
 from vkworkbench.core.zbuffer.moments import ZBuffer
 from vkworkbench.core.zbuffer.records import DEXEL, RECORD_BYTES, TRACE
@@ -20,8 +32,10 @@ from vkworkbench.core.zbuffer.simulate import simulate, simulate_job
 from vkworkbench.core.zbuffer.speed import fit_speed, measure_speed
 
 __all__ = [
-    "DEXEL", "RECORD_BYTES", "TRACE", "Crash", "Cut", "Cuts", "Estimate", "OverBudget", "Resolution", "Source",
-    "Speed", "ZBuffer", "air_share", "best_resolution", "cauchy_crofton", "check_budget", "closed_form", "crashes",
-    "cuts_surely", "estimate", "fit_speed", "heaviest", "measure_speed", "memory_needed", "most_bytes", "passes_apart",
-    "removal_rates", "removed_volumes", "simulate", "simulate_job", "swept", "work",
+    "DEXEL", "RECORD_BYTES", "TRACE", "Crash", "Cut", "CutFacts", "Cuts", "Deviation", "Deviations", "Estimate",
+    "JobFacts", "OverBudget", "Plunge", "Resolution", "Source", "Speed", "ZBuffer", "air_share", "best_resolution",
+    "cauchy_crofton", "check_budget", "closed_form", "crashes", "cuts_air", "cuts_surely", "deviations",
+    "engagement", "estimate", "facts", "fast_plunges", "fit_speed", "gouges", "heaviest", "material_left",
+    "measure_speed", "memory_needed", "most_bytes", "passes_apart", "removal_over_time", "removal_rates",
+    "removed_volumes", "simulate", "simulate_job", "swept", "work",
 ]  # fmt: skip

@@ -21,10 +21,13 @@ class Cut:
     ----------
     toolpath : Toolpath
     tool : Tool
+    vertical_feed : float
+        How fast the tool may plunge, mm/s; 0 where nobody says.
     """
 
     toolpath: Toolpath
     tool: Tool
+    vertical_feed: float = 0.0
 
 
 @dataclass(frozen=True)
@@ -88,6 +91,11 @@ class Cuts:
     def lengths(self) -> np.ndarray:
         """Chord lengths, (n,) mm."""
         return self._column("lengths", float)
+
+    @cached_property
+    def seconds(self) -> np.ndarray:
+        """Times, (n,) s; 0 for rapids and where no feed was given."""
+        return np.where(self.feed > 0, self.lengths / np.where(self.feed > 0, self.feed, 1), 0.0)
 
     @cached_property
     def cut(self) -> np.ndarray:

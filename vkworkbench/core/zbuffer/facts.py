@@ -11,6 +11,13 @@ from vkworkbench.core.zbuffer.cuts import Source
 from vkworkbench.core.zbuffer.moments import ZBuffer
 from vkworkbench.core.zbuffer.records import GAP
 
+# Views less steep than this cosine do not see how high a piece is.
+_FROM_THE_SIDE = 0.3
+# A move steeper than 5 in 1 downwards is a plunge; one that removes half of what its tool displaces is in full material.
+_PLUNGE, _FULL = 5.0, 0.5
+# What a feed may exceed another by: FreeCAD rounds them.
+_FASTER = 1.01
+
 
 def removed_volumes(zbuffer: ZBuffer) -> np.ndarray:
     """Volume that each trajectory removes, (n,) float64 mm^3.
@@ -33,13 +40,31 @@ def removal_rates(zbuffer: ZBuffer) -> np.ndarray:
     ----------
     zbuffer : ZBuffer
     """
-    feed = zbuffer.cuts.feed
-    seconds = np.where(feed > 0, zbuffer.cuts.lengths / np.where(feed > 0, feed, 1), np.nan)
-    return 60 * removed_volumes(zbuffer) / seconds
+    seconds = zbuffer.cuts.seconds
+    return 60 * removed_volumes(zbuffer) / np.where(seconds > 0, seconds, np.nan)
+
+
+def cuts_air(zbuffer: ZBuffer) -> np.ndarray:
+    """Which feed moves remove nothing, (n,) bool.
+
+    What is shorter than two pixels may pass between the rays: such moves are told together with their neighbours on so
+    long a stretch. Passes closer than a pixel are not told apart at all: choose a finer image for them.
+
+    Parameters
+    ----------
+    zbuffer : ZBuffer
+    """
+    cuts, volumes = zbuffer.cuts, removed_volumes(zbuffer)
+    length = np.where(cuts.rapid, 0.0, cuts.lengths)
+    stretch = np.floor((np.cumsum(length) - length / 2) / (2 * zbuffer.frame.pixel)).astype(np.int64)
+    # A rapid, and another cut, begin a new stretch.
+    parts = np.cumsum(cuts.rapid) + cuts.cut
+    _, together = np.unique(np.stack((parts, stretch)), axis=1, return_inverse=True)
+    return ~cuts.rapid & (np.bincount(together.ravel(), volumes)[together.ravel()] == 0)
 
 
 def air_share(zbuffer: ZBuffer) -> float:
-    """Share of the length of the cutting moves that removes nothing, 0 to 1; 0 where no move cuts.
+    """Share of the length of the feed moves that removes nothing, 0 to 1; 0 where there is none.
 
     Parameters
     ----------
@@ -47,7 +72,33 @@ def air_share(zbuffer: ZBuffer) -> float:
     """
     length = np.where(zbuffer.cuts.rapid, 0.0, zbuffer.cuts.lengths)
     total = float(length.sum())
-    return float(length[removed_volumes(zbuffer) == 0].sum()) / total if total else 0.0
+    return float(length[cuts_air(zbuffer)].sum()) / total if total else 0.0
+
+
+def engagement(zbuffer: ZBuffer) -> tuple[np.ndarray, np.ndarray]:
+    """Depth and width of cut of each trajectory, two arrays (n,) float64 mm, 0 where it removes nothing.
+
+    The depth is the height of the highest piece that it removes, the width what is missing to its volume; a plunge has
+    no width. Neither is known where one looks from the side.
+
+    Parameters
+    ----------
+    zbuffer : ZBuffer
+    """
+    records, n, cuts = zbuffer.records, zbuffer.trajectories, zbuffer.cuts
+    depth, width = np.zeros((2, n))
+    steep = abs(float(zbuffer.frame.direction[2]))
+    if steep < _FROM_THE_SIDE:
+        return depth, width
+    pieces = np.flatnonzero(records.cut)
+    length = (records.far[pieces].astype(float) - records.near()[pieces]) * steep
+    np.maximum.at(depth, records.owner[pieces], length)
+    start, end = cuts.ends
+    run = np.hypot(*(end - start)[:, :2].T)
+    cut = np.flatnonzero((depth > 0) & (run > 0))
+    diameter = np.array([own.tool.diameter for own in cuts.cuts])[cuts.cut[cut]]
+    width[cut] = np.minimum(removed_volumes(zbuffer)[cut] / (depth[cut] * run[cut]), diameter)
+    return depth, width
 
 
 @dataclass(frozen=True)
@@ -104,4 +155,51 @@ def crashes(zbuffer: ZBuffer) -> list[Crash]:
             float(volumes[owner[i]]),
         )
         for i in last
+    ]
+
+
+@dataclass(frozen=True)
+class Plunge:
+    """A plunge into full material that is faster than the tool may plunge.
+
+    Attributes
+    ----------
+    trajectory : int
+        Its number.
+    source : Source
+        Its cut and command.
+    place : (3,) tuple of float
+        Where it ends, mm.
+    feed, allowed : float
+        mm/s.
+    """
+
+    trajectory: int
+    source: Source
+    place: tuple[float, float, float]
+    feed: float
+    allowed: float
+
+
+def fast_plunges(zbuffer: ZBuffer) -> list[Plunge]:
+    """Plunges into full material above the vertical feed of their tool, in their order.
+
+    Parameters
+    ----------
+    zbuffer : ZBuffer
+    """
+    cuts = zbuffer.cuts
+    start, end = cuts.ends
+    run, fall = np.hypot(*(end - start)[:, :2].T), start[:, 2] - end[:, 2]
+    allowed, radius = (
+        np.array([value(own) for own in cuts.cuts])[cuts.cut]
+        for value in (lambda own: own.vertical_feed, lambda own: own.tool.radius)
+    )
+    fast = ~cuts.rapid & (fall > _PLUNGE * run) & (allowed > 0) & (cuts.feed > _FASTER * allowed)
+    volumes = removed_volumes(zbuffer)
+    depth, _ = engagement(zbuffer)
+    full = volumes > _FULL * np.pi * radius**2 * np.minimum(depth, fall)
+    return [
+        Plunge(int(i), cuts.source(int(i)), tuple(end[i].tolist()), float(cuts.feed[i]), float(allowed[i]))
+        for i in np.flatnonzero(fast & full & (volumes > 0))
     ]

@@ -1,0 +1,152 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Jobs with one fault each, made on purpose: it is found, with its place and command; the sound job has none."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from math import pi
+
+import numpy as np
+import pytest
+from zbuffer_reference.paths import toolpath
+
+from vkworkbench.core import Cut, Stock, Tool, View
+from vkworkbench.core.zbuffer import (
+    cuts_air,
+    deviations,
+    engagement,
+    facts,
+    removal_over_time,
+    removed_volumes,
+    simulate_job,
+)
+
+STOCK, MODEL = Stock((-1, -1, 0), (41, 31, 10)), Stock((0, 0, 0), (40, 30, 8))
+FLAT = Tool("endmill", 6)
+VIEW = View((0, 0, -1), 420, 320)
+FEED, PLUNGE = 10.0, 2.0  # mm/s
+
+
+def path(points, rapid=(), feed=FEED):
+    moves = toolpath(np.array(points, float))
+    fast = np.zeros(len(moves), bool)
+    fast[list(rapid)] = True
+    fall = np.diff(moves.points[:, 2]) < 0
+    return replace(moves, rapid=fast, feed=np.where(fast, 0.0, np.where(fall, PLUNGE, feed)))
+
+
+def facing(rows, height=8.0):
+    """Rows over all of the block, reached and left above it."""
+    points = [(-5, rows[0], 12), (-5, rows[0], height)]
+    points += [(x, y, height) for k, y in enumerate(rows) for x in ((-5, 45) if k % 2 == 0 else (45, -5))]
+    points = [points[0], *(q for p, q in zip(points, points[1:]) if p != q)]
+    return [*points, (*points[-1][:2], 12)]
+
+
+ROWS = [0, 5, 10, 15, 20, 25, 30]
+SOUND = path(facing(ROWS), rapid=[len(facing(ROWS)) - 2])
+
+
+def told(*paths, model=MODEL, view=VIEW):
+    cuts = [Cut(one, FLAT, PLUNGE) for one in paths]
+    return facts(simulate_job(cuts, stock=STOCK, view=view), model=model)
+
+
+def faults(found):
+    return {name for name in ("crashes", "fast_plunges", "gouges", "left") if getattr(found, name)}
+
+
+def test_the_sound_job_has_no_fault():
+    found = told(SOUND)
+    assert faults(found.job) == set() and found.cuts == (found.job,)
+    assert found.job.air_length_share < 0.25  # beside the block, where the rows turn
+    assert found.job.removed_volume == pytest.approx(42 * 32 * 2, rel=0.01)
+
+
+def test_a_crash_is_found():
+    crash = path([(-5, 15, 12), (-5, 15, 5), (45, 15, 5), (45, 15, 12)], rapid=[1])
+    found = told(SOUND, crash)
+    assert faults(found.cuts[0]) == set() and faults(found.cuts[1]) == {"crashes", "gouges"}
+    (one,) = found.job.crashes
+    assert (one.source.cut, one.source.command) == (1, 1)
+    assert one.depth == pytest.approx(3) and one.volume == pytest.approx(42 * 6 * 3, rel=0.02)
+    assert abs(one.place[1] - 15) < 3 and one.place[2] == pytest.approx(6.5)
+
+
+def test_a_gouge_is_found():
+    deep = path([(10, 15, 12), (10, 15, 6.5), (30, 15, 6.5), (30, 15, 12)], rapid=[2])
+    found = told(SOUND, deep)
+    assert faults(found.job) == {"gouges"}
+    (one,) = found.job.gouges
+    assert one.source.cut == 1 and one.depth == pytest.approx(1.5)
+    assert one.area == pytest.approx(20 * 6 + 9 * pi, rel=0.03)
+    assert abs(one.place[1] - 15) <= 3 and one.place[2] == pytest.approx(6.5)
+
+
+def test_material_left_is_found():
+    found = told(path(facing([y for y in ROWS if y not in (10, 15)])))
+    assert faults(found.job) == {"left"}
+    (one,) = found.job.left
+    assert one.trajectory is None and one.depth == pytest.approx(2)
+    assert one.area == pytest.approx(40 * 9, rel=0.03) and 8 <= one.place[1] <= 17
+    (one,) = told(path(facing(ROWS, 8.3))).job.left
+    assert one.source.cut == 0 and one.depth == pytest.approx(0.3)
+
+
+def test_a_plunge_too_fast_is_found():
+    points = [(20, 15, 12), (20, 15, 9), (20, 15, 12), (20, 15, 9), (21, 15, 9)]
+    fast = replace(path(points, rapid=[1]), feed=np.array([6.0, 0.0, 6.0, FEED]))
+    (one,) = told(fast, model=None).job.fast_plunges  # the second is in the first one's hole
+    assert (one.source.command, one.feed, one.allowed) == (0, 6.0, PLUNGE)
+    assert one.place == (20, 15, 9)
+    assert told(replace(fast, feed=np.array([PLUNGE, 0, 6.0, FEED])), model=None).job.fast_plunges == ()
+
+
+def test_air_is_found():
+    found = told(SOUND, SOUND)
+    assert found.cuts[0].air_length_share < 0.25 and found.cuts[1].air_length_share == 1
+    assert found.cuts[1].air_seconds == pytest.approx(found.cuts[1].cutting_seconds) == found.cuts[0].cutting_seconds
+    assert found.job.air_length == pytest.approx(found.cuts[0].air_length + found.cuts[1].cutting_length)
+
+
+def test_short_moves_between_rays_are_no_air():
+    row = [(x, 15.0, 8.0) for x in np.arange(-6, -2, 0.001)]
+    z = simulate_job([Cut(path(row), FLAT)], stock=STOCK, view=VIEW)
+    cutting = np.array([-3.9 < x < -2.2 for x, _, _ in row[:-1]])
+    assert (removed_volumes(z)[cutting] == 0).mean() > 0.2
+    assert not cuts_air(z)[cutting].any()
+    assert cuts_air(z)[[0, 1000]].all()
+
+
+@pytest.mark.parametrize("direction", [(0, 0, -1), (0, 0, 1), (1, 1, -1)])
+def test_depth_and_width_of_cut(direction):
+    slot, half = [(-5, 10, 7), (45, 10, 7)], [(45, 13, 7), (-5, 13, 7)]
+    z = simulate_job([Cut(path(slot), FLAT), Cut(path(half), FLAT)], stock=STOCK, view=View(direction, 600, 450))
+    depth, width = engagement(z)
+    assert depth == pytest.approx([3, 3], abs=0.02)
+    assert width == pytest.approx([6 * 42 / 50, 3 * 42 / 50], rel=0.03)
+
+
+def test_rates_over_time():
+    z = simulate_job([Cut(SOUND, FLAT)], stock=STOCK, view=VIEW)
+    begin, rate = removal_over_time(z)
+    assert np.diff(begin) == pytest.approx(1) and rate.sum() / 60 == pytest.approx(z.chip_volume)
+    found = facts(z).job
+    # 5 mm wide and 2 mm deep at 10 mm/s; of a row's 50 mm are 42 on the block.
+    assert found.peak_rate == pytest.approx(60 * 10 * 5 * 2 * 42 / 50, rel=0.05) == rate.max()
+    assert found.mean_rate == pytest.approx(60 * z.chip_volume / found.cutting_seconds)
+
+
+def test_a_wall_through_a_pixel_is_no_deviation():
+    z = simulate_job([Cut(SOUND, FLAT)], stock=STOCK, view=View((0, 0, -1), 111, 87))
+    moved = Stock((0.03, 0.02, 0), (39.98, 30.04, 8))
+    found = deviations(z, moved)
+    assert found.gouged.max() < 1e-5 and found.left.max() < 1e-5
+    beside = np.isnan(found.depth).mean()
+    assert beside == pytest.approx(1 - 40 * 30 / (z.frame.pixel**2 * 111 * 87), abs=0.03)
+
+
+def test_facts_of_no_cuts():
+    found = told()
+    assert found.cuts == () and found.job.removed_volume == 0 and found.job.peak_rate == 0
+    assert faults(found.job) == {"left"}

@@ -1,0 +1,163 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What a simulation tells of each operation and of the whole job."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from vkworkbench.core.stocks import Solid
+from vkworkbench.core.zbuffer.deviations import Deviation, deviations, gouges, material_left
+from vkworkbench.core.zbuffer.facts import Crash, Plunge, crashes, cuts_air, engagement, fast_plunges, removed_volumes
+from vkworkbench.core.zbuffer.moments import ZBuffer
+
+# Rates are means over so much machining time, s: shorter ones are those of single pixels.
+_WINDOW = 1.0
+
+
+@dataclass(frozen=True)
+class CutFacts:
+    """What is known of one operation, or of several together.
+
+    Attributes
+    ----------
+    removed_volume : float
+        mm^3.
+    cutting_length, cutting_seconds : float
+        Of the feed moves, mm and s; the time is that of moves with a feed rate.
+    air_length, air_seconds : float
+        The part of these that removes nothing.
+    mean_rate, peak_rate : float
+        Material removal rate, mm^3/min: over all of the cutting time, and in the busiest second.
+    depth_of_cut, width_of_cut : float
+        The greatest depth, and the mean width along the cutting length, mm; 0 where the view does not tell.
+    tool_diameter : float
+        The largest, mm.
+    crashes : tuple of Crash
+        Rapids that remove material.
+    fast_plunges : tuple of Plunge
+        Plunges into full material above the tool's vertical feed.
+    gouges, left : tuple of Deviation
+        What is cut below the model, and what is left above it; empty without a model.
+    """
+
+    removed_volume: float
+    cutting_length: float
+    cutting_seconds: float
+    air_length: float
+    air_seconds: float
+    mean_rate: float
+    peak_rate: float
+    depth_of_cut: float
+    width_of_cut: float
+    tool_diameter: float
+    crashes: tuple[Crash, ...]
+    fast_plunges: tuple[Plunge, ...]
+    gouges: tuple[Deviation, ...]
+    left: tuple[Deviation, ...]
+
+    @property
+    def air_length_share(self) -> float:
+        """Share of the cutting length that removes nothing, 0 to 1."""
+        return self.air_length / self.cutting_length if self.cutting_length else 0.0
+
+    @property
+    def air_time_share(self) -> float:
+        """Share of the cutting time that removes nothing, 0 to 1."""
+        return self.air_seconds / self.cutting_seconds if self.cutting_seconds else 0.0
+
+
+@dataclass(frozen=True)
+class JobFacts:
+    """What a simulation tells.
+
+    Attributes
+    ----------
+    cuts : tuple of CutFacts
+        One for each operation.
+    job : CutFacts
+        All together; what is left where no operation cut is told only here.
+    """
+
+    cuts: tuple[CutFacts, ...]
+    job: CutFacts
+
+
+def removal_over_time(zbuffer: ZBuffer, window: float = _WINDOW) -> tuple[np.ndarray, np.ndarray]:
+    """Material removal rate along the machining time of all moves with a feed rate.
+
+    Parameters
+    ----------
+    zbuffer : ZBuffer
+    window : float
+        s; the rates are means over so much time.
+
+    Returns
+    -------
+    begin : (w,) float64
+        When each window begins, s.
+    rate : (w,) float64
+        mm^3/min.
+    """
+    seconds, volumes = zbuffer.cuts.seconds, removed_volumes(zbuffer)
+    return _rates(seconds, np.where(seconds > 0, volumes, 0.0), window)
+
+
+def facts(zbuffer: ZBuffer, *, model: Solid | None = None, tolerance: float = 0.1) -> JobFacts:
+    """Tell what the traces, and the model, say of every operation.
+
+    Parameters
+    ----------
+    zbuffer : ZBuffer
+        At its last moment.
+    model : Solid, optional
+        What the part is to be.
+    tolerance : float
+        Deviations from the model up to this, mm, are none.
+    """
+    cuts = zbuffer.cuts
+    volumes, air, (depth, width) = removed_volumes(zbuffer), cuts_air(zbuffer), engagement(zbuffer)
+    crashed, plunged = crashes(zbuffer), fast_plunges(zbuffer)
+    gouged, left = [], []
+    if model is not None:
+        found = deviations(zbuffer, model)
+        gouged, left = gouges(zbuffer, found, tolerance), material_left(zbuffer, found, tolerance)
+
+    def told(these: range, whole: bool = False) -> CutFacts:
+        moves = slice(cuts.first[these.start], cuts.first[these.stop])
+        feeding, seconds, removed = ~cuts.rapid[moves], cuts.seconds[moves], volumes[moves]
+        length = np.where(feeding, cuts.lengths[moves], 0.0)
+        engaged = np.where(width[moves] > 0, length, 0.0)
+        in_time = np.where(seconds > 0, removed, 0.0)
+        total = float(seconds.sum())
+
+        def own(found: list) -> tuple:
+            return tuple(one for one in found if (whole if one.source is None else one.source.cut in these))
+
+        return CutFacts(
+            removed_volume=float(removed.sum()),
+            cutting_length=float(length.sum()),
+            cutting_seconds=total,
+            air_length=float(length[air[moves]].sum()),
+            air_seconds=float(seconds[air[moves]].sum()),
+            mean_rate=60 * float(in_time.sum()) / total if total else 0.0,
+            peak_rate=float(_rates(seconds, in_time, _WINDOW)[1].max(initial=0.0)),
+            depth_of_cut=float(depth[moves].max(initial=0.0)),
+            width_of_cut=float((width[moves] * engaged).sum() / engaged.sum()) if engaged.any() else 0.0,
+            tool_diameter=max((cuts.cuts[k].tool.diameter for k in these), default=0.0),
+            crashes=own(crashed),
+            fast_plunges=own(plunged),
+            gouges=own(gouged),
+            left=own(left),
+        )
+
+    return JobFacts(tuple(told(range(k, k + 1)) for k in range(len(cuts.cuts))), told(range(len(cuts.cuts)), whole=True))
+
+
+def _rates(seconds: np.ndarray, volumes: np.ndarray, window: float) -> tuple[np.ndarray, np.ndarray]:
+    """Begin of each window of time, and the rate in it; the last one is as long as the others."""
+    ends = np.append(0.0, np.cumsum(seconds))
+    begin = np.arange(0.0, max(ends[-1], window), window)
+    removed = np.interp(np.append(begin, begin[-1] + window), ends, np.append(0.0, np.cumsum(volumes)))
+    return begin, np.diff(removed) * 60 / window
