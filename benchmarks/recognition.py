@@ -9,7 +9,7 @@ tool_diameter (mm or null) and commands ([name, parameters], mm and mm/s); where
 FreeCAD's StepOver (percent of the tool's diameter), the stepover is compared with it. Toolpaths that are the
 same to a micrometre count once. Operations of FILE are also joined to pairs, one file of PROGRAMS holds whole programs with
 their sections (records.py tells its form), and toolpaths/nonsense.py makes paths that machine nothing.
-Without files those of toolpaths/synthetic.py are taken. Needs numpy only.
+Without files those of toolpaths/synthetic.py and strokes.py are taken. Needs numpy only.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ sys.path[:0] = [str(HERE.parent), str(HERE)]
 
 import whole_programs  # noqa: E402
 
-from toolpaths import synthetic  # noqa: E402
+from toolpaths import strokes, synthetic  # noqa: E402
 from vkworkbench.core import Family, Strategy, Toolpath  # noqa: E402
 from vkworkbench.core.gcode import linearize  # noqa: E402
 from vkworkbench.core.recognition import recognize  # noqa: E402
@@ -53,7 +53,7 @@ def records(files: list[str]):
                 stepover = percent / 100 * r["tool_diameter"] if percent and r["tool_diameter"] else None
                 yield r["label"], r["strategy"], set(r["accept"]), r["tool_diameter"], stepover, path
     if not files:
-        for label, accepted, make in synthetic.SAMPLES:
+        for label, accepted, make in (*synthetic.SAMPLES, *strokes.SAMPLES):
             # The strategy a label names decides the two-class figure only where all accepted ones agree on
             # it.
             strategy = "mixed" if "mixed" in accepted else min(accepted)

@@ -5,6 +5,7 @@
     <name>App::Property</name>
     <message>
         <source>Machining strategy recognised from the toolpath</source>
+        <extracomment>What was found in this session.</extracomment>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -750,6 +751,18 @@
     </message>
     <message>
         <source>dwells are not in the time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>open strokes side by side at an even distance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>open strokes side by side, from one wall to the other</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>many small contours of different shapes</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

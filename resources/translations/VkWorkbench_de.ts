@@ -5,6 +5,7 @@
     <name>App::Property</name>
     <message>
         <source>Machining strategy recognised from the toolpath</source>
+        <extracomment>What was found in this session.</extracomment>
         <translation>Aus dem Werkzeugweg erkannte Bearbeitungsstrategie</translation>
     </message>
     <message>
@@ -751,6 +752,18 @@
     <message>
         <source>dwells are not in the time</source>
         <translation>Verweilzeiten sind nicht in der Zeit enthalten</translation>
+    </message>
+    <message>
+        <source>open strokes side by side at an even distance</source>
+        <translation>offene Züge nebeneinander in gleichem Abstand</translation>
+    </message>
+    <message>
+        <source>open strokes side by side, from one wall to the other</source>
+        <translation>offene Züge nebeneinander, von einer Wand zur anderen</translation>
+    </message>
+    <message>
+        <source>many small contours of different shapes</source>
+        <translation>viele kleine Konturen verschiedener Form</translation>
     </message>
 </context>
 <context>

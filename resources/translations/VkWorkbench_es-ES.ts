@@ -5,6 +5,7 @@
     <name>App::Property</name>
     <message>
         <source>Machining strategy recognised from the toolpath</source>
+        <extracomment>What was found in this session.</extracomment>
         <translation>Estrategia de mecanizado reconocida en la trayectoria de la herramienta</translation>
     </message>
     <message>
@@ -751,6 +752,18 @@
     <message>
         <source>dwells are not in the time</source>
         <translation>las pausas no están incluidas en el tiempo</translation>
+    </message>
+    <message>
+        <source>open strokes side by side at an even distance</source>
+        <translation>trazos abiertos uno junto a otro a igual distancia</translation>
+    </message>
+    <message>
+        <source>open strokes side by side, from one wall to the other</source>
+        <translation>trazos abiertos uno junto a otro, de una pared a la otra</translation>
+    </message>
+    <message>
+        <source>many small contours of different shapes</source>
+        <translation>muchos contornos pequeños de formas distintas</translation>
     </message>
 </context>
 <context>

@@ -5,6 +5,7 @@
     <name>App::Property</name>
     <message>
         <source>Machining strategy recognised from the toolpath</source>
+        <extracomment>What was found in this session.</extracomment>
         <translation>Stratégie d&apos;usinage reconnue à partir du parcours d&apos;outil</translation>
     </message>
     <message>
@@ -751,6 +752,18 @@
     <message>
         <source>dwells are not in the time</source>
         <translation>les temporisations ne sont pas comptées dans le temps</translation>
+    </message>
+    <message>
+        <source>open strokes side by side at an even distance</source>
+        <translation>traits ouverts côte à côte à distance égale</translation>
+    </message>
+    <message>
+        <source>open strokes side by side, from one wall to the other</source>
+        <translation>traits ouverts côte à côte, d&apos;une paroi à l&apos;autre</translation>
+    </message>
+    <message>
+        <source>many small contours of different shapes</source>
+        <translation>beaucoup de petits contours de formes différentes</translation>
     </message>
 </context>
 <context>

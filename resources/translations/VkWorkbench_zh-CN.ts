@@ -5,6 +5,7 @@
     <name>App::Property</name>
     <message>
         <source>Machining strategy recognised from the toolpath</source>
+        <extracomment>What was found in this session.</extracomment>
         <translation>由刀具路径识别出的加工策略</translation>
     </message>
     <message>
@@ -751,6 +752,18 @@
     <message>
         <source>dwells are not in the time</source>
         <translation>时间不包括暂停</translation>
+    </message>
+    <message>
+        <source>open strokes side by side at an even distance</source>
+        <translation>开放走刀等距并排</translation>
+    </message>
+    <message>
+        <source>open strokes side by side, from one wall to the other</source>
+        <translation>开放走刀并排，从一侧壁到另一侧壁</translation>
+    </message>
+    <message>
+        <source>many small contours of different shapes</source>
+        <translation>许多形状各异的小轮廓</translation>
     </message>
 </context>
 <context>

@@ -59,14 +59,7 @@ def after(first, second):
     )
 
 
-# Two of them still depend on how often they come again; leaving repeats out before the verdict made them right, and
-# adaptive profiles and sections of other people's programs wrong.
-AGAIN_WRONG = pytest.mark.xfail(strict=True, reason="the number of depths has a say in the verdict")
-
-
-@pytest.mark.parametrize(
-    "name", [pytest.param(n, marks=AGAIN_WRONG) if n in ("waterline", "engraving") else n for n in sorted(MADE)]
-)
+@every
 @settings(max_examples=5, deadline=None)
 @given(times=st.integers(1, 3))
 def test_the_same_operation_deeper_is_the_same_operation(name, times):

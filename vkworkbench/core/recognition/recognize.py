@@ -11,6 +11,7 @@ from vkworkbench.core.paper import Areas, PaperVerdict, monotonous_areas, paper_
 from vkworkbench.core.recognition.evidence import gather, sentence
 from vkworkbench.core.recognition.footprints import count_depths
 from vkworkbench.core.recognition.section import Section
+from vkworkbench.core.recognition.spurs import without_spurs
 from vkworkbench.core.recognition.thresholds import CONFIDENCE, ENOUGH, PARTS, ROWS
 from vkworkbench.core.recognition.verdict import Verdict, judge
 from vkworkbench.core.recognition.visits import begun
@@ -149,7 +150,7 @@ def _judge_one(toolpath: Toolpath, moves: Areas, first: int, last: int, tool: fl
         )
         spans = _spans(toolpath, [(first, last, strategy)])
         return Recognition(strategy, CONFIDENCE.DRILLING, why, spans, passes=holes or None)
-    section = Section(moves, tool)
+    section = Section(without_spurs(moves), tool)
     verdict = judge(section)
     evidence = gather(section, verdict)
     strategy, why = verdict.strategy, sentence(section, verdict, evidence)
@@ -160,7 +161,8 @@ def _judge_one(toolpath: Toolpath, moves: Areas, first: int, last: int, tool: fl
     if strategy is Strategy.MIXED and verdict.parts:
         runs = _runs(section, verdict)
     spans = _spans(toolpath, runs)
-    return Recognition(strategy, verdict.confidence, why, spans, **vars(evidence), paper=paper_verdict(moves))
+    evidence = vars(evidence) | {"reversals": len(moves.reversals)}
+    return Recognition(strategy, verdict.confidence, why, spans, **evidence, paper=paper_verdict(moves))
 
 
 def _runs(section: Section, verdict: Verdict) -> list[tuple[int, int, Strategy]]:

@@ -11,7 +11,7 @@ from vkworkbench.core.paper import TURN
 from vkworkbench.core.recognition.footprints import come_again, count_depths
 from vkworkbench.core.recognition.nesting import Inward, evenness, middle, reach
 from vkworkbench.core.recognition.pieces import WINDING, Pieces
-from vkworkbench.core.recognition.thresholds import NESTS, RINGS, SAME, TROCHOIDS, WINDINGS
+from vkworkbench.core.recognition.thresholds import NESTS, RINGS, SAME, TROCHOIDS, WATERLINES, WINDINGS
 
 
 @dataclass(frozen=True)
@@ -154,7 +154,9 @@ def relate_rings(pieces: Pieces, index: np.ndarray, tool: float) -> Rings:
     again, distinct = come_again(pieces, index) if depths > 1 else (np.zeros(k, bool), k)
     flags["stacked"] = flags["repeated"].copy()
     flags["repeated"] |= again
-    flags["deeper"] &= ~again
+    # Contours of one part come again deeper in the same company; a waterline that is cut again does not.
+    if distinct * depths < WATERLINES.DEPTHS * k:
+        flags["deeper"] &= ~again
     related = flags["nested"] | flags["deeper"] | flags["repeated"] | flags["moved"] | flags["crossing"]
     steps = np.concatenate(steps) if steps else np.zeros(0)
     return Rings(

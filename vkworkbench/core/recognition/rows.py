@@ -27,6 +27,8 @@ class Rows:
         Number of rows.
     lines : int
         Number of different lines they lie on, counted up to a thousand rows.
+    once : float
+        Length of the passes without those that go over the line of the last one again, at another depth, mm.
     opposite, same : float
         Length of the passes whose neighbour runs the other way, and the same way, mm.
     step : float
@@ -45,6 +47,7 @@ class Rows:
 
     axis: float
     length: float
+    once: float
     typical: float
     count: int
     lines: int
@@ -141,7 +144,7 @@ def _densest(moves: Areas, chosen: np.ndarray) -> Rows | None:
     aside = lateral > SAME.PLACE
     axis, total = axis % np.pi, float(passed.sum())
     if not aside.any():
-        return Rows(axis, total, typical, 1, 1, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, on)
+        return Rows(axis, total, passed[0], typical, 1, 1, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, on)
     step = weighted_median(lateral[aside], shorter[aside])
     neighbour = aside & (lateral <= ROWS.FARTHER * step)
     turned = sense[1:] != sense[:-1]
@@ -156,6 +159,7 @@ def _densest(moves: Areas, chosen: np.ndarray) -> Rows | None:
     return Rows(
         axis=axis,
         length=total,
+        once=float(passed[0] + passed[1:][aside].sum()),
         typical=typical,
         count=1 + int(aside.sum()),
         lines=1 + len(gaps),
@@ -242,7 +246,7 @@ def _fills(f: Rows, tool: float) -> bool:
     """Tell whether passes lie side by side as rows do: long moves, short steps between them (paper, section 2.1)."""
     # In teeth that are two steps wide the rows are short, but there are many, and they are even.
     longer = ROWS.LONG_IF_MANY if f.lines >= ROWS.MANY and f.even > ROWS.EVEN else ROWS.LONG
-    if f.opposite + f.same <= ROWS.BESIDE * f.length or f.typical <= longer * f.step:
+    if f.opposite + f.same <= ROWS.BESIDE * f.once or f.typical <= longer * f.step:
         return False
     if f.step < ROWS.RETRACED * tool:
         return False  # the same pass again

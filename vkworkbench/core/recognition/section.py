@@ -10,7 +10,17 @@ from vkworkbench.core.recognition.pieces import LOOP, STROKE, WINDING, ZIGZAG, P
 from vkworkbench.core.recognition.rings import Rings, relate_rings
 from vkworkbench.core.recognition.rows import Rows, filling, find_rows
 from vkworkbench.core.recognition.strokes import relate_strokes
-from vkworkbench.core.recognition.thresholds import ENOUGH, LITTLE, NESTS, POCKET, RINGS, SAME, WINDINGS
+from vkworkbench.core.recognition.thresholds import (
+    ENOUGH,
+    LETTERS,
+    LITTLE,
+    NESTS,
+    POCKET,
+    RINGS,
+    SAME,
+    STROKES,
+    WINDINGS,
+)
 
 
 class Section:
@@ -43,6 +53,8 @@ class Section:
         Those families of rows that fill an area.
     zigzag : float
         Share of the length in pieces that go back and forth.
+    retraced : float
+        Share of the length in pieces that go to and fro on one line.
     ring_pieces, row_pieces : (p,) bool
         The pieces that count as rings, and those that count as rows or strokes.
     """
@@ -52,6 +64,9 @@ class Section:
         self.pieces = p = cut_pieces(moves)
         self.length = float(p.length.sum())
         kind = _absorbed(p)
+        slots = _retraced(moves, p)
+        kind[slots] = STROKE
+        self.retraced = float(p.length[slots].sum()) / self.length
         self.rings = r = relate_rings(p, _long(p, (kind == LOOP) | (kind == WINDING)), tool)
         opened = kind == STROKE
         if p.length[opened].sum() < LITTLE.LINKS * self.length:
@@ -107,6 +122,16 @@ class Section:
         turning = np.abs(self.moves.turning[np.repeat(chosen, self.pieces.end - self.pieces.start)])
         return float(turning[turning > WINDINGS.CORNER].sum() / max(turning.sum(), 1e-9))
 
+    def letters(self) -> bool:
+        """Whether the rings are many small contours of as many shapes, as letters are."""
+        box, length = self.pieces.box[self.rings.index], self.rings.length
+        size = box[:, 2:] - box[:, :2]
+        shapes = len(np.unique(np.rint(np.column_stack([size, length / 4]) / LETTERS.SHAPE), axis=0))
+        extent = self.pieces.box[:, 2:].max(axis=0) - self.pieces.box[:, :2].min(axis=0)
+        small = np.median(size.max(axis=1)) < LETTERS.SMALL * extent.max()
+        shallow = self.rings.depths <= LETTERS.DEPTHS
+        return bool(small and shallow and shapes >= LETTERS.COUNT and shapes > STROKES.DISTINCT * self.rings.distinct)
+
     def filled(self) -> float:
         """Share of the cutting length in open strokes that clear the inside of a ring.
 
@@ -150,6 +175,23 @@ def _absorbed(p: Pieces) -> np.ndarray:
     surrounds = (p.box[:, :2] <= low + slack).all(axis=1) & (p.box[:, 2:] >= high - slack).all(axis=1)
     kind[(kind == LOOP) & ~np.isnan(box[:, 0]) & ~surrounds & ~p.wavy] = ZIGZAG
     return kind
+
+
+def _retraced(moves: Areas, p: Pieces) -> np.ndarray:
+    """Return the indices of the zigzags that never leave their line, as ramps into a slot do: they make no rows."""
+    index = np.flatnonzero(p.kind == ZIGZAG)
+    # Those lie between their ends, or go over them again: nothing is enclosed.
+    index = index[np.abs(p.enclosed[index]) < SAME.PLACE * p.length[index]]
+    return np.array([i for i in index.tolist() if _off_line(moves, p.start[i], p.end[i]) < SAME.PLACE], np.int64)
+
+
+def _off_line(moves: Areas, start: int, end: int) -> float:
+    """Return how far some moves lie from the line of the longest, mm."""
+    of = slice(start, end)
+    longest = start + int(np.argmax(moves.length[of]))
+    across = (moves.y[of] + moves.dy[of] - moves.y[start]) * moves.dx[longest]
+    across -= (moves.x[of] + moves.dx[of] - moves.x[start]) * moves.dy[longest]
+    return float(np.abs(across).max() / moves.length[longest])
 
 
 def _long(p: Pieces, which: np.ndarray) -> np.ndarray:

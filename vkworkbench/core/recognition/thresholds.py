@@ -97,6 +97,14 @@ class WINDINGS:
     CORNER = 0.5235987755982988
 
 
+class SPURS:
+    """Ways out and back on one line."""
+
+    #: share of the area's length. Less in spurs are reliefs in corners. At 0 contours with such corners are adaptive;
+    #: at 1 passes that go over themselves again are lost.
+    LENGTH = 0.2
+
+
 class STROKES:
     """What is open and neither winds nor goes back and forth."""
 
@@ -106,6 +114,19 @@ class STROKES:
     #: share of width and height of the part together. Strokes that are usually longer are contours. At 0 carved ones
     #: are; larger: the outlines that adaptive clearing leaves on thin stock are engravings.
     LONG = 0.35
+
+
+class LETTERS:
+    """Closed contours that are letters, and not the outlines of parts and holes."""
+
+    #: mm. Contours whose boxes and lengths differ by more have two shapes.
+    SHAPE = 0.2
+    #: count. So many contours of different shapes are letters. Fewer are those of parts.
+    COUNT = 8
+    #: depths. Letters are engraved at no more. Larger, by real code: pockets and parts of many shapes are letters.
+    DEPTHS = 3
+    #: share of the ground. They are usually no larger than this. At 1 the contours of plates are letters.
+    SMALL = 0.15
 
 
 class NESTS:
@@ -276,6 +297,25 @@ class ARCS:
     #: steps. An arc whose radius changes by more in a turn is part of a spiral. At 0 clipped circles are; larger:
     #: adaptive clearing from a centre is contour-parallel.
     DRIFT = 0.3
+
+
+class NEIGHBOURS:
+    """Open strokes that lie side by side."""
+
+    #: count. Each stroke is looked at in so many points. At 2 all strokes are straight; more takes time and gains nothing.
+    POINTS = 12
+    #: share of the points. More of a stroke's points lie beside its neighbour. At 0 letters lie side by side.
+    FACING = 0.6
+    #: usual steps. A neighbour is no farther away. At 0 there are none.
+    FARTHER = 3
+    #: share of the step. An offset's distance varies by less. At 0 open offsets are adaptive; larger: passes of adaptive
+    #: clearing are offsets.
+    EVEN = 0.3
+    #: share of the length. Adaptive clearing mills one way: so much runs the same way as its neighbour. Less, by real
+    #: code: offsets that an open side cuts are adaptive.
+    ONWARD = 0.9
+    #: share of the length. So much in neighbours fills an area. At 1 nothing open does; less: letters do.
+    SHARE = 0.7
 
 
 class BITES:

@@ -8,12 +8,14 @@ from dataclasses import dataclass
 import numpy as np
 
 from vkworkbench.core.recognition.concentric import find_arcs
+from vkworkbench.core.recognition.neighbours import find_neighbours
 from vkworkbench.core.recognition.section import Section
 from vkworkbench.core.recognition.thresholds import (
     ADAPTIVE,
     BITES,
     CONFIDENCE,
     ENOUGH,
+    NEIGHBOURS,
     POCKET,
     RINGS,
     STROKES,
@@ -98,7 +100,7 @@ def judge(s: Section) -> Verdict:
     of_rows = _judge_rows(s, rowlike)
     both = rings > RINGS.AMONG_ROWS and rowlike > RINGS.ROWS_BESIDE and of_rows.count >= ENOUGH.TIMES
     if rowlike < RINGS.ALONE and not both:
-        return _judge_strokes(s)
+        return _judge_strokes(s, rings)
     if not both:
         return of_rows
     of_rings = _judge_rings(s, rings)
@@ -146,6 +148,8 @@ def _judge_rings(s: Section, rings: float) -> Verdict:
         return Verdict(Strategy.ADAPTIVE, moved / rings, len(r), Message("loops-move"))
     if s.share(r.alone) > ENOUGH.SHARE * rings and s.filled() > POCKET.FILLED:
         return Verdict(Strategy.MIXED, CONFIDENCE.POCKET, 2, Message("pass-inside"))
+    if s.letters():
+        return Verdict(Strategy.ENGRAVING, CONFIDENCE.STROKES, len(r), Message("many-shapes"))
     # A loop that comes again is a contour. So are loops that have nothing to do with one another, with less support.
     support = CONFIDENCE.GIVEN + (1 - CONFIDENCE.GIVEN) * s.share(r.repeated) / rings
     rival = max(nested, deeper if changing else 0.0, moved if len(r) >= ENOUGH.TIMES else 0.0) / rings
@@ -175,16 +179,27 @@ def _judge_arcs(s: Section) -> Verdict | None:
     return Verdict(strategy, arcs.length / s.length, arcs.count, seen, step=arcs.step)
 
 
-def _judge_strokes(s: Section) -> Verdict:
+def _judge_strokes(s: Section, rings: float) -> Verdict:
     k = s.strokes
     sloped = s.part(k.sloped)
     number = len(k)
     if k.depths >= WATERLINES.OPEN_DEPTHS and sloped < WATERLINES.SLOPED and k.distinct > ENOUGH.SHARE * number:
         return Verdict(Strategy.WATERLINE, CONFIDENCE.GIVEN, k.depths, Message("open-contours-change"))
-    if k.distinct <= 1 or k.distinct < STROKES.DISTINCT * number:
+    beside = find_neighbours(s.moves, s.pieces, k.index, s.tool)
+    if beside and beside.count >= ENOUGH.TIMES and beside.share > NEIGHBOURS.SHARE:
+        support = beside.share * (1 - rings)
+        if beside.even > ENOUGH.SHARE:
+            strategy = Strategy.CONTOUR_PARALLEL if beside.onward > ENOUGH.SHARE else Strategy.ZIGZAG
+            return Verdict(strategy, support, beside.count, Message("open-offsets"), step=beside.step)
+        if beside.onward > NEIGHBOURS.ONWARD:
+            return Verdict(Strategy.ADAPTIVE, support, beside.count, Message("open-passes"), step=beside.step)
+    extent = s.pieces.box[:, 2:].max(axis=0) - s.pieces.box[:, :2].min(axis=0)
+    long = k.typical > STROKES.LONG * extent.sum()
+    # Letters may be carved at several depths as contours are, but there are more of them, and they are short.
+    contours = k.distinct < STROKES.DISTINCT * number and (long or k.distinct <= ENOUGH.TIMES)
+    if k.distinct <= 1 or contours or s.retraced > ENOUGH.SHARE:
         seen = Message("one-open-contour") if number == 1 else Message("open-contour-again")
         return Verdict(Strategy.PROFILE, CONFIDENCE.STROKES, number + 1, seen)
-    extent = s.pieces.box[:, 2:].max(axis=0) - s.pieces.box[:, :2].min(axis=0)
-    if k.typical > STROKES.LONG * extent.sum() and sloped < ENOUGH.SHARE and k.distinct <= ENOUGH.TIMES:
+    if long and sloped < ENOUGH.SHARE and k.distinct <= ENOUGH.TIMES:
         return Verdict(Strategy.PROFILE, CONFIDENCE.LONG_STROKES, number, Message("long-strokes"))
     return Verdict(Strategy.ENGRAVING, CONFIDENCE.STROKES, number, Message("short-strokes"))

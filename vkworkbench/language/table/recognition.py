@@ -98,6 +98,9 @@ RECOGNITION = {
     "open-contours-change": QT_TRANSLATE_NOOP("Sentences", "open contours change with the depth"),
     "one-open-contour": QT_TRANSLATE_NOOP("Sentences", "one open contour"),
     "open-contour-again": QT_TRANSLATE_NOOP("Sentences", "an open contour comes again"),
+    "open-offsets": QT_TRANSLATE_NOOP("Sentences", "open strokes side by side at an even distance"),
+    "open-passes": QT_TRANSLATE_NOOP("Sentences", "open strokes side by side, from one wall to the other"),
+    "many-shapes": QT_TRANSLATE_NOOP("Sentences", "many small contours of different shapes"),
     "long-strokes": QT_TRANSLATE_NOOP("Sentences", "open strokes as long as the part"),
     "short-strokes": QT_TRANSLATE_NOOP("Sentences", "short strokes that fill nothing"),
 }

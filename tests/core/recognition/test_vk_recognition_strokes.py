@@ -1,0 +1,57 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Open strokes, and contours with what CAM programs add to them: of several sizes, turned anyhow, by any post."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from toolpaths.strokes import SAMPLES, dogbones, open_adaptive, open_offsets, ramps
+from vkworkbench.core import Strategy, linearize, recognize
+from vkworkbench.core.paper import TURN, monotonous_areas
+from vkworkbench.core.recognition.spurs import without_spurs
+
+SEEDS = 8
+
+@pytest.mark.parametrize("seed", range(SEEDS))
+@pytest.mark.parametrize("label, accepted, make", [pytest.param(*s, id=s[0]) for s in SAMPLES])
+def test_what_they_are(label, accepted, make, seed):
+    path = linearize(make(np.random.default_rng([seed, len(label)])))
+    for tool in (None, 0.5 if label.startswith("text") else 4.0):  # letters are engraved with a thin tool
+        found = recognize(path, tool_diameter=tool)
+        assert str(found.strategy) in accepted, found.reason
+
+
+@pytest.mark.parametrize("scale", [0.3, 3.0])
+@pytest.mark.parametrize("make, strategy", [(open_offsets, Strategy.CONTOUR_PARALLEL), (open_adaptive, Strategy.ADAPTIVE)])
+def test_open_strokes_side_by_side_of_any_size_and_mirrored(make, strategy, scale):
+    path = linearize(make(np.random.default_rng(3)))
+    for points in (scale * path.points, path.points * (1, -1, 1)):
+        found = recognize(replace(path, points=points))
+        assert found.strategy is strategy, found.reason
+
+
+@pytest.mark.parametrize("seed", range(SEEDS))
+def test_the_step_of_open_offsets(seed):
+    draws = np.random.default_rng(seed)
+    draws.uniform()  # the angle
+    step = draws.uniform(0.8, 1.8)
+    found = recognize(linearize(open_offsets(np.random.default_rng(seed))))
+    assert found.stepover == pytest.approx(step, rel=0.05) and found.passes >= 5
+
+
+@pytest.mark.parametrize("seed", range(SEEDS))
+def test_without_its_spurs_a_contour_turns_once(seed):
+    moves = monotonous_areas(linearize(dogbones(np.random.default_rng(seed), levels=1)))
+    kept = without_spurs(moves)
+    assert len(moves) - len(kept) == 2 * len(moves.reversals) > 0 and not len(kept.reversals)
+    assert kept.phi[-1] == pytest.approx(TURN, abs=1e-3)
+    assert kept.length.sum() < moves.length.sum()
+    assert recognize(linearize(dogbones(np.random.default_rng(seed), levels=1))).reversals == len(moves.reversals)
+
+
+def test_passes_that_go_over_themselves_are_no_spurs():
+    moves = monotonous_areas(linearize(ramps(np.random.default_rng(0), count=6, level=False)))
+    assert len(moves.reversals) and without_spurs(moves) is moves

@@ -1,0 +1,53 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Spurs: short ways out and back on one line, as corners are relieved (dogbones). They are no part of the pattern."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+
+from vkworkbench.core.paper import Areas, closing_turns
+from vkworkbench.core.recognition.thresholds import SAME, SPURS
+
+
+def without_spurs(moves: Areas) -> Areas:
+    """Return the areas, the closed ones without their spurs; the tool turns from the move before one to the move behind it.
+
+    A spur is a move and its exact reversal, shorter than the moves around it. Its half turn has no sign, so phi of a contour with reliefs in its corners
+    does not come to 2 pi. Where spurs are most of an area they are its rows.
+    """
+    out = moves.reversals - 1
+    if not len(out):
+        return moves
+    inside = np.ones(len(moves) + 2, bool)  # not the first move of an area
+    inside[moves.start] = inside[len(moves) :] = False
+    out = out[inside[out] & inside[out + 2]]
+    back_x = moves.dx[out] + moves.dx[out + 1]
+    back_y = moves.dy[out] + moves.dy[out + 1]
+    level = np.abs(moves.dz[out]) + np.abs(moves.dz[out + 1]) < SAME.HEIGHT
+    shorter = moves.length[out] < np.minimum(moves.length[out - 1], moves.length[out + 2])
+    out = out[level & shorter & (np.hypot(back_x, back_y) < SAME.PLACE)]
+    area = np.searchsorted(moves.start, out, side="right") - 1
+    spent = np.bincount(area, moves.length[out] + moves.length[out + 1], len(moves.start))
+    out = out[moves.closed[area] & (spent[area] < SPURS.LENGTH * moves.area_length[area])]
+    out = out[np.diff(out, prepend=-4) > 2]  # one that follows on another stays
+    if not len(out):
+        return moves
+    after = out + 2
+    turn = closing_turns(moves.alpha, after, out)
+    more = np.zeros(len(moves))
+    more[after] = turn - moves.turning[out] - moves.turning[out + 1] - moves.turning[after]
+    turning = moves.turning.copy()
+    turning[after] = turn
+    more = np.cumsum(more)
+    phi = moves.phi + more - np.repeat(more[moves.start], moves.end - moves.start)
+    kept = np.ones(len(moves), bool)
+    kept[out] = kept[out + 1] = False
+    place = np.cumsum(kept) - 1
+    gone = np.concatenate([out, out + 1, after])
+    parts = {name: getattr(moves, name)[kept] for name in ("index", "x", "y", "z", "dx", "dy", "dz", "length", "alpha")}
+    for name in ("unsigned", "reversals"):
+        at = getattr(moves, name)
+        parts[name] = place[at[~np.isin(at, gone)]]
+    return replace(moves, turning=turning[kept], phi=phi[kept], start=place[moves.start], **parts)
