@@ -173,4 +173,5 @@ def operation_name(obj) -> str:
 
     In a document of another version the proxy may be missing; the name is then not that of an operation.
     """
-    return type(getattr(obj, "Proxy", None)).__module__.rpartition(".")[2].removeprefix("Path")
+    name = type(getattr(obj, "Proxy", None)).__module__.rpartition(".")[2]
+    return name[len("Path") :] if name.startswith("Path") else name

@@ -4,9 +4,9 @@
 from __future__ import annotations
 
 import json
-import math
 import os
 import platform
+import sys
 import time
 from collections.abc import Callable
 from contextlib import suppress
@@ -152,7 +152,7 @@ def _least(name: str) -> float:
     """The least that a constant can be: a factor is at least 1, and what is always measured is never nothing."""
     if name.endswith("factor"):
         return 1.0
-    return 0.0 if name in _MAYBE_NOTHING else math.ulp(0.0)
+    return 0.0 if name in _MAYBE_NOTHING else sys.float_info.min
 
 
 def calibrate(renderer: str = "") -> Calibration:
@@ -207,7 +207,7 @@ def learn(kind: str, cost: Cost, seconds: float, *, renderer: str = "") -> Calib
     run = known and _LESSONS[kind].run(cost, seconds, known.constants)
     if run is None:
         return None
-    return _remember(replace(known, runs=known.runs | {kind: (*known.runs[kind], run)[-_LAST_RUNS:]}))
+    return _remember(replace(known, runs={**known.runs, kind: (*known.runs[kind], run)[-_LAST_RUNS:]}))
 
 
 def _remember(calibration: Calibration) -> Calibration:
@@ -215,7 +215,7 @@ def _remember(calibration: Calibration) -> Calibration:
     learned = {}
     for kind, runs in calibration.runs.items():
         if runs:
-            learned |= _LESSONS[kind].learned(runs, calibration.constants)
+            learned.update(_LESSONS[kind].learned(runs, calibration.constants))
     calibration = replace(calibration, constants=replace(calibration.constants, **learned))
     _write({_key(calibration.renderer): asdict(calibration)})
     return calibration

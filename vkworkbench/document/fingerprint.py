@@ -8,6 +8,7 @@ saving, reopening, and another FreeCAD version.
 from __future__ import annotations
 
 import hashlib
+import sys
 from collections.abc import Callable
 
 from vkworkbench.core import Stock, Tool
@@ -16,6 +17,9 @@ from vkworkbench.document.setting import read_stock, read_tool
 # mm, added before a stock's corners are rounded to hundredths: no measure in mm or inches is then on a border between
 # two of them, where another version's last digit would decide.
 _ASIDE = 3.7e-4
+
+# A computer that allows no SHA-1 for secrets allows it here; Python 3.8 does not know the difference.
+_NO_SECRET = {"usedforsecurity": False} if sys.version_info >= (3, 9) else {}
 
 
 def path_fingerprint(obj) -> str:
@@ -64,4 +68,4 @@ def _or_none(read: Callable, source):
 
 
 def _digest(text: str) -> str:
-    return hashlib.sha1(text.encode(), usedforsecurity=False).hexdigest()[:16]
+    return hashlib.sha1(text.encode(), **_NO_SECRET).hexdigest()[:16]

@@ -263,7 +263,7 @@ def _describe(obj, segment: str) -> None:
 def _say_outdated(obj, outdated: bool) -> None:
     segment = segment_of(obj.Label2)
     if segment is not None:
-        fresh = segment.removesuffix(SEPARATOR + OUTDATED)
+        fresh = segment[: -len(SEPARATOR + OUTDATED)] if segment.endswith(SEPARATOR + OUTDATED) else segment
         _describe(obj, fresh + SEPARATOR + OUTDATED if outdated else fresh)
 
 

@@ -60,8 +60,9 @@ class Message:
         ValueError
             If no message looks like that.
         """
-        match data:
-            case {"code": str(code), "arguments": dict(arguments)} if len(data) == 2:
+        if isinstance(data, dict) and set(data) == {"code", "arguments"}:
+            code, arguments = data["code"], data["arguments"]
+            if isinstance(code, str) and isinstance(arguments, dict):
                 return cls(code, **{name: _of_data(value) for name, value in arguments.items()})
         raise ValueError(f"no message: {data!r}")
 

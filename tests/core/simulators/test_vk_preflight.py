@@ -42,7 +42,7 @@ def test_a_sound_arc_and_a_sound_line_raise_nothing():
 
 @pytest.mark.parametrize("version, hangs", [((0, 20), True), ((1, 0), True), ((1, 1), False)])
 def test_an_arc_without_z_hangs_the_legacy_simulator_before_1_1(version, hangs):
-    found = check([START, ("G3", without("Z")), ("G2", without("Z") | {"X": 10.0, "I": 10.0})], version)
+    found = check([START, ("G3", without("Z")), ("G2", {**without("Z"), "X": 10.0, "I": 10.0})], version)
     assert bool(found) == hangs
     if hangs:
         assert found[0].code == "legacy-hangs" and found[0].command == 1
@@ -53,9 +53,9 @@ def test_an_arc_without_z_hangs_the_legacy_simulator_before_1_1(version, hangs):
 @pytest.mark.parametrize("version", [(0, 20), (1, 0), (1, 1)])
 @pytest.mark.parametrize("arc, reason", [
     (without("Y"), "without an X or Y word"),
-    (without("I", "J") | {"R": 10.0}, "without a centre"),
-    (HALF | {"X": 10.0}, "full circle"),
-    (HALF | {"X": 12.0}, "sweeps no angle"),
+    ({**without("I", "J"), "R": 10.0}, "without a centre"),
+    ({**HALF, "X": 10.0}, "full circle"),
+    ({**HALF, "X": 12.0}, "sweeps no angle"),
 ])  # fmt: skip
 def test_arcs_that_stop_the_legacy_simulator_of_every_version(version, arc, reason):
     found = check([("(arc)", {}), START, ("G3", arc)], version)
@@ -64,7 +64,7 @@ def test_arcs_that_stop_the_legacy_simulator_of_every_version(version, arc, reas
 
 
 def test_arcs_with_a_k_word_take_another_way():
-    assert check([START, ("G3", without("Z") | {"K": 1.0})]) == ()
+    assert check([START, ("G3", {**without("Z"), "K": 1.0})]) == ()
 
 
 def test_a_long_ramp_is_cut_too_deep_by_its_length_over_the_diameter():
@@ -79,7 +79,7 @@ def test_short_slopes_plunges_helices_and_lifts_are_no_ramps():
     points = np.linspace(0, 40, 81)
     surface = [("G1", {"X": x, "Z": 15 + math.sin(x / 5), "F": 5.0}) for x in points.tolist()]
     assert check([("G0", {"X": 0.0, "Y": 0.0, "Z": 20.0})] + surface, diameter=8.0) == ()
-    assert check([START, ("G1", {"Z": -5.0}), ("G3", HALF | {"Z": -8.0})], diameter=8.0) == ()
+    assert check([START, ("G1", {"Z": -5.0}), ("G3", {**HALF, "Z": -8.0})], diameter=8.0) == ()
     assert check([START, ("G0", {"X": 90.0, "Z": 25.0})], diameter=8.0) == ()
 
 

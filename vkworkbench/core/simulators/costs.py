@@ -69,7 +69,7 @@ class Costs:
         """Return columns of CSV and JSON: the explanations of the advice, and the costs in FreeCAD's simulators."""
         columns = {advice.column: chosen and chosen.explanation for advice, chosen in self._advised()}
         for simulator in _beside_the_papers():
-            columns |= simulator.figures(self.costs.get(simulator.name))
+            columns.update(simulator.figures(self.costs.get(simulator.name)))
         return columns
 
     def factors(self) -> dict[str, float]:

@@ -4,6 +4,8 @@
 A template is one text, or two, for one and for more, where the message counts something in its argument ``count``.
 """
 
+from __future__ import annotations
+
 from vkworkbench.language.table.commands import COMMANDS
 from vkworkbench.language.table.operations import OPERATIONS
 from vkworkbench.language.table.programs import PROGRAMS

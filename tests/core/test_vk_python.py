@@ -1,0 +1,69 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The oldest Python that the add-on runs on: package.xml says it, and nothing newer is used.
+
+FreeCAD 0.20 for Windows comes with Python 3.8, Ubuntu's builds with 3.10.
+"""
+
+from __future__ import annotations
+
+import ast
+import re
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).parents[2]
+OLDEST = (3, 8)
+FILES = sorted([ROOT / "Init.py", ROOT / "InitGui.py", *(ROOT / "vkworkbench").rglob("*.py")])
+# Names that came later: methods of text, functions of the standard library, arguments.
+LATER = {"removeprefix", "removesuffix", "ulp", "nextafter", "lcm", "pairwise", "batched", "bit_count", "cache", "is_relative_to",
+         "with_stem", "hardlink_to", "to_thread", "randbytes", "TaskGroup", "StrEnum", "ExceptionGroup", "add_note", "kw_only",
+         "slots", "root_dir", "EncodingWarning", "walk_up"}  # fmt: skip
+
+
+def newer(source: str) -> list[str]:
+    """Return what a source has of later Pythons, by line."""
+    try:
+        tree = ast.parse(source, feature_version=OLDEST)
+    except SyntaxError as error:
+        return [f"{error.lineno}: {error.msg}"]
+    found = []
+    lazy = any(isinstance(node, ast.ImportFrom) and node.module == "__future__" for node in tree.body)
+    if not lazy and any(isinstance(node, (ast.AnnAssign, ast.FunctionDef)) for node in ast.walk(tree)):
+        found.append("1: annotations are evaluated")
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Match):
+            found.append(f"{node.lineno}: match")
+        elif isinstance(node, ast.Attribute) and node.attr in LATER:
+            found.append(f"{node.lineno}: {node.attr}")
+        elif isinstance(node, ast.keyword) and node.arg in LATER | {"strict", "usedforsecurity"}:
+            found.append(f"{node.value.lineno}: {node.arg}=")
+        elif isinstance(node, (ast.BinOp, ast.AugAssign)) and isinstance(node.op, ast.BitOr):
+            sides = (node.value,) if isinstance(node, ast.AugAssign) else (node.left, node.right)
+            if any(_makes_dict(side) for side in sides):
+                found.append(f"{node.lineno}: dict | dict")
+    return found
+
+
+def _makes_dict(node: ast.expr) -> bool:
+    name = getattr(node.func, "id", "") if isinstance(node, ast.Call) else ""
+    return isinstance(node, (ast.Dict, ast.DictComp)) or name in ("dict", "asdict")
+
+
+@pytest.mark.parametrize("path", FILES, ids=lambda path: str(path.relative_to(ROOT)))
+def test_no_newer_python_is_needed(path):
+    assert newer(path.read_text(encoding="utf-8")) == []
+
+
+@pytest.mark.parametrize("source, what", [
+    ("match 1:\n    case 1: pass", "2: "), ("'a'.removeprefix('b')", "1: removeprefix"), ("{} | x", "1: dict | dict"),
+    ("x |= {**y}", "1: dict | dict"), ("zip(a, b, strict=True)", "1: strict="), ("x: int | None = None", "1: annotations"),
+    ("with (open(a) as b, open(c) as d): pass", "1: "), ("sha1(b'', usedforsecurity=False)", "1: usedforsecurity="),
+])  # fmt: skip
+def test_what_is_newer_is_found(source, what):
+    assert newer(source) and newer(source)[0].startswith(what)
+
+
+def test_the_package_says_it():
+    text = (ROOT / "package.xml").read_text(encoding="utf-8")
+    assert re.findall(r"<pythonmin>(.*?)</pythonmin>", text) == [".".join(map(str, OLDEST))] * 1
