@@ -1,26 +1,39 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Whether an operation's toolpath does what the operation's kind and pattern say."""
+"""Whether an operation's toolpath contradicts what the operation's kind or pattern says."""
 
 from __future__ import annotations
 
 from vkworkbench import freecad
-from vkworkbench.core import Recognition, Strategy
+from vkworkbench.core import Family, Recognition
 from vkworkbench.document.operations import kind
 
-_S = Strategy
-# The strategies that fit FreeCAD's kinds of operations without patterns.
+_ALONG = {Family.AROUND, Family.STROKES}  # a contour may be open, and cut in many parts
+# The families that fit FreeCAD's kinds of operations without patterns. Names within a family do not contradict one
+# another: adaptive clearing of a round hole winds as a helix does, and a pocket of one ring is a profile.
 _KINDS = {
-    "Adaptive": {_S.ADAPTIVE, _S.PROFILE}, "Deburr": {_S.PROFILE, _S.ENGRAVING}, "Drilling": {_S.DRILLING},
-    "Engrave": {_S.ENGRAVING, _S.PROFILE}, "Helix": {_S.HELIX},
-    "Profile": {_S.PROFILE, _S.ENGRAVING, _S.CONTOUR_PARALLEL}, "Tapping": {_S.DRILLING}, "ThreadMilling": {_S.HELIX},
-    "Vcarve": {_S.ENGRAVING, _S.PROFILE}, "Waterline": {_S.WATERLINE},
+    "Adaptive": _ALONG, "Deburr": _ALONG, "Drilling": {Family.HOLES}, "Engrave": _ALONG, "Helix": {Family.AROUND},
+    "Profile": _ALONG, "Tapping": {Family.HOLES}, "ThreadMilling": {Family.AROUND}, "Vcarve": _ALONG, "Waterline": _ALONG,
 }  # fmt: skip
-# The strategies that fit the patterns of pockets, facing and surfaces; FreeCAD cuts a pocket's "Line" to and fro.
+# The families that fit the patterns of pockets, facing and surfaces.
 _PATTERNS = {
-    "Circular": {_S.CONTOUR_PARALLEL}, "CircularZigZag": {_S.ZIGZAG}, "Grid": {_S.ZIGZAG, _S.ONE_WAY},
-    "Line": {_S.ONE_WAY, _S.ZIGZAG}, "Offset": {_S.CONTOUR_PARALLEL, _S.PROFILE, _S.SPIRAL}, "Spiral": {_S.SPIRAL},
-    "Triangle": {_S.ZIGZAG, _S.ONE_WAY}, "ZigZag": {_S.ZIGZAG}, "ZigZagOffset": {_S.ZIGZAG},
+    "Circular": _ALONG, "CircularZigZag": {Family.ROWS}, "Grid": {Family.ROWS}, "Line": {Family.ROWS}, "Offset": _ALONG,
+    "Spiral": _ALONG, "Triangle": {Family.ROWS}, "ZigZag": {Family.ROWS}, "ZigZagOffset": {Family.ROWS, Family.AROUND},
 }  # fmt: skip
+# Fewer rows or loops may be all there is room for: a slot as wide as the tool is one line or one loop, whatever the pattern.
+ENOUGH = 3
+SURE = 0.9  # confidence; below it the recognition itself may be wrong
+
+
+def contradicts(name: str | None, found: Recognition) -> bool:
+    """Return whether a toolpath surely belongs to no family that an operation's kind or pattern of this name has.
+
+    How often it is right, `benchmarks/intent.py` prints.
+    """
+    meant = _KINDS.get(name) or _PATTERNS.get(name)
+    if not meant or not found.strategy.is_answer or found.confidence < SURE or (found.passes or 0) < ENOUGH:
+        return False
+    done = {found.strategy.family, *(span.strategy.family for span in found.spans)} - {Family.NONE}
+    return not done & meant
 
 
 def contradicted(obj, found: Recognition) -> str | None:
@@ -38,14 +51,9 @@ def contradicted(obj, found: Recognition) -> str | None:
     str or None
         FreeCAD's own name of its kind or its pattern; None where they agree, or where neither says anything.
     """
-    if kind(obj) in ("dressup", "array"):
+    if kind(obj) in ("dressup", "array"):  # they have no pattern of their own
         return None
     name = freecad.operation_name(obj)
-    meant = _KINDS.get(name)
-    if meant is None:
+    if name not in _KINDS:
         name = freecad.POCKET_PATTERN.of(obj) or freecad.SURFACE_PATTERN.of(obj)
-        meant = _PATTERNS.get(name)
-    if meant is None or not found.strategy.is_answer:
-        return None
-    done = {found.strategy, *(span.strategy for span in found.spans)}
-    return None if done & meant else name
+    return name if contradicts(name, found) else None

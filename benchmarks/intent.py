@@ -1,0 +1,61 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""How often the remark that a toolpath contradicts its operation's name is right.
+
+    python3 benchmarks/intent.py FILE.jsonl.gz ...
+
+The FILEs hold FreeCAD's operations as recognition.py reads them; a label is the kind, and the pattern where it has one. As they are, none contradicts its name. Each is also given the name of another, drawn at
+random, whose accepted strategies have no family in common with it: those contradict. Needs numpy only.
+"""
+
+from __future__ import annotations
+
+import sys
+import types
+from pathlib import Path
+
+import numpy as np
+
+HERE = Path(__file__).resolve().parent
+sys.path[:0] = [str(HERE.parent), str(HERE)]
+sys.modules.setdefault("FreeCAD", types.ModuleType("FreeCAD"))  # the names that fit need none
+
+from recognition import key, records  # noqa: E402
+
+from vkworkbench.core import Strategy  # noqa: E402
+from vkworkbench.core.recognition import recognize  # noqa: E402
+from vkworkbench.document.intent import contradicts  # noqa: E402
+
+KINDS = ("Adaptive", "Deburr", "Drilling", "Engrave", "Helix", "Profile", "Tapping", "ThreadMilling", "Vcarve")
+
+
+def called(label: str) -> str | None:
+    """Return the name that is compared: the kind, or where it has one the pattern."""
+    kind, *rest = label.replace("+", ":").split(":")
+    if kind in KINDS:
+        return kind
+    return rest[0] if rest and kind != "Slot" else None
+
+
+def main(files: list[str]) -> None:
+    seen, found = set(), []
+    for label, _, accepted, diameter, _, path in records(files):
+        if (digest := key(path)) not in seen and called(label):
+            seen.add(digest)
+            families = {Strategy(s).family for s in accepted}
+            found.append((called(label), families, recognize(path, tool_diameter=diameter)))
+    false = sum(contradicts(name, what) for name, _, what in found)
+    rng = np.random.default_rng(0)
+    true = swapped = 0
+    for _, families, what in found:
+        others = [name for name, theirs, _ in found if not theirs & families]
+        if others:
+            swapped += 1
+            true += contradicts(str(rng.choice(others)), what)
+    print(f"{false} of {len(found)} operations are said to contradict their own name: wrong")
+    print(f"{true} of {swapped} that were given a name of another family are said to contradict it: right")
+    print(f"precision {true / max(1, true + false):.3f}, found {true / max(1, swapped):.3f}")
+
+
+if __name__ == "__main__":
+    main(sys.argv[1:])

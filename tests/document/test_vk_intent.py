@@ -1,0 +1,46 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What an operation is called against what its toolpath does: only another family contradicts."""
+
+from __future__ import annotations
+
+import programs
+import pytest
+
+import vkworkbench
+from vkworkbench.core import linearize, recognize
+from vkworkbench.document.intent import contradicted, contradicts
+
+FITS = [("helix", "Adaptive"), ("spiral", "Adaptive"), ("profile", "Offset"), ("contour-parallel", "Profile"), ("one-way", "ZigZag"),
+        ("engraving", "Profile"), ("zigzag", "ZigZagOffset"), ("drilling", "Tapping"), ("zigzag", None), ("zigzag", "Slot")]  # fmt: skip
+CONTRADICTS = [("zigzag", "Offset"), ("contour-parallel", "ZigZag"), ("zigzag", "Profile"), ("drilling", "Helix"), ("helix", "Drilling"),
+               ("one-way", "Adaptive")]  # fmt: skip
+
+
+def done(strategy):
+    found = recognize(linearize(programs.SOUND[strategy]()), tool_diameter=5.0)
+    assert found.strategy == strategy
+    return found
+
+
+@pytest.mark.parametrize("strategy, name", FITS)
+def test_names_of_one_family_fit(strategy, name):
+    assert not contradicts(name, done(strategy))
+
+
+@pytest.mark.parametrize("strategy, name", CONTRADICTS)
+def test_another_family_contradicts(strategy, name):
+    assert contradicts(name, done(strategy))
+
+
+def test_one_line_or_one_loop_is_all_there_is_room_for():
+    assert not contradicts("ZigZag", recognize(linearize(programs.profile(depths=(0.0,)))))
+
+
+def test_a_dress_up_is_judged_by_itself(small, zigzag_commands):
+    base, dressup = small.add("Base", programs.helix()), small.add("Dress-up", zigzag_commands)
+    for op, pattern in ((base, "ZigZag"), (dressup, "Offset")):
+        op.addProperty("App::PropertyString", "OffsetPattern", "Path").OffsetPattern = pattern
+    dressup.addProperty("App::PropertyLink", "Base", "Path").Base = base
+    found = {row.label: row.recognition for row in vkworkbench.analyze(small.document).operations}
+    assert contradicted(base, found["Base"]) == "ZigZag"
+    assert contradicted(dressup, found["Dress-up"]) is None
