@@ -1354,6 +1354,237 @@ accuracy</source>
     </message>
 </context>
 <context>
+    <name>Vk_Simulate</name>
+    <message>
+        <source>raw</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>machined</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{} mm³/min</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Material</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Operation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Strategy</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Removal rate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Simulates the selected job or operations, or the job of the active document, and shows the part at any moment, what made each of its surfaces, and rapid moves that cut.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Simulate toolpaths</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Simulation: {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save Picture</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Folder of the Pictures</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save Removal Rates</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{} cannot be written.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Simulated part</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Isometric</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Front</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rear</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bottom</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As the 3D view</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From where the part is seen.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>By what the surfaces are colored.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What the operation of this moment removes, alone or on the part.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Part</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Chips</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Part and chips</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rapid moves that cut material. Choose one to see it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save what is shown.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Picture…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pictures of the whole job…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Removal rates…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Play or pause (Space).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How many times as fast as the machine.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Job in {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Real time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>To the beginning of the operation.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Back by one command of the program.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Back by one trajectory.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>On by one trajectory.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>On by one command of the program.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>To the end of the operation.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The toolpaths have changed. Simulate again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>about {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Simulating… {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>finest picture in about {}, {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{} × {} pixels of {}, {} traces, {}, simulated in {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>⚠ Rapid moves that cut: {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{}, command {} ({}): a rapid move removes {} mm³</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{} of {}   {}, command {}: {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This surface is the raw stock&apos;s.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Time line</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>Vk_Strategies</name>
     <message>
         <source>Colors the toolpaths in the 3D view by their machining strategy, rapid moves grey. The document is not changed.</source>

@@ -1363,6 +1363,237 @@ Genauigkeit</translation>
     </message>
 </context>
 <context>
+    <name>Vk_Simulate</name>
+    <message>
+        <source>raw</source>
+        <translation>roh</translation>
+    </message>
+    <message>
+        <source>machined</source>
+        <translation>bearbeitet</translation>
+    </message>
+    <message>
+        <source>{} mm³/min</source>
+        <translation>{} mm³/min</translation>
+    </message>
+    <message>
+        <source>Material</source>
+        <translation>Material</translation>
+    </message>
+    <message>
+        <source>Operation</source>
+        <translation>Operation</translation>
+    </message>
+    <message>
+        <source>Strategy</source>
+        <translation>Strategie</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>Removal rate</source>
+        <translation>Zeitspanvolumen</translation>
+    </message>
+    <message>
+        <source>Simulates the selected job or operations, or the job of the active document, and shows the part at any moment, what made each of its surfaces, and rapid moves that cut.</source>
+        <translation>Simuliert den gewählten Auftrag oder die gewählten Operationen, sonst den Auftrag des aktiven Dokuments, und zeigt das Teil in jedem Augenblick, was jede seiner Flächen gemacht hat, und Eilgänge, die schneiden.</translation>
+    </message>
+    <message>
+        <source>Simulate toolpaths</source>
+        <translation>Werkzeugwege simulieren</translation>
+    </message>
+    <message>
+        <source>Simulation: {}</source>
+        <translation>Simulation: {}</translation>
+    </message>
+    <message>
+        <source>Save Picture</source>
+        <translation>Bild speichern</translation>
+    </message>
+    <message>
+        <source>Folder of the Pictures</source>
+        <translation>Ordner der Bilder</translation>
+    </message>
+    <message>
+        <source>Save Removal Rates</source>
+        <translation>Zeitspanvolumen speichern</translation>
+    </message>
+    <message>
+        <source>{} cannot be written.</source>
+        <translation>{} kann nicht geschrieben werden.</translation>
+    </message>
+    <message>
+        <source>Simulated part</source>
+        <translation>Simuliertes Teil</translation>
+    </message>
+    <message>
+        <source>Isometric</source>
+        <translation>Isometrisch</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>Von oben</translation>
+    </message>
+    <message>
+        <source>Front</source>
+        <translation>Von vorn</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Von rechts</translation>
+    </message>
+    <message>
+        <source>Rear</source>
+        <translation>Von hinten</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>Von links</translation>
+    </message>
+    <message>
+        <source>Bottom</source>
+        <translation>Von unten</translation>
+    </message>
+    <message>
+        <source>As the 3D view</source>
+        <translation>Wie die 3D-Ansicht</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>Ansicht</translation>
+    </message>
+    <message>
+        <source>From where the part is seen.</source>
+        <translation>Von wo das Teil gesehen wird.</translation>
+    </message>
+    <message>
+        <source>By what the surfaces are colored.</source>
+        <translation>Wonach die Flächen gefärbt sind.</translation>
+    </message>
+    <message>
+        <source>What the operation of this moment removes, alone or on the part.</source>
+        <translation>Was die Operation dieses Augenblicks abträgt, allein oder auf dem Teil.</translation>
+    </message>
+    <message>
+        <source>Part</source>
+        <translation>Teil</translation>
+    </message>
+    <message>
+        <source>Chips</source>
+        <translation>Späne</translation>
+    </message>
+    <message>
+        <source>Part and chips</source>
+        <translation>Teil und Späne</translation>
+    </message>
+    <message>
+        <source>Rapid moves that cut material. Choose one to see it.</source>
+        <translation>Eilgänge, die Material schneiden. Wählen Sie einen, um ihn zu sehen.</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Speichern</translation>
+    </message>
+    <message>
+        <source>Save what is shown.</source>
+        <translation>Speichern, was zu sehen ist.</translation>
+    </message>
+    <message>
+        <source>Picture…</source>
+        <translation>Bild…</translation>
+    </message>
+    <message>
+        <source>Pictures of the whole job…</source>
+        <translation>Bilder des ganzen Auftrags…</translation>
+    </message>
+    <message>
+        <source>Removal rates…</source>
+        <translation>Zeitspanvolumen…</translation>
+    </message>
+    <message>
+        <source>Play or pause (Space).</source>
+        <translation>Abspielen oder anhalten (Leertaste).</translation>
+    </message>
+    <message>
+        <source>How many times as fast as the machine.</source>
+        <translation>Wie viel schneller als die Maschine.</translation>
+    </message>
+    <message>
+        <source>Job in {}</source>
+        <translation>Auftrag in {}</translation>
+    </message>
+    <message>
+        <source>Real time</source>
+        <translation>Echtzeit</translation>
+    </message>
+    <message>
+        <source>To the beginning of the operation.</source>
+        <translation>An den Anfang der Operation.</translation>
+    </message>
+    <message>
+        <source>Back by one command of the program.</source>
+        <translation>Einen Befehl des Programms zurück.</translation>
+    </message>
+    <message>
+        <source>Back by one trajectory.</source>
+        <translation>Eine Bewegung zurück.</translation>
+    </message>
+    <message>
+        <source>On by one trajectory.</source>
+        <translation>Eine Bewegung weiter.</translation>
+    </message>
+    <message>
+        <source>On by one command of the program.</source>
+        <translation>Einen Befehl des Programms weiter.</translation>
+    </message>
+    <message>
+        <source>To the end of the operation.</source>
+        <translation>An das Ende der Operation.</translation>
+    </message>
+    <message>
+        <source>The toolpaths have changed. Simulate again</source>
+        <translation>Die Werkzeugwege haben sich geändert. Neu simulieren</translation>
+    </message>
+    <message>
+        <source>about {}</source>
+        <translation>etwa {}</translation>
+    </message>
+    <message>
+        <source>Simulating… {}</source>
+        <translation>Simuliert… {}</translation>
+    </message>
+    <message>
+        <source>finest picture in about {}, {}</source>
+        <translation>feinstes Bild in etwa {}, {}</translation>
+    </message>
+    <message>
+        <source>{} × {} pixels of {}, {} traces, {}, simulated in {}</source>
+        <translation>{} × {} Pixel von {}, {} Spuren, {}, simuliert in {}</translation>
+    </message>
+    <message>
+        <source>⚠ Rapid moves that cut: {}</source>
+        <translation>⚠ Eilgänge, die schneiden: {}</translation>
+    </message>
+    <message>
+        <source>{}, command {} ({}): a rapid move removes {} mm³</source>
+        <translation>{}, Befehl {} ({}): ein Eilgang trägt {} mm³ ab</translation>
+    </message>
+    <message>
+        <source>{} of {}   {}, command {}: {}</source>
+        <translation>{} von {}   {}, Befehl {}: {}</translation>
+    </message>
+    <message>
+        <source>This surface is the raw stock&apos;s.</source>
+        <translation>Diese Fläche ist die des Rohteils.</translation>
+    </message>
+    <message>
+        <source>Time line</source>
+        <translation>Zeitleiste</translation>
+    </message>
+</context>
+<context>
     <name>Vk_Strategies</name>
     <message>
         <source>Colors the toolpaths in the 3D view by their machining strategy, rapid moves grey. The document is not changed.</source>

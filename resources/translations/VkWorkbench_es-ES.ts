@@ -1363,6 +1363,237 @@ recomendada</translation>
     </message>
 </context>
 <context>
+    <name>Vk_Simulate</name>
+    <message>
+        <source>raw</source>
+        <translation>en bruto</translation>
+    </message>
+    <message>
+        <source>machined</source>
+        <translation>mecanizado</translation>
+    </message>
+    <message>
+        <source>{} mm³/min</source>
+        <translation>{} mm³/min</translation>
+    </message>
+    <message>
+        <source>Material</source>
+        <translation>Material</translation>
+    </message>
+    <message>
+        <source>Operation</source>
+        <translation>Operación</translation>
+    </message>
+    <message>
+        <source>Strategy</source>
+        <translation>Estrategia</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Tiempo</translation>
+    </message>
+    <message>
+        <source>Removal rate</source>
+        <translation>Caudal de viruta</translation>
+    </message>
+    <message>
+        <source>Simulates the selected job or operations, or the job of the active document, and shows the part at any moment, what made each of its surfaces, and rapid moves that cut.</source>
+        <translation>Simula el trabajo o las operaciones seleccionadas, o el trabajo del documento activo, y muestra la pieza en cualquier momento, qué hizo cada superficie y los movimientos rápidos que cortan.</translation>
+    </message>
+    <message>
+        <source>Simulate toolpaths</source>
+        <translation>Simular trayectorias</translation>
+    </message>
+    <message>
+        <source>Simulation: {}</source>
+        <translation>Simulación: {}</translation>
+    </message>
+    <message>
+        <source>Save Picture</source>
+        <translation>Guardar imagen</translation>
+    </message>
+    <message>
+        <source>Folder of the Pictures</source>
+        <translation>Carpeta de las imágenes</translation>
+    </message>
+    <message>
+        <source>Save Removal Rates</source>
+        <translation>Guardar caudales de viruta</translation>
+    </message>
+    <message>
+        <source>{} cannot be written.</source>
+        <translation>No se puede escribir {}.</translation>
+    </message>
+    <message>
+        <source>Simulated part</source>
+        <translation>Pieza simulada</translation>
+    </message>
+    <message>
+        <source>Isometric</source>
+        <translation>Isométrica</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>Desde arriba</translation>
+    </message>
+    <message>
+        <source>Front</source>
+        <translation>De frente</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Desde la derecha</translation>
+    </message>
+    <message>
+        <source>Rear</source>
+        <translation>Desde atrás</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>Desde la izquierda</translation>
+    </message>
+    <message>
+        <source>Bottom</source>
+        <translation>Desde abajo</translation>
+    </message>
+    <message>
+        <source>As the 3D view</source>
+        <translation>Como la vista 3D</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>Vista</translation>
+    </message>
+    <message>
+        <source>From where the part is seen.</source>
+        <translation>Desde dónde se ve la pieza.</translation>
+    </message>
+    <message>
+        <source>By what the surfaces are colored.</source>
+        <translation>Según qué se colorean las superficies.</translation>
+    </message>
+    <message>
+        <source>What the operation of this moment removes, alone or on the part.</source>
+        <translation>Lo que quita la operación de este momento, solo o sobre la pieza.</translation>
+    </message>
+    <message>
+        <source>Part</source>
+        <translation>Pieza</translation>
+    </message>
+    <message>
+        <source>Chips</source>
+        <translation>Viruta</translation>
+    </message>
+    <message>
+        <source>Part and chips</source>
+        <translation>Pieza y viruta</translation>
+    </message>
+    <message>
+        <source>Rapid moves that cut material. Choose one to see it.</source>
+        <translation>Movimientos rápidos que cortan material. Elija uno para verlo.</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Guardar</translation>
+    </message>
+    <message>
+        <source>Save what is shown.</source>
+        <translation>Guardar lo que se muestra.</translation>
+    </message>
+    <message>
+        <source>Picture…</source>
+        <translation>Imagen…</translation>
+    </message>
+    <message>
+        <source>Pictures of the whole job…</source>
+        <translation>Imágenes de todo el trabajo…</translation>
+    </message>
+    <message>
+        <source>Removal rates…</source>
+        <translation>Caudales de viruta…</translation>
+    </message>
+    <message>
+        <source>Play or pause (Space).</source>
+        <translation>Reproducir o pausar (Espacio).</translation>
+    </message>
+    <message>
+        <source>How many times as fast as the machine.</source>
+        <translation>Cuántas veces más rápido que la máquina.</translation>
+    </message>
+    <message>
+        <source>Job in {}</source>
+        <translation>Trabajo en {}</translation>
+    </message>
+    <message>
+        <source>Real time</source>
+        <translation>Tiempo real</translation>
+    </message>
+    <message>
+        <source>To the beginning of the operation.</source>
+        <translation>Al comienzo de la operación.</translation>
+    </message>
+    <message>
+        <source>Back by one command of the program.</source>
+        <translation>Retroceder una orden del programa.</translation>
+    </message>
+    <message>
+        <source>Back by one trajectory.</source>
+        <translation>Retroceder un movimiento.</translation>
+    </message>
+    <message>
+        <source>On by one trajectory.</source>
+        <translation>Avanzar un movimiento.</translation>
+    </message>
+    <message>
+        <source>On by one command of the program.</source>
+        <translation>Avanzar una orden del programa.</translation>
+    </message>
+    <message>
+        <source>To the end of the operation.</source>
+        <translation>Al final de la operación.</translation>
+    </message>
+    <message>
+        <source>The toolpaths have changed. Simulate again</source>
+        <translation>Las trayectorias han cambiado. Simular de nuevo</translation>
+    </message>
+    <message>
+        <source>about {}</source>
+        <translation>unos {}</translation>
+    </message>
+    <message>
+        <source>Simulating… {}</source>
+        <translation>Simulando… {}</translation>
+    </message>
+    <message>
+        <source>finest picture in about {}, {}</source>
+        <translation>imagen más fina en unos {}, {}</translation>
+    </message>
+    <message>
+        <source>{} × {} pixels of {}, {} traces, {}, simulated in {}</source>
+        <translation>{} × {} píxeles de {}, {} trazas, {}, simulado en {}</translation>
+    </message>
+    <message>
+        <source>⚠ Rapid moves that cut: {}</source>
+        <translation>⚠ Movimientos rápidos que cortan: {}</translation>
+    </message>
+    <message>
+        <source>{}, command {} ({}): a rapid move removes {} mm³</source>
+        <translation>{}, orden {} ({}): un movimiento rápido quita {} mm³</translation>
+    </message>
+    <message>
+        <source>{} of {}   {}, command {}: {}</source>
+        <translation>{} de {}   {}, orden {}: {}</translation>
+    </message>
+    <message>
+        <source>This surface is the raw stock&apos;s.</source>
+        <translation>Esta superficie es la del material en bruto.</translation>
+    </message>
+    <message>
+        <source>Time line</source>
+        <translation>Línea de tiempo</translation>
+    </message>
+</context>
+<context>
     <name>Vk_Strategies</name>
     <message>
         <source>Colors the toolpaths in the 3D view by their machining strategy, rapid moves grey. The document is not changed.</source>

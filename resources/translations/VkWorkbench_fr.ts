@@ -1363,6 +1363,237 @@ recommandée</translation>
     </message>
 </context>
 <context>
+    <name>Vk_Simulate</name>
+    <message>
+        <source>raw</source>
+        <translation>brut</translation>
+    </message>
+    <message>
+        <source>machined</source>
+        <translation>usiné</translation>
+    </message>
+    <message>
+        <source>{} mm³/min</source>
+        <translation>{} mm³/min</translation>
+    </message>
+    <message>
+        <source>Material</source>
+        <translation>Matière</translation>
+    </message>
+    <message>
+        <source>Operation</source>
+        <translation>Opération</translation>
+    </message>
+    <message>
+        <source>Strategy</source>
+        <translation>Stratégie</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Temps</translation>
+    </message>
+    <message>
+        <source>Removal rate</source>
+        <translation>Débit de copeaux</translation>
+    </message>
+    <message>
+        <source>Simulates the selected job or operations, or the job of the active document, and shows the part at any moment, what made each of its surfaces, and rapid moves that cut.</source>
+        <translation>Simule la tâche ou les opérations sélectionnées, sinon la tâche du document actif, et montre la pièce à tout moment, ce qui a fait chacune de ses surfaces et les déplacements rapides qui coupent.</translation>
+    </message>
+    <message>
+        <source>Simulate toolpaths</source>
+        <translation>Simuler les parcours d&apos;outil</translation>
+    </message>
+    <message>
+        <source>Simulation: {}</source>
+        <translation>Simulation : {}</translation>
+    </message>
+    <message>
+        <source>Save Picture</source>
+        <translation>Enregistrer l&apos;image</translation>
+    </message>
+    <message>
+        <source>Folder of the Pictures</source>
+        <translation>Dossier des images</translation>
+    </message>
+    <message>
+        <source>Save Removal Rates</source>
+        <translation>Enregistrer les débits de copeaux</translation>
+    </message>
+    <message>
+        <source>{} cannot be written.</source>
+        <translation>Impossible d&apos;écrire {}.</translation>
+    </message>
+    <message>
+        <source>Simulated part</source>
+        <translation>Pièce simulée</translation>
+    </message>
+    <message>
+        <source>Isometric</source>
+        <translation>Isométrique</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>Dessus</translation>
+    </message>
+    <message>
+        <source>Front</source>
+        <translation>Avant</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Droite</translation>
+    </message>
+    <message>
+        <source>Rear</source>
+        <translation>Arrière</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>Gauche</translation>
+    </message>
+    <message>
+        <source>Bottom</source>
+        <translation>Dessous</translation>
+    </message>
+    <message>
+        <source>As the 3D view</source>
+        <translation>Comme la vue 3D</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>Vue</translation>
+    </message>
+    <message>
+        <source>From where the part is seen.</source>
+        <translation>D&apos;où la pièce est vue.</translation>
+    </message>
+    <message>
+        <source>By what the surfaces are colored.</source>
+        <translation>Selon quoi les surfaces sont colorées.</translation>
+    </message>
+    <message>
+        <source>What the operation of this moment removes, alone or on the part.</source>
+        <translation>Ce que l&apos;opération de ce moment enlève, seul ou sur la pièce.</translation>
+    </message>
+    <message>
+        <source>Part</source>
+        <translation>Pièce</translation>
+    </message>
+    <message>
+        <source>Chips</source>
+        <translation>Copeaux</translation>
+    </message>
+    <message>
+        <source>Part and chips</source>
+        <translation>Pièce et copeaux</translation>
+    </message>
+    <message>
+        <source>Rapid moves that cut material. Choose one to see it.</source>
+        <translation>Déplacements rapides qui coupent la matière. Choisissez-en un pour le voir.</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Enregistrer</translation>
+    </message>
+    <message>
+        <source>Save what is shown.</source>
+        <translation>Enregistrer ce qui est affiché.</translation>
+    </message>
+    <message>
+        <source>Picture…</source>
+        <translation>Image…</translation>
+    </message>
+    <message>
+        <source>Pictures of the whole job…</source>
+        <translation>Images de toute la tâche…</translation>
+    </message>
+    <message>
+        <source>Removal rates…</source>
+        <translation>Débits de copeaux…</translation>
+    </message>
+    <message>
+        <source>Play or pause (Space).</source>
+        <translation>Lire ou suspendre (Espace).</translation>
+    </message>
+    <message>
+        <source>How many times as fast as the machine.</source>
+        <translation>Combien de fois plus vite que la machine.</translation>
+    </message>
+    <message>
+        <source>Job in {}</source>
+        <translation>Tâche en {}</translation>
+    </message>
+    <message>
+        <source>Real time</source>
+        <translation>Temps réel</translation>
+    </message>
+    <message>
+        <source>To the beginning of the operation.</source>
+        <translation>Au début de l&apos;opération.</translation>
+    </message>
+    <message>
+        <source>Back by one command of the program.</source>
+        <translation>Reculer d&apos;une commande du programme.</translation>
+    </message>
+    <message>
+        <source>Back by one trajectory.</source>
+        <translation>Reculer d&apos;un mouvement.</translation>
+    </message>
+    <message>
+        <source>On by one trajectory.</source>
+        <translation>Avancer d&apos;un mouvement.</translation>
+    </message>
+    <message>
+        <source>On by one command of the program.</source>
+        <translation>Avancer d&apos;une commande du programme.</translation>
+    </message>
+    <message>
+        <source>To the end of the operation.</source>
+        <translation>À la fin de l&apos;opération.</translation>
+    </message>
+    <message>
+        <source>The toolpaths have changed. Simulate again</source>
+        <translation>Les parcours d&apos;outil ont changé. Simuler à nouveau</translation>
+    </message>
+    <message>
+        <source>about {}</source>
+        <translation>environ {}</translation>
+    </message>
+    <message>
+        <source>Simulating… {}</source>
+        <translation>Simulation… {}</translation>
+    </message>
+    <message>
+        <source>finest picture in about {}, {}</source>
+        <translation>image la plus fine dans environ {}, {}</translation>
+    </message>
+    <message>
+        <source>{} × {} pixels of {}, {} traces, {}, simulated in {}</source>
+        <translation>{} × {} pixels de {}, {} traces, {}, simulé en {}</translation>
+    </message>
+    <message>
+        <source>⚠ Rapid moves that cut: {}</source>
+        <translation>⚠ Déplacements rapides qui coupent : {}</translation>
+    </message>
+    <message>
+        <source>{}, command {} ({}): a rapid move removes {} mm³</source>
+        <translation>{}, commande {} ({}) : un déplacement rapide enlève {} mm³</translation>
+    </message>
+    <message>
+        <source>{} of {}   {}, command {}: {}</source>
+        <translation>{} sur {}   {}, commande {} : {}</translation>
+    </message>
+    <message>
+        <source>This surface is the raw stock&apos;s.</source>
+        <translation>Cette surface est celle du brut.</translation>
+    </message>
+    <message>
+        <source>Time line</source>
+        <translation>Chronologie</translation>
+    </message>
+</context>
+<context>
     <name>Vk_Strategies</name>
     <message>
         <source>Colors the toolpaths in the 3D view by their machining strategy, rapid moves grey. The document is not changed.</source>

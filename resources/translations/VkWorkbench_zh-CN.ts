@@ -1363,6 +1363,237 @@ accuracy</source>
     </message>
 </context>
 <context>
+    <name>Vk_Simulate</name>
+    <message>
+        <source>raw</source>
+        <translation>毛坯面</translation>
+    </message>
+    <message>
+        <source>machined</source>
+        <translation>加工面</translation>
+    </message>
+    <message>
+        <source>{} mm³/min</source>
+        <translation>{} mm³/min</translation>
+    </message>
+    <message>
+        <source>Material</source>
+        <translation>材料</translation>
+    </message>
+    <message>
+        <source>Operation</source>
+        <translation>操作</translation>
+    </message>
+    <message>
+        <source>Strategy</source>
+        <translation>策略</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>时间</translation>
+    </message>
+    <message>
+        <source>Removal rate</source>
+        <translation>材料去除率</translation>
+    </message>
+    <message>
+        <source>Simulates the selected job or operations, or the job of the active document, and shows the part at any moment, what made each of its surfaces, and rapid moves that cut.</source>
+        <translation>仿真所选作业或操作（否则为当前文档的作业），显示任意时刻的工件、每个表面由什么加工而成，以及会切到材料的快速移动。</translation>
+    </message>
+    <message>
+        <source>Simulate toolpaths</source>
+        <translation>仿真刀具路径</translation>
+    </message>
+    <message>
+        <source>Simulation: {}</source>
+        <translation>仿真：{}</translation>
+    </message>
+    <message>
+        <source>Save Picture</source>
+        <translation>保存图片</translation>
+    </message>
+    <message>
+        <source>Folder of the Pictures</source>
+        <translation>图片文件夹</translation>
+    </message>
+    <message>
+        <source>Save Removal Rates</source>
+        <translation>保存去除率</translation>
+    </message>
+    <message>
+        <source>{} cannot be written.</source>
+        <translation>无法写入 {}。</translation>
+    </message>
+    <message>
+        <source>Simulated part</source>
+        <translation>仿真工件</translation>
+    </message>
+    <message>
+        <source>Isometric</source>
+        <translation>等轴测</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>俯视</translation>
+    </message>
+    <message>
+        <source>Front</source>
+        <translation>前视</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>右视</translation>
+    </message>
+    <message>
+        <source>Rear</source>
+        <translation>后视</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>左视</translation>
+    </message>
+    <message>
+        <source>Bottom</source>
+        <translation>仰视</translation>
+    </message>
+    <message>
+        <source>As the 3D view</source>
+        <translation>与三维视图相同</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>视图</translation>
+    </message>
+    <message>
+        <source>From where the part is seen.</source>
+        <translation>观察工件的方向。</translation>
+    </message>
+    <message>
+        <source>By what the surfaces are colored.</source>
+        <translation>表面着色的依据。</translation>
+    </message>
+    <message>
+        <source>What the operation of this moment removes, alone or on the part.</source>
+        <translation>此刻的操作所去除的材料，单独显示或显示在工件上。</translation>
+    </message>
+    <message>
+        <source>Part</source>
+        <translation>工件</translation>
+    </message>
+    <message>
+        <source>Chips</source>
+        <translation>切屑</translation>
+    </message>
+    <message>
+        <source>Part and chips</source>
+        <translation>工件和切屑</translation>
+    </message>
+    <message>
+        <source>Rapid moves that cut material. Choose one to see it.</source>
+        <translation>会切到材料的快速移动。选择一个查看。</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>保存</translation>
+    </message>
+    <message>
+        <source>Save what is shown.</source>
+        <translation>保存所显示的内容。</translation>
+    </message>
+    <message>
+        <source>Picture…</source>
+        <translation>图片…</translation>
+    </message>
+    <message>
+        <source>Pictures of the whole job…</source>
+        <translation>整个作业的图片…</translation>
+    </message>
+    <message>
+        <source>Removal rates…</source>
+        <translation>去除率…</translation>
+    </message>
+    <message>
+        <source>Play or pause (Space).</source>
+        <translation>播放或暂停（空格键）。</translation>
+    </message>
+    <message>
+        <source>How many times as fast as the machine.</source>
+        <translation>比机床快多少倍。</translation>
+    </message>
+    <message>
+        <source>Job in {}</source>
+        <translation>{}内完成</translation>
+    </message>
+    <message>
+        <source>Real time</source>
+        <translation>实时</translation>
+    </message>
+    <message>
+        <source>To the beginning of the operation.</source>
+        <translation>到操作开头。</translation>
+    </message>
+    <message>
+        <source>Back by one command of the program.</source>
+        <translation>后退一条程序指令。</translation>
+    </message>
+    <message>
+        <source>Back by one trajectory.</source>
+        <translation>后退一个运动。</translation>
+    </message>
+    <message>
+        <source>On by one trajectory.</source>
+        <translation>前进一个运动。</translation>
+    </message>
+    <message>
+        <source>On by one command of the program.</source>
+        <translation>前进一条程序指令。</translation>
+    </message>
+    <message>
+        <source>To the end of the operation.</source>
+        <translation>到操作末尾。</translation>
+    </message>
+    <message>
+        <source>The toolpaths have changed. Simulate again</source>
+        <translation>刀具路径已更改。重新仿真</translation>
+    </message>
+    <message>
+        <source>about {}</source>
+        <translation>约{}</translation>
+    </message>
+    <message>
+        <source>Simulating… {}</source>
+        <translation>正在仿真… {}</translation>
+    </message>
+    <message>
+        <source>finest picture in about {}, {}</source>
+        <translation>最精细的图片约需 {}，{}</translation>
+    </message>
+    <message>
+        <source>{} × {} pixels of {}, {} traces, {}, simulated in {}</source>
+        <translation>{} × {} 像素，每个 {}，{} 条痕迹，{}，仿真用时 {}</translation>
+    </message>
+    <message>
+        <source>⚠ Rapid moves that cut: {}</source>
+        <translation>⚠ 会切到材料的快速移动：{}</translation>
+    </message>
+    <message>
+        <source>{}, command {} ({}): a rapid move removes {} mm³</source>
+        <translation>{}，指令 {}（{}）：快速移动去除了 {} mm³</translation>
+    </message>
+    <message>
+        <source>{} of {}   {}, command {}: {}</source>
+        <translation>{} / {}   {}，指令 {}：{}</translation>
+    </message>
+    <message>
+        <source>This surface is the raw stock&apos;s.</source>
+        <translation>这是毛坯本身的表面。</translation>
+    </message>
+    <message>
+        <source>Time line</source>
+        <translation>时间轴</translation>
+    </message>
+</context>
+<context>
     <name>Vk_Strategies</name>
     <message>
         <source>Colors the toolpaths in the 3D view by their machining strategy, rapid moves grey. The document is not changed.</source>

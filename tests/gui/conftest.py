@@ -85,6 +85,19 @@ class Window:
     def click_at(self, widget, where):
         QTest.mouseClick(widget, QtCore.Qt.LeftButton, QtCore.Qt.NoModifier, where)
 
+    def mouse_press(self, widget, where, button):
+        QTest.mousePress(widget, button, QtCore.Qt.NoModifier, where)
+
+    def mouse_move(self, widget, where, button):
+        """Move the mouse with a button held: QTest's own moves forget the button."""
+        event = QtGui.QMouseEvent(QtCore.QEvent.MouseMove, QtCore.QPointF(where), QtCore.QPointF(widget.mapToGlobal(where)),
+                                  QtCore.Qt.NoButton, button, QtCore.Qt.NoModifier)  # fmt: skip
+        QtGui.QApplication.sendEvent(widget, event)
+        QtGui.QApplication.processEvents()
+
+    def mouse_release(self, widget, where, button):
+        QTest.mouseRelease(widget, button, QtCore.Qt.NoModifier, where)
+
     def press(self, widget, key):
         QTest.keyClick(widget, key)
 

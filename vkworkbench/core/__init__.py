@@ -5,11 +5,11 @@ Each room below has a face, its ``__init__``; nobody imports past it.
 """
 
 from vkworkbench.core.gcode import linearize
-from vkworkbench.core.machining import Machining, exact_lengths, machining
+from vkworkbench.core.machining import Machining, exact_lengths, machining, trajectory_seconds
 from vkworkbench.core.paper import Signature, signature
 from vkworkbench.core.recognition import Recognition, Span, recognize
 from vkworkbench.core.simulators import Accuracy, best_accuracy
-from vkworkbench.core.solids import ConvexStock, Stock, Tool, View, stock_around
+from vkworkbench.core.solids import ConvexStock, Frame, Stock, Tool, View, stock_around
 from vkworkbench.core.stocks import Cylinder, Mesh, Solid
 from vkworkbench.core.strategy import Family, Strategy
 from vkworkbench.core.toolpath import Problem, Toolpath
@@ -27,8 +27,8 @@ from vkworkbench.core.zbuffer import (
 )
 
 __all__ = [
-    "Accuracy", "ConvexStock", "Cut", "Cylinder", "Estimate", "Family", "Machining", "Mesh", "Problem", "Recognition", "Resolution",
-    "Signature", "Span", "Solid", "Speed", "Stock", "Strategy", "Tool", "Toolpath", "View", "ZBuffer", "best_accuracy",
-    "best_resolution", "estimate", "exact_lengths", "linearize", "machining", "measure_speed", "recognize",
-    "signature", "simulate", "simulate_job", "stock_around",
+    "Accuracy", "ConvexStock", "Cut", "Cylinder", "Estimate", "Family", "Frame", "Machining", "Mesh", "Problem",
+    "Recognition", "Resolution", "Signature", "Solid", "Span", "Speed", "Stock", "Strategy", "Tool", "Toolpath",
+    "View", "ZBuffer", "best_accuracy", "best_resolution", "estimate", "exact_lengths", "linearize", "machining",
+    "measure_speed", "recognize", "signature", "simulate", "simulate_job", "stock_around", "trajectory_seconds",
 ]  # fmt: skip

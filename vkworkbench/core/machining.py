@@ -95,6 +95,27 @@ def exact_lengths(toolpath: Toolpath) -> np.ndarray:
     return lengths
 
 
+def trajectory_seconds(
+    toolpath: Toolpath, *, horizontal_rapid: float = 0.0, vertical_rapid: float = 0.0
+) -> np.ndarray:
+    """Time of every trajectory at constant feed, (n,) float64 s; not a number where its speed is unknown.
+
+    Parameters
+    ----------
+    toolpath : Toolpath
+    horizontal_rapid, vertical_rapid : float
+        As for :func:`machining`.
+    """
+    speed = np.where(toolpath.rapid, np.where(_upright(toolpath), vertical_rapid, horizontal_rapid), toolpath.feed)
+    return exact_lengths(toolpath) / np.where(speed > 0, speed, np.nan)
+
+
+def _upright(toolpath: Toolpath) -> np.ndarray:
+    """Which trajectories go straight up or down, (n,) bool."""
+    points = toolpath.points
+    return (np.abs(points[1:, 0] - points[:-1, 0]) < 1e-6) & (np.abs(points[1:, 1] - points[:-1, 1]) < 1e-6)
+
+
 def machining(
     toolpath: Toolpath,
     *,
@@ -140,8 +161,7 @@ def machining(
         if not fed.any():
             cutting_seconds = None
 
-    points = toolpath.points
-    upright = (np.abs(points[1:, 0] - points[:-1, 0]) < 1e-6) & (np.abs(points[1:, 1] - points[:-1, 1]) < 1e-6)
+    upright = _upright(toolpath)
     speed = np.where(upright, vertical_rapid, horizontal_rapid)
     timed = rapid & (speed > 0)
     rapid_length = float(lengths[rapid].sum())

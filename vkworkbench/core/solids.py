@@ -305,6 +305,8 @@ class View:
         Size of the image, pixels. The default is the paper's image (section 1).
     pixel : float, optional
         Side of a pixel, mm; by default the smallest with which the image holds the whole stock.
+    offset : (2,) tuple of float
+        Where the image's centre lies from that of the stock, mm to the right and up.
 
     Raises
     ------
@@ -316,6 +318,7 @@ class View:
     width: int = 800
     height: int = 600
     pixel: float | None = None
+    offset: tuple[float, float] = (0.0, 0.0)
 
     def __post_init__(self) -> None:
         direction = np.array(self.direction, float)
@@ -343,7 +346,8 @@ class View:
         if pixel is None:
             extent = 2 * np.array([np.abs(right) @ half, np.abs(up) @ half])
             pixel = float(max(extent[0] / self.width, extent[1] / self.height))
-        return Frame((stock.lower + stock.upper) / 2, right, up, direction, pixel, self.width, self.height)
+        centre = (stock.lower + stock.upper) / 2 + self.offset[0] * right + self.offset[1] * up
+        return Frame(centre, right, up, direction, pixel, self.width, self.height)
 
 
 @dataclass(frozen=True, eq=False)
@@ -353,7 +357,7 @@ class Frame:
     Attributes
     ----------
     centre, right, up, direction : (3,) ndarray
-        Centre of the stock's bounding box and the image's orthonormal axes.
+        Centre of the image, as deep as that of the stock's bounding box, and the image's orthonormal axes.
     pixel : float
         Side of a pixel, mm.
     width, height : int

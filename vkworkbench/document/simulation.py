@@ -12,12 +12,13 @@ from pathlib import Path
 import FreeCAD
 import numpy as np
 
-from vkworkbench import preferences
-from vkworkbench.core import Cut, Solid, View, ZBuffer, linearize, simulate_job
+from vkworkbench import freecad, preferences
+from vkworkbench.core import Cut, Solid, View, ZBuffer, linearize, simulate_job, trajectory_seconds
+from vkworkbench.core.gcode import looks_like_minutes
 from vkworkbench.core.rendering import CUT, colors_of, palette, png, shade
 from vkworkbench.core.zbuffer import facts
 from vkworkbench.document.operations import Operation, find
-from vkworkbench.document.setting import placed, read_stock, read_tool, tool_remark, vertical_feed
+from vkworkbench.document.setting import placed, rapid_feeds, read_stock, read_tool, tool_remark, vertical_feed
 from vkworkbench.document.solids import model_shapes, model_solid, stock_solid
 from vkworkbench.language import Message, Unusable
 from vkworkbench.simulation_facts import SimulationFacts
@@ -70,11 +71,14 @@ class SimulatedOperation:
     ----------
     document, name, label : str
         Internal names of the document and of the object, and the object's label.
+    rapid_feeds : tuple of float
+        Horizontal and vertical rapid speed of its tool controller, mm/s; 0 where unset.
     """
 
     document: str
     name: str
     label: str
+    rapid_feeds: tuple[float, float]
 
 
 @dataclass(frozen=True, eq=False)
@@ -104,6 +108,15 @@ class SimulatedJob:
     def model(self) -> Solid | None:
         """What the part is to be; None where the job has no closed model. Made when it is first asked for."""
         return model_solid(self.model_shapes)
+
+    @cached_property
+    def seconds(self) -> np.ndarray:
+        """Time of every trajectory, numbered through, (n,) float64 s; not a number where its speed is unknown."""
+        return np.concatenate([
+            trajectory_seconds(cut.toolpath, horizontal_rapid=operation.rapid_feeds[0],
+                               vertical_rapid=operation.rapid_feeds[1])
+            for operation, cut in zip(self.operations, self.cuts)
+        ])  # fmt: skip
 
     def simulate(
         self,
@@ -211,9 +224,11 @@ def read_job(what=None) -> SimulatedJob:
         obj = operation.object
         try:
             toolpath = placed(linearize(obj.Path.Commands, tolerance=tolerance), obj.Placement)
+            if freecad.is_imported(obj) and looks_like_minutes(toolpath):
+                toolpath = replace(toolpath, feed=toolpath.feed / 60)
             if len(toolpath):
                 cuts.append(Cut(toolpath, read_tool(obj), vertical_feed(obj)))
-                simulated.append(SimulatedOperation(obj.Document.Name, obj.Name, obj.Label))
+                simulated.append(SimulatedOperation(obj.Document.Name, obj.Name, obj.Label, rapid_feeds(obj)))
                 told = tool_remark(obj)
                 remarks += [Message("of", label=obj.Label, sentence=told)] if told else []
         except Unusable as error:

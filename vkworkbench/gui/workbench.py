@@ -18,7 +18,7 @@ from vkworkbench.gui.text import QT_TRANSLATE_NOOP, translate
 ROOT = Path(__file__).resolve().parents[2]
 ICONS = ROOT / "resources" / "icons"
 TRANSLATIONS = ROOT / "resources" / "translations"
-COMMANDS = ["Vk_Analyze", "Vk_Clear", "Vk_Results", "Vk_Strategies", "Vk_GaussMap"]
+COMMANDS = ["Vk_Analyze", "Vk_Clear", "Vk_Results", "Vk_Strategies", "Vk_GaussMap", "Vk_Simulate"]
 TITLE = QT_TRANSLATE_NOOP("Workbench", "Toolpath analysis")  # of toolbar and menu
 
 
@@ -138,6 +138,7 @@ def _focus_changed(window) -> None:
 
 def _load_commands() -> None:
     from vkworkbench.gui import commands, gauss_map_command, panel_command, strategy_command  # noqa: F401
+    from vkworkbench.gui.simulation import command  # noqa: F401
 
 
 def _append_to_context_menu(workbench) -> None:

@@ -56,7 +56,9 @@ def test_turning_from_straight_above_keeps_the_image_upright():
 def test_cameras_of_freecad():
     assert direction_of((0, 0, 0, 1)) == (0, 0, -1)
     assert direction_of((sqrt(0.5), 0, 0, sqrt(0.5))) == pytest.approx((0, 1, 0), abs=1e-12)  # from the front
-    assert direction_of((0.424708, 0.17592, 0.339851, 0.820473)) == pytest.approx(np.array(ISOMETRIC) / sqrt(3), abs=1e-5)
+    assert direction_of((0.424708, 0.17592, 0.339851, 0.820473)) == pytest.approx(
+        np.array(ISOMETRIC) / sqrt(3), abs=1e-5
+    )
 
 
 def test_points_lie_where_their_pixels_are():
@@ -88,7 +90,8 @@ def test_the_old_picture_seen_from_elsewhere_is_nearly_the_new_one():
 
 
 @pytest.mark.parametrize("tool", [
-    Tool("endmill", 6), Tool("ballend", 6), Tool("bullnose", 6, 1.0), Tool("vbit", 6, tip_angle=radians(60)), Tool("drill", 6),
+    Tool("endmill", 6), Tool("ballend", 6), Tool("bullnose", 6, 1.0), Tool("vbit", 6, tip_angle=radians(60)),
+    Tool("drill", 6),
 ])  # fmt: skip
 def test_the_outline_of_a_tool_stands_on_its_tip(tool):
     frame = View((0, 1, 0), 800, 600).frame(STOCK)

@@ -1,18 +1,19 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """From depths and owners to what a person sees.
 
-In: `Picture` and `Frame` of the z-buffer. Out: images (height, width, 3) of uint8, row 0 at the top; where points of the
-space lie in them; the image as a PNG file.
+In: `Picture` and `Frame` of the z-buffer. Out: images (height, width, 3) of uint8, row 0 at the top; where points of
+the space lie in them; the image as a PNG file.
 """
 
 from vkworkbench.core.rendering.camera import direction_of, project, turned
 from vkworkbench.core.rendering.palettes import CUT, RAW, SCALE, colors_of, distinct_colors, palette, scale_colors
 from vkworkbench.core.rendering.png import png
 from vkworkbench.core.rendering.points import Points
+from vkworkbench.core.rendering.scene import LIT, Scene, scene
 from vkworkbench.core.rendering.shading import BACKGROUND, shade
 from vkworkbench.core.rendering.tool_outline import tool_outline
 
 __all__ = [
-    "BACKGROUND", "CUT", "RAW", "SCALE", "Points", "colors_of", "direction_of", "distinct_colors", "palette", "png",
-    "project", "scale_colors", "shade", "tool_outline", "turned",
+    "BACKGROUND", "CUT", "LIT", "RAW", "SCALE", "Points", "Scene", "colors_of", "direction_of", "distinct_colors",
+    "palette", "png", "project", "scale_colors", "scene", "shade", "tool_outline", "turned",
 ]  # fmt: skip

@@ -58,9 +58,5 @@ def project(points: np.ndarray, frame: Frame) -> np.ndarray:
         Column and row in pixels from the image's upper left corner, and depth, mm.
     """
     from_centre = np.asarray(points, float) - frame.centre
-    column, row, depth = (
-        np.einsum("ij,j->i", from_centre, axis) for axis in (frame.right, frame.up, frame.direction)
-    )
-    return np.column_stack(
-        (column / frame.pixel + frame.width / 2, frame.height / 2 - row / frame.pixel, depth)
-    )
+    column, row, depth = (np.einsum("ij,j->i", from_centre, axis) for axis in (frame.right, frame.up, frame.direction))
+    return np.column_stack((column / frame.pixel + frame.width / 2, frame.height / 2 - row / frame.pixel, depth))

@@ -15,7 +15,7 @@ import numpy as np
 from vkworkbench.core.solids import Frame
 from vkworkbench.core.zbuffer.cuts import Cuts
 from vkworkbench.core.zbuffer.records import Records
-from vkworkbench.core.zbuffer.surface import Picture, Surface
+from vkworkbench.core.zbuffer.surface import STOCK, Picture, Surface
 
 
 @dataclass(frozen=True, eq=False)
@@ -94,6 +94,26 @@ class ZBuffer:
     def chip_volume(self) -> float:
         """Volume removed until this moment, mm^3."""
         return _length(self.trace_records[self.trace_records["trajectory"] < self.step]) * self.frame.pixel**2
+
+    def chips(self, first: int, end: int) -> Picture:
+        """Return what some trajectories remove, as it is seen alone: the first of their pieces on each ray.
+
+        Parameters
+        ----------
+        first, end : int
+            The trajectories first .. end - 1.
+        """
+        records, pixels = self.records, self.frame.width * self.frame.height
+        pieces = np.flatnonzero((records.owner >= first) & (records.owner < end))
+        pixel = np.searchsorted(records.index, pieces, side="right") - 1
+        nearest = np.ones(len(pieces), bool)
+        nearest[1:] = pixel[1:] != pixel[:-1]
+        pieces, pixel = pieces[nearest], pixel[nearest]
+        depth, owner = np.full(pixels, np.nan, np.float32), np.full(pixels, STOCK, np.int32)
+        inner = pieces > records.index[pixel]
+        depth[pixel] = np.where(inner, records.far[pieces - 1], records.entry[pixel])
+        owner[pixel] = records.owner[pieces]
+        return Picture(self.step, depth, owner)
 
     def at(self, step: int) -> ZBuffer:
         """Return the simulation at another moment.

@@ -1,0 +1,271 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The simulation in a tab of FreeCAD's window, as a person uses it: click, drag, play, ask."""
+
+from __future__ import annotations
+
+import FreeCAD
+import FreeCADGui as Gui
+import numpy as np
+import pytest
+from PySide import QtCore, QtGui
+
+from vkworkbench.gui.simulation.tab import SimulationTab
+
+COMMAND = "Simulate toolpaths"
+
+
+def tabs(window):
+    return [tab for tab in window.main.findChildren(SimulationTab) if tab.isVisible()]
+
+
+@pytest.fixture
+def small(window):
+    """A window in which the finest picture does not take long."""
+    before = window.main.geometry()
+    window.main.setGeometry(0, 0, 1024, 700)
+    yield
+    window.main.setGeometry(before)
+
+
+@pytest.fixture
+def simulated(opened, window, small):
+    """The example's job, simulated by a click, at its finest."""
+    window.click(COMMAND)
+    window.wait(lambda: tabs(window))
+    (tab,) = tabs(window)
+    window.wait(lambda: tab.simulation is not None, 60)
+    finest(tab, window)
+    yield tab
+    if tab.isVisible():
+        window.press(tab, QtCore.Qt.Key_Escape)
+        window.wait(lambda: not tabs(window))
+
+
+def finest(tab, window):
+    """Wait until the picture is the finest that was asked for."""
+    window.idle(0.4)
+    window.wait(lambda: not tab._worker.busy and not tab._stale, 120)
+    window.idle(0.1)
+
+
+def test_a_click_shows_the_part(simulated, window):
+    window.screenshot("simulation-small")
+    assert [o.label for o in simulated.job.operations][0] == "Face"
+    view = simulated.view
+    assert view.owner_at(view.rect().center()) is not None
+    shown = view.grab().toImage()
+    colors = {shown.pixel(x, y) for x in range(0, shown.width(), 7) for y in range(0, shown.height(), 7)}
+    assert len(colors) > 50
+
+
+def drag(window, widget, start, end, button=QtCore.Qt.LeftButton, steps=6):
+    """Drag with real mouse events."""
+    window.mouse_press(widget, start, button)
+    for number in range(1, steps + 1):
+        part = QtCore.QPoint(start.x() + (end.x() - start.x()) * number // steps,
+                             start.y() + (end.y() - start.y()) * number // steps)  # fmt: skip
+        window.mouse_move(widget, part, button)
+    window.mouse_release(widget, end, button)
+
+
+def test_dragging_on_the_time_line_shows_any_moment_at_once_there_and_back(simulated, window):
+    line, view = simulated.time_line, simulated.view
+    part = view.grab().toImage()
+    middle = line.height() - 20
+
+    def at(share):
+        return QtCore.QPoint(int(share * (line.width() - 1)), middle)
+
+    drag(window, line, at(0.95), at(0.3))
+    window.wait(lambda: not simulated._stale)
+    assert simulated.seconds == pytest.approx(0.3 * simulated.clock.total, rel=0.01)
+    assert 0 < simulated.done < simulated.simulation.trajectories
+    window.screenshot("simulation-moment")
+    early = view.grab().toImage()
+    assert early != part
+    window.press(line, QtCore.Qt.Key_End)
+    window.wait(lambda: not simulated._stale)
+    assert view.grab().toImage() == part
+
+
+def test_steps_go_to_commands_and_operations(simulated, window):
+    window.press(simulated.time_line, QtCore.Qt.Key_Home)
+    first = [len(cut.toolpath) for cut in simulated.job.cuts]
+    window.click_on(simulated.steps[3])
+    assert simulated.done == first[0]
+    window.click_on(simulated.steps[1])
+    assert simulated.done == first[0] + 1
+    window.click_on(simulated.steps[3])
+    assert simulated.done == first[0] + first[1]
+    window.click_on(simulated.steps[-2])
+    done = simulated.done
+    command = simulated.job.cuts[1].toolpath.command
+    assert command[done - first[0]] != command[done - first[0] - 1]
+    window.click_on(simulated.steps[-3])
+    assert simulated.done == first[0]
+    window.wait(lambda: not simulated._stale)
+    assert simulated.job.operations[0].label in simulated.moment.text()
+
+
+def test_a_play_shows_the_machines_time(simulated, window):
+    simulated.speeds.setCurrentIndex(3)  # a thousand times
+    window.click_on(simulated.play_button)
+    window.wait(lambda: simulated.seconds > 0.2 * simulated.clock.total, 60)
+    window.click_on(simulated.play_button)
+    paused = simulated.seconds
+    window.idle(0.3)
+    assert simulated.seconds == paused < simulated.clock.total
+    assert simulated.clock.ends[simulated.done] <= paused <= simulated.clock.ends[simulated.done + 1]
+
+
+def test_the_part_tells_what_made_a_surface(simulated, window):
+    simulated.look("Top")
+    finest(simulated, window)
+    view = simulated.view
+    window.click_at(view, view.rect().center())
+    window.idle()
+    assert simulated.isVisible()  # FreeCAD 1.1 brings the 3D view to the front
+    (chosen,) = Gui.Selection.getSelection()
+    operation, command = simulated.simulation.source(simulated.done - 1)
+    assert chosen.Name == operation.name
+    window.wait(lambda: not simulated._stale)
+    assert f"command {command + 1}: {chosen.Path.Commands[command].toGCode()}" in simulated.moment.text()
+    assert view.owner_at(view.rect().center()) == simulated.done - 1
+    window.screenshot("simulation-asked")
+
+
+def test_turning_moving_and_zooming_with_the_mouse(simulated, window):
+    view = simulated.view
+    before = view.view
+    middle = view.rect().center()
+    drag(window, view, middle, middle + QtCore.QPoint(90, 30))
+    assert view.is_turned
+    window.screenshot("simulation-turning")
+    finest(simulated, window)
+    assert not view.is_turned and not np.allclose(view.view.direction, before.direction)
+    drag(window, view, middle, middle + QtCore.QPoint(50, 0), QtCore.Qt.MiddleButton)
+    assert view.view.offset[0] == pytest.approx(-50 * view.view.pixel, rel=0.1)
+    simulated.look("Top")
+    assert view.view.offset == (0, 0)
+    finest(simulated, window)
+
+
+def test_colours_and_chips(simulated, window):
+    pictures = set()
+    for index in range(simulated.colorings.count()):
+        simulated.colorings.setCurrentIndex(index)
+        window.wait(lambda: not simulated._stale)
+        pictures.add(bytes(simulated.view._scene.image.tobytes()))
+        assert simulated.legend.text()
+        window.screenshot(f"simulation-color-{index}")
+    assert len(pictures) == simulated.colorings.count()
+    simulated.go_to(0.5 * simulated.clock.total)
+    for index in (1, 2):
+        simulated.chips.setCurrentIndex(index)
+        window.wait(lambda: not simulated._stale)
+        window.screenshot(f"simulation-chips-{index}")
+        pictures.add(bytes(simulated.view._scene.image.tobytes()))
+    assert len(pictures) == simulated.colorings.count() + 2
+
+
+def test_exports(simulated, window, tmp_path):
+    from vkworkbench.gui.simulation import exports
+
+    simulated.go_to(0.4 * simulated.clock.total)
+    exports.write_frames(simulated, tmp_path, 4)
+    frames = sorted(tmp_path.glob("*.png"))
+    assert [f.name for f in frames] == ["0000.png", "0001.png", "0002.png", "0003.png"]
+    assert QtGui.QImage(str(frames[0])) != QtGui.QImage(str(frames[3])) and not QtGui.QImage(str(frames[1])).isNull()
+    assert simulated.seconds == pytest.approx(0.4 * simulated.clock.total)
+    exports.write_rates(simulated, tmp_path / "rates.csv")
+    lines = (tmp_path / "rates.csv").read_text().splitlines()
+    assert len(lines) == 1 + simulated.simulation.trajectories and lines[1].startswith("Face,0,")
+
+
+def test_it_says_that_a_toolpath_has_changed_and_simulates_it_again(simulated, opened, window):
+    face = opened.getObjectsByLabel("Face")[0]
+    assert not simulated.again.isVisible()
+    face.Path = type(face.Path)(face.Path.Commands[:-20])
+    assert simulated.again.isVisible()
+    window.click_on(simulated.again)
+    window.wait(lambda: tabs(window) and tabs(window) != [simulated])
+    (tab,) = tabs(window)
+    window.wait(lambda: tab.simulation is not None, 60)
+    assert len(tab.job.cuts[0].toolpath) < len(simulated.job.cuts[0].toolpath)
+    window.press(tab, QtCore.Qt.Key_Escape)
+    window.wait(lambda: not tabs(window))
+
+
+def test_closing_ends_the_work(opened, window):
+    window.click(COMMAND)
+    window.wait(lambda: tabs(window))
+    (tab,) = tabs(window)
+    window.wait(lambda: tab._worker is not None)
+    thread = tab._worker._thread
+    window.press(tab, QtCore.Qt.Key_Escape)
+    window.wait(lambda: not tabs(window) and not thread.is_alive(), 5)
+
+
+def test_closing_the_document_closes_the_tab(window, example_path):
+    document = FreeCAD.openDocument(str(example_path))
+    window.activate("VkWorkbench")
+    window.click(COMMAND)
+    window.wait(lambda: tabs(window))
+    FreeCAD.closeDocument(document.Name)
+    window.wait(lambda: not tabs(window))
+
+
+CRASH = """(a slot that begins with a rapid move into the stock)
+G0 Z30
+G0 X40 Y50
+G0 Z14
+G1 X60 F300
+G0 Z30"""
+
+
+def test_a_crash_is_found_in_three_clicks(opened, window):
+    import Path
+
+    job = opened.getObject("Job")
+    op = opened.addObject("Path::FeaturePython", "Slot")
+    op.addProperty("App::PropertyLink", "ToolController", "Path").ToolController = job.Tools.Group[1]
+    op.addProperty("App::PropertyBool", "Active", "Path").Active = True
+    op.Path = Path.Path([Path.Command(line) for line in CRASH.splitlines()])
+    job.Operations.Group = [op]
+    Gui.Selection.clearSelection()
+    window.click(COMMAND)  # the first click
+    window.wait(lambda: tabs(window) and tabs(window)[0].simulation is not None, 60)
+    (tab,) = tabs(window)
+    finest(tab, window)
+    assert tab.warnings.isVisible()
+    window.screenshot("crash-1")
+    texts = []
+
+    def choose():
+        menu = tab.warnings.menu()
+        texts.extend(action.text() for action in menu.actions())
+        window.screenshot("crash-2")
+        window.click_at(menu, menu.actionGeometry(menu.actions()[0]).center())  # the third
+
+    QtCore.QTimer.singleShot(300, choose)
+    window.click_on(tab.warnings)  # the second
+    (text,) = texts
+    assert (
+        text.startswith("Slot, command 4 (G0") and "Z14" in text and "a rapid move removes 2" in text
+    )  # 7.5 mm below 6 mm
+    window.wait(lambda: not tab._stale)
+    assert tab.simulation.source(tab.done - 1) == (tab.job.operations[0], 3)
+    assert "command 4: G0" in tab.moment.text()
+    window.screenshot("crash-3")
+    window.press(tab, QtCore.Qt.Key_Escape)
+    window.wait(lambda: not tabs(window))
+
+
+def test_nothing_to_simulate_is_said(window):
+    document = FreeCAD.newDocument()
+    window.activate("VkWorkbench")
+    window.click(COMMAND)
+    window.wait(window.boxes)
+    assert not tabs(window)
+    assert window.dismiss()
+    FreeCAD.closeDocument(document.Name)

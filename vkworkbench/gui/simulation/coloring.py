@@ -1,0 +1,103 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""By what the surfaces are coloured, and what the colours mean."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+
+from vkworkbench.core import Strategy, ZBuffer
+from vkworkbench.core.rendering import CUT, RAW, SCALE, distinct_colors, palette, scale_colors
+from vkworkbench.gui.qt import QColor
+from vkworkbench.gui.sentences import strategy_name, user
+from vkworkbench.gui.simulation.clock import Clock
+from vkworkbench.gui.text import QT_TRANSLATE_NOOP, translate
+
+
+@dataclass(frozen=True, eq=False)
+class Job:
+    """What is known of the job that is coloured.
+
+    Attributes
+    ----------
+    labels : tuple of str
+        Of the operations.
+    strategies : tuple of Strategy
+    clock : Clock
+    volumes : (n,) float64
+        What each trajectory removes, mm^3.
+    """
+
+    labels: tuple[str, ...]
+    strategies: tuple[Strategy, ...]
+    clock: Clock
+    volumes: np.ndarray
+
+
+@dataclass(frozen=True, eq=False)
+class Coloring:
+    """Colours of surfaces by who made them, and their legend.
+
+    Attributes
+    ----------
+    palette : (n + 1, 3) or (2, 3) uint8
+    legend : tuple of (str, str)
+        Colour and what it stands for.
+    """
+
+    palette: np.ndarray
+    legend: tuple[tuple[str, str], ...]
+
+
+def by_material(zbuffer: ZBuffer, job: Job) -> Coloring:
+    raw, cut = translate("Vk_Simulate", "raw"), translate("Vk_Simulate", "machined")
+    return Coloring(palette(CUT), ((_name(RAW), raw), (_name(CUT), cut)))
+
+
+def by_operation(zbuffer: ZBuffer, job: Job) -> Coloring:
+    colors = distinct_colors(len(job.labels))
+    return Coloring(palette(colors[zbuffer.cuts.cut]), tuple(zip(map(_name, colors), job.labels)))
+
+
+def by_strategy(zbuffer: ZBuffer, job: Job) -> Coloring:
+    colors = np.array([QColor(strategy.color).getRgb()[:3] for strategy in job.strategies], np.uint8)
+    shown = dict.fromkeys(job.strategies)
+    return Coloring(palette(colors[zbuffer.cuts.cut]), tuple((s.color, strategy_name(s)) for s in shown))
+
+
+def by_time(zbuffer: ZBuffer, job: Job) -> Coloring:
+    total = job.clock.total
+    colors = scale_colors(job.clock.ends[1:] / total if total else job.clock.ends[1:])
+    return Coloring(palette(colors), _ends(user().time(0), user().time(total)))
+
+
+def by_removal_rate(zbuffer: ZBuffer, job: Job) -> Coloring:
+    """From nothing to the rate that only a hundredth of the volume is removed faster than."""
+    seconds = np.diff(job.clock.ends)
+    rates = 60 * job.volumes / np.where(seconds > 0, seconds, np.inf)
+    order = np.argsort(rates)
+    volume = np.cumsum(job.volumes[order])
+    most = float(rates[order][np.searchsorted(volume, 0.99 * volume[-1])]) if len(volume) and volume[-1] > 0 else 1.0
+    highest = translate("Vk_Simulate", "{} mm³/min").format(user().count(round(most)))
+    return Coloring(palette(scale_colors(rates / most)), _ends("0", highest))
+
+
+COLORINGS: tuple[tuple[str, Callable[[ZBuffer, Job], Coloring]], ...] = (
+    (QT_TRANSLATE_NOOP("Vk_Simulate", "Material"), by_material),
+    (QT_TRANSLATE_NOOP("Vk_Simulate", "Operation"), by_operation),
+    (QT_TRANSLATE_NOOP("Vk_Simulate", "Strategy"), by_strategy),
+    (QT_TRANSLATE_NOOP("Vk_Simulate", "Time"), by_time),
+    (QT_TRANSLATE_NOOP("Vk_Simulate", "Removal rate"), by_removal_rate),
+)
+
+
+def _ends(least: str, most: str) -> tuple[tuple[str, str], ...]:
+    """The legend of a scale: its stations, of which the first and the last are named."""
+    names = [least, *[""] * (len(SCALE) - 2), most]
+    return tuple(zip(map(_name, SCALE), names))
+
+
+def _name(color: np.ndarray) -> str:
+    return "#{:02x}{:02x}{:02x}".format(*(int(part) for part in color))

@@ -1,0 +1,79 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What a simulation leaves on the disk: a picture, pictures of the whole job, removal rates."""
+
+from __future__ import annotations
+
+import csv
+from pathlib import Path
+
+import numpy as np
+
+from vkworkbench.gui.plain_text import warn
+from vkworkbench.gui.qt import QApplication, QEventLoop, QFileDialog
+from vkworkbench.gui.text import translate
+
+_FRAMES = 120  # of the whole job
+_COLUMNS = ("operation", "trajectory", "command", "begin_s", "end_s", "volume_mm3", "rate_mm3_per_min")
+
+
+def save_picture(tab) -> None:
+    """Save what is seen to a file that the user chooses."""
+    name = f"{tab.job.operations[0].document}.png"
+    path, _ = QFileDialog.getSaveFileName(tab, translate("Vk_Simulate", "Save Picture"), name, "PNG (*.png)")
+    if path and not tab.view.grab().save(path, "PNG"):
+        _not_written(tab, path)
+
+
+def save_frames(tab) -> None:
+    """Save pictures of the whole job, at equal distances in time, to a folder that the user chooses."""
+    folder = QFileDialog.getExistingDirectory(tab, translate("Vk_Simulate", "Folder of the Pictures"))
+    if folder and tab.simulation is not None:
+        write_frames(tab, Path(folder))
+
+
+def write_frames(tab, folder: Path, count: int = _FRAMES) -> None:
+    """Write `count` pictures, numbered from 0000, from the stock to the part."""
+    before = tab.seconds
+    for number, seconds in enumerate(np.linspace(0, tab.clock.total, count).tolist()):
+        tab.show_now(seconds)
+        path = folder / f"{number:04d}.png"
+        if not tab.view.grab().save(str(path), "PNG"):
+            _not_written(tab, str(path))
+            break
+        QApplication.processEvents(QEventLoop.ExcludeUserInputEvents)
+    tab.go_to(before)
+
+
+def save_rates(tab) -> None:
+    """Save what each trajectory removes, and how fast, to a CSV file that the user chooses."""
+    name = f"{tab.job.operations[0].document}.csv"
+    path, _ = QFileDialog.getSaveFileName(tab, translate("Vk_Simulate", "Save Removal Rates"), name, "CSV (*.csv)")
+    if path:
+        try:
+            write_rates(tab, Path(path))
+        except OSError:
+            _not_written(tab, path)
+
+
+def write_rates(tab, path: Path) -> None:
+    """Write one line for each trajectory."""
+    ends = tab.clock.ends
+    seconds = np.diff(ends)
+    rates = 60 * tab.volumes / np.where(seconds > 0, seconds, np.inf)
+    with path.open("w", newline="", encoding="utf-8") as file:
+        writer = csv.writer(file)
+        writer.writerow(_COLUMNS)
+        number = 0
+        for operation, cut in zip(tab.job.operations, tab.job.cuts):
+            for own, command in enumerate(cut.toolpath.command.tolist()):
+                numbers = (ends[number], ends[number + 1], tab.volumes[number], rates[number])
+                writer.writerow((operation.label, own, command, *(f"{value:.6g}" for value in numbers)))
+                number += 1
+
+
+def _not_written(tab, path: str) -> None:
+    warn(
+        translate("Vk_Simulate", "Simulate toolpaths"),
+        translate("Vk_Simulate", "{} cannot be written.").format(path),
+        tab,
+    )

@@ -1,0 +1,204 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The simulated part as a picture that is turned, moved and zoomed with the mouse, and asked by clicks."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+
+from vkworkbench.core import Frame, Stock, Tool, View
+from vkworkbench.core.rendering import Points, Scene, project, tool_outline, turned
+from vkworkbench.gui.qt import (
+    QApplication,
+    QColor,
+    QImage,
+    QPainter,
+    QPen,
+    QPointF,
+    QPolygonF,
+    QRectF,
+    QSizePolicy,
+    Qt,
+    QTimer,
+    QWidget,
+    Signal,
+)  # fmt: skip
+from vkworkbench.gui.simulation.navigation import PAN, TURN, action
+from vkworkbench.gui.text import translate
+
+_REST = 200  # ms after which a view that was changed is drawn finely
+_TURN = 0.008  # rad for each pixel of the mouse
+_ZOOM = 1.2  # for each notch of the wheel
+_MARGIN = 1.06  # of the image around the stock
+
+
+class PartView(QWidget):
+    """Shows scenes of a simulation.
+
+    Attributes
+    ----------
+    view_rested : Signal
+        The view was changed and rests: a simulation of it is wanted.
+    asked : Signal of int
+        The user clicked on the surface that this trajectory made; -1 for the raw stock.
+    """
+
+    view_rested = Signal()
+    asked = Signal(int)
+
+    def __init__(self, stock: Stock, direction: tuple[float, float, float], parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.stock = stock
+        self._direction, self._offset = direction, (0.0, 0.0)
+        self._zoom = 1.0
+        self._scene: Scene | None = None
+        self._image = QImage()
+        self._frame: Frame | None = None
+        self._points: Points | None = None
+        self._tool: tuple[Tool, np.ndarray] | None = None
+        self._pressed = self._last = None
+        self._rest = QTimer(self)
+        self._rest.setSingleShot(True)
+        self._rest.setInterval(_REST)
+        self._rest.timeout.connect(self.view_rested)
+        self.setMinimumSize(160, 120)
+        self.setSizePolicy(QSizePolicy.Expanding, QSizePolicy.Expanding)
+        self.setFocusPolicy(Qt.StrongFocus)
+        self.setAccessibleName(translate("Vk_Simulate", "Simulated part"))
+
+    @property
+    def background(self) -> tuple[int, int, int]:
+        return self.palette().base().color().getRgb()[:3]
+
+    @property
+    def view(self) -> View:
+        """What the user wants to see, in the widget's own pixels."""
+        ratio = self.devicePixelRatioF()
+        size = {"width": max(1, round(self.width() * ratio)), "height": max(1, round(self.height() * ratio))}
+        whole = View(self._direction, **size).frame(self.stock)
+        return View(self._direction, **size, pixel=whole.pixel * _MARGIN / self._zoom, offset=self._offset)
+
+    def look(self, direction: tuple[float, float, float]) -> None:
+        """Look in a direction at the whole stock."""
+        self._direction, self._offset, self._zoom = direction, (0.0, 0.0), 1.0
+        self._changed()
+
+    def show_scene(self, scene: Scene, frame: Frame) -> None:
+        """Show a picture that was simulated with this frame."""
+        self._scene, self._frame, self._points = scene, frame, None
+        height, width = scene.image.shape[:2]
+        pixels = np.full((height, width, 4), 255, np.uint8)
+        pixels[..., :3] = scene.image[..., ::-1]
+        # A copy: the picture must outlive the array.
+        self._image = QImage(pixels.tobytes(), width, height, 4 * width, QImage.Format_RGB32).copy()
+        self.update()
+
+    def show_tool(self, tool: Tool, tip: np.ndarray) -> None:
+        """Draw the tool with its tip at a point, mm."""
+        self._tool = tool, tip
+        self.update()
+
+    def paintEvent(self, event) -> None:
+        painter = QPainter(self)
+        painter.fillRect(self.rect(), QColor(*self.background))
+        if self._scene is None:
+            return
+        ratio = self.devicePixelRatioF()
+        painter.scale(1 / ratio, 1 / ratio)
+        wanted = self.view.frame(self.stock)
+        if self.is_turned:
+            self._paint_points(painter, wanted)
+        else:
+            painter.setRenderHint(QPainter.SmoothPixmapTransform)
+            painter.drawImage(self._place(wanted), self._image)
+        if self._tool is not None:
+            outline = QPolygonF([QPointF(x, y) for x, y in tool_outline(*self._tool, wanted).tolist()])
+            painter.setRenderHint(QPainter.Antialiasing)
+            color = QColor("#f2c14e")
+            painter.setPen(QPen(color, 1.5))
+            color.setAlpha(90)
+            painter.setBrush(color)
+            painter.drawPolygon(outline)
+
+    @property
+    def is_turned(self) -> bool:
+        """Whether what is shown was simulated from another direction."""
+        return not np.allclose(self._frame.direction, self.view.frame(self.stock).direction, atol=1e-9)
+
+    def _place(self, wanted: Frame) -> QRectF:
+        """Where the picture lies in the image that is wanted."""
+        frame = self._frame
+        scale = frame.pixel / wanted.pixel
+        column, row, _ = project(frame.centre[None], wanted)[0]
+        width, height = frame.width * scale, frame.height * scale
+        return QRectF(column - width / 2, row - height / 2, width, height)
+
+    def _paint_points(self, painter: QPainter, wanted: Frame) -> None:
+        if self._points is None:
+            self._points = Points(self._scene.depth, self._scene.image, self._frame)
+        half = replace(wanted, width=wanted.width // 2, height=wanted.height // 2, pixel=2 * wanted.pixel)
+        image = self._points.draw(half, self.background)
+        height, width = image.shape[:2]
+        drawn = QImage(np.ascontiguousarray(image).tobytes(), width, height, 3 * width, QImage.Format_RGB888)
+        painter.drawImage(QRectF(0, 0, 2 * width, 2 * height), drawn)
+
+    def _changed(self) -> None:
+        self._rest.start()
+        self.update()
+
+    def resizeEvent(self, event) -> None:
+        super().resizeEvent(event)
+        self._rest.start()
+
+    def mousePressEvent(self, event) -> None:
+        self._pressed = self._last = event.pos()
+        self.setFocus()
+
+    def mouseMoveEvent(self, event) -> None:
+        if self._last is None:
+            return
+        moved = event.pos() - self._pressed
+        if self._last == self._pressed and moved.manhattanLength() < QApplication.startDragDistance():
+            return
+        by, self._last = event.pos() - self._last, event.pos()
+        doing = action(event.buttons(), event.modifiers())
+        if doing == TURN:
+            self._direction = turned(self._direction, by.x() * _TURN, -by.y() * _TURN)
+            self._changed()
+        elif doing == PAN:
+            self._shift(-by.x(), by.y())
+
+    def mouseReleaseEvent(self, event) -> None:
+        clicked = self._pressed is not None and self._last == self._pressed and event.button() == Qt.LeftButton
+        self._pressed = self._last = None
+        if clicked and self._scene is not None and not self.is_turned:
+            owner = self.owner_at(event.pos())
+            if owner is not None:
+                self.asked.emit(owner)
+
+    def owner_at(self, where) -> int | None:
+        """Return the trajectory whose surface is seen at a point of the widget, -1 for raw stock, None for nothing."""
+        ratio = self.devicePixelRatioF()
+        place = self._place(self.view.frame(self.stock))
+        height, width = self._scene.depth.shape
+        column = int((where.x() * ratio - place.left()) / place.width() * width)
+        row = height - 1 - int((where.y() * ratio - place.top()) / place.height() * height)
+        if not (0 <= column < width and 0 <= row < height) or np.isnan(self._scene.depth[row, column]):
+            return None
+        return int(self._scene.owner[row, column])
+
+    def wheelEvent(self, event) -> None:
+        factor = _ZOOM ** (event.angleDelta().y() / 120)
+        at = event.position()
+        # What is below the pointer stays there.
+        x, y = at.x() - self.width() / 2, self.height() / 2 - at.y()
+        self._shift(x, y)
+        self._zoom = min(max(self._zoom * factor, 0.2), 200.0)
+        self._shift(-x, -y)
+
+    def _shift(self, right: float, up: float) -> None:
+        """Move the eye by so many pixels of the widget."""
+        pixel = self.view.pixel * self.devicePixelRatioF()
+        self._offset = self._offset[0] + right * pixel, self._offset[1] + up * pixel
+        self._changed()
