@@ -161,7 +161,7 @@ def _judge_one(toolpath: Toolpath, moves: Areas, first: int, last: int, tool: fl
     if strategy is Strategy.MIXED and verdict.parts:
         runs = _runs(section, verdict)
     spans = _spans(toolpath, runs)
-    evidence = vars(evidence) | {"reversals": len(moves.reversals)}
+    evidence = {**vars(evidence), "reversals": len(moves.reversals)}
     return Recognition(strategy, verdict.confidence, why, spans, **evidence, paper=paper_verdict(moves))
 
 
