@@ -1057,10 +1057,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The areas that the tool cuts without a rapid move or a plunge, the longest first.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Save picture…</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1081,15 +1077,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Toolpath drawn with {} of {} points: the others fall on the same pixels.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Gauss map of the last {} trajectories up to k.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>&lt;p&gt;Left the toolpath with the vector V&lt;sub&gt;k&lt;/sub&gt; from the area&apos;s first point. On the unit circle the images of the trajectory v&lt;sub&gt;k&lt;/sub&gt; and of V&lt;sub&gt;k&lt;/sub&gt;; the arcs show how they moved. A zigzag goes to and fro on a part of the circle, a contour goes all around. Right the cumulative angular function φ and the angle θ on level n: a contour-parallel path leaves the dashed lines ±2π, a zigzag stays within.&lt;/p&gt;</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1122,6 +1110,26 @@
     </message>
     <message>
         <source>φ between {} and {} turns, level n = {}, exact reversals: {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reading {}…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>with the closing turn φ = {}, n = {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The areas that the tool cuts without a rapid move or a plunge: first the one that shows the strategy best, then the longest.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;Left the toolpath with the vector V&lt;sub&gt;k&lt;/sub&gt; from the area&apos;s first point. On the unit circle the images of the trajectory v&lt;sub&gt;k&lt;/sub&gt; and of V&lt;sub&gt;k&lt;/sub&gt;; the arcs show how they moved. A zigzag goes to and fro on a part of the circle, a contour goes all around. Right the cumulative angular function φ and the angle θ on level n: a contour-parallel path leaves the dashed lines ±2π, a zigzag stays within.&lt;/p&gt;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;The wheel zooms, dragging moves, a double click shows all again.&lt;/p&gt;</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -1057,10 +1057,6 @@
         <translation>Gauß-Abbildung</translation>
     </message>
     <message>
-        <source>The areas that the tool cuts without a rapid move or a plunge, the longest first.</source>
-        <translation>Die Bereiche, die das Werkzeug ohne Eilgang und Eintauchen schneidet, der längste zuerst.</translation>
-    </message>
-    <message>
         <source>Save picture…</source>
         <translation>Bild speichern…</translation>
     </message>
@@ -1081,16 +1077,8 @@
         <translation>Bereich {}: {} Bewegungen, {}</translation>
     </message>
     <message>
-        <source>Toolpath drawn with {} of {} points: the others fall on the same pixels.</source>
-        <translation>Werkzeugweg mit {} von {} Punkten gezeichnet: Die anderen fallen auf dieselben Pixel.</translation>
-    </message>
-    <message>
         <source>Gauss map of the last {} trajectories up to k.</source>
         <translation>Gauß-Abbildung der letzten {} Bewegungen bis k.</translation>
-    </message>
-    <message>
-        <source>&lt;p&gt;Left the toolpath with the vector V&lt;sub&gt;k&lt;/sub&gt; from the area&apos;s first point. On the unit circle the images of the trajectory v&lt;sub&gt;k&lt;/sub&gt; and of V&lt;sub&gt;k&lt;/sub&gt;; the arcs show how they moved. A zigzag goes to and fro on a part of the circle, a contour goes all around. Right the cumulative angular function φ and the angle θ on level n: a contour-parallel path leaves the dashed lines ±2π, a zigzag stays within.&lt;/p&gt;</source>
-        <translation>&lt;p&gt;Links der Werkzeugweg mit dem Vektor V&lt;sub&gt;k&lt;/sub&gt; vom ersten Punkt des Bereichs aus. Auf dem Einheitskreis die Bilder der Bewegung v&lt;sub&gt;k&lt;/sub&gt; und von V&lt;sub&gt;k&lt;/sub&gt;; die Bögen zeigen, wie sie gewandert sind. Ein Zickzack geht auf einem Teil des Kreises hin und her, eine Kontur ganz herum. Rechts die kumulierte Winkelfunktion φ und der Winkel θ auf Stufe n: Ein konturparalleler Weg verlässt die gestrichelten Linien ±2π, ein Zickzack bleibt dazwischen.&lt;/p&gt;</translation>
     </message>
     <message>
         <source>Select an operation in the tree.</source>
@@ -1123,6 +1111,26 @@
     <message>
         <source>φ between {} and {} turns, level n = {}, exact reversals: {}</source>
         <translation>φ zwischen {} und {} Umdrehungen, Stufe n = {}, exakte Umkehrungen: {}</translation>
+    </message>
+    <message>
+        <source>Reading {}…</source>
+        <translation>{} wird gelesen…</translation>
+    </message>
+    <message>
+        <source>with the closing turn φ = {}, n = {}</source>
+        <translation>mit der schließenden Drehung φ = {}, n = {}</translation>
+    </message>
+    <message>
+        <source>The areas that the tool cuts without a rapid move or a plunge: first the one that shows the strategy best, then the longest.</source>
+        <translation>Die Bereiche, die das Werkzeug ohne Eilgang oder Eintauchen schneidet: zuerst der, der die Strategie am besten zeigt, dann die längsten.</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;Left the toolpath with the vector V&lt;sub&gt;k&lt;/sub&gt; from the area&apos;s first point. On the unit circle the images of the trajectory v&lt;sub&gt;k&lt;/sub&gt; and of V&lt;sub&gt;k&lt;/sub&gt;; the arcs show how they moved. A zigzag goes to and fro on a part of the circle, a contour goes all around. Right the cumulative angular function φ and the angle θ on level n: a contour-parallel path leaves the dashed lines ±2π, a zigzag stays within.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;Links der Werkzeugweg mit dem Vektor V&lt;sub&gt;k&lt;/sub&gt; vom ersten Punkt des Bereichs aus. Auf dem Einheitskreis die Bilder der Bewegung v&lt;sub&gt;k&lt;/sub&gt; und von V&lt;sub&gt;k&lt;/sub&gt;; die Bögen zeigen, wie sie gewandert sind. Ein Zickzack geht auf einem Teil des Kreises hin und her, eine Kontur ganz herum. Rechts die kumulierte Winkelfunktion φ und der Winkel θ auf Stufe n: Ein konturparalleler Weg verlässt die gestrichelten Linien ±2π, ein Zickzack bleibt dazwischen.&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;The wheel zooms, dragging moves, a double click shows all again.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;Das Mausrad vergrößert, Ziehen verschiebt, ein Doppelklick zeigt wieder alles.&lt;/p&gt;</translation>
     </message>
 </context>
 <context>

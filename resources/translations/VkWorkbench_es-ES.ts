@@ -1057,10 +1057,6 @@
         <translation>Aplicación de Gauss</translation>
     </message>
     <message>
-        <source>The areas that the tool cuts without a rapid move or a plunge, the longest first.</source>
-        <translation>Las zonas que la herramienta corta sin movimientos rápidos ni penetraciones, la más larga primero.</translation>
-    </message>
-    <message>
         <source>Save picture…</source>
         <translation>Guardar imagen…</translation>
     </message>
@@ -1081,16 +1077,8 @@
         <translation>Zona {}: {} tramos, {}</translation>
     </message>
     <message>
-        <source>Toolpath drawn with {} of {} points: the others fall on the same pixels.</source>
-        <translation>Trayectoria dibujada con {} de {} puntos: los demás caen en los mismos píxeles.</translation>
-    </message>
-    <message>
         <source>Gauss map of the last {} trajectories up to k.</source>
         <translation>Aplicación de Gauss de los últimos {} tramos hasta k.</translation>
-    </message>
-    <message>
-        <source>&lt;p&gt;Left the toolpath with the vector V&lt;sub&gt;k&lt;/sub&gt; from the area&apos;s first point. On the unit circle the images of the trajectory v&lt;sub&gt;k&lt;/sub&gt; and of V&lt;sub&gt;k&lt;/sub&gt;; the arcs show how they moved. A zigzag goes to and fro on a part of the circle, a contour goes all around. Right the cumulative angular function φ and the angle θ on level n: a contour-parallel path leaves the dashed lines ±2π, a zigzag stays within.&lt;/p&gt;</source>
-        <translation>&lt;p&gt;A la izquierda, la trayectoria de la herramienta con el vector V&lt;sub&gt;k&lt;/sub&gt; desde el primer punto de la zona. En el círculo unidad, las imágenes del tramo v&lt;sub&gt;k&lt;/sub&gt; y de V&lt;sub&gt;k&lt;/sub&gt;; los arcos muestran cómo se han movido. Un zigzag va y viene por una parte del círculo, un contorno da la vuelta entera. A la derecha, la función angular acumulada φ y el ángulo θ en el nivel n: una trayectoria de contornos paralelos sale de las líneas discontinuas ±2π, un zigzag queda dentro.&lt;/p&gt;</translation>
     </message>
     <message>
         <source>Select an operation in the tree.</source>
@@ -1123,6 +1111,26 @@
     <message>
         <source>φ between {} and {} turns, level n = {}, exact reversals: {}</source>
         <translation>φ entre {} y {} vueltas, nivel n = {}, inversiones exactas: {}</translation>
+    </message>
+    <message>
+        <source>Reading {}…</source>
+        <translation>Leyendo {}…</translation>
+    </message>
+    <message>
+        <source>with the closing turn φ = {}, n = {}</source>
+        <translation>con el giro de cierre φ = {}, n = {}</translation>
+    </message>
+    <message>
+        <source>The areas that the tool cuts without a rapid move or a plunge: first the one that shows the strategy best, then the longest.</source>
+        <translation>Las áreas que la herramienta corta sin movimiento rápido ni entrada: primero la que mejor muestra la estrategia, después las más largas.</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;Left the toolpath with the vector V&lt;sub&gt;k&lt;/sub&gt; from the area&apos;s first point. On the unit circle the images of the trajectory v&lt;sub&gt;k&lt;/sub&gt; and of V&lt;sub&gt;k&lt;/sub&gt;; the arcs show how they moved. A zigzag goes to and fro on a part of the circle, a contour goes all around. Right the cumulative angular function φ and the angle θ on level n: a contour-parallel path leaves the dashed lines ±2π, a zigzag stays within.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;A la izquierda, la trayectoria de la herramienta con el vector V&lt;sub&gt;k&lt;/sub&gt; desde el primer punto de la zona. En el círculo unidad, las imágenes del tramo v&lt;sub&gt;k&lt;/sub&gt; y de V&lt;sub&gt;k&lt;/sub&gt;; los arcos muestran cómo se han movido. Un zigzag va y viene por una parte del círculo, un contorno da la vuelta entera. A la derecha, la función angular acumulada φ y el ángulo θ en el nivel n: una trayectoria de contornos paralelos sale de las líneas discontinuas ±2π, un zigzag queda dentro.&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;The wheel zooms, dragging moves, a double click shows all again.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;La rueda amplía, arrastrar desplaza, un doble clic muestra todo de nuevo.&lt;/p&gt;</translation>
     </message>
 </context>
 <context>

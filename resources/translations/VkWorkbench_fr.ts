@@ -1057,10 +1057,6 @@
         <translation>Application de Gauss</translation>
     </message>
     <message>
-        <source>The areas that the tool cuts without a rapid move or a plunge, the longest first.</source>
-        <translation>Les zones que l&apos;outil usine sans déplacement rapide ni plongée, la plus longue d&apos;abord.</translation>
-    </message>
-    <message>
         <source>Save picture…</source>
         <translation>Enregistrer l&apos;image…</translation>
     </message>
@@ -1081,16 +1077,8 @@
         <translation>Zone {} : {} trajectoires, {}</translation>
     </message>
     <message>
-        <source>Toolpath drawn with {} of {} points: the others fall on the same pixels.</source>
-        <translation>Parcours dessiné avec {} points sur {} : les autres tombent sur les mêmes pixels.</translation>
-    </message>
-    <message>
         <source>Gauss map of the last {} trajectories up to k.</source>
         <translation>Application de Gauss des {} dernières trajectoires jusqu&apos;à k.</translation>
-    </message>
-    <message>
-        <source>&lt;p&gt;Left the toolpath with the vector V&lt;sub&gt;k&lt;/sub&gt; from the area&apos;s first point. On the unit circle the images of the trajectory v&lt;sub&gt;k&lt;/sub&gt; and of V&lt;sub&gt;k&lt;/sub&gt;; the arcs show how they moved. A zigzag goes to and fro on a part of the circle, a contour goes all around. Right the cumulative angular function φ and the angle θ on level n: a contour-parallel path leaves the dashed lines ±2π, a zigzag stays within.&lt;/p&gt;</source>
-        <translation>&lt;p&gt;À gauche, le parcours d&apos;outil avec le vecteur V&lt;sub&gt;k&lt;/sub&gt; issu du premier point de la zone. Sur le cercle unité, les images de la trajectoire v&lt;sub&gt;k&lt;/sub&gt; et de V&lt;sub&gt;k&lt;/sub&gt; ; les arcs montrent leur mouvement. Un zigzag va et vient sur une partie du cercle, un contour en fait le tour. À droite, la fonction angulaire cumulée φ et l&apos;angle θ au niveau n : un parcours à contours parallèles sort des lignes tiretées ±2π, un zigzag reste entre elles.&lt;/p&gt;</translation>
     </message>
     <message>
         <source>Select an operation in the tree.</source>
@@ -1123,6 +1111,26 @@
     <message>
         <source>φ between {} and {} turns, level n = {}, exact reversals: {}</source>
         <translation>φ entre {} et {} tours, niveau n = {}, demi-tours exacts : {}</translation>
+    </message>
+    <message>
+        <source>Reading {}…</source>
+        <translation>Lecture de {}…</translation>
+    </message>
+    <message>
+        <source>with the closing turn φ = {}, n = {}</source>
+        <translation>avec la rotation de fermeture φ = {}, n = {}</translation>
+    </message>
+    <message>
+        <source>The areas that the tool cuts without a rapid move or a plunge: first the one that shows the strategy best, then the longest.</source>
+        <translation>Les zones que l’outil usine sans déplacement rapide ni plongée : d’abord celle qui montre le mieux la stratégie, puis les plus longues.</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;Left the toolpath with the vector V&lt;sub&gt;k&lt;/sub&gt; from the area&apos;s first point. On the unit circle the images of the trajectory v&lt;sub&gt;k&lt;/sub&gt; and of V&lt;sub&gt;k&lt;/sub&gt;; the arcs show how they moved. A zigzag goes to and fro on a part of the circle, a contour goes all around. Right the cumulative angular function φ and the angle θ on level n: a contour-parallel path leaves the dashed lines ±2π, a zigzag stays within.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;À gauche, le parcours d&apos;outil avec le vecteur V&lt;sub&gt;k&lt;/sub&gt; issu du premier point de la zone. Sur le cercle unité, les images de la trajectoire v&lt;sub&gt;k&lt;/sub&gt; et de V&lt;sub&gt;k&lt;/sub&gt; ; les arcs montrent leur mouvement. Un zigzag va et vient sur une partie du cercle, un contour en fait le tour. À droite, la fonction angulaire cumulée φ et l&apos;angle θ au niveau n : un parcours à contours parallèles sort des lignes tiretées ±2π, un zigzag reste entre elles.&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;The wheel zooms, dragging moves, a double click shows all again.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;La molette agrandit, glisser déplace, un double-clic montre de nouveau tout.&lt;/p&gt;</translation>
     </message>
 </context>
 <context>

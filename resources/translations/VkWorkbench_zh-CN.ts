@@ -1057,10 +1057,6 @@
         <translation>高斯映射</translation>
     </message>
     <message>
-        <source>The areas that the tool cuts without a rapid move or a plunge, the longest first.</source>
-        <translation>刀具不经快移或下刀而连续切削的区域，最长的排在最前。</translation>
-    </message>
-    <message>
         <source>Save picture…</source>
         <translation>保存图片…</translation>
     </message>
@@ -1081,16 +1077,8 @@
         <translation>区域 {}：{} 段轨迹，{}</translation>
     </message>
     <message>
-        <source>Toolpath drawn with {} of {} points: the others fall on the same pixels.</source>
-        <translation>刀具路径绘制了 {} 个点，共 {} 个：其余落在相同像素上。</translation>
-    </message>
-    <message>
         <source>Gauss map of the last {} trajectories up to k.</source>
         <translation>高斯映射显示到 k 为止的最后 {} 段轨迹。</translation>
-    </message>
-    <message>
-        <source>&lt;p&gt;Left the toolpath with the vector V&lt;sub&gt;k&lt;/sub&gt; from the area&apos;s first point. On the unit circle the images of the trajectory v&lt;sub&gt;k&lt;/sub&gt; and of V&lt;sub&gt;k&lt;/sub&gt;; the arcs show how they moved. A zigzag goes to and fro on a part of the circle, a contour goes all around. Right the cumulative angular function φ and the angle θ on level n: a contour-parallel path leaves the dashed lines ±2π, a zigzag stays within.&lt;/p&gt;</source>
-        <translation>&lt;p&gt;左侧是刀具路径以及从区域起点出发的向量 V&lt;sub&gt;k&lt;/sub&gt;。单位圆上是轨迹 v&lt;sub&gt;k&lt;/sub&gt; 和 V&lt;sub&gt;k&lt;/sub&gt; 的像；圆弧显示它们如何移动。往复路径在圆的一部分上来回，轮廓路径绕圆一周。右侧是累积角函数 φ 和层级 n 上的角 θ：环切路径越出虚线 ±2π，往复路径保持在其间。&lt;/p&gt;</translation>
     </message>
     <message>
         <source>Select an operation in the tree.</source>
@@ -1123,6 +1111,26 @@
     <message>
         <source>φ between {} and {} turns, level n = {}, exact reversals: {}</source>
         <translation>φ 在 {} 与 {} 圈之间，级别 n = {}，精确反向：{}</translation>
+    </message>
+    <message>
+        <source>Reading {}…</source>
+        <translation>正在读取 {}…</translation>
+    </message>
+    <message>
+        <source>with the closing turn φ = {}, n = {}</source>
+        <translation>加上闭合转角 φ = {}，n = {}</translation>
+    </message>
+    <message>
+        <source>The areas that the tool cuts without a rapid move or a plunge: first the one that shows the strategy best, then the longest.</source>
+        <translation>刀具在没有快速移动或下刀的情况下切削的区域：首先是最能体现策略的区域，然后是最长的区域。</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;Left the toolpath with the vector V&lt;sub&gt;k&lt;/sub&gt; from the area&apos;s first point. On the unit circle the images of the trajectory v&lt;sub&gt;k&lt;/sub&gt; and of V&lt;sub&gt;k&lt;/sub&gt;; the arcs show how they moved. A zigzag goes to and fro on a part of the circle, a contour goes all around. Right the cumulative angular function φ and the angle θ on level n: a contour-parallel path leaves the dashed lines ±2π, a zigzag stays within.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;左侧是刀具路径以及从区域起点出发的向量 V&lt;sub&gt;k&lt;/sub&gt;。单位圆上是轨迹 v&lt;sub&gt;k&lt;/sub&gt; 和 V&lt;sub&gt;k&lt;/sub&gt; 的像；圆弧显示它们如何移动。往复路径在圆的一部分上来回，轮廓路径绕圆一周。右侧是累积角函数 φ 和层级 n 上的角 θ：环切路径越出虚线 ±2π，往复路径保持在其间。&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;The wheel zooms, dragging moves, a double click shows all again.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;滚轮缩放，拖动平移，双击恢复全部显示。&lt;/p&gt;</translation>
     </message>
 </context>
 <context>

@@ -45,7 +45,7 @@ OUTSIDE = {
     "preferences": {"FreeCAD"},
     "program": {"numpy", "distributed"},
     "document": {"numpy", "FreeCAD", "Part", "Path", "PathSimulator"},
-    "gui": {"numpy", "FreeCAD", "FreeCADGui", "matplotlib", "pivy"},
+    "gui": {"numpy", "FreeCAD", "FreeCADGui", "pivy"},
     "gui.qt": {"PySide"},
 }
 

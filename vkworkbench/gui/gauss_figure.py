@@ -1,280 +1,306 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The picture of the method: toolpath, Gauss map and angular functions of one area, with matplotlib.
+"""The picture of the method: toolpath, Gauss map and angular functions of one area, painted with Qt.
 
-Its words are the paper's symbols, the same in all languages: matplotlib's font has no Chinese. Loads matplotlib.
+What depends on the step k is painted over the rest, which may be kept as an image. The words on it are the paper's
+symbols and the names of strategies.
 """
 
 from __future__ import annotations
 
-import matplotlib
+import math
+
 import numpy as np
-from matplotlib.backends.backend_qtagg import FigureCanvasQTAgg
-from matplotlib.figure import Figure
-from matplotlib.gridspec import GridSpec
-from matplotlib.ticker import FuncFormatter, MaxNLocator, MultipleLocator
 
-from vkworkbench.core.paper import Areas, image_arcs, links, outline, seen, thinned, turns_of
-from vkworkbench.gui.qt import QTimer
-from vkworkbench.gui.sentences import user
+from vkworkbench.core import Family, Strategy
+from vkworkbench.core.paper import image_arcs, level_of, thinned, turns_of
+from vkworkbench.gui.gauss_plot import Plot, ticks
+from vkworkbench.gui.gauss_reading import Polyline, Reading
+from vkworkbench.gui.gauss_theme import Theme, readable
+from vkworkbench.gui.qt import QColor, QFontMetrics, QPainter, QPen, QPointF, QPolygonF, QRectF, Qt
+from vkworkbench.gui.sentences import strategy_name, user
 
-COUNTER_CLOCKWISE, CLOCKWISE = "#0072b2", "#d55e00"  # told apart also by the colour-blind
-_V, _LEVEL = "#009e73", "#9a9a9a"  # V_k and its angle; levels and the rest of the toolpath
 TRAIL = 1000  # trajectories up to k that are drawn strongly and on the Gauss map
 _COLUMNS = 1000  # stretches of the graph, see thinned()
 _MARKERS = 500
 _WIDE = 1.8  # width over height from which the three plots stand in a row
 _GROWTH = 0.5  # how much the arcs' radius grows or shrinks along the trail
+_GAP = 10  # px
+_FULL, _HALF = 2 * np.pi, np.pi
+_ROUNDING = 1e-6  # rad
+_EDGE = 0.04  # of a plot's size around what it shows
 
 
-class GaussCanvas(FigureCanvasQTAgg):
-    """A widget with the three plots of one area; `step` moves through its trajectories.
+class GaussFigure:
+    """The three plots of one area, to be painted in any size."""
 
-    What changes with the step is drawn over a stored picture of the rest, so that the slider responds at once.
-    """
+    def __init__(self, reading: Reading, area: int) -> None:
+        self.reading = reading
+        self.signature = signature = reading.areas.signature(area)
+        self.vertices = signature.vertices
+        self._own = Polyline(self.vertices)
+        self.k = len(signature) - 1
+        self.phi, self.level = signature.phi, signature.level
+        if signature.total_turning != signature.phi[-1]:  # the closing turn has no trajectory of its own
+            self.phi = np.append(self.phi, signature.total_turning)
+            self.level = np.append(self.level, level_of(signature.total_turning))
+        corner, opposite = (find(reading.outline.points, axis=0) for find in (np.nanmin, np.nanmax))
+        edge = _EDGE * max(float((opposite - corner).max()), 1e-3)
+        self.path = Plot(corner - edge, opposite + edge, equal=True)
+        self.circle = Plot((-1.6, -1.6), (1.6, 1.6), equal=True)
+        low, high = min(self.phi.min(), signature.theta_level.min()), max(self.phi.max(), signature.theta_level.max())
+        low, high = min(low, -1.15 * _FULL), max(high, 1.15 * _FULL)
+        edge = _EDGE * (high - low)
+        self.graph = Plot((1, low - edge), (max(len(self.phi), 2), high + edge), equal=False)
 
-    def __init__(self) -> None:
-        super().__init__(Figure(layout="constrained"))
-        self._text, self._back = "black", "white"
-        self._areas: Areas | None = None
-        self._moving: list = []
-        self._still = None
-        self._k = 0
-        self.points, self.drawn = 0, 0  # points of the polyline, and those of them that the picture has
-        # Matplotlib's own timer for drawing later never fires again in FreeCAD 1.0 once an SVG was saved.
-        self._later = QTimer(self)
-        self._later.setSingleShot(True)
-        self._later.timeout.connect(self.draw)
-        self.mpl_connect("draw_event", lambda event: self._drawn())
+    @property
+    def zoomable(self) -> tuple[Plot, ...]:
+        return self.path, self.graph
 
-    def set_colors(self, text: str, background: str) -> None:
-        """Take the window's colours for what is drawn next."""
-        self._text, self._back = text, background
+    def plot_at(self, at: QPointF) -> Plot | None:
+        """Return the plot at a pixel that can be zoomed and moved."""
+        return next((plot for plot in self.zoomable if plot.place.contains(at)), None)
 
-    def show_area(self, areas: Areas, area: int) -> None:
-        """Draw one area and the others around it, at its last trajectory."""
-        self._areas = areas
-        self.signature = areas.signature(area)
-        self.vertices = self.signature.vertices
-        self._k = len(self.signature) - 1
-        self._lay_out()
-
-    def step(self, k: int) -> None:
-        """Show the state after trajectory `k`, counted from 0."""
-        self._k = k
-        self._move()
-        if self._still is None:
-            self.draw_idle()
-            return
-        self.restore_region(self._still)
-        self._draw_moving()
-        self.update()
-
-    def save(self, path: str) -> None:
-        """Write the picture as it stands; the suffix says the format."""
-        for artist in self._moving:
-            artist.set_animated(False)
-        try:
-            with matplotlib.rc_context({"svg.fonttype": "none", "agg.path.chunksize": 10_000}):
-                self.figure.savefig(path, dpi=200)
-        finally:
-            for artist in self._moving:
-                artist.set_animated(True)
-            self._still = None
-            self.draw_idle()
-
-    def draw(self) -> None:
-        # Without this a long polyline may exceed what the renderer holds.
-        with matplotlib.rc_context({"agg.path.chunksize": 10_000}):
-            super().draw()
-
-    def draw_idle(self) -> None:
-        self._later.start(0)
-
-    def resizeEvent(self, event) -> None:
-        self._still = None
-        super().resizeEvent(event)
-        if self._areas is not None and self._is_wide() != self._wide:
-            self._lay_out()
-
-    def _is_wide(self) -> bool:
-        return self.width() > _WIDE * self.height()
-
-    def _lay_out(self) -> None:
-        figure = self.figure
-        figure.clear()
-        figure.set_facecolor(self._back)
-        self._wide = self._is_wide()
-        if self._wide:
-            grid = GridSpec(1, 3, figure, width_ratios=(1, 1, 1.5))
-            path, circle, graph = (figure.add_subplot(cell) for cell in grid)
+    def lay_out(self, width: float, height: float, text: QFontMetrics, top: float = 0.0) -> None:
+        """Put the plots side by side, or the graph below the others where there is no room."""
+        line = text.height()
+        left, right, below = 62.0, 26.0, line + 6.0
+        above = 2 * line + 4.0  # the graph's legend
+        height -= top
+        if width > _WIDE * height:
+            each = (width - 2 * _GAP) / 3.5
+            tall = height - below - _GAP - line
+            self.path.put(QRectF(left, top + line, each - left, tall))
+            self.circle.put(QRectF(each + _GAP, top, each, height))
+            tall = height - above - below - line
+            self.graph.put(QRectF(2 * (each + _GAP) + left, top + above, 1.5 * each - left - right, tall))
         else:
-            grid = GridSpec(2, 2, figure)
-            path, circle = figure.add_subplot(grid[0, 0]), figure.add_subplot(grid[0, 1])
-            graph = figure.add_subplot(grid[1, :])
-        for axes in (path, circle, graph):
-            axes.set_facecolor(self._back)
-            axes.tick_params(colors=self._text, labelsize="small")
-            axes.title.set_color(self._text)
-            for spine in axes.spines.values():
-                spine.set_color(_LEVEL)
-        self._moving = []
-        self._draw_path(path)
-        self._draw_circle(circle)
-        self._draw_graph(graph)
-        for artist in self._moving:
-            artist.set_animated(True)
-        self._move()
-        self._still = None
-        self.draw_idle()
+            half = height / 2
+            self.path.put(QRectF(left, top + _GAP, width / 2 - left, half - below - _GAP - line))
+            self.circle.put(QRectF(width / 2 + _GAP, top, width / 2 - _GAP, half))
+            self.graph.put(QRectF(left, top + half + above, width - left - right, half - above - below - line))
 
-    def _draw_path(self, axes) -> None:
-        polyline, between = outline(self._areas), links(self._areas)
-        shown = seen(polyline)
-        self.points, self.drawn = len(polyline), len(shown)
-        axes.plot(*polyline[shown].T, color=_LEVEL, linewidth=0.6)
-        if len(between):
-            axes.plot(*between[seen(between)].T, color=_LEVEL, linewidth=0.6, linestyle=":")
-        axes.plot(*self.vertices[seen(self.vertices)].T, color=self._text, linewidth=0.9)
-        axes.plot(*self.vertices[0], "o", color=self._text, markersize=4)
-        axes.set_aspect("equal", adjustable="datalim")
-        _label_lengths(axes, float(np.ptp(self.vertices, axis=0).max()), self._text)
-        (self._trail,) = axes.plot([], [], color=COUNTER_CLOCKWISE, linewidth=1.4)
-        self._v = axes.annotate(
-            "", (0, 0), (0, 0), arrowprops={"arrowstyle": "-|>", "color": _V, "linewidth": 1.6,
-                                            "shrinkA": 0, "shrinkB": 0},
-        )  # fmt: skip
-        self._v_name = axes.annotate("$V_k$", (0, 0), (6, 6), textcoords="offset points", color=_V)
-        self._moving += [self._trail, self._v, self._v_name]
+    # What stays while k changes.
 
-    def _draw_circle(self, axes) -> None:
-        round_ = np.linspace(0, 2 * np.pi, 181)
-        axes.plot(np.cos(round_), np.sin(round_), color=self._text, linewidth=0.9)
-        axes.axhline(0, color=_LEVEL, linewidth=0.4)
-        axes.axvline(0, color=_LEVEL, linewidth=0.4)
-        size = 1.1 + _GROWTH
-        axes.set_aspect("equal")
-        axes.set_xlim(-size, size)
-        axes.set_ylim(-size, size)
-        axes.set_xticks([])
-        axes.set_yticks([])
-        for spine in axes.spines.values():
-            spine.set_visible(False)
-        for at, x, color, name in ((1, 0.02, COUNTER_CLOCKWISE, "↺"), (1, 0.12, CLOCKWISE, "↻")):
-            axes.text(x, at, name, color=color, transform=axes.transAxes, va="top", fontsize="x-large")
-        self._arcs = []
-        for width in (1.2, 1.2):  # of the directions, and of V_k
-            for color in (COUNTER_CLOCKWISE, CLOCKWISE):
-                self._arcs += axes.plot([], [], color=color, linewidth=width)
-        (self._half_turns,) = axes.plot([], [], "x", color=self._text, markersize=5)
-        (self._ray,) = axes.plot([], [], color=self._text, linewidth=1)
-        (self._v_ray,) = axes.plot([], [], color=_V, linewidth=1.6)
-        (self._image,) = axes.plot([], [], "o", color=self._text, markersize=6)
-        (self._v_image,) = axes.plot([], [], "o", color=_V, markersize=6)
-        in_a_box = {"ha": "center", "va": "center", "bbox": {"facecolor": self._back, "linewidth": 0, "pad": 0.5}}
-        self._image_name = axes.text(0, 0, "$v_k$", color=self._text, **in_a_box)
-        self._v_image_name = axes.text(0, 0, "$V_k$", color=_V, **in_a_box)
-        self._moving += [
-            *self._arcs, self._half_turns, self._ray, self._v_ray, self._image, self._v_image, self._image_name,
-            self._v_image_name,
-        ]  # fmt: skip
+    def paint_still(self, painter: QPainter, theme: Theme) -> None:
+        painter.setRenderHint(QPainter.Antialiasing)
+        self._paint_path(painter, theme)
+        self._paint_circle(painter, theme)
+        self._paint_graph(painter, theme)
 
-    def _draw_graph(self, axes) -> None:
-        signature = self.signature
-        k = np.arange(1, len(signature) + 1)
-        level = 2 * np.pi * signature.level
-        for values, style in (
-            (level, {"color": _LEVEL, "linewidth": 2.5, "label": r"$2\pi\,n$", "drawstyle": "steps-post"}),
-            (signature.theta_level, {"color": _V, "linewidth": 0.9, "label": r"$\theta_{level}(t_k)$"}),
-            (signature.phi, {"color": COUNTER_CLOCKWISE, "linewidth": 1.2, "label": r"$\varphi(t_k)$"}),
+    def _paint_path(self, painter: QPainter, theme: Theme) -> None:
+        plot = self.path
+        plot.clipped(painter)
+        self._paint_polyline(painter, self.reading.outline, _pen(theme.faint, 0.8))
+        self._paint_polyline(painter, self.reading.links, _pen(theme.faint, 0.8, Qt.DotLine))
+        self._paint_polyline(painter, self._own, _pen(theme.text, 1.1))
+        painter.setPen(Qt.NoPen)
+        painter.setBrush(QColor(theme.text))
+        plot.dots(painter, self.vertices[:1], 3)
+        lower, upper = plot.window
+        factor, unit = user().length_unit(max(float((upper - lower).max()), 1e-3))
+
+        def name(value: float) -> str:
+            return user().number(round(value / factor, 9)).replace("-", "−")
+
+        x_ticks = ticks(lower[0], upper[0], 3, name, factor)
+        plot.frame(painter, x_ticks, ticks(lower[1], upper[1], 5, name, factor), QColor(theme.text))
+        line = QFontMetrics(painter.font()).height()
+        where = QRectF(plot.place.left(), plot.place.bottom() + line + 2, plot.place.width(), line)
+        painter.drawText(where, int(Qt.AlignHCenter), unit)
+
+    def _paint_polyline(self, painter: QPainter, line: Polyline, pen: QPen) -> None:
+        seen = line.seen(*self.path.window, self.path.share)
+        painter.setPen(pen)
+        self.path.segments(painter, line.points[seen], line.points[seen + 1])
+
+    def _paint_circle(self, painter: QPainter, theme: Theme) -> None:
+        plot = self.circle
+        plot.clipped(painter)
+        painter.setPen(_pen(theme.faint, 0.6))
+        plot.segments(painter, np.array([(-1.6, 0), (0, -1.6)]), np.array([(1.6, 0), (0, 1.6)]))
+        painter.setPen(_pen(theme.text, 1.2))
+        round_ = np.linspace(0, _FULL, 181)
+        plot.polyline(painter, np.column_stack(_polar(1.0, round_)))
+        painter.setClipping(False)
+
+    def _paint_graph(self, painter: QPainter, theme: Theme) -> None:
+        plot, signature = self.graph, self.signature
+        self._paint_thresholds(painter, theme)
+        for values, pen, steps in (
+            (_FULL * self.level, _pen(theme.faint, 2.5), True),
+            (signature.theta_level, _pen(theme.v, 1.0), False),
+            (self.phi, _pen(theme.counter_clockwise, 1.6), False),
         ):
-            shown = thinned(values, _COLUMNS)
-            axes.plot(k[shown], values[shown], **style)
+            k = self._seen(values)
+            points = np.column_stack([k + 1, values[k]])
+            if steps:
+                points = np.repeat(points, 2, axis=0)
+                points = np.column_stack([points[1:, 0], points[:-1, 1]])
+            painter.setPen(pen)
+            plot.polyline(painter, points)
+        painter.setPen(_pen(theme.text, 1.2))
         arrivals = signature.unsigned + 1
-        if len(arrivals):
-            arrivals = arrivals[np.linspace(0, len(arrivals) - 1, min(len(arrivals), _MARKERS)).astype(int)]
-            style = {"color": self._text, "markersize": 5, "label": r"$\Delta\varphi=\pm\pi$"}
-            axes.plot(k[arrivals], signature.phi[arrivals], "x", **style)
-        for turns, style in ((1, ":"), (2, "--")):
+        if len(arrivals) > _MARKERS:
+            arrivals = arrivals[np.linspace(0, len(arrivals) - 1, _MARKERS).astype(int)]
+        plot.crosses(painter, np.column_stack([arrivals + 1, signature.phi[arrivals]]), 3)
+        lower, upper = plot.window
+        text = QFontMetrics(painter.font())
+        rows = max(2, int(plot.place.height() / (1.8 * text.height())))
+        in_pi = ticks(lower[1], upper[1], min(rows, 9), _in_pi, _HALF, whole=upper[1] - lower[1] > 4 * _HALF)
+        levels = ticks(lower[1], upper[1], 5, _in_turns, _FULL, whole=True)
+        many = max(2, int(plot.place.width() / 90))
+        steps = ticks(lower[0], upper[0], many, lambda k: user().count(round(k)), whole=True)
+        plot.frame(painter, steps, in_pi, QColor(theme.text), levels)
+        place, line = plot.place, text.height()
+        painter.drawText(QRectF(place.left(), place.bottom() + line + 2, place.width(), line), int(Qt.AlignHCenter), "k")
+        painter.drawText(QRectF(place.right() + 6, place.top() - line, 20, line), int(Qt.AlignLeft), "n")
+        self._paint_names(painter, theme)
+
+    def _seen(self, values: np.ndarray) -> np.ndarray:
+        """Indices of the values that are drawn in the graph's window, (m,)."""
+        lower, upper = self.graph.window
+        first = int(np.clip(math.floor(lower[0]) - 2, 0, len(values) - 1))
+        last = int(np.clip(math.ceil(upper[0]) + 1, first + 1, len(values)))
+        return first + thinned(values[first:last], _COLUMNS)
+
+    def _paint_thresholds(self, painter: QPainter, theme: Theme) -> None:
+        """Draw what phi is compared with, the paper's +-pi and +-2 pi; what decides here strongly, with its name."""
+        plot, text = self.graph, QFontMetrics(painter.font())
+        plot.clipped(painter)
+        deciding, name = self._threshold()
+        strong = readable(QColor(self._strategy.color), QColor(theme.back))
+        for turned, style in ((_HALF, Qt.DotLine), (_FULL, Qt.DashLine)):
+            painter.setPen(_pen(strong, 2.2, style) if turned == deciding else _pen(theme.faint, 1.0, style))
+            x = plot.window[0][0], plot.window[1][0]
             for sign in (1, -1):
-                axes.axhline(sign * turns * np.pi, color=self._text, linewidth=0.8, linestyle=style)
-        low, high = axes.get_ylim()
-        low, high = min(low, -2.3 * np.pi), max(high, 2.3 * np.pi)
-        axes.set_ylim(low, high)
-        axes.set_xlim(1, max(len(signature), 2))
-        step = next(s for s in (1, 2, 4, 10, 20, 40, 100, 1e3, 1e4, 1e5, 1e6) if (high - low) / np.pi <= 9 * s)
-        axes.yaxis.set_major_locator(MultipleLocator(step * np.pi))
-        axes.yaxis.set_major_formatter(FuncFormatter(_in_pi))
-        axes.xaxis.set_major_locator(MaxNLocator(6, integer=True))
-        axes.set_xlabel("$k$", color=self._text)
-        levels = axes.secondary_yaxis("right", functions=(lambda y: y / (2 * np.pi), lambda n: n * 2 * np.pi))
-        levels.yaxis.set_major_locator(MaxNLocator(6, integer=True))
-        levels.set_ylabel("$n$", color=self._text, rotation=0)
-        levels.tick_params(colors=self._text, labelsize="small")
-        legend = axes.legend(loc="lower center", bbox_to_anchor=(0.5, 1.0), ncol=4, frameon=False, fontsize="medium",
-                             labelcolor=self._text, borderaxespad=0.1)  # fmt: skip
-        legend.set_zorder(0)
-        self._now = axes.axvline(1, color=self._text, linewidth=1)
-        (self._phi_now,) = axes.plot([], [], "o", color=COUNTER_CLOCKWISE, markersize=6)
-        (self._theta_now,) = axes.plot([], [], "o", color=_V, markersize=6)
-        self._moving += [self._now, self._phi_now, self._theta_now]
+                ends = plot.pixels([(x[0], sign * turned), (x[1], sign * turned)])
+                painter.drawLine(QPointF(*ends[0]), QPointF(*ends[1]))
+            if turned == deciding:
+                painter.drawText(QPointF(plot.place.left() + 6, float(ends[0, 1]) - text.descent() - 3), name)
 
-    def _move(self) -> None:
-        k, signature, vertices = self._k, self.signature, self.vertices
+    @property
+    def _strategy(self) -> Strategy:
+        return self.reading.recognition.strategy
+
+    def _threshold(self) -> tuple[float | None, str]:
+        """Return the bound of phi that decides for this strategy, with its name; None where phi does not decide.
+
+        Rows are within +-pi, or at least on level 0: the bound depends on the area's first direction. Loops reach 2 pi.
+        """
+        reached = float(np.abs(self.phi).max())
+        name = strategy_name(self._strategy)
+        if self._strategy.family is Family.ROWS and reached <= _HALF + _ROUNDING:
+            return _HALF, f"|φ| ≤ π: {name}"
+        if self._strategy.family is Family.ROWS and reached < _FULL - _ROUNDING:
+            return _FULL, f"|φ| < 2π, n = 0: {name}"
+        if self._strategy.family is Family.AROUND and reached >= _FULL - _ROUNDING:
+            return _FULL, f"|φ| ≥ 2π: {name}"
+        return None, ""
+
+    def _paint_names(self, painter: QPainter, theme: Theme) -> None:
+        """Name the curves above the graph."""
+        text = QFontMetrics(painter.font())
+        entries = [("2π n", theme.faint), ("θ + 2π n", theme.v), ("φ", theme.counter_clockwise)]
+        if len(self.signature.unsigned):
+            entries.append(("× Δφ = ±π", theme.text))
+        x, y = self.graph.place.left(), self.graph.place.top() - text.height() - 4
+        for name, color in entries:
+            painter.setPen(QColor(color))
+            painter.drawText(QPointF(x, y + text.ascent()), name)
+            x += text.boundingRect(name).width() + 22
+
+    # What moves with k.
+
+    def paint_moving(self, painter: QPainter, theme: Theme) -> None:
+        painter.setRenderHint(QPainter.Antialiasing)
+        self._paint_trail(painter, theme)
+        self._paint_images(painter, theme)
+        self._paint_now(painter, theme)
+        painter.setClipping(False)
+
+    def _paint_trail(self, painter: QPainter, theme: Theme) -> None:
+        plot, k = self.path, self.k
+        plot.clipped(painter)
         since = max(0, k + 1 - TRAIL)
-        self._trail.set_data(*vertices[since : k + 2].T)
-        tip = vertices[k + 1]
-        self._v.xy, self._v.xyann = tip, vertices[0]
-        self._v_name.xy = tip
+        painter.setPen(_pen(theme.counter_clockwise, 1.8))
+        plot.polyline(painter, self.vertices[since : k + 2])
+        tail, tip = plot.pixels(self.vertices[[0, k + 1]])
+        painter.setPen(_pen(theme.v, 2))
+        painter.drawLine(QPointF(*tail), QPointF(*tip))
+        way = tip - tail
+        length = float(np.hypot(*way))
+        if length > 1:
+            along, across = way / length * 10, np.array([-way[1], way[0]]) / length * 4
+            painter.setBrush(QColor(theme.v))
+            corners = (tip, tip - along + across, tip - along - across)
+            painter.drawPolygon(QPolygonF([QPointF(*corner) for corner in corners]))
+        _name(painter, tip + (6, -6), "V", "k", theme.v)
 
+    def _paint_images(self, painter: QPainter, theme: Theme) -> None:
+        plot, k, signature = self.circle, self.k, self.signature
+        plot.clipped(painter)
+        since = max(0, k + 1 - TRAIL)
         window = slice(since, k + 1)
         grown = _GROWTH * (np.arange(since, k + 1) - since) / min(len(signature), TRAIL)
-        for arcs, angle, radius in ((self._arcs[:2], signature.alpha[window], 1.06 + grown),
-                                    (self._arcs[2:], signature.theta[window], 0.94 - grown)):  # fmt: skip
-            for line, points in zip(arcs, image_arcs(angle, radius)):
-                line.set_data(*points.T)
+        for angle, radius in ((signature.alpha[window], 1.06 + grown), (signature.theta[window], 0.94 - grown)):
+            for color, points in zip((theme.counter_clockwise, theme.clockwise), image_arcs(angle, radius)):
+                painter.setPen(_pen(color, 1.4))
+                if len(points):
+                    plot.polyline(painter, points)
         angle = signature.alpha[window]
         halves = np.flatnonzero(np.isnan(turns_of(angle))) + 1
-        self._half_turns.set_data(*_polar(1.06 + grown[halves], angle[halves]))
-        alpha, theta = signature.alpha[k], signature.theta[k]
-        for at, ray, image, name in ((alpha, self._ray, self._image, self._image_name),
-                                     (theta, self._v_ray, self._v_image, self._v_image_name)):  # fmt: skip
-            x, y = _polar(1.0, at)
-            ray.set_data([0, x], [0, y])
-            image.set_data([x], [y])
-            inside = name is self._v_image_name
+        painter.setPen(_pen(theme.text, 1.2))
+        plot.crosses(painter, np.column_stack(_polar(1.06 + grown[halves], angle[halves])), 3)
+        of_v, of_sum = (signature.alpha[k], theme.text, "v", -0.22), (signature.theta[k], theme.v, "V", 0.22)
+        for at, color, letter, aside in (of_v, of_sum):
+            image = np.array([_polar(1.0, at)])
+            painter.setPen(_pen(color, 1.6))
+            plot.segments(painter, np.zeros((1, 2)), image)
+            painter.setBrush(QColor(color))
+            plot.dots(painter, image, 3.5)
             # Two names side by side where both point the same way.
-            name.set_position(_polar(0.8, at + 0.22) if inside else _polar(0.8, at - 0.22))
-        self._now.set_xdata([k + 1, k + 1])
-        self._phi_now.set_data([k + 1], [signature.phi[k]])
-        self._theta_now.set_data([k + 1], [signature.theta_level[k]])
+            _name(painter, plot.pixels([_polar(0.8, at + aside)])[0], letter, "k", color)
 
-    def _drawn(self) -> None:
-        if self.figure.canvas is self:  # saving lends the figure to another canvas
-            self._still = self.copy_from_bbox(self.figure.bbox)
-            self._draw_moving()
+    def _paint_now(self, painter: QPainter, theme: Theme) -> None:
+        plot, k = self.graph, self.k
+        plot.clipped(painter)
+        lower, upper = plot.window
+        painter.setPen(_pen(theme.text, 1))
+        plot.segments(painter, np.array([(k + 1, lower[1])]), np.array([(k + 1, upper[1])]))
+        painter.setPen(Qt.NoPen)
+        for values, color in ((self.signature.phi, theme.counter_clockwise), (self.signature.theta_level, theme.v)):
+            painter.setBrush(QColor(color))
+            plot.dots(painter, np.array([(k + 1, values[k])]), 3.5)
 
-    def _draw_moving(self) -> None:
-        for artist in self._moving:
-            self.figure.draw_artist(artist)
+
+def _pen(color: str, width: float, style=Qt.SolidLine) -> QPen:
+    return QPen(QColor(color), width, style)
+
+
+def _name(painter: QPainter, at: np.ndarray, letter: str, index: str, color: str) -> None:
+    """Write a letter with a small index."""
+    painter.setPen(QColor(color))
+    text = QFontMetrics(painter.font())
+    painter.drawText(QPointF(*at), letter)
+    painter.save()
+    font = painter.font()
+    if font.pointSizeF() > 0:
+        font.setPointSizeF(0.75 * font.pointSizeF())
+    painter.setFont(font)
+    painter.drawText(QPointF(at[0] + text.boundingRect(letter).width() + 2, at[1] + 3), index)
+    painter.restore()
 
 
 def _polar(radius, angle) -> tuple:
     return radius * np.cos(angle), radius * np.sin(angle)
 
 
-def _in_pi(value: float, position=None) -> str:
-    multiple = round(value / np.pi)
+def _in_turns(value: float) -> str:
+    return f"{round(value / _FULL)}".replace("-", "−")
+
+
+def _in_pi(value: float) -> str:
+    multiple = round(value / np.pi, 6)
     if multiple in (-1, 0, 1):
-        return {-1: "−π", 0: "0", 1: "π"}[multiple]
-    return f"{multiple}π".replace("-", "−")
-
-
-def _label_lengths(axes, size: float, color: str) -> None:
-    """Give the axes FreeCAD's unit for lengths of this size."""
-    factor, unit = user().length_unit(max(size, 1e-3))
-    for axis in (axes.xaxis, axes.yaxis):
-        axis.set_major_locator(MaxNLocator(5))
-        axis.set_major_formatter(
-            FuncFormatter(lambda value, position=None: user().number(value / factor).replace("-", "−"))
-        )
-    axes.set_xlabel(unit, color=color, fontsize="small")
+        return {-1: "−π", 0: "0", 1: "π"}[int(multiple)]
+    return f"{user().number(multiple)}π".replace("-", "−")

@@ -9,23 +9,29 @@ from pathlib import Path
 import FreeCAD
 import FreeCADGui as Gui
 
-from vkworkbench import freecad, preferences
-from vkworkbench.core import linearize
-from vkworkbench.core.paper import Areas, Signature, monotonous_areas
+from vkworkbench import freecad
 from vkworkbench.document.operations import kind
-from vkworkbench.document.setting import placed
+from vkworkbench.document.recognized import source_of
 from vkworkbench.gui import docks
-from vkworkbench.gui.gauss_figure import CLOCKWISE, COUNTER_CLOCKWISE, TRAIL, GaussCanvas
+from vkworkbench.gui.background import Background
+from vkworkbench.gui.gauss_canvas import GaussCanvas
+from vkworkbench.gui.gauss_figure import TRAIL, GaussFigure
+from vkworkbench.gui.gauss_reading import Reading, read
+from vkworkbench.gui.gauss_theme import Theme
 from vkworkbench.gui.plain_text import as_plain, warn
 from vkworkbench.gui.qt import (
-    QApplication,
+    QColor,
     QComboBox,
     QDockWidget,
+    QEvent,
     QFileDialog,
     QHBoxLayout,
+    QImage,
     QLabel,
     QPalette,
+    QPoint,
     QPushButton,
+    QRegion,
     QSlider,
     QSpinBox,
     Qt,
@@ -33,9 +39,10 @@ from vkworkbench.gui.qt import (
     QVBoxLayout,
     QWidget,
 )  # fmt: skip
-from vkworkbench.gui.sentences import said, user
+from vkworkbench.gui.sentences import said, strategy_name, user
 from vkworkbench.gui.text import translate
 from vkworkbench.language import Message, Unusable
+from vkworkbench.report import Cancelled
 
 _LISTED = 50  # areas in the chooser, the longest ones
 _NOT_IN_NAMES = '\\/:*?"<>|'
@@ -48,13 +55,16 @@ class GaussMapDock(QDockWidget):
         super().__init__(translate("Vk_GaussMap", "Gauss map"), parent)
         self.setObjectName(docks.GAUSS_MAP)
         self._shown: tuple[str, str] | None = None  # document and operation
-        self._areas: Areas | None = None
-        self._canvas: GaussCanvas | None = None
+        self._reading: Reading | None = None
+        self._background = Background()
+        self._recolor = QTimer(self)
+        self._recolor.setSingleShot(True)
+        self._recolor.timeout.connect(self._take_colors)
         self._later = QTimer(self)
         self._later.setSingleShot(True)
         self._later.timeout.connect(self.refresh)
 
-        self.title, self.values, self.legend = QLabel(), QLabel(), QLabel(_legend())
+        self.title, self.values, self.legend = QLabel(), QLabel(), QLabel()
         as_plain(self.title)
         for label in (self.title, self.values, self.legend):
             label.setWordWrap(True)  # a dock may be narrow
@@ -63,7 +73,8 @@ class GaussMapDock(QDockWidget):
         self.chooser = QComboBox()
         self.chooser.setSizeAdjustPolicy(QComboBox.AdjustToContents)
         self.chooser.setToolTip(translate(
-            "Vk_GaussMap", "The areas that the tool cuts without a rapid move or a plunge, the longest first."
+            "Vk_GaussMap", "The areas that the tool cuts without a rapid move or a plunge: first the one that shows the strategy best, "
+            "then the longest."
         ))  # fmt: skip
         self.chooser.currentIndexChanged.connect(self._show_area)
         self.saver = QPushButton(translate("Vk_GaussMap", "Save picture…"))
@@ -77,11 +88,25 @@ class GaussMapDock(QDockWidget):
         self.number.valueChanged.connect(self.slider.setValue)
         self.slider.valueChanged.connect(self._step)
 
+        self.canvas = GaussCanvas()
+        self.canvas.setMinimumSize(300, 160)
+        self.canvas.setToolTip(translate(
+            "Vk_GaussMap",
+            "<p>Left the toolpath with the vector V<sub>k</sub> from the area's first point. On the unit circle "
+            "the images of the trajectory v<sub>k</sub> and of V<sub>k</sub>; the arcs show how they moved. A "
+            "zigzag goes to and fro on a part of the circle, a contour goes all around. Right the cumulative "
+            "angular function φ and the angle θ on level n: a contour-parallel path leaves the dashed lines "
+            "±2π, a zigzag stays within.</p>",
+        ) + translate("Vk_GaussMap", "<p>The wheel zooms, dragging moves, a double click shows all again.</p>"))  # fmt: skip
         self._body = QWidget()
-        self._column = QVBoxLayout(self._body)
-        self._column.addLayout(_row(self.title))
-        self._column.addLayout(_row(self.chooser, self.slider, self.number, self.saver))
-        self._column.addLayout(_row(self.values, self.legend))
+        column = QVBoxLayout(self._body)
+        column.addLayout(_row(self.title))
+        column.addWidget(self._background.busy)
+        column.addWidget(self.canvas, 1)
+        column.addLayout(_row(self.chooser, self.slider, self.number, self.saver))
+        below = _row(self.values, self.legend)
+        below.setStretch(0, 2)
+        column.addLayout(below)
         self.setWidget(self._body)
 
         Gui.Selection.addObserver(self)
@@ -124,48 +149,50 @@ class GaussMapDock(QDockWidget):
         if self._shown == (obj.Document.Name, obj.Name):
             return
         self._shown = (obj.Document.Name, obj.Name)
-        QApplication.setOverrideCursor(Qt.WaitCursor)
-        try:
-            self._read(obj)
-        finally:
-            QApplication.restoreOverrideCursor()
-
-    def _read(self, obj) -> None:
-        try:
-            path = placed(linearize(obj.Path.Commands, tolerance=preferences.read().tolerance), obj.Placement)
-        except Unusable as error:
-            self._say(said(Message("of", label=obj.Label, sentence=error.what)))
-            return
-        areas = monotonous_areas(path)
-        if not len(areas):
-            self._say(translate("Vk_GaussMap", "{}: no cutting move has a direction in the plane").format(obj.Label))
-            return
-        self._areas = areas
         self._label = obj.Label
+        source = source_of(obj)
+        text = translate("Vk_GaussMap", "Reading {}…").format(obj.Label)
+        self._background.start(text, lambda going_on: read(source, going_on), self._show, self._ended)
+
+    def _ended(self, error: Exception | None) -> None:
+        if isinstance(error, Unusable):
+            self._say(said(Message("of", label=self._label, sentence=error.what)))
+        elif isinstance(error, Cancelled):
+            self._say_nothing()
+        elif error is not None:
+            self._say_nothing()
+            raise error
+
+    def _show(self, reading: Reading | None) -> None:
+        if reading is None:
+            self._say(translate("Vk_GaussMap", "{}: no cutting move has a direction in the plane").format(self._label))
+            return
+        self._reading = reading
+        areas = reading.areas
+        listed = [reading.proof, *(area for area in areas.by_length[:_LISTED].tolist() if area != reading.proof)]
         self.chooser.blockSignals(True)
         self.chooser.clear()
-        for area in areas.by_length[:_LISTED]:
+        for area in listed:
             count = int(areas.end[area] - areas.start[area])
             text = translate("Vk_GaussMap", "Area {}: {} trajectories, {}")
-            self.chooser.addItem(text.format(area + 1, user().count(count), user().length(areas.area_length[area])), int(area))
+            self.chooser.addItem(text.format(area + 1, user().count(count), user().length(areas.area_length[area])), area)
         self.chooser.blockSignals(False)
         self._show_area(0)
 
     def _show_area(self, row: int) -> None:
-        canvas = self._ready_canvas()
-        canvas.show_area(self._areas, self.chooser.itemData(row))
-        signature = canvas.signature
+        found = self._reading.recognition
+        figure = GaussFigure(self._reading, self.chooser.itemData(row))
+        signature = figure.signature
+        self.canvas.set_background(self._behind())
+        self.canvas.show_figure(figure)
         self.title.setText("\n".join([
-            f"{self._label}: {_reached(self._areas)}",
-            translate("Vk_GaussMap", "This area: {}").format(_reached(signature)),
+            f"{self._label}: {self._verdict()}, {said(found.why)}",
+            _reached(found.phi_range, found.level, found.reversals),
+            translate("Vk_GaussMap", "This area: {}").format(
+                _reached(signature.phi_range, signature.top_level, len(signature.reversals))
+            ),
         ]))  # fmt: skip
-        notes = []
-        if canvas.drawn < canvas.points:
-            text = translate("Vk_GaussMap", "Toolpath drawn with {} of {} points: the others fall on the same pixels.")
-            notes.append(text.format(*map(user().count, (canvas.drawn, canvas.points))))
-        if len(signature) > TRAIL:
-            notes.append(translate("Vk_GaussMap", "Gauss map of the last {} trajectories up to k.").format(user().count(TRAIL)))
-        self.legend.setText(_legend() + "".join(f"<br>{note}" for note in notes))
+        self._show_notes()
         count = len(signature)
         for widget in (self.slider, self.number):
             widget.blockSignals(True)
@@ -176,36 +203,55 @@ class GaussMapDock(QDockWidget):
         self._enable(True)
         self._step(count)
 
+    def _show_notes(self) -> None:
+        text = _legend(self.canvas.theme)
+        if len(self.canvas.figure.signature) > TRAIL:
+            note = translate("Vk_GaussMap", "Gauss map of the last {} trajectories up to k.")
+            text += "<br>" + note.format(user().count(TRAIL))
+        self.legend.setText(text)
+
+    def _verdict(self) -> str:
+        """The strategy and how sure it is, as the mark says it."""
+        found = self._reading.recognition
+        name = strategy_name(found.strategy)
+        return f"{name} {user().share(found.confidence)}" if found.strategy.is_answer else name
+
     def _step(self, k: int) -> None:
-        signature = self._canvas.signature
-        self._canvas.step(k - 1)
-        self.values.setText(
+        figure = self.canvas.figure
+        signature = figure.signature
+        self.canvas.step(k - 1)
+        text = (
             f"k = {user().count(k)} / {user().count(len(signature))}   α = {_in_degrees(signature.alpha[k - 1])}   "
             f"φ = {_in_pi(signature.phi[k - 1])}   θ = {_in_degrees(signature.theta[k - 1])}   "
             f"|V| = {user().length(signature.length[k - 1])}   n = {signature.level[k - 1]}"
         )
+        if k == len(signature) < len(figure.phi):
+            text += "   " + translate("Vk_GaussMap", "with the closing turn φ = {}, n = {}").format(
+                _in_pi(figure.phi[-1]), figure.level[-1]
+            )
+        self.values.setText(text)
 
-    def _ready_canvas(self) -> GaussCanvas:
-        """Return the canvas, in the colours that the window has now."""
-        palette = self._body.palette()
-        colors = tuple(palette.color(role).name() for role in (QPalette.WindowText, QPalette.Window))
-        if self._canvas is None:
-            self._canvas = GaussCanvas()
-            self._canvas.setMinimumSize(300, 160)
-            self._canvas.setToolTip(translate(
-                "Vk_GaussMap",
-                "<p>Left the toolpath with the vector V<sub>k</sub> from the area's first point. On the unit circle "
-                "the images of the trajectory v<sub>k</sub> and of V<sub>k</sub>; the arcs show how they moved. A "
-                "zigzag goes to and fro on a part of the circle, a contour goes all around. Right the cumulative "
-                "angular function φ and the angle θ on level n: a contour-parallel path leaves the dashed lines "
-                "±2π, a zigzag stays within.</p>",
-            ))  # fmt: skip
-            self._column.insertWidget(1, self._canvas, 1)
-        self._canvas.set_colors(*colors)
-        return self._canvas
+    def _behind(self) -> QColor:
+        """Return the colour that is seen behind the picture, whether a palette or a style sheet made it."""
+        image = QImage(1, 1, QImage.Format_RGB32)
+        image.fill(self._body.palette().color(QPalette.Window))
+        corner = self._body.mapTo(self, QPoint(2, 2))  # in the margin, where nothing else is
+        self.render(image, QPoint(0, 0), QRegion(corner.x(), corner.y(), 1, 1))
+        return image.pixelColor(0, 0)
+
+    def changeEvent(self, event) -> None:
+        super().changeEvent(event)
+        if event.type() in (QEvent.StyleChange, QEvent.PaletteChange):
+            self._recolor.start(0)
+
+    def _take_colors(self) -> None:
+        self.canvas.set_background(self._behind())
+        if self.canvas.figure is not None:
+            self._show_notes()
 
     def _say_nothing(self) -> None:
         self._shown = None
+        self._background.give_up()
         self._say(translate("Vk_GaussMap", "Select an operation in the tree."))
 
     def _say(self, text: str) -> None:
@@ -215,9 +261,8 @@ class GaussMapDock(QDockWidget):
         self.values.clear()
 
     def _enable(self, there_is_a_picture: bool) -> None:
-        for widget in (self.chooser, self.saver, self.slider, self.number, self.legend, self._canvas):
-            if widget is not None:
-                widget.setVisible(there_is_a_picture)
+        for widget in (self.chooser, self.saver, self.slider, self.number, self.legend, self.canvas):
+            widget.setVisible(there_is_a_picture)
 
     def _save(self) -> None:
         document = FreeCAD.listDocuments()[self._shown[0]]
@@ -231,7 +276,7 @@ class GaussMapDock(QDockWidget):
         if Path(path).suffix.lower() not in (".png", ".svg"):
             path += ".svg" if "svg" in chosen else ".png"
         try:
-            self._canvas.save(path)
+            self.canvas.save(path, f"{self._label}: {self._verdict()}")
         except OSError as error:
             warn(translate("Vk_GaussMap", "Save picture"), str(error), self)
 
@@ -244,16 +289,16 @@ def _row(*widgets: QWidget) -> QHBoxLayout:
     return row
 
 
-def _reached(of: Areas | Signature) -> str:
-    """Return the range of phi and the level in words: of all areas, as in the mark and the table, or of one area."""
+def _reached(phi_range: tuple[float, float], level: int, reversals: int) -> str:
+    """Return the range of phi and the level in words."""
     text = translate("Vk_GaussMap", "φ between {} and {} turns, level n = {}, exact reversals: {}")
-    return text.format(*map(user().turns, of.phi_range), of.top_level, user().count(len(of.reversals)))
+    return text.format(*map(user().turns, phi_range), level, user().count(reversals))
 
 
-def _legend() -> str:
+def _legend(theme: Theme) -> str:
     senses = (
-        (COUNTER_CLOCKWISE, "↺ " + translate("Vk_GaussMap", "counter-clockwise")),
-        (CLOCKWISE, "↻ " + translate("Vk_GaussMap", "clockwise")),
+        (theme.counter_clockwise, "↺ " + translate("Vk_GaussMap", "counter-clockwise")),
+        (theme.clockwise, "↻ " + translate("Vk_GaussMap", "clockwise")),
     )
     text = " &nbsp; ".join(f'<span style="color:{color}">{name}</span>' for color, name in senses)
     return text + " &nbsp; × " + translate("Vk_GaussMap", "exact reversal")

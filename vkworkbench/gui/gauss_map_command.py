@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The command that shows the Gauss map view; matplotlib is loaded when it is first shown."""
+"""The command that shows the Gauss map view, which is loaded when it is first shown."""
 
 from __future__ import annotations
 

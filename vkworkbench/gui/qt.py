@@ -10,6 +10,7 @@ from PySide.QtCore import (
     QEvent,
     QEventLoop,
     QItemSelectionModel,
+    QLineF,
     QLocale,
     QModelIndex,
     QObject,
@@ -44,10 +45,12 @@ from PySide.QtGui import (
     QPainter,
     QPalette,
     QPen,
+    QPixmap,
     QPolygonF,
     QProgressBar,
     QProgressDialog,
     QPushButton,
+    QRegion,
     QSizePolicy,
     QSlider,
     QSpinBox,
@@ -65,10 +68,23 @@ from PySide.QtGui import (
 __all__ = [
     "QAbstractItemView", "QAbstractTableModel", "QApplication", "QColor", "QComboBox", "QDate", "QDockWidget",
     "QEvent", "QEventLoop", "QFileDialog", "QFont", "QFontMetrics", "QHBoxLayout", "QHeaderView", "QImage",
-    "QItemSelectionModel", "QLabel", "QListWidget", "QLocale", "QMdiArea", "QMenu",
-    "QMessageBox", "QModelIndex", "QObject", "QOffscreenSurface", "QOpenGLContext", "QPainter", "QPalette",
-    "QPen", "QPoint", "QPointF", "QPolygonF", "QProgressBar", "QProgressDialog", "QPushButton", "QRectF",
-    "QSize", "QSizePolicy", "QSlider", "QSortFilterProxyModel", "QSpinBox", "QStyle", "QStyleOptionViewItem",
-    "QStyledItemDelegate", "QTableView", "QTimer", "QToolButton", "QToolTip", "QTreeView", "QVBoxLayout",
-    "QWidget", "Qt", "Signal",
+    "QItemSelectionModel", "QLabel", "QLineF", "QListWidget", "QLocale", "QMdiArea", "QMenu", "QMessageBox",
+    "QModelIndex", "QObject", "QOffscreenSurface", "QOpenGLContext", "QPainter", "QPalette", "QPen", "QPixmap",
+    "QPoint", "QPointF", "QPolygonF", "QProgressBar", "QProgressDialog", "QPushButton", "QRectF", "QRegion", "QSize",
+    "QSizePolicy", "QSlider", "QSortFilterProxyModel", "QSpinBox", "QStyle", "QStyleOptionViewItem",
+    "QStyledItemDelegate", "QTableView", "QTimer", "QToolButton", "QToolTip", "QTreeView", "QVBoxLayout", "QWidget",
+    "Signal", "Qt", "svg_generator",
 ]  # fmt: skip
+
+
+def svg_generator(path: str, width: int, height: int, title: str):
+    """Return what a painter writes into an SVG file."""
+    from PySide.QtCore import QRect, QSize
+    from PySide.QtSvg import QSvgGenerator
+
+    generator = QSvgGenerator()
+    generator.setFileName(path)
+    generator.setSize(QSize(width, height))
+    generator.setViewBox(QRect(0, 0, width, height))
+    generator.setTitle(title)
+    return generator

@@ -63,7 +63,7 @@ def drawings(source: Source, going_on: Callable) -> Iterator[Drawing]:
     approach = _approach(commands, toolpath, source.tolerance)
     del commands
     if len(toolpath) > _SKETCHED:
-        shown = distinct(toolpath.points, _CELLS, _SKETCHED)
+        shown = distinct(toolpath.points, np.arange(len(toolpath)), cells=_CELLS, most=_SKETCHED)
         yield replace(_drawing(toolpath, approach, (), shown, going_on), strategies=frozenset())
         going_on()
     found, _ = recognized(placed(toolpath, source.placement), source.tool_diameter, source.imported)

@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 
 from vkworkbench.core.gcode import linearize
 from vkworkbench.core.paper.areas import monotonous_areas
-from vkworkbench.core.paper.picture import distinct, image_arcs, links, outline, seen, thinned, turns_of
+from vkworkbench.core.paper.picture import distinct, image_arcs, links, outline, overlapping, proof, thinned, turns_of
 
 
 def spiral_in(loops):
@@ -71,34 +71,44 @@ def test_thinned_keeps_every_peak(values, count):
                 assert {stretch.min(), stretch.max()} <= set(values[kept])
 
 
-def test_seen_leaves_out_what_falls_on_the_same_pixel():
-    t = np.linspace(0, 2 * np.pi, 100_000)
-    circle = np.column_stack([np.cos(t), np.sin(t)])
-    kept = seen(circle, cells=500)
-    assert kept[0] == 0 and kept[-1] == len(circle) - 1 and len(kept) < 5000
-    assert np.hypot(*np.diff(circle[kept], axis=0).T).max() < 2 * 2 / 500
-    broken = circle.copy()
-    broken[50_000] = np.nan
-    assert 50_000 in seen(broken, cells=500)
-    assert len(seen(circle[:1000], cells=500)) == 1000
-
-
 def test_rows_closer_than_pixels_are_drawn_once():
     rows = np.arange(100_000)
     points = np.column_stack([np.where(rows % 2, 100.0, 0.0), rows * 1e-3])
     points[500] = np.nan
-    kept = distinct(points, 200, 5000)
+    everything = overlapping(points, np.full(2, -np.inf), np.full(2, np.inf))
+    assert not {499, 500} & set(everything.tolist()) and len(everything) == 99_997
+    kept = distinct(points, everything, cells=200, most=5000)
     assert len(kept) <= 1000 and (np.diff(kept) > 0).all()
-    assert not {499, 500} & set(kept.tolist())
     # Every segment has one that is drawn within a cell of it.
     cell = 100.0 / 200
     a, b = points[kept], points[kept + 1]
-    for i in (1, 777, 50_001, 99_998):
+    for i in (1, 777, 50_001, 99_997):
         ends = np.sort(points[i : i + 2], axis=0)
         assert (np.abs(np.sort([a, b], axis=0) - ends[:, None]).max(axis=(0, 2)) <= cell).any()
 
 
 def test_a_short_polyline_is_drawn_whole_and_a_scribble_with_fewer_cells():
     points = np.random.default_rng(0).uniform(size=(3001, 3))
-    assert distinct(points, 200, 3000).tolist() == list(range(3000))
-    assert 0 < len(distinct(points, 200, 500)) <= 500
+    everything = np.arange(3000)
+    assert distinct(points, everything, cells=200, most=3000).tolist() == list(range(3000))
+    assert 0 < len(distinct(points, everything, cells=200, most=500)) <= 500
+
+
+def test_only_what_passes_a_window_is_drawn():
+    points = np.array([(0, 0), (10, 10), (20, 0), (30, 0), (np.nan, np.nan), (12, -5), (12, 50)])
+    assert overlapping(points, np.array([11, 5]), np.array([13, 12])).tolist() == [1, 5]
+
+
+def test_the_area_that_proves_loops_is_the_one_in_which_phi_goes_farthest():
+    rows = [("G0", {"Z": 5.0, "X": 0.0, "Y": 60.0}), ("G1", {"Z": 0.0})]
+    for row in range(20):
+        rows += [("G1", {"X": 500.0 * (row % 2 == 0)}), ("G1", {"Y": 62.0 + 2 * row})]
+    toolpath = linearize([*spiral_in(5), ("G0", {"Z": 5.0}), *rows])
+    areas = monotonous_areas(toolpath)
+    assert len(areas.start) == 2 and areas.area_length[1] > areas.area_length[0]
+    last = len(toolpath) - 1
+    assert proof(areas, 0, last, around=True) == 0 and proof(areas, 0, last, around=False) == 1
+    assert proof(areas, int(areas.index[areas.start[1]]), last, around=True) == 1
+    of_each = [areas.signature(i).phi_range for i in range(2)]
+    assert areas.phi_ranges.tolist() == [list(pair) for pair in of_each]
+    assert areas.phi_range == (min(low for low, _ in of_each), max(high for _, high in of_each))

@@ -7,14 +7,14 @@ levels, V_k and Gauss map; `PaperVerdict`, the paper's rule to the letter; what 
 """
 
 from vkworkbench.core.paper.areas import Areas, monotonous_areas
-from vkworkbench.core.paper.directions import TURN, axis_of, directions, farthest
+from vkworkbench.core.paper.directions import TURN, axis_of, directions, farthest, level_of
 from vkworkbench.core.paper.literal import PaperVerdict, paper_verdict
 from vkworkbench.core.paper.loops import OFF_ROUND, closing_turns, is_closed, is_one_turn, winding_turns
-from vkworkbench.core.paper.picture import distinct, image_arcs, links, outline, seen, thinned, turns_of
+from vkworkbench.core.paper.picture import distinct, image_arcs, links, outline, overlapping, proof, thinned, turns_of
 from vkworkbench.core.paper.signature import Signature, signature
 
 __all__ = [
-    "OFF_ROUND", "TURN", "Areas", "PaperVerdict", "Signature", "axis_of", "closing_turns", "directions", "distinct",
-    "farthest", "image_arcs", "is_closed", "is_one_turn", "links", "monotonous_areas", "outline", "paper_verdict", "seen",
-    "signature", "thinned", "turns_of", "winding_turns",
+    "Areas", "OFF_ROUND", "PaperVerdict", "Signature", "TURN", "axis_of", "closing_turns", "directions", "distinct",
+    "farthest", "image_arcs", "is_closed", "is_one_turn", "level_of", "links", "monotonous_areas", "outline", "overlapping",
+    "paper_verdict", "proof", "signature", "thinned", "turns_of", "winding_turns",
 ]  # fmt: skip

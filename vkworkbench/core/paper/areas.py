@@ -107,13 +107,20 @@ class Areas(Moves):
         return self.signed[1][end - 1] + np.where(closes, closing_turns(self.alpha, begin, end), 0.0)
 
     @cached_property
+    def phi_ranges(self) -> np.ndarray:
+        """Lowest and highest phi reached in each area, closing turns included, (a, 2) rad."""
+        if not len(self):
+            return np.empty((0, 2))
+        phi, total = self.signed[1], self.total_turning
+        low = np.minimum(np.minimum.reduceat(phi, self.start), total)
+        return np.column_stack([low, np.maximum(np.maximum.reduceat(phi, self.start), total)])
+
+    @cached_property
     def phi_range(self) -> tuple[float, float]:
         """Lowest and highest phi reached in any area, closing turns included, rad."""
         if not len(self):
             return 0.0, 0.0
-        phi = self.signed[1]
-        total = self.total_turning
-        return float(min(phi.min(), total.min())), float(max(phi.max(), total.max()))
+        return float(self.phi_ranges[:, 0].min()), float(self.phi_ranges[:, 1].max())
 
     @property
     def top_level(self) -> int:

@@ -100,56 +100,75 @@ def thinned(values: np.ndarray, count: int) -> np.ndarray:
     return np.unique(np.concatenate(kept))
 
 
-def seen(points: np.ndarray, cells: int = 2000) -> np.ndarray:
-    """Return indices of the vertices of a polyline that can be told apart on a picture `cells` wide.
+def overlapping(points: np.ndarray, lower: np.ndarray, upper: np.ndarray) -> np.ndarray:
+    """Return the segments of a polyline whose boxes overlap a window, (m,) int64; segment i joins points i and i + 1.
 
-    Vertices in the same cell as the one before them are left out; NaN and both ends stay.
+    Parameters
+    ----------
+    points : (n+1, 2) float
+        NaN where the line is broken.
+    lower, upper : (2,) float
+        Corners of the window.
     """
-    if len(points) < 10 * cells:
-        return np.arange(len(points))
-    lower, upper = np.nanmin(points, axis=0), np.nanmax(points, axis=0)
-    size = max(float((upper - lower).max()), 1e-9)
-    cell = np.floor((points - lower) * (cells / size))
-    kept = np.ones(len(points), bool)
-    kept[1:] = (cell[1:] != cell[:-1]).any(axis=1)  # NaN differs from everything
-    kept[-1] = True
-    return np.flatnonzero(kept)
+    a, b = points[:-1], points[1:]
+    inside = (np.minimum(a, b) <= upper) & (np.maximum(a, b) >= lower)  # False of NaN
+    return np.flatnonzero(inside.all(axis=1))
 
 
-def distinct(points: np.ndarray, cells: int, most: int) -> np.ndarray:
+def distinct(points: np.ndarray, segments: np.ndarray, *, cells: int, most: int) -> np.ndarray:
     """Return the segments of a polyline that can be told apart on a picture.
 
-    A segment that joins the same two cells as one before it is left out, and one with NaN. So thousands of rows on a
-    few hundred pixels are as many segments as there are pixels.
+    A segment that joins the same two cells as one before it is left out. So thousands of rows on a few hundred pixels
+    are as many segments as there are pixels.
 
     Parameters
     ----------
     points : (n+1, 2) or (n+1, 3) float
+    segments : (s,) int64
+        Those to choose from; segment i joins points i and i + 1, which are not NaN.
     cells : int
         Width of the picture in cells, up to 1000 in the plane and 200 in space; fewer where the segments are many.
     most : int
-        How many segments there may be.
+        How many segments there may be; fewer than these are all returned.
 
     Returns
     -------
     (m,) int64
-        Indices of the segments, ascending; segment i joins points i and i + 1.
+        Ascending.
     """
-    known = np.isfinite(points).all(axis=1)
-    segments = np.flatnonzero(known[1:] & known[:-1])
     if len(segments) <= most:
         return segments
-    lower, upper = points[known].min(axis=0), points[known].max(axis=0)
-    size = max(float((upper - lower).max()), 1e-9)
+    a, b = points[segments], points[segments + 1]
+    lower = np.minimum(a.min(axis=0), b.min(axis=0))
+    size = max(float((np.maximum(a.max(axis=0), b.max(axis=0)) - lower).max()), 1e-9)
+    axes = points.shape[1]
     while True:
-        cell = np.zeros(len(points), np.int64)
-        for axis in range(points.shape[1]):
-            cell *= cells + 1
-            cell[known] += ((points[known, axis] - lower[axis]) * (cells / size)).astype(np.int64)
-        a, b = cell[segments], cell[segments + 1]
-        # Up to the second power of a billion: enough for 64 bits.
-        pair = np.minimum(a, b) * (cells + 1) ** points.shape[1] + np.maximum(a, b)
-        first = np.unique(pair, return_index=True)[1]
-        if len(first) <= most or cells <= 2:
-            return segments[np.sort(first)[:most]]
+        weights = (cells + 1) ** np.arange(axes)
+        first, second = (((p - lower) * (cells / size)).astype(np.int64) @ weights for p in (a, b))
+        pair = np.minimum(first, second) * (cells + 1) ** axes + np.maximum(first, second)  # below 2**63
+        kept = np.unique(pair, return_index=True)[1]
+        if len(kept) <= most or cells <= 2:
+            return segments[np.sort(kept)[:most]]
         cells //= 2
+
+
+def proof(areas: Areas, first: int, last: int, *, around: bool) -> int:
+    """Return the index of the area that shows best why an operation has its strategy.
+
+    Parameters
+    ----------
+    areas : Areas
+        With one area at least.
+    first, last : int
+        The trajectories that follow the strategy, last inclusive.
+    around : bool
+        Whether it is a strategy of loops: phi decides, and the area is shown in which it goes farthest, of equal ones
+        the longest. Of others the longest is.
+    """
+    begin = areas.index[areas.start]
+    inside = np.flatnonzero((begin >= first) & (begin <= last))
+    chosen = inside if len(inside) else np.arange(len(areas.start))
+    if around:
+        reached = np.abs(areas.phi_ranges[chosen]).max(axis=1)
+        chosen = chosen[reached >= reached.max() - TURNS.EXACT]
+    return int(chosen[np.argmax(areas.area_length[chosen])])
