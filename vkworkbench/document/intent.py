@@ -21,7 +21,7 @@ _PATTERNS = {
 }  # fmt: skip
 # Fewer rows or loops may be all there is room for: a slot as wide as the tool is one line or one loop, whatever the pattern.
 ENOUGH = 3
-SURE = 0.9  # confidence; below it the recognition itself may be wrong
+SURE = 0.8  # confidence; below it the recognition itself may be wrong
 
 
 def contradicts(name: str | None, found: Recognition) -> bool:
@@ -30,7 +30,8 @@ def contradicts(name: str | None, found: Recognition) -> bool:
     How often it is right, `benchmarks/intent.py` prints.
     """
     meant = _KINDS.get(name) or _PATTERNS.get(name)
-    if not meant or not found.strategy.is_answer or found.confidence < SURE or (found.passes or 0) < ENOUGH:
+    few = found.passes is not None and found.passes < ENOUGH
+    if not meant or not found.strategy.is_answer or found.confidence < SURE or few:
         return False
     done = {found.strategy.family, *(span.strategy.family for span in found.spans)} - {Family.NONE}
     return not done & meant
