@@ -10,6 +10,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 from dataclasses import dataclass
+from functools import lru_cache
 
 import FreeCAD
 
@@ -20,11 +21,17 @@ WORKBENCHES = {"CAMWorkbench": "&CAM", "PathWorkbench": "&Path"}
 TREE_DOCKS = ("Combo View", "Model", "Tree view")  # docks with the tree: in 0.20, since 1.0, and one of its own
 DESCRIPTION_HIDDEN_SINCE = (1, 0)  # the tree's Description column can be hidden, and is at first
 QT6_SINCE = (1, 1)
+TIME_PROPERTY_SINCE = (1, 0)  # App::PropertyTime
 
 
 def version() -> tuple[int, int, int]:
     """Return the version of this FreeCAD, e.g. ``(0, 20, 2)``; a part that does not begin with a number is 0."""
-    return tuple(int(re.match(r"\d*", part).group() or 0) for part in FreeCAD.Version()[:3])
+    return _numbers(tuple(FreeCAD.Version()[:3]))
+
+
+@lru_cache
+def _numbers(parts: tuple[str, ...]) -> tuple[int, ...]:
+    return tuple(int(re.match(r"\d*", part).group() or 0) for part in parts)
 
 # FreeCAD's simulators by the names of their entries in core/simulators: what the menu calls them since which version,
 # the newest first, with the context of that text and the command's name.
@@ -52,6 +59,11 @@ def simulator_command(name: str) -> str | None:
     """Return the name of the command that starts a simulator; None where this FreeCAD has none such."""
     entry = _simulator(name)
     return entry[2] if entry else None
+
+
+def own_simulators() -> tuple[str, ...]:
+    """Return the names of the simulators that this FreeCAD has."""
+    return tuple(name for name in _SIMULATORS if _simulator(name))
 
 
 def own_simulator() -> str:

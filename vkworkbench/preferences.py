@@ -12,6 +12,7 @@ import sys
 from collections.abc import Callable
 from dataclasses import dataclass, field, fields
 
+OWN = "own"  # the simulator that this FreeCAD's own button starts
 GROUP = "User parameter:BaseApp/Preferences/Mod/VkWorkbench"
 
 # Where the eye looks, as FreeCAD names its standard views.
@@ -34,7 +35,7 @@ def _simulators() -> tuple[str, ...]:
     from vkworkbench.core.simulators import available
     from vkworkbench.freecad import version
 
-    return tuple(simulator.name for simulator in available(version()))
+    return OWN, *(simulator.name for simulator in available(version()))
 
 
 @dataclass(frozen=True)
@@ -43,9 +44,10 @@ class Preferences:
 
     Attributes
     ----------
-    mark_simulator : {"z-buffer", "legacy", "OpenGL"}
-        Whose time and memory the marks show: of the paper's extended z-buffer, of FreeCAD's legacy simulator in
-        fast-forward, or of its OpenGL simulator at its highest speed. FreeCAD 0.20 has no OpenGL simulator.
+    mark_simulator : {"own", "z-buffer", "legacy", "OpenGL"}
+        Whose time the marks show: of the simulator that this FreeCAD's own button starts, of the paper's extended
+        z-buffer, of FreeCAD's legacy simulator in fast-forward, or of its OpenGL simulator at its highest speed.
+        FreeCAD 0.20 has no OpenGL simulator.
     legacy_accuracy : float
         Edge of a cell of the legacy simulator in percent of the stock's longer side: 0.1 is the finest position of
         its slider, 1 the coarsest.
@@ -69,7 +71,7 @@ class Preferences:
         OpenGL's name of what draws on this computer, noted by the last calibration; not on the page.
     """
 
-    mark_simulator: str = _choice("z-buffer", _simulators)
+    mark_simulator: str = _choice(OWN, _simulators)
     legacy_accuracy: float = _number(0.1, 0.1, 1.0)
     opengl_quality: int = _number(10, 1, 10)
     time_budget: float = _number(600.0, 0.1, 1e6)
@@ -81,6 +83,15 @@ class Preferences:
     analyze_after_recompute: bool = False
     show_pills: bool = True
     renderer: str = ""
+
+    @property
+    def simulator(self) -> str:
+        """Name of the simulator whose time the marks show."""
+        if self.mark_simulator != OWN:
+            return self.mark_simulator
+        from vkworkbench.freecad import own_simulator
+
+        return own_simulator()
 
     @property
     def memory_budget_bytes(self) -> float:
@@ -124,6 +135,25 @@ def write(**values) -> None:
     types = {preference.name: type(preference.default) for preference in fields(Preferences)}
     for name, value in values.items():
         setters[types[name]](entry(name), types[name](value))
+
+
+def observe(changed: Callable[[str], None]) -> None:
+    """Call a function with the name of each preference that changes from now on, or of all; whoever changes them."""
+    import FreeCAD
+
+    names = {entry(preference.name): preference.name for preference in fields(Preferences)}
+
+    class Observer:
+        def onChange(self, group, parameter: str | None) -> None:
+            for name in [names[parameter]] if parameter in names else [] if parameter else names.values():
+                changed(name)
+
+    group, observer = FreeCAD.ParamGet(GROUP), Observer()
+    group.Attach(observer)
+    _observers.append((group, observer))  # FreeCAD keeps neither alive
+
+
+_observers: list = []
 
 
 def entry(name: str) -> str:

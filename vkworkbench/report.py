@@ -6,18 +6,21 @@ from __future__ import annotations
 import csv
 import json
 import re
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
 from vkworkbench.core import Estimate, Machining, Recognition, Span, Strategy
 from vkworkbench.core.paper import PaperVerdict
-from vkworkbench.core.simulators import ZBUFFER, Caution, Cost, Costs, LegacyCost, together
+from vkworkbench.core.simulators import SIMULATORS, ZBUFFER, Caution, Cost, Costs, LegacyCost, together
 from vkworkbench.language import ENGLISH, Message, render
 
 # A text that spreadsheets take for a formula: one of these signs, after characters that they skip. East Asian ones
 # take the full-width signs as well.
 _FORMULA = re.compile(r"[\s\x00-\x1f\ufeff\u200b-\u200f\u2060]*[=+\-@＝＋－＠]")
+# Cautions on what hangs a simulator, or takes longer or more memory than the user allows.
+HANGS = frozenset({"legacy-hangs"})
+SERIOUS = HANGS | {"long-play", "memory"}
 _CONTROL = re.compile(r"[\x00-\x1f\x7f-\x9f]+")
 
 
@@ -97,6 +100,26 @@ class OperationReport(Costs):
     def length(self) -> float:
         """Cutting length, mm, arcs by their exact length."""
         return self.machining.cutting_length
+
+    @property
+    def machining_seconds(self) -> float | None:
+        """Time of the moves whose speed is known, s; None where none is."""
+        return self.machining.seconds
+
+    @property
+    def left_out(self) -> tuple[Message, ...]:
+        """What that time leaves out; empty where it is complete."""
+        return self.machining.left_out
+
+    @property
+    def stepover(self) -> float | None:
+        """Distance between neighbouring passes, mm."""
+        return self.recognition.stepover
+
+    @property
+    def to_be_known(self) -> bool:
+        """Whether the user must know something of it before simulating: an error, a hang, a long play, too much memory."""
+        return bool(self.remarks) or any(caution.code in SERIOUS for caution in self.cautions)
 
     @property
     def error(self) -> str | None:
@@ -265,23 +288,7 @@ class Report:
 
     def _total(self, document: str, job: str, label: str) -> Total:
         counted = [o for o in self.operations if o.counted and (o.document, o.job) == (document, job)]
-        known = [o for o in counted if o.costs]
-        stepover = min((o.recognition.stepover for o in known if o.recognition.stepover), default=None)
-        labels = [o.label for o in known]
-        fixtures = self.fixtures.get((document, job), 1)
-        costs, advice = together([o.costs for o in known], labels=labels, stepover=stepover, **self.budget)
-        return Total(
-            document, job, label,
-            operations=len(counted),
-            trajectories=sum(o.trajectories for o in counted),
-            length=sum(o.length for o in counted),
-            fixtures=fixtures,
-            machining_seconds=fixtures * sum(o.machining.seconds or 0.0 for o in counted),
-            machining_complete=all(o.machining.complete for o in counted),
-            incomplete=len(known) < sum(o.trajectories > 0 for o in counted),
-            costs=costs,
-            advice=advice,
-        )  # fmt: skip
+        return total_of(document, job, label, counted, self.budget, self.fixtures.get((document, job), 1))
 
     def __str__(self) -> str:
         if not self.operations:
@@ -317,6 +324,44 @@ class Report:
         }
         with open(path, "w", encoding="utf-8") as file:
             json.dump(data, file, indent=1, ensure_ascii=False)
+
+
+def total_of(
+    document: str, job: str, label: str, counted: Sequence, budget: dict[str, float] | None, fixtures: int = 1
+) -> Total:
+    """Return what operations take together, one after another: the one computation of every total that is shown.
+
+    Parameters
+    ----------
+    document, job, label : str
+        As of :class:`Total`.
+    counted : sequence of OperationReport or Record
+        The operations that are posted, in their order.
+    budget : dict or None
+        As of :class:`Report`; without one nothing is advised.
+    fixtures : int
+        How often the operations are posted.
+    """
+    known = [o for o in counted if o.costs]
+    if budget is None:
+        each = {s: [o.costs[s.name] for o in known if s.name in o.costs] for s in SIMULATORS}
+        costs, advice = {s.name: s.together(alone) for s, alone in each.items() if len(alone) == len(known) > 0}, {}
+    else:
+        stepover = min((o.stepover for o in known if o.stepover), default=None)
+        labels = [o.label for o in known]
+        costs, advice = together([o.costs for o in known], labels=labels, stepover=stepover, **budget)
+    return Total(
+        document, job, label,
+        operations=len(counted),
+        trajectories=sum(o.trajectories for o in counted),
+        length=sum(o.length for o in counted),
+        fixtures=fixtures,
+        machining_seconds=fixtures * sum(o.machining_seconds or 0.0 for o in counted),
+        machining_complete=not any(o.left_out for o in counted),
+        incomplete=len(known) < sum(o.trajectories > 0 for o in counted),
+        costs=costs,
+        advice=advice,
+    )  # fmt: skip
 
 
 def cells_of(operation: OperationReport) -> dict[str, Any]:

@@ -5,11 +5,6 @@
     <name>App::Property</name>
     <message>
         <source>Machining strategy recognised from the toolpath</source>
-        <extracomment>What was found in this session.</extracomment>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>How sure the recognition is, 0 to 1</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -17,39 +12,28 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>What is wrong with the operation or unknown about it</source>
+        <source>What the mark in the description says</source>
+        <extracomment>What was found in this session.</extracomment>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Number of straight moves, arcs chopped</source>
+        <source>How sure the recognition is, in percent</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Cutting length in mm</source>
+        <source>What is wrong with the operation, unknown about it, or to be known before simulating it</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Simulator whose time and memory are given</source>
+        <source>Length of the cutting moves</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Estimated time of simulating it, in seconds</source>
+        <source>Time on the machine</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Estimated memory of simulating it, in bytes</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Of the path, tool and stock analysed</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The true time is between the estimated one divided and multiplied by this</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Reason and remark as codes with their arguments</source>
+        <source>Estimated time of the simulation that the mark shows</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -68,15 +52,35 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>{trajectories} trajectories, {length} cutting</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Outdated: toolpath, tool or stock have changed since. Analyze it again.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Simulating it takes {time} and {memory} ({simulator})</source>
+        <source>The time in the {simulator} is not known: analyze it again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{strategy}, {share} sure</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>On the machine: {length} of cutting</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>On the machine: {time}, {length} of cutting</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>On the machine: at least {time}, {length} of cutting</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Simulating it in the {simulator}: {time}, {memory}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Simulating it in the {simulator}: at least {time}, {memory}</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -845,25 +849,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The simulator whose time and memory the marks show. FreeCAD 0.20 has no OpenGL simulator.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Extended z-buffer</source>
-        <extracomment>The paper&apos;s; its columns in CSV and JSON have no prefix.</extracomment>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>FreeCAD&apos;s legacy simulator</source>
-        <extracomment>FreeCAD&apos;s older one.</extracomment>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>FreeCAD&apos;s OpenGL simulator</source>
-        <extracomment>FreeCAD&apos;s newer one, which draws the cuts of all operations before with every operation.</extracomment>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Shows the marks as colored pills in the tree; as plain text if switched off.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -956,15 +941,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Legacy simulator accuracy</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Edge of its cells in percent of the stock&apos;s longer side: 0.1 is the finest position of its slider, 1 the coarsest.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>OpenGL simulator quality</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -989,6 +966,22 @@
     </message>
     <message>
         <source>Last calibrated on {date}: the {simulator} makes {moves} cuts a second, its times are right within a factor of {factor}. Measured with FreeCAD {freecad} on {processor}, display {renderer}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>That of FreeCAD&apos;s button: {simulator}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{simulator}: accuracy</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{simulator}: quality</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The simulator whose time the marks show. They follow at once.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1246,6 +1239,7 @@
     <message>
         <source>Z-buffer
 time</source>
+        <extracomment>The paper&apos;s; its columns in CSV and JSON have no prefix.</extracomment>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1264,6 +1258,7 @@ memory</source>
     <message>
         <source>Legacy
 time</source>
+        <extracomment>FreeCAD&apos;s older one.</extracomment>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1274,6 +1269,7 @@ memory</source>
     <message>
         <source>OpenGL
 time</source>
+        <extracomment>FreeCAD&apos;s newer one, which draws the cuts of all operations before with every operation.</extracomment>
         <translation type="unfinished"></translation>
     </message>
     <message>

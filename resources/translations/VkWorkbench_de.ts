@@ -5,52 +5,36 @@
     <name>App::Property</name>
     <message>
         <source>Machining strategy recognised from the toolpath</source>
-        <extracomment>What was found in this session.</extracomment>
         <translation>Aus dem Werkzeugweg erkannte Bearbeitungsstrategie</translation>
-    </message>
-    <message>
-        <source>How sure the recognition is, 0 to 1</source>
-        <translation>Wie sicher die Erkennung ist, 0 bis 1</translation>
     </message>
     <message>
         <source>Why this strategy</source>
         <translation>Warum diese Strategie</translation>
     </message>
     <message>
-        <source>What is wrong with the operation or unknown about it</source>
-        <translation>Was an der Operation nicht stimmt oder unbekannt ist</translation>
+        <source>What the mark in the description says</source>
+        <extracomment>What was found in this session.</extracomment>
+        <translation>Was die Markierung in der Beschreibung sagt</translation>
     </message>
     <message>
-        <source>Number of straight moves, arcs chopped</source>
-        <translation>Anzahl gerader Bewegungen, Bögen zerlegt</translation>
+        <source>How sure the recognition is, in percent</source>
+        <translation>Wie sicher die Erkennung ist, in Prozent</translation>
     </message>
     <message>
-        <source>Cutting length in mm</source>
-        <translation>Schnittlänge in mm</translation>
+        <source>What is wrong with the operation, unknown about it, or to be known before simulating it</source>
+        <translation>Was an der Operation falsch oder unbekannt ist, oder was vor dem Simulieren zu wissen ist</translation>
     </message>
     <message>
-        <source>Simulator whose time and memory are given</source>
-        <translation>Simulator, dessen Zeit und Speicher angegeben sind</translation>
+        <source>Length of the cutting moves</source>
+        <translation>Länge der schneidenden Bewegungen</translation>
     </message>
     <message>
-        <source>Estimated time of simulating it, in seconds</source>
-        <translation>Geschätzte Zeit der Simulation in Sekunden</translation>
+        <source>Time on the machine</source>
+        <translation>Zeit auf der Maschine</translation>
     </message>
     <message>
-        <source>Estimated memory of simulating it, in bytes</source>
-        <translation>Geschätzter Speicher der Simulation in Byte</translation>
-    </message>
-    <message>
-        <source>Of the path, tool and stock analysed</source>
-        <translation>Von Weg, Werkzeug und Rohteil, die analysiert wurden</translation>
-    </message>
-    <message>
-        <source>The true time is between the estimated one divided and multiplied by this</source>
-        <translation>Die wahre Zeit liegt zwischen der geschätzten geteilt durch und mal diese Zahl</translation>
-    </message>
-    <message>
-        <source>Reason and remark as codes with their arguments</source>
-        <translation>Grund und Bemerkung als Codes mit ihren Argumenten</translation>
+        <source>Estimated time of the simulation that the mark shows</source>
+        <translation>Geschätzte Zeit der Simulation, die die Markierung zeigt</translation>
     </message>
 </context>
 <context>
@@ -68,16 +52,36 @@
         <translation>{} Operationen</translation>
     </message>
     <message>
-        <source>{trajectories} trajectories, {length} cutting</source>
-        <translation>{trajectories} Bewegungen, {length} im Schnitt</translation>
-    </message>
-    <message>
         <source>Outdated: toolpath, tool or stock have changed since. Analyze it again.</source>
         <translation>Veraltet: Werkzeugweg, Werkzeug oder Rohteil wurden seither geändert. Bitte neu analysieren.</translation>
     </message>
     <message>
-        <source>Simulating it takes {time} and {memory} ({simulator})</source>
-        <translation>Die Simulation braucht {time} und {memory} ({simulator})</translation>
+        <source>The time in the {simulator} is not known: analyze it again.</source>
+        <translation>Die Zeit im {simulator} ist nicht bekannt: Noch einmal analysieren.</translation>
+    </message>
+    <message>
+        <source>{strategy}, {share} sure</source>
+        <translation>{strategy}, zu {share} sicher</translation>
+    </message>
+    <message>
+        <source>On the machine: {length} of cutting</source>
+        <translation>Auf der Maschine: {length} Schnittweg</translation>
+    </message>
+    <message>
+        <source>On the machine: {time}, {length} of cutting</source>
+        <translation>Auf der Maschine: {time}, {length} Schnittweg</translation>
+    </message>
+    <message>
+        <source>On the machine: at least {time}, {length} of cutting</source>
+        <translation>Auf der Maschine: mindestens {time}, {length} Schnittweg</translation>
+    </message>
+    <message>
+        <source>Simulating it in the {simulator}: {time}, {memory}</source>
+        <translation>Simulieren im {simulator}: {time}, {memory}</translation>
+    </message>
+    <message>
+        <source>Simulating it in the {simulator}: at least {time}, {memory}</source>
+        <translation>Simulieren im {simulator}: mindestens {time}, {memory}</translation>
     </message>
 </context>
 <context>
@@ -845,25 +849,6 @@
         <translation>Zeit und Speicher von</translation>
     </message>
     <message>
-        <source>The simulator whose time and memory the marks show. FreeCAD 0.20 has no OpenGL simulator.</source>
-        <translation>Der Simulator, dessen Zeit und Speicher die Markierungen zeigen. FreeCAD 0.20 hat keinen OpenGL-Simulator.</translation>
-    </message>
-    <message>
-        <source>Extended z-buffer</source>
-        <extracomment>The paper&apos;s; its columns in CSV and JSON have no prefix.</extracomment>
-        <translation>Erweiterter Z-Buffer</translation>
-    </message>
-    <message>
-        <source>FreeCAD&apos;s legacy simulator</source>
-        <extracomment>FreeCAD&apos;s older one.</extracomment>
-        <translation>Alter Simulator von FreeCAD</translation>
-    </message>
-    <message>
-        <source>FreeCAD&apos;s OpenGL simulator</source>
-        <extracomment>FreeCAD&apos;s newer one, which draws the cuts of all operations before with every operation.</extracomment>
-        <translation>OpenGL-Simulator von FreeCAD</translation>
-    </message>
-    <message>
         <source>Shows the marks as colored pills in the tree; as plain text if switched off.</source>
         <translation>Zeigt die Markierungen im Baum als farbige Schildchen; ausgeschaltet als einfachen Text.</translation>
     </message>
@@ -956,16 +941,8 @@
         <translation>Isometrisch</translation>
     </message>
     <message>
-        <source>Legacy simulator accuracy</source>
-        <translation>Genauigkeit des alten Simulators</translation>
-    </message>
-    <message>
         <source>Edge of its cells in percent of the stock&apos;s longer side: 0.1 is the finest position of its slider, 1 the coarsest.</source>
         <translation>Kantenlänge seiner Zellen in Prozent der längeren Seite des Rohteils: 0,1 ist die feinste Stellung seines Reglers, 1 die gröbste.</translation>
-    </message>
-    <message>
-        <source>OpenGL simulator quality</source>
-        <translation>Qualität des OpenGL-Simulators</translation>
     </message>
     <message>
         <source>Position of its quality slider; 10 is the best.</source>
@@ -990,6 +967,22 @@
     <message>
         <source>Last calibrated on {date}: the {simulator} makes {moves} cuts a second, its times are right within a factor of {factor}. Measured with FreeCAD {freecad} on {processor}, display {renderer}.</source>
         <translation>Zuletzt kalibriert am {date}: Der {simulator} macht {moves} Schnitte pro Sekunde, seine Zeiten stimmen auf einen Faktor {factor} genau. Gemessen mit FreeCAD {freecad} auf {processor}, Anzeige {renderer}.</translation>
+    </message>
+    <message>
+        <source>That of FreeCAD&apos;s button: {simulator}</source>
+        <translation>Der von FreeCADs Knopf: {simulator}</translation>
+    </message>
+    <message>
+        <source>{simulator}: accuracy</source>
+        <translation>{simulator}: Genauigkeit</translation>
+    </message>
+    <message>
+        <source>{simulator}: quality</source>
+        <translation>{simulator}: Qualität</translation>
+    </message>
+    <message>
+        <source>The simulator whose time the marks show. They follow at once.</source>
+        <translation>Der Simulator, dessen Zeit die Markierungen zeigen. Sie folgen sofort.</translation>
     </message>
 </context>
 <context>
@@ -1241,11 +1234,12 @@
     </message>
     <message>
         <source>Length of the cutting moves</source>
-        <translation>Länge der Schnittbewegungen</translation>
+        <translation>Länge der schneidenden Bewegungen</translation>
     </message>
     <message>
         <source>Z-buffer
 time</source>
+        <extracomment>The paper&apos;s; its columns in CSV and JSON have no prefix.</extracomment>
         <translation>Z-Buffer
 Zeit</translation>
     </message>
@@ -1266,6 +1260,7 @@ Speicher</translation>
     <message>
         <source>Legacy
 time</source>
+        <extracomment>FreeCAD&apos;s older one.</extracomment>
         <translation>Alter Sim.
 Zeit</translation>
     </message>
@@ -1278,6 +1273,7 @@ Speicher</translation>
     <message>
         <source>OpenGL
 time</source>
+        <extracomment>FreeCAD&apos;s newer one, which draws the cuts of all operations before with every operation.</extracomment>
         <translation>OpenGL
 Zeit</translation>
     </message>

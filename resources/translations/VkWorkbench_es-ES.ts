@@ -5,52 +5,36 @@
     <name>App::Property</name>
     <message>
         <source>Machining strategy recognised from the toolpath</source>
-        <extracomment>What was found in this session.</extracomment>
         <translation>Estrategia de mecanizado reconocida en la trayectoria de la herramienta</translation>
-    </message>
-    <message>
-        <source>How sure the recognition is, 0 to 1</source>
-        <translation>Seguridad del reconocimiento, de 0 a 1</translation>
     </message>
     <message>
         <source>Why this strategy</source>
         <translation>Por qué esta estrategia</translation>
     </message>
     <message>
-        <source>What is wrong with the operation or unknown about it</source>
-        <translation>Lo que falla en la operación o se desconoce de ella</translation>
+        <source>What the mark in the description says</source>
+        <extracomment>What was found in this session.</extracomment>
+        <translation>Lo que dice la marca en la descripción</translation>
     </message>
     <message>
-        <source>Number of straight moves, arcs chopped</source>
-        <translation>Número de movimientos rectos, con los arcos troceados</translation>
+        <source>How sure the recognition is, in percent</source>
+        <translation>Seguridad del reconocimiento, en tanto por ciento</translation>
     </message>
     <message>
-        <source>Cutting length in mm</source>
-        <translation>Longitud de corte en mm</translation>
+        <source>What is wrong with the operation, unknown about it, or to be known before simulating it</source>
+        <translation>Lo que está mal o se desconoce de la operación, o que hay que saber antes de simularla</translation>
     </message>
     <message>
-        <source>Simulator whose time and memory are given</source>
-        <translation>Simulador cuyo tiempo y memoria se indican</translation>
+        <source>Length of the cutting moves</source>
+        <translation>Longitud de los movimientos de corte</translation>
     </message>
     <message>
-        <source>Estimated time of simulating it, in seconds</source>
-        <translation>Tiempo estimado de su simulación, en segundos</translation>
+        <source>Time on the machine</source>
+        <translation>Tiempo en la máquina</translation>
     </message>
     <message>
-        <source>Estimated memory of simulating it, in bytes</source>
-        <translation>Memoria estimada de su simulación, en bytes</translation>
-    </message>
-    <message>
-        <source>Of the path, tool and stock analysed</source>
-        <translation>De la trayectoria, la herramienta y el material analizados</translation>
-    </message>
-    <message>
-        <source>The true time is between the estimated one divided and multiplied by this</source>
-        <translation>El tiempo real está entre el estimado dividido y multiplicado por este número</translation>
-    </message>
-    <message>
-        <source>Reason and remark as codes with their arguments</source>
-        <translation>Razón y observación como códigos con sus argumentos</translation>
+        <source>Estimated time of the simulation that the mark shows</source>
+        <translation>Tiempo estimado de la simulación que muestra la marca</translation>
     </message>
 </context>
 <context>
@@ -68,16 +52,36 @@
         <translation>{} operaciones</translation>
     </message>
     <message>
-        <source>{trajectories} trajectories, {length} cutting</source>
-        <translation>{trajectories} tramos, {length} de corte</translation>
-    </message>
-    <message>
         <source>Outdated: toolpath, tool or stock have changed since. Analyze it again.</source>
         <translation>Anticuado: la trayectoria, la herramienta o el material han cambiado desde entonces. Analícela de nuevo.</translation>
     </message>
     <message>
-        <source>Simulating it takes {time} and {memory} ({simulator})</source>
-        <translation>Simularla requiere {time} y {memory} ({simulator})</translation>
+        <source>The time in the {simulator} is not known: analyze it again.</source>
+        <translation>El tiempo en el {simulator} no se conoce: analícelo de nuevo.</translation>
+    </message>
+    <message>
+        <source>{strategy}, {share} sure</source>
+        <translation>{strategy}, seguro al {share}</translation>
+    </message>
+    <message>
+        <source>On the machine: {length} of cutting</source>
+        <translation>En la máquina: {length} de corte</translation>
+    </message>
+    <message>
+        <source>On the machine: {time}, {length} of cutting</source>
+        <translation>En la máquina: {time}, {length} de corte</translation>
+    </message>
+    <message>
+        <source>On the machine: at least {time}, {length} of cutting</source>
+        <translation>En la máquina: al menos {time}, {length} de corte</translation>
+    </message>
+    <message>
+        <source>Simulating it in the {simulator}: {time}, {memory}</source>
+        <translation>Simulación en el {simulator}: {time}, {memory}</translation>
+    </message>
+    <message>
+        <source>Simulating it in the {simulator}: at least {time}, {memory}</source>
+        <translation>Simulación en el {simulator}: al menos {time}, {memory}</translation>
     </message>
 </context>
 <context>
@@ -845,25 +849,6 @@
         <translation>Tiempo y memoria de</translation>
     </message>
     <message>
-        <source>The simulator whose time and memory the marks show. FreeCAD 0.20 has no OpenGL simulator.</source>
-        <translation>El simulador cuyo tiempo y memoria muestran las marcas. FreeCAD 0.20 no tiene simulador OpenGL.</translation>
-    </message>
-    <message>
-        <source>Extended z-buffer</source>
-        <extracomment>The paper&apos;s; its columns in CSV and JSON have no prefix.</extracomment>
-        <translation>Z-buffer extendido</translation>
-    </message>
-    <message>
-        <source>FreeCAD&apos;s legacy simulator</source>
-        <extracomment>FreeCAD&apos;s older one.</extracomment>
-        <translation>Simulador antiguo de FreeCAD</translation>
-    </message>
-    <message>
-        <source>FreeCAD&apos;s OpenGL simulator</source>
-        <extracomment>FreeCAD&apos;s newer one, which draws the cuts of all operations before with every operation.</extracomment>
-        <translation>Simulador OpenGL de FreeCAD</translation>
-    </message>
-    <message>
         <source>Shows the marks as colored pills in the tree; as plain text if switched off.</source>
         <translation>Muestra las marcas como etiquetas de color en el árbol; si se desactiva, como texto sencillo.</translation>
     </message>
@@ -956,16 +941,8 @@
         <translation>Isométrica</translation>
     </message>
     <message>
-        <source>Legacy simulator accuracy</source>
-        <translation>Precisión del simulador antiguo</translation>
-    </message>
-    <message>
         <source>Edge of its cells in percent of the stock&apos;s longer side: 0.1 is the finest position of its slider, 1 the coarsest.</source>
         <translation>Arista de sus celdas en tanto por ciento del lado más largo del material: 0,1 es la posición más fina de su control, 1 la más gruesa.</translation>
-    </message>
-    <message>
-        <source>OpenGL simulator quality</source>
-        <translation>Calidad del simulador OpenGL</translation>
     </message>
     <message>
         <source>Position of its quality slider; 10 is the best.</source>
@@ -990,6 +967,22 @@
     <message>
         <source>Last calibrated on {date}: the {simulator} makes {moves} cuts a second, its times are right within a factor of {factor}. Measured with FreeCAD {freecad} on {processor}, display {renderer}.</source>
         <translation>Última calibración el {date}: el {simulator} hace {moves} cortes por segundo, sus tiempos aciertan dentro de un factor {factor}. Medido con FreeCAD {freecad} en {processor}, pantalla {renderer}.</translation>
+    </message>
+    <message>
+        <source>That of FreeCAD&apos;s button: {simulator}</source>
+        <translation>El del botón de FreeCAD: {simulator}</translation>
+    </message>
+    <message>
+        <source>{simulator}: accuracy</source>
+        <translation>{simulator}: precisión</translation>
+    </message>
+    <message>
+        <source>{simulator}: quality</source>
+        <translation>{simulator}: calidad</translation>
+    </message>
+    <message>
+        <source>The simulator whose time the marks show. They follow at once.</source>
+        <translation>El simulador cuyo tiempo muestran las marcas. Estas lo siguen de inmediato.</translation>
     </message>
 </context>
 <context>
@@ -1246,6 +1239,7 @@
     <message>
         <source>Z-buffer
 time</source>
+        <extracomment>The paper&apos;s; its columns in CSV and JSON have no prefix.</extracomment>
         <translation>Z-buffer
 tiempo</translation>
     </message>
@@ -1266,6 +1260,7 @@ memoria</translation>
     <message>
         <source>Legacy
 time</source>
+        <extracomment>FreeCAD&apos;s older one.</extracomment>
         <translation>Antiguo
 tiempo</translation>
     </message>
@@ -1278,6 +1273,7 @@ memoria</translation>
     <message>
         <source>OpenGL
 time</source>
+        <extracomment>FreeCAD&apos;s newer one, which draws the cuts of all operations before with every operation.</extracomment>
         <translation>OpenGL
 tiempo</translation>
     </message>

@@ -5,52 +5,36 @@
     <name>App::Property</name>
     <message>
         <source>Machining strategy recognised from the toolpath</source>
-        <extracomment>What was found in this session.</extracomment>
         <translation>Stratégie d&apos;usinage reconnue à partir du parcours d&apos;outil</translation>
-    </message>
-    <message>
-        <source>How sure the recognition is, 0 to 1</source>
-        <translation>Fiabilité de la reconnaissance, de 0 à 1</translation>
     </message>
     <message>
         <source>Why this strategy</source>
         <translation>Pourquoi cette stratégie</translation>
     </message>
     <message>
-        <source>What is wrong with the operation or unknown about it</source>
-        <translation>Ce qui ne va pas dans l&apos;opération ou reste inconnu</translation>
+        <source>What the mark in the description says</source>
+        <extracomment>What was found in this session.</extracomment>
+        <translation>Ce que dit la marque dans la description</translation>
     </message>
     <message>
-        <source>Number of straight moves, arcs chopped</source>
-        <translation>Nombre de mouvements droits, arcs découpés</translation>
+        <source>How sure the recognition is, in percent</source>
+        <translation>Certitude de la reconnaissance, en pour cent</translation>
     </message>
     <message>
-        <source>Cutting length in mm</source>
-        <translation>Longueur de coupe en mm</translation>
+        <source>What is wrong with the operation, unknown about it, or to be known before simulating it</source>
+        <translation>Ce qui est faux ou inconnu dans l&apos;opération, ou à savoir avant de la simuler</translation>
     </message>
     <message>
-        <source>Simulator whose time and memory are given</source>
-        <translation>Simulateur dont le temps et la mémoire sont donnés</translation>
+        <source>Length of the cutting moves</source>
+        <translation>Longueur des mouvements d&apos;usinage</translation>
     </message>
     <message>
-        <source>Estimated time of simulating it, in seconds</source>
-        <translation>Temps estimé de sa simulation, en secondes</translation>
+        <source>Time on the machine</source>
+        <translation>Temps sur la machine</translation>
     </message>
     <message>
-        <source>Estimated memory of simulating it, in bytes</source>
-        <translation>Mémoire estimée de sa simulation, en octets</translation>
-    </message>
-    <message>
-        <source>Of the path, tool and stock analysed</source>
-        <translation>Du parcours, de l&apos;outil et du brut analysés</translation>
-    </message>
-    <message>
-        <source>The true time is between the estimated one divided and multiplied by this</source>
-        <translation>La durée réelle est comprise entre l&apos;estimation divisée et multipliée par ce nombre</translation>
-    </message>
-    <message>
-        <source>Reason and remark as codes with their arguments</source>
-        <translation>Raison et remarque sous forme de codes avec leurs arguments</translation>
+        <source>Estimated time of the simulation that the mark shows</source>
+        <translation>Temps estimé de la simulation que montre la marque</translation>
     </message>
 </context>
 <context>
@@ -68,16 +52,36 @@
         <translation>{} opérations</translation>
     </message>
     <message>
-        <source>{trajectories} trajectories, {length} cutting</source>
-        <translation>{trajectories} trajectoires, {length} en coupe</translation>
-    </message>
-    <message>
         <source>Outdated: toolpath, tool or stock have changed since. Analyze it again.</source>
         <translation>Périmé : le parcours, l&apos;outil ou le brut ont changé depuis. Analysez à nouveau.</translation>
     </message>
     <message>
-        <source>Simulating it takes {time} and {memory} ({simulator})</source>
-        <translation>Sa simulation prend {time} et {memory} ({simulator})</translation>
+        <source>The time in the {simulator} is not known: analyze it again.</source>
+        <translation>Le temps dans le {simulator} n&apos;est pas connu : analysez-le à nouveau.</translation>
+    </message>
+    <message>
+        <source>{strategy}, {share} sure</source>
+        <translation>{strategy}, sûr à {share}</translation>
+    </message>
+    <message>
+        <source>On the machine: {length} of cutting</source>
+        <translation>Sur la machine : {length} d&apos;usinage</translation>
+    </message>
+    <message>
+        <source>On the machine: {time}, {length} of cutting</source>
+        <translation>Sur la machine : {time}, {length} d&apos;usinage</translation>
+    </message>
+    <message>
+        <source>On the machine: at least {time}, {length} of cutting</source>
+        <translation>Sur la machine : au moins {time}, {length} d&apos;usinage</translation>
+    </message>
+    <message>
+        <source>Simulating it in the {simulator}: {time}, {memory}</source>
+        <translation>Simulation dans le {simulator} : {time}, {memory}</translation>
+    </message>
+    <message>
+        <source>Simulating it in the {simulator}: at least {time}, {memory}</source>
+        <translation>Simulation dans le {simulator} : au moins {time}, {memory}</translation>
     </message>
 </context>
 <context>
@@ -845,25 +849,6 @@
         <translation>Temps et mémoire de</translation>
     </message>
     <message>
-        <source>The simulator whose time and memory the marks show. FreeCAD 0.20 has no OpenGL simulator.</source>
-        <translation>Le simulateur dont les marques montrent le temps et la mémoire. FreeCAD 0.20 n&apos;a pas de simulateur OpenGL.</translation>
-    </message>
-    <message>
-        <source>Extended z-buffer</source>
-        <extracomment>The paper&apos;s; its columns in CSV and JSON have no prefix.</extracomment>
-        <translation>Z-buffer étendu</translation>
-    </message>
-    <message>
-        <source>FreeCAD&apos;s legacy simulator</source>
-        <extracomment>FreeCAD&apos;s older one.</extracomment>
-        <translation>Ancien simulateur de FreeCAD</translation>
-    </message>
-    <message>
-        <source>FreeCAD&apos;s OpenGL simulator</source>
-        <extracomment>FreeCAD&apos;s newer one, which draws the cuts of all operations before with every operation.</extracomment>
-        <translation>Simulateur OpenGL de FreeCAD</translation>
-    </message>
-    <message>
         <source>Shows the marks as colored pills in the tree; as plain text if switched off.</source>
         <translation>Montre les marques comme des pastilles colorées dans l&apos;arborescence ; sinon comme du texte simple.</translation>
     </message>
@@ -956,16 +941,8 @@
         <translation>Isométrique</translation>
     </message>
     <message>
-        <source>Legacy simulator accuracy</source>
-        <translation>Précision de l&apos;ancien simulateur</translation>
-    </message>
-    <message>
         <source>Edge of its cells in percent of the stock&apos;s longer side: 0.1 is the finest position of its slider, 1 the coarsest.</source>
         <translation>Arête de ses cellules en pour cent du plus long côté du brut : 0,1 est la position la plus fine de son curseur, 1 la plus grossière.</translation>
-    </message>
-    <message>
-        <source>OpenGL simulator quality</source>
-        <translation>Qualité du simulateur OpenGL</translation>
     </message>
     <message>
         <source>Position of its quality slider; 10 is the best.</source>
@@ -990,6 +967,22 @@
     <message>
         <source>Last calibrated on {date}: the {simulator} makes {moves} cuts a second, its times are right within a factor of {factor}. Measured with FreeCAD {freecad} on {processor}, display {renderer}.</source>
         <translation>Dernier étalonnage le {date} : le {simulator} fait {moves} coupes par seconde, ses temps sont justes à un facteur {factor} près. Mesuré avec FreeCAD {freecad} sur {processor}, affichage {renderer}.</translation>
+    </message>
+    <message>
+        <source>That of FreeCAD&apos;s button: {simulator}</source>
+        <translation>Celui du bouton de FreeCAD : {simulator}</translation>
+    </message>
+    <message>
+        <source>{simulator}: accuracy</source>
+        <translation>{simulator} : précision</translation>
+    </message>
+    <message>
+        <source>{simulator}: quality</source>
+        <translation>{simulator} : qualité</translation>
+    </message>
+    <message>
+        <source>The simulator whose time the marks show. They follow at once.</source>
+        <translation>Le simulateur dont les marques montrent le temps. Elles suivent aussitôt.</translation>
     </message>
 </context>
 <context>
@@ -1241,11 +1234,12 @@
     </message>
     <message>
         <source>Length of the cutting moves</source>
-        <translation>Longueur des mouvements de coupe</translation>
+        <translation>Longueur des mouvements d&apos;usinage</translation>
     </message>
     <message>
         <source>Z-buffer
 time</source>
+        <extracomment>The paper&apos;s; its columns in CSV and JSON have no prefix.</extracomment>
         <translation>Z-buffer
 temps</translation>
     </message>
@@ -1266,6 +1260,7 @@ mémoire</translation>
     <message>
         <source>Legacy
 time</source>
+        <extracomment>FreeCAD&apos;s older one.</extracomment>
         <translation>Ancien sim.
 temps</translation>
     </message>
@@ -1278,6 +1273,7 @@ mémoire</translation>
     <message>
         <source>OpenGL
 time</source>
+        <extracomment>FreeCAD&apos;s newer one, which draws the cuts of all operations before with every operation.</extracomment>
         <translation>OpenGL
 temps</translation>
     </message>

@@ -5,52 +5,36 @@
     <name>App::Property</name>
     <message>
         <source>Machining strategy recognised from the toolpath</source>
-        <extracomment>What was found in this session.</extracomment>
         <translation>由刀具路径识别出的加工策略</translation>
-    </message>
-    <message>
-        <source>How sure the recognition is, 0 to 1</source>
-        <translation>识别的把握程度，0 到 1</translation>
     </message>
     <message>
         <source>Why this strategy</source>
         <translation>判定为此策略的理由</translation>
     </message>
     <message>
-        <source>What is wrong with the operation or unknown about it</source>
-        <translation>操作存在的问题或未知之处</translation>
+        <source>What the mark in the description says</source>
+        <extracomment>What was found in this session.</extracomment>
+        <translation>说明中的标记内容</translation>
     </message>
     <message>
-        <source>Number of straight moves, arcs chopped</source>
-        <translation>直线移动的数目，圆弧已分段</translation>
+        <source>How sure the recognition is, in percent</source>
+        <translation>识别的把握，百分比</translation>
     </message>
     <message>
-        <source>Cutting length in mm</source>
-        <translation>切削长度（毫米）</translation>
+        <source>What is wrong with the operation, unknown about it, or to be known before simulating it</source>
+        <translation>操作有何错误、未知之处，或模拟前应知之事</translation>
     </message>
     <message>
-        <source>Simulator whose time and memory are given</source>
-        <translation>所列时间和内存对应的模拟器</translation>
+        <source>Length of the cutting moves</source>
+        <translation>切削移动的长度</translation>
     </message>
     <message>
-        <source>Estimated time of simulating it, in seconds</source>
-        <translation>模拟所需的估计时间（秒）</translation>
+        <source>Time on the machine</source>
+        <translation>机床时间</translation>
     </message>
     <message>
-        <source>Estimated memory of simulating it, in bytes</source>
-        <translation>模拟所需的估计内存（字节）</translation>
-    </message>
-    <message>
-        <source>Of the path, tool and stock analysed</source>
-        <translation>所分析的路径、刀具和毛坯的指纹</translation>
-    </message>
-    <message>
-        <source>The true time is between the estimated one divided and multiplied by this</source>
-        <translation>实际时间介于估计值除以该数与乘以该数之间</translation>
-    </message>
-    <message>
-        <source>Reason and remark as codes with their arguments</source>
-        <translation>原因和备注的代码及其参数</translation>
+        <source>Estimated time of the simulation that the mark shows</source>
+        <translation>标记所示模拟的估计时间</translation>
     </message>
 </context>
 <context>
@@ -68,16 +52,36 @@
         <translation>{} 个操作</translation>
     </message>
     <message>
-        <source>{trajectories} trajectories, {length} cutting</source>
-        <translation>{trajectories} 段轨迹，切削 {length}</translation>
-    </message>
-    <message>
         <source>Outdated: toolpath, tool or stock have changed since. Analyze it again.</source>
         <translation>已过期：刀具路径、刀具或毛坯此后已更改。请重新分析。</translation>
     </message>
     <message>
-        <source>Simulating it takes {time} and {memory} ({simulator})</source>
-        <translation>模拟需要 {time} 和 {memory}（{simulator}）</translation>
+        <source>The time in the {simulator} is not known: analyze it again.</source>
+        <translation>{simulator} 中的时间未知：请重新分析。</translation>
+    </message>
+    <message>
+        <source>{strategy}, {share} sure</source>
+        <translation>{strategy}，把握 {share}</translation>
+    </message>
+    <message>
+        <source>On the machine: {length} of cutting</source>
+        <translation>机床上：切削 {length}</translation>
+    </message>
+    <message>
+        <source>On the machine: {time}, {length} of cutting</source>
+        <translation>机床上：{time}，切削 {length}</translation>
+    </message>
+    <message>
+        <source>On the machine: at least {time}, {length} of cutting</source>
+        <translation>机床上：至少 {time}，切削 {length}</translation>
+    </message>
+    <message>
+        <source>Simulating it in the {simulator}: {time}, {memory}</source>
+        <translation>在 {simulator} 中模拟：{time}，{memory}</translation>
+    </message>
+    <message>
+        <source>Simulating it in the {simulator}: at least {time}, {memory}</source>
+        <translation>在 {simulator} 中模拟：至少 {time}，{memory}</translation>
     </message>
 </context>
 <context>
@@ -845,25 +849,6 @@
         <translation>显示其时间和内存</translation>
     </message>
     <message>
-        <source>The simulator whose time and memory the marks show. FreeCAD 0.20 has no OpenGL simulator.</source>
-        <translation>标记显示哪个模拟器的时间和内存。FreeCAD 0.20 没有 OpenGL 模拟器。</translation>
-    </message>
-    <message>
-        <source>Extended z-buffer</source>
-        <extracomment>The paper&apos;s; its columns in CSV and JSON have no prefix.</extracomment>
-        <translation>扩展 Z 缓冲</translation>
-    </message>
-    <message>
-        <source>FreeCAD&apos;s legacy simulator</source>
-        <extracomment>FreeCAD&apos;s older one.</extracomment>
-        <translation>FreeCAD 旧版模拟器</translation>
-    </message>
-    <message>
-        <source>FreeCAD&apos;s OpenGL simulator</source>
-        <extracomment>FreeCAD&apos;s newer one, which draws the cuts of all operations before with every operation.</extracomment>
-        <translation>FreeCAD OpenGL 模拟器</translation>
-    </message>
-    <message>
         <source>Shows the marks as colored pills in the tree; as plain text if switched off.</source>
         <translation>在树中以彩色标签显示标记；关闭后显示为纯文本。</translation>
     </message>
@@ -956,16 +941,8 @@
         <translation>等轴测</translation>
     </message>
     <message>
-        <source>Legacy simulator accuracy</source>
-        <translation>旧版模拟器精度</translation>
-    </message>
-    <message>
         <source>Edge of its cells in percent of the stock&apos;s longer side: 0.1 is the finest position of its slider, 1 the coarsest.</source>
         <translation>单元边长占毛坯长边的百分比：0.1 是其滑块最精细的位置，1 最粗。</translation>
-    </message>
-    <message>
-        <source>OpenGL simulator quality</source>
-        <translation>OpenGL 模拟器质量</translation>
     </message>
     <message>
         <source>Position of its quality slider; 10 is the best.</source>
@@ -990,6 +967,22 @@
     <message>
         <source>Last calibrated on {date}: the {simulator} makes {moves} cuts a second, its times are right within a factor of {factor}. Measured with FreeCAD {freecad} on {processor}, display {renderer}.</source>
         <translation>上次校准于 {date}：{simulator}每秒切削 {moves} 次，其时间误差在 {factor} 倍以内。测量环境：FreeCAD {freecad}，{processor}，显示 {renderer}。</translation>
+    </message>
+    <message>
+        <source>That of FreeCAD&apos;s button: {simulator}</source>
+        <translation>FreeCAD 按钮的模拟器：{simulator}</translation>
+    </message>
+    <message>
+        <source>{simulator}: accuracy</source>
+        <translation>{simulator}：精度</translation>
+    </message>
+    <message>
+        <source>{simulator}: quality</source>
+        <translation>{simulator}：质量</translation>
+    </message>
+    <message>
+        <source>The simulator whose time the marks show. They follow at once.</source>
+        <translation>标记显示哪个模拟器的时间。标记立即随之更新。</translation>
     </message>
 </context>
 <context>
@@ -1246,6 +1239,7 @@
     <message>
         <source>Z-buffer
 time</source>
+        <extracomment>The paper&apos;s; its columns in CSV and JSON have no prefix.</extracomment>
         <translation>Z 缓冲
 时间</translation>
     </message>
@@ -1266,6 +1260,7 @@ memory</source>
     <message>
         <source>Legacy
 time</source>
+        <extracomment>FreeCAD&apos;s older one.</extracomment>
         <translation>旧版
 时间</translation>
     </message>
@@ -1278,6 +1273,7 @@ memory</source>
     <message>
         <source>OpenGL
 time</source>
+        <extracomment>FreeCAD&apos;s newer one, which draws the cuts of all operations before with every operation.</extracomment>
         <translation>OpenGL
 时间</translation>
     </message>

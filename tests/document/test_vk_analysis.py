@@ -187,7 +187,7 @@ def test_bad_paths_say_what_is_wrong_and_stop_nothing(small, zigzag_commands):
     vkworkbench.mark(report)
     assert "unknown code" in small.document.getObject(rows["Unknown"].name).Label2
     assert "no cutting move" in small.document.getObject(rows["Rapids"].name).Label2
-    assert good.ToolpathRemark == ""
+    assert good.Remarks == ""
 
 
 def test_tools_and_stocks_that_are_missing_or_impossible(small, zigzag_commands):

@@ -112,8 +112,8 @@ def test_job_without_stock_is_marked_with_the_cost_of_a_box_around_its_cuts(smal
     op = small.add("Zigzag", zigzag_commands)
     small.job.Stock = None
     vkworkbench.mark(vkworkbench.analyze(small.document))
-    assert op.Label2.startswith("⟦zigzag ") and "no stock" in op.Label2 and op.ToolpathMemory > 0
-    assert "a box around its cuts" in op.ToolpathRemark
+    assert op.Label2.startswith("⟦zigzag ") and "no stock" in op.Label2 and marks.read(op).costs
+    assert "a box around its cuts" in op.Remarks
 
 
 def test_operations_beside_the_stock(small, zigzag_commands):
@@ -121,15 +121,15 @@ def test_operations_beside_the_stock(small, zigzag_commands):
     small.document.recompute()
     op = small.add("Zigzag", zigzag_commands)
     vkworkbench.mark(vkworkbench.analyze(small.document))
-    assert "does not touch the stock" in op.Label2 and op.ToolpathStrategy == "zigzag"
+    assert "does not touch the stock" in op.Label2 and op.Strategy == "zigzag"
 
 
 def test_job_with_an_operation_of_unknown_cost(small, zigzag_commands):
     op = small.add("Zigzag", zigzag_commands, controller=None)
     small.add("Fine", zigzag_commands)
     vkworkbench.mark(vkworkbench.analyze(small.document))
-    assert "no tool" in op.Label2 and op.ToolpathMemory == 0
-    assert "≥" in small.job.Label2 and "Zigzag" in small.job.ToolpathRemark
+    assert "no tool" in op.Label2 and not marks.read(op).costs
+    assert "≥" in small.job.Label2 and "Zigzag" in small.job.Remarks
     watcher.check(small.document)
     assert outdated(small.document) == []
 
@@ -162,7 +162,7 @@ def test_impossible_tools(small, zigzag_commands, diameter):
 @pytest.mark.parametrize("label", LABELS, ids=range(len(LABELS)))
 def test_labels_are_text(small, zigzag_commands, label, tmp_path):
     op = small.add(label, zigzag_commands)
-    own = "" if marks.segment_of(label) else label  # what reads like a mark is one
+    own = label
     op.Label2 = own
     small.controller.Label = small.job.Label = label
     small.controller.Tool.Diameter = 0  # the remark names the controller
@@ -181,7 +181,7 @@ def test_labels_are_text(small, zigzag_commands, label, tmp_path):
     FreeCAD.Console.PrintMessage(f"{report}\n")
     vkworkbench.mark(report)
     assert op.Label == kept and op.Label2.startswith(own)
-    assert op.Label2.endswith("⟧") and "diameter" in op.ToolpathRemark
+    assert op.Label2.endswith("⟧") and "diameter" in op.Remarks
     path = str(tmp_path / "labels.FCStd")
     small.document.saveAs(path)
     FreeCAD.closeDocument(small.document.Name)
@@ -189,7 +189,7 @@ def test_labels_are_text(small, zigzag_commands, label, tmp_path):
     try:
         again = document.getObject("Op")
         # XML may not keep line ends and tabs as they are; the words stay.
-        assert again.Label2.split() == f"{own} {marks.OPENING}{marks.segment_of(again.Label2)}{marks.CLOSING}".split()
+        assert again.Label2.split() == f"{own} ⟦{marks.read(again).text}⟧".split()
         watcher.check(document)
         assert outdated(document) == []
         vkworkbench.clear(document)
@@ -368,7 +368,7 @@ def test_marking_that_fails_leaves_no_trace(small, zigzag_commands, undo_mode, m
     small.document.UndoMode = undo_mode
     report = vkworkbench.analyze(small.document)
     write = marks.write
-    monkeypatch.setattr(marks, "write", lambda obj, row: write(obj, row) if obj is first else 1 / 0)
+    monkeypatch.setattr(marks, "write", lambda obj, *what: write(obj, *what) if obj is first else 1 / 0)
     with pytest.raises(ZeroDivisionError):
         vkworkbench.mark(report)
     assert FreeCAD.getActiveTransaction() is None and not small.document.HasPendingTransaction

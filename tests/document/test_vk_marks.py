@@ -1,16 +1,19 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Marks: what they say, and that they change nothing else: no recompute, no G-code, no word of the user's."""
 
+import json
 import os
 import subprocess
+from dataclasses import replace
 
 import FreeCAD
 import pytest
 
 import vkworkbench
 from vkworkbench import freecad
-from vkworkbench.document import marks
-from vkworkbench.language import Message, render
+from vkworkbench.core import Strategy
+from vkworkbench.document import mark_properties, marks, watcher
+from vkworkbench.language import ENGLISH, Message, render
 
 
 def marked(document):
@@ -22,17 +25,37 @@ def test_mark_text_and_data(small, zigzag_commands):
     report = vkworkbench.analyze(small.document)
     assert vkworkbench.mark(report) == 1
     (o,) = report.operations
-    assert op.Label2.startswith("⟦zigzag ") and op.Label2.endswith("⟧") and op.Label2.count(" · ") == 2
-    assert (op.ToolpathStrategy, op.ToolpathTrajectories) == ("zigzag", o.trajectories)
-    assert op.ToolpathSeconds == o.estimate.seconds and op.ToolpathMemory == o.estimate.memory_bytes
-    assert op.ToolpathReason == o.reason and op.getGroupOfProperty("ToolpathReason") == "Toolpath analysis"
-    assert set(op.getEditorMode("ToolpathStrategy")) == {"ReadOnly"}
-    assert small.job.Label2.startswith("⟦1 operation · ")
-    assert small.job.ToolpathLength == pytest.approx(o.length)
+    cost, own = o.costs[freecad.own_simulator()], marks.read(op)
+    time = ENGLISH.about(ENGLISH.time(cost.seconds), cost.factor)
+    assert op.Label2 == f"⟦zigzag · ▶ {time}⟧"
+    assert (op.Strategy, op.Confidence, op.Reason, op.Remarks) == ("zigzag", round(100 * o.confidence), o.reason, "")
+    assert op.CuttingLength.getValueAs("mm") == pytest.approx(o.length)
+    if freecad.version() >= (1, 0):
+        assert op.SimulationTime.getValueAs("s") == pytest.approx(cost.seconds)
+        assert op.MachiningTime.getValueAs("s") == pytest.approx(o.machining.seconds)
+    else:
+        assert (op.SimulationTime, op.MachiningTime) == (ENGLISH.time(cost.seconds), ENGLISH.time(o.machining.seconds))
+    assert {op.getGroupOfProperty(name) for name in mark_properties.ours(op)} == {"Toolpath analysis"}
+    assert set(op.getEditorMode("Strategy")) == {"ReadOnly"}
+    assert set(op.getEditorMode("ToolpathMark")) == {"ReadOnly", "Hidden"} and "Touched" not in op.State
+    assert (own.strategy, own.trajectories, own.fingerprint) == (o.strategy, o.trajectories, o.fingerprint)
+    assert own.costs["legacy"].seconds == o.costs["legacy"].seconds
+    assert small.job.Label2.startswith("⟦1 operation · ▶ ") and not hasattr(small.job, "Strategy")
+    assert small.job.CuttingLength.getValueAs("mm") == pytest.approx(o.length)
+
+
+def test_how_sure_is_said_where_it_is_low(small, zigzag_commands):
+    op = small.add("Zigzag", zigzag_commands)
+    report = vkworkbench.analyze(small.document)
+    (o,) = report.operations
+    for confidence, expected in ((0.79, "zigzag 79% · ▶"), (0.81, "zigzag · ▶")):
+        unsure = replace(o, recognition=replace(o.recognition, confidence=confidence))
+        vkworkbench.mark(replace(report, operations=(unsure,)))
+        assert op.Label2.startswith(f"⟦{expected}")
 
 
 def told(op):
-    return marks.reason_of(op), marks.remarks_of(op)
+    return marks.read(op).reason, marks.read(op).remarks
 
 
 @pytest.mark.parametrize("label", ["T; U", "{label} {}", "a: b, c", "⟦x⟧ 50% \"q\" \\", "Ж 🙂"])
@@ -43,67 +66,184 @@ def test_codes_of_a_mark(small, zigzag_commands, label):
     vkworkbench.mark(report)
     (o,) = report.operations
     assert told(op) == ((o.recognition.why,), o.remarks)
-    assert op.ToolpathRemark == o.error and small.controller.Label in op.ToolpathRemark
-    assert set(op.getEditorMode("ToolpathMessages")) == {"ReadOnly", "Hidden"} and "Touched" not in op.State
-    assert marks.remarks_of(small.job) == (Message("cost-unknown", labels=["Zigzag"]),)
-    assert small.job.ToolpathRemark == "cost unknown for Zigzag" and marks.reason_of(small.job) == ()
+    assert op.Remarks.startswith(o.error) and small.controller.Label in op.Remarks
+    assert "⚠" in op.Label2 and op.Label2.count("⟦") == op.Label2.count("⟧") == 1
+    assert marks.read(small.job).remarks == (Message("cost-unknown", labels=["Zigzag"]),)
+    assert small.job.Remarks == "cost unknown for Zigzag" and marks.read(small.job).reason == ()
 
 
 def test_codes_survive_a_file(small, zigzag_commands, tmp_path):
     op = small.add("Zigzag", zigzag_commands, controller=None)
     vkworkbench.mark(vkworkbench.analyze(small.document))
-    before = told(op)
-    assert before[1] == (Message("no-tool"),)
+    before = marks.read(op)
+    assert before.remarks == (Message("no-tool"),)
     small.document.saveAs(str(tmp_path / "small.FCStd"))
     FreeCAD.closeDocument(small.name)
     document = FreeCAD.openDocument(str(tmp_path / "small.FCStd"))
-    assert told(document.getObject(op_name(document))) == before
+    (op,) = document.getObjectsByLabel("Zigzag")
+    assert marks.read(op) == before
     FreeCAD.closeDocument(document.Name)
 
 
-def op_name(document):
-    return next(obj.Name for obj in document.Objects if hasattr(obj, "ToolpathReason"))
+# What the version before wrote.
+BEFORE = {
+    "ToolpathStrategy": ("String", "zigzag"), "ToolpathConfidence": ("Float", 0.9732), "ToolpathReason": ("String", "rows"),
+    "ToolpathRemark": ("String", "a remark"), "ToolpathMessages": ("String", '{"reason": [], "remarks": []}'),
+    "ToolpathTrajectories": ("Integer", 40), "ToolpathLength": ("Float", 1601.38), "ToolpathSimulator": ("String", "z-buffer"),
+    "ToolpathSeconds": ("Float", 0.19), "ToolpathFactor": ("Float", 2.5), "ToolpathMemory": ("Float", 1e7),
+    "ToolpathFingerprint": ("String", "a:b"),
+}  # fmt: skip
 
 
-def test_a_mark_of_the_version_before_shows_its_english_and_is_cleared(small, zigzag_commands):
-    op = small.add("Zigzag", zigzag_commands, controller=None)
-    before = sorted(op.PropertiesList), op.Label2
-    vkworkbench.mark(vkworkbench.analyze(small.document))
-    for obj in (op, small.job):
-        obj.removeProperty("ToolpathMessages")
-    assert told(op) == tuple((Message("verbatim", text=text),) for text in (op.ToolpathReason, op.ToolpathRemark))
-    assert render(marks.reason_of(op)[0]) == op.ToolpathReason
-    # Marked again it has codes; cleared by that version it leaves them behind, which is a mark yet.
-    vkworkbench.mark(vkworkbench.analyze(small.document))
-    assert marks.remarks_of(op) == (Message("no-tool"),)
-    for name in set(marks._PROPERTIES) - {"ToolpathMessages"}:
-        if hasattr(op, name):
-            op.removeProperty(name)
-    op.Label2 = ""
-    assert marks.is_marked(op) and told(op) == ((), ())
-    vkworkbench.clear(small.document)
-    assert (sorted(op.PropertiesList), op.Label2) == before
+def mark_as_before(obj, *, strategy=True):
+    for name, (kind, value) in BEFORE.items():
+        if strategy or name not in ("ToolpathStrategy", "ToolpathConfidence", "ToolpathReason"):
+            obj.addProperty(f"App::Property{kind}", name, "Toolpath analysis", "", 9)
+            setattr(obj, name, value)
+    obj.Label2 = "mine ⟦zigzag 97% · about 191 ms · 10 MB · a remark⟧ too" if strategy else "⟦1 operation · 1 s · 2 MB⟧"
 
 
-@pytest.mark.parametrize("written", [
-    "", "{", "null", "[]", "5", "NaN", '"x"', "{}", '{"reason": null, "remarks": 7}', '{"reason": [null]}',
-    '{"reason": [{"code": "no-moves"}], "remarks": [{"code": 1, "arguments": {}}]}',
-    '{"reason": [{"code": "nobody-knows", "arguments": {}}], "remarks": [{"code": "image", "arguments": {}}]}',
-    '{"reason": [{"code": "rows", "arguments": {"low": "x", "high": null, "count": "y", "spread": {}}}]}',
-    '{"reason": [{"code": "apart", "arguments": {"step": 1' + 400 * "0" + "}}]}",
+@pytest.mark.parametrize("then", ["clear", "mark", "outdated"])
+def test_a_mark_of_the_version_before_is_read_replaced_and_cleared(small, zigzag_commands, then):
+    op = small.add("Zigzag", zigzag_commands)
+    mark_as_before(op)
+    mark_as_before(small.job, strategy=False)
+    own = marks.read(op)
+    assert (own.strategy, own.confidence, own.trajectories) == (Strategy.ZIGZAG, 0.9732, 40)
+    assert own.cost("z-buffer") == (0.19, 1e7) and own.factor("z-buffer") == 2.5 and not own.outdated
+    assert [render(message) for message in (*own.reason, *own.remarks)] == ["rows", "a remark"]
+    assert marks.read(small.job).strategy is None and marks.words_of(op) == "mine too"
+    if then == "clear":
+        assert vkworkbench.clear(small.document) == 2
+        assert op.Label2 == "mine too" and marked(small.document) == []
+        return
+    if then == "mark":
+        vkworkbench.mark(vkworkbench.analyze(small.document))
+        assert marks.read(op).reason[0].code == "rows" and not marks.is_outdated(op)
+    else:
+        watcher.check(small.document)
+        assert marks.is_outdated(op) and marks.is_outdated(small.job) and op.Label2.endswith("outdated⟧ too")
+    assert op.Label2.startswith("mine ⟦zigzag · ") and op.Label2.count("⟦") == 1
+    assert not any(hasattr(obj, name) for obj in (op, small.job) for name in BEFORE)
+
+
+DAMAGED = [
+    "", "{", "null", "[]", "5", "NaN", '"x"', "{}", '{"shown": 5}', '{"shown": [[]]}', '{"strategy": "sculpting"}',
     '{"reason": ' + 100_000 * "[" + 100_000 * "]" + "}",
     '{"reason": ' + 500 * '[{"code": "of", "arguments": {"label": ' + '"x"' + 500 * "}}]" + "}",
-    # Sound, but of another text: a version without codes has marked again since.
-    '{"reason": [{"code": "no-moves", "arguments": {}}], "remarks": [{"code": "no-tool", "arguments": {}}]}',
-])  # fmt: skip
-def test_damaged_codes_show_the_english_text(small, zigzag_commands, written):
+]  # fmt: skip
+CHANGES = {
+    "strategy": ["sculpting", 5, [], {}], "confidence": [-1, "x", None, 10**400, "NaN"], "reason": [5, [None], [{"code": "x"}]],
+    "remarks": [[{"code": "nobody-knows", "arguments": {}}], [{"code": "image", "arguments": {}}], None],
+    "cautions": [[5], [{"code": 1, "what": None, "command": "x"}]], "operations": [[], 1e999], "trajectories": ["many"],
+    "costs": [5, {"legacy": {}}, {"OpenGL": {"play_seconds": {}}}, {"legacy": None}], "length": [None, -5, "5"],
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("written", [*DAMAGED, *((name, value) for name, values in CHANGES.items() for value in values)])
+def test_damaged_data_is_no_mark_and_is_replaced(small, zigzag_commands, written):
     op = small.add("Zigzag", zigzag_commands)
     vkworkbench.mark(vkworkbench.analyze(small.document))
-    op.ToolpathRemark, op.ToolpathMessages = "as it is; {label}", written
-    assert told(op) == tuple((Message("verbatim", text=text),) for text in (op.ToolpathReason, op.ToolpathRemark))
-    assert render(marks.remarks_of(op)[0]) == "as it is; {label}"
+    text = op.Label2
+    op.ToolpathMark = written if isinstance(written, str) else json.dumps({**json.loads(op.ToolpathMark), written[0]: written[1]})
+    assert marks.read(op) is None and marks.is_marked(op) and not marks.is_outdated(op)
+    watcher.check(small.document)
     vkworkbench.mark(vkworkbench.analyze(small.document))
-    assert marks.reason_of(op)[0].code == "rows" and op.ToolpathRemark == ""
+    assert op.Label2 == text and marks.read(op).reason[0].code == "rows"
+    op.ToolpathMark = written if isinstance(written, str) else "{}"
+    vkworkbench.clear(small.document)
+    assert op.Label2 == "" and marked(small.document) == []
+
+
+TYPES = ["App::PropertyInteger", "App::PropertyString", "App::PropertyLink", "App::PropertyStringList", "App::PropertyBool"]
+
+
+@pytest.mark.parametrize("kind", [None, *TYPES])
+@pytest.mark.parametrize("name", mark_properties._TYPES)
+def test_a_property_that_others_delete_or_retype_is_made_anew(small, zigzag_commands, name, kind):
+    op = small.add("Zigzag", zigzag_commands)
+    before = sorted(op.PropertiesList)
+    vkworkbench.mark(vkworkbench.analyze(small.document))
+    expected = {name: str(getattr(op, name)) for name in op.PropertiesList if name not in before}
+    op.removeProperty(name)
+    if kind:
+        op.addProperty(kind, name, "" if name == mark_properties.MARK else "Toolpath analysis")
+    watcher.check(small.document)
+    marks.is_outdated(op), marks.is_marked(op), marks.words_of(op), marks.read(op)
+    vkworkbench.mark(vkworkbench.analyze(small.document))
+    assert {name: str(getattr(op, name)) for name in op.PropertiesList if name not in before} == expected
+    assert set(op.getEditorMode("Strategy")) == {"ReadOnly"} and op.Label2.count("⟦") == 1
+    vkworkbench.clear(small.document)
+    assert (sorted(op.PropertiesList), op.Label2) == (before, "")
+
+
+def test_a_property_of_the_operations_own_stays(small, zigzag_commands):
+    op = small.add("Zigzag", zigzag_commands)
+    op.addProperty("App::PropertyInteger", "Strategy", "Own")
+    op.Strategy = 7
+    vkworkbench.mark(vkworkbench.analyze(small.document))
+    assert op.Strategy == 7 and op.Reason and marks.read(op).strategy is Strategy.ZIGZAG
+    vkworkbench.clear(small.document)
+    assert op.Strategy == 7 and not hasattr(op, "Reason")
+
+
+def test_locked_properties_are_unlocked(small, zigzag_commands):
+    op = small.add("Zigzag", zigzag_commands)
+    vkworkbench.mark(vkworkbench.analyze(small.document))
+    op.setPropertyStatus("Strategy", "LockDynamic")
+    op.setPropertyStatus("Reason", "Immutable")
+    op.setExpression("Remarks", "<<driven>>")
+    op.setPropertyStatus("ToolpathMark", "-Output")
+    vkworkbench.mark(vkworkbench.analyze(small.document))
+    small.document.recompute()
+    assert op.Remarks == "" and "Output" in op.getTypeOfProperty("ToolpathMark")
+    vkworkbench.clear(small.document)
+    assert marked(small.document) == []
+
+
+@pytest.mark.parametrize("how", ["driven", "locked"])
+def test_a_description_that_is_not_ours_to_write_stays(small, zigzag_commands, how):
+    op = small.add("Zigzag", zigzag_commands)
+    op.Label2 = "mine"
+    if how == "driven":
+        op.setExpression("Label2", "<<mine>>")
+    else:
+        op.setPropertyStatus("Label2", "Immutable")
+    vkworkbench.mark(vkworkbench.analyze(small.document))
+    small.document.recompute()
+    assert op.Label2 == "mine" and marks.read(op).strategy is Strategy.ZIGZAG and marks.words_of(op) == "mine"
+    vkworkbench.clear(small.document)
+    assert op.Label2 == "mine" and marked(small.document) == []
+
+
+@pytest.mark.parametrize("other", [
+    "⟦sculpting · ▶ 3 s⟧", "⟦Zickzack 97 % · 5 s · 9 MB⟧", "⟦3D scallop 40%⟧", "⟦zigzag⟧", "⟦2 operations · 5 s⟧",
+    "⟦empty · inactive: switch it on · outdated⟧",
+])  # fmt: skip
+def test_another_mark_is_replaced_and_cleared(small, zigzag_commands, other):
+    op = small.add("Zigzag", zigzag_commands)
+    vkworkbench.mark(vkworkbench.analyze(op))
+    mine = op.Label2
+    for beside in (other, f"{other} {mine}", f"{mine} {other}"):
+        op.Label2 = f"a {beside} b"
+        vkworkbench.mark(vkworkbench.analyze(op))
+        assert op.Label2 == f"a {mine} b"
+    op.Label2 = f"a {other} b"
+    vkworkbench.clear(op)
+    assert op.Label2 == "a b"
+
+
+def test_the_text_of_a_newer_version_is_known_by_its_property(small, zigzag_commands):
+    op = small.add("Zigzag", zigzag_commands)
+    op.addProperty("App::PropertyString", "ToolpathMark")
+    op.ToolpathMark = json.dumps({"format": 9, "text": "whatever it says", "shown": ["Reason"], "more": {}})
+    op.addProperty("App::PropertyFloat", "Reason")
+    op.Label2 = "mine ⟦whatever it says⟧"
+    assert marks.read(op) is None and marks.words_of(op) == "mine"
+    vkworkbench.mark(vkworkbench.analyze(op))
+    assert op.Label2.startswith("mine ⟦zigzag · ▶") and op.Label2.count("⟦") == 1 and isinstance(op.Reason, str)
+    vkworkbench.clear(op)
+    assert op.Label2 == "mine" and marked(small.document) == []
 
 
 def test_one_undo_step_and_clear_leave_no_trace(example):
@@ -130,7 +270,7 @@ def test_one_undo_step_and_clear_leave_no_trace(example):
     assert state() == after
 
 
-@pytest.mark.parametrize("own", ["note", "note ", " x", "a ⟦b", "b⟧ c", "⟦of another tool⟧", "<b>bold</b> {0} \"'", "Ж 🙂 ‏עברית"])
+@pytest.mark.parametrize("own", ["note", "note ", " x", "a ⟦b", "b⟧ c", "⟦of another tool⟧", "⟦3 operations foo⟧", "⟦zigzag tomorrow⟧", "zigzag 97% ⟦later⟧", "<b>bold</b> {0} \"'", "Ж 🙂 ‏עברית"])
 def test_the_users_words_stay(small, zigzag_commands, own):
     op = small.add("Zigzag", zigzag_commands)
     op.Label2 = own
@@ -180,8 +320,20 @@ def test_total_of_the_job_counts_nothing_twice(example):
     vkworkbench.mark(report)
     job = example.getObject("Job")
     (total,) = report.totals
-    assert job.ToolpathSeconds == pytest.approx(total.seconds)
-    assert job.ToolpathTrajectories == total.trajectories
+    for simulator in freecad.own_simulators():
+        assert marks.read(job).cost(simulator) == total.cost(simulator)
+    assert marks.read(job).trajectories == total.trajectories and "≥" not in job.Label2
+
+
+def test_the_total_of_operations_marked_one_by_one_is_the_same(small, zigzag_commands):
+    ops = [small.add("First", zigzag_commands), small.add("Second", zigzag_commands)]
+    report = vkworkbench.analyze(small.document)
+    vkworkbench.mark(report)
+    whole, text = marks.read(small.job), small.job.Label2
+    vkworkbench.clear(small.document)
+    for op in ops:
+        vkworkbench.mark(vkworkbench.analyze(op))
+    assert small.job.Label2 == text and marks.read(small.job).costs == whole.costs
 
 
 def test_a_job_gets_its_total_when_all_its_operations_are_marked(small, zigzag_commands):
@@ -241,7 +393,7 @@ document = FreeCAD.openDocument({path!r})
 job = document.getObject("Job")
 with open({out!r}, "w", encoding="utf-8") as file:
     for obj in [job, *job.Operations.Group]:
-        print(obj.Label2, getattr(obj, "ToolpathStrategy", ""), file=file)
+        print(obj.Label2, getattr(obj, "Strategy", ""), file=file)
     print("vkworkbench" in sys.modules, document.recompute(), file=file)
 """
 

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Every preference governs what it says, for a macro as for a click."""
 
+import json
 from dataclasses import fields
 
 import FreeCAD
@@ -10,7 +11,8 @@ import vkworkbench
 from vkworkbench import freecad, preferences
 from vkworkbench.core.simulators import DEFAULTS, LEGACY, OPENGL, ZBUFFER
 from vkworkbench.document import marks, upkeep
-from vkworkbench.preferences import Preferences
+from vkworkbench.language import ENGLISH
+from vkworkbench.preferences import OWN, Preferences
 
 ARC = [("G0", {"X": 20, "Y": 10, "Z": 25}), ("G1", {"Z": 18, "F": 5}), ("G2", {"X": 40, "Y": 10, "I": 10, "J": 0})]
 
@@ -114,22 +116,47 @@ def test_constants_of_this_computer(arc, monkeypatch):
 def test_whose_cost_the_mark_shows(arc, small, simulator):
     preferences.write(mark_simulator=simulator)
     if simulator == OPENGL.name and freecad.version() < (1, 0):
-        simulator = ZBUFFER.name  # where there is no such simulator
+        simulator = LEGACY.name  # where there is no such simulator
     report = vkworkbench.analyze(arc)
     vkworkbench.mark(report)
-    seconds, memory = report.operations[0].cost(simulator)
-    assert (arc.ToolpathSimulator, arc.ToolpathSeconds, arc.ToolpathMemory) == (simulator, seconds, memory)
-    for obj in (arc, small.job):
-        named = f" · {simulator} " in obj.Label2
-        assert named == (simulator != ZBUFFER.name)
+    (found,), (total,) = report.operations, report.totals
+    for obj, one in ((arc, found), (small.job, total)):
+        assert marks.read(obj).cost(simulator) == one.cost(simulator)
+        assert f"▶ {ENGLISH.about(ENGLISH.time(one.cost(simulator)[0]), one.factor(simulator))}" in obj.Label2
 
 
-def test_marks_of_different_simulators_have_no_total(arc, small):
+def test_marks_follow_a_changed_preference_without_an_analysis(arc, small, monkeypatch):
+    upkeep.watch()
+    preferences.write(mark_simulator=ZBUFFER.name)
+    report = vkworkbench.analyze(small.document)
+    vkworkbench.mark(report)
+    (found,) = report.operations
+    fresh = [obj.Label2 for obj in (arc, small.job)]
+    count, touched = small.document.UndoCount, list(arc.State)
+    monkeypatch.setattr("vkworkbench.document.analysis.analyze", None)
+    for simulator in (LEGACY.name, OWN, ZBUFFER.name):
+        preferences.write(mark_simulator=simulator)
+        shown = preferences.read().simulator
+        assert f"▶ {ENGLISH.about(ENGLISH.time(found.cost(shown)[0]), found.factor(shown))}" in arc.Label2
+    assert [obj.Label2 for obj in (arc, small.job)] == fresh
+    preferences.write(mark_simulator=LEGACY.name, time_budget=0.1)
+    assert "⚠" in arc.Label2 and "⚠" in small.job.Label2
+    preferences.write(mark_simulator=ZBUFFER.name, time_budget=600.0)
+    assert [obj.Label2 for obj in (arc, small.job)] == fresh
+    assert (small.document.UndoCount, list(arc.State)) == (count, touched)
+
+
+def test_a_total_of_different_simulators_is_not_told(arc, small):
     other = small.add("Other", ARC)
-    vkworkbench.mark(vkworkbench.analyze(arc))
+    preferences.write(mark_simulator=ZBUFFER.name)
+    vkworkbench.mark(vkworkbench.analyze(small.document))
+    assert marks.read(small.job).cost(LEGACY.name)
+    data = json.loads(other.ToolpathMark)
+    del data["costs"][LEGACY.name]
+    other.ToolpathMark = json.dumps(data)
     preferences.write(mark_simulator=LEGACY.name)
-    vkworkbench.mark(vkworkbench.analyze(other))
-    assert marks.is_marked(arc) and marks.is_marked(other) and not marks.is_marked(small.job)
+    vkworkbench.mark(vkworkbench.analyze(arc))
+    assert not marks.read(small.job).cost(LEGACY.name) and "▶" not in small.job.Label2
 
 
 @pytest.mark.parametrize("wanted", [False, True])
@@ -139,11 +166,11 @@ def test_analysis_after_a_recompute(example, wanted):
     unmarked = example.getObjectsByLabel("Bore")[0]
     vkworkbench.mark(vkworkbench.analyze(drill))
     upkeep.watch()
-    before = drill.ToolpathFingerprint
+    before = marks.read(drill).fingerprint
     drill.setExpression("FinalDepth", None)
     drill.FinalDepth = drill.FinalDepth.Value + 1
     example.recompute()
     assert marks.is_outdated(drill) != wanted
-    assert (drill.ToolpathFingerprint != before) == wanted
+    assert (marks.read(drill).fingerprint != before) == wanted
     assert not marks.is_marked(unmarked)
     assert "Touched" not in drill.State

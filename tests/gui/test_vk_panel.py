@@ -109,7 +109,7 @@ def test_a_click_on_a_row_selects_the_operation(panel, opened, window):
     assert Gui.Selection.getSelection() == [labelled(opened, "Bore")]
     tree_selected = [i.data() for i in window.tree.selectionModel().selectedIndexes() if i.column() == 0]
     assert tree_selected == ["Bore"]
-    assert labelled(opened, "Bore").ToolpathReason in unescaped(panel.details)
+    assert labelled(opened, "Bore").Reason in unescaped(panel.details)
 
 
 def unescaped(label):
@@ -155,7 +155,7 @@ def test_rows_live_with_the_document(panel, opened, window):
     labelled(opened, "Face").Label = "Top"
     window.wait(lambda: "Top" in column(panel, "Operation"))
     top = labelled(opened, "Top")
-    top.ToolpathFingerprint = "of:another"
+    top.ToolpathMark = top.ToolpathMark.replace(marks.read(top).fingerprint, "of:another")
     from vkworkbench.document import watcher
 
     watcher.check(opened)

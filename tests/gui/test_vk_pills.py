@@ -2,7 +2,9 @@
 """Pills in the tree: what they show and tell, in light and dark windows, what F2 edits, and how fast they come."""
 
 import time
+from dataclasses import replace
 from statistics import median
+from types import SimpleNamespace
 
 import FreeCAD
 import FreeCADGui as Gui
@@ -10,9 +12,15 @@ import pytest
 from PySide import QtCore, QtGui
 
 import vkworkbench
+from vkworkbench import freecad
 from vkworkbench.core import Strategy
 from vkworkbench.document import marks
+from vkworkbench.document.record import Record, as_json
 from vkworkbench.gui import colors, pills
+from vkworkbench.gui.mark_layout import layouts
+from vkworkbench.gui.sentences import said, user
+from vkworkbench.language import Message
+from vkworkbench.preferences import Preferences
 
 
 @pytest.fixture
@@ -90,27 +98,75 @@ def test_every_strategy_has_a_readable_colour():
     assert len(set(telling)) == len(telling)
 
 
-@pytest.mark.parametrize("label2, expected", [
-    ("⟦zigzag 98% · 12 ms · 3 MB⟧", ("", "", Strategy.ZIGZAG, "zigzag 98%", "12 ms · 3 MB", False)),
-    ("rough ⟦one-way 80% · 1 s · 2 MB · outdated⟧ pass",
-     ("rough", "pass", Strategy.ONE_WAY, "one-way 80%", "1 s · 2 MB", True)),
-    ("⟦empty · inactive: switch it on⟧", ("", "", Strategy.EMPTY, "empty", "inactive: switch it on", False)),
-    ("⟦8 operations · 5 s · 9 MB⟧", ("", "", None, "8 operations", "5 s · 9 MB", False)),
-    ("⟦1 operation · outdated⟧", ("", "", None, "1 operation", "", True)),
-])  # fmt: skip
-def test_text_of_a_mark(label2, expected):
-    mark = pills.read_mark(label2)
-    assert (mark.before, mark.after, mark.strategy, mark.pill, mark.cost, mark.outdated) == expected
+def layout(record, words="", *, room=10_000, **chosen):
+    """How a mark is shown in so many pixels."""
+    found = layouts(record, words, Preferences(**chosen), QtGui.QFontMetrics(QtGui.QFont()), None)
+    return next((one for one in found if one.needed <= room), found[-1])
 
 
-@pytest.mark.parametrize("label2", ["", "my note", "⟦⟧", "⟦finish later⟧", "[zigzag]"])
-def test_other_texts_are_no_marks(label2):
-    assert pills.read_mark(label2) is None
+def record_of(seconds, *, factor=1.3, strategy=Strategy.ADAPTIVE, **rest):
+    costs = {"legacy": SimpleNamespace(seconds=seconds, memory_bytes=1e6, factor=factor)}
+    return Record(strategy, confidence=0.9, costs=costs, **rest)
+
+
+@pytest.mark.parametrize("seconds, color", [(299, None), (301, "NEAR"), (601, "OVER")])
+def test_a_time_near_or_over_the_budget_has_its_colour(seconds, color):
+    record = record_of(seconds)
+    shown = layout(record, mark_simulator="legacy", time_budget=600.0)
+    colored = [piece.color for piece in shown.pieces if piece.kind == "filled"]
+    assert colored == [Strategy.ADAPTIVE.color, *([colors.BURDEN[color][0]] if color else [])]
+    assert any(piece.kind == "warning" for piece in shown.pieces) == (color == "OVER")
+    assert (user().time(seconds) in shown.text) == (color is None)
+    assert layout(record, mark_simulator="legacy", time_budget=1e5).text.endswith(f"▶ {user().time(seconds)}")
+
+
+def test_the_strategy_comes_first_then_the_time():
+    record = record_of(6120, factor=4.0, remarks=(Message("no-job"),))
+    kinds, room = [], 600
+    while room > 10:
+        shown = layout(record, "own words", room=room, mark_simulator="legacy")
+        said = ["strategy", *(["time"] if len(shown.pieces) > 1 else []), *(["remark"] if "no stock" in shown.text else [])]
+        if said not in kinds:
+            kinds.append(said)
+        room -= 5
+    assert kinds == [["strategy", "time", "remark"], ["strategy", "time"], ["strategy"]]
+
+
+def test_an_error_is_no_pill():
+    record = Record(Strategy.EMPTY, remarks=(Message("no-toolpath"),))
+    (warning,) = layout(record).pieces
+    assert warning.kind == "warning" and said(record.remarks[0]) in layout(record).text
+
+
+def test_a_total_and_an_outdated_mark():
+    total = record_of(5, strategy=None, operations=8)
+    assert layout(total).pieces[0].text == "8 operations" and layout(total).pieces[0].color == colors.TOTAL
+    outdated = layout(record_of(5, outdated=True), "mine")
+    assert outdated.pieces[0].kind == "outlined" and outdated.text.split()[-2:] == ["outdated", "mine"]
+
+
+@pytest.mark.parametrize("label2", ["⟦⟧", "⟦3 operations foo⟧", "⟦sculpting 9%⟧", "zigzag 97% ⟦zigzag 97%⟧", "⟦zigzag · ▶ 3 s⟧"])
+def test_what_no_property_says_to_be_ours_is_shown_as_it_is(opened, window, label2):
+    pills.show()
+    labelled(opened, "Face").Label2 = label2
+    window.idle()
+    assert cell(window, "Face").data() == label2 and share(picture(window, "Face"), Strategy.ZIGZAG.color) == 0
+    assert edit(window, "Face", None) == label2
+
+
+def test_words_like_the_marks_are_shown_once(marked, window):
+    face = labelled(marked, "Face")
+    own = marks.read(face).text
+    face.Label2 = f"{own} ⟦{own}⟧"
+    assert marks.words_of(face) == own
+    assert edit(window, "Face", "other words") == own
+    assert face.Label2 == f"other words ⟦{own}⟧"
 
 
 def test_pills_have_their_strategys_colour(marked, window, theme):
     labelled(marked, "Face").Label2 = "rough first " + labelled(marked, "Face").Label2
-    labelled(marked, "Drill holes").ToolpathFingerprint = "of:another"
+    drill = labelled(marked, "Drill holes")
+    drill.ToolpathMark = drill.ToolpathMark.replace(marks.read(drill).fingerprint, "of:another")
     from vkworkbench.document import watcher
 
     watcher.check(marked)
@@ -118,18 +174,19 @@ def test_pills_have_their_strategys_colour(marked, window, theme):
     window.idle()
     window.screenshot(f"pills-{theme}")
     for obj in filter(marks.is_marked, marked.Objects):
-        mark = pills.read_mark(obj.Label2)
+        mark = marks.read(obj)
         image = picture(window, obj.Label)
-        assert (share(image, mark.color) > 0.1) != mark.outdated, obj.Label
+        color = mark.strategy.color if mark.strategy else colors.TOTAL
+        assert (share(image, color) > 0.1) != mark.outdated, obj.Label
         if not mark.outdated:
             assert bright(image) > 0.005, obj.Label  # its text
-    assert pills.read_mark(labelled(marked, "Drill holes").Label2).outdated
+    assert marks.is_outdated(drill)
 
 
 def test_text_beside_a_pill_is_readable(marked, window, theme):
     image = picture(window, "Face")
     metrics = QtGui.QFontMetrics(window.tree.font())
-    beside = image.copy(metrics.horizontalAdvance("zigzag 100%  ") + 20, 0, metrics.horizontalAdvance("10 ms"), image.height())
+    beside = image.copy(metrics.horizontalAdvance("zigzag  ") + 20, 0, metrics.horizontalAdvance("▶ about"), image.height())
     shades = sorted({beside.pixelColor(x, y).name() for x in range(beside.width()) for y in range(beside.height())},
                     key=luminance)  # fmt: skip
     assert contrast(shades[0], shades[-1]) >= 4.5
@@ -138,10 +195,13 @@ def test_text_beside_a_pill_is_readable(marked, window, theme):
 def test_tooltip_tells_why_and_how_much(marked, window):
     obj = labelled(marked, "Face")
     text = tooltip(window, "Face")
-    assert obj.ToolpathReason.replace("<", "&lt;").replace(">", "&gt;") in text
-    assert f"{obj.ToolpathTrajectories:,}" in text and "MB" in text
+    known = marks.read(obj)
+    assert obj.Reason.replace("<", "&lt;").replace(">", "&gt;") in text
+    assert "On the machine: " in text and f"{user().time(known.machining_seconds)}, {user().length(known.length)} of cutting" in text
+    for name in freecad.own_simulators():
+        assert f"Simulating it in the {freecad.simulator_title(name)}: " in text
     window.screenshot("pill-tooltip")
-    obj.ToolpathRemark = "a <b>&c remark"
+    obj.ToolpathMark = as_json(replace(known, remarks=(Message("verbatim", text="a <b>&c remark"),)))
     assert "a &lt;b&gt;&amp;c remark" in tooltip(window, "Face")
 
 
@@ -150,7 +210,7 @@ def test_tooltip_says_nothing_that_may_be_anothers(marked, window):
     other.Label = marked.Label
     twin = other.addObject("App::FeaturePython", "Face")
     twin.Label = "Face"
-    twin.addProperty("App::PropertyString", "ToolpathFingerprint")
+    twin.addProperty("App::PropertyString", "ToolpathMark")
     twin.Label2 = labelled(marked, "Face").Label2
     FreeCAD.setActiveDocument(marked.Name)
     window.idle()
@@ -158,7 +218,7 @@ def test_tooltip_says_nothing_that_may_be_anothers(marked, window):
     assert pills._object_of(index.sibling(index.row(), 1)) is None
     FreeCAD.closeDocument(other.Name)
     window.idle()
-    assert labelled(marked, "Face").ToolpathReason[:20] in QtGui.QTextDocumentFragment.fromHtml(
+    assert labelled(marked, "Face").Reason[:20] in QtGui.QTextDocumentFragment.fromHtml(
         tooltip(window, "Face")).toPlainText()  # fmt: skip
 
 
@@ -215,7 +275,7 @@ def test_a_description_without_a_mark_is_edited_as_ever(opened, window):
 
 def test_pills_can_be_switched_off(marked, window):
     preferences = FreeCAD.ParamGet("User parameter:BaseApp/Preferences/Mod/VkWorkbench")
-    color = pills.read_mark(labelled(marked, "Face").Label2).color
+    color = marks.read(labelled(marked, "Face")).strategy.color
     preferences.SetBool("ShowPills", False)
     pills.show()
     assert share(picture(window, "Face"), color) == 0
@@ -252,9 +312,9 @@ def test_two_hundred_marks_appear_at_once(opened, window):
     def write_data():
         opened.openTransaction("Data")
         for obj in job.Operations.Group:
-            for name in marks._PROPERTIES:
-                obj.addProperty("App::PropertyString", f"{name}Alone", "Test", "", 9)
-                setattr(obj, f"{name}Alone", "value")
+            for name in range(12):
+                obj.addProperty("App::PropertyString", f"Alone{name}", "Test", "", 9)
+                setattr(obj, f"Alone{name}", "value")
         opened.commitTransaction()
 
     alone, taken = [], []

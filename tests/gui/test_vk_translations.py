@@ -12,10 +12,17 @@ import pytest
 from PySide import QtCore, QtGui
 
 import vkworkbench
+from vkworkbench import preferences
+from vkworkbench.core import Strategy
+from vkworkbench.core.simulators import cost_from_data
 from vkworkbench.document import marks
-from vkworkbench.gui import docks, pills
+from vkworkbench.document.record import Record
+from vkworkbench.gui import docks
+from vkworkbench.gui.mark_explanation import explanation
+from vkworkbench.gui.mark_layout import layouts
 from vkworkbench.gui.sentences import said, user
 from vkworkbench.language import Message, render
+from vkworkbench.preferences import Preferences
 
 ROOT = Path(vkworkbench.__file__).resolve().parents[1]
 TRANSLATIONS = ROOT / "resources" / "translations"
@@ -210,10 +217,10 @@ def test_a_mark_panel_and_gauss_map_in_german(opened, german, window):
     Gui.Selection.clearSelection()
     Gui.Selection.addSelection(face)
     window.idle(0.5)
-    text = pills.explanation(pills.read_mark(face.Label2), face)
+    text = explanation(marks.read(face), preferences.read())
     panel = docks.find(docks.RESULTS)
     shown = text + panel.details.text()
-    assert f"{user().count(face.ToolpathTrajectories)} Bewegungen" in text and "φ bleibt" in shown
+    assert "Auf der Maschine: " in text and "φ bleibt" in shown
     assert re.search(r"\d,\d+ mm", shown) and not re.search(r"\d\.\d\d?\b", shown), shown
     assert not re.search(r"\b(phi stays|turns|the|of|limited)\b", shown), shown
     assert re.search(r"\b\d+ %", text), text
@@ -242,10 +249,12 @@ def test_a_mark_panel_and_gauss_map_in_german(opened, german, window):
 
 
 def test_pills_have_the_users_numbers(german):
-    mark = pills.read_mark("⟦zigzag 98% · legacy about 1,234.5 h · ≥ 1.4 MB · no tool in A. B, C⟧")
-    assert mark.pill == "Zickzack 98 %"
-    assert mark.cost == "legacy etwa 1.234,5 h · ≥ 1,4 MB · no tool in A. B, C"
-    assert pills.read_mark("⟦zigzag 9x8 · 1.5 · 2.5⟧").cost == "1.5 · 2.5"
+    cost = cost_from_data("z-buffer", {"seconds": 1.4, "memory_bytes": 2e6, "factor": 4.0})
+    record = Record(Strategy.ZIGZAG, confidence=0.7, costs={"z-buffer": cost}, remarks=(Message("no-tool"),))
+    metrics = QtGui.QFontMetrics(QtGui.QFont())
+    (full, *_) = layouts(record, "own words", Preferences(mark_simulator="z-buffer"), metrics, None)
+    assert full.pieces[0].text == "Zickzack 70 %" and "▶ etwa 1,4 s" in full.text
+    assert full.text.endswith("kein Werkzeug: Der Operation einen Werkzeugcontroller geben  own words")
 
 
 def test_shortcuts_are_ours_alone(window):

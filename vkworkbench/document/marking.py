@@ -8,6 +8,7 @@ from contextlib import contextmanager
 
 import FreeCAD
 
+from vkworkbench import preferences
 from vkworkbench.document import marks
 from vkworkbench.document.operations import find, is_document, is_object, kind
 from vkworkbench.report import OperationReport, Report
@@ -36,14 +37,15 @@ def mark(report: Report) -> int:
         document = FreeCAD.listDocuments().get(name)
         if document is None:
             continue
+        chosen = preferences.read()
         with transaction(document, "Analyze toolpaths"):
             for operation in operations:
                 obj = document.getObject(operation.name)
                 if obj is not None:
-                    marks.write(obj, operation)
+                    marks.write(obj, operation, chosen)
                     marked += 1
             for job in _jobs(document):
-                marks.write_total(job)
+                marks.write_total(job, chosen)
     return marked
 
 

@@ -7,6 +7,7 @@ import FreeCAD
 
 from vkworkbench import preferences
 from vkworkbench.document import marking, marks
+from vkworkbench.document.mark_properties import may_have_mark
 from vkworkbench.document.operations import find
 from vkworkbench.document.watcher import Watcher
 from vkworkbench.report import Report
@@ -22,6 +23,8 @@ class Upkeep(Watcher):
 
 
 _upkeep: Upkeep | None = None
+# Preferences on which the text of a mark depends.
+IN_MARKS = frozenset({"mark_simulator", "time_budget"})
 
 
 def watch() -> None:
@@ -30,6 +33,16 @@ def watch() -> None:
     if _upkeep is None:
         _upkeep = Upkeep()
         FreeCAD.addDocumentObserver(_upkeep)
+        if not FreeCAD.GuiUp:  # the window waits until all preferences are changed
+            preferences.observe(lambda name: name in IN_MARKS and follow_preferences())
+
+
+def follow_preferences() -> None:
+    """Let the marks of all open documents say what the preferences ask for."""
+    chosen = preferences.read()
+    for document in FreeCAD.listDocuments().values():
+        for obj in filter(may_have_mark, document.Objects):
+            marks.follow(obj, chosen)
 
 
 def mark(report: Report) -> int:

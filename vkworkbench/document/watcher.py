@@ -10,6 +10,7 @@ from __future__ import annotations
 from vkworkbench import freecad
 from vkworkbench.document import marks
 from vkworkbench.document.fingerprint import read_setting_fingerprint
+from vkworkbench.document.mark_properties import may_have_mark
 from vkworkbench.document.operations import find, job_of, kind, through_bases
 
 _ON_OPERATION = freecad.names_in_fingerprint("path")
@@ -26,7 +27,7 @@ class Watcher:
 
     def slotChangedObject(self, obj, name: str) -> None:
         if name in _ON_OPERATION:
-            if hasattr(obj, "ToolpathFingerprint") and not obj.Document.Restoring:
+            if may_have_mark(obj) and not obj.Document.Restoring:
                 self._paths.setdefault(obj.Document.Name, set()).add(obj.Name)
         elif name in _ON_SETTING and not obj.Document.Restoring:
             self._settings.add(obj.Document.Name)

@@ -55,7 +55,7 @@ class AnalyzeCommand:
         _show_marks()
         latest.remember(report)
         panel_command.show()
-        wrong = sum(o.error is not None for o in report.operations)
+        wrong = sum(o.to_be_known for o in report.operations)
         text = translate("Vk_Analyze", "{} operations analyzed").format(len(report.operations))
         if wrong:
             text += ", " + translate("Vk_Analyze", "{} with remarks").format(wrong)

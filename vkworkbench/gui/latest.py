@@ -9,6 +9,7 @@ from vkworkbench.report import OperationReport, Report
 
 _found: dict[str, dict[str, OperationReport]] = {}
 _jobs: dict[tuple[str, str], str] = {}
+_fixtures: dict[tuple[str, str], int] = {}
 
 
 def remember(report: Report) -> None:
@@ -16,6 +17,7 @@ def remember(report: Report) -> None:
     for operation in report.operations:
         _found.setdefault(operation.document, {})[operation.name] = operation
     _jobs.update(report.jobs)
+    _fixtures.update(report.fixtures)
 
 
 def report_of(document) -> Report:
@@ -23,7 +25,7 @@ def report_of(document) -> Report:
     known = _found.get(document.Name, {}) if document is not None else {}
     operations = tuple(known[o.object.Name] for o in find(document) if o.object.Name in known) if known else ()
     jobs = {(o.document, o.job): _jobs[o.document, o.job] for o in operations if o.job is not None}
-    return Report(operations, jobs, preferences.read().budget)
+    return Report(operations, jobs, preferences.read().budget, {job: _fixtures.get(job, 1) for job in jobs})
 
 
 def forget(document_name: str) -> None:

@@ -36,10 +36,15 @@ class PreferencesPage:
 
     def _offer_simulators(self) -> None:
         """List the simulators that this FreeCAD has, and hide the preferences of the others."""
-        from vkworkbench.core.simulators import SIMULATORS, available
+        from vkworkbench.core.simulators import LEGACY, OPENGL, SIMULATORS, available
 
         there_are = available(freecad.version())
-        self.form.mark_simulator.addItems([FreeCAD.Qt.translate("VkPreferences", s.choice) for s in there_are])
+        own = translate("VkPreferences", "That of FreeCAD's button: {simulator}")
+        self.form.mark_simulator.addItem(own.format(simulator=user().simulator(freecad.own_simulator())))
+        self.form.mark_simulator.addItems([user().simulator(simulator.name) for simulator in there_are])
+        accuracy, quality = translate("VkPreferences", "{simulator}: accuracy"), translate("VkPreferences", "{simulator}: quality")
+        self.form.legacy_accuracy_label.setText(accuracy.format(simulator=user().simulator(LEGACY.name)))
+        self.form.opengl_quality_label.setText(quality.format(simulator=user().simulator(OPENGL.name)))
         for simulator in SIMULATORS:
             if simulator not in there_are:
                 for name in simulator.preferences:

@@ -73,7 +73,7 @@ __all__ = [
     "QPoint", "QPointF", "QPolygonF", "QProgressBar", "QProgressDialog", "QPushButton", "QRectF", "QRegion", "QSize",
     "QSizePolicy", "QSlider", "QSortFilterProxyModel", "QSpinBox", "QStyle", "QStyleOptionViewItem",
     "QStyledItemDelegate", "QTableView", "QTimer", "QToolButton", "QToolTip", "QTreeView", "QVBoxLayout", "QWidget",
-    "Signal", "Qt", "svg_generator",
+    "Qt", "Signal", "svg_generator",
 ]  # fmt: skip
 
 

@@ -10,6 +10,7 @@ import FreeCAD
 import FreeCADGui as Gui
 
 from vkworkbench import freecad
+from vkworkbench.document.mark_properties import may_have_mark
 from vkworkbench.gui import preferences_page
 from vkworkbench.gui.qt import QApplication, QTimer
 from vkworkbench.gui.selection import selected_operations
@@ -108,7 +109,7 @@ class _OpenedDocuments:
             return
         if document.Restoring:  # still loading: FreeCAD's progress bar lets timers run meanwhile
             self._later(name)
-        elif any(hasattr(obj, "ToolpathFingerprint") for obj in document.Objects):
+        elif any(map(may_have_mark, document.Objects)):
             # These load numpy: only for a document with marks.
             from vkworkbench.document import upkeep, watcher
             from vkworkbench.gui import pills

@@ -38,7 +38,6 @@ def translated(language):
 
 def texts(simulator):
     """Context and text of all that a person reads of it."""
-    yield "VkPreferences", simulator.choice
     for name in ("time_title", "time_tooltip", "memory_title", "memory_tooltip"):
         yield "Vk_Results", getattr(simulator, name)
     if simulator.advice:
@@ -60,7 +59,7 @@ def test_entries_do_not_collide():
     kinds = [lesson.kind for simulator in SIMULATORS for lesson in simulator.lessons]
     for unique in (names, columns, kinds):
         assert len(set(unique)) == len(unique)
-    assert preferences.Preferences().mark_simulator == SIMULATORS[0].name == ZBUFFER.name
+    assert preferences.OWN not in names and SIMULATORS[0] is ZBUFFER
 
 
 def test_preferences_that_only_one_reads_are_preferences():

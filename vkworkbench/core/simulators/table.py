@@ -16,7 +16,7 @@ from vkworkbench.language import QT_TRANSLATE_NOOP, Message
 
 #: The paper's; its columns in CSV and JSON have no prefix.
 ZBUFFER = Simulator(
-    name="z-buffer",
+    name=zbuffer.NAME,
     since=(),
     predict=zbuffer.predict,
     together=zbuffer.together,
@@ -32,7 +32,6 @@ ZBUFFER = Simulator(
         "factor": lambda cost: cost.factor,
     },
     factor_column=None,
-    choice=QT_TRANSLATE_NOOP("VkPreferences", "Extended z-buffer"),
     time_title=QT_TRANSLATE_NOOP("Vk_Results", "Z-buffer\ntime"),
     time_tooltip=QT_TRANSLATE_NOOP("Vk_Results", "Time to simulate it in an extended z-buffer"),
     memory_title=QT_TRANSLATE_NOOP("Vk_Results", "Z-buffer\nmemory"),
@@ -65,7 +64,6 @@ LEGACY = Simulator(
         "legacy_memory_bytes": lambda cost: cost.memory_bytes,
     },
     factor_column="legacy_factor",
-    choice=QT_TRANSLATE_NOOP("VkPreferences", "FreeCAD's legacy simulator"),
     time_title=QT_TRANSLATE_NOOP("Vk_Results", "Legacy\ntime"),
     time_tooltip=QT_TRANSLATE_NOOP(
         "Vk_Results",
@@ -107,7 +105,6 @@ OPENGL = Simulator(
         "opengl_memory_bytes": lambda cost: cost.memory_bytes,
     },
     factor_column="opengl_factor",
-    choice=QT_TRANSLATE_NOOP("VkPreferences", "FreeCAD's OpenGL simulator"),
     time_title=QT_TRANSLATE_NOOP("Vk_Results", "OpenGL\ntime"),
     time_tooltip=QT_TRANSLATE_NOOP("Vk_Results", "Time of FreeCAD's OpenGL simulator at its highest speed"),
     memory_title=QT_TRANSLATE_NOOP("Vk_Results", "OpenGL\nmemory"),

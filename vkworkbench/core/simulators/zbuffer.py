@@ -10,6 +10,8 @@ from vkworkbench.core.simulators.simulator import Conditions, Task
 from vkworkbench.core.zbuffer import Estimate, estimate
 from vkworkbench.core.zbuffer import most_bytes as most_bytes_of
 
+NAME = "z-buffer"
+
 
 @dataclass(frozen=True)
 class ZBufferCost:

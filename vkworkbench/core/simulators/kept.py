@@ -1,0 +1,62 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Costs as plain data, for documents that keep them, and back."""
+
+from __future__ import annotations
+
+from dataclasses import fields
+from math import isfinite
+from typing import Any
+
+from vkworkbench.core.simulators import legacy, opengl
+from vkworkbench.core.simulators.constants import DEFAULTS, Constants
+from vkworkbench.core.simulators.legacy import LegacyCost
+from vkworkbench.core.simulators.opengl import OpenGLCost
+from vkworkbench.core.simulators.simulator import Cost
+from vkworkbench.core.simulators.zbuffer import NAME, ZBufferCost
+
+_KINDS = {NAME: ZBufferCost, legacy.NAME: LegacyCost, opengl.NAME: OpenGLCost}
+_DROPPED = "positions"  # of the accuracy slider: the cost is that at one of them
+
+
+def as_data(name: str, cost: Cost) -> dict[str, Any]:
+    """Return what has to be kept of a cost so that those of several operations can be put together, as JSON takes it."""
+    kept = {field.name: getattr(cost, field.name) for field in fields(_KINDS[name]) if field.name != _DROPPED}
+    return {name: _plain(value) for name, value in kept.items()}
+
+
+def from_data(name: str, data: Any) -> Cost:
+    """Return the cost that `as_data` made this of.
+
+    Raises
+    ------
+    LookupError, TypeError, ValueError
+        If no cost looks like that: another version may have written it.
+    """
+    kind = _KINDS[name]
+    values = {field.name: _value(field.name, data[field.name]) for field in fields(kind) if field.name != _DROPPED}
+    return kind(**values)
+
+
+def _plain(value: Any) -> Any:
+    if isinstance(value, Constants):
+        own = {field.name: getattr(value, field.name) for field in fields(value)}
+        return {name: number for name, number in own.items() if number != getattr(DEFAULTS, name)}
+    if isinstance(value, dict):
+        return {str(key): float(number) for key, number in value.items()}
+    return value if isinstance(value, int) else float(value)
+
+
+def _value(name: str, data: Any) -> Any:
+    if name == "constants":
+        return Constants(**{key: _number(number) for key, number in data.items()})
+    if isinstance(data, dict):
+        if not data:
+            raise ValueError(f"no {name}")
+        return {int(key): _number(number) for key, number in data.items()}
+    return _number(data)
+
+
+def _number(data: Any) -> float | int:
+    if isinstance(data, bool) or not isinstance(data, (int, float)) or not (0 <= data < 1e300 and isfinite(data)):
+        raise ValueError(f"no measure: {data!r:.40}")
+    return data

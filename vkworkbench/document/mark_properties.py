@@ -1,0 +1,137 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The properties of a mark: one that says what is ours, and those that show it. Loads no numpy.
+
+All of them are read-only outputs: an ordinary property would touch its object, and FreeCAD would recompute it.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterable
+
+import FreeCAD
+
+from vkworkbench import freecad
+from vkworkbench.language import ENGLISH
+
+QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
+
+GROUP = "Toolpath analysis"
+# Holds the whole mark, hidden.
+MARK = "ToolpathMark"
+# Attributes: Output (8) keeps a change from touching the object, ReadOnly (1) keeps the user from it, Hidden is 4.
+_SHOWN, _HIDDEN = 9, 13
+# "Length" alone is what FreeCAD's lead-in dress-up calls a property of its own.
+_TYPES = {
+    MARK: ("App::PropertyString", QT_TRANSLATE_NOOP("App::Property", "What the mark in the description says")),
+    "Strategy": ("App::PropertyString", QT_TRANSLATE_NOOP(
+        "App::Property", "Machining strategy recognised from the toolpath")),
+    "Confidence": ("App::PropertyPercent", QT_TRANSLATE_NOOP(
+        "App::Property", "How sure the recognition is, in percent")),
+    "Reason": ("App::PropertyString", QT_TRANSLATE_NOOP("App::Property", "Why this strategy")),
+    "Remarks": ("App::PropertyString", QT_TRANSLATE_NOOP(
+        "App::Property", "What is wrong with the operation, unknown about it, or to be known before simulating it")),
+    "CuttingLength": ("App::PropertyLength", QT_TRANSLATE_NOOP("App::Property", "Length of the cutting moves")),
+    "MachiningTime": ("App::PropertyTime", QT_TRANSLATE_NOOP("App::Property", "Time on the machine")),
+    "SimulationTime": ("App::PropertyTime", QT_TRANSLATE_NOOP(
+        "App::Property", "Estimated time of the simulation that the mark shows")),
+}  # fmt: skip
+# Those of the version before, by which a mark of it is known.
+BEFORE = tuple("Toolpath" + name for name in (
+    "Strategy", "Confidence", "Reason", "Remark", "Messages", "Trajectories", "Length", "Simulator", "Seconds", "Factor",
+    "Memory", "Fingerprint",
+))  # fmt: skip
+
+
+def may_have_mark(obj) -> bool:
+    """Whether an object has a property of a mark, of this version or of the one before."""
+    return any(hasattr(obj, name) for name in (MARK, *BEFORE))
+
+
+def kept(obj) -> str:
+    """Return the text of the property that holds the mark; empty where there is none, or one of another type."""
+    text = getattr(obj, MARK, "")
+    return text if isinstance(text, str) else ""
+
+
+def ours(obj) -> list[str]:
+    """Return the names of an object's properties that are a mark's: those in its group, and those it says it wrote."""
+    written = _written(obj)
+    return [
+        name
+        for name in obj.PropertiesList
+        if name == MARK or name in BEFORE or name in written or (name in _TYPES and _group(obj, name) == GROUP)
+    ]
+
+
+def text_written(obj) -> str | None:
+    """Return the text that a mark wrote into the description, also one of a newer version; None where it is not known."""
+    return _part(obj, "text")
+
+
+def own_brackets(obj) -> list:
+    """Return what stood in brackets beside the mark when it was written: the user's own, whatever it says."""
+    own = _part(obj, "own")
+    return own if isinstance(own, list) else []
+
+
+def _written(obj) -> set[str]:
+    names = _part(obj, "shown")
+    return {name for name in names if isinstance(name, str) and name in _TYPES} if isinstance(names, list) else set()
+
+
+def _part(obj, name: str):
+    try:
+        return json.loads(kept(obj))[name]
+    except (LookupError, TypeError, ValueError, RecursionError):
+        return None
+
+
+def _group(obj, name: str) -> str:
+    return obj.getGroupOfProperty(name)
+
+
+def may_show(obj, names: Iterable[str]) -> set[str]:
+    """Return the names of the properties that may show a mark: an object's own of such a name stay."""
+    present = {name for name in names if hasattr(obj, name)}
+    return set(names) - (present - set(ours(obj)) if present else set())
+
+
+def set_values(obj, values: dict) -> None:
+    """Give the mark's properties these values, and no others; what is there and not as we write it is made anew."""
+    for name in ours(obj):
+        if name not in values or not _is_as_written(obj, name):
+            remove(obj, name)
+    for name, value in values.items():
+        if not hasattr(obj, name):
+            obj.addProperty(_type(name), name, GROUP, _TYPES[name][1], _HIDDEN if name == MARK else _SHOWN)
+        if _type(name) == "App::PropertyString" and not isinstance(value, str):
+            value = ENGLISH.time(value)  # in 0.20
+        if getattr(getattr(obj, name), "Value", getattr(obj, name)) != value:
+            setattr(obj, name, value)
+
+
+def _is_as_written(obj, name: str) -> bool:
+    attributes = {"ReadOnly", "Output"} | ({"Hidden"} if name == MARK else set())
+    return (
+        obj.getTypeIdOfProperty(name) == _type(name)
+        and "Immutable" not in obj.getPropertyStatus(name)
+        and attributes <= set(obj.getTypeOfProperty(name))
+        and name not in {path.lstrip(".") for path, _ in obj.ExpressionEngine}
+    )
+
+
+def _type(name: str) -> str:
+    """Return a property's type in this FreeCAD."""
+    type_id = _TYPES[name][0]
+    has_times = freecad.version() >= freecad.TIME_PROPERTY_SINCE
+    return "App::PropertyString" if type_id == "App::PropertyTime" and not has_times else type_id
+
+
+def remove(obj, name: str) -> None:
+    """Remove a property, also one that somebody locked."""
+    if any(path.lstrip(".") == name for path, _ in obj.ExpressionEngine):
+        obj.setExpression(name, None)
+    if not obj.removeProperty(name):
+        obj.setPropertyStatus(name, "-LockDynamic")
+        obj.removeProperty(name)

@@ -1,0 +1,68 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A mark in words: the strategy, the time of one simulator, and what the user must know."""
+
+from __future__ import annotations
+
+from enum import IntEnum
+
+from vkworkbench.document.record import Record
+from vkworkbench.language import ENGLISH, Reader, render
+from vkworkbench.preferences import Preferences
+from vkworkbench.report import SERIOUS
+
+OPENING, CLOSING, SEPARATOR, OUTDATED = "⟦", "⟧", " · ", "outdated"
+PLAY, WARNING = "▶", "⚠"
+UNSURE = 0.8  # below that confidence a mark says how sure it is
+_NEAR = 0.5  # of the budget
+_LONGEST_REMARK = 120  # characters in a document; the window shows all that it has room for
+
+
+class Burden(IntEnum):
+    """How a simulation's time compares with the budget of the preferences."""
+
+    FINE, NEAR, OVER = range(3)
+
+
+def burden(record: Record, chosen: Preferences) -> Burden:
+    """Return whether simulating it in the simulator of the preferences stays within the budget of time."""
+    cost = record.cost(chosen.simulator)
+    share = cost[0] / chosen.time_budget if cost else 0.0
+    return Burden.OVER if share > 1 else Burden.NEAR if share > _NEAR else Burden.FINE
+
+
+def is_warned(record: Record, chosen: Preferences) -> bool:
+    """Whether the user must know something before starting that simulator."""
+    concerned = (c for c in record.cautions if c.what.arguments.get("simulator") == chosen.simulator)
+    return burden(record, chosen) is Burden.OVER or bool(record.remarks) or any(c.code in SERIOUS for c in concerned)
+
+
+def time_of(record: Record, chosen: Preferences, reader: Reader = ENGLISH) -> str:
+    """Return the time of that simulator in words, empty where it is not known."""
+    cost = record.cost(chosen.simulator)
+    if not cost:
+        return ""
+    time = reader.about(reader.time(cost[0]), record.factor(chosen.simulator))
+    return f"≥ {time}" if record.incomplete else time
+
+
+def text_of(record: Record, chosen: Preferences) -> str:
+    """Return the text that stands between the brackets in a description, in English, the same for all its readers."""
+    if record.strategy is None:
+        first = f"{record.operations} operation" + ("s" if record.operations > 1 else "")
+    else:
+        first = record.strategy.value + (f" {record.confidence:.0%}" if is_unsure(record) else "")
+    time, warning = time_of(record, chosen), f" {WARNING}" if is_warned(record, chosen) else ""
+    parts = [first, *([f"{PLAY} {time}{warning}"] if time else [])]
+    if record.remarks:
+        remark = _shortened("; ".join(map(render, record.remarks)))
+        parts.append(remark if time else f"{WARNING} {remark}")
+    return SEPARATOR.join([*parts, *([OUTDATED] if record.outdated else [])])
+
+
+def is_unsure(record: Record) -> bool:
+    return record.strategy is not None and record.strategy.is_answer and record.confidence < UNSURE
+
+
+def _shortened(text: str) -> str:
+    text = text.replace(OPENING, "[").replace(CLOSING, "]")
+    return text if len(text) <= _LONGEST_REMARK else text[: _LONGEST_REMARK - 1].rstrip() + "…"

@@ -1,0 +1,208 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What a mark keeps of an analysis: enough to explain it, to follow the preferences and to add up a job's total."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field
+from functools import lru_cache
+from math import isfinite
+from typing import Any
+
+from vkworkbench import freecad
+from vkworkbench.core import Strategy
+from vkworkbench.core.simulators import Caution, Cost, Costs, available, cost_as_data, cost_from_data
+from vkworkbench.language import Message, render
+from vkworkbench.report import HANGS, SERIOUS, OperationReport, Total
+
+_FORMAT = 2  # 1 was twelve properties
+
+
+@dataclass(frozen=True)
+class Record(Costs):
+    """What is known of a marked operation, or of a job: the sum of its operations.
+
+    Attributes
+    ----------
+    strategy : Strategy or None
+        None for a job.
+    confidence : float
+    reason, remarks : tuple of Message
+        Why it has its strategy; what is wrong or unknown.
+    cautions : tuple of Caution
+        What goes wrong or takes long in FreeCAD's simulators.
+    operations, trajectories : int
+    length : float
+        Cutting length, mm.
+    machining_seconds : float or None
+        Time of the moves whose speed is known, s.
+    left_out : tuple of Message
+        What that time leaves out.
+    stepover : float or None
+        mm.
+    incomplete : bool
+        Whether the costs of some operation are unknown, so that those of the job are lower bounds.
+    costs : dict of str to Cost
+        By the simulators' names.
+    fingerprint : str
+        Of path, tool and stock; of a job, those of its operations.
+    outdated : bool
+    text : str
+        The mark as it stands in the description.
+    label : str
+        Of the operation as it is now; not kept.
+    """
+
+    strategy: Strategy | None
+    confidence: float = 0.0
+    reason: tuple[Message, ...] = ()
+    remarks: tuple[Message, ...] = ()
+    cautions: tuple[Caution, ...] = ()
+    operations: int = 1
+    trajectories: int = 0
+    length: float = 0.0
+    machining_seconds: float | None = None
+    left_out: tuple[Message, ...] = ()
+    stepover: float | None = None
+    incomplete: bool = False
+    costs: Mapping[str, Cost] = field(default_factory=dict)
+    fingerprint: str = ""
+    outdated: bool = False
+    text: str = ""
+    label: str = ""
+    advice = {}  # is not kept
+
+    @property
+    def english_reason(self) -> str:
+        return "; ".join(map(render, self.reason))
+
+    @property
+    def english_remarks(self) -> str:
+        """What is wrong and what is to be known, sentences with semicolons between them."""
+        return "; ".join([*map(render, self.remarks), *(c.message for c in self.cautions if c.code in SERIOUS)])
+
+
+def of_operation(report: OperationReport, simulator: str) -> Record:
+    """Return what is kept of an operation's report; the costs are those of FreeCAD's simulators and of `simulator`.
+
+    A cost of another simulator is kept if it has been computed: to ask for it would compute it.
+    """
+    names = {simulator, *freecad.own_simulators(), *_computed(report.costs)}
+    costs = {name: report.costs[name] for name in sorted(names) if name in report.costs}
+    return Record(
+        strategy=report.strategy,
+        confidence=report.confidence,
+        reason=(report.recognition.why,),
+        remarks=report.remarks,
+        cautions=report.cautions,
+        trajectories=report.trajectories,
+        length=report.length,
+        machining_seconds=report.machining_seconds,
+        left_out=report.left_out,
+        stepover=report.stepover,
+        costs=costs,
+        fingerprint=report.fingerprint,
+    )
+
+
+def _computed(costs: Mapping[str, Cost]) -> Iterable[str]:
+    return costs.computed() if hasattr(costs, "computed") else costs
+
+
+def of_total(total: Total, parts: list[Record], fingerprint: str) -> Record:
+    """Return what is kept of a job's total, which was made of these parts."""
+    unknown = [part.label for part in parts if part.trajectories and not part.costs]
+    return Record(
+        strategy=None,
+        remarks=(Message("cost-unknown", labels=unknown),) if unknown else (),
+        cautions=tuple(caution for part in parts for caution in part.cautions if caution.code in HANGS),
+        operations=total.operations,
+        trajectories=total.trajectories,
+        length=total.length,
+        machining_seconds=total.machining_seconds if any(p.machining_seconds is not None for p in parts) else None,
+        left_out=tuple(dict.fromkeys(message for part in parts for message in part.left_out)),
+        incomplete=total.incomplete,
+        costs=dict(total.costs),
+        fingerprint=fingerprint,
+    )
+
+
+def as_json(record: Record, shown: Iterable[str] = (), own: Iterable[str] = ()) -> str:
+    """Return a record as text, with the properties that show parts of it and what is the user's own in brackets beside it."""
+    return json.dumps({
+        "format": _FORMAT,
+        "text": record.text,
+        "shown": list(shown),
+        "own": list(own),
+        "outdated": record.outdated,
+        "strategy": record.strategy and record.strategy.value,
+        "confidence": round(record.confidence, 4),
+        "reason": [message.as_data() for message in record.reason],
+        "remarks": [message.as_data() for message in record.remarks],
+        "cautions": [{"code": c.code, "what": c.what.as_data(), "command": c.command} for c in record.cautions],
+        "operations": record.operations,
+        "trajectories": record.trajectories,
+        "length": record.length,
+        "machining": record.machining_seconds,
+        "left_out": [message.as_data() for message in record.left_out],
+        "stepover": record.stepover,
+        "incomplete": record.incomplete,
+        "costs": {name: cost_as_data(name, cost) for name, cost in record.costs.items()},
+        "fingerprint": record.fingerprint,
+    })  # fmt: skip
+
+
+@lru_cache(1024)
+def from_json(text: str) -> Record | None:
+    """Return the record that `as_json` made this of; None where it did not, or a newer version did."""
+    try:
+        data = json.loads(text)
+        return Record(
+            strategy=None if data["strategy"] is None else Strategy(data["strategy"]),
+            confidence=_number(data["confidence"]),
+            reason=_messages(data["reason"]),
+            remarks=_messages(data["remarks"]),
+            cautions=tuple(_caution(one) for one in data["cautions"]),
+            operations=int(_number(data["operations"])),
+            trajectories=int(_number(data["trajectories"])),
+            length=_number(data["length"]),
+            machining_seconds=_or_none(data["machining"]),
+            left_out=_messages(data["left_out"]),
+            stepover=_or_none(data["stepover"]),
+            incomplete=bool(data["incomplete"]),
+            costs=_costs(data["costs"]),
+            fingerprint=str(data["fingerprint"]),
+            outdated=bool(data["outdated"]),
+            text=str(data["text"]),
+        )
+    except (AttributeError, LookupError, TypeError, ValueError, ArithmeticError, RecursionError):
+        return None
+
+
+def _costs(data: dict) -> dict[str, Cost]:
+    known = {simulator.name for simulator in available((1_000,))}
+    return {name: cost_from_data(name, one) for name, one in data.items() if name in known}
+
+
+def _messages(data: Any) -> tuple[Message, ...]:
+    """Return messages that can be rendered; those of a newer version cannot."""
+    messages = tuple(map(Message.from_data, data))
+    for message in messages:
+        render(message)
+    return messages
+
+
+def _caution(data: Any) -> Caution:
+    (what,) = _messages([data["what"]])
+    return Caution(str(data["code"]), what, None if data["command"] is None else int(data["command"]))
+
+
+def _or_none(data: Any) -> float | None:
+    return None if data is None else _number(data)
+
+
+def _number(data: Any) -> float:
+    if isinstance(data, bool) or not isinstance(data, (int, float)) or not isfinite(data) or data < 0:
+        raise ValueError(f"no measure: {data!r:.40}")
+    return data
