@@ -1,68 +1,88 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The extended z-buffer from above against FreeCAD's PathSimulator, which writes no traces.
+"""The extended z-buffer against FreeCAD's PathSimulator, which looks from above only and writes no traces.
 
     freecadcmd "$PWD/benchmarks/zbuffer_freecad.py"
 
-Both cut the same toolpath at the same size of cell, one after the other, in this process, on one core. Printed is the
-processor time, of five runs the best, and the ratio.
+Both cut the same toolpaths at the same size of cell, one after the other, in this process, on one core: the cases of
+zbuffer_cases.py and the example job with all its tools. Printed is the processor time, of three runs the best, and the
+ratio; from (1, 1, -1) the image has as many pixels, and FreeCAD's time is that from above.
 """
 
 from __future__ import annotations
 
 import os
 import sys
+import tempfile
 import time
 from pathlib import Path
 
 import FreeCAD
+import numpy as np
 import Part
 from Path import Command
 from PathSimulator import PathSim
 
 ROOT = Path(__file__).resolve().parent.parent
-sys.path[:0] = [str(ROOT), str(ROOT / "benchmarks")]
+sys.path[:0] = [str(ROOT), str(ROOT / "benchmarks"), str(ROOT / "examples")]
 
+from make_example import make_example
 from measuring import shape
 from zbuffer_cases import CASES
 
-from vkworkbench.core import View, simulate
+from vkworkbench.core import Cut, View, simulate_job
+from vkworkbench.document.simulation import read_job
 
-RUNS = 5
+RUNS = 3
 # FreeCAD writes its progress to the standard output.
 OUT = os.fdopen(os.dup(1), "w")
 os.dup2(os.open(os.devnull, os.O_WRONLY), 1)
 
 
 def main() -> None:
-    print("processor time, s      trajectories    cell, mm     FreeCAD   z-buffer   ratio", file=OUT)
-    for name, (toolpath, tool, stock) in CASES.items():
-        view = View()
+    print("processor time, s      trajectories    cell, mm     FreeCAD   from above   ratio   (1, 1, -1)   ratio", file=OUT)
+    for name, cuts, stock in cases():
+        view, oblique = View(), View((1, 1, -1))
         cell = view.frame(stock).pixel
-        theirs, ours = [], []
-        for _ in range(RUNS):  # in turns, so that a slow moment spoils neither alone
-            theirs.append(freecads(toolpath, tool, stock, cell))
-            begin = time.process_time()
-            simulate(toolpath, tool=tool, stock=stock, view=view)
-            ours.append(time.process_time() - begin)
+        seconds = np.full((3, RUNS), np.nan)
+        for run in range(RUNS):  # in turns, so that a slow moment spoils neither alone
+            seconds[0, run] = freecads(cuts, stock, cell)
+            for row, seen in ((1, view), (2, oblique)):
+                begin = time.process_time()
+                simulate_job(cuts, stock=stock, view=seen)
+                seconds[row, run] = time.process_time() - begin
+        theirs, above, tilted = seconds.min(axis=1)
+        moves = sum(len(cut.toolpath) for cut in cuts)
         print(
-            f"{name:20}{len(toolpath):15,}{cell:12.3f}{min(theirs):12.3f}{min(ours):11.3f}"
-            f"{min(ours) / min(theirs):8.2f}",
+            f"{name:20}{moves:15,}{cell:12.3f}{theirs:12.3f}{above:13.3f}{above / theirs:8.2f}"
+            f"{tilted:13.3f}{tilted / theirs:8.2f}",
             file=OUT,
             flush=True,
         )
 
 
-def freecads(toolpath, tool, stock, cell):
+def cases():
+    """Names, cuts and stocks."""
+    for name, (toolpath, tool, stock) in CASES.items():
+        yield name, [Cut(toolpath, tool)], stock
+    with tempfile.TemporaryDirectory() as folder:
+        job = read_job(make_example(Path(folder) / "example.FCStd"))
+    yield "the example job", list(job.cuts), job.stock
+
+
+def freecads(cuts, stock, cell):
     """Seconds that PathSimulator takes to cut."""
     simulator = PathSim()
     simulator.BeginSimulation(Part.makeBox(*(stock.upper - stock.lower), FreeCAD.Vector(*stock.lower)), cell)
-    simulator.SetToolShape(shape(tool), 0.05)
-    position = FreeCAD.Placement(FreeCAD.Vector(*toolpath.points[0]), FreeCAD.Rotation())
-    moves = [Command("G1", dict(zip("XYZ", point))) for point in toolpath.points[1:].tolist()]
-    begin = time.process_time()
-    for move in moves:
-        position = simulator.ApplyCommand(position, move)
-    return time.process_time() - begin
+    seconds = 0.0
+    for cut in cuts:
+        simulator.SetToolShape(shape(cut.tool), 0.05)
+        position = FreeCAD.Placement(FreeCAD.Vector(*cut.toolpath.points[0]), FreeCAD.Rotation())
+        moves = [Command("G1", dict(zip("XYZ", point))) for point in cut.toolpath.points[1:].tolist()]
+        begin = time.process_time()
+        for move in moves:
+            position = simulator.ApplyCommand(position, move)
+        seconds += time.process_time() - begin
+    return seconds
 
 
 main()
