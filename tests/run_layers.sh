@@ -18,7 +18,7 @@ for layer in $layers; do
     echo "    $layer"
     home=$(mktemp -d)
     tests/make_home.sh "$home"
-    limit=(timeout --foreground -k 10 900) # s; in the foreground, so that Ctrl-C reaches the tests
+    limit=(timeout --foreground -k 10 1800) # s; in the foreground, so that Ctrl-C reaches the tests
     case $layer in
         core) command=("${limit[@]}" /usr/bin/python3 -m pytest) ;;
         document) command=("${limit[@]}" freecadcmd "$PWD/tests/in_freecad.py") ;;
