@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The oldest Python that the add-on runs on: package.xml says it, and nothing newer is used.
 
-FreeCAD 0.20 for Windows comes with Python 3.8, Ubuntu's builds with 3.10.
+Ubuntu's builds of FreeCAD come with 3.10. FreeCAD 0.20 and 0.21 for Windows come with 3.8, which does not do: the command
+line drops files that were not begun by what came with 3.9.
 """
 
 from __future__ import annotations
@@ -13,41 +14,36 @@ from pathlib import Path
 import pytest
 
 ROOT = Path(__file__).parents[2]
-OLDEST = (3, 8)
+OLDEST = (3, 9)
 FILES = sorted([ROOT / "Init.py", ROOT / "InitGui.py", *(ROOT / "vkworkbench").rglob("*.py")])
 # Names that came later: methods of text, functions of the standard library, arguments.
-LATER = {"removeprefix", "removesuffix", "ulp", "nextafter", "lcm", "pairwise", "batched", "bit_count", "cache", "is_relative_to",
-         "with_stem", "hardlink_to", "to_thread", "randbytes", "TaskGroup", "StrEnum", "ExceptionGroup", "add_note", "kw_only",
-         "slots", "root_dir", "EncodingWarning", "walk_up"}  # fmt: skip
+LATER = {"pairwise", "batched", "bit_count", "hardlink_to", "TaskGroup", "StrEnum", "ExceptionGroup", "add_note", "kw_only", "slots",
+         "root_dir", "EncodingWarning", "walk_up"}  # fmt: skip
 
 
 def newer(source: str) -> list[str]:
-    """Return what a source has of later Pythons, by line."""
+    """Return what a source has of later Pythons, by line; `X | Y` of types outside of annotations only a run finds."""
     try:
         tree = ast.parse(source, feature_version=OLDEST)
     except SyntaxError as error:
         return [f"{error.lineno}: {error.msg}"]
     found = []
     lazy = any(isinstance(node, ast.ImportFrom) and node.module == "__future__" for node in tree.body)
-    if not lazy and any(isinstance(node, (ast.AnnAssign, ast.FunctionDef)) for node in ast.walk(tree)):
+    if not lazy and any(isinstance(node, ast.BinOp) for annotation in _annotations(tree) for node in ast.walk(annotation)):
         found.append("1: annotations are evaluated")
     for node in ast.walk(tree):
         if isinstance(node, ast.Match):
             found.append(f"{node.lineno}: match")
         elif isinstance(node, ast.Attribute) and node.attr in LATER:
             found.append(f"{node.lineno}: {node.attr}")
-        elif isinstance(node, ast.keyword) and node.arg in LATER | {"strict", "usedforsecurity"}:
+        elif isinstance(node, ast.keyword) and node.arg in LATER | {"strict"}:
             found.append(f"{node.value.lineno}: {node.arg}=")
-        elif isinstance(node, (ast.BinOp, ast.AugAssign)) and isinstance(node.op, ast.BitOr):
-            sides = (node.value,) if isinstance(node, ast.AugAssign) else (node.left, node.right)
-            if any(_makes_dict(side) for side in sides):
-                found.append(f"{node.lineno}: dict | dict")
     return found
 
 
-def _makes_dict(node: ast.expr) -> bool:
-    name = getattr(node.func, "id", "") if isinstance(node, ast.Call) else ""
-    return isinstance(node, (ast.Dict, ast.DictComp)) or name in ("dict", "asdict")
+def _annotations(tree: ast.AST) -> list[ast.expr]:
+    nodes = [(getattr(node, "annotation", None), getattr(node, "returns", None)) for node in ast.walk(tree)]
+    return [annotation for both in nodes for annotation in both if isinstance(annotation, ast.expr)]
 
 
 @pytest.mark.parametrize("path", FILES, ids=lambda path: str(path.relative_to(ROOT)))
@@ -56,9 +52,9 @@ def test_no_newer_python_is_needed(path):
 
 
 @pytest.mark.parametrize("source, what", [
-    ("match 1:\n    case 1: pass", "2: "), ("'a'.removeprefix('b')", "1: removeprefix"), ("{} | x", "1: dict | dict"),
-    ("x |= {**y}", "1: dict | dict"), ("zip(a, b, strict=True)", "1: strict="), ("x: int | None = None", "1: annotations"),
-    ("with (open(a) as b, open(c) as d): pass", "1: "), ("sha1(b'', usedforsecurity=False)", "1: usedforsecurity="),
+    ("match 1:\n    case 1: pass", "2: "), ("x.bit_count()", "1: bit_count"), ("zip(a, b, strict=True)", "1: strict="),
+    ("x: int | None = None", "1: annotations"), ("try:\n    pass\nexcept* ValueError:\n    pass", ""),
+    ("@dataclass(slots=True)\nclass A: pass", "1: slots="),
 ])  # fmt: skip
 def test_what_is_newer_is_found(source, what):
     assert newer(source) and newer(source)[0].startswith(what)
