@@ -36,10 +36,11 @@ def predict(task: Task, conditions: Conditions) -> Estimate:
 
 
 def together(costs: Sequence[Estimate]) -> ZBufferCost:
-    """Add up the costs of several operations."""
+    """Add up the costs of several operations; their one z-buffer holds the stock once."""
+    stock = max(cost.stock_bytes for cost in costs)
     return ZBufferCost(
         sum(cost.seconds for cost in costs),
-        sum(cost.memory_bytes for cost in costs),
+        stock + sum(cost.memory_bytes - cost.stock_bytes for cost in costs),
         max(cost.factor for cost in costs),
     )
 
