@@ -11,6 +11,8 @@ import sys
 
 import FreeCAD
 
+sys.modules_at_start = frozenset(sys.modules)  # a test looks at what FreeCAD's start has loaded
+
 
 def run():
     # In a window these are FreeCAD's report view, which nobody sees here.

@@ -1,8 +1,53 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 from __future__ import annotations
 
+import sys
+
+import FreeCAD
 import FreeCADGui
+
+import vkworkbench
+from vkworkbench.document import watcher
 
 
 def test_window_is_there():
     assert FreeCADGui.getMainWindow().isVisible()
+
+
+# All that FreeCAD's start may load of the add-on; none of it loads numpy.
+AT_START = {
+    "vkworkbench", "vkworkbench.freecad", "vkworkbench.preferences", "vkworkbench.document",
+    "vkworkbench.document.operations", "vkworkbench.gui", "vkworkbench.gui.plain_text", "vkworkbench.gui.preferences_page",
+    "vkworkbench.gui.qt", "vkworkbench.gui.selection", "vkworkbench.gui.sentences", "vkworkbench.gui.text", "vkworkbench.gui.workbench",
+}  # fmt: skip
+
+
+def test_the_start_loads_nothing_that_is_not_needed_yet():
+    loaded = sys.modules_at_start
+    ours = {name for name in loaded if name.partition(".")[0] == "vkworkbench"}
+    ours = {name for name in ours if not name.startswith("vkworkbench.language")}  # sentences of the preferences
+    assert "vkworkbench.gui.workbench" in ours
+    assert ours <= AT_START
+    assert "matplotlib" not in loaded
+
+
+def test_switching_between_documents_compares_no_marks_again(opened, window, monkeypatch):
+    vkworkbench.mark(vkworkbench.analyze(opened))
+    window.idle()
+    other = FreeCAD.newDocument("Other")
+    FreeCAD.setActiveDocument(opened.Name)
+    window.idle()
+    compared = []
+    monkeypatch.setattr(watcher, "check", lambda document: compared.append(document.Name))
+    for _ in range(3):
+        FreeCAD.setActiveDocument(other.Name)
+        FreeCAD.setActiveDocument(opened.Name)
+        window.idle(0.1)
+    assert compared == []
+    opened.addObject("App::FeaturePython", "New")  # what is new may be a copy of something marked
+    FreeCAD.setActiveDocument(other.Name)
+    FreeCAD.setActiveDocument(opened.Name)
+    window.wait(lambda: compared)
+    assert compared == [opened.Name]
+    FreeCAD.closeDocument(other.Name)
+    FreeCAD.setActiveDocument(opened.Name)

@@ -86,7 +86,19 @@ def _extend(workbench, menu: str) -> None:
 
 
 class _OpenedDocuments:
-    """Compares the marks of a document with its paths once it has been opened: they may be of other paths."""
+    """Compares the marks of a document with its paths once it has been opened: they may be of other paths.
+
+    From then on the watcher keeps them true; only what is new in a document may be a copy of something marked.
+    """
+
+    def __init__(self) -> None:
+        self._compared: set[str] = set()
+
+    def slotCreatedObject(self, obj) -> None:
+        self._compared.discard(obj.Document.Name)
+
+    def slotDeletedDocument(self, document) -> None:
+        self._compared.discard(document.Name)
 
     def slotCreatedDocument(self, document) -> None:
         self._later(document.Name)
@@ -105,7 +117,7 @@ class _OpenedDocuments:
 
     def _look(self, name: str) -> None:
         document = FreeCAD.listDocuments().get(name)
-        if document is None:
+        if document is None or name in self._compared:
             return
         if document.Restoring:  # still loading: FreeCAD's progress bar lets timers run meanwhile
             self._later(name)
@@ -117,6 +129,7 @@ class _OpenedDocuments:
             pills.show()
             upkeep.watch()
             watcher.check(document)
+            self._compared.add(name)
 
 
 class _Simulations:
