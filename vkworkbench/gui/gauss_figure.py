@@ -63,7 +63,7 @@ class GaussFigure:
     def lay_out(self, width: float, height: float, text: QFontMetrics, top: float = 0.0) -> None:
         """Put the plots side by side, or the graph below the others where there is no room."""
         line = text.height()
-        left, right, below = 62.0, 26.0, line + 6.0
+        left, right, below = 62.0, 36.0, line + 6.0
         above = 2 * line + 4.0  # the graph's legend
         height -= top
         if width > _WIDE * height:
