@@ -6,9 +6,10 @@ from __future__ import annotations
 from dataclasses import replace
 
 import numpy as np
+import programs
 import pytest
 
-from toolpaths.strokes import SAMPLES, dogbones, open_adaptive, open_offsets, ramps
+from toolpaths.strokes import SAMPLES, dogbones, entered, open_adaptive, open_offsets, ramps
 from vkworkbench.core import Strategy, linearize, recognize
 from vkworkbench.core.paper import TURN, monotonous_areas
 from vkworkbench.core.recognition.spurs import without_spurs
@@ -55,3 +56,26 @@ def test_without_its_spurs_a_contour_turns_once(seed):
 def test_passes_that_go_over_themselves_are_no_spurs():
     moves = monotonous_areas(linearize(ramps(np.random.default_rng(0), count=6, level=False)))
     assert len(moves.reversals) and without_spurs(moves) is moves
+
+
+def ramped(to_and_fro):
+    """Commands of a contour entered by a ramp along its first side, down at once or to and fro."""
+    down = [(40.0, -1.0), (0.0, -2.0), (40.0, -3.0)] if to_and_fro else [(40.0, -3.0)]
+    commands = [("G0", {"Z": 5.0}), ("G0", {"X": 0.0, "Y": 0.0}), ("G1", {"Z": 0.0})]
+    commands += [("G1", {"X": x, "Y": 0.0, "Z": z}) for x, z in down]
+    around = [(40.0, 30.0), (0.0, 30.0), (0.0, 0.0), (40.0, 0.0)]
+    return commands + [("G1", {"X": x, "Y": y, "Z": -3.0}) for x, y in around]
+
+
+def test_the_entry_is_told_beside_the_strategy():
+    def told(commands):
+        found = recognize(linearize(commands))
+        return str(found.strategy), found.entry
+
+    assert told(programs.profile()) == ("profile", "plunge")
+    assert told(ramped(False)) == ("profile", "ramp")
+    assert told(ramped(True))[1] == "zigzag ramp"
+    assert told(programs.helix()) == ("helix", None)
+    assert told(programs.drilling())[1] is None
+    for seed in range(SEEDS):  # ten turns of ramp before three offsets make no profile
+        assert told(entered(np.random.default_rng(seed))) == ("contour-parallel", "helix")

@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from vkworkbench.core.paper import Areas, PaperVerdict, monotonous_areas, paper_verdict
+from vkworkbench.core.recognition.entries import find_entry
 from vkworkbench.core.recognition.evidence import gather, sentence
 from vkworkbench.core.recognition.footprints import count_depths
 from vkworkbench.core.recognition.section import Section
@@ -77,6 +78,9 @@ class Recognition:
         Number of loops that return to their first point.
     milling : str or None
         "climb" or "conventional" for nested loops cut by a spindle that turns clockwise (M3).
+    entry : str or None
+        How most of the depth is entered before the pattern: "plunge", "ramp", "zigzag ramp" or "helix"; None where the
+        descent is the operation, and of mixed ones.
     paper : PaperVerdict or None
         What the paper's rule says to the letter, with V_k and its Gauss image; None where no move has a direction.
     """
@@ -95,6 +99,7 @@ class Recognition:
     direction: float | None = None
     closed_loops: int = 0
     milling: str | None = None
+    entry: str | None = None
     paper: PaperVerdict | None = None
 
     @property
@@ -161,7 +166,9 @@ def _judge_one(toolpath: Toolpath, moves: Areas, first: int, last: int, tool: fl
     if strategy is Strategy.MIXED and verdict.parts:
         runs = _runs(section, verdict)
     spans = _spans(toolpath, runs)
-    evidence = {**vars(evidence), "reversals": len(moves.reversals)}
+    entered = strategy.is_answer and strategy not in (Strategy.MIXED, Strategy.HELIX)
+    entry = find_entry(moves) if entered else None
+    evidence = {**vars(evidence), "reversals": len(moves.reversals), "entry": entry}
     return Recognition(strategy, verdict.confidence, why, spans, **evidence, paper=paper_verdict(moves))
 
 
@@ -234,7 +241,7 @@ def _judge_sections(toolpath, borders, whole: Recognition, tool: float, program:
     why = Message("sections", count=len(runs), strategies=names, strategy=Strategy.MIXED)
     confidence = float((share * [r.confidence for r in found]).sum())
     return replace(
-        whole, strategy=Strategy.MIXED, confidence=confidence, why=why, spans=_spans(toolpath, runs)
+        whole, strategy=Strategy.MIXED, confidence=confidence, why=why, entry=None, spans=_spans(toolpath, runs)
     )
 
 
