@@ -69,6 +69,8 @@ class Preferences:
         Whether the tree shows marks as coloured pills; as plain text if not.
     renderer : str
         OpenGL's name of what draws on this computer, noted by the last calibration; not on the page.
+    result_columns : str
+        Columns of the results that are shown or hidden otherwise than at first, with commas; not on the page.
     """
 
     mark_simulator: str = _choice(OWN, _simulators)
@@ -83,6 +85,7 @@ class Preferences:
     analyze_after_recompute: bool = False
     show_pills: bool = True
     renderer: str = ""
+    result_columns: str = ""
 
     @property
     def simulator(self) -> str:

@@ -402,11 +402,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>{sentence} (command {command:n})</source>
+        <source>{sentence} (command {command:#})</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>{sentence} ({count:n} times, first at command {command:n})</source>
+        <source>{sentence} ({count:n} times, first at command {command:#})</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -422,7 +422,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>the arcs and cycles would need {moves:,} moves at a tolerance of {tolerance:mm}; use a larger tolerance</source>
+        <source>the arcs and cycles would need {moves:n} moves at a tolerance of {tolerance:mm}; use a larger tolerance</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -514,11 +514,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>{what} (line {line:n})</source>
+        <source>{what} (line {line:#})</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>{what} ({count:n} times, first in line {line:n})</source>
+        <source>{what} ({count:n} times, first in line {line:#})</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -558,11 +558,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>a program in the language of {name} controls (line {line:n}): post it as G-code (ISO) to have it read</source>
+        <source>a program in the language of {name} controls (line {line:#}): post it as G-code (ISO) to have it read</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>no NC program: {part:n} of its {lines:n} lines are not made of words like G1 X10, the first is line {line:n}</source>
+        <source>no NC program: {part:n} of its {lines:n} lines are not made of words like G1 X10, the first is line {line:#}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -578,19 +578,19 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>a program for a lathe ({name}, line {line:n}): milling strategies say nothing about it</source>
+        <source>a program for a lathe ({name}, line {line:#}): milling strategies say nothing about it</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>a program for a 3D printer ({name}, line {line:n}): milling strategies say nothing about it</source>
+        <source>a program for a 3D printer ({name}, line {line:#}): milling strategies say nothing about it</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>a program for a wire cutter ({name}, line {line:n}): milling strategies say nothing about it</source>
+        <source>a program for a wire cutter ({name}, line {line:#}): milling strategies say nothing about it</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>a rotary axis turns while the tool cuts (line {line:n}): the way of the tool cannot be told</source>
+        <source>a rotary axis turns while the tool cuts (line {line:#}): the way of the tool cannot be told</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -646,15 +646,15 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The {simulator:simulator} hangs on an arc {reason} (command {command:n}{others}): {instead}.</source>
+        <source>The {simulator:simulator} hangs on an arc {reason} (command {command:#}{others}): {instead}.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The {simulator:simulator} cuts {count:n} ramp at a wrong depth, up to {error:mm2} {way} (command {command:n}): do not judge depths by it.</source>
+        <source>The {simulator:simulator} cuts {count:n} ramp at a wrong depth, up to {error:mm2} {way} (command {command:#}): do not judge depths by it.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The {simulator:simulator} cuts {count:n} ramps at a wrong depth, up to {error:mm2} {way} (command {command:n}): do not judge depths by it.</source>
+        <source>The {simulator:simulator} cuts {count:n} ramps at a wrong depth, up to {error:mm2} {way} (command {command:#}): do not judge depths by it.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -767,6 +767,90 @@
     </message>
     <message>
         <source>many small contours of different shapes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count:n} row{spread}, {seen}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count:n} rows{spread}, {seen}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>one open cut{spread}, {seen}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count:n} open cuts{spread}, {seen}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>one loop{spread}{turning}, {seen}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count:n} loops{spread}{turning}, {seen}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>straight down at one point</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>straight down at {count:n} points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>straight down at some points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count:n} sections, parted by tool changes, titles, retracts or drilling: {strategies:strategy}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{sentence}; that is {share:%} of the length</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count:n} overlapping bites</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>one clockwise, the next counter-clockwise</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>all in one cut that winds on and never closes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>one inside the other</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>none inside another</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cut to and fro</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>all cut the same way</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>phi stays between {low:turns} and {high:turns} turns over one row{spread}, {seen}: {strategy:strategy}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>phi stays at 0 over one row{spread}, {seen}: {strategy:strategy}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>One move is shorter than a cell of the {simulator:simulator} ({cell:mm2}), takes its time and is not seen by itself: a coarser tolerance of the operation loses nothing there.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1008,14 +1092,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>{} operations analyzed</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{} with remarks</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>The marks are in the tree&apos;s Description column, which is now visible. You can hide it again in the tree&apos;s context menu: Tree settings, Show description.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1025,6 +1101,22 @@
     </message>
     <message>
         <source>Cancel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count} operation analyzed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count} operations analyzed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count} has a warning</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count} have warnings</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1039,7 +1131,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>{} marks removed</source>
+        <source>{count} mark removed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count} marks removed</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1133,35 +1229,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Export CSV…</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Saves all numbers as a table for a spreadsheet.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Export JSON…</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Saves all numbers for a program.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Copy to clipboard</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Copies the table as it stands here.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Nothing is analyzed yet in this document: click Analyze toolpaths.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Select an operation to read why it has its strategy.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1173,23 +1241,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Shows the analyzed operations as a table: strategy, lengths, what simulating them costs in each simulator, and what is wrong with them.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>a lower bound: the cost of some operations is not known</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{job}: {count} operation</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{job}: {count} operations</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>outdated: toolpath, tool or stock have changed since</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1221,14 +1273,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Trajectories</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Number of straight moves, arcs chopped</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Length</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1237,18 +1281,8 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Z-buffer
-time</source>
-        <extracomment>The paper&apos;s; its columns in CSV and JSON have no prefix.</extracomment>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Time to simulate it in an extended z-buffer</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Z-buffer
-memory</source>
+        <extracomment>The paper&apos;s; its columns in CSV and JSON have no prefix.</extracomment>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1256,29 +1290,8 @@ memory</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Legacy
-time</source>
-        <extracomment>FreeCAD&apos;s older one.</extracomment>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Legacy
-memory</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>OpenGL
-time</source>
-        <extracomment>FreeCAD&apos;s newer one, which draws the cuts of all operations before with every operation.</extracomment>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Time of FreeCAD&apos;s OpenGL simulator at its highest speed</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>OpenGL
-memory</source>
+        <extracomment>FreeCAD&apos;s newer one, which draws the cuts of all operations before with every operation.</extracomment>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1290,11 +1303,8 @@ memory</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Remarks</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Time of FreeCAD&apos;s legacy simulator in fast-forward, at the accuracy that the preferences say</source>
+        <extracomment>FreeCAD&apos;s older one.</extracomment>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1323,14 +1333,6 @@ image</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Machining: {cut} of cutting, {rapid} of rapids</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>, {depth} deep</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Machining
 time</source>
         <translation type="unfinished"></translation>
@@ -1354,6 +1356,161 @@ accuracy</source>
     </message>
     <message>
         <source>Between {} and {}: not measured on this computer yet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Export &amp;CSV…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Export &amp;JSON…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>C&amp;opy to clipboard</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>E&amp;xport</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Col&amp;umns</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sort as &amp;posted</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Select an operation to read what it does and why.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Selection in {job}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How long {simulator} takes, which this FreeCAD&apos;s own button starts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Simulation
+time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Outdated: toolpath, tool or stock have changed since; analyze it again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>outdated</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Warnings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Moves</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Number of straight moves; an arc counts as several</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{simulator}
+time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{simulator}
+memory</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shows the analyzed operations: strategy, machining and simulation time, and what is wrong with them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Outdated: toolpath, tool or stock have changed since. Analyze it again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All numbers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fewer numbers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Why?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sure: {share}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show it in the Gauss map</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cutting</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rapids</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Filter</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shows operations with this text in name, strategy or warnings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shows operations of this strategy</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Warnings only</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shows operations with warnings, and outdated ones</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All strategies</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count} of {all} operations</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count} operation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count} operations</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the total of what was analyzed, not of the whole job</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -402,12 +402,12 @@
         <translation> und 1 weiterer</translation>
     </message>
     <message>
-        <source>{sentence} (command {command:n})</source>
-        <translation>{sentence} (Befehl {command:n})</translation>
+        <source>{sentence} (command {command:#})</source>
+        <translation>{sentence} (Befehl {command:#})</translation>
     </message>
     <message>
-        <source>{sentence} ({count:n} times, first at command {command:n})</source>
-        <translation>{sentence} ({count:n}-mal, zuerst bei Befehl {command:n})</translation>
+        <source>{sentence} ({count:n} times, first at command {command:#})</source>
+        <translation>{sentence} ({count:n}-mal, zuerst bei Befehl {command:#})</translation>
     </message>
     <message>
         <source>unknown code {name} ignored</source>
@@ -422,8 +422,8 @@
         <translation>{count:n} weitere unbekannte Codes übergangen</translation>
     </message>
     <message>
-        <source>the arcs and cycles would need {moves:,} moves at a tolerance of {tolerance:mm}; use a larger tolerance</source>
-        <translation>die Bögen und Zyklen bräuchten bei einer Toleranz von {tolerance:mm} {moves:,} Bewegungen; eine größere Toleranz wählen</translation>
+        <source>the arcs and cycles would need {moves:n} moves at a tolerance of {tolerance:mm}; use a larger tolerance</source>
+        <translation>die Bögen und Zyklen bräuchten bei einer Toleranz von {tolerance:mm} {moves:n} Bewegungen; eine größere Toleranz wählen</translation>
     </message>
     <message>
         <source>{label}: {sentence}</source>
@@ -514,12 +514,12 @@
         <translation>{low} bis {high}</translation>
     </message>
     <message>
-        <source>{what} (line {line:n})</source>
-        <translation>{what} (Zeile {line:n})</translation>
+        <source>{what} (line {line:#})</source>
+        <translation>{what} (Zeile {line:#})</translation>
     </message>
     <message>
-        <source>{what} ({count:n} times, first in line {line:n})</source>
-        <translation>{what} ({count:n}-mal, zuerst in Zeile {line:n})</translation>
+        <source>{what} ({count:n} times, first in line {line:#})</source>
+        <translation>{what} ({count:n}-mal, zuerst in Zeile {line:#})</translation>
     </message>
     <message>
         <source>lines with a block delete (/) are read as the others</source>
@@ -558,12 +558,12 @@
         <translation>was auf das Programmende folgt, wird nicht gelesen</translation>
     </message>
     <message>
-        <source>a program in the language of {name} controls (line {line:n}): post it as G-code (ISO) to have it read</source>
-        <translation>ein Programm in der Sprache von {name}-Steuerungen (Zeile {line:n}): als G-Code (ISO) ausgegeben wird es gelesen</translation>
+        <source>a program in the language of {name} controls (line {line:#}): post it as G-code (ISO) to have it read</source>
+        <translation>ein Programm in der Sprache von {name}-Steuerungen (Zeile {line:#}): als G-Code (ISO) ausgegeben wird es gelesen</translation>
     </message>
     <message>
-        <source>no NC program: {part:n} of its {lines:n} lines are not made of words like G1 X10, the first is line {line:n}</source>
-        <translation>kein NC-Programm: {part:n} seiner {lines:n} Zeilen bestehen nicht aus Wörtern wie G1 X10, die erste ist Zeile {line:n}</translation>
+        <source>no NC program: {part:n} of its {lines:n} lines are not made of words like G1 X10, the first is line {line:#}</source>
+        <translation>kein NC-Programm: {part:n} seiner {lines:n} Zeilen bestehen nicht aus Wörtern wie G1 X10, die erste ist Zeile {line:#}</translation>
     </message>
     <message>
         <source>no NC program: no line of it moves a tool</source>
@@ -578,20 +578,20 @@
         <translation>kein NC-Programm: es ist kein Text</translation>
     </message>
     <message>
-        <source>a program for a lathe ({name}, line {line:n}): milling strategies say nothing about it</source>
-        <translation>ein Programm für eine Drehmaschine ({name}, Zeile {line:n}): Frässtrategien sagen darüber nichts</translation>
+        <source>a program for a lathe ({name}, line {line:#}): milling strategies say nothing about it</source>
+        <translation>ein Programm für eine Drehmaschine ({name}, Zeile {line:#}): Frässtrategien sagen darüber nichts</translation>
     </message>
     <message>
-        <source>a program for a 3D printer ({name}, line {line:n}): milling strategies say nothing about it</source>
-        <translation>ein Programm für einen 3D-Drucker ({name}, Zeile {line:n}): Frässtrategien sagen darüber nichts</translation>
+        <source>a program for a 3D printer ({name}, line {line:#}): milling strategies say nothing about it</source>
+        <translation>ein Programm für einen 3D-Drucker ({name}, Zeile {line:#}): Frässtrategien sagen darüber nichts</translation>
     </message>
     <message>
-        <source>a program for a wire cutter ({name}, line {line:n}): milling strategies say nothing about it</source>
-        <translation>ein Programm für eine Drahtschneidemaschine ({name}, Zeile {line:n}): Frässtrategien sagen darüber nichts</translation>
+        <source>a program for a wire cutter ({name}, line {line:#}): milling strategies say nothing about it</source>
+        <translation>ein Programm für eine Drahtschneidemaschine ({name}, Zeile {line:#}): Frässtrategien sagen darüber nichts</translation>
     </message>
     <message>
-        <source>a rotary axis turns while the tool cuts (line {line:n}): the way of the tool cannot be told</source>
-        <translation>eine Drehachse dreht, während das Werkzeug schneidet (Zeile {line:n}): der Weg des Werkzeugs ist nicht bekannt</translation>
+        <source>a rotary axis turns while the tool cuts (line {line:#}): the way of the tool cannot be told</source>
+        <translation>eine Drehachse dreht, während das Werkzeug schneidet (Zeile {line:#}): der Weg des Werkzeugs ist nicht bekannt</translation>
     </message>
     <message>
         <source>{length:mm4} of rapids are not in the time: a program does not say how fast they are</source>
@@ -646,16 +646,16 @@
         <translation>OpenGL-Simulator</translation>
     </message>
     <message>
-        <source>The {simulator:simulator} hangs on an arc {reason} (command {command:n}{others}): {instead}.</source>
-        <translation>Der {simulator:simulator} hängt bei einem Bogen, {reason} (Befehl {command:n}{others}): {instead}.</translation>
+        <source>The {simulator:simulator} hangs on an arc {reason} (command {command:#}{others}): {instead}.</source>
+        <translation>Der {simulator:simulator} hängt bei einem Bogen, {reason} (Befehl {command:#}{others}): {instead}.</translation>
     </message>
     <message>
-        <source>The {simulator:simulator} cuts {count:n} ramp at a wrong depth, up to {error:mm2} {way} (command {command:n}): do not judge depths by it.</source>
-        <translation>Der {simulator:simulator} schneidet {count:n} Rampe in falscher Tiefe, bis zu {error:mm2} {way} (Befehl {command:n}): Tiefen nicht danach beurteilen.</translation>
+        <source>The {simulator:simulator} cuts {count:n} ramp at a wrong depth, up to {error:mm2} {way} (command {command:#}): do not judge depths by it.</source>
+        <translation>Der {simulator:simulator} schneidet {count:n} Rampe in falscher Tiefe, bis zu {error:mm2} {way} (Befehl {command:#}): Tiefen nicht danach beurteilen.</translation>
     </message>
     <message>
-        <source>The {simulator:simulator} cuts {count:n} ramps at a wrong depth, up to {error:mm2} {way} (command {command:n}): do not judge depths by it.</source>
-        <translation>Der {simulator:simulator} schneidet {count:n} Rampen in falscher Tiefe, bis zu {error:mm2} {way} (Befehl {command:n}): Tiefen nicht danach beurteilen.</translation>
+        <source>The {simulator:simulator} cuts {count:n} ramps at a wrong depth, up to {error:mm2} {way} (command {command:#}): do not judge depths by it.</source>
+        <translation>Der {simulator:simulator} schneidet {count:n} Rampen in falscher Tiefe, bis zu {error:mm2} {way} (Befehl {command:#}): Tiefen nicht danach beurteilen.</translation>
     </message>
     <message>
         <source>Playing takes about {longer:s} in the {simulator:simulator}: fast-forward takes about {time:s}.</source>
@@ -768,6 +768,90 @@
     <message>
         <source>many small contours of different shapes</source>
         <translation>viele kleine Konturen verschiedener Form</translation>
+    </message>
+    <message>
+        <source>{count:n} row{spread}, {seen}</source>
+        <translation>{count:n} Zeile{spread}, {seen}</translation>
+    </message>
+    <message>
+        <source>{count:n} rows{spread}, {seen}</source>
+        <translation>{count:n} Zeilen{spread}, {seen}</translation>
+    </message>
+    <message>
+        <source>one open cut{spread}, {seen}</source>
+        <translation>ein offener Schnitt{spread}, {seen}</translation>
+    </message>
+    <message>
+        <source>{count:n} open cuts{spread}, {seen}</source>
+        <translation>{count:n} offene Schnitte{spread}, {seen}</translation>
+    </message>
+    <message>
+        <source>one loop{spread}{turning}, {seen}</source>
+        <translation>ein Umlauf{spread}{turning}, {seen}</translation>
+    </message>
+    <message>
+        <source>{count:n} loops{spread}{turning}, {seen}</source>
+        <translation>{count:n} Umläufe{spread}{turning}, {seen}</translation>
+    </message>
+    <message>
+        <source>straight down at one point</source>
+        <translation>an einer Stelle gerade nach unten</translation>
+    </message>
+    <message>
+        <source>straight down at {count:n} points</source>
+        <translation>an {count:n} Stellen gerade nach unten</translation>
+    </message>
+    <message>
+        <source>straight down at some points</source>
+        <translation>an einigen Stellen gerade nach unten</translation>
+    </message>
+    <message>
+        <source>{count:n} sections, parted by tool changes, titles, retracts or drilling: {strategies:strategy}</source>
+        <translation>{count:n} Abschnitte, getrennt durch Werkzeugwechsel, Überschriften, Rückzüge oder Bohren: {strategies:strategy}</translation>
+    </message>
+    <message>
+        <source>{sentence}; that is {share:%} of the length</source>
+        <translation>{sentence}; das sind {share:%} der Länge</translation>
+    </message>
+    <message>
+        <source>{count:n} overlapping bites</source>
+        <translation>{count:n} überlappende Bisse</translation>
+    </message>
+    <message>
+        <source>one clockwise, the next counter-clockwise</source>
+        <translation>einer im Uhrzeigersinn, der nächste dagegen</translation>
+    </message>
+    <message>
+        <source>all in one cut that winds on and never closes</source>
+        <translation>alles in einem Schnitt, der sich weiterwindet und nie schließt</translation>
+    </message>
+    <message>
+        <source>one inside the other</source>
+        <translation>einer im anderen</translation>
+    </message>
+    <message>
+        <source>none inside another</source>
+        <translation>keiner im anderen</translation>
+    </message>
+    <message>
+        <source>cut to and fro</source>
+        <translation>hin und her geschnitten</translation>
+    </message>
+    <message>
+        <source>all cut the same way</source>
+        <translation>alle in derselben Richtung geschnitten</translation>
+    </message>
+    <message>
+        <source>phi stays between {low:turns} and {high:turns} turns over one row{spread}, {seen}: {strategy:strategy}</source>
+        <translation>φ bleibt über eine Zeile{spread} zwischen {low:turns} und {high:turns} Umdrehungen, {seen}: {strategy:strategy}</translation>
+    </message>
+    <message>
+        <source>phi stays at 0 over one row{spread}, {seen}: {strategy:strategy}</source>
+        <translation>φ bleibt über eine Zeile{spread} bei 0, {seen}: {strategy:strategy}</translation>
+    </message>
+    <message>
+        <source>One move is shorter than a cell of the {simulator:simulator} ({cell:mm2}), takes its time and is not seen by itself: a coarser tolerance of the operation loses nothing there.</source>
+        <translation>Eine Bewegung ist kürzer als eine Zelle von {simulator:simulator} ({cell:mm2}), braucht ihre Zeit und ist für sich nicht zu sehen: eine gröbere Toleranz der Operation verliert dort nichts.</translation>
     </message>
 </context>
 <context>
@@ -1008,14 +1092,6 @@
         <translation>In diesem Dokument gibt es keine Operation zu analysieren. Legen Sie einen Auftrag mit Operationen an oder importieren Sie G-Code.</translation>
     </message>
     <message>
-        <source>{} operations analyzed</source>
-        <translation>{} Operationen analysiert</translation>
-    </message>
-    <message>
-        <source>{} with remarks</source>
-        <translation>{} mit Bemerkungen</translation>
-    </message>
-    <message>
         <source>The marks are in the tree&apos;s Description column, which is now visible. You can hide it again in the tree&apos;s context menu: Tree settings, Show description.</source>
         <translation>Die Markierungen stehen in der Spalte „Beschreibung“ des Baums, die jetzt sichtbar ist. Im Kontextmenü des Baums lässt sie sich wieder ausblenden: Baumeinstellungen, Beschreibung anzeigen.</translation>
     </message>
@@ -1026,6 +1102,22 @@
     <message>
         <source>Cancel</source>
         <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>{count} operation analyzed</source>
+        <translation>{count} Operation analysiert</translation>
+    </message>
+    <message>
+        <source>{count} operations analyzed</source>
+        <translation>{count} Operationen analysiert</translation>
+    </message>
+    <message>
+        <source>{count} has a warning</source>
+        <translation>{count} mit einer Warnung</translation>
+    </message>
+    <message>
+        <source>{count} have warnings</source>
+        <translation>{count} mit Warnungen</translation>
     </message>
 </context>
 <context>
@@ -1039,8 +1131,12 @@
         <translation>Analyse löschen</translation>
     </message>
     <message>
-        <source>{} marks removed</source>
-        <translation>{} Markierungen entfernt</translation>
+        <source>{count} mark removed</source>
+        <translation>{count} Markierung entfernt</translation>
+    </message>
+    <message>
+        <source>{count} marks removed</source>
+        <translation>{count} Markierungen entfernt</translation>
     </message>
 </context>
 <context>
@@ -1133,36 +1229,8 @@
         <translation>Werkzeugweg-Ergebnisse</translation>
     </message>
     <message>
-        <source>Export CSV…</source>
-        <translation>CSV exportieren…</translation>
-    </message>
-    <message>
-        <source>Saves all numbers as a table for a spreadsheet.</source>
-        <translation>Speichert alle Zahlen als Tabelle für eine Tabellenkalkulation.</translation>
-    </message>
-    <message>
-        <source>Export JSON…</source>
-        <translation>JSON exportieren…</translation>
-    </message>
-    <message>
-        <source>Saves all numbers for a program.</source>
-        <translation>Speichert alle Zahlen für ein Programm.</translation>
-    </message>
-    <message>
-        <source>Copy to clipboard</source>
-        <translation>In die Zwischenablage</translation>
-    </message>
-    <message>
-        <source>Copies the table as it stands here.</source>
-        <translation>Kopiert die Tabelle, wie sie hier steht.</translation>
-    </message>
-    <message>
         <source>Nothing is analyzed yet in this document: click Analyze toolpaths.</source>
         <translation>In diesem Dokument ist noch nichts analysiert: Klicken Sie auf „Werkzeugwege analysieren“.</translation>
-    </message>
-    <message>
-        <source>Select an operation to read why it has its strategy.</source>
-        <translation>Wählen Sie eine Operation aus, um zu lesen, warum sie ihre Strategie hat.</translation>
     </message>
     <message>
         <source>Export CSV</source>
@@ -1173,24 +1241,8 @@
         <translation>JSON exportieren</translation>
     </message>
     <message>
-        <source>Shows the analyzed operations as a table: strategy, lengths, what simulating them costs in each simulator, and what is wrong with them.</source>
-        <translation>Zeigt die analysierten Operationen als Tabelle: Strategie, Längen, den Aufwand der Simulation in jedem Simulator und was an ihnen nicht stimmt.</translation>
-    </message>
-    <message>
         <source>a lower bound: the cost of some operations is not known</source>
         <translation>eine untere Grenze: Der Aufwand einiger Operationen ist nicht bekannt</translation>
-    </message>
-    <message>
-        <source>{job}: {count} operation</source>
-        <translation>{job}: {count} Operation</translation>
-    </message>
-    <message>
-        <source>{job}: {count} operations</source>
-        <translation>{job}: {count} Operationen</translation>
-    </message>
-    <message>
-        <source>outdated: toolpath, tool or stock have changed since</source>
-        <translation>veraltet: Werkzeugweg, Werkzeug oder Rohteil wurden seither geändert</translation>
     </message>
     <message>
         <source>called {name}, but its toolpath is {strategy}</source>
@@ -1221,14 +1273,6 @@
         <translation>Wie sicher die Erkennung ist</translation>
     </message>
     <message>
-        <source>Trajectories</source>
-        <translation>Bewegungen</translation>
-    </message>
-    <message>
-        <source>Number of straight moves, arcs chopped</source>
-        <translation>Anzahl gerader Bewegungen, Bögen zerlegt</translation>
-    </message>
-    <message>
         <source>Length</source>
         <translation>Länge</translation>
     </message>
@@ -1237,55 +1281,18 @@
         <translation>Länge der schneidenden Bewegungen</translation>
     </message>
     <message>
-        <source>Z-buffer
-time</source>
-        <extracomment>The paper&apos;s; its columns in CSV and JSON have no prefix.</extracomment>
-        <translation>Z-Buffer
-Zeit</translation>
-    </message>
-    <message>
         <source>Time to simulate it in an extended z-buffer</source>
+        <extracomment>The paper&apos;s; its columns in CSV and JSON have no prefix.</extracomment>
         <translation>Zeit, sie in einem erweiterten Z-Buffer zu simulieren</translation>
-    </message>
-    <message>
-        <source>Z-buffer
-memory</source>
-        <translation>Z-Buffer
-Speicher</translation>
     </message>
     <message>
         <source>Memory to simulate it in an extended z-buffer</source>
         <translation>Speicher, um sie in einem erweiterten Z-Buffer zu simulieren</translation>
     </message>
     <message>
-        <source>Legacy
-time</source>
-        <extracomment>FreeCAD&apos;s older one.</extracomment>
-        <translation>Alter Sim.
-Zeit</translation>
-    </message>
-    <message>
-        <source>Legacy
-memory</source>
-        <translation>Alter Sim.
-Speicher</translation>
-    </message>
-    <message>
-        <source>OpenGL
-time</source>
-        <extracomment>FreeCAD&apos;s newer one, which draws the cuts of all operations before with every operation.</extracomment>
-        <translation>OpenGL
-Zeit</translation>
-    </message>
-    <message>
         <source>Time of FreeCAD&apos;s OpenGL simulator at its highest speed</source>
+        <extracomment>FreeCAD&apos;s newer one, which draws the cuts of all operations before with every operation.</extracomment>
         <translation>Zeit des OpenGL-Simulators von FreeCAD bei höchster Geschwindigkeit</translation>
-    </message>
-    <message>
-        <source>OpenGL
-memory</source>
-        <translation>OpenGL
-Speicher</translation>
     </message>
     <message>
         <source>Memory of FreeCAD&apos;s OpenGL simulator</source>
@@ -1296,11 +1303,8 @@ Speicher</translation>
         <translation>Was an der Operation nicht stimmt oder in ihrer Simulation schiefgehen wird</translation>
     </message>
     <message>
-        <source>Remarks</source>
-        <translation>Bemerkungen</translation>
-    </message>
-    <message>
         <source>Time of FreeCAD&apos;s legacy simulator in fast-forward, at the accuracy that the preferences say</source>
+        <extracomment>FreeCAD&apos;s older one.</extracomment>
         <translation>Zeit des alten FreeCAD-Simulators im schnellen Vorlauf, bei der Genauigkeit aus den Einstellungen</translation>
     </message>
     <message>
@@ -1330,14 +1334,6 @@ Bild</translation>
         <translation>Empfohlene Genauigkeit: {}</translation>
     </message>
     <message>
-        <source>Machining: {cut} of cutting, {rapid} of rapids</source>
-        <translation>Bearbeitung: {cut} im Schnitt, {rapid} Eilgang</translation>
-    </message>
-    <message>
-        <source>, {depth} deep</source>
-        <translation>, {depth} tief</translation>
-    </message>
-    <message>
         <source>Machining
 time</source>
         <translation>Bearbei-
@@ -1364,6 +1360,164 @@ Genauigkeit</translation>
     <message>
         <source>Between {} and {}: not measured on this computer yet</source>
         <translation>Zwischen {} und {}: auf diesem Computer noch nicht gemessen</translation>
+    </message>
+    <message>
+        <source>Export &amp;CSV…</source>
+        <translation>&amp;CSV exportieren…</translation>
+    </message>
+    <message>
+        <source>Export &amp;JSON…</source>
+        <translation>&amp;JSON exportieren…</translation>
+    </message>
+    <message>
+        <source>C&amp;opy to clipboard</source>
+        <translation>In die &amp;Zwischenablage</translation>
+    </message>
+    <message>
+        <source>E&amp;xport</source>
+        <translation>E&amp;xportieren</translation>
+    </message>
+    <message>
+        <source>Col&amp;umns</source>
+        <translation>&amp;Spalten</translation>
+    </message>
+    <message>
+        <source>Sort as &amp;posted</source>
+        <translation>Sortieren wie &amp;ausgegeben</translation>
+    </message>
+    <message>
+        <source>Select an operation to read what it does and why.</source>
+        <translation>Wählen Sie eine Operation aus, um zu lesen, was sie tut und warum.</translation>
+    </message>
+    <message>
+        <source>Selection in {job}</source>
+        <translation>Auswahl in {job}</translation>
+    </message>
+    <message>
+        <source>How long {simulator} takes, which this FreeCAD&apos;s own button starts</source>
+        <translation>Wie lange {simulator} braucht, den der Knopf dieses FreeCAD startet</translation>
+    </message>
+    <message>
+        <source>Simulation
+time</source>
+        <translation>Simulations-
+zeit</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Zustand</translation>
+    </message>
+    <message>
+        <source>Outdated: toolpath, tool or stock have changed since; analyze it again</source>
+        <translation>Veraltet: Werkzeugweg, Werkzeug oder Rohteil wurden seither geändert; erneut analysieren</translation>
+    </message>
+    <message>
+        <source>outdated</source>
+        <translation>veraltet</translation>
+    </message>
+    <message>
+        <source>Warnings</source>
+        <translation>Warnungen</translation>
+    </message>
+    <message>
+        <source>Moves</source>
+        <translation>Bewegungen</translation>
+    </message>
+    <message>
+        <source>Number of straight moves; an arc counts as several</source>
+        <translation>Anzahl gerader Bewegungen; ein Bogen zählt als mehrere</translation>
+    </message>
+    <message>
+        <source>{simulator}
+time</source>
+        <translation>{simulator}
+Zeit</translation>
+    </message>
+    <message>
+        <source>{simulator}
+memory</source>
+        <translation>{simulator}
+Speicher</translation>
+    </message>
+    <message>
+        <source>Shows the analyzed operations: strategy, machining and simulation time, and what is wrong with them.</source>
+        <translation>Zeigt die analysierten Operationen: Strategie, Bearbeitungs- und Simulationszeit, und was an ihnen nicht stimmt.</translation>
+    </message>
+    <message>
+        <source>Outdated: toolpath, tool or stock have changed since. Analyze it again.</source>
+        <translation>Veraltet: Werkzeugweg, Werkzeug oder Rohteil wurden seither geändert. Erneut analysieren.</translation>
+    </message>
+    <message>
+        <source>All numbers</source>
+        <translation>Alle Zahlen</translation>
+    </message>
+    <message>
+        <source>Fewer numbers</source>
+        <translation>Weniger Zahlen</translation>
+    </message>
+    <message>
+        <source>Why?</source>
+        <translation>Warum?</translation>
+    </message>
+    <message>
+        <source>Sure: {share}</source>
+        <translation>Sicher: {share}</translation>
+    </message>
+    <message>
+        <source>Show it in the Gauss map</source>
+        <translation>In der Gauß-Abbildung zeigen</translation>
+    </message>
+    <message>
+        <source>Cutting</source>
+        <translation>Schnitt</translation>
+    </message>
+    <message>
+        <source>Rapids</source>
+        <translation>Eilgang</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>Tiefe</translation>
+    </message>
+    <message>
+        <source>Filter</source>
+        <translation>Filtern</translation>
+    </message>
+    <message>
+        <source>Shows operations with this text in name, strategy or warnings</source>
+        <translation>Zeigt Operationen mit diesem Text in Namen, Strategie oder Warnungen</translation>
+    </message>
+    <message>
+        <source>Shows operations of this strategy</source>
+        <translation>Zeigt Operationen mit dieser Strategie</translation>
+    </message>
+    <message>
+        <source>&amp;Warnings only</source>
+        <translation>Nur &amp;Warnungen</translation>
+    </message>
+    <message>
+        <source>Shows operations with warnings, and outdated ones</source>
+        <translation>Zeigt Operationen mit Warnungen, und veraltete</translation>
+    </message>
+    <message>
+        <source>All strategies</source>
+        <translation>Alle Strategien</translation>
+    </message>
+    <message>
+        <source>{count} of {all} operations</source>
+        <translation>{count} von {all} Operationen</translation>
+    </message>
+    <message>
+        <source>{count} operation</source>
+        <translation>{count} Operation</translation>
+    </message>
+    <message>
+        <source>{count} operations</source>
+        <translation>{count} Operationen</translation>
+    </message>
+    <message>
+        <source>the total of what was analyzed, not of the whole job</source>
+        <translation>die Summe des Analysierten, nicht des ganzen Jobs</translation>
     </message>
 </context>
 <context>

@@ -402,12 +402,12 @@
         <translation> y 1 más</translation>
     </message>
     <message>
-        <source>{sentence} (command {command:n})</source>
-        <translation>{sentence} (orden {command:n})</translation>
+        <source>{sentence} (command {command:#})</source>
+        <translation>{sentence} (orden {command:#})</translation>
     </message>
     <message>
-        <source>{sentence} ({count:n} times, first at command {command:n})</source>
-        <translation>{sentence} ({count:n} veces, primero en la orden {command:n})</translation>
+        <source>{sentence} ({count:n} times, first at command {command:#})</source>
+        <translation>{sentence} ({count:n} veces, primero en la orden {command:#})</translation>
     </message>
     <message>
         <source>unknown code {name} ignored</source>
@@ -422,8 +422,8 @@
         <translation>otros {count:n} códigos desconocidos ignorados</translation>
     </message>
     <message>
-        <source>the arcs and cycles would need {moves:,} moves at a tolerance of {tolerance:mm}; use a larger tolerance</source>
-        <translation>los arcos y ciclos necesitarían {moves:,} movimientos con una tolerancia de {tolerance:mm}; use una tolerancia mayor</translation>
+        <source>the arcs and cycles would need {moves:n} moves at a tolerance of {tolerance:mm}; use a larger tolerance</source>
+        <translation>los arcos y ciclos necesitarían {moves:n} movimientos con una tolerancia de {tolerance:mm}; use una tolerancia mayor</translation>
     </message>
     <message>
         <source>{label}: {sentence}</source>
@@ -514,12 +514,12 @@
         <translation>{low} a {high}</translation>
     </message>
     <message>
-        <source>{what} (line {line:n})</source>
-        <translation>{what} (línea {line:n})</translation>
+        <source>{what} (line {line:#})</source>
+        <translation>{what} (línea {line:#})</translation>
     </message>
     <message>
-        <source>{what} ({count:n} times, first in line {line:n})</source>
-        <translation>{what} ({count:n} veces, la primera en la línea {line:n})</translation>
+        <source>{what} ({count:n} times, first in line {line:#})</source>
+        <translation>{what} ({count:n} veces, la primera en la línea {line:#})</translation>
     </message>
     <message>
         <source>lines with a block delete (/) are read as the others</source>
@@ -558,12 +558,12 @@
         <translation>lo que sigue al final del programa no se lee</translation>
     </message>
     <message>
-        <source>a program in the language of {name} controls (line {line:n}): post it as G-code (ISO) to have it read</source>
-        <translation>un programa en el lenguaje de los controles {name} (línea {line:n}): emítalo como código G (ISO) para que se lea</translation>
+        <source>a program in the language of {name} controls (line {line:#}): post it as G-code (ISO) to have it read</source>
+        <translation>un programa en el lenguaje de los controles {name} (línea {line:#}): emítalo como código G (ISO) para que se lea</translation>
     </message>
     <message>
-        <source>no NC program: {part:n} of its {lines:n} lines are not made of words like G1 X10, the first is line {line:n}</source>
-        <translation>no es un programa CN: {part:n} de sus {lines:n} líneas no constan de palabras como G1 X10, la primera es la línea {line:n}</translation>
+        <source>no NC program: {part:n} of its {lines:n} lines are not made of words like G1 X10, the first is line {line:#}</source>
+        <translation>no es un programa CN: {part:n} de sus {lines:n} líneas no constan de palabras como G1 X10, la primera es la línea {line:#}</translation>
     </message>
     <message>
         <source>no NC program: no line of it moves a tool</source>
@@ -578,20 +578,20 @@
         <translation>no es un programa CN: no es un texto</translation>
     </message>
     <message>
-        <source>a program for a lathe ({name}, line {line:n}): milling strategies say nothing about it</source>
-        <translation>un programa para un torno ({name}, línea {line:n}): las estrategias de fresado no dicen nada de él</translation>
+        <source>a program for a lathe ({name}, line {line:#}): milling strategies say nothing about it</source>
+        <translation>un programa para un torno ({name}, línea {line:#}): las estrategias de fresado no dicen nada de él</translation>
     </message>
     <message>
-        <source>a program for a 3D printer ({name}, line {line:n}): milling strategies say nothing about it</source>
-        <translation>un programa para una impresora 3D ({name}, línea {line:n}): las estrategias de fresado no dicen nada de él</translation>
+        <source>a program for a 3D printer ({name}, line {line:#}): milling strategies say nothing about it</source>
+        <translation>un programa para una impresora 3D ({name}, línea {line:#}): las estrategias de fresado no dicen nada de él</translation>
     </message>
     <message>
-        <source>a program for a wire cutter ({name}, line {line:n}): milling strategies say nothing about it</source>
-        <translation>un programa para una cortadora de hilo ({name}, línea {line:n}): las estrategias de fresado no dicen nada de él</translation>
+        <source>a program for a wire cutter ({name}, line {line:#}): milling strategies say nothing about it</source>
+        <translation>un programa para una cortadora de hilo ({name}, línea {line:#}): las estrategias de fresado no dicen nada de él</translation>
     </message>
     <message>
-        <source>a rotary axis turns while the tool cuts (line {line:n}): the way of the tool cannot be told</source>
-        <translation>un eje rotativo gira mientras la herramienta corta (línea {line:n}): no se conoce el recorrido de la herramienta</translation>
+        <source>a rotary axis turns while the tool cuts (line {line:#}): the way of the tool cannot be told</source>
+        <translation>un eje rotativo gira mientras la herramienta corta (línea {line:#}): no se conoce el recorrido de la herramienta</translation>
     </message>
     <message>
         <source>{length:mm4} of rapids are not in the time: a program does not say how fast they are</source>
@@ -646,16 +646,16 @@
         <translation>simulador OpenGL</translation>
     </message>
     <message>
-        <source>The {simulator:simulator} hangs on an arc {reason} (command {command:n}{others}): {instead}.</source>
-        <translation>El {simulator:simulator} se bloquea en un arco {reason} (orden {command:n}{others}): {instead}.</translation>
+        <source>The {simulator:simulator} hangs on an arc {reason} (command {command:#}{others}): {instead}.</source>
+        <translation>El {simulator:simulator} se bloquea en un arco {reason} (orden {command:#}{others}): {instead}.</translation>
     </message>
     <message>
-        <source>The {simulator:simulator} cuts {count:n} ramp at a wrong depth, up to {error:mm2} {way} (command {command:n}): do not judge depths by it.</source>
-        <translation>El {simulator:simulator} corta {count:n} rampa a una profundidad falsa, hasta {error:mm2} {way} (orden {command:n}): no juzgue las profundidades por él.</translation>
+        <source>The {simulator:simulator} cuts {count:n} ramp at a wrong depth, up to {error:mm2} {way} (command {command:#}): do not judge depths by it.</source>
+        <translation>El {simulator:simulator} corta {count:n} rampa a una profundidad falsa, hasta {error:mm2} {way} (orden {command:#}): no juzgue las profundidades por él.</translation>
     </message>
     <message>
-        <source>The {simulator:simulator} cuts {count:n} ramps at a wrong depth, up to {error:mm2} {way} (command {command:n}): do not judge depths by it.</source>
-        <translation>El {simulator:simulator} corta {count:n} rampas a una profundidad falsa, hasta {error:mm2} {way} (orden {command:n}): no juzgue las profundidades por él.</translation>
+        <source>The {simulator:simulator} cuts {count:n} ramps at a wrong depth, up to {error:mm2} {way} (command {command:#}): do not judge depths by it.</source>
+        <translation>El {simulator:simulator} corta {count:n} rampas a una profundidad falsa, hasta {error:mm2} {way} (orden {command:#}): no juzgue las profundidades por él.</translation>
     </message>
     <message>
         <source>Playing takes about {longer:s} in the {simulator:simulator}: fast-forward takes about {time:s}.</source>
@@ -768,6 +768,90 @@
     <message>
         <source>many small contours of different shapes</source>
         <translation>muchos contornos pequeños de formas distintas</translation>
+    </message>
+    <message>
+        <source>{count:n} row{spread}, {seen}</source>
+        <translation>{count:n} fila{spread}, {seen}</translation>
+    </message>
+    <message>
+        <source>{count:n} rows{spread}, {seen}</source>
+        <translation>{count:n} filas{spread}, {seen}</translation>
+    </message>
+    <message>
+        <source>one open cut{spread}, {seen}</source>
+        <translation>un corte abierto{spread}, {seen}</translation>
+    </message>
+    <message>
+        <source>{count:n} open cuts{spread}, {seen}</source>
+        <translation>{count:n} cortes abiertos{spread}, {seen}</translation>
+    </message>
+    <message>
+        <source>one loop{spread}{turning}, {seen}</source>
+        <translation>una vuelta{spread}{turning}, {seen}</translation>
+    </message>
+    <message>
+        <source>{count:n} loops{spread}{turning}, {seen}</source>
+        <translation>{count:n} vueltas{spread}{turning}, {seen}</translation>
+    </message>
+    <message>
+        <source>straight down at one point</source>
+        <translation>recto hacia abajo en un punto</translation>
+    </message>
+    <message>
+        <source>straight down at {count:n} points</source>
+        <translation>recto hacia abajo en {count:n} puntos</translation>
+    </message>
+    <message>
+        <source>straight down at some points</source>
+        <translation>recto hacia abajo en algunos puntos</translation>
+    </message>
+    <message>
+        <source>{count:n} sections, parted by tool changes, titles, retracts or drilling: {strategies:strategy}</source>
+        <translation>{count:n} secciones, separadas por cambios de herramienta, títulos, retracciones o taladrado: {strategies:strategy}</translation>
+    </message>
+    <message>
+        <source>{sentence}; that is {share:%} of the length</source>
+        <translation>{sentence}; es el {share:%} de la longitud</translation>
+    </message>
+    <message>
+        <source>{count:n} overlapping bites</source>
+        <translation>{count:n} bocados que se solapan</translation>
+    </message>
+    <message>
+        <source>one clockwise, the next counter-clockwise</source>
+        <translation>una horaria, la siguiente antihoraria</translation>
+    </message>
+    <message>
+        <source>all in one cut that winds on and never closes</source>
+        <translation>todo en un corte que se enrolla y nunca se cierra</translation>
+    </message>
+    <message>
+        <source>one inside the other</source>
+        <translation>una dentro de otra</translation>
+    </message>
+    <message>
+        <source>none inside another</source>
+        <translation>ninguna dentro de otra</translation>
+    </message>
+    <message>
+        <source>cut to and fro</source>
+        <translation>cortadas de ida y vuelta</translation>
+    </message>
+    <message>
+        <source>all cut the same way</source>
+        <translation>todas cortadas en el mismo sentido</translation>
+    </message>
+    <message>
+        <source>phi stays between {low:turns} and {high:turns} turns over one row{spread}, {seen}: {strategy:strategy}</source>
+        <translation>φ permanece entre {low:turns} y {high:turns} vueltas en una fila{spread}, {seen}: {strategy:strategy}</translation>
+    </message>
+    <message>
+        <source>phi stays at 0 over one row{spread}, {seen}: {strategy:strategy}</source>
+        <translation>φ permanece en 0 en una fila{spread}, {seen}: {strategy:strategy}</translation>
+    </message>
+    <message>
+        <source>One move is shorter than a cell of the {simulator:simulator} ({cell:mm2}), takes its time and is not seen by itself: a coarser tolerance of the operation loses nothing there.</source>
+        <translation>Un movimiento es más corto que una celda de {simulator:simulator} ({cell:mm2}), lleva su tiempo y no se ve por sí solo: una tolerancia más gruesa de la operación no pierde nada ahí.</translation>
     </message>
 </context>
 <context>
@@ -1008,14 +1092,6 @@
         <translation>No hay ninguna operación que analizar en este documento. Cree un trabajo con operaciones o importe código G.</translation>
     </message>
     <message>
-        <source>{} operations analyzed</source>
-        <translation>{} operaciones analizadas</translation>
-    </message>
-    <message>
-        <source>{} with remarks</source>
-        <translation>{} con observaciones</translation>
-    </message>
-    <message>
         <source>The marks are in the tree&apos;s Description column, which is now visible. You can hide it again in the tree&apos;s context menu: Tree settings, Show description.</source>
         <translation>Las marcas están en la columna Descripción del árbol, que ahora es visible. Puede ocultarla de nuevo en el menú contextual del árbol: configuración del árbol, mostrar descripción.</translation>
     </message>
@@ -1026,6 +1102,22 @@
     <message>
         <source>Cancel</source>
         <translation>Cancelar</translation>
+    </message>
+    <message>
+        <source>{count} operation analyzed</source>
+        <translation>{count} operación analizada</translation>
+    </message>
+    <message>
+        <source>{count} operations analyzed</source>
+        <translation>{count} operaciones analizadas</translation>
+    </message>
+    <message>
+        <source>{count} has a warning</source>
+        <translation>{count} con una advertencia</translation>
+    </message>
+    <message>
+        <source>{count} have warnings</source>
+        <translation>{count} con advertencias</translation>
     </message>
 </context>
 <context>
@@ -1039,8 +1131,12 @@
         <translation>Borrar el análisis</translation>
     </message>
     <message>
-        <source>{} marks removed</source>
-        <translation>{} marcas quitadas</translation>
+        <source>{count} mark removed</source>
+        <translation>{count} marca eliminada</translation>
+    </message>
+    <message>
+        <source>{count} marks removed</source>
+        <translation>{count} marcas eliminadas</translation>
     </message>
 </context>
 <context>
@@ -1133,36 +1229,8 @@
         <translation>Resultados de trayectorias</translation>
     </message>
     <message>
-        <source>Export CSV…</source>
-        <translation>Exportar CSV…</translation>
-    </message>
-    <message>
-        <source>Saves all numbers as a table for a spreadsheet.</source>
-        <translation>Guarda todos los números como tabla para una hoja de cálculo.</translation>
-    </message>
-    <message>
-        <source>Export JSON…</source>
-        <translation>Exportar JSON…</translation>
-    </message>
-    <message>
-        <source>Saves all numbers for a program.</source>
-        <translation>Guarda todos los números para un programa.</translation>
-    </message>
-    <message>
-        <source>Copy to clipboard</source>
-        <translation>Copiar</translation>
-    </message>
-    <message>
-        <source>Copies the table as it stands here.</source>
-        <translation>Copia la tabla tal como está aquí.</translation>
-    </message>
-    <message>
         <source>Nothing is analyzed yet in this document: click Analyze toolpaths.</source>
         <translation>Todavía no se ha analizado nada en este documento: haga clic en «Analizar trayectorias».</translation>
-    </message>
-    <message>
-        <source>Select an operation to read why it has its strategy.</source>
-        <translation>Seleccione una operación para leer por qué tiene su estrategia.</translation>
     </message>
     <message>
         <source>Export CSV</source>
@@ -1173,24 +1241,8 @@
         <translation>Exportar JSON</translation>
     </message>
     <message>
-        <source>Shows the analyzed operations as a table: strategy, lengths, what simulating them costs in each simulator, and what is wrong with them.</source>
-        <translation>Muestra las operaciones analizadas en una tabla: estrategia, longitudes, lo que cuesta simularlas en cada simulador y lo que falla en ellas.</translation>
-    </message>
-    <message>
         <source>a lower bound: the cost of some operations is not known</source>
         <translation>un mínimo: se desconoce el coste de algunas operaciones</translation>
-    </message>
-    <message>
-        <source>{job}: {count} operation</source>
-        <translation>{job}: {count} operación</translation>
-    </message>
-    <message>
-        <source>{job}: {count} operations</source>
-        <translation>{job}: {count} operaciones</translation>
-    </message>
-    <message>
-        <source>outdated: toolpath, tool or stock have changed since</source>
-        <translation>anticuado: la trayectoria, la herramienta o el material han cambiado desde entonces</translation>
     </message>
     <message>
         <source>called {name}, but its toolpath is {strategy}</source>
@@ -1221,14 +1273,6 @@
         <translation>Seguridad del reconocimiento</translation>
     </message>
     <message>
-        <source>Trajectories</source>
-        <translation>Tramos</translation>
-    </message>
-    <message>
-        <source>Number of straight moves, arcs chopped</source>
-        <translation>Número de movimientos rectos, con los arcos troceados</translation>
-    </message>
-    <message>
         <source>Length</source>
         <translation>Longitud</translation>
     </message>
@@ -1237,55 +1281,18 @@
         <translation>Longitud de los movimientos de corte</translation>
     </message>
     <message>
-        <source>Z-buffer
-time</source>
-        <extracomment>The paper&apos;s; its columns in CSV and JSON have no prefix.</extracomment>
-        <translation>Z-buffer
-tiempo</translation>
-    </message>
-    <message>
         <source>Time to simulate it in an extended z-buffer</source>
+        <extracomment>The paper&apos;s; its columns in CSV and JSON have no prefix.</extracomment>
         <translation>Tiempo para simularla en un z-buffer extendido</translation>
-    </message>
-    <message>
-        <source>Z-buffer
-memory</source>
-        <translation>Z-buffer
-memoria</translation>
     </message>
     <message>
         <source>Memory to simulate it in an extended z-buffer</source>
         <translation>Memoria para simularla en un z-buffer extendido</translation>
     </message>
     <message>
-        <source>Legacy
-time</source>
-        <extracomment>FreeCAD&apos;s older one.</extracomment>
-        <translation>Antiguo
-tiempo</translation>
-    </message>
-    <message>
-        <source>Legacy
-memory</source>
-        <translation>Antiguo
-memoria</translation>
-    </message>
-    <message>
-        <source>OpenGL
-time</source>
-        <extracomment>FreeCAD&apos;s newer one, which draws the cuts of all operations before with every operation.</extracomment>
-        <translation>OpenGL
-tiempo</translation>
-    </message>
-    <message>
         <source>Time of FreeCAD&apos;s OpenGL simulator at its highest speed</source>
+        <extracomment>FreeCAD&apos;s newer one, which draws the cuts of all operations before with every operation.</extracomment>
         <translation>Tiempo del simulador OpenGL de FreeCAD a su mayor velocidad</translation>
-    </message>
-    <message>
-        <source>OpenGL
-memory</source>
-        <translation>OpenGL
-memoria</translation>
     </message>
     <message>
         <source>Memory of FreeCAD&apos;s OpenGL simulator</source>
@@ -1296,11 +1303,8 @@ memoria</translation>
         <translation>Lo que falla en la operación, o fallará en su simulación</translation>
     </message>
     <message>
-        <source>Remarks</source>
-        <translation>Observaciones</translation>
-    </message>
-    <message>
         <source>Time of FreeCAD&apos;s legacy simulator in fast-forward, at the accuracy that the preferences say</source>
+        <extracomment>FreeCAD&apos;s older one.</extracomment>
         <translation>Tiempo del simulador antiguo de FreeCAD en avance rápido, con la precisión de las preferencias</translation>
     </message>
     <message>
@@ -1330,14 +1334,6 @@ recomendada</translation>
         <translation>Precisión recomendada: {}</translation>
     </message>
     <message>
-        <source>Machining: {cut} of cutting, {rapid} of rapids</source>
-        <translation>Mecanizado: {cut} de corte, {rapid} de rápidos</translation>
-    </message>
-    <message>
-        <source>, {depth} deep</source>
-        <translation>, {depth} de profundidad</translation>
-    </message>
-    <message>
         <source>Machining
 time</source>
         <translation>Tiempo de
@@ -1364,6 +1360,164 @@ recomendada</translation>
     <message>
         <source>Between {} and {}: not measured on this computer yet</source>
         <translation>Entre {} y {}: aún no medido en este equipo</translation>
+    </message>
+    <message>
+        <source>Export &amp;CSV…</source>
+        <translation>Exportar &amp;CSV…</translation>
+    </message>
+    <message>
+        <source>Export &amp;JSON…</source>
+        <translation>Exportar &amp;JSON…</translation>
+    </message>
+    <message>
+        <source>C&amp;opy to clipboard</source>
+        <translation>C&amp;opiar al portapapeles</translation>
+    </message>
+    <message>
+        <source>E&amp;xport</source>
+        <translation>E&amp;xportar</translation>
+    </message>
+    <message>
+        <source>Col&amp;umns</source>
+        <translation>Col&amp;umnas</translation>
+    </message>
+    <message>
+        <source>Sort as &amp;posted</source>
+        <translation>Ordenar como se &amp;emite</translation>
+    </message>
+    <message>
+        <source>Select an operation to read what it does and why.</source>
+        <translation>Seleccione una operación para leer qué hace y por qué.</translation>
+    </message>
+    <message>
+        <source>Selection in {job}</source>
+        <translation>Selección en {job}</translation>
+    </message>
+    <message>
+        <source>How long {simulator} takes, which this FreeCAD&apos;s own button starts</source>
+        <translation>Cuánto tarda {simulator}, que inicia el botón de este FreeCAD</translation>
+    </message>
+    <message>
+        <source>Simulation
+time</source>
+        <translation>Tiempo de
+simulación</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Estado</translation>
+    </message>
+    <message>
+        <source>Outdated: toolpath, tool or stock have changed since; analyze it again</source>
+        <translation>Desactualizado: la trayectoria, la herramienta o el material han cambiado desde entonces; analícela de nuevo</translation>
+    </message>
+    <message>
+        <source>outdated</source>
+        <translation>desactualizado</translation>
+    </message>
+    <message>
+        <source>Warnings</source>
+        <translation>Advertencias</translation>
+    </message>
+    <message>
+        <source>Moves</source>
+        <translation>Movimientos</translation>
+    </message>
+    <message>
+        <source>Number of straight moves; an arc counts as several</source>
+        <translation>Número de movimientos rectos; un arco cuenta como varios</translation>
+    </message>
+    <message>
+        <source>{simulator}
+time</source>
+        <translation>{simulator}
+tiempo</translation>
+    </message>
+    <message>
+        <source>{simulator}
+memory</source>
+        <translation>{simulator}
+memoria</translation>
+    </message>
+    <message>
+        <source>Shows the analyzed operations: strategy, machining and simulation time, and what is wrong with them.</source>
+        <translation>Muestra las operaciones analizadas: estrategia, tiempo de mecanizado y de simulación, y qué les pasa.</translation>
+    </message>
+    <message>
+        <source>Outdated: toolpath, tool or stock have changed since. Analyze it again.</source>
+        <translation>Desactualizado: la trayectoria, la herramienta o el material han cambiado desde entonces. Analícela de nuevo.</translation>
+    </message>
+    <message>
+        <source>All numbers</source>
+        <translation>Todos los números</translation>
+    </message>
+    <message>
+        <source>Fewer numbers</source>
+        <translation>Menos números</translation>
+    </message>
+    <message>
+        <source>Why?</source>
+        <translation>¿Por qué?</translation>
+    </message>
+    <message>
+        <source>Sure: {share}</source>
+        <translation>Seguridad: {share}</translation>
+    </message>
+    <message>
+        <source>Show it in the Gauss map</source>
+        <translation>Mostrarlo en el mapa de Gauss</translation>
+    </message>
+    <message>
+        <source>Cutting</source>
+        <translation>Corte</translation>
+    </message>
+    <message>
+        <source>Rapids</source>
+        <translation>Rápidos</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>Profundidad</translation>
+    </message>
+    <message>
+        <source>Filter</source>
+        <translation>Filtrar</translation>
+    </message>
+    <message>
+        <source>Shows operations with this text in name, strategy or warnings</source>
+        <translation>Muestra las operaciones con este texto en nombre, estrategia o advertencias</translation>
+    </message>
+    <message>
+        <source>Shows operations of this strategy</source>
+        <translation>Muestra las operaciones de esta estrategia</translation>
+    </message>
+    <message>
+        <source>&amp;Warnings only</source>
+        <translation>Solo &amp;advertencias</translation>
+    </message>
+    <message>
+        <source>Shows operations with warnings, and outdated ones</source>
+        <translation>Muestra las operaciones con advertencias y las desactualizadas</translation>
+    </message>
+    <message>
+        <source>All strategies</source>
+        <translation>Todas las estrategias</translation>
+    </message>
+    <message>
+        <source>{count} of {all} operations</source>
+        <translation>{count} de {all} operaciones</translation>
+    </message>
+    <message>
+        <source>{count} operation</source>
+        <translation>{count} operación</translation>
+    </message>
+    <message>
+        <source>{count} operations</source>
+        <translation>{count} operaciones</translation>
+    </message>
+    <message>
+        <source>the total of what was analyzed, not of the whole job</source>
+        <translation>el total de lo analizado, no de todo el trabajo</translation>
     </message>
 </context>
 <context>

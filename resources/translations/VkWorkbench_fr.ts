@@ -402,12 +402,12 @@
         <translation> et 1 autre</translation>
     </message>
     <message>
-        <source>{sentence} (command {command:n})</source>
-        <translation>{sentence} (commande {command:n})</translation>
+        <source>{sentence} (command {command:#})</source>
+        <translation>{sentence} (commande {command:#})</translation>
     </message>
     <message>
-        <source>{sentence} ({count:n} times, first at command {command:n})</source>
-        <translation>{sentence} ({count:n} fois, d&apos;abord à la commande {command:n})</translation>
+        <source>{sentence} ({count:n} times, first at command {command:#})</source>
+        <translation>{sentence} ({count:n} fois, d&apos;abord à la commande {command:#})</translation>
     </message>
     <message>
         <source>unknown code {name} ignored</source>
@@ -422,8 +422,8 @@
         <translation>{count:n} autres codes inconnus ignorés</translation>
     </message>
     <message>
-        <source>the arcs and cycles would need {moves:,} moves at a tolerance of {tolerance:mm}; use a larger tolerance</source>
-        <translation>les arcs et cycles demanderaient {moves:,} mouvements à une tolérance de {tolerance:mm} ; choisissez une tolérance plus grande</translation>
+        <source>the arcs and cycles would need {moves:n} moves at a tolerance of {tolerance:mm}; use a larger tolerance</source>
+        <translation>les arcs et cycles demanderaient {moves:n} mouvements à une tolérance de {tolerance:mm} ; choisissez une tolérance plus grande</translation>
     </message>
     <message>
         <source>{label}: {sentence}</source>
@@ -514,12 +514,12 @@
         <translation>{low} à {high}</translation>
     </message>
     <message>
-        <source>{what} (line {line:n})</source>
-        <translation>{what} (ligne {line:n})</translation>
+        <source>{what} (line {line:#})</source>
+        <translation>{what} (ligne {line:#})</translation>
     </message>
     <message>
-        <source>{what} ({count:n} times, first in line {line:n})</source>
-        <translation>{what} ({count:n} fois, d’abord à la ligne {line:n})</translation>
+        <source>{what} ({count:n} times, first in line {line:#})</source>
+        <translation>{what} ({count:n} fois, d’abord à la ligne {line:#})</translation>
     </message>
     <message>
         <source>lines with a block delete (/) are read as the others</source>
@@ -558,12 +558,12 @@
         <translation>ce qui suit la fin du programme n’est pas lu</translation>
     </message>
     <message>
-        <source>a program in the language of {name} controls (line {line:n}): post it as G-code (ISO) to have it read</source>
-        <translation>un programme dans le langage des commandes {name} (ligne {line:n}) : sorti en code G (ISO), il sera lu</translation>
+        <source>a program in the language of {name} controls (line {line:#}): post it as G-code (ISO) to have it read</source>
+        <translation>un programme dans le langage des commandes {name} (ligne {line:#}) : sorti en code G (ISO), il sera lu</translation>
     </message>
     <message>
-        <source>no NC program: {part:n} of its {lines:n} lines are not made of words like G1 X10, the first is line {line:n}</source>
-        <translation>pas un programme CN : {part:n} de ses {lines:n} lignes ne sont pas faites de mots comme G1 X10, la première est la ligne {line:n}</translation>
+        <source>no NC program: {part:n} of its {lines:n} lines are not made of words like G1 X10, the first is line {line:#}</source>
+        <translation>pas un programme CN : {part:n} de ses {lines:n} lignes ne sont pas faites de mots comme G1 X10, la première est la ligne {line:#}</translation>
     </message>
     <message>
         <source>no NC program: no line of it moves a tool</source>
@@ -578,20 +578,20 @@
         <translation>pas un programme CN : ce n’est pas un texte</translation>
     </message>
     <message>
-        <source>a program for a lathe ({name}, line {line:n}): milling strategies say nothing about it</source>
-        <translation>un programme pour un tour ({name}, ligne {line:n}) : les stratégies de fraisage n’en disent rien</translation>
+        <source>a program for a lathe ({name}, line {line:#}): milling strategies say nothing about it</source>
+        <translation>un programme pour un tour ({name}, ligne {line:#}) : les stratégies de fraisage n’en disent rien</translation>
     </message>
     <message>
-        <source>a program for a 3D printer ({name}, line {line:n}): milling strategies say nothing about it</source>
-        <translation>un programme pour une imprimante 3D ({name}, ligne {line:n}) : les stratégies de fraisage n’en disent rien</translation>
+        <source>a program for a 3D printer ({name}, line {line:#}): milling strategies say nothing about it</source>
+        <translation>un programme pour une imprimante 3D ({name}, ligne {line:#}) : les stratégies de fraisage n’en disent rien</translation>
     </message>
     <message>
-        <source>a program for a wire cutter ({name}, line {line:n}): milling strategies say nothing about it</source>
-        <translation>un programme pour une découpe au fil ({name}, ligne {line:n}) : les stratégies de fraisage n’en disent rien</translation>
+        <source>a program for a wire cutter ({name}, line {line:#}): milling strategies say nothing about it</source>
+        <translation>un programme pour une découpe au fil ({name}, ligne {line:#}) : les stratégies de fraisage n’en disent rien</translation>
     </message>
     <message>
-        <source>a rotary axis turns while the tool cuts (line {line:n}): the way of the tool cannot be told</source>
-        <translation>un axe rotatif tourne pendant la coupe (ligne {line:n}) : le chemin de l’outil n’est pas connu</translation>
+        <source>a rotary axis turns while the tool cuts (line {line:#}): the way of the tool cannot be told</source>
+        <translation>un axe rotatif tourne pendant la coupe (ligne {line:#}) : le chemin de l’outil n’est pas connu</translation>
     </message>
     <message>
         <source>{length:mm4} of rapids are not in the time: a program does not say how fast they are</source>
@@ -646,16 +646,16 @@
         <translation>simulateur OpenGL</translation>
     </message>
     <message>
-        <source>The {simulator:simulator} hangs on an arc {reason} (command {command:n}{others}): {instead}.</source>
-        <translation>Le {simulator:simulator} se bloque sur un arc {reason} (commande {command:n}{others}) : {instead}.</translation>
+        <source>The {simulator:simulator} hangs on an arc {reason} (command {command:#}{others}): {instead}.</source>
+        <translation>Le {simulator:simulator} se bloque sur un arc {reason} (commande {command:#}{others}) : {instead}.</translation>
     </message>
     <message>
-        <source>The {simulator:simulator} cuts {count:n} ramp at a wrong depth, up to {error:mm2} {way} (command {command:n}): do not judge depths by it.</source>
-        <translation>Le {simulator:simulator} usine {count:n} rampe à une profondeur fausse, jusqu&apos;à {error:mm2} {way} (commande {command:n}) : ne jugez pas les profondeurs d&apos;après lui.</translation>
+        <source>The {simulator:simulator} cuts {count:n} ramp at a wrong depth, up to {error:mm2} {way} (command {command:#}): do not judge depths by it.</source>
+        <translation>Le {simulator:simulator} usine {count:n} rampe à une profondeur fausse, jusqu&apos;à {error:mm2} {way} (commande {command:#}) : ne jugez pas les profondeurs d&apos;après lui.</translation>
     </message>
     <message>
-        <source>The {simulator:simulator} cuts {count:n} ramps at a wrong depth, up to {error:mm2} {way} (command {command:n}): do not judge depths by it.</source>
-        <translation>Le {simulator:simulator} usine {count:n} rampes à une profondeur fausse, jusqu&apos;à {error:mm2} {way} (commande {command:n}) : ne jugez pas les profondeurs d&apos;après lui.</translation>
+        <source>The {simulator:simulator} cuts {count:n} ramps at a wrong depth, up to {error:mm2} {way} (command {command:#}): do not judge depths by it.</source>
+        <translation>Le {simulator:simulator} usine {count:n} rampes à une profondeur fausse, jusqu&apos;à {error:mm2} {way} (commande {command:#}) : ne jugez pas les profondeurs d&apos;après lui.</translation>
     </message>
     <message>
         <source>Playing takes about {longer:s} in the {simulator:simulator}: fast-forward takes about {time:s}.</source>
@@ -768,6 +768,90 @@
     <message>
         <source>many small contours of different shapes</source>
         <translation>beaucoup de petits contours de formes différentes</translation>
+    </message>
+    <message>
+        <source>{count:n} row{spread}, {seen}</source>
+        <translation>{count:n} rangée{spread}, {seen}</translation>
+    </message>
+    <message>
+        <source>{count:n} rows{spread}, {seen}</source>
+        <translation>{count:n} rangées{spread}, {seen}</translation>
+    </message>
+    <message>
+        <source>one open cut{spread}, {seen}</source>
+        <translation>une coupe ouverte{spread}, {seen}</translation>
+    </message>
+    <message>
+        <source>{count:n} open cuts{spread}, {seen}</source>
+        <translation>{count:n} coupes ouvertes{spread}, {seen}</translation>
+    </message>
+    <message>
+        <source>one loop{spread}{turning}, {seen}</source>
+        <translation>une boucle{spread}{turning}, {seen}</translation>
+    </message>
+    <message>
+        <source>{count:n} loops{spread}{turning}, {seen}</source>
+        <translation>{count:n} boucles{spread}{turning}, {seen}</translation>
+    </message>
+    <message>
+        <source>straight down at one point</source>
+        <translation>tout droit vers le bas en un point</translation>
+    </message>
+    <message>
+        <source>straight down at {count:n} points</source>
+        <translation>tout droit vers le bas en {count:n} points</translation>
+    </message>
+    <message>
+        <source>straight down at some points</source>
+        <translation>tout droit vers le bas en quelques points</translation>
+    </message>
+    <message>
+        <source>{count:n} sections, parted by tool changes, titles, retracts or drilling: {strategies:strategy}</source>
+        <translation>{count:n} sections, séparées par des changements d&apos;outil, des titres, des retraits ou du perçage : {strategies:strategy}</translation>
+    </message>
+    <message>
+        <source>{sentence}; that is {share:%} of the length</source>
+        <translation>{sentence} ; c&apos;est {share:%} de la longueur</translation>
+    </message>
+    <message>
+        <source>{count:n} overlapping bites</source>
+        <translation>{count:n} morsures qui se recouvrent</translation>
+    </message>
+    <message>
+        <source>one clockwise, the next counter-clockwise</source>
+        <translation>l&apos;une horaire, la suivante antihoraire</translation>
+    </message>
+    <message>
+        <source>all in one cut that winds on and never closes</source>
+        <translation>tout en une coupe qui s&apos;enroule sans jamais se fermer</translation>
+    </message>
+    <message>
+        <source>one inside the other</source>
+        <translation>l&apos;une dans l&apos;autre</translation>
+    </message>
+    <message>
+        <source>none inside another</source>
+        <translation>aucune dans une autre</translation>
+    </message>
+    <message>
+        <source>cut to and fro</source>
+        <translation>coupées en aller et retour</translation>
+    </message>
+    <message>
+        <source>all cut the same way</source>
+        <translation>toutes coupées dans le même sens</translation>
+    </message>
+    <message>
+        <source>phi stays between {low:turns} and {high:turns} turns over one row{spread}, {seen}: {strategy:strategy}</source>
+        <translation>φ reste entre {low:turns} et {high:turns} tours sur une rangée{spread}, {seen} : {strategy:strategy}</translation>
+    </message>
+    <message>
+        <source>phi stays at 0 over one row{spread}, {seen}: {strategy:strategy}</source>
+        <translation>φ reste à 0 sur une rangée{spread}, {seen} : {strategy:strategy}</translation>
+    </message>
+    <message>
+        <source>One move is shorter than a cell of the {simulator:simulator} ({cell:mm2}), takes its time and is not seen by itself: a coarser tolerance of the operation loses nothing there.</source>
+        <translation>Un déplacement est plus court qu&apos;une cellule du {simulator:simulator} ({cell:mm2}), prend son temps et ne se voit pas : une tolérance plus grossière de l&apos;opération n&apos;y perd rien.</translation>
     </message>
 </context>
 <context>
@@ -1008,14 +1092,6 @@
         <translation>Ce document ne contient aucune opération à analyser. Créez une tâche avec des opérations, ou importez du G-code.</translation>
     </message>
     <message>
-        <source>{} operations analyzed</source>
-        <translation>{} opérations analysées</translation>
-    </message>
-    <message>
-        <source>{} with remarks</source>
-        <translation>{} avec remarques</translation>
-    </message>
-    <message>
         <source>The marks are in the tree&apos;s Description column, which is now visible. You can hide it again in the tree&apos;s context menu: Tree settings, Show description.</source>
         <translation>Les marques sont dans la colonne Description de l&apos;arborescence, désormais visible. Vous pouvez la masquer à nouveau par le menu contextuel de l&apos;arborescence : paramètres de l&apos;arborescence, afficher la description.</translation>
     </message>
@@ -1026,6 +1102,22 @@
     <message>
         <source>Cancel</source>
         <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>{count} operation analyzed</source>
+        <translation>{count} opération analysée</translation>
+    </message>
+    <message>
+        <source>{count} operations analyzed</source>
+        <translation>{count} opérations analysées</translation>
+    </message>
+    <message>
+        <source>{count} has a warning</source>
+        <translation>{count} avec un avertissement</translation>
+    </message>
+    <message>
+        <source>{count} have warnings</source>
+        <translation>{count} avec des avertissements</translation>
     </message>
 </context>
 <context>
@@ -1039,8 +1131,12 @@
         <translation>Effacer l&apos;analyse</translation>
     </message>
     <message>
-        <source>{} marks removed</source>
-        <translation>{} marques enlevées</translation>
+        <source>{count} mark removed</source>
+        <translation>{count} marque supprimée</translation>
+    </message>
+    <message>
+        <source>{count} marks removed</source>
+        <translation>{count} marques supprimées</translation>
     </message>
 </context>
 <context>
@@ -1133,36 +1229,8 @@
         <translation>Résultats des parcours</translation>
     </message>
     <message>
-        <source>Export CSV…</source>
-        <translation>Exporter en CSV…</translation>
-    </message>
-    <message>
-        <source>Saves all numbers as a table for a spreadsheet.</source>
-        <translation>Enregistre tous les nombres comme tableau pour un tableur.</translation>
-    </message>
-    <message>
-        <source>Export JSON…</source>
-        <translation>Exporter en JSON…</translation>
-    </message>
-    <message>
-        <source>Saves all numbers for a program.</source>
-        <translation>Enregistre tous les nombres pour un programme.</translation>
-    </message>
-    <message>
-        <source>Copy to clipboard</source>
-        <translation>Copier</translation>
-    </message>
-    <message>
-        <source>Copies the table as it stands here.</source>
-        <translation>Copie le tableau tel qu&apos;il est ici.</translation>
-    </message>
-    <message>
         <source>Nothing is analyzed yet in this document: click Analyze toolpaths.</source>
         <translation>Rien n&apos;est encore analysé dans ce document : cliquez sur « Analyser les parcours d&apos;outil ».</translation>
-    </message>
-    <message>
-        <source>Select an operation to read why it has its strategy.</source>
-        <translation>Sélectionnez une opération pour lire pourquoi elle a sa stratégie.</translation>
     </message>
     <message>
         <source>Export CSV</source>
@@ -1173,24 +1241,8 @@
         <translation>Exporter en JSON</translation>
     </message>
     <message>
-        <source>Shows the analyzed operations as a table: strategy, lengths, what simulating them costs in each simulator, and what is wrong with them.</source>
-        <translation>Montre les opérations analysées dans un tableau : stratégie, longueurs, coût de leur simulation dans chaque simulateur, et ce qui ne va pas.</translation>
-    </message>
-    <message>
         <source>a lower bound: the cost of some operations is not known</source>
         <translation>un minimum : le coût de certaines opérations n&apos;est pas connu</translation>
-    </message>
-    <message>
-        <source>{job}: {count} operation</source>
-        <translation>{job} : {count} opération</translation>
-    </message>
-    <message>
-        <source>{job}: {count} operations</source>
-        <translation>{job} : {count} opérations</translation>
-    </message>
-    <message>
-        <source>outdated: toolpath, tool or stock have changed since</source>
-        <translation>périmé : le parcours, l&apos;outil ou le brut ont changé depuis</translation>
     </message>
     <message>
         <source>called {name}, but its toolpath is {strategy}</source>
@@ -1221,14 +1273,6 @@
         <translation>Fiabilité de la reconnaissance</translation>
     </message>
     <message>
-        <source>Trajectories</source>
-        <translation>Trajectoires</translation>
-    </message>
-    <message>
-        <source>Number of straight moves, arcs chopped</source>
-        <translation>Nombre de mouvements droits, arcs découpés</translation>
-    </message>
-    <message>
         <source>Length</source>
         <translation>Longueur</translation>
     </message>
@@ -1237,55 +1281,18 @@
         <translation>Longueur des mouvements d&apos;usinage</translation>
     </message>
     <message>
-        <source>Z-buffer
-time</source>
-        <extracomment>The paper&apos;s; its columns in CSV and JSON have no prefix.</extracomment>
-        <translation>Z-buffer
-temps</translation>
-    </message>
-    <message>
         <source>Time to simulate it in an extended z-buffer</source>
+        <extracomment>The paper&apos;s; its columns in CSV and JSON have no prefix.</extracomment>
         <translation>Temps de sa simulation dans un z-buffer étendu</translation>
-    </message>
-    <message>
-        <source>Z-buffer
-memory</source>
-        <translation>Z-buffer
-mémoire</translation>
     </message>
     <message>
         <source>Memory to simulate it in an extended z-buffer</source>
         <translation>Mémoire de sa simulation dans un z-buffer étendu</translation>
     </message>
     <message>
-        <source>Legacy
-time</source>
-        <extracomment>FreeCAD&apos;s older one.</extracomment>
-        <translation>Ancien sim.
-temps</translation>
-    </message>
-    <message>
-        <source>Legacy
-memory</source>
-        <translation>Ancien sim.
-mémoire</translation>
-    </message>
-    <message>
-        <source>OpenGL
-time</source>
-        <extracomment>FreeCAD&apos;s newer one, which draws the cuts of all operations before with every operation.</extracomment>
-        <translation>OpenGL
-temps</translation>
-    </message>
-    <message>
         <source>Time of FreeCAD&apos;s OpenGL simulator at its highest speed</source>
+        <extracomment>FreeCAD&apos;s newer one, which draws the cuts of all operations before with every operation.</extracomment>
         <translation>Temps du simulateur OpenGL de FreeCAD à sa plus grande vitesse</translation>
-    </message>
-    <message>
-        <source>OpenGL
-memory</source>
-        <translation>OpenGL
-mémoire</translation>
     </message>
     <message>
         <source>Memory of FreeCAD&apos;s OpenGL simulator</source>
@@ -1296,11 +1303,8 @@ mémoire</translation>
         <translation>Ce qui ne va pas dans l&apos;opération, ou n&apos;ira pas dans sa simulation</translation>
     </message>
     <message>
-        <source>Remarks</source>
-        <translation>Remarques</translation>
-    </message>
-    <message>
         <source>Time of FreeCAD&apos;s legacy simulator in fast-forward, at the accuracy that the preferences say</source>
+        <extracomment>FreeCAD&apos;s older one.</extracomment>
         <translation>Temps de l&apos;ancien simulateur de FreeCAD en avance rapide, à la précision des préférences</translation>
     </message>
     <message>
@@ -1330,14 +1334,6 @@ recommandée</translation>
         <translation>Précision recommandée : {}</translation>
     </message>
     <message>
-        <source>Machining: {cut} of cutting, {rapid} of rapids</source>
-        <translation>Usinage : {cut} de coupe, {rapid} de déplacements rapides</translation>
-    </message>
-    <message>
-        <source>, {depth} deep</source>
-        <translation>, {depth} de profondeur</translation>
-    </message>
-    <message>
         <source>Machining
 time</source>
         <translation>Durée
@@ -1364,6 +1360,164 @@ recommandée</translation>
     <message>
         <source>Between {} and {}: not measured on this computer yet</source>
         <translation>Entre {} et {} : pas encore mesuré sur cet ordinateur</translation>
+    </message>
+    <message>
+        <source>Export &amp;CSV…</source>
+        <translation>Exporter en &amp;CSV…</translation>
+    </message>
+    <message>
+        <source>Export &amp;JSON…</source>
+        <translation>Exporter en &amp;JSON…</translation>
+    </message>
+    <message>
+        <source>C&amp;opy to clipboard</source>
+        <translation>C&amp;opier</translation>
+    </message>
+    <message>
+        <source>E&amp;xport</source>
+        <translation>E&amp;xporter</translation>
+    </message>
+    <message>
+        <source>Col&amp;umns</source>
+        <translation>Col&amp;onnes</translation>
+    </message>
+    <message>
+        <source>Sort as &amp;posted</source>
+        <translation>Trier comme &amp;posté</translation>
+    </message>
+    <message>
+        <source>Select an operation to read what it does and why.</source>
+        <translation>Sélectionnez une opération pour lire ce qu&apos;elle fait et pourquoi.</translation>
+    </message>
+    <message>
+        <source>Selection in {job}</source>
+        <translation>Sélection dans {job}</translation>
+    </message>
+    <message>
+        <source>How long {simulator} takes, which this FreeCAD&apos;s own button starts</source>
+        <translation>Le temps que prend {simulator}, que lance le bouton de ce FreeCAD</translation>
+    </message>
+    <message>
+        <source>Simulation
+time</source>
+        <translation>Temps de
+simulation</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>État</translation>
+    </message>
+    <message>
+        <source>Outdated: toolpath, tool or stock have changed since; analyze it again</source>
+        <translation>Périmé : le parcours, l&apos;outil ou le brut ont changé depuis ; analysez-la de nouveau</translation>
+    </message>
+    <message>
+        <source>outdated</source>
+        <translation>périmé</translation>
+    </message>
+    <message>
+        <source>Warnings</source>
+        <translation>Avertissements</translation>
+    </message>
+    <message>
+        <source>Moves</source>
+        <translation>Déplacements</translation>
+    </message>
+    <message>
+        <source>Number of straight moves; an arc counts as several</source>
+        <translation>Nombre de déplacements droits ; un arc compte pour plusieurs</translation>
+    </message>
+    <message>
+        <source>{simulator}
+time</source>
+        <translation>{simulator}
+temps</translation>
+    </message>
+    <message>
+        <source>{simulator}
+memory</source>
+        <translation>{simulator}
+mémoire</translation>
+    </message>
+    <message>
+        <source>Shows the analyzed operations: strategy, machining and simulation time, and what is wrong with them.</source>
+        <translation>Montre les opérations analysées : stratégie, temps d&apos;usinage et de simulation, et ce qui ne va pas.</translation>
+    </message>
+    <message>
+        <source>Outdated: toolpath, tool or stock have changed since. Analyze it again.</source>
+        <translation>Périmé : le parcours, l&apos;outil ou le brut ont changé depuis. Analysez-la de nouveau.</translation>
+    </message>
+    <message>
+        <source>All numbers</source>
+        <translation>Tous les nombres</translation>
+    </message>
+    <message>
+        <source>Fewer numbers</source>
+        <translation>Moins de nombres</translation>
+    </message>
+    <message>
+        <source>Why?</source>
+        <translation>Pourquoi ?</translation>
+    </message>
+    <message>
+        <source>Sure: {share}</source>
+        <translation>Sûr : {share}</translation>
+    </message>
+    <message>
+        <source>Show it in the Gauss map</source>
+        <translation>Le montrer dans l&apos;application de Gauss</translation>
+    </message>
+    <message>
+        <source>Cutting</source>
+        <translation>Coupe</translation>
+    </message>
+    <message>
+        <source>Rapids</source>
+        <translation>Avance rapide</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>Profondeur</translation>
+    </message>
+    <message>
+        <source>Filter</source>
+        <translation>Filtrer</translation>
+    </message>
+    <message>
+        <source>Shows operations with this text in name, strategy or warnings</source>
+        <translation>Montre les opérations avec ce texte dans le nom, la stratégie ou les avertissements</translation>
+    </message>
+    <message>
+        <source>Shows operations of this strategy</source>
+        <translation>Montre les opérations de cette stratégie</translation>
+    </message>
+    <message>
+        <source>&amp;Warnings only</source>
+        <translation>A&amp;vertissements seuls</translation>
+    </message>
+    <message>
+        <source>Shows operations with warnings, and outdated ones</source>
+        <translation>Montre les opérations avec avertissements et les périmées</translation>
+    </message>
+    <message>
+        <source>All strategies</source>
+        <translation>Toutes les stratégies</translation>
+    </message>
+    <message>
+        <source>{count} of {all} operations</source>
+        <translation>{count} opérations sur {all}</translation>
+    </message>
+    <message>
+        <source>{count} operation</source>
+        <translation>{count} opération</translation>
+    </message>
+    <message>
+        <source>{count} operations</source>
+        <translation>{count} opérations</translation>
+    </message>
+    <message>
+        <source>the total of what was analyzed, not of the whole job</source>
+        <translation>le total de ce qui a été analysé, pas de toute la tâche</translation>
     </message>
 </context>
 <context>

@@ -402,12 +402,12 @@
         <translation>及另外 1 处</translation>
     </message>
     <message>
-        <source>{sentence} (command {command:n})</source>
-        <translation>{sentence}（命令 {command:n}）</translation>
+        <source>{sentence} (command {command:#})</source>
+        <translation>{sentence}（命令 {command:#}）</translation>
     </message>
     <message>
-        <source>{sentence} ({count:n} times, first at command {command:n})</source>
-        <translation>{sentence}（{count:n} 次，首次在命令 {command:n}）</translation>
+        <source>{sentence} ({count:n} times, first at command {command:#})</source>
+        <translation>{sentence}（{count:n} 次，首次在命令 {command:#}）</translation>
     </message>
     <message>
         <source>unknown code {name} ignored</source>
@@ -422,8 +422,8 @@
         <translation>另忽略了 {count:n} 个未知代码</translation>
     </message>
     <message>
-        <source>the arcs and cycles would need {moves:,} moves at a tolerance of {tolerance:mm}; use a larger tolerance</source>
-        <translation>公差为 {tolerance:mm} 时圆弧和循环需要 {moves:,} 次移动；请使用更大的公差</translation>
+        <source>the arcs and cycles would need {moves:n} moves at a tolerance of {tolerance:mm}; use a larger tolerance</source>
+        <translation>公差为 {tolerance:mm} 时圆弧和循环需要 {moves:n} 次移动；请使用更大的公差</translation>
     </message>
     <message>
         <source>{label}: {sentence}</source>
@@ -514,12 +514,12 @@
         <translation>{low} 至 {high}</translation>
     </message>
     <message>
-        <source>{what} (line {line:n})</source>
-        <translation>{what}（第 {line:n} 行）</translation>
+        <source>{what} (line {line:#})</source>
+        <translation>{what}（第 {line:#} 行）</translation>
     </message>
     <message>
-        <source>{what} ({count:n} times, first in line {line:n})</source>
-        <translation>{what}（{count:n} 次，首次在第 {line:n} 行）</translation>
+        <source>{what} ({count:n} times, first in line {line:#})</source>
+        <translation>{what}（{count:n} 次，首次在第 {line:#} 行）</translation>
     </message>
     <message>
         <source>lines with a block delete (/) are read as the others</source>
@@ -558,12 +558,12 @@
         <translation>程序结束之后的内容不读取</translation>
     </message>
     <message>
-        <source>a program in the language of {name} controls (line {line:n}): post it as G-code (ISO) to have it read</source>
-        <translation>{name} 控制系统语言的程序（第 {line:n} 行）：请以 G 代码（ISO）输出后再读取</translation>
+        <source>a program in the language of {name} controls (line {line:#}): post it as G-code (ISO) to have it read</source>
+        <translation>{name} 控制系统语言的程序（第 {line:#} 行）：请以 G 代码（ISO）输出后再读取</translation>
     </message>
     <message>
-        <source>no NC program: {part:n} of its {lines:n} lines are not made of words like G1 X10, the first is line {line:n}</source>
-        <translation>不是 NC 程序：{lines:n} 行中有 {part:n} 行不是由 G1 X10 这类字组成，第一处是第 {line:n} 行</translation>
+        <source>no NC program: {part:n} of its {lines:n} lines are not made of words like G1 X10, the first is line {line:#}</source>
+        <translation>不是 NC 程序：{lines:n} 行中有 {part:n} 行不是由 G1 X10 这类字组成，第一处是第 {line:#} 行</translation>
     </message>
     <message>
         <source>no NC program: no line of it moves a tool</source>
@@ -578,20 +578,20 @@
         <translation>不是 NC 程序：它不是文本</translation>
     </message>
     <message>
-        <source>a program for a lathe ({name}, line {line:n}): milling strategies say nothing about it</source>
-        <translation>车床程序（{name}，第 {line:n} 行）：铣削策略对它不适用</translation>
+        <source>a program for a lathe ({name}, line {line:#}): milling strategies say nothing about it</source>
+        <translation>车床程序（{name}，第 {line:#} 行）：铣削策略对它不适用</translation>
     </message>
     <message>
-        <source>a program for a 3D printer ({name}, line {line:n}): milling strategies say nothing about it</source>
-        <translation>3D 打印机程序（{name}，第 {line:n} 行）：铣削策略对它不适用</translation>
+        <source>a program for a 3D printer ({name}, line {line:#}): milling strategies say nothing about it</source>
+        <translation>3D 打印机程序（{name}，第 {line:#} 行）：铣削策略对它不适用</translation>
     </message>
     <message>
-        <source>a program for a wire cutter ({name}, line {line:n}): milling strategies say nothing about it</source>
-        <translation>线切割程序（{name}，第 {line:n} 行）：铣削策略对它不适用</translation>
+        <source>a program for a wire cutter ({name}, line {line:#}): milling strategies say nothing about it</source>
+        <translation>线切割程序（{name}，第 {line:#} 行）：铣削策略对它不适用</translation>
     </message>
     <message>
-        <source>a rotary axis turns while the tool cuts (line {line:n}): the way of the tool cannot be told</source>
-        <translation>切削时旋转轴在转动（第 {line:n} 行）：无法得知刀具的路径</translation>
+        <source>a rotary axis turns while the tool cuts (line {line:#}): the way of the tool cannot be told</source>
+        <translation>切削时旋转轴在转动（第 {line:#} 行）：无法得知刀具的路径</translation>
     </message>
     <message>
         <source>{length:mm4} of rapids are not in the time: a program does not say how fast they are</source>
@@ -646,16 +646,16 @@
         <translation>OpenGL 模拟器</translation>
     </message>
     <message>
-        <source>The {simulator:simulator} hangs on an arc {reason} (command {command:n}{others}): {instead}.</source>
-        <translation>{simulator:simulator}会卡在{reason}的圆弧上（命令 {command:n}{others}）：{instead}。</translation>
+        <source>The {simulator:simulator} hangs on an arc {reason} (command {command:#}{others}): {instead}.</source>
+        <translation>{simulator:simulator}会卡在{reason}的圆弧上（命令 {command:#}{others}）：{instead}。</translation>
     </message>
     <message>
-        <source>The {simulator:simulator} cuts {count:n} ramp at a wrong depth, up to {error:mm2} {way} (command {command:n}): do not judge depths by it.</source>
-        <translation>{simulator:simulator}以错误深度切削 {count:n} 处斜坡，最多 {error:mm2} {way}（命令 {command:n}）：不要据此判断深度。</translation>
+        <source>The {simulator:simulator} cuts {count:n} ramp at a wrong depth, up to {error:mm2} {way} (command {command:#}): do not judge depths by it.</source>
+        <translation>{simulator:simulator}以错误深度切削 {count:n} 处斜坡，最多 {error:mm2} {way}（命令 {command:#}）：不要据此判断深度。</translation>
     </message>
     <message>
-        <source>The {simulator:simulator} cuts {count:n} ramps at a wrong depth, up to {error:mm2} {way} (command {command:n}): do not judge depths by it.</source>
-        <translation>{simulator:simulator}以错误深度切削 {count:n} 处斜坡，最多 {error:mm2} {way}（命令 {command:n}）：不要据此判断深度。</translation>
+        <source>The {simulator:simulator} cuts {count:n} ramps at a wrong depth, up to {error:mm2} {way} (command {command:#}): do not judge depths by it.</source>
+        <translation>{simulator:simulator}以错误深度切削 {count:n} 处斜坡，最多 {error:mm2} {way}（命令 {command:#}）：不要据此判断深度。</translation>
     </message>
     <message>
         <source>Playing takes about {longer:s} in the {simulator:simulator}: fast-forward takes about {time:s}.</source>
@@ -768,6 +768,90 @@
     <message>
         <source>many small contours of different shapes</source>
         <translation>许多形状各异的小轮廓</translation>
+    </message>
+    <message>
+        <source>{count:n} row{spread}, {seen}</source>
+        <translation>{count:n} 行{spread}，{seen}</translation>
+    </message>
+    <message>
+        <source>{count:n} rows{spread}, {seen}</source>
+        <translation>{count:n} 行{spread}，{seen}</translation>
+    </message>
+    <message>
+        <source>one open cut{spread}, {seen}</source>
+        <translation>一条开放切削{spread}，{seen}</translation>
+    </message>
+    <message>
+        <source>{count:n} open cuts{spread}, {seen}</source>
+        <translation>{count:n} 条开放切削{spread}，{seen}</translation>
+    </message>
+    <message>
+        <source>one loop{spread}{turning}, {seen}</source>
+        <translation>一圈{spread}{turning}，{seen}</translation>
+    </message>
+    <message>
+        <source>{count:n} loops{spread}{turning}, {seen}</source>
+        <translation>{count:n} 圈{spread}{turning}，{seen}</translation>
+    </message>
+    <message>
+        <source>straight down at one point</source>
+        <translation>在一点垂直向下</translation>
+    </message>
+    <message>
+        <source>straight down at {count:n} points</source>
+        <translation>在 {count:n} 点垂直向下</translation>
+    </message>
+    <message>
+        <source>straight down at some points</source>
+        <translation>在一些点垂直向下</translation>
+    </message>
+    <message>
+        <source>{count:n} sections, parted by tool changes, titles, retracts or drilling: {strategies:strategy}</source>
+        <translation>{count:n} 段，由换刀、标题、退刀或钻孔分开：{strategies:strategy}</translation>
+    </message>
+    <message>
+        <source>{sentence}; that is {share:%} of the length</source>
+        <translation>{sentence}；占长度的 {share:%}</translation>
+    </message>
+    <message>
+        <source>{count:n} overlapping bites</source>
+        <translation>{count:n} 次相互重叠的切入</translation>
+    </message>
+    <message>
+        <source>one clockwise, the next counter-clockwise</source>
+        <translation>一圈顺时针，下一圈逆时针</translation>
+    </message>
+    <message>
+        <source>all in one cut that winds on and never closes</source>
+        <translation>全部由一条不断盘绕而不闭合的切削构成</translation>
+    </message>
+    <message>
+        <source>one inside the other</source>
+        <translation>一圈套一圈</translation>
+    </message>
+    <message>
+        <source>none inside another</source>
+        <translation>互不嵌套</translation>
+    </message>
+    <message>
+        <source>cut to and fro</source>
+        <translation>来回切削</translation>
+    </message>
+    <message>
+        <source>all cut the same way</source>
+        <translation>都按同一方向切削</translation>
+    </message>
+    <message>
+        <source>phi stays between {low:turns} and {high:turns} turns over one row{spread}, {seen}: {strategy:strategy}</source>
+        <translation>φ 在一行{spread}中保持在 {low:turns} 与 {high:turns} 圈之间，{seen}：{strategy:strategy}</translation>
+    </message>
+    <message>
+        <source>phi stays at 0 over one row{spread}, {seen}: {strategy:strategy}</source>
+        <translation>φ 在一行{spread}中保持为 0，{seen}：{strategy:strategy}</translation>
+    </message>
+    <message>
+        <source>One move is shorter than a cell of the {simulator:simulator} ({cell:mm2}), takes its time and is not seen by itself: a coarser tolerance of the operation loses nothing there.</source>
+        <translation>有 1 个移动短于{simulator:simulator}的一个单元（{cell:mm2}），既耗时又看不出来：放宽操作的公差在此没有损失。</translation>
     </message>
 </context>
 <context>
@@ -1008,14 +1092,6 @@
         <translation>此文档中没有可分析的操作。请创建带有操作的作业，或导入 G 代码。</translation>
     </message>
     <message>
-        <source>{} operations analyzed</source>
-        <translation>已分析 {} 个操作</translation>
-    </message>
-    <message>
-        <source>{} with remarks</source>
-        <translation>{} 个有备注</translation>
-    </message>
-    <message>
         <source>The marks are in the tree&apos;s Description column, which is now visible. You can hide it again in the tree&apos;s context menu: Tree settings, Show description.</source>
         <translation>标记位于树的“描述”列，该列现已显示。可在树的右键菜单中再次隐藏：树设置，显示描述。</translation>
     </message>
@@ -1026,6 +1102,22 @@
     <message>
         <source>Cancel</source>
         <translation>取消</translation>
+    </message>
+    <message>
+        <source>{count} operation analyzed</source>
+        <translation>已分析 {count} 个操作</translation>
+    </message>
+    <message>
+        <source>{count} operations analyzed</source>
+        <translation>已分析 {count} 个操作</translation>
+    </message>
+    <message>
+        <source>{count} has a warning</source>
+        <translation>{count} 个有警告</translation>
+    </message>
+    <message>
+        <source>{count} have warnings</source>
+        <translation>{count} 个有警告</translation>
     </message>
 </context>
 <context>
@@ -1039,8 +1131,12 @@
         <translation>清除分析</translation>
     </message>
     <message>
-        <source>{} marks removed</source>
-        <translation>已移除 {} 个标记</translation>
+        <source>{count} mark removed</source>
+        <translation>已移除 {count} 个标记</translation>
+    </message>
+    <message>
+        <source>{count} marks removed</source>
+        <translation>已移除 {count} 个标记</translation>
     </message>
 </context>
 <context>
@@ -1133,36 +1229,8 @@
         <translation>刀具路径结果</translation>
     </message>
     <message>
-        <source>Export CSV…</source>
-        <translation>导出 CSV…</translation>
-    </message>
-    <message>
-        <source>Saves all numbers as a table for a spreadsheet.</source>
-        <translation>将所有数值保存为电子表格可用的表。</translation>
-    </message>
-    <message>
-        <source>Export JSON…</source>
-        <translation>导出 JSON…</translation>
-    </message>
-    <message>
-        <source>Saves all numbers for a program.</source>
-        <translation>保存所有数值供程序使用。</translation>
-    </message>
-    <message>
-        <source>Copy to clipboard</source>
-        <translation>复制到剪贴板</translation>
-    </message>
-    <message>
-        <source>Copies the table as it stands here.</source>
-        <translation>按此处所示复制表格。</translation>
-    </message>
-    <message>
         <source>Nothing is analyzed yet in this document: click Analyze toolpaths.</source>
         <translation>此文档尚未分析：请点击“分析刀具路径”。</translation>
-    </message>
-    <message>
-        <source>Select an operation to read why it has its strategy.</source>
-        <translation>选择一个操作，查看其策略的判定理由。</translation>
     </message>
     <message>
         <source>Export CSV</source>
@@ -1173,24 +1241,8 @@
         <translation>导出 JSON</translation>
     </message>
     <message>
-        <source>Shows the analyzed operations as a table: strategy, lengths, what simulating them costs in each simulator, and what is wrong with them.</source>
-        <translation>以表格显示已分析的操作：策略、长度、在各模拟器中模拟的开销，以及存在的问题。</translation>
-    </message>
-    <message>
         <source>a lower bound: the cost of some operations is not known</source>
         <translation>下限：部分操作的开销未知</translation>
-    </message>
-    <message>
-        <source>{job}: {count} operation</source>
-        <translation>{job}：{count} 个操作</translation>
-    </message>
-    <message>
-        <source>{job}: {count} operations</source>
-        <translation>{job}：{count} 个操作</translation>
-    </message>
-    <message>
-        <source>outdated: toolpath, tool or stock have changed since</source>
-        <translation>已过期：刀具路径、刀具或毛坯此后已更改</translation>
     </message>
     <message>
         <source>called {name}, but its toolpath is {strategy}</source>
@@ -1221,14 +1273,6 @@
         <translation>识别的把握程度</translation>
     </message>
     <message>
-        <source>Trajectories</source>
-        <translation>轨迹数</translation>
-    </message>
-    <message>
-        <source>Number of straight moves, arcs chopped</source>
-        <translation>直线移动的数目，圆弧已分段</translation>
-    </message>
-    <message>
         <source>Length</source>
         <translation>长度</translation>
     </message>
@@ -1237,55 +1281,18 @@
         <translation>切削移动的长度</translation>
     </message>
     <message>
-        <source>Z-buffer
-time</source>
-        <extracomment>The paper&apos;s; its columns in CSV and JSON have no prefix.</extracomment>
-        <translation>Z 缓冲
-时间</translation>
-    </message>
-    <message>
         <source>Time to simulate it in an extended z-buffer</source>
+        <extracomment>The paper&apos;s; its columns in CSV and JSON have no prefix.</extracomment>
         <translation>在扩展 Z 缓冲中模拟所需的时间</translation>
-    </message>
-    <message>
-        <source>Z-buffer
-memory</source>
-        <translation>Z 缓冲
-内存</translation>
     </message>
     <message>
         <source>Memory to simulate it in an extended z-buffer</source>
         <translation>在扩展 Z 缓冲中模拟所需的内存</translation>
     </message>
     <message>
-        <source>Legacy
-time</source>
-        <extracomment>FreeCAD&apos;s older one.</extracomment>
-        <translation>旧版
-时间</translation>
-    </message>
-    <message>
-        <source>Legacy
-memory</source>
-        <translation>旧版
-内存</translation>
-    </message>
-    <message>
-        <source>OpenGL
-time</source>
-        <extracomment>FreeCAD&apos;s newer one, which draws the cuts of all operations before with every operation.</extracomment>
-        <translation>OpenGL
-时间</translation>
-    </message>
-    <message>
         <source>Time of FreeCAD&apos;s OpenGL simulator at its highest speed</source>
+        <extracomment>FreeCAD&apos;s newer one, which draws the cuts of all operations before with every operation.</extracomment>
         <translation>FreeCAD OpenGL 模拟器以最高速度所需的时间</translation>
-    </message>
-    <message>
-        <source>OpenGL
-memory</source>
-        <translation>OpenGL
-内存</translation>
     </message>
     <message>
         <source>Memory of FreeCAD&apos;s OpenGL simulator</source>
@@ -1296,11 +1303,8 @@ memory</source>
         <translation>操作存在的问题，或模拟时将出现的问题</translation>
     </message>
     <message>
-        <source>Remarks</source>
-        <translation>备注</translation>
-    </message>
-    <message>
         <source>Time of FreeCAD&apos;s legacy simulator in fast-forward, at the accuracy that the preferences say</source>
+        <extracomment>FreeCAD&apos;s older one.</extracomment>
         <translation>FreeCAD 旧版模拟器以首选项中的精度快进所需的时间</translation>
     </message>
     <message>
@@ -1330,14 +1334,6 @@ image</source>
         <translation>推荐精度：{}</translation>
     </message>
     <message>
-        <source>Machining: {cut} of cutting, {rapid} of rapids</source>
-        <translation>加工：切削 {cut}，快速移动 {rapid}</translation>
-    </message>
-    <message>
-        <source>, {depth} deep</source>
-        <translation>，深 {depth}</translation>
-    </message>
-    <message>
         <source>Machining
 time</source>
         <translation>加工
@@ -1364,6 +1360,164 @@ accuracy</source>
     <message>
         <source>Between {} and {}: not measured on this computer yet</source>
         <translation>介于 {} 和 {} 之间：尚未在此电脑上测量</translation>
+    </message>
+    <message>
+        <source>Export &amp;CSV…</source>
+        <translation>导出 &amp;CSV…</translation>
+    </message>
+    <message>
+        <source>Export &amp;JSON…</source>
+        <translation>导出 &amp;JSON…</translation>
+    </message>
+    <message>
+        <source>C&amp;opy to clipboard</source>
+        <translation>复制到剪贴板(&amp;O)</translation>
+    </message>
+    <message>
+        <source>E&amp;xport</source>
+        <translation>导出(&amp;X)</translation>
+    </message>
+    <message>
+        <source>Col&amp;umns</source>
+        <translation>列(&amp;U)</translation>
+    </message>
+    <message>
+        <source>Sort as &amp;posted</source>
+        <translation>按输出顺序排列(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Select an operation to read what it does and why.</source>
+        <translation>选择一个操作，查看它做什么以及为什么。</translation>
+    </message>
+    <message>
+        <source>Selection in {job}</source>
+        <translation>{job} 中的选择</translation>
+    </message>
+    <message>
+        <source>How long {simulator} takes, which this FreeCAD&apos;s own button starts</source>
+        <translation>此 FreeCAD 的按钮所启动的 {simulator} 需要多长时间</translation>
+    </message>
+    <message>
+        <source>Simulation
+time</source>
+        <translation>仿真
+时间</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>状态</translation>
+    </message>
+    <message>
+        <source>Outdated: toolpath, tool or stock have changed since; analyze it again</source>
+        <translation>已过期：刀具路径、刀具或毛坯此后已更改；请重新分析</translation>
+    </message>
+    <message>
+        <source>outdated</source>
+        <translation>已过期</translation>
+    </message>
+    <message>
+        <source>Warnings</source>
+        <translation>警告</translation>
+    </message>
+    <message>
+        <source>Moves</source>
+        <translation>移动</translation>
+    </message>
+    <message>
+        <source>Number of straight moves; an arc counts as several</source>
+        <translation>直线移动的数量；一段圆弧算作多个</translation>
+    </message>
+    <message>
+        <source>{simulator}
+time</source>
+        <translation>{simulator}
+时间</translation>
+    </message>
+    <message>
+        <source>{simulator}
+memory</source>
+        <translation>{simulator}
+内存</translation>
+    </message>
+    <message>
+        <source>Shows the analyzed operations: strategy, machining and simulation time, and what is wrong with them.</source>
+        <translation>显示已分析的操作：策略、加工和仿真时间，以及存在的问题。</translation>
+    </message>
+    <message>
+        <source>Outdated: toolpath, tool or stock have changed since. Analyze it again.</source>
+        <translation>已过期：刀具路径、刀具或毛坯此后已更改。请重新分析。</translation>
+    </message>
+    <message>
+        <source>All numbers</source>
+        <translation>所有数值</translation>
+    </message>
+    <message>
+        <source>Fewer numbers</source>
+        <translation>较少数值</translation>
+    </message>
+    <message>
+        <source>Why?</source>
+        <translation>为什么？</translation>
+    </message>
+    <message>
+        <source>Sure: {share}</source>
+        <translation>把握：{share}</translation>
+    </message>
+    <message>
+        <source>Show it in the Gauss map</source>
+        <translation>在高斯图中显示</translation>
+    </message>
+    <message>
+        <source>Cutting</source>
+        <translation>切削</translation>
+    </message>
+    <message>
+        <source>Rapids</source>
+        <translation>快速移动</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>深度</translation>
+    </message>
+    <message>
+        <source>Filter</source>
+        <translation>筛选</translation>
+    </message>
+    <message>
+        <source>Shows operations with this text in name, strategy or warnings</source>
+        <translation>显示名称、策略或警告中含有此文字的操作</translation>
+    </message>
+    <message>
+        <source>Shows operations of this strategy</source>
+        <translation>显示此策略的操作</translation>
+    </message>
+    <message>
+        <source>&amp;Warnings only</source>
+        <translation>仅警告(&amp;W)</translation>
+    </message>
+    <message>
+        <source>Shows operations with warnings, and outdated ones</source>
+        <translation>显示有警告的和已过期的操作</translation>
+    </message>
+    <message>
+        <source>All strategies</source>
+        <translation>所有策略</translation>
+    </message>
+    <message>
+        <source>{count} of {all} operations</source>
+        <translation>{all} 个操作中的 {count} 个</translation>
+    </message>
+    <message>
+        <source>{count} operation</source>
+        <translation>{count} 个操作</translation>
+    </message>
+    <message>
+        <source>{count} operations</source>
+        <translation>{count} 个操作</translation>
+    </message>
+    <message>
+        <source>the total of what was analyzed, not of the whole job</source>
+        <translation>仅为已分析部分的合计，并非整个作业</translation>
     </message>
 </context>
 <context>

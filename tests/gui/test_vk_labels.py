@@ -67,9 +67,10 @@ def test_tooltips_show_labels_as_text(opened, window, trap):
     window.wait(lambda: "⟦" in face.Label2)
     window.dismiss()
     model = window.main.findChild(QtGui.QDockWidget, "VkResults").model
-    row = next(i for i in range(model.rowCount()) if model.index(i, 0).data() == trap)
-    tooltips = [model.index(row, column).data(QtCore.Qt.ToolTipRole) for column in range(model.columnCount())]
-    assert is_shown_as_it_is(tooltips[0], trap) and is_shown_as_it_is(tooltips[-1], trap)
+    job = model.index(0, 0)
+    row = next(i for i in range(model.rowCount(job)) if model.index(i, 0, job).data() == trap)
+    tooltips = [model.index(row, column, job).data(QtCore.Qt.ToolTipRole) for column in range(model.columnCount())]
+    assert is_shown_as_it_is(tooltips[0], trap) and is_shown_as_it_is(tooltips[5], trap)
     assert all(tooltip == "" or "<img" not in tooltip for tooltip in tooltips)
     index = next(i for i in window.tree.model().match(
         window.tree.model().index(0, 0), QtCore.Qt.DisplayRole, trap, 1, QtCore.Qt.MatchExactly | QtCore.Qt.MatchRecursive))  # fmt: skip

@@ -1,17 +1,26 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The results panel: its numbers, sorting, the selection it shares with FreeCAD, what it flags, and its exports."""
+"""The results panel: its tree, columns, filter and page, the selection it shares with FreeCAD, and its exports."""
 
 import csv
 import json
+from collections import Counter
+from pathlib import Path
 
 import FreeCAD
 import FreeCADGui as Gui
 import pytest
 from PySide import QtCore, QtGui
 
+try:
+    from PySide2.QtTest import QTest
+except ImportError:
+    from PySide6.QtTest import QTest
+
 import vkworkbench
-from vkworkbench import freecad
+from vkworkbench import freecad, preferences
 from vkworkbench.document import marks
+from vkworkbench.gui import colors
+from vkworkbench.gui.sentences import user
 
 OPENGL = freecad.version() >= (1, 0)
 
@@ -25,7 +34,10 @@ def panel(opened, window):
     window.tree.expandAll()
     window.idle()
     yield dock(window)
-    dock(window).table.sortByColumn(-1, QtCore.Qt.AscendingOrder)
+    dock(window).tree.sortByColumn(-1, QtCore.Qt.AscendingOrder)
+    dock(window).filter.words.clear()
+    dock(window).filter.strategies.setCurrentIndex(0)
+    dock(window).filter.warnings.setChecked(False)
     dock(window).hide()
 
 
@@ -39,48 +51,124 @@ def dock(window):
 
 
 def titles(panel):
-    model = panel.table.model()
+    model = panel.tree.model()
     return [model.headerData(i, QtCore.Qt.Horizontal).replace("\n", " ") for i in range(model.columnCount())]
 
 
+def shown(panel):
+    return [title for number, title in enumerate(titles(panel)) if not panel.tree.isColumnHidden(number)]
+
+
+def indexes(panel):
+    """Indexes of the first column, from above."""
+    model = panel.tree.model()
+
+    def below(parent):
+        for number in range(model.rowCount(parent)):
+            index = model.index(number, 0, parent)
+            yield index
+            yield from below(index)
+
+    return list(below(QtCore.QModelIndex()))
+
+
 def column(panel, title):
-    model, number = panel.table.model(), titles(panel).index(title)
-    return [model.index(row, number).data() for row in range(model.rowCount())]
+    """Texts of a column by the names of operations and jobs."""
+    number = titles(panel).index(title)
+    return {index.data(): index.sibling(index.row(), number).data() for index in indexes(panel)}
 
 
-def click_row(window, panel, label):
-    row = column(panel, "Operation").index(label)
-    index = panel.table.model().index(row, 0)
-    panel.table.scrollTo(index)
-    window.click_at(panel.table.viewport(), panel.table.visualRect(index).center())
+def labels(panel):
+    return [index.data() for index in indexes(panel)]
+
+
+def click_row(window, panel, label, modifier=QtCore.Qt.NoModifier):
+    index = next(index for index in indexes(panel) if index.data() == label)
+    panel.tree.scrollTo(index)
+    QTest.mouseClick(panel.tree.viewport(), QtCore.Qt.LeftButton, modifier, panel.tree.visualRect(index).center())
     window.idle()
 
 
 def click_header(window, panel, title):
-    header = panel.table.horizontalHeader()
+    header = panel.tree.header()
     number = titles(panel).index(title)
-    panel.table.scrollTo(panel.table.model().index(0, number))
     x = header.sectionViewportPosition(number) + header.sectionSize(number) // 2
     window.click_at(header.viewport(), QtCore.QPoint(x, header.height() // 2))
     window.idle(0.1)
 
 
 def selected(panel):
-    return [index.data() for index in panel.table.selectionModel().selectedRows()]
+    return [index.data() for index in panel.tree.selectionModel().selectedRows()]
 
 
-def test_one_row_for_each_operation_and_the_total_below(panel, opened, window):
+def text_of(panel):
+    return panel.details.toPlainText()
+
+
+FIRST = ["Operation", "Strategy", "Machining time", "Simulation time", "State", "Warnings"]
+
+
+def test_jobs_are_branches_with_their_total(panel, opened, window):
     report = vkworkbench.analyze(opened)
-    labels = column(panel, "Operation")
-    assert labels[:-1] == [o.label for o in report.operations]
-    assert labels[-1] == f"Job: {report.totals[0].operations} operations"
-    assert column(panel, "Strategy")[:-1] == [o.strategy.value for o in report.operations]
-    assert column(panel, "Trajectories")[:-1] == [f"{o.trajectories:,}" for o in report.operations]
-    assert ("OpenGL time" in titles(panel)) == OPENGL
-    sizes = [(o.resolution.view.width, o.resolution.view.height) for o in report.operations]
-    assert column(panel, "Recommended image")[:-1] == [f"{width} × {height}" for width, height in sizes]
-    for title in ("Z-buffer time", "Z-buffer memory", "Legacy time", "Legacy memory"):
-        assert all(any(unit in cell for unit in ("ms", "s", "min", "MB", "kB")) for cell in column(panel, title)[:-1]), title
+    assert labels(panel) == ["Job", *(o.label for o in report.operations)]
+    (job,) = [index for index in indexes(panel) if not index.parent().isValid()]
+    assert panel.tree.isExpanded(job)
+    strategies = column(panel, "Strategy")
+    assert strategies.pop("Job") == f"{report.totals[0].operations} operations"
+    assert list(strategies.values()) == [o.strategy.value for o in report.operations]
+    moves = column(panel, "Moves")
+    assert moves["Job"] == f"{report.totals[0].trajectories:,}"
+    assert [moves[o.label] for o in report.operations] == [f"{o.trajectories:,}" for o in report.operations]
+
+
+def test_six_columns_at_first_and_all_others_in_a_menu(panel, opened, window):
+    assert shown(panel) == FIRST
+    named = [user().simulator(name) for name in ("z-buffer", "legacy", *(["OpenGL"] if OPENGL else []))]
+    assert titles(panel)[6:] == [
+        "Sure", "Moves", "Length", *(f"{name} {what}" for name in named for what in ("time", "memory")),
+        "Recommended image", "Recommended accuracy",
+    ]  # fmt: skip
+    own = user().simulator(freecad.own_simulator())
+    assert column(panel, "Simulation time") == column(panel, f"{own} time")
+    assert all(column(panel, "Simulation time").values())
+    sizes = [(o.resolution.view.width, o.resolution.view.height) for o in vkworkbench.analyze(opened).operations]
+    assert list(column(panel, "Recommended image").values())[1:] == [f"{width} × {height}" for width, height in sizes]
+    length = next(action for action in panel.columns.actions() if action.text() == "Length")
+    state = next(action for action in panel.columns.actions() if action.text() == "State")
+    try:
+        length.trigger()
+        state.trigger()
+        assert shown(panel) == [*FIRST[:4], "Warnings", "Length"]
+        assert preferences.read().result_columns == "state,length"
+    finally:
+        length.trigger()
+        state.trigger()
+    assert shown(panel) == FIRST and preferences.read().result_columns == ""
+
+
+def test_the_name_stays_in_sight(panel, opened, window):
+    chosen = [action for action in panel.columns.actions() if action.isCheckable() and not action.isChecked()]
+    try:
+        for action in chosen:
+            action.trigger()
+        window.idle()
+        bar, frozen = panel.tree.horizontalScrollBar(), panel.tree.findChild(QtGui.QTreeView, "frozen")
+        assert bar.maximum() > 0 and not frozen.isVisible()
+        bar.setValue(bar.maximum())
+        window.idle()
+        assert frozen.isVisible() and frozen.width() == panel.tree.columnWidth(0)
+        for index in indexes(panel)[:4]:
+            assert frozen.visualRect(index).top() == panel.tree.visualRect(index).top()
+        where = frozen.visualRect(indexes(panel)[2]).center()
+        window.click_at(frozen.viewport(), where)
+        window.idle()
+        assert selected(panel) == [indexes(panel)[2].data()] and bar.value() == bar.maximum()
+        window.screenshot("panel-all-columns")
+        bar.setValue(0)
+        assert not frozen.isVisible()
+    finally:
+        for action in chosen:
+            action.trigger()
 
 
 def test_light_and_dark(panel, window, theme):
@@ -91,17 +179,76 @@ def test_light_and_dark(panel, window, theme):
     assert window.main.width() <= 1280  # it asks for no more room than there is
 
 
-def test_a_click_on_a_title_sorts_and_the_total_stays_below(panel, opened, window):
+def luminance(color):
+    channels = [c / 12.92 if c <= 0.04045 else ((c + 0.055) / 1.055) ** 2.4 for c in color.getRgbF()[:3]]
+    return 0.2126 * channels[0] + 0.7152 * channels[1] + 0.0722 * channels[2]
+
+
+def contrast(one, other):
+    high, low = sorted((luminance(QtGui.QColor(one)), luminance(QtGui.QColor(other))), reverse=True)
+    return (high + 0.05) / (low + 0.05)
+
+
+@pytest.fixture(params=["FreeCAD Dark", "FreeCAD Light", "Dark-blue", "Light-blue"])
+def shipped(request, window):
+    """FreeCAD in a style sheet that comes with it: the first two since 1.0, the others before."""
+    path = Path(FreeCAD.getResourceDir()) / "Gui" / "Stylesheets" / f"{request.param}.qss"
+    if not path.exists():
+        pytest.skip(f"this FreeCAD has no {path.name}")
+    application, chosen = QtGui.QApplication.instance(), FreeCAD.ParamGet("User parameter:BaseApp/Preferences/MainWindow")
+    before, name = application.styleSheet(), chosen.GetString("StyleSheet")
+    chosen.SetString("StyleSheet", path.name)  # since 1.0 FreeCAD follows at once
+    window.idle()
+    if application.styleSheet() == before:
+        application.setStyleSheet(path.read_text())
+    yield request.param
+    chosen.SetString("StyleSheet", name)
+    application.setStyleSheet(before)
+    window.idle()
+
+
+def test_it_is_readable_in_freecads_own_themes(panel, window, shipped):
+    click_row(window, panel, "Bore")
+    window.idle(0.5)
+    window.screenshot(f"panel-{shipped.replace(' ', '-')}")
+    image = panel.details.viewport().grab().toImage()
+    points = [image.pixel(x, y) for x in range(0, image.width(), 2) for y in range(image.height())]
+    (background, _), *others = Counter(points).most_common()
+    assert contrast(background, colors.LINK) > 3
+    assert max(contrast(background, color) for color, _ in others) > 4.5
+
+
+def test_a_click_on_a_title_sorts_within_the_job(panel, opened, window):
     operations = vkworkbench.analyze(opened).operations
-    rising = [o.label for o in sorted(operations, key=lambda o: o.trajectories)]
-    click_header(window, panel, "Trajectories")
-    first = column(panel, "Operation")
-    click_header(window, panel, "Trajectories")
-    second = column(panel, "Operation")
-    assert first[-1] == second[-1] and first[-1].startswith("Job:")
-    assert {tuple(first[:-1]), tuple(second[:-1])} == {tuple(rising), tuple(reversed(rising))}
-    click_header(window, panel, "Sure")
-    assert column(panel, "Operation")[-1].startswith("Job:")
+    rising = [o.label for o in sorted(operations, key=lambda o: o.machining.seconds)]
+    click_header(window, panel, "Machining time")
+    first = labels(panel)
+    click_header(window, panel, "Machining time")
+    second = labels(panel)
+    assert first[0] == second[0] == "Job"
+    assert {tuple(first[1:]), tuple(second[1:])} == {tuple(rising), tuple(reversed(rising))}
+    posted = next(action for action in panel.columns.actions() if "posted" in action.text())
+    posted.trigger()
+    assert labels(panel)[1:] == [o.label for o in operations]
+
+
+def test_the_filter(panel, opened, window):
+    strategies = {o.label: o.strategy.value for o in vkworkbench.analyze(opened).operations}
+    panel.filter.words.setFocus()
+    window.type(panel.filter.words, "POCKET")
+    window.idle(0.1)
+    assert labels(panel) == ["Job", *(label for label in strategies if "pocket" in label.lower())]
+    panel.filter.words.clear()
+    number = panel.filter.strategies.findText("zigzag")
+    panel.filter.strategies.setCurrentIndex(number)
+    assert labels(panel) == ["Job", *(label for label, strategy in strategies.items() if strategy == "zigzag")]
+    window.screenshot("panel-filter")
+    panel.filter.strategies.setCurrentIndex(0)
+    panel.filter.warnings.setChecked(True)
+    warned = {label for label, text in column(panel, "Warnings").items() if text}
+    assert set(labels(panel)) - {"Job"} <= warned
+    panel.filter.warnings.setChecked(False)
+    assert labels(panel) == ["Job", *strategies]
 
 
 def test_a_click_on_a_row_selects_the_operation(panel, opened, window):
@@ -109,15 +256,52 @@ def test_a_click_on_a_row_selects_the_operation(panel, opened, window):
     assert Gui.Selection.getSelection() == [labelled(opened, "Bore")]
     tree_selected = [i.data() for i in window.tree.selectionModel().selectedIndexes() if i.column() == 0]
     assert tree_selected == ["Bore"]
-    assert labelled(opened, "Bore").Reason in unescaped(panel.details)
 
 
-def unescaped(label):
-    return QtGui.QTextDocumentFragment.fromHtml(label.text()).toPlainText()
+def test_plain_words_first_and_the_papers_terms_behind_why(panel, opened, window):
+    click_row(window, panel, "Bore")
+    (found,) = [o for o in vkworkbench.analyze(opened).operations if o.label == "Bore"]
+    assert "phi" not in text_of(panel) and "going down" in text_of(panel).lower() or "descending" in text_of(panel)
+    panel.details.anchorClicked.emit(QtCore.QUrl("why"))
+    assert found.reason in text_of(panel)
+    assert "Recommended" not in text_of(panel) and "cells of" not in text_of(panel)
+    panel.details.anchorClicked.emit(QtCore.QUrl("numbers"))
+    assert "Recommended image" in text_of(panel)
+    window.screenshot("panel-why")
+    panel.details.anchorClicked.emit(QtCore.QUrl("why"))
+    panel.details.anchorClicked.emit(QtCore.QUrl("numbers"))
+    assert "phi" not in text_of(panel)
+
+
+def test_several_rows_have_the_total_of_the_selection(panel, opened, window):
+    click_row(window, panel, "Bore")
+    click_row(window, panel, "Face", QtCore.Qt.ControlModifier)
+    posted = vkworkbench.analyze(opened).totals[0].operations
+    assert {obj.Label for obj in Gui.Selection.getSelection()} == {"Bore", "Face"}
+    assert text_of(panel).startswith(f"Selection in Job: 2 of {posted} operations")
+
+
+def test_the_keyboard(panel, opened, window):
+    click_row(window, panel, "Face")
+    window.press(panel.tree, QtCore.Qt.Key_Down)
+    window.idle()
+    below = labels(panel)[labels(panel).index("Face") + 1]
+    assert selected(panel) == [below] and [obj.Label for obj in Gui.Selection.getSelection()] == [below]
+    QTest.keyClick(panel.tree, QtCore.Qt.Key_C, QtCore.Qt.ControlModifier)
+    window.idle()
+    assert QtGui.QApplication.activeModalWidget() is None
+    lines = QtGui.QApplication.clipboard().text().splitlines()
+    assert lines[0].split("\t") == FIRST and [line.split("\t")[0] for line in lines[1:]] == [below]
+    asked = []
+    panel._look_at, before = (lambda: asked.append(1)), panel._look_at
+    panel.tree._enter, enter = (lambda: asked.append(1)), panel.tree._enter
+    window.press(panel.tree, QtCore.Qt.Key_Return)
+    panel._look_at, panel.tree._enter = before, enter
+    assert asked
 
 
 def test_selecting_in_freecad_moves_the_row(panel, opened, window):
-    click_header(window, panel, "Length")
+    click_header(window, panel, "Machining time")
     for label in ("Drill holes", "Face"):
         Gui.Selection.clearSelection()
         Gui.Selection.addSelection(labelled(opened, label))
@@ -129,15 +313,15 @@ def test_selecting_in_freecad_moves_the_row(panel, opened, window):
 
 def test_what_it_is_called_against_what_it_does(panel, opened, window):
     face, pocket = labelled(opened, "Face"), labelled(opened, "Pocket around island")
-    assert not any("called" in remark for remark in column(panel, "Remarks"))
+    assert not any("called" in remark for remark in column(panel, "Warnings").values())
     face.Path, pocket.Path = pocket.Path, face.Path
     window.click("Analyze toolpaths")
     window.idle()
-    remarks = dict(zip(column(panel, "Operation"), column(panel, "Remarks")))
+    remarks = column(panel, "Warnings")
     assert "called ZigZag, but its toolpath is contour-parallel" in remarks["Face"]
     assert "called Offset, but its toolpath is zigzag" in remarks["Pocket around island"]
     click_row(window, panel, "Face")
-    assert "called ZigZag" in unescaped(panel.details)
+    assert "called ZigZag" in text_of(panel)
     window.screenshot("panel-mismatch")
 
 
@@ -146,40 +330,52 @@ def test_what_is_wrong_is_said(panel, opened, window):
     bore.ToolController = None
     window.click("Analyze toolpaths")
     window.idle()
-    remarks = dict(zip(column(panel, "Operation"), column(panel, "Remarks")))
+    remarks = column(panel, "Warnings")
     assert "no tool" in remarks["Bore"]
-    assert "lower bound" in next(text for label, text in remarks.items() if label.startswith("Job:"))
+    assert "lower bound" in remarks["Job"]
 
 
 def test_rows_live_with_the_document(panel, opened, window):
     labelled(opened, "Face").Label = "Top"
-    window.wait(lambda: "Top" in column(panel, "Operation"))
+    window.wait(lambda: "Top" in labels(panel))
     top = labelled(opened, "Top")
     top.ToolpathMark = top.ToolpathMark.replace(marks.read(top).fingerprint, "of:another")
     from vkworkbench.document import watcher
 
     watcher.check(opened)
-    window.wait(lambda: column(panel, "Remarks")[column(panel, "Operation").index("Top")].startswith("outdated"))
+    window.wait(lambda: column(panel, "State")["Top"] == "outdated" == column(panel, "State")["Job"])
+    click_row(window, panel, "Top")
+    assert "Outdated" in text_of(panel)
     opened.removeObject(top.Name)
-    window.wait(lambda: "Top" not in column(panel, "Operation"))
+    window.wait(lambda: "Top" not in labels(panel))
     other = FreeCAD.newDocument("Other")
-    window.wait(lambda: column(panel, "Operation") == [])
-    assert "Analyze toolpaths" in panel.details.text() and not panel.csv.isEnabled()
+    window.wait(lambda: labels(panel) == [])
+    assert "Analyze toolpaths" in text_of(panel) and not panel.csv.isEnabled()
     FreeCAD.closeDocument(other.Name)
     FreeCAD.setActiveDocument(opened.Name)
-    window.wait(lambda: len(column(panel, "Operation")) > 3)
+    window.wait(lambda: len(labels(panel)) > 3)
 
 
 def test_one_operation_analyzed_again_keeps_the_others(panel, opened, window):
-    count = len(column(panel, "Operation"))
+    count = len(labels(panel))
     Gui.Selection.addSelection(labelled(opened, "Face"))
     window.click("Analyze toolpaths")
     window.idle()
-    assert len(column(panel, "Operation")) == count
+    assert len(labels(panel)) == count
 
 
-def save_as(window, button, path):
-    """Click an export button and answer its dialog as a user does."""
+def test_the_total_of_a_part_says_that_it_is_one(opened, window):
+    posted = vkworkbench.analyze(opened).totals[0].operations
+    Gui.Selection.addSelection(labelled(opened, "Face"))
+    window.click("Analyze toolpaths")
+    window.wait(lambda: dock(window) is not None and dock(window).isVisible())
+    window.dismiss()
+    assert column(dock(window), "Strategy")["Job"] == f"1 of {posted} operations"
+    assert "not of the whole job" in column(dock(window), "Warnings")["Job"]
+
+
+def save_as(window, action, path):
+    """Choose an export and answer its dialog as a user does."""
     def answer():
         dialogs = [w for w in QtGui.QApplication.topLevelWidgets() if isinstance(w, QtGui.QFileDialog) and w.isVisible()]
         if not dialogs:
@@ -190,7 +386,7 @@ def save_as(window, button, path):
         window.press(name, QtCore.Qt.Key_Return)
 
     QtCore.QTimer.singleShot(50, answer)
-    window.click_on(button)
+    action.trigger()
     window.idle()
 
 
@@ -217,23 +413,25 @@ def test_an_export_that_fails_is_said(panel, window, tmp_path):
 
     folder = tmp_path / "results.csv"
     folder.mkdir()
-    from vkworkbench.gui import panel as module
+    from vkworkbench.gui import panel_export as module
 
     name, module.QFileDialog.getSaveFileName = module.QFileDialog.getSaveFileName, lambda *what: (str(folder), "")
     try:
         QtCore.QTimer.singleShot(300, look)
-        window.click_on(panel.csv)
+        panel.csv.trigger()
         window.wait(lambda: said)
     finally:
         module.QFileDialog.getSaveFileName = name
     assert said
 
 
-def test_copy_is_the_table_as_shown(panel, window):
-    window.click_on(panel.copy)
+def test_copy_is_the_tree_as_shown(panel, window):
+    Gui.Selection.clearSelection()
+    window.idle()
+    panel.copy.trigger()
     lines = [line.split("\t") for line in QtGui.QApplication.clipboard().text().splitlines()]
-    assert lines[0] == titles(panel)
-    assert [line[0] for line in lines[1:]] == column(panel, "Operation")
+    assert lines[0] == FIRST
+    assert [line[0] for line in lines[1:]] == labels(panel)
     assert all(len(line) == len(lines[0]) for line in lines)
 
 
@@ -242,6 +440,35 @@ def test_the_command_shows_and_hides_it(panel, window):
     window.wait(lambda: not panel.isVisible())
     window.click("Toolpath results")
     window.wait(panel.isVisible)
+    window.wait(lambda: window.main.focusWidget() is panel.tree)
+
+
+def test_beside_the_report_view_it_is_a_tab(opened, window):
+    view = window.main.findChild(QtGui.QDockWidget, "Report view")
+    existing = dock(window)
+    if existing is not None:  # made anew, as in a window that has just been opened
+        Gui.Selection.removeObserver(existing)
+        FreeCAD.removeDocumentObserver(existing)
+        existing.setObjectName("")
+        existing.hide()
+        existing.deleteLater()
+    window.main.addDockWidget(QtCore.Qt.BottomDockWidgetArea, view)
+    view.show()
+    window.main.setGeometry(0, 0, 1024, 700)
+    window.idle(0.3)
+    try:
+        window.click("Analyze toolpaths")
+        window.wait(lambda: dock(window) is not None and dock(window).isVisible())
+        window.dismiss()
+        panel = dock(window)
+        assert view in window.main.tabifiedDockWidgets(panel) and not panel.visibleRegion().isEmpty()
+        assert panel.width() > 0.8 * window.main.width() and window.main.width() <= 1024 and window.main.height() <= 700
+        click_row(window, panel, "Face")
+        window.screenshot("panel-1024-report-view")
+    finally:
+        view.hide()
+        window.main.setGeometry(0, 0, 1280, 1000)
+        window.idle(0.3)
 
 
 def test_no_table_in_the_report_view(panel, window):

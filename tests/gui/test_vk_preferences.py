@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The page in FreeCAD's preferences, in FreeCAD's own dialog."""
 
+from dataclasses import replace
+
 import FreeCAD
 import FreeCADGui as Gui
 import pytest
@@ -106,6 +108,22 @@ def test_it_shows_the_defaults_and_keeps_what_is_chosen(with_page, window):
 
     with_page(look_again, CANCEL)
     assert preferences.read() == expected
+
+
+@pytest.mark.parametrize("schema", [0, 3, 5, 7])  # mm, inches, and two more imperial ones
+def test_ok_changes_nothing_that_was_not_changed(schema, with_page, window):
+    before = Preferences(tolerance=0.0123, time_budget=33.37, legacy_accuracy=0.137, result_columns="length")
+    preferences.write(tolerance=0.0123, time_budget=33.37, legacy_accuracy=0.137, result_columns="length")
+    now, units = FreeCAD.Units.getSchema(), FreeCAD.ParamGet("User parameter:BaseApp/Preferences/Units")
+    FreeCAD.Units.setSchema(schema)
+    try:
+        with_page(lambda form: None)
+        assert preferences.read() == before
+        with_page(lambda form: check(window, form.analyze_after_recompute))
+        assert preferences.read() == replace(before, analyze_after_recompute=True)
+    finally:
+        FreeCAD.Units.setSchema(now)
+        units.SetInt("UserSchema", now)
 
 
 def test_units_follow_freecad(with_page, window):

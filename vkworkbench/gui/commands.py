@@ -10,6 +10,7 @@ import vkworkbench
 from vkworkbench.gui import latest, panel_command, pills, progress, tree
 from vkworkbench.gui.plain_text import tell
 from vkworkbench.gui.selection import selected_operations
+from vkworkbench.gui.sentences import plural
 from vkworkbench.gui.text import QT_TRANSLATE_NOOP, translate
 from vkworkbench.preferences import GROUP
 
@@ -56,9 +57,15 @@ class AnalyzeCommand:
         latest.remember(report)
         panel_command.show()
         wrong = sum(o.to_be_known for o in report.operations)
-        text = translate("Vk_Analyze", "{} operations analyzed").format(len(report.operations))
+        one, more = (
+            translate("Vk_Analyze", "{count} operation analyzed"), translate("Vk_Analyze", "{count} operations analyzed")
+        )  # fmt: skip
+        text = plural(one, more, len(report.operations))
         if wrong:
-            text += ", " + translate("Vk_Analyze", "{} with remarks").format(wrong)
+            one, more = (
+                translate("Vk_Analyze", "{count} has a warning"), translate("Vk_Analyze", "{count} have warnings")
+            )  # fmt: skip
+            text += ", " + plural(one, more, wrong)
         _status(text)
 
 
@@ -86,7 +93,8 @@ class ClearCommand:
             return
         with tree.steady_columns():
             cleared = vkworkbench.clear(selected_operations() or FreeCAD.ActiveDocument)
-        _status(translate("Vk_Clear", "{} marks removed").format(cleared))
+        one, more = translate("Vk_Clear", "{count} mark removed"), translate("Vk_Clear", "{count} marks removed")
+        _status(plural(one, more, cleared))
 
 
 def mark(report) -> None:

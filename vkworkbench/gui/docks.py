@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The add-on's docks at the bottom of the window, as tabs: there is no room for them side by side."""
+"""The add-on's docks at the bottom of the window, as tabs of what is there: side by side there is no room."""
 
 from __future__ import annotations
 
@@ -16,15 +16,24 @@ def find(name: str) -> QDockWidget | None:
 
 
 def add(dock: QDockWidget, height: int) -> None:
-    """Put a new dock at the bottom, as a tab where another of ours is there, and show it `height` px high."""
+    """Put a new dock at the bottom, as a tab where another dock is there, and show it `height` px high.
+
+    That is at most a third of the window, most of which is the 3D view's.
+    """
     window = Gui.getMainWindow()
-    others = [other for other in map(find, (RESULTS, GAUSS_MAP)) if other is not None and other is not dock]
+    others = [
+        other for other in window.findChildren(QDockWidget)
+        if other is not dock and not other.isFloating() and window.dockWidgetArea(other) == Qt.BottomDockWidgetArea
+    ]  # fmt: skip
+    seen = [other for other in others if not other.isHidden()]
     window.addDockWidget(Qt.BottomDockWidgetArea, dock)
+    if seen:  # of several the one with the most room: FreeCAD's report view, for example
+        window.tabifyDockWidget(max(seen, key=lambda other: other.width()), dock)
     for other in others:
-        if window.dockWidgetArea(other) == Qt.BottomDockWidgetArea and not other.isFloating():
-            window.tabifyDockWidget(other, dock)
+        if other.objectName() in (RESULTS, GAUSS_MAP) and other.isHidden():  # once it is shown, it is a tab, too
+            window.tabifyDockWidget(dock, other)
     show(dock)
-    window.resizeDocks([dock], [height], Qt.Vertical)
+    window.resizeDocks([dock], [min(height, window.height() // 3)], Qt.Vertical)
 
 
 def show(dock: QDockWidget) -> None:

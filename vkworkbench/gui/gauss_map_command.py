@@ -34,14 +34,21 @@ class GaussMapCommand:
 
     def Activated(self) -> None:
         dock = docks.find(docks.GAUSS_MAP)
-        if dock is None:
-            from vkworkbench.gui.gauss_map import GaussMapDock
-
-            docks.add(GaussMapDock(Gui.getMainWindow()), _HEIGHT)
-        elif docks.is_seen(dock):
+        if dock is not None and docks.is_seen(dock):
             dock.hide()
         else:
-            docks.show(dock)
+            show()
+
+
+def show() -> None:
+    """Show the Gauss map view."""
+    dock = docks.find(docks.GAUSS_MAP)
+    if dock is None:
+        from vkworkbench.gui.gauss_map import GaussMapDock
+
+        docks.add(GaussMapDock(Gui.getMainWindow()), _HEIGHT)
+    else:
+        docks.show(dock)
 
 
 Gui.addCommand("Vk_GaussMap", GaussMapCommand())

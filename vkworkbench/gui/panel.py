@@ -1,50 +1,49 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The results panel: a dock with the table of operations, the findings on the selected one in words, exports."""
+"""The results panel: a dock with the tree of jobs and operations, a filter, and a page on the selected row."""
 
 from __future__ import annotations
 
-from html import escape
-from pathlib import Path
+from dataclasses import replace
 
 import FreeCAD
 import FreeCADGui as Gui
 
-from vkworkbench.core import Machining
-from vkworkbench.core.simulators import SIMULATORS
+from vkworkbench import preferences
 from vkworkbench.gui import docks, latest
-from vkworkbench.gui.panel_model import VALUE, ResultsModel, ResultsOrder, Row, rows_of
-from vkworkbench.gui.plain_text import warn
+from vkworkbench.gui.frozen_tree import FrozenTree
+from vkworkbench.gui.panel_details import GAUSS_MAP, page
+from vkworkbench.gui.panel_export import as_text, save
+from vkworkbench.gui.panel_filter import Filter
+from vkworkbench.gui.panel_model import VALUE, ResultsModel, ResultsOrder
+from vkworkbench.gui.panel_rows import Row, rows_of
+from vkworkbench.gui.plain_text import lines
 from vkworkbench.gui.qt import (
-    QAbstractItemView,
+    QAction,
     QApplication,
     QDockWidget,
-    QFileDialog,
-    QHBoxLayout,
-    QHeaderView,
     QItemSelectionModel,
-    QLabel,
-    QPushButton,
+    QMenu,
+    QSplitter,
     Qt,
-    QTableView,
+    QTextBrowser,
     QTimer,
     QVBoxLayout,
     QWidget,
 )  # fmt: skip
-from vkworkbench.gui.sentences import said, strategy_name, user
 from vkworkbench.gui.text import translate
-from vkworkbench.report import Total, plain_text
 
-_WIDEST_LABEL = 260  # px; the tooltip shows the end of a longer one
+_WIDEST = {"operation": 260, "warnings": 420}  # px; the tooltip shows the end of a longer text
 
 
 class ResultsDock(QDockWidget):
-    """Shows what was found in the active document; a selection in its table is one in FreeCAD, and the reverse."""
+    """Shows what was found in the active document; a selection in its tree is one in FreeCAD, and the reverse."""
 
     def __init__(self, parent: QWidget) -> None:
         super().__init__(translate("Vk_Results", "Toolpath results"), parent)
         self.setObjectName(docks.RESULTS)
         self._report = latest.report_of(None)
-        self._following = False  # whether the table is being moved by FreeCAD's selection
+        self._following = False  # whether the tree's selection is being moved by FreeCAD's
+        self._opened: set[str] = set()  # links of the page
         self._stale = self._timer(self.refresh)
         self._selected = self._timer(self._follow)
 
@@ -52,41 +51,37 @@ class ResultsDock(QDockWidget):
         self.order = ResultsOrder(self)
         self.order.setSourceModel(self.model)
         self.order.setSortRole(VALUE)
-        self.table = QTableView()
-        self.table.setModel(self.order)
-        self.table.setSortingEnabled(True)
-        self.table.sortByColumn(-1, Qt.AscendingOrder)  # as posted, until the user sorts
-        self.table.setSelectionBehavior(QAbstractItemView.SelectRows)
-        self.table.setAlternatingRowColors(True)
-        self.table.setWordWrap(False)
-        self.table.verticalHeader().hide()
-        self.table.verticalHeader().setSectionResizeMode(QHeaderView.Fixed)
-        self.table.verticalHeader().setDefaultSectionSize(self.fontMetrics().height() + 6)
-        self.table.selectionModel().selectionChanged.connect(self._select)
-        self.table.doubleClicked.connect(lambda index: Gui.SendMsgToActiveView("ViewSelection"))
+        self.tree = FrozenTree(self.order, copy=self._copy, enter=self._look_at)
+        self.tree.setSortingEnabled(True)
+        self.tree.sortByColumn(-1, Qt.AscendingOrder)  # as posted, until the user sorts
+        self.tree.selectionModel().selectionChanged.connect(self._select)
+        self.tree.show_headers_menu(lambda: self.columns)
 
-        self.details = QLabel()
-        self.details.setWordWrap(True)
-        self.details.setTextInteractionFlags(Qt.TextSelectableByMouse)
-        self.csv = self._button(translate("Vk_Results", "Export CSV…"), lambda: self._export("csv"),
-                                translate("Vk_Results", "Saves all numbers as a table for a spreadsheet."))  # fmt: skip
-        self.json = self._button(translate("Vk_Results", "Export JSON…"), lambda: self._export("json"),
-                                 translate("Vk_Results", "Saves all numbers for a program."))  # fmt: skip
-        self.copy = self._button(translate("Vk_Results", "Copy to clipboard"), self._copy,
-                                 translate("Vk_Results", "Copies the table as it stands here."))  # fmt: skip
+        self.details = QTextBrowser()
+        self.details.setOpenLinks(False)
+        self.details.anchorClicked.connect(lambda url: self._open(url.toString()))
+        self.csv = self._action(translate("Vk_Results", "Export &CSV…"), lambda: self._export("csv"))
+        self.json = self._action(translate("Vk_Results", "Export &JSON…"), lambda: self._export("json"))
+        self.copy = self._action(translate("Vk_Results", "C&opy to clipboard"), self._copy)
+        self.columns = self._columns_menu()
+        self.export = QMenu(translate("Vk_Results", "E&xport"), self)
+        for action in (self.csv, self.json, self.copy):
+            self.export.addAction(action)
 
+        self.filter = Filter([self.columns, self.export])
+        self.filter.changed = self._filter
+        self._parts = QSplitter(Qt.Horizontal)
+        self._parts.addWidget(self.tree)
+        self._parts.addWidget(self.details)
+        self._parts.setStretchFactor(0, 3)
+        self._parts.setStretchFactor(1, 2)
         body = QWidget()
         column = QVBoxLayout(body)
-        column.addWidget(self.table, 1)
-        below = QHBoxLayout()
-        below.addWidget(self.details, 1)
-        buttons = QVBoxLayout()
-        for button in (self.csv, self.json, self.copy):
-            buttons.addWidget(button)
-        buttons.addStretch()
-        below.addLayout(buttons)
-        column.addLayout(below)
+        column.setContentsMargins(4, 2, 4, 2)
+        column.addWidget(self.filter)
+        column.addWidget(self._parts, 1)
         self.setWidget(body)
+        self.setFocusProxy(self.tree)
 
         Gui.Selection.addObserver(self)
         FreeCAD.addDocumentObserver(self)
@@ -100,12 +95,44 @@ class ResultsDock(QDockWidget):
         timer.timeout.connect(work)
         return timer
 
-    @staticmethod
-    def _button(text: str, work, tooltip: str) -> QPushButton:
-        button = QPushButton(text)
-        button.setToolTip(tooltip)
-        button.clicked.connect(work)
-        return button
+    def _action(self, text: str, work) -> QAction:
+        action = QAction(text, self)
+        action.triggered.connect(lambda checked=False: work())
+        return action
+
+    def _columns_menu(self) -> QMenu:
+        """Return the menu in which the user chooses columns, and goes back to the order of posting."""
+        menu = QMenu(translate("Vk_Results", "Col&umns"), self)
+        chosen = preferences.read().result_columns.split(",")
+        for number, column in enumerate(self.model.columns[1:], 1):
+            action = menu.addAction(column.title.replace("\n", " "))
+            action.setCheckable(True)
+            action.setToolTip(column.tooltip)
+            shown = (column in self.model.first) != (column.key in chosen)
+            action.setChecked(shown)
+            self.tree.setColumnHidden(number, not shown)
+            action.toggled.connect(lambda on, n=number: self._show_column(n, on))
+        menu.addSeparator()
+        as_posted = menu.addAction(translate("Vk_Results", "Sort as &posted"))
+        as_posted.triggered.connect(lambda checked=False: self.tree.sortByColumn(-1, Qt.AscendingOrder))
+        return menu
+
+    def _show_column(self, number: int, shown: bool) -> None:
+        self.tree.setColumnHidden(number, not shown)
+        self._fit_columns()
+        model = self.model
+        changed = [c.key for n, c in enumerate(model.columns) if (c in model.first) == self.tree.isColumnHidden(n)]
+        preferences.write(result_columns=",".join(changed))
+
+    def _fit_columns(self) -> None:
+        for number, column in enumerate(self.model.columns):
+            self.tree.resizeColumnToContents(number)
+            self.tree.setColumnWidth(number, min(self.tree.columnWidth(number), _WIDEST.get(column.key, 1000)))
+
+    def resizeEvent(self, event) -> None:
+        """Put the page below the tree where the dock is higher than wide."""
+        self._parts.setOrientation(Qt.Horizontal if self.width() > self.height() else Qt.Vertical)
+        super().resizeEvent(event)
 
     # FreeCAD calls these when the selection changes.
 
@@ -141,39 +168,56 @@ class ResultsDock(QDockWidget):
         """Show what is known of the active document now."""
         if not self.isVisible():
             return
-        document = FreeCAD.ActiveDocument
-        self._report = latest.report_of(document)
+        self._report = latest.report_of(FreeCAD.ActiveDocument)
+        closed = {row.name for index, row in self._indexes() if row.rows and not self.tree.isExpanded(index)}
         self._following = True
         self.model.show(rows_of(self._report))
+        self.tree.expandAll()
+        for index, row in self._indexes():
+            self.tree.setExpanded(index, row.name not in closed)
         self._following = False
-        header = self.table.horizontalHeader()
-        header.setStretchLastSection(False)
-        self.table.resizeColumnsToContents()
-        self.table.setColumnWidth(0, min(self.table.columnWidth(0), _WIDEST_LABEL))
-        # Where the table has no room to spare, stretching would make the last column narrower.
-        header.setStretchLastSection(header.length() < self.table.viewport().width())
-        for button in (self.csv, self.json, self.copy):
-            button.setEnabled(bool(self._report.operations))
+        self.filter.offer({row.strategy for _, row in self._indexes() if row.strategy is not None})
+        self._fit_columns()
+        for action in (self.csv, self.json, self.copy):
+            action.setEnabled(bool(self._report.operations))
         self._follow()
+
+    def _filter(self) -> None:
+        self._following = True
+        self.order.choose(self.filter.text, self.filter.strategy, self.filter.warned)
+        self.tree.expandAll()
+        self._following = False
+        self._follow()
+
+    def _indexes(self, parent=None):
+        """Indexes and rows of what the filter lets through, from above."""
+        above = () if parent is None else (parent,)
+        for number in range(self.order.rowCount(*above)):
+            index = self.order.index(number, 0, *above)
+            yield index, self.order.row(index)
+            if parent is None:
+                yield from self._indexes(index)
 
     def _follow(self) -> None:
         """Select the rows of what is selected in FreeCAD."""
         if not self.isVisible():
             return
         names = {obj.Name for obj in Gui.Selection.getSelection()}
+        chosen = [index for index, row in self._indexes() if row.name in names]
+        model = self.tree.selectionModel()
         self._following = True
-        self.table.clearSelection()
-        for number in range(self.order.rowCount()):
-            if self._row(number).name in names:
-                index = self.order.index(number, 0)
-                rows = QItemSelectionModel.Select | QItemSelectionModel.Rows
-                self.table.selectionModel().select(index, rows)
-                self.table.scrollTo(index)
+        if {index.row() for index in chosen} != {i.row() for i in model.selectedRows()} or len(chosen) != len(model.selectedRows()):
+            model.clearSelection()
+            for index in chosen:
+                model.select(index, QItemSelectionModel.Select | QItemSelectionModel.Rows)
+        if chosen and not model.isSelected(model.currentIndex()):
+            model.setCurrentIndex(chosen[0], QItemSelectionModel.NoUpdate)
+            self.tree.scrollTo(chosen[0])
         self._following = False
         self._explain()
 
     def _select(self) -> None:
-        """Select in FreeCAD what is selected in the table, and show it in the tree."""
+        """Select in FreeCAD what is selected in the tree, and show it in FreeCAD's."""
         if self._following:
             return
         document = FreeCAD.ActiveDocument.Name
@@ -183,76 +227,58 @@ class ResultsDock(QDockWidget):
         Gui.runCommand("Std_TreeSelection")
         self._explain()
 
-    def _row(self, number: int) -> Row:
-        return self.model.rows[self.order.mapToSource(self.order.index(number, 0)).row()]
+    def _look_at(self) -> None:
+        Gui.SendMsgToActiveView("ViewSelection")
 
     def _selected_rows(self) -> list[Row]:
-        return [self._row(index.row()) for index in self.table.selectionModel().selectedRows()]
+        return [self.order.row(index) for index in self.tree.selectionModel().selectedRows()]
 
     def _explain(self) -> None:
-        """Say in words what was found of the selected operation."""
+        """Say what is known of the selected operation, or of several together."""
         rows = self._selected_rows()
+        first, others = self.model.first, self.model.others
         if not self.model.rows:
-            text = translate("Vk_Results", "Nothing is analyzed yet in this document: click Analyze toolpaths.")
-        elif len(rows) != 1:
-            text = translate("Vk_Results", "Select an operation to read why it has its strategy.")
+            text = lines(translate("Vk_Results", "Nothing is analyzed yet in this document: click Analyze toolpaths."))
+        elif not rows:
+            text = lines(translate("Vk_Results", "Select an operation to read what it does and why."))
+        elif len(rows) == 1:
+            text = page(rows[0], first, others, self._opened)
         else:
-            text = _in_words(rows[0])
-        self.details.setText(text)
+            text = "".join(page(row, first, others, self._opened) for row in self._together(rows))
+        self.details.setHtml(text)
+
+    def _together(self, rows: list[Row]) -> list[Row]:
+        """One total for each job of the rows, which says that it is one of a selection."""
+        names = {row.name for row in rows if not row.is_total}
+        operations = tuple(o for o in self._report.operations if o.name in names)
+        jobs = {(o.document, o.job): self._report.jobs[o.document, o.job] for o in operations if o.job is not None}
+        found = []
+        for row in rows_of(replace(self._report, operations=operations, jobs=jobs)):
+            if row.is_total:
+                text = translate("Vk_Results", "Selection in {job}").format(job=row.label)
+                found.append(Row(row.found, text, posted=row.posted))
+        return found
+
+    def _open(self, link: str) -> None:
+        if link == GAUSS_MAP:
+            from vkworkbench.gui import gauss_map_command
+
+            gauss_map_command.show()
+            return
+        self._opened ^= {link}
+        where = self.details.verticalScrollBar().value()
+        self._explain()
+        self.details.verticalScrollBar().setValue(where)
 
     def _export(self, ending: str) -> None:
-        document = FreeCAD.ActiveDocument
-        folder = Path(document.FileName).parent if document.FileName else Path.home()
-        title, filter_ = {
-            "csv": (translate("Vk_Results", "Export CSV"), "CSV (*.csv)"),
-            "json": (translate("Vk_Results", "Export JSON"), "JSON (*.json)"),
-        }[ending]
-        path, _ = QFileDialog.getSaveFileName(self, title, str(folder / f"{document.Name}.{ending}"), filter_)
-        if not path:
-            return
-        if not Path(path).suffix:
-            path += f".{ending}"
-        try:
-            self._report.to_csv(path) if ending == "csv" else self._report.to_json(path)
-        except OSError as error:
-            warn(title, str(error), self)
+        save(self._report, FreeCAD.ActiveDocument, ending, self)
 
     def _copy(self) -> None:
-        """Copy the table as tabulated text, in the order and with the units that are shown."""
-        columns = self.model.columns
-        lines = [[column.title.replace("\n", " ") for column in columns]]
-        lines += [
-            [
-                " ".join(plain_text(self.order.index(row, column).data()).split())
-                for column in range(len(columns))
-            ]
-            for row in range(self.order.rowCount())
-        ]
-        QApplication.clipboard().setText("\n".join("\t".join(line) for line in lines) + "\n")
-
-
-def _in_words(row: Row) -> str:
-    found = row.found
-    lines = []
-    if isinstance(found, Total):
-        lines.append(f"<b>{escape(row.label)}</b>")
-    else:
-        strategy, reason = strategy_name(found.strategy), said(found.recognition.why)
-        lines.append(f"<b>{escape(row.label)}, {escape(strategy)}</b>: {escape(reason)}")
-        lines.append(escape(_machining_in_words(found.machining)))
-    for simulator in SIMULATORS:
-        chosen = found.advice.get(simulator.name)
-        if chosen is not None:
-            text = FreeCAD.Qt.translate("Vk_Results", simulator.advice.sentence)
-            lines.append(escape(text.format(said(chosen.why))))
-    lines += [f"• {escape(remark)}" for remark in row.remarks]
-    return "<br>".join(lines)
-
-
-def _machining_in_words(machining: Machining) -> str:
-    length = user().length
-    cut, rapid = length(machining.cutting_length), length(machining.rapid_length)
-    text = translate("Vk_Results", "Machining: {cut} of cutting, {rapid} of rapids").format(cut=cut, rapid=rapid)
-    if machining.depth is not None:
-        text += translate("Vk_Results", ", {depth} deep").format(depth=length(machining.depth))
-    return "; ".join([text, *map(said, machining.left_out)])
+        """Copy the selected rows, all without a selection, as they are shown."""
+        selected = {row.name for row in self._selected_rows()}
+        rows = [row for _, row in self._indexes() if not selected or row.name in selected]
+        header = self.tree.header()
+        shown = sorted(
+            (n for n in range(len(self.model.columns)) if not header.isSectionHidden(n)), key=header.visualIndex
+        )
+        QApplication.clipboard().setText(as_text([self.model.columns[n] for n in shown], rows))

@@ -9,7 +9,7 @@ import FreeCADGui as Gui
 from vkworkbench.gui import docks
 from vkworkbench.gui.text import QT_TRANSLATE_NOOP
 
-_HEIGHT = 260  # px
+_HEIGHT = 300  # px
 
 
 class ResultsCommand:
@@ -18,8 +18,7 @@ class ResultsCommand:
     def GetResources(self) -> dict[str, str]:
         text = QT_TRANSLATE_NOOP(
             "Vk_Results",
-            "Shows the analyzed operations as a table: strategy, lengths, what simulating them costs in each "
-            "simulator, and what is wrong with them.",
+            "Shows the analyzed operations: strategy, machining and simulation time, and what is wrong with them.",
         )
         return {
             "MenuText": QT_TRANSLATE_NOOP("Vk_Results", "Toolpath results"),
@@ -38,10 +37,11 @@ class ResultsCommand:
             dock.hide()
         else:
             show()
+            docks.find(docks.RESULTS).setFocus()
 
 
 def show() -> None:
-    """Show the results panel."""
+    """Show the results panel; the focus stays where it is."""
     from vkworkbench.gui.panel import ResultsDock
 
     dock = docks.find(docks.RESULTS)

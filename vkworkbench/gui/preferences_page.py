@@ -56,14 +56,17 @@ class PreferencesPage:
         self._say_last_calibration()
 
     def saveSettings(self) -> None:
-        preferences.write(**self._chosen())
+        """Keep what was changed on the page: a number that it rounded, in inches for example, stays as it was."""
+        now = self._chosen()
+        preferences.write(**{name: value for name, value in now.items() if value != self._shown[name]})
+        self._shown = now
         from vkworkbench.gui import pills
 
         pills.show()
 
     def resetSettingsToDefaults(self) -> None:
         self._show(Preferences())
-        preferences.write(**self._chosen())
+        preferences.write(**{name: getattr(Preferences(), name) for name, _ in self._widgets()})
 
     def _show(self, values: Preferences) -> None:
         for name, widget in self._widgets():
@@ -74,6 +77,7 @@ class PreferencesPage:
                 widget.setCurrentIndex(_choices(name).index(value))
             else:
                 widget.setProperty("value", _as_length(value) if _is_length(widget) else value)
+        self._shown = self._chosen()
 
     def _chosen(self) -> dict:
         chosen = {}

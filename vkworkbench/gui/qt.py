@@ -5,7 +5,7 @@ FreeCAD 0.20's wrapper has no QtWidgets, but QtGui holds the widgets in every ve
 """
 
 from PySide.QtCore import (
-    QAbstractTableModel,
+    QAbstractItemModel,
     QDate,
     QEvent,
     QEventLoop,
@@ -25,17 +25,22 @@ from PySide.QtCore import (
 )  # fmt: skip
 from PySide.QtGui import (
     QAbstractItemView,
+    QAction,
     QApplication,
+    QCheckBox,
     QColor,
     QComboBox,
     QDockWidget,
     QFileDialog,
     QFont,
     QFontMetrics,
+    QFrame,
     QHBoxLayout,
     QHeaderView,
     QImage,
+    QKeySequence,
     QLabel,
+    QLineEdit,
     QListWidget,
     QMdiArea,
     QMenu,
@@ -54,10 +59,11 @@ from PySide.QtGui import (
     QSizePolicy,
     QSlider,
     QSpinBox,
+    QSplitter,
     QStyle,
     QStyledItemDelegate,
     QStyleOptionViewItem,
-    QTableView,
+    QTextBrowser,
     QToolButton,
     QToolTip,
     QTreeView,
@@ -66,14 +72,14 @@ from PySide.QtGui import (
 )  # fmt: skip
 
 __all__ = [
-    "QAbstractItemView", "QAbstractTableModel", "QApplication", "QColor", "QComboBox", "QDate", "QDockWidget",
-    "QEvent", "QEventLoop", "QFileDialog", "QFont", "QFontMetrics", "QHBoxLayout", "QHeaderView", "QImage",
-    "QItemSelectionModel", "QLabel", "QLineF", "QListWidget", "QLocale", "QMdiArea", "QMenu", "QMessageBox",
-    "QModelIndex", "QObject", "QOffscreenSurface", "QOpenGLContext", "QPainter", "QPalette", "QPen", "QPixmap",
-    "QPoint", "QPointF", "QPolygonF", "QProgressBar", "QProgressDialog", "QPushButton", "QRectF", "QRegion", "QSize",
-    "QSizePolicy", "QSlider", "QSortFilterProxyModel", "QSpinBox", "QStyle", "QStyleOptionViewItem",
-    "QStyledItemDelegate", "QTableView", "QTimer", "QToolButton", "QToolTip", "QTreeView", "QVBoxLayout", "QWidget",
-    "Qt", "Signal", "svg_generator",
+    "QAbstractItemModel", "QAbstractItemView", "QAction", "QApplication", "QCheckBox", "QColor", "QComboBox",
+    "QDate", "QDockWidget", "QEvent", "QEventLoop", "QFileDialog", "QFont", "QFontMetrics", "QFrame", "QHBoxLayout",
+    "QHeaderView", "QImage", "QItemSelectionModel", "QKeySequence", "QLabel", "QLineEdit", "QLineF", "QListWidget",
+    "QLocale", "QMdiArea", "QMenu", "QMessageBox", "QModelIndex", "QObject", "QOffscreenSurface", "QOpenGLContext",
+    "QPainter", "QPalette", "QPen", "QPixmap", "QPoint", "QPointF", "QPolygonF", "QProgressBar", "QProgressDialog",
+    "QPushButton", "QRectF", "QRegion", "QSize", "QSizePolicy", "QSlider", "QSortFilterProxyModel", "QSpinBox",
+    "QSplitter", "QStyle", "QStyleOptionViewItem", "QStyledItemDelegate", "QTextBrowser", "QTimer", "QToolButton",
+    "QToolTip", "QTreeView", "QVBoxLayout", "QWidget", "Qt", "Signal", "svg_generator",
 ]  # fmt: skip
 
 

@@ -6,9 +6,11 @@ Documents, CSV and JSON keep English sentences and millimetres, the same for eve
 
 from __future__ import annotations
 
+import re
 from enum import Enum
 
 import FreeCAD
+import FreeCADGui as Gui
 
 from vkworkbench import freecad
 from vkworkbench.gui.qt import QLocale
@@ -35,7 +37,11 @@ class User(Reader):
 
     def length(self, millimetres: float) -> str:
         """Return a length with the decimals of FreeCAD's preferences, e.g. ``"12.50 mm"`` or ``"0.49 in"``."""
-        return _quantity(millimetres).UserString
+        text = _quantity(millimetres).UserString  # without separators of thousands
+        return re.sub(r"^-?\d{4,}", lambda number: self.count(int(number.group())), text)
+
+    def is_one(self, count: int) -> bool:
+        return count in (0, 1) if Gui.getLocale().startswith(("fr", "French")) else count == 1
 
 
 def user() -> User:
@@ -46,6 +52,17 @@ def user() -> User:
 def said(message: Message) -> str:
     """Return the sentence of a message as the user reads it."""
     return render(message, user())
+
+
+def plainly(message: Message) -> str:
+    """Return the sentence of a message as the user reads it, in a machinist's words where it has such."""
+    return render(message, user(), plain=True)
+
+
+def plural(one: str, more: str, count: int) -> str:
+    """Return the text for one or that for more, with the count in its place ``{count}``."""
+    reader = user()
+    return (one if reader.is_one(count) else more).format(count=reader.count(count))
 
 
 def strategy_name(strategy: Enum) -> str:

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import re
 from math import tau
 
 from vkworkbench.language.marking import QT_TRANSLATE_NOOP
@@ -18,6 +19,7 @@ _SIMULATORS = {
     "legacy": QT_TRANSLATE_NOOP("Sentences", "legacy simulator"),
     "OpenGL": QT_TRANSLATE_NOOP("Sentences", "OpenGL simulator"),
 }
+_THOUSANDS = re.compile(r"^-?\d{4,}")
 
 
 class Reader:
@@ -59,11 +61,17 @@ class Reader:
     def number(self, value: float, digits: int = 6) -> str:
         """Return a number with a number of significant digits; a large one to the unit."""
         text = f"{value:.{digits}g}"
-        return self.separated(f"{value:.0f}" if "e+" in text else text)
+        if "e+" in text:
+            text = f"{value:.0f}"
+        return self.separated(_THOUSANDS.sub(lambda number: f"{int(number.group()):,}", text))
 
     def decimals(self, value: float, places: int) -> str:
         """Return a number with that many decimals."""
         return self.separated(f"{value:.{places}f}")
+
+    def is_one(self, count: int) -> bool:
+        """Whether the reader's language says a count as it says one."""
+        return count == 1
 
     def count(self, number: int) -> str:
         """Return how many there are, e.g. ``"5,752"``."""

@@ -2,7 +2,7 @@
 """Messages in words: the sentence of a code in the reader's language, filled with the arguments as he reads them.
 
 A place of a template is ``{name}`` or ``{name:quantity}``. Without a quantity stands there a text as it is, or another
-message. A quantity says what a number is: ``n`` how many, ``,`` how many in groups of three digits, ``g`` a number,
+message. A quantity says what a number is: ``n`` how many, ``#`` the number of a line or command, ``g`` a number,
 ``mm`` a length (both with the significant digits behind them, e.g. ``mm3``), ``s`` a duration in s, ``bytes``,
 ``%`` a share of 1, ``turns`` an angle in rad, ``strategy`` a strategy and ``simulator`` a simulator by its name.
 """
@@ -15,14 +15,14 @@ from collections.abc import Callable
 from vkworkbench.language.marking import QT_TRANSLATE_NOOP
 from vkworkbench.language.message import Argument, Message
 from vkworkbench.language.numbers import ENGLISH, Reader
-from vkworkbench.language.table import TABLE
+from vkworkbench.language.table import PLAIN, TABLE
 
 _PLACE = re.compile(r"\{(\w+)(?::([^{}\d]+)(\d*))?\}")
 _BETWEEN = QT_TRANSLATE_NOOP("Sentences", ", ")
 
 _QUANTITIES: dict[str, Callable[[Reader, Argument, int], str]] = {
-    "n": lambda reader, value, digits: f"{value:d}",
-    ",": lambda reader, value, digits: reader.count(value),
+    "n": lambda reader, value, digits: reader.count(value),
+    "#": lambda reader, value, digits: f"{value:d}",
     "g": lambda reader, value, digits: reader.number(float(value), digits),
     "mm": lambda reader, value, digits: reader.measure(float(value), digits),
     "s": lambda reader, value, digits: reader.time(value),
@@ -34,8 +34,15 @@ _QUANTITIES: dict[str, Callable[[Reader, Argument, int], str]] = {
 }
 
 
-def render(message: Message, reader: Reader = ENGLISH) -> str:
+def render(message: Message, reader: Reader = ENGLISH, *, plain: bool = False) -> str:
     """Return the sentence of a message, without a full stop unless it is several.
+
+    Parameters
+    ----------
+    message : Message
+    reader : Reader
+    plain : bool
+        Whether a machinist's words are taken where the table has them, instead of the paper's.
 
     Raises
     ------
@@ -46,26 +53,33 @@ def render(message: Message, reader: Reader = ENGLISH) -> str:
 
     def filled(place: re.Match) -> str:
         name, quantity, digits = place.groups()
-        return _shown(arguments[name], quantity, int(digits or 6), reader)
+        return _shown(arguments[name], quantity, int(digits or 6), reader, plain)
 
-    return _PLACE.sub(filled, reader.translate("Sentences", _template(message)))
+    return _PLACE.sub(filled, reader.translate("Sentences", _template(message, reader, plain)))
 
 
-def _template(message: Message) -> str:
+def _template(message: Message, reader: Reader, plain: bool) -> str:
     """The text of the table: of one or of more where it tells them apart."""
-    known = TABLE[message.code]
+    known = _plain_words(message) if plain else None
+    known = known or TABLE[message.code]
     if isinstance(known, str):
         return known
     one, more = known
-    return one if message.arguments["count"] == 1 else more
+    return one if reader.is_one(message.arguments["count"]) else more
 
 
-def _shown(value: Argument, quantity: str | None, digits: int, reader: Reader) -> str:
+def _plain_words(message: Message) -> str | tuple[str, str] | None:
+    seen = message.arguments.get("seen")
+    together = f"{message.code} {seen.code}" if isinstance(seen, Message) else message.code
+    return PLAIN.get(together) or PLAIN.get(message.code)
+
+
+def _shown(value: Argument, quantity: str | None, digits: int, reader: Reader, plain: bool) -> str:
     if isinstance(value, tuple):
         between = reader.translate("Sentences", _BETWEEN)
-        return between.join(_shown(one, quantity, digits, reader) for one in value)
+        return between.join(_shown(one, quantity, digits, reader, plain) for one in value)
     if quantity:
         return _QUANTITIES[quantity](reader, value, digits)
     if isinstance(value, Message):
-        return render(value, reader)
+        return render(value, reader, plain=plain)
     return "" if value is None else str(value)

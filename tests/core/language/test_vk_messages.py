@@ -17,11 +17,11 @@ from readers import LANGUAGES, German, Inches, Translated
 from toolpaths import synthetic
 from vkworkbench.core import Strategy, linearize, recognize
 from vkworkbench.language import ENGLISH, Message, Unusable, render
-from vkworkbench.language.table import TABLE
+from vkworkbench.language.table import PLAIN, TABLE
 
 PACKAGE = Path(__file__).resolve().parents[3] / "vkworkbench"
 PLACE = re.compile(r"\{(\w+)(?::([^{}\d]+)\d*)?\}")
-VALUES = {"n": 3, ",": 12345, "g": 0.5, "mm": 2.5, "s": 4.0, "bytes": 2e6, "%": 0.5, "turns": 9.0,
+VALUES = {"n": 3, "#": 12345, "g": 0.5, "mm": 2.5, "s": 4.0, "bytes": 2e6, "%": 0.5, "turns": 9.0,
           "strategy": "zigzag", "simulator": "legacy", "": "Face"}  # fmt: skip
 
 
@@ -61,7 +61,7 @@ def test_templates_fit_their_kind(code):
         assert set(dict(PLACE.findall(template)).values()) <= set(VALUES)
         assert PLACE.sub("", template).isascii() and not re.search("[{}]", PLACE.sub("", template))
     if len(templates(code)) > 1:
-        assert places(code)["count"] in ("n", ",")
+        assert places(code)["count"] == "n"
 
 
 @pytest.mark.parametrize("language", LANGUAGES)
@@ -128,7 +128,7 @@ def test_numbers_as_each_reads_them():
     (ENGLISH.time(9000), "2.5 h"), (ENGLISH.time(4e-5), "0.04 ms"), (ENGLISH.time(1e7), "2,778 h"),
     (ENGLISH.memory(1.5e9), "1.5 GB"), (ENGLISH.memory(999.9e3), "1.0 MB"), (ENGLISH.memory(0), "0 kB"),
     (ENGLISH.length(12.345), "12 mm"), (ENGLISH.length(12_345), "12 m"),
-    (ENGLISH.measure(0.0123456, 2), "0.012 mm"), (ENGLISH.measure(12345.6, 4), "12346 mm"),
+    (ENGLISH.measure(0.0123456, 2), "0.012 mm"), (ENGLISH.measure(12345.6, 4), "12,346 mm"),
     (ENGLISH.measure(1e-6), "1e-06 mm"), (ENGLISH.measure(float("nan")), "nan mm"),
     (ENGLISH.turns(9.42478), "+1.50"), (ENGLISH.turns(-1e-9), "0"), (ENGLISH.share(0.005), "0%"),
 ])  # fmt: skip
@@ -141,6 +141,30 @@ def test_strategies_are_named_by_their_values(strategy):
     """A message holds the value; the translations know the name."""
     assert strategy.value == strategy.label
     assert all(("Strategy", strategy.value) in Translated(language).texts for language in LANGUAGES)
+
+
+def test_plain_words_leave_out_the_papers_terms():
+    """Where a reason speaks in the paper's terms, a machinist has other words of the same numbers."""
+    terms = re.compile(r"\b(phi|half-turns|level)\b")
+    spoken = {code for code in TABLE for template in templates(code) if terms.search(PLACE.sub("", template))}
+    assert spoken - set(PLAIN) <= {"only-for", "sections"}
+    for code, known in PLAIN.items():
+        for template in [known] if isinstance(known, str) else known:
+            assert not terms.search(PLACE.sub("", template)), template
+            assert set(PLACE.findall(template)) <= {place for t in templates(code.split()[0]) for place in PLACE.findall(t)}
+    bites = Message("bites-overlap", count=132)
+    spread = Message("apart-at-depths", step=1.0, depths=3)
+    why = Message("strokes", low=-1.0, high=9.0, count=5, spread=spread, seen=bites, strategy=Strategy.ADAPTIVE)
+    assert render(why, plain=True) == "132 overlapping bites, 1 mm apart at 3 depths"
+    assert render(why).startswith("phi stays")
+
+
+@pytest.mark.parametrize("kind, build", [(kind, build) for kind, _, build in synthetic.SAMPLES])
+def test_plain_words_of_real_reasons(kind, build):
+    found = recognize(linearize(build(np.random.default_rng(0))), tool_diameter=6.0)
+    for reader in (ENGLISH, *map(Translated, LANGUAGES)):
+        shown = render(found.why, reader, plain=True)
+        assert shown and not re.search(r"\bphi\b|φ|[{}]", shown), shown
 
 
 def test_one_and_more():

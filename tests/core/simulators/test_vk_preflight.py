@@ -117,7 +117,7 @@ def test_thousands_of_moves_shorter_than_a_cell():
     (legacy,) = legacy_costs(Task(path, Tool("endmill", 6.0), STOCK))
     (found,) = check(commands, legacy=legacy)
     assert found.code == "short-moves" and found.message.startswith(
-        "2999 moves are shorter than a cell of the legacy simulator (0.1 mm)"
+        "2,999 moves are shorter than a cell of the legacy simulator (0.1 mm)"
     )
 
 

@@ -38,7 +38,7 @@ def translated(language):
 
 def texts(simulator):
     """Context and text of all that a person reads of it."""
-    for name in ("time_title", "time_tooltip", "memory_title", "memory_tooltip"):
+    for name in ("time_tooltip", "memory_tooltip"):
         yield "Vk_Results", getattr(simulator, name)
     if simulator.advice:
         for name in ("title", "tooltip", "sentence", "none"):

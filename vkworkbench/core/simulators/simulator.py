@@ -204,8 +204,8 @@ class Simulator:
         Its columns in CSV and JSON: names, and the functions that take their numbers from a cost.
     factor_column : str or None
         Column of the cost's factor, which comes after the columns of all simulators; None where `columns` has it.
-    time_title, time_tooltip, memory_title, memory_tooltip : str
-        Titles and tooltips of its columns in the panel; translated in the context "Vk_Results".
+    time_tooltip, memory_tooltip : str
+        Tooltips of its columns in the panel; translated in the context "Vk_Results".
     advice : Advice or None
     lessons : tuple of Lesson
     preferences : tuple of str
@@ -225,9 +225,7 @@ class Simulator:
     less_memory: Message
     columns: dict[str, Callable[[Any], Any]]
     factor_column: str | None
-    time_title: str
     time_tooltip: str
-    memory_title: str
     memory_tooltip: str
     advice: Advice | None = None
     lessons: tuple[Lesson, ...] = ()

@@ -32,9 +32,7 @@ ZBUFFER = Simulator(
         "factor": lambda cost: cost.factor,
     },
     factor_column=None,
-    time_title=QT_TRANSLATE_NOOP("Vk_Results", "Z-buffer\ntime"),
     time_tooltip=QT_TRANSLATE_NOOP("Vk_Results", "Time to simulate it in an extended z-buffer"),
-    memory_title=QT_TRANSLATE_NOOP("Vk_Results", "Z-buffer\nmemory"),
     memory_tooltip=QT_TRANSLATE_NOOP("Vk_Results", "Memory to simulate it in an extended z-buffer"),
     advice=Advice(
         choose=best_resolution,
@@ -64,12 +62,10 @@ LEGACY = Simulator(
         "legacy_memory_bytes": lambda cost: cost.memory_bytes,
     },
     factor_column="legacy_factor",
-    time_title=QT_TRANSLATE_NOOP("Vk_Results", "Legacy\ntime"),
     time_tooltip=QT_TRANSLATE_NOOP(
         "Vk_Results",
         "Time of FreeCAD's legacy simulator in fast-forward, at the accuracy that the preferences say",
     ),
-    memory_title=QT_TRANSLATE_NOOP("Vk_Results", "Legacy\nmemory"),
     memory_tooltip=QT_TRANSLATE_NOOP(
         "Vk_Results", "Memory of FreeCAD's legacy simulator, at the accuracy that the preferences say"
     ),
@@ -105,9 +101,7 @@ OPENGL = Simulator(
         "opengl_memory_bytes": lambda cost: cost.memory_bytes,
     },
     factor_column="opengl_factor",
-    time_title=QT_TRANSLATE_NOOP("Vk_Results", "OpenGL\ntime"),
     time_tooltip=QT_TRANSLATE_NOOP("Vk_Results", "Time of FreeCAD's OpenGL simulator at its highest speed"),
-    memory_title=QT_TRANSLATE_NOOP("Vk_Results", "OpenGL\nmemory"),
     memory_tooltip=QT_TRANSLATE_NOOP("Vk_Results", "Memory of FreeCAD's OpenGL simulator"),
     lessons=opengl.LESSONS,
     preferences=("opengl_quality",),

@@ -7,8 +7,8 @@ from vkworkbench.language.marking import QT_TRANSLATE_NOOP
 
 COMMANDS = {
     "in-commands": (
-        QT_TRANSLATE_NOOP("Sentences", "{sentence} (command {command:n})"),
-        QT_TRANSLATE_NOOP("Sentences", "{sentence} ({count:n} times, first at command {command:n})"),
+        QT_TRANSLATE_NOOP("Sentences", "{sentence} (command {command:#})"),
+        QT_TRANSLATE_NOOP("Sentences", "{sentence} ({count:n} times, first at command {command:#})"),
     ),
     "words-without-motion": QT_TRANSLATE_NOOP("Sentences", "words without a motion before them ignored"),
     "unusable-feed": QT_TRANSLATE_NOOP("Sentences", "feed rate that is no usable number ignored"),
@@ -48,6 +48,6 @@ COMMANDS = {
     "dwell-untimed": QT_TRANSLATE_NOOP("Sentences", "dwells are not in the time"),
     "too-many-moves": QT_TRANSLATE_NOOP(
         "Sentences",
-        "the arcs and cycles would need {moves:,} moves at a tolerance of {tolerance:mm}; use a larger tolerance",
+        "the arcs and cycles would need {moves:n} moves at a tolerance of {tolerance:mm}; use a larger tolerance",
     ),
 }

@@ -7,8 +7,8 @@ from vkworkbench.language.marking import QT_TRANSLATE_NOOP
 
 PROGRAMS = {
     "at-line": (
-        QT_TRANSLATE_NOOP("Sentences", "{what} (line {line:n})"),
-        QT_TRANSLATE_NOOP("Sentences", "{what} ({count:n} times, first in line {line:n})"),
+        QT_TRANSLATE_NOOP("Sentences", "{what} (line {line:#})"),
+        QT_TRANSLATE_NOOP("Sentences", "{what} ({count:n} times, first in line {line:#})"),
     ),
     # What is not read as a machine would do it.
     "block-delete": QT_TRANSLATE_NOOP("Sentences", "lines with a block delete (/) are read as the others"),
@@ -27,26 +27,26 @@ PROGRAMS = {
     # Why a program, or one of its operations, is not analysed.
     "other-control": QT_TRANSLATE_NOOP(
         "Sentences",
-        "a program in the language of {name} controls (line {line:n}): post it as G-code (ISO) to have it read",
+        "a program in the language of {name} controls (line {line:#}): post it as G-code (ISO) to have it read",
     ),
     "no-words": QT_TRANSLATE_NOOP(
         "Sentences",
-        "no NC program: {part:n} of its {lines:n} lines are not made of words like G1 X10, the first is line {line:n}",
+        "no NC program: {part:n} of its {lines:n} lines are not made of words like G1 X10, the first is line {line:#}",
     ),
     "moves-nothing": QT_TRANSLATE_NOOP("Sentences", "no NC program: no line of it moves a tool"),
     "no-moves-read": QT_TRANSLATE_NOOP("Sentences", "no move of it can be read: {problems}"),
     "no-text": QT_TRANSLATE_NOOP("Sentences", "no NC program: it is not a text"),
     "lathe": QT_TRANSLATE_NOOP(
-        "Sentences", "a program for a lathe ({name}, line {line:n}): milling strategies say nothing about it"
+        "Sentences", "a program for a lathe ({name}, line {line:#}): milling strategies say nothing about it"
     ),
     "printing": QT_TRANSLATE_NOOP(
-        "Sentences", "a program for a 3D printer ({name}, line {line:n}): milling strategies say nothing about it"
+        "Sentences", "a program for a 3D printer ({name}, line {line:#}): milling strategies say nothing about it"
     ),
     "wire": QT_TRANSLATE_NOOP(
-        "Sentences", "a program for a wire cutter ({name}, line {line:n}): milling strategies say nothing about it"
+        "Sentences", "a program for a wire cutter ({name}, line {line:#}): milling strategies say nothing about it"
     ),
     "rotary": QT_TRANSLATE_NOOP(
-        "Sentences", "a rotary axis turns while the tool cuts (line {line:n}): the way of the tool cannot be told"
+        "Sentences", "a rotary axis turns while the tool cuts (line {line:#}): the way of the tool cannot be told"
     ),
     "rapids-not-told": QT_TRANSLATE_NOOP(
         "Sentences", "{length:mm4} of rapids are not in the time: a program does not say how fast they are"

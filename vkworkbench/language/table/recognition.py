@@ -6,13 +6,20 @@ from __future__ import annotations
 from vkworkbench.language.marking import QT_TRANSLATE_NOOP
 
 RECOGNITION = {
-    "rows": QT_TRANSLATE_NOOP(
-        "Sentences",
-        "phi stays between {low:turns} and {high:turns} turns over {count:n} rows{spread}, {seen}: "
-        "{strategy:strategy}",
+    "rows": (
+        QT_TRANSLATE_NOOP(
+            "Sentences",
+            "phi stays between {low:turns} and {high:turns} turns over one row{spread}, {seen}: {strategy:strategy}",
+        ),
+        QT_TRANSLATE_NOOP(
+            "Sentences",
+            "phi stays between {low:turns} and {high:turns} turns over {count:n} rows{spread}, {seen}: "
+            "{strategy:strategy}",
+        ),
     ),
-    "rows-at-0": QT_TRANSLATE_NOOP(
-        "Sentences", "phi stays at 0 over {count:n} rows{spread}, {seen}: {strategy:strategy}"
+    "rows-at-0": (
+        QT_TRANSLATE_NOOP("Sentences", "phi stays at 0 over one row{spread}, {seen}: {strategy:strategy}"),
+        QT_TRANSLATE_NOOP("Sentences", "phi stays at 0 over {count:n} rows{spread}, {seen}: {strategy:strategy}"),
     ),
     "strokes": (
         QT_TRANSLATE_NOOP(

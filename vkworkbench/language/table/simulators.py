@@ -8,18 +8,18 @@ from vkworkbench.language.marking import QT_TRANSLATE_NOOP
 SIMULATORS = {
     # What goes wrong.
     "legacy-hangs": QT_TRANSLATE_NOOP(
-        "Sentences", "The {simulator:simulator} hangs on an arc {reason} (command {command:n}{others}): {instead}."
+        "Sentences", "The {simulator:simulator} hangs on an arc {reason} (command {command:#}{others}): {instead}."
     ),
     "legacy-ramp": (
         QT_TRANSLATE_NOOP(
             "Sentences",
             "The {simulator:simulator} cuts {count:n} ramp at a wrong depth, up to {error:mm2} {way} (command "
-            "{command:n}): do not judge depths by it.",
+            "{command:#}): do not judge depths by it.",
         ),
         QT_TRANSLATE_NOOP(
             "Sentences",
             "The {simulator:simulator} cuts {count:n} ramps at a wrong depth, up to {error:mm2} {way} (command "
-            "{command:n}): do not judge depths by it.",
+            "{command:#}): do not judge depths by it.",
         ),
     ),
     "legacy-long-play": QT_TRANSLATE_NOOP(
@@ -30,10 +30,17 @@ SIMULATORS = {
         "Sentences",
         "Playing takes about {time:s} in the {simulator:simulator} at its fastest: simulate fewer operations at a time.",
     ),
-    "legacy-short-moves": QT_TRANSLATE_NOOP(
-        "Sentences",
-        "{count:n} moves are shorter than a cell of the {simulator:simulator} ({cell:mm2}), each takes its time and "
-        "none is seen by itself: a coarser tolerance of the operation loses nothing there.",
+    "legacy-short-moves": (
+        QT_TRANSLATE_NOOP(
+            "Sentences",
+            "One move is shorter than a cell of the {simulator:simulator} ({cell:mm2}), takes its time and is not seen "
+            "by itself: a coarser tolerance of the operation loses nothing there.",
+        ),
+        QT_TRANSLATE_NOOP(
+            "Sentences",
+            "{count:n} moves are shorter than a cell of the {simulator:simulator} ({cell:mm2}), each takes its time "
+            "and none is seen by itself: a coarser tolerance of the operation loses nothing there.",
+        ),
     ),
     "opengl-arcs": QT_TRANSLATE_NOOP(
         "Sentences",

@@ -1,0 +1,149 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The columns of the results: six that are seen at first, and the others, which the user chooses."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import partial
+
+import FreeCAD
+
+from vkworkbench import freecad
+from vkworkbench.core.simulators import Simulator, available
+from vkworkbench.gui.panel_rows import Row
+from vkworkbench.gui.sentences import user
+from vkworkbench.gui.text import translate
+from vkworkbench.language import ROUGH
+
+OPERATION, STRATEGY, WARNINGS, STATE = "operation", "strategy", "warnings", "state"
+
+
+@dataclass(frozen=True)
+class Column:
+    """One column: its title and explanation, how it is sorted and shown.
+
+    Attributes
+    ----------
+    key : str
+        Its name in the preferences.
+    title, tooltip : str
+    value : callable
+        The number or text of a row, None where there is none.
+    shown : callable
+        What the user reads of that value.
+    factor : callable
+        The true value of a row is between the value divided and multiplied by this factor.
+    least : callable
+        Whether the value of a row is a lower bound.
+    """
+
+    key: str
+    title: str
+    tooltip: str
+    value: Callable[[Row], object]
+    shown: Callable[[object], str] = str
+    factor: Callable[[Row], float] = lambda row: 1.0
+    least: Callable[[Row], bool] = lambda row: False
+
+    def text(self, row: Row) -> str:
+        """Return what the user reads in a row, empty where there is nothing."""
+        value = self.value(row)
+        if value is None:
+            return ""
+        return ("≥ " if self.least(row) else "") + user().about(self.shown(value), self.factor(row))
+
+    def range(self, row: Row) -> str:
+        """Return between which numbers a rough one lies, empty where it is not rough."""
+        value, factor = self.value(row), self.factor(row)
+        if value is None or factor < ROUGH:
+            return ""
+        text = translate("Vk_Results", "Between {} and {}: not measured on this computer yet")
+        return text.format(self.shown(value / factor), self.shown(value * factor))
+
+
+def columns(version: tuple[int, ...]) -> tuple[list[Column], list[Column]]:
+    """Return the columns that are seen at first and the others, with the simulators that a FreeCAD version has."""
+    there_are = available(version)
+    own = freecad.own_simulator()
+    (simulator,) = [s for s in there_are if s.name == own]
+    time = translate("Vk_Results", "How long {simulator} takes, which this FreeCAD's own button starts")
+    first = [
+        Column(OPERATION, translate("Vk_Results", "Operation"), "", lambda row: row.label),
+        Column(STRATEGY, translate("Vk_Results", "Strategy"),
+               translate("Vk_Results", "The machining strategy recognized from the toolpath alone"),
+               lambda row: row.kind),
+        Column("machining_time", translate("Vk_Results", "Machining\ntime"),
+               translate("Vk_Results", "Time on the machine at the programmed feeds; rapids where the tool "
+                                       "controller says their speed"),
+               lambda row: row.machining_seconds, _as("time"), least=lambda row: not row.machining_complete),
+        Column("simulation_time", translate("Vk_Results", "Simulation\ntime"),
+               time.format(simulator=user().simulator(own)),
+               partial(_seconds, own), _as("time"), partial(_factor, simulator)),
+        Column(STATE, translate("Vk_Results", "State"),
+               translate("Vk_Results", "Outdated: toolpath, tool or stock have changed since; analyze it again"),
+               lambda row: translate("Vk_Results", "outdated") if row.outdated else None),
+        Column(WARNINGS, translate("Vk_Results", "Warnings"),
+               translate("Vk_Results", "What is wrong with the operation, or will be with its simulation"),
+               lambda row: "; ".join(notice.text for notice in row.notices) or None),
+    ]  # fmt: skip
+    others = [
+        Column("sure", translate("Vk_Results", "Sure"), translate("Vk_Results", "How sure the recognition is"),
+               _confidence, _as("share")),
+        Column("moves", translate("Vk_Results", "Moves"),
+               translate("Vk_Results", "Number of straight moves; an arc counts as several"),
+               lambda row: row.found.trajectories, _as("count")),
+        Column("length", translate("Vk_Results", "Length"), translate("Vk_Results", "Length of the cutting moves"),
+               lambda row: row.found.length, _as("length")),
+        *(column for simulator in there_are for column in _of_simulator(simulator)),
+        *(_of_advice(simulator) for simulator in there_are if simulator.advice),
+    ]  # fmt: skip
+    return first, others
+
+
+def _as(kind: str) -> Callable[[object], str]:
+    """Return how the user reads numbers of a kind, by the name of the reader's method."""
+    return lambda value: getattr(user(), kind)(value)
+
+
+def _seconds(simulator: str, row: Row) -> float | None:
+    cost = row.found.cost(simulator)
+    return cost and cost[0]
+
+
+def _bytes(simulator: str, row: Row) -> float | None:
+    cost = row.found.cost(simulator)
+    return cost and cost[1]
+
+
+def _factor(simulator: Simulator, row: Row) -> float:
+    return row.found.factor(simulator.name) if simulator.lessons else 1.0  # else no run makes it surer
+
+
+def _of_simulator(simulator: Simulator) -> tuple[Column, Column]:
+    """Time and memory that a simulator takes for an operation, or for all of a job together."""
+    name, text = simulator.name, partial(FreeCAD.Qt.translate, "Vk_Results")
+    called = user().simulator(name)
+    time, memory = translate("Vk_Results", "{simulator}\ntime"), translate("Vk_Results", "{simulator}\nmemory")
+    return (
+        Column(f"{name} time", time.format(simulator=called), text(simulator.time_tooltip),
+               partial(_seconds, name), _as("time"), partial(_factor, simulator)),
+        Column(f"{name} memory", memory.format(simulator=called), text(simulator.memory_tooltip),
+               partial(_bytes, name), _as("memory")),
+    )  # fmt: skip
+
+
+def _of_advice(simulator: Simulator) -> Column:
+    """The finest setting of a simulator within the budgets; numbers of 0 where there is none."""
+    advice, text = simulator.advice, partial(FreeCAD.Qt.translate, "Vk_Results")
+
+    def numbers(row: Row) -> tuple[int, ...] | None:
+        chosen = row.found.advice.get(simulator.name)
+        return chosen and advice.numbers(chosen)
+
+    return Column(f"{simulator.name} advice", text(advice.title), text(advice.tooltip), numbers,
+                  lambda found: advice.form.format(*found) if all(found) else text(advice.none))  # fmt: skip
+
+
+def _confidence(row: Row) -> float | None:
+    return row.found.confidence if row.strategy is not None and row.strategy.is_answer else None

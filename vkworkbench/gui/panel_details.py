@@ -1,0 +1,106 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The page beside the results: all that is known of one row, plain words first; the paper's terms behind "Why?"."""
+
+from __future__ import annotations
+
+import FreeCAD
+
+from vkworkbench.core.simulators import SIMULATORS
+from vkworkbench.gui import colors
+from vkworkbench.gui.panel_columns import OPERATION, STATE, STRATEGY, WARNINGS
+from vkworkbench.gui.panel_rows import Level, Row
+from vkworkbench.gui.plain_text import lines
+from vkworkbench.gui.sentences import plainly, said, user
+from vkworkbench.gui.text import translate
+
+WHY, NUMBERS, GAUSS_MAP = "why", "numbers", "gauss-map"  # what the page's links open
+_SIGNS = {
+    Level.NOTE: ("i", colors.NOTE_SIGN), Level.WARNING: ("\u26a0", colors.WARNING_SIGN), Level.ERROR: ("\u2716", colors.ERROR_SIGN),
+}  # fmt: skip
+_APART = {OPERATION, STRATEGY, WARNINGS, STATE}  # columns that the page tells otherwise
+
+
+def page(row: Row, first: list, others: list, opened: set[str]) -> str:
+    """Return what is known of a row as HTML.
+
+    Parameters
+    ----------
+    row : Row
+    first, others : list of Column
+        The columns that are seen at first and the others.
+    opened : set of str
+        Which of the page's links are open.
+    """
+    parts = [_title(row)]
+    if row.strategy is not None:
+        parts.append(_strategy(row, WHY in opened))
+    parts += [_notice(notice) for notice in row.notices]
+    if row.outdated:
+        text = translate("Vk_Results", "Outdated: toolpath, tool or stock have changed since. Analyze it again.")
+        parts.append(f"<i>{lines(text)}</i>")
+    html = "".join(f"<p>{part}</p>" for part in parts)
+    html += _table([(c.title, c.text(row), c.range(row)) for c in first if c.key not in _APART] + _machining(row))
+    if NUMBERS not in opened:
+        return html + "<p>" + _link(NUMBERS, translate("Vk_Results", "All numbers")) + "</p>"
+    html += _table([(c.title, c.text(row), c.range(row)) for c in others])
+    html += "".join(f"<p>{lines(sentence)}</p>" for sentence in _advice(row))
+    return html + "<p>" + _link(NUMBERS, translate("Vk_Results", "Fewer numbers")) + "</p>"
+
+
+def _title(row: Row) -> str:
+    return f"<b>{lines(row.label)}</b>: {lines(row.kind)}"
+
+
+def _strategy(row: Row, why: bool) -> str:
+    link = _link(WHY, translate("Vk_Results", "Why?"))
+    seen = plainly(row.found.recognition.why)
+    text = f"{lines(seen[:1].upper() + seen[1:])}. {link}"
+    if not why:
+        return text
+    more = [lines(said(row.found.recognition.why))]
+    if row.strategy.is_answer:
+        sure = translate("Vk_Results", "Sure: {share}").format(share=user().share(row.found.confidence))
+        more.append(lines(sure))
+    more.append(_link(GAUSS_MAP, translate("Vk_Results", "Show it in the Gauss map")))
+    return "<br>".join([text, *more])
+
+
+def _notice(notice) -> str:
+    sign, color = _SIGNS[notice.level]
+    return f"<b style='color: {color}'>{sign}</b> {lines(notice.text)}"
+
+
+def _machining(row: Row) -> list[tuple[str, str, str]]:
+    """Lengths, and what the machining time leaves out."""
+    if row.is_total:
+        return [(translate("Vk_Results", "Cutting"), user().length(row.found.length), "")]
+    machining, length = row.found.machining, user().length
+    told = [
+        (translate("Vk_Results", "Cutting"), length(machining.cutting_length), ""),
+        (translate("Vk_Results", "Rapids"), length(machining.rapid_length), ""),
+    ]
+    if machining.depth is not None:
+        told.append((translate("Vk_Results", "Depth"), length(machining.depth), ""))
+    return told + [("", said(message), "") for message in machining.left_out]
+
+
+def _advice(row: Row):
+    for simulator in SIMULATORS:
+        chosen = row.found.advice.get(simulator.name)
+        if chosen is not None:
+            yield FreeCAD.Qt.translate("Vk_Results", simulator.advice.sentence).format(said(chosen.why))
+
+
+def _table(cells: list[tuple[str, str, str]]) -> str:
+    rows = []
+    for title, text, range_ in cells:
+        if text:
+            told = lines(text) + (f"<br><small>{lines(range_)}</small>" if range_ else "")
+            name = lines(title.replace("\n", " "))
+            rows.append(f"<tr><td style='padding-right: 12px'>{name}</td><td>{told}</td></tr>" if name
+                        else f"<tr><td colspan='2'><small>{told}</small></td></tr>")  # fmt: skip
+    return f"<table cellspacing='1'>{''.join(rows)}</table>"
+
+
+def _link(target: str, text: str) -> str:
+    return f"<a href='{target}' style='color: {colors.LINK}'>{lines(text)}</a>"

@@ -1,0 +1,39 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Results that leave the panel: as a file with all numbers, or as the text of what is shown."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from pathlib import Path
+
+from vkworkbench.gui.panel_columns import Column
+from vkworkbench.gui.panel_rows import Row
+from vkworkbench.gui.plain_text import warn
+from vkworkbench.gui.qt import QFileDialog, QWidget
+from vkworkbench.gui.text import translate
+from vkworkbench.report import Report, plain_text
+
+
+def save(report: Report, document, ending: str, parent: QWidget) -> None:
+    """Ask for a file, and save a report of a document there as ``"csv"`` or ``"json"``."""
+    folder = Path(document.FileName).parent if document.FileName else Path.home()
+    title, filter_ = {
+        "csv": (translate("Vk_Results", "Export CSV"), "CSV (*.csv)"),
+        "json": (translate("Vk_Results", "Export JSON"), "JSON (*.json)"),
+    }[ending]
+    path, _ = QFileDialog.getSaveFileName(parent, title, str(folder / f"{document.Name}.{ending}"), filter_)
+    if not path:
+        return
+    if not Path(path).suffix:
+        path += f".{ending}"
+    try:
+        report.to_csv(path) if ending == "csv" else report.to_json(path)
+    except OSError as error:
+        warn(title, str(error), parent)
+
+
+def as_text(columns: Sequence[Column], rows: Iterable[Row]) -> str:
+    """Return rows as tabulated text with a line of titles, with the numbers and units that are shown."""
+    lines = [[column.title.replace("\n", " ") for column in columns]]
+    lines += [[" ".join(plain_text(column.text(row)).split()) for column in columns] for row in rows]
+    return "\n".join("\t".join(line) for line in lines) + "\n"
