@@ -134,12 +134,12 @@ def _notices_of_total(row: Row) -> Iterator[Notice]:
 def _notices(obj, found: OperationReport) -> Iterator[Notice]:
     for remark in found.remarks:
         yield Notice(Level.WARNING if found.costs else Level.ERROR, said(remark))
-    for caution in found.cautions:
-        yield Notice(Level.ERROR if caution.code == "legacy-hangs" else Level.WARNING, said(caution.what))
     called = contradicted(obj, found.recognition)
     if called:
         text = translate("Vk_Results", "called {name}, but its toolpath is {strategy}")
         yield Notice(Level.WARNING, text.format(name=called, strategy=strategy_name(found.strategy)))
+    for caution in found.cautions:
+        yield Notice(Level.ERROR if caution.code == "legacy-hangs" else Level.WARNING, said(caution.what))
     if not found.counted and found.job is not None:
         text = translate("Vk_Results", "not in the total: a dress-up stands for it, or it is switched off")
         yield Notice(Level.NOTE, text)
