@@ -144,7 +144,8 @@ def distinct(points: np.ndarray, segments: np.ndarray, *, cells: int, most: int)
     axes = points.shape[1]
     while True:
         weights = (cells + 1) ** np.arange(axes)
-        first, second = (((p - lower) * (cells / size)).astype(np.int64) @ weights for p in (a, b))
+        # Not a matrix product: its threads wait for each other on a busy computer.
+        first, second = ((((p - lower) * (cells / size)).astype(np.int64) * weights).sum(axis=1) for p in (a, b))
         pair = np.minimum(first, second) * (cells + 1) ** axes + np.maximum(first, second)  # below 2**63
         kept = np.unique(pair, return_index=True)[1]
         if len(kept) <= most or cells <= 2:

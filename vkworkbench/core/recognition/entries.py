@@ -6,7 +6,7 @@ from __future__ import annotations
 import numpy as np
 
 from vkworkbench.core.paper import TURN, Areas
-from vkworkbench.core.recognition.thresholds import SAME
+from vkworkbench.core.recognition.thresholds import ENOUGH, ENTRY, SAME
 
 LEVEL = 1e-6  # mm; a move that descends by more is no level one
 ENTRIES = ("plunge", "ramp", "zigzag ramp", "helix")
@@ -32,7 +32,7 @@ def find_entry(moves: Areas) -> str | None:
     after = at >= np.repeat(first, size)
     level = np.where(after & (np.abs(moves.dz) < LEVEL), moves.length, 0.0)
     following = np.where(after, moves.length, 0.0).sum()
-    if level.sum() <= 0.5 * following or following <= 0:
+    if level.sum() <= ENOUGH.SHARE * following or following <= 0:
         return None
     followed = np.add.reduceat(level, begin) > 0
     entry = followed & (first > begin)
@@ -45,5 +45,5 @@ def find_entry(moves: Areas) -> str | None:
     turned = np.abs(moves.phi[last] - moves.phi[begin])
     reversed_ = np.add.accumulate(np.isin(at, moves.unsigned))
     to_and_fro = reversed_[last] > reversed_[begin]
-    kind = np.where(turned > 0.75 * TURN, 3, np.where(to_and_fro, 2, 1))
+    kind = np.where(turned > ENTRY.WINDS * TURN, 3, np.where(to_and_fro, 2, 1))
     return ENTRIES[int(np.argmax(np.bincount(kind, weights=drop, minlength=len(ENTRIES))))]

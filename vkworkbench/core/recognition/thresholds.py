@@ -55,6 +55,13 @@ class ENOUGH:
     TIMES = 5
 
 
+class ENTRY:
+    """How a depth is entered."""
+
+    #: turns. A ramp that winds more is a helix. At 0 every ramp is, larger: helices of one turn are ramps.
+    WINDS = 0.75
+
+
 class PASSES:
     """Back and forth, or around."""
 
