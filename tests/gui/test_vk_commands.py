@@ -8,6 +8,7 @@ from PySide import QtCore, QtGui
 import vkworkbench
 from vkworkbench import freecad
 from vkworkbench.document import marks
+from vkworkbench.gui import tree
 
 CAM = "PathWorkbench" if freecad.version() < (1, 0) else "CAMWorkbench"
 
@@ -24,7 +25,8 @@ def test_the_first_click_marks_the_job_and_shows_the_column(opened, window):
     window.wait(lambda: marked(opened))
     assert not window.tree.isColumnHidden(1) and window.tree.columnWidth(1) > 100
     told = sum(o.to_be_known for o in vkworkbench.analyze(opened).operations)  # a long play, for example
-    said = f"9 operations analyzed{f', {told} with remarks' if told else ''}"
+    count = len(vkworkbench.analyze(opened).operations)
+    said = f"{count} operations analyzed{f', {told} with remarks' if told else ''}"
     assert window.main.statusBar().currentMessage() == said
     texts = window.dismiss()
     # Only where the column was hidden is there anything to say.
@@ -43,6 +45,23 @@ def test_the_first_click_marks_the_job_and_shows_the_column(opened, window):
     window.click("Clear analysis")
     window.wait(lambda: not marked(opened))
     assert "marks removed" in window.main.statusBar().currentMessage()
+
+
+def test_the_tree_is_brought_before_the_tasks(opened, window):
+    docks = {dock.objectName(): dock for dock in window.main.findChildren(QtGui.QDockWidget)}
+    if "Tasks" in docks:
+        window.main.tabifyDockWidget(docks["Model"], docks["Tasks"])
+        docks["Tasks"].setVisible(True)
+        window.idle()
+        docks["Tasks"].raise_()
+    for tabs in window.main.findChildren(QtGui.QTabWidget):
+        if tabs.objectName() == "combiTab":
+            tabs.setCurrentIndex(1)
+    trees = tree.trees()
+    window.wait(lambda: all(view.visibleRegion().isEmpty() for view in trees))
+    window.click("Analyze toolpaths")
+    window.wait(lambda: marked(opened))
+    window.wait(lambda: any(not view.visibleRegion().isEmpty() for view in trees))
 
 
 def test_the_click_and_the_macro_give_the_same_numbers(opened, window):

@@ -107,6 +107,7 @@ def mark(report) -> None:
 
 def _show_marks() -> None:
     """Show the Description column the first time, and say so; afterwards it is the user's own."""
+    tree.bring_to_view()
     remembered = FreeCAD.ParamGet(GROUP)
     if not remembered.GetBool("DescriptionShown", False):
         remembered.SetBool("DescriptionShown", True)

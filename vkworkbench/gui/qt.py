@@ -4,6 +4,8 @@
 FreeCAD 0.20's wrapper has no QtWidgets, but QtGui holds the widgets in every version.
 """
 
+from __future__ import annotations
+
 from PySide.QtCore import (
     QAbstractItemModel,
     QDate,
@@ -63,6 +65,7 @@ from PySide.QtGui import (
     QStyle,
     QStyledItemDelegate,
     QStyleOptionViewItem,
+    QTabWidget,
     QTextBrowser,
     QToolButton,
     QToolTip,
@@ -78,8 +81,8 @@ __all__ = [
     "QLocale", "QMdiArea", "QMenu", "QMessageBox", "QModelIndex", "QObject", "QOffscreenSurface", "QOpenGLContext",
     "QPainter", "QPalette", "QPen", "QPixmap", "QPoint", "QPointF", "QPolygonF", "QProgressBar", "QProgressDialog",
     "QPushButton", "QRectF", "QRegion", "QSize", "QSizePolicy", "QSlider", "QSortFilterProxyModel", "QSpinBox",
-    "QSplitter", "QStyle", "QStyleOptionViewItem", "QStyledItemDelegate", "QTextBrowser", "QTimer", "QToolButton",
-    "QToolTip", "QTreeView", "QVBoxLayout", "QWidget", "Qt", "Signal", "svg_generator",
+    "QSplitter", "QStyle", "QStyleOptionViewItem", "QStyledItemDelegate", "QTabWidget", "QTextBrowser", "QTimer",
+    "QToolButton",    "QToolTip", "QTreeView", "QVBoxLayout", "QWidget", "Qt", "Signal", "svg_generator",
 ]  # fmt: skip
 
 

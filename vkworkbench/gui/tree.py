@@ -9,7 +9,7 @@ import FreeCAD
 import FreeCADGui as Gui
 
 from vkworkbench import freecad
-from vkworkbench.gui.qt import QDockWidget, QHeaderView, Qt, QTreeView
+from vkworkbench.gui.qt import QDockWidget, QHeaderView, Qt, QTabWidget, QTreeView
 
 DESCRIPTION = 1
 _TREE_PREFERENCES = "User parameter:BaseApp/Preferences/TreeView"
@@ -38,6 +38,20 @@ def show_description() -> bool:
         if dock.objectName() in freecad.TREE_DOCKS and dock.isVisible() and dock.width() < _DOCK_WIDTH:
             window.resizeDocks([dock], [_DOCK_WIDTH], Qt.Horizontal)
     return was_hidden
+
+
+def bring_to_view() -> None:
+    """Bring a tree that a tab hides before it; a task that is being edited stays, and so does a closed dock."""
+    if Gui.Control.activeDialog() or any(not tree.visibleRegion().isEmpty() for tree in trees()):
+        return
+    for dock in Gui.getMainWindow().findChildren(QDockWidget):
+        for tree in trees():
+            if dock.toggleViewAction().isChecked() and dock.isAncestorOf(tree):
+                dock.raise_()
+                for tabs in dock.findChildren(QTabWidget):
+                    pages = [tabs.widget(i) for i in range(tabs.count()) if tabs.widget(i).isAncestorOf(tree)]
+                    if pages:
+                        tabs.setCurrentWidget(pages[0])
 
 
 def fit_description() -> None:
