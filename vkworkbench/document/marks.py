@@ -82,7 +82,8 @@ def _of_the_version_before(obj) -> Record | None:
     try:
         costs = {}
         if obj.ToolpathMemory:
-            data = {"seconds": obj.ToolpathSeconds, "memory_bytes": obj.ToolpathMemory, "factor": obj.ToolpathFactor}
+            data = {"seconds": obj.ToolpathSeconds, "memory_bytes": obj.ToolpathMemory, "factor": obj.ToolpathFactor,
+                    "stock_bytes": 0.0}  # fmt: skip
             costs[SIMULATORS[0].name] = cost_from_data(SIMULATORS[0].name, data)
         strategy = getattr(obj, "ToolpathStrategy", None)
         reason, remark = getattr(obj, "ToolpathReason", ""), obj.ToolpathRemark

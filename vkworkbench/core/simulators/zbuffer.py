@@ -15,17 +15,18 @@ NAME = "z-buffer"
 
 @dataclass(frozen=True)
 class ZBufferCost:
-    """What several operations take, one after another.
+    """What one operation takes, as far as it is kept, or several one after another.
 
     Attributes
     ----------
-    seconds, memory_bytes, factor : float
+    seconds, memory_bytes, factor, stock_bytes : float
         As of :class:`~vkworkbench.core.zbuffer.Estimate`.
     """
 
     seconds: float
     memory_bytes: float
     factor: float
+    stock_bytes: float
 
 
 def predict(task: Task, conditions: Conditions) -> Estimate:
@@ -42,6 +43,7 @@ def together(costs: Sequence[Estimate]) -> ZBufferCost:
         sum(cost.seconds for cost in costs),
         stock + sum(cost.memory_bytes - cost.stock_bytes for cost in costs),
         max(cost.factor for cost in costs),
+        stock,
     )
 
 
