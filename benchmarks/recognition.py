@@ -2,13 +2,14 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """How often the recognition is right, what its confidence is worth and what it costs.
 
-    python3 benchmarks/recognition.py [FILE.jsonl.gz ...] [--programs PROGRAMS.jsonl.gz]
+    python3 benchmarks/recognition.py [FILE.jsonl.gz ...] [--programs PROGRAMS.jsonl.gz] [--sources]
 
 Each line of a FILE is a JSON record: label, strategy, accept (the strategies that count as right),
 tool_diameter (mm or null) and commands ([name, parameters], mm and mm/s); where there are params with
 FreeCAD's StepOver (percent of the tool's diameter), the stepover is compared with it. Toolpaths that are the
 same to a micrometre count once. Operations of FILE are also joined to pairs, one file of PROGRAMS holds whole programs with
-their sections (records.py tells its form), and toolpaths/nonsense.py makes paths that machine nothing.
+their sections (records.py tells its form), and toolpaths/nonsense.py makes paths that machine nothing. What FILE holds was
+learned from; --sources prints instead how good verdicts are on sources that had no part in it, some minutes.
 Without files those of toolpaths/synthetic.py and strokes.py are taken. Needs numpy only.
 """
 
@@ -28,15 +29,15 @@ import numpy as np
 HERE = Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE.parent), str(HERE)]
 
+import sources  # noqa: E402
 import whole_programs  # noqa: E402
+from reliability import calibration_error, two_class  # noqa: E402
 
 from toolpaths import strokes, synthetic  # noqa: E402
-from vkworkbench.core import Family, Strategy, Toolpath  # noqa: E402
+from vkworkbench.core import Toolpath  # noqa: E402
 from vkworkbench.core.gcode import linearize  # noqa: E402
 from vkworkbench.core.recognition import recognize  # noqa: E402
 
-BACK_AND_FORTH = {s.value for s in Strategy if s.family is Family.ROWS}
-AROUND = {s.value for s in Strategy if s.family is Family.AROUND} - {"adaptive"}  # adaptive bites are neither
 WITHOUT_STEPOVER = {"adaptive", "waterline", "helix"}  # their StepOver means something else
 SEEDS = 20  # synthetic toolpaths of each kind
 
@@ -91,9 +92,9 @@ def accuracy(files: list[str]) -> None:
         if stepover and found.stepover and not accepted & WITHOUT_STEPOVER:
             steps[0] += abs(found.stepover - stepover) <= 0.05 * stepover
             steps[1] += 1
-        if accepted <= BACK_AND_FORTH or strategy in {"contour-parallel", "spiral", "waterline"}:
-            two[0] += got in (BACK_AND_FORTH if strategy in BACK_AND_FORTH else AROUND)
-            two[1] += 1
+        of_class = two_class(strategy, accepted, got)
+        two[0] += bool(of_class)
+        two[1] += of_class is not None
     _print_labels(by_label)
     _print_confusion(confusion)
     _print_reliability(answers)
@@ -106,13 +107,6 @@ def accuracy(files: list[str]) -> None:
     if steps[1]:
         print(f"stepover within 5 % of what FreeCAD was told: {steps[0]}/{steps[1]}")
     print(f"{seconds / max(1, moves) * 1e6:.2f} us per trajectory over {moves} trajectories")
-
-
-def calibration_error(confidence: np.ndarray, right: np.ndarray, bins: int = 10) -> float:
-    """Return the expected calibration error: |mean confidence - share of right ones| over equal bins, by their size."""
-    of = np.minimum((confidence * bins).astype(int), bins - 1)
-    errors = [(of == k).mean() * abs(confidence[of == k].mean() - right[of == k].mean()) for k in set(of.tolist())]
-    return float(sum(errors))
 
 
 def _print_labels(by_label) -> None:
@@ -240,7 +234,11 @@ if __name__ == "__main__":
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("files", nargs="*")
     parser.add_argument("--programs")
+    parser.add_argument("--sources", action="store_true", help="learn and judge with a tenth of the sources left out in turn")
     options = parser.parse_args()
+    if options.sources:
+        sources.report_sources(options.files)
+        sys.exit()
     accuracy(options.files)
     if options.programs:
         whole_programs.report_programs(options.programs)

@@ -52,7 +52,7 @@ def _split(x, weights, tried, rng):
     below = low[some] + (high - low)[some] * rng.uniform(0, 1, len(some))
     below = np.array([float(f"{b:.4g}") for b in below])
     yes = x[:, some] < below
-    left = np.einsum("ns,nc->sc", yes, weights)
+    left = yes.T.astype(float) @ weights
     whole = weights.sum(axis=0)
     gain = _impurity(whole) - _impurity(left) - _impurity(whole - left)
     gain[~(yes.any(axis=0) & ~yes.all(axis=0))] = -1.0

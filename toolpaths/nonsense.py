@@ -23,12 +23,45 @@ def walk_on_a_grid(rng):
     return np.cumsum(steps * rng.integers(1, 4, (n, 1)), axis=0)
 
 
+def walk_on_triangles(rng):
+    n = _count(rng)
+    angle = np.pi / 3 * rng.integers(0, 6, n)
+    return np.cumsum(np.column_stack([np.cos(angle), np.sin(angle)]) * rng.integers(1, 4, (n, 1)), axis=0)
+
+
+def straying_walk(rng):
+    """Turns by any angle now and then, and goes straight in between."""
+    angle = np.cumsum(rng.uniform(-np.pi, np.pi, _count(rng)))
+    return np.cumsum(np.column_stack([np.cos(angle), np.sin(angle)]) * rng.exponential(1, (len(angle), 1)), axis=0)
+
+
+def scribble(rng):
+    """A smooth closed curve of some random waves."""
+    t = np.linspace(0, 2 * np.pi, 2 * _count(rng))
+    waves = np.arange(1, rng.integers(8, 40))
+    size = 1 / np.sqrt(waves)
+    return np.column_stack(
+        [(size * rng.normal(size=len(waves)) * np.cos(np.outer(t, waves) + rng.uniform(0, 7, len(waves)))).sum(axis=1)
+         for _ in range(2)]
+    )  # fmt: skip
+
+
 def noise(rng):
     return rng.uniform(size=(_count(rng), 2))
 
 
 def normal_noise(rng):
     return rng.normal(size=(_count(rng), 2))
+
+
+def chords(rng):
+    angle = rng.uniform(0, 2 * np.pi, _count(rng) // 2)
+    return np.column_stack([np.cos(angle), np.sin(angle)])
+
+
+def shuffled_grid(rng):
+    side = int(rng.integers(7, 30))
+    return rng.permutation(np.stack(np.meshgrid(np.arange(side), np.arange(side)), axis=-1).reshape(-1, 2)).astype(float)
 
 
 def epicycloid(rng):
@@ -44,6 +77,27 @@ def hypocycloid(rng):
 def lissajous(rng):
     t = np.linspace(0, 2 * np.pi, 2 * _count(rng))
     return np.column_stack([np.sin(rng.integers(3, 20) * t + rng.uniform(0, 3)), np.sin(rng.integers(3, 20) * t)])
+
+
+def rose(rng):
+    petals = rng.integers(3, 30) / rng.integers(3, 12)
+    t = np.linspace(0, 2 * np.pi * rng.integers(4, 12), 2 * _count(rng))
+    radius = np.cos(petals * t) + rng.uniform(-0.4, 0.4)
+    return np.column_stack([radius * np.cos(t), radius * np.sin(t)])
+
+
+def three_arms(rng):
+    """The pen at the end of three arms that turn at different speeds."""
+    t = np.linspace(0, 2 * np.pi * rng.integers(2, 8), 2 * _count(rng))
+    arms, speeds = rng.uniform(0.2, 1, 3), rng.uniform(-12, 12, 3)
+    return np.column_stack([turn(np.outer(t, speeds)) @ arms for turn in (np.cos, np.sin)])
+
+
+def star(rng):
+    """A star polygon, walked around on and on, with radii that stray."""
+    corners = _count(rng) // 4
+    angle = np.arange(corners) * 2 * np.pi * rng.uniform(0.2, 0.48)
+    return rng.uniform(0.7, 1, (corners, 1)) * np.column_stack([np.cos(angle), np.sin(angle)])
 
 
 def hilbert(rng):
@@ -67,9 +121,38 @@ def koch(rng):
     return _grown("F", {"F": "F+F-F-F+F"}, 90, rng.integers(2, 5), "F")
 
 
+def moore(rng):
+    return _grown("LFL+F+LFL", {"L": "-RF+LFL+FR-", "R": "+LF-RFR-FL+"}, 90, rng.integers(2, 5), "F")
+
+
+def meander(rng):
+    """Peano's other curve, whose rows bend."""
+    rules = {"X": "FX+FX+FXFY-FY-", "Y": "+FX+FXFY-FY-FY"}
+    return _grown("X", rules, 90, rng.integers(3, 6), "F")
+
+
+def levy(rng):
+    return _grown("F", {"F": "+F--F+"}, 45, rng.integers(7, 12), "F")
+
+
+def arrowhead(rng):
+    return _grown("X", {"X": "YF+XF+Y", "Y": "XF-YF-X"}, 60, rng.integers(4, 8), "F")
+
+
+def quadratic_island(rng):
+    return _grown("F-F-F-F", {"F": "F-F+F+FF-F-F+F"}, 90, rng.integers(1, 4), "F")
+
+
+def morton(rng):
+    k = np.arange(4 ** int(rng.integers(3, 6)))
+    bits = (k[:, None] >> np.arange(12)) & 1
+    return np.column_stack([bits[:, 0::2] @ (1 << np.arange(6)), bits[:, 1::2] @ (1 << np.arange(6))]).astype(float)
+
+
+RANDOM = walk, persistent_walk, walk_on_a_grid, walk_on_triangles, straying_walk, noise, normal_noise, chords, shuffled_grid
 KINDS = (
-    walk, persistent_walk, walk_on_a_grid, noise, normal_noise, epicycloid, hypocycloid, lissajous, hilbert, peano, dragon,
-    gosper, koch,
+    *RANDOM, scribble, epicycloid, hypocycloid, lissajous, rose, three_arms, star, hilbert, moore, peano, meander, dragon,
+    levy, gosper, arrowhead, koch, quadratic_island, morton,
 )  # fmt: skip
 
 
@@ -81,8 +164,7 @@ def commands(kind, rng) -> list[tuple[str, dict]]:
     if rng.random() < 0.5:
         angle = rng.uniform(0, np.pi)
         points = points @ np.array([(np.cos(angle), -np.sin(angle)), (np.sin(angle), np.cos(angle))])
-    random = kind in (walk, persistent_walk, walk_on_a_grid, noise, normal_noise)
-    lifts = rng.random(len(points)) < (rng.uniform(0.02, 0.4) if random and rng.random() < 0.4 else 0.0)
+    lifts = rng.random(len(points)) < (rng.uniform(0.02, 0.4) if kind in RANDOM and rng.random() < 0.4 else 0.0)
     program: list[tuple[str, dict]] = []
     for (x, y), lifted in zip(points, lifts):
         if lifted or not program:

@@ -377,6 +377,38 @@ def trochoid(rng):
     return p.commands
 
 
+def trochoid_of_chords(rng):
+    """A slot by coarse circles that move on."""
+    p, sides = Program(rng), int(rng.integers(12, 40))
+    r, step = rng.uniform(4, 13), rng.uniform(0.4, 1.6)
+    a = np.arange(int(rng.integers(18, 70)) * sides) * 2 * np.pi / sides
+    p.cut(np.column_stack([step * a / (2 * np.pi) + r * np.cos(a), r * np.sin(a)]), -2.0)
+    return p.commands
+
+
+def winding(rng, *, corrects=False):
+    """A finely sampled winding inward, rounded, or corrected all the time to keep one engagement."""
+    p, step, digits = Program(rng), rng.uniform(0.8, 2.5), int(rng.integers(2, 4))
+    a = np.arange(0, rng.uniform(7, 12) * 2 * np.pi, rng.uniform(0.003, 0.012))
+    waves = rng.integers(15, 110)
+    r = rng.uniform(25, 60) - step * a / (2 * np.pi)
+    if corrects:
+        r += rng.uniform(2.5, 4.5) / waves * np.sin(waves * a)
+    p.cut(np.round(np.column_stack([r * np.cos(a), r * np.sin(a)]), digits), -1.0)
+    return p.commands
+
+
+def entered_pocket(rng):
+    """A pocket cleared outward from a helix of any length."""
+    p, side = Program(rng), np.pi / 18
+    entry, step, turns = rng.uniform(1.5, 4), rng.uniform(0.5, 2), rng.integers(3, 40)
+    a, b = np.arange(0, turns * 2 * np.pi, side), np.arange(0, rng.uniform(7, 15) * 2 * np.pi, side)
+    p.cut(np.column_stack([entry * np.cos(a), entry * np.sin(a), -0.5 * a / (2 * np.pi)]), 0.0)
+    r = entry + step * b / (2 * np.pi)
+    p.cut(np.column_stack([r * np.cos(b), r * np.sin(b)]), p.last[2], linked=True)
+    return p.commands
+
+
 def adaptive(rng, *, lift=0.3, rapid_back=True, arcs=False):
     """Helical entry, a spiral out to the walls, then bites of constant engagement into the corners."""
     p = Program(rng, rapids=rapid_back)
@@ -543,6 +575,31 @@ def letters(rng, *, vcarve=False):
     return p.commands
 
 
+def comb(rng):
+    """A profile around a comb: to and fro in even steps, but closed, with teeth and gaps in turns."""
+    p, tool = Program(rng), rng.uniform(0.5, 2)
+    tooth, gap, height = rng.uniform(2, 8), 2.5 * tool + rng.uniform(0.5, 6), rng.uniform(12, 40)
+    left = np.arange(rng.integers(4, 16)) * (tooth + gap)
+    sides = np.column_stack([left - tool, left + tooth + tool]).ravel()
+    teeth = np.column_stack([np.repeat(sides, 2), np.resize([0.0, height, height, 0.0], 2 * len(sides))])
+    shape = np.vstack([[sides[0], -10.0], teeth, [sides[-1], -10.0]])
+    for z in depths(rng, 3):
+        p.cut(closed(shape), z)
+    return p.commands
+
+
+def plain_letters(rng):
+    """Letters of straight strokes, all upright alike."""
+    p, size = Program(rng), rng.uniform(4, 15)
+    lean, letters, height = rng.uniform(0, 0.1), int(rng.integers(6, 24)), rng.uniform(0.2, 0.6, 24) * size
+    for z in depths(rng, 2):
+        for k, y in enumerate(height[:letters]):
+            x = 1.3 * size * k
+            p.cut([(x, 0), (x + lean * k, size), (x + 0.6 * size - lean * k / 3, y)], z)
+            p.cut([(x + 0.1 * size, y / 2), (x + 0.6 * size - lean * k / 2, y / 2)], z)
+    return p.commands
+
+
 def pocket_then_profile(rng):
     """A facing zigzag, then a contour around it, in one program."""
     return zigzag(rng) + [("(contour)", {})] + profile(rng)
@@ -582,9 +639,11 @@ SAMPLES = (
     ("profile with tabs", {"profile"}, lambda r: profile(r, tabs=True)),
     ("profiles", {"profile"}, lambda r: profile(r, contours=4)),
     ("profile open", {"profile"}, lambda r: profile(r, opened=True)),
+    ("profile of a comb", {"profile"}, comb),
     ("waterline", {"waterline"}, waterline),
     ("waterline open", {"waterline"}, lambda r: waterline(r, opened=True)),
     ("spiral", {"spiral"}, spiral),
+    ("spiral finely sampled", {"spiral"}, winding),
     ("spiral inwards", {"spiral"}, lambda r: spiral(r, inwards=True)),
     ("spiral on a surface", {"spiral"}, lambda r: spiral(r, surface_too=True)),
     ("circles clipped", {"contour-parallel"}, clipped),
@@ -596,6 +655,9 @@ SAMPLES = (
     ("helices", {"helix"}, lambda r: helix(r, holes=5)),
     ("thread", {"helix"}, lambda r: helix(r, thread=True)),
     ("trochoid", {"adaptive"}, trochoid),
+    ("trochoid of chords", {"adaptive"}, trochoid_of_chords),
+    ("winding that corrects itself", {"adaptive"}, lambda r: winding(r, corrects=True)),
+    ("pocket entered by a helix", {"adaptive"}, entered_pocket),
     ("adaptive", {"adaptive"}, adaptive),
     ("adaptive without rapids", {"adaptive"}, lambda r: adaptive(r, rapid_back=False)),
     ("adaptive not lifted", {"adaptive"}, lambda r: adaptive(r, lift=0.0, rapid_back=False)),
@@ -611,6 +673,7 @@ SAMPLES = (
     ("drilling cycles", {"drilling"}, lambda r: drilling(r, cycle="G81")),
     ("drilling without rapids", {"drilling"}, lambda r: drilling(r, rapids=False)),
     ("letters", {"engraving"}, letters),
+    ("letters of straight strokes", {"engraving"}, plain_letters),
     ("v-carving", {"engraving"}, lambda r: letters(r, vcarve=True)),
     ("isolation", {"profile", "engraving"}, isolation),
     ("circuit board", {"mixed"}, board),

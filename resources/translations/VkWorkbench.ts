@@ -486,10 +486,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>{sentence} only for {share:%} of the length: {strategy:strategy}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>, {step:mm3} apart at {depths:n} depths</source>
         <translation type="unfinished"></translation>
     </message>
@@ -810,10 +806,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>{sentence}; that is {share:%} of the length</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>{count:n} overlapping bites</source>
         <translation type="unfinished"></translation>
     </message>
@@ -851,6 +843,14 @@
     </message>
     <message>
         <source>One move is shorter than a cell of the {simulator:simulator} ({cell:mm2}), takes its time and is not seen by itself: a coarser tolerance of the operation loses nothing there.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>which lie like those of known toolpaths ({share:%} of the votes)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>unlike anything that machines ({share:%} of the votes)</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -486,10 +486,6 @@
         <translation>{count:n} Abschnitte, getrennt durch Werkzeugwechsel, Titel, Rückzüge oder Bohren, zeigen {strategies:strategy}: {strategy:strategy}</translation>
     </message>
     <message>
-        <source>{sentence} only for {share:%} of the length: {strategy:strategy}</source>
-        <translation>{sentence}, aber nur auf {share:%} der Länge: {strategy:strategy}</translation>
-    </message>
-    <message>
         <source>, {step:mm3} apart at {depths:n} depths</source>
         <translation> im Abstand von {step:mm3} in {depths:n} Tiefen</translation>
     </message>
@@ -810,10 +806,6 @@
         <translation>{count:n} Abschnitte, getrennt durch Werkzeugwechsel, Überschriften, Rückzüge oder Bohren: {strategies:strategy}</translation>
     </message>
     <message>
-        <source>{sentence}; that is {share:%} of the length</source>
-        <translation>{sentence}; das sind {share:%} der Länge</translation>
-    </message>
-    <message>
         <source>{count:n} overlapping bites</source>
         <translation>{count:n} überlappende Bisse</translation>
     </message>
@@ -852,6 +844,14 @@
     <message>
         <source>One move is shorter than a cell of the {simulator:simulator} ({cell:mm2}), takes its time and is not seen by itself: a coarser tolerance of the operation loses nothing there.</source>
         <translation>Eine Bewegung ist kürzer als eine Zelle von {simulator:simulator} ({cell:mm2}), braucht ihre Zeit und ist für sich nicht zu sehen: eine gröbere Toleranz der Operation verliert dort nichts.</translation>
+    </message>
+    <message>
+        <source>which lie like those of known toolpaths ({share:%} of the votes)</source>
+        <translation>die wie die bekannter Werkzeugwege liegen ({share:%} der Stimmen)</translation>
+    </message>
+    <message>
+        <source>unlike anything that machines ({share:%} of the votes)</source>
+        <translation>wie nichts, was etwas fräst ({share:%} der Stimmen)</translation>
     </message>
 </context>
 <context>

@@ -486,10 +486,6 @@
         <translation>{count:n} secciones separadas por cambios de herramienta, títulos, retiradas o taladros muestran {strategies:strategy}: {strategy:strategy}</translation>
     </message>
     <message>
-        <source>{sentence} only for {share:%} of the length: {strategy:strategy}</source>
-        <translation>{sentence}, pero solo en el {share:%} de la longitud: {strategy:strategy}</translation>
-    </message>
-    <message>
         <source>, {step:mm3} apart at {depths:n} depths</source>
         <translation> a {step:mm3} en {depths:n} profundidades</translation>
     </message>
@@ -810,10 +806,6 @@
         <translation>{count:n} secciones, separadas por cambios de herramienta, títulos, retracciones o taladrado: {strategies:strategy}</translation>
     </message>
     <message>
-        <source>{sentence}; that is {share:%} of the length</source>
-        <translation>{sentence}; es el {share:%} de la longitud</translation>
-    </message>
-    <message>
         <source>{count:n} overlapping bites</source>
         <translation>{count:n} bocados que se solapan</translation>
     </message>
@@ -852,6 +844,14 @@
     <message>
         <source>One move is shorter than a cell of the {simulator:simulator} ({cell:mm2}), takes its time and is not seen by itself: a coarser tolerance of the operation loses nothing there.</source>
         <translation>Un movimiento es más corto que una celda de {simulator:simulator} ({cell:mm2}), lleva su tiempo y no se ve por sí solo: una tolerancia más gruesa de la operación no pierde nada ahí.</translation>
+    </message>
+    <message>
+        <source>which lie like those of known toolpaths ({share:%} of the votes)</source>
+        <translation>dispuestos como los de trayectorias conocidas ({share:%} de los votos)</translation>
+    </message>
+    <message>
+        <source>unlike anything that machines ({share:%} of the votes)</source>
+        <translation>como nada que mecanice ({share:%} de los votos)</translation>
     </message>
 </context>
 <context>

@@ -486,10 +486,6 @@
         <translation>{count:n} sections séparées par des changements d&apos;outil, des titres, des retraits ou des perçages montrent {strategies:strategy} : {strategy:strategy}</translation>
     </message>
     <message>
-        <source>{sentence} only for {share:%} of the length: {strategy:strategy}</source>
-        <translation>{sentence}, mais seulement sur {share:%} de la longueur : {strategy:strategy}</translation>
-    </message>
-    <message>
         <source>, {step:mm3} apart at {depths:n} depths</source>
         <translation> espacées de {step:mm3} à {depths:n} profondeurs</translation>
     </message>
@@ -810,10 +806,6 @@
         <translation>{count:n} sections, séparées par des changements d&apos;outil, des titres, des retraits ou du perçage : {strategies:strategy}</translation>
     </message>
     <message>
-        <source>{sentence}; that is {share:%} of the length</source>
-        <translation>{sentence} ; c&apos;est {share:%} de la longueur</translation>
-    </message>
-    <message>
         <source>{count:n} overlapping bites</source>
         <translation>{count:n} morsures qui se recouvrent</translation>
     </message>
@@ -852,6 +844,14 @@
     <message>
         <source>One move is shorter than a cell of the {simulator:simulator} ({cell:mm2}), takes its time and is not seen by itself: a coarser tolerance of the operation loses nothing there.</source>
         <translation>Un déplacement est plus court qu&apos;une cellule du {simulator:simulator} ({cell:mm2}), prend son temps et ne se voit pas : une tolérance plus grossière de l&apos;opération n&apos;y perd rien.</translation>
+    </message>
+    <message>
+        <source>which lie like those of known toolpaths ({share:%} of the votes)</source>
+        <translation>disposés comme ceux de trajectoires connues ({share:%} des votes)</translation>
+    </message>
+    <message>
+        <source>unlike anything that machines ({share:%} of the votes)</source>
+        <translation>comme rien de ce qui usine ({share:%} des votes)</translation>
     </message>
 </context>
 <context>

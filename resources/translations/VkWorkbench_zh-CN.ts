@@ -486,10 +486,6 @@
         <translation>由换刀、标题、退刀或钻孔分开的 {count:n} 段显示 {strategies:strategy}：{strategy:strategy}</translation>
     </message>
     <message>
-        <source>{sentence} only for {share:%} of the length: {strategy:strategy}</source>
-        <translation>{sentence}，但仅占长度的 {share:%}：{strategy:strategy}</translation>
-    </message>
-    <message>
         <source>, {step:mm3} apart at {depths:n} depths</source>
         <translation>（间距 {step:mm3}，{depths:n} 个深度）</translation>
     </message>
@@ -810,10 +806,6 @@
         <translation>{count:n} 段，由换刀、标题、退刀或钻孔分开：{strategies:strategy}</translation>
     </message>
     <message>
-        <source>{sentence}; that is {share:%} of the length</source>
-        <translation>{sentence}；占长度的 {share:%}</translation>
-    </message>
-    <message>
         <source>{count:n} overlapping bites</source>
         <translation>{count:n} 次相互重叠的切入</translation>
     </message>
@@ -852,6 +844,14 @@
     <message>
         <source>One move is shorter than a cell of the {simulator:simulator} ({cell:mm2}), takes its time and is not seen by itself: a coarser tolerance of the operation loses nothing there.</source>
         <translation>有 1 个移动短于{simulator:simulator}的一个单元（{cell:mm2}），既耗时又看不出来：放宽操作的公差在此没有损失。</translation>
+    </message>
+    <message>
+        <source>which lie like those of known toolpaths ({share:%} of the votes)</source>
+        <translation>其排布与已知刀具路径相似（{share:%} 的投票）</translation>
+    </message>
+    <message>
+        <source>unlike anything that machines ({share:%} of the votes)</source>
+        <translation>与任何加工都不相似（{share:%} 的投票）</translation>
     </message>
 </context>
 <context>

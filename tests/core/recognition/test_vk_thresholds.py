@@ -24,7 +24,7 @@ places rad ratio relative repetitions rings rows share slope steps support tool 
 # What is geometry or bookkeeping: halves, sides of a square, thirds of a cell, columns of a box, two ends of a stretch.
 FACTS = {0, 0.5, 1, 2, 3, 4}
 # Learned tables, and hashes.
-NUMBERS = {"borders.py"}
+NUMBERS = {"borders.py", "learned.py"}
 FILES = sorted(set((CORE / "recognition").glob("*.py")) - set(HOMES))
 
 

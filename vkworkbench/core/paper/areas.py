@@ -81,7 +81,7 @@ class Areas(Moves):
         chosen = np.flatnonzero(found)
         if len(chosen):
             size = (self.end - self.start)[chosen]
-            of = np.flatnonzero(np.repeat(found, self.end - self.start))
+            of = slice(None) if found.all() else np.flatnonzero(np.repeat(found, self.end - self.start))
             twice_area = np.add.reduceat(self.x[of] * self.dy[of] - self.y[of] * self.dx[of], np.cumsum(size) - size)
             chord = (end_x * self.y[first] - end_y * self.x[first])[chosen]
             found[chosen] = is_closed(gap[chosen], (twice_area + chord) / 2, size)

@@ -165,10 +165,11 @@ def _disjoint(moves: Moves, first: np.ndarray, end: np.ndarray) -> tuple[np.ndar
     An interval that turns to and fro is dropped for the first one that begins inside it, ends after it, and turns to
     and fro less than half as much.
     """
-    order = np.lexsort((end, first))
-    first, end = first[order], end[order]
-    new = np.append(True, first[1:] > first[:-1]) if len(first) else order
-    first, end = first[new], end[new]
+    if not (first[1:] > first[:-1]).all():
+        order = np.lexsort((end, first))
+        first, end = first[order], end[order]
+        new = np.append(True, first[1:] > first[:-1])
+        first, end = first[new], end[new]
     if (end[:-1] <= first[1:]).all():
         return first, end
     turned = np.append(0.0, np.cumsum(np.abs(moves.turning)))

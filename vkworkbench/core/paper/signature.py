@@ -152,9 +152,11 @@ class Signature:
 
     @cached_property
     def theta(self) -> np.ndarray:
-        theta = directions(*self._v)
-        if self.length.min(initial=np.inf) < NO_LENGTH:
-            _carry_directions(theta, self.length < NO_LENGTH)
+        x, y = self._v
+        theta = directions(x, y)
+        still = x * x + y * y < NO_LENGTH**2
+        if still.any():
+            _carry_directions(theta, still)
         return theta
 
     @cached_property

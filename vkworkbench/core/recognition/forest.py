@@ -24,6 +24,7 @@ class Forest:
         for tree in trees:
             self._roots.append(len(self._measure))
             self._read(iter(tree.split()), classes)
+        self._nodes = self._measure, self._below, self._no, self._roots
         for name in ("_measure", "_below", "_no", "_share", "_roots"):
             setattr(self, name, np.array(getattr(self, name)))
 
@@ -63,3 +64,16 @@ class Forest:
             yes = measures[case, self._measure[node]] < self._below[node]
             node = np.where(inner, np.where(yes, node + 1, self._no[node]), node)
         return self._share[node].mean(axis=1)
+
+    def vote(self, case) -> np.ndarray:
+        """Return the mean shares of the classes, (c,), for one case, a sequence of (m,) measures.
+
+        For one case a walk over lists is faster than whole arrays.
+        """
+        measure, below, no, roots = self._nodes
+        leaves = []
+        for node in roots:
+            while (at := measure[node]) >= 0:
+                node = node + 1 if case[at] < below[node] else no[node]
+            leaves.append(node)
+        return self._share[leaves].mean(axis=0)

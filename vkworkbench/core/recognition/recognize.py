@@ -8,12 +8,13 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from vkworkbench.core.paper import Areas, PaperVerdict, monotonous_areas, paper_verdict
+from vkworkbench.core.recognition.decide import decide
 from vkworkbench.core.recognition.entries import find_entry
 from vkworkbench.core.recognition.evidence import gather, sentence
 from vkworkbench.core.recognition.footprints import count_depths
 from vkworkbench.core.recognition.section import Section
 from vkworkbench.core.recognition.spurs import without_spurs
-from vkworkbench.core.recognition.thresholds import CONFIDENCE, ENOUGH, PARTS, ROWS
+from vkworkbench.core.recognition.thresholds import ENOUGH, PARTS, ROWS, VOTES
 from vkworkbench.core.recognition.verdict import Verdict, judge
 from vkworkbench.core.recognition.visits import begun
 from vkworkbench.core.strategy import Family, Strategy
@@ -154,22 +155,18 @@ def _judge_one(toolpath: Toolpath, moves: Areas, first: int, last: int, tool: fl
             else Message("vertical-somewhere", strategy=strategy)
         )
         spans = _spans(toolpath, [(first, last, strategy)])
-        return Recognition(strategy, CONFIDENCE.DRILLING, why, spans, passes=holes or None)
+        return Recognition(strategy, VOTES.SUREST, why, spans, passes=holes or None)
     section = Section(without_spurs(moves), tool)
-    verdict = judge(section)
+    verdict, confidence = decide(section, judge(section))
     evidence = gather(section, verdict)
-    strategy, why = verdict.strategy, sentence(section, verdict, evidence)
-    if verdict.confidence < CONFIDENCE.DEFENDED:
-        strategy = Strategy.UNKNOWN
-        why = Message("only-for", sentence=why, share=verdict.support, strategy=strategy)
-    runs = [(first, last, strategy)]
-    if strategy is Strategy.MIXED and verdict.parts:
-        runs = _runs(section, verdict)
+    why = sentence(section, verdict, evidence)
+    runs = _runs(section, verdict) if verdict.parts else [(first, last, verdict.strategy)]
     spans = _spans(toolpath, runs)
+    strategy = verdict.strategy
     entered = strategy.is_answer and strategy not in (Strategy.MIXED, Strategy.HELIX)
     entry = find_entry(moves) if entered else None
     evidence = {**vars(evidence), "reversals": len(moves.reversals), "entry": entry}
-    return Recognition(strategy, verdict.confidence, why, spans, **evidence, paper=paper_verdict(moves))
+    return Recognition(strategy, confidence, why, spans, **evidence, paper=paper_verdict(moves))
 
 
 def _runs(section: Section, verdict: Verdict) -> list[tuple[int, int, Strategy]]:

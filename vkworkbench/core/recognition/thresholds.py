@@ -397,24 +397,48 @@ class VISITS:
     SMALL = 0.05
 
 
-class CONFIDENCE:
-    """How sure a verdict is. Only DEFENDED decides; the others are read off how often verdicts are right."""
+class MEASURED:
+    """How much of a section its measures look at; the trees were learned with these."""
 
-    #: confidence. Below it no strategy is defended: the answer is "unknown". At 1 every answer is.
-    DEFENDED = 0.65
-    #: confidence. That of drilling, which is vertical and nothing else.
-    DRILLING = 0.98
-    #: confidence. That of a verdict for which hardly anything is seen.
-    LEAST = 0.62
-    #: confidence. What support and number may add to it.
-    SPAN = 0.35
-    #: repetitions. After so many the confidence has grown by two thirds of what the number may add.
-    TIMES = 1.5
-    #: support. That of a pattern that is there, whatever its share. At 0 profiles that are cut once are unknown.
-    GIVEN = 0.6
-    #: support. That of a pocket of one ring and a stroke inside.
-    POCKET = 0.5
-    #: support. That of open strokes with no pattern among them. At 0 letters are unknown.
-    STROKES = 0.8
-    #: support. That of open strokes that are called contours because they are long.
-    LONG_STROKES = 0.4
+    #: moves. So many, evenly among all, are enough for what is a share of the length.
+    MOVES = 1000
+    #: rings. So many are enough for their shares.
+    RINGS = 500
+    #: ratio. The evenness of rings in the plane counts no more than this.
+    EVENNESS = 1000
+
+
+class SCAN:
+    """Scan lines across a section; the trees were learned with these."""
+
+    #: lines. So many at most; more take time and gain nothing.
+    LINES = 12
+    #: share of the length. So much lies outside all lines, on either side: leads and remnants.
+    EDGE = 0.04
+    #: places. So many crossings are enough.
+    ENOUGH = 1200
+    #: ratio. The sine of the angle at which a move crosses a line; at a smaller one it lies along it.
+    GRAZING = 0.3
+    #: mm. Crossings whose heights differ by less are at one depth.
+    DEPTH = 0.05
+    #: ratio. Neighbours are parallel where the sine of the angle between them is smaller.
+    PARALLEL = 0.35
+    #: ratio. Distances whose logarithms differ by less are one distance, where the usual one is looked for.
+    BIN = 0.2
+    #: share of the usual distance. Neighbours at a distance that differs by less are at the usual one.
+    EVEN = 0.3
+
+
+class VOTES:
+    """How the votes of the trees and the rules come to a verdict, and how sure that is."""
+
+    #: share of the votes. The rules count as so many. At 0 the trees alone decide, and operations of FreeCAD that the
+    #: rules know are lost; at 1 the rules alone do, and real code that has no part in them is.
+    RULES = 0.42
+    #: share of the votes. So many say that a section is like nothing that machines. At 1 random walks are machining;
+    #: at 0 engravings are nonsense.
+    NONSENSE = 0.45
+    #: share of the votes. No share counts as fewer or more but for this, that its odds are finite.
+    NONE = 0.02
+    #: confidence. No verdict is surer, as toolpaths nobody has seen yet hold surprises.
+    SUREST = 0.97

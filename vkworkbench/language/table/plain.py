@@ -40,7 +40,6 @@ PLAIN: dict[str, str | tuple[str, str]] = {
         "Sentences",
         "{count:n} sections, parted by tool changes, titles, retracts or drilling: {strategies:strategy}",
     ),
-    "only-for": QT_TRANSLATE_NOOP("Sentences", "{sentence}; that is {share:%} of the length"),
     "bites-overlap": QT_TRANSLATE_NOOP("Sentences", "{count:n} overlapping bites"),
     "sense-alternates": QT_TRANSLATE_NOOP("Sentences", "one clockwise, the next counter-clockwise"),
     "endless-winding": QT_TRANSLATE_NOOP("Sentences", "all in one cut that winds on and never closes"),

@@ -72,9 +72,6 @@ RECOGNITION = {
         "{count:n} sections parted by tool changes, titles, retracts or drilling show {strategies:strategy}: "
         "{strategy:strategy}",
     ),
-    "only-for": QT_TRANSLATE_NOOP(
-        "Sentences", "{sentence} only for {share:%} of the length: {strategy:strategy}"
-    ),
     "only-rapids": QT_TRANSLATE_NOOP("Sentences", "nothing cuts: there are only rapid moves"),
     "no-moves": QT_TRANSLATE_NOOP("Sentences", "nothing cuts: there are no moves"),
     # How the rows, strokes or loops lie.
@@ -110,4 +107,9 @@ RECOGNITION = {
     "many-shapes": QT_TRANSLATE_NOOP("Sentences", "many small contours of different shapes"),
     "long-strokes": QT_TRANSLATE_NOOP("Sentences", "open strokes as long as the part"),
     "short-strokes": QT_TRANSLATE_NOOP("Sentences", "short strokes that fill nothing"),
+    # What the votes of learned trees say against the rules.
+    "like-others": QT_TRANSLATE_NOOP(
+        "Sentences", "which lie like those of known toolpaths ({share:%} of the votes)"
+    ),
+    "like-nothing": QT_TRANSLATE_NOOP("Sentences", "unlike anything that machines ({share:%} of the votes)"),
 }

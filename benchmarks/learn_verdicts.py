@@ -1,0 +1,225 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Learn what operations of each strategy measure and how sure a verdict is, and write the table of the recognition.
+
+    python3 benchmarks/learn_verdicts.py OPERATIONS.jsonl.gz ... [--write]
+
+The operations are those that benchmarks/recognition.py reads; toolpaths/synthetic.py and toolpaths/nonsense.py join them.
+Printed, and the confidence fitted on, are verdicts on sources that had no part in the learning: a tenth of the
+repositories, parts and kinds at a time. --write learns from all and writes vkworkbench/core/recognition/learned.py.
+"""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+HERE = Path(__file__).resolve().parent
+sys.path[:0] = [str(HERE.parent), str(HERE)]
+
+from records import Record, operations  # noqa: E402
+from trees import grow  # noqa: E402
+
+from toolpaths import nonsense, strokes, synthetic  # noqa: E402
+from vkworkbench.core.gcode import linearize  # noqa: E402
+from vkworkbench.core.paper import monotonous_areas  # noqa: E402
+from vkworkbench.core.recognition.decide import STRATEGIES, Learned, elect, grounds, sureness  # noqa: E402
+from vkworkbench.core.recognition.forest import Forest  # noqa: E402
+from vkworkbench.core.recognition.measures import measures  # noqa: E402
+from vkworkbench.core.recognition.section import Section  # noqa: E402
+from vkworkbench.core.recognition.spurs import without_spurs  # noqa: E402
+from vkworkbench.core.recognition.thresholds import VOTES  # noqa: E402
+from vkworkbench.core.recognition.verdict import judge  # noqa: E402
+
+OF_STRATEGIES = {"trees": 40, "leaves": 120}
+OF_NONSENSE = {"trees": 40, "leaves": 80}
+FOLDS, SEEDS = 10, 20  # folds, and made toolpaths of each kind
+#: Weights in the learning of the strategies, of what is nonsense, and of the confidence. Real code is what is rare.
+WEIGHTS = {
+    "real": (4.0, 4.0, 2.0),
+    "freecad": (1.0, 1.0, 1.0),
+    "freecad without tools": (0.7, 1.0, 0.0),
+    "synthetic": (0.6, 1.0, 0.0),
+    "nonsense": (0.0, 0.7, 0.0),
+}
+TABLE = HERE.parent / "vkworkbench" / "core" / "recognition" / "learned.py"
+
+
+def made() -> Iterator[tuple[str, Record]]:
+    """Yield toolpaths made to measure, by kind."""
+    for label, accepted, make in (*synthetic.SAMPLES, *strokes.SAMPLES):
+        strategy = "zigzag" if "zigzag" in accepted else "mixed" if "mixed" in accepted else min(accepted)
+        for seed in range(SEEDS):
+            path = linearize(make(np.random.default_rng([seed, sum(map(ord, label))])))
+            yield "synthetic", Record(label, label, label, strategy, frozenset(accepted), None, None, path, ())
+    for make in nonsense.KINDS:
+        name = make.__name__
+        for seed in range(SEEDS):
+            path = linearize(nonsense.commands(make, np.random.default_rng([seed, sum(map(ord, name))])))
+            yield "nonsense", Record(name, name, name, "unknown", frozenset({"unknown"}), None, None, path, ())
+
+
+def labelled(files: list[str]) -> Iterator[tuple[str, Record]]:
+    """Yield all toolpaths to learn from, by kind: real, freecad, synthetic and nonsense."""
+    for r in operations(files):
+        yield "real" if "__" in r.id else "freecad", r
+    yield from made()
+
+
+@dataclass
+class Examples:
+    """What n toolpaths measure, and what they are.
+
+    Attributes
+    ----------
+    kind, group : (n,) str
+        Which WEIGHTS they have, and what is left out together.
+    x : (n, m) float
+    y, rules : (n,) int
+        The true strategy, and the one that the rules propose, as indices of STRATEGIES.
+    tool : (n,) bool
+        Whether the tool is known.
+    accepted : list of set of int
+        The strategies that count as right.
+    names : tuple of str
+        Names of the measures.
+    """
+
+    kind: np.ndarray
+    group: np.ndarray
+    x: np.ndarray
+    y: np.ndarray
+    rules: np.ndarray
+    tool: np.ndarray
+    accepted: list[set[int]]
+    names: tuple[str, ...]
+
+    @classmethod
+    def measured(cls, toolpaths) -> Examples:
+        """Measure (kind, record) pairs; those of FreeCAD once more without their tools."""
+        strategies, rows = [s.value for s in STRATEGIES], []
+        for kind, r in toolpaths:
+            moves = monotonous_areas(r.path)
+            if not len(moves):
+                continue  # drilling, which needs no vote
+            accepted = {strategies.index(name) for name in r.accepted}
+            for of_kind, tool in ((kind, r.tool or 0.0), (f"{kind} without tools", 0.0)):
+                if of_kind in WEIGHTS:
+                    section = Section(without_spurs(moves), tool)
+                    values = measures(section)
+                    rules = STRATEGIES.index(judge(section).strategy)
+                    rows.append(
+                        (of_kind, r.group, list(values.values()), strategies.index(r.strategy), rules, tool > 0, accepted)
+                    )
+        *arrays, accepted = zip(*rows)
+        return cls(*map(np.array, arrays), list(accepted), tuple(values))
+
+    def weight(self, which: int) -> np.ndarray:
+        """Return weights of every example, see WEIGHTS."""
+        return np.array([WEIGHTS[kind][which] for kind in self.kind])
+
+    def folds(self) -> dict[str, int]:
+        """Return which groups are left out together, the same in every run."""
+        groups = sorted(set(self.group))
+        return dict(zip(np.random.default_rng(0).permutation(groups).tolist(), (np.arange(len(groups)) % FOLDS).tolist()))
+
+    def right(self, votes: np.ndarray) -> np.ndarray:
+        """Return whether the strategy is right that has most, (n,), for votes (n, c)."""
+        return np.array([elect(v, r) in accepted for v, r, accepted in zip(votes, self.rules, self.accepted)])
+
+
+def grown(e: Examples, chosen: np.ndarray) -> tuple[list[str], list[str]]:
+    """Grow the trees for strategies and those for nonsense from the chosen examples, (n,) bool."""
+    found = []
+    for which, y, size in ((0, e.y, OF_STRATEGIES), (1, (e.kind == "nonsense").astype(int), OF_NONSENSE)):
+        weight = e.weight(which)
+        some = chosen & (weight > 0)
+        classes = len(STRATEGIES) if which == 0 else 2
+        found.append(grow(e.x[some], y[some], weight[some], classes, **size))
+    return found[0], found[1]
+
+
+def fit(evidence, right, weight) -> np.ndarray:
+    """Return the weights of a logistic regression, a little drawn to zero (Newton's method)."""
+    found = np.zeros(evidence.shape[1])
+    for _ in range(40):
+        p = sureness(evidence, found) / VOTES.SUREST
+        curvature = (evidence.T * (weight * p * (1 - p))) @ evidence + 0.01 * np.eye(len(found))
+        found += np.linalg.solve(curvature, evidence.T @ (weight * (right - p)) - 0.01 * found)
+    return found
+
+
+def left_out(e: Examples) -> tuple[dict[int, Learned], np.ndarray]:
+    """Learn without each fold in turn.
+
+    Returns
+    -------
+    dict
+        What is learned without fold k.
+    (5,) float
+        The weights of the grounds, from the votes on all folds by trees that did not see them.
+    """
+    of_group = e.folds()
+    fold = np.array([of_group[g] for g in e.group])
+    votes, forests = np.empty((len(e.y), len(STRATEGIES))), {}
+    for k in range(FOLDS):
+        strategies, about = grown(e, fold != k)
+        forests[k] = Forest(strategies, len(STRATEGIES)), Forest(about, 2)
+        votes[fold == k] = forests[k][0].shares(e.x[fold == k])
+    evidence = np.array([grounds(*of) for of in zip(votes, e.rules, e.tool)])
+    right, weight = e.right(votes), e.weight(2)
+    learned = {
+        k: Learned(*forests[k], fit(evidence[fold != k], right[fold != k], weight[fold != k])) for k in range(FOLDS)
+    }
+    return learned, fit(evidence, right, weight)
+
+
+def write(e: Examples, weights: np.ndarray) -> None:
+    """Write the table, learned from all examples."""
+    strategies, about = grown(e, np.ones(len(e.y), bool))
+    head, _ = TABLE.read_text().split("MEASURES = ")
+
+    def told(name, values):
+        return f"{name} = (\n" + "".join(f'    "{value}",\n' for value in values) + ")\n"
+
+    TABLE.write_text(
+        head
+        + told("MEASURES", e.names)
+        + told("STRATEGIES", [s.value for s in STRATEGIES])
+        + f"SURENESS = ({', '.join(f'{w:.4g}' for w in weights)})\n"
+        + told("TREES", strategies)
+        + told("NONSENSE", about)
+    )
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
+    parser.add_argument("operations", nargs="+")
+    parser.add_argument("--write", action="store_true", help="write the table")
+    options = parser.parse_args()
+    e = Examples.measured(labelled(options.operations))
+    learned, weights = left_out(e)
+    of_group = e.folds()
+    for kind in WEIGHTS:
+        of = np.flatnonzero(e.kind == kind)
+        fold = [of_group[g] for g in e.group[of]]
+        votes = np.array([learned[k].strategies.vote(case) for k, case in zip(fold, e.x[of])])
+        unknown = np.array([learned[k].nonsense.vote(case)[1] > VOTES.NONSENSE for k, case in zip(fold, e.x[of])])
+        by = {"rules": np.eye(len(STRATEGIES))[e.rules[of]], "votes": votes}
+        some = Examples(*(values[of] for values in (e.kind, e.group, e.x, e.y, e.rules, e.tool)),
+                        [e.accepted[i] for i in of], e.names)  # fmt: skip
+        print(
+            f"{kind:22s} {len(of):5d}: right by the rules {some.right(by['rules']).mean():.3f}, "
+            f"with the votes {some.right(votes).mean():.3f}; unlike anything that machines {unknown.mean():.3f}"
+        )
+    if options.write:
+        write(e, weights)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,25 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What answers are worth: the two classes of the paper, and the calibration of the confidence."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from vkworkbench.core import Family, Strategy
+
+BACK_AND_FORTH = {s.value for s in Strategy if s.family is Family.ROWS}
+AROUND = {s.value for s in Strategy if s.family is Family.AROUND} - {"adaptive"}  # adaptive bites are neither
+
+
+def two_class(strategy: str, accepted: set[str], got: str) -> bool | None:
+    """Return whether an answer is of the right class, back-and-forth or around; None where the truth is neither."""
+    if not (accepted <= BACK_AND_FORTH or strategy in {"contour-parallel", "spiral", "waterline"}):
+        return None
+    return got in (BACK_AND_FORTH if strategy in BACK_AND_FORTH else AROUND)
+
+
+def calibration_error(confidence: np.ndarray, right: np.ndarray, bins: int = 10) -> float:
+    """Return the expected calibration error: |mean confidence - share of right ones| over equal bins, by their size."""
+    of = np.minimum((confidence * bins).astype(int), bins - 1)
+    errors = [(of == k).mean() * abs(confidence[of == k].mean() - right[of == k].mean()) for k in set(of.tolist())]
+    return float(sum(errors))

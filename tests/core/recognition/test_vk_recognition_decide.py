@@ -1,0 +1,97 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What the rules and the votes decide together: measures that do not depend on where one cuts, nonsense, and reasons."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from toolpaths import nonsense, synthetic
+from vkworkbench.core import Strategy, linearize, recognize
+from vkworkbench.core.paper import monotonous_areas
+from vkworkbench.core.recognition import learned
+from vkworkbench.core.recognition.decide import LEARNED, OF_THE_RULES, STRATEGIES, elect, grounds, sureness
+from vkworkbench.core.recognition.measures import measures
+from vkworkbench.core.recognition.section import Section
+from vkworkbench.core.recognition.thresholds import VOTES
+
+MADE = 4  # paths of each kind
+SOME = synthetic.SAMPLES[::3]
+
+
+def path_of(make, seed=2):
+    return linearize(make(np.random.default_rng(seed)))
+
+
+def measured(path):
+    moves = monotonous_areas(path)
+    return measures(Section(moves, 0.0)) if len(moves) else {}
+
+
+@pytest.mark.parametrize("label, accepted, make", SOME, ids=[label for label, *_ in SOME])
+def test_measures_are_finite_and_the_same_where_a_path_is_turned_and_moved(label, accepted, make):
+    path = path_of(make)
+    c, s = np.cos(0.7), np.sin(0.7)
+    turned = replace(path, points=path.points @ np.array([(c, s, 0), (-s, c, 0), (0, 0, 1)]) + (31.0, -7.0, 2.0))
+    one, other = measured(path), measured(turned)
+    if one:
+        assert tuple(one) == learned.MEASURES
+        assert np.isfinite(list(one.values())).all()
+        changed = {name: (one[name], other[name]) for name in one if abs(one[name] - other[name]) > 0.05}
+        assert len(changed) <= 0.2 * len(one), changed  # what boxes and corners of cells tell changes a little
+
+
+def test_what_machines_nothing_is_unknown():
+    found = {
+        kind.__name__: [
+            recognize(linearize(nonsense.commands(kind, np.random.default_rng([seed, 3])))).strategy
+            for seed in range(MADE)
+        ]
+        for kind in nonsense.KINDS
+    }
+    unknown = [strategy is Strategy.UNKNOWN for strategies in found.values() for strategy in strategies]
+    assert np.mean(unknown) > 0.8, found
+
+
+def test_little_of_what_machines_something_is_unknown():
+    found = [recognize(path_of(make, seed)).strategy for _, _, make in synthetic.SAMPLES for seed in range(2)]
+    assert np.mean([strategy is Strategy.UNKNOWN for strategy in found]) < 0.05
+
+
+def test_a_reason_names_the_strategy_it_speaks_for():
+    paths = [path_of(make, seed) for _, _, make in synthetic.SAMPLES for seed in (31, 32)]
+    paths += [linearize(nonsense.commands(kind, np.random.default_rng(5))) for kind in nonsense.KINDS]
+    for path in paths:
+        found = recognize(path)
+        assert str(found.strategy) in found.reason, found.reason
+        overruled = "of the votes" in found.reason
+        assert not (found.strategy is Strategy.UNKNOWN and not overruled), found.reason
+
+
+def test_only_the_rules_say_mixed_and_drilling():
+    for said in np.flatnonzero(OF_THE_RULES):
+        votes = np.eye(len(STRATEGIES))[said]
+        proposed = STRATEGIES.index(Strategy.ZIGZAG)
+        assert elect(votes, proposed) == proposed
+
+
+def test_the_rules_lose_against_more_votes_than_theirs():
+    zigzag, profile = STRATEGIES.index(Strategy.ZIGZAG), STRATEGIES.index(Strategy.PROFILE)
+    for share, said in ((VOTES.RULES - 0.01, zigzag), (VOTES.RULES + 0.01, profile)):
+        votes = np.zeros(len(STRATEGIES))
+        votes[profile] = share
+        assert elect(votes, zigzag) == said
+
+
+def test_more_votes_make_a_verdict_surer():
+    of = STRATEGIES.index(Strategy.SPIRAL)
+    sure = [sureness(grounds(np.eye(len(STRATEGIES))[of] * share, of, False), LEARNED.sureness) for share in (0.2, 0.6, 1.0)]
+    assert sure == sorted(sure) and sure[0] < sure[-1] <= VOTES.SUREST
+
+
+def test_one_case_has_the_votes_of_many():
+    x = np.random.default_rng(0).uniform(-1, 3, (20, len(learned.MEASURES)))
+    for forest in (LEARNED.strategies, LEARNED.nonsense):
+        assert np.array([forest.vote(case.tolist()) for case in x]) == pytest.approx(forest.shares(x))

@@ -1,0 +1,183 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Scan lines across a toolpath: how its passes lie beside one another, be they closed, open, straight or bent."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from vkworkbench.core.paper import Areas, directions
+from vkworkbench.core.recognition.thresholds import SAME, SCAN
+
+NAMES = (
+    "step", "keep", "opposite", "monotonous", "alternating", "even", "count", "signed", "tight", "run", "next", "other",
+    "cover",
+)  # fmt: skip
+#: Where the lines lie, from the middle outward, as shares of the width that is crossed.
+FROM_THE_MIDDLE = 0.5 + np.array([side * (k + 0.5) / SCAN.LINES for k in range(SCAN.LINES // 2) for side in (-1, 1)])
+
+
+class Crossings(NamedTuple):
+    """Where scan lines cross moves, (k,) each, line after line in the order of cutting.
+
+    Attributes
+    ----------
+    line : array
+        Number of the line, ascending.
+    place, z : array
+        Place along the line, and height, mm.
+    slope : array
+        Sine of the angle between move and line, positive to one side of it.
+    alpha : array
+        Direction of the move, rad.
+    """
+
+    line: np.ndarray
+    place: np.ndarray
+    z: np.ndarray
+    slope: np.ndarray
+    alpha: np.ndarray
+
+
+def scan(moves: Areas, sample: np.ndarray, extent: float) -> dict[str, float]:
+    """Cross the moves with straight lines and measure what lies between neighbouring crossings.
+
+    The lines run across the direction that the moves prefer. On every line the crossings are put in order, once at each
+    depth for itself ("level") and once seen from above ("plan"). Two neighbours that are parallel are passes side by
+    side; of those at the usual distance it is told whether they run the same way, and in which order they were cut.
+    Turning, mirroring, moving, scaling or reversing a toolpath changes none of it.
+
+    Parameters
+    ----------
+    moves : Areas
+        At least one move.
+    sample : (k,) int
+        Moves that stand for all.
+    extent : float
+        Diagonal of their bounding box, mm.
+
+    Returns
+    -------
+    dict
+        "crossings": logarithm of how many a line has. And NAMES with "level_" and "plan_" before them, each -1 where
+        nothing tells it. "step": logarithm of the usual distance over the extent. "keep", "alternating": share of three
+        usual neighbours that all run the same way, and to and fro. "opposite": share of usual neighbours that run to and
+        fro. "monotonous": share of three that were cut in their order. "even": share of the passes side by side that
+        are at the usual distance. "count": logarithm of how many of these a line has. "signed": how much of the
+        crossings goes to one side. "tight": median deviation from the usual distance. "run": usual neighbours with
+        another beside them. "next": cut one after the other. "other": neighbours that are not parallel. "cover": share
+        of the line between usual neighbours.
+    """
+    crossed = _cross(moves, sample)
+    number = len(crossed.line)
+    level = _neighbours(crossed, extent, by_depth=True)
+    one_depth = number == 0 or np.ptp(crossed.z) < SCAN.DEPTH
+    plan = level if one_depth else _neighbours(crossed, extent, by_depth=False)
+    return {
+        "crossings": float(np.log1p(number / (crossed.line[-1] + 1))) if number else 0.0,
+        **{f"level_{name}": level.get(name, -1.0) for name in NAMES},
+        **{f"plan_{name}": plan.get(name, -1.0) for name in NAMES},
+    }
+
+
+def _across(dx, dy, length) -> tuple[float, float]:
+    """Return the direction, a unit vector, at a right angle to the one that the moves prefer.
+
+    The mean of four times their angle tells that direction but for quarter turns.
+    """
+    double_x, double_y = (dx - dy) * (dx + dy) / length, 2 * dx * dy / length
+    four_x = ((double_x - double_y) * (double_x + double_y) / length).sum()
+    angle = float(directions(four_x, (2 * double_x * double_y / length).sum())) / 4
+    u, v = np.cos(angle), np.sin(angle)
+    if np.abs(dx * u + dy * v).sum() > np.abs(dy * u - dx * v).sum():
+        u, v = -v, u
+    return u, v
+
+
+def _cross(moves: Areas, sample: np.ndarray) -> Crossings:
+    """Cross the moves with evenly spaced lines, where most of the cutting is."""
+    u, v = _across(moves.dx[sample], moves.dy[sample], moves.length[sample])
+    begin = moves.y * u
+    begin -= moves.x * v
+    end = moves.dy * u
+    end -= moves.dx * v
+    end += begin
+    one, other = begin[sample], end[sample]
+    height = (one + other) / 2
+    order = np.argsort(height)
+    reached = np.cumsum(moves.length[sample[order]])
+    low, high = height[order[np.searchsorted(reached, (SCAN.EDGE * reached[-1], (1 - SCAN.EDGE) * reached[-1]))]]
+    lines = low + (high - low) * FROM_THE_MIDDLE
+    # From the middle, in pairs, so many lines that the crossings are enough, as the sample promises.
+    promised = ((one < lines[:, None]) != (other < lines[:, None])).sum(axis=1) * (len(begin) / len(sample))
+    wanted = max(2, np.count_nonzero(np.cumsum(promised)[1::2] <= SCAN.ENOUGH) * 2)
+    found = []
+    for line in lines[:wanted]:
+        on = np.flatnonzero((begin < line) != (end < line))
+        spare = max(0, len(on) - SCAN.ENOUGH // 2)
+        found.append(on[spare // 2 : len(on) - (spare + 1) // 2])  # what was cut in the middle of the time
+    on, line = np.concatenate(found), np.repeat(np.arange(wanted), [len(moves) for moves in found])
+    step, length = end[on] - begin[on], moves.length[on]
+    steep = np.abs(step) > SCAN.GRAZING * length
+    on, line, slope = on[steep], line[steep], (step / length)[steep]
+    part = (lines[line] - begin[on]) / step[steep]
+    return Crossings(
+        line=line,
+        place=(moves.x[on] + part * moves.dx[on]) * u + (moves.y[on] + part * moves.dy[on]) * v,
+        z=moves.z[on] - moves.dz[on] * (1 - part),
+        slope=slope,
+        alpha=moves.alpha[on],
+    )
+
+
+def _neighbours(crossed: Crossings, extent: float, by_depth: bool) -> dict[str, float]:
+    """Measure the neighbours on all lines, those at one depth or all of them."""
+    line, place, z, slope, alpha = crossed
+    if len(line) < 2:
+        return {}
+    group = line
+    if by_depth:
+        depth = np.rint((z - z.min()) / SCAN.DEPTH)
+        group = line * (depth.max() + 1) + depth
+    order = np.argsort(group * (2 * np.ptp(place) + SAME.PLACE) + place)
+    line, group, place, slope, alpha = (values[order] for values in (line, group, place, slope, alpha))
+    sides = np.bincount(line, weights=np.sign(slope))
+    told = {"signed": float(np.abs(sides).sum() / len(line))}
+    gap = place[1:] - place[:-1]
+    aside = gap * (np.abs(slope[1:]) + np.abs(slope[:-1])) / 2
+    same = group[1:] == group[:-1]
+    apart = same & (aside > SAME.PLACE)
+    beside = apart & (np.abs(np.sin(alpha[1:] - alpha[:-1])) < SCAN.PARALLEL)
+    told["other"] = 1 - float(beside.sum() / max(1, apart.sum()))
+    if not beside.any():
+        return told
+    # The usual distance is where most distances are, to a fifth.
+    logarithm = np.log(aside[beside])
+    bins = np.rint(logarithm / SCAN.BIN).astype(np.int64)
+    bins -= bins.min()
+    count = np.append(np.bincount(bins), 0)
+    most = int(np.argmax(2 * count + np.roll(count, 1) + np.roll(count, -1)))
+    usual = float(np.exp(np.median(logarithm[np.abs(bins - most) <= 1])))
+    even = beside & (np.abs(aside / usual - 1) < SCAN.EVEN)
+    number = int(even.sum())
+    if not number:
+        return told
+    opposite = slope[1:] * slope[:-1] < 0
+    later = order[1:] - order[:-1]
+    three = even[1:] & even[:-1]
+    threes = max(1, int(three.sum()))
+    told.update({
+        "step": float(np.log(usual / extent)),
+        "keep": float((three & ~opposite[1:] & ~opposite[:-1]).sum() / threes),
+        "alternating": float((three & opposite[1:] & opposite[:-1]).sum() / threes),
+        "monotonous": float((three & (later[1:] * later[:-1] > 0)).sum() / threes),
+        "opposite": float((even & opposite).sum() / number),
+        "even": float(number / beside.sum()),
+        "count": float(np.log1p(number / np.count_nonzero(np.bincount(line)))),
+        "tight": float(np.median(np.abs(aside[even] / usual - 1))),
+        "run": float(three.sum() / number),
+        "next": float((np.abs(later[even]) == 1).sum() / number),
+        "cover": float(gap[even].sum() / gap[same].sum()),
+    })  # fmt: skip
+    return told

@@ -1,0 +1,127 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What a section measures, without a unit of length: the evidence that learned trees read."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from vkworkbench.core.paper import TURN, Areas
+from vkworkbench.core.recognition.crossings import scan
+from vkworkbench.core.recognition.pieces import LOOP, WINDING
+from vkworkbench.core.recognition.section import Section
+from vkworkbench.core.recognition.thresholds import MEASURED, SAME, WINDINGS
+
+FLAGS = ("nested", "sloped", "round", "stacked", "deeper", "alone", "moved", "opposite", "crossing")  # of rings
+
+
+def measures(s: Section) -> dict[str, float]:
+    """Return the measures of a section by name: shares, ratios, and logarithms of counts.
+
+    None changes where the section is turned, mirrored, moved, scaled with the tool, or cut the other way round.
+    """
+    m = s.moves
+    extent = float(np.hypot(np.ptp(m.x), np.ptp(m.y))) or 1.0  # of the starts of the moves, mm
+    # Shares of the length need not look at every move.
+    number = min(len(m), MEASURED.MOVES)
+    sample = ((np.arange(number) + 0.5) * (len(m) / number)).astype(np.int64)
+    return {
+        **_of_areas(s, extent),
+        **_of_moves(m, sample),
+        **_of_rings(s, extent),
+        **_of_rows(s, extent),
+        **_of_strokes(s, extent),
+        **scan(m, sample, extent),
+    }
+
+
+def _of_areas(s: Section, extent: float) -> dict[str, float]:
+    """Measure how the areas turn as a whole."""
+    m = s.moves
+    net = m.phi[m.end - 1] - m.phi[m.start]
+    turned = max(float(np.abs(m.turning).sum()), SAME.HEIGHT)
+    return {
+        "longest_area": float(m.area_length.max()) / s.length,
+        "turned": float(np.log1p(turned / TURN)),
+        "turned_for_length": float(np.log1p(turned / TURN * extent / s.length)),
+        "net_turn": float(np.abs(net).sum()) / turned,
+        "one_sense": abs(float(net.sum())) / turned,
+    }
+
+
+def _of_moves(m: Areas, sample: np.ndarray) -> dict[str, float]:
+    """Measure directions, turns and heights of some moves by their length."""
+    dx, dy, dz, length, turning = (values[sample] for values in (m.dx, m.dy, m.dz, m.length, m.turning))
+    total, turned, climbs = float(length.sum()), np.abs(turning), np.abs(dz)
+    whole = max(float(turned.sum()), SAME.HEIGHT)
+    double_x = (dx - dy) * (dx + dy) / length
+    double_y = 2 * dx * dy / length
+    four_x = (double_x - double_y) * (double_x + double_y) / length
+    four_y = 2 * double_x * double_y / length
+    return {
+        "climbs": float(climbs.sum()) / total,
+        "level": float(length[climbs <= SAME.HEIGHT * length].sum()) / total,
+        "corners": float(turned[turned > WINDINGS.CORNER].sum()) / whole,
+        "smooth": float(turned[turned < WINDINGS.CORNER / 2].sum()) / whole,
+        "one_way": float(np.hypot(dx.sum(), dy.sum())) / total,
+        "one_axis": float(np.hypot(double_x.sum(), double_y.sum())) / total,
+        "two_axes": float(np.hypot(four_x.sum(), four_y.sum())) / total,
+    }
+
+
+def _of_rings(s: Section, extent: float) -> dict[str, float]:
+    """Measure the share of the length in each kind of ring, and what the rings have in common."""
+    r, p = s.rings, s.pieces
+    length, number = float(r.length.sum()), max(len(r), 1)
+    every = slice(None, None, len(r) // MEASURED.RINGS + 1)
+    some = r.length[every]
+    flags = np.array([*(getattr(r, name)[every] for name in FLAGS), s.hunting[every], s.aside[every]])
+    shares = (flags * some).sum(axis=1) * (length / (float(some.sum()) or 1.0) / s.length)
+    # How straight the rings move on: trochoids do, and come back nowhere.
+    box = p.box[r.index[every]]
+    centre = (box[:, :2] + box[:, 2:]) / 2
+    moved = float(np.hypot(*(centre[1:] - centre[:-1]).T).sum())
+    # The mean isoperimetric quotient by length: 1 for circles.
+    round_ = 4 * np.pi * float((np.abs(p.enclosed[r.index]) / r.length).sum())
+    return {
+        **dict(zip((*FLAGS, "hunting", "aside"), shares.tolist())),
+        "loops": float(p.length[p.kind == LOOP].sum()) / s.length,
+        "windings": float(p.length[p.kind == WINDING].sum()) / s.length,
+        "ring_step": float(np.log1p(100 * r.step / extent)) if np.isfinite(r.step) else -1.0,
+        "roundness": round_ / length if length else 0.0,
+        "rings": float(np.log1p(len(r))),
+        "distinct": r.distinct / number,
+        "ring_depths": float(np.log1p(r.depths)),
+        "evenness": float(np.log1p(min(r.evenness, MEASURED.EVENNESS))),
+        "drift": float(np.hypot(*(centre[-1] - centre[0]))) / moved if moved > SAME.PLACE * number else 0.0,
+        "ring_length": length / number / extent,
+    }
+
+
+def _of_rows(s: Section, extent: float) -> dict[str, float]:
+    """Measure the families of rows; -1 where there are none."""
+    rows = s.rows
+    main = max(rows, key=lambda f: f.length) if rows else None
+    return {
+        "rows": sum(f.length for f in rows) / s.length,
+        "rows_opposite": sum(f.opposite for f in rows) / s.length,
+        "rows_same": sum(f.same for f in rows) / s.length,
+        "zigzags": s.zigzag,
+        "lines_of_rows": float(np.log1p(main.lines)) if main else 0.0,
+        "row_count": float(np.log1p(sum(f.count for f in rows))),
+        "row_slender": float(np.log1p(main.typical / max(main.step, SAME.PLACE))) if main else -1.0,
+        "row_even": main.even if main else -1.0,
+        "row_length": main.typical / extent if main else -1.0,
+    }
+
+
+def _of_strokes(s: Section, extent: float) -> dict[str, float]:
+    """Measure the open strokes."""
+    k = s.strokes
+    return {
+        "strokes": float(k.length.sum()) / s.length,
+        "bites": s.part(k.bite),
+        "against": s.part(k.against),
+        "stroke_slopes": s.part(k.sloped),
+        "stroke_length": k.typical / extent,
+        "stroke_count": float(np.log1p(len(k))),
+    }
