@@ -69,7 +69,7 @@ def test_the_time_of_an_import_is_that_of_its_feeds_in_a_minute(small, tmp_path)
     operation = imported(small, f"G21\nM6 T1\nG0 X5 Y5 Z30\nG1 Z15 F300\n{lines}G0 Z30\n", tmp_path)
     (row,) = vkworkbench.analyze(operation).operations
     (file,) = vkworkbench.analyze(tmp_path / "program.nc").operations
-    assert MINUTES in row.error and "1200 mm/s" in row.error
+    assert MINUTES in row.error and "1,200 mm/s" in row.error
     assert row.machining.cutting_seconds == pytest.approx(file.machining.cutting_seconds)
     operation.Proxy = None
     assert MINUTES in vkworkbench.analyze(operation).operations[0].error
