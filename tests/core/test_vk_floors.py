@@ -98,9 +98,14 @@ class House:
         return max(inside, key=len, default=None)
 
 
+def within(module: str) -> str:
+    """The name of a module within the package."""
+    return ".".join(module.split(".")[1:]) if module.split(".")[0] == PACKAGE else module
+
+
 def floor_of(module: str) -> int | None:
     """How high a module of the package stands; None where it stands nowhere."""
-    own = module.removeprefix(PACKAGE).removeprefix(".")
+    own = within(module)
     fits = [
         (len(room), height)
         for height, rooms in enumerate(FLOORS)
@@ -111,7 +116,7 @@ def floor_of(module: str) -> int | None:
 
 
 def allowed_outside(module: str) -> set[str]:
-    own = module.removeprefix(PACKAGE).removeprefix(".")
+    own = within(module)
     return OUTSIDE[max((name for name in OUTSIDE if not name or f"{own}.".startswith(f"{name}.")), key=len)]
 
 

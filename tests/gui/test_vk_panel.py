@@ -20,6 +20,7 @@ import vkworkbench
 from vkworkbench import freecad, preferences
 from vkworkbench.document import marks
 from vkworkbench.gui import colors
+from vkworkbench.gui.gauss_theme import readable
 from vkworkbench.gui.sentences import user
 
 OPENGL = freecad.version() >= (1, 0)
@@ -214,7 +215,9 @@ def test_it_is_readable_in_freecads_own_themes(panel, window, shipped):
     image = panel.details.viewport().grab().toImage()
     points = [image.pixel(x, y) for x in range(0, image.width(), 2) for y in range(image.height())]
     (background, _), *others = Counter(points).most_common()
-    assert contrast(background, colors.LINK) > 3
+    link = readable(QtGui.QColor(colors.LINK), QtGui.QColor(background))
+    assert contrast(background, link) > 4.5
+    assert any(contrast(color, link) < 1.05 for color, _ in others)
     assert max(contrast(background, color) for color, _ in others) > 4.5
 
 

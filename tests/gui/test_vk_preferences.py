@@ -96,7 +96,7 @@ def test_it_shows_the_defaults_and_keeps_what_is_chosen(with_page, window):
         window.press(edit, QtCore.Qt.Key_Tab)
 
     with_page(change)
-    expected = Preferences(image_width=1600, analyze_after_recompute=True, mark_simulator="legacy",
+    expected = Preferences(image_width=1600, analyze_after_recompute=True, mark_simulator="z-buffer",
                            view_direction="Isometric", tolerance=0.005)  # fmt: skip
     assert preferences.read() == expected
 

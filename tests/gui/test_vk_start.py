@@ -17,7 +17,7 @@ def test_window_is_there():
 # All that FreeCAD's start may load of the add-on; none of it loads numpy.
 AT_START = {
     "vkworkbench", "vkworkbench.freecad", "vkworkbench.preferences", "vkworkbench.document",
-    "vkworkbench.document.operations", "vkworkbench.gui", "vkworkbench.gui.plain_text", "vkworkbench.gui.preferences_page",
+    "vkworkbench.document.mark_properties", "vkworkbench.document.operations", "vkworkbench.gui", "vkworkbench.gui.plain_text", "vkworkbench.gui.preferences_page",
     "vkworkbench.gui.qt", "vkworkbench.gui.selection", "vkworkbench.gui.sentences", "vkworkbench.gui.text", "vkworkbench.gui.workbench",
 }  # fmt: skip
 

@@ -6,6 +6,5 @@ TOTAL = "#62748d"  # of a job's total
 BURDEN = {"NEAR": ("#f9a825", "#1a1a1a"), "OVER": ("#c62828", "#ffffff")}  # of a time near or over the budget, and its text
 WARNING = ("#f9a825", "#1a1a1a")  # of the sign, and what is on it
 RAPID = "#8c8c8c"
-# Read on light and on dark windows alike, whatever palette a style sheet leaves behind: luminance about 0.2 (WCAG 2.1).
-LINK = "#2f7fd6"
+LINK = "#2f7fd6"  # made lighter or darker for what is behind it
 NOTE_SIGN, WARNING_SIGN, ERROR_SIGN = "#62748d", "#c77700", "#d9363e"

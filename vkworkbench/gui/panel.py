@@ -9,8 +9,9 @@ import FreeCAD
 import FreeCADGui as Gui
 
 from vkworkbench import preferences
-from vkworkbench.gui import docks, latest
+from vkworkbench.gui import colors, docks, latest
 from vkworkbench.gui.frozen_tree import FrozenTree
+from vkworkbench.gui.gauss_theme import readable
 from vkworkbench.gui.panel_details import GAUSS_MAP, page
 from vkworkbench.gui.panel_export import as_text, save
 from vkworkbench.gui.panel_filter import Filter
@@ -20,6 +21,7 @@ from vkworkbench.gui.plain_text import lines
 from vkworkbench.gui.qt import (
     QAction,
     QApplication,
+    QColor,
     QDockWidget,
     QItemSelectionModel,
     QMenu,
@@ -245,6 +247,11 @@ class ResultsDock(QDockWidget):
             text = page(rows[0], first, others, self._opened)
         else:
             text = "".join(page(row, first, others, self._opened) for row in self._together(rows))
+        # By what is drawn behind: a style sheet leaves the palette, and with it the colour of links, as it was.
+        viewport = self.details.viewport()
+        behind = viewport.grab(viewport.rect().adjusted(1, 1, 2 - viewport.width(), 2 - viewport.height()))
+        color = readable(QColor(colors.LINK), behind.toImage().pixelColor(0, 0))
+        self.details.document().setDefaultStyleSheet(f"a {{ color: {color} }}")
         self.details.setHtml(text)
 
     def _together(self, rows: list[Row]) -> list[Row]:

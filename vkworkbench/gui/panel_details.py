@@ -103,4 +103,4 @@ def _table(cells: list[tuple[str, str, str]]) -> str:
 
 
 def _link(target: str, text: str) -> str:
-    return f"<a href='{target}' style='color: {colors.LINK}'>{lines(text)}</a>"
+    return f"<a href='{target}'>{lines(text)}</a>"

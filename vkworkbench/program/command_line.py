@@ -8,7 +8,7 @@ import os
 import sys
 from collections.abc import Iterable, Iterator
 from concurrent.futures import FIRST_COMPLETED, Executor, Future, ThreadPoolExecutor, wait
-from contextlib import contextmanager
+from contextlib import closing, contextmanager
 from itertools import islice
 from pathlib import Path
 
@@ -88,8 +88,8 @@ def _run(asked: argparse.Namespace) -> int:
     progress = Progress(todo, sys.stderr)
     operations, unread_files = 0, 0
     try:
-        with _executor(asked) as (executor, ahead):
-            for path, rows in _analyzed(todo, executor, ahead, asked.timeout):
+        with _executor(asked) as (executor, ahead), closing(_analyzed(todo, executor, ahead, asked.timeout)) as analyzed:
+            for path, rows in analyzed:
                 progress.add(path)
                 if results is None:
                     progress.clear()
@@ -132,7 +132,7 @@ def _results(asked: argparse.Namespace) -> Results | None:
 
 @contextmanager
 def _executor(asked: argparse.Namespace) -> Iterator[tuple[Executor, int]]:
-    """Give the executor and how many files it is handed ahead; on leaving, files that were not begun are dropped."""
+    """Give the executor and how many files it is handed ahead."""
     if asked.scheduler:
         with _cluster(asked.scheduler) as both:
             yield both
@@ -142,7 +142,7 @@ def _executor(asked: argparse.Namespace) -> Iterator[tuple[Executor, int]]:
     try:
         yield executor, _AHEAD * jobs
     finally:
-        executor.shutdown(wait=False, cancel_futures=True)
+        executor.shutdown(wait=False)
         end_workers()
 
 
@@ -177,18 +177,22 @@ def _cluster(address: str) -> Iterator[tuple[Executor, int]]:
 def _analyzed(
     paths: Iterable[Path], executor: Executor, ahead: int, patience: float
 ) -> Iterator[tuple[Path, tuple[OperationReport, ...]]]:
-    """Give each program with its rows, in the order in which they become ready."""
+    """Give each program with its rows, in the order in which they become ready; closed, drop those not begun."""
     chosen = preferences.read()
     rest = iter(paths)
     pending: dict[Future, Path] = {}
-    while True:
-        for path in islice(rest, ahead - len(pending)):
-            pending[executor.submit(analyze_apart, path, chosen, patience)] = path
-        if not pending:
-            return
-        for future in wait(pending, return_when=FIRST_COMPLETED).done:
-            path = pending.pop(future)
-            yield path, _rows(path, future)
+    try:
+        while True:
+            for path in islice(rest, ahead - len(pending)):
+                pending[executor.submit(analyze_apart, path, chosen, patience)] = path
+            if not pending:
+                return
+            for future in wait(pending, return_when=FIRST_COMPLETED).done:
+                path = pending.pop(future)
+                yield path, _rows(path, future)
+    finally:
+        for future in pending:
+            future.cancel()
 
 
 def _rows(path: Path, future: Future) -> tuple[OperationReport, ...]:

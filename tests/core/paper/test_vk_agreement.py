@@ -83,7 +83,7 @@ def report(path, found):
             unknown[name] = ()
         elif field.type.startswith(("dict", "Mapping")):
             unknown[name] = {}
-    return Report((OperationReport(**unknown | known),), {}, {})
+    return Report((OperationReport(**{**unknown, **known}),), {}, {})
 
 
 def check(commands, diameter, file):
