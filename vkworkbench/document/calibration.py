@@ -45,6 +45,8 @@ _UNREADABLE = (TypeError, LookupError, ValueError, AttributeError, ArithmeticErr
 # No constant and no number of a run is larger; these constants may be 0 as they are measured, or by default.
 _LARGEST = 1e15
 _MAYBE_NOTHING = frozenset(["repaint", "call", "ring", "line", "cap", "refresh"])
+# How often each piece of work is timed.
+_RUNS = 4
 # The stock that the calibration cuts.
 _STOCK = Stock((0, 0, 0), (100, 60, 20))
 _BOX = Part.makeBox(100, 60, 20)
@@ -332,9 +334,9 @@ def _rough() -> PathSim:
 
 
 def _best(work: Callable[[], object]) -> float:
-    """Return the shorter time of two runs, s."""
+    """Return the shortest time of some runs, s: what else the computer does makes them longer only."""
     times = []
-    for _ in range(2):
+    for _ in range(_RUNS):
         begin = time.perf_counter()
         work()
         times.append(time.perf_counter() - begin)
