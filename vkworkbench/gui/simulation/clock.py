@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from vkworkbench.core import Toolpath
+from vkworkbench.core.zbuffer import Cuts
 from vkworkbench.document.simulation import SimulatedJob
 
 # Where no speed at all is known, mm/s: something has to move.
@@ -23,6 +23,8 @@ class Clock:
 
     Attributes
     ----------
+    cuts : Cuts
+        The job's, their trajectories numbered through.
     ends : (n + 1,) float64
         When that many trajectories have been cut, s; the first is 0.
     complete : bool
@@ -31,7 +33,8 @@ class Clock:
 
     def __init__(self, job: SimulatedJob) -> None:
         seconds = job.seconds.copy()
-        lengths = np.concatenate([cut.toolpath.lengths for cut in job.cuts])
+        self.cuts = Cuts(job.cuts)
+        lengths = self.cuts.lengths
         unknown = np.isnan(seconds)
         if unknown.any():
             with np.errstate(divide="ignore", invalid="ignore"):
@@ -40,7 +43,6 @@ class Clock:
             seconds[unknown] = lengths[unknown] / speed
         self.ends = np.append(0.0, np.cumsum(seconds))
         self.complete = not unknown.any()
-        self._positions = [(cut.toolpath, first) for cut, first in zip(job.cuts, _firsts(job))]
 
     @property
     def total(self) -> float:
@@ -56,17 +58,6 @@ class Clock:
         trajectory = min(self.step(seconds), len(self.ends) - 2)
         begin, end = self.ends[trajectory], self.ends[trajectory + 1]
         share = min(max((seconds - begin) / (end - begin), 0.0), 1.0) if end > begin else 1.0
-        for number, (toolpath, first) in reversed(list(enumerate(self._positions))):
-            if trajectory >= first:
-                return number, _between(toolpath, trajectory - first, share)
-        raise IndexError(trajectory)
-
-
-def _firsts(job: SimulatedJob) -> np.ndarray:
-    """Number of each cut's first trajectory."""
-    return np.append(0, np.cumsum([len(cut.toolpath) for cut in job.cuts])[:-1])
-
-
-def _between(toolpath: Toolpath, trajectory: int, share: float) -> np.ndarray:
-    start, end = toolpath.points[trajectory : trajectory + 2]
-    return start + share * (end - start)
+        source = self.cuts.source(trajectory)
+        start, end = self.cuts.cuts[source.cut].toolpath.points[source.trajectory : source.trajectory + 2]
+        return source.cut, start + share * (end - start)

@@ -92,6 +92,7 @@ class SimulationTab(QWidget):
         self._stale = False
         self._cost = ""
         self._commands: tuple[str, list] = ("", [])
+        self._first = self.clock.cuts.first
         self.view = PartView(job.stock, preferences.DIRECTIONS["Isometric"])
         self.time_line = TimeLine()
         self._make_controls()
@@ -125,8 +126,8 @@ class SimulationTab(QWidget):
         self.chips.addItem(translate("Vk_Simulate", "Part"))
         self.chips.addItem(translate("Vk_Simulate", "Chips"))
         self.chips.addItem(translate("Vk_Simulate", "Part and chips"))
-        for box in (self.colorings, self.chips):
-            box.currentIndexChanged.connect(self.draw)
+        self.colorings.currentIndexChanged.connect(self._color)
+        self.chips.currentIndexChanged.connect(self.draw)
         self.warnings = self._menu("", translate("Vk_Simulate", "Rapid moves that cut material. Choose one to see it."))
         self.warnings.hide()
         self.legend = QLabel()
@@ -188,15 +189,13 @@ class SimulationTab(QWidget):
         return button
 
     def _show_blocks(self) -> None:
-        first = np.append(0, np.cumsum([len(cut.toolpath) for cut in self.job.cuts]))
-        begins = self.clock.ends[first]
+        begins = self.clock.ends[self._first]
         blocks = []
         for number, (operation, strategy) in enumerate(zip(self.job.operations, self.strategies)):
             begin, end = float(begins[number]), float(begins[number + 1])
             tooltip = f"{operation.label}\n{strategy_name(strategy)}, {self._duration(end - begin)}"
             blocks.append(Block(operation.label, tooltip, strategy.color, begin, end))
         self.time_line.show_job(tuple(blocks), self.clock.total)
-        self._first = first
 
     def _duration(self, seconds: float) -> str:
         text = user().time(seconds)
@@ -250,7 +249,7 @@ class SimulationTab(QWidget):
             user().measure(zbuffer.frame.pixel, 2), user().count(zbuffer.traces), user().memory(zbuffer.memory_bytes), user().time(done.seconds),
         )  # fmt: skip
         self.state.setText("   ".join([self._cost, *map(said, self.job.remarks)]))
-        self.draw()
+        self._color()
 
     def _show_warnings(self) -> None:
         menu = self.warnings.menu()
@@ -323,6 +322,16 @@ class SimulationTab(QWidget):
         icon = QStyle.SP_MediaPlay if self._played is None else QStyle.SP_MediaPause
         self.play_button.setIcon(self.style().standardIcon(icon))
 
+    def _color(self, *_) -> None:
+        """Colour the surfaces anew: their colours are the same at every moment."""
+        if self.simulation is None:
+            return
+        job = Job(tuple(o.label for o in self.job.operations), self.strategies, self.clock, self.volumes)
+        coloring = COLORINGS[self.colorings.currentIndex()][1](self.simulation.zbuffer, job)
+        self._palette = coloring.palette
+        self.legend.setText(_legend(coloring.legend))
+        self.draw()
+
     def draw(self, *_) -> None:
         """Show the moment anew."""
         self._stale = True
@@ -332,21 +341,18 @@ class SimulationTab(QWidget):
         if self.simulation is None:
             return
         zbuffer = self.simulation.at(self.done).zbuffer
-        job = Job(tuple(o.label for o in self.job.operations), self.strategies, self.clock, self.volumes)
-        coloring = COLORINGS[self.colorings.currentIndex()][1](zbuffer, job)
         last = max(self.done - 1, 0)
         number = int(np.searchsorted(self._first, last, side="right")) - 1
         chips = None
         if self.chips.currentIndex() != _PART:
             chips = (int(self._first[number]), int(self._first[number + 1]))
         shown = scene(
-            zbuffer, coloring.palette, chips=chips, part=self.chips.currentIndex() != _CHIPS,
+            zbuffer, self._palette, chips=chips, part=self.chips.currentIndex() != _CHIPS,
             lit=self._lit(number, last), background=self.view.background,
         )  # fmt: skip
         self.view.show_scene(shown, zbuffer.frame)
         cut, tip = self.clock.tool_tip(self.seconds) if self._played is not None else (number, self._tip(number, last))
         self.view.show_tool(self.job.cuts[cut].tool, tip)
-        self.legend.setText(_legend(coloring.legend))
         self._show_source(number, last)
 
     def _lit(self, number: int, last: int) -> tuple[int, int] | None:
