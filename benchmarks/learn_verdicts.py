@@ -114,7 +114,15 @@ class Examples:
                     values = measures(section)
                     rules = STRATEGIES.index(judge(section).strategy)
                     rows.append(
-                        (of_kind, r.group, list(values.values()), strategies.index(r.strategy), rules, tool > 0, accepted)
+                        (
+                            of_kind,
+                            r.group,
+                            list(values.values()),
+                            strategies.index(r.strategy),
+                            rules,
+                            tool > 0,
+                            accepted,
+                        )
                     )
         *arrays, accepted = zip(*rows)
         return cls(*map(np.array, arrays), list(accepted), tuple(values))
@@ -126,7 +134,9 @@ class Examples:
     def folds(self) -> dict[str, int]:
         """Return which groups are left out together, the same in every run."""
         groups = sorted(set(self.group))
-        return dict(zip(np.random.default_rng(0).permutation(groups).tolist(), (np.arange(len(groups)) % FOLDS).tolist()))
+        return dict(
+            zip(np.random.default_rng(0).permutation(groups).tolist(), (np.arange(len(groups)) % FOLDS).tolist())
+        )
 
     def right(self, votes: np.ndarray) -> np.ndarray:
         """Return whether the strategy is right that has most, (n,), for votes (n, c)."""

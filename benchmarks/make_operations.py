@@ -138,10 +138,18 @@ class Part:
 
         for pattern in PATTERNS:
             for base in (floors, [choice(floors)]) if floors else ():
-                self.make("PocketShape", "Pocket:" + pattern, pattern, base, choice((3, 4, 5, 6, 8)),
-                          **clearing(pattern))
-            self.make("MillFace", "MillFace:" + pattern, pattern, [top], choice((6, 8, 10, 12)),
-                      BoundaryShape=choice(("Stock", "Perimeter", "Boundbox")), **clearing(pattern))
+                self.make(
+                    "PocketShape", "Pocket:" + pattern, pattern, base, choice((3, 4, 5, 6, 8)), **clearing(pattern)
+                )
+            self.make(
+                "MillFace",
+                "MillFace:" + pattern,
+                pattern,
+                [top],
+                choice((6, 8, 10, 12)),
+                BoundaryShape=choice(("Stock", "Perimeter", "Boundbox")),
+                **clearing(pattern),
+            )
         if floors:
             pattern = choice(PATTERNS)
             self.make("Pocket", "Pocket3D:" + pattern, pattern, floors[:1], choice((4, 6)), **clearing(pattern))
@@ -151,9 +159,19 @@ class Part:
         choice = self.random.choice
 
         def profile(truth, base, diameter, **properties):
-            self.make("Profile", "Profile", truth, base, diameter, Direction=choice(("CW", "CCW")),
-                      OffsetExtra=choice((0, 0.4)), StepDown=choice((2, 5, 50)), UseComp=choice((True, True, False)),
-                      JoinType=choice(("Round", "Square", "Miter")), **properties)
+            self.make(
+                "Profile",
+                "Profile",
+                truth,
+                base,
+                diameter,
+                Direction=choice(("CW", "CCW")),
+                OffsetExtra=choice((0, 0.4)),
+                StepDown=choice((2, 5, 50)),
+                UseComp=choice((True, True, False)),
+                JoinType=choice(("Round", "Square", "Miter")),
+                **properties,
+            )
 
         for side in ("Inside", "Outside") if floors else ():
             profile("Profile", [choice(floors)], choice((3, 5, 8)), Side=side)
@@ -166,9 +184,19 @@ class Part:
         choice = self.random.choice
         for what in ("Clearing", "Profiling"):
             for side in ("Inside", "Outside"):
-                self.make("Adaptive", f"Adaptive:{what}:{side}", "Adaptive:" + side, [choice(floors)],
-                          choice((5, 6, 8)), OperationType=what, Side=side, StepOver=choice((20, 30, 40)),
-                          StepDown=choice((8, 50)), Tolerance=0.15, FinishingProfile=choice((True, False)))
+                self.make(
+                    "Adaptive",
+                    f"Adaptive:{what}:{side}",
+                    "Adaptive:" + side,
+                    [choice(floors)],
+                    choice((5, 6, 8)),
+                    OperationType=what,
+                    Side=side,
+                    StepOver=choice((20, 30, 40)),
+                    StepDown=choice((8, 50)),
+                    Tolerance=0.15,
+                    FinishingProfile=choice((True, False)),
+                )
 
     def holes(self, holes):
         """Helix, drilling and threads in those round holes."""
@@ -177,9 +205,20 @@ class Part:
         for base in ([choice(bores)], bores) if bores else ():
             self.make("Helix", "Helix", "Helix", base, 3, StepDown=choice((1, 2.5)), StepOver=choice((30, 60)))
             diameter = 2 * radius[base[0]]
-            self.make("ThreadMilling", "ThreadMilling", "ThreadMilling", base[:1], 3, "thread-mill.fcstd",
-                      ThreadType="CustomInternal", MajorDiameter=diameter + 0.8, MinorDiameter=diameter, Pitch=1.25,
-                      Passes=choice((1, 3)), LeadInOut=choice((True, False)))
+            self.make(
+                "ThreadMilling",
+                "ThreadMilling",
+                "ThreadMilling",
+                base[:1],
+                3,
+                "thread-mill.fcstd",
+                ThreadType="CustomInternal",
+                MajorDiameter=diameter + 0.8,
+                MinorDiameter=diameter,
+                Pitch=1.25,
+                Passes=choice((1, 3)),
+                LeadInOut=choice((True, False)),
+            )
         for pecks in (False, True) if drilled else ():
             self.make("Drilling", "Drilling", "Drilling", drilled, 3, "drill.fcstd", PeckEnabled=pecks, PeckDepth=3)
 
@@ -189,12 +228,31 @@ class Part:
         top = [name for name, edge in edges.items() if edge.BoundBox.ZMin > HEIGHT - 0.1]
         straight = [name for name in top if edges[name].Curve.TypeId == "Part::GeomLine" and edges[name].Length > 12]
         for pattern in ("Line", "ZigZag") if straight else ():
-            self.make("Slot", "Slot:" + pattern, "Slot:" + pattern, [choice(straight)], 4, CutPattern=pattern,
-                      LayerMode=choice(("Single-pass", "Multi-pass")), StepDown=1.5, FinalDepth=14)
-        self.make("Engrave", "Engrave", "Engrave", top, 3, StepDown=choice((0.5, 1)), StartDepth=HEIGHT,
-                  FinalDepth=HEIGHT - 1)
-        self.make("Deburr", "Deburr", "Deburr", top, 6, "chamfer.fcstd", Width=0.5, ExtraDepth=0.3,
-                  Direction=choice(("CW", "CCW")))
+            self.make(
+                "Slot",
+                "Slot:" + pattern,
+                "Slot:" + pattern,
+                [choice(straight)],
+                4,
+                CutPattern=pattern,
+                LayerMode=choice(("Single-pass", "Multi-pass")),
+                StepDown=1.5,
+                FinalDepth=14,
+            )
+        self.make(
+            "Engrave", "Engrave", "Engrave", top, 3, StepDown=choice((0.5, 1)), StartDepth=HEIGHT, FinalDepth=HEIGHT - 1
+        )
+        self.make(
+            "Deburr",
+            "Deburr",
+            "Deburr",
+            top,
+            6,
+            "chamfer.fcstd",
+            Width=0.5,
+            ExtraDepth=0.3,
+            Direction=choice(("CW", "CCW")),
+        )
         if floors:
             self.make("Vcarve", "Vcarve", "Vcarve", [choice(floors)], 10, "v-bit.fcstd", StartDepth=HEIGHT)
 
@@ -203,15 +261,40 @@ class Part:
         choice = self.random.choice
         for pattern in ("Line", "ZigZag", "Circular", "CircularZigZag", "Offset", "Spiral"):
             for _ in range(2):
-                self.make("Surface", "Surface:" + pattern, "Surface:" + pattern, (), choice((5, 6, 8)),
-                          "ballend.fcstd", CutPattern=pattern, StepOver=self.random.randint(25, 80), SampleInterval=2,
-                          CutPatternAngle=choice((0, 30, 45, 90)), CutMode=choice(("Climb", "Conventional")),
-                          BoundBox=choice(("Stock", "BaseBoundBox")), OptimizeLinearPaths=choice((True, False)),
-                          CutPatternReversed=choice((True, False)), LinearDeflection=0.05, AngularDeflection=0.3)
+                self.make(
+                    "Surface",
+                    "Surface:" + pattern,
+                    "Surface:" + pattern,
+                    (),
+                    choice((5, 6, 8)),
+                    "ballend.fcstd",
+                    CutPattern=pattern,
+                    StepOver=self.random.randint(25, 80),
+                    SampleInterval=2,
+                    CutPatternAngle=choice((0, 30, 45, 90)),
+                    CutMode=choice(("Climb", "Conventional")),
+                    BoundBox=choice(("Stock", "BaseBoundBox")),
+                    OptimizeLinearPaths=choice((True, False)),
+                    CutPatternReversed=choice((True, False)),
+                    LinearDeflection=0.05,
+                    AngularDeflection=0.3,
+                )
         for _ in range(2):
-            self.make("Waterline", "Waterline", "Waterline", (), choice((4, 6)), "ballend.fcstd",
-                      Algorithm="OCL Dropcutter", LayerMode="Multi-pass", StepDown=choice((1, 2)), SampleInterval=1,
-                      BoundBox="BaseBoundBox", LinearDeflection=0.05, AngularDeflection=0.3)
+            self.make(
+                "Waterline",
+                "Waterline",
+                "Waterline",
+                (),
+                choice((4, 6)),
+                "ballend.fcstd",
+                Algorithm="OCL Dropcutter",
+                LayerMode="Multi-pass",
+                StepDown=choice((1, 2)),
+                SampleInterval=1,
+                BoundBox="BaseBoundBox",
+                LinearDeflection=0.05,
+                AngularDeflection=0.3,
+            )
 
 
 _CUTTING = {"G1", "G2", "G3", "G01", "G02", "G03", "G73", "G81", "G82", "G83"}

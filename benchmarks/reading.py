@@ -95,7 +95,9 @@ def adaptive(count):
         row, place = divmod(loop, -(-loops // rows))
         angle = 2 * math.pi * chord / chords
         x, y = 6 + 88 * (place + chord / chords) * rows / loops, 6 + 88 * row / rows
-        words.append(("G1", {"X": x + 2 * math.cos(angle), "Y": y + 2 * math.sin(angle), "Z": 15.0 - 5 * level, "F": 20.0}))
+        words.append(
+            ("G1", {"X": x + 2 * math.cos(angle), "Y": y + 2 * math.sin(angle), "Z": 15.0 - 5 * level, "F": 20.0})
+        )
     return words
 
 
@@ -109,7 +111,19 @@ def bores(count):
         words += [("G0", {"Z": 30.0}), ("G0", {"X": x + 2, "Y": y}), ("G1", {"Z": 20.0, "F": 3.0})]
         for half in range(2 * turns):
             sign = 1 if half % 2 == 0 else -1
-            words.append(("G3", {"X": x - 2 * sign, "Y": y, "Z": 20 - 18 * (half + 1) / turns / 2, "I": -2.0 * sign, "J": 0.0, "F": 8.0}))
+            words.append(
+                (
+                    "G3",
+                    {
+                        "X": x - 2 * sign,
+                        "Y": y,
+                        "Z": 20 - 18 * (half + 1) / turns / 2,
+                        "I": -2.0 * sign,
+                        "J": 0.0,
+                        "F": 8.0,
+                    },
+                )
+            )
     return words[:count]
 
 

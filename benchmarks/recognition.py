@@ -118,10 +118,7 @@ def _print_labels(by_label) -> None:
 
 def _print_confusion(confusion) -> None:
     names = sorted({name for pair in confusion for name in pair})
-    print(
-        "\nconfusion: rows are the true strategies, columns the answers; "
-        "an accepted answer counts as the true one"
-    )
+    print("\nconfusion: rows are the true strategies, columns the answers; an accepted answer counts as the true one")
     print(" " * 18 + " ".join(f"{name[:7]:>7s}" for name in names))
     for true in names:
         row = [confusion[true, got] for got in names]
@@ -234,7 +231,9 @@ if __name__ == "__main__":
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("files", nargs="*")
     parser.add_argument("--programs")
-    parser.add_argument("--sources", action="store_true", help="learn and judge with a tenth of the sources left out in turn")
+    parser.add_argument(
+        "--sources", action="store_true", help="learn and judge with a tenth of the sources left out in turn"
+    )
     options = parser.parse_args()
     if options.sources:
         sources.report_sources(options.files)

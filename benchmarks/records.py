@@ -83,7 +83,15 @@ def operations(files: list[str]) -> Iterator[Record]:
             percent = r.get("params", {}).get("StepOver")
             stepover = percent / 100 * r["tool_diameter"] if percent and r["tool_diameter"] else None
             yield Record(
-                r.get("id", ""), group_of(r), r["label"], r["strategy"], accepted, r["tool_diameter"], stepover, path, sections
+                r.get("id", ""),
+                group_of(r),
+                r["label"],
+                r["strategy"],
+                accepted,
+                r["tool_diameter"],
+                stepover,
+                path,
+                sections,
             )
 
 

@@ -75,9 +75,7 @@ def of_file(name: str):
         records = [r for r in map(json.loads, lines) if r.get("stock") and r.get("tool_diameter")]
     for record in records[:: max(1, math.ceil(len(records) / MOST))]:
         toolpath = linearize(record["commands"])
-        shape = {"Surface": "ballend", "Waterline": "ballend", "Vcarve": "vbit"}.get(
-            record["label"].split(":")[0]
-        )
+        shape = {"Surface": "ballend", "Waterline": "ballend", "Vcarve": "vbit"}.get(record["label"].split(":")[0])
         tool = Tool(shape or "endmill", record["tool_diameter"])
         found = recognize(toolpath, tool_diameter=tool.diameter)
         if str(found.strategy) not in record["accept"]:
@@ -259,9 +257,7 @@ def print_papers_case() -> None:
         guess = estimate(toolpath, None, tool=tool, stock=stock, view=view)
         exact = simulate(toolpath, tool=tool, stock=stock, view=view)
         true_d, d = (RECORD_BYTES * z.dexels / 1e6 for z in (exact, guess))
-        true_t, t, error = (
-            RECORD_BYTES * n / 1e6 for n in (exact.traces, guess.traces, guess.traces_error)
-        )
+        true_t, t, error = (RECORD_BYTES * n / 1e6 for n in (exact.traces, guess.traces, guess.traces_error))
         print(f"  {name:10} dexels {true_d:.1f} MB, estimated {d:.1f}; ", end="")
         print(f"traces {true_t:.0f} MB, estimated {t:.0f} +- {error:.1f}")
 

@@ -116,9 +116,7 @@ def headless(samples):
     print(f"moves within 2 % or 3 of the real number: {exact} of {total}", file=OUT)
     print("ratio, median / p90 / worst:", file=OUT)
     for accuracy, rows in errors.items():
-        for name, values in zip(
-            ("cutting", "triangles", "mesh from true triangles", "mesh"), np.array(rows).T
-        ):
+        for name, values in zip(("cutting", "triangles", "mesh from true triangles", "mesh"), np.array(rows).T):
             print(f"  accuracy {accuracy:.1f} %  {name:26}{quantiles(values)}", file=OUT)
         bias = np.median(np.array(rows)[:, 4])
         print(f"  accuracy {accuracy:.1f} %  {'mesh, predicted / true':26}{bias:.2f}", file=OUT)

@@ -80,9 +80,7 @@ def lines_and_arcs(sample):
     x, y, top = stock.lower[0] + 10, stock.lower[1] + 10, stock.upper[2]
     start = ("G0", {"X": x, "Y": y, "Z": top})
     for count in (100, 200):
-        rows = [
-            ("G1", {"X": x + 40 * (i % 4 in (0, 1)), "Y": y + 0.2 * i, "Z": top - 5}) for i in range(count)
-        ]
+        rows = [("G1", {"X": x + 40 * (i % 4 in (0, 1)), "Y": y + 0.2 * i, "Z": top - 5}) for i in range(count)]
         yield f"{count} lines", [start, *rows], tool, stock
         yield f"{count} lines with a ball end", [start, *rows], Tool("ballend", tool.diameter), stock
     right = ("G3", {"X": x + 20, "Y": y, "Z": top - 5, "I": 10.0, "J": 0.0})

@@ -90,7 +90,9 @@ def report_joined(files: list[str]) -> None:
     pairs = [r for r in joined(single, 2 * PAIRS) if not r.sections[0].accepted & r.sections[1].accepted][:PAIRS]
     if pairs:
         good = [min(covered(r, recognize(r.path, program=True), reached(r))) >= IN_PLACE for r in pairs]
-        print(f"{len(pairs)} pairs of operations with a rapid between: both spans right and in place {np.mean(good):.3f}")
+        print(
+            f"{len(pairs)} pairs of operations with a rapid between: both spans right and in place {np.mean(good):.3f}"
+        )
 
 
 def report_nonsense() -> None:

@@ -16,9 +16,7 @@ def toolpath(points: np.ndarray) -> Toolpath:
     points = points[np.append(True, (np.diff(points, axis=0) != 0).any(axis=1))]
     n = len(points) - 1
     none = np.zeros(n, bool)
-    return Toolpath(
-        points, none, np.arange(n), np.full(n, 10.0), np.zeros(n), np.full(n, 17, np.uint8), none, n
-    )
+    return Toolpath(points, none, np.arange(n), np.full(n, 10.0), np.zeros(n), np.full(n, 17, np.uint8), none, n)
 
 
 def zigzag(trajectories: int) -> Toolpath:

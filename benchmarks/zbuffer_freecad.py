@@ -39,7 +39,10 @@ os.dup2(os.open(os.devnull, os.O_WRONLY), 1)
 
 
 def main() -> None:
-    print("processor time, s      trajectories    cell, mm     FreeCAD   from above   ratio   (1, 1, -1)   ratio", file=OUT)
+    print(
+        "processor time, s      trajectories    cell, mm     FreeCAD   from above   ratio   (1, 1, -1)   ratio",
+        file=OUT,
+    )
     for name, cuts, stock in cases():
         view, oblique = View(), View((1, 1, -1))
         cell = view.frame(stock).pixel

@@ -158,25 +158,45 @@ def make_example(path):
 
     pattern = "ClearingPattern" if VERSION >= (1, 1) else "OffsetPattern"
     top = faces(shape, "Plane", (0, 0, HEIGHT), (LENGTH, WIDTH, HEIGHT))
-    operation(job, "MillFace", "Face", cutter, top[:1], BoundaryShape="Stock", StepOver=60, StepDown=1.5,
-              **{pattern: "ZigZag"})
+    operation(
+        job,
+        "MillFace",
+        "Face",
+        cutter,
+        top[:1],
+        BoundaryShape="Stock",
+        StepOver=60,
+        StepDown=1.5,
+        **{pattern: "ZigZag"},
+    )
     floor = faces(shape, "Plane", (18, 14, 12), (62, 48, 12))
     operation(job, "PocketShape", "Pocket zigzag", small, floor, StepOver=50, StepDown=4, **{pattern: "ZigZag"})
     floor = faces(shape, "Plane", (70, 14, 14), (112, 48, 14))
-    operation(job, "PocketShape", "Pocket around island", small, floor, StepOver=40, StepDown=3,
-              **{pattern: "Offset"})
+    operation(job, "PocketShape", "Pocket around island", small, floor, StepOver=40, StepDown=3, **{pattern: "Offset"})
     floor = faces(shape, "Plane", (18, 56, 10), (64, 88, 10))
     operation(job, "Adaptive", "Adaptive pocket", small, floor, StepDown=5, StepOver=25)
     bore = faces(shape, "Cylinder", (122, 19, 0), (146, 43, HEIGHT))
     operation(job, "Helix", "Bore", small, bore, StepDown=2)
-    holes = [name for name in faces(shape, "Cylinder", (0, 0, 0), (LENGTH, WIDTH, HEIGHT))
-             if shape.getElement(name).Surface.Radius < 3]
+    holes = [
+        name
+        for name in faces(shape, "Cylinder", (0, 0, 0), (LENGTH, WIDTH, HEIGHT))
+        if shape.getElement(name).Surface.Radius < 3
+    ]
     operation(job, "Drilling", "Drill holes", drill, holes, PeckEnabled=True, PeckDepth=5)
     try:
         dish = faces(shape, "Sphere", (0, 0, 0), (LENGTH, WIDTH, HEIGHT))
         # FreeCAD's default deflections take it half a minute.
-        operation(job, "Surface", "Dish", ball, dish, CutPattern="ZigZag", StepOver=15, LinearDeflection=0.02,
-                  AngularDeflection=0.3)
+        operation(
+            job,
+            "Surface",
+            "Dish",
+            ball,
+            dish,
+            CutPattern="ZigZag",
+            StepOver=15,
+            LinearDeflection=0.02,
+            AngularDeflection=0.3,
+        )
     except ImportError as error:
         print(f"The 3D surface is left out: {error}")
     profile = operation(job, "Profile", "Cut out", small, StepDown=5)

@@ -108,7 +108,10 @@ def program(seed):
 
 def slanted(commands, slope):
     """The program with every move in X made a ramp."""
-    return [(name, {**words, "Z": slope * words["X"]} if words and usable(words.get("X")) else words) for name, words in commands]
+    return [
+        (name, {**words, "Z": slope * words["X"]} if words and usable(words.get("X")) else words)
+        for name, words in commands
+    ]
 
 
 def usable(value):
@@ -238,11 +241,16 @@ def main(count=10_000, first=0):
             worst = max(worst, (result.seconds / (result.commands + result.trajectories), seed))
         longest = max(longest, (result.seconds / result.allowed, seed))
         if peak_memory() > peak:
-            peak, peak_of = peak_memory(), f"at seed {seed}: {result.commands:,} commands, {result.trajectories:,} trajectories"
+            peak, peak_of = (
+                peak_memory(),
+                f"at seed {seed}: {result.commands:,} commands, {result.trajectories:,} trajectories",
+            )
     print(f"{count:,} programs, {commands:,} commands, {trajectories:,} trajectories in "
           f"{time.perf_counter() - begin:.0f} s: {outcomes['read']} read, {outcomes['refused']} refused, "
           f"{outcomes['failed']} failed")  # fmt: skip
-    print(f"most time per command and trajectory in programs of 1,000 commands or more: {1e6 * worst[0]:.0f} us (seed {worst[1]})")
+    print(
+        f"most time per command and trajectory in programs of 1,000 commands or more: {1e6 * worst[0]:.0f} us (seed {worst[1]})"
+    )
     print(f"most of the allowed time, {START} s + {1e6 * EACH:.0f} us per command and trajectory: "
           f"{longest[0]:.0%} (seed {longest[1]})")  # fmt: skip
     print(f"peak memory of the process: {peak / 1e6:.0f} MB {peak_of}")

@@ -126,9 +126,7 @@ def compare(without, with_addon):
         print(f"  {name}: {plain.get(name)} without the add-on, {marked.get(name)} with it")
     for error in sides[1]["errors"][:3]:
         print(error)
-    counts = ", ".join(
-        f"{n} {what}" for what, n in Counter(o.split(":")[0] for o in plain.values()).most_common()
-    )
+    counts = ", ".join(f"{n} {what}" for what, n in Counter(o.split(":")[0] for o in plain.values()).most_common())
     print(
         f"{sides[0]['module']}: {len(plain)} tests without the add-on ({counts}), {len(marked)} with it, {len(different)} "
         f"different; {sides[1]['analyzed']} analyses and {sides[1]['marked']} marks meanwhile, "

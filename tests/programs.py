@@ -83,9 +83,7 @@ def helix(turns=8, radius=12.0, pitch=1.5):
     side = 1
     for i in range(2 * turns + 2):
         z = -pitch / 2 * min(i + 1, 2 * turns)
-        commands.append(
-            ("G2", {"X": -side * radius, "Y": 0.0, "Z": z, "I": -side * radius, "J": 0.0, "F": FEED})
-        )
+        commands.append(("G2", {"X": -side * radius, "Y": 0.0, "Z": z, "I": -side * radius, "J": 0.0, "F": FEED}))
         side = -side
     return [*commands, ("G0", {"Z": CLEAR})]
 

@@ -89,7 +89,9 @@ def main(results, suites):
     for row in table:
         print("  ".join(cell.ljust(width) for cell, width in zip(row, widths)).rstrip())
     print(*absent, sep="\n")
-    print(f"{total['passed']} passed, {total['failed']} failed" + f", {total['skipped']} skipped" * bool(total["skipped"]))
+    print(
+        f"{total['passed']} passed, {total['failed']} failed" + f", {total['skipped']} skipped" * bool(total["skipped"])
+    )
     return 1 if total["failed"] or not total["passed"] else 0
 
 

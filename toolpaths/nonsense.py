@@ -61,7 +61,9 @@ def chords(rng):
 
 def shuffled_grid(rng):
     side = int(rng.integers(7, 30))
-    return rng.permutation(np.stack(np.meshgrid(np.arange(side), np.arange(side)), axis=-1).reshape(-1, 2)).astype(float)
+    return rng.permutation(np.stack(np.meshgrid(np.arange(side), np.arange(side)), axis=-1).reshape(-1, 2)).astype(
+        float
+    )
 
 
 def epicycloid(rng):
@@ -149,7 +151,17 @@ def morton(rng):
     return np.column_stack([bits[:, 0::2] @ (1 << np.arange(6)), bits[:, 1::2] @ (1 << np.arange(6))]).astype(float)
 
 
-RANDOM = walk, persistent_walk, walk_on_a_grid, walk_on_triangles, straying_walk, noise, normal_noise, chords, shuffled_grid
+RANDOM = (
+    walk,
+    persistent_walk,
+    walk_on_a_grid,
+    walk_on_triangles,
+    straying_walk,
+    noise,
+    normal_noise,
+    chords,
+    shuffled_grid,
+)
 KINDS = (
     *RANDOM, scribble, epicycloid, hypocycloid, lissajous, rose, three_arms, star, hilbert, moore, peano, meander, dragon,
     levy, gosper, arrowhead, koch, quadratic_island, morton,

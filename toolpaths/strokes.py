@@ -103,7 +103,9 @@ def dogbones(rng, *, levels=None):
     angle, bone = rng.uniform(0, 2 * np.pi), rng.uniform(0.5, 1.5)
     corners = np.array([(-w, -h), (w, -h), (w, h), (-w, h)])
     if rng.random() < 0.5:  # a tongue in the middle
-        corners = np.array([(-w, -h), (w, -h), (w, h), (w / 3, h), (w / 3, h / 2), (-w / 3, h / 2), (-w / 3, h), (-w, h)])
+        corners = np.array(
+            [(-w, -h), (w, -h), (w, h), (w / 3, h), (w / 3, h / 2), (-w / 3, h / 2), (-w / 3, h), (-w, h)]
+        )
     after, before = np.roll(corners, -1, axis=0) - corners, corners - np.roll(corners, 1, axis=0)
     after, before = (v / np.linalg.norm(v, axis=1)[:, None] for v in (after, before))
     path = [(corners[0] + corners[1]) / 2]

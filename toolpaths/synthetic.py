@@ -428,9 +428,10 @@ def adaptive(rng, *, lift=0.3, rapid_back=True, arcs=False):
             half = math.asin(min(1.0, h / radius))
             t = np.linspace(-half, half, 40)
             bite = np.column_stack([(reach - radius) + radius * np.cos(t), radius * np.sin(t)]) * (side, side)
-            hook = bite[-1] + 1.2 * np.column_stack(
-                [np.cos(t[:15] / half * 1.3) - 1, np.sin(t[:15] / half * 1.3)]
-            ) * (side, side)
+            hook = bite[-1] + 1.2 * np.column_stack([np.cos(t[:15] / half * 1.3) - 1, np.sin(t[:15] / half * 1.3)]) * (
+                side,
+                side,
+            )
             start = bite[0]
             p.commands.append(("G0" if rapid_back else "G1", {"Z": z + lift}))
             p.commands.append(("G0" if rapid_back else "G1", {"X": start[0], "Y": start[1]}))

@@ -33,6 +33,7 @@ def version() -> tuple[int, int, int]:
 def _numbers(parts: tuple[str, ...]) -> tuple[int, ...]:
     return tuple(int(re.match(r"\d*", part).group() or 0) for part in parts)
 
+
 # FreeCAD's simulators by the names of their entries in core/simulators: what the menu calls them since which version,
 # the newest first, with the context of that text and the command's name.
 _SIMULATORS = {

@@ -54,7 +54,17 @@ class SimulationFacts:
             json.dump(self.as_dict(), file, indent=1, ensure_ascii=False)
 
     def __str__(self) -> str:
-        header = ("operation", "removed, cm3", "rate, cm3/min", "peak", "air", "crashes", "fast plunges", "gouged", "left")
+        header = (
+            "operation",
+            "removed, cm3",
+            "rate, cm3/min",
+            "peak",
+            "air",
+            "crashes",
+            "fast plunges",
+            "gouged",
+            "left",
+        )
         rows = [_row(label, facts) for label, facts in (*self.operations, ("job", self.job))]
         widths = [max(len(row[i]) for row in (header, *rows)) for i in range(len(header))]
         lines = [
@@ -67,7 +77,8 @@ class SimulationFacts:
 def _as_dict(facts: CutFacts) -> dict[str, Any]:
     numbers = {name: getattr(facts, name) for name in _NUMBERS}
     crashes = [
-        {"command": c.source.command, "place": list(c.place), "depth": c.depth, "volume": c.volume} for c in facts.crashes
+        {"command": c.source.command, "place": list(c.place), "depth": c.depth, "volume": c.volume}
+        for c in facts.crashes
     ]
     plunges = [
         {"command": p.source.command, "place": list(p.place), "feed": p.feed, "allowed": p.allowed}

@@ -28,7 +28,9 @@ def newer(source: str) -> list[str]:
         return [f"{error.lineno}: {error.msg}"]
     found = []
     lazy = any(isinstance(node, ast.ImportFrom) and node.module == "__future__" for node in tree.body)
-    if not lazy and any(isinstance(node, ast.BinOp) for annotation in _annotations(tree) for node in ast.walk(annotation)):
+    if not lazy and any(
+        isinstance(node, ast.BinOp) for annotation in _annotations(tree) for node in ast.walk(annotation)
+    ):
         found.append("1: annotations are evaluated")
     for node in ast.walk(tree):
         if isinstance(node, ast.Match):

@@ -95,5 +95,7 @@ def test_cells_of_the_table_stay_on_their_line():
 def test_boxes_and_tooltips_of_the_window_are_made_in_one_place():
     """Elsewhere a text of a document could be taken for HTML."""
     for path in (ROOT / "vkworkbench" / "gui").glob("*.py"):
-        named_there = {node.id for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))) if isinstance(node, ast.Name)}
+        named_there = {
+            node.id for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))) if isinstance(node, ast.Name)
+        }
         assert {"QMessageBox", "QToolTip"} & named_there == set() or path.name == "plain_text.py", path.name

@@ -74,5 +74,9 @@ def test_no_text_reaches_the_user_unmarked():
             if isinstance(node, ast.Call) and node.args:
                 name = getattr(node.func, "attr", getattr(node.func, "id", ""))
                 first = node.args[0]
-                bare = isinstance(first, ast.Constant) and isinstance(first.value, str) and re.search("[a-z]{3}", first.value)
+                bare = (
+                    isinstance(first, ast.Constant)
+                    and isinstance(first.value, str)
+                    and re.search("[a-z]{3}", first.value)
+                )
                 assert not (name in setters and bare), f"{path}:{node.lineno}"

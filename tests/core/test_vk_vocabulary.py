@@ -20,4 +20,6 @@ def test_every_row_of_the_page_is_read():
 
 @pytest.mark.parametrize("term, file, name", ROWS, ids=[row[0] for row in ROWS])
 def test_a_term_is_computed_where_the_page_says(term, file, name):
-    assert re.search(rf"\b{name}\b", (ROOT / "vkworkbench/core" / file).read_text(encoding="utf-8")), f"{file} has no {name}"
+    assert re.search(rf"\b{name}\b", (ROOT / "vkworkbench/core" / file).read_text(encoding="utf-8")), (
+        f"{file} has no {name}"
+    )

@@ -99,7 +99,9 @@ def test_what_can_be_analyzed(small, zigzag_commands):
     def labels(what=None):
         return [o.label for o in vkworkbench.analyze(what).operations]
 
-    assert labels() == labels(small.document) == labels(small.job) == labels(small.job.Operations) == ["First", "Second"]
+    assert (
+        labels() == labels(small.document) == labels(small.job) == labels(small.job.Operations) == ["First", "Second"]
+    )
     assert labels(second) == ["Second"] and labels([second, first, second]) == ["Second", "First"]
     assert labels([small.job, small.document]) == ["First", "Second"]
     assert labels(small.job.Model.Group[0]) == labels([]) == []

@@ -73,7 +73,7 @@ def test_a_damaged_file_counts_as_none_and_is_replaced(folder, damage):
 def huge(text, name, number):
     """The text with another number behind a name."""
     head, tail = text.split(f'"{name}": ', 1)
-    return f'{head}"{name}": {number}{tail[tail.index(","):]}'
+    return f'{head}"{name}": {number}{tail[tail.index(",") :]}'
 
 
 NESTED = 100_000 * "[" + 100_000 * "]"
@@ -144,9 +144,7 @@ def test_the_z_buffers_speed_is_measured_once(folder, damage):
 
 def cost_of(commands, **known):
     """Of rows of a pocket."""
-    rows = [
-        ("G1", {"X": 10.0 + 60 * (i % 2), "Y": 5.0 + i % 40, "Z": 10.0, "F": 5.0}) for i in range(commands)
-    ]
+    rows = [("G1", {"X": 10.0 + 60 * (i % 2), "Y": 5.0 + i % 40, "Z": 10.0, "F": 5.0}) for i in range(commands)]
     tool, stock = Tool("endmill", 6.0), Stock((0, 0, 0), (100, 60, 20))
     return legacy_costs(Task(linearize(rows), tool, stock), **known)[0]
 

@@ -269,7 +269,10 @@ def test_two_documents_keep_apart(small, zigzag_commands):
         FreeCAD.setActiveDocument(small.document.Name)
         assert [o.document for o in vkworkbench.analyze().operations] == [small.document.Name]
         report = vkworkbench.analyze([small.document, other])
-        assert [(o.document, o.label) for o in report.operations] == [(small.document.Name, "Zigzag"), ("Other", "Twin")]
+        assert [(o.document, o.label) for o in report.operations] == [
+            (small.document.Name, "Zigzag"),
+            ("Other", "Twin"),
+        ]
         vkworkbench.mark(report)
         assert op.Label2.startswith("⟦zigzag ") and "no stock" in twin.Label2
         twin.Path = CAM.Path(twin.Path.Commands[:-3])

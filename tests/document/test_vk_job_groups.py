@@ -42,7 +42,9 @@ def test_a_compound_of_a_job_is_no_operation(old):
 def test_its_operations_know_their_job(old):
     assert kind(old.compound) == "group"
     assert all(job_of(op) is old.job for op in old.operations)
-    assert all(row.job == old.job.Name and row.error is None for row in vkworkbench.analyze(old.operations[0]).operations)
+    assert all(
+        row.job == old.job.Name and row.error is None for row in vkworkbench.analyze(old.operations[0]).operations
+    )
 
 
 def test_its_marks_are_fresh_after_reopening(old, tmp_path):

@@ -175,7 +175,9 @@ def test_a_key_tells_all_of_its_parts():
     def keys(*parts):
         return key_of("G1 X1", *parts)
 
-    assert keys(Tool("endmill", 5.0), Stock((0, 0, 0), (1, 1, 1))) == keys(Tool("endmill", 5.0), Stock((0, 0, 0), (1, 1, 1)))
+    assert keys(Tool("endmill", 5.0), Stock((0, 0, 0), (1, 1, 1))) == keys(
+        Tool("endmill", 5.0), Stock((0, 0, 0), (1, 1, 1))
+    )
     different = [keys(), keys(Tool("endmill", 5.0)), keys(Tool("endmill", 5.0 + 1e-15 * 5)), keys(Tool("ballend", 5.0)),
                  keys(Stock((0, 0, 0), (1, 1, 1))), keys(Stock((0, 0, 0), (1, 1, 1 + 1e-12))), key_of("G1 X2")]  # fmt: skip
     assert len(set(different)) == len(different) and None not in different

@@ -58,7 +58,7 @@ def told(op):
     return marks.read(op).reason, marks.read(op).remarks
 
 
-@pytest.mark.parametrize("label", ["T; U", "{label} {}", "a: b, c", "⟦x⟧ 50% \"q\" \\", "Ж 🙂"])
+@pytest.mark.parametrize("label", ["T; U", "{label} {}", "a: b, c", '⟦x⟧ 50% "q" \\', "Ж 🙂"])
 def test_codes_of_a_mark(small, zigzag_commands, label):
     op = small.add("Zigzag", [*zigzag_commands, ("G123", {"X": 5.0})])
     small.controller.Label, small.controller.Tool.Diameter = label, 0
@@ -140,12 +140,16 @@ CHANGES = {
 }  # fmt: skip
 
 
-@pytest.mark.parametrize("written", [*DAMAGED, *((name, value) for name, values in CHANGES.items() for value in values)])
+@pytest.mark.parametrize(
+    "written", [*DAMAGED, *((name, value) for name, values in CHANGES.items() for value in values)]
+)
 def test_damaged_data_is_no_mark_and_is_replaced(small, zigzag_commands, written):
     op = small.add("Zigzag", zigzag_commands)
     vkworkbench.mark(vkworkbench.analyze(small.document))
     text = op.Label2
-    op.ToolpathMark = written if isinstance(written, str) else json.dumps({**json.loads(op.ToolpathMark), written[0]: written[1]})
+    op.ToolpathMark = (
+        written if isinstance(written, str) else json.dumps({**json.loads(op.ToolpathMark), written[0]: written[1]})
+    )
     assert marks.read(op) is None and marks.is_marked(op) and not marks.is_outdated(op)
     watcher.check(small.document)
     vkworkbench.mark(vkworkbench.analyze(small.document))
@@ -155,7 +159,13 @@ def test_damaged_data_is_no_mark_and_is_replaced(small, zigzag_commands, written
     assert op.Label2 == "" and marked(small.document) == []
 
 
-TYPES = ["App::PropertyInteger", "App::PropertyString", "App::PropertyLink", "App::PropertyStringList", "App::PropertyBool"]
+TYPES = [
+    "App::PropertyInteger",
+    "App::PropertyString",
+    "App::PropertyLink",
+    "App::PropertyStringList",
+    "App::PropertyBool",
+]
 
 
 @pytest.mark.parametrize("kind", [None, *TYPES])
@@ -270,7 +280,22 @@ def test_one_undo_step_and_clear_leave_no_trace(example):
     assert state() == after
 
 
-@pytest.mark.parametrize("own", ["note", "note ", " x", "a ⟦b", "b⟧ c", "⟦of another tool⟧", "⟦3 operations foo⟧", "⟦zigzag tomorrow⟧", "zigzag 97% ⟦later⟧", "<b>bold</b> {0} \"'", "Ж 🙂 ‏עברית"])
+@pytest.mark.parametrize(
+    "own",
+    [
+        "note",
+        "note ",
+        " x",
+        "a ⟦b",
+        "b⟧ c",
+        "⟦of another tool⟧",
+        "⟦3 operations foo⟧",
+        "⟦zigzag tomorrow⟧",
+        "zigzag 97% ⟦later⟧",
+        "<b>bold</b> {0} \"'",
+        "Ж 🙂 ‏עברית",
+    ],
+)
 def test_the_users_words_stay(small, zigzag_commands, own):
     op = small.add("Zigzag", zigzag_commands)
     op.Label2 = own

@@ -153,7 +153,12 @@ def test_an_iterator_is_cleared_as_a_list(small, zigzag_commands):
 
 
 def test_a_rotary_axis_that_cuts_is_no_drilling(small):
-    commands = [("G0", {"X": 5.0, "Y": 5.0, "Z": 30.0}), ("G1", {"Z": 15.0, "F": 5.0}), ("G1", {"A": 360.0}), ("G0", {"Z": 30.0})]
+    commands = [
+        ("G0", {"X": 5.0, "Y": 5.0, "Z": 30.0}),
+        ("G1", {"Z": 15.0, "F": 5.0}),
+        ("G1", {"A": 360.0}),
+        ("G0", {"Z": 30.0}),
+    ]
     small.add("Turned", commands)
     (row,) = vkworkbench.analyze(small.document).operations
     assert row.strategy == "unknown" and "a rotary axis (A) turns while the tool cuts" in row.error

@@ -18,7 +18,12 @@ VIEW = View((0, 0, -1), 120, 80)
 
 def slot(y, z=15.0):
     """Commands of one slot along X, 50 mm long."""
-    return [("G0", {"X": 5.0, "Y": y, "Z": 30.0}), ("G1", {"Z": z, "F": 5.0}), ("G1", {"X": 55.0, "F": 10.0}), ("G0", {"Z": 30.0})]
+    return [
+        ("G0", {"X": 5.0, "Y": y, "Z": 30.0}),
+        ("G1", {"Z": z, "F": 5.0}),
+        ("G1", {"X": 55.0, "F": 10.0}),
+        ("G0", {"Z": 30.0}),
+    ]
 
 
 def test_a_job_is_simulated_in_its_order(small):
@@ -165,7 +170,11 @@ def test_facts_of_a_job_with_a_fault_of_each_kind(small, tmp_path):
     with open(tmp_path / "facts.csv", newline="", encoding="utf-8") as file:
         (row,) = csv.DictReader(file)
     data = json.loads((tmp_path / "facts.json").read_text(encoding="utf-8"))
-    assert row["label"] == "'=Fault" and (row["crashes"], row["first_crash_command"], row["fast_plunges"]) == ("1", "2", "1")
+    assert row["label"] == "'=Fault" and (row["crashes"], row["first_crash_command"], row["fast_plunges"]) == (
+        "1",
+        "2",
+        "1",
+    )
     assert float(row["removed_volume"]) == data["operations"][0]["removed_volume"] == facts.removed_volume
     assert data["operations"][0]["crashes"][0]["place"] == list(crash.place)
     assert data["job"]["left"][0]["command"] is None and float(row["deepest_gouge"]) == gouge.depth

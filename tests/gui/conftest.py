@@ -70,8 +70,11 @@ class Window:
 
     def button(self, text):
         """The visible tool button of a command, by its menu text."""
-        found = [b for b in self.main.findChildren(QtGui.QToolButton)
-                 if b.isVisible() and b.defaultAction() and b.defaultAction().text().replace("&", "") == text]
+        found = [
+            b
+            for b in self.main.findChildren(QtGui.QToolButton)
+            if b.isVisible() and b.defaultAction() and b.defaultAction().text().replace("&", "") == text
+        ]
         assert found, f"no button {text!r}"
         return found[0]
 
@@ -106,8 +109,7 @@ class Window:
 
     def boxes(self):
         """The message boxes that are open."""
-        return [w for w in QtGui.QApplication.topLevelWidgets()
-                if isinstance(w, QtGui.QMessageBox) and w.isVisible()]
+        return [w for w in QtGui.QApplication.topLevelWidgets() if isinstance(w, QtGui.QMessageBox) and w.isVisible()]
 
     def dismiss(self):
         """Close all message boxes by their button, and return their texts."""

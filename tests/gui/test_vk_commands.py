@@ -103,8 +103,9 @@ def test_esc_cancels_and_changes_nothing(opened, window):
     pressed = []
 
     def press_esc():
-        dialogs = [w for w in QtGui.QApplication.topLevelWidgets()
-                   if isinstance(w, QtGui.QProgressDialog) and w.isVisible()]
+        dialogs = [
+            w for w in QtGui.QApplication.topLevelWidgets() if isinstance(w, QtGui.QProgressDialog) and w.isVisible()
+        ]
         if dialogs:
             pressed.append(dialogs[0].labelText())
             window.press(dialogs[0], QtCore.Qt.Key_Escape)
@@ -127,8 +128,9 @@ def menu_texts(menu):
 def test_guests_in_freecads_own_workbench(opened, window):
     window.activate(CAM)
     assert window.button("Analyze toolpaths").isVisible() and window.button("Clear analysis").isVisible()
-    menus = [m for m in window.main.menuBar().findChildren(QtGui.QMenu)
-             if m.title().replace("&", "") in ("CAM", "Path")]
+    menus = [
+        m for m in window.main.menuBar().findChildren(QtGui.QMenu) if m.title().replace("&", "") in ("CAM", "Path")
+    ]
     assert {"Analyze toolpaths", "Clear analysis"} <= set(menu_texts(menus[0]))
     own_toolbars = [t for t in window.main.findChildren(QtGui.QToolBar) if t.isVisible()]
     assert len(own_toolbars) > 5  # the workbench's own are still there

@@ -25,7 +25,6 @@ except ImportError:
     from PySide6.QtTest import QTest
 
 
-
 def select(obj):
     Gui.Selection.clearSelection()
     Gui.Selection.addSelection(obj)
@@ -179,8 +178,9 @@ def test_save_the_picture(view, window, tmp_path, suffix):
     seen = []
 
     def answer():
-        dialogs = [w for w in QtGui.QApplication.topLevelWidgets()
-                   if isinstance(w, QtGui.QFileDialog) and w.isVisible()]
+        dialogs = [
+            w for w in QtGui.QApplication.topLevelWidgets() if isinstance(w, QtGui.QFileDialog) and w.isVisible()
+        ]
         if not dialogs:
             QtCore.QTimer.singleShot(50, answer)
             return
@@ -285,8 +285,10 @@ def shipped_sheet(pack):
 def test_the_numbers_are_those_of_mark_and_table(view, opened, window, label, tmp_path):
     report = vkworkbench.analyze(opened.getObjectsByLabel(label)[0])
     report.to_csv(str(tmp_path / "report.csv"))
-    (row,) = csv.DictReader((tmp_path / "report.csv").open(newline=""), delimiter=";" if ";" in
-                            (tmp_path / "report.csv").read_text().splitlines()[0] else ",")
+    (row,) = csv.DictReader(
+        (tmp_path / "report.csv").open(newline=""),
+        delimiter=";" if ";" in (tmp_path / "report.csv").read_text().splitlines()[0] else ",",
+    )
     select(labelled(opened, label))
     window.wait(lambda: view.title.text().startswith(f"{label}: ") and not view.dock._background.works)
     shown, found = view.dock._reading.recognition, report.operations[0].recognition

@@ -30,8 +30,7 @@ def long_document(opened):
 
 
 def dialog():
-    shown = [w for w in QtGui.QApplication.topLevelWidgets()
-             if isinstance(w, QtGui.QProgressDialog) and w.isVisible()]
+    shown = [w for w in QtGui.QApplication.topLevelWidgets() if isinstance(w, QtGui.QProgressDialog) and w.isVisible()]
     return shown[0] if shown else None
 
 
@@ -103,5 +102,7 @@ def test_esc_ends_half_a_million_commands_at_once(long_document, window):
     assert usual < 0.1 and longest < 1
     labels = set().union(*(shown for tries in rounds for _, _, shown in tries))
     assert labels and labels <= set(order)
-    assert [(obj.Name, obj.Label2, tuple(obj.PropertiesList), list(obj.State)) for obj in long_document.Objects] == before
+    assert [
+        (obj.Name, obj.Label2, tuple(obj.PropertiesList), list(obj.State)) for obj in long_document.Objects
+    ] == before
     assert long_document.UndoCount == undo

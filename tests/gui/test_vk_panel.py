@@ -196,7 +196,10 @@ def shipped(request, window):
     path = Path(FreeCAD.getResourceDir()) / "Gui" / "Stylesheets" / f"{request.param}.qss"
     if not path.exists():
         pytest.skip(f"this FreeCAD has no {path.name}")
-    application, chosen = QtGui.QApplication.instance(), FreeCAD.ParamGet("User parameter:BaseApp/Preferences/MainWindow")
+    application, chosen = (
+        QtGui.QApplication.instance(),
+        FreeCAD.ParamGet("User parameter:BaseApp/Preferences/MainWindow"),
+    )
     before, name = application.styleSheet(), chosen.GetString("StyleSheet")
     chosen.SetString("StyleSheet", path.name)  # since 1.0 FreeCAD follows at once
     window.idle()
@@ -379,8 +382,11 @@ def test_the_total_of_a_part_says_that_it_is_one(opened, window):
 
 def save_as(window, action, path):
     """Choose an export and answer its dialog as a user does."""
+
     def answer():
-        dialogs = [w for w in QtGui.QApplication.topLevelWidgets() if isinstance(w, QtGui.QFileDialog) and w.isVisible()]
+        dialogs = [
+            w for w in QtGui.QApplication.topLevelWidgets() if isinstance(w, QtGui.QFileDialog) and w.isVisible()
+        ]
         if not dialogs:
             QtCore.QTimer.singleShot(50, answer)
             return

@@ -125,7 +125,11 @@ def test_the_strategy_comes_first_then_the_time():
     kinds, room = [], 600
     while room > 10:
         shown = layout(record, "own words", room=room, mark_simulator="legacy")
-        said = ["strategy", *(["time"] if len(shown.pieces) > 1 else []), *(["remark"] if "no stock" in shown.text else [])]
+        said = [
+            "strategy",
+            *(["time"] if len(shown.pieces) > 1 else []),
+            *(["remark"] if "no stock" in shown.text else []),
+        ]
         if said not in kinds:
             kinds.append(said)
         room -= 5
@@ -145,7 +149,9 @@ def test_a_total_and_an_outdated_mark():
     assert outdated.pieces[0].kind == "outlined" and outdated.text.split()[-2:] == ["outdated", "mine"]
 
 
-@pytest.mark.parametrize("label2", ["⟦⟧", "⟦3 operations foo⟧", "⟦sculpting 9%⟧", "zigzag 97% ⟦zigzag 97%⟧", "⟦zigzag · ▶ 3 s⟧"])
+@pytest.mark.parametrize(
+    "label2", ["⟦⟧", "⟦3 operations foo⟧", "⟦sculpting 9%⟧", "zigzag 97% ⟦zigzag 97%⟧", "⟦zigzag · ▶ 3 s⟧"]
+)
 def test_what_no_property_says_to_be_ours_is_shown_as_it_is(opened, window, label2):
     pills.show()
     labelled(opened, "Face").Label2 = label2
@@ -186,7 +192,9 @@ def test_pills_have_their_strategys_colour(marked, window, theme):
 def test_text_beside_a_pill_is_readable(marked, window, theme):
     image = picture(window, "Face")
     metrics = QtGui.QFontMetrics(window.tree.font())
-    beside = image.copy(metrics.horizontalAdvance("zigzag  ") + 20, 0, metrics.horizontalAdvance("▶ about"), image.height())
+    beside = image.copy(
+        metrics.horizontalAdvance("zigzag  ") + 20, 0, metrics.horizontalAdvance("▶ about"), image.height()
+    )
     shades = sorted({beside.pixelColor(x, y).name() for x in range(beside.width()) for y in range(beside.height())},
                     key=luminance)  # fmt: skip
     assert contrast(shades[0], shades[-1]) >= 4.5
@@ -197,7 +205,10 @@ def test_tooltip_tells_why_and_how_much(marked, window):
     text = tooltip(window, "Face")
     known = marks.read(obj)
     assert obj.Reason.replace("<", "&lt;").replace(">", "&gt;") in text
-    assert "On the machine: " in text and f"{user().time(known.machining_seconds)}, {user().length(known.length)} of cutting" in text
+    assert (
+        "On the machine: " in text
+        and f"{user().time(known.machining_seconds)}, {user().length(known.length)} of cutting" in text
+    )
     for name in freecad.own_simulators():
         assert f"Simulating it in the {freecad.simulator_title(name)}: " in text
     window.screenshot("pill-tooltip")

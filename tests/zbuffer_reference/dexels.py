@@ -92,9 +92,7 @@ def first_cuts(
     pieces = _merge(Pieces(slot_ray[slots], owner[slots], depth[slots], depth[slots + 1]))
     thick = np.flatnonzero(pieces.far - pieces.near > THINNEST)
     return _merge(
-        _close_gaps(
-            Pieces(pieces.ray[thick], pieces.owner[thick], pieces.near[thick], pieces.far[thick]), near, far
-        )
+        _close_gaps(Pieces(pieces.ray[thick], pieces.owner[thick], pieces.near[thick], pieces.far[thick]), near, far)
     )
 
 

@@ -51,8 +51,7 @@ class Removal:
         low, high = np.minimum(start, end), np.maximum(start, end)
         reach = np.array([tool.radius, tool.radius, 0])
         self.index = np.flatnonzero(
-            (low - reach < stock.upper).all(axis=1)
-            & (high[:, :2] + tool.radius > stock.lower[:2]).all(axis=1)
+            (low - reach < stock.upper).all(axis=1) & (high[:, :2] + tool.radius > stock.lower[:2]).all(axis=1)
         )
         start, end = start[self.index], end[self.index]
         # The tool is unbounded upwards: a vertical move removes what it removes at its lowest point.
@@ -92,9 +91,7 @@ class Removal:
         rise = ny * self.sine * np.maximum(depth, 0)
         return np.array([nx, ny, middle - reach + np.minimum(rise, 0), middle + reach + np.maximum(rise, 0)])
 
-    def cut(
-        self, x: np.ndarray, y: np.ndarray, selection: np.ndarray | None = None
-    ) -> tuple[Pieces, np.ndarray]:
+    def cut(self, x: np.ndarray, y: np.ndarray, selection: np.ndarray | None = None) -> tuple[Pieces, np.ndarray]:
         """Return the pieces of rays; quickest where rays that follow each other are neighbours in the image.
 
         Parameters
@@ -120,9 +117,7 @@ class Removal:
         for first, last, group, item in self._meetings(x, y, selection):
             ray, item = self._pairs(group, item, x[first:last], y[first:last])
             passes[inside[first:last]] = np.bincount(ray, minlength=last - first)
-            pieces = self._cut_pairs(
-                ray, item, x[first:last], y[first:last], near[first:last], far[first:last]
-            )
+            pieces = self._cut_pairs(ray, item, x[first:last], y[first:last], near[first:last], far[first:last])
             parts.append((inside[pieces.ray + first], pieces.owner, pieces.near, pieces.far))
         return Pieces(*(np.concatenate(columns) for columns in zip(*parts))), passes
 

@@ -65,13 +65,9 @@ class ZBuffer:
         """The dexels at this moment: those of the part and the chips that have not been cut yet, joined."""
         if self.step == self.trajectories:
             return self.part_records
-        chip_pixel = np.repeat(
-            np.arange(len(self.trace_index) - 1), np.diff(self.trace_index.astype(np.int64))
-        )
+        chip_pixel = np.repeat(np.arange(len(self.trace_index) - 1), np.diff(self.trace_index.astype(np.int64)))
         pixel = np.concatenate((self.part_records["pixel"], chip_pixel)).astype(np.int64)
-        near, far = (
-            np.concatenate((self.part_records[end], self.trace_records[end])) for end in ("near", "far")
-        )
+        near, far = (np.concatenate((self.part_records[end], self.trace_records[end])) for end in ("near", "far"))
         owner = np.concatenate((np.full(len(self.part_records), UNCUT), self.trace_records["trajectory"]))
         order = np.lexsort((near, pixel))
         pieces = Pieces(pixel[order], owner[order], near[order], far[order])

@@ -95,9 +95,7 @@ def exact_lengths(toolpath: Toolpath) -> np.ndarray:
     return lengths
 
 
-def trajectory_seconds(
-    toolpath: Toolpath, *, horizontal_rapid: float = 0.0, vertical_rapid: float = 0.0
-) -> np.ndarray:
+def trajectory_seconds(toolpath: Toolpath, *, horizontal_rapid: float = 0.0, vertical_rapid: float = 0.0) -> np.ndarray:
     """Time of every trajectory at constant feed, (n,) float64 s; not a number where its speed is unknown.
 
     Parameters
@@ -190,6 +188,4 @@ def machining(
         lowest = float(np.minimum(heights[:-1], heights[1:])[~rapid].min())
         if top is not None:
             depth = max(0.0, top - lowest)
-    return Machining(
-        cutting_length, rapid_length, lowest, depth, cutting_seconds, rapid_seconds, tuple(left_out)
-    )
+    return Machining(cutting_length, rapid_length, lowest, depth, cutting_seconds, rapid_seconds, tuple(left_out))

@@ -177,7 +177,6 @@ class Convex:
                 np.maximum(near, room / slope, out=near)
         return near, far
 
-
     def spans(self, frame: Frame, x: np.ndarray, y: np.ndarray) -> Spans:
         """Where rays of a view are inside the solid.
 
@@ -253,9 +252,7 @@ class ConvexStock(Convex):
         self.corners = corners = self._corners()
         solid = len(corners) >= 4 and np.linalg.matrix_rank(corners - corners[0], tol=1e-9) == 3
         # Rays from the middle of a bounded solid leave it, whichever way they go.
-        if not solid or not all(
-            np.isfinite(self.chords(corners.mean(axis=0)[None], axis)).all() for axis in np.eye(3)
-        ):
+        if not solid or not all(np.isfinite(self.chords(corners.mean(axis=0)[None], axis)).all() for axis in np.eye(3)):
             raise ValueError("the planes of the stock enclose no bounded volume")
         self.lower, self.upper = corners.min(axis=0), corners.max(axis=0)
 

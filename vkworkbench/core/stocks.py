@@ -108,7 +108,9 @@ class Mesh:
         points = np.array(triangles, float).reshape(-1, 3)
         if not np.isfinite(points).all():
             raise Unusable(Message("stock-not-finite"))
-        _, first, corner = np.unique(np.rint(points / _SAME).astype(np.int64), axis=0, return_index=True, return_inverse=True)
+        _, first, corner = np.unique(
+            np.rint(points / _SAME).astype(np.int64), axis=0, return_index=True, return_inverse=True
+        )
         self.corners, corner = points[first], corner.reshape(-1, 3)
         proper = (corner[:, 0] != corner[:, 1]) & (corner[:, 1] != corner[:, 2]) & (corner[:, 2] != corner[:, 0])
         self.triangles = corner[proper]

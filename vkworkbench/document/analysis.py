@@ -190,9 +190,7 @@ def _patiently(work: Callable, cancelled: Callable[[], bool] | None):
         threads.shutdown(wait=False)
 
 
-def _row(
-    reading: _Reading, chosen: Preferences, conditions: Conditions, going_on: Callable
-) -> OperationReport:
+def _row(reading: _Reading, chosen: Preferences, conditions: Conditions, going_on: Callable) -> OperationReport:
     """Return the row of one operation; an error of this add-on must not cost the other operations theirs."""
     if reading.error is not None:
         return _unknown(reading, reading.error)
@@ -205,9 +203,7 @@ def _row(
         return _unknown(reading, error)
 
 
-def _work(
-    reading: _Reading, chosen: Preferences, conditions: Conditions, going_on: Callable
-) -> OperationReport:
+def _work(reading: _Reading, chosen: Preferences, conditions: Conditions, going_on: Callable) -> OperationReport:
     commands = None if reading.path.Size <= _AT_ONCE else reading.path.Commands
     text = reading.path.toGCode() if commands is None else text_of(commands)
     going_on()

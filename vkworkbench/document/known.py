@@ -21,7 +21,6 @@ _MOST_ROWS = 5_000
 _MOST_TRAJECTORIES = 10_000_000
 
 
-
 class Known:
     """Rows by their keys; those not asked for the longest time go when there are too many.
 

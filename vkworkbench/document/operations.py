@@ -66,7 +66,11 @@ def is_document(what) -> bool:
 
 
 def _is_job(obj) -> bool:
-    return has_toolpath(obj) and freecad.OPERATIONS.is_in(obj) and (freecad.TOOLS.is_in(obj) or freecad.CONTROLLER.is_in(obj))
+    return (
+        has_toolpath(obj)
+        and freecad.OPERATIONS.is_in(obj)
+        and (freecad.TOOLS.is_in(obj) or freecad.CONTROLLER.is_in(obj))
+    )
 
 
 def is_job_group(obj) -> bool:

@@ -152,7 +152,9 @@ class GaussFigure:
         steps = ticks(lower[0], upper[0], many, lambda k: user().count(round(k)), whole=True)
         plot.frame(painter, steps, in_pi, QColor(theme.text), levels)
         place, line = plot.place, text.height()
-        painter.drawText(QRectF(place.left(), place.bottom() + line + 2, place.width(), line), int(Qt.AlignHCenter), "k")
+        painter.drawText(
+            QRectF(place.left(), place.bottom() + line + 2, place.width(), line), int(Qt.AlignHCenter), "k"
+        )
         painter.drawText(QRectF(place.right() + 6, place.top() - line, 20, line), int(Qt.AlignLeft), "n")
         self._paint_names(painter, theme)
 

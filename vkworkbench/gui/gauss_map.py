@@ -175,7 +175,9 @@ class GaussMapDock(QDockWidget):
         for area in listed:
             count = int(areas.end[area] - areas.start[area])
             text = translate("Vk_GaussMap", "Area {}: {} trajectories, {}")
-            self.chooser.addItem(text.format(area + 1, user().count(count), user().length(areas.area_length[area])), area)
+            self.chooser.addItem(
+                text.format(area + 1, user().count(count), user().length(areas.area_length[area])), area
+            )
         self.chooser.blockSignals(False)
         self._show_area(0)
 

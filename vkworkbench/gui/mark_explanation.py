@@ -53,7 +53,11 @@ def _simulation(record: Record, name: str) -> str:
     """Return time and memory of one simulator; the time as a range where it is only a rough estimate."""
     seconds, memory = record.cost(name)
     factor, reader = record.factor(name), user()
-    time = reader.time(seconds) if factor < ROUGH else reader.between(reader.time(seconds / factor), reader.time(seconds * factor))
+    time = (
+        reader.time(seconds)
+        if factor < ROUGH
+        else reader.between(reader.time(seconds / factor), reader.time(seconds * factor))
+    )
     text = translate("Pills", "Simulating it in the {simulator}: {time}, {memory}")
     if record.incomplete:
         text = translate("Pills", "Simulating it in the {simulator}: at least {time}, {memory}")

@@ -208,7 +208,9 @@ class ResultsDock(QDockWidget):
         chosen = [index for index, row in self._indexes() if row.name in names]
         model = self.tree.selectionModel()
         self._following = True
-        if {index.row() for index in chosen} != {i.row() for i in model.selectedRows()} or len(chosen) != len(model.selectedRows()):
+        if {index.row() for index in chosen} != {i.row() for i in model.selectedRows()} or len(chosen) != len(
+            model.selectedRows()
+        ):
             model.clearSelection()
             for index in chosen:
                 model.select(index, QItemSelectionModel.Select | QItemSelectionModel.Rows)

@@ -67,7 +67,9 @@ class PillDelegate(QStyledItemDelegate):
         height = min(shown.fontMetrics.height() + 2, option.rect.height() - 1)
         top = area.center().y() + 1 - height / 2
         for piece in layout.pieces:
-            where = QRectF(area.left() + margin + piece.left + 0.5, top, min(piece.width, room - piece.left) - 1, height)
+            where = QRectF(
+                area.left() + margin + piece.left + 0.5, top, min(piece.width, room - piece.left) - 1, height
+            )
             _PAINTERS[piece.kind](painter, where, piece)
         painter.restore()
 

@@ -42,7 +42,10 @@ class PreferencesPage:
         own = translate("VkPreferences", "That of FreeCAD's button: {simulator}")
         self.form.mark_simulator.addItem(own.format(simulator=user().simulator(freecad.own_simulator())))
         self.form.mark_simulator.addItems([user().simulator(simulator.name) for simulator in there_are])
-        accuracy, quality = translate("VkPreferences", "{simulator}: accuracy"), translate("VkPreferences", "{simulator}: quality")
+        accuracy, quality = (
+            translate("VkPreferences", "{simulator}: accuracy"),
+            translate("VkPreferences", "{simulator}: quality"),
+        )
         self.form.legacy_accuracy_label.setText(accuracy.format(simulator=user().simulator(LEGACY.name)))
         self.form.opengl_quality_label.setText(quality.format(simulator=user().simulator(OPENGL.name)))
         for simulator in SIMULATORS:

@@ -205,7 +205,11 @@ class _Watcher:
         self._changed: set[Key] = set()
 
     def slotChangedObject(self, obj, name: str) -> None:
-        if name in freecad.PATH.names and obj.Document.Name in _shown and kind(obj) in ("operation", "dressup", "array"):
+        if (
+            name in freecad.PATH.names
+            and obj.Document.Name in _shown
+            and kind(obj) in ("operation", "dressup", "array")
+        ):
             self._changed.add((obj.Document.Name, obj.Name))
         elif name == "Visibility" and obj.Document.Name in _shown and obj.Name in _shown[obj.Document.Name].lines:
             _shown[obj.Document.Name].name_colors()

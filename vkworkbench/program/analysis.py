@@ -40,7 +40,9 @@ def is_path(what) -> bool:
     """Whether something names files: a path, or several."""
     if isinstance(what, (str, os.PathLike)):
         return True
-    return isinstance(what, (list, tuple)) and len(what) > 0 and all(isinstance(one, (str, os.PathLike)) for one in what)
+    return (
+        isinstance(what, (list, tuple)) and len(what) > 0 and all(isinstance(one, (str, os.PathLike)) for one in what)
+    )
 
 
 def analyze(

@@ -88,7 +88,9 @@ def _run(asked: argparse.Namespace) -> int:
     progress = Progress(todo, sys.stderr)
     operations, unread_files = 0, 0
     try:
-        with _executor(asked) as (executor, ahead), closing(_analyzed(todo, executor, ahead, asked.timeout)) as analyzed:
+        with _executor(asked) as (executor, ahead), closing(
+            _analyzed(todo, executor, ahead, asked.timeout)
+        ) as analyzed:
             for path, rows in analyzed:
                 progress.add(path)
                 if results is None:

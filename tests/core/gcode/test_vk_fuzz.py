@@ -24,9 +24,7 @@ FAILED = {
 
 @pytest.mark.parametrize("first", range(0, 300, 50))
 def test_random_programs(first):
-    failures = {
-        seed: result.outcome for seed in range(first, first + 50) if (result := fuzz.feed(seed)).failed
-    }
+    failures = {seed: result.outcome for seed in range(first, first + 50) if (result := fuzz.feed(seed)).failed}
     assert failures == {}
 
 
@@ -36,7 +34,11 @@ def test_programs_that_failed_once(seed):
     assert not result.failed, result.outcome
 
 
-RAMP = [("G0", {"X": 0.0, "Y": 25.0, "Z": 5.0}), ("G1", {"X": 50.0, "Z": -15.0, "F": 5.0}), ("G1", {"X": 0.0, "Z": 4.0})]
+RAMP = [
+    ("G0", {"X": 0.0, "Y": 25.0, "Z": 5.0}),
+    ("G1", {"X": 50.0, "Z": -15.0, "F": 5.0}),
+    ("G1", {"X": 0.0, "Z": 4.0}),
+]
 
 
 @pytest.mark.parametrize("diameter", [0.5, 5.0, 40.0])

@@ -34,15 +34,25 @@ def test_no_phantom_move_from_the_origin():
 
 
 def test_leading_zeros_lower_case_objects_and_modal_lines():
-    commands = [SimpleNamespace(Name=n, Parameters=p) for n, p in
-                [("g00", {"X": 0.0, "Y": 0.0, "Z": 0.0}), ("G01", {"X": 1.0}), ("", {"X": 2.0}), ("G1", {"Y": 1.0})]]
+    commands = [
+        SimpleNamespace(Name=n, Parameters=p)
+        for n, p in [("g00", {"X": 0.0, "Y": 0.0, "Z": 0.0}), ("G01", {"X": 1.0}), ("", {"X": 2.0}), ("G1", {"Y": 1.0})]
+    ]
     assert ends(linearize(commands)) == [[1, 0, 0], [2, 0, 0], [2, 1, 0]]
     assert linearize(iter(commands)).points.shape == (4, 3)
 
 
 def test_names_that_are_words():
-    toolpath = path(START, ("N10", {"G": 1.0, "X": 1.0}), ("X2.5", {"Y": 1.0}), ("N20", {}), ("N30", {"X": 4.0}),
-                    ("N40", {"M": 6.0}), ("/G1", {"X": 9.0}), ("%", {}))
+    toolpath = path(
+        START,
+        ("N10", {"G": 1.0, "X": 1.0}),
+        ("X2.5", {"Y": 1.0}),
+        ("N20", {}),
+        ("N30", {"X": 4.0}),
+        ("N40", {"M": 6.0}),
+        ("/G1", {"X": 9.0}),
+        ("%", {}),
+    )
     assert ends(toolpath) == [[1, 0, 0], [2.5, 1, 0], [4, 1, 0]] and not toolpath.problems
 
 
@@ -115,8 +125,12 @@ def test_helix_descends_evenly():
 
 def test_an_arc_of_kilometres_is_a_line():
     huge = 5e8  # rounding has put the centre on the wrong side, so that the arc would be the rest of the circle
-    toolpath = path(START, ("G2", {"X": 100, "Y": 0, "I": 50, "J": 9e5}), ("G3", {"X": 200, "Y": 0, "I": 50, "J": -9e5}),
-                    ("G3", {"X": 250, "Y": 1, "R": huge}))
+    toolpath = path(
+        START,
+        ("G2", {"X": 100, "Y": 0, "I": 50, "J": 9e5}),
+        ("G3", {"X": 200, "Y": 0, "I": 50, "J": -9e5}),
+        ("G3", {"X": 250, "Y": 1, "R": huge}),
+    )
     assert ends(toolpath)[:2] == [[100, 0, 0], [200, 0, 0]]
     assert len(toolpath) == 3 and not toolpath.sweep.any()
 
@@ -133,10 +147,26 @@ def test_full_circle_with_equal_end_points():
 
 
 def test_drilling_cycle_with_both_returns():
-    toolpath = path(("G0", {"X": 0, "Y": 0, "Z": 10}), ("G98", {}), ("G81", {"X": 5, "Y": 5, "Z": -3, "R": 2, "F": 4}),
-                    ("G99", {}), ("G81", {"X": 6, "Y": 5}), ("G80", {}), ("G0", {"X": 0}))
-    assert ends(toolpath) == [[5, 5, 10], [5, 5, 2], [5, 5, -3], [5, 5, 10],
-                              [6, 5, 10], [6, 5, 2], [6, 5, -3], [6, 5, 2], [0, 5, 2]]
+    toolpath = path(
+        ("G0", {"X": 0, "Y": 0, "Z": 10}),
+        ("G98", {}),
+        ("G81", {"X": 5, "Y": 5, "Z": -3, "R": 2, "F": 4}),
+        ("G99", {}),
+        ("G81", {"X": 6, "Y": 5}),
+        ("G80", {}),
+        ("G0", {"X": 0}),
+    )
+    assert ends(toolpath) == [
+        [5, 5, 10],
+        [5, 5, 2],
+        [5, 5, -3],
+        [5, 5, 10],
+        [6, 5, 10],
+        [6, 5, 2],
+        [6, 5, -3],
+        [6, 5, 2],
+        [0, 5, 2],
+    ]
     assert toolpath.rapid.tolist() == [True, True, False, True, True, True, False, True, True]
     assert toolpath.cycle.tolist() == [True] * 8 + [False]
     assert toolpath.feed[2] == 4
@@ -166,7 +196,9 @@ def test_other_cycles_reach_their_depth_once(name):
 def test_modal_cycle_lines_and_relative_cycles():
     modal = path(("G0", {"X": 0, "Y": 0, "Z": 5}), ("G81", {"X": 1, "Z": -1, "R": 1}), ("", {"X": 2}), ("", {"X": 3}))
     assert (modal.points[:, 2] == -1).sum() == 3
-    relative = path(("G0", {"X": 0, "Y": 0, "Z": 5}), ("G91", {}), ("G81", {"X": 1, "Z": -3, "R": -4}), ("G81", {"X": 1}))
+    relative = path(
+        ("G0", {"X": 0, "Y": 0, "Z": 5}), ("G91", {}), ("G81", {"X": 1, "Z": -3, "R": -4}), ("G81", {"X": 1})
+    )
     assert relative.points[relative.points[:, 2] == -2, 0].tolist() == [1, 2]
 
 
@@ -182,8 +214,14 @@ def messages(toolpath):
 
 
 def test_words_that_are_no_numbers_are_named_and_skipped():
-    toolpath = path(START, ("G1", {"X": float("nan"), "Y": 3}), ("G1", {"X": float("inf")}), ("G1", {"X": "ten"}),
-                    ("G1", {"X": 1e308}), ("G1", {"X": None, "Y": 4}))
+    toolpath = path(
+        START,
+        ("G1", {"X": float("nan"), "Y": 3}),
+        ("G1", {"X": float("inf")}),
+        ("G1", {"X": "ten"}),
+        ("G1", {"X": 1e308}),
+        ("G1", {"X": None, "Y": 4}),
+    )
     assert ends(toolpath) == [[0, 3, 0], [0, 4, 0]]
     assert messages(toolpath) == ["X word that is no usable number ignored (5 times, first at command 1)"]
 

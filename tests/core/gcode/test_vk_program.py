@@ -226,13 +226,23 @@ def test_any_bytes_as_well(data):
         assert str(error)
 
 
-@pytest.mark.parametrize("word", ["G-1E999", "G1E999", "T-1E999", "T1E999 M6", "G91 G81 X1 Z-1 R1 L1E999", "L-1E999", "X1E999", "S-1E999"])
+@pytest.mark.parametrize(
+    "word", ["G-1E999", "G1E999", "T-1E999", "T1E999 M6", "G91 G81 X1 Z-1 R1 L1E999", "L-1E999", "X1E999", "S-1E999"]
+)
 def test_numbers_beyond_all_bounds(word):
     assert np.isfinite(read_program(f"{PLAIN}{word}\nX5\n").toolpath().points).all()
 
 
 def test_long_lines_take_no_long_time():
-    for line in ("X1E5" * 5000, "(" * 50_000, "1" * 50_000, "O[" * 20_000, "X[" * 20_000, "N1" + " " * 50_000 + "!", "/" * 50_000):
+    for line in (
+        "X1E5" * 5000,
+        "(" * 50_000,
+        "1" * 50_000,
+        "O[" * 20_000,
+        "X[" * 20_000,
+        "N1" + " " * 50_000 + "!",
+        "/" * 50_000,
+    ):
         try:
             read_program(PLAIN + line)
         except ValueError:

@@ -72,6 +72,11 @@ def test_lengths_in_the_reason_are_those_of_the_path():
 
 
 def test_whether_the_program_tells_its_unit():
-    for text, told, inches in (("G20", True, True), ("G21", True, False), ("G71\nG20", True, False), ("", False, False)):
+    for text, told, inches in (
+        ("G20", True, True),
+        ("G21", True, False),
+        ("G71\nG20", True, False),
+        ("", False, False),
+    ):
         program = read_program(f"{text}\nG0 X0 Y0 Z1\nG1 X1 F10\n")
         assert (program.unit_told, program.inches) == (told, inches)

@@ -52,7 +52,9 @@ def test_feeds_of_another_mode_are_no_times():
 
 
 def test_a_time_with_a_dwell_is_the_least():
-    assert [note.codes for note in machining(linearize([*START, ("G4", {"P": 1.0})])).left_out] == [("in-commands", "dwell-untimed")]
+    assert [note.codes for note in machining(linearize([*START, ("G4", {"P": 1.0})])).left_out] == [
+        ("in-commands", "dwell-untimed")
+    ]
 
 
 @pytest.mark.parametrize("line, problem", [

@@ -81,7 +81,9 @@ def test_every_message_in_every_language(language):
                 assert quantity or "Face" in shown, (name, shown)
 
 
-@pytest.mark.parametrize("label", ["A; B", "{step:mm3}", "{label}", "{}", "%n %1 50%", "a: b", "⟦x⟧", "é\n\t", "", "; "])
+@pytest.mark.parametrize(
+    "label", ["A; B", "{step:mm3}", "{label}", "{}", "%n %1 50%", "a: b", "⟦x⟧", "é\n\t", "", "; "]
+)
 def test_labels_stay_as_they_are(label):
     message = Message("heaviest", label=label, time=3.0)
     assert render(message) == f"; the heaviest is {label} with 3.0 s"
@@ -151,7 +153,9 @@ def test_plain_words_leave_out_the_papers_terms():
     for code, known in PLAIN.items():
         for template in [known] if isinstance(known, str) else known:
             assert not terms.search(PLACE.sub("", template)), template
-            assert set(PLACE.findall(template)) <= {place for t in templates(code.split()[0]) for place in PLACE.findall(t)}
+            assert set(PLACE.findall(template)) <= {
+                place for t in templates(code.split()[0]) for place in PLACE.findall(t)
+            }
     bites = Message("bites-overlap", count=132)
     spread = Message("apart-at-depths", step=1.0, depths=3)
     why = Message("strokes", low=-1.0, high=9.0, count=5, spread=spread, seen=bites, strategy=Strategy.ADAPTIVE)

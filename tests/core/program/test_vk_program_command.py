@@ -143,7 +143,9 @@ def test_ctrl_c_ends_it_with_all_its_processes(folder, tmp_path):
     while (not out.exists() or out.read_bytes().count(b"\n") < 7) and time.monotonic() < deadline:
         time.sleep(0.05)
     children = Path(f"/proc/{process.pid}/task/{process.pid}/children").read_text().split()
-    children += [c for task in Path(f"/proc/{process.pid}/task").iterdir() for c in (task / "children").read_text().split()]
+    children += [
+        c for task in Path(f"/proc/{process.pid}/task").iterdir() for c in (task / "children").read_text().split()
+    ]
     process.send_signal(signal.SIGINT)
     _, said = process.communicate(timeout=20)
     assert process.returncode == 130
@@ -221,7 +223,11 @@ def test_the_same_on_a_dask_cluster(folder, tmp_path, scheduler):
 def test_no_scheduler_is_said(folder):
     pytest.importorskip("distributed", reason="python3-distributed is not installed: --scheduler is not tested")
     done = run(folder, "--scheduler", "nonsense://nowhere")
-    assert done.returncode == 2 and "no Dask scheduler at nonsense://nowhere" in done.stderr and "Traceback" not in done.stderr
+    assert (
+        done.returncode == 2
+        and "no Dask scheduler at nonsense://nowhere" in done.stderr
+        and "Traceback" not in done.stderr
+    )
 
 
 def test_dask_is_loaded_for_a_cluster_only(folder):

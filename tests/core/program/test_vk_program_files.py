@@ -61,7 +61,9 @@ def test_folders_and_files(tmp_path):
         path = tmp_path / name
         path.parent.mkdir(exist_ok=True)
         path.write_text("G1 X1")
-    found = [str(path.relative_to(tmp_path)) for path in find_programs([tmp_path, tmp_path / "c.txt", tmp_path / "b.nc"])]
+    found = [
+        str(path.relative_to(tmp_path)) for path in find_programs([tmp_path, tmp_path / "c.txt", tmp_path / "b.nc"])
+    ]
     assert found == ["a.NGC", "b.nc", "d.tap.xz", "sub/e.gcode", "c.txt"]
 
 
@@ -96,9 +98,13 @@ def test_inches_and_millimetres_are_one_part(tmp_path):
     for name, unit, scale in (("mm.nc", "G21", 25.4), ("inch.nc", "G20", 1.0)):
         rows = "".join(f"G1 X{scale * 2 * (k % 2)}\nY{scale * 0.1 * (k + 1)}\n" for k in range(12))
         path = tmp_path / name
-        path.write_text(f"{unit}\n(T1 D={scale * 0.25} - end mill)\nT1 M6\nG0 X0 Y0 Z{scale}\nG1 Z{-scale} F{scale * 20}\n{rows}")
+        path.write_text(
+            f"{unit}\n(T1 D={scale * 0.25} - end mill)\nT1 M6\nG0 X0 Y0 Z{scale}\nG1 Z{-scale} F{scale * 20}\n{rows}"
+        )
         (row,) = vkworkbench.analyze(path).operations
-        found.append((row.strategy, round(row.length, 6), round(row.machining.seconds, 6), row.estimate.traces, row.confidence))
+        found.append(
+            (row.strategy, round(row.length, 6), round(row.machining.seconds, 6), row.estimate.traces, row.confidence)
+        )
     assert found[0] == found[1]
 
 
@@ -154,7 +160,9 @@ def test_cancelled(tmp_path):
 def test_no_freecad_is_loaded(tmp_path):
     (tmp_path / "a.nc").write_text(PROGRAM)
     code = f"import sys, vkworkbench; vkworkbench.analyze({str(tmp_path)!r}); print('FreeCAD' in sys.modules)"
-    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, cwd=Path(vkworkbench.__file__).parents[1])
+    done = subprocess.run(
+        [sys.executable, "-c", code], capture_output=True, text=True, cwd=Path(vkworkbench.__file__).parents[1]
+    )
     assert (done.stdout, done.stderr) == ("False\n", "")
 
 

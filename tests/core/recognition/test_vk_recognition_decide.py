@@ -87,7 +87,9 @@ def test_the_rules_lose_against_more_votes_than_theirs():
 
 def test_more_votes_make_a_verdict_surer():
     of = STRATEGIES.index(Strategy.SPIRAL)
-    sure = [sureness(grounds(np.eye(len(STRATEGIES))[of] * share, of, False), LEARNED.sureness) for share in (0.2, 0.6, 1.0)]
+    sure = [
+        sureness(grounds(np.eye(len(STRATEGIES))[of] * share, of, False), LEARNED.sureness) for share in (0.2, 0.6, 1.0)
+    ]
     assert sure == sorted(sure) and sure[0] < sure[-1] <= VOTES.SUREST
 
 

@@ -17,9 +17,7 @@ TOOL = 5.0
 CLEAR = programs.CLEAR
 angles, sizes = st.floats(-np.pi, np.pi), st.floats(0.1, 50)
 steps = st.floats(0.5, 4.0)
-depths = st.lists(st.integers(-9, 0), min_size=1, max_size=3, unique=True).map(
-    lambda z: sorted(map(float, z))[::-1]
-)
+depths = st.lists(st.integers(-9, 0), min_size=1, max_size=3, unique=True).map(lambda z: sorted(map(float, z))[::-1])
 
 ARGUMENTS = {
     "zigzag": (st.integers(6, 30), st.floats(40, 200), steps, depths),
@@ -144,8 +142,7 @@ def test_splitting_adds_collinear_points_and_changes_nothing(made, data):
 def test_six_decimals_are_enough(made):
     _, found = path_of(made)
     rounded = [
-        (code, {letter: round(value, 6) for letter, value in words.items()})
-        for code, words in commands_of(made)
+        (code, {letter: round(value, 6) for letter, value in words.items()}) for code, words in commands_of(made)
     ]
     again = recognize(linearize(rounded), tool_diameter=TOOL)
     assert (again.strategy, again.passes) == (found.strategy, found.passes)

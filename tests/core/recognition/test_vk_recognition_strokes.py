@@ -16,6 +16,7 @@ from vkworkbench.core.recognition.spurs import without_spurs
 
 SEEDS = 8
 
+
 @pytest.mark.parametrize("seed", range(SEEDS))
 @pytest.mark.parametrize("label, accepted, make", [pytest.param(*s, id=s[0]) for s in SAMPLES])
 def test_what_they_are(label, accepted, make, seed):
@@ -26,7 +27,9 @@ def test_what_they_are(label, accepted, make, seed):
 
 
 @pytest.mark.parametrize("scale", [0.3, 3.0])
-@pytest.mark.parametrize("make, strategy", [(open_offsets, Strategy.CONTOUR_PARALLEL), (open_adaptive, Strategy.ADAPTIVE)])
+@pytest.mark.parametrize(
+    "make, strategy", [(open_offsets, Strategy.CONTOUR_PARALLEL), (open_adaptive, Strategy.ADAPTIVE)]
+)
 def test_open_strokes_side_by_side_of_any_size_and_mirrored(make, strategy, scale):
     path = linearize(make(np.random.default_rng(3)))
     for points in (scale * path.points, path.points * (1, -1, 1)):

@@ -29,9 +29,7 @@ def rows(count=24, length=60.0, step=2.0, scale=1.0):
 def bore(turns=6, radius=8.0):
     """Commands of a helical bore that ends by a level turn."""
     program = [("G0", {"X": radius, "Y": 0.0, "Z": 5.0}), ("G1", {"Z": 0.0})]
-    program += [
-        ("G3", {"X": radius, "Y": 0.0, "Z": -1.0 * (k + 1), "I": -radius, "J": 0.0}) for k in range(turns)
-    ]
+    program += [("G3", {"X": radius, "Y": 0.0, "Z": -1.0 * (k + 1), "I": -radius, "J": 0.0}) for k in range(turns)]
     return [*program, ("G3", {"X": radius, "Y": 0.0, "I": -radius, "J": 0.0})]
 
 

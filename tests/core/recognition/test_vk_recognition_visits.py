@@ -57,7 +57,9 @@ def test_an_operation_that_retracts_within_itself_is_one(name):
     program = DIFFERENT[name]
     for x in (150.0, 300.0, 450.0):
         shifted = [
-            (n, {k: v + x if k == "X" else v for k, v in words.items()}) if n in ("G0", "G1", "G2", "G3", "G81") else (n, words)
+            (n, {k: v + x if k == "X" else v for k, v in words.items()})
+            if n in ("G0", "G1", "G2", "G3", "G81")
+            else (n, words)
             for n, words in DIFFERENT[name]
         ]
         program = [*program, ("G0", {"Z": programs.CLEAR}), *shifted]

@@ -72,7 +72,9 @@ def test_what_is_to_be_known_before_a_simulation_asks_for_no_rays_where_a_bound_
     assert sorted(asked) == ["OpenGL", "legacy"]
     # With less memory than the bound it takes the rays to tell.
     few = Conditions(version=(1, 1), memory_budget=costs["z-buffer"].memory_bytes + 1e4)
-    assert not [caution for caution in preflight(whole, costs, few) if caution.what.arguments["simulator"] == "z-buffer"]
+    assert not [
+        caution for caution in preflight(whole, costs, few) if caution.what.arguments["simulator"] == "z-buffer"
+    ]
     few = replace(few, memory_budget=costs["z-buffer"].memory_bytes - 1)
     assert [caution for caution in preflight(whole, costs, few) if caution.what.arguments["simulator"] == "z-buffer"]
 

@@ -84,9 +84,7 @@ def test_short_slopes_plunges_helices_and_lifts_are_no_ramps():
 
 
 def zigzag(rows):
-    return [START] + [
-        ("G1", {"X": 10.0 + 20 * (i % 4 in (0, 1)), "Y": 0.001 * i, "F": 5.0}) for i in range(rows)
-    ]
+    return [START] + [("G1", {"X": 10.0 + 20 * (i % 4 in (0, 1)), "Y": 0.001 * i, "F": 5.0}) for i in range(rows)]
 
 
 def test_a_long_play_is_announced_with_the_faster_way():
@@ -96,9 +94,7 @@ def test_a_long_play_is_announced_with_the_faster_way():
     opengl = opengl_cost(Task(path, Tool("endmill", 6.0), STOCK), constants=Constants(refresh=0.035, draw=25e-6))
     found = [one for one in check(commands, (1, 1), legacy=legacy, OpenGL=opengl) if one.code == "long-play"]
     assert len(found) == 2  # 20,001 commands of 25 ms, a mesh of a million cells of 27 ns and its triangles
-    assert re.search(
-        r"about 18 min in the legacy simulator: fast-forward takes about 2\d s\.", found[0].message
-    )
+    assert re.search(r"about 18 min in the legacy simulator: fast-forward takes about 2\d s\.", found[0].message)
     only_legacy = check(commands, (0, 20), legacy=legacy, OpenGL=opengl)
     assert [one.code for one in only_legacy if one.code == "long-play"] == ["long-play"]
 

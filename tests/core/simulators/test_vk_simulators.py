@@ -47,9 +47,7 @@ def arcs(count, radius):
     commands = [("G0", {"X": 40.0, "Y": 30.0, "Z": 10.0})]
     for i in range(count):
         x = 40.0 + (2 * radius if i % 2 == 0 else 0.0)
-        commands.append(
-            ("G2", {"X": x, "Y": 30.0, "Z": 10.0, "I": radius if i % 2 == 0 else -radius, "J": 0.0})
-        )
+        commands.append(("G2", {"X": x, "Y": 30.0, "Z": 10.0, "I": radius if i % 2 == 0 else -radius, "J": 0.0}))
     return commands
 
 
@@ -73,9 +71,7 @@ def test_chords_of_an_arc_are_one_motion_of_its_radius_and_sweep():
 
 
 def test_a_full_circle_is_a_motion_though_it_ends_where_it_starts():
-    made = motions(
-        linearize([("G0", {"X": 10.0, "Y": 0.0, "Z": 0.0}), ("G2", {"X": 10.0, "I": -10.0, "J": 0.0})])
-    )
+    made = motions(linearize([("G0", {"X": 10.0, "Y": 0.0, "Z": 0.0}), ("G2", {"X": 10.0, "I": -10.0, "J": 0.0})]))
     assert np.allclose(made.sweep, [-2 * math.pi]) and np.allclose(made.radius, [10.0])
 
 
@@ -238,9 +234,7 @@ def test_budget_of_play_is_met_by_the_finest_position_that_meets_it():
 
 def test_play_shows_the_uncut_stock_and_every_command():
     path = linearize(zigzag(40))
-    half, one = (
-        legacy_costs(Task(path, TOOL, STOCK), constants=Constants(redraw=redraw))[0] for redraw in (0.5, 1.0)
-    )
+    half, one = (legacy_costs(Task(path, TOOL, STOCK), constants=Constants(redraw=redraw))[0] for redraw in (0.5, 1.0))
     assert one.play_seconds - half.play_seconds == pytest.approx(0.5 * (1 + one.shown))
 
 
@@ -371,7 +365,10 @@ def test_the_lower_face_is_cut_where_the_tool_comes_through(tool):
     def cut(x, y, z, to):
         return [("G0", {"X": x, "Y": y, "Z": 25.0}), ("G1", {"Z": z}), ("G1", to), ("G0", {"Z": 25.0})]
 
-    begin, end = np.array([[12.0, 9.0], [40.3, 30.7], [52.0, 20.0]]), np.array([[33.0, 24.0], [40.3, 30.7], [75.0, 20.0]])
+    begin, end = (
+        np.array([[12.0, 9.0], [40.3, 30.7], [52.0, 20.0]]),
+        np.array([[33.0, 24.0], [40.3, 30.7], [75.0, 20.0]]),
+    )
     commands = cut(*begin[0], -1.0, {"X": 33.0, "Y": 24.0}) + cut(*begin[1], -1.0, {"Z": 5.0})
     commands += cut(*begin[2], 5.0, {"X": 75.0, "Z": 5.0})  # does not come through
     (kept,), size = floors(linearize(commands), tool=tool, stock=STOCK, thickness=0.0)

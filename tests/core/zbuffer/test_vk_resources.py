@@ -137,8 +137,7 @@ def test_the_same_numbers_every_time():
 def test_counts_grow_as_the_number_of_pixels():
     toolpath, tool = PATHS["contours"]
     coarse, fine = (
-        estimate(toolpath, None, tool=tool, stock=STOCK, view=View(width=k * 400, height=k * 300))
-        for k in (1, 3)
+        estimate(toolpath, None, tool=tool, stock=STOCK, view=View(width=k * 400, height=k * 300)) for k in (1, 3)
     )
     assert fine.traces == pytest.approx(9 * coarse.traces)
     assert fine.dexels == pytest.approx(9 * coarse.dexels)
@@ -229,9 +228,7 @@ def test_closed_form_by_strategy():
     assert expected(contours(), Strategy.CONTOUR_PARALLEL, stepover=2.5, passes=8, depths=1) == pytest.approx(
         1, rel=0.03
     )
-    assert expected(path(contours().points[:5]), Strategy.PROFILE, passes=1, depths=1) == pytest.approx(
-        1, rel=0.03
-    )
+    assert expected(path(contours().points[:5]), Strategy.PROFILE, passes=1, depths=1) == pytest.approx(1, rel=0.03)
     assert expected(helix(), Strategy.HELIX, passes=6) == pytest.approx(1, rel=0.05)
     assert expected(drilled(), Strategy.DRILLING) == pytest.approx(1, rel=0.01)
     assert expected(surface(), Strategy.ZIGZAG, BALL, stepover=2, passes=21) == pytest.approx(1, rel=0.1)
@@ -268,9 +265,7 @@ def test_what_the_sequence_is_good_for():
 
 def test_cauchy_crofton_is_the_projected_length():
     view = View(pixel=0.5)
-    assert cauchy_crofton(path([(10, 10, 5), (40, 50, 5)]), stock=STOCK, view=view) == pytest.approx(
-        50 * 2 / pi / 0.5
-    )
+    assert cauchy_crofton(path([(10, 10, 5), (40, 50, 5)]), stock=STOCK, view=view) == pytest.approx(50 * 2 / pi / 0.5)
 
 
 @pytest.mark.parametrize("direction", [TOP, TILTED, ISOMETRIC], ids=["top", "tilted", "isometric"])
@@ -356,22 +351,15 @@ def test_where_no_resolution_helps_it_says_what_does():
     assert chosen.view is None
     assert chosen.explanation.startswith("no resolution helps, the trajectories alone take")
     assert "fewer operations" in chosen.explanation
-    assert (
-        best_resolution([found], memory_bytes=10).explanation
-        == "no resolution helps, not even a single pixel fits"
-    )
+    assert best_resolution([found], memory_bytes=10).explanation == "no resolution helps, not even a single pixel fits"
 
 
 def test_an_image_tells_passes_apart_with_four_pixels_between_them():
     found = estimate(*PATHS["zigzag"][:1], None, tool=FLAT, stock=STOCK, view=View())
     assert (
-        "0.75 mm would do for passes 3 mm apart"
-        in best_resolution([found], memory_bytes=2e7, stepover=3).explanation
+        "0.75 mm would do for passes 3 mm apart" in best_resolution([found], memory_bytes=2e7, stepover=3).explanation
     )
-    assert (
-        "passes 3 mm apart ask for 0.75 mm"
-        in best_resolution([found], memory_bytes=1e5, stepover=3).explanation
-    )
+    assert "passes 3 mm apart ask for 0.75 mm" in best_resolution([found], memory_bytes=1e5, stepover=3).explanation
 
 
 @pytest.mark.parametrize("budget", [{}, {"seconds": 0}, {"memory_bytes": float("nan")}, {"seconds": -1.0}])

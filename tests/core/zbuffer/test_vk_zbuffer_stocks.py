@@ -121,7 +121,9 @@ def test_no_ray_slips_through_between_triangles():
     squares = np.concatenate([np.stack((a, a + 9, a + 1), 1), np.stack((a + 9, a + 10, a + 1), 1)])
     rim = np.concatenate((np.arange(9), np.arange(17, 81, 9), np.arange(79, 71, -1), np.arange(63, 0, -9)))
     after = np.roll(rim, -1)
-    walls = np.concatenate((np.stack((ground[rim], ground[after], top[rim]), 1), np.stack((ground[after], top[after], top[rim]), 1)))
+    walls = np.concatenate(
+        (np.stack((ground[rim], ground[after], top[rim]), 1), np.stack((ground[after], top[after], top[rim]), 1))
+    )
     mesh = Mesh(np.concatenate((top[squares], ground[squares], walls)))
     for direction in DIRECTIONS:
         frame = View(direction, 128, 128, pixel=0.125).frame(mesh)

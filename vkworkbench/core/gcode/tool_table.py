@@ -31,7 +31,8 @@ _MILLING_WORD = (
 _NUMBERED = re.compile(r"\b(?:T|tool\s*(?:no\.?|nr\.?|number)?)\s*[-#:=]?\s*(?P<number>\d{1,8})\b(?![./]\d)", re.I)
 _LETTER = re.compile(rf"(?<![A-Za-z])D\s*=\s*{_SIZE}{_UNIT}", re.I)
 _WORD = re.compile(
-    rf"(?:\bdia(?:meter|m)?\b\.?|\bdiametro\b|\bdiámetro\b|\bdiamètre\b|\bdurchmesser\b|[øØ⌀]|\bдиаметр)\s*[:=.\-]*\s*{_SIZE}{_UNIT}", re.I
+    rf"(?:\bdia(?:meter|m)?\b\.?|\bdiametro\b|\bdiámetro\b|\bdiamètre\b|\bdurchmesser\b|[øØ⌀]|\bдиаметр)\s*[:=.\-]*\s*{_SIZE}{_UNIT}",
+    re.I,
 )
 _BEFORE = re.compile(rf"(?<![\d.,/]){_SIZE}{_UNIT}\s*\bdia(?:meter|m)?\b", re.I)
 _CAMBAM = re.compile(rf"T\d+\s*:\s*(?P<size>{_NUMBER})", re.I)
@@ -41,7 +42,9 @@ _SHORT = re.compile(rf"(?<![\w|])D(?P<size>{_NUMBER})(?![\w|])")  # D10; between
 _FLUTES = re.compile(r"\b\d+\s*-?\s*fl(?:utes?)?\b", re.I)
 _LISTED = re.compile(r"\s*T\d+\s*[|:=]", re.I)
 _LONGEST, _LONGEST_NAME = 200, 60  # characters; longer comments are prose that mentions a size in passing
-_BARE = re.compile(rf"(?<![\w.,/#]){_SIZE}(?P<unit>)(?=(?:\s*(?:flat|square|long|stub|hss))*\s*(?:{_MILLING_WORD}))", re.I)
+_BARE = re.compile(
+    rf"(?<![\w.,/#]){_SIZE}(?P<unit>)(?=(?:\s*(?:flat|square|long|stub|hss))*\s*(?:{_MILLING_WORD}))", re.I
+)
 _IS_TOOL = re.compile(rf"(?<![a-zà-ÿа-я])(?:{_MILLING_WORD})", re.I)
 _CORNER = re.compile(rf"\b(?:CR|corner radius|torus_radius)\s*[=:]\s*(?P<size>{_NUMBER})", re.I)
 _TAPER = re.compile(rf"\bTAPER\s*=\s*(?P<size>{_NUMBER})\s*deg", re.I)

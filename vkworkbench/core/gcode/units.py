@@ -15,7 +15,9 @@ SMALL = 15.0  # mm, longer side of what is cut; a part of 15 inches is a large o
 LOW = 4.0  # mm, from the lowest cut to the highest point; tools are lifted higher than this, even over a thin sheet
 SLOW = 5.0  # mm/s, median feed; 300 inches a minute are fast
 IMPORTED_SLOW = 300.0  # mm/s as FreeCAD imports: it takes the mm or inches a minute of a file for mm/s
-PER_MINUTE = 250.0  # mm/s, 15 m/min: faster mills exist, but a program whose fastest cut is slower than 250 mm/min is rarer
+PER_MINUTE = (
+    250.0  # mm/s, 15 m/min: faster mills exist, but a program whose fastest cut is slower than 250 mm/min is rarer
+)
 TOOLS = 4.0  # tool diameters; something wider was made for this tool, so its size is right
 
 

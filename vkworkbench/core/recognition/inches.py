@@ -11,9 +11,7 @@ from vkworkbench.core.toolpath import Toolpath
 from vkworkbench.language import Message
 
 
-def recognize_inches(
-    toolpath: Toolpath, *, tool_diameter: float | None = None, program: bool = False
-) -> Recognition:
+def recognize_inches(toolpath: Toolpath, *, tool_diameter: float | None = None, program: bool = False) -> Recognition:
     """Recognise a toolpath of inches that were read as millimetres.
 
     Parameters

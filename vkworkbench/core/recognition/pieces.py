@@ -181,9 +181,7 @@ class _Stretches:
         )
 
 
-def half_turns(
-    moves: Areas, parts: _Stretches, able: np.ndarray
-) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+def half_turns(moves: Areas, parts: _Stretches, able: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Tell back-and-forth from around by the signs of the half-turns between passes.
 
     A pass is a run of moves one way along the axis of its stretch. Between two opposite passes phi turns by pi or
@@ -216,9 +214,7 @@ def half_turns(
     dx, dy, length = moves.dx[chosen], moves.dy[chosen], moves.length[chosen]
     begin = np.cumsum(size) - size
     cos = dx / length
-    axis = axis_of(
-        np.add.reduceat(cos * dx, begin), np.add.reduceat(cos * dy, begin), parts.length[stretch]
-    )
+    axis = axis_of(np.add.reduceat(cos * dx, begin), np.add.reduceat(cos * dy, begin), parts.length[stretch])
     u, v = np.cos(axis), np.sin(axis)
     if len(stretch) > 1:
         u, v = np.repeat(u, size), np.repeat(v, size)

@@ -109,9 +109,7 @@ class Recognition:
         return render(self.why)
 
 
-def recognize(
-    toolpath: Toolpath, *, tool_diameter: float | None = None, program: bool = False
-) -> Recognition:
+def recognize(toolpath: Toolpath, *, tool_diameter: float | None = None, program: bool = False) -> Recognition:
     """Recognise the machining strategy of an operation (paper, section 3; docs/recognition.md).
 
     Parameters

@@ -119,11 +119,7 @@ def _densest(moves: Areas, chosen: np.ndarray) -> Rows | None:
     on, forward, length = chosen.take(aligned), along.take(aligned) > 0, length.take(aligned)
     if not len(on):
         return None
-    area = (
-        np.searchsorted(moves.start, on, side="right")
-        if len(moves.start) > 1
-        else np.zeros(len(on), np.int64)
-    )
+    area = np.searchsorted(moves.start, on, side="right") if len(moves.start) > 1 else np.zeros(len(on), np.int64)
     # A pass ends where the next move runs the other way. It goes on over links and lifts while it stays on its line:
     # a row that islands interrupt is one row.
     new = forward[1:] != forward[:-1]

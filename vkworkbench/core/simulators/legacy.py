@@ -325,7 +325,8 @@ def legacy_together(costs: Sequence[LegacyCost]) -> LegacyCost:
     more = [cost.shown * kept for cost, kept in zip(costs, before.tolist())]
     return LegacyCost(
         fast_forward_seconds=panel_seconds(constants, commands) + each + mesh + constants.display * facets,
-        play_seconds=sum(cost.play_seconds for cost in costs) + (constants.facet + constants.display) * sum(more)
+        play_seconds=sum(cost.play_seconds for cost in costs)
+        + (constants.facet + constants.display) * sum(more)
         - (len(costs) - 1) * _uncut_seconds(constants, cells),
         commands=commands,
         shown=sum(cost.shown for cost in costs),

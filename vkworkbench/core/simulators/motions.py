@@ -81,9 +81,7 @@ def motions(toolpath: Toolpath) -> Motions:
     arcs = np.zeros((len(first), 3))
     radii = np.zeros((len(first), 3))
     arcs[:, 0], radii[:, 0] = sweep, radius
-    return Motions(
-        move[exists], arcs[exists], radii[exists], np.repeat(command[first], 3).reshape(-1, 3)[exists]
-    )
+    return Motions(move[exists], arcs[exists], radii[exists], np.repeat(command[first], 3).reshape(-1, 3)[exists])
 
 
 def _height_before_first_feed(toolpath: Toolpath, first: np.ndarray) -> np.ndarray:

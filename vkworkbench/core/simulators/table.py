@@ -169,6 +169,7 @@ def together(
     costs, advice : OnDemand
         As of :func:`predict`; without the simulators of which no cost is known.
     """
+
     def known(simulator: Simulator) -> tuple[list[str], list[Cost]]:
         pairs = [(label, own[simulator.name]) for label, own in zip(labels, each) if simulator.name in own]
         if not pairs:

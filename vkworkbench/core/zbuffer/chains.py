@@ -129,9 +129,7 @@ def _behind(gaps: Gaps, ray: np.ndarray, *others: np.ndarray) -> list[np.ndarray
     return [rays[order], *(np.concatenate(both)[order] for both in zip(columns, others))]
 
 
-def _deepened(
-    near: np.ndarray, far: np.ndarray, ray: np.ndarray, trajectory: np.ndarray, leave: np.ndarray
-) -> Pieces:
+def _deepened(near: np.ndarray, far: np.ndarray, ray: np.ndarray, trajectory: np.ndarray, leave: np.ndarray) -> Pieces:
     """Pieces of rays that are cut from their near end on, by each interval to a greater depth."""
     end = near.copy()
     end[ray] = leave  # the last one's

@@ -108,9 +108,7 @@ def swept(toolpath: Toolpath, *, tool: Tool, stock: Solid, view: View) -> float:
     return float((area * t.share).sum() / view.frame(stock).pixel ** 2)
 
 
-def closed_form(
-    toolpath: Toolpath, recognition: Recognition, *, tool: Tool, stock: Solid, view: View
-) -> float:
+def closed_form(toolpath: Toolpath, recognition: Recognition, *, tool: Tool, stock: Solid, view: View) -> float:
     """Number of trace elements expected from the strategy, the stepover and the tool.
 
     Parameters
@@ -146,9 +144,7 @@ def _tilt(frame: Frame) -> tuple[float, float, float]:
     return abs(float(z)), float(np.hypot(x, y)), float(np.arctan2(y, x))
 
 
-def _levels(
-    t: _Trajectories, recognition: Recognition, tool: Tool, stock: Solid, stepover: float
-) -> float:
+def _levels(t: _Trajectories, recognition: Recognition, tool: Tool, stock: Solid, stepover: float) -> float:
     """Area a flat tool cuts, mm^2: each level once, and its whole foot again wherever it descends."""
     radius = tool.radius
     level = np.flatnonzero((np.abs(t.rise) < _LEVEL) & (t.run > 0))
@@ -246,11 +242,7 @@ def _rows_area(t: _Trajectories, rows: np.ndarray, tool: Tool, stepover: float) 
     passes = np.count_nonzero(in_order > _APART) + 1
     # Rows of several pockets mix when sorted, those of a lattice jump to and fro in order: both only lower
     # the step.
-    steps = [
-        s.mean()
-        for s in (x[(x > _APART) & (x <= tool.diameter + _APART)] for x in (in_order, sorted_))
-        if len(s)
-    ]
+    steps = [s.mean() for s in (x[(x > _APART) & (x <= tool.diameter + _APART)] for x in (in_order, sorted_)) if len(s)]
     step = min(float(max(steps)), tool.diameter) if steps else stepover
     along = float((t.run * t.share)[rows].sum())
     # The tool's circle where the row is its own, |y| < step / 2.
@@ -285,9 +277,7 @@ def _recut(t: _Trajectories, tool: Tool, stock: Solid, stepover: float) -> float
     if tool.steepness > 0:
         reach = np.minimum(tool.radius, depth / tool.steepness)
     else:
-        reach = np.where(
-            depth < tool.radius, np.sqrt(np.maximum(2 * tool.radius * depth - depth**2, 0)), tool.radius
-        )
+        reach = np.where(depth < tool.radius, np.sqrt(np.maximum(2 * tool.radius * depth - depth**2, 0)), tool.radius)
     side = np.minimum(reach, stepover / 2)
     y = -side + np.linspace(0, 1, 33)[:, None] * (reach + side)
     ahead = np.sqrt(np.maximum(np.minimum(reach, np.abs(y + stepover)) ** 2 - y**2, 0))
@@ -297,9 +287,7 @@ def _recut(t: _Trajectories, tool: Tool, stock: Solid, stepover: float) -> float
     return float((new * t.share).sum())
 
 
-def _walls(
-    t: _Trajectories, tool: Tool, stock: Solid, stepover: float, azimuth: float
-) -> float:
+def _walls(t: _Trajectories, tool: Tool, stock: Solid, stepover: float, azimuth: float) -> float:
     """Area of the walls the trajectories cut, seen from the side, mm^2."""
     key = np.rint(t.low / _LEVEL).astype(np.int64)
     levels, which = np.unique(key, return_inverse=True)

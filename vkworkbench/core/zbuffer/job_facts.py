@@ -152,7 +152,9 @@ def facts(zbuffer: ZBuffer, *, model: Solid | None = None, tolerance: float = 0.
             left=own(left),
         )
 
-    return JobFacts(tuple(told(range(k, k + 1)) for k in range(len(cuts.cuts))), told(range(len(cuts.cuts)), whole=True))
+    return JobFacts(
+        tuple(told(range(k, k + 1)) for k in range(len(cuts.cuts))), told(range(len(cuts.cuts)), whole=True)
+    )
 
 
 def _rates(seconds: np.ndarray, volumes: np.ndarray, window: float) -> tuple[np.ndarray, np.ndarray]:

@@ -42,8 +42,11 @@ class OverBudget(Unusable):
     def __init__(self, needed: float, allowed: float, counts: Counts) -> None:
         super().__init__(
             Message(
-                "zbuffer-memory", memory=needed, allowed=allowed,
-                traces=round(counts.traces), dexels=round(counts.dexels),
+                "zbuffer-memory",
+                memory=needed,
+                allowed=allowed,
+                traces=round(counts.traces),
+                dexels=round(counts.dexels),
             )  # fmt: skip
         )
         self.needed, self.allowed = needed, allowed

@@ -22,9 +22,7 @@ _PAIRS_AT_ONCE = 16_384
 class Removal(Trajectories):
     """Toolpaths ready to cut scattered rays, as the estimate does."""
 
-    def cut(
-        self, x: np.ndarray, y: np.ndarray, selection: np.ndarray | None = None
-    ) -> tuple[Pieces, np.ndarray]:
+    def cut(self, x: np.ndarray, y: np.ndarray, selection: np.ndarray | None = None) -> tuple[Pieces, np.ndarray]:
         """Return the pieces of rays; quickest where rays that follow each other are neighbours in the image.
 
         Parameters

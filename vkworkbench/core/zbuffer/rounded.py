@@ -23,9 +23,7 @@ def ball_chord(tool: Tool, at: np.ndarray, sine: float, cosine: float) -> tuple[
     return np.where(half2 >= 0, middle - half, np.inf), middle + half
 
 
-def ball_sides(
-    tool: Tool, offset: np.ndarray, move: np.ndarray, sine: float, cosine: float
-) -> list[np.ndarray]:
+def ball_sides(tool: Tool, offset: np.ndarray, move: np.ndarray, sine: float, cosine: float) -> list[np.ndarray]:
     """Parameters of the axis points nearest to where a ray passes the cylinder around the ball's path."""
     x, y, z = offset
     ux, uy, uz = move
@@ -71,9 +69,7 @@ def rounded_chord(tool: Tool, at: np.ndarray, sine: float, cosine: float) -> tup
     return np.where(met, near, np.inf), far
 
 
-def rounded_sides(
-    tool: Tool, offset: np.ndarray, move: np.ndarray, sine: float, cosine: float
-) -> list[np.ndarray]:
+def rounded_sides(tool: Tool, offset: np.ndarray, move: np.ndarray, sine: float, cosine: float) -> list[np.ndarray]:
     """Parameters at which a ray enters or leaves the side of a swept thickened disc.
 
     Seen along the move the disc is an ellipse and the ray a line. As its normal turns by pi, the contour's

@@ -143,9 +143,7 @@ def _cut_band(
     return Records(uncut, index.astype(INDEX), entry, ends, owners), candidates
 
 
-def _counted(
-    ray: np.ndarray, pieces: Pieces, uncut: int
-) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
+def _counted(ray: np.ndarray, pieces: Pieces, uncut: int) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
     """Rays with the number of their pieces; ends and owners of these."""
     count = np.bincount(pieces.ray, minlength=len(ray))
     owner = np.where(pieces.owner == UNCUT, uncut, pieces.owner).astype(np.int32)

@@ -25,9 +25,7 @@ from vkworkbench.core.zbuffer.rounded import ball_chord, ball_sides, divide, rou
 ROUNDING = 1e-7
 
 
-def lowest(
-    tool: Tool, start: np.ndarray, heading: np.ndarray, x: np.ndarray, y: np.ndarray
-) -> np.ndarray:
+def lowest(tool: Tool, start: np.ndarray, heading: np.ndarray, x: np.ndarray, y: np.ndarray) -> np.ndarray:
     """Height of the lower surface of the swept volume above points of the plane.
 
     Parameters

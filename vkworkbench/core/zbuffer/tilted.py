@@ -40,9 +40,7 @@ class Tilted:
         tools = [kind.tool for kind in trajectories.kinds]
         level = abs(self.cosine) > _LEVEL and not all(tool.rounding == tool.radius for tool in tools)
         self.growths = [_Growth(tool, level, self.sine, self.cosine) for tool in tools]
-        self.chords = _TileChords(
-            trajectories.stock, trajectories.frame, self.sine / self.cosine if level else 0.0
-        )
+        self.chords = _TileChords(trajectories.stock, trajectories.frame, self.sine / self.cosine if level else 0.0)
 
     def quarters(
         self, column: np.ndarray, row: np.ndarray, tile: np.ndarray, item: np.ndarray, child: int
@@ -78,9 +76,7 @@ class Tilted:
             tool, raised = tools[number]
             if tool is not None:
                 its_ray = ray[:, own] - np.array([[0.0], [0.0], [raised]])
-                enter[own], leave[own] = intervals(
-                    tool, start[:, own], move[:, own], its_ray, self.sine, self.cosine
-                )
+                enter[own], leave[own] = intervals(tool, start[:, own], move[:, own], its_ray, self.sine, self.cosine)
         return enter, leave
 
 

@@ -61,8 +61,7 @@ class Trajectories:
         low, high = np.minimum(start, end), np.maximum(start, end)
         reach = radius[:, None] * [1, 1, 0]
         self.index = np.flatnonzero(
-            (low - reach < stock.upper).all(axis=1)
-            & (high[:, :2] + reach[:, :2] > stock.lower[:2]).all(axis=1)
+            (low - reach < stock.upper).all(axis=1) & (high[:, :2] + reach[:, :2] > stock.lower[:2]).all(axis=1)
         )
         start, end, self.radius = start[self.index], end[self.index], radius[self.index]
         # The tool is unbounded upwards: a vertical move removes what it removes at its lowest point.
@@ -96,9 +95,7 @@ class Trajectories:
             if len(own):
                 yield number, own
 
-    def boxes(
-        self, item: np.ndarray, begin: np.ndarray | float, end: np.ndarray | float
-    ) -> np.ndarray:
+    def boxes(self, item: np.ndarray, begin: np.ndarray | float, end: np.ndarray | float) -> np.ndarray:
         """Bounds in the image of parts of moves: left, right, bottom, top (4, k), mm.
 
         Parameters
@@ -191,9 +188,7 @@ class Trajectories:
             near[own], far[own] = self._of_kind(self.kinds[number].tool, x[own], y[own], item[own])
         return near, far
 
-    def _of_kind(
-        self, tool: Tool, x: np.ndarray, y: np.ndarray, item: np.ndarray
-    ) -> tuple[np.ndarray, np.ndarray]:
+    def _of_kind(self, tool: Tool, x: np.ndarray, y: np.ndarray, item: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         start = self.start.take(item, axis=1)
         if self.sine == 0:
             height = lowest(tool, start, self.heading.take(item, axis=1), x, self.cosine * y)

@@ -66,9 +66,7 @@ class Upright:
             reaches[own], opens[own] = self._of_kind(number, item[own], [place[own] for place in places])
         return reaches, opens
 
-    def _of_kind(
-        self, number: int, item: np.ndarray, places: Sequence[np.ndarray]
-    ) -> tuple[np.ndarray, np.ndarray]:
+    def _of_kind(self, number: int, item: np.ndarray, places: Sequence[np.ndarray]) -> tuple[np.ndarray, np.ndarray]:
         tool, level = self.trajectories.kinds[number]
         return bounds(tool, *places, None if level else self.slope.take(item))
 

@@ -12,15 +12,11 @@ COMMANDS = {
     ),
     "words-without-motion": QT_TRANSLATE_NOOP("Sentences", "words without a motion before them ignored"),
     "unusable-feed": QT_TRANSLATE_NOOP("Sentences", "feed rate that is no usable number ignored"),
-    "unusable-centre": QT_TRANSLATE_NOOP(
-        "Sentences", "centre word (I, J, K) that is no usable number ignored"
-    ),
+    "unusable-centre": QT_TRANSLATE_NOOP("Sentences", "centre word (I, J, K) that is no usable number ignored"),
     "unusable-word": QT_TRANSLATE_NOOP("Sentences", "{letter} word that is no usable number ignored"),
     "position-cut-off": QT_TRANSLATE_NOOP("Sentences", "position beyond a kilometre cut off there"),
     "cycle-without-depth": QT_TRANSLATE_NOOP("Sentences", "drilling cycle without a depth (Z): no hole"),
-    "cycle-without-retract": QT_TRANSLATE_NOOP(
-        "Sentences", "drilling cycle without R: it starts where it stands"
-    ),
+    "cycle-without-retract": QT_TRANSLATE_NOOP("Sentences", "drilling cycle without R: it starts where it stands"),
     "cycle-outside-xy": QT_TRANSLATE_NOOP("Sentences", "drilling cycle outside the XY plane read as in XY"),
     "arc-before-start": QT_TRANSLATE_NOOP("Sentences", "arc before its start is known ignored"),
     "arc-as-line": QT_TRANSLATE_NOOP("Sentences", "arc without a usable centre or radius read as a line"),

@@ -9,13 +9,9 @@ OPERATIONS = {
     "verbatim": "{text}",  # what was written by a version without codes
     "of": QT_TRANSLATE_NOOP("Sentences", "{label}: {sentence}"),
     "inactive": QT_TRANSLATE_NOOP("Sentences", "inactive: switch it on and recompute it"),
-    "no-toolpath": QT_TRANSLATE_NOOP(
-        "Sentences", "no toolpath: recompute the operation and see FreeCAD's report view"
-    ),
+    "no-toolpath": QT_TRANSLATE_NOOP("Sentences", "no toolpath: recompute the operation and see FreeCAD's report view"),
     "no-cutting-move": QT_TRANSLATE_NOOP("Sentences", "no cutting move in its toolpath"),
-    "not-analysed": QT_TRANSLATE_NOOP(
-        "Sentences", "could not be analysed, please report it with the file: {error}"
-    ),
+    "not-analysed": QT_TRANSLATE_NOOP("Sentences", "could not be analysed, please report it with the file: {error}"),
     "no-tool": QT_TRANSLATE_NOOP("Sentences", "no tool: give the operation a tool controller"),
     "no-tool-bit": QT_TRANSLATE_NOOP("Sentences", "no tool in {label}: choose a tool bit for it"),
     "no-diameter": QT_TRANSLATE_NOOP("Sentences", "the tool in {label} has no diameter"),
@@ -38,9 +34,7 @@ OPERATIONS = {
         "Sentences", "the stock has no volume: its upper corner must exceed its lower corner in x, y and z"
     ),
     "solid-not-closed": QT_TRANSLATE_NOOP("Sentences", "the solid's surface is not closed"),
-    "stock-as-box": QT_TRANSLATE_NOOP(
-        "Sentences", "the stock of {label} is taken for the box around it: {sentence}"
-    ),
+    "stock-as-box": QT_TRANSLATE_NOOP("Sentences", "the stock of {label} is taken for the box around it: {sentence}"),
     "tool-simplified": QT_TRANSLATE_NOOP("Sentences", "{label} is not simulated exactly, but {instead}"),
     "as-end-mill": QT_TRANSLATE_NOOP("Sentences", "as an end mill of its largest diameter"),
     "as-ball-end": QT_TRANSLATE_NOOP("Sentences", "as a ball end of its tip's diameter"),

@@ -34,9 +34,7 @@ RECOGNITION = {
         ),
     ),
     "strokes-at-0": (
-        QT_TRANSLATE_NOOP(
-            "Sentences", "phi stays at 0 over one open stroke{spread}, {seen}: {strategy:strategy}"
-        ),
+        QT_TRANSLATE_NOOP("Sentences", "phi stays at 0 over one open stroke{spread}, {seen}: {strategy:strategy}"),
         QT_TRANSLATE_NOOP(
             "Sentences", "phi stays at 0 over {count:n} open strokes{spread}, {seen}: {strategy:strategy}"
         ),
@@ -89,9 +87,7 @@ RECOGNITION = {
     "sense-alternates": QT_TRANSLATE_NOOP("Sentences", "the sense of nested loops alternates"),
     "even-in-plane": QT_TRANSLATE_NOOP("Sentences", "evenly spaced in the plane, not in depth"),
     "shape-changes": QT_TRANSLATE_NOOP("Sentences", "whose shape changes with the depth"),
-    "winding-with-entry": QT_TRANSLATE_NOOP(
-        "Sentences", "a winding with a helical entry or bites out of the corners"
-    ),
+    "winding-with-entry": QT_TRANSLATE_NOOP("Sentences", "a winding with a helical entry or bites out of the corners"),
     "endless-winding": QT_TRANSLATE_NOOP("Sentences", "one winding that never closes"),
     "nested": QT_TRANSLATE_NOOP("Sentences", "nested"),
     "not-nested": QT_TRANSLATE_NOOP("Sentences", "no nested offsets"),
@@ -108,8 +104,6 @@ RECOGNITION = {
     "long-strokes": QT_TRANSLATE_NOOP("Sentences", "open strokes as long as the part"),
     "short-strokes": QT_TRANSLATE_NOOP("Sentences", "short strokes that fill nothing"),
     # What the votes of learned trees say against the rules.
-    "like-others": QT_TRANSLATE_NOOP(
-        "Sentences", "which lie like those of known toolpaths ({share:%} of the votes)"
-    ),
+    "like-others": QT_TRANSLATE_NOOP("Sentences", "which lie like those of known toolpaths ({share:%} of the votes)"),
     "like-nothing": QT_TRANSLATE_NOOP("Sentences", "unlike anything that machines ({share:%} of the votes)"),
 }
