@@ -30,7 +30,7 @@ from measuring import shape
 from zbuffer_cases import CASES
 
 from vkworkbench.core import Cut, View, simulate_job
-from vkworkbench.document.simulation import read_job
+from vkworkbench.document.simulated_job import read_job
 
 RUNS = 3
 # FreeCAD writes its progress to the standard output.

@@ -368,7 +368,7 @@ def test_half_a_million_trajectories_stay_usable(view, opened, window):
     timer.timeout.connect(lambda: beats.append(time.monotonic() - begin))
     timer.start(5)
     select(long)
-    busy = view.dock._background.busy
+    busy = view.dock.busy
     window.wait(busy.isVisible, 60)
     assert "Long" in busy.label.text()
     window.click_on(busy.button)  # given up

@@ -3,6 +3,10 @@
 
 from __future__ import annotations
 
+import sys
+import threading
+import traceback
+
 import FreeCAD
 import FreeCADGui as Gui
 import numpy as np
@@ -33,18 +37,23 @@ def simulated(opened, window, small):
     window.click(COMMAND)
     window.wait(lambda: tabs(window))
     (tab,) = tabs(window)
-    window.wait(lambda: tab.simulation is not None, 60)
-    finest(tab, window)
-    yield tab
+    yield shown(tab, window)
     if tab.isVisible():
         window.press(tab, QtCore.Qt.Key_Escape)
         window.wait(lambda: not tabs(window))
 
 
-def finest(tab, window):
+def shown(tab, window):
+    """Wait until the job has been read and simulated at its finest; return what shows it."""
+    window.wait(lambda: tab.player is not None and tab.player.simulation is not None, 60)
+    finest(tab.player, window)
+    return tab.player
+
+
+def finest(player, window):
     """Wait until the picture is the finest that was asked for."""
     window.idle(0.4)
-    window.wait(lambda: not tab._worker.busy and not tab._stale, 120)
+    window.wait(lambda: not player.is_busy and not player._stale, 120)
     window.idle(0.1)
 
 
@@ -78,8 +87,8 @@ def test_dragging_on_the_time_line_shows_any_moment_at_once_there_and_back(simul
 
     drag(window, line, at(0.95), at(0.3))
     window.wait(lambda: not simulated._stale)
-    assert simulated.seconds == pytest.approx(0.3 * simulated.clock.total, rel=0.01)
-    assert 0 < simulated.done < simulated.simulation.trajectories
+    assert simulated.moment.seconds == pytest.approx(0.3 * simulated.clock.total, rel=0.01)
+    assert 0 < simulated.moment.done < simulated.simulation.trajectories
     window.screenshot("simulation-moment")
     early = view.grab().toImage()
     assert early != part
@@ -91,31 +100,31 @@ def test_dragging_on_the_time_line_shows_any_moment_at_once_there_and_back(simul
 def test_steps_go_to_commands_and_operations(simulated, window):
     window.press(simulated.time_line, QtCore.Qt.Key_Home)
     first = [len(cut.toolpath) for cut in simulated.job.cuts]
-    window.click_on(simulated.steps[3])
-    assert simulated.done == first[0]
-    window.click_on(simulated.steps[1])
-    assert simulated.done == first[0] + 1
-    window.click_on(simulated.steps[3])
-    assert simulated.done == first[0] + first[1]
-    window.click_on(simulated.steps[-2])
-    done = simulated.done
+    window.click_on(simulated.play_bar.steps[3])
+    assert simulated.moment.done == first[0]
+    window.click_on(simulated.play_bar.steps[1])
+    assert simulated.moment.done == first[0] + 1
+    window.click_on(simulated.play_bar.steps[3])
+    assert simulated.moment.done == first[0] + first[1]
+    window.click_on(simulated.play_bar.steps[-2])
+    done = simulated.moment.done
     command = simulated.job.cuts[1].toolpath.command
     assert command[done - first[0]] != command[done - first[0] - 1]
-    window.click_on(simulated.steps[-3])
-    assert simulated.done == first[0]
+    window.click_on(simulated.play_bar.steps[-3])
+    assert simulated.moment.done == first[0]
     window.wait(lambda: not simulated._stale)
-    assert simulated.job.operations[0].label in simulated.moment.text()
+    assert simulated.job.operations[0].label in simulated.play_bar.text.text()
 
 
 def test_a_play_shows_the_machines_time(simulated, window):
-    simulated.speeds.setCurrentIndex(3)  # a thousand times
-    window.click_on(simulated.play_button)
-    window.wait(lambda: simulated.seconds > 0.2 * simulated.clock.total, 60)
-    window.click_on(simulated.play_button)
-    paused = simulated.seconds
+    simulated.play_bar.speeds.setCurrentIndex(3)  # a thousand times
+    window.click_on(simulated.play_bar.play_button)
+    window.wait(lambda: simulated.moment.seconds > 0.2 * simulated.clock.total, 60)
+    window.click_on(simulated.play_bar.play_button)
+    paused = simulated.moment.seconds
     window.idle(0.3)
-    assert simulated.seconds == paused < simulated.clock.total
-    assert simulated.clock.ends[simulated.done] <= paused <= simulated.clock.ends[simulated.done + 1]
+    assert simulated.moment.seconds == paused < simulated.clock.total
+    assert simulated.clock.ends[simulated.moment.done] <= paused <= simulated.clock.ends[simulated.moment.done + 1]
 
 
 def test_the_part_tells_what_made_a_surface(simulated, window):
@@ -126,11 +135,11 @@ def test_the_part_tells_what_made_a_surface(simulated, window):
     window.idle()
     assert simulated.isVisible()  # FreeCAD 1.1 brings the 3D view to the front
     (chosen,) = Gui.Selection.getSelection()
-    operation, command = simulated.simulation.source(simulated.done - 1)
+    operation, command = simulated.simulation.source(simulated.moment.done - 1)
     assert chosen.Name == operation.name
     window.wait(lambda: not simulated._stale)
-    assert f"command {command + 1}: {chosen.Path.Commands[command].toGCode()}" in simulated.moment.text()
-    assert view.owner_at(view.rect().center()) == simulated.done - 1
+    assert f"command {command + 1}: {chosen.Path.Commands[command].toGCode()}" in simulated.play_bar.text.text()
+    assert view.owner_at(view.rect().center()) == simulated.moment.done - 1
     window.screenshot("simulation-asked")
 
 
@@ -152,58 +161,65 @@ def test_turning_moving_and_zooming_with_the_mouse(simulated, window):
 
 def test_colours_and_chips(simulated, window):
     pictures = set()
-    for index in range(simulated.colorings.count()):
-        simulated.colorings.setCurrentIndex(index)
+    for index in range(simulated.scene_bar.colorings.count()):
+        simulated.scene_bar.colorings.setCurrentIndex(index)
         window.wait(lambda: not simulated._stale)
         pictures.add(bytes(simulated.view._scene.image.tobytes()))
-        assert simulated.legend.text()
+        assert simulated.scene_bar.legend.text()
         window.screenshot(f"simulation-color-{index}")
-    assert len(pictures) == simulated.colorings.count()
-    simulated.go_to(0.5 * simulated.clock.total)
+    assert len(pictures) == simulated.scene_bar.colorings.count()
+    simulated.moment.go_to(0.5 * simulated.clock.total)
     for index in (1, 2):
-        simulated.chips.setCurrentIndex(index)
+        simulated.scene_bar.chips.setCurrentIndex(index)
         window.wait(lambda: not simulated._stale)
         window.screenshot(f"simulation-chips-{index}")
         pictures.add(bytes(simulated.view._scene.image.tobytes()))
-    assert len(pictures) == simulated.colorings.count() + 2
+    assert len(pictures) == simulated.scene_bar.colorings.count() + 2
 
 
 def test_exports(simulated, window, tmp_path):
     from vkworkbench.gui.simulation import exports
 
-    simulated.go_to(0.4 * simulated.clock.total)
+    simulated.moment.go_to(0.4 * simulated.clock.total)
     exports.write_frames(simulated, tmp_path, 4)
     frames = sorted(tmp_path.glob("*.png"))
     assert [f.name for f in frames] == ["0000.png", "0001.png", "0002.png", "0003.png"]
     assert QtGui.QImage(str(frames[0])) != QtGui.QImage(str(frames[3])) and not QtGui.QImage(str(frames[1])).isNull()
-    assert simulated.seconds == pytest.approx(0.4 * simulated.clock.total)
+    assert simulated.moment.seconds == pytest.approx(0.4 * simulated.clock.total)
     exports.write_rates(simulated, tmp_path / "rates.csv")
     lines = (tmp_path / "rates.csv").read_text().splitlines()
     assert len(lines) == 1 + simulated.simulation.trajectories and lines[1].startswith("Face,0,")
 
 
 def test_it_says_that_a_toolpath_has_changed_and_simulates_it_again(simulated, opened, window):
+    (before,) = tabs(window)
     face = opened.getObjectsByLabel("Face")[0]
-    assert not simulated.again.isVisible()
+    assert not before.again.isVisible()
     face.Path = type(face.Path)(face.Path.Commands[:-20])
-    assert simulated.again.isVisible()
-    window.click_on(simulated.again)
-    window.wait(lambda: tabs(window) and tabs(window) != [simulated])
+    assert before.again.isVisible()
+    window.click_on(before.again)
+    window.wait(lambda: tabs(window) and tabs(window) != [before])
     (tab,) = tabs(window)
-    window.wait(lambda: tab.simulation is not None, 60)
-    assert len(tab.job.cuts[0].toolpath) < len(simulated.job.cuts[0].toolpath)
+    assert len(shown(tab, window).job.cuts[0].toolpath) < len(simulated.job.cuts[0].toolpath)
     window.press(tab, QtCore.Qt.Key_Escape)
     window.wait(lambda: not tabs(window))
+
+
+def working():
+    """The functions that threads of their own are in, from the outermost."""
+    frames = sys._current_frames()
+    own = threading.get_ident()
+    return [entry.name for thread, frame in frames.items() if thread != own for entry in traceback.extract_stack(frame)]
 
 
 def test_closing_ends_the_work(opened, window):
     window.click(COMMAND)
     window.wait(lambda: tabs(window))
     (tab,) = tabs(window)
-    window.wait(lambda: tab._worker is not None)
-    thread = tab._worker._thread
+    window.wait(lambda: tab.player is not None and tab.player._work.works)
+    assert "_run" in working()
     window.press(tab, QtCore.Qt.Key_Escape)
-    window.wait(lambda: not tabs(window) and not thread.is_alive(), 5)
+    window.wait(lambda: not tabs(window) and "_run" not in working(), 5)
 
 
 def test_closing_the_document_closes_the_tab(window, example_path):
@@ -234,28 +250,29 @@ def test_a_crash_is_found_in_three_clicks(opened, window):
     job.Operations.Group = [op]
     Gui.Selection.clearSelection()
     window.click(COMMAND)  # the first click
-    window.wait(lambda: tabs(window) and tabs(window)[0].simulation is not None, 60)
+    window.wait(lambda: tabs(window))
     (tab,) = tabs(window)
-    finest(tab, window)
-    assert tab.warnings.isVisible()
+    player = shown(tab, window)
+    warnings = player.scene_bar.warnings
+    assert warnings.isVisible()
     window.screenshot("crash-1")
     texts = []
 
     def choose():
-        menu = tab.warnings.menu()
+        menu = warnings.menu()
         texts.extend(action.text() for action in menu.actions())
         window.screenshot("crash-2")
         window.click_at(menu, menu.actionGeometry(menu.actions()[0]).center())  # the third
 
     QtCore.QTimer.singleShot(300, choose)
-    window.click_on(tab.warnings)  # the second
+    window.click_on(warnings)  # the second
     (text,) = texts
     assert (
         text.startswith("Slot, command 4 (G0") and "Z14" in text and "a rapid move removes 2" in text
     )  # 7.5 mm below 6 mm
-    window.wait(lambda: not tab._stale)
-    assert tab.simulation.source(tab.done - 1) == (tab.job.operations[0], 3)
-    assert "command 4: G0" in tab.moment.text()
+    window.wait(lambda: not player._stale)
+    assert player.simulation.source(player.moment.done - 1) == (player.job.operations[0], 3)
+    assert "command 4: G0" in player.play_bar.text.text()
     window.screenshot("crash-3")
     window.press(tab, QtCore.Qt.Key_Escape)
     window.wait(lambda: not tabs(window))

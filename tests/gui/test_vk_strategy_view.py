@@ -261,7 +261,7 @@ def test_the_drawing_is_given_up_and_its_thread_ends(long, window):
     before = threading.active_count()
     window.click(SWITCH)
     window.wait(lambda: threading.active_count() > before)
-    busy = strategy_view._drawer._background.busy
+    busy = strategy_view._drawer.busy
     window.wait(busy.isVisible)
     assert "operations to go" in busy.label.text()
     window.screenshot("strategies-busy")

@@ -14,7 +14,7 @@ import FreeCAD
 
 from vkworkbench import freecad, preferences
 from vkworkbench.core import Solid, Strategy, Tool, linearize, machining, recognize, stock_around
-from vkworkbench.core.gcode import Words, looks_like_minutes
+from vkworkbench.core.gcode import Words, in_seconds
 from vkworkbench.core.simulators import ZBUFFER, Conditions, Task, predict, preflight
 from vkworkbench.core.zbuffer import cuts_surely
 from vkworkbench.document import calibration
@@ -253,9 +253,9 @@ def _analysed(
         elif tool.diameter > max(stock.upper[0] - stock.lower[0], stock.upper[1] - stock.lower[1]):
             remarks.append(Message("tool-wider-than-stock"))
     going_on()
-    if reading.imported and looks_like_minutes(toolpath):
-        remarks.append(Message("feeds-per-minute", feed=float(toolpath.feed.max())))
-        toolpath = replace(toolpath, feed=toolpath.feed / 60)
+    if reading.imported:
+        toolpath, told = in_seconds(toolpath)
+        remarks += [told] if told else []
     horizontal, vertical = reading.rapid_feeds
     return replace(
         _unknown(reading),

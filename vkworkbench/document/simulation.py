@@ -6,21 +6,15 @@ from __future__ import annotations
 import os
 from collections.abc import Callable
 from dataclasses import dataclass, replace
-from functools import cached_property
 from pathlib import Path
 
-import FreeCAD
 import numpy as np
 
-from vkworkbench import freecad, preferences
-from vkworkbench.core import Cut, Solid, View, ZBuffer, linearize, simulate_job, trajectory_seconds
-from vkworkbench.core.gcode import looks_like_minutes
+from vkworkbench import preferences
+from vkworkbench.core import View, ZBuffer, simulate_job
 from vkworkbench.core.rendering import CUT, colors_of, palette, png, shade
 from vkworkbench.core.zbuffer import facts
-from vkworkbench.document.operations import Operation, find
-from vkworkbench.document.setting import placed, rapid_feeds, read_stock, read_tool, tool_remark, vertical_feed
-from vkworkbench.document.solids import model_shapes, model_solid, stock_solid
-from vkworkbench.language import Message, Unusable
+from vkworkbench.document.simulated_job import SimulatedJob, SimulatedOperation, read_job
 from vkworkbench.simulation_facts import SimulationFacts
 
 
@@ -60,85 +54,30 @@ def simulate(
     TypeError
         If `what` is something else.
     """
-    return read_job(what).simulate(view, memory_budget=memory_budget, going_on=going_on)
+    return simulate_read(read_job(what), view, memory_budget=memory_budget, going_on=going_on)
 
 
-@dataclass(frozen=True)
-class SimulatedOperation:
-    """An operation that is simulated.
-
-    Attributes
-    ----------
-    document, name, label : str
-        Internal names of the document and of the object, and the object's label.
-    rapid_feeds : tuple of float
-        Horizontal and vertical rapid speed of its tool controller, mm/s; 0 where unset.
-    """
-
-    document: str
-    name: str
-    label: str
-    rapid_feeds: tuple[float, float]
-
-
-@dataclass(frozen=True, eq=False)
-class SimulatedJob:
-    """What is to be simulated: copies of what a document says, which another thread may read.
-
-    Attributes
-    ----------
-    operations : tuple of SimulatedOperation
-        In the order of their job.
-    cuts : tuple of Cut
-        Their toolpaths and tools.
-    stock : Solid
-    model_shapes : tuple of Shape
-        Of what the part is to be.
-    remarks : tuple of Message
-        What is left out or not simulated exactly, and why.
-    """
-
-    operations: tuple[SimulatedOperation, ...]
-    cuts: tuple[Cut, ...]
-    stock: Solid
-    model_shapes: tuple
-    remarks: tuple[Message, ...]
-
-    @cached_property
-    def model(self) -> Solid | None:
-        """What the part is to be; None where the job has no closed model. Made when it is first asked for."""
-        return model_solid(self.model_shapes)
-
-    @cached_property
-    def seconds(self) -> np.ndarray:
-        """Time of every trajectory, numbered through, (n,) float64 s; not a number where its speed is unknown."""
-        return np.concatenate([
-            trajectory_seconds(cut.toolpath, horizontal_rapid=operation.rapid_feeds[0],
-                               vertical_rapid=operation.rapid_feeds[1])
-            for operation, cut in zip(self.operations, self.cuts)
-        ])  # fmt: skip
-
-    def simulate(
-        self,
-        view: View | str | None = None,
-        *,
-        memory_budget: float | None = None,
-        going_on: Callable[[float], None] | None = None,
-    ) -> Simulation:
-        """Simulate it; see :func:`simulate`."""
-        chosen = preferences.read()
-        if isinstance(view, str):
-            if view not in preferences.DIRECTIONS:
-                raise ValueError(f"there is no direction {view!r}: choose among {', '.join(preferences.DIRECTIONS)}")
-            view = replace(chosen.view, direction=preferences.DIRECTIONS[view])
-        zbuffer = simulate_job(
-            self.cuts,
-            stock=self.stock,
-            view=view or chosen.view,
-            memory_budget=chosen.memory_budget_bytes if memory_budget is None else memory_budget,
-            going_on=going_on,
-        )
-        return Simulation(self, zbuffer)
+def simulate_read(
+    job: SimulatedJob,
+    view: View | str | None = None,
+    *,
+    memory_budget: float | None = None,
+    going_on: Callable[[float], None] | None = None,
+) -> Simulation:
+    """Simulate a job that was read; see :func:`simulate`. Any thread may do it."""
+    chosen = preferences.read()
+    if isinstance(view, str):
+        if view not in preferences.DIRECTIONS:
+            raise ValueError(f"there is no direction {view!r}: choose among {', '.join(preferences.DIRECTIONS)}")
+        view = replace(chosen.view, direction=preferences.DIRECTIONS[view])
+    zbuffer = simulate_job(
+        job.cuts,
+        stock=job.stock,
+        view=view or chosen.view,
+        memory_budget=chosen.memory_budget_bytes if memory_budget is None else memory_budget,
+        going_on=going_on,
+    )
+    return Simulation(job, zbuffer)
 
 
 @dataclass(frozen=True, eq=False)
@@ -209,42 +148,3 @@ class Simulation:
         """Return the operation of a trajectory and the index of its command in the operation's Path."""
         source = self.zbuffer.cuts.source(trajectory)
         return self.job.operations[source.cut], source.command
-
-
-def read_job(what=None) -> SimulatedJob:
-    """Read what is to be simulated; see :func:`simulate`."""
-    if what is None:
-        what = FreeCAD.ActiveDocument
-        if what is None:
-            raise ValueError("no document is open: open one with a job or a toolpath")
-    operations = _chosen(find(what))
-    tolerance = preferences.read().tolerance
-    simulated, cuts, remarks = [], [], []
-    for operation in operations:
-        obj = operation.object
-        try:
-            toolpath = placed(linearize(obj.Path.Commands, tolerance=tolerance), obj.Placement)
-            if freecad.is_imported(obj) and looks_like_minutes(toolpath):
-                toolpath = replace(toolpath, feed=toolpath.feed / 60)
-            if len(toolpath):
-                cuts.append(Cut(toolpath, read_tool(obj), vertical_feed(obj)))
-                simulated.append(SimulatedOperation(obj.Document.Name, obj.Name, obj.Label, rapid_feeds(obj)))
-                told = tool_remark(obj)
-                remarks += [Message("of", label=obj.Label, sentence=told)] if told else []
-        except Unusable as error:
-            remarks.append(Message("of", label=obj.Label, sentence=error.what))
-    if not cuts:
-        raise Unusable(remarks[0] if remarks else Message("nothing-to-simulate"))
-    stock, told = stock_solid(operations[0].job, read_stock(operations[0].job))
-    remarks += [told] if told else []
-    return SimulatedJob(tuple(simulated), tuple(cuts), stock, model_shapes(operations[0].job), tuple(remarks))
-
-
-def _chosen(found: list[Operation]) -> list[Operation]:
-    """Return the operations that are posted, in the order of their one job."""
-    operations = [o for o in found if o.counted] or [o for o in found if o.active]
-    jobs = {(o.job.Document.Name, o.job.Name): o.job for o in operations if o.job is not None}
-    if len(jobs) > 1:
-        raise Unusable(Message("several-jobs", labels=[job.Label for job in jobs.values()]))
-    order = [o.object for job in jobs.values() for o in find(job)]
-    return sorted(operations, key=lambda o: order.index(o.object) if o.object in order else len(order))

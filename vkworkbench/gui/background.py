@@ -5,11 +5,11 @@ from __future__ import annotations
 
 import threading
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable
 from queue import Empty, SimpleQueue
 
 from vkworkbench.gui.plain_text import as_plain
-from vkworkbench.gui.qt import QHBoxLayout, QLabel, QProgressBar, QPushButton, QTimer, QWidget
+from vkworkbench.gui.qt import QHBoxLayout, QLabel, QObject, QProgressBar, QPushButton, QTimer, QWidget, Signal
 from vkworkbench.gui.text import translate
 from vkworkbench.report import Cancelled
 
@@ -18,19 +18,23 @@ _AT_ONCE = 0.03  # s for showing results, then other events come
 _PATIENCE = 300  # ms; shorter work shows no progress
 
 
-class Background:
+class Background(QObject):
     """Does one work at a time; a new one takes the place of the one before.
 
     Attributes
     ----------
-    busy : Busy
-        The progress with its button, for the place where the user waits; hidden where nothing is done.
+    began : Signal of str
+        A work began; what it does.
+    over : Signal
+        It has ended, or was given up.
     """
 
-    def __init__(self) -> None:
-        self.busy = Busy()
-        self.busy.button.clicked.connect(self._cancel_clicked)
-        self._timer = QTimer(self.busy)
+    began = Signal(str)
+    over = Signal()
+
+    def __init__(self, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._timer = QTimer(self)
         self._timer.timeout.connect(self._look)
         self._given_up: threading.Event | None = None
 
@@ -38,7 +42,7 @@ class Background:
     def works(self) -> bool:
         return self._given_up is not None
 
-    def start(self, text: str, work: Callable[[Callable], Iterator], show: Callable, ended: Callable) -> None:
+    def start(self, text: str, work: Callable[[Callable], Iterable], show: Callable, ended: Callable) -> None:
         """Begin a work.
 
         Parameters
@@ -59,7 +63,7 @@ class Background:
         self._given_up, self._results = given_up, results
         self._show, self._ended = show, ended
         threading.Thread(target=_run, args=(work, given_up, results), daemon=True).start()
-        self.busy.announce(text)
+        self.began.emit(text)
         self._timer.start(_LOOK)
 
     def give_up(self) -> None:
@@ -68,15 +72,16 @@ class Background:
             self._given_up.set()
             self._end()
 
-    def _end(self) -> None:
-        self._given_up = None
-        self._timer.stop()
-        self.busy.end()
-
-    def _cancel_clicked(self) -> None:
+    def cancel(self) -> None:
+        """Give the work up because the user wants it."""
         if self.works:
             self.give_up()
             self._ended(Cancelled("given up"))
+
+    def _end(self) -> None:
+        self._given_up = None
+        self._timer.stop()
+        self.over.emit()
 
     def _look(self) -> None:
         until = time.monotonic() + _AT_ONCE
@@ -108,9 +113,15 @@ def _run(work: Callable, given_up: threading.Event, results: SimpleQueue) -> Non
 
 
 class Busy(QWidget):
-    """A line that says what is being done, after a while in which nothing needs to be said, with a button to cancel."""
+    """A line that says what is being done, after a while in which nothing needs to be said, with a button to cancel.
 
-    def __init__(self) -> None:
+    Parameters
+    ----------
+    background : Background
+        What is shown of; hidden where it does nothing.
+    """
+
+    def __init__(self, background: Background) -> None:
         super().__init__()
         self.label, bar = as_plain(QLabel()), QProgressBar()
         bar.setRange(0, 0)
@@ -126,12 +137,15 @@ class Busy(QWidget):
         self._later = QTimer(self)
         self._later.setSingleShot(True)
         self._later.timeout.connect(self.show)
+        background.began.connect(self._announce)
+        background.over.connect(self._end)
+        self.button.clicked.connect(background.cancel)
 
-    def announce(self, text: str) -> None:
+    def _announce(self, text: str) -> None:
         self.label.setText(text)
         if not self.isVisible():
             self._later.start(_PATIENCE)
 
-    def end(self) -> None:
+    def _end(self) -> None:
         self._later.stop()
         self.hide()

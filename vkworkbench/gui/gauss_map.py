@@ -13,7 +13,7 @@ from vkworkbench import freecad
 from vkworkbench.document.operations import kind
 from vkworkbench.document.recognized import source_of
 from vkworkbench.gui import docks
-from vkworkbench.gui.background import Background
+from vkworkbench.gui.background import Background, Busy
 from vkworkbench.gui.gauss_canvas import GaussCanvas
 from vkworkbench.gui.gauss_figure import TRAIL, GaussFigure
 from vkworkbench.gui.gauss_reading import Reading, read
@@ -56,7 +56,8 @@ class GaussMapDock(QDockWidget):
         self.setObjectName(docks.GAUSS_MAP)
         self._shown: tuple[str, str] | None = None  # document and operation
         self._reading: Reading | None = None
-        self._background = Background()
+        self._background = Background(self)
+        self.busy = Busy(self._background)
         self._recolor = QTimer(self)
         self._recolor.setSingleShot(True)
         self._recolor.timeout.connect(self._take_colors)
@@ -101,7 +102,7 @@ class GaussMapDock(QDockWidget):
         self._body = QWidget()
         column = QVBoxLayout(self._body)
         column.addLayout(_row(self.title))
-        column.addWidget(self._background.busy)
+        column.addWidget(self.busy)
         column.addWidget(self.canvas, 1)
         column.addLayout(_row(self.chooser, self.slider, self.number, self.saver))
         below = _row(self.values, self.legend)

@@ -18,7 +18,7 @@ from pivy import coin
 from vkworkbench import freecad
 from vkworkbench.document.operations import find, kind
 from vkworkbench.document.recognized import Source, source_of
-from vkworkbench.gui.background import Background
+from vkworkbench.gui.background import Background, Busy
 from vkworkbench.gui.qt import QTimer
 from vkworkbench.gui.strategy_legend import Legend
 from vkworkbench.gui.strategy_lines import Drawing, Lines, drawings
@@ -75,7 +75,8 @@ class _Drawer:
     def __init__(self, cancelled: Callable) -> None:
         self._cancelled = cancelled
         self._background = Background()
-        Gui.getMainWindow().statusBar().addPermanentWidget(self._background.busy)
+        self.busy = Busy(self._background)
+        Gui.getMainWindow().statusBar().addPermanentWidget(self.busy)
         self._pending: dict[Key, None] = {}
         self._at_work: list[Key] = []
         self._later = QTimer()

@@ -3,9 +3,12 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 
 from vkworkbench.core.toolpath import Toolpath
+from vkworkbench.language import Message
 
 INCH = 25.4  # mm
 
@@ -45,9 +48,12 @@ def looks_like_inches(toolpath: Toolpath, *, tool_diameter: float | None = None,
     return float(np.median(toolpath.feed[cuts])) <= (IMPORTED_SLOW if imported else SLOW)
 
 
-def looks_like_minutes(toolpath: Toolpath) -> bool:
-    """Return whether the feeds of an imported toolpath are mm/min that FreeCAD took for mm/s.
+def in_seconds(toolpath: Toolpath) -> tuple[Toolpath, Message | None]:
+    """Return an imported toolpath with its feeds in mm/s, and what is to be said where they were mm/min.
 
-    Its importers keep the F words of the file as they are, while the feeds of its own operations are mm/s.
+    FreeCAD's importers keep the F words of the file as they are, while the feeds of its own operations are mm/s.
     """
-    return float(toolpath.feed.max(initial=0.0)) >= PER_MINUTE
+    fastest = float(toolpath.feed.max(initial=0.0))
+    if fastest < PER_MINUTE:
+        return toolpath, None
+    return replace(toolpath, feed=toolpath.feed / 60), Message("feeds-per-minute", feed=fastest)

@@ -3,15 +3,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
 import FreeCAD
 import FreeCADGui as Gui
 
-from vkworkbench import freecad
-from vkworkbench.core import Strategy
-from vkworkbench.document.recognized import recognized
-from vkworkbench.document.simulation import SimulatedJob, read_job
+from vkworkbench.document.simulated_job import JobCopy, copy_job
 from vkworkbench.gui.plain_text import tell
 from vkworkbench.gui.qt import QMdiArea
 from vkworkbench.gui.selection import selected_operations
@@ -53,12 +48,12 @@ def open_tab(what):
 
     window = Gui.getMainWindow()
     try:
-        job = read_job(what)
+        copy = copy_job(what)
     except Unusable as error:
         tell(translate("Vk_Simulate", "Simulate toolpaths"), said(error.what), window)
         return None
-    tab = SimulationTab(job, tuple(_strategies(job)))
-    tab.setWindowTitle(translate("Vk_Simulate", "Simulation: {}").format(_title(job)))
+    tab = SimulationTab(copy)
+    tab.setWindowTitle(translate("Vk_Simulate", "Simulation: {}").format(_title(copy)))
     tab.setWindowIcon(Gui.getIcon(NAME))
     tab.outdated.connect(lambda: _again(tab))
     window.findChild(QMdiArea).addSubWindow(tab)
@@ -69,25 +64,15 @@ def open_tab(what):
 
 def _again(tab) -> None:
     """Simulate the operations of a tab as they are now, in a new tab in its place."""
-    document = FreeCAD.getDocument(tab.job.operations[0].document)
-    objects = [document.getObject(operation.name) for operation in tab.job.operations]
+    document = FreeCAD.getDocument(tab.copy.document)
+    objects = list(map(document.getObject, tab.copy.names))
     tab.window_of().close()
     open_tab([obj for obj in objects if obj is not None] or document)
 
 
-def _title(job: SimulatedJob) -> str:
+def _title(copy: JobCopy) -> str:
     """The document's label, or that of the only operation."""
-    if len(job.operations) == 1:
-        return job.operations[0].label
-    return FreeCAD.getDocument(job.operations[0].document).Label
-
-
-def _strategies(job: SimulatedJob) -> Iterator[Strategy]:
-    """The strategies of a job's operations, as they are marked."""
-    for operation, cut in zip(job.operations, job.cuts):
-        imported = freecad.is_imported(FreeCAD.getDocument(operation.document).getObject(operation.name))
-        found, _ = recognized(cut.toolpath, cut.tool.diameter, imported)
-        yield found.strategy
+    return copy.labels[0] if len(copy.labels) == 1 else FreeCAD.getDocument(copy.document).Label
 
 
 Gui.addCommand(NAME, SimulateCommand())

@@ -16,64 +16,64 @@ _FRAMES = 120  # of the whole job
 _COLUMNS = ("operation", "trajectory", "command", "begin_s", "end_s", "volume_mm3", "rate_mm3_per_min")
 
 
-def save_picture(tab) -> None:
+def save_picture(player) -> None:
     """Save what is seen to a file that the user chooses."""
-    name = f"{tab.job.operations[0].document}.png"
-    path, _ = QFileDialog.getSaveFileName(tab, translate("Vk_Simulate", "Save Picture"), name, "PNG (*.png)")
-    if path and not tab.view.grab().save(path, "PNG"):
-        _not_written(tab, path)
+    name = f"{player.job.operations[0].document}.png"
+    path, _ = QFileDialog.getSaveFileName(player, translate("Vk_Simulate", "Save Picture"), name, "PNG (*.png)")
+    if path and not player.view.grab().save(path, "PNG"):
+        _not_written(player, path)
 
 
-def save_frames(tab) -> None:
+def save_frames(player) -> None:
     """Save pictures of the whole job, at equal distances in time, to a folder that the user chooses."""
-    folder = QFileDialog.getExistingDirectory(tab, translate("Vk_Simulate", "Folder of the Pictures"))
-    if folder and tab.simulation is not None:
-        write_frames(tab, Path(folder))
+    folder = QFileDialog.getExistingDirectory(player, translate("Vk_Simulate", "Folder of the Pictures"))
+    if folder and player.simulation is not None:
+        write_frames(player, Path(folder))
 
 
-def write_frames(tab, folder: Path, count: int = _FRAMES) -> None:
+def write_frames(player, folder: Path, count: int = _FRAMES) -> None:
     """Write `count` pictures, numbered from 0000, from the stock to the part."""
-    before = tab.seconds
-    for number, seconds in enumerate(np.linspace(0, tab.clock.total, count).tolist()):
-        tab.show_now(seconds)
+    before = player.moment.seconds
+    for number, seconds in enumerate(np.linspace(0, player.clock.total, count).tolist()):
+        player.show_now(seconds)
         path = folder / f"{number:04d}.png"
-        if not tab.view.grab().save(str(path), "PNG"):
-            _not_written(tab, str(path))
+        if not player.view.grab().save(str(path), "PNG"):
+            _not_written(player, str(path))
             break
         QApplication.processEvents(QEventLoop.ExcludeUserInputEvents)
-    tab.go_to(before)
+    player.moment.go_to(before)
 
 
-def save_rates(tab) -> None:
+def save_rates(player) -> None:
     """Save what each trajectory removes, and how fast, to a CSV file that the user chooses."""
-    name = f"{tab.job.operations[0].document}.csv"
-    path, _ = QFileDialog.getSaveFileName(tab, translate("Vk_Simulate", "Save Removal Rates"), name, "CSV (*.csv)")
+    name = f"{player.job.operations[0].document}.csv"
+    path, _ = QFileDialog.getSaveFileName(player, translate("Vk_Simulate", "Save Removal Rates"), name, "CSV (*.csv)")
     if path:
         try:
-            write_rates(tab, Path(path))
+            write_rates(player, Path(path))
         except OSError:
-            _not_written(tab, path)
+            _not_written(player, path)
 
 
-def write_rates(tab, path: Path) -> None:
+def write_rates(player, path: Path) -> None:
     """Write one line for each trajectory."""
-    ends = tab.clock.ends
+    ends = player.clock.ends
     seconds = np.diff(ends)
-    rates = 60 * tab.volumes / np.where(seconds > 0, seconds, np.inf)
+    rates = 60 * player.volumes / np.where(seconds > 0, seconds, np.inf)
     with path.open("w", newline="", encoding="utf-8") as file:
         writer = csv.writer(file)
         writer.writerow(_COLUMNS)
         number = 0
-        for operation, cut in zip(tab.job.operations, tab.job.cuts):
+        for operation, cut in zip(player.job.operations, player.job.cuts):
             for own, command in enumerate(cut.toolpath.command.tolist()):
-                numbers = (ends[number], ends[number + 1], tab.volumes[number], rates[number])
+                numbers = (ends[number], ends[number + 1], player.volumes[number], rates[number])
                 writer.writerow((operation.label, own, command, *(f"{value:.6g}" for value in numbers)))
                 number += 1
 
 
-def _not_written(tab, path: str) -> None:
+def _not_written(player, path: str) -> None:
     warn(
         translate("Vk_Simulate", "Simulate toolpaths"),
         translate("Vk_Simulate", "{} cannot be written.").format(path),
-        tab,
+        player,
     )

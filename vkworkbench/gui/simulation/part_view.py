@@ -149,7 +149,7 @@ class PartView(QWidget):
 
     def resizeEvent(self, event) -> None:
         super().resizeEvent(event)
-        self._rest.start()
+        self._rest.start(0 if self._scene is None else _REST)
 
     def mousePressEvent(self, event) -> None:
         self._pressed = self._last = event.pos()

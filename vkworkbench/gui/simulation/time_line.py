@@ -4,13 +4,13 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import partial
 
 import numpy as np
 
 from vkworkbench.gui.plain_text import lines, show_tooltip
 from vkworkbench.gui.qt import (
     QColor,
-    QEvent,
     QPainter,
     QPen,
     QPointF,
@@ -22,6 +22,7 @@ from vkworkbench.gui.qt import (
     QWidget,
     Signal,
 )  # fmt: skip
+from vkworkbench.gui.simulation.keys import KeyedWidget
 from vkworkbench.gui.text import translate
 
 _CURVE, _AIR, _BLOCKS = 34, 4, 20  # px, from top to bottom
@@ -71,7 +72,7 @@ class Warned:
     text: str
 
 
-class TimeLine(QWidget):
+class TimeLine(KeyedWidget):
     """Shows a job over the machine's time; a moment is chosen with the mouse or the keys."""
 
     moved = Signal(float)
@@ -83,6 +84,7 @@ class TimeLine(QWidget):
         self._warned: tuple[Warned, ...] = ()
         self._ends = self._volumes = self._air = np.empty(0)
         self._curve: tuple[int, np.ndarray, np.ndarray] | None = None
+        self.keys = {key: partial(self._move_on, share) for key, share in _KEYS.items()}
         self.setMinimumHeight(_CURVE + _AIR + _BLOCKS + 8)
         self.setSizePolicy(QSizePolicy.Expanding, QSizePolicy.Fixed)
         self.setFocusPolicy(Qt.StrongFocus)
@@ -94,9 +96,7 @@ class TimeLine(QWidget):
         self._blocks, self.total = blocks, total
         self.update()
 
-    def show_facts(
-        self, ends: np.ndarray, volumes: np.ndarray, cutting: np.ndarray, warned: tuple[Warned, ...]
-    ) -> None:
+    def show_facts(self, ends: np.ndarray, volumes: np.ndarray, air: np.ndarray, warned: tuple[Warned, ...]) -> None:
         """Show what the trajectories remove.
 
         Parameters
@@ -105,11 +105,11 @@ class TimeLine(QWidget):
             When each has been cut, s.
         volumes : (n,) float64
             What each removes, mm^3.
-        cutting : (n,) bool
-            Which of them move at feed: one that removes nothing cuts air.
+        air : (n,) bool
+            Which of them cut air.
         warned : tuple of Warned
         """
-        self._ends, self._volumes, self._air = ends, volumes, cutting & (volumes == 0)
+        self._ends, self._volumes, self._air = ends, volumes, air
         self._warned, self._curve = warned, None
         self.update()
 
@@ -192,6 +192,9 @@ class TimeLine(QWidget):
     def _choose(self, x: float) -> None:
         self.moved.emit(min(max(x / max(self.width() - 1, 1), 0.0), 1.0) * self.total)
 
+    def _move_on(self, share: float) -> None:
+        self.moved.emit(min(max(self.seconds + share * self.total, 0.0), self.total))
+
     def mousePressEvent(self, event) -> None:
         if event.button() == Qt.LeftButton:
             for warned in self._warned:
@@ -209,15 +212,3 @@ class TimeLine(QWidget):
         seconds = x / max(self.width() - 1, 1) * self.total
         near += [b.tooltip for b in self._blocks if b.begin <= seconds <= b.end][:1]
         show_tooltip(self.mapToGlobal(event.pos()), lines("\n".join(near)), self)
-
-    def event(self, event) -> bool:
-        if event.type() == QEvent.ShortcutOverride and event.key() in _KEYS:
-            event.accept()  # before FreeCAD takes the key for a command of its own
-            return True
-        return super().event(event)
-
-    def keyPressEvent(self, event) -> None:
-        if event.key() in _KEYS:
-            self.moved.emit(min(max(self.seconds + _KEYS[event.key()] * self.total, 0.0), self.total))
-        else:
-            super().keyPressEvent(event)

@@ -1,0 +1,231 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What is to be simulated, read from a document: copied first, then linearised, in whatever thread."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+from functools import cached_property
+
+import FreeCAD
+import numpy as np
+
+from vkworkbench import freecad, preferences
+from vkworkbench.core import Cut, Solid, Strategy, Tool, Toolpath, linearize, trajectory_seconds
+from vkworkbench.core.gcode import in_seconds
+from vkworkbench.document.operations import Operation, find
+from vkworkbench.document.recognized import recognized
+from vkworkbench.document.setting import placed, rapid_feeds, read_stock, read_tool, tool_remark, vertical_feed
+from vkworkbench.document.solids import model_shapes, model_solid, stock_solid
+from vkworkbench.language import Message, Unusable
+
+
+@dataclass(frozen=True)
+class SimulatedOperation:
+    """An operation that is simulated.
+
+    Attributes
+    ----------
+    document, name, label : str
+        Internal names of the document and of the object, and the object's label.
+    rapid_feeds : tuple of float
+        Horizontal and vertical rapid speed of its tool controller, mm/s; 0 where unset.
+    imported : bool
+        Whether the toolpath may come from a file.
+    """
+
+    document: str
+    name: str
+    label: str
+    rapid_feeds: tuple[float, float]
+    imported: bool
+
+
+@dataclass(frozen=True, eq=False)
+class SimulatedJob:
+    """What is to be simulated.
+
+    Attributes
+    ----------
+    operations : tuple of SimulatedOperation
+        In the order of their job.
+    cuts : tuple of Cut
+        Their toolpaths and tools.
+    as_read : tuple of Toolpath
+        The toolpaths with the feeds that FreeCAD took for mm/s: their strategies are told from these.
+    stock : Solid
+    model_shapes : tuple of Shape
+        Of what the part is to be.
+    remarks : tuple of Message
+        What is left out or not simulated exactly, and why.
+    """
+
+    operations: tuple[SimulatedOperation, ...]
+    cuts: tuple[Cut, ...]
+    as_read: tuple[Toolpath, ...]
+    stock: Solid
+    model_shapes: tuple
+    remarks: tuple[Message, ...]
+
+    @cached_property
+    def model(self) -> Solid | None:
+        """What the part is to be; None where the job has no closed model. Made when it is first asked for."""
+        return model_solid(self.model_shapes)
+
+    @cached_property
+    def seconds(self) -> np.ndarray:
+        """Time of every trajectory, numbered through, (n,) float64 s; not a number where its speed is unknown."""
+        return np.concatenate([
+            trajectory_seconds(cut.toolpath, horizontal_rapid=operation.rapid_feeds[0],
+                               vertical_rapid=operation.rapid_feeds[1])
+            for operation, cut in zip(self.operations, self.cuts)
+        ])  # fmt: skip
+
+    def strategies(self) -> Iterator[Strategy]:
+        """Tell the strategy of each operation, as its mark does."""
+        for operation, cut, toolpath in zip(self.operations, self.cuts, self.as_read):
+            found, _ = recognized(toolpath, cut.tool.diameter, operation.imported)
+            yield found.strategy
+
+
+@dataclass(frozen=True)
+class _Copied:
+    """Copies of what a document says of one operation."""
+
+    operation: SimulatedOperation
+    path: object
+    placement: object
+    tool: Tool | None
+    vertical_feed: float
+    remark: Message | None  # on the tool
+
+
+@dataclass(frozen=True, eq=False)
+class ReadCut:
+    """An operation that was read.
+
+    Attributes
+    ----------
+    operation : SimulatedOperation
+    cut : Cut or None
+        None where it has nothing to simulate.
+    as_read : Toolpath or None
+        As of `SimulatedJob`.
+    remarks : tuple of Message
+    """
+
+    operation: SimulatedOperation
+    cut: Cut | None
+    as_read: Toolpath | None
+    remarks: tuple[Message, ...]
+
+
+@dataclass(frozen=True, eq=False)
+class JobCopy:
+    """Copies of what a document says of a job, which another thread may read."""
+
+    operations: tuple[_Copied, ...]
+    stock: Solid
+    model_shapes: tuple
+    tolerance: float
+    remarks: tuple[Message, ...]
+
+    @property
+    def document(self) -> str:
+        """Internal name of the document."""
+        return self.operations[0].operation.document
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """Internal names of the operations."""
+        return tuple(copied.operation.name for copied in self.operations)
+
+    @property
+    def labels(self) -> tuple[str, ...]:
+        """Labels of the operations."""
+        return tuple(copied.operation.label for copied in self.operations)
+
+    def read(self) -> Iterator[ReadCut]:
+        """Linearise one operation after the other."""
+        for copied in self.operations:
+            yield _linearized(copied, self.tolerance)
+
+    def job(self, read: Iterable[ReadCut]) -> SimulatedJob:
+        """Put together what was read.
+
+        Raises
+        ------
+        Unusable
+            Where there is nothing to simulate.
+        """
+        read = tuple(read)
+        cuts = [one for one in read if one.cut is not None]
+        remarks = tuple(remark for one in read for remark in one.remarks)
+        if not cuts:
+            raise Unusable(remarks[0] if remarks else Message("nothing-to-simulate"))
+        return SimulatedJob(
+            tuple(one.operation for one in cuts),
+            tuple(one.cut for one in cuts),
+            tuple(one.as_read for one in cuts),
+            self.stock,
+            self.model_shapes,
+            remarks + self.remarks,
+        )
+
+
+def read_job(what=None) -> SimulatedJob:
+    """Read what is to be simulated; see :func:`vkworkbench.simulate`."""
+    copy = copy_job(what)
+    return copy.job(copy.read())
+
+
+def copy_job(what=None) -> JobCopy:
+    """Copy what is to be simulated; see :func:`vkworkbench.simulate`."""
+    if what is None:
+        what = FreeCAD.ActiveDocument
+        if what is None:
+            raise ValueError("no document is open: open one with a job or a toolpath")
+    operations = _chosen(find(what))
+    if not operations:
+        raise Unusable(Message("nothing-to-simulate"))
+    job = operations[0].job
+    copies = tuple(_copied(operation.object) for operation in operations)
+    stock, told = stock_solid(job, read_stock(job))
+    return JobCopy(copies, stock, model_shapes(job), preferences.read().tolerance, (told,) if told else ())
+
+
+def _copied(obj) -> _Copied:
+    operation = SimulatedOperation(
+        obj.Document.Name, obj.Name, obj.Label, rapid_feeds(obj), freecad.is_imported(obj)
+    )  # fmt: skip
+    try:
+        tool, remark = read_tool(obj), tool_remark(obj)
+    except Unusable as error:
+        tool, remark = None, error.what
+    return _Copied(operation, obj.Path, obj.Placement, tool, vertical_feed(obj), remark)
+
+
+def _linearized(copied: _Copied, tolerance: float) -> ReadCut:
+    operation, told = copied.operation, [copied.remark]
+    cut = toolpath = None
+    if copied.tool is not None:
+        try:
+            toolpath = placed(linearize(copied.path.Commands, tolerance=tolerance), copied.placement)
+        except Unusable as error:
+            told = [error.what]
+        else:
+            feeding, minutes = in_seconds(toolpath) if operation.imported else (toolpath, None)
+            cut = Cut(feeding, copied.tool, copied.vertical_feed) if len(toolpath) else None
+            told = [*told, minutes] if cut is not None else []
+    remarks = tuple(Message("of", label=operation.label, sentence=remark) for remark in told if remark)
+    return ReadCut(operation, cut, toolpath, remarks)
+
+
+def _chosen(found: list[Operation]) -> list[Operation]:
+    """Return the operations that are posted, in the order of their one job."""
+    operations = [o for o in found if o.counted] or [o for o in found if o.active]
+    jobs = {(o.job.Document.Name, o.job.Name): o.job for o in operations if o.job is not None}
+    if len(jobs) > 1:
+        raise Unusable(Message("several-jobs", labels=[job.Label for job in jobs.values()]))
+    order = [o.object for job in jobs.values() for o in find(job)]
+    return sorted(operations, key=lambda o: order.index(o.object) if o.object in order else len(order))

@@ -1,0 +1,172 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The rows of controls around the simulated part: what is seen of it above, the moment below."""
+
+from __future__ import annotations
+
+from vkworkbench.gui.plain_text import as_plain, lines
+from vkworkbench.gui.qt import (
+    QComboBox,
+    QHBoxLayout,
+    QLabel,
+    QMenu,
+    QSizePolicy,
+    QStyle,
+    Qt,
+    QToolButton,
+    QWidget,
+    Signal,
+)  # fmt: skip
+from vkworkbench.gui.sentences import user
+from vkworkbench.gui.simulation import exports
+from vkworkbench.gui.simulation.coloring import COLORINGS
+from vkworkbench.gui.text import QT_TRANSLATE_NOOP, translate
+
+# How many times as fast as the machine a play is; the whole job in half a minute for None.
+_SPEEDS = (1, 10, 100, 1000, None)
+_WHOLE = 30.0  # s
+_VIEWS = (
+    (QT_TRANSLATE_NOOP("Vk_Simulate", "Isometric"), "Isometric"),
+    (QT_TRANSLATE_NOOP("Vk_Simulate", "Top"), "Top"),
+    (QT_TRANSLATE_NOOP("Vk_Simulate", "Front"), "Front"),
+    (QT_TRANSLATE_NOOP("Vk_Simulate", "Right"), "Right"),
+    (QT_TRANSLATE_NOOP("Vk_Simulate", "Rear"), "Rear"),
+    (QT_TRANSLATE_NOOP("Vk_Simulate", "Left"), "Left"),
+    (QT_TRANSLATE_NOOP("Vk_Simulate", "Bottom"), "Bottom"),
+    (QT_TRANSLATE_NOOP("Vk_Simulate", "As the 3D view"), None),
+)
+PART, CHIPS, BOTH = range(3)
+
+
+class SceneBar(QWidget):
+    """What is seen of the part: from where, in which colours, with which chips; warnings, and what is saved.
+
+    Attributes
+    ----------
+    looked : Signal of object
+        One of FreeCAD's standard directions is wanted, by its name, or None for that of the 3D view.
+    recolored, chosen : Signal
+        Another colouring, or other chips, are wanted.
+    saved : Signal of object
+        What is shown is to be saved by this function of `exports`.
+    """
+
+    looked, saved = Signal(object), Signal(object)
+    recolored, chosen = Signal(), Signal()
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.views = _menu(translate("Vk_Simulate", "View"), translate("Vk_Simulate", "From where the part is seen."))
+        for text, name in _VIEWS:
+            action = self.views.menu().addAction(user().translate("Vk_Simulate", text))
+            action.triggered.connect(lambda *_, n=name: self.looked.emit(n))
+        self.colorings = _combo(translate("Vk_Simulate", "By what the surfaces are colored."))
+        for text, _ in COLORINGS:
+            self.colorings.addItem(user().translate("Vk_Simulate", text))
+        self.chips = _combo(
+            translate("Vk_Simulate", "What the operation of this moment removes, alone or on the part.")
+        )
+        self.chips.addItem(translate("Vk_Simulate", "Part"))
+        self.chips.addItem(translate("Vk_Simulate", "Chips"))
+        self.chips.addItem(translate("Vk_Simulate", "Part and chips"))
+        self.colorings.currentIndexChanged.connect(lambda *_: self.recolored.emit())
+        self.chips.currentIndexChanged.connect(lambda *_: self.chosen.emit())
+        self.legend = QLabel()
+        self.legend.setTextFormat(Qt.RichText)
+        self.warnings = _menu("", translate("Vk_Simulate", "Rapid moves that cut material. Choose one to see it."))
+        self.warnings.hide()
+        save = _menu(translate("Vk_Simulate", "Save"), translate("Vk_Simulate", "Save what is shown."))
+        for text, work in (
+            (translate("Vk_Simulate", "Picture…"), exports.save_picture),
+            (translate("Vk_Simulate", "Pictures of the whole job…"), exports.save_frames),
+            (translate("Vk_Simulate", "Removal rates…"), exports.save_rates),
+        ):
+            save.menu().addAction(text).triggered.connect(lambda *_, work=work: self.saved.emit(work))
+        _fill(self, self.views, self.colorings, self.legend, None, self.warnings, self.chips, save)
+
+    def show_legend(self, entries: tuple[tuple[str, str], ...]) -> None:
+        """Show what colours mean: each with its name, or the stations of a scale, of which some have one."""
+        scale = sum(not name for _, name in entries) > 1
+        shown = entries if scale else entries[:8]
+        parts = [f"<span style='color:{color}'>■</span>{lines(' ' + name) if name else ''}" for color, name in shown]
+        self.legend.setText(("" if scale else "&nbsp; ").join(parts))
+
+
+class PlayBar(QWidget):
+    """Steps, play and its speed, and what is done at this moment.
+
+    Attributes
+    ----------
+    stepped : Signal of int
+        By a trajectory (1), a command (2) or an operation (3), back where negative.
+    play_clicked : Signal
+    """
+
+    stepped, play_clicked = Signal(int), Signal()
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.play_button = QToolButton()
+        self.play_button.setToolTip(translate("Vk_Simulate", "Play or pause (Space)."))
+        self.play_button.clicked.connect(lambda *_: self.play_clicked.emit())
+        self.speeds = _combo(translate("Vk_Simulate", "How many times as fast as the machine."))
+        for speed in _SPEEDS:
+            text = translate("Vk_Simulate", "Job in {}").format(user().time(_WHOLE)) if speed is None else f"×{speed}"
+            self.speeds.addItem(text if speed != 1 else translate("Vk_Simulate", "Real time"))
+        self.speeds.setCurrentIndex(len(_SPEEDS) - 1)
+        self.steps = {by: self._step(icon, by, tooltip) for icon, by, tooltip in (
+            (QStyle.SP_MediaSkipBackward, -3, translate("Vk_Simulate", "To the beginning of the operation.")),
+            (QStyle.SP_MediaSeekBackward, -2, translate("Vk_Simulate", "Back by one command of the program.")),
+            (QStyle.SP_ArrowLeft, -1, translate("Vk_Simulate", "Back by one trajectory.")),
+            (QStyle.SP_ArrowRight, 1, translate("Vk_Simulate", "On by one trajectory.")),
+            (QStyle.SP_MediaSeekForward, 2, translate("Vk_Simulate", "On by one command of the program.")),
+            (QStyle.SP_MediaSkipForward, 3, translate("Vk_Simulate", "To the end of the operation.")),
+        )}  # fmt: skip
+        self.text = as_plain(QLabel())
+        self.text.setTextInteractionFlags(Qt.TextSelectableByMouse)
+        self.text.setSizePolicy(QSizePolicy.Ignored, QSizePolicy.Preferred)
+        back, on = ([button for by, button in self.steps.items() if by * sign > 0] for sign in (-1, 1))
+        row = _fill(self, *back, self.play_button, *on, self.speeds, self.text)
+        row.setStretch(row.count() - 1, 1)
+
+    def speed(self, total: float) -> float:
+        """Return how many times as fast as the machine a job of `total` s is to be played."""
+        return _SPEEDS[self.speeds.currentIndex()] or total / _WHOLE
+
+    def show_playing(self, plays: bool) -> None:
+        icon = QStyle.SP_MediaPause if plays else QStyle.SP_MediaPlay
+        self.play_button.setIcon(self.style().standardIcon(icon))
+
+    def _step(self, icon, by: int, tooltip: str) -> QToolButton:
+        button = QToolButton()
+        button.setIcon(self.style().standardIcon(icon))
+        button.setToolTip(tooltip)
+        button.setAutoRepeat(abs(by) < 3)
+        button.clicked.connect(lambda *_: self.stepped.emit(by))
+        return button
+
+
+def _menu(text: str, tooltip: str) -> QToolButton:
+    button = QToolButton()
+    button.setText(text)
+    button.setToolTip(tooltip)
+    button.setPopupMode(QToolButton.InstantPopup)
+    button.setMenu(QMenu(button))
+    return button
+
+
+def _combo(tooltip: str) -> QComboBox:
+    box = QComboBox()
+    box.setToolTip(tooltip)
+    box.setFocusPolicy(Qt.StrongFocus)
+    return box
+
+
+def _fill(bar: QWidget, *widgets: QWidget | None) -> QHBoxLayout:
+    row = QHBoxLayout(bar)
+    row.setContentsMargins(0, 0, 0, 0)
+    for widget in widgets:
+        if widget is None:
+            row.addStretch(1)
+        else:
+            row.addWidget(widget)
+    return row
