@@ -32,7 +32,6 @@ from vkworkbench.core.recognition.decide import STRATEGIES, Learned, elect, grou
 from vkworkbench.core.recognition.forest import Forest  # noqa: E402
 from vkworkbench.core.recognition.measures import measures  # noqa: E402
 from vkworkbench.core.recognition.section import Section  # noqa: E402
-from vkworkbench.core.recognition.spurs import without_spurs  # noqa: E402
 from vkworkbench.core.recognition.thresholds import VOTES  # noqa: E402
 from vkworkbench.core.recognition.verdict import judge  # noqa: E402
 
@@ -110,7 +109,7 @@ class Examples:
             accepted = {strategies.index(name) for name in r.accepted}
             for of_kind, tool in ((kind, r.tool or 0.0), (f"{kind} without tools", 0.0)):
                 if of_kind in WEIGHTS:
-                    section = Section(without_spurs(moves), tool)
+                    section = Section(moves, tool)
                     values = measures(section)
                     rules = STRATEGIES.index(judge(section).strategy)
                     rows.append(

@@ -88,7 +88,7 @@ def test_borders_stand_before_the_way_down():
 @pytest.mark.parametrize("commands", [[], [("G0", {"X": 5.0})], [("G1", {"X": 5.0, "Y": 1.0})]])
 def test_next_to_nothing_has_no_borders(commands):
     path = linearize(commands)
-    assert begun(path, monotonous_areas(path)) == [] if len(path) else True
+    assert begun(path, monotonous_areas(path)) == {}
 
 
 def test_nothing_is_mixed_that_has_one_name():

@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""How the tool enters the material before the pattern of an area begins."""
+"""How the tool enters the material before the pattern of an area begins, and the pattern without that."""
 
 from __future__ import annotations
 
 import numpy as np
 
 from vkworkbench.core.paper import TURN, Areas
+from vkworkbench.core.recognition.spurs import some_moves
 from vkworkbench.core.recognition.thresholds import ENOUGH, ENTRY, SAME
 
 LEVEL = 1e-6  # mm; a move that descends by more is no level one
@@ -24,12 +25,8 @@ def find_entry(moves: Areas) -> str | None:
     moves : Areas
         At least one move.
     """
-    descends = moves.dz < -LEVEL
-    begin, size = moves.start, moves.end - moves.start
-    at = np.arange(len(moves))
-    first = np.minimum.reduceat(np.where(descends, len(moves), at), begin)
-    first = np.minimum(first, moves.end)
-    after = at >= np.repeat(first, size)
+    begin, first = moves.start, moves.start + _run(moves, moves.dz >= -LEVEL)
+    after = np.arange(len(moves)) >= np.repeat(first, moves.end - begin)
     level = np.where(after & (np.abs(moves.dz) < LEVEL), moves.length, 0.0)
     following = np.where(after, moves.length, 0.0).sum()
     if level.sum() <= ENOUGH.SHARE * following or following <= 0:
@@ -43,7 +40,72 @@ def find_entry(moves: Areas) -> str | None:
     if drop.max() < SAME.HEIGHT:
         return ENTRIES[0]
     turned = np.abs(moves.phi[last] - moves.phi[begin])
-    reversed_ = np.add.accumulate(np.isin(at, moves.unsigned))
+    reversed_ = np.cumsum(np.bincount(moves.unsigned, minlength=len(moves)))
     to_and_fro = reversed_[last] > reversed_[begin]
     kind = np.where(turned > ENTRY.WINDS * TURN, 3, np.where(to_and_fro, 2, 1))
     return ENTRIES[int(np.argmax(np.bincount(kind, weights=drop, minlength=len(ENTRIES))))]
+
+
+def without_entries(moves: Areas) -> tuple[Areas, float]:
+    """Take the ways in and out from the areas: what descends at their starts, and what climbs at their ends.
+
+    They are taken out where most of what is left of their area is level, and leads farther than they do. A helix that
+    ends by one flat turn leads nowhere: it is the operation, as the ramp along a contour is a part of that contour.
+
+    Parameters
+    ----------
+    moves : Areas
+        At least one move.
+
+    Returns
+    -------
+    Areas
+        The pattern, and in it at least one move of every area.
+    float
+        Share of the length in ways in that wind.
+    """
+    down, up = _run(moves, moves.dz >= -LEVEL), _run(moves, moves.dz <= LEVEL, backward=True)
+    chosen = np.flatnonzero((down + up > 0) & (down + up < moves.end - moves.start))
+    if not len(chosen):
+        return moves, 0.0
+    start, end = moves.start[chosen], moves.end[chosen]
+    first, last = start + down[chosen], end - up[chosen]
+    way = np.append(0.0, np.cumsum(moves.length))
+    level = np.append(0.0, np.cumsum(np.where(np.abs(moves.dz) < LEVEL, moves.length, 0.0)))
+    mostly = level[last] - level[first] > ENOUGH.SHARE * (way[last] - way[first])
+    pattern, gone = _boxes(moves, first, last), np.zeros(len(moves) + 1, np.int64)
+    leads = []
+    for begin, stop in ((start, first), (last, end)):
+        some = np.flatnonzero(mostly & (stop > begin))
+        box = _boxes(moves, begin[some], stop[some])
+        beyond = (pattern[some] - box).max(axis=1, initial=-np.inf)
+        some = some[beyond > ENTRY.LEADS * np.hypot(*(box[:, :2] + box[:, 2:]).T)]
+        np.add.at(gone, begin[some], 1)
+        np.add.at(gone, stop[some], -1)
+        leads.append(some)
+    into = leads[0]
+    winds = np.abs(moves.phi[first[into] - 1] - moves.phi[start[into]]) > ENTRY.WINDS * TURN
+    wound = float((way[first] - way[start])[into[winds]].sum() / way[-1])
+    kept = np.cumsum(gone[:-1]) == 0
+    return (moves if kept.all() else some_moves(moves, kept)), wound
+
+
+def _run(moves: Areas, other: np.ndarray, backward: bool = False) -> np.ndarray:
+    """Return how many moves at the start of each area, or at its end, come before the first of the others, (a,)."""
+    at = np.flatnonzero(other)
+    if backward:
+        at = np.append(-1, at)
+        return moves.end - 1 - np.maximum(at[np.searchsorted(at, moves.end) - 1], moves.start - 1)
+    at = np.append(at, len(moves))
+    return np.minimum(at[np.searchsorted(at, moves.start)], moves.end) - moves.start
+
+
+def _boxes(moves: Areas, first: np.ndarray, end: np.ndarray) -> np.ndarray:
+    """Return how far the moves first[i] .. end[i] - 1 reach to the left, down, right and up, (k, 4) mm."""
+    between = np.column_stack([first, end]).ravel()
+    reach = []
+    for sign in (-1, 1):
+        for at, step in ((moves.x, moves.dx), (moves.y, moves.dy)):
+            farthest = np.maximum.reduceat(np.append(sign * at, -np.inf), between)[::2]
+            reach.append(np.maximum(farthest, sign * (at[end - 1] + step[end - 1])))
+    return np.column_stack(reach)

@@ -40,6 +40,7 @@ def _of_areas(s: Section, extent: float) -> dict[str, float]:
     net = m.phi[m.end - 1] - m.phi[m.start]
     turned = max(float(np.abs(m.turning).sum()), SAME.HEIGHT)
     return {
+        "wound": s.wound,
         "longest_area": float(m.area_length.max()) / s.length,
         "turned": float(np.log1p(turned / TURN)),
         "turned_for_length": float(np.log1p(turned / TURN * extent / s.length)),

@@ -13,8 +13,7 @@ from vkworkbench.core.recognition.entries import find_entry
 from vkworkbench.core.recognition.evidence import gather, sentence
 from vkworkbench.core.recognition.footprints import count_depths
 from vkworkbench.core.recognition.section import Section
-from vkworkbench.core.recognition.spurs import without_spurs
-from vkworkbench.core.recognition.thresholds import ENOUGH, PARTS, ROWS, VOTES
+from vkworkbench.core.recognition.thresholds import ENOUGH, PARTS, ROWS, VISITS, VOTES
 from vkworkbench.core.recognition.verdict import Verdict, judge
 from vkworkbench.core.recognition.visits import begun
 from vkworkbench.core.strategy import Family, Strategy
@@ -136,7 +135,7 @@ def recognize(toolpath: Toolpath, *, tool_diameter: float | None = None, program
     whole = _judge_one(toolpath, moves, first, last, tool)
     borders = _borders(toolpath, moves)
     if program:
-        borders.update((at, True) for at in begun(toolpath, moves))
+        borders.update(dict.fromkeys(_told_apart(toolpath, borders, begun(toolpath, moves), tool), True))
     if not 0 < len(borders) <= PARTS.BORDERS:
         return whole
     return _judge_sections(toolpath, borders, whole, tool, program)
@@ -154,7 +153,7 @@ def _judge_one(toolpath: Toolpath, moves: Areas, first: int, last: int, tool: fl
         )
         spans = _spans(toolpath, [(first, last, strategy)])
         return Recognition(strategy, VOTES.SUREST, why, spans, passes=holes or None)
-    section = Section(without_spurs(moves), tool)
+    section = Section(moves, tool)
     verdict, confidence = decide(section, judge(section))
     evidence = gather(section, verdict)
     why = sentence(section, verdict, evidence)
@@ -201,6 +200,37 @@ def _borders(toolpath: Toolpath, moves: Areas) -> dict[int, bool]:
         after = np.append(holes[begin[1:] - 1], holes[-1]) + 1
         borders.update(dict.fromkeys(np.concatenate([before, after]).tolist(), True))
     return {at: certain for at, certain in borders.items() if 0 < at < len(toolpath)}
+
+
+def _told_apart(toolpath: Toolpath, borders: dict[int, bool], begun: dict[int, float], tool: float) -> list[int]:
+    """Return the retracts that part operations: those that likely do, and those with clearly different verdicts beside.
+
+    Parameters
+    ----------
+    borders : dict
+        Other borders.
+    begun : dict
+        Where another operation may begin, and how likely it is.
+    """
+    doubtful = [at for at, share in begun.items() if share <= VISITS.BORDER]
+    if not doubtful:
+        return list(begun)
+    beside = {}
+    cutting = np.flatnonzero(~toolpath.rapid)
+    at = sorted({*borders, *begun, 0, len(toolpath)})
+    for a, b in zip(at, at[1:]):
+        inside = cutting[np.searchsorted(cutting, a) : np.searchsorted(cutting, b)]
+        if len(inside):
+            first, last = int(inside[0]), int(inside[-1])
+            one = _judge_one(toolpath, monotonous_areas(toolpath, first, last), first, last, tool)
+            beside.setdefault(a, [None, None])[1] = beside.setdefault(b, [None, None])[0] = one
+    return [at for at in begun if begun[at] > VISITS.BORDER or _clearly_differ(*beside.get(at, (None, None)))]
+
+
+def _clearly_differ(one: Recognition | None, other: Recognition | None) -> bool:
+    if one is None or other is None or not (one.strategy.is_answer and other.strategy.is_answer):
+        return False
+    return one.strategy is not other.strategy and one.confidence * other.confidence > VISITS.DIFFER
 
 
 def _sculptured(moves: Areas) -> bool:

@@ -6,9 +6,11 @@ from __future__ import annotations
 import numpy as np
 
 from vkworkbench.core.paper import TURN, Areas
+from vkworkbench.core.recognition.entries import without_entries
 from vkworkbench.core.recognition.pieces import LOOP, STROKE, WINDING, ZIGZAG, Pieces, cut_pieces
 from vkworkbench.core.recognition.rings import Rings, relate_rings
 from vkworkbench.core.recognition.rows import Rows, filling, find_rows
+from vkworkbench.core.recognition.spurs import without_spurs
 from vkworkbench.core.recognition.strokes import relate_strokes
 from vkworkbench.core.recognition.thresholds import (
     ENOUGH,
@@ -35,7 +37,11 @@ class Section:
 
     Attributes
     ----------
-    moves, tool
+    moves : Areas
+        The pattern: without the ways in and out, and without spurs.
+    wound : float
+        Share of the length in helical ways in, which are not in `moves`.
+    tool : float
         As given.
     pieces : Pieces
     length : float
@@ -60,7 +66,8 @@ class Section:
     """
 
     def __init__(self, moves: Areas, tool: float) -> None:
-        self.moves, self.tool = moves, tool
+        moves, self.wound = without_entries(moves)
+        self.moves, self.tool = (moves := without_spurs(moves)), tool
         self.pieces = p = cut_pieces(moves)
         self.length = float(p.length.sum())
         kind = _absorbed(p)

@@ -44,10 +44,25 @@ def without_spurs(moves: Areas) -> Areas:
     phi = moves.phi + more - np.repeat(more[moves.start], moves.end - moves.start)
     kept = np.ones(len(moves), bool)
     kept[out] = kept[out + 1] = False
-    place = np.cumsum(kept) - 1
     gone = np.concatenate([out, out + 1, after])
-    parts = {name: getattr(moves, name)[kept] for name in ("index", "x", "y", "z", "dx", "dy", "dz", "length", "alpha")}
+    unsigned, reversals = (at[~np.isin(at, gone)] for at in (moves.unsigned, moves.reversals))
+    return some_moves(replace(moves, turning=turning, phi=phi, unsigned=unsigned, reversals=reversals), kept)
+
+
+def some_moves(moves: Areas, kept: np.ndarray) -> Areas:
+    """Return the areas with those moves alone that are kept, (m,) bool; at least one of every area is.
+
+    Where the first moves of an area go, phi begins at 0 with the first that is left.
+    """
+    place = np.cumsum(kept) - 1
+    names = ("index", "x", "y", "z", "dx", "dy", "dz", "length", "alpha", "turning", "phi")
+    parts = {name: getattr(moves, name)[kept] for name in names}
+    begin = place[moves.start] + ~kept[moves.start]
+    size = np.diff(begin, append=len(parts["index"]))
+    parts["phi"] -= np.repeat(parts["phi"][begin], size)
+    parts["turning"][begin] = 0.0
     for name in ("unsigned", "reversals"):
         at = getattr(moves, name)
-        parts[name] = place[at[~np.isin(at, gone)]]
-    return replace(moves, turning=turning[kept], phi=phi[kept], start=place[moves.start], **parts)
+        at = place[at[kept[at]]]
+        parts[name] = at[~np.isin(at, begin)]
+    return replace(moves, start=begin, **parts)

@@ -60,6 +60,9 @@ class ENTRY:
 
     #: turns. A ramp that winds more is a helix. At 0 every ramp is, larger: helices of one turn are ramps.
     WINDS = 0.75
+    #: share of its size. What follows leads so much farther, or the way down is a part of the pattern. At 0 helices that
+    #: end by a flat turn are profiles; larger: helices before clearing are the operation.
+    LEADS = 0.25
 
 
 class PASSES:
@@ -385,6 +388,12 @@ class VISITS:
     #: share of the votes. So many say that another operation begins. At 0 every visit does, and pockets are mixed; at 1
     #: none does, and a zigzag with a profile behind it is one.
     BORDER = 0.3
+    #: share of the votes. Where fewer say so, but more than this, verdicts on both sides that differ decide. At 1 no
+    #: verdict does, and a pocket with another pattern behind it is one.
+    DOUBTFUL = 0.1
+    #: confidence. That of one verdict times that of the other: where it is more, they differ clearly. At 0 every two
+    #: do, and rows with a contour around them are two operations.
+    DIFFER = 0.5
     #: visits. More sections are no operations, and each takes its time. At 1 most programs are one.
     MOST = 60
     #: share of the length. A block whose ends lie closer together is closed, as the measure says.

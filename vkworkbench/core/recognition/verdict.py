@@ -112,7 +112,7 @@ def _judge_rings(s: Section, rings: float) -> Verdict:
         if winding > ENOUGH.SHARE * rings and linked < ENOUGH.SHARE * winding:
             # A spiral leaves nothing to bites and strokes; one that the boundary cuts open is judged by its arcs.
             bitten = s.part(s.strokes.bite) > ADAPTIVE.BITES and s.strokes.bite.sum() >= ENOUGH.TIMES
-            if bitten or helix > ADAPTIVE.ENTRY or s.strokes.length.sum() > ADAPTIVE.STROKES * s.length:
+            if bitten or helix + s.wound > ADAPTIVE.ENTRY or s.strokes.length.sum() > ADAPTIVE.STROKES * s.length:
                 return Verdict(Strategy.ADAPTIVE, len(r), ENTERED)
             if s.cornered() < ENOUGH.SHARE:
                 return Verdict(Strategy.SPIRAL, len(r), Message("endless-winding"))
@@ -152,8 +152,6 @@ def _judge_strokes(s: Section) -> Verdict:
     k = s.strokes
     sloped = s.part(k.sloped)
     number = len(k)
-    if k.depths >= WATERLINES.OPEN_DEPTHS and sloped < WATERLINES.SLOPED and k.distinct > ENOUGH.SHARE * number:
-        return Verdict(Strategy.WATERLINE, k.depths, Message("open-contours-change"))
     beside = find_neighbours(s.moves, s.pieces, k.index, s.tool)
     if beside and beside.count >= ENOUGH.TIMES and beside.share > NEIGHBOURS.SHARE:
         if beside.even > ENOUGH.SHARE:
@@ -161,6 +159,8 @@ def _judge_strokes(s: Section) -> Verdict:
             return Verdict(strategy, beside.count, Message("open-offsets"), step=beside.step)
         if beside.onward > NEIGHBOURS.ONWARD:
             return Verdict(Strategy.ADAPTIVE, beside.count, Message("open-passes"), step=beside.step)
+    if k.depths >= WATERLINES.OPEN_DEPTHS and sloped < WATERLINES.SLOPED and k.distinct > ENOUGH.SHARE * number:
+        return Verdict(Strategy.WATERLINE, k.depths, Message("open-contours-change"))
     extent = s.pieces.box[:, 2:].max(axis=0) - s.pieces.box[:, :2].min(axis=0)
     long = k.typical > STROKES.LONG * extent.sum()
     # Letters may be carved at several depths as contours are, but there are more of them, and they are short.

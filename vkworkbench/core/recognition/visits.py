@@ -205,8 +205,8 @@ def compared(v: Visits) -> np.ndarray:
     return np.column_stack([measures[name] for name in MEASURES])
 
 
-def begun(toolpath: Toolpath, moves: Areas) -> list[int]:
-    """Return the trajectories with which another operation begins, told from the motion alone.
+def begun(toolpath: Toolpath, moves: Areas) -> dict[int, float]:
+    """Return the trajectories with which another operation may begin, told from the motion alone, and how likely it is.
 
     FreeCAD retracts within one operation and foreign programs do not mark theirs: a retract to the top height is a
     border only where what follows differs from what came before in feed, ground, depths or pattern as it does between
@@ -214,12 +214,12 @@ def begun(toolpath: Toolpath, moves: Areas) -> list[int]:
     """
     visits = find_visits(toolpath, moves)
     if visits is None:
-        return []
+        return {}
     share = _FOREST.shares(compared(visits))[:, 1]
-    at = np.flatnonzero(share > VISITS.BORDER)
+    at = np.flatnonzero(share > VISITS.DOUBTFUL)
     if len(at) > VISITS.MOST:
         at = np.sort(at[np.argsort(-share[at], kind="stable")[: VISITS.MOST]])
     # Before the way down to the next visit.
     z = toolpath.points[:, 2]
     gaps = zip(visits.last[at] + 1, visits.first[at + 1] + 1)
-    return [int(a + np.argmax(z[a:b])) for a, b in gaps]
+    return {int(a + np.argmax(z[a:b])): float(s) for (a, b), s in zip(gaps, share[at])}
