@@ -54,6 +54,8 @@ class OperationReport(Costs):
         What is wrong with it or unknown about it.
     fingerprint : str
         Of the path, tool and stock that were analysed.
+    document_id : str
+        Tells the document from another one of the same name; empty for a program.
     """
 
     document: str
@@ -69,6 +71,7 @@ class OperationReport(Costs):
     cautions: tuple[Caution, ...]
     remarks: tuple[Message, ...]
     fingerprint: str
+    document_id: str = ""
 
     @property
     def strategy(self) -> Strategy:

@@ -11,7 +11,7 @@ import pytest
 import vkworkbench
 from vkworkbench import freecad
 from vkworkbench.document import operations, setting
-from vkworkbench.document.fingerprint import read_setting_fingerprint
+from vkworkbench.document.fingerprint import read_setting_fingerprints
 
 PACKAGE = Path(vkworkbench.__file__).parent
 PROPERTIES = {name: entry for name, entry in vars(freecad).items() if isinstance(entry, freecad.Property)}
@@ -73,8 +73,8 @@ def test_what_a_fingerprint_reads_is_watched(example):
     for operation in operations.find(example):
         if operation.counted:
             obj, job = (Spy(one, read) for one in (operation.object, operation.job))
-            spied = read_setting_fingerprint(obj, job)
-            assert spied == read_setting_fingerprint(operation.object, operation.job)
+            spied = read_setting_fingerprints(obj, job)
+            assert spied == read_setting_fingerprints(operation.object, operation.job)
     assert {"ToolController", "Tool", "Diameter", "Stock", "Shape"} <= read
     untold = {"Base", "Label"}  # what is dressed up, which changes with the group; the label is for messages only
     assert read - untold <= freecad.names_in_fingerprint("setting")

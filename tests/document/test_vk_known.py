@@ -151,7 +151,7 @@ def test_an_error_is_not_kept(small, zigzag_commands, monkeypatch):
 
 
 def test_long_paths_are_known_too(small, zigzag_commands, recognized, monkeypatch):
-    monkeypatch.setattr(analysis, "_AT_ONCE", 5)
+    monkeypatch.setattr(analysis, "AT_ONCE", 5)
     small.add("Zigzag", zigzag_commands)
     assert vkworkbench.analyze(small.document) == vkworkbench.analyze(small.document) and len(recognized) == 1
 

@@ -17,7 +17,7 @@ def test_window_is_there():
 # All that FreeCAD's start may load of the add-on; none of it loads numpy.
 AT_START = {
     "vkworkbench", "vkworkbench.freecad", "vkworkbench.preferences", "vkworkbench.document",
-    "vkworkbench.document.mark_properties", "vkworkbench.document.operations", "vkworkbench.gui", "vkworkbench.gui.plain_text", "vkworkbench.gui.preferences_page",
+    "vkworkbench.document.idle", "vkworkbench.document.mark_properties", "vkworkbench.document.operations", "vkworkbench.gui", "vkworkbench.gui.plain_text", "vkworkbench.gui.preferences_page",
     "vkworkbench.gui.qt", "vkworkbench.gui.selection", "vkworkbench.gui.sentences", "vkworkbench.gui.text", "vkworkbench.gui.workbench",
 }  # fmt: skip
 
@@ -38,7 +38,7 @@ def test_switching_between_documents_compares_no_marks_again(opened, window, mon
     FreeCAD.setActiveDocument(opened.Name)
     window.idle()
     compared = []
-    monkeypatch.setattr(watcher, "check", lambda document: compared.append(document.Name))
+    monkeypatch.setattr(watcher, "comparing", lambda document, *_, **__: iter([compared.append(document.Name)]))
     for _ in range(3):
         FreeCAD.setActiveDocument(other.Name)
         FreeCAD.setActiveDocument(opened.Name)

@@ -18,18 +18,18 @@ from vkworkbench.core.gcode import Words, in_seconds
 from vkworkbench.core.simulators import ZBUFFER, Conditions, Task, predict, preflight
 from vkworkbench.core.zbuffer import cuts_surely
 from vkworkbench.document import calibration
-from vkworkbench.document.fingerprint import setting_fingerprint, text_fingerprint, text_of
+from vkworkbench.document.fingerprint import AT_ONCE, setting_fingerprint, text_fingerprint, text_of
 from vkworkbench.document.known import KNOWN, key_of
 from vkworkbench.document.operations import Operation, find, fixtures_of
+from vkworkbench.document.path_prints import PATH_PRINTS
 from vkworkbench.document.recognized import recognized
 from vkworkbench.document.setting import placed, rapid_feeds, read_stock, read_tool, tool_remark
-from vkworkbench.document.solids import stock_solid
+from vkworkbench.document.solids import form_of_stock, stock_solid
 from vkworkbench.language import Message, Unusable
 from vkworkbench.preferences import Preferences
 from vkworkbench.report import Cancelled, OperationReport, Report
 
 _PATIENCE = 0.05  # s between two calls of `cancelled`
-_AT_ONCE = 50_000  # commands whose text is written in a tenth of a second, during which no other thread runs
 _NOTHING = linearize([])
 _NOT_RECOGNIZED = recognize(_NOTHING)
 
@@ -96,9 +96,11 @@ def analyze(
         if progress is not None:
             progress(done, len(operations), labels[done])
         with suppress(ReferenceError):  # deleted meanwhile, or its document closed
+            token = PATH_PRINTS.begin(operation.object)
             reading = _read(operation)
-            reports.append(_patiently(lambda going_on, reading=reading: _row(reading, chosen, conditions, going_on),
-                                      cancelled))  # fmt: skip
+            row = _patiently(lambda going_on, reading=reading: _row(reading, chosen, conditions, going_on), cancelled)
+            reports.append(row)
+            PATH_PRINTS.end((row.document, row.name), token, row.fingerprint.partition(":")[0])
     return Report(tuple(reports), jobs, chosen.budget, fixtures)
 
 
@@ -107,6 +109,7 @@ class _Reading:
     """Copies of what the document says of one operation, which another thread may read."""
 
     document: str
+    document_id: str
     name: str
     label: str
     job: str | None
@@ -124,7 +127,7 @@ class _Reading:
 
 
 # What of a reading says whose row it is; and what the results follow from, beside the path and its placement.
-_WHOSE = ("document", "name", "label", "job", "counted")
+_WHOSE = ("document", "document_id", "name", "label", "job", "counted")
 _READ = tuple(
     field.name for field in fields(_Reading)
     if field.name not in (*_WHOSE, "path", "placement", "setting_fingerprint")
@@ -136,6 +139,7 @@ def _read(operation: Operation) -> _Reading:
     obj, job = operation.object, operation.job
     reading = _Reading(
         document=obj.Document.Name,
+        document_id=obj.Document.Uid,
         name=obj.Name,
         label=obj.Label,
         job=job.Name if job is not None else None,
@@ -156,7 +160,7 @@ def _read(operation: Operation) -> _Reading:
             stock=stock,
             remarks=tuple(remarks),
             rapid_feeds=rapid_feeds(obj),
-            setting_fingerprint=setting_fingerprint(tool, box),
+            setting_fingerprint=setting_fingerprint(tool, box, form_of_stock(job, box) if box else ()),
         )
     except ReferenceError:  # deleted meanwhile
         raise
@@ -204,7 +208,7 @@ def _row(reading: _Reading, chosen: Preferences, conditions: Conditions, going_o
 
 
 def _work(reading: _Reading, chosen: Preferences, conditions: Conditions, going_on: Callable) -> OperationReport:
-    commands = None if reading.path.Size <= _AT_ONCE else reading.path.Commands
+    commands = None if reading.path.Size <= AT_ONCE else reading.path.Commands
     text = reading.path.toGCode() if commands is None else text_of(commands)
     going_on()
     key = key_of(text, *reading.placement.toMatrix().A, *(getattr(reading, name) for name in _READ), chosen.tolerance,

@@ -9,14 +9,23 @@ from __future__ import annotations
 
 import hashlib
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Iterable, Iterator
+from itertools import islice
 
+from vkworkbench import freecad
 from vkworkbench.core import Stock, Tool
+from vkworkbench.document.operations import job_of, through_bases
+from vkworkbench.document.path_prints import PATH_PRINTS
 from vkworkbench.document.setting import read_stock, read_tool
+from vkworkbench.document.solids import form_of_stock
 
 # mm, added before a stock's corners are rounded to hundredths: no measure in mm or inches is then on a border between
 # two of them, where another version's last digit would decide.
 _ASIDE = 3.7e-4
+
+#: Commands whose text is written in a tenth of a second, during which no other thread runs.
+AT_ONCE = 50_000
+_PIECE = 10_000  # commands written between two looks at the time
 
 # A computer that allows no SHA-1 for secrets allows it here; Python 3.8 does not know the difference.
 _NO_SECRET = {"usedforsecurity": False} if sys.version_info >= (3, 9) else {}
@@ -24,26 +33,67 @@ _NO_SECRET = {"usedforsecurity": False} if sys.version_info >= (3, 9) else {}
 
 def path_fingerprint(obj) -> str:
     """Return the fingerprint of an object's path and where it is placed."""
-    return text_fingerprint(obj.Path.toGCode(), obj.Placement)
+    for _ in finding_path_fingerprint(obj):
+        pass
+    return PATH_PRINTS.of(obj)
+
+
+def finding_path_fingerprint(obj) -> Iterator[None]:
+    """Find the fingerprint of an object's path in steps of milliseconds; only a copy of the path takes longer."""
+    while PATH_PRINTS.of(obj) is None:  # found by an analysis, or changed while it was being found
+        token = PATH_PRINTS.begin(obj)
+        path, placement, whose = obj.Path, obj.Placement, (obj.Document.Name, obj.Name)
+        yield
+        texts = [path.toGCode()] if path.Size <= AT_ONCE else _texts(path.Commands)
+        digest = hashlib.sha1(**_NO_SECRET)
+        for text in texts:
+            digest.update(_without_comments(text).encode())
+            yield
+        digest.update(_place(placement).encode())
+        PATH_PRINTS.end(whose, token, digest.hexdigest()[:16])
 
 
 def text_of(commands: list) -> str:
     """Return the text of a path's commands; to write very many of them at once would hold up other threads."""
-    return "".join([f"{command.toGCode()}\n" for command in commands])
+    return "".join(_texts(commands))
+
+
+def _texts(commands: list) -> Iterator[str]:
+    """The text of a path's commands in pieces, line by line."""
+    lines = (f"{command.toGCode()}\n" for command in commands)
+    while piece := "".join(islice(lines, _PIECE)):
+        yield piece
 
 
 def text_fingerprint(text: str, placement) -> str:
     """Return the fingerprint of a path's text and where it is placed."""
+    return _digest(_without_comments(text) + _place(placement))
+
+
+def _without_comments(text: str) -> str:
     text = text.replace("-0.000000", "0.000000")
     if "(" in text:
         text = "\n".join([line for line in text.split("\n") if not line.startswith("(")])
-    if not placement.isIdentity():
-        text += repr([round(value, 6) for value in (*placement.Base, *placement.Rotation.Q)])
-    return _digest(text)
+    return text
 
 
-def setting_fingerprint(tool: Tool | None, stock: Stock | None) -> str:
-    """Return the fingerprint of tool and stock, None where one cannot be read."""
+def _place(placement) -> str:
+    if placement.isIdentity():
+        return ""
+    return repr([round(value, 6) for value in (*placement.Base, *placement.Rotation.Q)])
+
+
+def setting_fingerprint(tool: Tool | None, stock: Stock | None, form: Iterable = ()) -> str:
+    """Return the fingerprint of tool and stock, None where one cannot be read.
+
+    Parameters
+    ----------
+    tool : Tool or None
+    stock : Stock or None
+        The exact box around it.
+    form : iterable
+        What the box does not tell, as `form_of_stock` returns it.
+    """
     parts = [None, None]
     if tool is not None:
         angle = None if tool.tip_angle is None else round(tool.tip_angle, 4)
@@ -52,12 +102,38 @@ def setting_fingerprint(tool: Tool | None, stock: Stock | None) -> str:
             parts[0] += (round(tool.tip, 4),)
     if stock is not None:
         parts[1] = [round(float(value) + _ASIDE, 2) + 0.0 for value in (*stock.lower, *stock.upper)]
+        parts[1] += form
     return _digest(repr(parts))
 
 
-def read_setting_fingerprint(obj, job) -> str:
-    """Return the fingerprint of the tool and the stock that an operation and its job have now."""
-    return setting_fingerprint(_or_none(read_tool, obj), _or_none(read_stock, job))
+def read_setting_fingerprints(obj, job) -> tuple[str, str]:
+    """Return the fingerprint of the tool and the stock that an operation and its job have now, and of the tool alone."""
+    tool, stock = _or_none(read_tool, obj), _or_none(read_stock, job)
+    form = form_of_stock(job, stock) if stock else ()
+    return setting_fingerprint(tool, stock, form), setting_fingerprint(tool, None)
+
+
+class Settings:
+    """The fingerprints that fit the settings of operations as they are now; each tool with its stock is read once.
+
+    Parameters
+    ----------
+    opened : bool
+        Whether the document has just been opened: FreeCAD then gives a stock to a job that had none, which is no change
+        of the user's.
+    """
+
+    def __init__(self, *, opened: bool = False) -> None:
+        self._opened = opened
+        self._known: dict[tuple, tuple[str, ...]] = {}
+
+    def of(self, obj) -> tuple[str, ...]:
+        """Return the fingerprints that fit an operation's tool and stock."""
+        job, controller = job_of(obj), through_bases(obj, freecad.CONTROLLER)
+        key = tuple(getattr(one, "Name", None) for one in (job, controller))
+        if key not in self._known:
+            self._known[key] = read_setting_fingerprints(obj, job)[: 2 if self._opened else 1]
+        return self._known[key]
 
 
 def _or_none(read: Callable, source):

@@ -4,23 +4,32 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, nullcontext
 
 import FreeCAD
 
 from vkworkbench import preferences
 from vkworkbench.document import marks
+from vkworkbench.document.fingerprint import Settings, path_fingerprint
 from vkworkbench.document.operations import find, is_document, is_object, kind
 from vkworkbench.report import OperationReport, Report
 
 
-def mark(report: Report) -> int:
+def mark(report: Report, *, undo_step: bool = True) -> int:
     """Write a report's findings on its operations and the totals on their jobs, one undo step a document.
+
+    What has changed since the analysis is marked as outdated.
+
+    Parameters
+    ----------
+    report : Report
+    undo_step : bool
+        Whether it is a step that the user can undo; else he can still redo what he has undone.
 
     Returns
     -------
     int
-        How many operations were marked; one that was deleted since the analysis is passed over.
+        How many operations were marked; one that was deleted or closed since the analysis is passed over.
 
     Raises
     ------
@@ -35,18 +44,26 @@ def mark(report: Report) -> int:
         by_document.setdefault(operation.document, []).append(operation)
     for name, operations in by_document.items():
         document = FreeCAD.listDocuments().get(name)
-        if document is None:
+        if document is None or document.Uid != operations[-1].document_id:
             continue
-        chosen = preferences.read()
-        with transaction(document, "Analyze toolpaths"):
-            for operation in operations:
-                obj = document.getObject(operation.name)
-                if obj is not None:
-                    marks.write(obj, operation, chosen)
-                    marked += 1
-            for job in _jobs(document):
-                marks.write_total(job, chosen)
+        with transaction(document, "Analyze toolpaths") if undo_step else nullcontext():
+            marked += _mark(document, operations)
     return marked
+
+
+def _mark(document, operations: list[OperationReport]) -> int:
+    chosen, settings = preferences.read(), Settings()
+    marked = set()
+    for operation in operations:
+        obj = document.getObject(operation.name)
+        if obj is not None:
+            path, _, setting = operation.fingerprint.partition(":")
+            fits = setting in settings.of(obj) and path in ("", path_fingerprint(obj))  # "" where it could not be read
+            marks.write(obj, operation, chosen, outdated=not fits)
+            marked.add(obj.Name)
+    for job in _jobs(document):
+        marks.write_total(job, chosen)
+    return len(marked)
 
 
 def clear(what=None) -> int:

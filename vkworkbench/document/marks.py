@@ -103,9 +103,9 @@ def _of_the_version_before(obj) -> Record | None:
         return None
 
 
-def write(obj, report: OperationReport, chosen: Preferences) -> None:
+def write(obj, report: OperationReport, chosen: Preferences, *, outdated: bool = False) -> None:
     """Write what was found on an operation, and say of it what the preferences ask for."""
-    _keep(obj, record.of_operation(report, chosen.simulator), chosen, anew=True)
+    _keep(obj, replace(record.of_operation(report, chosen.simulator), outdated=outdated), chosen, anew=True)
 
 
 def write_total(job, chosen: Preferences) -> None:
@@ -126,15 +126,15 @@ def _total_fingerprint(parts: list[Record | None]) -> str:
     return " ".join(part.fingerprint if part else "" for part in parts)
 
 
-def refresh(obj, setting_of: Callable, *, path_changed: bool = True, setting_changed: bool = True) -> bool:
+def refresh(obj, settings_of: Callable, *, path_changed: bool = True, setting_changed: bool = True) -> bool:
     """Add "outdated" to a mark that no longer fits its operation, and take it away where it fits again.
 
     Parameters
     ----------
     obj : DocumentObject
         An operation; one without a mark is passed over.
-    setting_of : callable
-        Returns the setting's fingerprint of an operation.
+    settings_of : callable
+        Returns the fingerprints that fit an operation's setting.
     path_changed, setting_changed : bool
         What may have changed since the mark was last compared; an outdated mark is compared as a whole.
 
@@ -147,7 +147,7 @@ def refresh(obj, setting_of: Callable, *, path_changed: bool = True, setting_cha
     if known is None:
         return False
     path, _, setting = known.fingerprint.partition(":")
-    fits = not (setting_changed or known.outdated) or setting_of(obj) == setting
+    fits = not (setting_changed or known.outdated) or setting in settings_of(obj)
     fits = fits and (not (path_changed or known.outdated) or path_fingerprint(obj) == path)
     if fits != known.outdated:
         return False

@@ -11,6 +11,7 @@ import Part
 
 from vkworkbench import freecad
 from vkworkbench.core import Stock, Tool, Toolpath
+from vkworkbench.document.of_shapes import OfShapes
 from vkworkbench.document.operations import through_bases
 from vkworkbench.language import Message, Unusable
 
@@ -28,8 +29,7 @@ _SIMPLIFIED = {
     "slotcutter": _AS_END_MILL, "dovetail": _AS_END_MILL, "radius": _AS_END_MILL,
 }  # fmt: skip
 
-_MOST_BOXES = 16  # exact boxes that are kept, of the stocks read last: one with many curved faces takes 0.1 s
-_exact_boxes: dict[tuple, tuple[tuple, tuple]] = {}
+_exact_boxes = OfShapes(16)  # of the stocks read last: one with many curved faces takes 0.1 s
 
 
 def read_tool(operation) -> Tool:
@@ -114,12 +114,7 @@ def exact_box(shape) -> tuple[tuple, tuple]:
     The shape's own `BoundBox` depends on the mesh by which a window displays it, and so does its optimal box before
     FreeCAD 1.0: a copy without the mesh has none.
     """
-    key = (shape.hashCode(), *_corners(shape.BoundBox))
-    if key not in _exact_boxes:
-        if len(_exact_boxes) >= _MOST_BOXES:
-            _exact_boxes.pop(next(iter(_exact_boxes)))
-        _exact_boxes[key] = _corners(shape.copy(False, False).optimalBoundingBox(False))
-    return _exact_boxes[key]
+    return _exact_boxes.of(shape, lambda: _corners(shape.copy(False, False).optimalBoundingBox(False)))
 
 
 def _corners(box) -> tuple[tuple, tuple]:

@@ -11,6 +11,7 @@ import Part
 
 from vkworkbench import freecad
 from vkworkbench.core import Cylinder, Mesh, Solid, Stock
+from vkworkbench.document.of_shapes import OfShapes
 from vkworkbench.document.setting import exact_box
 from vkworkbench.language import Message, Unusable
 
@@ -18,8 +19,9 @@ from vkworkbench.language import Message, Unusable
 _FINEST, _SHARE = 0.01, 1e-4
 # Shapes are what they seem up to this share of their volume.
 _ALIKE = 1e-6
-_MOST_KEPT = 8  # solids, of the shapes read last: triangles take their time
-_kept: dict[tuple, tuple[Solid, Message | None]] = {}
+_solids = OfShapes(8)  # of the shapes read last: triangles take their time
+_forms = OfShapes(16)
+_FACTOR = 1.0037  # volumes of measures in mm or inches are then not on a border between two roundings
 
 
 def stock_solid(job, box: Stock) -> tuple[Solid, Message | None]:
@@ -32,15 +34,39 @@ def stock_solid(job, box: Stock) -> tuple[Solid, Message | None]:
         The box around it, which it has.
     """
     shape = freecad.SHAPE.of(freecad.STOCK.of(job))
-    key = (shape.hashCode(), *box.lower.tolist(), *box.upper.tolist())
-    if key not in _kept:
-        if len(_kept) >= _MOST_KEPT:
-            _kept.pop(next(iter(_kept)))
-        try:
-            _kept[key] = _solid(shape, box), None
-        except Unusable as error:
-            _kept[key] = box, Message("stock-as-box", label=job.Label, sentence=error.what)
-    return _kept[key]
+    solid, reason = _solids.of(shape, lambda: _solid_or_reason(shape, box))
+    return (solid, None) if reason is None else (box, Message("stock-as-box", label=job.Label, sentence=reason))
+
+
+def form_of_stock(job, box: Stock) -> tuple:
+    """Return what the box of a job's stock does not tell, whatever mesh displays it: nothing of a box.
+
+    Parameters
+    ----------
+    job : DocumentObject
+    box : Stock
+        The box around its stock, which it has.
+
+    Returns
+    -------
+    tuple
+        A fingerprint's part: a name, volume, area and centre, to five digits.
+    """
+    shape = freecad.SHAPE.of(freecad.STOCK.of(job))
+    return _forms.of(shape, lambda: _form(shape, box))
+
+
+def _form(shape, box: Stock) -> tuple:
+    try:
+        kind = _kind(shape, box)
+    except Unusable as error:
+        return (error.what.code,)
+    if kind is not Mesh:
+        return () if kind is Stock else (kind.__name__,)
+    volumes = np.array([solid.Volume for solid in shape.Solids])
+    centres = np.array([tuple(solid.CenterOfMass) for solid in shape.Solids]) - box.lower
+    measures = volumes.sum(), shape.Area, *np.average(centres, axis=0, weights=np.abs(volumes) + _ALIKE)
+    return ("Mesh", *(f"{_FACTOR * measure:.4e}" for measure in measures))
 
 
 def model_shapes(job) -> tuple:
@@ -58,15 +84,33 @@ def model_solid(shapes: tuple) -> Mesh | None:
         return None
 
 
+def _solid_or_reason(shape, box: Stock) -> tuple[Solid, None] | tuple[None, Message]:
+    try:
+        return _solid(shape, box), None
+    except Unusable as error:
+        return None, error.what
+
+
 def _solid(shape, box: Stock) -> Solid:
+    kind = _kind(shape, box)
+    if kind is Stock:
+        return box
+    size = box.upper - box.lower
+    if kind is Cylinder:
+        return Cylinder(((box.lower + box.upper) / 2 - [0, 0, size[2] / 2]), float(size[:2].mean()) / 2, float(size[2]))
+    return _mesh([shape])
+
+
+def _kind(shape, box: Stock) -> type:
+    """Return as what a shape is simulated."""
     if not shape.Solids:
         raise Unusable(Message("solid-not-closed"))
     size = box.upper - box.lower
     if _alike(shape.Volume, float(size.prod())):
-        return box
+        return Stock
     if _is_cylinder(shape) and _alike(shape.Volume, pi / 4 * float(size.prod())) and _alike(*size[:2]):
-        return Cylinder(((box.lower + box.upper) / 2 - [0, 0, size[2] / 2]), float(size[:2].mean()) / 2, float(size[2]))
-    return _mesh([shape])
+        return Cylinder
+    return Mesh
 
 
 def _alike(one: float, other: float) -> bool:

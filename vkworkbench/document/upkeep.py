@@ -65,4 +65,4 @@ def _analyze_again(document) -> None:
     if outdated:
         from vkworkbench.document import analysis  # loads FreeCAD's simulators
 
-        marking.mark(analysis.analyze(outdated))
+        marking.mark(analysis.analyze(outdated), undo_step=False)

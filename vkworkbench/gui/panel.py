@@ -163,7 +163,6 @@ class ResultsDock(QDockWidget):
         self._stale.start(0)
 
     def slotDeletedDocument(self, document) -> None:
-        latest.forget(document.Name)
         self._stale.start(0)
 
     def refresh(self) -> None:

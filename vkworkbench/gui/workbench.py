@@ -10,6 +10,7 @@ import FreeCAD
 import FreeCADGui as Gui
 
 from vkworkbench import freecad
+from vkworkbench.document import idle
 from vkworkbench.document.mark_properties import may_have_mark
 from vkworkbench.gui import preferences_page
 from vkworkbench.gui.qt import QApplication, QTimer
@@ -57,6 +58,7 @@ def install() -> None:
         workbench = Gui.listWorkbenches().get(name)
         if workbench is not None:
             _extend(workbench, menu)
+    idle.use(lambda call: QTimer.singleShot(0, call))
     FreeCAD.addDocumentObserver(_OpenedDocuments())
     FreeCAD.addDocumentObserver(_Simulations())
     QApplication.instance().focusWindowChanged.connect(_focus_changed)
@@ -96,6 +98,8 @@ class _OpenedDocuments:
 
     def slotCreatedObject(self, obj) -> None:
         self._compared.discard(obj.Document.Name)
+        if obj.Document.Importing:
+            self._later(obj.Document.Name)
 
     def slotDeletedDocument(self, document) -> None:
         self._compared.discard(document.Name)
@@ -128,7 +132,7 @@ class _OpenedDocuments:
 
             pills.show()
             upkeep.watch()
-            watcher.check(document)
+            idle.work(watcher.comparing(document, opened=True))
             self._compared.add(name)
 
 

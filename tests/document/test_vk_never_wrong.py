@@ -1,0 +1,250 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Never a wrong mark: where an operation is not what was analysed, its mark says so or there is none."""
+
+import FreeCAD
+import Part
+import Path
+import pytest
+
+import vkworkbench
+from vkworkbench import preferences
+from vkworkbench.document import marks, upkeep, watcher
+from vkworkbench.document.fingerprint import path_fingerprint, text_fingerprint
+
+
+@pytest.fixture
+def marked(small, zigzag_commands):
+    small.op = small.add("Zigzag", zigzag_commands)
+    vkworkbench.mark(vkworkbench.analyze(small.document))
+    return small
+
+
+@pytest.fixture
+def other():
+    document = FreeCAD.newDocument("Other")
+    yield document
+    FreeCAD.closeDocument(document.Name)
+
+
+def outdated(document):
+    return [obj.Label for obj in document.Objects if marks.is_outdated(obj)]
+
+
+@pytest.mark.parametrize("how", ["copy", "copy as one step", "move"])
+def test_a_mark_in_another_document_is_outdated(marked, other, how):
+    if how == "move":
+        there = other.moveObject(marked.op)
+    else:
+        other.UndoMode = 1
+        other.openTransaction("Paste")
+        there = other.copyObject(marked.op, False)
+        other.commitTransaction()
+    if how != "copy as one step":
+        other.recompute()
+    assert marks.is_marked(there) and outdated(other) == [there.Label]
+    assert outdated(marked.document) == ([] if how != "move" else outdated(marked.document))
+
+
+def test_a_copy_is_outdated_before_it_is_saved(marked, other, tmp_path):
+    other.copyObject(marked.op, False)
+    other.saveAs(str(tmp_path / "other.FCStd"))
+    assert outdated(other) == ["Zigzag"]
+
+
+def test_a_copy_with_its_job_is_fresh(marked, other):
+    other.copyObject(marked.job, True)
+    other.recompute()
+    assert sum(map(marks.is_marked, other.Objects)) == 2 and outdated(other) == []
+
+
+def test_a_mark_in_another_job_is_outdated(marked):
+    document = marked.document
+    job = document.addObject("Path::FeaturePython", "Second")
+    job.addProperty("App::PropertyLink", "Operations").Operations = document.addObject(
+        "App::DocumentObjectGroup", "Ops"
+    )
+    for name in ("Stock", "Tools"):
+        job.addProperty("App::PropertyLink", name)
+    job.Tools, job.Stock = marked.job.Tools, document.addObject("Part::Box", "Larger")
+    job.Stock.Length = 200
+    document.recompute()
+    assert outdated(document) == []
+    marked.job.Operations.Group = []
+    job.Operations.Group = [marked.op]
+    document.recompute()
+    assert "Zigzag" in outdated(document)
+
+
+@pytest.mark.parametrize("what", ["path", "tool", "stock"])
+def test_what_changes_during_an_analysis_is_outdated(small, zigzag_commands, what):
+    first, second = small.add("First", zigzag_commands), small.add("Second", zigzag_commands)
+
+    def meanwhile(done, *_):
+        if done == 1 and what == "path":
+            first.Path = Path.Path(first.Path.Commands[:-3])
+        elif done == 1 and what == "tool":
+            small.controller.Tool.Diameter = 7
+        elif done == 1:
+            small.job.Stock = small.document.addObject("Part::Box", "Another")
+            small.document.recompute()
+
+    vkworkbench.mark(vkworkbench.analyze(small.document, progress=meanwhile))
+    assert outdated(small.document) == [small.job.Label, "First"] and not marks.is_outdated(second)
+
+
+def test_an_older_report_is_outdated(marked):
+    before = vkworkbench.analyze(marked.document)
+    marked.op.Path = Path.Path(marked.op.Path.Commands[:-3])
+    after = vkworkbench.analyze(marked.document)
+    vkworkbench.mark(before)
+    assert "Zigzag" in outdated(marked.document)
+    vkworkbench.mark(after)
+    assert outdated(marked.document) == []
+
+
+def test_what_is_known_of_a_path_is_known_of_no_other(marked):
+    """Whatever changes a path: its fingerprint is that of the path as it is."""
+    document, op = marked.document, marked.op
+
+    def is_true():
+        assert path_fingerprint(op) == text_fingerprint(op.Path.toGCode(), op.Placement)
+
+    is_true()
+    for change in (
+        lambda: setattr(op, "Path", Path.Path(op.Path.Commands[:-1])),
+        lambda: setattr(op, "Placement", FreeCAD.Placement(FreeCAD.Vector(1, 2, 3), FreeCAD.Rotation())),
+        lambda: setattr(op.Placement, "Base", FreeCAD.Vector(3, 2, 1)),
+    ):
+        for end in (document.abortTransaction, document.commitTransaction):
+            document.openTransaction("Change")
+            change()
+            is_true()
+            end()
+            is_true()
+        document.undo()
+        is_true()
+        document.redo()
+        is_true()
+    name = op.Name
+    document.removeObject(name)
+    op = document.addObject("Path::Feature", name)
+    assert op.Name == name
+    is_true()
+
+
+def test_results_of_a_closed_document_are_written_in_no_other(small, zigzag_commands):
+    small.add("Zigzag", zigzag_commands)
+    report, name = vkworkbench.analyze(small.document), small.name
+    FreeCAD.closeDocument(name)
+    another = FreeCAD.newDocument(name)
+    assert another.Name == name
+    another.addObject("Path::Feature", report.operations[0].name)
+    assert another.Objects[0].Name == report.operations[0].name
+    assert vkworkbench.mark(report) == 0
+    assert not any(map(marks.is_marked, another.Objects))
+
+
+def test_results_of_a_document_opened_again_are_written(small, zigzag_commands, tmp_path):
+    small.add("Zigzag", zigzag_commands)
+    small.document.saveAs(str(tmp_path / "again.FCStd"))
+    report = vkworkbench.analyze(small.document)
+    FreeCAD.closeDocument(small.document.Name)
+    document = FreeCAD.openDocument(str(tmp_path / "again.FCStd"))
+    assert vkworkbench.mark(report) == (1 if document.Name == report.operations[0].document else 0)
+    assert outdated(document) == []
+    FreeCAD.closeDocument(document.Name)
+
+
+def test_a_job_without_a_stock_is_fresh_when_it_is_opened(small, zigzag_commands, tmp_path):
+    stock = small.job.Stock
+    small.job.Stock = None
+    small.document.removeObject(stock.Name)
+    small.add("Zigzag", zigzag_commands)
+    vkworkbench.mark(vkworkbench.analyze(small.document))
+    small.document.saveAs(str(tmp_path / "bare.FCStd"))
+    FreeCAD.closeDocument(small.document.Name)
+    document = FreeCAD.openDocument(str(tmp_path / "bare.FCStd"))
+    try:
+        job = next(obj for obj in document.Objects if hasattr(obj, "Operations"))
+        assert job.Stock is not None, "FreeCAD gives it one"
+        for _ in watcher.comparing(document, opened=True):
+            pass
+        assert outdated(document) == [] and sum(map(marks.is_marked, document.Objects)) == 2
+        job.Stock = document.addObject("Part::Box", "MyOwn")
+        document.recompute()
+        assert "Zigzag" in outdated(document)
+    finally:
+        FreeCAD.closeDocument(document.Name)
+
+
+@pytest.fixture
+def analyzed_again():
+    before = preferences.read().analyze_after_recompute
+    preferences.write(analyze_after_recompute=True)
+    upkeep.watch()
+    yield
+    preferences.write(analyze_after_recompute=before)
+
+
+def test_an_analysis_after_a_recompute_is_no_step_of_its_own(marked, analyzed_again):
+    document, op = marked.document, marked.op
+    before = op.Path
+    document.openTransaction("Edit")
+    op.Path = Path.Path(op.Path.Commands[:-3])
+    document.commitTransaction()
+    steps = list(document.UndoNames)
+    document.recompute()
+    assert outdated(document) == [] and document.UndoNames == steps
+    document.undo()
+    document.recompute()
+    assert outdated(document) == [] and op.Path.toGCode() == before.toGCode()
+    assert document.RedoNames == ["Edit"]
+    document.redo()
+    document.recompute()
+    assert outdated(document) == [] and op.Path.Size == before.Size - 3 and document.UndoNames == steps
+
+
+STOCKS = {
+    "box": lambda: Part.makeBox(60, 60, 20),
+    "cylinder": lambda: Part.makeCylinder(30, 20, FreeCAD.Vector(30, 30, 0)),
+    "tube": lambda: Part.makeCylinder(30, 20, FreeCAD.Vector(30, 30, 0)).cut(
+        Part.makeCylinder(10, 20, FreeCAD.Vector(30, 30, 0))),
+    "box with a pocket": lambda: Part.makeBox(60, 60, 20).cut(Part.makeBox(10, 10, 10, FreeCAD.Vector(20, 20, 10))),
+    "box with its pocket elsewhere": lambda: Part.makeBox(60, 60, 20).cut(
+        Part.makeBox(10, 10, 10, FreeCAD.Vector(30, 20, 10))),
+    "open": lambda: Part.makeBox(60, 60, 20).Shells[0],
+}  # fmt: skip
+
+
+def test_a_stock_of_another_form_in_the_same_box_outdates(marked):
+    document, found = marked.document, {}
+    solid = document.addObject("Part::Feature", "Solid")
+    marked.job.Stock = solid
+    for name, make in STOCKS.items():
+        solid.Shape = make()
+        document.recompute()
+        assert "Zigzag" in outdated(document), name
+        vkworkbench.mark(vkworkbench.analyze(document))
+        assert outdated(document) == []
+        found[name] = marks.read(marked.op).fingerprint
+        solid.Shape.tessellate(0.5)
+        watcher.check(document)
+        assert outdated(document) == [], name
+    assert len(set(found.values())) == len(STOCKS)
+    for name in ("box", "cylinder", "tube"):
+        solid.Shape = STOCKS[name]()
+        vkworkbench.mark(vkworkbench.analyze(document))
+        assert marks.read(marked.op).fingerprint == found[name]  # made again it is the same
+
+
+def test_a_shape_that_is_gone_is_taken_for_no_other(marked):
+    """Memory is used again: what is known of a shape is not told of the next one that lies there."""
+    solid = marked.document.addObject("Part::Feature", "Solid")
+    marked.job.Stock = solid
+    seen = set()
+    for number in range(60):
+        solid.Shape = (STOCKS["cylinder"] if number % 2 else STOCKS["box"])()
+        vkworkbench.mark(vkworkbench.analyze(marked.op))
+        seen.add((number % 2, marks.read(marked.op).fingerprint))
+        solid.Shape = Part.Shape()
+    assert len(seen) == 2
