@@ -11,6 +11,7 @@ from __future__ import annotations
 import sys
 from collections.abc import Callable
 from dataclasses import dataclass, field, fields
+from functools import cached_property
 
 OWN = "own"  # the simulator that this FreeCAD's own button starts
 GROUP = "User parameter:BaseApp/Preferences/Mod/VkWorkbench"
@@ -87,7 +88,7 @@ class Preferences:
     renderer: str = ""
     result_columns: str = ""
 
-    @property
+    @cached_property
     def simulator(self) -> str:
         """Name of the simulator whose time the marks show."""
         if self.mark_simulator != OWN:
