@@ -106,3 +106,22 @@ def test_only_what_may_be_a_program_is_divided():
     path = after(DIFFERENT["profile"], DIFFERENT["helix"])
     assert len(recognize(path, tool_diameter=TOOL, program=True).spans) == 2
     assert len(recognize(path, tool_diameter=TOOL).spans) == 1
+
+
+def test_operations_between_two_tool_changes_are_told_apart_at_their_own_top():
+    one, two, three = DIFFERENT["zigzag"], DIFFERENT["helix"], DIFFERENT["profile"]
+    up = [("G0", {"Z": programs.CLEAR + 100.0})]
+    path = linearize([*one, ("G0", {"Z": programs.CLEAR}), *two, *up, *three, *up, *one])
+    path = replace(path, comments=(), tool_changes=np.empty(0, np.int64))
+    found = recognize(path, tool_diameter=TOOL, program=True)
+    assert [str(s.strategy) for s in found.spans] == ["zigzag", "helix", "profile", "zigzag"]
+
+
+@pytest.mark.parametrize("name", ["zigzag", "helix", "contour-parallel"])
+@pytest.mark.parametrize("last", [False, True])
+def test_a_single_hole_is_an_operation_of_a_program(name, last):
+    hole = programs.SOUND["drilling"](1, 1, 20.0, "G81")
+    pair = (DIFFERENT[name], hole) if last else (hole, DIFFERENT[name])
+    found = recognize(after(*pair), tool_diameter=TOOL, program=True)
+    names = [name, "drilling"] if last else ["drilling", name]
+    assert [str(s.strategy) for s in found.spans] == names

@@ -6,7 +6,8 @@ Out: `Recognition`, the strategy with its confidence, its reason, the numbers be
 """
 
 from vkworkbench.core.recognition.inches import recognize_inches
-from vkworkbench.core.recognition.recognize import Recognition, Span, recognize
+from vkworkbench.core.recognition.recognition import Recognition, Span
+from vkworkbench.core.recognition.recognize import recognize
 from vkworkbench.core.recognition.unknown import unknown
 
 __all__ = ["Recognition", "Span", "recognize", "recognize_inches", "unknown"]

@@ -6,7 +6,8 @@ from __future__ import annotations
 from dataclasses import replace
 
 from vkworkbench.core.gcode import INCH
-from vkworkbench.core.recognition.recognize import Recognition, recognize
+from vkworkbench.core.recognition.recognition import Recognition
+from vkworkbench.core.recognition.recognize import recognize
 from vkworkbench.core.toolpath import Toolpath
 from vkworkbench.language import Message
 

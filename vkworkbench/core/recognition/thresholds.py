@@ -380,6 +380,9 @@ class PARTS:
     ASIDE = 0.05
     #: share of the length. Behind a border that is certain, so much does. At 1 short zigzags before a profile are lost.
     CERTAIN = 0.01
+    #: count. Two strategies that meet so often at retracts in doubt take turns within one operation. At 1 all do, and a
+    #: pocket with another pattern behind it is one.
+    TURNS = 3
 
 
 class VISITS:
@@ -388,12 +391,12 @@ class VISITS:
     #: share of the votes. So many say that another operation begins. At 0 every visit does, and pockets are mixed; at 1
     #: none does, and a zigzag with a profile behind it is one.
     BORDER = 0.3
-    #: share of the votes. Where fewer say so, but more than this, verdicts on both sides that differ decide. At 1 no
-    #: verdict does, and a pocket with another pattern behind it is one.
-    DOUBTFUL = 0.1
-    #: confidence. That of one verdict times that of the other: where it is more, they differ clearly. At 0 every two
-    #: do, and rows with a contour around them are two operations.
-    DIFFER = 0.5
+    #: share of the votes. Where fewer say so, but more than this, the verdicts on both sides count, too. At 1 none
+    #: does, and a pocket with another pattern behind it is one.
+    DOUBTFUL = 0.03
+    #: ratio. The odds by the votes, times the odds that both verdicts are right where they differ. Above it another
+    #: operation begins. At 0 every retract in doubt with two names beside it is a border, and pockets are mixed.
+    DIFFER = 0.4
     #: visits. More sections are no operations, and each takes its time. At 1 most programs are one.
     MOST = 60
     #: share of the length. A block whose ends lie closer together is closed, as the measure says.

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from vkworkbench.core.recognition.recognize import Recognition, Span
+from vkworkbench.core.recognition.recognition import Recognition, Span
 from vkworkbench.core.strategy import Strategy
 from vkworkbench.core.toolpath import Toolpath
 from vkworkbench.language import Message

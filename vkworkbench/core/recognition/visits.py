@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from vkworkbench.core.paper import TURN, Areas
+from vkworkbench.core.paper import TURN, Areas, monotonous_areas
 from vkworkbench.core.recognition.borders import MEASURES, TREES
 from vkworkbench.core.recognition.forest import Forest
 from vkworkbench.core.recognition.thresholds import SAME, VISITS
@@ -210,16 +210,27 @@ def begun(toolpath: Toolpath, moves: Areas) -> dict[int, float]:
 
     FreeCAD retracts within one operation and foreign programs do not mark theirs: a retract to the top height is a
     border only where what follows differs from what came before in feed, ground, depths or pattern as it does between
-    operations. How such differences go together was learned (benchmarks/learn_borders.py).
+    operations. How such differences go together was learned (benchmarks/learn_borders.py). What lies between two
+    borders and holds no other such retract is divided in turn at those to its own top height: a tool is changed higher than
+    any operation retracts.
     """
+    found = _begun(toolpath, moves, VISITS.DOUBTFUL)
+    return dict(sorted(found.items(), key=lambda of: -of[1])[: VISITS.MOST])
+
+
+def _begun(toolpath: Toolpath, moves: Areas, least: float) -> dict[int, float]:
     visits = find_visits(toolpath, moves)
     if visits is None:
         return {}
     share = _FOREST.shares(compared(visits))[:, 1]
-    at = np.flatnonzero(share > VISITS.DOUBTFUL)
-    if len(at) > VISITS.MOST:
-        at = np.sort(at[np.argsort(-share[at], kind="stable")[: VISITS.MOST]])
+    at = np.flatnonzero(share > least)
     # Before the way down to the next visit.
     z = toolpath.points[:, 2]
     gaps = zip(visits.last[at] + 1, visits.first[at + 1] + 1)
-    return {int(a + np.argmax(z[a:b])): float(s) for (a, b), s in zip(gaps, share[at])}
+    found = {int(a + np.argmax(z[a:b])): float(s) for (a, b), s in zip(gaps, share[at])}
+    begin = np.append(0, at + 1)
+    alone = begin[np.diff(begin, append=len(visits)) == 1]
+    for k in alone[visits.blocks[alone] > 1]:
+        lower = _begun(toolpath, monotonous_areas(toolpath, visits.first[k], visits.last[k]), VISITS.BORDER)
+        found.update(dict.fromkeys(lower, VISITS.BORDER))
+    return found

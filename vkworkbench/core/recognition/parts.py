@@ -1,0 +1,181 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The parts of a program: where it is divided, and when its parts are different operations."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterator
+from dataclasses import replace
+
+import numpy as np
+
+from vkworkbench.core.paper import Areas, monotonous_areas
+from vkworkbench.core.recognition.footprints import count_depths
+from vkworkbench.core.recognition.operation import cutting_length, recognize_one, spans_of
+from vkworkbench.core.recognition.recognition import Recognition
+from vkworkbench.core.recognition.thresholds import ENOUGH, PARTS, ROWS, VISITS
+from vkworkbench.core.strategy import Family, Strategy
+from vkworkbench.core.toolpath import Toolpath
+from vkworkbench.language import Message
+
+
+def find_borders(toolpath: Toolpath, moves: Areas) -> dict[int, bool]:
+    """Return the trajectories before which another operation may begin, and whether it certainly does.
+
+    Tool changes and runs of drilled holes are certain; a comment is a hint.
+    """
+    comments = {int(at) for at, _ in toolpath.comments}
+    borders = dict.fromkeys(comments, False) if len(comments) <= PARTS.BORDERS else {}
+    borders.update((int(at), True) for at in toolpath.tool_changes)
+    holes = moves.holes
+    if len(moves) and len(holes) and len(holes) >= PARTS.DRILLED * len(moves.start) and not _sculptured(moves):
+        # Holes with no milling between them are one run.
+        place = np.searchsorted(moves.index, holes)
+        begin = np.flatnonzero(np.append(True, place[1:] != place[:-1]))
+        before = np.append(-1, moves.index)[place[begin]] + 1
+        after = np.append(holes[begin[1:] - 1], holes[-1]) + 1
+        borders.update(dict.fromkeys(np.concatenate([before, after]).tolist(), True))
+    return {at: certain for at, certain in borders.items() if 0 < at < len(toolpath)}
+
+
+def _sculptured(moves: Areas) -> bool:
+    """Whether there are too many heights for depths: then plunges are passes of a raster, clipped to a point."""
+    return count_depths(moves.z[:: len(moves) // ROWS.SAMPLE + 1]) > PARTS.DEPTHS
+
+
+def told_apart(toolpath: Toolpath, borders: dict[int, bool], begun: dict[int, float], tool: float) -> list[int]:
+    """Return the retracts that part operations: those that likely do, and those with clearly different verdicts beside.
+
+    Parameters
+    ----------
+    borders : dict
+        Other borders.
+    begun : dict
+        Where another operation may begin, and how likely it is.
+    """
+    doubtful = [at for at, share in begun.items() if share <= VISITS.BORDER]
+    if not doubtful:
+        return list(begun)
+    beside = {}
+    for a, b, one in _sections(toolpath, {*borders, *begun}, tool):
+        beside.setdefault(a, [None, None])[1] = beside.setdefault(b, [None, None])[0] = one
+    names = {
+        at: frozenset(one.strategy for one in beside[at])
+        for at in doubtful
+        if at in beside and _odds(begun[at]) * _differing(*beside[at]) > VISITS.DIFFER
+    }
+    times = Counter(names.values())
+    # Two patterns that take turns are one operation, depth after depth or place after place.
+    told = {at for at, pair in names.items() if times[pair] < PARTS.TURNS}
+    return [at for at in begun if begun[at] > VISITS.BORDER or at in told]
+
+
+def _differing(one: Recognition | None, other: Recognition | None) -> float:
+    """Return the odds that two sections are different operations, told by their verdicts; 0 where those are equal."""
+    if one is None or other is None or not (one.strategy.is_answer and other.strategy.is_answer):
+        return 0.0
+    return 0.0 if one.strategy is other.strategy else _odds(one.confidence * other.confidence)
+
+
+def _odds(share: float) -> float:
+    return share / (1 - share)
+
+
+def _sections(toolpath: Toolpath, borders: set[int], tool: float) -> Iterator[tuple[int, int, Recognition]]:
+    """Recognise what is cut between the borders: give the border before it, the one behind it, and what it is."""
+    cutting = np.flatnonzero(~toolpath.rapid)
+    at = sorted({0, *borders, len(toolpath)})
+    for a, b in zip(at, at[1:]):
+        inside = cutting[np.searchsorted(cutting, a) : np.searchsorted(cutting, b)]
+        if len(inside):
+            first, last = int(inside[0]), int(inside[-1])
+            yield a, b, recognize_one(toolpath, monotonous_areas(toolpath, first, last), first, last, tool)
+
+
+def recognize_parts(toolpath, borders, whole: Recognition, tool: float, program: bool) -> Recognition:
+    """Recognise the sections between the borders; mixed where they differ as much as their borders ask."""
+    cut = list(_sections(toolpath, set(borders), tool))
+    found = [one for *_, one in cut]
+    parts = np.cumsum([certain for _, certain in sorted(borders.items())])  # what certain borders part, so far
+    certainly = np.append(0, parts)[np.searchsorted(sorted(borders), [a for a, *_ in cut], side="right")]
+    length = np.array([sum(cutting_length(toolpath, s.first, s.last) for s in r.spans) for r in found])
+    share = length / length.sum()
+    main = int(np.argmax(share))
+    # A border between a section and the longest one counts the same whichever of the two comes first.
+    certain = certainly != certainly[main]
+    differs = np.array([_differs(r, found[main], sure, program) for r, sure in zip(found, certain)])
+    drilled = np.array([r.strategy is Strategy.DRILLING for r in found])  # holes have next to no length
+    enough = drilled | (share > PARTS.CERTAIN) if program else drilled
+    if share[differs].sum() < PARTS.ASIDE and not (differs & certain & enough).any():
+        return _agree(toolpath, whole, found, share)
+    runs = _joined([_one_span(r) for r in found] if program else found)
+    names = list(dict.fromkeys(strategy for _, _, strategy in runs))
+    why = Message("sections", count=len(runs), strategies=names, strategy=Strategy.MIXED)
+    confidence = float((share * [r.confidence for r in found]).sum())
+    return replace(
+        whole, strategy=Strategy.MIXED, confidence=confidence, why=why, entry=None, spans=spans_of(toolpath, runs)
+    )
+
+
+def _one_span(one: Recognition) -> Recognition:
+    """Return an operation of a program as one span; rows with a contour around them are rows with a finishing pass."""
+    if len(one.spans) < 2:
+        return one
+    share = sum(s.share for s in one.spans if s.strategy.family is Family.ROWS)
+    rows = max((s for s in one.spans), key=lambda s: s.share if s.strategy.family is Family.ROWS else -1.0).strategy
+    strategy = rows if share > ENOUGH.SHARE else one.strategy
+    first, last = one.spans[0], one.spans[-1]
+    span = replace(first, last=last.last, last_command=last.last_command, strategy=strategy, share=1.0)
+    return replace(one, spans=(span,))
+
+
+def _joined(found: list[Recognition]) -> list[tuple[int, int, Strategy]]:
+    """Return the spans of consecutive sections as (first, last, strategy), equal neighbours as one."""
+    runs: list[tuple[int, int, Strategy]] = []
+    for r in found:
+        for s in r.spans:
+            if runs and runs[-1][2] is s.strategy:
+                runs[-1] = (runs[-1][0], s.last, s.strategy)
+            else:
+                runs.append((s.first, s.last, s.strategy))
+    return runs
+
+
+def _agree(toolpath, whole: Recognition, found: list[Recognition], share: np.ndarray) -> Recognition:
+    """Return the verdict on the whole; the longest section's where every section says another than the whole.
+
+    A section too short to show a strategy of its own does not count: the loops of a waterline and the rows of a
+    zigzag may each have a title.
+    """
+    told = [k for k, r in enumerate(found) if r.strategy is not Strategy.UNKNOWN and not _short(r)]
+    if not told or whole.strategy in {found[k].strategy for k in told}:
+        return whole
+    longest = found[max(told, key=lambda k: share[k])]
+    runs = [(found[0].spans[0].first, found[-1].spans[-1].last, longest.strategy)]
+    if longest.strategy is Strategy.MIXED:
+        runs = _joined(found)
+    return replace(longest, spans=spans_of(toolpath, runs))
+
+
+def _short(one: Recognition) -> bool:
+    """Whether a section is too little to show a strategy."""
+    return one.closed_loops < 2 and (one.passes or 0) < 3
+
+
+def _differs(one: Recognition, main: Recognition, certain: bool, program: bool) -> bool:
+    """Whether a section is another operation than the main one.
+
+    Where a tool change parts them, another strategy is another operation. A comment alone divides only strategies of
+    different families: FreeCAD titles the passes of one operation, and the roughing and the finishing pass of one
+    pocket are a contour-parallel and a profile.
+    """
+    if Strategy.UNKNOWN in (one.strategy, main.strategy):
+        return False
+    if certain and program:
+        return one.strategy is not main.strategy
+    if not one.closed_loops and (one.passes or 0) < 3:
+        return False  # too little to show a strategy
+    if certain:
+        return one.strategy is not main.strategy
+    families = {one.strategy.family, main.strategy.family}
+    return len(families) > 1 and Family.STROKES not in families
