@@ -20,11 +20,11 @@ HERE = Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE.parent), str(HERE)]
 sys.modules.setdefault("FreeCAD", types.ModuleType("FreeCAD"))  # the names that fit need none
 
-from recognition import key, records  # noqa: E402
+from recognition import key, records
 
-from vkworkbench.core import Strategy  # noqa: E402
-from vkworkbench.core.recognition import recognize  # noqa: E402
-from vkworkbench.document.intent import contradicts  # noqa: E402
+from vkworkbench.core import Strategy
+from vkworkbench.core.recognition import recognize
+from vkworkbench.document.intent import contradicts
 
 KINDS = ("Adaptive", "Deburr", "Drilling", "Engrave", "Helix", "Profile", "Tapping", "ThreadMilling", "Vcarve")
 

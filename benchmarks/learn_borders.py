@@ -20,13 +20,13 @@ import numpy as np
 HERE = Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE.parent), str(HERE)]
 
-from records import JOINED, joined, operations, programs  # noqa: E402
-from trees import forest, grow  # noqa: E402
+from records import JOINED, joined, operations, programs
+from trees import forest, grow
 
-from vkworkbench.core.paper import monotonous_areas  # noqa: E402
-from vkworkbench.core.recognition.borders import MEASURES  # noqa: E402
-from vkworkbench.core.recognition.thresholds import VISITS  # noqa: E402
-from vkworkbench.core.recognition.visits import compared, find_visits  # noqa: E402
+from vkworkbench.core.paper import monotonous_areas
+from vkworkbench.core.recognition.borders import MEASURES
+from vkworkbench.core.recognition.thresholds import VISITS
+from vkworkbench.core.recognition.visits import compared, find_visits
 
 TREES, LEAVES = 16, 50
 MANY = 60  # visits of one operation that are taken at most, so that no raster outweighs all other programs

@@ -22,18 +22,18 @@ import numpy as np
 HERE = Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE.parent), str(HERE)]
 
-from records import Record, operations  # noqa: E402
-from trees import grow  # noqa: E402
+from records import Record, operations
+from trees import grow
 
-from toolpaths import nonsense, strokes, synthetic  # noqa: E402
-from vkworkbench.core.gcode import linearize  # noqa: E402
-from vkworkbench.core.paper import monotonous_areas  # noqa: E402
-from vkworkbench.core.recognition.decide import STRATEGIES, Learned, elect, grounds, sureness  # noqa: E402
-from vkworkbench.core.recognition.forest import Forest  # noqa: E402
-from vkworkbench.core.recognition.measures import measures  # noqa: E402
-from vkworkbench.core.recognition.section import Section  # noqa: E402
-from vkworkbench.core.recognition.thresholds import VOTES  # noqa: E402
-from vkworkbench.core.recognition.verdict import judge  # noqa: E402
+from toolpaths import nonsense, strokes, synthetic
+from vkworkbench.core.gcode import linearize
+from vkworkbench.core.paper import monotonous_areas
+from vkworkbench.core.recognition.decide import STRATEGIES, Learned, elect, grounds, sureness
+from vkworkbench.core.recognition.forest import Forest
+from vkworkbench.core.recognition.measures import measures
+from vkworkbench.core.recognition.section import Section
+from vkworkbench.core.recognition.thresholds import VOTES
+from vkworkbench.core.recognition.verdict import judge
 
 OF_STRATEGIES = {"trees": 40, "leaves": 120}
 OF_NONSENSE = {"trees": 40, "leaves": 80}

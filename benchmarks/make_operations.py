@@ -25,10 +25,10 @@ import FreeCAD
 
 HERE = Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE), str(HERE.parent / "examples"), str(HERE.parent)]
-from make_example import cam, operation, tool_controller  # noqa: E402
-from shapes import HEIGHT, SHAPES  # noqa: E402
+from make_example import cam, operation, tool_controller
+from shapes import HEIGHT, SHAPES
 
-from vkworkbench import freecad  # noqa: E402
+from vkworkbench import freecad
 
 VERSION = ".".join(map(str, freecad.version()))
 PATTERN = freecad.POCKET_PATTERN.name

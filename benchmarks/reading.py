@@ -22,11 +22,11 @@ import Path as CAM
 ROOT = Path(__file__).resolve().parents[1]
 sys.path[:0] = [str(ROOT), str(ROOT / "examples")]
 
-from make_example import cam  # noqa: E402
+from make_example import cam
 
-import vkworkbench  # noqa: E402
-from vkworkbench.core import linearize, recognize  # noqa: E402
-from vkworkbench.document.known import KNOWN  # noqa: E402
+import vkworkbench
+from vkworkbench.core import linearize, recognize
+from vkworkbench.document.known import KNOWN
 
 COUNT = 100_000
 RUNS = 7

@@ -29,14 +29,14 @@ import numpy as np
 HERE = Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE.parent), str(HERE)]
 
-import sources  # noqa: E402
-import whole_programs  # noqa: E402
-from reliability import calibration_error, two_class  # noqa: E402
+import sources
+import whole_programs
+from reliability import calibration_error, two_class
 
-from toolpaths import strokes, synthetic  # noqa: E402
-from vkworkbench.core import Toolpath  # noqa: E402
-from vkworkbench.core.gcode import linearize  # noqa: E402
-from vkworkbench.core.recognition import recognize  # noqa: E402
+from toolpaths import strokes, synthetic
+from vkworkbench.core import Toolpath
+from vkworkbench.core.gcode import linearize
+from vkworkbench.core.recognition import recognize
 
 WITHOUT_STEPOVER = {"adaptive", "waterline", "helix"}  # their StepOver means something else
 SEEDS = 20  # synthetic toolpaths of each kind

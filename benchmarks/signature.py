@@ -15,7 +15,7 @@ from pathlib import Path
 import numpy as np
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
-from vkworkbench.core import signature  # noqa: E402
+from vkworkbench.core import signature
 
 
 def obvious(points):

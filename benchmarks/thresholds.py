@@ -22,16 +22,17 @@ import sys
 import time
 from dataclasses import fields
 from pathlib import Path
+from typing import ClassVar
 
 import numpy as np
 
 HERE = Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE.parent), str(HERE)]
 
-from recognition import key, records  # noqa: E402
+from recognition import key, records
 
-from vkworkbench.core.paper import thresholds as of_paper  # noqa: E402
-from vkworkbench.core.recognition import thresholds as of_recognition  # noqa: E402
+from vkworkbench.core.paper import thresholds as of_paper
+from vkworkbench.core.recognition import thresholds as of_recognition
 
 HOMES = (of_paper, of_recognition)
 #: What is measured once and read again where it does not depend on the threshold that moves.
@@ -45,8 +46,8 @@ STEPS = (
 class Watched:
     """Stands in for one subject of thresholds in every module that reads it."""
 
-    readers: list[set] = []  # who is at work now, the innermost last, and what each has read
-    moved: dict = {}  # values other than those of the subject
+    readers: ClassVar[list[set]] = []  # who is at work now, the innermost last, and what each has read
+    moved: ClassVar[dict] = {}  # values other than those of the subject
 
     def __init__(self, subject: type) -> None:
         self.subject = subject

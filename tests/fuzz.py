@@ -207,7 +207,7 @@ def check_toolpath(path, count):
     assert path.commands == count and path.points.shape == ((n + 1, 3) if len(path.points) else (0, 3))
     assert np.isfinite(path.points).all() and np.isfinite(path.feed).all() and np.isfinite(path.sweep).all()
     assert (path.lengths > 0).all() and (path.feed >= 0).all()
-    assert n == 0 or (0 <= path.command.min() and path.command.max() < count and (np.diff(path.command) >= 0).all())
+    assert n == 0 or (path.command.min() >= 0 and path.command.max() < count and (np.diff(path.command) >= 0).all())
     assert all(0 <= at <= n for at, _ in path.comments) and all(str(problem) for problem in path.problems)
 
 

@@ -247,7 +247,7 @@ def profile(rng, *, lead=False, ramp=False, tabs=False, contours=1, opened=False
     p = Program(rng)
     shapes = [outline(rng) + (k * 120, 0) for k in range(contours)]
     levels = depths(rng, 6)
-    for k, shape in enumerate(shapes):
+    for shape in shapes:
         path = closed(shape)
         if opened:
             path = path[: max(3, 2 * len(path) // 3)]
@@ -536,8 +536,7 @@ def isolation(rng):
 
 
 def board(rng):
-    """A circuit board in one program: contours at one depth, then holes, then the outline at several
-    depths."""
+    """A circuit board in one program: contours at one depth, then holes, then the outline at several depths."""
     holes = drilling(rng, pecks=1)
     while sum(name == "G1" for name, _ in holes) < 6:
         holes = drilling(rng, pecks=1)

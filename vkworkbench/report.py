@@ -75,18 +75,22 @@ class OperationReport(Costs):
 
     @property
     def strategy(self) -> Strategy:
+        """The strategy that was recognised."""
         return self.recognition.strategy
 
     @property
     def confidence(self) -> float:
+        """How sure that is, 0 to 1."""
         return self.recognition.confidence
 
     @property
     def reason(self) -> str:
+        """Why, in one English sentence."""
         return self.recognition.reason
 
     @property
     def spans(self) -> tuple[Span, ...]:
+        """The sections of one strategy each."""
         return self.recognition.spans
 
     @property

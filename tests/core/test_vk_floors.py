@@ -100,7 +100,7 @@ class House:
 
 def within(module: str) -> str:
     """The name of a module within the package."""
-    return ".".join(module.split(".")[1:]) if module.split(".")[0] == PACKAGE else module
+    return ".".join(module.split(".")[1:]) if module.split(".", maxsplit=1)[0] == PACKAGE else module
 
 
 def floor_of(module: str) -> int | None:

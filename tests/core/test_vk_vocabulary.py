@@ -10,7 +10,7 @@ import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
 PAGE = (ROOT / "docs/vocabulary.md").read_text(encoding="utf-8")
-ROWS = re.findall(r"^\| ([^|]+) \| [^|]+ \| `([\w/]+\.py)`(?: `(\w+)`)? \|$", PAGE, re.M)
+ROWS = re.findall(r"^\| ([^|]+) \| [^|]+ \| `([\w/]+\.py)`(?: `(\w+)`)? \|$", PAGE, re.MULTILINE)
 
 
 def test_every_row_of_the_page_is_read():

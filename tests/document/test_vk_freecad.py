@@ -105,7 +105,7 @@ def test_no_other_file_asks_for_the_version():
 
 
 def test_tools_of_any_version_are_read():
-    bullnose = dict(Diameter=10.0, Label="T1")
+    bullnose = {"Diameter": 10.0, "Label": "T1"}
     for bit in (
         SimpleNamespace(ShapeType="Bullnose", CornerRadius=2.0, **bullnose),
         SimpleNamespace(ShapeName="bullnose", FlatRadius=3.0, **bullnose),

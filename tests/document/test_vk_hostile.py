@@ -171,7 +171,7 @@ def test_labels_are_text(small, zigzag_commands, label, tmp_path):
     report = vkworkbench.analyze(small.document, progress=lambda done, count, text: seen.append(text))
     assert seen == [op.Label] and report.operations[0].label == op.Label
     table = str(report).splitlines()
-    assert len(table) == 5 and op.Label.split()[:1] == table[2].split()[:1] or len(op.Label) > 60 or not op.Label
+    assert (len(table) == 5 and op.Label.split()[:1] == table[2].split()[:1]) or len(op.Label) > 60 or not op.Label
     report.to_csv(tmp_path / "r.csv")
     report.to_json(tmp_path / "r.json")
     with open(tmp_path / "r.csv", newline="", encoding="utf-8") as file:

@@ -293,7 +293,7 @@ def test_one_undo_step_and_clear_leave_no_trace(example):
         "⟦zigzag tomorrow⟧",
         "zigzag 97% ⟦later⟧",
         "<b>bold</b> {0} \"'",
-        "Ж 🙂 ‏עברית",
+        "Ж 🙂 \u200fעברית",
     ],
 )
 def test_the_users_words_stay(small, zigzag_commands, own):

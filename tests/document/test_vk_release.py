@@ -13,7 +13,7 @@ import pytest
 
 RESOURCES = Path(__file__).resolve().parents[2] / "resources"
 sys.path.append(str(RESOURCES))
-import make_release  # noqa: E402
+import make_release
 
 MACRO = """
 import sys, traceback

@@ -64,7 +64,7 @@ def test_the_view_is_that_of_the_preferences_or_given(small, monkeypatch):
     assert vkworkbench.simulate(small.job).zbuffer.frame.width == 800
     seen = vkworkbench.simulate(small.job, view="Isometric").zbuffer.frame
     assert seen.direction * np.sqrt(3) == pytest.approx([-1, 1, -1]) and seen.height == 600
-    with pytest.raises(ValueError, match="Sideways.*Isometric"):
+    with pytest.raises(ValueError, match=r"Sideways.*Isometric"):
         vkworkbench.simulate(small.job, view="Sideways")
 
 

@@ -4,8 +4,8 @@
 import csv
 import pathlib
 import time
-import xml.etree.ElementTree
 from contextlib import contextmanager
+from xml.etree import ElementTree
 
 import FreeCAD
 import FreeCADGui as Gui
@@ -199,7 +199,7 @@ def test_save_the_picture(view, window, tmp_path, suffix):
         image = QtGui.QImage(str(path))
         assert image.width() > 1000 and len({image.pixel(x, image.height() // 2) for x in range(image.width())}) > 3
     else:
-        assert xml.etree.ElementTree.parse(path).getroot().tag.endswith("svg")
+        assert ElementTree.parse(path).getroot().tag.endswith("svg")
     view.picture()
     window.press(view.slider, QtCore.Qt.Key_Left)  # the view works on
     assert not same(view.picture(), before)

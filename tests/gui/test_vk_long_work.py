@@ -22,7 +22,7 @@ def long_document(opened):
         row, step = divmod(number, 500)
         x = 10 + 0.2 * (step if row % 2 == 0 else 499 - step)
         lines.append(f"G1 X{x:.3f} Y{10 + 0.3 * row + 0.1 * math.sin(x):.4f}")
-    changed = [obj for obj in opened.getObject("Job").Operations.Group][:OPERATIONS]
+    changed = opened.getObject("Job").Operations.Group[:OPERATIONS]
     for number, obj in enumerate(changed):  # no two of them alike: what is known is not analysed again
         obj.Path = Path.Path("\n".join([*lines[:-1], f"G1 X{10 + number}"]))
     assert sum(obj.Path.Size for obj in changed) == 500_000

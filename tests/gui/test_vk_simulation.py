@@ -59,7 +59,7 @@ def finest(player, window):
 
 def test_a_click_shows_the_part(simulated, window):
     window.screenshot("simulation-small")
-    assert [o.label for o in simulated.job.operations][0] == "Face"
+    assert simulated.job.operations[0].label == "Face"
     view = simulated.view
     assert view.owner_at(view.rect().center()) is not None
     shown = view.grab().toImage()

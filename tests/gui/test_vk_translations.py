@@ -2,9 +2,9 @@
 """Each language, switched on in FreeCAD's window: texts are translated, and none is cut off."""
 
 import re
-import xml.etree.ElementTree as ElementTree
 from contextlib import contextmanager
 from pathlib import Path
+from xml.etree import ElementTree
 
 import FreeCAD
 import FreeCADGui as Gui
@@ -242,7 +242,7 @@ def test_a_mark_panel_and_gauss_map_in_german(opened, german, window):
     window.wait(lambda: gauss.title.text().startswith("Face"))
     window.idle(0.5)
     window.screenshot("german-gauss-map")
-    shown = " ".join([gauss.title.text(), gauss.values.text(), gauss.chooser.currentText()])
+    shown = f"{gauss.title.text()} {gauss.values.text()} {gauss.chooser.currentText()}"
     assert re.search(r"[+-]\d,\d\d", gauss.title.text()) and re.search(r"\d,\d°", gauss.values.text())
     assert not re.search(r"\d\.\d{1,2}\b", shown), shown
     gauss.close()

@@ -44,7 +44,8 @@ class Strategy(str, enum.Enum):
     family: Family
     color: str
 
-    def __new__(cls, value: str, label: str, family: Family, color: str, about: str) -> Strategy:
+    def __new__(cls, value: str, label: str, family: Family, color: str, about: str) -> Strategy:  # noqa: PYI034 3.11
+        """Make an entry of the table."""
         entry = str.__new__(cls, value)
         entry._value_ = value
         entry.label, entry.family, entry.color, entry.about = label, family, color, about

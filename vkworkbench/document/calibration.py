@@ -231,7 +231,7 @@ def _write(new: dict) -> None:
     fresh = path.with_suffix(f".{os.getpid()}")
     try:
         fresh.write_text(json.dumps({**_records(), **new}, indent=1))
-        os.replace(fresh, path)
+        fresh.replace(path)
     finally:
         with suppress(OSError):  # where it took the place of the old one it is no longer there
             fresh.unlink()
@@ -256,7 +256,7 @@ def _key(renderer: str) -> str:
 
 def _speed_key() -> str:
     """Return the key of the z-buffer's speed, which depends on the processor and numpy but not on FreeCAD."""
-    return "; ".join(("z-buffer", np.__version__, processor()))
+    return f"z-buffer; {np.__version__}; {processor()}"
 
 
 def _for_renderer(base: Constants, renderer: str) -> Constants:

@@ -60,6 +60,7 @@ def text_of(record: Record, chosen: Preferences) -> str:
 
 
 def is_unsure(record: Record) -> bool:
+    """Whether the strategy of a mark is an answer that is not to be relied on."""
     return record.strategy is not None and record.strategy.is_answer and record.confidence < UNSURE
 
 

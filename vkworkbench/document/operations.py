@@ -53,6 +53,7 @@ def kind(obj) -> str | None:
 
 
 def has_toolpath(obj) -> bool:
+    """Whether it is an object with a toolpath: an operation, a dress-up, a job."""
     return obj.isDerivedFrom(freecad.TOOLPATH)
 
 
@@ -62,6 +63,7 @@ def is_object(what) -> bool:
 
 
 def is_document(what) -> bool:
+    """Whether it is a document."""
     return hasattr(what, "Objects") and hasattr(what, "getObject")
 
 
@@ -225,10 +227,10 @@ def job_of(obj):
     return None
 
 
-def through_bases(obj, property: freecad.Property):
+def through_bases(obj, wanted: freecad.Property):
     """Return a property of an operation, or of the operation it dresses up; None where none has it."""
     for one in (obj, *_all_bases(obj)):
-        value = property.of(one)
+        value = wanted.of(one)
         if value is not None:
             return value
     return None

@@ -8,7 +8,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from functools import lru_cache
 from math import isfinite
-from typing import Any
+from typing import Any, ClassVar
 
 from vkworkbench import freecad
 from vkworkbench.core import Strategy
@@ -71,7 +71,7 @@ class Record(Costs):
     outdated: bool = False
     text: str = ""
     label: str = ""
-    advice = {}  # is not kept
+    advice: ClassVar[dict] = {}  # is not kept
 
     @property
     def english_reason(self) -> str:

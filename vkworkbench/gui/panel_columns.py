@@ -103,7 +103,7 @@ def columns(version: tuple[int, ...]) -> tuple[list[Column], list[Column]]:
 
 def _as(kind: str) -> Callable[[object], str]:
     """Return how the user reads numbers of a kind, by the name of the reader's method."""
-    return lambda value: getattr(user(), kind)(value)
+    return lambda value: getattr(user(), kind)(value)  # noqa: PLW0108 - the user of that moment
 
 
 def _seconds(simulator: str, row: Row) -> float | None:

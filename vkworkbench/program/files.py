@@ -15,7 +15,28 @@ from vkworkbench.language import Message, Unusable
 
 # Suffixes of NC programs. In a folder other files are left out; a file that is named itself is read in any case.
 SUFFIXES = frozenset(
-    ".nc .ngc .gcode .gc .g .tap .cnc .ncc .ncf .iso .eia .din .min .mpf .spf .prg .fnc .nc1 .ptp .mcd".split()
+    [
+        ".nc",
+        ".ngc",
+        ".gcode",
+        ".gc",
+        ".g",
+        ".tap",
+        ".cnc",
+        ".ncc",
+        ".ncf",
+        ".iso",
+        ".eia",
+        ".din",
+        ".min",
+        ".mpf",
+        ".spf",
+        ".prg",
+        ".fnc",
+        ".nc1",
+        ".ptp",
+        ".mcd",
+    ]
 )
 MOST_BYTES = 400_000_000  # of text; some ten million lines, more than a toolpath may have
 _PACKED = {".xz": lzma.open, ".gz": gzip.open}

@@ -21,7 +21,7 @@ def products(code):
         if isinstance(node, (ast.BinOp, ast.AugAssign)) and isinstance(node.op, ast.MatMult):
             yield node.lineno
         elif isinstance(node, ast.Attribute) and node.attr in BLAS:
-            if node.attr in ("dot", "linalg") or isinstance(node.value, ast.Name) and node.value.id == "np":
+            if node.attr in ("dot", "linalg") or (isinstance(node.value, ast.Name) and node.value.id == "np"):
                 yield node.lineno
 
 

@@ -277,7 +277,7 @@ def test_a_spiral_that_comes_again_at_other_depths_is_no_helix():
     # Every turn comes again at the next depth, and each climbs and falls with the surface.
     program = [START[0]]
     for deep in (0.0, -1.0, -2.0):
-        for k in range(0, 36 * 8 + 1):
+        for k in range(36 * 8 + 1):
             angle, r = k * math.pi / 18, 2 + k / 12
             word = {"X": r * math.cos(angle), "Y": r * math.sin(angle), "Z": deep - 0.002 * r * r}
             program.append(("G0" if k == 0 else "G1", word))

@@ -19,8 +19,40 @@ DECLARED = [
     for line in subject.body
     if isinstance(line, ast.Assign)
 ]
-UNITS = """angle bites borders confidence cosine count depths directions hypotenuse isoperimetric lines mm moves of pitches
-places rad ratio relative repetitions rings rows share slope steps support tool turns usual values visits half-turns""".split()
+UNITS = [
+    "angle",
+    "bites",
+    "borders",
+    "confidence",
+    "cosine",
+    "count",
+    "depths",
+    "directions",
+    "hypotenuse",
+    "isoperimetric",
+    "lines",
+    "mm",
+    "moves",
+    "of",
+    "pitches",
+    "places",
+    "rad",
+    "ratio",
+    "relative",
+    "repetitions",
+    "rings",
+    "rows",
+    "share",
+    "slope",
+    "steps",
+    "support",
+    "tool",
+    "turns",
+    "usual",
+    "values",
+    "visits",
+    "half-turns",
+]
 # What is geometry or bookkeeping: halves, sides of a square, thirds of a cell, columns of a box, two ends of a stretch.
 FACTS = {0, 0.5, 1, 2, 3, 4}
 # Learned tables, and hashes.

@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Costs of FreeCAD's simulators: the counts against loops written like FreeCAD's own, and what follows from
-them."""
+"""Costs of FreeCAD's simulators: the counts against loops written like FreeCAD's own, and what follows."""
 
 from __future__ import annotations
 

@@ -5,9 +5,9 @@ from __future__ import annotations
 
 import csv
 import json
-import xml.etree.ElementTree as ElementTree
 from dataclasses import dataclass, fields, replace
 from pathlib import Path
+from xml.etree import ElementTree
 
 import pytest
 

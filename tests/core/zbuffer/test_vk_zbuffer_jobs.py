@@ -122,7 +122,7 @@ def test_the_memory_of_a_job_is_that_of_one_stock(job):
 def test_it_goes_on_as_long_as_nobody_stops_it(job):
     shares = []
     simulate_job(job.cuts.cuts, stock=BOX, view=View((1, 1, -1), 160, 200), going_on=shares.append)
-    assert shares == sorted(shares) and 0 <= shares[0] and 0.5 < shares[-1] <= 1
+    assert shares == sorted(shares) and shares[0] >= 0 and 0.5 < shares[-1] <= 1
 
     class Stopped(Exception):
         pass

@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+from math import isnan
+
 import numpy as np
 
 CODES = np.array([730, 740, 810, 820, 830, 840, 850, 860, 880, 890])
@@ -46,9 +48,9 @@ def heights(z, relative, rows, retract, bottom, to_retract_plane):
         else:
             level, depth = float(retract[i]), float(bottom[i])
             if height is None:  # Z was never given: the hole starts at its R plane
-                height = level if level == level else 0.0
-            level = height if level != level else level + (height if relative[row] else 0.0)
-            depth = level if depth != depth else depth + (level if relative[row] else 0.0)
+                height = 0.0 if isnan(level) else level
+            level = height if isnan(level) else level + (height if relative[row] else 0.0)
+            depth = level if isnan(depth) else depth + (level if relative[row] else 0.0)
             after = level if to_retract_plane[i] else max(height, level)
             resolved[i] = height, level, depth, after
             height = after

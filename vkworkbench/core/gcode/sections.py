@@ -21,7 +21,7 @@ _AXES = frozenset("XYZ")
 # A title after the words that some post processors write before it.
 _TITLED = re.compile(
     r"(?:begin operation|path|toolpath(?: name)?|operation(?: name)?|op(?:eration)? ?\d+|name|type|no\.? ?\d+|nr\.? ?\d+)\s*[:=]\s*(\S.*)",
-    re.I,
+    re.IGNORECASE,
 )
 # Comments that are no titles: what post processors say of themselves, the machine, modes, and moves in an operation.
 _REMARK = re.compile(
@@ -40,7 +40,7 @@ _REMARK = re.compile(
     | (?:finish|end|stop|start|begin|path|ramp|cut|cutting|lift|air|move\w*|link|layer|pass|depth|level|loop|z|step|line|segment|slice)
         \b\s*[#:=]?\s*(?:operation.*|section.*|block.*|path.*|of.*|[-+\d.,/\s]*(?:of\s*\d+)?(?:mm)?)$
     """,
-    re.I | re.X,
+    re.IGNORECASE | re.VERBOSE,
 )  # fmt: skip
 
 

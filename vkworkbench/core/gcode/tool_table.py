@@ -28,27 +28,31 @@ _MILLING_WORD = (
     r"engrav\w*|chamfer\w*|router|bit\b|drills?\b|spot ?drill|reamer|tap\b|crb\b|carbide|"
     r"\w*fr(?:ä|ae|.)ser\b|bohrer|gravier\w*|freza|sverlo|fresa|broca|fraise|foret|frees|фреза|сверло|гравер"
 )
-_NUMBERED = re.compile(r"\b(?:T|tool\s*(?:no\.?|nr\.?|number)?)\s*[-#:=]?\s*(?P<number>\d{1,8})\b(?![./]\d)", re.I)
-_LETTER = re.compile(rf"(?<![A-Za-z])D\s*=\s*{_SIZE}{_UNIT}", re.I)
+_NUMBERED = re.compile(
+    r"\b(?:T|tool\s*(?:no\.?|nr\.?|number)?)\s*[-#:=]?\s*(?P<number>\d{1,8})\b(?![./]\d)", re.IGNORECASE
+)
+_LETTER = re.compile(rf"(?<![A-Za-z])D\s*=\s*{_SIZE}{_UNIT}", re.IGNORECASE)
 _WORD = re.compile(
     rf"(?:\bdia(?:meter|m)?\b\.?|\bdiametro\b|\bdiámetro\b|\bdiamètre\b|\bdurchmesser\b|[øØ⌀]|\bдиаметр)\s*[:=.\-]*\s*{_SIZE}{_UNIT}",
-    re.I,
+    re.IGNORECASE,
 )
-_BEFORE = re.compile(rf"(?<![\d.,/]){_SIZE}{_UNIT}\s*\bdia(?:meter|m)?\b", re.I)
-_CAMBAM = re.compile(rf"T\d+\s*:\s*(?P<size>{_NUMBER})", re.I)
-_CUTVIEWER = re.compile(r"TOOL/(?P<kind>MILL|DRILL|CHAMFER)\s*,\s*(?P<size>[\d.]+)(?:\s*,\s*(?P<second>[\d.]+))?", re.I)
-_MEASURED = re.compile(rf"(?<![\d.,/]){_SIZE}\s*(?P<unit>mm\b|мм\b|inch(?:es)?\b|in\b|\")", re.I)
+_BEFORE = re.compile(rf"(?<![\d.,/]){_SIZE}{_UNIT}\s*\bdia(?:meter|m)?\b", re.IGNORECASE)
+_CAMBAM = re.compile(rf"T\d+\s*:\s*(?P<size>{_NUMBER})", re.IGNORECASE)
+_CUTVIEWER = re.compile(
+    r"TOOL/(?P<kind>MILL|DRILL|CHAMFER)\s*,\s*(?P<size>[\d.]+)(?:\s*,\s*(?P<second>[\d.]+))?", re.IGNORECASE
+)
+_MEASURED = re.compile(rf"(?<![\d.,/]){_SIZE}\s*(?P<unit>mm\b|мм\b|inch(?:es)?\b|in\b|\")", re.IGNORECASE)
 _SHORT = re.compile(rf"(?<![\w|])D(?P<size>{_NUMBER})(?![\w|])")  # D10; between bars it is an offset
-_FLUTES = re.compile(r"\b\d+\s*-?\s*fl(?:utes?)?\b", re.I)
-_LISTED = re.compile(r"\s*T\d+\s*[|:=]", re.I)
+_FLUTES = re.compile(r"\b\d+\s*-?\s*fl(?:utes?)?\b", re.IGNORECASE)
+_LISTED = re.compile(r"\s*T\d+\s*[|:=]", re.IGNORECASE)
 _LONGEST, _LONGEST_NAME = 200, 60  # characters; longer comments are prose that mentions a size in passing
 _BARE = re.compile(
-    rf"(?<![\w.,/#]){_SIZE}(?P<unit>)(?=(?:\s*(?:flat|square|long|stub|hss))*\s*(?:{_MILLING_WORD}))", re.I
+    rf"(?<![\w.,/#]){_SIZE}(?P<unit>)(?=(?:\s*(?:flat|square|long|stub|hss))*\s*(?:{_MILLING_WORD}))", re.IGNORECASE
 )
-_IS_TOOL = re.compile(rf"(?<![a-zà-ÿа-я])(?:{_MILLING_WORD})", re.I)
-_CORNER = re.compile(rf"\b(?:CR|corner radius|torus_radius)\s*[=:]\s*(?P<size>{_NUMBER})", re.I)
-_TAPER = re.compile(rf"\bTAPER\s*=\s*(?P<size>{_NUMBER})\s*deg", re.I)
-_ANGLE = re.compile(rf"(?<![\d.,]){_SIZE}\s*(?:°|deg(?:ree)?s?\b)", re.I)
+_IS_TOOL = re.compile(rf"(?<![a-zà-ÿа-я])(?:{_MILLING_WORD})", re.IGNORECASE)
+_CORNER = re.compile(rf"\b(?:CR|corner radius|torus_radius)\s*[=:]\s*(?P<size>{_NUMBER})", re.IGNORECASE)
+_TAPER = re.compile(rf"\bTAPER\s*=\s*(?P<size>{_NUMBER})\s*deg", re.IGNORECASE)
+_ANGLE = re.compile(rf"(?<![\d.,]){_SIZE}\s*(?:°|deg(?:ree)?s?\b)", re.IGNORECASE)
 _SHAPES = (
     ("ballend", r"ball|kugel|radiusfr|esf.rica|h.misph|сферич"),
     ("bullnose", r"bull|torus|corner"),
@@ -108,7 +112,7 @@ def _size(comment: str, number: re.Match | None) -> re.Match | None:
     if written:
         return written
     is_tool = _IS_TOOL.search(comment) is not None
-    if number is None and not is_tool and not re.search(r"\btool", comment, re.I):
+    if number is None and not is_tool and not re.search(r"\btool", comment, re.IGNORECASE):
         return None
     explicit = _LETTER.search(comment) or _WORD.search(comment) or _BEFORE.search(comment)
     if explicit or not (is_tool or _LISTED.match(comment)) or len(comment) > _LONGEST_NAME:
@@ -145,7 +149,7 @@ def _tool(comment: str, size: re.Match, diameter: float, inches: bool) -> Tool:
     """Return the tool; impossible measures are not used."""
     unit = INCH if inches else 1.0
     kind = size.groupdict().get("kind")
-    shape = next((shape for shape, words in _SHAPES if re.search(words, comment, re.I)), "endmill")
+    shape = next((shape for shape, words in _SHAPES if re.search(words, comment, re.IGNORECASE)), "endmill")
     corner = _CORNER.search(comment)
     rounding = float(corner["size"].replace(",", ".")) * unit if corner else 0.0
     if kind and size["second"] and kind.upper() == "MILL":
@@ -164,7 +168,7 @@ def _tip_angle(comment: str) -> float | None:
     """Return the included angle of a tip, rad; Fusion's TAPER is the half of it where a side cuts."""
     taper = _TAPER.search(comment)
     if taper:
-        half = re.search(r"chamfer|fase|engrav|gravier|v-?bit", comment, re.I)
+        half = re.search(r"chamfer|fase|engrav|gravier|v-?bit", comment, re.IGNORECASE)
         degrees = (2 if half else 1) * float(taper["size"].replace(",", "."))
     else:
         angle = _ANGLE.search(comment)

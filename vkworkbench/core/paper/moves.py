@@ -93,7 +93,7 @@ def cutting_moves(toolpath: Toolpath, first: int = 0, last: int | None = None) -
         planar &= ~rapid
     _drop_noise(planar, length)
     index, start = _split(planar, rapid, z, dx, dy, dz, length)
-    index, start = _without_air(planar, index, start, rapid, z, dx, dy, dz, length)
+    index, start = _without_air(planar, index, start, z, dx, dy, dz, length)
     holes = index[:0]
     if len(index) < len(dx):
         holes = _holes(points, rapid, dz, length, planar)
@@ -163,7 +163,7 @@ def _split(planar, rapid, z, dx, dy, dz, length) -> tuple[np.ndarray, np.ndarray
     return index, np.concatenate([[0], gap]) if len(index) else gap
 
 
-def _without_air(planar, index, start, rapid, z, dx, dy, dz, length) -> tuple[np.ndarray, np.ndarray]:
+def _without_air(planar, index, start, z, dx, dy, dz, length) -> tuple[np.ndarray, np.ndarray]:
     """Leave out the links in the air of programs that lift, traverse and plunge at feed instead of rapid.
 
     Such a link is straight and horizontal, begins by a lift and ends by a plunge; at the ends of a program one of

@@ -140,6 +140,7 @@ class Signature:
 
     @cached_property
     def level(self) -> np.ndarray:
+        """(n,) levels n of the trajectories: the integer part of phi / 2 pi (section 3.1)."""
         return level_of(self.phi)
 
     @cached_property
@@ -148,10 +149,12 @@ class Signature:
 
     @cached_property
     def length(self) -> np.ndarray:
+        """(n,) lengths L_k of V_k, mm (section 3.1)."""
         return np.hypot(*self._v)
 
     @cached_property
     def theta(self) -> np.ndarray:
+        """(n,) angles of V_k to the X axis, within -pi..pi, rad (section 3.1); where V_k has no length, the last one."""
         x, y = self._v
         theta = directions(x, y)
         still = x * x + y * y < NO_LENGTH**2
@@ -161,6 +164,7 @@ class Signature:
 
     @cached_property
     def theta_level(self) -> np.ndarray:
+        """(n,) theta + 2 pi times the level, rad (section 3.1)."""
         return self.theta + TURN * self.level
 
     @cached_property

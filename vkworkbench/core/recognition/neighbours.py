@@ -38,7 +38,7 @@ class Neighbours:
 
 
 def find_neighbours(moves: Areas, pieces: Pieces, index: np.ndarray, tool: float) -> Neighbours | None:
-    """Compare every stroke with the next three at its height: do they lie side by side, a step apart?
+    """Compare every stroke with the next three at its height: whether they lie side by side, a step apart.
 
     Two curves lie side by side where the foot of the perpendicular from most points of the one lies on the other.
     Offsets keep their distance; passes of constant engagement come from one wall to another, and do not.

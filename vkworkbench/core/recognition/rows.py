@@ -258,4 +258,4 @@ def _walls(f: Rows, tool: float) -> bool:
     Then gaps and teeth take turns, or they are too wide to be cut from row to row. A zigzag seldom comes back to
     its start, a contour always.
     """
-    return f.period > ROWS.WALLS * f.pitch or bool(tool) and f.step > NESTS.REACH * tool
+    return f.period > ROWS.WALLS * f.pitch or (bool(tool) and f.step > NESTS.REACH * tool)

@@ -77,7 +77,7 @@ class Conditions:
 
     version: tuple[int, ...] = ()
     constants: Constants = DEFAULTS
-    speed: Speed = Speed()
+    speed: Speed = field(default_factory=Speed)
     view: View = field(default_factory=View)
     legacy_accuracy: float = 0.1
     opengl_quality: int = 10

@@ -47,7 +47,7 @@ class OverBudget(Unusable):
                 allowed=allowed,
                 traces=round(counts.traces),
                 dexels=round(counts.dexels),
-            )  # fmt: skip
+            )
         )
         self.needed, self.allowed = needed, allowed
 

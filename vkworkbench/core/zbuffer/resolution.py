@@ -130,5 +130,6 @@ def heaviest(labels: Sequence[str], seconds: Sequence[float]) -> Message | None:
 
 
 def check_budget(*budgets: float) -> None:
+    """Raise ValueError unless there are budgets, each a positive number."""
     if not budgets or not all(isfinite(budget) and budget > 0 for budget in budgets):
         raise ValueError("a budget of memory or time must be a positive number")

@@ -34,10 +34,7 @@ def ball_sides(tool: Tool, offset: np.ndarray, move: np.ndarray, sine: float, co
     middle = length2 * (sine * y - cosine * z) - along_ray * here
     rest = length2 * (x**2 + y**2 + z**2 - tool.radius**2) - here**2
     root = np.sqrt(np.maximum(middle**2 - square * rest, 0))
-    sides = []
-    for s in (divide(-middle - root, square), divide(-middle + root, square)):
-        sides.append(divide(here + s * along_ray, length2))
-    return sides
+    return [divide(here + divide(side, square) * along_ray, length2) for side in (-middle - root, -middle + root)]
 
 
 def rounded_chord(tool: Tool, at: np.ndarray, sine: float, cosine: float) -> tuple[np.ndarray, np.ndarray]:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""This computer's speed: the simulator timed on small made-up toolpaths."""
+"""The speed of this computer: the simulator timed on small made-up toolpaths."""
 
 from __future__ import annotations
 
