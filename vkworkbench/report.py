@@ -12,7 +12,7 @@ from typing import Any
 
 from vkworkbench.core import Estimate, Machining, Recognition, Span, Strategy
 from vkworkbench.core.paper import PaperVerdict
-from vkworkbench.core.simulators import SIMULATORS, ZBUFFER, Caution, Cost, Costs, LegacyCost, together
+from vkworkbench.core.simulators import SIMULATORS, ZBUFFER, Caution, Costs, LegacyCost, together
 from vkworkbench.language import ENGLISH, Message, render
 
 # A text that spreadsheets take for a formula: one of these signs, after characters that they skip. East Asian ones
@@ -66,7 +66,7 @@ class OperationReport(Costs):
     recognition: Recognition
     trajectories: int
     machining: Machining
-    costs: Mapping[str, Cost]
+    costs: Mapping[str, Any]
     advice: Mapping[str, Any]
     cautions: tuple[Caution, ...]
     remarks: tuple[Message, ...]
@@ -96,7 +96,8 @@ class OperationReport(Costs):
     @property
     def estimate(self) -> Estimate | None:
         """Dexels, traces, memory and time of simulating it in the extended z-buffer."""
-        return self.costs.get(ZBUFFER.name)
+        cost: Estimate | None = self.costs.get(ZBUFFER.name)
+        return cost
 
     @property
     def legacy_positions(self) -> tuple[LegacyCost, ...]:
@@ -235,7 +236,7 @@ class Total(Costs):
     machining_seconds: float
     machining_complete: bool
     incomplete: bool
-    costs: Mapping[str, Cost]
+    costs: Mapping[str, Any]
     advice: Mapping[str, Any]
 
     @property
@@ -334,7 +335,7 @@ class Report:
 
 
 def total_of(
-    document: str, job: str, label: str, counted: Sequence, budget: dict[str, float] | None, fixtures: int = 1
+    document: str, job: str, label: str, counted: Sequence[Any], budget: dict[str, float] | None, fixtures: int = 1
 ) -> Total:
     """Return what operations take together, one after another: the one computation of every total that is shown.
 
@@ -350,6 +351,8 @@ def total_of(
         How often the operations are posted.
     """
     known = [o for o in counted if o.costs]
+    costs: Mapping[str, Any]
+    advice: Mapping[str, Any]
     if budget is None:
         each = {s: [o.costs[s.name] for o in known if s.name in o.costs] for s in SIMULATORS}
         costs, advice = {s.name: s.together(alone) for s, alone in each.items() if len(alone) == len(known) > 0}, {}

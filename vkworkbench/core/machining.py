@@ -82,7 +82,7 @@ def exact_lengths(toolpath: Toolpath) -> np.ndarray:
     moves = np.diff(toolpath.points, axis=0)
     if not len(moves):
         return np.zeros(0)
-    lengths = np.sqrt((moves**2).sum(axis=1))
+    lengths: np.ndarray = np.sqrt((moves**2).sum(axis=1))
     arc = np.flatnonzero(toolpath.sweep)
     if len(arc):
         squares = moves[arc] ** 2
@@ -111,7 +111,10 @@ def trajectory_seconds(toolpath: Toolpath, *, horizontal_rapid: float = 0.0, ver
 def _upright(toolpath: Toolpath) -> np.ndarray:
     """Which trajectories go straight up or down, (n,) bool."""
     points = toolpath.points
-    return (np.abs(points[1:, 0] - points[:-1, 0]) < 1e-6) & (np.abs(points[1:, 1] - points[:-1, 1]) < 1e-6)
+    result: np.ndarray = (np.abs(points[1:, 0] - points[:-1, 0]) < 1e-6) & (
+        np.abs(points[1:, 1] - points[:-1, 1]) < 1e-6
+    )
+    return result
 
 
 def machining(
@@ -142,9 +145,9 @@ def machining(
     ValueError
         For a negative or non-finite rapid speed.
     """
-    for speed in (horizontal_rapid, vertical_rapid):
-        if not (np.isfinite(speed) and speed >= 0):
-            raise ValueError(f"a rapid speed must be a number of mm/s, at least 0, not {speed}")
+    for given in (horizontal_rapid, vertical_rapid):
+        if not (np.isfinite(given) and given >= 0):
+            raise ValueError(f"a rapid speed must be a number of mm/s, at least 0, not {given}")
     lengths = exact_lengths(toolpath)
     rapid = toolpath.rapid
     left_out = []

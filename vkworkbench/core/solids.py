@@ -3,10 +3,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import combinations, product
 from math import isfinite, pi, tan
-from typing import NamedTuple
+from typing import NamedTuple, Protocol
 
 import numpy as np
 
@@ -204,7 +205,7 @@ class Stock(Convex):
         If a coordinate is not finite or beyond a kilometre, or the box has no volume.
     """
 
-    def __init__(self, lower: np.ndarray, upper: np.ndarray) -> None:
+    def __init__(self, lower: Sequence[float] | np.ndarray, upper: Sequence[float] | np.ndarray) -> None:
         self.lower = np.array(lower, float).reshape(3)
         self.upper = np.array(upper, float).reshape(3)
         if not (np.abs([self.lower, self.upper]) <= LARGEST).all():
@@ -287,7 +288,15 @@ class ConvexStock(Convex):
         corners = np.linalg.solve(matrices[proper], self.offsets[triples[proper]][..., None])[..., 0]
         slack = 1e-9 * (1 + np.abs(self.offsets).max(initial=0))
         inside = (corners @ self.normals.T <= self.offsets + slack).all(axis=1)
-        return corners[inside]
+        result: np.ndarray = corners[inside]
+        return result
+
+
+class Bounded(Protocol):
+    """A solid with a bounding box, `lower` and `upper` (3,) mm."""
+
+    lower: np.ndarray
+    upper: np.ndarray
 
 
 @dataclass(frozen=True)
@@ -327,7 +336,7 @@ class View:
         if self.pixel is not None and not (isfinite(self.pixel) and self.pixel > 0):
             raise ValueError(f"the side of a pixel must be a positive number, not {self.pixel:g} mm")
 
-    def frame(self, stock: Convex) -> Frame:
+    def frame(self, stock: Bounded) -> Frame:
         """Return the image's axes, centre and pixel for this stock."""
         direction = np.array(self.direction) / np.linalg.norm(self.direction)
         sine = np.hypot(direction[0], direction[1])
@@ -371,7 +380,8 @@ class Frame:
 
     def origins(self, x: np.ndarray, y: np.ndarray) -> np.ndarray:
         """Return the points (k, 3) of the image plane at image coordinates `x`, `y` (k,)."""
-        return self.centre + np.multiply.outer(x, self.right) + np.multiply.outer(y, self.up)
+        result: np.ndarray = self.centre + np.multiply.outer(x, self.right) + np.multiply.outer(y, self.up)
+        return result
 
     def pixel_centres(self, columns: np.ndarray, rows: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Return the image coordinates of pixel centres; column 0 is left, row 0 is the bottom."""

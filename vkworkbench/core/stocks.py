@@ -195,7 +195,8 @@ def _crossed(lower: np.ndarray, upper: np.ndarray, at: np.ndarray) -> np.ndarray
     """Where edges from `lower` to `upper` (3, k) cross the rows `at` (k,): image coordinate x."""
     rise = upper[1] - lower[1]
     share = (upper[0] - lower[0]) / np.where(rise > 0, rise, 1)
-    return lower[0] + (at - lower[1]) * share
+    result: np.ndarray = lower[0] + (at - lower[1]) * share
+    return result
 
 
 # What a stock or a model may be.

@@ -105,7 +105,7 @@ class Strategy(str, enum.Enum):
     )  # fmt: skip
 
     def __str__(self) -> str:
-        return self.value
+        return str(self.value)
 
     @property
     def is_answer(self) -> bool:

@@ -101,16 +101,20 @@ class Toolpath:
         """Return the trajectories first .. end - 1, with the tool changes and comments between them and no problems."""
         inside = (self.tool_changes > first) & (self.tool_changes < end)
         return Toolpath(
-            self.points[first : end + 1], *(
-                column[first:end]
-                for column in (self.rapid, self.command, self.feed, self.sweep, self.plane, self.cycle)
-            ),
+            points=self.points[first : end + 1],
+            rapid=self.rapid[first:end],
+            command=self.command[first:end],
+            feed=self.feed[first:end],
+            sweep=self.sweep[first:end],
+            plane=self.plane[first:end],
+            cycle=self.cycle[first:end],
             commands=self.commands,
             tool_changes=self.tool_changes[inside] - first,
             comments=tuple((at - first, text) for at, text in self.comments if first < at < end),
-        )  # fmt: skip
+        )
 
     @property
     def lengths(self) -> np.ndarray:
         """Chord length of every trajectory, (n,) mm."""
-        return np.sqrt((np.diff(self.points, axis=0) ** 2).sum(axis=1))
+        result: np.ndarray = np.sqrt((np.diff(self.points, axis=0) ** 2).sum(axis=1))
+        return result

@@ -7,9 +7,9 @@ from dataclasses import dataclass
 from enum import Enum
 from math import isfinite
 from numbers import Integral, Real
-from typing import Any, Union
+from typing import Any, Tuple, Union
 
-Argument = Union[int, float, str, None, "Message", tuple]
+Argument = Union[int, float, str, None, "Message", Tuple[Any, ...]]
 
 
 @dataclass(frozen=True, init=False, repr=False)
@@ -72,7 +72,7 @@ def _plain(value: Any) -> Argument:
     if value is None or isinstance(value, Message):
         return value
     if isinstance(value, Enum):
-        return value.value
+        return _plain(value.value)
     if isinstance(value, str):
         return value
     if isinstance(value, Integral):

@@ -11,6 +11,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable
+from typing import Any
 
 from vkworkbench.language.marking import QT_TRANSLATE_NOOP
 from vkworkbench.language.message import Argument, Message
@@ -20,7 +21,7 @@ from vkworkbench.language.table import PLAIN, TABLE
 _PLACE = re.compile(r"\{(\w+)(?::([^{}\d]+)(\d*))?\}")
 _BETWEEN = QT_TRANSLATE_NOOP("Sentences", ", ")
 
-_QUANTITIES: dict[str, Callable[[Reader, Argument, int], str]] = {
+_QUANTITIES: dict[str, Callable[[Reader, Any, int], str]] = {
     "n": lambda reader, value, digits: reader.count(value),
     "#": lambda reader, value, digits: f"{value:d}",
     "g": lambda reader, value, digits: reader.number(float(value), digits),
@@ -51,7 +52,7 @@ def render(message: Message, reader: Reader = ENGLISH, *, plain: bool = False) -
     """
     arguments = message.arguments
 
-    def filled(place: re.Match) -> str:
+    def filled(place: re.Match[str]) -> str:
         name, quantity, digits = place.groups()
         return _shown(arguments[name], quantity, int(digits or 6), reader, plain)
 
@@ -65,7 +66,8 @@ def _template(message: Message, reader: Reader, plain: bool) -> str:
     if isinstance(known, str):
         return known
     one, more = known
-    return one if reader.is_one(message.arguments["count"]) else more
+    count: Any = message.arguments["count"]
+    return one if reader.is_one(count) else more
 
 
 def _plain_words(message: Message) -> str | tuple[str, str] | None:

@@ -39,7 +39,14 @@ class Arcs:
     degenerate: np.ndarray
 
 
-def resolve(start, end, clockwise, offset, radius_word, absolute_centre) -> Arcs:
+def resolve(
+    start: np.ndarray,
+    end: np.ndarray,
+    clockwise: np.ndarray,
+    offset: np.ndarray,
+    radius_word: np.ndarray,
+    absolute_centre: np.ndarray,
+) -> Arcs:
     """Find centre and sweep of arcs given by centre words or by a radius word.
 
     Parameters
@@ -90,10 +97,18 @@ def chord_counts(arcs: Arcs, tolerance: float) -> np.ndarray:
     largest = np.maximum(arcs.radius.max(axis=1, initial=0.0), SAME_POINT)
     share = np.minimum(tolerance, largest) / (2 * largest)
     step = np.clip(4 * np.arcsin(np.sqrt(share)), SMALLEST_STEP, LARGEST_STEP)
-    return np.maximum(np.ceil(np.abs(arcs.sweep) / step - 1e-9), 1).astype(np.int64)
+    result: np.ndarray = np.maximum(np.ceil(np.abs(arcs.sweep) / step - 1e-9), 1).astype(np.int64)
+    return result
 
 
-def chords(arcs: Arcs, counts, start, end, start_height, end_height) -> np.ndarray:
+def chords(
+    arcs: Arcs,
+    counts: np.ndarray,
+    start: np.ndarray,
+    end: np.ndarray,
+    start_height: np.ndarray,
+    end_height: np.ndarray,
+) -> np.ndarray:
     """Return the end points of all chords in plane coordinates, (sum(counts), 3) mm.
 
     The radius goes linearly from its value at the start to that at the end, so that the last chord ends

@@ -14,7 +14,14 @@ CHIP_BREAK_RETRACT = 0.25  # mm, as LinuxCNC's G73
 MOST_PECKS = 10_000  # more is a Q word gone wrong, and would fill the memory
 
 
-def heights(z, relative, rows, retract, bottom, to_retract_plane):
+def heights(
+    z: np.ndarray,
+    relative: np.ndarray,
+    rows: np.ndarray,
+    retract: np.ndarray,
+    bottom: np.ndarray,
+    to_retract_plane: np.ndarray,
+) -> tuple[np.ndarray, np.ndarray]:
     """Resolve Z along a program with cycles: each one starts where the last motion left the tool.
 
     Parameters
@@ -39,7 +46,7 @@ def heights(z, relative, rows, retract, bottom, to_retract_plane):
     """
     absolute = z.copy()
     resolved = np.empty((len(rows), 4))
-    height = None
+    height: float | None = None
     cycle_at = dict(zip(rows.tolist(), range(len(rows))))
     for row in np.flatnonzero(~np.isnan(z) | np.isin(np.arange(len(z)), rows)).tolist():
         i = cycle_at.get(row)
@@ -58,7 +65,7 @@ def heights(z, relative, rows, retract, bottom, to_retract_plane):
     return absolute, resolved
 
 
-def move_counts(code, heights, peck) -> np.ndarray:
+def move_counts(code: np.ndarray, heights: np.ndarray, peck: np.ndarray) -> np.ndarray:
     """Return how many moves each cycle takes, (m,) int; the parameters are those of :func:`moves`."""
     depth = np.maximum(heights[:, 1] - heights[:, 2], 0.0)
     pecking = ((code == PECK) | (code == CHIP_BREAK)) & (peck * MOST_PECKS > depth)
@@ -67,7 +74,9 @@ def move_counts(code, heights, peck) -> np.ndarray:
     return 3 + 3 * (np.maximum(pecks, 1.0).astype(np.int64) - 1) + 2
 
 
-def moves(code, start, hole, heights, peck):
+def moves(
+    code: np.ndarray, start: np.ndarray, hole: np.ndarray, heights: np.ndarray, peck: np.ndarray
+) -> tuple[np.ndarray, np.ndarray]:
     """Return the moves of m cycles.
 
     Parameters

@@ -9,6 +9,7 @@ but the one that reads them.
 from __future__ import annotations
 
 from collections.abc import Iterable
+from typing import Any, List
 
 import numpy as np
 
@@ -31,7 +32,7 @@ _STATE = np.array([40, 70, 80, 150, 170, 180, 190, 200, 210, 400, 410, 411, 420,
 _ZERO_LENGTH = 1e-9  # mm
 
 
-def linearize(commands: Iterable | Words, *, tolerance: float = 0.01) -> Toolpath:
+def linearize(commands: Iterable[Any] | Words, *, tolerance: float = 0.01) -> Toolpath:
     """Resolve the commands of one operation into straight trajectories.
 
     The paper assumes that "all the trajectories are linearized and defined by the Cartesian co-ordinates of
@@ -83,7 +84,7 @@ def linearize(commands: Iterable | Words, *, tolerance: float = 0.01) -> Toolpat
     )  # fmt: skip
 
 
-class _Problems(list):
+class _Problems(List[Problem]):
     """The problems found, one for each kind."""
 
     def add(self, rows: np.ndarray, what: Message) -> None:
@@ -121,7 +122,8 @@ class _Program:
 
     def before(self, rows: np.ndarray) -> np.ndarray:
         """Position before each of the given commands, (m, 3) mm."""
-        return self.position[np.maximum(rows - 1, 0)]
+        result: np.ndarray = self.position[np.maximum(rows - 1, 0)]
+        return result
 
     def _feed(self, problems: _Problems) -> np.ndarray:
         values, unusable = self.words.column("F")
@@ -169,7 +171,9 @@ class _Program:
         return z, np.zeros(len(z), bool)
 
 
-def _moves(program: _Program, tolerance: float, problems: _Problems):
+def _moves(
+    program: _Program, tolerance: float, problems: _Problems
+) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
     """Return points, rapid, command, sweep and cycle of all moves, zero-length ones included."""
     motion, position = program.motion, program.position
     is_arc = (motion == _CW) | (motion == _CCW)
@@ -213,10 +217,13 @@ def _moves(program: _Program, tolerance: float, problems: _Problems):
 
 def _moved(points: np.ndarray) -> np.ndarray:
     """Which trajectories have a length."""
-    return np.abs(np.diff(points, axis=0)).max(axis=1, initial=0.0) > _ZERO_LENGTH
+    result: np.ndarray = np.abs(np.diff(points, axis=0)).max(axis=1, initial=0.0) > _ZERO_LENGTH
+    return result
 
 
-def _resolve_arcs(program, rows, axes, start, end, problems) -> arcs.Arcs:
+def _resolve_arcs(
+    program: _Program, rows: np.ndarray, axes: np.ndarray, start: np.ndarray, end: np.ndarray, problems: _Problems
+) -> arcs.Arcs:
     words = program.words
     columns, unusable = zip(*(words.column(letter, rows) for letter in "IJK"))
     problems.add(rows[np.any(unusable, axis=0)], Message("unusable-centre"))
@@ -238,7 +245,7 @@ def _resolve_arcs(program, rows, axes, start, end, problems) -> arcs.Arcs:
     return resolved
 
 
-def _expand_cycles(program: _Program, rows: np.ndarray):
+def _expand_cycles(program: _Program, rows: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     start = program.before(rows).copy()
     start[rows == 0] = program.position[0]
     start[:, 2] = program.cycle_heights[:, 0]

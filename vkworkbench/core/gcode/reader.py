@@ -120,9 +120,8 @@ class _Reader:
         if self.ended and code[0] in "O:":
             return True
         self.blocks += 1
-        words, rest = split_words(code)
-        if rest or self.in_subprogram:
-            words = self._strange(line, code, rest, words)
+        plain, rest = split_words(code)
+        words = self._strange(line, code, rest, plain) if rest or self.in_subprogram else plain
         if words is None:
             self._keep(comments)
             return False
@@ -141,7 +140,9 @@ class _Reader:
         self.commands.append((name, parameters))
         self.lines.append(self.number)
 
-    def _strange(self, line: str, code: str, rest: str, words):
+    def _strange(
+        self, line: str, code: str, rest: str, words: list[tuple[str, float]]
+    ) -> list[tuple[str, float]] | None:
         """Return the words of a line that holds more than words; None if it cannot be read."""
         subprogram = _SUB.match(code)
         if subprogram:
@@ -326,7 +327,7 @@ class _Reader:
         )  # fmt: skip
 
     @staticmethod
-    def _changed_by_t(commands):
+    def _changed_by_t(commands: list[tuple[str, dict[str, float]]]) -> list[tuple[str, dict[str, float]]]:
         """Make each T word that names another tool a tool change."""
         tool, changed = None, []
         for name, words in commands:

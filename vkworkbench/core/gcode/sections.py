@@ -119,7 +119,7 @@ def split_sections(program: Program) -> tuple[Section, ...]:
             continue
         headings = group.headings
         tool = group.tool or tool
-        known = group.known.get(number) or everything.get(number)
+        known = None if number is None else group.known.get(number) or everything.get(number)
         if number is None and len(everything) == 1:
             (known,) = everything.values()
         if sections:
@@ -152,7 +152,8 @@ def _groups(program: Program) -> list[_Group]:
         told = tool_told(what, inches=program.inches)
         if told is None:
             if not group.changes:
-                group.tool = known.get(number_named(what)) or group.tool
+                number = number_named(what)
+                group.tool = (None if number is None else known.get(number)) or group.tool
             title = title_of(what)
             if title:
                 group.title, group.headings = title, (*group.headings, what)

@@ -106,7 +106,7 @@ def number_named(comment: str) -> int | None:
     return int(number["number"]) if number else None
 
 
-def _size(comment: str, number: re.Match | None) -> re.Match | None:
+def _size(comment: str, number: re.Match[str] | None) -> re.Match[str] | None:
     """Return where a comment names a tool's diameter."""
     written = _CAMBAM.fullmatch(comment.strip()) or _CUTVIEWER.match(comment.strip())
     if written:
@@ -123,7 +123,7 @@ def _size(comment: str, number: re.Match | None) -> re.Match | None:
     return min(found, key=re.Match.start, default=_SHORT.search(comment))
 
 
-def _also_a_fraction(comment: str, size: re.Match) -> bool:
+def _also_a_fraction(comment: str, size: re.Match[str]) -> bool:
     """Whether a comment names the same size as a fraction of an inch, too."""
     if "/" in size["size"]:
         return False
@@ -134,7 +134,7 @@ def _also_a_fraction(comment: str, size: re.Match) -> bool:
     )
 
 
-def _millimetres(size: re.Match, inches: bool) -> float:
+def _millimetres(size: re.Match[str], inches: bool) -> float:
     text = size["size"].replace(",", ".")
     unit = (size.groupdict().get("unit") or "").lower()
     if "/" in text:
@@ -145,7 +145,7 @@ def _millimetres(size: re.Match, inches: bool) -> float:
     return float(text) * (1.0 if unit in _METRIC else INCH if unit or inches else 1.0)
 
 
-def _tool(comment: str, size: re.Match, diameter: float, inches: bool) -> Tool:
+def _tool(comment: str, size: re.Match[str], diameter: float, inches: bool) -> Tool:
     """Return the tool; impossible measures are not used."""
     unit = INCH if inches else 1.0
     kind = size.groupdict().get("kind")

@@ -68,11 +68,13 @@ def unread(words: Words, motion: np.ndarray) -> Iterator[tuple[np.ndarray, Messa
 
 def _given(words: Words, letter: str) -> np.ndarray:
     values, unusable = words.column(letter)
-    return ~np.isnan(values) | unusable
+    result: np.ndarray = ~np.isnan(values) | unusable
+    return result
 
 
 def _changed(words: Words, letter: str) -> np.ndarray:
     """Commands that turn an axis, which stands at 0 before its first word, (m,) int."""
     values, unusable = words.column(letter)
     rows = np.flatnonzero(~np.isnan(values) | unusable)
-    return rows[np.diff(values[rows], prepend=0.0) != 0]
+    result: np.ndarray = rows[np.diff(values[rows], prepend=0.0) != 0]
+    return result

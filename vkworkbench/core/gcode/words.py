@@ -4,8 +4,9 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from itertools import chain
+from typing import Any
 
 import numpy as np
 
@@ -51,7 +52,7 @@ class Words:
         ``(name, parameters)`` pairs, or objects with ``.Name`` and ``.Parameters`` as FreeCAD's.
     """
 
-    def __init__(self, commands: Iterable) -> None:
+    def __init__(self, commands: Iterable[Any]) -> None:
         commands = commands if isinstance(commands, Sequence) else list(commands)
         if len(commands) and hasattr(commands[0], "Parameters"):
             self.names = [c.Name for c in commands]
@@ -79,7 +80,7 @@ class Words:
         """set of str : the letters of all parameters."""
         return {chr(letter) for letter in np.flatnonzero(np.bincount(self._letters)).tolist()}
 
-    def _read_word_names(self, word_names: set[str], all_parameters: list) -> None:
+    def _read_word_names(self, word_names: set[str], all_parameters: list[dict[str, Any] | None]) -> None:
         """Turn ``X10`` into a modal line with an X word, and ``N10`` with a G word into that G-code."""
         for i, name in enumerate(self.names):
             match = _WORD_NAME.fullmatch(name) if name in word_names else None
@@ -122,7 +123,7 @@ class Words:
         return (values, unusable) if rows is None else (values[rows], unusable[rows])
 
 
-def _table(parameters: list[dict]) -> tuple[np.ndarray, str, np.ndarray]:
+def _table(parameters: list[dict[str, Any]]) -> tuple[np.ndarray, str, np.ndarray]:
     """Return how many parameters each command has, and of all of them the letters and the values.
 
     No Python loop: each of the three passes runs inside of an iterator.
@@ -135,13 +136,13 @@ def _table(parameters: list[dict]) -> tuple[np.ndarray, str, np.ndarray]:
     return count, letters, np.fromiter(chain.from_iterable(map(dict.values, parameters)), np.float64, total)
 
 
-def _numbers(parameters) -> dict[str, float]:
+def _numbers(parameters: Mapping[Any, Any] | None) -> dict[str, float]:
     """Return the parameters that a letter names, NaN where they are no number."""
     words = parameters.items() if parameters else ()
     return {letter: _number(value) for letter, value in words if isinstance(letter, str) and len(letter) == 1}
 
 
-def _number(value) -> float:
+def _number(value: Any) -> float:
     try:
         return float(value)
     except (TypeError, ValueError, OverflowError):

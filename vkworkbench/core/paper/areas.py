@@ -104,7 +104,8 @@ class Areas(Moves):
             final = np.append(area[1:] > area[:-1], True) & looped[area] & ~self.closed[area]
             begin[area[final]], end[area[final]] = first[final], loop_end[final]
             closes[area[final]] = True
-        return self.signed[1][end - 1] + np.where(closes, closing_turns(self.alpha, begin, end), 0.0)
+        result: np.ndarray = self.signed[1][end - 1] + np.where(closes, closing_turns(self.alpha, begin, end), 0.0)
+        return result
 
     @cached_property
     def phi_ranges(self) -> np.ndarray:

@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+from typing import overload
+
 import numpy as np
 
 from vkworkbench.core.paper.thresholds import TURNS
@@ -12,10 +14,15 @@ TURN = 2 * np.pi
 
 def directions(dx: np.ndarray, dy: np.ndarray, out: np.ndarray | None = None) -> np.ndarray:
     """Return alpha, the directions of moves (n,), rad in [-pi, pi]."""
-    return np.arctan2(dy, dx, out=out)
+    result: np.ndarray = np.arctan2(dy, dx, out=out)
+    return result
 
 
-def wrap(angle):
+@overload
+def wrap(angle: float) -> float: ...
+@overload
+def wrap(angle: np.ndarray) -> np.ndarray: ...
+def wrap(angle: float | np.ndarray) -> float | np.ndarray:
     """Wrap angles in rad, a number or (n,), to [-pi, pi]."""
     return angle - TURN * np.rint(angle * (1 / TURN))
 
@@ -35,7 +42,7 @@ def turns(alpha: np.ndarray, out: np.ndarray | None = None, scratch: np.ndarray 
     (n-1,) float64
         rad in [-pi, pi].
     """
-    turning = np.subtract(alpha[1:], alpha[:-1], out=out)
+    turning: np.ndarray = np.subtract(alpha[1:], alpha[:-1], out=out)
     whole = np.multiply(turning, 1 / TURN, out=scratch)
     np.rint(whole, out=whole)
     whole *= TURN
@@ -62,10 +69,15 @@ def signs_of_reversals(phi: np.ndarray, area: np.ndarray) -> np.ndarray:
     size = np.diff(np.append(first, len(area)))
     rank = np.arange(len(area)) - np.repeat(first, size)
     begin = np.repeat(np.where(phi[first] > TURNS.EXACT, -1, 1), size)
-    return begin * (1 - 2 * (rank & 1))
+    result: np.ndarray = begin * (1 - 2 * (rank & 1))
+    return result
 
 
-def level_of(phi):
+@overload
+def level_of(phi: float) -> int: ...
+@overload
+def level_of(phi: np.ndarray) -> np.ndarray: ...
+def level_of(phi: float | np.ndarray) -> int | np.ndarray:
     """Return n, the integer part of phi / 2 pi, truncated toward zero; short of a full turn by rounding is a full turn.
 
     Parameters
@@ -89,14 +101,18 @@ def top_level(phi_range: tuple[float, float]) -> int:
     return level_of(farthest(phi_range))
 
 
-def axis_of(along_x, along_y, length):
+@overload
+def axis_of(along_x: float, along_y: float, length: float) -> float: ...
+@overload
+def axis_of(along_x: np.ndarray, along_y: np.ndarray, length: np.ndarray) -> np.ndarray: ...
+def axis_of(along_x: float | np.ndarray, along_y: float | np.ndarray, length: float | np.ndarray) -> float | np.ndarray:
     """Return the axis of moves, rad in [-pi/2, pi/2]: half the direction of the sum of the moves with doubled angles.
 
     Parameters
     ----------
-    along_x, along_y : float or array
+    along_x, along_y : (k,) float or float
         Sum of cos^2 and of cos sin of the directions, weighted by length, mm.
-    length : float or array
+    length : (k,) float or float
         Sum of the lengths, mm.
     """
     return 0.5 * np.arctan2(2 * along_y, 2 * along_x - length)

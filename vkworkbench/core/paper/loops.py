@@ -25,7 +25,8 @@ def closing_turns(alpha: np.ndarray, first: np.ndarray, end: np.ndarray) -> np.n
     first, end : (k,) int
         The stretches are the moves first[i] .. end[i] - 1.
     """
-    return wrap(alpha[first] - alpha[end - 1])
+    result: np.ndarray = wrap(alpha[first] - alpha[end - 1])
+    return result
 
 
 def is_closed(gap: np.ndarray, enclosed: np.ndarray, moves: np.ndarray) -> np.ndarray:
@@ -43,17 +44,20 @@ def is_closed(gap: np.ndarray, enclosed: np.ndarray, moves: np.ndarray) -> np.nd
     moves : (k,) int
         Their number.
     """
-    return (gap <= np.maximum(LOOPS.CLOSE, LOOPS.GAP * np.sqrt(np.abs(enclosed)))) & (moves > 2)
+    result: np.ndarray = (gap <= np.maximum(LOOPS.CLOSE, LOOPS.GAP * np.sqrt(np.abs(enclosed)))) & (moves > 2)
+    return result
 
 
 def may_be_closed(gap: np.ndarray, length: np.ndarray) -> np.ndarray:
     """Say which stretches can be closed, (k,) bool, as none encloses more than a circle of its length."""
-    return gap <= np.maximum(LOOPS.CLOSE, LOOPS.GAP * length / np.sqrt(4 * np.pi))
+    result: np.ndarray = gap <= np.maximum(LOOPS.CLOSE, LOOPS.GAP * length / np.sqrt(4 * np.pi))
+    return result
 
 
 def is_one_turn(net: np.ndarray) -> np.ndarray:
     """Say which net turns, rad, are one full turn either way."""
-    return np.abs(np.rint(net / np.pi)) == 2
+    result: np.ndarray = np.abs(np.rint(net / np.pi)) == 2
+    return result
 
 
 def closed_loops(moves: Moves) -> tuple[np.ndarray, np.ndarray]:
@@ -110,16 +114,19 @@ def _vertices(moves: Moves, winds: np.ndarray) -> tuple[np.ndarray, np.ndarray, 
     if len(end) > 1:
         area = np.arange(len(end), dtype=np.uint32)
         area = np.append(np.repeat(area, size[winds]), area)
-    found = []
-    for v, dv in ((moves.x, moves.dx), (moves.y, moves.dy)):
+
+    def scaled(v: np.ndarray, dv: np.ndarray) -> np.ndarray:
         w = np.append(v if every else v.take(begun), v[end - 1] + dv[end - 1])
         w -= w.min()
         w *= 1 / LOOPS.CLOSE
-        found.append(w)
-    return *found, np.append(begun, end), area
+        return w
+
+    return scaled(moves.x, moves.dx), scaled(moves.y, moves.dy), np.append(begun, end), area
 
 
-def _returns(moves, x, y, at, area, width, origin) -> tuple[np.ndarray, np.ndarray]:
+def _returns(
+    moves: Moves, x: np.ndarray, y: np.ndarray, at: np.ndarray, area: np.ndarray, width: float, origin: float
+) -> tuple[np.ndarray, np.ndarray]:
     """Return the stretches between visits of one cell that turn by +-2 pi; a cell is `width` times LOOPS.CLOSE wide."""
     column, row = ((v / width + origin).astype(np.int32).view(np.uint32) for v in (x, y))
     # Hashing the cells is O(n); sorting all vertices would not be. The products overflow, and their high bits are
@@ -212,4 +219,5 @@ def winding_turns(moves: Moves, start: np.ndarray, end: np.ndarray, sense: np.nd
     climb = (moves.phi[own] - moves.phi[start][of]) * sense[of]
     above = of * (np.ptp(climb) + TURN)  # sets each winding above all before it: the running maximum starts anew
     level = np.floor((np.maximum.accumulate(climb + above) - above + TURNS.EXACT) * (1 / TURN))
-    return own[np.flatnonzero((level[1:] > level[:-1]) & (of[1:] == of[:-1])) + 1]
+    result: np.ndarray = own[np.flatnonzero((level[1:] > level[:-1]) & (of[1:] == of[:-1])) + 1]
+    return result

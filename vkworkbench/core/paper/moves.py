@@ -141,7 +141,15 @@ def _drop_noise(planar: np.ndarray, length: np.ndarray) -> None:
     planar[short[length[short] < MOVES.NOISE_BESIDE * np.maximum(before, after)]] = False
 
 
-def _split(planar, rapid, z, dx, dy, dz, length) -> tuple[np.ndarray, np.ndarray]:
+def _split(
+    planar: np.ndarray,
+    rapid: np.ndarray,
+    z: np.ndarray,
+    dx: np.ndarray,
+    dy: np.ndarray,
+    dz: np.ndarray,
+    length: np.ndarray,
+) -> tuple[np.ndarray, np.ndarray]:
     """Return the trajectories of the planar moves and the first move of each area.
 
     Areas end at rapids, plunges and lifts. A height change between two moves of one direction is a wall the
@@ -163,7 +171,16 @@ def _split(planar, rapid, z, dx, dy, dz, length) -> tuple[np.ndarray, np.ndarray
     return index, np.concatenate([[0], gap]) if len(index) else gap
 
 
-def _without_air(planar, index, start, z, dx, dy, dz, length) -> tuple[np.ndarray, np.ndarray]:
+def _without_air(
+    planar: np.ndarray,
+    index: np.ndarray,
+    start: np.ndarray,
+    z: np.ndarray,
+    dx: np.ndarray,
+    dy: np.ndarray,
+    dz: np.ndarray,
+    length: np.ndarray,
+) -> tuple[np.ndarray, np.ndarray]:
     """Leave out the links in the air of programs that lift, traverse and plunge at feed instead of rapid.
 
     Such a link is straight and horizontal, begins by a lift and ends by a plunge; at the ends of a program one of
@@ -194,7 +211,7 @@ def _without_air(planar, index, start, z, dx, dy, dz, length) -> tuple[np.ndarra
     return index[keep], np.concatenate([[0], np.cumsum(size)[:-1]]) if len(size) else size
 
 
-def _holes(points, rapid, dz, length, planar) -> np.ndarray:
+def _holes(points: np.ndarray, rapid: np.ndarray, dz: np.ndarray, length: np.ndarray, planar: np.ndarray) -> np.ndarray:
     """Return the last trajectory of every drilled hole: a plunge, where nothing is milled between two rapids.
 
     Pecks into one hole count once. Plunges beside moves along the plane (walls, lead-ins) are no holes.
@@ -208,4 +225,5 @@ def _holes(points, rapid, dz, length, planar) -> np.ndarray:
     down = down[~milled[block[down]]]
     x, y = points[down + 1, 0], points[down + 1, 1]
     left = (np.abs(x[1:] - x[:-1]) > MOVES.STILL) | (np.abs(y[1:] - y[:-1]) > MOVES.STILL)
-    return down[np.append(left, True)] if len(down) else down
+    result: np.ndarray = down[np.append(left, True)] if len(down) else down
+    return result

@@ -65,10 +65,11 @@ def image_arcs(angle: np.ndarray, radius: np.ndarray) -> tuple[np.ndarray, np.nd
     """
     angle, radius = np.asarray(angle, float), np.asarray(radius, float)
     turned = turns_of(angle)
-    return tuple(_arcs(angle, radius, turned, np.flatnonzero(sense * turned > _NO_TURN)) for sense in (1, -1))
+    to_the_left, to_the_right = np.flatnonzero(turned > _NO_TURN), np.flatnonzero(-turned > _NO_TURN)
+    return _arcs(angle, radius, turned, to_the_left), _arcs(angle, radius, turned, to_the_right)
 
 
-def _arcs(angle, radius, turned, chosen) -> np.ndarray:
+def _arcs(angle: np.ndarray, radius: np.ndarray, turned: np.ndarray, chosen: np.ndarray) -> np.ndarray:
     counts = np.ceil(np.abs(turned[chosen]) / _ARC_STEP).astype(np.int64) + 2  # points of each, and the gap
     owner = np.repeat(chosen, counts)
     ends = np.cumsum(counts)

@@ -150,7 +150,8 @@ class Signature:
     @cached_property
     def length(self) -> np.ndarray:
         """(n,) lengths L_k of V_k, mm (section 3.1)."""
-        return np.hypot(*self._v)
+        result: np.ndarray = np.hypot(*self._v)
+        return result
 
     @cached_property
     def theta(self) -> np.ndarray:
@@ -193,8 +194,11 @@ class Signature:
 
         The tips of the unit tangents are taken (section 2.2); for plane curves they are as good as normals.
         """
-        images = (self.alpha, self.theta)
-        return tuple(np.column_stack([np.cos(angle), np.sin(angle)]) for angle in images)
+        return _on_circle(self.alpha), _on_circle(self.theta)
+
+
+def _on_circle(angle: np.ndarray) -> np.ndarray:
+    return np.column_stack([np.cos(angle), np.sin(angle)])
 
 
 def _carry_directions(alpha: np.ndarray, still: np.ndarray) -> None:

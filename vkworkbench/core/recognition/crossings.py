@@ -81,7 +81,7 @@ def scan(moves: Areas, sample: np.ndarray, extent: float) -> dict[str, float]:
     }
 
 
-def _across(dx, dy, length) -> tuple[float, float]:
+def _across(dx: np.ndarray, dy: np.ndarray, length: np.ndarray) -> tuple[float, float]:
     """Return the direction, a unit vector, at a right angle to the one that the moves prefer.
 
     The mean of four times their angle tells that direction but for quarter turns.
@@ -111,7 +111,7 @@ def _cross(moves: Areas, sample: np.ndarray) -> Crossings:
     lines = low + (high - low) * FROM_THE_MIDDLE
     # From the middle, in pairs, so many lines that the crossings are enough, as the sample promises.
     promised = ((one < lines[:, None]) != (other < lines[:, None])).sum(axis=1) * (len(begin) / len(sample))
-    wanted = max(2, np.count_nonzero(np.cumsum(promised)[1::2] <= SCAN.ENOUGH) * 2)
+    wanted = max(2, int(np.count_nonzero(np.cumsum(promised)[1::2] <= SCAN.ENOUGH)) * 2)
     found = []
     for line in lines[:wanted]:
         on = np.flatnonzero((begin < line) != (end < line))

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -16,7 +17,8 @@ from vkworkbench.core.recognition.verdict import Verdict
 from vkworkbench.core.strategy import Strategy
 from vkworkbench.language import Message
 
-STRATEGIES = tuple(map(Strategy, learned.STRATEGIES))
+_BY_VALUE = {strategy.value: strategy for strategy in Strategy}
+STRATEGIES = tuple(_BY_VALUE[value] for value in learned.STRATEGIES)
 # Only the rules name the parts of a mixed operation; and where something is milled, nothing else is drilling.
 OF_THE_RULES = np.array([s in (Strategy.MIXED, Strategy.DRILLING, Strategy.UNKNOWN) for s in STRATEGIES])
 
@@ -71,7 +73,7 @@ def decide(s: Section, rules: Verdict) -> tuple[Verdict, float]:
     if said != proposed:
         seen = Message("like-others", share=float(votes[said]))
         rules = replace(rules, strategy=STRATEGIES[said], seen=seen, parts=(), step=None)
-    return rules, sureness(grounds(votes, proposed, s.tool > 0), LEARNED.sureness)
+    return rules, float(sureness(grounds(votes, proposed, s.tool > 0), LEARNED.sureness))
 
 
 def standing(votes: np.ndarray, proposed: int) -> np.ndarray:
@@ -110,6 +112,7 @@ def grounds(votes: np.ndarray, proposed: int, tool: bool) -> np.ndarray:
     return np.array([1.0, odds, said == proposed, ahead, tool], float)
 
 
-def sureness(evidence: np.ndarray, weights) -> float | np.ndarray:
+def sureness(evidence: np.ndarray, weights: Sequence[float] | np.ndarray) -> np.ndarray:
     """Return the confidence, (...,), for grounds (..., 5): a logistic function of their weighted sum."""
-    return VOTES.SUREST / (1 + np.exp(-(evidence * np.asarray(weights)).sum(axis=-1)))
+    result: np.ndarray = VOTES.SUREST / (1 + np.exp(-(evidence * np.asarray(weights)).sum(axis=-1)))
+    return result

@@ -3,7 +3,39 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Iterator, Sequence
+from typing import NamedTuple
+
 import numpy as np
+
+
+class _Nodes(NamedTuple):
+    """The nodes of all trees as columns, and the first of each tree."""
+
+    measure: list[int]
+    below: list[float]
+    no: list[int]
+    share: list[np.ndarray]
+    roots: list[int]
+
+    def read(self, nodes: Iterator[str], classes: int) -> None:
+        """Append the next subtree."""
+        node, at = next(nodes), len(self.measure)
+        share = np.zeros(classes)
+        self.measure.append(-1)
+        self.below.append(0.0)
+        self.no.append(at)
+        self.share.append(share)
+        if "<" not in node:
+            for part in node.split(","):
+                name, percent = part.split(":")
+                share[int(name)] = float(percent) / 100
+            return
+        measure, below = node.split("<")
+        self.measure[at], self.below[at] = int(measure), float(below)
+        self.read(nodes, classes)
+        self.no[at] = len(self.measure)
+        self.read(nodes, classes)
 
 
 class Forest:
@@ -19,33 +51,14 @@ class Forest:
         Number of classes.
     """
 
-    def __init__(self, trees, classes: int) -> None:
-        self._measure, self._below, self._no, self._share, self._roots = [], [], [], [], []
+    def __init__(self, trees: Iterable[str], classes: int) -> None:
+        nodes = _Nodes([], [], [], [], [])
         for tree in trees:
-            self._roots.append(len(self._measure))
-            self._read(iter(tree.split()), classes)
-        self._nodes = self._measure, self._below, self._no, self._roots
-        for name in ("_measure", "_below", "_no", "_share", "_roots"):
-            setattr(self, name, np.array(getattr(self, name)))
-
-    def _read(self, nodes, classes: int) -> None:
-        """Append the next subtree."""
-        node, at = next(nodes), len(self._measure)
-        share = np.zeros(classes)
-        self._measure.append(-1)
-        self._below.append(0.0)
-        self._no.append(at)
-        self._share.append(share)
-        if "<" not in node:
-            for part in node.split(","):
-                name, percent = part.split(":")
-                share[int(name)] = float(percent) / 100
-            return
-        measure, below = node.split("<")
-        self._measure[at], self._below[at] = int(measure), float(below)
-        self._read(nodes, classes)
-        self._no[at] = len(self._measure)
-        self._read(nodes, classes)
+            nodes.roots.append(len(nodes.measure))
+            nodes.read(iter(tree.split()), classes)
+        self._nodes = nodes
+        self._measure, self._below, self._no = np.array(nodes.measure), np.array(nodes.below), np.array(nodes.no)
+        self._share, self._roots = np.array(nodes.share), np.array(nodes.roots)
 
     def shares(self, measures: np.ndarray) -> np.ndarray:
         """Return the mean shares of the classes.
@@ -63,17 +76,19 @@ class Forest:
         while (inner := self._measure[node] >= 0).any():
             yes = measures[case, self._measure[node]] < self._below[node]
             node = np.where(inner, np.where(yes, node + 1, self._no[node]), node)
-        return self._share[node].mean(axis=1)
+        result: np.ndarray = self._share[node].mean(axis=1)
+        return result
 
-    def vote(self, case) -> np.ndarray:
+    def vote(self, case: Sequence[float]) -> np.ndarray:
         """Return the mean shares of the classes, (c,), for one case, a sequence of (m,) measures.
 
         For one case a walk over lists is faster than whole arrays.
         """
-        measure, below, no, roots = self._nodes
+        measure, below, no, _, roots = self._nodes
         leaves = []
         for node in roots:
             while (at := measure[node]) >= 0:
                 node = node + 1 if case[at] < below[node] else no[node]
             leaves.append(node)
-        return self._share[leaves].mean(axis=0)
+        result: np.ndarray = self._share[leaves].mean(axis=0)
+        return result

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from typing import Any
 
 from vkworkbench.core.gcode import INCH
 from vkworkbench.core.recognition.recognition import Recognition
@@ -30,19 +31,19 @@ def recognize_inches(toolpath: Toolpath, *, tool_diameter: float | None = None, 
         The verdict on 25.4 times the size; lengths in it are those of the toolpath as it was read.
     """
     found = recognize(replace(toolpath, points=INCH * toolpath.points), tool_diameter=tool_diameter, program=program)
-    paper = found.paper and replace(found.paper, v=tuple(x / INCH for x in found.paper.v))
+    paper = found.paper and replace(found.paper, v=(found.paper.v[0] / INCH, found.paper.v[1] / INCH))
     stepover = found.stepover and found.stepover / INCH
     return replace(found, why=_as_read(found.why), stepover=stepover, paper=paper)
 
 
-def _as_read(value):
+def _as_read(value: Any) -> Any:
     """Return a message whose steps are those of the toolpath as it was read."""
     if isinstance(value, tuple):
         return tuple(map(_as_read, value))
     if not isinstance(value, Message):
         return value
+    given: dict[str, Any] = value.arguments
     arguments = {
-        name: one / INCH if name == "step" and one is not None else _as_read(one)
-        for name, one in value.arguments.items()
+        name: one / INCH if name == "step" and one is not None else _as_read(one) for name, one in given.items()
     }
     return type(value)(value.code, **arguments)

@@ -109,7 +109,7 @@ def _sampled(moves: Areas, pieces: Pieces, index: np.ndarray) -> tuple[np.ndarra
     return moves.x[move] + along * moves.dx[move], moves.y[move] + along * moves.dy[move]
 
 
-def _distances(ax, ay, bx, by) -> tuple[np.ndarray, np.ndarray]:
+def _distances(ax: np.ndarray, ay: np.ndarray, bx: np.ndarray, by: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Return the distance of each point of b from the polyline a, (k, points), and whether it lies beside it."""
     dx, dy = np.diff(ax)[:, None], np.diff(ay)[:, None]
     px, py = bx[:, :, None] - ax[:, None, :-1], by[:, :, None] - ay[:, None, :-1]

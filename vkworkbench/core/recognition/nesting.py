@@ -3,12 +3,14 @@
 
 from __future__ import annotations
 
+from typing import Dict, Tuple
+
 import numpy as np
 
 from vkworkbench.core.recognition.thresholds import ENOUGH, NESTS, SAME, WATERLINES
 
 
-class Inward(dict):
+class Inward(Dict[int, Tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]]):
     """How far each ring lies inside the one that was cut `lag` rings before it: inward[lag], each (k - lag,).
 
     Four arrays in mm: the least and the most that one of the four sides of the bounding box lies inside, their
@@ -30,10 +32,10 @@ class Inward(dict):
         1 for closed loops; 2 for turns of windings, which are open and enclose only about as much.
     """
 
-    def __init__(self, sides, enclosed, length, slack) -> None:
+    def __init__(self, sides: np.ndarray, enclosed: np.ndarray, length: np.ndarray, slack: np.ndarray) -> None:
         self._of = sides, enclosed, length, slack
 
-    def __missing__(self, lag: int) -> tuple[np.ndarray, ...]:
+    def __missing__(self, lag: int) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
         sides, enclosed, length, slack = self._of
         moved = sides[:, lag:] - sides[:, :-lag]
         low, high, mean = moved.min(axis=0), moved.max(axis=0), moved.sum(axis=0) / 4
@@ -45,7 +47,9 @@ class Inward(dict):
         return self[lag]
 
 
-def reach(inward: Inward, size, z, flat, tool) -> tuple[float, np.ndarray, np.ndarray]:
+def reach(
+    inward: Inward, size: np.ndarray, z: np.ndarray, flat: np.ndarray, tool: float
+) -> tuple[float, np.ndarray, np.ndarray]:
     """Tell how far apart the rings of one nest may lie.
 
     A little over the tool's diameter: farther apart nothing between them is cut and they are two contours.

@@ -141,7 +141,9 @@ class _Stretches:
         closed = is_closed(self.gap, self.enclosed, self.end - self.start)
         return net + np.where(closed, closing_turns(moves.alpha, self.start, self.end), 0.0), closed
 
-    def measure(self, kind, area, net, passes, wavy) -> Pieces:
+    def measure(
+        self, kind: np.ndarray, area: np.ndarray, net: np.ndarray, passes: np.ndarray, wavy: np.ndarray
+    ) -> Pieces:
         """Return the pieces with all their measures."""
         moves, start = self.moves, self.start
         low, high = np.minimum, np.maximum
@@ -203,15 +205,18 @@ def half_turns(moves: Areas, parts: _Stretches, able: np.ndarray) -> tuple[np.nd
     passes : (k,) int
     """
     k = len(parts.start)
-    alternating, constant, passes = np.zeros(k), np.zeros(k), np.ones(k, np.int64)
+    alternating: np.ndarray = np.zeros(k)
+    constant: np.ndarray = np.zeros(k)
+    passes = np.ones(k, np.int64)
     stretch = np.flatnonzero(able)
     if not len(stretch):
         return alternating, constant, passes
     size = (parts.end - parts.start)[stretch]
-    of, chosen = np.repeat(stretch, size), slice(None)
+    of, dx, dy, length = np.repeat(stretch, size), moves.dx, moves.dy, moves.length
+    chosen = None  # all of them
     if len(stretch) < k:
         chosen = np.flatnonzero(np.repeat(able, parts.end - parts.start))
-    dx, dy, length = moves.dx[chosen], moves.dy[chosen], moves.length[chosen]
+        dx, dy, length = dx[chosen], dy[chosen], length[chosen]
     begin = np.cumsum(size) - size
     cos = dx / length
     axis = axis_of(np.add.reduceat(cos * dx, begin), np.add.reduceat(cos * dy, begin), parts.length[stretch])
@@ -227,7 +232,7 @@ def half_turns(moves: Areas, parts: _Stretches, able: np.ndarray) -> tuple[np.nd
     begin = np.flatnonzero(np.concatenate([[True], (forward[1:] != forward[:-1]) | (of[1:] != of[:-1])]))
     length, of = np.add.reduceat(length.take(on), begin), of.take(begin)
     first = on.take(begin)
-    phi = moves.phi.take(first if len(stretch) == k else chosen.take(first))
+    phi = moves.phi.take(first if chosen is None else chosen.take(first))
     passes = np.maximum(np.bincount(of, minlength=k), 1)
     half_turn = np.rint((phi[1:] - phi[:-1]) * (1 / np.pi))
     same = of[1:] == of[:-1]

@@ -111,7 +111,7 @@ def relate_rings(pieces: Pieces, index: np.ndarray, tool: float) -> Rings:
     flags = {name: np.zeros(k, bool) for name in names}
     inward = Inward(sides, enclosed, length, slack)
     limit, next_step, next_drop = reach(inward, size, z, flat, tool)
-    steps, nearest = [], np.full(k, np.inf)  # the next but one is two steps away
+    all_steps, nearest = [], np.full(k, np.inf)  # the next but one is two steps away
     for lag in range(1, min(NESTS.NEXT, k - 1) + 1):
         a, b = slice(None, -lag), slice(lag, None)
         low, high, mean, step = inward[lag]
@@ -142,7 +142,7 @@ def relate_rings(pieces: Pieces, index: np.ndarray, tool: float) -> Rings:
             # And it goes on to a third: an outline and the hole in it are cut in opposite senses, too.
             onward = turns[1:] & turns[:-1] & (mean[1:] * mean[:-1] > 0)
             found["opposite"] = np.append(onward, False) | np.append(False, onward)
-        steps.append(mean[even & beside])
+        all_steps.append(mean[even & beside])
         apart = np.where(even & beside, step, np.inf)
         nearest[a], nearest[b] = np.minimum(nearest[a], apart), np.minimum(nearest[b], apart)
         for name, flag in found.items():
@@ -158,7 +158,7 @@ def relate_rings(pieces: Pieces, index: np.ndarray, tool: float) -> Rings:
     if distinct * depths < WATERLINES.DEPTHS * k:
         flags["deeper"] &= ~again
     related = flags["nested"] | flags["deeper"] | flags["repeated"] | flags["moved"] | flags["crossing"]
-    steps = np.concatenate(steps) if steps else np.zeros(0)
+    steps: np.ndarray = np.concatenate(all_steps) if all_steps else np.zeros(0)
     return Rings(
         index=index,
         length=length,
@@ -184,4 +184,5 @@ def _sloped(pieces: Pieces, index: np.ndarray) -> np.ndarray:
     """
     drop = pieces.drop[index]
     off_middle = pieces.z[index] - pieces.last_z[index] + drop / 2
-    return (np.abs(drop) > SAME.HEIGHT) & (np.abs(off_middle) < RINGS.STEADY * np.abs(drop))
+    result: np.ndarray = (np.abs(drop) > SAME.HEIGHT) & (np.abs(off_middle) < RINGS.STEADY * np.abs(drop))
+    return result

@@ -187,7 +187,7 @@ def _main_axis(moves: Areas, chosen: np.ndarray) -> tuple[float, np.ndarray, np.
     if len(chosen) < len(moves):
         dx, dy, length = dx[chosen], dy[chosen], length[chosen]
     cos = dx / length
-    axis = axis_of(dot(cos, dx), dot(cos, dy), length.sum())
+    axis = axis_of(dot(cos, dx), dot(cos, dy), float(length.sum()))
     along, aligned = _aligned(dx, dy, length, axis)
     kept = length.take(aligned).sum() / length.sum()
     if kept < ROWS.ONE_AXIS:
@@ -201,12 +201,12 @@ def _main_axis(moves: Areas, chosen: np.ndarray) -> tuple[float, np.ndarray, np.
     if kept < ROWS.ALL_ALIGNED:
         # Once more without the links: along a slanting boundary they turn the axis.
         cos = cos.take(aligned)
-        axis = axis_of(dot(cos, dx.take(aligned)), dot(cos, dy.take(aligned)), length.take(aligned).sum())
+        axis = axis_of(dot(cos, dx.take(aligned)), dot(cos, dy.take(aligned)), float(length.take(aligned).sum()))
         along, aligned = _aligned(dx, dy, length, axis)
     return axis, along, aligned, length
 
 
-def _aligned(dx, dy, length, axis) -> tuple[np.ndarray, np.ndarray]:
+def _aligned(dx: np.ndarray, dy: np.ndarray, length: np.ndarray, axis: float) -> tuple[np.ndarray, np.ndarray]:
     """Return how far the moves go along an axis, mm, and which of them keep to it."""
     along = dx * np.cos(axis)
     along += dy * np.sin(axis)

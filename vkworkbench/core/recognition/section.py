@@ -207,7 +207,8 @@ def _long(p: Pieces, which: np.ndarray) -> np.ndarray:
     if not len(index):
         return index
     length = p.length[index]
-    return index[length > LITTLE.PIECE * length.max()]
+    result: np.ndarray = index[length > LITTLE.PIECE * length.max()]
+    return result
 
 
 def _turned_against(moves: Areas, p: Pieces, r: Rings) -> tuple[np.ndarray, np.ndarray]:
@@ -215,7 +216,8 @@ def _turned_against(moves: Areas, p: Pieces, r: Rings) -> tuple[np.ndarray, np.n
 
     Bends that rounding may have made do not count: finely sampled spirals are full of them.
     """
-    angle, places = np.zeros(len(r)), np.zeros(len(r), np.int64)
+    angle: np.ndarray = np.zeros(len(r))
+    places: np.ndarray = np.zeros(len(r), np.int64)
     some = np.flatnonzero(r.winding)
     if len(some):
         ring = np.full(len(p), -1)

@@ -148,19 +148,21 @@ def compared(v: Visits) -> np.ndarray:
     """Compare every visit with the next: (k-1, m), the measures of `MEASURES` with no unit of length in them."""
     a, b = slice(None, -1), slice(1, None)
 
-    def differ(values, least=1e-6):
+    def differ(values: np.ndarray, least: float = 1e-6) -> np.ndarray:
         """Relative difference."""
         larger = np.maximum(np.abs(values[a]), np.abs(values[b]))
-        return np.minimum(np.abs(values[b] - values[a]) / np.maximum(larger, least), 1.0)
+        result: np.ndarray = np.minimum(np.abs(values[b] - values[a]) / np.maximum(larger, least), 1.0)
+        return result
 
-    def ratio(values, least):
+    def ratio(values: np.ndarray, least: float) -> np.ndarray:
         """Logarithm of the ratio of the larger to the smaller."""
         return np.minimum(np.abs(np.log((values[a] + least) / (values[b] + least))), 6.0)
 
-    def same(values):
-        return (np.abs(values[b] - values[a]) < SAME.HEIGHT).astype(float)
+    def same(values: np.ndarray) -> np.ndarray:
+        result: np.ndarray = (np.abs(values[b] - values[a]) < SAME.HEIGHT).astype(float)
+        return result
 
-    def higher(values):
+    def higher(values: np.ndarray) -> np.ndarray:
         return (values[b] > values[a] + SAME.HEIGHT).astype(float)
 
     size = np.maximum(np.hypot(*(v.high - v.low).T), VISITS.SMALL)

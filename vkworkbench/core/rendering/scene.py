@@ -60,13 +60,13 @@ def scene(
         Where nothing is seen.
     """
     size = zbuffer.frame.height, zbuffer.frame.width
-    seen = zbuffer.picture if part or chips is None else None
     if chips is None:
-        depth, owner = seen.depth, seen.owner
+        depth, owner = zbuffer.picture.depth, zbuffer.picture.owner
     else:
         removed = zbuffer.chips(*chips)
         depth, owner = removed.depth, removed.owner
-        if seen is not None:
+        if part:
+            seen = zbuffer.picture
             with np.errstate(invalid="ignore"):
                 behind = np.isnan(depth) | (seen.depth < depth)
             depth, owner = np.where(behind, seen.depth, depth), np.where(behind, seen.owner, owner)

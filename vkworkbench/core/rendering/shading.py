@@ -61,7 +61,8 @@ def _slopes(depth: np.ndarray, pixel: float, axis: int) -> np.ndarray:
 def _bends(depth: np.ndarray, pixel: float, axis: int) -> np.ndarray:
     """How much the slope changes at each pixel; nothing beside the part."""
     before, after = _steps(depth, pixel, axis)
-    return np.nan_to_num(np.abs(after - before), nan=0.0)
+    result: np.ndarray = np.nan_to_num(np.abs(after - before), nan=0.0)
+    return result
 
 
 def _steps(depth: np.ndarray, unit: float, axis: int) -> tuple[np.ndarray, np.ndarray]:

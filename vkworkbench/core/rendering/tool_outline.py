@@ -47,8 +47,8 @@ def _hull(points: np.ndarray) -> np.ndarray:
     """Convex hull in the plane (Andrew 1979)."""
     ordered = sorted(set(map(tuple, points.round(6).tolist())))
 
-    def half(points):
-        chain: list = []
+    def half(points: list[tuple[float, ...]]) -> list[tuple[float, ...]]:
+        chain: list[tuple[float, ...]] = []
         for x, y in points:
             while len(chain) > 1 and (chain[-1][0] - chain[-2][0]) * (y - chain[-2][1]) <= (
                 chain[-1][1] - chain[-2][1]

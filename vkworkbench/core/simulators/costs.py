@@ -9,7 +9,7 @@ from typing import Any
 from vkworkbench.core.simulators.accuracy import Accuracy
 from vkworkbench.core.simulators.legacy import LegacyCost
 from vkworkbench.core.simulators.opengl import OpenGLCost
-from vkworkbench.core.simulators.simulator import Advice, Cost, Simulator
+from vkworkbench.core.simulators.simulator import Advice, Simulator
 from vkworkbench.core.simulators.table import LEGACY, OPENGL, SIMULATORS, ZBUFFER
 from vkworkbench.core.zbuffer import Resolution
 
@@ -25,28 +25,32 @@ class Costs:
         The finest setting of a simulator within the budget of the preferences; the same simulators are missing.
     """
 
-    costs: Mapping[str, Cost]
+    costs: Mapping[str, Any]
     advice: Mapping[str, Any]
 
     @property
     def legacy(self) -> LegacyCost | None:
         """What FreeCAD's legacy simulator takes, at the accuracy of the preferences."""
-        return self.costs.get(LEGACY.name)
+        cost: LegacyCost | None = self.costs.get(LEGACY.name)
+        return cost
 
     @property
     def opengl(self) -> OpenGLCost | None:
         """What FreeCAD's OpenGL simulator takes; None also where this FreeCAD has none."""
-        return self.costs.get(OPENGL.name)
+        cost: OpenGLCost | None = self.costs.get(OPENGL.name)
+        return cost
 
     @property
     def resolution(self) -> Resolution | None:
         """The finest image of the z-buffer within the budget of the preferences."""
-        return self.advice.get(ZBUFFER.name)
+        chosen: Resolution | None = self.advice.get(ZBUFFER.name)
+        return chosen
 
     @property
     def accuracy(self) -> Accuracy | None:
         """The finest accuracy of playing in the legacy simulator within that budget."""
-        return self.advice.get(LEGACY.name)
+        chosen: Accuracy | None = self.advice.get(LEGACY.name)
+        return chosen
 
     def cost(self, simulator: str) -> tuple[float, float] | None:
         """Return seconds and bytes of simulating it, None where they are not known.
@@ -58,12 +62,12 @@ class Costs:
             highest speed.
         """
         cost = self.costs.get(simulator)
-        return cost and (cost.seconds, float(cost.memory_bytes))
+        return None if cost is None else (cost.seconds, float(cost.memory_bytes))
 
     def factor(self, simulator: str) -> float:
         """Return the factor of the time of :meth:`cost`: the true time is between it divided and multiplied by this."""
         cost = self.costs.get(simulator)
-        return cost.factor if cost else 1.0
+        return 1.0 if cost is None else float(cost.factor)
 
     def columns(self) -> dict[str, Any]:
         """Return columns of CSV and JSON: the explanations of the advice, and the costs in FreeCAD's simulators."""
@@ -74,7 +78,7 @@ class Costs:
 
     def factors(self) -> dict[str, float]:
         """Return the factors of these times, see :meth:`factor`, for CSV and JSON."""
-        return {simulator.factor_column: self.factor(simulator.name) for simulator in _beside_the_papers()}
+        return {s.factor_column: self.factor(s.name) for s in _beside_the_papers() if s.factor_column is not None}
 
     def advice_messages(self) -> dict[str, Any]:
         """Return the messages of the advice as plain data."""

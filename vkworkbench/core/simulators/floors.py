@@ -6,7 +6,8 @@ from __future__ import annotations
 import numpy as np
 
 from vkworkbench.core.simulators.heightmap import grid_shape, motions_done
-from vkworkbench.core.solids import Stock, Tool
+from vkworkbench.core.solids import Tool
+from vkworkbench.core.stocks import Solid
 from vkworkbench.core.toolpath import Toolpath
 
 # Cells along the stock's longer side. Cells become larger where the moves would pass over more rows of cells in all.
@@ -15,7 +16,7 @@ _MOST_ROWS = 300_000
 
 
 def floors(
-    toolpath: Toolpath, *, tool: Tool, stock: Stock, thickness: float, parts: int = 1
+    toolpath: Toolpath, *, tool: Tool, stock: Solid, thickness: float, parts: int = 1
 ) -> tuple[list[np.ndarray], float]:
     """Map where the path leaves material at the lower face of the stock's bounding box.
 
@@ -66,7 +67,9 @@ def floors(
     return all_kept, size
 
 
-def _swept_rows(begin, end, radius, size, columns, rows) -> tuple[np.ndarray, ...]:
+def _swept_rows(
+    begin: np.ndarray, end: np.ndarray, radius: np.ndarray, size: float, columns: int, rows: int
+) -> tuple[np.ndarray, ...]:
     """Cells under discs swept along lines: index of the line, row, first column and the one after the last."""
     lowest = np.ceil((np.minimum(begin, end)[:, 1] - radius) / size - 0.5).clip(0, rows).astype(int)
     highest = np.floor((np.maximum(begin, end)[:, 1] + radius) / size - 0.5).clip(-1, rows - 1).astype(int)

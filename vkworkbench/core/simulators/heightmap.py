@@ -5,7 +5,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from vkworkbench.core.solids import Stock, Tool
+from vkworkbench.core.solids import Tool
+from vkworkbench.core.stocks import Solid
 from vkworkbench.core.toolpath import Toolpath
 
 _CELLS = 100
@@ -15,7 +16,7 @@ _MOST_SAMPLES = 300_000
 _SAMPLES_AT_ONCE = 16_384
 
 
-def heightmaps(toolpath: Toolpath, *, tool: Tool, stock: Stock, parts: int = 1) -> tuple[list[np.ndarray], float]:
+def heightmaps(toolpath: Toolpath, *, tool: Tool, stock: Solid, parts: int = 1) -> tuple[list[np.ndarray], float]:
     """Heights the tool leaves on the stock's bounding box, cut as the legacy simulator does: rapids cut too.
 
     The lowest height of the tip over each cell is spread over the tool's disc, so the cost is O(n) for the
@@ -27,7 +28,7 @@ def heightmaps(toolpath: Toolpath, *, tool: Tool, stock: Stock, parts: int = 1) 
         The trajectories.
     tool : Tool
         Its radius and the form of its tip.
-    stock : Stock
+    stock : Solid
         Anything with ``lower`` and ``upper`` corners, mm.
     parts : int
         Number of maps: one after each of so many equal parts of the commands that move.
@@ -76,7 +77,7 @@ def _stamp(tips: np.ndarray, points: np.ndarray, origin: np.ndarray, size: float
     lengths = np.abs(moves[:, :2]).max(axis=1, initial=0)
     # A path that would need more samples passes over every cell many times: wider spacing misses none.
     spacing = max(spacing, float(lengths.sum()) / _MOST_SAMPLES)
-    _lower(tips, *points[:1].T, origin, size)
+    _lower(tips, points[:1].T, origin, size)
     low = np.flatnonzero(np.minimum(points[:-1, 2], points[1:, 2]) < tips.max())
     start, move = points[low].T, moves[low].T
     counts = (np.ceil(lengths[low] / spacing) + 1).astype(int)
@@ -88,13 +89,14 @@ def _stamp(tips: np.ndarray, points: np.ndarray, origin: np.ndarray, size: float
         part = counts[begin:end]
         step = np.arange(1, ends[end - 1] - before + 1) - np.repeat(ends[begin:end] - part - before, part)
         step = step / np.repeat(part, part)
-        _lower(tips, *(np.repeat(start[axis, begin:end], part) + step * np.repeat(move[axis, begin:end], part)
-                       for axis in range(3)), origin, size)  # fmt: skip
+        sampled = np.repeat(start[:, begin:end], part, axis=1) + step * np.repeat(move[:, begin:end], part, axis=1)
+        _lower(tips, sampled, origin, size)
         begin = end
 
 
-def _lower(tips: np.ndarray, x: np.ndarray, y: np.ndarray, z: np.ndarray, origin: np.ndarray, size: float) -> None:
-    """Lower the cells at points to their heights."""
+def _lower(tips: np.ndarray, points: np.ndarray, origin: np.ndarray, size: float) -> None:
+    """Lower the cells at points (3, k) to their heights."""
+    x, y, z = points
     column, row = np.floor((x - origin[0]) / size), np.floor((y - origin[1]) / size)
     inside = np.flatnonzero((column >= 0) & (column < tips.shape[0]) & (row >= 0) & (row < tips.shape[1]))
     if not len(inside):
@@ -108,10 +110,11 @@ def _lower(tips: np.ndarray, x: np.ndarray, y: np.ndarray, z: np.ndarray, origin
     flat[cell[first]] = np.minimum(flat[cell[first]], lowest)
 
 
-def grid_shape(stock: Stock, size: float) -> np.ndarray:
+def grid_shape(stock: Solid, size: float) -> np.ndarray:
     """Numbers of cells of an edge of `size` mm that cover the stock's bounding box in X and Y, (2,) int."""
     side = np.asarray(stock.upper, float)[:2] - np.asarray(stock.lower, float)[:2]
-    return np.maximum(np.ceil(side / size - 1e-9), 1).astype(int)
+    result: np.ndarray = np.maximum(np.ceil(side / size - 1e-9), 1).astype(int)
+    return result
 
 
 def motions_done(toolpath: Toolpath, parts: int) -> np.ndarray:

@@ -34,7 +34,8 @@ def from_data(name: str, data: Any) -> Cost:
     """
     kind = _KINDS[name]
     values = {field.name: _value(field.name, data[field.name]) for field in fields(kind) if field.name != _DROPPED}
-    return kind(**values)
+    cost: Cost = kind(**values)
+    return cost
 
 
 def _plain(value: Any) -> Any:

@@ -19,7 +19,8 @@ from vkworkbench.core.simulators.legacy_mesh import BOX, mesh_facets
 from vkworkbench.core.simulators.legacy_panel import panel_seconds
 from vkworkbench.core.simulators.motions import Motions
 from vkworkbench.core.simulators.simulator import Conditions, Task
-from vkworkbench.core.solids import Stock, Tool
+from vkworkbench.core.solids import Tool
+from vkworkbench.core.stocks import Solid
 from vkworkbench.core.toolpath import Toolpath
 
 NAME = "legacy"
@@ -60,7 +61,7 @@ class LegacyWork:
     resolution: float
 
 
-def legacy_work(made: Motions, *, diameter: float, stock: Stock, accuracy: float = 0.1) -> LegacyWork:
+def legacy_work(made: Motions, *, diameter: float, stock: Solid, accuracy: float = 0.1) -> LegacyWork:
     """Count what the legacy simulator does to cut (``ApplyLinearTool`` in VolSim.cpp).
 
     Every move, rapids and moves outside the stock included, walks ``2 r / 0.6`` lines of ``L / 0.6`` steps (r and L in
@@ -73,7 +74,7 @@ def legacy_work(made: Motions, *, diameter: float, stock: Stock, accuracy: float
         From :func:`motions`.
     diameter : float
         Widest diameter of the tool, its shank included, mm.
-    stock : Stock
+    stock : Solid
         Box with ``lower`` and ``upper`` corners, mm.
     accuracy : float
         Edge of a cell in percent of the stock's longer side: 1.1 - 0.1 times the slider's position, 0.1 to 1.
@@ -242,7 +243,8 @@ def legacy_costs(
     """
     if not speed > 0:
         raise ValueError(f"the speed must be positive, not {speed} commands per second")
-    toolpath, tool, stock, made = task.toolpath, task.tool, task.stock, task.motions
+    toolpath, made = task.toolpath, task.motions
+    tool, stock = task.cutting
     shown = toolpath.commands - len(toolpath.comments)
     # A drilling cycle makes a mesh after each of its three moves.
     meshes = shown + 2 * len(np.unique(toolpath.command[toolpath.cycle]))
@@ -283,7 +285,7 @@ def legacy_costs(
     return tuple(costs)
 
 
-def _triangles(toolpath: Toolpath, tool: Tool, stock: Stock, resolutions: list[float]) -> tuple[np.ndarray, float]:
+def _triangles(toolpath: Toolpath, tool: Tool, stock: Solid, resolutions: list[float]) -> tuple[np.ndarray, float]:
     """Return the triangles of the last mesh at each resolution, and their mean over the play as a share of the last."""
     finest = min(resolutions)
     maps, size = heightmaps(toolpath, tool=tool, stock=stock, parts=_LOOKS)

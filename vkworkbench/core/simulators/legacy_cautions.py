@@ -20,7 +20,7 @@ _CLOCKWISE, _COUNTERCLOCKWISE = 20, 30
 
 def cautions(task: Task, cost: LegacyCost | None, conditions: Conditions) -> list[Caution]:
     """Find what goes wrong or takes long in it: arcs only if the words are known, ramps only if the tool is known."""
-    found = _hangs(task, conditions.version) if task.words is not None else []
+    found = _hangs(task, conditions.version)
     if task.tool is not None:
         found += _ramps(task.toolpath, task.tool.diameter)
     if cost is not None:
@@ -36,6 +36,8 @@ def _hangs(task: Task, version: tuple[int, ...]) -> list[Caution]:
     and end lie in the same direction from the centre, as in FreeCAD's Deburr. Arcs with a K word are cut by other code.
     """
     words = task.words
+    if words is None:
+        return []
     arcs = np.flatnonzero((words.codes == _CLOCKWISE) | (words.codes == _COUNTERCLOCKWISE))
     if not len(arcs):
         return []

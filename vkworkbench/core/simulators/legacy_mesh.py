@@ -70,7 +70,9 @@ def mesh_facets(
     return np.array(facets)
 
 
-def _parts(shape, size, step_x, step_y, wall_x, wall_y) -> tuple[int, int, float]:
+def _parts(
+    shape: tuple[int, ...], size: float, step_x: np.ndarray, step_y: np.ndarray, wall_x: np.ndarray, wall_y: np.ndarray
+) -> tuple[int, int, float]:
     """Cells of the map at walls, those of them where a wall goes straight on, and rectangles of a cell on the slopes."""
     cells = wall_x.sum() + wall_y.sum()
     straight = (wall_x[:, 1:] & wall_x[:, :-1]).sum() + (wall_y[1:] & wall_y[:-1]).sum()
@@ -79,7 +81,7 @@ def _parts(shape, size, step_x, step_y, wall_x, wall_y) -> tuple[int, int, float
     slope_y[:, :-1] = np.where(wall_y, 0, step_y) / size
     across = np.minimum(np.maximum(slope_x, slope_y / _LONGEST), 1)
     along = np.minimum(np.maximum(slope_y, slope_x / _LONGEST), 1)
-    return cells, straight, (across * along).sum()
+    return int(cells), int(straight), float((across * along).sum())
 
 
 def bottom_rectangles(kept: np.ndarray) -> int:

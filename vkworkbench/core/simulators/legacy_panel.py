@@ -7,7 +7,8 @@ progress. A play redraws the window for every command, and every triangle of its
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from typing import Any
 
 import numpy as np
 
@@ -87,10 +88,18 @@ def fit_play(
         s, as in :class:`Constants`.
     """
     work, default = np.stack((shown, drawn), axis=-1), np.array([DEFAULTS.redraw, DEFAULTS.display])
-    return _fit(work, display_seconds, seconds, default, _USUAL_PLAY, _LEAST_PLAY)
+    redraw, display = _fit(work, display_seconds, seconds, default, _USUAL_PLAY, _LEAST_PLAY)
+    return redraw, display
 
 
-def _fit(work, part_seconds, seconds, default, usual, least) -> tuple[float, ...]:
+def _fit(
+    work: np.ndarray,
+    part_seconds: np.ndarray,
+    seconds: np.ndarray,
+    default: np.ndarray,
+    usual: np.ndarray,
+    least: np.ndarray,
+) -> tuple[float, ...]:
     """Find the costs of the units of work of k runs, from the time that this work took and the whole time, (k,) s.
 
     Least absolute deviations by reweighted least squares (Schlossmacher 1973), so that one odd run does no harm. A
@@ -117,28 +126,28 @@ def _of(constants: Constants) -> np.ndarray:
     return np.array([constants.start, constants.tick, constants.repaint])
 
 
-def _fast_forward_of(cost, seconds: float, constants: Constants) -> tuple[int, float] | None:
+def _fast_forward_of(cost: Any, seconds: float, constants: Constants) -> tuple[int, float] | None:
     """Return a fast-forward's commands and its time beyond cutting and mesh, s; None where that is not positive."""
     panel = seconds - cost.fast_forward_seconds + cost.panel_seconds
     return (cost.commands, panel) if panel > 0 else None
 
 
-def _play_of(cost, seconds: float, constants: Constants) -> tuple[int, float, float, float] | None:
+def _play_of(cost: Any, seconds: float, constants: Constants) -> tuple[int, float, float, float] | None:
     """Return commands, triangles, time of showing and whole time of a play, s; None where it was too short."""
     if cost.shown < _SHORTEST_PLAY:
         return None
     return cost.shown, cost.drawn, seconds - cost.play_seconds + cost.display_seconds, seconds
 
 
-def _fast_forwards(runs: Sequence, constants: Constants) -> dict[str, float]:
+def _fast_forwards(runs: Sequence[Any], constants: Constants) -> dict[str, float]:
     return dict(zip(("start", "tick", "repaint"), fit_fast_forward(*np.array(runs).T)))
 
 
-def _plays(runs: Sequence, constants: Constants) -> dict[str, float]:
+def _plays(runs: Sequence[Any], constants: Constants) -> dict[str, float]:
     return dict(zip(("redraw", "display"), fit_play(*np.array(runs).T)))
 
 
-def _read_numbers(count: int):
+def _read_numbers(count: int) -> Callable[[Any], tuple[float, ...]]:
     """Return the function that reads a run from the file: `count` numbers, the first of them an integer."""
     return lambda run: (int(run[0]), *(float(run[k]) for k in range(1, count)))
 

@@ -33,7 +33,8 @@ class Motions:
     @cached_property
     def level(self) -> np.ndarray:
         """(m,) length in the XY plane, mm; of an arc, its chord."""
-        return np.hypot(self.move[:, 0], self.move[:, 1])
+        result: np.ndarray = np.hypot(self.move[:, 0], self.move[:, 1])
+        return result
 
 
 def motions(toolpath: Toolpath) -> Motions:
@@ -88,4 +89,5 @@ def _height_before_first_feed(toolpath: Toolpath, first: np.ndarray) -> np.ndarr
     """Height where the first move at feed of each group of trajectories begins."""
     n = len(toolpath)
     index = np.where(toolpath.rapid, n - 1, np.arange(n))
-    return toolpath.points[np.minimum.reduceat(index, first), 2]
+    result: np.ndarray = toolpath.points[np.minimum.reduceat(index, first), 2]
+    return result

@@ -5,11 +5,11 @@ from __future__ import annotations
 
 import logging
 import threading
-from collections.abc import Callable, Iterator, Mapping
-from typing import Any
+from collections.abc import Callable, Iterator
+from typing import Any, Mapping
 
 
-class OnDemand(Mapping):
+class OnDemand(Mapping[str, Any]):
     """Values by name, each computed when it is first asked for, and only then: whoever asks gets the same one.
 
     A value whose computation fails is missing, and the error goes to the log. To copy or to send the mapping computes
@@ -51,7 +51,7 @@ class OnDemand(Mapping):
     def __repr__(self) -> str:
         return repr(dict(self))
 
-    def __reduce__(self):
+    def __reduce__(self) -> tuple[type, tuple[dict[str, Any]]]:
         return dict, (dict(self),)
 
     def computed(self) -> tuple[str, ...]:

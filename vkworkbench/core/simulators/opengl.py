@@ -126,7 +126,8 @@ def _seen(made: Motions, diameter: float, small: np.ndarray, chords: np.ndarray)
         x + across * diameter + (1 + across) * diameter / 2,
     )
     flat = np.select(kinds, (chords * disc, arc * diameter + disc, disc), made.level * diameter + disc / 2)
-    return _TOOL_HEIGHT * np.cos(_TILT) * wide + np.sin(_TILT) * flat
+    result: np.ndarray = _TOOL_HEIGHT * np.cos(_TILT) * wide + np.sin(_TILT) * flat
+    return result
 
 
 def outline_segments(tool: Tool) -> int:
@@ -224,7 +225,7 @@ def opengl_cost(
     ValueError
         If the quality is not positive.
     """
-    tool, stock = task.tool, task.stock
+    tool, stock = task.cutting
     work = opengl_work(task.motions, diameter=tool.diameter, quality=quality)
     steps, draws, arc = work.steps, work.draws, work.arc
     window = _WINDOW * float(np.max((stock.upper - stock.lower)[:2])) ** 2

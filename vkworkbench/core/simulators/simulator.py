@@ -46,6 +46,19 @@ class Task:
         """The motions that FreeCAD's simulators make of the toolpath; computed once for all of them."""
         return motions(self.toolpath)
 
+    @property
+    def cutting(self) -> tuple[Tool, Solid]:
+        """Tool and stock.
+
+        Raises
+        ------
+        ValueError
+            If one of them is not known: then no cost is predicted.
+        """
+        if self.tool is None or self.stock is None:
+            raise ValueError("no cost is predicted without tool and stock")
+        return self.tool, self.stock
+
     def without_words(self) -> Task:
         """Return the same task without the words, which take more memory than all the rest."""
         bare = replace(self, words=None)
@@ -95,9 +108,17 @@ class Cost(Protocol):
         The true time is between `seconds` divided and multiplied by this.
     """
 
-    seconds: float
-    memory_bytes: float
-    factor: float
+    @property
+    def seconds(self) -> float:
+        """Of computing and of showing it."""
+
+    @property
+    def memory_bytes(self) -> float:
+        """At its peak."""
+
+    @property
+    def factor(self) -> float:
+        """How far the time may be off."""
 
 
 @dataclass(frozen=True)
@@ -148,7 +169,7 @@ class Lesson:
     kind: str
     run: Callable[[Any, float, Constants], Any]
     read: Callable[[Any], Any]
-    learned: Callable[[Sequence, Constants], dict[str, float]]
+    learned: Callable[[Sequence[Any], Constants], dict[str, float]]
 
 
 @dataclass(frozen=True)
@@ -220,7 +241,7 @@ class Simulator:
     name: str
     since: tuple[int, ...]
     predict: Callable[[Task, Conditions], Cost]
-    together: Callable[[Sequence], Cost]
+    together: Callable[[Sequence[Any]], Cost]
     cautions: Callable[[Task, Any, Conditions], list[Caution]] | None
     less_memory: Message
     columns: dict[str, Callable[[Any], Any]]

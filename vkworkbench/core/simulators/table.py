@@ -141,10 +141,11 @@ def predict(task: Task, conditions: Conditions) -> tuple[OnDemand, OnDemand]:
     budget = {"memory_bytes": conditions.memory_budget, "seconds": conditions.time_budget}
     simulators = available(conditions.version)
     costs = OnDemand({s.name: partial(s.predict, task, conditions) for s in simulators})
-    advice = OnDemand({
-        s.name: lambda s=s: s.advice.choose([costs[s.name]], stepover=stepover, **budget)
-        for s in simulators if s.advice
-    })  # fmt: skip
+
+    def advise(advice: Advice, name: str) -> Any:
+        return advice.choose([costs[name]], stepover=stepover, **budget)
+
+    advice = OnDemand({s.name: partial(advise, s.advice, s.name) for s in simulators if s.advice})
     return costs, advice
 
 
@@ -170,15 +171,18 @@ def together(
         As of :func:`predict`; without the simulators of which no cost is known.
     """
 
-    def known(simulator: Simulator) -> tuple[list[str], list[Cost]]:
-        pairs = [(label, own[simulator.name]) for label, own in zip(labels, each) if simulator.name in own]
-        if not pairs:
-            raise KeyError(simulator.name)
-        return tuple(map(list, zip(*pairs)))
+    def known(name: str) -> tuple[list[str], list[Cost]]:
+        found = [(label, own[name]) for label, own in zip(labels, each) if name in own]
+        if not found:
+            raise KeyError(name)
+        return [label for label, _ in found], [cost for _, cost in found]
 
-    def advise(simulator: Simulator) -> Any:
-        named, alone = known(simulator)
-        return simulator.advice.choose(alone, labels=named, stepover=stepover, **budget)
+    def total(simulator: Simulator) -> Cost:
+        return simulator.together(known(simulator.name)[1])
 
-    costs = OnDemand({s.name: lambda s=s: s.together(known(s)[1]) for s in SIMULATORS})
-    return costs, OnDemand({s.name: partial(advise, s) for s in SIMULATORS if s.advice})
+    def advise(advice: Advice, name: str) -> Any:
+        named, alone = known(name)
+        return advice.choose(alone, labels=named, stepover=stepover, **budget)
+
+    costs = OnDemand({s.name: partial(total, s) for s in SIMULATORS})
+    return costs, OnDemand({s.name: partial(advise, s.advice, s.name) for s in SIMULATORS if s.advice})

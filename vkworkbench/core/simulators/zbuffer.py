@@ -31,8 +31,9 @@ class ZBufferCost:
 
 def predict(task: Task, conditions: Conditions) -> Estimate:
     """Estimate the simulation for the image of the conditions."""
+    tool, stock = task.cutting
     return estimate(
-        task.toolpath, task.recognition, tool=task.tool, stock=task.stock, view=conditions.view, speed=conditions.speed
+        task.toolpath, task.recognition, tool=tool, stock=stock, view=conditions.view, speed=conditions.speed
     )
 
 
@@ -49,4 +50,5 @@ def together(costs: Sequence[Estimate]) -> ZBufferCost:
 
 def most_bytes(task: Task, conditions: Conditions) -> float:
     """Bound the memory of its records, bytes, in much less time than the estimate takes."""
-    return most_bytes_of(task.toolpath, tool=task.tool, stock=task.stock, view=conditions.view)
+    tool, stock = task.cutting
+    return most_bytes_of(task.toolpath, tool=tool, stock=stock, view=conditions.view)

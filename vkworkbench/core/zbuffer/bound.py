@@ -6,13 +6,14 @@ from __future__ import annotations
 import numpy as np
 
 from vkworkbench.core.solids import ConvexStock, Stock, Tool, View
+from vkworkbench.core.stocks import Solid
 from vkworkbench.core.toolpath import Toolpath
 from vkworkbench.core.zbuffer.records import PIXEL_BYTES, RECORD_BYTES
 
 _SHALLOW = 1e-3  # mm
 
 
-def cuts_surely(toolpath: Toolpath, stock: Stock | ConvexStock) -> bool:
+def cuts_surely(toolpath: Toolpath, stock: Solid) -> bool:
     """Whether the tip stands in a box of stock or below it at the end of some trajectory; else it may cut or not."""
     if not isinstance(stock, Stock):
         return False
@@ -23,7 +24,7 @@ def cuts_surely(toolpath: Toolpath, stock: Stock | ConvexStock) -> bool:
     return bool(inside.any())
 
 
-def most_bytes(toolpath: Toolpath, *, tool: Tool, stock: Stock | ConvexStock, view: View) -> float:
+def most_bytes(toolpath: Toolpath, *, tool: Tool, stock: Solid, view: View) -> float:
     """No more bytes than this hold the records of a simulation.
 
     A trajectory adds one record to a pixel it passes, two in an oblique view. A convex outline of area A and perimeter P
@@ -34,7 +35,7 @@ def most_bytes(toolpath: Toolpath, *, tool: Tool, stock: Stock | ConvexStock, vi
     ----------
     toolpath : Toolpath
     tool : Tool
-    stock : Stock or ConvexStock
+    stock : Solid
         Any other solid has no bound.
     view : View
 

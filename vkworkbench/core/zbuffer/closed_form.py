@@ -224,7 +224,7 @@ def _common_area(a: float, b: float, apart: float) -> float:
     if apart <= abs(a - b):
         return np.pi * min(a, b) ** 2
     x = (apart**2 + a**2 - b**2) / (2 * apart)
-    return a**2 * np.arccos(x / a) + b**2 * np.arccos((apart - x) / b) - apart * np.sqrt(a**2 - x**2)
+    return float(a**2 * np.arccos(x / a) + b**2 * np.arccos((apart - x) / b) - apart * np.sqrt(a**2 - x**2))
 
 
 def _row_families(t: _Trajectories, here: np.ndarray) -> list[np.ndarray]:
@@ -247,7 +247,7 @@ def _rows_area(t: _Trajectories, rows: np.ndarray, tool: Tool, stepover: float) 
     along = float((t.run * t.share)[rows].sum())
     # The tool's circle where the row is its own, |y| < step / 2.
     ends = step * np.sqrt(tool.radius**2 - step**2 / 4) + 2 * tool.radius**2 * np.arcsin(step / tool.diameter)
-    return step * along + passes * ends + (tool.diameter - step) * along / passes
+    return float(step * along + passes * ends + (tool.diameter - step) * along / passes)
 
 
 def _grown_hull(points: np.ndarray, radius: float, stock: Solid) -> tuple[float, float]:

@@ -155,8 +155,8 @@ def without_thin(pieces: Pieces, near: np.ndarray, far: np.ndarray) -> Pieces:
     thick = np.flatnonzero(pieces.far - pieces.near > THINNEST)
     if len(thick) == len(pieces.ray):
         return pieces
-    thick = Pieces(pieces.ray[thick], pieces.owner[thick], pieces.near[thick], pieces.far[thick])
-    return merged(_without_gaps(thick, near, far))
+    kept = Pieces(pieces.ray[thick], pieces.owner[thick], pieces.near[thick], pieces.far[thick])
+    return merged(_without_gaps(kept, near, far))
 
 
 def _without_gaps(pieces: Pieces, near: np.ndarray, far: np.ndarray) -> Pieces:

@@ -60,7 +60,8 @@ def cuts_air(zbuffer: ZBuffer) -> np.ndarray:
     # A rapid, and another cut, begin a new stretch.
     parts = np.cumsum(cuts.rapid) + cuts.cut
     _, together = np.unique(np.stack((parts, stretch)), axis=1, return_inverse=True)
-    return ~cuts.rapid & (np.bincount(together.ravel(), volumes)[together.ravel()] == 0)
+    result: np.ndarray = ~cuts.rapid & (np.bincount(together.ravel(), volumes)[together.ravel()] == 0)
+    return result
 
 
 def air_share(zbuffer: ZBuffer) -> float:
@@ -191,10 +192,8 @@ def fast_plunges(zbuffer: ZBuffer) -> list[Plunge]:
     cuts = zbuffer.cuts
     start, end = cuts.ends
     run, fall = np.hypot(*(end - start)[:, :2].T), start[:, 2] - end[:, 2]
-    allowed, radius = (
-        np.array([value(own) for own in cuts.cuts])[cuts.cut]
-        for value in (lambda own: own.vertical_feed, lambda own: own.tool.radius)
-    )
+    allowed = np.array([own.vertical_feed for own in cuts.cuts])[cuts.cut]
+    radius = np.array([own.tool.radius for own in cuts.cuts])[cuts.cut]
     fast = ~cuts.rapid & (fall > _PLUNGE * run) & (allowed > 0) & (cuts.feed > _FASTER * allowed)
     volumes = removed_volumes(zbuffer)
     depth, _ = engagement(zbuffer)

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
@@ -132,7 +133,7 @@ def facts(zbuffer: ZBuffer, *, model: Solid | None = None, tolerance: float = 0.
         in_time = np.where(seconds > 0, removed, 0.0)
         total = float(seconds.sum())
 
-        def own(found: list) -> tuple:
+        def own(found: list[Any]) -> tuple[Any, ...]:
             return tuple(one for one in found if (whole if one.source is None else one.source.cut in these))
 
         return CutFacts(

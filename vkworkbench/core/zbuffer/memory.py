@@ -61,9 +61,9 @@ def memory_needed(cuts: Iterable[Cut], *, stock: Solid, view: View) -> float:
     stock : Solid
     view : View
     """
-    cuts = Cuts(cuts)
-    removal = Removal(cuts, stock, view.frame(stock))
-    return peak_bytes(count(removal), len(cuts), removal)
+    numbered = Cuts(cuts)
+    removal = Removal(numbered, stock, view.frame(stock))
+    return peak_bytes(count(removal), len(numbered), removal)
 
 
 def check_memory(removal: Removal, trajectories: int, allowed: float) -> None:

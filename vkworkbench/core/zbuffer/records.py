@@ -55,7 +55,8 @@ class Records:
     @property
     def cut(self) -> np.ndarray:
         """Which pieces a trajectory removes, (p,) bool."""
-        return (self.owner != GAP) & (self.owner < self.trajectories)
+        result: np.ndarray = (self.owner != GAP) & (self.owner < self.trajectories)
+        return result
 
     def near(self) -> np.ndarray:
         """Depth at which each piece begins, (p,) float32 mm."""
@@ -67,7 +68,8 @@ class Records:
 
     def pixel(self) -> np.ndarray:
         """Pixel of each piece, (p,) uint32."""
-        return np.repeat(np.arange(len(self.entry), dtype=np.uint32), np.diff(self.index.astype(np.int64)))
+        index: np.ndarray = self.index.astype(np.int64)
+        return np.repeat(np.arange(len(self.entry), dtype=np.uint32), index[1:] - index[:-1])
 
     def dexels(self, step: int) -> np.ndarray:
         """Return what `step` trajectories leave of the stock: (d,) ndarray of DEXEL, by pixel and depth."""
@@ -91,7 +93,8 @@ class Records:
     def trace_index(self) -> np.ndarray:
         """Return each pixel's first element in :meth:`traces`, (pixels + 1,) ndarray of INDEX."""
         before = np.append(0, np.cumsum(self.cut))
-        return before[self.index].astype(INDEX)
+        result: np.ndarray = before[self.index].astype(INDEX)
+        return result
 
 
 class Writer:

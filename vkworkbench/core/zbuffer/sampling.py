@@ -133,4 +133,5 @@ def _passes(removal: Removal, low: np.ndarray, side: np.ndarray) -> np.ndarray:
     corner = np.concatenate((r0 * wide + c0, r1 * wide + c1, r0 * wide + c1, r1 * wide + c0))
     sign = np.repeat([1.0, 1.0, -1.0, -1.0], len(c0))
     counts = np.bincount(corner, sign, wide * wide).reshape(wide, wide)
-    return np.rint(counts.cumsum(axis=0).cumsum(axis=1)[:-1, :-1])
+    result: np.ndarray = np.rint(counts.cumsum(axis=0).cumsum(axis=1)[:-1, :-1])
+    return result

@@ -73,26 +73,28 @@ def simulate_job(
     OverBudget
         Before anything is simulated, if it would take more memory than that.
     """
-    cuts = Cuts(cuts)
+    numbered = Cuts(cuts)
     frame = view.frame(stock)
-    removal = Removal(cuts, stock, frame)
-    check_memory(removal, len(cuts), memory_budget)
+    removal = Removal(numbered, stock, frame)
+    check_memory(removal, len(numbered), memory_budget)
     bounds = Upright(removal) if removal.sine == 0 else Tilted(removal)
-    writer = Writer(len(cuts), frame.width * frame.height)
+    writer = Writer(len(numbered), frame.width * frame.height)
     candidates = 0
     for bottom in range(0, frame.height, TILE):
         blocks = culled(removal, bounds, bottom, min(bottom + TILE, frame.height))
         if going_on is not None:
             going_on(bottom / frame.height)
             blocks = _told(blocks, going_on, bottom / frame.height)
-        band, tested = _cut_band(removal, blocks, len(cuts), bottom)
+        band, tested = _cut_band(removal, blocks, len(numbered), bottom)
         writer.append(band)
         candidates += tested
     records = writer.records()
-    return ZBuffer(frame, cuts, len(cuts), records, Surface(records), candidates)
+    return ZBuffer(frame, numbered, len(numbered), records, Surface(records), candidates)
 
 
-def _told(blocks: Iterator, going_on: Callable[[float], None], done: float) -> Iterator:
+def _told(
+    blocks: Iterator[tuple[Tiles, int]], going_on: Callable[[float], None], done: float
+) -> Iterator[tuple[Tiles, int]]:
     for block in blocks:
         going_on(done)
         yield block

@@ -71,7 +71,8 @@ def fit_speed(amounts: np.ndarray, seconds: np.ndarray) -> Speed:
     rows = np.vstack((amounts * usual / seconds[:, None], _RIDGE * np.eye(len(usual))))
     right = np.concatenate((np.ones(len(seconds)), np.full(len(usual), _RIDGE)))
     shares = np.linalg.lstsq(rows, right, rcond=None)[0]
-    return Speed(*(usual * np.maximum(shares, _LEAST)).tolist(), factor=_FACTOR)
+    trajectory, pixel, candidate, tilted_candidate, record = (usual * np.maximum(shares, _LEAST)).tolist()
+    return Speed(trajectory, pixel, candidate, tilted_candidate, record, factor=_FACTOR)
 
 
 def _time(toolpath: Toolpath, tool: Tool, view: View) -> tuple[np.ndarray, float]:

@@ -82,7 +82,8 @@ def _lowest_position(
     if not slope.any():
         return np.zeros_like(slope)
     if tool.rounding == tool.radius:
-        return -slope * half / np.sqrt(1 + slope**2)
+        on_ball: np.ndarray = -slope * half / np.sqrt(1 + slope**2)
+        return on_ball
     if tool.rounding == 0:
         steeper = tool.steepness**2 - slope**2
         inner = np.abs(slope) * np.sqrt(aside2 / np.where(steeper > 0, steeper, 1))
@@ -99,7 +100,8 @@ def _lowest_position(
         rising = beyond * middle + slope * r * np.sqrt(tool.rounding**2 - beyond**2) > 0
         high = np.where(rising, middle, high)
         low = np.where(rising, low, middle)
-    return (low + high) / 2
+    result: np.ndarray = (low + high) / 2
+    return result
 
 
 def intervals(
@@ -153,7 +155,8 @@ def _level_slot(
     ux, uy, _ = move
     run = np.sqrt(ux**2 + uy**2)
     reach = radius * uy / np.where(run > 0, run, 1)
-    low, high = np.inf, -np.inf
+    low: np.ndarray = np.array(np.inf)
+    high: np.ndarray = np.array(-np.inf)
     with np.errstate(invalid="ignore"):
         for t in (0.0, 1.0, np.clip(divide(x + reach, ux), 0, 1), np.clip(divide(x - reach, ux), 0, 1)):
             aside, along = x - t * ux, y - t * uy

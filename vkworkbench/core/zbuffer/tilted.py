@@ -10,7 +10,7 @@ from the side where they pass a plane across the view.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from math import hypot, sqrt
 
@@ -64,7 +64,7 @@ class Tilted:
 
     def _intervals(
         self,
-        tools: list[tuple[Tool | None, float]],
+        tools: Sequence[tuple[Tool | None, float]],
         item: np.ndarray,
         start: np.ndarray,
         move: np.ndarray,

@@ -158,7 +158,10 @@ class Trajectories:
         left, right, bottom, top = self.box.take(item, axis=1)
         nx, ny, low, high = self.strip.take(item, axis=1)
         across = nx * x + ny * y
-        return (left <= x) & (x <= right) & (bottom <= y) & (y <= top) & (low <= across) & (across <= high)
+        result: np.ndarray = (
+            (left <= x) & (x <= right) & (bottom <= y) & (y <= top) & (low <= across) & (across <= high)
+        )
+        return result
 
     def intervals(self, x: np.ndarray, y: np.ndarray, item: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Depths at which rays enter and leave the volumes swept, one ray and one position in `index` each.

@@ -68,7 +68,8 @@ class Upright:
 
     def _of_kind(self, number: int, item: np.ndarray, places: Sequence[np.ndarray]) -> tuple[np.ndarray, np.ndarray]:
         tool, level = self.trajectories.kinds[number]
-        return bounds(tool, *places, None if level else self.slope.take(item))
+        along, aside, extent, half_run, depth = places
+        return bounds(tool, along, aside, extent, half_run, depth, None if level else self.slope.take(item))
 
 
 def bounds(
@@ -168,6 +169,8 @@ def profile(tool: Tool, distance2: np.ndarray) -> np.ndarray | float:
         return 0.0
     distance = np.sqrt(np.minimum(distance2, tool.radius**2))
     if corner == 0:
-        return tool.steepness * np.maximum(distance - tool.tip, 0)
+        on_cone: np.ndarray = tool.steepness * np.maximum(distance - tool.tip, 0)
+        return on_cone
     beyond_flat = np.maximum(distance - (tool.radius - corner), 0)
-    return corner - np.sqrt(np.maximum(corner**2 - beyond_flat**2, 0.0))
+    result: np.ndarray = corner - np.sqrt(np.maximum(corner**2 - beyond_flat**2, 0.0))
+    return result

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from vkworkbench.language.marking import QT_TRANSLATE_NOOP
 
-COMMANDS = {
+COMMANDS: dict[str, str | tuple[str, str]] = {
     "in-commands": (
         QT_TRANSLATE_NOOP("Sentences", "{sentence} (command {command:#})"),
         QT_TRANSLATE_NOOP("Sentences", "{sentence} ({count:n} times, first at command {command:#})"),

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from vkworkbench.language.marking import QT_TRANSLATE_NOOP
 
-OPERATIONS = {
+OPERATIONS: dict[str, str | tuple[str, str]] = {
     "verbatim": "{text}",  # what was written by a version without codes
     "of": QT_TRANSLATE_NOOP("Sentences", "{label}: {sentence}"),
     "inactive": QT_TRANSLATE_NOOP("Sentences", "inactive: switch it on and recompute it"),

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from vkworkbench.language.marking import QT_TRANSLATE_NOOP
 
-PROGRAMS = {
+PROGRAMS: dict[str, str | tuple[str, str]] = {
     "at-line": (
         QT_TRANSLATE_NOOP("Sentences", "{what} (line {line:#})"),
         QT_TRANSLATE_NOOP("Sentences", "{what} ({count:n} times, first in line {line:#})"),

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from vkworkbench.language.marking import QT_TRANSLATE_NOOP
 
-RECOGNITION = {
+RECOGNITION: dict[str, str | tuple[str, str]] = {
     "rows": (
         QT_TRANSLATE_NOOP(
             "Sentences",

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from vkworkbench.language.marking import QT_TRANSLATE_NOOP
 
-SIMULATORS = {
+SIMULATORS: dict[str, str | tuple[str, str]] = {
     # What goes wrong.
     "legacy-hangs": QT_TRANSLATE_NOOP(
         "Sentences", "The {simulator:simulator} hangs on an arc {reason} (command {command:#}{others}): {instead}."
