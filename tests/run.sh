@@ -2,18 +2,18 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Run all tests on FreeCAD 0.20.2, 1.0.0 and 1.1.3, after installing what is missing of them. Takes root or sudo.
 #
-#     tests/run.sh [core|document|gui] [0.20.2|1.0.0|1.1.3|bookworm|trixie|forky] [PYTEST ARGUMENTS]
+#     tests/run.sh [tools|core|document|gui] [0.20.2|1.0.0|1.1.3|bookworm|trixie|forky] [PYTEST ARGUMENTS]
 #
 # The FreeCADs come from Debian: the machine's own release and roots of the others, made once, a few minutes each, in a
-# cache folder. A FreeCAD that could not be tested is named at the end. Logs and pictures are in build/tests.
+# cache folder; ruff and mypy, the tools, come from PyPI. What could not be tested is named at the end. Logs and pictures are in build/tests.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-layers="core document gui"
+layers="tools core document gui"
 suites="bookworm trixie forky"
 while [ $# -gt 0 ]; do
     case $1 in
-        core | document | gui) layers=$1 ;;
+        tools | core | document | gui) layers=$1 ;;
         bookworm | 0.20.2) suites=bookworm ;;
         trixie | 1.0.0) suites=trixie ;;
         forky | 1.1.3) suites=forky ;;
@@ -43,9 +43,12 @@ exec 9> build/tests.lock
 flock --nonblock 9 || { echo "Waiting for another run of the tests in this checkout"; flock 9; }
 
 rm -rf "$results"
-echo "Preparing the FreeCADs of: $suites. One that is missing takes some minutes and 2 GB; its tests about ten minutes"
+case " $layers " in *" tools "*) tests/tools.sh "$results" "$cache" ;; esac
+layers=${layers#tools}
+[ -n "$layers" ] || suites=""
+[ -z "$suites" ] || echo "Preparing the FreeCADs of: $suites. One that is missing takes some minutes and 2 GB; its tests about ten minutes"
 # Whatever its own release, the machine makes the roots.
-prepare "own" tests/install.sh || echo "This machine lacks packages: $(cat "$results/own/not-tested")"
+[ -z "$suites" ] || prepare "own" tests/install.sh || echo "This machine lacks packages: $(cat "$results/own/not-tested")"
 for suite in $suites; do
     if [ "$suite" = "$own" ]; then
         mv "$results/own" "$results/$suite"

@@ -59,8 +59,24 @@ def in_words(numbers):
     return ", ".join(f"{numbers[key]} {key}" for key in ("passed", "failed", "skipped") if numbers[key])
 
 
+def judge_tools(results):
+    """What ruff and mypy say, in a line; whether they are content, None where they did not run."""
+    if (results / "tools.not-run").exists():
+        return f"NOT RUN: ruff and mypy: {(results / 'tools.not-run').read_text().strip()}", None
+    if not (results / "tools.status").exists():
+        return "ruff and mypy: not run", None
+    if (results / "tools.status").read_text().strip() == "0":
+        return "ruff and mypy: nothing found", True
+    log = results / "tools.log"
+    print(f"\nruff and mypy found something; {log}:", log.read_text(errors="replace"), sep="\n")
+    return "ruff and mypy: found something", False
+
+
 def main(results, suites):
     total = Counter()
+    tools, content = judge_tools(results)
+    if content is not None:
+        total["passed" if content else "failed"] += 1
     rows, absent = [], []
     for folder in [results / suite for suite in suites]:
         reason = folder / "not-tested"
@@ -88,7 +104,7 @@ def main(results, suites):
     print()
     for row in table:
         print("  ".join(cell.ljust(width) for cell, width in zip(row, widths)).rstrip())
-    print(*absent, sep="\n")
+    print(tools, *absent, sep="\n")
     print(
         f"{total['passed']} passed, {total['failed']} failed" + f", {total['skipped']} skipped" * bool(total["skipped"])
     )
