@@ -147,7 +147,7 @@ def test_ctrl_c_ends_it_with_all_its_processes(folder, tmp_path):
         c for task in Path(f"/proc/{process.pid}/task").iterdir() for c in (task / "children").read_text().split()
     ]
     process.send_signal(signal.SIGINT)
-    _, said = process.communicate(timeout=20)
+    _, said = process.communicate(timeout=120)
     assert process.returncode == 130
     assert said.splitlines()[-1] == "Stopped after 6 of 7 files; --resume goes on." and "Traceback" not in said
     assert children and not any(Path(f"/proc/{child}/cmdline").exists() for child in children)
