@@ -6,7 +6,7 @@ Each room below has a face, its ``__init__``; nobody imports past it.
 
 from vkworkbench.core.gcode import linearize
 from vkworkbench.core.machining import Machining, exact_lengths, machining, trajectory_seconds
-from vkworkbench.core.paper import Signature, signature
+from vkworkbench.core.paper import Complexity, Signature, complexity, signature
 from vkworkbench.core.recognition import Recognition, Span, recognize
 from vkworkbench.core.simulators import Accuracy, best_accuracy
 from vkworkbench.core.solids import ConvexStock, Frame, Stock, Tool, View, stock_around
@@ -20,6 +20,7 @@ from vkworkbench.core.zbuffer import (
     Speed,
     ZBuffer,
     best_resolution,
+    cauchy_crofton,
     estimate,
     measure_speed,
     simulate,
@@ -27,8 +28,8 @@ from vkworkbench.core.zbuffer import (
 )
 
 __all__ = [
-    "Accuracy", "ConvexStock", "Cut", "Cylinder", "Estimate", "Family", "Frame", "Machining", "Mesh", "Problem",
+    "Accuracy", "Complexity", "ConvexStock", "Cut", "Cylinder", "Estimate", "Family", "Frame", "Machining", "Mesh", "Problem",
     "Recognition", "Resolution", "Signature", "Solid", "Span", "Speed", "Stock", "Strategy", "Tool", "Toolpath",
-    "View", "ZBuffer", "best_accuracy", "best_resolution", "estimate", "exact_lengths", "linearize", "machining",
+    "View", "ZBuffer", "best_accuracy", "best_resolution", "cauchy_crofton", "complexity", "estimate", "exact_lengths", "linearize", "machining",
     "measure_speed", "recognize", "signature", "simulate", "simulate_job", "stock_around", "trajectory_seconds",
 ]  # fmt: skip

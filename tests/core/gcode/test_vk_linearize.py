@@ -186,11 +186,20 @@ def test_pecks(name, deepest):
     assert outs[0] == (0 if name == "G83" else -1.75)
 
 
-@pytest.mark.parametrize("name", ["G82", "G84", "G85", "G89"])
+@pytest.mark.parametrize("name", ["G74", "G81", "G82", "G84", "G85", "G86", "G88", "G89"])
 def test_other_cycles_reach_their_depth_once(name):
     toolpath = path(("G0", {"X": 0, "Y": 0, "Z": 5}), (name, {"X": 1, "Y": 0, "Z": -5, "R": 1, "P": 0.5}))
     assert (toolpath.points[:, 2] == -5).sum() == 1
-    assert toolpath.rapid[-1] == (name == "G82")
+    assert toolpath.rapid[-1] == (name in ("G81", "G82", "G86"))
+    assert [problem.what.code for problem in toolpath.problems] == ["dwell-untimed"]
+
+
+@pytest.mark.parametrize("feed", [-3.0, 0.0, 1e-7, float("nan"), float("inf")])
+def test_a_feed_that_no_machine_has_is_not_taken(feed):
+    toolpath = path(START, ("G1", {"X": 1, "F": 5}), ("G1", {"X": 2, "F": feed}))
+    assert toolpath.feed[-2:].tolist() == [5, 5]
+    told = [(problem.command, problem.what.code) for problem in toolpath.problems]
+    assert told == ([] if feed in (-3.0, 0.0) else [(2, "unusable-feed")])
 
 
 def test_modal_cycle_lines_and_relative_cycles():

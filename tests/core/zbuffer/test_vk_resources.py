@@ -263,6 +263,22 @@ def test_what_the_sequence_is_good_for():
     assert cauchy_crofton(toolpath, stock=STOCK, view=view) < true / 4
 
 
+@pytest.mark.parametrize(
+    ("theta", "projected"), [(0.0, 30), (pi / 2, 40), (np.arctan2(4, 3), 50), (np.arctan2(-3, 4), 0)]
+)
+def test_cauchy_crofton_in_one_direction(theta, projected):
+    there_and_back = path([(10, 10, 5), (40, 50, 5), (10, 10, 5)])
+    found = cauchy_crofton(there_and_back, stock=STOCK, view=View(pixel=0.5), direction=theta)
+    assert found == pytest.approx(2 * projected / 0.5)
+
+
+def test_the_mean_of_all_directions_is_the_one_without():
+    thetas = np.linspace(0, pi, 2000, endpoint=False)
+    bent = path([(10, 10, 5), (40, 50, 5), (60, 20, 5)])
+    one_each = [cauchy_crofton(bent, stock=STOCK, view=View(pixel=0.5), direction=theta) for theta in thetas]
+    assert np.mean(one_each) == pytest.approx(cauchy_crofton(bent, stock=STOCK, view=View(pixel=0.5)), rel=1e-5)
+
+
 def test_cauchy_crofton_is_the_projected_length():
     view = View(pixel=0.5)
     assert cauchy_crofton(path([(10, 10, 5), (40, 50, 5)]), stock=STOCK, view=view) == pytest.approx(50 * 2 / pi / 0.5)

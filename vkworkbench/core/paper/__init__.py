@@ -7,6 +7,7 @@ levels, V_k and Gauss map; `PaperVerdict`, the paper's rule to the letter; what 
 """
 
 from vkworkbench.core.paper.areas import Areas, monotonous_areas
+from vkworkbench.core.paper.complexity import Complexity, complexity
 from vkworkbench.core.paper.directions import TURN, axis_of, directions, farthest, level_of
 from vkworkbench.core.paper.literal import PaperVerdict, paper_verdict
 from vkworkbench.core.paper.loops import OFF_ROUND, closing_turns, is_closed, is_one_turn, winding_turns
@@ -17,10 +18,12 @@ __all__ = [
     "OFF_ROUND",
     "TURN",
     "Areas",
+    "Complexity",
     "PaperVerdict",
     "Signature",
     "axis_of",
     "closing_turns",
+    "complexity",
     "directions",
     "distinct",
     "farthest",

@@ -95,9 +95,11 @@ def _run(moves: Areas, other: np.ndarray, backward: bool = False) -> np.ndarray:
     at = np.flatnonzero(other)
     if backward:
         at = np.append(-1, at)
-        return moves.end - 1 - np.maximum(at[np.searchsorted(at, moves.end) - 1], moves.start - 1)
+        after: np.ndarray = moves.end - 1 - np.maximum(at[np.searchsorted(at, moves.end) - 1], moves.start - 1)
+        return after
     at = np.append(at, len(moves))
-    return np.minimum(at[np.searchsorted(at, moves.start)], moves.end) - moves.start
+    before: np.ndarray = np.minimum(at[np.searchsorted(at, moves.start)], moves.end) - moves.start
+    return before
 
 
 def _boxes(moves: Areas, first: np.ndarray, end: np.ndarray) -> np.ndarray:

@@ -70,8 +70,11 @@ def _in_stock(toolpath: Toolpath, tool: Tool, stock: Solid) -> _Trajectories:
     )
 
 
-def cauchy_crofton(toolpath: Toolpath, *, stock: Solid, view: View) -> float:
-    """Crossings of the toolpath with the pixel rows, M = projected length / epsilon (paper, section 2.1).
+def cauchy_crofton(toolpath: Toolpath, *, stock: Solid, view: View, direction: float | None = None) -> float:
+    """Crossings of the toolpath with parallel lines a pixel apart, M(epsilon, theta) of the paper's section 2.1.
+
+    M is the length of the toolpath's projection on a line of direction theta, each point as often as it is passed,
+    divided by epsilon, the distance of the lines; these run in the direction theta + pi / 2 (Tricot 1995).
 
     The baseline the paper rejects: it sees neither the tool's width nor the sequence.
 
@@ -80,16 +83,22 @@ def cauchy_crofton(toolpath: Toolpath, *, stock: Solid, view: View) -> float:
     toolpath : Toolpath
     stock : Solid
     view : View
+        Its pixel is epsilon.
+    direction : float, optional
+        Theta, rad from the image's right upwards; 0 counts crossings with the pixels' columns, pi / 2 with their rows.
 
     Returns
     -------
     float
-        The mean over all directions of the rows, 2 / pi of the length in the image.
+        For that direction; without one the mean over all of them, 2 / pi of the length in the image.
     """
     frame = view.frame(stock)
     move = np.diff(toolpath.points, axis=0)
     move = move[np.minimum(toolpath.points[:-1, 2], toolpath.points[1:, 2]) < stock.upper[2]]
-    return float(np.hypot(move @ frame.right, move @ frame.up).sum() * 2 / np.pi / frame.pixel)
+    right, up = move @ frame.right, move @ frame.up
+    if direction is None:
+        return float(np.hypot(right, up).sum() * 2 / np.pi / frame.pixel)
+    return float(np.abs(right * np.cos(direction) + up * np.sin(direction)).sum() / frame.pixel)
 
 
 def swept(toolpath: Toolpath, *, tool: Tool, stock: Solid, view: View) -> float:
