@@ -37,7 +37,7 @@ def later(name: str, call: Callable[[], None]) -> None:
     """Call a function when FreeCAD is idle, once for all calls of that name until then; never without a window."""
     if _soon is not None:
         if name not in _calls:
-            _soon(lambda: _calls.pop(name)())
+            _soon(lambda: _calls.pop(name)())  # noqa: PLW0108 - what is waiting then, not now
         _calls[name] = call
 
 
