@@ -39,8 +39,8 @@ def recognize_one(toolpath: Toolpath, moves: Areas, first: int, last: int, tool:
     strategy = verdict.strategy
     entered = strategy.is_answer and strategy not in (Strategy.MIXED, Strategy.HELIX)
     entry = find_entry(moves) if entered else None
-    evidence = {**vars(evidence), "reversals": len(moves.reversals), "entry": entry}
-    return Recognition(strategy, confidence, why, spans, **evidence, paper=paper_verdict(moves))
+    numbers = {**vars(evidence), "reversals": len(moves.reversals), "entry": entry}
+    return Recognition(strategy, confidence, why, spans, **numbers, paper=paper_verdict(moves))
 
 
 def _runs(section: Section, verdict: Verdict) -> list[tuple[int, int, Strategy]]:
@@ -67,6 +67,7 @@ def cutting_length(toolpath: Toolpath, first: int, last: int) -> float:
 
 
 def spans_of(toolpath: Toolpath, runs: list[tuple[int, int, Strategy]]) -> tuple[Span, ...]:
+    """Return runs of trajectories, first, last and strategy, as spans with their shares."""
     length = [cutting_length(toolpath, first, last) for first, last, _ in runs] if len(runs) > 1 else [1.0]
     total = sum(length) or 1.0
     command = toolpath.command

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import replace
 
 import numpy as np
@@ -56,11 +56,11 @@ def told_apart(toolpath: Toolpath, borders: dict[int, bool], begun: dict[int, fl
     doubtful = [at for at, share in begun.items() if share <= VISITS.BORDER]
     if not doubtful:
         return list(begun)
-    beside = {}
+    beside: dict[int, list[Recognition | None]] = {}
     for a, b, one in _sections(toolpath, {*borders, *begun}, tool):
         beside.setdefault(a, [None, None])[1] = beside.setdefault(b, [None, None])[0] = one
     names = {
-        at: frozenset(one.strategy for one in beside[at])
+        at: frozenset(one.strategy for one in beside[at] if one is not None)
         for at in doubtful
         if at in beside and _odds(begun[at]) * _differing(*beside[at]) > VISITS.DIFFER
     }
@@ -92,7 +92,9 @@ def _sections(toolpath: Toolpath, borders: set[int], tool: float) -> Iterator[tu
             yield a, b, recognize_one(toolpath, monotonous_areas(toolpath, first, last), first, last, tool)
 
 
-def recognize_parts(toolpath, borders, whole: Recognition, tool: float, program: bool) -> Recognition:
+def recognize_parts(
+    toolpath: Toolpath, borders: Mapping[int, bool], whole: Recognition, tool: float, program: bool
+) -> Recognition:
     """Recognise the sections between the borders; mixed where they differ as much as their borders ask."""
     cut = list(_sections(toolpath, set(borders), tool))
     found = [one for *_, one in cut]
@@ -141,7 +143,7 @@ def _joined(found: list[Recognition]) -> list[tuple[int, int, Strategy]]:
     return runs
 
 
-def _agree(toolpath, whole: Recognition, found: list[Recognition], share: np.ndarray) -> Recognition:
+def _agree(toolpath: Toolpath, whole: Recognition, found: list[Recognition], share: np.ndarray) -> Recognition:
     """Return the verdict on the whole; the longest section's where every section says another than the whole.
 
     A section too short to show a strategy of its own does not count: the loops of a waterline and the rows of a
