@@ -159,6 +159,8 @@ class OperationReport(Costs):
             "stepover": found.stepover,
             "passes": found.passes,
             "depths": found.depths,
+            "entry": found.entry,
+            "finishing": found.finishing,
             "direction": found.direction,
             **_paper(found.paper),
             "trajectories": self.trajectories,

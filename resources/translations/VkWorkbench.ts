@@ -853,6 +853,22 @@
         <source>unlike anything that machines ({share:%} of the votes)</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>, entered by a ramp</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>, entered by a ramp to and fro</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>, entered by a helix</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>, finished by a contour around the rows</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>
@@ -1101,6 +1117,7 @@
     </message>
     <message>
         <source>Cancel</source>
+        <extracomment>Those of all open documents.</extracomment>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1742,6 +1759,10 @@ memory</source>
     </message>
     <message>
         <source>Time line</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reading {} ({} of {})…</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

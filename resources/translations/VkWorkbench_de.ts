@@ -853,6 +853,22 @@
         <source>unlike anything that machines ({share:%} of the votes)</source>
         <translation>wie nichts, was etwas fräst ({share:%} der Stimmen)</translation>
     </message>
+    <message>
+        <source>, entered by a ramp</source>
+        <translation>, eingetaucht auf einer Rampe</translation>
+    </message>
+    <message>
+        <source>, entered by a ramp to and fro</source>
+        <translation>, eingetaucht auf einer Rampe hin und her</translation>
+    </message>
+    <message>
+        <source>, entered by a helix</source>
+        <translation>, eingetaucht auf einer Helix</translation>
+    </message>
+    <message>
+        <source>, finished by a contour around the rows</source>
+        <translation>, geschlichtet mit einer Kontur um die Zeilen</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>
@@ -1101,6 +1117,7 @@
     </message>
     <message>
         <source>Cancel</source>
+        <extracomment>Those of all open documents.</extracomment>
         <translation>Abbrechen</translation>
     </message>
     <message>
@@ -1749,6 +1766,10 @@ Speicher</translation>
     <message>
         <source>Time line</source>
         <translation>Zeitleiste</translation>
+    </message>
+    <message>
+        <source>Reading {} ({} of {})…</source>
+        <translation>{} wird gelesen ({} von {})…</translation>
     </message>
 </context>
 <context>

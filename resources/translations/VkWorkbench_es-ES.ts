@@ -853,6 +853,22 @@
         <source>unlike anything that machines ({share:%} of the votes)</source>
         <translation>como nada que mecanice ({share:%} de los votos)</translation>
     </message>
+    <message>
+        <source>, entered by a ramp</source>
+        <translation>, con entrada en rampa</translation>
+    </message>
+    <message>
+        <source>, entered by a ramp to and fro</source>
+        <translation>, con entrada en rampa de vaivén</translation>
+    </message>
+    <message>
+        <source>, entered by a helix</source>
+        <translation>, con entrada en hélice</translation>
+    </message>
+    <message>
+        <source>, finished by a contour around the rows</source>
+        <translation>, con un acabado en contorno alrededor de las filas</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>
@@ -1101,6 +1117,7 @@
     </message>
     <message>
         <source>Cancel</source>
+        <extracomment>Those of all open documents.</extracomment>
         <translation>Cancelar</translation>
     </message>
     <message>
@@ -1749,6 +1766,10 @@ memoria</translation>
     <message>
         <source>Time line</source>
         <translation>Línea de tiempo</translation>
+    </message>
+    <message>
+        <source>Reading {} ({} of {})…</source>
+        <translation>Leyendo {} ({} de {})…</translation>
     </message>
 </context>
 <context>

@@ -853,6 +853,22 @@
         <source>unlike anything that machines ({share:%} of the votes)</source>
         <translation>comme rien de ce qui usine ({share:%} des votes)</translation>
     </message>
+    <message>
+        <source>, entered by a ramp</source>
+        <translation>, avec entrée en rampe</translation>
+    </message>
+    <message>
+        <source>, entered by a ramp to and fro</source>
+        <translation>, avec entrée en rampe aller-retour</translation>
+    </message>
+    <message>
+        <source>, entered by a helix</source>
+        <translation>, avec entrée en hélice</translation>
+    </message>
+    <message>
+        <source>, finished by a contour around the rows</source>
+        <translation>, avec une finition en contour autour des lignes</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>
@@ -1101,6 +1117,7 @@
     </message>
     <message>
         <source>Cancel</source>
+        <extracomment>Those of all open documents.</extracomment>
         <translation>Annuler</translation>
     </message>
     <message>
@@ -1749,6 +1766,10 @@ mémoire</translation>
     <message>
         <source>Time line</source>
         <translation>Chronologie</translation>
+    </message>
+    <message>
+        <source>Reading {} ({} of {})…</source>
+        <translation>Lecture de {} ({} sur {})…</translation>
     </message>
 </context>
 <context>

@@ -853,6 +853,22 @@
         <source>unlike anything that machines ({share:%} of the votes)</source>
         <translation>与任何加工都不相似（{share:%} 的投票）</translation>
     </message>
+    <message>
+        <source>, entered by a ramp</source>
+        <translation>，斜线切入</translation>
+    </message>
+    <message>
+        <source>, entered by a ramp to and fro</source>
+        <translation>，往复斜线切入</translation>
+    </message>
+    <message>
+        <source>, entered by a helix</source>
+        <translation>，螺旋切入</translation>
+    </message>
+    <message>
+        <source>, finished by a contour around the rows</source>
+        <translation>，并绕各行作一圈轮廓精加工</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>
@@ -1101,6 +1117,7 @@
     </message>
     <message>
         <source>Cancel</source>
+        <extracomment>Those of all open documents.</extracomment>
         <translation>取消</translation>
     </message>
     <message>
@@ -1749,6 +1766,10 @@ memory</source>
     <message>
         <source>Time line</source>
         <translation>时间轴</translation>
+    </message>
+    <message>
+        <source>Reading {} ({} of {})…</source>
+        <translation>正在读取 {}（{}/{}）…</translation>
     </message>
 </context>
 <context>

@@ -114,10 +114,13 @@ def test_two_contours_farther_apart_than_the_tool_are_no_pocket():
 
 
 def test_mixed_has_spans_that_cover_the_cutting():
-    rng = np.random.default_rng(3)
-    path = linearize(synthetic.zigzag(rng, with_contour=True))
+    raster_beside = [("G1", {"X": (0.0, 40.0)[(k + 1) // 2 % 2], "Y": 2.0 * (k // 2)}) for k in range(24)]
+    aside = [(100.0, 0.0), (160.0, 0.0), (160.0, 60.0), (100.0, 60.0), (100.0, 0.0)]
+    contour = [("G0", {"X": 100.0, "Y": 0.0}), *(("G1", {"X": x, "Y": y}) for x, y in aside)]
+    path = linearize([("G0", {"X": 0.0, "Y": 0.0, "Z": 0.0}), *raster_beside, *contour])
     found = recognize(path)
-    assert found.strategy is Strategy.MIXED and len(found.spans) >= 2
+    assert found.strategy is Strategy.MIXED and len(found.spans) >= 2, found.reason
+    assert not found.finishing
     assert {s.strategy for s in found.spans} == {Strategy.ZIGZAG, Strategy.PROFILE}
     assert sum(s.share for s in found.spans) == pytest.approx(1.0, abs=0.02)
     assert all(a.last < b.first for a, b in zip(found.spans, found.spans[1:]))

@@ -59,6 +59,7 @@ NAMES = [f"{strategy.value} after a {entry}" for _, strategy, entry in CASES]
 def test_the_pattern_decides_and_the_entry_is_told_beside_it(commands, strategy, entry):
     found = recognize(linearize(commands), tool_diameter=4.0)
     assert (found.strategy, found.entry) == (strategy, entry), found.reason
+    assert f", entered by a {entry.replace('zigzag ramp', 'ramp to and fro')}" in found.reason
 
 
 @pytest.mark.parametrize("commands, strategy, entry", CASES, ids=NAMES)
@@ -94,3 +95,16 @@ def test_areas_without_entries_begin_to_turn_anew():
     assert np.allclose(np.diff(pattern.phi)[: pattern.end[0] - 1], pattern.turning[1 : pattern.end[0]])
     assert np.isin(pattern.index[pattern.reversals], moves.index[moves.reversals]).all()
     assert set(moves.index) - set(pattern.index) == set(moves.index[np.abs(moves.dz) > 0])
+
+
+@pytest.mark.parametrize("last", [False, True])
+def test_a_contour_around_the_rows_is_their_finishing_pass(last):
+    corners = ((-1.0, -1.0), (41.0, -1.0), (41.0, 23.0), (-1.0, 23.0), (-1.0, -1.0))
+    contour = [("G0", {"Z": 2.0}), ("G0", {"X": -1.0, "Y": -1.0}), ("G1", {"Z": DEEP})]
+    contour += [("G1", {"X": x, "Y": y}) for x, y in corners]
+    inside = [("G0", {"Z": 2.0}), ("G0", {"X": 0.0, "Y": 0.0}), ("G1", {"Z": DEEP, "F": 5.0}), *rows()]
+    found = recognize(linearize(inside + contour if last else contour + inside), tool_diameter=3.0)
+    assert found.strategy is Strategy.ZIGZAG and found.finishing
+    assert found.reason.endswith(", finished by a contour around the rows")
+    alone = recognize(linearize(inside), tool_diameter=3.0)
+    assert alone.strategy is Strategy.ZIGZAG and not alone.finishing

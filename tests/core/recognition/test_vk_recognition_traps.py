@@ -334,7 +334,8 @@ def test_a_contour_that_leads_by_the_start_of_its_zigzag(count, turn):
     for k in range(1, 5):
         x, y = corners[(at + turn * k) % 4]
         program.append(("G1", {"X": x, "Y": y}))
-    assert strategy(program, tool_diameter=10.0) is Strategy.MIXED
+    found = recognize(linearize(program), tool_diameter=10.0)
+    assert found.strategy is Strategy.ZIGZAG and found.finishing, found.reason
 
 
 def inward(wobble=0.0, digits=6, waves=100):

@@ -55,9 +55,9 @@ def gather(s: Section, verdict: Verdict) -> Evidence:
         passes, stepover = verdict.count, verdict.step
     flat = s.pieces.flat & (s.pieces.length > LITTLE.PIECE * s.pieces.length.max())
     return Evidence(
-        level=s.moves.top_level,
-        phi_range=s.moves.phi_range,
-        reversals=len(s.moves.reversals),
+        level=s.areas.top_level,
+        phi_range=s.areas.phi_range,
+        reversals=len(s.areas.reversals),
         sense=sense,
         stepover=stepover,
         passes=passes,

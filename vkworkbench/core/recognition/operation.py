@@ -13,9 +13,15 @@ from vkworkbench.core.recognition.recognition import Recognition, Span
 from vkworkbench.core.recognition.section import Section
 from vkworkbench.core.recognition.thresholds import VOTES
 from vkworkbench.core.recognition.verdict import Verdict, judge
-from vkworkbench.core.strategy import Strategy
+from vkworkbench.core.strategy import Family, Strategy
 from vkworkbench.core.toolpath import Toolpath
 from vkworkbench.language import Message
+
+ENTERED = {
+    "ramp": Message("entered-by-ramp"),
+    "zigzag ramp": Message("entered-by-zigzag-ramp"),
+    "helix": Message("entered-by-helix"),
+}
 
 
 def recognize_one(toolpath: Toolpath, moves: Areas, first: int, last: int, tool: float) -> Recognition:
@@ -34,17 +40,26 @@ def recognize_one(toolpath: Toolpath, moves: Areas, first: int, last: int, tool:
     verdict, confidence = decide(section, judge(section))
     evidence = gather(section, verdict)
     why = sentence(section, verdict, evidence)
-    runs = _runs(section, verdict) if verdict.parts else [(first, last, verdict.strategy)]
+    runs = _runs(section, verdict, first, last) if verdict.parts else [(first, last, verdict.strategy)]
     spans = spans_of(toolpath, runs)
     strategy = verdict.strategy
     entered = strategy.is_answer and strategy not in (Strategy.MIXED, Strategy.HELIX)
     entry = find_entry(moves) if entered else None
-    numbers = {**vars(evidence), "reversals": len(moves.reversals), "entry": entry}
+    finishing = verdict.finished and strategy.family is Family.ROWS
+    numbers = {**vars(evidence), "entry": entry, "finishing": finishing}
+    why = _with_layers(why, entry, finishing)
     return Recognition(strategy, confidence, why, spans, **numbers, paper=paper_verdict(moves))
 
 
-def _runs(section: Section, verdict: Verdict) -> list[tuple[int, int, Strategy]]:
-    """Return the stretches of loops and of rows in a mixed operation; a link belongs to what it follows."""
+def _with_layers(why: Message, entry: str | None, finishing: bool) -> Message:
+    """Add how the pattern is entered, but for a plunge, and how its walls are finished."""
+    way = ENTERED.get(entry or "")
+    around = Message("finished-by-contour") if finishing else None
+    return Message("with-layers", told=why, entry=way, finishing=around) if way or around else why
+
+
+def _runs(section: Section, verdict: Verdict, first: int, last: int) -> list[tuple[int, int, Strategy]]:
+    """Return the stretches of loops and of rows in a mixed operation, first .. last; a link belongs to what it follows."""
     of_rings, of_rows = verdict.parts
     is_ring = section.ring_pieces.copy()
     known = is_ring | section.row_pieces
@@ -52,11 +67,10 @@ def _runs(section: Section, verdict: Verdict) -> list[tuple[int, int, Strategy]]
     is_ring = is_ring[held]
     begin = np.flatnonzero(np.concatenate([[True], is_ring[1:] != is_ring[:-1]]))
     index, pieces = section.moves.index, section.pieces
-    first = index[pieces.start[begin]]
-    last = index[np.append(pieces.start[begin[1:]], len(index)) - 1]
+    firsts = [first, *index[pieces.start[begin[1:]]].tolist()]
+    lasts = [*index[pieces.start[begin[1:]] - 1].tolist(), last]
     return [
-        (int(a), int(b), of_rings.strategy if ring else of_rows.strategy)
-        for a, b, ring in zip(first, last, is_ring[begin])
+        (a, b, of_rings.strategy if ring else of_rows.strategy) for a, b, ring in zip(firsts, lasts, is_ring[begin])
     ]
 
 

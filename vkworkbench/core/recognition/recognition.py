@@ -70,6 +70,8 @@ class Recognition:
     entry : str or None
         How most of the depth is entered before the pattern: "plunge", "ramp", "zigzag ramp" or "helix"; None where the
         descent is the operation, and of mixed ones.
+    finishing : bool
+        Whether a contour around the rows finishes their walls.
     paper : PaperVerdict or None
         What the paper's rule says to the letter, with V_k and its Gauss image; None where no move has a direction.
     """
@@ -89,6 +91,7 @@ class Recognition:
     closed_loops: int = 0
     milling: str | None = None
     entry: str | None = None
+    finishing: bool = False
     paper: PaperVerdict | None = None
 
     @property

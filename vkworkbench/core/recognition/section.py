@@ -37,6 +37,8 @@ class Section:
 
     Attributes
     ----------
+    areas : Areas
+        The moves as given.
     moves : Areas
         The pattern: without the ways in and out, and without spurs.
     wound : float
@@ -66,6 +68,7 @@ class Section:
     """
 
     def __init__(self, moves: Areas, tool: float) -> None:
+        self.areas = moves
         moves, self.wound = without_entries(moves)
         self.moves, self.tool = (moves := without_spurs(moves)), tool
         self.pieces = p = cut_pieces(moves)
@@ -138,6 +141,20 @@ class Section:
         small = np.median(size.max(axis=1)) < LETTERS.SMALL * extent.max()
         shallow = self.rings.depths <= LETTERS.DEPTHS
         return bool(small and shallow and shapes >= LETTERS.COUNT and shapes > STROKES.DISTINCT * self.rings.distinct)
+
+    def surrounded(self) -> float:
+        """Share of the rows' length inside a ring that was cut before or after them at the same depth."""
+        p, ring = self.pieces, self.rings.index
+        k = np.flatnonzero(self.row_pieces)
+        if not len(k) or not len(ring):
+            return 0.0
+        after = np.clip(np.searchsorted(ring, k), 0, len(ring) - 1)
+        inside = np.zeros(len(k), bool)
+        for beside in (ring[after], ring[np.maximum(after - 1, 0)]):
+            box = p.box[beside]
+            gap = np.column_stack([p.box[k, :2] - box[:, :2], box[:, 2:] - p.box[k, 2:]]).min(axis=1)
+            inside |= (gap >= -SAME.PLACE) & (np.abs(p.z[k] - p.z[beside]) < SAME.HEIGHT)
+        return float(p.length[k[inside]].sum() / p.length[k].sum())
 
     def filled(self) -> float:
         """Share of the cutting length in open strokes that clear the inside of a ring.

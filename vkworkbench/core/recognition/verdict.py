@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -42,6 +42,8 @@ class Verdict:
         Where mixed: the verdicts on its rings and on its rows.
     step : float or None
         Distance between neighbouring passes that are neither rings nor straight rows, mm.
+    finished : bool
+        Whether contours around the rows finish their walls.
     """
 
     strategy: Strategy
@@ -49,6 +51,7 @@ class Verdict:
     seen: Message
     parts: tuple[Verdict, ...] = ()
     step: float | None = None
+    finished: bool = False
 
 
 def judge(s: Section) -> Verdict:
@@ -82,6 +85,8 @@ def judge(s: Section) -> Verdict:
         return _judge_strokes(s)
     if not both:
         return of_rows
+    if s.surrounded() > ENOUGH.SHARE:
+        return replace(of_rows, finished=True)
     of_rings = _judge_rings(s, rings)
     seen = Message("rows-and-loops", rows=rowlike, loops=rings)
     return Verdict(Strategy.MIXED, of_rows.count, seen, (of_rings, of_rows))

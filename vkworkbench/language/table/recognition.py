@@ -78,6 +78,12 @@ RECOGNITION: dict[str, str | tuple[str, str]] = {
     "at-depths": QT_TRANSLATE_NOOP("Sentences", " at {depths:n} depths"),
     "counter-clockwise": QT_TRANSLATE_NOOP("Sentences", ", counter-clockwise"),
     "clockwise": QT_TRANSLATE_NOOP("Sentences", ", clockwise"),
+    # The layers beside the pattern.
+    "with-layers": "{told}{entry}{finishing}",
+    "entered-by-ramp": QT_TRANSLATE_NOOP("Sentences", ", entered by a ramp"),
+    "entered-by-zigzag-ramp": QT_TRANSLATE_NOOP("Sentences", ", entered by a ramp to and fro"),
+    "entered-by-helix": QT_TRANSLATE_NOOP("Sentences", ", entered by a helix"),
+    "finished-by-contour": QT_TRANSLATE_NOOP("Sentences", ", finished by a contour around the rows"),
     # What shows the strategy.
     "bites-overlap": QT_TRANSLATE_NOOP("Sentences", "{count:n} bites of one sense overlap"),
     "rows-and-loops": QT_TRANSLATE_NOOP(
