@@ -1,0 +1,52 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Export for a spreadsheet: a few columns with units in their titles, in minutes and metres, numbers as one's country
+writes them.
+"""
+
+from __future__ import annotations
+
+import csv
+from math import degrees
+from pathlib import Path
+
+import FreeCAD
+
+import vkworkbench
+
+COLUMNS = {
+    "Job": lambda o: o.job,
+    "Operation": lambda o: o.label,
+    "Strategy": lambda o: str(o.strategy),
+    "Confidence": lambda o: o.confidence,
+    "Cutting length (m)": lambda o: o.length / 1000,
+    "Machining time (min)": lambda o: None if o.machining_seconds is None else o.machining_seconds / 60,
+    "Stepover (mm)": lambda o: o.stepover,
+    "Direction (degrees)": lambda o: None if o.recognition.direction is None else degrees(o.recognition.direction),
+}
+
+
+def export(document, path, decimal_point="."):
+    """Write the columns of each operation; return their number. With a decimal comma columns part at semicolons."""
+    operations = vkworkbench.analyze(document).operations
+    with open(path, "w", newline="", encoding="utf-8-sig") as file:  # the mark tells Excel that it is UTF-8
+        writer = csv.writer(file, delimiter=";" if decimal_point == "," else ",")
+        writer.writerow(COLUMNS)
+        for operation in operations:
+            writer.writerow([written(value(operation), decimal_point) for value in COLUMNS.values()])
+    return len(operations)
+
+
+def written(value, decimal_point):
+    """A value as a cell; a text never begins a formula."""
+    if isinstance(value, float):
+        return f"{value:.3f}".replace(".", decimal_point)
+    text = "" if value is None else str(value)
+    return f"'{text}" if text[:1] in ("=", "+", "-", "@") else text
+
+
+if __name__ == "__main__":
+    from PySide import QtCore
+
+    document = FreeCAD.ActiveDocument
+    folder = Path(document.FileName).parent if document.FileName else Path.home()
+    export(document, str(folder / f"{document.Label}.csv"), str(QtCore.QLocale().decimalPoint()))

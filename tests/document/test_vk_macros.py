@@ -1,0 +1,86 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The macros of examples/macros do what they say, on the example and on jobs of the tests."""
+
+import csv
+import shutil
+
+import FreeCAD
+import Path as CAM
+import pytest
+from macros.color_by_strategy import color_by_strategy
+from macros.compare_versions import compare
+from macros.export_for_spreadsheet import export
+from macros.folder_to_csv import folder_to_csv
+from macros.stop_heavy_job import too_heavy
+
+import vkworkbench
+
+
+def state(document):
+    return [(obj.Name, obj.Label2, list(obj.State), tuple(obj.PropertiesList)) for obj in document.Objects]
+
+
+def test_a_folder_becomes_one_table(example_path, tmp_path):
+    for name in ("a", "deeper/b"):
+        (tmp_path / name).parent.mkdir(exist_ok=True)
+        shutil.copy(example_path, tmp_path / f"{name}.FCStd")
+    open_before = set(FreeCAD.listDocuments())
+    count = folder_to_csv(tmp_path, tmp_path / "all.csv")
+    assert set(FreeCAD.listDocuments()) == open_before
+    with open(tmp_path / "all.csv", newline="", encoding="utf-8") as file:
+        rows = list(csv.DictReader(file))
+    assert len(rows) == count and count % 2 == 0
+    half = [row["strategy"] for row in rows[: count // 2]]
+    assert half == [row["strategy"] for row in rows[count // 2 :]] and "zigzag" in half
+    assert {row["document"] for row in rows} == {str(tmp_path / "a.FCStd"), str(tmp_path / "deeper" / "b.FCStd")}
+    with pytest.raises(ValueError, match="no FreeCAD document"):
+        folder_to_csv(tmp_path / "deeper" / "nothing", tmp_path / "none.csv")
+
+
+def test_colours_are_those_of_the_strategies(example):
+    colors = color_by_strategy(example)
+    known = {o.name: o.strategy for o in vkworkbench.analyze(example).operations}
+    assert colors and len(set(colors.values())) == len({known[name] for name in colors})
+    for name, color in colors.items():
+        assert known[name].color == "#" + "".join(f"{round(255 * share):02x}" for share in color)
+
+
+def test_a_heavy_job_is_told_by_job_and_simulator(example):
+    assert too_heavy(example, 1e9, 1e15) == []
+    (label,) = {o.label for o in example.Objects if o.Name == "Job"}
+    slow = too_heavy(example, 0.0, 1e15)
+    assert any(line.startswith(f"{label}, z-buffer: ") for line in slow) and any("legacy" in line for line in slow)
+    assert len(too_heavy(example, 1e9, 0.0)) == len(slow)
+
+
+def test_two_versions_are_compared(example, example_path, tmp_path):
+    shutil.copy(example_path, tmp_path / "old.FCStd")
+    old = FreeCAD.openDocument(str(tmp_path / "old.FCStd"))
+    before = state(old)
+    try:
+        assert compare(old, example) == []
+        first, *_, last = example.getObject("Job").Operations.Group
+        label = first.Label
+        first.Path = CAM.Path(first.Path.Commands[: first.Path.Size // 2])
+        last.Label = "Another name"
+        found = compare(old, example)
+        assert any(line.startswith(f"{label}: length ") and " became " in line for line in found)
+        assert sum(line.endswith(": is gone") for line in found) == 1
+        assert any(line.startswith("Another name: is new") for line in found)
+        assert state(old) == before
+    finally:
+        FreeCAD.closeDocument(old.Name)
+
+
+@pytest.mark.parametrize(("point", "parted"), [(".", ","), (",", ";")])
+def test_a_spreadsheet_reads_the_export(example, tmp_path, point, parted):
+    operation = example.getObject("Job").Operations.Group[0]
+    operation.Label = "=1+1"
+    count = export(example, tmp_path / "sheet.csv", point)
+    with open(tmp_path / "sheet.csv", newline="", encoding="utf-8-sig") as file:
+        rows = list(csv.DictReader(file, delimiter=parted))
+    report = vkworkbench.analyze(example)
+    assert len(rows) == count == len(report.operations) and rows[0]["Operation"] == "'=1+1"
+    for row, o in zip(rows, report.operations):
+        assert float(row["Cutting length (m)"].replace(point, ".")) == pytest.approx(o.length / 1000, abs=1e-3)
+        assert row["Strategy"] == str(o.strategy)
