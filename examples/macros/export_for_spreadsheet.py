@@ -1,7 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Export for a spreadsheet: a few columns with units in their titles, in minutes and metres, numbers as one's country
-writes them.
-"""
+"""Export for a spreadsheet: a few columns in minutes and metres, with numbers as one's country writes them."""
 
 from __future__ import annotations
 

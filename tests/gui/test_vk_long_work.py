@@ -62,8 +62,8 @@ def cancel(window, order, number, delay):
         gaps.append(last())
         last = Stopwatch()
         shown = dialog()
-        if shown is None:
-            return
+        if shown is None or not shown.labelText():
+            return  # not begun
         if pressed:
             at_esc.append(shown.labelText())
             return

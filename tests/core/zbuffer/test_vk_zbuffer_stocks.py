@@ -72,9 +72,9 @@ def test_a_mesh_is_cut_as_every_trajectory_on_every_ray_cuts_it(seed):
     stock = Mesh(HOLLOW if seed % 2 else np.concatenate((ball((20, 15, 5), 14), ball((20, 15, 5), 9))))
     path, tool = PATHS[rng.integers(len(PATHS))], TOOLS[rng.integers(len(TOOLS))]
     moves = toolpath(path(rng, 30))
-    z = simulate(moves, tool=tool, stock=stock, view=View(DIRECTIONS[seed % len(DIRECTIONS)], 46, 38, pixel=0.97))
+    z = simulate(moves, tool=tool, stock=stock, view=View(DIRECTIONS[seed % len(DIRECTIONS)], 32, 26, pixel=1.41))
     frame = z.frame
-    row, column = np.divmod(np.arange(46 * 38), 46)
+    row, column = np.divmod(np.arange(32 * 26), 32)
     x, y = frame.pixel_centres(column, row)
     ray, near, far = inside(stock, frame.origins(x, y), frame.direction)
     removal = Removal(Cuts([Cut(moves, tool)]), stock, frame)
