@@ -186,6 +186,31 @@ def test_pecks(name, deepest):
     assert outs[0] == (0 if name == "G83" else -1.75)
 
 
+@pytest.mark.parametrize(("depth", "pecks"), [(4.0, 2), (4.1, 3), (2.0, 1), (0.5, 1), (0.9, 1)])
+def test_the_last_peck_is_the_rest(depth, pecks):
+    toolpath = path(("G0", {"X": 0, "Y": 0, "Z": 3}), ("G83", {"X": 1, "Y": 2, "Z": -depth, "R": 0, "Q": 2}))
+    feeds = toolpath.points[1:][~toolpath.rapid]
+    assert feeds[:, 2].tolist() == [-2.0 * k for k in range(1, pecks)] + [-depth]
+    assert (toolpath.points[1:, :2] == [1, 2]).all() and toolpath.points[-1, 2] == 3
+
+
+@pytest.mark.parametrize("peck", [0.0, -1.0, 1e-5])
+def test_pecks_that_would_never_end_are_one(peck):
+    toolpath = path(("G0", {"X": 0, "Y": 0, "Z": 3}), ("G83", {"X": 0, "Y": 0, "Z": -4, "R": 0, "Q": peck}))
+    assert toolpath.points[1:][~toolpath.rapid][:, 2].tolist() == [-4]
+
+
+def test_a_cycle_returns_where_it_began_or_to_its_plane():
+    begin = ("G0", {"X": 0, "Y": 0, "Z": 5})
+    for mode, height in (("G98", 5), ("G99", 1)):
+        toolpath = path(begin, (mode, {}), ("G81", {"X": 1, "Z": -2, "R": 1}), ("G0", {"X": 9}))
+        assert toolpath.points[-1].tolist() == [9, 0, height] and toolpath.points[-2].tolist() == [1, 0, height]
+    from_below = path(("G0", {"X": 0, "Y": 0, "Z": 0.5}), ("G98", {}), ("G81", {"X": 1, "Z": -2, "R": 1}))
+    assert from_below.points[-1, 2] == 1  # its plane is higher than where it began
+    no_height = path(("G81", {"X": 1, "Y": 0, "Z": -2, "R": 1}))
+    assert no_height.points[:, 2].max() == 1 and no_height.points[:, 2].min() == -2
+
+
 @pytest.mark.parametrize("name", ["G74", "G81", "G82", "G84", "G85", "G86", "G88", "G89"])
 def test_other_cycles_reach_their_depth_once(name):
     toolpath = path(("G0", {"X": 0, "Y": 0, "Z": 5}), (name, {"X": 1, "Y": 0, "Z": -5, "R": 1, "P": 0.5}))
