@@ -20,11 +20,12 @@ import numpy as np
 HERE = Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE.parent), str(HERE)]
 
-from records import JOINED, joined, operations, programs
+from records import JOINED, Record, joined, operations, programs
 from trees import forest, grow
 
 from vkworkbench.core.paper import monotonous_areas
 from vkworkbench.core.recognition.borders import MEASURES
+from vkworkbench.core.recognition.forest import Forest
 from vkworkbench.core.recognition.thresholds import VISITS
 from vkworkbench.core.recognition.visits import compared, find_visits
 
@@ -53,15 +54,11 @@ def examples(path, sections) -> tuple[np.ndarray, np.ndarray]:
     return compared(visits)[chosen], border[chosen]
 
 
-def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
-    parser.add_argument("programs")
-    parser.add_argument("operations", nargs="+")
-    parser.add_argument("--write", action="store_true", help="write the table")
-    options = parser.parse_args()
+def retracts(of_programs: list[Record], single: list[Record]) -> tuple[np.ndarray, ...]:
+    """Return the measures of all retracts, whether they are borders, their groups, weights and kinds."""
     x, y, group, weight, kind = [], [], [], [], []
-    single = [r for r in operations(options.operations) if len(r.path) < JOINED]
-    sources = ("programs", programs(options.programs)), ("operations", single), ("joined", joined(single, 500))
+    single = [r for r in single if len(r.path) < JOINED]
+    sources = ("programs", of_programs), ("operations", single), ("joined", joined(single, 500))
     for name, records in sources:
         for r in records:
             measures, border = examples(r.path, r.sections)
@@ -71,15 +68,31 @@ def main() -> None:
             of_program = np.where(border == 1, BORDERS_OF_PROGRAMS, 1.0)
             weight.append(of_program if name == "programs" else np.full(len(border), OF_JOINED))
             kind += [name] * len(border)
-    x, y, weight, group, kind = np.vstack(x), np.concatenate(y), np.concatenate(weight), np.array(group), np.array(kind)
+    return np.vstack(x), np.concatenate(y), np.array(group), np.concatenate(weight), np.array(kind)
+
+
+def left_out(x, y, group, weight) -> tuple[dict[str, Forest], np.ndarray]:
+    """Learn without each fold of groups in turn: return the forest for every group, and its share for every retract."""
     groups = sorted(set(group))
-    fold = dict(zip(np.random.default_rng(0).permutation(groups), np.arange(len(groups)) % FOLDS))
-    fold = np.array([fold[g] for g in group])
-    share = np.empty(len(y))
+    fold = dict(zip(np.random.default_rng(0).permutation(groups).tolist(), (np.arange(len(groups)) % FOLDS).tolist()))
+    of = np.array([fold[g] for g in group])
+    share, forests = np.empty(len(y)), []
     for k in range(FOLDS):
-        out = fold == k
-        grown = forest(x[~out], y[~out], weight[~out], 2, trees=TREES, leaves=LEAVES)
-        share[out] = grown.shares(x[out])[:, 1]
+        out = of == k
+        forests.append(forest(x[~out], y[~out], weight[~out], 2, trees=TREES, leaves=LEAVES))
+        share[out] = forests[k].shares(x[out])[:, 1]
+    return {g: forests[k] for g, k in fold.items()}, share
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
+    parser.add_argument("programs")
+    parser.add_argument("operations", nargs="+")
+    parser.add_argument("--write", action="store_true", help="write the table")
+    options = parser.parse_args()
+    records = list(programs(options.programs)), list(operations(options.operations))
+    x, y, group, weight, kind = retracts(*records)
+    _, share = left_out(x, y, group, weight)
     said = share > VISITS.BORDER
     for name in dict.fromkeys(kind):
         of, true = kind == name, y == 1

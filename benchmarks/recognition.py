@@ -236,7 +236,7 @@ if __name__ == "__main__":
     )
     options = parser.parse_args()
     if options.sources:
-        sources.report_sources(options.files)
+        sources.report_sources(options.files, options.programs)
         sys.exit()
     accuracy(options.files)
     if options.programs:

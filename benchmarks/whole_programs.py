@@ -66,13 +66,17 @@ def reached(record: Record) -> np.ndarray:
     return np.append(0.0, np.cumsum(np.where(record.path.rapid, 0.0, record.path.lengths)))
 
 
-def report_programs(file: str) -> None:
-    """Print how many labelled sections of whole programs have their name, and how their borders are found."""
+def report_programs(file: str, learn=lambda group: None) -> None:
+    """Print how many labelled sections of whole programs have their name, and how their borders are found.
+
+    `learn` is called with the group of a program before it is recognised.
+    """
     shares, borders, several = [], Borders(), 0
     for record in programs(file):
         if len(record.sections) < 2:
             continue
         several += 1
+        learn(record.group)
         found, length = recognize(record.path, program=True), reached(record)
         shares += covered(record, found, length)
         compare(record, found, length, borders)
@@ -84,12 +88,15 @@ def report_programs(file: str) -> None:
     )
 
 
-def report_joined(files: list[str]) -> None:
-    """Print how many pairs of operations with a rapid between are told apart."""
+def report_joined(files: list[str], learn=lambda group: None) -> None:
+    """Print how many pairs of operations with a rapid between are told apart; `learn` as in `report_programs`."""
     single = [r for r in operations(files) if r.sections and len(r.path) < JOINED]
     pairs = [r for r in joined(single, 2 * PAIRS) if not r.sections[0].accepted & r.sections[1].accepted][:PAIRS]
     if pairs:
-        good = [min(covered(r, recognize(r.path, program=True), reached(r))) >= IN_PLACE for r in pairs]
+        good = []
+        for r in pairs:
+            learn(r.group)
+            good.append(min(covered(r, recognize(r.path, program=True), reached(r))) >= IN_PLACE)
         print(
             f"{len(pairs)} pairs of operations with a rapid between: both spans right and in place {np.mean(good):.3f}"
         )

@@ -13,7 +13,7 @@ from vkworkbench.core.recognition.forest import Forest
 from vkworkbench.core.recognition.thresholds import SAME, VISITS
 from vkworkbench.core.toolpath import Toolpath
 
-_FOREST = Forest(TREES, 2)
+FOREST = Forest(TREES, 2)
 
 
 @dataclass(frozen=True)
@@ -224,7 +224,7 @@ def _begun(toolpath: Toolpath, moves: Areas, least: float) -> dict[int, float]:
     visits = find_visits(toolpath, moves)
     if visits is None:
         return {}
-    share = _FOREST.shares(compared(visits))[:, 1]
+    share = FOREST.shares(compared(visits))[:, 1]
     at = np.flatnonzero(share > least)
     # Before the way down to the next visit.
     z = toolpath.points[:, 2]
