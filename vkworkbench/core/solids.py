@@ -167,8 +167,11 @@ class Convex:
         near = np.full(len(origins), -np.inf)
         far = np.full(len(origins), np.inf)
         for normal, offset in zip(self.normals, self.offsets):
-            # Not a matrix product: BLAS would start threads for it, which takes longer than the sum.
-            room = offset - np.einsum("ij,j->i", origins, normal)
+            along = np.flatnonzero(normal)
+            if len(along) == 1:
+                room = offset - origins[:, along[0]] * normal[along[0]]
+            else:  # not a matrix product: BLAS would start threads for it, which takes longer than the sum
+                room = offset - np.einsum("ij,j->i", origins, normal)
             slope = float(direction @ normal)
             if abs(slope) < 1e-12:
                 far[room < 0] = -np.inf

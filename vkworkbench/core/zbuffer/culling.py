@@ -3,7 +3,7 @@
 
 Greene, Kass and Miller (Hierarchical z-buffer visibility, 1993) drop what lies behind what covers a whole tile of the
 image. Here "behind" is "later": a trajectory removes nothing from a tile that earlier ones opened as deep as it
-reaches. The image is divided into tiles, these into quarters, down to the pixel; a tile's trajectories are a list in
+reaches. The image is divided into tiles, these into quarters, down to a few pixels; a tile's trajectories are a list in
 their order, and what is dropped from it is gone for all its quarters. Each step works on whole arrays of pairs of a
 tile and a trajectory, sorted by tile and time. The cost grows with the trajectories and with what is cut, not with
 their product.
@@ -15,7 +15,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import Protocol
+from typing import NamedTuple, Protocol
 
 import numpy as np
 
@@ -25,21 +25,16 @@ from vkworkbench.core.zbuffer.trajectories import Trajectories
 # Side of the tiles to begin with, pixels; a power of two.
 TILE = 64
 # Pairs of tile and trajectory worked on at once, so that they stay in the processor's cache.
-_PAIRS_AT_ONCE = 16384
+_PAIRS_AT_ONCE = 65536
 # A reach that exceeds what is open by less than this, mm, is rounding noise.
 NOISE = 1e-8
 
 
 class Bounds(Protocol):
-    """What one kind of view knows of a trajectory above a tile.
+    """What one kind of view knows of a trajectory above a tile."""
 
-    Attributes
-    ----------
-    finest : int
-        Side of the smallest tiles that are worth it, pixels: 1 or 2.
-    """
-
-    finest: int
+    def fine_enough(self, tiles: Tiles) -> bool:
+        """Whether cutting the pixels of these tiles one by one is quicker than dividing them further."""
 
     def quarters(
         self, column: np.ndarray, row: np.ndarray, tile: np.ndarray, item: np.ndarray, child: int
@@ -61,9 +56,39 @@ class Bounds(Protocol):
             Positions of the pairs that stay; for the quarters in the order of `QUARTERS`.
         """
 
+    def removals(self, tiles: Tiles, tile: np.ndarray, near: np.ndarray, far: np.ndarray) -> Removals:
+        """Say what trajectories may remove from the rays of tiles that are fine enough.
+
+        Parameters
+        ----------
+        tiles : Tiles
+        tile : (p,) ndarray of int
+            Tile of each pair.
+        near, far : (side * side, t) ndarray
+            Where the stock begins and ends on the rays of the tiles' pixels, row by row; ``near > far`` where nothing is
+            to be cut.
+        """
+
 
 # Column and row of a tile's quarters, in quarters.
 QUARTERS = ((0, 0), (1, 0), (0, 1), (1, 1))
+
+
+class Removals(NamedTuple):
+    """What may be removed from rays, sorted by ray and time.
+
+    Attributes
+    ----------
+    hit : (k,) int64
+        Positions in the matrix (pixels of a tile, pairs), row by row.
+    enter, leave : (k,) ndarray
+        Depths between which it is removed, mm. Without `enter` all of it begins at the near end of its ray, and each
+        reaches deeper than those before it.
+    """
+
+    hit: np.ndarray
+    enter: np.ndarray | None
+    leave: np.ndarray
 
 
 @dataclass(frozen=True, eq=False)
@@ -88,6 +113,11 @@ class Tiles:
     first: np.ndarray
     item: np.ndarray
 
+    def pixels(self) -> tuple[np.ndarray, np.ndarray]:
+        """Columns and rows (side, t) of their pixels."""
+        inner = np.arange(self.side)[:, None]
+        return self.column + inner, self.row + inner
+
     def part(self, begin: int, end: int) -> Tiles:
         """Return the tiles from `begin` to before `end`."""
         first = self.first[begin : end + 1]
@@ -95,11 +125,11 @@ class Tiles:
             self.side, self.column[begin:end], self.row[begin:end], first - first[0], self.item[first[0] : first[-1]]
         )
 
-    def blocks(self) -> Iterator[Tiles]:
-        """Divide them so that the pairs of each part stay in the cache, as far as whole tiles allow."""
+    def blocks(self, pairs: int) -> Iterator[Tiles]:
+        """Divide them into parts of so many pairs, as far as whole tiles allow."""
         begin = 0
         while begin < len(self.column):
-            end = int(np.searchsorted(self.first, self.first[begin] + _PAIRS_AT_ONCE, side="right")) - 1
+            end = int(np.searchsorted(self.first, self.first[begin] + pairs, side="right")) - 1
             end = max(begin + 1, end)
             yield self.part(begin, end)
             begin = end
@@ -118,25 +148,22 @@ def culled(trajectories: Trajectories, bounds: Bounds, bottom: int, top: int) ->
 
     Yields
     ------
-    pixels : Tiles
-        Of side 1, with the trajectories that may cut them; each pixel once, those that nothing cuts left out.
+    tiles : Tiles
+        Fine enough, with the trajectories that may cut them; each one once, those that nothing cuts left out.
     tested : int
         Pairs of a tile or pixel and a trajectory that were tested for it.
     """
     pending = [_tiles(trajectories, bottom, top)]
     tested = 0
     while pending:
-        tiles = pending.pop()
-        if tiles.side == 1:
-            yield tiles, tested
-            tested = 0
-            continue
-        for block in tiles.blocks():
-            tested += 4 * len(block.item)
-            if tiles.side > bounds.finest:
+        for block in pending.pop().blocks(_PAIRS_AT_ONCE):
+            if not bounds.fine_enough(block):
+                tested += 4 * len(block.item)
                 pending.append(_quartered(trajectories, bounds, block))
-            else:
-                yield _pixels(trajectories, block), tested
+                continue
+            pixels = block.side**2
+            for small in block.blocks(_PAIRS_AT_ONCE // pixels):
+                yield small, tested + pixels * len(small.item)
                 tested = 0
 
 
@@ -167,19 +194,6 @@ def _quartered(trajectories: Trajectories, bounds: Bounds, tiles: Tiles) -> Tile
         items.append(tiles.item[kept])
     first = np.append(0, np.cumsum(np.concatenate(counts)))
     return Tiles(side, np.concatenate(columns), np.concatenate(rows), first, np.concatenate(items))
-
-
-def _pixels(trajectories: Trajectories, tiles: Tiles) -> Tiles:
-    """The pixels of tiles of side 2, each with all of its tile's trajectories."""
-    frame = trajectories.frame
-    across, up = np.array(QUARTERS).T
-    column, row = (tiles.column + across[:, None]).ravel(), (tiles.row + up[:, None]).ravel()
-    count, item = np.tile(np.diff(tiles.first), 4), np.tile(tiles.item, 4)
-    inside = (column < frame.width) & (row < frame.height)
-    if not inside.all():
-        item = item[np.repeat(inside, count)]
-        column, row, count = column[inside], row[inside], count[inside]
-    return Tiles(1, column, row, np.append(0, np.cumsum(count)), item)
 
 
 def deeper(

@@ -17,11 +17,11 @@ from vkworkbench.language import Message, Unusable
 
 # What may be taken where nobody says otherwise, bytes.
 BUDGET = 2e9
-# Measured by benchmarks/zbuffer.py. Bytes of the work on one band of the image at a time, of every trajectory as the
-# simulation holds it, and of every record of a band while the band is put together.
-_BAND = 26e6
-_TRAJECTORY = 160.0
-_BAND_RECORD = 26.0
+# Measured by benchmarks/zbuffer.py. Bytes of the work on one band of the image at a time, from above and otherwise, of
+# every trajectory as the simulation holds it, and of every record of a band while the band is put together.
+_BAND_ABOVE, _BAND = 14e6, 34e6
+_TRAJECTORY = 400.0
+_BAND_RECORD = 13.0
 # The records grow by an eighth when they are full.
 _SPARE = 1 / 8
 # Traces are estimated; so many standard errors are added.
@@ -123,4 +123,5 @@ def _peak(records: float, band: float, trajectories: int, removal: Removal) -> f
     """Memory for so many records, in the fullest band so many."""
     pixels = removal.frame.width * removal.frame.height
     held = RECORD_BYTES * records * (1 + _SPARE) + PIXEL_BYTES * pixels
-    return held + _BAND + _BAND_RECORD * band + _TRAJECTORY * trajectories
+    band_work = _BAND_ABOVE if removal.sine == 0 and removal.cosine > 0 else _BAND
+    return held + band_work + _BAND_RECORD * band + _TRAJECTORY * trajectories

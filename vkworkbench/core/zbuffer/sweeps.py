@@ -25,7 +25,9 @@ from vkworkbench.core.zbuffer.rounded import ball_chord, ball_sides, divide, rou
 ROUNDING = 1e-7
 
 
-def lowest(tool: Tool, start: np.ndarray, heading: np.ndarray, x: np.ndarray, y: np.ndarray) -> np.ndarray:
+def lowest(
+    tool: Tool, start: np.ndarray, heading: np.ndarray, x: np.ndarray, y: np.ndarray
+) -> tuple[np.ndarray, np.ndarray]:
     """Height of the lower surface of the swept volume above points of the plane.
 
     Parameters
@@ -35,26 +37,40 @@ def lowest(tool: Tool, start: np.ndarray, heading: np.ndarray, x: np.ndarray, y:
         Where the tip starts, mm.
     heading : (4, k) ndarray
         Unit direction in the plane (x, y), length in the plane, mm, and slope; see :func:`headings`.
-    x, y : (k,) ndarray
-        The points.
+    x, y : ndarray
+        The points, of any shape that goes with (k,).
 
     Returns
     -------
-    (k,) ndarray
-        Height z, mm; infinite where the tool does not pass.
+    height : ndarray
+        z, mm; not a number where the tool does not pass.
+    inner : ndarray
+        How far the point is from where the tool first touches or last leaves it, mm; about 0 at the rim of the sweep,
+        negative or not a number outside.
     """
     ux, uy, run, slope = heading
     px, py = x - start[0], y - start[1]
-    along = px * ux + py * uy
-    aside2 = (py * ux - px * uy) ** 2
-    half2 = tool.radius**2 - aside2
-    half = np.sqrt(np.maximum(half2, 0))
-    # Range of the tool axis along the move, relative to the foot of the point.
-    first = np.maximum(-along, -half)
-    last = np.minimum(run - along, half)
-    position = np.minimum(np.maximum(_lowest_position(tool, slope, aside2, half, first, last), first), last)
-    height = start[2] + slope * (along + position) + _profile(tool, np.sqrt(aside2 + position**2))
-    return np.where((half2 >= 0) & (first <= last), height, np.inf)
+    along, aside2 = px * ux + py * uy, py * ux - px * uy
+    aside2 *= aside2
+    half = tool.radius**2 - aside2
+    ahead = run - along
+    with np.errstate(invalid="ignore"):
+        np.sqrt(half, out=half)  # not a number beside the tool
+        # The tool's axis moves from -along to ahead, seen from the foot of the point; half is how far the tool reaches.
+        at = along + _lowest_position(tool, slope, aside2, half, along, ahead)
+        np.minimum(np.maximum(at, 0, out=at), run, out=at)
+        np.minimum(along, ahead, out=ahead)
+        np.minimum(ahead, 0, out=ahead)
+        inner = np.add(ahead, half, out=half)
+        missed = ~(inner >= 0)
+        along -= at
+        along *= along
+        along += aside2
+        at *= slope
+        at += _profile(tool, along)
+    at += start[2]
+    at[missed] = np.nan
+    return at, inner
 
 
 def headings(move: np.ndarray) -> np.ndarray:
@@ -66,31 +82,34 @@ def headings(move: np.ndarray) -> np.ndarray:
     return np.array([ux, uy, run, np.where(moving, move[2] / safe_run, 0.0)])
 
 
-def _profile(tool: Tool, r: np.ndarray) -> np.ndarray:
-    """Tool.height without its end at the rim, where rounding would make points of the rim infinite."""
+def _profile(tool: Tool, r2: np.ndarray) -> np.ndarray | float:
+    """Tool.height at squared distances from the axis, without its end at the rim, where rounding would be infinite."""
     corner = tool.rounding
     if corner == 0:
-        return tool.steepness * np.maximum(r - tool.tip, 0)
-    beyond_flat = np.clip(r - (tool.radius - corner), 0, corner)
+        return tool.steepness * np.maximum(np.sqrt(r2) - tool.tip, 0) if tool.steepness else 0.0
+    if corner == tool.radius:
+        return corner - np.sqrt(np.maximum(corner**2 - r2, 0))
+    beyond_flat = np.clip(np.sqrt(r2) - (tool.radius - corner), 0, corner)
     return corner - np.sqrt(corner**2 - beyond_flat**2)
 
 
 def _lowest_position(
-    tool: Tool, slope: np.ndarray, aside2: np.ndarray, half: np.ndarray, first: np.ndarray, last: np.ndarray
+    tool: Tool, slope: np.ndarray, aside2: np.ndarray, half: np.ndarray, along: np.ndarray, ahead: np.ndarray
 ) -> np.ndarray:
-    """Where on the move the tool is lowest above a point: the minimum of slope * v + profile(r(v))."""
+    """Where on the move the tool is lowest above a point: the minimum of slope * v + profile(r(v)) for v in +-half."""
     if not slope.any():
         return np.zeros_like(slope)
     if tool.rounding == tool.radius:
-        on_ball: np.ndarray = -slope * half / np.sqrt(1 + slope**2)
-        return on_ball
+        return half * (-slope / np.sqrt(1 + slope**2))
+    if tool.rounding == 0 and tool.steepness == 0:
+        return half * -np.sign(slope)
     if tool.rounding == 0:
         steeper = tool.steepness**2 - slope**2
         inner = np.abs(slope) * np.sqrt(aside2 / np.where(steeper > 0, steeper, 1))
         # Where that is on the flat tip, its edge is lower.
-        inner = -np.sign(slope) * np.maximum(inner, np.sqrt(np.maximum(tool.tip**2 - aside2, 0)))
-        return np.where(steeper > 0, inner, np.where(slope > 0, first, last))
-    low, high = first.copy(), last.copy()
+        inner = np.minimum(np.maximum(inner, np.sqrt(np.maximum(tool.tip**2 - aside2, 0))), half)
+        return -np.sign(slope) * np.where(steeper > 0, inner, half)
+    low, high = np.maximum(-along, -half), np.minimum(ahead, half)
     flat = tool.radius - tool.rounding
     for _ in range(48):
         middle = (low + high) / 2
@@ -122,7 +141,7 @@ def intervals(
     Returns
     -------
     near, far : (k,) ndarray
-        Depths along the ray, mm; ``near > far`` where it misses.
+        Depths along the ray, mm; ``near > far``, or not a number, where it misses.
     """
     offset = ray - start
     if tool.rounding == 0 and tool.steepness == 0 and not move[2].any():
@@ -154,15 +173,24 @@ def _level_slot(
     x, y, z = offset
     ux, uy, _ = move
     run = np.sqrt(ux**2 + uy**2)
-    reach = radius * uy / np.where(run > 0, run, 1)
-    low: np.ndarray = np.array(np.inf)
-    high: np.ndarray = np.array(-np.inf)
+    across = ux != 0
+    safe = np.where(across, ux, 1.0)
+    # As the tool moves, its chord of the ray ends last where the tangent at its end goes along the move.
+    reach = radius * uy / np.where(run > 0, run, 1) * np.sign(ux)
+    ends = []
     with np.errstate(invalid="ignore"):
-        for t in (0.0, 1.0, np.clip(divide(x + reach, ux), 0, 1), np.clip(divide(x - reach, ux), 0, 1)):
-            aside, along = x - t * ux, y - t * uy
-            # Not a number where the tool standing there misses the ray; fmin and fmax pass over it.
+        for sign in (-1, 1):
+            t = np.where(across, (x + sign * reach) / safe, sign * uy > 0)
+            np.minimum(np.maximum(t, 0, out=t), 1, out=t)
+            aside = x - t * ux
+            # Not a number where the tool misses the ray wherever it stands.
             half = np.sqrt(radius**2 - aside * aside)
-            low, high = np.fmin(low, -half - along), np.fmax(high, half - along)
+            half *= sign
+            t *= uy
+            t -= y
+            t += half
+            ends.append(t)
+    low, high = ends
     height = z + ROUNDING
     tangent = cosine / sine if abs(cosine) > 1e-9 else 0.0
     if tangent > 0:
@@ -171,8 +199,7 @@ def _level_slot(
         low = np.maximum(low, height / tangent)
     else:
         high = np.where(height >= 0, high, -np.inf)
-    missed = low > high + ROUNDING * sine
-    return np.where(missed, np.inf, low / sine), np.where(missed, -np.inf, high / sine)
+    return low / sine, high / sine
 
 
 def _extremes(

@@ -18,7 +18,7 @@ import numpy as np
 
 from vkworkbench.core.solids import Frame, Tool
 from vkworkbench.core.stocks import Solid
-from vkworkbench.core.zbuffer.culling import NOISE, QUARTERS
+from vkworkbench.core.zbuffer.culling import NOISE, QUARTERS, Removals, Tiles
 from vkworkbench.core.zbuffer.dexels import THINNEST, before_in_group
 from vkworkbench.core.zbuffer.sweeps import ROUNDING, intervals
 from vkworkbench.core.zbuffer.trajectories import Trajectories
@@ -32,8 +32,6 @@ _LESS = 1e-6
 class Tilted:
     """Bounds for an oblique view; see `culling.Bounds`."""
 
-    finest = 2
-
     def __init__(self, trajectories: Trajectories) -> None:
         self.trajectories, self.sine, self.cosine = trajectories, trajectories.sine, trajectories.cosine
         self.start, self.move, self.frame = trajectories.start, trajectories.move, trajectories.frame
@@ -41,6 +39,10 @@ class Tilted:
         level = abs(self.cosine) > _LEVEL and not all(tool.rounding == tool.radius for tool in tools)
         self.growths = [_Growth(tool, level, self.sine, self.cosine) for tool in tools]
         self.chords = _TileChords(trajectories.stock, trajectories.frame, self.sine / self.cosine if level else 0.0)
+
+    def fine_enough(self, tiles: Tiles) -> bool:
+        """See `culling.Bounds.fine_enough`."""
+        return tiles.side <= 2
 
     def quarters(
         self, column: np.ndarray, row: np.ndarray, tile: np.ndarray, item: np.ndarray, child: int
@@ -61,6 +63,23 @@ class Tilted:
             met = np.flatnonzero(leave - enter > 0.9 * THINNEST)
             all_enter, all_leave = self._intervals(small, item[met], start[:, met], move[:, met], ray[:, met])
             yield met[_not_yet_open(tile[met], enter[met], leave[met], all_enter, all_leave, near, far)]
+
+    def removals(self, tiles: Tiles, tile: np.ndarray, near: np.ndarray, far: np.ndarray) -> Removals:
+        """See `culling.Bounds.removals`."""
+        column, row = tiles.pixels()
+        x, y = self.frame.pixel_centres(column, row)
+        side, item = tiles.side, tiles.item
+        shape = side, side, len(item)
+        px = np.broadcast_to(x.take(tile, axis=1)[None], shape).ravel()
+        py = np.broadcast_to(y.take(tile, axis=1)[:, None], shape).ravel()
+        enter, leave = self.trajectories.intervals(px, py, np.tile(item, side * side))
+        shape = side * side, len(item)
+        enter, leave = enter.reshape(shape), leave.reshape(shape)
+        cut = np.minimum(leave, far.take(tile, axis=1)) - np.maximum(enter, near.take(tile, axis=1)) > THINNEST
+        hit = np.flatnonzero(cut)
+        # On the rim of a sweep rounding decides: as it does for any other ray.
+        hit = hit[self.trajectories.passing(px[hit], py[hit], item[hit % len(item)])]
+        return Removals(hit, enter.ravel()[hit], leave.ravel()[hit])
 
     def _intervals(
         self,

@@ -42,6 +42,10 @@ class Trajectories:
         The different tools, and whether they move on one level; a vertical move stands at its lowest point.
     kind : (m,) int64
         Which of these each trajectory is.
+    tools : tuple of Tool
+        The different tools.
+    tool : (m,) int64
+        Which of these moves each trajectory.
     heading : (4, m) float64
         Direction in the plane, length in the plane and slope of each one, see ``sweeps.headings``.
     box : (4, m) float64
@@ -74,6 +78,8 @@ class Trajectories:
         self.ceiling = float(stock.upper[2] - frame.centre[2])
         self.heading = headings(self.move)
         self.kinds, self.kind = self._kinds(cuts)
+        self.tools = tuple(dict.fromkeys(kind.tool for kind in self.kinds))
+        self.tool = np.array([self.tools.index(kind.tool) for kind in self.kinds], np.int64)[self.kind]
         self.box = self.boxes(np.arange(len(self.index)), 0.0, 1.0)
         self.strip = self._strips()
 
@@ -86,14 +92,11 @@ class Trajectories:
 
     def by_kind(self, item: np.ndarray) -> Iterator[tuple[int, slice | np.ndarray]]:
         """Divide positions in `index` (k,) by their kinds: numbers of kinds, and which of the positions."""
-        if len(self.kinds) == 1:
-            yield 0, slice(None)
-            return
-        kind = self.kind.take(item)
-        for number in range(len(self.kinds)):
-            own = np.flatnonzero(kind == number)
-            if len(own):
-                yield number, own
+        return _divided(self.kind, len(self.kinds), item)
+
+    def by_tool(self, item: np.ndarray) -> Iterator[tuple[Tool, slice | np.ndarray]]:
+        """Divide positions in `index` (k,) by their tools: tools, and which of the positions."""
+        return ((self.tools[number], own) for number, own in _divided(self.tool, len(self.tools), item))
 
     def boxes(self, item: np.ndarray, begin: np.ndarray | float, end: np.ndarray | float) -> np.ndarray:
         """Bounds in the image of parts of moves: left, right, bottom, top (4, k), mm.
@@ -175,7 +178,7 @@ class Trajectories:
         Returns
         -------
         near, far : (k,) ndarray
-            Depths, mm, unbounded where they are; ``near > far`` where a ray misses.
+            Depths, mm, unbounded where they are; ``near > far``, or not a number, where a ray misses.
         """
         near, far = np.empty(len(item)), np.empty(len(item))
         for begin in range(0, len(item), _PAIRS_AT_ONCE):
@@ -194,9 +197,20 @@ class Trajectories:
     def _of_kind(self, tool: Tool, x: np.ndarray, y: np.ndarray, item: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         start = self.start.take(item, axis=1)
         if self.sine == 0:
-            height = lowest(tool, start, self.heading.take(item, axis=1), x, self.cosine * y)
+            opened = -lowest(tool, start, self.heading.take(item, axis=1), x, self.cosine * y)[0]
             everywhere = np.full(len(x), np.inf)
-            return (-everywhere, -height) if self.cosine > 0 else (height, everywhere)
+            return (-everywhere, opened) if self.cosine > 0 else (-opened, everywhere)
         move = self.move.take(item, axis=1)
         ray = np.array([x, self.cosine * y, self.sine * y])
         return intervals(tool, start, move, ray, self.sine, self.cosine)
+
+
+def _divided(group: np.ndarray, groups: int, item: np.ndarray) -> Iterator[tuple[int, slice | np.ndarray]]:
+    """Numbers of the groups that occur among the items (k,), and which of the items are theirs."""
+    if groups == 1:
+        yield 0, slice(None)
+        return
+    group = group.take(item)
+    counts = np.bincount(group, minlength=groups)
+    for number in np.flatnonzero(counts).tolist():
+        yield number, slice(None) if counts[number] == len(item) else np.flatnonzero(group == number)

@@ -12,11 +12,15 @@ from collections.abc import Iterator, Sequence
 import numpy as np
 
 from vkworkbench.core.solids import Tool
-from vkworkbench.core.zbuffer.culling import QUARTERS, deeper
+from vkworkbench.core.zbuffer.culling import QUARTERS, Removals, Tiles, deeper
+from vkworkbench.core.zbuffer.opening import opening
+from vkworkbench.core.zbuffer.sweeps import lowest
 from vkworkbench.core.zbuffer.trajectories import Trajectories
 
 # Margin of a squared distance, mm^2: what rounding may make of the tool's rim.
 _RIM = 1e-9
+# The same of a length along the rim, mm.
+_RIM_LENGTH = 1e-4
 
 
 class Upright:
@@ -29,10 +33,15 @@ class Upright:
         # The moves from their middles: position, direction, half the length, depth, and slope.
         self.columns = (x + mx / 2, y + my / 2, ux, uy, run / 2, -(z + slope * run / 2))
         self.slope = slope
-        # A level floor is as deep everywhere: bounds of pixels tell as much as the rays. Else the rays are as quick.
-        self.finest = 1 if 2 * np.count_nonzero(slope) <= len(slope) else 2
         half = (trajectories.stock.upper[2] - trajectories.stock.lower[2]) / 2
         self.near, self.far = -float(half), float(half)
+
+    def fine_enough(self, tiles: Tiles) -> bool:
+        """See `culling.Bounds.fine_enough`."""
+        # Of a sloped move bounds take longer than the surface of what it sweeps.
+        return tiles.side <= 2 or (
+            tiles.side == 4 and 2 * np.count_nonzero(self.slope.take(tiles.item)) > len(tiles.item)
+        )
 
     def quarters(
         self, column: np.ndarray, row: np.ndarray, tile: np.ndarray, item: np.ndarray, child: int
@@ -55,6 +64,35 @@ class Upright:
             along, aside = along0 + right * ux + upwards * uy, aside0 + upwards * ux - right * uy
             places = along, aside, extent, half_run, depth
             yield deeper(tile, start, *self._bounds(kinds, item, places), self.near, self.far)
+
+    def removals(self, tiles: Tiles, tile: np.ndarray, near: np.ndarray, far: np.ndarray) -> Removals:
+        """See `culling.Bounds.removals`."""
+        column, row = tiles.pixels()
+        x, y = self.frame.pixel_centres(column, row)
+        start = np.flatnonzero(np.diff(tile, prepend=-1))
+        depth = self._opened(x.take(tile, axis=1)[None], y.take(tile, axis=1)[:, None], tiles.item)
+        if self.cosine > 0:
+            hit = opening(depth, tile, start, near, far)
+            return Removals(hit, None, depth.ravel()[hit])
+        hit = opening(depth, tile, start, -far, -near)
+        return Removals(hit, -depth.ravel()[hit], np.full(len(hit), np.inf))
+
+    def _opened(self, x: np.ndarray, y: np.ndarray, item: np.ndarray) -> np.ndarray:
+        """Depths (pixels of a tile, p) to which the pairs open the rays of columns x (1, side, p), rows y (side, 1, p)."""
+        trajectories = self.trajectories
+        start, heading = trajectories.start.take(item, axis=1), trajectories.heading.take(item, axis=1)
+        depth = np.empty((len(y), x.shape[1], len(item)))
+        for tool, own in trajectories.by_tool(item):
+            px, py = x[..., own], y[..., own]
+            height, inner = lowest(tool, start[:, own], heading[:, own], px, self.cosine * py)
+            # On the rim of a sweep rounding decides: as it does for any other ray.
+            rim = np.nonzero((inner >= 0) & (inner < _RIM_LENGTH))
+            if len(rim[0]):
+                row, column, pair = rim
+                passed = trajectories.passing(px[0, column, pair], py[row, 0, pair], item[own][pair])
+                height[rim] = np.where(passed, height[rim], np.nan)
+            depth[..., own] = np.negative(height, out=height)
+        return depth.reshape(-1, len(item))
 
     def _bounds(
         self, kinds: list[tuple[int, slice | np.ndarray]], item: np.ndarray, places: Sequence[np.ndarray]
@@ -167,10 +205,10 @@ def profile(tool: Tool, distance2: np.ndarray) -> np.ndarray | float:
     corner = tool.rounding
     if corner == 0 and tool.steepness == 0:
         return 0.0
+    if corner == tool.radius:
+        return corner - np.sqrt(np.maximum(corner**2 - distance2, 0))
     distance = np.sqrt(np.minimum(distance2, tool.radius**2))
     if corner == 0:
-        on_cone: np.ndarray = tool.steepness * np.maximum(distance - tool.tip, 0)
-        return on_cone
-    beyond_flat = np.maximum(distance - (tool.radius - corner), 0)
-    result: np.ndarray = corner - np.sqrt(np.maximum(corner**2 - beyond_flat**2, 0.0))
-    return result
+        return tool.steepness * np.maximum(distance - tool.tip, 0)
+    beyond_flat = np.maximum(distance - (tool.radius - corner), 0.0)
+    return corner - np.sqrt(np.maximum(corner**2 - beyond_flat**2, 0.0))

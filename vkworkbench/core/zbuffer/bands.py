@@ -1,0 +1,143 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The pieces of the rays of a band of the image."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import NamedTuple
+
+import numpy as np
+
+from vkworkbench.core.zbuffer.chains import among, cut_rays
+from vkworkbench.core.zbuffer.culling import TILE, Bounds, Tiles
+from vkworkbench.core.zbuffer.dexels import THINNEST, UNCUT
+from vkworkbench.core.zbuffer.opening import opened
+from vkworkbench.core.zbuffer.records import INDEX, Records
+from vkworkbench.core.zbuffer.trajectories import Trajectories
+
+
+class _Part(NamedTuple):
+    """Some rays that are cut.
+
+    Attributes
+    ----------
+    ray : (k,) ndarray of int
+        Their numbers in the band.
+    size : (k,) ndarray of int
+        How many pieces each one has.
+    count : (k,) ndarray of int
+        How many of them are listed: all, or all but the last, that nothing removes.
+    end : (p,) float32
+    owner : (p,) int32
+        The pieces listed.
+    """
+
+    ray: np.ndarray
+    size: np.ndarray
+    count: np.ndarray
+    end: np.ndarray
+    owner: np.ndarray
+
+
+def cut_band(
+    trajectories: Trajectories, bounds: Bounds, blocks: Iterable[tuple[Tiles, int]], uncut: int, bottom: int
+) -> tuple[Records, int]:
+    """Cut the rays of `TILE` rows of the image, from row `bottom` on.
+
+    Parameters
+    ----------
+    trajectories : Trajectories
+    bounds : Bounds
+        Of the same view.
+    blocks : iterable of (Tiles, int)
+        See `culling.culled`.
+    uncut : int
+        Owner of what nothing removes.
+    bottom : int
+
+    Returns
+    -------
+    records : Records
+    tested : int
+        Pairs that were tested for it.
+    """
+    band = _Band(trajectories, bounds, uncut, bottom)
+    tested = 0
+    for tiles, pairs in blocks:
+        tested += pairs
+        band.cut(tiles)
+    return band.records(), tested
+
+
+class _Band:
+    def __init__(self, trajectories: Trajectories, bounds: Bounds, uncut: int, bottom: int) -> None:
+        self.trajectories, self.bounds, self.uncut, self.bottom = trajectories, bounds, uncut, bottom
+        frame = self.frame = trajectories.frame
+        self.top = min(bottom + TILE, frame.height)
+        row, column = np.divmod(np.arange(bottom * frame.width, self.top * frame.width), frame.width)
+        self.near, self.far, self.gaps = trajectories.stock.spans(frame, *frame.pixel_centres(column, row))
+        self.inside = self.far - self.near > THINNEST
+        # Where a stock has gaps, they are pieces of rays that nothing cuts, too.
+        self.pending = np.zeros(len(row), bool)
+        self.pending[self.gaps.ray] = True
+        self.parts: list[_Part] = []
+
+    def cut(self, tiles: Tiles) -> None:
+        """Cut the rays of tiles by their trajectories."""
+        column, row = tiles.pixels()
+        shape = tiles.side**2, len(tiles.column)
+        ray = ((row[:, None] - self.bottom) * self.frame.width + column).reshape(shape)
+        outside = ((row[:, None] >= self.top) | (column >= self.frame.width)).reshape(shape)
+        ray[outside] = 0
+        usable = self.inside[ray] & ~outside
+        near, far = np.where(usable, self.near[ray], np.inf), np.where(usable, self.far[ray], -np.inf)
+        tile = np.repeat(np.arange(len(tiles.column)), np.diff(tiles.first))
+        hit, enter, leave = self.bounds.removals(tiles, tile, near, far)
+        if len(hit) == 0:
+            return
+        # Pixels of the tiles, row by row, are the rays' order.
+        pixel = np.repeat(np.arange(shape[0]), np.diff(np.searchsorted(hit, np.arange(shape[0] + 1) * len(tile))))
+        pair = hit - pixel * len(tile)
+        owner = self.trajectories.index[tiles.item[pair]]
+        pixel *= shape[1]
+        pixel += tile[pair]
+        start = np.flatnonzero(np.diff(pixel, prepend=-1))
+        met = pixel[start]
+        ray, near, far = ray.ravel()[met], near.ravel()[met], far.ravel()[met]
+        if enter is None and len(self.gaps.ray) == 0:
+            count, rest, end, owner = opened(near, far, start, owner, leave)
+            self._add(ray, count + rest, count, end, owner)
+            return
+        if enter is None:
+            enter = np.full(len(hit), -np.inf)
+        number = np.repeat(np.arange(len(start)), np.diff(start, append=len(hit)))
+        self._cut(ray, near, far, number, owner, enter, leave)
+
+    def records(self) -> Records:
+        """Put the pieces together."""
+        ray = np.flatnonzero(self.pending & self.inside)
+        if len(ray):
+            nobody, nowhere = np.empty(0, np.int64), np.empty(0)
+            self._cut(ray, self.near[ray], self.far[ray], nobody, nobody, nowhere, nowhere)
+        size = self.inside.astype(np.int64)
+        for part in self.parts:
+            size[part.ray] = part.size
+        index = np.append(0, np.cumsum(size))
+        ends, owners = np.empty(index[-1], np.float32), np.full(index[-1], self.uncut, np.int32)
+        ends[index[1:][self.inside] - 1] = self.far[self.inside]
+        for part in self.parts:
+            first = np.cumsum(part.count) - part.count
+            at = np.repeat(index[part.ray] - first, part.count) + np.arange(len(part.end))
+            ends[at], owners[at] = part.end, part.owner
+        entry = np.where(self.inside, self.near, 0).astype(np.float32)
+        return Records(self.uncut, index.astype(INDEX), entry, ends, owners)
+
+    def _cut(self, ray: np.ndarray, near: np.ndarray, far: np.ndarray, *intervals: np.ndarray) -> None:
+        pieces = cut_rays(near, far, *intervals, among(self.gaps, ray))
+        size = np.bincount(pieces.ray, minlength=len(ray))
+        owner = np.where(pieces.owner == UNCUT, self.uncut, pieces.owner)
+        self._add(ray, size, size, pieces.far, owner)
+        self.pending[ray] = False
+
+    def _add(self, ray: np.ndarray, size: np.ndarray, count: np.ndarray, end: np.ndarray, owner: np.ndarray) -> None:
+        self.parts.append(_Part(ray, size, count, end.astype(np.float32), owner.astype(np.int32)))
