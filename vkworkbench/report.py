@@ -7,17 +7,17 @@ import csv
 import json
 import re
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 from vkworkbench.core import Estimate, Machining, Recognition, Span, Strategy
 from vkworkbench.core.paper import PaperVerdict
 from vkworkbench.core.simulators import SIMULATORS, ZBUFFER, Caution, Costs, LegacyCost, together
+from vkworkbench.core.zbuffer import FACT_COLUMNS, CutFacts
 from vkworkbench.language import ENGLISH, Message, render
+from vkworkbench.plain_text import plain_text
+from vkworkbench.simulation_facts import SimulationFacts
 
-# A text that spreadsheets take for a formula: one of these signs, after characters that they skip. East Asian ones
-# take the full-width signs as well.
-_FORMULA = re.compile(r"[\s\x00-\x1f\ufeff\u200b-\u200f\u2060]*[=+\-@＝＋－＠]")
 # Cautions on what hangs a simulator, or takes longer or more memory than the user allows.
 HANGS = frozenset({"legacy-hangs"})
 SERIOUS = HANGS | {"long-play", "memory"}
@@ -56,6 +56,8 @@ class OperationReport(Costs):
         Of the path, tool and stock that were analysed.
     document_id : str
         Tells the document from another one of the same name; empty for a program.
+    simulated : CutFacts or None
+        What a simulation told of it; None where none was asked: see `Report.with_facts`.
     """
 
     document: str
@@ -72,6 +74,7 @@ class OperationReport(Costs):
     remarks: tuple[Message, ...]
     fingerprint: str
     document_id: str = ""
+    simulated: CutFacts | None = None
 
     @property
     def strategy(self) -> Strategy:
@@ -173,6 +176,7 @@ class OperationReport(Costs):
             **ZBUFFER.figures(self.estimate),
             **self.columns(),
             **self.factors(),
+            "simulated": self.simulated and self.simulated.as_dict(),
             "error": self.error,
             "cautions": [caution.message for caution in self.cautions],
             "messages": {
@@ -226,6 +230,8 @@ class Total(Costs):
         Whether some operation's cost is unknown, so that the sums are lower bounds.
     costs, advice : mapping
         As of `Costs`, for the operations one after another; empty where no operation's cost is known.
+    simulated : CutFacts or None
+        What a simulation of all of them told; None where none was asked.
     """
 
     document: str
@@ -240,6 +246,7 @@ class Total(Costs):
     incomplete: bool
     costs: Mapping[str, Any]
     advice: Mapping[str, Any]
+    simulated: CutFacts | None = None
 
     @property
     def seconds(self) -> float:
@@ -267,6 +274,7 @@ class Total(Costs):
             "memory_bytes": self.memory_bytes,
             "incomplete": self.incomplete,
             **self.columns(),
+            "simulated": self.simulated and self.simulated.as_dict(),
             "messages": self.advice_messages(),
         }
 
@@ -284,12 +292,36 @@ class Report:
         Of memory and time, as `best_resolution` takes it.
     fixtures : dict
         How often each job's operations are posted, where that is known, likewise.
+    simulated : dict
+        What a simulation told of each job as a whole, where there was one, likewise.
     """
 
     operations: tuple[OperationReport, ...]
     jobs: dict[tuple[str, str], str]
     budget: dict[str, float]
     fixtures: dict[tuple[str, str], int] = field(default_factory=dict)
+    simulated: dict[tuple[str, str], CutFacts] = field(default_factory=dict)
+
+    def with_facts(self, facts: SimulationFacts) -> Report:
+        """Return the report with what a simulation told of its operations, and of the job if all of it was simulated.
+
+        Parameters
+        ----------
+        facts : SimulationFacts
+            ``vkworkbench.simulate(job).facts()``.
+        """
+        told = dict(zip(facts.names, (of_one for _, of_one in facts.operations)))
+        operations = tuple(replace(o, simulated=told.get((o.document, o.name), o.simulated)) for o in self.operations)
+        jobs = {}
+        for key in self.jobs:
+            cutting = {
+                (o.document, o.name)
+                for o in self.operations
+                if o.counted and (o.document, o.job) == key and o.trajectories
+            }
+            if cutting == set(told):
+                jobs[key] = facts.job
+        return replace(self, operations=operations, simulated={**self.simulated, **jobs})
 
     @property
     def totals(self) -> tuple[Total, ...]:
@@ -298,7 +330,8 @@ class Report:
 
     def _total(self, document: str, job: str, label: str) -> Total:
         counted = [o for o in self.operations if o.counted and (o.document, o.job) == (document, job)]
-        return total_of(document, job, label, counted, self.budget, self.fixtures.get((document, job), 1))
+        total = total_of(document, job, label, counted, self.budget, self.fixtures.get((document, job), 1))
+        return replace(total, simulated=self.simulated.get((document, job)))
 
     def __str__(self) -> str:
         if not self.operations:
@@ -379,11 +412,14 @@ def total_of(
 def cells_of(operation: OperationReport) -> dict[str, Any]:
     """Return an operation's report as the cells of one line of a table.
 
-    The column ``codes`` has the codes of its messages, each followed by those of the messages in it.
+    What a simulation told has the columns ``simulated_...``, empty where there was none; ``codes`` has the codes of its messages, each followed by those of the messages in it.
     A text cell that a spreadsheet would take for a formula gets an apostrophe in front.
     """
     row = operation.as_dict()
     del row["messages"]
+    del row["simulated"]
+    told = operation.simulated.cells() if operation.simulated else dict.fromkeys(FACT_COLUMNS)
+    row.update({f"simulated_{name}": value for name, value in told.items()})
     row["codes"] = "; ".join(" ".join(message.codes) for message in operation.messages)
     row["cautions"] = "; ".join(row["cautions"])
     row["machining_notes"] = "; ".join(row["machining_notes"])
@@ -419,10 +455,3 @@ def _line(row: tuple[str, ...], widths: list[int]) -> str:
     left = {0, 1, len(row) - 1}
     cells = (cell.ljust(w) if i in left else cell.rjust(w) for i, (cell, w) in enumerate(zip(row, widths)))
     return "  ".join(cells).rstrip()
-
-
-def plain_text(value: Any) -> Any:
-    """Return a text that no spreadsheet takes for a formula; other values as they are."""
-    if isinstance(value, str) and _FORMULA.match(value):
-        return "'" + value
-    return value

@@ -5,17 +5,15 @@ from __future__ import annotations
 
 import csv
 import json
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from vkworkbench.core.zbuffer import CutFacts
-from vkworkbench.language import ENGLISH
-from vkworkbench.report import plain_text
+import numpy as np
 
-_NUMBERS = (
-    "removed_volume", "cutting_length", "cutting_seconds", "air_length", "air_seconds", "air_length_share",
-    "air_time_share", "mean_rate", "peak_rate", "depth_of_cut", "width_of_cut", "tool_diameter",
-)  # fmt: skip
+from vkworkbench.core.zbuffer import FACT_COLUMNS, CutFacts
+from vkworkbench.language import ENGLISH
+from vkworkbench.plain_text import plain_text
 
 
 @dataclass(frozen=True)
@@ -28,23 +26,29 @@ class SimulationFacts:
         Each operation's label and facts, in their order.
     job : CutFacts
         All together.
+    names : tuple of (str, str)
+        Internal names of each operation's document and object.
+    trajectories : mapping of str to ndarray
+        What each trajectory does, by columns; see `core.zbuffer.trajectory_table`.
     """
 
     operations: tuple[tuple[str, CutFacts], ...]
     job: CutFacts
+    names: tuple[tuple[str, str], ...]
+    trajectories: Mapping[str, np.ndarray]
 
     def as_dict(self) -> dict[str, Any]:
         """Return it as numbers, strings and lists, in mm, s, mm^3 and mm^3/min."""
         return {
-            "operations": [{"label": label, **_as_dict(facts)} for label, facts in self.operations],
-            "job": _as_dict(self.job),
+            "operations": [{"label": label, **facts.as_dict()} for label, facts in self.operations],
+            "job": self.job.as_dict(),
         }
 
     def to_csv(self, path: str) -> None:
         """Write one line for each operation, with a header; of what is wrong the number of places and the worst."""
-        rows = [{"label": plain_text(label), **_cells(facts)} for label, facts in self.operations]
+        rows = [{"label": plain_text(label), **facts.cells()} for label, facts in self.operations]
         with open(path, "w", newline="", encoding="utf-8") as file:
-            writer = csv.DictWriter(file, ["label", *_cells(self.job)])
+            writer = csv.DictWriter(file, ["label", *FACT_COLUMNS])
             writer.writeheader()
             writer.writerows(rows)
 
@@ -52,6 +56,16 @@ class SimulationFacts:
         """Write all of it, with every place where something is wrong."""
         with open(path, "w", encoding="utf-8") as file:
             json.dump(self.as_dict(), file, indent=1, ensure_ascii=False)
+
+    def trajectories_to_csv(self, path: str) -> None:
+        """Write one line for each trajectory, with a header: its operation, command, and what it removes."""
+        table = dict(self.trajectories)
+        labels = [plain_text(label) for label, _ in self.operations]
+        table = {"label": np.array(labels, object)[table.pop("cut")], **table}
+        with open(path, "w", newline="", encoding="utf-8") as file:
+            writer = csv.writer(file)
+            writer.writerow(table)
+            writer.writerows(zip(*(column.tolist() for column in table.values())))
 
     def __str__(self) -> str:
         header = (
@@ -72,37 +86,6 @@ class SimulationFacts:
             for row in (header, *rows)
         ]
         return "\n".join(line.rstrip() for line in lines)
-
-
-def _as_dict(facts: CutFacts) -> dict[str, Any]:
-    numbers = {name: getattr(facts, name) for name in _NUMBERS}
-    crashes = [
-        {"command": c.source.command, "place": list(c.place), "depth": c.depth, "volume": c.volume}
-        for c in facts.crashes
-    ]
-    plunges = [
-        {"command": p.source.command, "place": list(p.place), "feed": p.feed, "allowed": p.allowed}
-        for p in facts.fast_plunges
-    ]
-    gouges, left = (
-        [
-            {"command": d.source and d.source.command, "place": list(d.place), "depth": d.depth, "area": d.area}
-            for d in found
-        ]
-        for found in (facts.gouges, facts.left)
-    )
-    return {**numbers, "crashes": crashes, "fast_plunges": plunges, "gouges": gouges, "left": left}
-
-
-def _cells(facts: CutFacts) -> dict[str, Any]:
-    return {
-        **{name: getattr(facts, name) for name in _NUMBERS},
-        "crashes": len(facts.crashes),
-        "first_crash_command": facts.crashes[0].source.command if facts.crashes else None,
-        "fast_plunges": len(facts.fast_plunges),
-        "deepest_gouge": max((gouge.depth for gouge in facts.gouges), default=0.0),
-        "most_left": max((left.depth for left in facts.left), default=0.0),
-    }
 
 
 def _row(label: str, facts: CutFacts) -> tuple[str, ...]:

@@ -28,8 +28,9 @@ FLOORS = (
     ("core.rendering",),
     ("core.simulators",),
     ("core",),
-    ("report",),
+    ("plain_text",),
     ("simulation_facts",),
+    ("report",),
     ("freecad",),
     ("preferences",),
     ("program",),
@@ -41,6 +42,7 @@ FLOORS = (
 OUTSIDE = {
     "": set(),
     "core": {"numpy"},
+    "simulation_facts": {"numpy"},
     "freecad": {"FreeCAD"},
     "preferences": {"FreeCAD"},
     "program": {"numpy", "distributed"},

@@ -179,6 +179,43 @@ def test_facts_of_a_job_with_a_fault_of_each_kind(small, tmp_path):
     assert data["operations"][0]["crashes"][0]["place"] == list(crash.place)
     assert data["job"]["left"][0]["command"] is None and float(row["deepest_gouge"]) == gouge.depth
 
+    found.trajectories_to_csv(tmp_path / "trajectories.csv")
+    with open(tmp_path / "trajectories.csv", newline="", encoding="utf-8") as file:
+        moves = list(csv.DictReader(file))
+    assert [move["label"] for move in moves] == ["'=Fault"] * len(moves)
+    assert sum(float(move["removed_volume"]) for move in moves) == pytest.approx(facts.removed_volume)
+    assert [move["command"] for move in moves if move["rapid"] == "True" and float(move["removed_volume"]) > 0] == ["2"]
+
+
+def test_a_report_tells_what_a_simulation_found(small, tmp_path):
+    slot = small.add("Slot", [("G0", {"X": 10.0, "Y": 10.0, "Z": 30.0}), ("G1", {"Z": 15.0}), ("G0", {"X": 30.0})])
+    small.add("More", [("G0", {"X": 10.0, "Y": 20.0, "Z": 30.0}), ("G1", {"Z": 16.0}), ("G1", {"X": 30.0})])
+    before = vkworkbench.analyze(small.job)
+    found = vkworkbench.simulate(small.job, view=View((0, 0, -1), 150, 100)).facts()
+    report = before.with_facts(found)
+    assert [o.simulated for o in report.operations] == [facts for _, facts in found.operations]
+    (total,) = report.totals
+    assert total.simulated is found.job and before.totals[0].simulated is None
+    part = vkworkbench.simulate(slot, view=View((0, 0, -1), 150, 100)).facts()
+    partly = before.with_facts(part)
+    assert [o.simulated is None for o in partly.operations] == [False, True] and partly.totals[0].simulated is None
+
+    lines = {}
+    for name, one in (("before", before), ("after", report)):
+        one.to_csv(tmp_path / f"{name}.csv")
+        one.to_json(tmp_path / f"{name}.json")
+        with open(tmp_path / f"{name}.csv", newline="", encoding="utf-8") as file:
+            lines[name] = list(csv.DictReader(file))
+    assert list(lines["before"][0]) == list(lines["after"][0])  # the columns are there before a simulation, and empty
+    assert lines["before"][0]["simulated_crashes"] == "" and lines["after"][0]["simulated_crashes"] == "1"
+    volume = found.operations[1][1].removed_volume
+    assert float(lines["after"][1]["simulated_removed_volume"]) == volume > 0
+    data = json.loads((tmp_path / "after.json").read_text(encoding="utf-8"))
+    assert data["operations"][1]["simulated"]["removed_volume"] == volume
+    assert data["operations"][0]["simulated"]["crashes"][0]["command"] == 2
+    assert data["totals"][0]["simulated"]["removed_volume"] == pytest.approx(found.job.removed_volume)
+    assert json.loads((tmp_path / "before.json").read_text(encoding="utf-8"))["operations"][0]["simulated"] is None
+
 
 def test_the_example_has_no_fault(example):
     found = vkworkbench.simulate(example).facts()

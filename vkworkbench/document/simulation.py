@@ -13,7 +13,7 @@ import numpy as np
 from vkworkbench import preferences
 from vkworkbench.core import View, ZBuffer, simulate_job
 from vkworkbench.core.rendering import CUT, colors_of, palette, png, shade
-from vkworkbench.core.zbuffer import facts
+from vkworkbench.core.zbuffer import facts, trajectory_table
 from vkworkbench.document.simulated_job import SimulatedJob, SimulatedOperation, read_job
 from vkworkbench.simulation_facts import SimulationFacts
 
@@ -141,8 +141,10 @@ class Simulation:
             Deviations from the job's model up to this, mm, are none.
         """
         labels = [operation.label for operation in self.job.operations]
-        found = facts(self.at(self.trajectories).zbuffer, model=self.job.model, tolerance=tolerance)
-        return SimulationFacts(tuple(zip(labels, found.cuts)), found.job)
+        names = tuple((operation.document, operation.name) for operation in self.job.operations)
+        zbuffer = self.at(self.trajectories).zbuffer
+        found = facts(zbuffer, model=self.job.model, tolerance=tolerance)
+        return SimulationFacts(tuple(zip(labels, found.cuts)), found.job, names, trajectory_table(zbuffer))
 
     def source(self, trajectory: int) -> tuple[SimulatedOperation, int]:
         """Return the operation of a trajectory and the index of its command in the operation's Path."""

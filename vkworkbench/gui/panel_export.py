@@ -11,7 +11,8 @@ from vkworkbench.gui.panel_rows import Row
 from vkworkbench.gui.plain_text import warn
 from vkworkbench.gui.qt import QFileDialog, QWidget
 from vkworkbench.gui.text import translate
-from vkworkbench.report import Report, plain_text
+from vkworkbench.plain_text import plain_text
+from vkworkbench.report import Report
 
 
 def save(report: Report, document, ending: str, parent: QWidget) -> None:

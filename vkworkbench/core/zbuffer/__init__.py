@@ -22,8 +22,9 @@ from vkworkbench.core.zbuffer.facts import (
     fast_plunges,
     removal_rates,
     removed_volumes,
+    trajectory_table,
 )
-from vkworkbench.core.zbuffer.job_facts import CutFacts, JobFacts, facts, removal_over_time
+from vkworkbench.core.zbuffer.job_facts import FACT_COLUMNS, CutFacts, JobFacts, facts, removal_over_time
 from vkworkbench.core.zbuffer.memory import OverBudget, memory_needed
 from vkworkbench.core.zbuffer.moments import ZBuffer
 from vkworkbench.core.zbuffer.records import DEXEL, RECORD_BYTES, TRACE
@@ -32,10 +33,10 @@ from vkworkbench.core.zbuffer.simulate import simulate, simulate_job
 from vkworkbench.core.zbuffer.speed import fit_speed, measure_speed
 
 __all__ = [
-    "DEXEL", "RECORD_BYTES", "TRACE", "Crash", "Cut", "CutFacts", "Cuts", "Deviation", "Deviations", "Estimate",
+    "DEXEL", "FACT_COLUMNS", "RECORD_BYTES", "TRACE", "Crash", "Cut", "CutFacts", "Cuts", "Deviation", "Deviations", "Estimate",
     "JobFacts", "OverBudget", "Plunge", "Resolution", "Source", "Speed", "ZBuffer", "air_share", "best_resolution",
     "cauchy_crofton", "check_budget", "closed_form", "crashes", "cuts_air", "cuts_surely", "deviations",
     "engagement", "estimate", "facts", "fast_plunges", "fit_speed", "gouges", "heaviest", "material_left",
     "measure_speed", "memory_needed", "most_bytes", "passes_apart", "removal_over_time", "removal_rates",
-    "removed_volumes", "simulate", "simulate_job", "swept", "work",
+    "removed_volumes", "simulate", "simulate_job", "trajectory_table", "swept", "work",
 ]  # fmt: skip

@@ -88,6 +88,11 @@ class Cuts:
         return self._column("feed", float)
 
     @cached_property
+    def command(self) -> np.ndarray:
+        """Index of each trajectory's source command in its cut, (n,) int64."""
+        return self._column("command", np.int64)
+
+    @cached_property
     def lengths(self) -> np.ndarray:
         """Chord lengths, (n,) mm."""
         return self._column("lengths", float)

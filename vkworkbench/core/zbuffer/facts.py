@@ -102,6 +102,38 @@ def engagement(zbuffer: ZBuffer) -> tuple[np.ndarray, np.ndarray]:
     return depth, width
 
 
+def trajectory_table(zbuffer: ZBuffer) -> dict[str, np.ndarray]:
+    """Tell what each trajectory does: columns (n,) of a table.
+
+    Parameters
+    ----------
+    zbuffer : ZBuffer
+
+    Returns
+    -------
+    dict of ndarray
+        ``cut`` and ``command``: where it comes from; ``rapid``; ``length`` mm; ``seconds``, 0 where its speed is not
+        known; ``removed_volume`` mm^3; ``rate`` mm^3/min, not a number without a feed; ``air``: whether it is a feed move
+        that removes nothing; ``depth`` and ``width`` of cut, mm; ``tool_diameter`` mm.
+    """
+    cuts = zbuffer.cuts
+    depth, width = engagement(zbuffer)
+    diameters = np.array([cut.tool.diameter for cut in cuts.cuts])
+    return {
+        "cut": cuts.cut,
+        "command": cuts.command,
+        "rapid": cuts.rapid,
+        "length": cuts.lengths,
+        "seconds": cuts.seconds,
+        "removed_volume": removed_volumes(zbuffer),
+        "rate": removal_rates(zbuffer),
+        "air": cuts_air(zbuffer),
+        "depth": depth,
+        "width": width,
+        "tool_diameter": diameters[cuts.cut],
+    }
+
+
 @dataclass(frozen=True)
 class Crash:
     """A rapid that cuts.

@@ -15,6 +15,11 @@ from vkworkbench.core.zbuffer.moments import ZBuffer
 
 # Rates are means over so much machining time, s: shorter ones are those of single pixels.
 _WINDOW = 1.0
+_NUMBERS = (
+    "removed_volume", "cutting_length", "cutting_seconds", "air_length", "air_seconds", "air_length_share",
+    "air_time_share", "mean_rate", "peak_rate", "depth_of_cut", "width_of_cut", "tool_diameter",
+)  # fmt: skip
+_FAULTS = ("crashes", "first_crash_command", "fast_plunges", "deepest_gouge", "most_left")
 
 
 @dataclass(frozen=True)
@@ -67,6 +72,43 @@ class CutFacts:
     def air_time_share(self) -> float:
         """Share of the cutting time that removes nothing, 0 to 1."""
         return self.air_seconds / self.cutting_seconds if self.cutting_seconds else 0.0
+
+    def as_dict(self) -> dict[str, Any]:
+        """Return it as numbers and lists, in mm, s, mm^3 and mm^3/min, with every place where something is wrong."""
+        crashes = [
+            {"command": c.source.command, "place": list(c.place), "depth": c.depth, "volume": c.volume}
+            for c in self.crashes
+        ]
+        plunges = [
+            {"command": p.source.command, "place": list(p.place), "feed": p.feed, "allowed": p.allowed}
+            for p in self.fast_plunges
+        ]
+        gouges, left = (
+            [
+                {"command": d.source and d.source.command, "place": list(d.place), "depth": d.depth, "area": d.area}
+                for d in found
+            ]
+            for found in (self.gouges, self.left)
+        )
+        return {**self._numbers(), "crashes": crashes, "fast_plunges": plunges, "gouges": gouges, "left": left}
+
+    def cells(self) -> dict[str, float | int | None]:
+        """Return it as the cells `FACT_COLUMNS` of one line of a table; of what is wrong the number of places and the worst."""
+        faults = (
+            len(self.crashes),
+            self.crashes[0].source.command if self.crashes else None,
+            len(self.fast_plunges),
+            max((gouge.depth for gouge in self.gouges), default=0.0),
+            max((left.depth for left in self.left), default=0.0),
+        )
+        return {**self._numbers(), **dict(zip(_FAULTS, faults))}
+
+    def _numbers(self) -> dict[str, float]:
+        return {name: getattr(self, name) for name in _NUMBERS}
+
+
+# Names of the cells of `CutFacts.cells`.
+FACT_COLUMNS = (*_NUMBERS, *_FAULTS)
 
 
 @dataclass(frozen=True)
