@@ -73,11 +73,11 @@ PLAIN = ["1+1", "a=b", "", "'=1", "x-y", "e@mail", "a\n=b", "Ж"]
 @pytest.mark.parametrize("text", FORMULAS + PLAIN)
 def test_cells_that_begin_like_a_formula_become_text(text, tmp_path):
     class Row:
-        messages = ()
+        messages, simulated = (), None
 
         def as_dict(self):
             return {"label": text, "length": -1.5, "cautions": [text], "machining_notes": [text], "spans": [],
-                    "messages": {}}  # fmt: skip
+                    "messages": {}, "simulated": None}  # fmt: skip
 
     Report((Row(),), {}, {}).to_csv(tmp_path / "r.csv")
     with open(tmp_path / "r.csv", newline="", encoding="utf-8") as file:
