@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import NamedTuple
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -16,7 +16,8 @@ from vkworkbench.core.zbuffer.records import INDEX, Records
 from vkworkbench.core.zbuffer.trajectories import Trajectories
 
 
-class _Part(NamedTuple):
+@dataclass(frozen=True, eq=False)
+class _Part:
     """Some rays that are cut.
 
     Attributes
@@ -111,14 +112,14 @@ class _Band:
         if enter is None:
             enter = np.full(len(hit), -np.inf)
         number = np.repeat(np.arange(len(start)), np.diff(start, append=len(hit)))
-        self._cut(ray, near, far, number, owner, enter, leave)
+        self._cut(ray, number, owner, enter, leave)
 
     def records(self) -> Records:
         """Put the pieces together."""
         ray = np.flatnonzero(self.pending & self.inside)
         if len(ray):
             nobody, nowhere = np.empty(0, np.int64), np.empty(0)
-            self._cut(ray, self.near[ray], self.far[ray], nobody, nobody, nowhere, nowhere)
+            self._cut(ray, nobody, nobody, nowhere, nowhere)
         size = self.inside.astype(np.int64)
         for part in self.parts:
             size[part.ray] = part.size
@@ -132,11 +133,13 @@ class _Band:
         entry = np.where(self.inside, self.near, 0).astype(np.float32)
         return Records(self.uncut, index.astype(INDEX), entry, ends, owners)
 
-    def _cut(self, ray: np.ndarray, near: np.ndarray, far: np.ndarray, *intervals: np.ndarray) -> None:
-        pieces = cut_rays(near, far, *intervals, among(self.gaps, ray))
+    def _cut(
+        self, ray: np.ndarray, number: np.ndarray, owner: np.ndarray, enter: np.ndarray, leave: np.ndarray
+    ) -> None:
+        """Cut rays, each interval on the ray of its number in `ray`."""
+        pieces = cut_rays(self.near[ray], self.far[ray], number, owner, enter, leave, among(self.gaps, ray))
         size = np.bincount(pieces.ray, minlength=len(ray))
-        owner = np.where(pieces.owner == UNCUT, self.uncut, pieces.owner)
-        self._add(ray, size, size, pieces.far, owner)
+        self._add(ray, size, size, pieces.far, np.where(pieces.owner == UNCUT, self.uncut, pieces.owner))
         self.pending[ray] = False
 
     def _add(self, ray: np.ndarray, size: np.ndarray, count: np.ndarray, end: np.ndarray, owner: np.ndarray) -> None:

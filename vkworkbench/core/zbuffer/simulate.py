@@ -9,7 +9,7 @@ from vkworkbench.core.solids import Tool, View
 from vkworkbench.core.stocks import Solid
 from vkworkbench.core.toolpath import Toolpath
 from vkworkbench.core.zbuffer.bands import cut_band
-from vkworkbench.core.zbuffer.culling import TILE, culled
+from vkworkbench.core.zbuffer.culling import TILE, Tiles, culled
 from vkworkbench.core.zbuffer.cuts import Cut, Cuts
 from vkworkbench.core.zbuffer.memory import BUDGET, check_memory
 from vkworkbench.core.zbuffer.moments import ZBuffer

@@ -85,12 +85,17 @@ def headings(move: np.ndarray) -> np.ndarray:
 def _profile(tool: Tool, r2: np.ndarray) -> np.ndarray | float:
     """Tool.height at squared distances from the axis, without its end at the rim, where rounding would be infinite."""
     corner = tool.rounding
+    if corner == 0 and tool.steepness == 0:
+        return 0.0
+    rise: np.ndarray
     if corner == 0:
-        return tool.steepness * np.maximum(np.sqrt(r2) - tool.tip, 0) if tool.steepness else 0.0
-    if corner == tool.radius:
-        return corner - np.sqrt(np.maximum(corner**2 - r2, 0))
-    beyond_flat = np.clip(np.sqrt(r2) - (tool.radius - corner), 0, corner)
-    return corner - np.sqrt(corner**2 - beyond_flat**2)
+        rise = tool.steepness * np.maximum(np.sqrt(r2) - tool.tip, 0)
+    elif corner == tool.radius:
+        rise = corner - np.sqrt(np.maximum(corner**2 - r2, 0))
+    else:
+        beyond_flat = np.clip(np.sqrt(r2) - (tool.radius - corner), 0, corner)
+        rise = corner - np.sqrt(corner**2 - beyond_flat**2)
+    return rise
 
 
 def _lowest_position(
@@ -99,16 +104,20 @@ def _lowest_position(
     """Where on the move the tool is lowest above a point: the minimum of slope * v + profile(r(v)) for v in +-half."""
     if not slope.any():
         return np.zeros_like(slope)
+    position: np.ndarray
     if tool.rounding == tool.radius:
-        return half * (-slope / np.sqrt(1 + slope**2))
+        position = half * (-slope / np.sqrt(1 + slope**2))
+        return position
     if tool.rounding == 0 and tool.steepness == 0:
-        return half * -np.sign(slope)
+        position = half * -np.sign(slope)
+        return position
     if tool.rounding == 0:
         steeper = tool.steepness**2 - slope**2
         inner = np.abs(slope) * np.sqrt(aside2 / np.where(steeper > 0, steeper, 1))
         # Where that is on the flat tip, its edge is lower.
         inner = np.minimum(np.maximum(inner, np.sqrt(np.maximum(tool.tip**2 - aside2, 0))), half)
-        return -np.sign(slope) * np.where(steeper > 0, inner, half)
+        position = -np.sign(slope) * np.where(steeper > 0, inner, half)
+        return position
     low, high = np.maximum(-along, -half), np.minimum(ahead, half)
     flat = tool.radius - tool.rounding
     for _ in range(48):

@@ -68,13 +68,12 @@ class Tilted:
         """See `culling.Bounds.removals`."""
         column, row = tiles.pixels()
         x, y = self.frame.pixel_centres(column, row)
-        side, item = tiles.side, tiles.item
-        shape = side, side, len(item)
-        px = np.broadcast_to(x.take(tile, axis=1)[None], shape).ravel()
-        py = np.broadcast_to(y.take(tile, axis=1)[:, None], shape).ravel()
-        enter, leave = self.trajectories.intervals(px, py, np.tile(item, side * side))
-        shape = side * side, len(item)
-        enter, leave = enter.reshape(shape), leave.reshape(shape)
+        pixels, item = tiles.side**2, tiles.item
+        cube = tiles.side, tiles.side, len(item)
+        px = np.broadcast_to(x.take(tile, axis=1)[None], cube).ravel()
+        py = np.broadcast_to(y.take(tile, axis=1)[:, None], cube).ravel()
+        enter, leave = self.trajectories.intervals(px, py, np.tile(item, pixels))
+        enter, leave = enter.reshape(pixels, len(item)), leave.reshape(pixels, len(item))
         cut = np.minimum(leave, far.take(tile, axis=1)) - np.maximum(enter, near.take(tile, axis=1)) > THINNEST
         hit = np.flatnonzero(cut)
         # On the rim of a sweep rounding decides: as it does for any other ray.

@@ -39,9 +39,9 @@ class Upright:
     def fine_enough(self, tiles: Tiles) -> bool:
         """See `culling.Bounds.fine_enough`."""
         # Of a sloped move bounds take longer than the surface of what it sweeps.
-        return tiles.side <= 2 or (
-            tiles.side == 4 and 2 * np.count_nonzero(self.slope.take(tiles.item)) > len(tiles.item)
-        )
+        if tiles.side > 4:
+            return False
+        return tiles.side <= 2 or 2 * int(np.count_nonzero(self.slope.take(tiles.item))) > len(tiles.item)
 
     def quarters(
         self, column: np.ndarray, row: np.ndarray, tile: np.ndarray, item: np.ndarray, child: int
@@ -205,10 +205,14 @@ def profile(tool: Tool, distance2: np.ndarray) -> np.ndarray | float:
     corner = tool.rounding
     if corner == 0 and tool.steepness == 0:
         return 0.0
+    rise: np.ndarray
     if corner == tool.radius:
-        return corner - np.sqrt(np.maximum(corner**2 - distance2, 0))
+        rise = corner - np.sqrt(np.maximum(corner**2 - distance2, 0))
+        return rise
     distance = np.sqrt(np.minimum(distance2, tool.radius**2))
     if corner == 0:
-        return tool.steepness * np.maximum(distance - tool.tip, 0)
-    beyond_flat = np.maximum(distance - (tool.radius - corner), 0.0)
-    return corner - np.sqrt(np.maximum(corner**2 - beyond_flat**2, 0.0))
+        rise = tool.steepness * np.maximum(distance - tool.tip, 0)
+    else:
+        beyond_flat = np.maximum(distance - (tool.radius - corner), 0.0)
+        rise = corner - np.sqrt(np.maximum(corner**2 - beyond_flat**2, 0.0))
+    return rise
