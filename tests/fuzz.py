@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Random and mutated programs through the whole core: nothing may leave it but documented ValueErrors.
 
-    python3 tests/fuzz.py [COUNT [FIRST SEED]]      # default 10000 from 0
+    python3 tests/fuzz.py [--count 10000] [--seed 0] [--minutes M]
 
 Prints how many programs were read, refused or failed (each failure with its seed), the longest time per command
 and trajectory, and the peak memory. Exits with 1 where one failed. A failure's seed goes into tests/core/test_vk_fuzz.py.
@@ -9,6 +9,7 @@ and trajectory, and the peak memory. Exits with 1 where one failed. A failure's 
 
 from __future__ import annotations
 
+import argparse
 import math
 import random
 import resource
@@ -223,13 +224,23 @@ def check_estimate(cost):
         assert math.isfinite(value) and value >= 0
 
 
-def main(count=10_000, first=0):
-    """Feed `count` programs and print what came of them; return 1 where one failed."""
+def main(arguments=None):
+    """Feed so many programs, or for so many minutes, and print what came of them; return 1 where one failed."""
+    parser = argparse.ArgumentParser()
+    parser.add_argument("--count", type=int)
+    parser.add_argument("--seed", type=int, default=0)
+    parser.add_argument("--minutes", type=float)
+    chosen = parser.parse_args(arguments)
+    until = time.monotonic() + 60 * chosen.minutes if chosen.minutes else math.inf
+    most, count = chosen.count or (10**12 if chosen.minutes else 10_000), 0
     warm = feed_program(programs.zigzag())
     assert not warm.failed, warm.outcome
     outcomes, commands, trajectories, peak_of = Counter(), 0, 0, ""
     begin, peak, worst, longest = time.perf_counter(), peak_memory(), (0.0, 0), (0.0, 0)
-    for seed in range(first, first + count):
+    for seed in range(chosen.seed, chosen.seed + most):
+        if time.monotonic() > until:
+            break
+        count += 1
         result = feed(seed)
         if result.outcome.startswith("slow"):
             result = feed(seed)  # the machine may have paused
@@ -262,4 +273,4 @@ def peak_memory():
 
 
 if __name__ == "__main__":
-    sys.exit(main(*map(int, sys.argv[1:])))
+    sys.exit(main())

@@ -8,6 +8,8 @@ from __future__ import annotations
 
 import ast
 import re
+import subprocess
+import sys
 from pathlib import Path
 
 import pytest
@@ -64,3 +66,12 @@ def test_what_is_newer_is_found(source, what):
 def test_the_package_says_it():
     text = (ROOT / "package.xml").read_text(encoding="utf-8")
     assert re.findall(r"<pythonmin>(.*?)</pythonmin>", text) == [".".join(map(str, OLDEST))] * 1
+
+
+def test_the_document_layer_runs_without_freecad():
+    """So it can be run in the oldest Python, with which no FreeCAD is at hand: python3.8 tests/stubbed_freecad.py."""
+    done = subprocess.run(
+        [sys.executable, ROOT / "tests" / "stubbed_freecad.py"], capture_output=True, text=True, timeout=300
+    )
+    assert done.returncode == 0, done.stderr
+    assert "operations analysed and marked" in done.stdout

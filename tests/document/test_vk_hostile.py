@@ -252,11 +252,15 @@ def test_document_closed_during_the_analysis(small, zigzag_commands):
     assert vkworkbench.mark(report) == 0 and "One" in str(report)
 
 
-def test_operation_deleted_during_the_analysis(small, zigzag_commands):
+@pytest.mark.parametrize("kept", [True, False])
+def test_operation_deleted_during_the_analysis(small, zigzag_commands, kept):
+    small.document.UndoMode = int(kept)  # what is deleted then lives on without a name
+    small.document.openTransaction("Delete")
     names = [small.add(label, zigzag_commands).Name for label in ("One", "Two", "Three")]
     report = vkworkbench.analyze(small.job, progress=lambda done, *_: done or small.document.removeObject(names[1]))
     assert [o.label for o in report.operations] == ["One", "Three"]
     assert vkworkbench.mark(report) == 2
+    small.document.commitTransaction()
 
 
 def test_two_documents_keep_apart(small, zigzag_commands):
@@ -364,7 +368,7 @@ def test_marking_that_fails_leaves_no_trace(small, zigzag_commands, undo_mode, m
     small.document.UndoMode = undo_mode
     report = vkworkbench.analyze(small.document)
     write = marks.write
-    monkeypatch.setattr(marks, "write", lambda obj, *what: write(obj, *what) if obj is first else 1 / 0)
+    monkeypatch.setattr(marks, "write", lambda obj, *what, **how: write(obj, *what, **how) if obj is first else 1 / 0)
     with pytest.raises(ZeroDivisionError):
         vkworkbench.mark(report)
     assert FreeCAD.getActiveTransaction() is None and not small.document.HasPendingTransaction

@@ -399,4 +399,5 @@ def stock_around(toolpath: Toolpath, tool: Tool) -> Stock:
     points = np.concatenate((toolpath.points[:-1][cuts], toolpath.points[1:][cuts]))
     lower, upper = points.min(axis=0) - tool.radius, points.max(axis=0) + tool.radius
     upper[2] = max(upper[2] - tool.radius, lower[2] + tool.diameter)
-    return Stock(lower, upper)
+    lower = np.clip(lower, -LARGEST, LARGEST - 2 * SMALLEST)
+    return Stock(lower, np.clip(upper, lower + 2 * SMALLEST, LARGEST))

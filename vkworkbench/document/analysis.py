@@ -20,7 +20,7 @@ from vkworkbench.core.zbuffer import cuts_surely
 from vkworkbench.document import calibration
 from vkworkbench.document.fingerprint import AT_ONCE, setting_fingerprint, text_fingerprint, text_of
 from vkworkbench.document.known import KNOWN, key_of
-from vkworkbench.document.operations import Operation, find, fixtures_of
+from vkworkbench.document.operations import Operation, find, fixtures_of, is_there
 from vkworkbench.document.path_prints import PATH_PRINTS
 from vkworkbench.document.recognized import recognized
 from vkworkbench.document.setting import placed, rapid_feeds, read_stock, read_tool, tool_remark
@@ -96,6 +96,8 @@ def analyze(
         if progress is not None:
             progress(done, len(operations), labels[done])
         with suppress(ReferenceError):  # deleted meanwhile, or its document closed
+            if not is_there(operation.object):
+                continue
             token = PATH_PRINTS.begin(operation.object)
             reading = _read(operation)
             row = _patiently(lambda going_on, reading=reading: _row(reading, chosen, conditions, going_on), cancelled)
@@ -215,7 +217,9 @@ def _work(reading: _Reading, chosen: Preferences, conditions: Conditions, going_
                  conditions)  # fmt: skip
     known = KNOWN.find(key)
     if known is None:
-        known = _analysed(reading, commands or reading.path.Commands, chosen, conditions, going_on)
+        words = Words(commands or reading.path.Commands)
+        commands = None  # of a million, half a GB
+        known = _analysed(reading, words, chosen, conditions, going_on)
         KNOWN.keep(key, known)
     return replace(
         known,
@@ -225,11 +229,10 @@ def _work(reading: _Reading, chosen: Preferences, conditions: Conditions, going_
 
 
 def _analysed(
-    reading: _Reading, commands: list, chosen: Preferences, conditions: Conditions, going_on: Callable
+    reading: _Reading, words: Words, chosen: Preferences, conditions: Conditions, going_on: Callable
 ) -> OperationReport:
     tool, stock = reading.tool, reading.stock
     remarks = list(reading.remarks)
-    words = Words(commands)
     try:
         toolpath = placed(linearize(words, tolerance=chosen.tolerance), reading.placement)
     except Unusable as error:

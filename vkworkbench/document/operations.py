@@ -62,6 +62,14 @@ def is_object(what) -> bool:
     return hasattr(what, "isDerivedFrom") and hasattr(what, "InList")
 
 
+def is_there(obj) -> bool:
+    """Whether an object is still in its document: one whose deletion can be undone lives on outside, without a name."""
+    try:
+        return obj.Document.getObject(obj.Name) is not None
+    except (ReferenceError, RuntimeError, TypeError):
+        return False
+
+
 def is_document(what) -> bool:
     """Whether it is a document."""
     return hasattr(what, "Objects") and hasattr(what, "getObject")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Random and mutated programs through the core; more of them by python3 tests/fuzz.py 10000."""
+"""Random and mutated programs through the core; more of them by python3 tests/fuzz.py --count 10000."""
 
 from __future__ import annotations
 

@@ -9,7 +9,7 @@ import numpy as np
 import programs
 import pytest
 
-from vkworkbench.core import Stock, Tool, linearize, recognize
+from vkworkbench.core import Stock, Tool, linearize, recognize, stock_around
 from vkworkbench.core.simulators import Conditions, Task, predict, preflight
 from vkworkbench.core.simulators.legacy import _RINGS_COUNTED, _WALK, _rings
 from vkworkbench.language import Unusable
@@ -63,3 +63,13 @@ def test_many_rings_are_those_of_a_row_of_numbers():
     ring = np.arange(0.5, radius + 1e-9, _WALK)
     half, whole = (np.ceil(turns * np.pi * ring / _WALK).sum() for turns in (1, 2))
     assert _rings(radius) == pytest.approx((len(ring), half, whole), rel=1e-6)
+
+
+@pytest.mark.parametrize("diameter", [1e6, 1.0, 1e-6])
+@pytest.mark.parametrize("at", [0.0, 1e6, -1e6])
+def test_the_box_around_cuts_ends_where_coordinates_end(diameter, at):
+    path = linearize([("G0", {"X": at, "Y": at, "Z": at}), ("G1", {"X": 0.0, "F": 5.0}), ("G1", {"X": at})])
+    if not len(path):
+        path = linearize([("G0", {"X": at, "Y": at, "Z": at}), ("G1", {"X": 1.0, "F": 5.0})])
+    stock = stock_around(path, Tool("endmill", diameter))
+    assert (np.abs([stock.lower, stock.upper]) <= 1e6).all() and (stock.upper > stock.lower).all()

@@ -17,6 +17,7 @@ COORDINATE_LIMIT = 1e6
 COMMENT, OTHER, TOOL_CHANGE, MODAL, UNKNOWN = -1, -2, -3, -4, -5
 
 _ABSENT = 1e300
+_PIECE = 50_000  # commands read at once: their parameters take half a kB each
 _NAME = re.compile(r"([A-Z])0*(\d{1,9})(?:\.(\d))?", re.ASCII)
 # A line that begins with a coordinate or a line number: FreeCAD takes that word for the command's name.
 _WORD_NAME = re.compile(r"\s*([XYZIJKRFN])\s*([-+]?(?:\d+\.?\d*|\.\d+))\s*", re.IGNORECASE | re.ASCII)
@@ -54,22 +55,23 @@ class Words:
 
     def __init__(self, commands: Iterable[Any]) -> None:
         commands = commands if isinstance(commands, Sequence) else list(commands)
-        if len(commands) and hasattr(commands[0], "Parameters"):
-            self.names = [c.Name for c in commands]
-            parameters = [c.Parameters for c in commands]
-        else:
-            self.names = [c[0] for c in commands]
-            parameters = [c[1] for c in commands]
-        word_names = {name for name in set(self.names) if name and name[0] in "XYZIJKRFNxyzijkrfn \t"}
-        if word_names:
-            self._read_word_names(word_names, parameters)
-        table = {name: code_of(name) for name in set(self.names)}
+        self.names: list[str] = []
+        known: dict[str, str] = {}
+        tables = []
+        for first in range(0, max(len(commands), 1), _PIECE):
+            piece = commands[first : first + _PIECE]
+            if len(piece) and hasattr(piece[0], "Parameters"):
+                names, parameters = [c.Name for c in piece], [c.Parameters for c in piece]
+            else:
+                names, parameters = [c[0] for c in piece], [c[1] for c in piece]
+            _read_word_names(names, parameters)
+            self.names += [known.setdefault(name, name) for name in names]
+            tables.append(_table_of(parameters))
+        counts, letters, values = zip(*tables)
+        count, self._values = np.concatenate(counts), np.concatenate(values)
+        table = {name: code_of(name) for name in known}
         self.codes = np.fromiter(map(table.__getitem__, self.names), np.int64, len(self.names))
-        try:
-            count, letters, self._values = _table(parameters)
-        except (TypeError, ValueError, OverflowError):
-            count, letters, self._values = _table([_numbers(p) for p in parameters])
-        self._letters = np.frombuffer(letters.encode("ascii", "replace"), np.uint8)
+        self._letters = np.frombuffer("".join(letters).encode("ascii", "replace"), np.uint8)
         self._rows = np.repeat(np.arange(len(count), dtype=np.int32), count)
 
     def __len__(self) -> int:
@@ -79,23 +81,6 @@ class Words:
     def letters(self) -> set[str]:
         """set of str : the letters of all parameters."""
         return {chr(letter) for letter in np.flatnonzero(np.bincount(self._letters)).tolist()}
-
-    def _read_word_names(self, word_names: set[str], all_parameters: list[dict[str, Any] | None]) -> None:
-        """Turn ``X10`` into a modal line with an X word, and ``N10`` with a G word into that G-code."""
-        for i, name in enumerate(self.names):
-            match = _WORD_NAME.fullmatch(name) if name in word_names else None
-            if match is None:
-                continue
-            letter, value = match[1].upper(), float(match[2])
-            parameters = dict(all_parameters[i] or {})
-            code = _number(parameters.get("G", _ABSENT))
-            parameters.pop("G", None)
-            self.names[i] = "" if code == _ABSENT else f"G{code:g}"
-            if letter != "N":
-                parameters[letter] = value
-            elif not parameters and not self.names[i]:
-                self.names[i] = name
-            all_parameters[i] = parameters
 
     def column(self, letter: str, rows: np.ndarray | None = None) -> tuple[np.ndarray, np.ndarray]:
         """Return the values of one parameter and which of them cannot be used.
@@ -121,6 +106,35 @@ class Words:
         values[row] = np.where(usable, value, np.nan)
         unusable[row] = ~usable
         return (values, unusable) if rows is None else (values[rows], unusable[rows])
+
+
+def _read_word_names(names: list[str], all_parameters: list[dict[str, Any] | None]) -> None:
+    """Turn ``X10`` into a modal line with an X word, and ``N10`` with a G word into that G-code."""
+    word_names = {name for name in set(names) if name and name[0] in "XYZIJKRFNxyzijkrfn \t"}
+    if not word_names:
+        return
+    for i, name in enumerate(names):
+        match = _WORD_NAME.fullmatch(name) if name in word_names else None
+        if match is None:
+            continue
+        letter, value = match[1].upper(), float(match[2])
+        parameters = dict(all_parameters[i] or {})
+        code = _number(parameters.get("G", _ABSENT))
+        parameters.pop("G", None)
+        names[i] = "" if code == _ABSENT else f"G{code:g}"
+        if letter != "N":
+            parameters[letter] = value
+        elif not parameters and not names[i]:
+            names[i] = name
+        all_parameters[i] = parameters
+
+
+def _table_of(parameters: list[Any]) -> tuple[np.ndarray, str, np.ndarray]:
+    """Return the table of parameters of whatever kind."""
+    try:
+        return _table(parameters)
+    except (TypeError, ValueError, OverflowError):
+        return _table([_numbers(p) for p in parameters])
 
 
 def _table(parameters: list[dict[str, Any]]) -> tuple[np.ndarray, str, np.ndarray]:

@@ -1,0 +1,57 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Commands become columns a piece at a time: very many of them take little more memory than the columns."""
+
+from __future__ import annotations
+
+import tracemalloc
+
+import numpy as np
+import programs
+import pytest
+
+from vkworkbench.core.gcode import Words, words
+
+
+class Command:
+    """As FreeCAD's: name and parameters are made anew each time they are asked for."""
+
+    @property
+    def Name(self):
+        return "G1"
+
+    @property
+    def Parameters(self):
+        return {"X": 1.0, "Y": 2.0, "F": 3.0}
+
+
+def test_a_million_commands_take_little_memory():
+    commands = [Command()] * 400_000
+    tracemalloc.start()
+    try:
+        read = Words(commands)
+        _, peak = tracemalloc.get_traced_memory()
+    finally:
+        tracemalloc.stop()
+    assert len(read) == len(commands) and (read.column("Y")[0] == 2).all()
+    # A dictionary of three numbers takes 256 bytes, and a name 50.
+    assert peak < 150 * len(commands), f"{peak / len(commands):.0f} bytes a command"
+
+
+@pytest.mark.parametrize("piece", [1, 3, 7])
+def test_pieces_read_what_the_whole_reads(piece, monkeypatch):
+    commands = [c for make in programs.SOUND.values() for c in make()[:40]]
+    commands += [
+        ("X10", {"Y": 1.0}),
+        ("N10", {"G": 2.0, "X": 3.0}),
+        ("G1", None),
+        ("G1", {"X": "7", "Ab": 2}),
+        ("", {}),
+    ]
+    whole = Words(commands)
+    monkeypatch.setattr(words, "_PIECE", piece)
+    pieces = Words(commands)
+    assert pieces.names == whole.names and pieces.letters == whole.letters
+    assert np.array_equal(pieces.codes, whole.codes)
+    for letter in whole.letters:
+        for one, other in zip(pieces.column(letter), whole.column(letter)):
+            assert np.array_equal(one, other, equal_nan=one.dtype == float)
