@@ -19,6 +19,7 @@ COMPOUND = "Path::FeatureCompound"  # the type of what has the paths of its memb
 # The workbench for machining and its menu: since 1.0, and before.
 WORKBENCHES = {"CAMWorkbench": "&CAM", "PathWorkbench": "&Path"}
 TREE_DOCKS = ("Combo View", "Model", "Tree view")  # docks with the tree: in 0.20, since 1.0, and one of its own
+TASK_DOCKS = ("Combo View", "Tasks")  # docks with the task view: in 0.20, since 1.0
 DESCRIPTION_HIDDEN_SINCE = (1, 0)  # the tree's Description column can be hidden, and is at first
 QT6_SINCE = (1, 1)
 TIME_PROPERTY_SINCE = (1, 0)  # App::PropertyTime

@@ -68,6 +68,9 @@ class Preferences:
         Whether marked operations are analysed again after each recompute that changed them.
     show_pills : bool
         Whether the tree shows marks as coloured pills; as plain text if not.
+    warn_of_simulators : bool
+        Whether a line over the view tells, when one of FreeCAD's simulators is started, that it hangs or takes longer
+        than the budget, and the better way.
     renderer : str
         OpenGL's name of what draws on this computer, noted by the last calibration; not on the page.
     result_columns : str
@@ -85,6 +88,7 @@ class Preferences:
     tolerance: float = _number(0.01, 1e-4, 1.0)
     analyze_after_recompute: bool = False
     show_pills: bool = True
+    warn_of_simulators: bool = True
     renderer: str = ""
     result_columns: str = ""
 

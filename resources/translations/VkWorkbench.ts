@@ -869,6 +869,46 @@
         <source>, finished by a contour around the rows</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>The {simulator:simulator} hangs on this: command {command:#} of {label}{others} is an arc {reason}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>, beside another operation,</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>, beside {count:n} other operations,</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Playing this takes {bound} {time:s} in the {simulator:simulator}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fast-forward takes {bound} {time:s}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The {simulator:simulator} in fast-forward: {bound} {time:s}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The {simulator:simulator}: {bound} {time:s}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>about</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>at least</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Simulate toolpaths shows the finished part at once, coarse at first.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>
@@ -1082,6 +1122,14 @@
     </message>
     <message>
         <source>The simulator whose time the marks show. They follow at once.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Says over the view, when one of FreeCAD&apos;s simulators is started, that it would hang or take longer than the budget, and offers the better way.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Warn when a simulator is started that hangs or takes too long</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1408,10 +1456,6 @@ accuracy</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>How long {simulator} takes, which this FreeCAD&apos;s own button starts</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Simulation
 time</source>
         <translation type="unfinished"></translation>
@@ -1528,6 +1572,10 @@ memory</source>
     </message>
     <message>
         <source>the total of what was analyzed, not of the whole job</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How long the {simulator} takes, as the marks show it</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1782,6 +1830,21 @@ memory</source>
     </message>
     <message>
         <source>Drawing strategies: {} operations to go</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Vk_Warning</name>
+    <message>
+        <source>Close</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fast-forward</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Use the {simulator}</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -77,11 +77,11 @@
     </message>
     <message>
         <source>Simulating it in the {simulator}: {time}, {memory}</source>
-        <translation>Simulieren im {simulator}: {time}, {memory}</translation>
+        <translation>Simulieren mit „{simulator}“: {time}, {memory}</translation>
     </message>
     <message>
         <source>Simulating it in the {simulator}: at least {time}, {memory}</source>
-        <translation>Simulieren im {simulator}: mindestens {time}, {memory}</translation>
+        <translation>Simulieren mit „{simulator}“: mindestens {time}, {memory}</translation>
     </message>
 </context>
 <context>
@@ -869,6 +869,46 @@
         <source>, finished by a contour around the rows</source>
         <translation>, geschlichtet mit einer Kontur um die Zeilen</translation>
     </message>
+    <message>
+        <source>The {simulator:simulator} hangs on this: command {command:#} of {label}{others} is an arc {reason}.</source>
+        <translation>„{simulator:simulator}“ bleibt daran hängen: Befehl {command:#} von {label}{others} ist ein Bogen, {reason}.</translation>
+    </message>
+    <message>
+        <source>, beside another operation,</source>
+        <translation> (und eine weitere Operation)</translation>
+    </message>
+    <message>
+        <source>, beside {count:n} other operations,</source>
+        <translation> (und {count:n} weitere Operationen)</translation>
+    </message>
+    <message>
+        <source>Playing this takes {bound} {time:s} in the {simulator:simulator}.</source>
+        <translation>{simulator:simulator}: Das Abspielen dauert {bound} {time:s}.</translation>
+    </message>
+    <message>
+        <source>Fast-forward takes {bound} {time:s}.</source>
+        <translation>Der schnelle Vorlauf dauert {bound} {time:s}.</translation>
+    </message>
+    <message>
+        <source>The {simulator:simulator} in fast-forward: {bound} {time:s}.</source>
+        <translation>{simulator:simulator} im schnellen Vorlauf: {bound} {time:s}.</translation>
+    </message>
+    <message>
+        <source>The {simulator:simulator}: {bound} {time:s}.</source>
+        <translation>{simulator:simulator}: {bound} {time:s}.</translation>
+    </message>
+    <message>
+        <source>about</source>
+        <translation>etwa</translation>
+    </message>
+    <message>
+        <source>at least</source>
+        <translation>mindestens</translation>
+    </message>
+    <message>
+        <source>Simulate toolpaths shows the finished part at once, coarse at first.</source>
+        <translation>„Werkzeugwege simulieren“ zeigt sofort das fertige Teil, zuerst grob.</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>
@@ -1083,6 +1123,14 @@
     <message>
         <source>The simulator whose time the marks show. They follow at once.</source>
         <translation>Der Simulator, dessen Zeit die Markierungen zeigen. Sie folgen sofort.</translation>
+    </message>
+    <message>
+        <source>Says over the view, when one of FreeCAD&apos;s simulators is started, that it would hang or take longer than the budget, and offers the better way.</source>
+        <translation>Sagt über der Ansicht, wenn einer der Simulatoren von FreeCAD gestartet wird, dass er hängen bliebe oder länger als das Budget brauchte, und bietet den besseren Weg an.</translation>
+    </message>
+    <message>
+        <source>Warn when a simulator is started that hangs or takes too long</source>
+        <translation>Warnen, wenn ein gestarteter Simulator hängen bleibt oder zu lange braucht</translation>
     </message>
 </context>
 <context>
@@ -1411,10 +1459,6 @@ Genauigkeit</translation>
         <translation>Auswahl in {job}</translation>
     </message>
     <message>
-        <source>How long {simulator} takes, which this FreeCAD&apos;s own button starts</source>
-        <translation>Wie lange {simulator} braucht, den der Knopf dieses FreeCAD startet</translation>
-    </message>
-    <message>
         <source>Simulation
 time</source>
         <translation>Simulations-
@@ -1535,6 +1579,10 @@ Speicher</translation>
     <message>
         <source>the total of what was analyzed, not of the whole job</source>
         <translation>die Summe des Analysierten, nicht des ganzen Jobs</translation>
+    </message>
+    <message>
+        <source>How long the {simulator} takes, as the marks show it</source>
+        <translation>Wie lange es dauert: {simulator}, wie in den Markierungen</translation>
     </message>
 </context>
 <context>
@@ -1789,6 +1837,21 @@ Speicher</translation>
     <message>
         <source>Drawing strategies: {} operations to go</source>
         <translation>Strategien werden gezeichnet: noch {} Operationen</translation>
+    </message>
+</context>
+<context>
+    <name>Vk_Warning</name>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Fast-forward</source>
+        <translation>Schneller Vorlauf</translation>
+    </message>
+    <message>
+        <source>Use the {simulator}</source>
+        <translation>{simulator} benutzen</translation>
     </message>
 </context>
 <context>

@@ -869,6 +869,46 @@
         <source>, finished by a contour around the rows</source>
         <translation>, con un acabado en contorno alrededor de las filas</translation>
     </message>
+    <message>
+        <source>The {simulator:simulator} hangs on this: command {command:#} of {label}{others} is an arc {reason}.</source>
+        <translation>{simulator:simulator} se bloquea con esto: la orden {command:#} de {label}{others} es un arco {reason}.</translation>
+    </message>
+    <message>
+        <source>, beside another operation,</source>
+        <translation> (y otra operación)</translation>
+    </message>
+    <message>
+        <source>, beside {count:n} other operations,</source>
+        <translation> (y {count:n} operaciones más)</translation>
+    </message>
+    <message>
+        <source>Playing this takes {bound} {time:s} in the {simulator:simulator}.</source>
+        <translation>{simulator:simulator}: la reproducción tarda {bound} {time:s}.</translation>
+    </message>
+    <message>
+        <source>Fast-forward takes {bound} {time:s}.</source>
+        <translation>El avance rápido tarda {bound} {time:s}.</translation>
+    </message>
+    <message>
+        <source>The {simulator:simulator} in fast-forward: {bound} {time:s}.</source>
+        <translation>{simulator:simulator} en avance rápido: {bound} {time:s}.</translation>
+    </message>
+    <message>
+        <source>The {simulator:simulator}: {bound} {time:s}.</source>
+        <translation>{simulator:simulator}: {bound} {time:s}.</translation>
+    </message>
+    <message>
+        <source>about</source>
+        <translation>unos</translation>
+    </message>
+    <message>
+        <source>at least</source>
+        <translation>al menos</translation>
+    </message>
+    <message>
+        <source>Simulate toolpaths shows the finished part at once, coarse at first.</source>
+        <translation>«Simular trayectorias» muestra enseguida la pieza acabada, al principio tosca.</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>
@@ -1083,6 +1123,14 @@
     <message>
         <source>The simulator whose time the marks show. They follow at once.</source>
         <translation>El simulador cuyo tiempo muestran las marcas. Estas lo siguen de inmediato.</translation>
+    </message>
+    <message>
+        <source>Says over the view, when one of FreeCAD&apos;s simulators is started, that it would hang or take longer than the budget, and offers the better way.</source>
+        <translation>Avisa sobre la vista, al iniciar un simulador de FreeCAD, de que se bloquearía o tardaría más que el presupuesto, y ofrece un camino mejor.</translation>
+    </message>
+    <message>
+        <source>Warn when a simulator is started that hangs or takes too long</source>
+        <translation>Avisar al iniciar un simulador que se bloquea o tarda demasiado</translation>
     </message>
 </context>
 <context>
@@ -1411,10 +1459,6 @@ recomendada</translation>
         <translation>Selección en {job}</translation>
     </message>
     <message>
-        <source>How long {simulator} takes, which this FreeCAD&apos;s own button starts</source>
-        <translation>Cuánto tarda {simulator}, que inicia el botón de este FreeCAD</translation>
-    </message>
-    <message>
         <source>Simulation
 time</source>
         <translation>Tiempo de
@@ -1535,6 +1579,10 @@ memoria</translation>
     <message>
         <source>the total of what was analyzed, not of the whole job</source>
         <translation>el total de lo analizado, no de todo el trabajo</translation>
+    </message>
+    <message>
+        <source>How long the {simulator} takes, as the marks show it</source>
+        <translation>Cuánto tarda: {simulator}, como en las marcas</translation>
     </message>
 </context>
 <context>
@@ -1789,6 +1837,21 @@ memoria</translation>
     <message>
         <source>Drawing strategies: {} operations to go</source>
         <translation>Dibujando estrategias: faltan {} operaciones</translation>
+    </message>
+</context>
+<context>
+    <name>Vk_Warning</name>
+    <message>
+        <source>Close</source>
+        <translation>Cerrar</translation>
+    </message>
+    <message>
+        <source>Fast-forward</source>
+        <translation>Avance rápido</translation>
+    </message>
+    <message>
+        <source>Use the {simulator}</source>
+        <translation>Usar {simulator}</translation>
     </message>
 </context>
 <context>

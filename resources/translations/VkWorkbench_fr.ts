@@ -869,6 +869,46 @@
         <source>, finished by a contour around the rows</source>
         <translation>, avec une finition en contour autour des lignes</translation>
     </message>
+    <message>
+        <source>The {simulator:simulator} hangs on this: command {command:#} of {label}{others} is an arc {reason}.</source>
+        <translation>{simulator:simulator} se bloque ici : la commande {command:#} de {label}{others} est un arc {reason}.</translation>
+    </message>
+    <message>
+        <source>, beside another operation,</source>
+        <translation> (et une autre opération)</translation>
+    </message>
+    <message>
+        <source>, beside {count:n} other operations,</source>
+        <translation> (et {count:n} autres opérations)</translation>
+    </message>
+    <message>
+        <source>Playing this takes {bound} {time:s} in the {simulator:simulator}.</source>
+        <translation>{simulator:simulator} : la lecture dure {bound} {time:s}.</translation>
+    </message>
+    <message>
+        <source>Fast-forward takes {bound} {time:s}.</source>
+        <translation>L&apos;avance rapide dure {bound} {time:s}.</translation>
+    </message>
+    <message>
+        <source>The {simulator:simulator} in fast-forward: {bound} {time:s}.</source>
+        <translation>{simulator:simulator} en avance rapide : {bound} {time:s}.</translation>
+    </message>
+    <message>
+        <source>The {simulator:simulator}: {bound} {time:s}.</source>
+        <translation>{simulator:simulator} : {bound} {time:s}.</translation>
+    </message>
+    <message>
+        <source>about</source>
+        <translation>environ</translation>
+    </message>
+    <message>
+        <source>at least</source>
+        <translation>au moins</translation>
+    </message>
+    <message>
+        <source>Simulate toolpaths shows the finished part at once, coarse at first.</source>
+        <translation>« Simuler les parcours d&apos;outil » montre tout de suite la pièce finie, d&apos;abord grossièrement.</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>
@@ -1083,6 +1123,14 @@
     <message>
         <source>The simulator whose time the marks show. They follow at once.</source>
         <translation>Le simulateur dont les marques montrent le temps. Elles suivent aussitôt.</translation>
+    </message>
+    <message>
+        <source>Says over the view, when one of FreeCAD&apos;s simulators is started, that it would hang or take longer than the budget, and offers the better way.</source>
+        <translation>Signale au-dessus de la vue, au lancement d&apos;un simulateur de FreeCAD, qu&apos;il se bloquerait ou dépasserait le budget, et propose une meilleure solution.</translation>
+    </message>
+    <message>
+        <source>Warn when a simulator is started that hangs or takes too long</source>
+        <translation>Avertir au lancement d&apos;un simulateur qui se bloque ou dure trop longtemps</translation>
     </message>
 </context>
 <context>
@@ -1411,10 +1459,6 @@ recommandée</translation>
         <translation>Sélection dans {job}</translation>
     </message>
     <message>
-        <source>How long {simulator} takes, which this FreeCAD&apos;s own button starts</source>
-        <translation>Le temps que prend {simulator}, que lance le bouton de ce FreeCAD</translation>
-    </message>
-    <message>
         <source>Simulation
 time</source>
         <translation>Temps de
@@ -1535,6 +1579,10 @@ mémoire</translation>
     <message>
         <source>the total of what was analyzed, not of the whole job</source>
         <translation>le total de ce qui a été analysé, pas de toute la tâche</translation>
+    </message>
+    <message>
+        <source>How long the {simulator} takes, as the marks show it</source>
+        <translation>Durée : {simulator}, comme dans les marques</translation>
     </message>
 </context>
 <context>
@@ -1789,6 +1837,21 @@ mémoire</translation>
     <message>
         <source>Drawing strategies: {} operations to go</source>
         <translation>Dessin des stratégies : encore {} opérations</translation>
+    </message>
+</context>
+<context>
+    <name>Vk_Warning</name>
+    <message>
+        <source>Close</source>
+        <translation>Fermer</translation>
+    </message>
+    <message>
+        <source>Fast-forward</source>
+        <translation>Avance rapide</translation>
+    </message>
+    <message>
+        <source>Use the {simulator}</source>
+        <translation>Utiliser {simulator}</translation>
     </message>
 </context>
 <context>

@@ -869,6 +869,46 @@
         <source>, finished by a contour around the rows</source>
         <translation>，并绕各行作一圈轮廓精加工</translation>
     </message>
+    <message>
+        <source>The {simulator:simulator} hangs on this: command {command:#} of {label}{others} is an arc {reason}.</source>
+        <translation>{simulator:simulator}会在此卡死：{label} 的命令 {command:#}{others}是{reason}的圆弧。</translation>
+    </message>
+    <message>
+        <source>, beside another operation,</source>
+        <translation>（另有 1 个操作）</translation>
+    </message>
+    <message>
+        <source>, beside {count:n} other operations,</source>
+        <translation>（另有 {count:n} 个操作）</translation>
+    </message>
+    <message>
+        <source>Playing this takes {bound} {time:s} in the {simulator:simulator}.</source>
+        <translation>{simulator:simulator}：播放需要{bound} {time:s}。</translation>
+    </message>
+    <message>
+        <source>Fast-forward takes {bound} {time:s}.</source>
+        <translation>快进需要{bound} {time:s}。</translation>
+    </message>
+    <message>
+        <source>The {simulator:simulator} in fast-forward: {bound} {time:s}.</source>
+        <translation>{simulator:simulator}快进：{bound} {time:s}。</translation>
+    </message>
+    <message>
+        <source>The {simulator:simulator}: {bound} {time:s}.</source>
+        <translation>{simulator:simulator}：{bound} {time:s}。</translation>
+    </message>
+    <message>
+        <source>about</source>
+        <translation>约</translation>
+    </message>
+    <message>
+        <source>at least</source>
+        <translation>至少</translation>
+    </message>
+    <message>
+        <source>Simulate toolpaths shows the finished part at once, coarse at first.</source>
+        <translation>“仿真刀具路径”立即显示成品零件，先粗后细。</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>
@@ -1083,6 +1123,14 @@
     <message>
         <source>The simulator whose time the marks show. They follow at once.</source>
         <translation>标记显示哪个模拟器的时间。标记立即随之更新。</translation>
+    </message>
+    <message>
+        <source>Says over the view, when one of FreeCAD&apos;s simulators is started, that it would hang or take longer than the budget, and offers the better way.</source>
+        <translation>启动 FreeCAD 的模拟器时，若会卡死或超出限额，则在视图上方提示，并提供更好的方式。</translation>
+    </message>
+    <message>
+        <source>Warn when a simulator is started that hangs or takes too long</source>
+        <translation>启动会卡死或耗时过长的模拟器时警告</translation>
     </message>
 </context>
 <context>
@@ -1411,10 +1459,6 @@ accuracy</source>
         <translation>{job} 中的选择</translation>
     </message>
     <message>
-        <source>How long {simulator} takes, which this FreeCAD&apos;s own button starts</source>
-        <translation>此 FreeCAD 的按钮所启动的 {simulator} 需要多长时间</translation>
-    </message>
-    <message>
         <source>Simulation
 time</source>
         <translation>仿真
@@ -1535,6 +1579,10 @@ memory</source>
     <message>
         <source>the total of what was analyzed, not of the whole job</source>
         <translation>仅为已分析部分的合计，并非整个作业</translation>
+    </message>
+    <message>
+        <source>How long the {simulator} takes, as the marks show it</source>
+        <translation>{simulator}所需时间，与标记所示一致</translation>
     </message>
 </context>
 <context>
@@ -1789,6 +1837,21 @@ memory</source>
     <message>
         <source>Drawing strategies: {} operations to go</source>
         <translation>正在绘制策略：还剩 {} 个操作</translation>
+    </message>
+</context>
+<context>
+    <name>Vk_Warning</name>
+    <message>
+        <source>Close</source>
+        <translation>关闭</translation>
+    </message>
+    <message>
+        <source>Fast-forward</source>
+        <translation>快进</translation>
+    </message>
+    <message>
+        <source>Use the {simulator}</source>
+        <translation>使用{simulator}</translation>
     </message>
 </context>
 <context>

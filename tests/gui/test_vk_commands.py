@@ -26,8 +26,8 @@ def test_the_first_click_marks_the_job_and_shows_the_column(opened, window):
     assert not window.tree.isColumnHidden(1) and window.tree.columnWidth(1) > 100
     told = sum(o.to_be_known for o in vkworkbench.analyze(opened).operations)  # a long play, for example
     count = len(vkworkbench.analyze(opened).operations)
-    said = f"{count} operations analyzed{f', {told} with remarks' if told else ''}"
-    assert window.main.statusBar().currentMessage() == said
+    warned = f", {told} has a warning" if told == 1 else f", {told} have warnings" if told else ""
+    assert window.main.statusBar().currentMessage() == f"{count} operations analyzed{warned}"
     texts = window.dismiss()
     # Only where the column was hidden is there anything to say.
     assert [("Description column" in text) for text in texts] == ([] if freecad.version() < (1, 0) else [True])

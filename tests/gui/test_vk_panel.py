@@ -19,6 +19,7 @@ except ImportError:
 import vkworkbench
 from vkworkbench import freecad, preferences
 from vkworkbench.document import marks
+from vkworkbench.document.mark_text import time_of
 from vkworkbench.gui import colors
 from vkworkbench.gui.gauss_theme import readable
 from vkworkbench.gui.sentences import user
@@ -503,3 +504,53 @@ def test_results_and_gauss_map_share_their_place(opened, window):
     if not gauss.visibleRegion().isEmpty():
         window.click("Gauss map")
     assert not gauss.isVisible()
+
+
+def test_a_document_that_is_opened_with_marks_fills_it(panel, opened, window, tmp_path):
+    """All that is seen at first is as it was before; the numbers that a mark does not keep come with an export."""
+    before = {title: column(panel, title) for title in FIRST}
+    label = "Pocket zigzag"
+    click_row(window, panel, label)
+    page = text_of(panel)
+    opened.saveCopy(str(tmp_path / "again.FCStd"))
+    again = FreeCAD.openDocument(str(tmp_path / "again.FCStd"))
+    try:
+        window.wait(lambda: len(labels(panel)) == len(before["Operation"]))
+        window.idle()
+        assert {title: column(panel, title) for title in FIRST} == before
+        click_row(window, panel, label)
+        assert (
+            text_of(panel).split("Cutting")[0] == page.split("Cutting")[0]
+        )  # after it lengths that a mark does not keep
+        window.screenshot("panel-from-marks")
+        save_as(window, panel.csv, tmp_path / "results.csv")
+        with open(tmp_path / "results.csv", newline="", encoding="utf-8") as file:
+            rows = list(csv.DictReader(file))
+        assert [row["label"] for row in rows] == [o.label for o in vkworkbench.analyze(again).operations]
+    finally:
+        FreeCAD.closeDocument(again.Name)
+        FreeCAD.setActiveDocument(opened.Name)
+
+
+def test_the_simulation_time_is_that_of_the_marks(panel, opened, window):
+    """Of the simulator of the preferences, at once; the job's is the same number in tree and panel."""
+    try:
+        for name in ("legacy", *(["OpenGL"] if OPENGL else []), "z-buffer"):
+            preferences.write(mark_simulator=name)
+            window.idle(0.3)
+            shown = column(panel, "Simulation time")
+            assert shown == column(panel, f"{user().simulator(name)} time")
+            if name == "z-buffer" and marks.read(opened.getObject("Job")).cost(name) is None:
+                continue
+            for obj in filter(marks.is_marked, opened.Objects):
+                assert shown[obj.Label] == time_of(marks.read(obj), preferences.read(), user())
+    finally:
+        preferences.write(mark_simulator="own")
+        window.idle()
+
+
+def test_what_is_cleared_is_not_shown(panel, opened, window):
+    window.click("Clear analysis")
+    window.wait(lambda: labels(panel) == [])
+    Gui.runCommand("Std_Undo")
+    window.wait(lambda: len(labels(panel)) > 3)

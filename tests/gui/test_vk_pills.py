@@ -3,7 +3,6 @@
 
 import time
 from dataclasses import replace
-from statistics import median
 from types import SimpleNamespace
 
 import FreeCAD
@@ -18,7 +17,7 @@ from vkworkbench.document import marks
 from vkworkbench.document.record import Record, as_json
 from vkworkbench.gui import colors, pills
 from vkworkbench.gui.mark_layout import layouts
-from vkworkbench.gui.sentences import said, user
+from vkworkbench.gui.sentences import plainly, said, user
 from vkworkbench.language import Message
 from vkworkbench.preferences import Preferences
 
@@ -138,8 +137,16 @@ def test_the_strategy_comes_first_then_the_time():
 
 def test_an_error_is_no_pill():
     record = Record(Strategy.EMPTY, remarks=(Message("no-toolpath"),))
-    (warning,) = layout(record).pieces
-    assert warning.kind == "warning" and said(record.remarks[0]) in layout(record).text
+    (sign,) = layout(record).pieces
+    assert sign.kind == "error" and said(record.remarks[0]) in layout(record).text
+
+
+def test_what_is_wrong_beside_a_strategy_is_seen_in_every_width():
+    """Without a tool nothing is known of the simulation, however well the strategy is."""
+    record = Record(Strategy.ZIGZAG, confidence=0.95, remarks=(Message("no-job"),))
+    for room in (10_000, 120, 40):
+        assert [piece.kind for piece in layout(record, room=room).pieces] == ["error", "filled"]
+    assert said(record.remarks[0]) in layout(record).text
 
 
 def test_a_total_and_an_outdated_mark():
@@ -204,7 +211,8 @@ def test_tooltip_tells_why_and_how_much(marked, window):
     obj = labelled(marked, "Face")
     text = tooltip(window, "Face")
     known = marks.read(obj)
-    assert obj.Reason.replace("<", "&lt;").replace(">", "&gt;") in text
+    (reason,) = known.reason
+    assert plainly(reason)[1:].replace("<", "&lt;").replace(">", "&gt;") in text and "phi" not in text
     assert (
         "On the machine: " in text
         and f"{user().time(known.machining_seconds)}, {user().length(known.length)} of cutting" in text
@@ -229,7 +237,8 @@ def test_tooltip_says_nothing_that_may_be_anothers(marked, window):
     assert pills._object_of(index.sibling(index.row(), 1)) is None
     FreeCAD.closeDocument(other.Name)
     window.idle()
-    assert labelled(marked, "Face").Reason[:20] in QtGui.QTextDocumentFragment.fromHtml(
+    (reason,) = marks.read(labelled(marked, "Face")).reason
+    assert plainly(reason)[1:20] in QtGui.QTextDocumentFragment.fromHtml(
         tooltip(window, "Face")).toPlainText()  # fmt: skip
 
 
@@ -303,7 +312,7 @@ def test_marks_of_a_macro_are_pills_too(opened, window):
 
 
 def test_two_hundred_marks_appear_at_once(opened, window):
-    """In less than 0.1 s where nothing else runs: 2.5 times what FreeCAD takes to write their data alone."""
+    """The tree is laid out as often as for one mark; 1.x would do it after each text, for 1 s."""
     from vkworkbench.gui import commands
 
     job, bore = opened.getObject("Job"), labelled(opened, "Bore")
@@ -311,30 +320,18 @@ def test_two_hundred_marks_appear_at_once(opened, window):
     job.Operations.Group += copies
     window.tree.expandAll()
     window.idle(0.5)
-    report = vkworkbench.analyze(job)
-    assert len(report.operations) >= 200
-
-    def seconds(work):
-        start = time.thread_time()  # other processes do not count
-        work()
-        QtGui.QApplication.processEvents()
-        return time.thread_time() - start
-
-    def write_data():
-        opened.openTransaction("Data")
-        for obj in job.Operations.Group:
-            for name in range(12):
-                obj.addProperty("App::PropertyString", f"Alone{name}", "Test", "", 9)
-                setattr(obj, f"Alone{name}", "value")
-        opened.commitTransaction()
-
-    alone, taken = [], []
-    for _ in range(7):  # in turns, so that a slow moment meets both
+    one, all_of_them = vkworkbench.analyze(bore), vkworkbench.analyze(job)
+    assert len(all_of_them.operations) >= 200
+    resized = []
+    window.tree.header().sectionResized.connect(lambda *what: resized.append(what))
+    counts = []
+    for report in (one, all_of_them):
         vkworkbench.clear(opened)
         window.idle(0.3)
-        taken.append(seconds(lambda: commands.mark(report)))
-        alone.append(seconds(write_data))
-        opened.undo()
-    alone, taken = median(alone), median(taken)
-    print(f"200 marks in {taken * 1e3:.0f} ms, their data alone in {alone * 1e3:.0f} ms")
-    assert taken < 2.5 * alone
+        resized.clear()
+        begin = time.thread_time()
+        commands.mark(report)
+        QtGui.QApplication.processEvents()
+        print(f"{len(report.operations)} marks in {1e3 * (time.thread_time() - begin):.0f} ms")
+        counts.append(len(resized))
+    assert counts[1] <= counts[0] + 4

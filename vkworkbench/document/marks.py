@@ -16,6 +16,7 @@ from vkworkbench.core import Strategy
 from vkworkbench.core.simulators import SIMULATORS, cost_from_data
 from vkworkbench.document import mark_properties, record
 from vkworkbench.document.fingerprint import path_fingerprint
+from vkworkbench.document.intent import contradicted
 from vkworkbench.document.mark_text import CLOSING, OPENING, OUTDATED, PLAY, SEPARATOR, text_of
 from vkworkbench.document.operations import find, fixtures_of
 from vkworkbench.document.record import Record
@@ -105,7 +106,8 @@ def _of_the_version_before(obj) -> Record | None:
 
 def write(obj, report: OperationReport, chosen: Preferences, *, outdated: bool = False) -> None:
     """Write what was found on an operation, and say of it what the preferences ask for."""
-    _keep(obj, replace(record.of_operation(report, chosen.simulator), outdated=outdated), chosen, anew=True)
+    found = record.of_operation(report, chosen.simulator)
+    _keep(obj, replace(found, called=contradicted(obj, report.recognition), outdated=outdated), chosen, anew=True)
 
 
 def write_total(job, chosen: Preferences) -> None:

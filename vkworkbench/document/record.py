@@ -41,6 +41,8 @@ class Record(Costs):
         What that time leaves out.
     stepover : float or None
         mm.
+    called : str or None
+        What the operation is called where its toolpath does something else; FreeCAD's name of its kind or its pattern.
     incomplete : bool
         Whether the costs of some operation are unknown, so that those of the job are lower bounds.
     costs : dict of str to Cost
@@ -65,6 +67,7 @@ class Record(Costs):
     machining_seconds: float | None = None
     left_out: tuple[Message, ...] = ()
     stepover: float | None = None
+    called: str | None = None
     incomplete: bool = False
     costs: Mapping[str, Cost] = field(default_factory=dict)
     fingerprint: str = ""
@@ -147,6 +150,7 @@ def as_json(record: Record, shown: Iterable[str] = (), own: Iterable[str] = ()) 
         "machining": record.machining_seconds,
         "left_out": [message.as_data() for message in record.left_out],
         "stepover": record.stepover,
+        "called": record.called,
         "incomplete": record.incomplete,
         "costs": {name: cost_as_data(name, cost) for name, cost in record.costs.items()},
         "fingerprint": record.fingerprint,
@@ -170,6 +174,7 @@ def from_json(text: str) -> Record | None:
             machining_seconds=_or_none(data["machining"]),
             left_out=_messages(data["left_out"]),
             stepover=_or_none(data["stepover"]),
+            called=data.get("called") and str(data["called"]),  # the first of this format did not keep it
             incomplete=bool(data["incomplete"]),
             costs=_costs(data["costs"]),
             fingerprint=str(data["fingerprint"]),

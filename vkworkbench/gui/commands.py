@@ -106,12 +106,19 @@ def mark(report) -> None:
 
 
 def _show_marks() -> None:
-    """Show the Description column the first time, and say so; afterwards it is the user's own."""
+    """Show the Description column the first time that a tree is seen, and say so; afterwards it is the user's own."""
     tree.bring_to_view()
+    if not FreeCAD.ParamGet(GROUP).GetBool("DescriptionShown", False):
+        tree.when_seen(_show_description)
+
+
+def _show_description() -> None:
     remembered = FreeCAD.ParamGet(GROUP)
     if not remembered.GetBool("DescriptionShown", False):
         remembered.SetBool("DescriptionShown", True)
-        if tree.show_description():
+        was_hidden = tree.show_description()
+        tree.fit_description()
+        if was_hidden:
             _tell(translate(
                 "Vk_Analyze",
                 "The marks are in the tree's Description column, which is now visible. You can hide it again in the "

@@ -21,14 +21,9 @@ def add(dock: QDockWidget, height: int) -> None:
     That is at most a third of the window, most of which is the 3D view's.
     """
     window = Gui.getMainWindow()
-    others = [
-        other for other in window.findChildren(QDockWidget)
-        if other is not dock and not other.isFloating() and window.dockWidgetArea(other) == Qt.BottomDockWidgetArea
-    ]  # fmt: skip
-    seen = [other for other in others if not other.isHidden()]
+    others = _at_the_bottom(dock)
     window.addDockWidget(Qt.BottomDockWidgetArea, dock)
-    if seen:  # of several the one with the most room: FreeCAD's report view, for example
-        window.tabifyDockWidget(max(seen, key=lambda other: other.width()), dock)
+    _join(dock, others)
     for other in others:
         if other.objectName() in (RESULTS, GAUSS_MAP) and other.isHidden():  # once it is shown, it is a tab, too
             window.tabifyDockWidget(dock, other)
@@ -37,9 +32,28 @@ def add(dock: QDockWidget, height: int) -> None:
 
 
 def show(dock: QDockWidget) -> None:
-    """Show a dock in front of those it shares its place with."""
+    """Show a dock in front of those it shares its place with; what was opened since it was closed is one of them."""
+    window = Gui.getMainWindow()
+    if dock.isHidden() and not dock.isFloating() and window.dockWidgetArea(dock) == Qt.BottomDockWidgetArea:
+        _join(dock, _at_the_bottom(dock))
     dock.show()
     dock.raise_()
+
+
+def _at_the_bottom(dock: QDockWidget) -> list[QDockWidget]:
+    """Return the other docks at the bottom, hidden ones too."""
+    window = Gui.getMainWindow()
+    return [
+        other for other in window.findChildren(QDockWidget)
+        if other is not dock and not other.isFloating() and window.dockWidgetArea(other) == Qt.BottomDockWidgetArea
+    ]  # fmt: skip
+
+
+def _join(dock: QDockWidget, others: list[QDockWidget]) -> None:
+    """Make a dock a tab of one that is seen, of several that with the most room: FreeCAD's report view, for example."""
+    seen = [other for other in others if not other.isHidden()]
+    if seen and not set(seen) & set(Gui.getMainWindow().tabifiedDockWidgets(dock)):
+        Gui.getMainWindow().tabifyDockWidget(max(seen, key=lambda other: other.width()), dock)
 
 
 def is_seen(dock: QDockWidget) -> bool:

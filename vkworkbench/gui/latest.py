@@ -1,17 +1,37 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What was found last in each open document: the panel shows it."""
+"""What was found in each open document: what the marks keep, and all of it where it was analysed in this session."""
 
 from __future__ import annotations
+
+from dataclasses import dataclass
 
 import FreeCAD
 
 from vkworkbench import preferences
-from vkworkbench.document.operations import find
+from vkworkbench.document import marks
+from vkworkbench.document.operations import Operation, find, fixtures_of
+from vkworkbench.document.record import Record
 from vkworkbench.report import OperationReport, Report
 
 _found: dict[str, dict[str, OperationReport]] = {}
-_jobs: dict[tuple[str, str], str] = {}
-_fixtures: dict[tuple[str, str], int] = {}
+
+
+@dataclass(frozen=True)
+class Finding:
+    """What is known of one operation.
+
+    Attributes
+    ----------
+    operation : Operation
+    mark : Record
+        What its mark says: what is shown.
+    report : OperationReport or None
+        That from which the mark was made, with all its numbers; None where the document was opened with the mark.
+    """
+
+    operation: Operation
+    mark: Record
+    report: OperationReport | None
 
 
 class _Closing:
@@ -32,13 +52,26 @@ def remember(report: Report) -> None:
         FreeCAD.addDocumentObserver(_closing)
     for operation in report.operations:
         _found.setdefault(operation.document, {})[operation.name] = operation
-    _jobs.update(report.jobs)
-    _fixtures.update(report.fixtures)
 
 
-def report_of(document) -> Report:
-    """Return the latest findings on the operations that a document has now, in their order; none without a document."""
-    known = _found.get(document.Name, {}) if document is not None else {}
-    operations = tuple(known[o.object.Name] for o in find(document) if o.object.Name in known) if known else ()
-    jobs = {(o.document, o.job): _jobs[o.document, o.job] for o in operations if o.job is not None}
-    return Report(operations, jobs, preferences.read().budget, {job: _fixtures.get(job, 1) for job in jobs})
+def findings(document) -> list[Finding]:
+    """Return what is known of the marked operations that a document has now, in their order; none without a document."""
+    found = []
+    for operation in find(document) if document is not None else ():
+        mark = marks.read(operation.object)
+        if mark is not None:
+            report = _found.get(document.Name, {}).get(operation.object.Name)
+            same = report is not None and report.fingerprint == mark.fingerprint
+            found.append(Finding(operation, mark, report if same else None))
+    return found
+
+
+def report_of(found: list[Finding]) -> Report | None:
+    """Return the report with all numbers of these operations; None where some have only their mark."""
+    operations = tuple(finding.report for finding in found)
+    if None in operations:
+        return None
+    jobs = {o.job.Name: o.job for o in (finding.operation for finding in found) if o.job is not None}
+    keys = {(job.Document.Name, name): job for name, job in jobs.items()}
+    labels, fixtures = {k: job.Label for k, job in keys.items()}, {k: fixtures_of(job) for k, job in keys.items()}
+    return Report(operations, labels, preferences.read().budget, fixtures)

@@ -5,8 +5,9 @@ from __future__ import annotations
 
 from vkworkbench.document.record import Record
 from vkworkbench.gui.mark_layout import pill_text
+from vkworkbench.gui.notices import contradiction
 from vkworkbench.gui.plain_text import lines
-from vkworkbench.gui.sentences import said, strategy_name, user
+from vkworkbench.gui.sentences import plainly, said, strategy_name, user
 from vkworkbench.gui.text import translate
 from vkworkbench.language import ROUGH
 from vkworkbench.preferences import Preferences
@@ -16,12 +17,13 @@ from vkworkbench.report import SERIOUS
 def explanation(record: Record, chosen: Preferences) -> str:
     """Return what a mark means, as a part of HTML."""
     told = [f"<b>{lines(_title(record))}</b>"]
-    told += [lines(said(reason)) for reason in record.reason]
+    told += [lines(_sentence(plainly(reason))) for reason in record.reason]
     told.append(lines(_machining(record)))
     names = sorted(record.costs, key=lambda name: name != chosen.simulator)
     told += [lines(_simulation(record, name)) for name in names]
+    called = [contradiction(record)] if record.called else []
     serious = [caution.what for caution in record.cautions if caution.code in SERIOUS]
-    told += [f"<b>⚠ {lines(said(message))}</b>" for message in (*record.remarks, *serious)]
+    told += [f"<b>⚠ {lines(text)}</b>" for text in (*map(said, record.remarks), *called, *map(said, serious))]
     if chosen.simulator not in record.costs and record.costs:
         text = translate("Pills", "The time in the {simulator} is not known: analyze it again.")
         told.append(f"<i>{lines(text.format(simulator=user().simulator(chosen.simulator)))}</i>")
@@ -29,6 +31,10 @@ def explanation(record: Record, chosen: Preferences) -> str:
         text = translate("Pills", "Outdated: toolpath, tool or stock have changed since. Analyze it again.")
         told.append(f"<i>{lines(text)}</i>")
     return "<br>".join(told)
+
+
+def _sentence(text: str) -> str:
+    return f"{text[:1].upper()}{text[1:]}."
 
 
 def _title(record: Record) -> str:

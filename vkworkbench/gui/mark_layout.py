@@ -18,7 +18,8 @@ from vkworkbench.document.mark_text import (
     time_of,
 )  # fmt: skip
 from vkworkbench.document.record import Record
-from vkworkbench.gui.colors import BURDEN, TEXT, TOTAL, WARNING
+from vkworkbench.gui.colors import BURDEN, ERROR, TEXT, TOTAL, WARNING
+from vkworkbench.gui.notices import Level, level_of_remarks
 from vkworkbench.gui.sentences import said, strategy_name, user
 from vkworkbench.gui.text import translate
 from vkworkbench.preferences import Preferences
@@ -33,7 +34,7 @@ class Piece:
 
     Attributes
     ----------
-    kind : {"filled", "outlined", "warning"}
+    kind : {"filled", "outlined", "warning", "error"}
     text : str
         On a pill.
     color, ink : str
@@ -112,31 +113,36 @@ def layouts(record: Record, words: str, chosen: Preferences, metrics, most_of_re
     about, (seconds, _) = time_of(record, chosen, reader), record.cost(chosen.simulator) or (None, None)
     plain = reader.time(seconds) if about else ""
     name = pill_text(record)
-    is_error = record.remarks and record.strategy is not None and not record.strategy.is_answer
+    is_error = _is_error(record)
+    has_pill = not is_error or record.strategy is None or record.strategy.is_answer
     remark = "; ".join(map(said, record.remarks))
     if most_of_remark is not None:
         remark = remark[:most_of_remark]
     outdated = translate("Pills", "outdated") if record.outdated else ""
     rest = "  ".join(filter(None, [outdated, remark, words]))
-    warned = is_warned(record, chosen)
-    full = Layout(metrics)
-    if not is_error:
-        _add_pill(full, record, name)
+
+    def begun() -> Layout:
+        layout = Layout(metrics)
+        if is_error:
+            layout.add("error", "", *ERROR)
+        if has_pill:
+            _add_pill(layout, record, name)
+        return layout
+
+    full, shorter, shortest = begun(), begun(), begun()
+    if has_pill:
         _add_time(full, record, chosen, about and f"{PLAY} {about}")
-    if warned:
+        _add_time(shorter, record, chosen, plain and f"{PLAY} {plain}")
+        _add_time(shortest, record, chosen, plain)
+    if not is_error and is_warned(record, chosen):
         full.add("warning", "", *WARNING)
     full.say_more(rest)
-    found = [full]
-    if not is_error:
-        for time in (plain and f"{PLAY} {plain}", plain):
-            short = Layout(metrics)
-            _add_pill(short, record, name)
-            _add_time(short, record, chosen, time)
-            found.append(short)
-        alone = Layout(metrics)
-        _add_pill(alone, record, name)
-        found.append(alone)
-    return found
+    return [full, *([shorter, shortest, begun()] if has_pill else [])]
+
+
+def _is_error(record: Record) -> bool:
+    """Whether nothing is known of an operation's simulation; a job has its warning for that."""
+    return record.strategy is not None and bool(record.remarks) and level_of_remarks(record) is Level.ERROR
 
 
 def _add_pill(layout: Layout, record: Record, name: str) -> None:

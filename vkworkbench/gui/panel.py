@@ -3,13 +3,12 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 import FreeCAD
 import FreeCADGui as Gui
 
 from vkworkbench import preferences
-from vkworkbench.gui import colors, docks, latest
+from vkworkbench.document.mark_properties import MARK
+from vkworkbench.gui import colors, docks, latest, progress
 from vkworkbench.gui.frozen_tree import FrozenTree
 from vkworkbench.gui.gauss_theme import readable
 from vkworkbench.gui.panel_details import GAUSS_MAP, page
@@ -33,6 +32,7 @@ from vkworkbench.gui.qt import (
     QWidget,
 )  # fmt: skip
 from vkworkbench.gui.text import translate
+from vkworkbench.report import Cancelled
 
 _WIDEST = {"operation": 260, "warnings": 420}  # px; the tooltip shows the end of a longer text
 
@@ -43,7 +43,7 @@ class ResultsDock(QDockWidget):
     def __init__(self, parent: QWidget) -> None:
         super().__init__(translate("Vk_Results", "Toolpath results"), parent)
         self.setObjectName(docks.RESULTS)
-        self._report = latest.report_of(None)
+        self._findings: list[latest.Finding] = []
         self._following = False  # whether the tree's selection is being moved by FreeCAD's
         self._opened: set[str] = set()  # links of the page
         self._stale = self._timer(self.refresh)
@@ -87,6 +87,7 @@ class ResultsDock(QDockWidget):
 
         Gui.Selection.addObserver(self)
         FreeCAD.addDocumentObserver(self)
+        preferences.observe(lambda name: self._stale.start(0))
         self.visibilityChanged.connect(lambda visible: self._stale.start(0))
         self.refresh()
 
@@ -153,7 +154,7 @@ class ResultsDock(QDockWidget):
     # FreeCAD calls these when documents change.
 
     def slotChangedObject(self, obj, name: str) -> None:
-        if name in ("Label", "Label2", "Group"):
+        if name in ("Label", "Label2", "Group", MARK):
             self._stale.start(0)
 
     def slotDeletedObject(self, obj) -> None:
@@ -169,10 +170,10 @@ class ResultsDock(QDockWidget):
         """Show what is known of the active document now."""
         if not self.isVisible():
             return
-        self._report = latest.report_of(FreeCAD.ActiveDocument)
+        self._findings = latest.findings(FreeCAD.ActiveDocument)
         closed = {row.name for index, row in self._indexes() if row.rows and not self.tree.isExpanded(index)}
         self._following = True
-        self.model.show(rows_of(self._report))
+        self.model.show(rows_of(self._findings))
         self.tree.expandAll()
         for index, row in self._indexes():
             self.tree.setExpanded(index, row.name not in closed)
@@ -180,7 +181,7 @@ class ResultsDock(QDockWidget):
         self.filter.offer({row.strategy for _, row in self._indexes() if row.strategy is not None})
         self._fit_columns()
         for action in (self.csv, self.json, self.copy):
-            action.setEnabled(bool(self._report.operations))
+            action.setEnabled(bool(self._findings))
         self._follow()
 
     def _filter(self) -> None:
@@ -258,14 +259,12 @@ class ResultsDock(QDockWidget):
     def _together(self, rows: list[Row]) -> list[Row]:
         """One total for each job of the rows, which says that it is one of a selection."""
         names = {row.name for row in rows if not row.is_total}
-        operations = tuple(o for o in self._report.operations if o.name in names)
-        jobs = {(o.document, o.job): self._report.jobs[o.document, o.job] for o in operations if o.job is not None}
-        found = []
-        for row in rows_of(replace(self._report, operations=operations, jobs=jobs)):
-            if row.is_total:
-                text = translate("Vk_Results", "Selection in {job}").format(job=row.label)
-                found.append(Row(row.found, text, posted=row.posted))
-        return found
+        chosen = [finding for finding in self._findings if finding.operation.object.Name in names]
+        text = translate("Vk_Results", "Selection in {job}")
+        return [
+            Row(row.found, row.name, text.format(job=row.label), posted=row.posted)
+            for row in rows_of(chosen) if row.is_total
+        ]  # fmt: skip
 
     def _open(self, link: str) -> None:
         if link == GAUSS_MAP:
@@ -279,7 +278,16 @@ class ResultsDock(QDockWidget):
         self.details.verticalScrollBar().setValue(where)
 
     def _export(self, ending: str) -> None:
-        save(self._report, FreeCAD.ActiveDocument, ending, self)
+        """Save all numbers, which takes an analysis of what has only its mark."""
+        report = latest.report_of(self._findings)
+        if report is None:
+            try:
+                report = progress.analyze(FreeCAD.ActiveDocument)
+            except Cancelled:
+                return
+            latest.remember(report)
+            self.refresh()
+        save(report, FreeCAD.ActiveDocument, ending, self)
 
     def _copy(self) -> None:
         """Copy the selected rows, all without a selection, as they are shown."""

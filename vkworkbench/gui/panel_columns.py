@@ -9,7 +9,6 @@ from functools import partial
 
 import FreeCAD
 
-from vkworkbench import freecad
 from vkworkbench.core.simulators import Simulator, available
 from vkworkbench.gui.panel_rows import Row
 from vkworkbench.gui.sentences import user
@@ -62,12 +61,19 @@ class Column:
         return text.format(self.shown(value / factor), self.shown(value * factor))
 
 
-def columns(version: tuple[int, ...]) -> tuple[list[Column], list[Column]]:
-    """Return the columns that are seen at first and the others, with the simulators that a FreeCAD version has."""
+def columns(version: tuple[int, ...], marked: str) -> tuple[list[Column], list[Column]]:
+    """Return the columns that are seen at first and the others.
+
+    Parameters
+    ----------
+    version : tuple of int
+        The FreeCAD, which says what simulators there are.
+    marked : str
+        Name of the simulator whose time the marks show.
+    """
     there_are = available(version)
-    own = freecad.own_simulator()
-    (simulator,) = [s for s in there_are if s.name == own]
-    time = translate("Vk_Results", "How long {simulator} takes, which this FreeCAD's own button starts")
+    (simulator,) = [s for s in there_are if s.name == marked]
+    time = translate("Vk_Results", "How long the {simulator} takes, as the marks show it")
     first = [
         Column(OPERATION, translate("Vk_Results", "Operation"), "", lambda row: row.label),
         Column(STRATEGY, translate("Vk_Results", "Strategy"),
@@ -76,10 +82,10 @@ def columns(version: tuple[int, ...]) -> tuple[list[Column], list[Column]]:
         Column("machining_time", translate("Vk_Results", "Machining\ntime"),
                translate("Vk_Results", "Time on the machine at the programmed feeds; rapids where the tool "
                                        "controller says their speed"),
-               lambda row: row.machining_seconds, _as("time"), least=lambda row: not row.machining_complete),
+               lambda row: row.found.machining_seconds, _as("time"), least=lambda row: not row.machining_complete),
         Column("simulation_time", translate("Vk_Results", "Simulation\ntime"),
-               time.format(simulator=user().simulator(own)),
-               partial(_seconds, own), _as("time"), partial(_factor, simulator)),
+               time.format(simulator=user().simulator(marked)),
+               partial(_seconds, marked), _as("time"), partial(_factor, simulator), _is_bound),
         Column(STATE, translate("Vk_Results", "State"),
                translate("Vk_Results", "Outdated: toolpath, tool or stock have changed since; analyze it again"),
                lambda row: translate("Vk_Results", "outdated") if row.outdated else None),
@@ -120,6 +126,10 @@ def _factor(simulator: Simulator, row: Row) -> float:
     return row.found.factor(simulator.name) if simulator.lessons else 1.0  # else no run makes it surer
 
 
+def _is_bound(row: Row) -> bool:
+    return row.is_total and row.found.incomplete
+
+
 def _of_simulator(simulator: Simulator) -> tuple[Column, Column]:
     """Time and memory that a simulator takes for an operation, or for all of a job together."""
     name, text = simulator.name, partial(FreeCAD.Qt.translate, "Vk_Results")
@@ -127,7 +137,7 @@ def _of_simulator(simulator: Simulator) -> tuple[Column, Column]:
     time, memory = translate("Vk_Results", "{simulator}\ntime"), translate("Vk_Results", "{simulator}\nmemory")
     return (
         Column(f"{name} time", time.format(simulator=called), text(simulator.time_tooltip),
-               partial(_seconds, name), _as("time"), partial(_factor, simulator)),
+               partial(_seconds, name), _as("time"), partial(_factor, simulator), _is_bound),
         Column(f"{name} memory", memory.format(simulator=called), text(simulator.memory_tooltip),
                partial(_bytes, name), _as("memory")),
     )  # fmt: skip

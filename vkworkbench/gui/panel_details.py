@@ -7,11 +7,13 @@ import FreeCAD
 
 from vkworkbench.core.simulators import SIMULATORS
 from vkworkbench.gui import colors
+from vkworkbench.gui.notices import Level
 from vkworkbench.gui.panel_columns import OPERATION, STATE, STRATEGY, WARNINGS
-from vkworkbench.gui.panel_rows import Level, Row
+from vkworkbench.gui.panel_rows import Row
 from vkworkbench.gui.plain_text import lines
 from vkworkbench.gui.sentences import plainly, said, user
 from vkworkbench.gui.text import translate
+from vkworkbench.report import OperationReport
 
 WHY, NUMBERS, GAUSS_MAP = "why", "numbers", "gauss-map"  # what the page's links open
 _SIGNS = {
@@ -53,11 +55,11 @@ def _title(row: Row) -> str:
 
 def _strategy(row: Row, why: bool) -> str:
     link = _link(WHY, translate("Vk_Results", "Why?"))
-    seen = plainly(row.found.recognition.why)
+    seen = "; ".join(map(plainly, row.mark.reason))
     text = f"{lines(seen[:1].upper() + seen[1:])}. {link}"
     if not why:
         return text
-    more = [lines(said(row.found.recognition.why))]
+    more = [lines(said(reason)) for reason in row.mark.reason]
     if row.strategy.is_answer:
         sure = translate("Vk_Results", "Sure: {share}").format(share=user().share(row.found.confidence))
         more.append(lines(sure))
@@ -72,16 +74,16 @@ def _notice(notice) -> str:
 
 def _machining(row: Row) -> list[tuple[str, str, str]]:
     """Lengths, and what the machining time leaves out."""
+    length = user().length
+    told = [(translate("Vk_Results", "Cutting"), length(row.found.length), "")]
     if row.is_total:
-        return [(translate("Vk_Results", "Cutting"), user().length(row.found.length), "")]
-    machining, length = row.found.machining, user().length
-    told = [
-        (translate("Vk_Results", "Cutting"), length(machining.cutting_length), ""),
-        (translate("Vk_Results", "Rapids"), length(machining.rapid_length), ""),
-    ]
-    if machining.depth is not None:
-        told.append((translate("Vk_Results", "Depth"), length(machining.depth), ""))
-    return told + [("", said(message), "") for message in machining.left_out]
+        return told
+    if isinstance(row.found, OperationReport):  # a mark does not keep these
+        machining = row.found.machining
+        told.append((translate("Vk_Results", "Rapids"), length(machining.rapid_length), ""))
+        if machining.depth is not None:
+            told.append((translate("Vk_Results", "Depth"), length(machining.depth), ""))
+    return told + [("", said(message), "") for message in row.found.left_out]
 
 
 def _advice(row: Row):

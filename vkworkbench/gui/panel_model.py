@@ -3,9 +3,10 @@
 
 from __future__ import annotations
 
-from vkworkbench import freecad
+from vkworkbench import freecad, preferences
+from vkworkbench.gui.notices import Level
 from vkworkbench.gui.panel_columns import STRATEGY, WARNINGS, columns
-from vkworkbench.gui.panel_rows import Level, Row
+from vkworkbench.gui.panel_rows import Row
 from vkworkbench.gui.plain_text import as_html
 from vkworkbench.gui.qt import (
     QAbstractItemModel,
@@ -32,14 +33,19 @@ class ResultsModel(QAbstractItemModel):
 
     def __init__(self, parent=None) -> None:
         super().__init__(parent)
-        self.first, self.others = columns(freecad.version())
-        self.columns = [*self.first, *self.others]
         self.rows: list[Row] = []
+        self._choose_columns()
 
     def show(self, rows: list[Row]) -> None:
         self.beginResetModel()
         self.rows = rows
+        self._choose_columns()
         self.endResetModel()
+
+    def _choose_columns(self) -> None:
+        """Take the columns as the preferences are now; there are always as many, with the same keys."""
+        self.first, self.others = columns(freecad.version(), preferences.read().simulator)
+        self.columns = [*self.first, *self.others]
 
     def row(self, index) -> Row:
         """Return the row of an index."""

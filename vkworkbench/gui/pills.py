@@ -131,7 +131,22 @@ def _paint_warning(painter, where: QRectF, piece) -> None:
     painter.drawPoint(QPointF(middle, box.top() + 0.84 * side))
 
 
-_PAINTERS = {"filled": _paint_filled, "outlined": _paint_outlined, "warning": _paint_warning}
+def _paint_error(painter, where: QRectF, piece) -> None:
+    """A disc with a cross."""
+    side = where.height() - 3
+    box = QRectF(where.center().x() - side / 2, where.center().y() - side / 2, side, side)
+    painter.setPen(Qt.NoPen)
+    painter.setBrush(QColor(piece.color))
+    painter.drawEllipse(box)
+    painter.setPen(QPen(QColor(piece.ink), side / 8))
+    cross = box.adjusted(*(0.3 * side * sign for sign in (1, 1, -1, -1)))
+    painter.drawLine(cross.topLeft(), cross.bottomRight())
+    painter.drawLine(cross.bottomLeft(), cross.topRight())
+
+
+_PAINTERS = {
+    "filled": _paint_filled, "outlined": _paint_outlined, "warning": _paint_warning, "error": _paint_error,
+}  # fmt: skip
 
 
 def _objects_of(index) -> list:

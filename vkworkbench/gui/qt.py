@@ -32,6 +32,7 @@ from PySide.QtGui import (
     QCheckBox,
     QColor,
     QComboBox,
+    QDialogButtonBox,
     QDockWidget,
     QFileDialog,
     QFont,
@@ -76,7 +77,7 @@ from PySide.QtGui import (
 
 __all__ = [
     "QAbstractItemModel", "QAbstractItemView", "QAction", "QApplication", "QCheckBox", "QColor", "QComboBox",
-    "QDate", "QDockWidget", "QEvent", "QEventLoop", "QFileDialog", "QFont", "QFontMetrics", "QFrame", "QHBoxLayout",
+    "QDate", "QDialogButtonBox", "QDockWidget", "QEvent", "QEventLoop", "QFileDialog", "QFont", "QFontMetrics", "QFrame", "QHBoxLayout",
     "QHeaderView", "QImage", "QItemSelectionModel", "QKeySequence", "QLabel", "QLineEdit", "QLineF", "QListWidget",
     "QLocale", "QMdiArea", "QMenu", "QMessageBox", "QModelIndex", "QObject", "QOffscreenSurface", "QOpenGLContext",
     "QPainter", "QPalette", "QPen", "QPixmap", "QPoint", "QPointF", "QPolygonF", "QProgressBar", "QProgressDialog",

@@ -10,7 +10,6 @@ from __future__ import annotations
 import time
 from contextlib import suppress
 
-import FreeCAD
 import FreeCADGui as Gui
 import numpy as np
 
@@ -26,20 +25,18 @@ from vkworkbench.core.simulators import (
     opengl_together,
 )
 from vkworkbench.document import calibration
-from vkworkbench.document.operations import is_active
 from vkworkbench.document.setting import read_stock, read_tool
 from vkworkbench.gui.qt import (
-    QComboBox,
     QEvent,
     QListWidget,
     QObject,
     QProgressBar,
     QSlider,
-    Qt,
     QTimer,
     QToolButton,
 )  # fmt: skip
 from vkworkbench.gui.renderer import note_renderer
+from vkworkbench.gui.simulator_panels import chosen_in
 
 # Nothing is learned from longer operations and plays: the seconds of computing would be felt.
 _MOST_COMMANDS = 50_000
@@ -72,6 +69,11 @@ class LegacyRuns(QObject):
         while self._panel.findChild(QSlider, "sliderAccuracy") is None:
             self._panel = self._panel.parent()
         self._begin = None
+        # FreeCAD has yet to make and to show the last mesh. Timers of the panel's own: it may be closed meanwhile.
+        self._enabled, self._shown = QTimer(self), QTimer(self)
+        for timer, then in ((self._enabled, lambda: self._shown.start(0)), (self._shown, self._ended)):
+            timer.setSingleShot(True)
+            timer.timeout.connect(then)
         fast_forward.pressed.connect(lambda: self._pressed("fast-forward"))
         self._panel.findChild(QToolButton, "toolButtonPlay").pressed.connect(lambda: self._pressed("play"))
         fast_forward.installEventFilter(self)
@@ -82,8 +84,7 @@ class LegacyRuns(QObject):
 
     def eventFilter(self, button, event) -> bool:
         if event.type() == QEvent.EnabledChange and button.isEnabled() and self._begin and self._done() == 100:
-            # FreeCAD has yet to make and to show the last mesh.
-            QTimer.singleShot(0, lambda: QTimer.singleShot(0, self._ended))
+            self._enabled.start(0)
         return False
 
     def _ended(self) -> None:
@@ -175,13 +176,7 @@ def _played(frames: np.ndarray) -> int:
 
 def _simulated(panel) -> list:
     """Path, tool and stock of the operations that are ticked in a simulator's panel; none where that is not known."""
-    jobs = FreeCAD.ActiveDocument.findObjects("Path::FeaturePython", "Job.*")
-    job = jobs[panel.findChild(QComboBox, "comboJobs").currentIndex()]
-    operations = [obj for obj in freecad.OPERATIONS.of(job).OutList if is_active(obj)]
-    listed = panel.findChild(QListWidget, "listOperations")
-    if len(operations) != listed.count():
-        return []
-    ticked = [obj for row, obj in enumerate(operations) if listed.item(row).checkState() == Qt.Checked]
+    job, ticked = chosen_in(panel)
     if sum(obj.Path.Size for obj in ticked) > _MOST_COMMANDS:
         return []
     try:

@@ -3,23 +3,61 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from contextlib import contextmanager
 
 import FreeCAD
 import FreeCADGui as Gui
 
 from vkworkbench import freecad
-from vkworkbench.gui.qt import QDockWidget, QHeaderView, Qt, QTabWidget, QTreeView
+from vkworkbench.gui.qt import QDockWidget, QEvent, QHeaderView, QObject, Qt, QTabWidget, QTimer, QTreeView
 
 DESCRIPTION = 1
 _TREE_PREFERENCES = "User parameter:BaseApp/Preferences/TreeView"
 _DOCK_WIDTH = 500  # px; with FreeCAD's 260 the column would be out of sight
+_MOST_OF_WINDOW = 0.45  # the rest is the 3D view's
 
 
 def trees() -> list[QTreeView]:
     """Return FreeCAD's document trees."""
     views = Gui.getMainWindow().findChildren(QTreeView)
     return [view for view in views if view.metaObject().className() == "Gui::TreeWidget"]
+
+
+class _Sight(QObject):
+    """Waits until one of the trees is shown, and does then what it was asked to, once."""
+
+    def __init__(self, work: Callable[[], object]) -> None:
+        super().__init__(Gui.getMainWindow())
+        self._work = work
+        self._seen = QTimer(self)  # its dock has its size then
+        self._seen.setSingleShot(True)
+        self._seen.timeout.connect(self._do)
+        for view in trees():
+            view.installEventFilter(self)
+
+    def eventFilter(self, view, event) -> bool:
+        if event.type() == QEvent.Show:
+            self._seen.start(0)
+        return False
+
+    def _do(self) -> None:
+        if any(map(is_seen, trees())):
+            self.deleteLater()
+            self._work()
+
+
+def is_seen(view: QTreeView) -> bool:
+    """Whether the user sees a tree: it is in no closed dock and behind no tab."""
+    return view.isVisible() and not view.visibleRegion().isEmpty()
+
+
+def when_seen(work: Callable[[], object]) -> None:
+    """Do something as soon as a tree is seen: now, or where all are hidden when one is shown."""
+    if any(map(is_seen, trees())):
+        work()
+    else:
+        _Sight(work)
 
 
 def show_description() -> bool:
@@ -34,15 +72,19 @@ def show_description() -> bool:
         tree.setColumnHidden(DESCRIPTION, False)
         tree.header().setVisible(True)
     window = Gui.getMainWindow()
+    width = min(_DOCK_WIDTH, int(_MOST_OF_WINDOW * window.width()))
     for dock in window.findChildren(QDockWidget):
-        if dock.objectName() in freecad.TREE_DOCKS and dock.isVisible() and dock.width() < _DOCK_WIDTH:
-            window.resizeDocks([dock], [_DOCK_WIDTH], Qt.Horizontal)
+        if dock.objectName() in freecad.TREE_DOCKS and dock.isVisible() and dock.width() < width:
+            if dock.isFloating():
+                dock.resize(width, dock.height())
+            else:
+                window.resizeDocks([dock], [width], Qt.Horizontal)
     return was_hidden
 
 
 def bring_to_view() -> None:
     """Bring a tree that a tab hides before it; a task that is being edited stays, and so does a closed dock."""
-    if Gui.Control.activeDialog() or any(not tree.visibleRegion().isEmpty() for tree in trees()):
+    if Gui.Control.activeDialog() or any(map(is_seen, trees())):
         return
     for dock in Gui.getMainWindow().findChildren(QDockWidget):
         for tree in trees():

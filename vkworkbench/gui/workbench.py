@@ -12,7 +12,7 @@ import FreeCADGui as Gui
 from vkworkbench import freecad
 from vkworkbench.document import idle
 from vkworkbench.document.mark_properties import may_have_mark
-from vkworkbench.gui import preferences_page
+from vkworkbench.gui import preferences_page, simulator_watch
 from vkworkbench.gui.qt import QApplication, QTimer
 from vkworkbench.gui.selection import selected_operations
 from vkworkbench.gui.text import QT_TRANSLATE_NOOP, translate
@@ -60,7 +60,7 @@ def install() -> None:
             _extend(workbench, menu)
     idle.use(lambda call: QTimer.singleShot(0, call))
     FreeCAD.addDocumentObserver(_OpenedDocuments())
-    FreeCAD.addDocumentObserver(_Simulations())
+    Gui.getMainWindow().workbenchActivated.connect(lambda name: simulator_watch.watch())  # then the task view is there
     QApplication.instance().focusWindowChanged.connect(_focus_changed)
 
 
@@ -134,16 +134,6 @@ class _OpenedDocuments:
             upkeep.watch()
             idle.work(watcher.comparing(document, opened=True))
             self._compared.add(name)
-
-
-class _Simulations:
-    """Notices that the user opens the legacy simulator, by the part to be cut, which it puts into the document."""
-
-    def slotCreatedObject(self, obj) -> None:
-        if obj.Name.startswith("CutMaterial"):
-            from vkworkbench.gui import real_runs
-
-            real_runs.watch_legacy()
 
 
 def _focus_changed(window) -> None:

@@ -64,6 +64,26 @@ SIMULATORS: dict[str, str | tuple[str, str]] = {
     ),
     "too-deep": QT_TRANSLATE_NOOP("Sentences", "too deep"),
     "too-high": QT_TRANSLATE_NOOP("Sentences", "too high"),
+    # What is said where the user starts one of FreeCAD's simulators.
+    "started-hangs": QT_TRANSLATE_NOOP(
+        "Sentences",
+        "The {simulator:simulator} hangs on this: command {command:#} of {label}{others} is an arc {reason}.",
+    ),
+    "and-other-operations": (
+        QT_TRANSLATE_NOOP("Sentences", ", beside another operation,"),
+        QT_TRANSLATE_NOOP("Sentences", ", beside {count:n} other operations,"),
+    ),
+    "started-takes": QT_TRANSLATE_NOOP(
+        "Sentences", "Playing this takes {bound} {time:s} in the {simulator:simulator}."
+    ),
+    "fast-forward-takes": QT_TRANSLATE_NOOP("Sentences", "Fast-forward takes {bound} {time:s}."),
+    "legacy-takes": QT_TRANSLATE_NOOP("Sentences", "The {simulator:simulator} in fast-forward: {bound} {time:s}."),
+    "opengl-takes": QT_TRANSLATE_NOOP("Sentences", "The {simulator:simulator}: {bound} {time:s}."),
+    "bound-about": QT_TRANSLATE_NOOP("Sentences", "about"),
+    "bound-least": QT_TRANSLATE_NOOP("Sentences", "at least"),
+    "ours-instead": QT_TRANSLATE_NOOP(
+        "Sentences", "Simulate toolpaths shows the finished part at once, coarse at first."
+    ),
     # What to do instead.
     "use-opengl": QT_TRANSLATE_NOOP("Sentences", "use the {simulator:simulator} for this operation"),
     "leave-out": QT_TRANSLATE_NOOP("Sentences", "leave this operation out of the simulation"),

@@ -1,0 +1,127 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The first marks are seen: in a combo view that was hidden, in a narrow dock, in a small window beside open docks."""
+
+import FreeCAD
+import FreeCADGui as Gui
+import pytest
+from PySide import QtCore, QtGui
+
+from vkworkbench import freecad
+from vkworkbench.document import marks
+from vkworkbench.gui import tree
+
+
+@pytest.fixture
+def untouched(opened, window):
+    """A window in which nothing was analysed before: FreeCAD's own widths, and its own hidden column."""
+    FreeCAD.ParamGet("User parameter:BaseApp/Preferences/Mod/VkWorkbench").RemBool("DescriptionShown")
+    if freecad.version() >= freecad.DESCRIPTION_HIDDEN_SINCE:
+        FreeCAD.ParamGet("User parameter:BaseApp/Preferences/TreeView").SetBool("HideColumn", True)
+    (dock,) = [d for d in window.main.findChildren(QtGui.QDockWidget) if d.isVisible() and d.isAncestorOf(window.tree)]
+    window.main.resizeDocks([dock], [220], QtCore.Qt.Horizontal)
+    window.idle(0.3)
+    yield dock
+    dock.setFloating(False)
+    dock.show()
+    dock.raise_()
+    window.main.setGeometry(0, 0, 1280, 1000)
+    window.idle(0.3)
+
+
+def cell(window, label):
+    model = window.tree.model()
+    (found,) = model.match(model.index(0, 0), QtCore.Qt.DisplayRole, label, 1,
+                           QtCore.Qt.MatchExactly | QtCore.Qt.MatchRecursive | QtCore.Qt.MatchWrap)  # fmt: skip
+    return found.sibling(found.row(), 1)
+
+
+def assert_marks_are_seen(window, document):
+    """Strategy and time of each operation that the tree shows stand in its viewport."""
+    view = window.tree
+    assert not view.isColumnHidden(1)
+    for label in ("Face", "Adaptive pocket"):
+        view.scrollTo(cell(window, label))
+        window.idle()
+        area = view.visualRect(cell(window, label)) & view.viewport().rect()
+        image = view.viewport().grab(area).toImage()
+        color = QtGui.QColor(marks.read(document.getObjectsByLabel(label)[0]).strategy.color).rgb()
+        columns = [x for x in range(image.width()) if any(image.pixel(x, y) == color for y in range(image.height()))]
+        assert len(columns) > 20, label
+        assert columns[-1] < image.width() - 30, label  # beside the pill there is room for the time
+
+
+def analyze(window, document):
+    window.click("Analyze toolpaths")
+    window.wait(lambda: any(map(marks.is_marked, document.Objects)))
+    window.idle(0.3)
+
+
+def test_in_a_narrow_dock(untouched, opened, window):
+    assert untouched.width() < 300
+    analyze(window, opened)
+    window.dismiss()
+    window.tree.expandAll()
+    assert_marks_are_seen(window, opened)
+    window.screenshot("first-narrow-dock")
+
+
+def test_in_a_combo_view_that_was_hidden(untouched, opened, window):
+    untouched.hide()
+    window.idle()
+    analyze(window, opened)
+    assert window.dismiss() == []  # there is nothing to see yet
+    untouched.show()
+    window.wait(lambda: untouched.width() > 300)
+    window.dismiss()
+    window.tree.expandAll()
+    assert_marks_are_seen(window, opened)
+    window.screenshot("first-hidden-combo-view")
+    untouched.hide()  # from then on it is the user's own
+    window.main.resizeDocks([untouched], [250], QtCore.Qt.Horizontal)
+    untouched.show()
+    window.idle(0.3)
+    assert window.boxes() == []
+
+
+def test_in_a_dock_of_its_own_window(untouched, opened, window):
+    untouched.setFloating(True)
+    untouched.resize(240, 400)
+    window.idle(0.3)
+    analyze(window, opened)
+    window.dismiss()
+    window.tree.expandAll()
+    assert_marks_are_seen(window, opened)
+
+
+def test_in_a_small_window_with_the_report_view(untouched, opened, window):
+    report = window.main.findChild(QtGui.QDockWidget, "Report view")
+    window.main.addDockWidget(QtCore.Qt.BottomDockWidgetArea, report)
+    report.show()
+    window.main.setGeometry(0, 0, 1024, 700)
+    window.idle(0.3)
+    try:
+        analyze(window, opened)
+        window.dismiss()
+        window.tree.expandAll()
+        assert_marks_are_seen(window, opened)
+        assert window.main.width() <= 1024 and window.main.height() <= 700
+        view = window.main.findChild(QtGui.QMdiArea)
+        assert view.width() > 0.4 * window.main.width()  # most is the 3D view's
+        results = window.main.findChild(QtGui.QDockWidget, "VkResults")
+        assert results in window.main.tabifiedDockWidgets(report)  # though it was closed when that was opened
+        window.screenshot("first-1024")
+    finally:
+        report.hide()
+
+
+def test_the_tree_of_a_tab_that_is_behind_is_brought_to_the_front(untouched, opened, window):
+    tabs = [t for t in window.main.findChildren(QtGui.QTabWidget) if t.isAncestorOf(window.tree)]
+    if tabs:
+        (tabs,) = tabs
+        tabs.setCurrentIndex((tabs.currentIndex() + 1) % tabs.count())
+        window.idle()
+        assert not any(map(tree.is_seen, tree.trees()))
+    analyze(window, opened)
+    window.dismiss()
+    assert any(map(tree.is_seen, tree.trees()))
+    Gui.Selection.clearSelection()

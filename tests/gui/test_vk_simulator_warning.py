@@ -1,0 +1,194 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The line over the view when FreeCAD's simulators are started: when it comes and goes, and what its button does."""
+
+import FreeCADGui as Gui
+import Path
+import pytest
+from PySide import QtCore, QtGui
+
+from vkworkbench import freecad, preferences
+from vkworkbench.document import marks, watcher
+from vkworkbench.gui import simulator_panels
+
+OLD = freecad.version() < (1, 0, 0)
+needs_opengl = pytest.mark.skipif(OLD, reason="FreeCAD 0.20 has no OpenGL simulator")
+
+
+@pytest.fixture
+def marked(opened, window):
+    """The example job after an analysis, in FreeCAD's own workbench."""
+    window.click("Analyze toolpaths")
+    window.wait(lambda: opened.getObject("Job").Label2)
+    window.dismiss()
+    window.activate("PathWorkbench" if OLD else "CAMWorkbench")
+    before = preferences.read().time_budget
+    yield opened
+    preferences.write(time_budget=before, warn_of_simulators=True)
+    if Gui.Control.activeDialog():
+        _close(window)
+    for tab in window.main.findChildren(QtGui.QMdiSubWindow):
+        if tab.widget() is not None and tab.widget().metaObject().className() == "SimulationTab":
+            tab.close()
+    window.idle(0.5)
+
+
+def _close(window):
+    simulator_panels.close(simulator_panel(window))
+    window.wait(lambda: not Gui.Control.activeDialog() and simulator_panel(window) is None)
+
+
+def lines(window):
+    return [w for w in window.main.findChildren(QtGui.QFrame, "VkSimulatorWarning") if w.isVisible()]
+
+
+def simulator_panel(window):
+    return next(iter(simulator_panels.panels(window.main)), None)
+
+
+def start(window, name):
+    """Start a simulator, and return the lines that are seen then."""
+    Gui.runCommand(freecad.simulator_command(name))
+    window.wait(lambda: simulator_panel(window) is not None)
+    window.idle(0.3)
+    return lines(window)
+
+
+def let_hang(document, label):
+    """Give an operation an arc that sweeps no angle, after which the legacy simulator never goes on; analyse it."""
+    (obj,) = document.getObjectsByLabel(label)
+    obj.Path = Path.Path([*obj.Path.Commands, Path.Command("G2", {"X": 1.0, "Y": 1.0, "Z": -1.0, "I": 5.0, "J": 0.0}),
+                          Path.Command("G2", {"X": 1.0, "Y": 1.0, "Z": -1.0, "I": 5.0, "J": 0.0})])  # fmt: skip
+    obj.purgeTouched()  # the simulator recomputes, which would make the path anew
+    Gui.Selection.clearSelection()
+    Gui.Selection.addSelection(obj)
+    Gui.runCommand("Vk_Analyze")
+    Gui.Selection.clearSelection()
+    return obj, obj.Path.Size - 1
+
+
+def budget_between(document, low, high):
+    """A budget between what two functions of the job's costs give."""
+    costs = marks.read(document.getObject("Job")).costs
+    assert low(costs) < high(costs)
+    preferences.write(time_budget=(low(costs) * high(costs)) ** 0.5)
+
+
+def test_nothing_is_said_within_the_budget(marked, window):
+    preferences.write(time_budget=1e5)
+    for name in freecad.own_simulators():
+        assert start(window, name) == []
+        _close(window)
+
+
+def test_a_long_play_is_told_with_fast_forward(marked, window):
+    budget_between(marked, lambda c: c["legacy"].seconds, lambda c: c["legacy"].play_seconds)
+    (line,) = start(window, "legacy")
+    window.screenshot("warning-play")
+    assert line.text.text().startswith("Playing this takes about ") and line.way.text() == "Fast-forward"
+    assert not line.isModal() and not window.boxes()
+    button = simulator_panel(window).findChild(QtGui.QToolButton, "toolButtonFF")
+    window.click_on(line.way)
+    assert lines(window) == [] and not button.isEnabled()  # it runs
+    window.wait(button.isEnabled, 120)
+
+
+def test_it_goes_with_the_panel_with_what_is_unticked_and_when_it_is_closed(marked, window):
+    preferences.write(time_budget=0.1)
+    (line,) = start(window, "legacy")
+    _close(window)
+    window.wait(lambda: lines(window) == [])
+    (line,) = start(window, "legacy")
+    listed = simulator_panel(window).findChild(QtGui.QListWidget, "listOperations")
+    for row in range(listed.count()):
+        listed.item(row).setCheckState(QtCore.Qt.Unchecked)
+    window.wait(lambda: not line.isVisible())
+    listed.item(0).setCheckState(QtCore.Qt.Checked)
+    window.wait(line.isVisible)
+    window.click_on(line.close_button)
+    assert lines(window) == []
+    listed.item(1).setCheckState(QtCore.Qt.Checked)
+    window.idle()
+    assert lines(window) == []  # the user has closed it
+
+
+def test_an_operation_that_hangs_it_is_named(marked, window):
+    preferences.write(time_budget=1e5)
+    obj, command = let_hang(marked, "Bore")
+    (line,) = start(window, "legacy")
+    window.screenshot("warning-hangs")
+    assert f"command {command} of Bore" in line.text.text()
+    if OLD:
+        assert line.way.text() == "Simulate toolpaths"
+    else:
+        assert line.way.text() == f"Use the {freecad.simulator_title('OpenGL')}"
+    window.click_on(line.way)
+    if OLD:
+        window.wait(
+            lambda: any(t.windowTitle().startswith("Simulation") for t in window.main.findChildren(QtGui.QMdiSubWindow))
+        )
+        assert not Gui.Control.activeDialog()
+    else:
+        window.wait(
+            lambda: (
+                simulator_panel(window) is not None
+                and simulator_panels.simulator_of(simulator_panel(window)) == "OpenGL"
+            )
+        )
+    assert not [o for o in marked.Objects if o.Name.startswith("Cut")]  # of the panel that was closed
+    window.idle(0.5)
+    window.screenshot("warning-hangs-taken")
+
+
+def test_only_fresh_marks_are_trusted(marked, window):
+    preferences.write(time_budget=1e5)
+    obj, _ = let_hang(marked, "Bore")
+    obj.Path = Path.Path(obj.Path.Commands[:-2])
+    watcher.check(marked)
+    assert marks.is_outdated(obj)
+    assert start(window, "legacy") == []
+
+
+def test_without_marks_or_when_switched_off_nothing_is_said(marked, window):
+    preferences.write(time_budget=0.1, warn_of_simulators=False)
+    assert start(window, "legacy") == []
+    _close(window)
+    preferences.write(warn_of_simulators=True)
+    Gui.runCommand("Vk_Clear")
+    assert start(window, "legacy") == []
+
+
+@needs_opengl
+def test_the_opengl_simulator_gives_way_to_a_faster_one(marked, window):
+    """To the legacy one in fast-forward where that ends within the budget, else to the tab."""
+    costs = marks.read(marked.getObject("Job")).costs
+    legacy, opengl = costs["legacy"].seconds, costs["OpenGL"].seconds
+    preferences.write(time_budget=max(0.5 * opengl, 0.1))
+    (line,) = start(window, "OpenGL")
+    window.screenshot("warning-opengl")
+    taken = "Simulate toolpaths" if legacy > 0.5 * opengl else f"Use the {freecad.simulator_title('legacy')}"
+    assert line.way.text() == taken and freecad.simulator_title("OpenGL") in line.text.text()
+    window.click_on(line.way)
+    if legacy > 0.5 * opengl:
+        window.wait(
+            lambda: any(t.windowTitle().startswith("Simulation") for t in window.main.findChildren(QtGui.QMdiSubWindow))
+        )
+    else:
+        window.wait(
+            lambda: (
+                simulator_panel(window) is not None
+                and simulator_panels.simulator_of(simulator_panel(window)) == "legacy"
+            )
+        )
+
+
+def test_every_way_to_start_it_is_noticed(marked, window):
+    """A tool button with a menu of commands, and runCommand, do not trigger the command's action."""
+    preferences.write(time_budget=0.1)
+    command = freecad.simulator_command(freecad.own_simulator())
+    action = Gui.Command.get(command).getAction()[0]
+    for begin in (lambda: Gui.runCommand(command), action.trigger):
+        window.wait(action.isEnabled)
+        begin()
+        window.wait(lambda: lines(window))
+        _close(window)
+        window.wait(lambda: not lines(window))

@@ -1,0 +1,54 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What is wrong with a marked operation or to be known of it, as the user reads it: in the tree, its tooltip and the panel."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from enum import IntEnum
+
+from vkworkbench.document.record import Record
+from vkworkbench.gui.sentences import said, strategy_name
+from vkworkbench.gui.text import translate
+from vkworkbench.report import HANGS
+
+
+class Level(IntEnum):
+    """How much the user must know something; the icon of a notice says it."""
+
+    NOTE = 0
+    WARNING = 1
+    ERROR = 2
+
+
+@dataclass(frozen=True)
+class Notice:
+    """One sentence of it."""
+
+    level: Level
+    text: str
+
+
+def notices_of(record: Record) -> list[Notice]:
+    """Return what is to be known of an operation, the worst first."""
+    return sorted(_notices(record), key=lambda notice: -notice.level)
+
+
+def level_of_remarks(record: Record) -> Level:
+    """Return how bad the remarks are: without a tool, a stock or a toolpath nothing is known of its simulation."""
+    return Level.WARNING if record.costs else Level.ERROR
+
+
+def _notices(record: Record) -> Iterator[Notice]:
+    for remark in record.remarks:
+        yield Notice(level_of_remarks(record), said(remark))
+    if record.called:
+        yield Notice(Level.WARNING, contradiction(record))
+    for caution in record.cautions:
+        yield Notice(Level.ERROR if caution.code in HANGS else Level.WARNING, said(caution.what))
+
+
+def contradiction(record: Record) -> str:
+    """Return what an operation is called against what it does."""
+    text = translate("Vk_Results", "called {name}, but its toolpath is {strategy}")
+    return text.format(name=record.called, strategy=strategy_name(record.strategy))

@@ -1,0 +1,55 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The task panels of FreeCAD's simulators: what is chosen in them. Loads no numpy."""
+
+from __future__ import annotations
+
+import FreeCAD
+
+from vkworkbench import freecad
+from vkworkbench.document.operations import is_active
+from vkworkbench.gui.qt import QComboBox, QDialogButtonBox, QListWidget, QSlider, Qt, QToolButton, QWidget
+
+
+def panels(where: QWidget) -> list[QWidget]:
+    """Return the simulators' panels below a widget."""
+    found = []
+    for operations in where.findChildren(QListWidget, "listOperations"):
+        panel = operations.parent()
+        while panel is not None and panel.findChild(QSlider, "sliderAccuracy") is None:
+            panel = panel.parent()
+        if panel is not None:
+            found.append(panel)
+    return found
+
+
+def simulator_of(panel: QWidget) -> str:
+    """Return the name of the simulator that has this panel: the legacy one alone has a fast-forward."""
+    return "OpenGL" if panel.findChild(QToolButton, "toolButtonFF") is None else "legacy"
+
+
+def chosen_in(panel: QWidget) -> tuple[object, list]:
+    """Return the job that is chosen in a simulator's panel and its operations that are ticked; none where they are not known."""
+    jobs = FreeCAD.ActiveDocument.findObjects("Path::FeaturePython", "Job.*")
+    job = jobs[panel.findChild(QComboBox, "comboJobs").currentIndex()]
+    operations = [obj for obj in freecad.OPERATIONS.of(job).OutList if is_active(obj)]
+    listed = panel.findChild(QListWidget, "listOperations")
+    if len(operations) != listed.count():
+        return job, []
+    return job, [obj for row, obj in enumerate(operations) if listed.item(row).checkState() == Qt.Checked]
+
+
+def tick(panel: QWidget, operations: list) -> None:
+    """Tick these operations in a simulator's panel, and no others."""
+    job, _ = chosen_in(panel)
+    listed = panel.findChild(QListWidget, "listOperations")
+    for row, obj in enumerate(filter(is_active, freecad.OPERATIONS.of(job).OutList)):
+        listed.item(row).setCheckState(Qt.Checked if obj in operations else Qt.Unchecked)
+
+
+def close(panel: QWidget) -> None:
+    """Close a simulator's panel as its own button does: it takes away what it has put into the document."""
+    view = panel
+    while view.findChild(QDialogButtonBox) is None:
+        view = view.parent()
+    buttons = view.findChild(QDialogButtonBox)
+    (buttons.button(QDialogButtonBox.Cancel) or buttons.button(QDialogButtonBox.Close)).click()

@@ -1,0 +1,61 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Notices that the user starts one of FreeCAD's simulators. Loads no numpy before that.
+
+Their commands can be called from menus, drop-down buttons and macros, and only some of these trigger the command's
+action; but always a task panel opens. So the task view is watched for a new child, of which it gets one with each task.
+"""
+
+from __future__ import annotations
+
+import FreeCAD
+import FreeCADGui as Gui
+
+from vkworkbench import freecad, preferences
+from vkworkbench.document.mark_properties import may_have_mark
+from vkworkbench.gui.qt import QDockWidget, QEvent, QObject, QTimer, QWidget
+from vkworkbench.gui.simulator_panels import panels, simulator_of
+
+
+class TaskWatch(QObject):
+    """Looks for a simulator's panel whenever a task view shows another task."""
+
+    def __init__(self, view: QWidget) -> None:
+        super().__init__(view)
+        self._view = view
+        self._changed = QTimer(self)  # the panel is complete once FreeCAD is done with it
+        self._changed.setSingleShot(True)
+        self._changed.timeout.connect(self._look)
+        view.installEventFilter(self)
+
+    def eventFilter(self, view, event) -> bool:
+        if event.type() == QEvent.ChildAdded:
+            self._changed.start(0)
+        return False
+
+    def _look(self) -> None:
+        for panel in panels(self._view):
+            if not panel.property("VkSeen"):
+                panel.setProperty("VkSeen", True)
+                _opened(panel)
+
+
+def watch() -> None:
+    """Watch the task views that there are now, each once."""
+    for dock in Gui.getMainWindow().findChildren(QDockWidget):
+        if dock.objectName() in freecad.TASK_DOCKS:
+            for view in dock.findChildren(QWidget):
+                if view.metaObject().className() == "Gui::TaskView::TaskView" and view.findChild(TaskWatch) is None:
+                    TaskWatch(view)
+
+
+def _opened(panel: QWidget) -> None:
+    """Let the panel of a simulator teach how long it takes, and say what the marks know of it."""
+    simulator = simulator_of(panel)
+    if simulator == "legacy":
+        from vkworkbench.gui import real_runs
+
+        real_runs.watch_legacy()
+    if preferences.read().warn_of_simulators and any(map(may_have_mark, FreeCAD.ActiveDocument.Objects)):
+        from vkworkbench.gui import simulator_warning
+
+        simulator_warning.watch(panel, simulator)
