@@ -177,3 +177,28 @@ def theme(request, window):
     yield request.param
     application.setStyleSheet(before)
     window.idle()
+
+
+@pytest.fixture(params=["FreeCAD Dark", "FreeCAD Light", "Dark-blue", "Light-blue"])
+def shipped(request, window, tmp_path):
+    """FreeCAD in a look that comes with it: two preference packs since 1.0, and the style sheets of 0.20."""
+    resources = Path(FreeCAD.getResourceDir()) / "Gui"
+    pack = resources / "PreferencePacks" / request.param / f"{request.param}.cfg"
+    sheet = resources / "Stylesheets" / f"{request.param}.qss"
+    if not (pack.exists() or (sheet.exists() and FreeCAD.Version()[0] == "0")):
+        pytest.skip(f"this FreeCAD has no {request.param}")
+    application, parameters = QtGui.QApplication.instance(), FreeCAD.ParamGet("User parameter:BaseApp")
+    style, before, own = application.style().objectName(), application.styleSheet(), tmp_path / "own.cfg"
+    parameters.Export(str(own))
+    if pack.exists():
+        FreeCAD.ParamGet("User parameter:").Insert(str(pack))  # as FreeCAD does with a pack that is chosen
+        window.wait(lambda: application.styleSheet() != before)
+    else:
+        application.setStyleSheet(sheet.read_text())
+    window.idle(0.5)
+    yield request.param
+    parameters.Import(str(own))
+    window.idle(0.3)
+    application.setStyle(style)
+    application.setStyleSheet(before)
+    window.idle(0.3)

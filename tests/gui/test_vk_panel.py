@@ -4,7 +4,6 @@
 import csv
 import json
 from collections import Counter
-from pathlib import Path
 
 import FreeCAD
 import FreeCADGui as Gui
@@ -189,27 +188,6 @@ def luminance(color):
 def contrast(one, other):
     high, low = sorted((luminance(QtGui.QColor(one)), luminance(QtGui.QColor(other))), reverse=True)
     return (high + 0.05) / (low + 0.05)
-
-
-@pytest.fixture(params=["FreeCAD Dark", "FreeCAD Light", "Dark-blue", "Light-blue"])
-def shipped(request, window):
-    """FreeCAD in a style sheet that comes with it: the first two since 1.0, the others before."""
-    path = Path(FreeCAD.getResourceDir()) / "Gui" / "Stylesheets" / f"{request.param}.qss"
-    if not path.exists():
-        pytest.skip(f"this FreeCAD has no {path.name}")
-    application, chosen = (
-        QtGui.QApplication.instance(),
-        FreeCAD.ParamGet("User parameter:BaseApp/Preferences/MainWindow"),
-    )
-    before, name = application.styleSheet(), chosen.GetString("StyleSheet")
-    chosen.SetString("StyleSheet", path.name)  # since 1.0 FreeCAD follows at once
-    window.idle()
-    if application.styleSheet() == before:
-        application.setStyleSheet(path.read_text())
-    yield request.param
-    chosen.SetString("StyleSheet", name)
-    application.setStyleSheet(before)
-    window.idle()
 
 
 def test_it_is_readable_in_freecads_own_themes(panel, window, shipped):

@@ -102,7 +102,7 @@ def mark(report) -> None:
     pills.show()
     with tree.steady_columns():
         vkworkbench.mark(report)
-    tree.fit_description()
+    pills.fit_column()
 
 
 def _show_marks() -> None:
@@ -117,7 +117,7 @@ def _show_description() -> None:
     if not remembered.GetBool("DescriptionShown", False):
         remembered.SetBool("DescriptionShown", True)
         was_hidden = tree.show_description()
-        tree.fit_description()
+        pills.fit_column()
         if was_hidden:
             _tell(translate(
                 "Vk_Analyze",

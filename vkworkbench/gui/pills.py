@@ -22,6 +22,7 @@ from vkworkbench.gui.qt import (
     QApplication,
     QColor,
     QEvent,
+    QFontMetrics,
     QPainter,
     QPen,
     QPointF,
@@ -34,6 +35,7 @@ from vkworkbench.gui.qt import (
     QTimer,
 )  # fmt: skip
 
+_MARGINS = 16  # px; of a cell's text, left and right
 _MOST_OF_REMARK = 40  # characters for which the column makes room; in a wider one more of a remark is seen
 
 
@@ -194,3 +196,12 @@ def show() -> None:
         if (view.itemDelegateForColumn(tree.DESCRIPTION) is _delegate) != wanted:
             view.setItemDelegateForColumn(tree.DESCRIPTION, _delegate if wanted else None)
         view.viewport().update()
+
+
+def fit_column() -> None:
+    """Fit the Description column: also to strategy and time of operations that come to view when a branch is opened."""
+    document, chosen = FreeCAD.ActiveDocument, preferences.read()
+    records = [marks.read(obj) for obj in document.Objects if may_have_mark(obj)] if document else []
+    metrics = QFontMetrics(QApplication.font("QTreeView"))
+    needed = [layouts(record, "", chosen, metrics, 0)[0].needed for record in records if record is not None]
+    tree.fit_description(max(needed, default=0) + _MARGINS)

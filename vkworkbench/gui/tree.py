@@ -96,13 +96,15 @@ def bring_to_view() -> None:
                         tabs.setCurrentWidget(pages[0])
 
 
-def fit_description() -> None:
-    """Fit the columns of the trees to the visible rows; 1.x does that by itself."""
+def fit_description(least: int) -> None:
+    """Fit the columns of the trees to the visible rows, the Description to at least so many px; 1.x does it by itself."""
     for tree in trees():
         tree.header().setResizeContentsPrecision(0)
         for column in (0, DESCRIPTION):
             if tree.header().sectionResizeMode(column) != QHeaderView.ResizeToContents:
                 tree.resizeColumnToContents(column)
+                if column == DESCRIPTION and tree.columnWidth(column) < least:
+                    tree.setColumnWidth(column, least)
 
 
 @contextmanager

@@ -1,0 +1,104 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What is said when a simulator is started: from marks alone, for each simulator, and which way is better."""
+
+from dataclasses import replace
+
+import pytest
+
+from vkworkbench import freecad
+from vkworkbench.core import Stock, Strategy, Tool, linearize
+from vkworkbench.core.simulators import Caution, Task, legacy_costs, opengl_cost
+from vkworkbench.document.better_way import OURS, better_way
+from vkworkbench.document.record import Record
+from vkworkbench.language import Message, render
+from vkworkbench.preferences import Preferences
+
+BUDGET = Preferences(time_budget=600.0)
+TASK = Task(linearize([("G0", {"X": 0.0, "Y": 0.0, "Z": 5.0}), ("G1", {"X": 40.0, "F": 10.0})]),
+            Tool("endmill", 6.0), Stock((-5, -5, 0), (50, 50, 20)))  # fmt: skip
+
+
+@pytest.fixture(autouse=True)
+def both(monkeypatch):
+    """A FreeCAD that has both simulators, whichever runs."""
+    monkeypatch.setattr(freecad, "own_simulators", lambda: ("legacy", "OpenGL"))
+
+
+def record(label="Pocket", *, forward=5.0, play=60.0, opengl=60.0, **rest):
+    """A mark with these times, s."""
+    (legacy,) = legacy_costs(TASK)
+    drawn = opengl_cost(TASK)
+    longer = opengl / drawn.fastest_seconds
+    costs = {
+        "legacy": replace(legacy, fast_forward_seconds=forward, play_seconds=play),
+        "OpenGL": replace(drawn, play_seconds={s: longer * t for s, t in drawn.play_seconds.items()}),
+    }
+    return Record(Strategy.ZIGZAG, trajectories=2, costs=costs, label=label, **rest)
+
+
+def hanging(label, simulator="legacy", **rest):
+    what = Message("legacy-hangs", simulator=simulator, reason=Message("arc-full-circle"), command=12,
+                   instead=Message("leave-out"), others=None)  # fmt: skip
+    return record(label, cautions=(Caution("legacy-hangs", what, 12),), **rest)
+
+
+def said(found):
+    return f"{render(found.wrong)} {render(found.better)}"
+
+
+def test_nothing_is_said_within_the_budget():
+    for simulator in freecad.own_simulators():
+        assert better_way(simulator, [record(), record()], BUDGET) is None
+        assert better_way(simulator, [], BUDGET) is None
+        assert better_way(simulator, [None, record(opengl=1e5, play=1e5, outdated=True)], BUDGET) is None
+
+
+def test_a_long_play_has_its_fast_forward():
+    found = better_way("legacy", [record(play=6120.0, forward=34.0)], BUDGET)
+    assert found.way == "legacy"
+    assert said(found) == "Playing this takes about 1.7 h in the legacy simulator. Fast-forward takes about 34 s."
+
+
+def test_the_opengl_simulator_gives_way_to_the_legacy_one():
+    found = better_way("OpenGL", [record(opengl=6120.0, play=6120.0, forward=34.0)], BUDGET)
+    assert found.way == "legacy"
+    assert said(found) == (
+        "Playing this takes about 1.7 h in the OpenGL simulator. The legacy simulator in fast-forward: about 34 s."
+    )
+
+
+def test_what_hangs_is_named_and_the_other_simulator_offered():
+    found = better_way("legacy", [record(), hanging("Thread001"), hanging("Thread002")], BUDGET)
+    assert found.way == "OpenGL"
+    assert "command 12 of Thread001, beside another operation, is an arc that is a full circle" in said(found)
+    assert better_way("OpenGL", [hanging("Thread001")], BUDGET) is None
+
+
+def test_our_own_where_both_are_too_slow_or_hang():
+    assert better_way("OpenGL", [record(opengl=1e4, forward=1e4, play=1e5)], BUDGET).way == OURS
+    assert better_way("OpenGL", [hanging("Thread001", opengl=1e4)], BUDGET).way == OURS
+    assert better_way("legacy", [hanging("Thread001", opengl=1e4)], BUDGET).way == OURS
+    assert better_way("legacy", [record(play=1e4, forward=1e4, opengl=1e4)], BUDGET).way == OURS
+
+
+def test_in_a_freecad_without_the_opengl_simulator(monkeypatch):
+    monkeypatch.setattr(freecad, "own_simulators", lambda: ("legacy",))
+    assert better_way("legacy", [hanging("Thread001")], BUDGET).way == OURS
+    assert better_way("legacy", [record(play=1e4)], BUDGET).way == "legacy"
+
+
+@pytest.mark.parametrize("other", [None, record("Old", outdated=True), replace(record(), costs={})])
+def test_what_is_not_known_makes_it_the_least(other):
+    found = better_way("legacy", [record(play=6120.0, forward=34.0), other], BUDGET)
+    assert said(found) == "Playing this takes at least 1.7 h in the legacy simulator. Fast-forward takes at least 34 s."
+
+
+def test_operations_together_take_longer_than_each():
+    each = record(opengl=400.0, forward=1.0)
+    assert better_way("OpenGL", [each], BUDGET) is None
+    assert better_way("OpenGL", [each, each], BUDGET) is not None
+
+
+def test_an_operation_without_moves_is_no_gap():
+    empty = Record(Strategy.EMPTY, remarks=(Message("no-toolpath"),))
+    assert "about 1.7 h" in said(better_way("legacy", [record(play=6120.0), empty], BUDGET))

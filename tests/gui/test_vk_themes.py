@@ -1,0 +1,69 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What is painted beside the pills, and the line over the view, in the looks that come with FreeCAD."""
+
+from collections import Counter
+
+import FreeCADGui as Gui
+import pytest
+from PySide import QtCore, QtGui
+
+from vkworkbench import freecad, preferences
+from vkworkbench.document import marks
+from vkworkbench.gui import simulator_panels
+
+
+@pytest.fixture
+def marked(opened, window, shipped):
+    window.click("Analyze toolpaths")
+    window.wait(lambda: any(map(marks.is_marked, opened.Objects)))
+    window.dismiss()
+    window.tree.expandAll()
+    window.idle()
+    return opened
+
+
+def luminance(color):
+    parts = [v / 12.92 if v <= 0.03928 else ((v + 0.055) / 1.055) ** 2.4 for v in QtGui.QColor(color).getRgbF()[:3]]
+    return 0.2126 * parts[0] + 0.7152 * parts[1] + 0.0722 * parts[2]
+
+
+def contrast_of_text(image):
+    """The contrast between the background, which is the commonest colour, and the colour farthest from it."""
+    shades = Counter(image.pixel(x, y) for x in range(image.width()) for y in range(image.height()))
+    back = luminance(shades.most_common(1)[0][0])
+    return max((max(back, one) + 0.05) / (min(back, one) + 0.05) for one in map(luminance, shades))
+
+
+def test_a_mark_is_readable(marked, window, shipped):
+    view = window.tree
+    model = view.model()
+    (found,) = model.match(model.index(0, 0), QtCore.Qt.DisplayRole, "Face", 1,
+                           QtCore.Qt.MatchExactly | QtCore.Qt.MatchRecursive | QtCore.Qt.MatchWrap)  # fmt: skip
+    view.scrollTo(found)
+    window.idle()
+    window.screenshot(f"marks-{shipped.replace(' ', '-')}")
+    area = view.visualRect(found.sibling(found.row(), 1)) & view.viewport().rect()
+    image = view.viewport().grab(area).toImage()
+    color = QtGui.QColor(marks.read(marked.getObjectsByLabel("Face")[0]).strategy.color).rgb()
+    pill = [x for x in range(image.width()) if any(image.pixel(x, y) == color for y in range(image.height()))]
+    assert contrast_of_text(image.copy(0, 0, pill[-1], image.height())) >= 4.5
+    assert contrast_of_text(image.copy(pill[-1] + 4, 0, 60, image.height())) >= 4.5
+
+
+def test_the_line_over_the_view_is_readable(marked, window, shipped):
+    window.activate("PathWorkbench" if freecad.version() < (1, 0) else "CAMWorkbench")
+    preferences.write(time_budget=0.1)
+    try:
+        Gui.runCommand(freecad.simulator_command(freecad.own_simulator()))
+        window.wait(lambda: window.main.findChild(QtGui.QFrame, "VkSimulatorWarning") is not None)
+        window.idle(0.5)
+        (line,) = [w for w in window.main.findChildren(QtGui.QFrame, "VkSimulatorWarning") if w.isVisible()]
+        window.screenshot(f"warning-{shipped.replace(' ', '-')}")
+        for part in (line.text, line.way):
+            assert contrast_of_text(part.grab().toImage()) >= 3.1
+        assert contrast_of_text(line.grab(line.text.geometry()).toImage()) >= 4.5
+    finally:
+        preferences.write(time_budget=600.0)
+        for panel in simulator_panels.panels(window.main):
+            simulator_panels.close(panel)
+        window.idle(0.3)
