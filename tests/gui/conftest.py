@@ -7,6 +7,7 @@ import os
 import subprocess
 import time
 from pathlib import Path
+from xml.etree import ElementTree
 
 import FreeCAD
 import FreeCADGui as Gui
@@ -179,25 +180,52 @@ def theme(request, window):
     window.idle()
 
 
+def choose(pack):
+    """Set the parameters of a preference pack, as FreeCAD does with one that is chosen; return those of before."""
+    kinds = {"FCText": ("String", str), "FCUInt": ("Unsigned", int), "FCInt": ("Int", int), "FCFloat": ("Float", float),
+             "FCBool": ("Bool", lambda text: text == "1")}  # fmt: skip
+    before = []
+
+    def visit(node, path):
+        for one in node:
+            if one.tag == "FCParamGroup":
+                visit(one, [*path, one.get("Name")])
+            else:
+                kind, read = kinds[one.tag]
+                before.append(("/".join(path), kind, one.get("Name")))
+                before[-1] += (set_parameter(*before[-1], read(one.get("Value") or one.text or "")),)
+
+    (root,) = ElementTree.parse(pack).getroot()
+    visit(root, [])
+    return before
+
+
+def set_parameter(path, kind, name, value):
+    """Set one, and return its value of before."""
+    group = FreeCAD.ParamGet(f"User parameter:{path}")
+    before = getattr(group, f"Get{kind}")(name)
+    getattr(group, f"Set{kind}")(name, value)
+    return before
+
+
 @pytest.fixture(params=["FreeCAD Dark", "FreeCAD Light", "Dark-blue", "Light-blue"])
-def shipped(request, window, tmp_path):
+def shipped(request, window):
     """FreeCAD in a look that comes with it: two preference packs since 1.0, and the style sheets of 0.20."""
     resources = Path(FreeCAD.getResourceDir()) / "Gui"
     pack = resources / "PreferencePacks" / request.param / f"{request.param}.cfg"
     sheet = resources / "Stylesheets" / f"{request.param}.qss"
     if not (pack.exists() or (sheet.exists() and FreeCAD.Version()[0] == "0")):
         pytest.skip(f"this FreeCAD has no {request.param}")
-    application, parameters = QtGui.QApplication.instance(), FreeCAD.ParamGet("User parameter:BaseApp")
-    style, before, own = application.style().objectName(), application.styleSheet(), tmp_path / "own.cfg"
-    parameters.Export(str(own))
-    if pack.exists():
-        FreeCAD.ParamGet("User parameter:").Insert(str(pack))  # as FreeCAD does with a pack that is chosen
-        window.wait(lambda: application.styleSheet() != before)
-    else:
+    application = QtGui.QApplication.instance()
+    style, before = application.style().objectName(), application.styleSheet()
+    parameters = choose(pack) if pack.exists() else []
+    if not pack.exists():
         application.setStyleSheet(sheet.read_text())
+    window.wait(lambda: application.styleSheet() != before)
     window.idle(0.5)
     yield request.param
-    parameters.Import(str(own))
+    for parameter in parameters:
+        set_parameter(*parameter)
     window.idle(0.3)
     application.setStyle(style)
     application.setStyleSheet(before)

@@ -3,6 +3,7 @@
 
 import csv
 import json
+import re
 from collections import Counter
 
 import FreeCAD
@@ -21,6 +22,7 @@ from vkworkbench.document import marks
 from vkworkbench.document.mark_text import time_of
 from vkworkbench.gui import colors
 from vkworkbench.gui.gauss_theme import readable
+from vkworkbench.gui.mark_explanation import explanation
 from vkworkbench.gui.sentences import user
 
 OPENGL = freecad.version() >= (1, 0)
@@ -532,3 +534,22 @@ def test_what_is_cleared_is_not_shown(panel, opened, window):
     window.wait(lambda: labels(panel) == [])
     Gui.runCommand("Std_Undo")
     window.wait(lambda: len(labels(panel)) > 3)
+
+
+def test_lengths_in_inches(panel, opened, window):
+    """No length of mark, tooltip and page stands in millimetres where FreeCAD shows inches."""
+    schema, units = FreeCAD.Units.getSchema(), FreeCAD.ParamGet("User parameter:BaseApp/Preferences/Units")
+    FreeCAD.Units.setSchema(3)
+    links = ("why", "numbers")
+    try:
+        click_row(window, panel, "Face")
+        for link in links:
+            panel.details.anchorClicked.emit(QtCore.QUrl(link))
+        shown = explanation(marks.read(labelled(opened, "Face")), preferences.read()) + text_of(panel)
+        window.screenshot("panel-inches")
+        assert re.search(r"\d in\b", shown) and not re.search(r"\d mm\b", shown), shown
+    finally:
+        FreeCAD.Units.setSchema(schema)
+        units.SetInt("UserSchema", schema)
+        for link in links:
+            panel.details.anchorClicked.emit(QtCore.QUrl(link))

@@ -248,32 +248,6 @@ def test_a_mark_panel_and_gauss_map_in_german(opened, german, window):
     gauss.close()
 
 
-def test_a_mark_and_the_panel_in_inches(opened, window):
-    """No length of the window stands in millimetres where FreeCAD shows inches."""
-    schema, units = FreeCAD.Units.getSchema(), FreeCAD.ParamGet("User parameter:BaseApp/Preferences/Units")
-    FreeCAD.Units.setSchema(3)
-    try:
-        (face,) = opened.getObjectsByLabel("Face")
-        window.click("Analyze toolpaths")
-        window.wait(lambda: docks.find(docks.RESULTS) is not None and marks.is_marked(face))
-        window.dismiss()
-        window.tree.expandAll()
-        Gui.Selection.clearSelection()
-        Gui.Selection.addSelection(face)
-        window.idle(0.5)
-        panel = docks.find(docks.RESULTS)
-        for link in ("why", "numbers"):
-            panel.details.anchorClicked.emit(QtCore.QUrl(link))
-        shown = explanation(marks.read(face), preferences.read()) + panel.details.toPlainText()
-        window.screenshot("inches-panel")
-        for link in ("why", "numbers"):
-            panel.details.anchorClicked.emit(QtCore.QUrl(link))
-        assert re.search(r"\d in\b", shown) and not re.search(r"\d mm\b", shown), shown
-    finally:
-        FreeCAD.Units.setSchema(schema)
-        units.SetInt("UserSchema", schema)
-
-
 def test_pills_have_the_users_numbers(german):
     cost = cost_from_data("z-buffer", {"seconds": 1.4, "memory_bytes": 2e6, "factor": 4.0, "stock_bytes": 0})
     record = Record(Strategy.ZIGZAG, confidence=0.7, costs={"z-buffer": cost}, remarks=(Message("no-tool"),))

@@ -108,7 +108,7 @@ class ResultsDock(QDockWidget):
         menu = QMenu(translate("Vk_Results", "Col&umns"), self)
         chosen = preferences.read().result_columns.split(",")
         for number, column in enumerate(self.model.columns[1:], 1):
-            action = menu.addAction(column.title.replace("\n", " "))
+            action = menu.addAction(column.name)
             action.setCheckable(True)
             action.setToolTip(column.tooltip)
             shown = (column in self.model.first) != (column.key in chosen)

@@ -45,6 +45,11 @@ class Column:
     factor: Callable[[Row], float] = lambda row: 1.0
     least: Callable[[Row], bool] = lambda row: False
 
+    @property
+    def name(self) -> str:
+        """The title in one line, without the hyphen at the end of its first."""
+        return self.title.replace("-\n", "").replace("\n", " ")
+
     def text(self, row: Row) -> str:
         """Return what the user reads in a row, empty where there is nothing."""
         value = self.value(row)

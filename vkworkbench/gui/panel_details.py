@@ -41,10 +41,10 @@ def page(row: Row, first: list, others: list, opened: set[str]) -> str:
         text = translate("Vk_Results", "Outdated: toolpath, tool or stock have changed since. Analyze it again.")
         parts.append(f"<i>{lines(text)}</i>")
     html = "".join(f"<p>{part}</p>" for part in parts)
-    html += _table([(c.title, c.text(row), c.range(row)) for c in first if c.key not in _APART] + _machining(row))
+    html += _table([(c.name, c.text(row), c.range(row)) for c in first if c.key not in _APART] + _machining(row))
     if NUMBERS not in opened:
         return html + "<p>" + _link(NUMBERS, translate("Vk_Results", "All numbers")) + "</p>"
-    html += _table([(c.title, c.text(row), c.range(row)) for c in others])
+    html += _table([(c.name, c.text(row), c.range(row)) for c in others])
     html += "".join(f"<p>{lines(sentence)}</p>" for sentence in _advice(row))
     return html + "<p>" + _link(NUMBERS, translate("Vk_Results", "Fewer numbers")) + "</p>"
 
@@ -98,7 +98,7 @@ def _table(cells: list[tuple[str, str, str]]) -> str:
     for title, text, range_ in cells:
         if text:
             told = lines(text) + (f"<br><small>{lines(range_)}</small>" if range_ else "")
-            name = lines(title.replace("\n", " "))
+            name = lines(title)
             rows.append(f"<tr><td style='padding-right: 12px'>{name}</td><td>{told}</td></tr>" if name
                         else f"<tr><td colspan='2'><small>{told}</small></td></tr>")  # fmt: skip
     return f"<table cellspacing='1'>{''.join(rows)}</table>"

@@ -35,6 +35,6 @@ def save(report: Report, document, ending: str, parent: QWidget) -> None:
 
 def as_text(columns: Sequence[Column], rows: Iterable[Row]) -> str:
     """Return rows as tabulated text with a line of titles, with the numbers and units that are shown."""
-    lines = [[column.title.replace("\n", " ") for column in columns]]
+    lines = [[column.name for column in columns]]
     lines += [[" ".join(plain_text(column.text(row)).split()) for column in columns] for row in rows]
     return "\n".join("\t".join(line) for line in lines) + "\n"
