@@ -113,7 +113,7 @@ def test_it_goes_with_the_panel_with_what_is_unticked_and_when_it_is_closed(mark
 
 def test_an_operation_that_hangs_it_is_named(marked, window):
     preferences.write(time_budget=1e5)
-    obj, command = let_hang(marked, "Bore")
+    _, command = let_hang(marked, "Bore")
     (line,) = start(window, "legacy")
     window.screenshot("warning-hangs")
     assert f"command {command} of Bore" in line.text.text()

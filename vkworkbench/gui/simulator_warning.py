@@ -37,8 +37,8 @@ _MARGIN = 8  # px, from the view's edges
 _STYLE = """
 QFrame#VkSimulatorWarning { background-color: #fff4ce; border: 1px solid #c77700; border-radius: 4px; }
 QLabel { background-color: transparent; color: #1a1a1a; border: none; }
-QPushButton { background-color: #c77700; color: #ffffff; border: none; border-radius: 3px; padding: 4px 10px; }
-QPushButton:hover, QPushButton:focus { background-color: #9c5d00; }
+QPushButton { background-color: #9c5d00; color: #ffffff; border: none; border-radius: 3px; padding: 4px 10px; }
+QPushButton:hover, QPushButton:focus { background-color: #7a4900; }
 QToolButton { background-color: transparent; color: #1a1a1a; border: none; padding: 2px 6px; }
 QToolButton:hover, QToolButton:focus { background-color: #f0dca0; }
 """
@@ -77,7 +77,7 @@ class Line(QFrame):
         self.raise_()
 
 
-class Warning(QObject):
+class OpenPanel(QObject):
     """What is said while one panel of a simulator is open; it follows what is ticked there."""
 
     def __init__(self, panel: QWidget, simulator: str) -> None:
@@ -130,7 +130,7 @@ class Warning(QObject):
 
 def watch(panel: QWidget, simulator: str) -> None:
     """Say what is to be known of what is ticked in a simulator's panel, as long as it is open."""
-    Warning(panel, simulator)
+    OpenPanel(panel, simulator)
 
 
 def _title(way: str, simulator: str) -> str:

@@ -25,7 +25,7 @@ def trees() -> list[QTreeView]:
 
 
 class _Sight(QObject):
-    """Waits until one of the trees is shown, and does then what it was asked to, once."""
+    """Waits until one of the trees is painted, and does then what it was asked to, once."""
 
     def __init__(self, work: Callable[[], object]) -> None:
         super().__init__(Gui.getMainWindow())
@@ -34,17 +34,18 @@ class _Sight(QObject):
         self._seen.setSingleShot(True)
         self._seen.timeout.connect(self._do)
         for view in trees():
-            view.installEventFilter(self)
+            view.viewport().installEventFilter(self)
 
-    def eventFilter(self, view, event) -> bool:
-        if event.type() == QEvent.Show:
+    def eventFilter(self, viewport, event) -> bool:
+        if event.type() == QEvent.Paint:  # one that is shown behind a tab is not painted
             self._seen.start(0)
         return False
 
     def _do(self) -> None:
-        if any(map(is_seen, trees())):
-            self.deleteLater()
-            self._work()
+        for view in trees():
+            view.viewport().removeEventFilter(self)
+        self.deleteLater()
+        self._work()
 
 
 def is_seen(view: QTreeView) -> bool:
