@@ -201,10 +201,14 @@ def choose(pack):
 
 
 def set_parameter(path, kind, name, value):
-    """Set one, and return its value of before."""
+    """Set one, or remove it where the value is None; return its value of before."""
     group = FreeCAD.ParamGet(f"User parameter:{path}")
-    before = getattr(group, f"Get{kind}")(name)
-    getattr(group, f"Set{kind}")(name, value)
+    known = {entry[1] for entry in group.GetContents() or ()}
+    before = getattr(group, f"Get{kind}")(name) if name in known else None
+    if value is None:
+        getattr(group, f"Rem{kind}")(name)
+    else:
+        getattr(group, f"Set{kind}")(name, value)
     return before
 
 

@@ -33,7 +33,7 @@ def marked(opened, window):
 
 
 def _close(window):
-    simulator_panels.close(simulator_panel(window))
+    simulator_panels.close()
     window.wait(lambda: not Gui.Control.activeDialog() and simulator_panel(window) is None)
 
 
@@ -42,7 +42,7 @@ def lines(window):
 
 
 def simulator_panel(window):
-    return next(iter(simulator_panels.panels(window.main)), None)
+    return next(iter(simulator_panels.panels()), None)
 
 
 def start(window, name):

@@ -63,6 +63,5 @@ def test_the_line_over_the_view_is_readable(marked, window, shipped):
             assert contrast_of_text(line.grab(part.geometry()).toImage()) >= 4.5
     finally:
         preferences.write(time_budget=600.0)
-        for panel in simulator_panels.panels(window.main):
-            simulator_panels.close(panel)
+        simulator_panels.close()
         window.idle(0.3)

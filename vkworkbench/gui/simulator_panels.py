@@ -4,22 +4,16 @@
 from __future__ import annotations
 
 import FreeCAD
+import FreeCADGui as Gui
 
 from vkworkbench import freecad
 from vkworkbench.document.operations import is_active
-from vkworkbench.gui.qt import QComboBox, QDialogButtonBox, QListWidget, QSlider, Qt, QToolButton, QWidget
+from vkworkbench.gui.qt import QComboBox, QDialogButtonBox, QDockWidget, QListWidget, Qt, QToolButton, QWidget
 
 
-def panels(where: QWidget) -> list[QWidget]:
-    """Return the simulators' panels below a widget."""
-    found = []
-    for operations in where.findChildren(QListWidget, "listOperations"):
-        panel = operations.parent()
-        while panel is not None and panel.findChild(QSlider, "sliderAccuracy") is None:
-            panel = panel.parent()
-        if panel is not None:
-            found.append(panel)
-    return found
+def panels() -> list[QWidget]:
+    """Return the simulators' panels that are open; all of them have one name."""
+    return Gui.getMainWindow().findChildren(QWidget, "TaskPathSimulator")
 
 
 def simulator_of(panel: QWidget) -> str:
@@ -46,10 +40,10 @@ def tick(panel: QWidget, operations: list) -> None:
         listed.item(row).setCheckState(Qt.Checked if obj in operations else Qt.Unchecked)
 
 
-def close(panel: QWidget) -> None:
+def close() -> None:
     """Close a simulator's panel as its own button does: it takes away what it has put into the document."""
-    view = panel
-    while view.findChild(QDialogButtonBox) is None:
-        view = view.parent()
-    buttons = view.findChild(QDialogButtonBox)
-    (buttons.button(QDialogButtonBox.Cancel) or buttons.button(QDialogButtonBox.Close)).click()
+    for dock in Gui.getMainWindow().findChildren(QDockWidget):
+        buttons = dock.findChild(QDialogButtonBox) if dock.objectName() in freecad.TASK_DOCKS else None
+        if buttons is not None:
+            (buttons.button(QDialogButtonBox.Cancel) or buttons.button(QDialogButtonBox.Close)).click()
+            return

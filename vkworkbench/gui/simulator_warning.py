@@ -123,7 +123,7 @@ class OpenPanel(QObject):
             panel.findChild(QToolButton, "toolButtonFF").click()
             return
         job, operations = simulator_panels.chosen_in(panel)
-        simulator_panels.close(panel)
+        simulator_panels.close()
         # Once the panel is gone, which deletes this object as well.
         QTimer.singleShot(0, lambda: _start(way, job, operations))
 
@@ -151,7 +151,7 @@ def _start(way: str, job, operations: list) -> None:
     Gui.Selection.clearSelection()
     Gui.Selection.addSelection(job)
     Gui.runCommand(freecad.simulator_command(way))
-    for panel in simulator_panels.panels(Gui.getMainWindow()):
+    for panel in simulator_panels.panels():
         simulator_panels.tick(panel, operations)
         button = panel.findChild(QToolButton, "toolButtonFF")
         if button is not None:

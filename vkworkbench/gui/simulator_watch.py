@@ -21,7 +21,6 @@ class TaskWatch(QObject):
 
     def __init__(self, view: QWidget) -> None:
         super().__init__(view)
-        self._view = view
         self._changed = QTimer(self)  # the panel is complete once FreeCAD is done with it
         self._changed.setSingleShot(True)
         self._changed.timeout.connect(self._look)
@@ -33,7 +32,7 @@ class TaskWatch(QObject):
         return False
 
     def _look(self) -> None:
-        for panel in panels(self._view):
+        for panel in panels():
             if not panel.property("VkSeen"):
                 panel.setProperty("VkSeen", True)
                 _opened(panel)
