@@ -100,19 +100,25 @@ def growth() -> None:
 
 def moments() -> None:
     print("\nany moment, ms, median of random ones, and of steps forwards and backwards by one:")
-    rng = np.random.default_rng(0)
     for name, view in (("Z, zigzag", "above"), ("surface", "above"), ("adaptive", "oblique"), ("helices", "above")):
         toolpath, tool, stock = CASES[name]
-        z = simulate(toolpath, tool=tool, stock=stock, view=View(VIEWS[view]))
-        first, _ = processor_time(lambda: (z.picture, z.surface.changed(0, 1)))
-        somewhere = rng.integers(0, z.trajectories, MOMENTS).tolist()
-        anywhere = [processor_time(lambda: z.at(k).picture)[0] for k in somewhere]
-        middle = z.trajectories // 2
-        forwards = [processor_time(lambda: z.at(middle + k).picture)[0] for k in range(MOMENTS)]
-        backwards = [processor_time(lambda: z.at(middle - k).picture)[0] for k in range(MOMENTS)]
-        told = (1e3 * float(np.median(times)) for times in (anywhere, forwards, backwards))
+        *told, first = moments_of(simulate(toolpath, tool=tool, stock=stock, view=View(VIEWS[view])))
         times = "".join(f"{ms:8.1f}" for ms in told)
         print(f"  {name + ', ' + view:22}{times}   once before: {first:.2f} s", flush=True)
+
+
+def moments_of(z) -> tuple[float, float, float, float]:
+    """Median ms of random moments, of steps by one forwards and backwards; s that the first picture takes once."""
+    rng = np.random.default_rng(0)
+    first, _ = processor_time(lambda: (z.picture, z.surface.changed(0, 1)))
+    middle = z.trajectories // 2
+    moments = (
+        rng.integers(0, z.trajectories, MOMENTS).tolist(),
+        range(middle, middle + MOMENTS),
+        range(middle, middle - MOMENTS, -1),
+    )
+    medians = (1e3 * float(np.median([processor_time(lambda: z.at(k).picture)[0] for k in ks])) for ks in moments)
+    return (*medians, first)
 
 
 def million() -> None:

@@ -5,7 +5,8 @@
 
 Both cut the same toolpaths at the same size of cell, one after the other, in this process, on one core: the cases of
 zbuffer_cases.py and the example job with all its tools. Printed is the processor time, of three runs the best, and the
-ratio; from (1, 1, -1) the image has as many pixels, and FreeCAD's time is that from above.
+ratio; from (1, 1, -1) the image has as many pixels, and FreeCAD's time is that from above. Below it stands how long any
+moment of the example job takes.
 """
 
 from __future__ import annotations
@@ -27,6 +28,7 @@ sys.path[:0] = [str(ROOT), str(ROOT / "benchmarks"), str(ROOT / "examples")]
 
 from make_example import make_example
 from measuring import shape
+from zbuffer import moments_of
 from zbuffer_cases import CASES
 
 from vkworkbench.core import Cut, View, simulate_job
@@ -61,6 +63,11 @@ def main() -> None:
             file=OUT,
             flush=True,
         )
+
+    print("\nany moment of the example job, ms: random, steps forwards, steps backwards; once before, s", file=OUT)
+    for seen, direction in (("above", (0, 0, -1)), ("oblique", (1, 1, -1))):
+        done = simulate_job(cuts, stock=stock, view=View(direction))
+        print(f"  {seen:10}" + "".join(f"{time:8.1f}" for time in moments_of(done)), file=OUT, flush=True)
 
 
 def cases():
