@@ -225,8 +225,7 @@ def shipped(request, window):
     parameters = choose(pack) if pack.exists() else []
     if not pack.exists():
         application.setStyleSheet(sheet.read_text())
-    window.wait(lambda: application.styleSheet() != before)
-    window.idle(0.5)
+    window.idle(1.0)  # the light one may be what FreeCAD has at first
     yield request.param
     for parameter in parameters:
         set_parameter(*parameter)
