@@ -5,7 +5,8 @@
 #     tests/run.sh [tools|core|document|gui] [0.20.2|1.0.0|1.1.3|bookworm|trixie|forky] [PYTEST ARGUMENTS]
 #
 # The FreeCADs come from Debian: the machine's own release and roots of the others, made once, a few minutes each, in a
-# cache folder; ruff and mypy, the tools, come from PyPI. What could not be tested is named at the end. Logs and pictures are in build/tests.
+# cache folder; ruff and mypy, the tools, come from PyPI. VKWORKBENCH_SCALE=2 runs the windows as on a screen with twice
+# as fine pixels. What could not be tested is named at the end. Logs and pictures are in build/tests.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 

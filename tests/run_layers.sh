@@ -14,6 +14,7 @@ echo "FreeCAD $(dpkg-query -W -f '${source:Upstream-Version}' freecad | cut -d+ 
     "$(/usr/bin/python3 -c 'import platform, numpy
 print(f"Python {platform.python_version()}, numpy {numpy.__version__}")')" > "$results/versions"
 
+scale=${VKWORKBENCH_SCALE:-1} # pixels of the screen for each of a window's own, as on a fine screen
 for layer in $layers; do
     echo "    $layer"
     home=$(mktemp -d)
@@ -22,14 +23,14 @@ for layer in $layers; do
     case $layer in
         core) command=("${limit[@]}" /usr/bin/python3 -m pytest) ;;
         document) command=("${limit[@]}" freecadcmd "$PWD/tests/in_freecad.py") ;;
-        gui) command=(xvfb-run -a -s "-screen 0 1280x1024x24 -dpi 96 -ac" "${limit[@]}" freecad "$PWD/tests/in_freecad.py") ;;
+        gui) command=(xvfb-run -a -s "-screen 0 $((1280 * scale))x$((1024 * scale))x24 -dpi 96 -ac" "${limit[@]}" freecad "$PWD/tests/in_freecad.py") ;;
     esac
     status=0
     # pytest captures no output of the FreeCAD layers: their logs have to show what FreeCAD swallows.
     # FreeCAD as root needs its browser's sandbox off, and under Xvfb OpenGL in software.
     env -i HOME="$home" XDG_RUNTIME_DIR="$home/run" PATH=/usr/sbin:/usr/bin:/sbin:/bin LC_ALL=C.UTF-8 \
         PYTHONDONTWRITEBYTECODE=1 HYPOTHESIS_STORAGE_DIRECTORY="$home/hypothesis" \
-        QT_QPA_PLATFORM=xcb LIBGL_ALWAYS_SOFTWARE=1 QTWEBENGINE_DISABLE_SANDBOX=1 \
+        QT_QPA_PLATFORM=xcb QT_SCALE_FACTOR="$scale" LIBGL_ALWAYS_SOFTWARE=1 QTWEBENGINE_DISABLE_SANDBOX=1 \
         VKWORKBENCH_SCREENSHOTS="$PWD/$results/screenshots" \
         PYTEST_ADDOPTS="tests/$layer --junit-xml='$results/$layer.xml' $([ "$layer" = core ] || echo -s) ${*@Q}" \
         "${command[@]}" < /dev/null > "$results/$layer.log" 2>&1 || status=$?

@@ -909,6 +909,34 @@
         <source>Simulate toolpaths shows the finished part at once, coarse at first.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>a rapid move removes {volume:g2} mm3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cuts {depth:mm2} into the model</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>plunges into full material at {feed:g3} mm/min, where its tool may plunge at {allowed:g3} mm/min</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{depth:mm2} are left on the model</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a finer picture would take longer than the {allowed:s} that the preferences allow</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>as simulated, command {command:#} is wrong: {fault}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>as simulated, {count:n} commands are wrong, the first is {command:#}: {fault}</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>
@@ -1706,10 +1734,6 @@ memory</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Rapid moves that cut material. Choose one to see it.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Save</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1790,14 +1814,6 @@ memory</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>⚠ Rapid moves that cut: {}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{}, command {} ({}): a rapid move removes {} mm³</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>{} of {}   {}, command {}: {}</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1811,6 +1827,70 @@ memory</source>
     </message>
     <message>
         <source>Reading {} ({} of {})…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no closed model</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>gouged by {} to {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>left, {} to {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>as the model</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no model</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Difference to the model</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Differences to the model up to this are none.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Worst places</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Where the part differs most from the model. Choose a place to see it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Crashes, gouges and fast plunges of the simulation. Choose one to see it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>⚠ Warnings: {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>… and {} more</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>raw stock: {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{}, command {} ({}): {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>removes {} mm³</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>removes nothing</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

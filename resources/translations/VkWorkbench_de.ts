@@ -909,6 +909,34 @@
         <source>Simulate toolpaths shows the finished part at once, coarse at first.</source>
         <translation>„Werkzeugwege simulieren“ zeigt sofort das fertige Teil, zuerst grob.</translation>
     </message>
+    <message>
+        <source>a rapid move removes {volume:g2} mm3</source>
+        <translation>ein Eilgang trägt {volume:g2} mm³ ab</translation>
+    </message>
+    <message>
+        <source>cuts {depth:mm2} into the model</source>
+        <translation>schneidet {depth:mm2} tief in das Modell</translation>
+    </message>
+    <message>
+        <source>plunges into full material at {feed:g3} mm/min, where its tool may plunge at {allowed:g3} mm/min</source>
+        <translation>taucht mit {feed:g3} mm/min ins volle Material ein, ihr Werkzeug darf {allowed:g3} mm/min</translation>
+    </message>
+    <message>
+        <source>{depth:mm2} are left on the model</source>
+        <translation>{depth:mm2} bleiben auf dem Modell stehen</translation>
+    </message>
+    <message>
+        <source>a finer picture would take longer than the {allowed:s} that the preferences allow</source>
+        <translation>ein feineres Bild würde länger als die {allowed:s} dauern, die die Einstellungen erlauben</translation>
+    </message>
+    <message>
+        <source>as simulated, command {command:#} is wrong: {fault}</source>
+        <translation>laut Simulation ist Befehl {command:#} falsch: {fault}</translation>
+    </message>
+    <message>
+        <source>as simulated, {count:n} commands are wrong, the first is {command:#}: {fault}</source>
+        <translation>laut Simulation sind {count:n} Befehle falsch, der erste ist {command:#}: {fault}</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>
@@ -1712,10 +1740,6 @@ Speicher</translation>
         <translation>Teil und Späne</translation>
     </message>
     <message>
-        <source>Rapid moves that cut material. Choose one to see it.</source>
-        <translation>Eilgänge, die Material schneiden. Wählen Sie einen, um ihn zu sehen.</translation>
-    </message>
-    <message>
         <source>Save</source>
         <translation>Speichern</translation>
     </message>
@@ -1796,14 +1820,6 @@ Speicher</translation>
         <translation>{} × {} Pixel von {}, {} Spuren, {}, simuliert in {}</translation>
     </message>
     <message>
-        <source>⚠ Rapid moves that cut: {}</source>
-        <translation>⚠ Eilgänge, die schneiden: {}</translation>
-    </message>
-    <message>
-        <source>{}, command {} ({}): a rapid move removes {} mm³</source>
-        <translation>{}, Befehl {} ({}): ein Eilgang trägt {} mm³ ab</translation>
-    </message>
-    <message>
         <source>{} of {}   {}, command {}: {}</source>
         <translation>{} von {}   {}, Befehl {}: {}</translation>
     </message>
@@ -1818,6 +1834,70 @@ Speicher</translation>
     <message>
         <source>Reading {} ({} of {})…</source>
         <translation>{} wird gelesen ({} von {})…</translation>
+    </message>
+    <message>
+        <source>there is no closed model</source>
+        <translation>es gibt kein geschlossenes Modell</translation>
+    </message>
+    <message>
+        <source>gouged by {} to {}</source>
+        <translation>zu tief, {} bis {}</translation>
+    </message>
+    <message>
+        <source>left, {} to {}</source>
+        <translation>stehen geblieben, {} bis {}</translation>
+    </message>
+    <message>
+        <source>as the model</source>
+        <translation>wie das Modell</translation>
+    </message>
+    <message>
+        <source>no model</source>
+        <translation>kein Modell</translation>
+    </message>
+    <message>
+        <source>Difference to the model</source>
+        <translation>Abweichung vom Modell</translation>
+    </message>
+    <message>
+        <source>Differences to the model up to this are none.</source>
+        <translation>Abweichungen vom Modell bis zu dieser sind keine.</translation>
+    </message>
+    <message>
+        <source>Worst places</source>
+        <translation>Schlimmste Stellen</translation>
+    </message>
+    <message>
+        <source>Where the part differs most from the model. Choose a place to see it.</source>
+        <translation>Wo das Teil am meisten vom Modell abweicht. Eine Stelle wählen, um sie zu sehen.</translation>
+    </message>
+    <message>
+        <source>Crashes, gouges and fast plunges of the simulation. Choose one to see it.</source>
+        <translation>Kollisionen, zu tiefe Schnitte und zu schnelles Eintauchen in der Simulation. Eine Zeile wählen, um sie zu sehen.</translation>
+    </message>
+    <message>
+        <source>⚠ Warnings: {}</source>
+        <translation>⚠ Warnungen: {}</translation>
+    </message>
+    <message>
+        <source>… and {} more</source>
+        <translation>… und {} weitere</translation>
+    </message>
+    <message>
+        <source>raw stock: {}</source>
+        <translation>Rohteil: {}</translation>
+    </message>
+    <message>
+        <source>{}, command {} ({}): {}</source>
+        <translation>{}, Befehl {} ({}): {}</translation>
+    </message>
+    <message>
+        <source>removes {} mm³</source>
+        <translation>trägt {} mm³ ab</translation>
+    </message>
+    <message>
+        <source>removes nothing</source>
+        <translation>trägt nichts ab</translation>
     </message>
 </context>
 <context>

@@ -909,6 +909,34 @@
         <source>Simulate toolpaths shows the finished part at once, coarse at first.</source>
         <translation>«Simular trayectorias» muestra enseguida la pieza acabada, al principio tosca.</translation>
     </message>
+    <message>
+        <source>a rapid move removes {volume:g2} mm3</source>
+        <translation>un movimiento rápido quita {volume:g2} mm³</translation>
+    </message>
+    <message>
+        <source>cuts {depth:mm2} into the model</source>
+        <translation>corta {depth:mm2} dentro del modelo</translation>
+    </message>
+    <message>
+        <source>plunges into full material at {feed:g3} mm/min, where its tool may plunge at {allowed:g3} mm/min</source>
+        <translation>entra en pleno material a {feed:g3} mm/min, su herramienta puede entrar a {allowed:g3} mm/min</translation>
+    </message>
+    <message>
+        <source>{depth:mm2} are left on the model</source>
+        <translation>quedan {depth:mm2} sobre el modelo</translation>
+    </message>
+    <message>
+        <source>a finer picture would take longer than the {allowed:s} that the preferences allow</source>
+        <translation>una imagen más fina tardaría más que los {allowed:s} que permiten las preferencias</translation>
+    </message>
+    <message>
+        <source>as simulated, command {command:#} is wrong: {fault}</source>
+        <translation>según la simulación, la orden {command:#} está mal: {fault}</translation>
+    </message>
+    <message>
+        <source>as simulated, {count:n} commands are wrong, the first is {command:#}: {fault}</source>
+        <translation>según la simulación, {count:n} órdenes están mal, la primera es la {command:#}: {fault}</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>
@@ -1712,10 +1740,6 @@ memoria</translation>
         <translation>Pieza y viruta</translation>
     </message>
     <message>
-        <source>Rapid moves that cut material. Choose one to see it.</source>
-        <translation>Movimientos rápidos que cortan material. Elija uno para verlo.</translation>
-    </message>
-    <message>
         <source>Save</source>
         <translation>Guardar</translation>
     </message>
@@ -1796,14 +1820,6 @@ memoria</translation>
         <translation>{} × {} píxeles de {}, {} trazas, {}, simulado en {}</translation>
     </message>
     <message>
-        <source>⚠ Rapid moves that cut: {}</source>
-        <translation>⚠ Movimientos rápidos que cortan: {}</translation>
-    </message>
-    <message>
-        <source>{}, command {} ({}): a rapid move removes {} mm³</source>
-        <translation>{}, orden {} ({}): un movimiento rápido quita {} mm³</translation>
-    </message>
-    <message>
         <source>{} of {}   {}, command {}: {}</source>
         <translation>{} de {}   {}, orden {}: {}</translation>
     </message>
@@ -1818,6 +1834,70 @@ memoria</translation>
     <message>
         <source>Reading {} ({} of {})…</source>
         <translation>Leyendo {} ({} de {})…</translation>
+    </message>
+    <message>
+        <source>there is no closed model</source>
+        <translation>no hay un modelo cerrado</translation>
+    </message>
+    <message>
+        <source>gouged by {} to {}</source>
+        <translation>demasiado hondo, {} a {}</translation>
+    </message>
+    <message>
+        <source>left, {} to {}</source>
+        <translation>resto, {} a {}</translation>
+    </message>
+    <message>
+        <source>as the model</source>
+        <translation>como el modelo</translation>
+    </message>
+    <message>
+        <source>no model</source>
+        <translation>sin modelo</translation>
+    </message>
+    <message>
+        <source>Difference to the model</source>
+        <translation>Diferencia con el modelo</translation>
+    </message>
+    <message>
+        <source>Differences to the model up to this are none.</source>
+        <translation>Las diferencias con el modelo hasta este valor no cuentan.</translation>
+    </message>
+    <message>
+        <source>Worst places</source>
+        <translation>Peores lugares</translation>
+    </message>
+    <message>
+        <source>Where the part differs most from the model. Choose a place to see it.</source>
+        <translation>Dónde la pieza difiere más del modelo. Elija un lugar para verlo.</translation>
+    </message>
+    <message>
+        <source>Crashes, gouges and fast plunges of the simulation. Choose one to see it.</source>
+        <translation>Choques, cortes demasiado hondos y entradas demasiado rápidas de la simulación. Elija una para verla.</translation>
+    </message>
+    <message>
+        <source>⚠ Warnings: {}</source>
+        <translation>⚠ Avisos: {}</translation>
+    </message>
+    <message>
+        <source>… and {} more</source>
+        <translation>… y {} más</translation>
+    </message>
+    <message>
+        <source>raw stock: {}</source>
+        <translation>material en bruto: {}</translation>
+    </message>
+    <message>
+        <source>{}, command {} ({}): {}</source>
+        <translation>{}, orden {} ({}): {}</translation>
+    </message>
+    <message>
+        <source>removes {} mm³</source>
+        <translation>quita {} mm³</translation>
+    </message>
+    <message>
+        <source>removes nothing</source>
+        <translation>no quita nada</translation>
     </message>
 </context>
 <context>

@@ -909,6 +909,34 @@
         <source>Simulate toolpaths shows the finished part at once, coarse at first.</source>
         <translation>« Simuler les parcours d&apos;outil » montre tout de suite la pièce finie, d&apos;abord grossièrement.</translation>
     </message>
+    <message>
+        <source>a rapid move removes {volume:g2} mm3</source>
+        <translation>un déplacement rapide enlève {volume:g2} mm³</translation>
+    </message>
+    <message>
+        <source>cuts {depth:mm2} into the model</source>
+        <translation>coupe {depth:mm2} dans le modèle</translation>
+    </message>
+    <message>
+        <source>plunges into full material at {feed:g3} mm/min, where its tool may plunge at {allowed:g3} mm/min</source>
+        <translation>plonge en pleine matière à {feed:g3} mm/min, son outil ne peut plonger qu’à {allowed:g3} mm/min</translation>
+    </message>
+    <message>
+        <source>{depth:mm2} are left on the model</source>
+        <translation>{depth:mm2} restent sur le modèle</translation>
+    </message>
+    <message>
+        <source>a finer picture would take longer than the {allowed:s} that the preferences allow</source>
+        <translation>une image plus fine prendrait plus que les {allowed:s} permis par les préférences</translation>
+    </message>
+    <message>
+        <source>as simulated, command {command:#} is wrong: {fault}</source>
+        <translation>d’après la simulation, la commande {command:#} est fausse : {fault}</translation>
+    </message>
+    <message>
+        <source>as simulated, {count:n} commands are wrong, the first is {command:#}: {fault}</source>
+        <translation>d’après la simulation, {count:n} commandes sont fausses, la première est la {command:#} : {fault}</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>
@@ -1712,10 +1740,6 @@ mémoire</translation>
         <translation>Pièce et copeaux</translation>
     </message>
     <message>
-        <source>Rapid moves that cut material. Choose one to see it.</source>
-        <translation>Déplacements rapides qui coupent la matière. Choisissez-en un pour le voir.</translation>
-    </message>
-    <message>
         <source>Save</source>
         <translation>Enregistrer</translation>
     </message>
@@ -1796,14 +1820,6 @@ mémoire</translation>
         <translation>{} × {} pixels de {}, {} traces, {}, simulé en {}</translation>
     </message>
     <message>
-        <source>⚠ Rapid moves that cut: {}</source>
-        <translation>⚠ Déplacements rapides qui coupent : {}</translation>
-    </message>
-    <message>
-        <source>{}, command {} ({}): a rapid move removes {} mm³</source>
-        <translation>{}, commande {} ({}) : un déplacement rapide enlève {} mm³</translation>
-    </message>
-    <message>
         <source>{} of {}   {}, command {}: {}</source>
         <translation>{} sur {}   {}, commande {} : {}</translation>
     </message>
@@ -1818,6 +1834,70 @@ mémoire</translation>
     <message>
         <source>Reading {} ({} of {})…</source>
         <translation>Lecture de {} ({} sur {})…</translation>
+    </message>
+    <message>
+        <source>there is no closed model</source>
+        <translation>il n’y a pas de modèle fermé</translation>
+    </message>
+    <message>
+        <source>gouged by {} to {}</source>
+        <translation>trop profond, {} à {}</translation>
+    </message>
+    <message>
+        <source>left, {} to {}</source>
+        <translation>reste, {} à {}</translation>
+    </message>
+    <message>
+        <source>as the model</source>
+        <translation>comme le modèle</translation>
+    </message>
+    <message>
+        <source>no model</source>
+        <translation>pas de modèle</translation>
+    </message>
+    <message>
+        <source>Difference to the model</source>
+        <translation>Écart au modèle</translation>
+    </message>
+    <message>
+        <source>Differences to the model up to this are none.</source>
+        <translation>Les écarts au modèle jusqu’à cette valeur n’en sont pas.</translation>
+    </message>
+    <message>
+        <source>Worst places</source>
+        <translation>Pires endroits</translation>
+    </message>
+    <message>
+        <source>Where the part differs most from the model. Choose a place to see it.</source>
+        <translation>Où la pièce s’écarte le plus du modèle. Choisissez un endroit pour le voir.</translation>
+    </message>
+    <message>
+        <source>Crashes, gouges and fast plunges of the simulation. Choose one to see it.</source>
+        <translation>Collisions, coupes trop profondes et plongées trop rapides de la simulation. Choisissez-en une pour la voir.</translation>
+    </message>
+    <message>
+        <source>⚠ Warnings: {}</source>
+        <translation>⚠ Avertissements : {}</translation>
+    </message>
+    <message>
+        <source>… and {} more</source>
+        <translation>… et {} de plus</translation>
+    </message>
+    <message>
+        <source>raw stock: {}</source>
+        <translation>brut : {}</translation>
+    </message>
+    <message>
+        <source>{}, command {} ({}): {}</source>
+        <translation>{}, commande {} ({}) : {}</translation>
+    </message>
+    <message>
+        <source>removes {} mm³</source>
+        <translation>enlève {} mm³</translation>
+    </message>
+    <message>
+        <source>removes nothing</source>
+        <translation>n’enlève rien</translation>
     </message>
 </context>
 <context>

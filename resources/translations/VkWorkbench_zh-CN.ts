@@ -909,6 +909,34 @@
         <source>Simulate toolpaths shows the finished part at once, coarse at first.</source>
         <translation>“仿真刀具路径”立即显示成品零件，先粗后细。</translation>
     </message>
+    <message>
+        <source>a rapid move removes {volume:g2} mm3</source>
+        <translation>快速移动去除了 {volume:g2} mm³ 材料</translation>
+    </message>
+    <message>
+        <source>cuts {depth:mm2} into the model</source>
+        <translation>切入模型 {depth:mm2}</translation>
+    </message>
+    <message>
+        <source>plunges into full material at {feed:g3} mm/min, where its tool may plunge at {allowed:g3} mm/min</source>
+        <translation>以 {feed:g3} mm/min 向实体材料下刀，其刀具允许 {allowed:g3} mm/min</translation>
+    </message>
+    <message>
+        <source>{depth:mm2} are left on the model</source>
+        <translation>模型上残留 {depth:mm2}</translation>
+    </message>
+    <message>
+        <source>a finer picture would take longer than the {allowed:s} that the preferences allow</source>
+        <translation>更精细的图像所需时间将超过首选项允许的 {allowed:s}</translation>
+    </message>
+    <message>
+        <source>as simulated, command {command:#} is wrong: {fault}</source>
+        <translation>仿真显示命令 {command:#} 有误：{fault}</translation>
+    </message>
+    <message>
+        <source>as simulated, {count:n} commands are wrong, the first is {command:#}: {fault}</source>
+        <translation>仿真显示 {count:n} 条命令有误，首条是 {command:#}：{fault}</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>
@@ -1712,10 +1740,6 @@ memory</source>
         <translation>工件和切屑</translation>
     </message>
     <message>
-        <source>Rapid moves that cut material. Choose one to see it.</source>
-        <translation>会切到材料的快速移动。选择一个查看。</translation>
-    </message>
-    <message>
         <source>Save</source>
         <translation>保存</translation>
     </message>
@@ -1796,14 +1820,6 @@ memory</source>
         <translation>{} × {} 像素，每个 {}，{} 条痕迹，{}，仿真用时 {}</translation>
     </message>
     <message>
-        <source>⚠ Rapid moves that cut: {}</source>
-        <translation>⚠ 会切到材料的快速移动：{}</translation>
-    </message>
-    <message>
-        <source>{}, command {} ({}): a rapid move removes {} mm³</source>
-        <translation>{}，指令 {}（{}）：快速移动去除了 {} mm³</translation>
-    </message>
-    <message>
         <source>{} of {}   {}, command {}: {}</source>
         <translation>{} / {}   {}，指令 {}：{}</translation>
     </message>
@@ -1818,6 +1834,70 @@ memory</source>
     <message>
         <source>Reading {} ({} of {})…</source>
         <translation>正在读取 {}（{}/{}）…</translation>
+    </message>
+    <message>
+        <source>there is no closed model</source>
+        <translation>没有封闭的模型</translation>
+    </message>
+    <message>
+        <source>gouged by {} to {}</source>
+        <translation>过切 {} 至 {}</translation>
+    </message>
+    <message>
+        <source>left, {} to {}</source>
+        <translation>残留 {} 至 {}</translation>
+    </message>
+    <message>
+        <source>as the model</source>
+        <translation>与模型一致</translation>
+    </message>
+    <message>
+        <source>no model</source>
+        <translation>无模型</translation>
+    </message>
+    <message>
+        <source>Difference to the model</source>
+        <translation>与模型的差异</translation>
+    </message>
+    <message>
+        <source>Differences to the model up to this are none.</source>
+        <translation>不超过此值的差异不计。</translation>
+    </message>
+    <message>
+        <source>Worst places</source>
+        <translation>最差位置</translation>
+    </message>
+    <message>
+        <source>Where the part differs most from the model. Choose a place to see it.</source>
+        <translation>零件与模型差异最大的地方。选择一处即可查看。</translation>
+    </message>
+    <message>
+        <source>Crashes, gouges and fast plunges of the simulation. Choose one to see it.</source>
+        <translation>仿真中的碰撞、过切和过快的下刀。选择一项即可查看。</translation>
+    </message>
+    <message>
+        <source>⚠ Warnings: {}</source>
+        <translation>⚠ 警告：{}</translation>
+    </message>
+    <message>
+        <source>… and {} more</source>
+        <translation>…… 另有 {} 项</translation>
+    </message>
+    <message>
+        <source>raw stock: {}</source>
+        <translation>毛坯：{}</translation>
+    </message>
+    <message>
+        <source>{}, command {} ({}): {}</source>
+        <translation>{}，命令 {}（{}）：{}</translation>
+    </message>
+    <message>
+        <source>removes {} mm³</source>
+        <translation>去除 {} mm³</translation>
+    </message>
+    <message>
+        <source>removes nothing</source>
+        <translation>不去除材料</translation>
     </message>
 </context>
 <context>

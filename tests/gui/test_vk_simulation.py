@@ -13,6 +13,8 @@ import numpy as np
 import pytest
 from PySide import QtCore, QtGui
 
+import vkworkbench
+from vkworkbench.gui.simulation.faults import differences
 from vkworkbench.gui.simulation.tab import SimulationTab
 
 COMMAND = "Simulate toolpaths"
@@ -26,7 +28,7 @@ def tabs(window):
 def small(window):
     """A window in which the finest picture does not take long."""
     before = window.main.geometry()
-    window.main.setGeometry(0, 0, 1024, 700)
+    window.main.setGeometry(0, 0, 900, 640)
     yield
     window.main.setGeometry(before)
 
@@ -45,7 +47,7 @@ def simulated(opened, window, small):
 
 def shown(tab, window):
     """Wait until the job has been read and simulated at its finest; return what shows it."""
-    window.wait(lambda: tab.player is not None and tab.player.simulation is not None, 60)
+    window.wait(lambda: tab.player is not None and tab.player.simulation is not None, 120)
     finest(tab.player, window)
     return tab.player
 
@@ -53,7 +55,7 @@ def shown(tab, window):
 def finest(player, window):
     """Wait until the picture is the finest that was asked for."""
     window.idle(0.4)
-    window.wait(lambda: not player.is_busy and not player._stale, 120)
+    window.wait(lambda: not player.is_busy and not player._stale, 300)
     window.idle(0.1)
 
 
@@ -177,6 +179,83 @@ def test_colours_and_chips(simulated, window):
     assert len(pictures) == simulated.scene_bar.colorings.count() + 2
 
 
+def test_differences_to_the_model_are_coloured_and_their_worst_places_shown(simulated, window):
+    simulated.look("Top")
+    finest(simulated, window)
+    bar, view = simulated.scene_bar, simulated.view
+    assert not bar.tolerance.isVisible() and not bar.worst.isVisible()
+    bar.colorings.setCurrentIndex(bar.colorings.count() - 1)
+    finest(simulated, window)
+    assert bar.tolerance.isVisible() and bar.worst.isEnabled()
+    window.screenshot("simulation-difference")
+    kinds = [fault.what.code for fault in differences(simulated._told, bar.tolerance_mm)]
+    assert kinds and set(kinds) == {"leaves-material"}  # the sound example leaves inside corners, and gouges nothing
+    before = view.grab().toImage()
+    bar.worst.menu().actions()[0].trigger()
+    window.wait(lambda: not simulated._stale)
+    assert simulated.moment.seconds == simulated.clock.total and view.grab().toImage() != before  # a ring is around it
+    window.screenshot("simulation-worst")
+    fine = len(bar.worst.menu().actions())
+    bar.tolerance.setValue(2.0)
+    window.wait(lambda: not simulated._stale)
+    assert fine <= 20 and [fault.what.arguments["depth"] > 2 for fault in differences(simulated._told, 2.0)] == [
+        True
+    ] * len(bar.worst.menu().actions())
+    simulated.moment.go_to(0.0)
+    window.wait(lambda: not simulated._stale)
+    assert view.grab().toImage() != before
+
+
+def test_a_click_on_a_trajectory_in_the_time_line_lights_its_cut(simulated, window):
+    line = simulated.time_line
+    simulated.look("Top")
+    finest(simulated, window)
+    cuts = simulated.clock.cuts
+    number = int(np.argmax(np.where(cuts.rapid, 0, np.diff(simulated.clock.ends) * (simulated.volumes > 0))))
+    middle = (simulated.clock.ends[number] + simulated.clock.ends[number + 1]) / 2
+    simulated.moment.go_to(middle)
+    for _ in range(12):  # until it is wide enough to be hit
+        wheel(line, QtCore.QPoint(round(line.x_of(middle)), line.height() - 8))
+    simulated.play_bar.speeds.setCurrentIndex(0)  # real time
+    simulated.moment.play()
+    window.idle(0.2)
+    assert simulated.moment.plays and simulated.moment.noticed is None
+    where = QtCore.QPoint(round(line.x_of(middle)), line.height() - 8)
+    window.click_at(line, where)
+    window.wait(lambda: not simulated._stale)
+    assert simulated.moment.noticed == number == simulated.moment.done - 1 and not simulated.moment.plays
+    lit = (simulated.view._scene.image.astype(int) - simulated.view._scene.image.max(axis=-1, keepdims=True))[..., 2]
+    assert (lit < -100).any()  # much less blue than red: the colour of what is lit
+    assert "removes" in simulated.play_bar.text.text()
+    window.screenshot("simulation-lit")
+
+
+def wheel(widget, where):
+    """Turn the wheel by a notch, away from the user."""
+    place = QtCore.QPointF(where)
+    event = QtGui.QWheelEvent(place, QtCore.QPointF(widget.mapToGlobal(where)), QtCore.QPoint(), QtCore.QPoint(0, 120),
+                              QtCore.Qt.NoButton, QtCore.Qt.NoModifier, QtCore.Qt.NoScrollPhase, False)  # fmt: skip
+    QtGui.QApplication.sendEvent(widget, event)
+
+
+def test_it_is_read_on_light_and_dark_themes(opened, window, small, theme):
+    window.click(COMMAND)
+    window.wait(lambda: tabs(window))
+    (tab,) = tabs(window)
+    player = shown(tab, window)
+    player.moment.go_to(0.4 * player.clock.total)
+    window.wait(lambda: not player._stale)
+    window.screenshot(f"simulation-{theme}")
+    corners = [
+        widget.grab().toImage().pixelColor(2, 2).lightness() for widget in (player.view, player.scene_bar, player)
+    ]
+    line = player.time_line.grab().toImage()
+    beside = line.pixelColor(int(0.9 * line.width()), line.height() - 2).lightness()
+    assert all((value < 100) == (theme == "dark") for value in (*corners, beside))
+    window.press(tab, QtCore.Qt.Key_Escape)
+    window.wait(lambda: not tabs(window))
+
+
 def test_exports(simulated, window, tmp_path):
     from vkworkbench.gui.simulation import exports
 
@@ -266,7 +345,8 @@ def test_a_crash_is_found_in_three_clicks(opened, window):
 
     QtCore.QTimer.singleShot(300, choose)
     window.click_on(warnings)  # the second
-    (text,) = texts
+    text, gouge = texts
+    assert "command 5" in gouge and "into the model" in gouge
     assert (
         text.startswith("Slot, command 4 (G0") and "Z14" in text and "a rapid move removes 2" in text
     )  # 7.5 mm below 6 mm
@@ -274,6 +354,8 @@ def test_a_crash_is_found_in_three_clicks(opened, window):
     assert player.simulation.source(player.moment.done - 1) == (player.job.operations[0], 3)
     assert "command 4: G0" in player.play_bar.text.text()
     window.screenshot("crash-3")
+    (row,) = vkworkbench.analyze(op).operations
+    assert [remark.code for remark in row.remarks if remark.code == "simulated"]
     window.press(tab, QtCore.Qt.Key_Escape)
     window.wait(lambda: not tabs(window))
 

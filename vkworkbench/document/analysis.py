@@ -24,6 +24,7 @@ from vkworkbench.document.operations import Operation, find, fixtures_of, is_the
 from vkworkbench.document.path_prints import PATH_PRINTS
 from vkworkbench.document.recognized import recognized
 from vkworkbench.document.setting import placed, rapid_feeds, read_stock, read_tool, tool_remark
+from vkworkbench.document.simulated_faults import with_faults
 from vkworkbench.document.solids import form_of_stock, stock_solid
 from vkworkbench.language import Message, Unusable
 from vkworkbench.preferences import Preferences
@@ -221,11 +222,11 @@ def _work(reading: _Reading, chosen: Preferences, conditions: Conditions, going_
         commands = None  # of a million, half a GB
         known = _analysed(reading, words, chosen, conditions, going_on)
         KNOWN.keep(key, known)
-    return replace(
+    return with_faults(replace(
         known,
         **{name: getattr(reading, name) for name in _WHOSE},
         fingerprint=f"{text_fingerprint(text, reading.placement)}:{reading.setting_fingerprint}",
-    )
+    ))  # fmt: skip
 
 
 def _analysed(

@@ -4,19 +4,20 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import FreeCAD
 import numpy as np
 
 from vkworkbench import freecad, preferences
-from vkworkbench.core import Cut, Solid, Strategy, Tool, Toolpath, linearize, trajectory_seconds
+from vkworkbench.core import Cut, Solid, Stock, Strategy, Tool, Toolpath, linearize, trajectory_seconds
 from vkworkbench.core.gcode import in_seconds
+from vkworkbench.document.fingerprint import AT_ONCE, setting_fingerprint, text_fingerprint, text_of
 from vkworkbench.document.operations import Operation, find
 from vkworkbench.document.recognized import recognized
 from vkworkbench.document.setting import placed, rapid_feeds, read_stock, read_tool, tool_remark, vertical_feed
-from vkworkbench.document.solids import model_shapes, model_solid, stock_solid
+from vkworkbench.document.solids import form_of_stock, model_shapes, model_solid, stock_solid
 from vkworkbench.language import Message, Unusable
 
 
@@ -32,6 +33,8 @@ class SimulatedOperation:
         Horizontal and vertical rapid speed of its tool controller, mm/s; 0 where unset.
     imported : bool
         Whether the toolpath may come from a file.
+    fingerprint : str
+        Of path, tool and stock, as an analysis has it.
     """
 
     document: str
@@ -39,6 +42,7 @@ class SimulatedOperation:
     label: str
     rapid_feeds: tuple[float, float]
     imported: bool
+    fingerprint: str
 
 
 @dataclass(frozen=True, eq=False)
@@ -90,7 +94,7 @@ class SimulatedJob:
 
 @dataclass(frozen=True)
 class _Copied:
-    """Copies of what a document says of one operation."""
+    """Copies of what a document says of one operation, whose path has no fingerprint yet."""
 
     operation: SimulatedOperation
     path: object
@@ -189,19 +193,21 @@ def copy_job(what=None) -> JobCopy:
     if not operations:
         raise Unusable(Message("nothing-to-simulate"))
     job = operations[0].job
-    copies = tuple(_copied(operation.object) for operation in operations)
-    stock, told = stock_solid(job, read_stock(job))
+    box = read_stock(job)
+    form = form_of_stock(job, box)
+    copies = tuple(_copied(operation.object, box, form) for operation in operations)
+    stock, told = stock_solid(job, box)
     return JobCopy(copies, stock, model_shapes(job), preferences.read().tolerance, (told,) if told else ())
 
 
-def _copied(obj) -> _Copied:
-    operation = SimulatedOperation(
-        obj.Document.Name, obj.Name, obj.Label, rapid_feeds(obj), freecad.is_imported(obj)
-    )  # fmt: skip
+def _copied(obj, box: Stock, form: tuple) -> _Copied:
     try:
         tool, remark = read_tool(obj), tool_remark(obj)
     except Unusable as error:
         tool, remark = None, error.what
+    operation = SimulatedOperation(
+        obj.Document.Name, obj.Name, obj.Label, rapid_feeds(obj), freecad.is_imported(obj), setting_fingerprint(tool, box, form)
+    )  # fmt: skip
     return _Copied(operation, obj.Path, obj.Placement, tool, vertical_feed(obj), remark)
 
 
@@ -210,7 +216,11 @@ def _linearized(copied: _Copied, tolerance: float) -> ReadCut:
     cut = toolpath = None
     if copied.tool is not None:
         try:
-            toolpath = placed(linearize(copied.path.Commands, tolerance=tolerance), copied.placement)
+            commands = copied.path.Commands
+            text = text_of(commands) if len(commands) > AT_ONCE else copied.path.toGCode()
+            fingerprint = f"{text_fingerprint(text, copied.placement)}:{operation.fingerprint}"
+            operation = replace(operation, fingerprint=fingerprint)
+            toolpath = placed(linearize(commands, tolerance=tolerance), copied.placement)
         except Unusable as error:
             told = [error.what]
         else:

@@ -12,13 +12,16 @@ from zbuffer_reference.paths import toolpath
 
 from vkworkbench.core import Cut, Stock, Tool, View
 from vkworkbench.core.zbuffer import (
+    SeenModel,
     cuts_air,
     deviations,
     engagement,
     facts,
+    gouges,
     removal_over_time,
     removed_volumes,
     simulate_job,
+    worst_places,
 )
 
 STOCK, MODEL = Stock((-1, -1, 0), (41, 31, 10)), Stock((0, 0, 0), (40, 30, 8))
@@ -144,6 +147,28 @@ def test_a_wall_through_a_pixel_is_no_deviation():
     assert found.gouged.max() < 1e-5 and found.left.max() < 1e-5
     beside = np.isnan(found.depth).mean()
     assert beside == pytest.approx(1 - 40 * 30 / (z.frame.pixel**2 * 111 * 87), abs=0.03)
+
+
+def test_worst_places_lie_apart_and_name_what_made_them():
+    """Two holes into a model of 8 mm, one of them through all of it: the deepest first, each once."""
+    drilled = path([(10, 15, 12), (10, 15, 5), (10, 15, 12), (30, 15, 12), (30, 15, -1), (30, 15, 12)])
+    z = simulate_job([Cut(SOUND, FLAT), Cut(drilled, FLAT)], stock=STOCK, view=View((0, 0, -1), 200, 150))
+    found = deviations(z, MODEL)
+    through, blind = worst_places(z, found.gouged, 0.1)
+    own = len(SOUND)
+    assert (through.trajectory, blind.trajectory) == (own + 3, own)
+    assert (through.depth, blind.depth) == pytest.approx((8, 3), abs=1e-4)
+    assert through.place[:2] == pytest.approx((30, 15), abs=3) and blind.place[:2] == pytest.approx((10, 15), abs=3)
+    assert {gouge.source.cut for gouge in gouges(z, found, 0.1)} == {1}
+    assert [place.depth for place in worst_places(z, found.gouged, 0.1, most=1)] == [through.depth]
+    assert worst_places(z, found.gouged, 9.0) == []
+
+
+def test_a_seen_model_is_compared_with_any_moment():
+    z = simulate_job([Cut(SOUND, FLAT)], stock=STOCK, view=VIEW)
+    seen = SeenModel(MODEL, z.frame)
+    assert np.nanmax(seen.against(z.at(0)).left) == pytest.approx(2) and seen.against(z).left.max() < 1e-5
+    assert (seen.against(z).gouged == deviations(z, MODEL).gouged).all()
 
 
 def test_facts_of_no_cuts():

@@ -6,7 +6,21 @@ the space lie in them; the image as a PNG file.
 """
 
 from vkworkbench.core.rendering.camera import direction_of, project, turned
-from vkworkbench.core.rendering.palettes import CUT, RAW, SCALE, colors_of, distinct_colors, palette, scale_colors
+from vkworkbench.core.rendering.palettes import (
+    CUT,
+    DEEPEST,
+    GOUGED,
+    LEFT,
+    MET,
+    NO_MODEL,
+    RAW,
+    SCALE,
+    colors_of,
+    difference_colors,
+    distinct_colors,
+    palette,
+    scale_colors,
+)  # fmt: skip
 from vkworkbench.core.rendering.png import png
 from vkworkbench.core.rendering.points import Points
 from vkworkbench.core.rendering.scene import LIT, Scene, scene
@@ -14,6 +28,6 @@ from vkworkbench.core.rendering.shading import BACKGROUND, shade
 from vkworkbench.core.rendering.tool_outline import tool_outline
 
 __all__ = [
-    "BACKGROUND", "CUT", "LIT", "RAW", "SCALE", "Points", "Scene", "colors_of", "direction_of", "distinct_colors",
-    "palette", "png", "project", "scale_colors", "scene", "shade", "tool_outline", "turned",
+    "BACKGROUND", "CUT", "DEEPEST", "GOUGED", "LEFT", "LIT", "MET", "NO_MODEL", "RAW", "SCALE", "Points", "Scene",
+    "colors_of", "difference_colors", "direction_of", "distinct_colors", "palette", "png", "project", "scale_colors", "scene", "shade", "tool_outline", "turned",
 ]  # fmt: skip

@@ -7,6 +7,14 @@ import colorsys
 
 import numpy as np
 
+# From a deviation that is just one to the largest told apart: what is gouged, and what is left.
+GOUGED = np.array([(244, 166, 154), (214, 39, 40), (120, 0, 20)], np.uint8)
+LEFT = np.array([(158, 202, 241), (49, 110, 214), (10, 30, 120)], np.uint8)
+# Where the model is met, and where there is none.
+MET, NO_MODEL = (214, 219, 208), (150, 146, 138)
+# The largest deviation told apart is so many times the tolerance.
+DEEPEST = 10.0
+
 # Red, green and blue from the least to the most, at equal distances: dark to bright, so that it reads without colour
 # too. Stations of viridis (van der Walt and Smith 2015).
 SCALE = np.array(
@@ -21,7 +29,7 @@ _GOLDEN = 0.618033988749895
 RAW, CUT = (160, 146, 122), (176, 192, 208)
 
 
-def palette(colors: np.ndarray) -> np.ndarray:
+def palette(colors: np.ndarray | tuple[int, int, int]) -> np.ndarray:
     """Return the colours of surfaces by who made them: the raw stock's first, then each trajectory's.
 
     Parameters
@@ -68,6 +76,29 @@ def scale_colors(values: np.ndarray) -> np.ndarray:
     -------
     (n, 3) uint8
     """
-    at = np.clip(np.nan_to_num(np.asarray(values, float)), 0, 1) * (len(SCALE) - 1)
-    stations = np.arange(len(SCALE))
-    return np.stack([np.interp(at, stations, SCALE[:, channel]) for channel in range(3)], axis=-1).astype(np.uint8)
+    return _between(SCALE, np.nan_to_num(np.asarray(values, float)))
+
+
+def difference_colors(left: np.ndarray, gouged: np.ndarray, model: np.ndarray, tolerance: float) -> np.ndarray:
+    """Return the colours of a surface by how far it is from the model's, the shape of `left` and 3, uint8.
+
+    Parameters
+    ----------
+    left, gouged : ndarray
+        How much is left above the model and cut below it, mm, at least 0.
+    model : ndarray of bool
+        Where the model is seen.
+    tolerance : float
+        What is no deviation yet, mm; `DEEPEST` times as much has the darkest colour.
+    """
+    colors = np.where(model[..., None], np.array(MET, np.uint8), np.array(NO_MODEL, np.uint8))
+    for amount, stations in ((left, LEFT), (gouged, GOUGED)):
+        where = model & (amount > tolerance)
+        colors[where] = _between(stations, (amount[where] / tolerance - 1) / (DEEPEST - 1))
+    return colors
+
+
+def _between(stations: np.ndarray, shares: np.ndarray) -> np.ndarray:
+    """Colours between stations, at shares from 0 to 1 of the way."""
+    at, numbers = np.clip(shares, 0, 1) * (len(stations) - 1), np.arange(len(stations))
+    return np.stack([np.interp(at, numbers, stations[:, channel]) for channel in range(3)], axis=-1).astype(np.uint8)

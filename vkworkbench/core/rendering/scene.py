@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What is to be seen of a simulation at a moment: the part, chips on it or alone, in the colours of a palette."""
+"""What is to be seen of a simulation at a moment: the part, chips on it or alone, by owners' or pixels' colours."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from vkworkbench.core.rendering.palettes import colors_of
+from vkworkbench.core.rendering.palettes import CUT, colors_of, palette
 from vkworkbench.core.rendering.shading import BACKGROUND, shade
 from vkworkbench.core.zbuffer import ZBuffer
 
@@ -36,7 +36,7 @@ class Scene:
 
 def scene(
     zbuffer: ZBuffer,
-    palette: np.ndarray,
+    colors: np.ndarray,
     *,
     chips: tuple[int, int] | None = None,
     part: bool = True,
@@ -48,8 +48,8 @@ def scene(
     Parameters
     ----------
     zbuffer : ZBuffer
-    palette : (n + 1, 3) or (2, 3) uint8
-        Colours by who made the surface; see `palette`.
+    colors : (n + 1, 3) or (2, 3), or (height, width, 3) uint8
+        By who made the surface, see `palette`; or of every pixel of the part, row 0 below.
     chips : tuple of int, optional
         Show also what the trajectories from the first to before the second of these remove, wherever it was.
     part : bool
@@ -60,18 +60,23 @@ def scene(
         Where nothing is seen.
     """
     size = zbuffer.frame.height, zbuffer.frame.width
+    by_owner = colors if colors.ndim == 2 else palette(CUT)
+    of_pixels = colors if colors.ndim == 3 else None
     if chips is None:
         depth, owner = zbuffer.picture.depth, zbuffer.picture.owner
+        in_front = np.zeros(len(depth), bool)
     else:
         removed = zbuffer.chips(*chips)
-        depth, owner = removed.depth, removed.owner
+        depth, owner, in_front = removed.depth, removed.owner, ~np.isnan(removed.depth)
         if part:
             seen = zbuffer.picture
             with np.errstate(invalid="ignore"):
-                behind = np.isnan(depth) | (seen.depth < depth)
-            depth, owner = np.where(behind, seen.depth, depth), np.where(behind, seen.owner, owner)
+                in_front &= ~(seen.depth < depth)
+            depth, owner = np.where(in_front, depth, seen.depth), np.where(in_front, owner, seen.owner)
     depth, owner = depth.reshape(size), owner.reshape(size)
-    colors = colors_of(owner, palette)
+    shown = colors_of(owner, by_owner)
+    if of_pixels is not None and (part or chips is None):
+        shown = np.where(in_front.reshape(*size, 1), shown, of_pixels)
     if lit is not None:
-        colors[(owner >= lit[0]) & (owner < lit[1])] = LIT
-    return Scene(depth, owner, shade(depth, zbuffer.frame.pixel, colors, background))
+        shown[(owner >= lit[0]) & (owner < lit[1])] = LIT
+    return Scene(depth, owner, shade(depth, zbuffer.frame.pixel, shown, background))

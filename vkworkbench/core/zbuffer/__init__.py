@@ -10,7 +10,15 @@ Out: `ZBuffer`, exact dexels and traces at any moment, and what they tell; `Esti
 from vkworkbench.core.zbuffer.bound import cuts_surely, most_bytes
 from vkworkbench.core.zbuffer.closed_form import cauchy_crofton, closed_form, swept
 from vkworkbench.core.zbuffer.cuts import Cut, Cuts, Source
-from vkworkbench.core.zbuffer.deviations import Deviation, Deviations, deviations, gouges, material_left
+from vkworkbench.core.zbuffer.deviations import (
+    Deviation,
+    Deviations,
+    SeenModel,
+    deviations,
+    gouges,
+    material_left,
+    worst_places,
+)
 from vkworkbench.core.zbuffer.estimate import Estimate, Speed, estimate, work
 from vkworkbench.core.zbuffer.facts import (
     Crash,
@@ -34,9 +42,10 @@ from vkworkbench.core.zbuffer.speed import fit_speed, measure_speed
 
 __all__ = [
     "DEXEL", "FACT_COLUMNS", "RECORD_BYTES", "TRACE", "Crash", "Cut", "CutFacts", "Cuts", "Deviation", "Deviations",
-    "Estimate", "JobFacts", "OverBudget", "Plunge", "Resolution", "Source", "Speed", "ZBuffer", "air_share",
+    "Estimate", "JobFacts", "OverBudget", "Plunge", "Resolution", "SeenModel", "Source", "Speed", "ZBuffer", "air_share",
     "best_resolution", "cauchy_crofton", "check_budget", "closed_form", "crashes", "cuts_air", "cuts_surely",
     "deviations", "engagement", "estimate", "facts", "fast_plunges", "fit_speed", "gouges", "heaviest",
     "material_left", "measure_speed", "memory_needed", "most_bytes", "passes_apart", "removal_over_time",
     "removal_rates", "removed_volumes", "simulate", "simulate_job", "swept", "trajectory_table", "work",
+    "worst_places",
 ]  # fmt: skip

@@ -3,15 +3,19 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
 
+from vkworkbench.core.solids import Frame
 from vkworkbench.core.stocks import Solid
 from vkworkbench.core.zbuffer.cuts import Source
 from vkworkbench.core.zbuffer.moments import ZBuffer
 
 _ROWS_AT_ONCE = 64
+# Of the image's shorter side: worst places closer to each other hang together.
+_APART = 0.02
 
 
 @dataclass(frozen=True, eq=False)
@@ -35,12 +39,12 @@ class Deviations:
 
 @dataclass(frozen=True)
 class Deviation:
-    """The worst place of one cut's gouges, or of the material left.
+    """A place where the part is gouged, or where material is left: the worst one of a cut, or of what hangs together.
 
     Attributes
     ----------
     trajectory : int or None
-        What made the surface there; None for the stock's own.
+        What made the surface there, or removed the last of it; None for the stock's own.
     source : Source or None
         Its cut and command.
     place : (3,) tuple of float
@@ -48,7 +52,7 @@ class Deviation:
     depth : float
         How deep it is, or how much is left, mm.
     area : float
-        Of the image in which the same cut exceeds the tolerance, mm^2.
+        Of the image in which the same cut, or what hangs together, exceeds the tolerance, mm^2.
     """
 
     trajectory: int | None
@@ -56,6 +60,50 @@ class Deviation:
     place: tuple[float, float, float]
     depth: float
     area: float
+
+
+class SeenModel:
+    """A model as an image sees it, with which the part is compared at any moment.
+
+    Parameters
+    ----------
+    model : Solid
+        In the same place as the stock.
+    frame : Frame
+    going_on : callable, optional
+        Called with every strip of the image; what it raises ends the work.
+
+    Attributes
+    ----------
+    frame : Frame
+    near, far : (height, width) float32
+        Where each ray enters the model and leaves it at last, mm; not a number where it misses.
+    """
+
+    def __init__(self, model: Solid, frame: Frame, going_on: Callable[[], None] = lambda: None) -> None:
+        self.frame = frame
+        size = frame.height, frame.width
+        near, far = np.full((2, *size), np.nan, np.float32)
+        for bottom in range(0, frame.height, _ROWS_AT_ONCE):
+            going_on()
+            rows = np.arange(bottom, min(bottom + _ROWS_AT_ONCE, frame.height))
+            row, column = (index.ravel() for index in np.meshgrid(rows, np.arange(frame.width), indexing="ij"))
+            spans = model.spans(frame, *frame.pixel_centres(column, row))
+            met = spans.far > spans.near
+            near[row[met], column[met]], far[row[met], column[met]] = spans.near[met], spans.far[met]
+        self.near, self.far = near, far
+        there = np.where(np.isnan(near), np.float32(np.inf), near)
+        self._highest, self._lowest = _around(there, np.minimum), _around(there, np.maximum)
+
+    def against(self, zbuffer: ZBuffer) -> Deviations:
+        """Compare the part at its moment, simulated in the same image, with the model, pixel by pixel."""
+        part = zbuffer.picture.depth.reshape(self.near.shape)
+        seen = ~np.isnan(self.near)
+        # Where all of the part is gone, its surface is behind the model.
+        part = np.where(np.isnan(part) & seen, self.far, part)
+        left = np.where(seen, np.maximum(self._highest - part, 0), 0)
+        gouged = np.where(seen & np.isfinite(self._lowest), np.maximum(part - self._lowest, 0), 0)
+        return Deviations(*(values.astype(np.float32).ravel() for values in (self.near - part, left, gouged)))
 
 
 def deviations(zbuffer: ZBuffer, model: Solid) -> Deviations:
@@ -67,25 +115,7 @@ def deviations(zbuffer: ZBuffer, model: Solid) -> Deviations:
     model : Solid
         In the same place as the stock.
     """
-    frame = zbuffer.frame
-    size = frame.height, frame.width
-    near, far = np.full((2, *size), np.nan, np.float32)
-    for bottom in range(0, frame.height, _ROWS_AT_ONCE):
-        rows = np.arange(bottom, min(bottom + _ROWS_AT_ONCE, frame.height))
-        row, column = (index.ravel() for index in np.meshgrid(rows, np.arange(frame.width), indexing="ij"))
-        spans = model.spans(frame, *frame.pixel_centres(column, row))
-        met = spans.far > spans.near
-        near[row[met], column[met]], far[row[met], column[met]] = spans.near[met], spans.far[met]
-    part = zbuffer.picture.depth.reshape(size)
-    # Where all of the part is gone, its surface is behind the model.
-    part = np.where(np.isnan(part), np.where(np.isnan(near), np.nan, far), part)
-    depth = near - part
-    highest = _around(np.where(np.isnan(near), np.inf, near), np.minimum)
-    lowest = _around(np.where(np.isnan(near), np.inf, near), np.maximum)
-    seen = ~np.isnan(near)
-    left = np.where(seen, np.maximum(highest - part, 0), 0)
-    gouged = np.where(seen & np.isfinite(lowest), np.maximum(part - lowest, 0), 0)
-    return Deviations(*(values.astype(np.float32).ravel() for values in (depth, left, gouged)))
+    return SeenModel(model, zbuffer.frame).against(zbuffer)
 
 
 def gouges(zbuffer: ZBuffer, found: Deviations, tolerance: float) -> list[Deviation]:
@@ -107,25 +137,87 @@ def material_left(zbuffer: ZBuffer, found: Deviations, tolerance: float) -> list
     return _worst(zbuffer, found.left, tolerance)
 
 
+def worst_places(zbuffer: ZBuffer, amount: np.ndarray, tolerance: float, most: int = 10) -> list[Deviation]:
+    """Return the places where most is gouged, or left, the worst first; what hangs together is one.
+
+    Parameters
+    ----------
+    zbuffer : ZBuffer
+        What `amount` is of.
+    amount : (pixels,) float32
+        `gouged` or `left` of its deviations, mm.
+    tolerance : float
+        What is no deviation yet, mm.
+    most : int
+        How many are returned at most.
+    """
+    frame = zbuffer.frame
+    side = max(1, round(_APART * min(frame.height, frame.width)))
+    rows, columns = -(-frame.height // side), -(-frame.width // side)
+    too_much = np.zeros((rows * side, columns * side), np.float32)
+    too_much[: frame.height, : frame.width] = amount.reshape(frame.height, frame.width)
+    too_much[too_much <= tolerance] = 0
+    tiles = too_much.reshape(rows, side, columns, side).swapaxes(1, 2)
+    worst, counts = tiles.max(axis=(2, 3)), np.count_nonzero(tiles, axis=(2, 3))
+    places: list[Deviation] = []
+    while len(places) < most and worst.any():
+        row, column = (int(at) for at in np.unravel_index(int(worst.argmax()), worst.shape))
+        own_row, own_column = np.unravel_index(int(tiles[row, column].argmax()), (side, side))
+        pixel = (row * side + int(own_row)) * frame.width + column * side + int(own_column)
+        places.append(_place(zbuffer, amount, pixel, _take(worst, counts, row, column)))
+    return places
+
+
+def _take(worst: np.ndarray, counts: np.ndarray, row: int, column: int) -> int:
+    """Clear all tiles that hang together with one; return how many pixels of theirs deviate."""
+    pending, total = [(row, column)], 0
+    worst[row, column] = 0
+    while pending:
+        row, column = pending.pop()
+        total += int(counts[row, column])
+        top, left = max(row - 1, 0), max(column - 1, 0)
+        around = np.argwhere(worst[top : row + 2, left : column + 2] > 0) + (top, left)
+        worst[around[:, 0], around[:, 1]] = 0
+        pending += map(tuple, around.tolist())
+    return total
+
+
 def _worst(zbuffer: ZBuffer, amount: np.ndarray, tolerance: float) -> list[Deviation]:
     pixels = np.flatnonzero(amount > tolerance)
-    cuts, frame, picture = zbuffer.cuts, zbuffer.frame, zbuffer.picture
-    owner = picture.owner[pixels]
-    if len(cuts) == 0:
-        owner = np.full(len(pixels), -1)
-    cut = np.where(owner >= 0, np.append(cuts.cut, -1)[owner], -1)
+    owner = _makers(zbuffer, pixels)
+    cut = np.full(len(pixels), -1)
+    cut[owner >= 0] = zbuffer.cuts.cut[owner[owner >= 0]]
     worst = []
     for own in np.unique(cut):
         its = pixels[cut == own]
-        pixel = int(its[np.argmax(amount[its])])
-        row, column = divmod(pixel, frame.width)
-        x, y = frame.pixel_centres(np.array([column]), np.array([row]))
-        at = float(np.nan_to_num(picture.depth[pixel]))
-        place = (frame.origins(x, y)[0] + at * frame.direction).tolist()
-        trajectory = int(picture.owner[pixel]) if own >= 0 else None
-        source = None if trajectory is None else cuts.source(trajectory)
-        worst.append(Deviation(trajectory, source, tuple(place), float(amount[pixel]), len(its) * frame.pixel**2))
+        worst.append(_place(zbuffer, amount, int(its[np.argmax(amount[its])]), len(its)))
     return sorted(worst, key=lambda one: -one.depth)
+
+
+def _makers(zbuffer: ZBuffer, pixels: np.ndarray) -> np.ndarray:
+    """What made the surface at pixels, -1 for the stock's own; where nothing is left, what removed the last of it."""
+    picture, records = zbuffer.picture, zbuffer.records
+    makers = picture.owner[pixels].astype(np.int64)
+    gone = np.isnan(picture.depth[pixels]) & (records.index[pixels + 1] > records.index[pixels])
+    if gone.any():
+        bounds = np.column_stack((records.index[pixels[gone]], records.index[pixels[gone] + 1])).ravel()
+        if bounds[-1] == len(records.owner):  # which reduceat takes for granted
+            bounds = bounds[:-1]
+        makers[gone] = np.maximum.reduceat(records.owner, bounds.astype(np.int64))[::2]
+    return np.asarray(makers)
+
+
+def _place(zbuffer: ZBuffer, amount: np.ndarray, pixel: int, count: int) -> Deviation:
+    """What deviates at a pixel, and at so many in all."""
+    frame, picture = zbuffer.frame, zbuffer.picture
+    row, column = divmod(pixel, frame.width)
+    x, y = frame.pixel_centres(np.array([column]), np.array([row]))
+    at = float(np.nan_to_num(picture.depth[pixel]))
+    place = (frame.origins(x, y)[0] + at * frame.direction).tolist()
+    maker = int(_makers(zbuffer, np.array([pixel]))[0])
+    trajectory = maker if maker >= 0 else None
+    source = None if trajectory is None else zbuffer.cuts.source(trajectory)
+    return Deviation(trajectory, source, tuple(place), float(amount[pixel]), count * frame.pixel**2)
 
 
 def _around(values: np.ndarray, extreme: np.ufunc) -> np.ndarray:

@@ -5,15 +5,33 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from typing import Union
 
 import numpy as np
 
 from vkworkbench.core import Strategy, ZBuffer
-from vkworkbench.core.rendering import CUT, RAW, SCALE, distinct_colors, palette, scale_colors
+from vkworkbench.core.rendering import (
+    CUT,
+    DEEPEST,
+    GOUGED,
+    LEFT,
+    MET,
+    NO_MODEL,
+    RAW,
+    SCALE,
+    difference_colors,
+    distinct_colors,
+    palette,
+    scale_colors,
+)  # fmt: skip
+from vkworkbench.core.zbuffer import SeenModel
 from vkworkbench.gui.qt import QColor
 from vkworkbench.gui.sentences import strategy_name, user
 from vkworkbench.gui.simulation.clock import Clock
 from vkworkbench.gui.text import QT_TRANSLATE_NOOP, translate
+
+# Of surfaces by who made them, (n + 1, 3) or (2, 3) uint8; or what returns those of the pixels at a moment.
+Colors = Union[np.ndarray, Callable[[ZBuffer], np.ndarray]]
 
 
 @dataclass(frozen=True, eq=False)
@@ -28,26 +46,32 @@ class Job:
     clock : Clock
     volumes : (n,) float64
         What each trajectory removes, mm^3.
+    seen : SeenModel or None
+        What the part is to be, in the image that is coloured.
+    tolerance : float
+        What is no difference to it yet, mm.
     """
 
     labels: tuple[str, ...]
     strategies: tuple[Strategy, ...]
     clock: Clock
     volumes: np.ndarray
+    seen: SeenModel | None
+    tolerance: float
 
 
 @dataclass(frozen=True, eq=False)
 class Coloring:
-    """Colours of surfaces by who made them, and their legend.
+    """Colours of surfaces, and their legend.
 
     Attributes
     ----------
-    palette : (n + 1, 3) or (2, 3) uint8
+    colors : Colors
     legend : tuple of (str, str)
         Colour and what it stands for.
     """
 
-    palette: np.ndarray
+    colors: Colors
     legend: tuple[tuple[str, str], ...]
 
 
@@ -84,12 +108,33 @@ def by_removal_rate(zbuffer: ZBuffer, job: Job) -> Coloring:
     return Coloring(palette(scale_colors(rates / most)), _ends("0", highest))
 
 
+def by_difference(zbuffer: ZBuffer, job: Job) -> Coloring:
+    """How far the surface is from the model's, along the view; walls that pass through a pixel are not judged."""
+    seen, tolerance = job.seen, job.tolerance
+    if seen is None:
+        return Coloring(palette(CUT), ((_name(CUT), translate("Vk_Simulate", "there is no closed model")),))
+
+    def colors(at: ZBuffer) -> np.ndarray:
+        found, size = seen.against(at), seen.near.shape
+        met = ~np.isnan(seen.near)
+        return difference_colors(found.left.reshape(size), found.gouged.reshape(size), met, tolerance)
+
+    least, most = user().measure(tolerance, 2), user().measure(DEEPEST * tolerance, 2)
+    gouged = translate("Vk_Simulate", "gouged by {} to {}").format(least, most)
+    left = translate("Vk_Simulate", "left, {} to {}").format(least, most)
+    return Coloring(colors, (
+        *_stations(GOUGED, gouged), (_name(MET), translate("Vk_Simulate", "as the model")),
+        *_stations(LEFT, left), (_name(NO_MODEL), translate("Vk_Simulate", "no model")),
+    ))  # fmt: skip
+
+
 COLORINGS: tuple[tuple[str, Callable[[ZBuffer, Job], Coloring]], ...] = (
     (QT_TRANSLATE_NOOP("Vk_Simulate", "Material"), by_material),
     (QT_TRANSLATE_NOOP("Vk_Simulate", "Operation"), by_operation),
     (QT_TRANSLATE_NOOP("Vk_Simulate", "Strategy"), by_strategy),
     (QT_TRANSLATE_NOOP("Vk_Simulate", "Time"), by_time),
     (QT_TRANSLATE_NOOP("Vk_Simulate", "Removal rate"), by_removal_rate),
+    (QT_TRANSLATE_NOOP("Vk_Simulate", "Difference to the model"), by_difference),
 )
 
 
@@ -97,6 +142,11 @@ def _ends(least: str, most: str) -> tuple[tuple[str, str], ...]:
     """The legend of a scale: its stations, of which the first and the last are named."""
     names = [least, *[""] * (len(SCALE) - 2), most]
     return tuple(zip(map(_name, SCALE), names))
+
+
+def _stations(colors: np.ndarray, name: str) -> tuple[tuple[str, str], ...]:
+    """The stations of a scale, the last of them with its name."""
+    return tuple(zip(map(_name, colors), [*[""] * (len(colors) - 1), name]))
 
 
 def _name(color: np.ndarray) -> str:

@@ -3,9 +3,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from vkworkbench.gui.plain_text import as_plain, lines
 from vkworkbench.gui.qt import (
     QComboBox,
+    QDoubleSpinBox,
     QHBoxLayout,
     QLabel,
     QMenu,
@@ -13,12 +16,14 @@ from vkworkbench.gui.qt import (
     QStyle,
     Qt,
     QToolButton,
+    QVBoxLayout,
     QWidget,
     Signal,
 )  # fmt: skip
 from vkworkbench.gui.sentences import user
 from vkworkbench.gui.simulation import exports
-from vkworkbench.gui.simulation.coloring import COLORINGS
+from vkworkbench.gui.simulation.coloring import COLORINGS, by_difference
+from vkworkbench.gui.simulation.faults import Fault
 from vkworkbench.gui.text import QT_TRANSLATE_NOOP, translate
 
 # How many times as fast as the machine a play is; the whole job in half a minute for None.
@@ -35,6 +40,8 @@ _VIEWS = (
     (QT_TRANSLATE_NOOP("Vk_Simulate", "As the 3D view"), None),
 )
 PART, CHIPS, BOTH = range(3)
+_MOST = 30  # entries of a list
+TOLERANCE = 0.1  # mm, at first
 
 
 class SceneBar(QWidget):
@@ -45,13 +52,16 @@ class SceneBar(QWidget):
     looked : Signal of object
         One of FreeCAD's standard directions is wanted, by its name, or None for that of the 3D view.
     recolored, chosen : Signal
-        Another colouring, or other chips, are wanted.
+        Another colouring or tolerance, or other chips, are wanted.
+    pointed : Signal of Fault
+        The user chose it in a list.
     saved : Signal of object
         What is shown is to be saved by this function of `exports`.
     """
 
     looked, saved = Signal(object), Signal(object)
     recolored, chosen = Signal(), Signal()
+    pointed = Signal(object)
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -72,8 +82,27 @@ class SceneBar(QWidget):
         self.chips.currentIndexChanged.connect(lambda *_: self.chosen.emit())
         self.legend = QLabel()
         self.legend.setTextFormat(Qt.RichText)
-        self.warnings = _menu("", translate("Vk_Simulate", "Rapid moves that cut material. Choose one to see it."))
-        self.warnings.hide()
+        self.legend.setWordWrap(True)
+        factor, unit = user().length_unit(TOLERANCE)
+        self.tolerance = QDoubleSpinBox()
+        self.tolerance.setToolTip(translate("Vk_Simulate", "Differences to the model up to this are none."))
+        self.tolerance.setDecimals(3)
+        self.tolerance.setPrefix("± ")
+        self.tolerance.setSuffix(f" {unit}")
+        self.tolerance.setRange(0.001, 100 / factor)
+        self.tolerance.setSingleStep(0.5 * TOLERANCE / factor)
+        self.tolerance.setValue(TOLERANCE / factor)
+        self.tolerance.valueChanged.connect(lambda *_: self.recolored.emit())
+        self._unit = factor
+        self.worst = _menu(
+            translate("Vk_Simulate", "Worst places"),
+            translate("Vk_Simulate", "Where the part differs most from the model. Choose a place to see it."),
+        )
+        self.warnings = _menu(
+            "", translate("Vk_Simulate", "Crashes, gouges and fast plunges of the simulation. Choose one to see it.")
+        )
+        for button in (self.warnings, self.tolerance, self.worst):
+            button.hide()
         save = _menu(translate("Vk_Simulate", "Save"), translate("Vk_Simulate", "Save what is shown."))
         for text, work in (
             (translate("Vk_Simulate", "Picture…"), exports.save_picture),
@@ -81,7 +110,44 @@ class SceneBar(QWidget):
             (translate("Vk_Simulate", "Removal rates…"), exports.save_rates),
         ):
             save.menu().addAction(text).triggered.connect(lambda *_, work=work: self.saved.emit(work))
-        _fill(self, self.views, self.colorings, self.legend, None, self.warnings, self.chips, save)
+        controls = QWidget()
+        _fill(controls, self.views, self.colorings, self.tolerance, self.worst, None, self.warnings, self.chips, save)
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(0, 0, 0, 0)
+        layout.addWidget(controls)
+        layout.addWidget(self.legend)
+
+    @property
+    def compares(self) -> bool:
+        """Whether surfaces are coloured by their difference to the model."""
+        return COLORINGS[self.colorings.currentIndex()][1] is by_difference
+
+    @property
+    def tolerance_mm(self) -> float:
+        return self.tolerance.value() * self._unit
+
+    def list_warnings(self, entries: Sequence[tuple[str, Fault]]) -> None:
+        """List what is wrong, each with its text."""
+        self._list(self.warnings, entries)
+        count = user().count(len(entries))
+        self.warnings.setText(translate("Vk_Simulate", "⚠ Warnings: {}").format(count))
+        self.warnings.setVisible(bool(entries))
+
+    def list_worst(self, entries: Sequence[tuple[str, Fault]]) -> None:
+        """List the worst differences to the model, where surfaces are coloured by them."""
+        self._list(self.worst, entries)
+        self.tolerance.setVisible(self.compares)
+        self.worst.setVisible(self.compares)
+        self.worst.setEnabled(bool(entries))
+
+    def _list(self, button: QToolButton, entries: Sequence[tuple[str, Fault]]) -> None:
+        button.menu().clear()
+        for text, fault in entries[:_MOST]:
+            action = button.menu().addAction(text.replace("&", "&&"))
+            action.triggered.connect(lambda *_, fault=fault: self.pointed.emit(fault))
+        if len(entries) > _MOST:
+            more = translate("Vk_Simulate", "… and {} more").format(user().count(len(entries) - _MOST))
+            button.menu().addAction(more).setEnabled(False)
 
     def show_legend(self, entries: tuple[tuple[str, str], ...]) -> None:
         """Show what colours mean: each with its name, or the stations of a scale, of which some have one."""

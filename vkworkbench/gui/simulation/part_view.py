@@ -12,8 +12,10 @@ from vkworkbench.core.rendering import Points, Scene, project, tool_outline, tur
 from vkworkbench.gui.qt import (
     QApplication,
     QColor,
+    QEvent,
     QImage,
     QPainter,
+    QPalette,
     QPen,
     QPointF,
     QPolygonF,
@@ -30,6 +32,7 @@ from vkworkbench.gui.text import translate
 _REST = 200  # ms after which a view that was changed is drawn finely
 _TURN = 0.008  # rad for each pixel of the mouse
 _ZOOM = 1.2  # for each notch of the wheel
+_RING = 14  # px, radius
 _MARGIN = 1.06  # of the image around the stock
 
 
@@ -42,10 +45,13 @@ class PartView(QWidget):
         The view was changed and rests: a simulation of it is wanted.
     asked : Signal of int
         The user clicked on the surface that this trajectory made; -1 for the raw stock.
+    restyled : Signal
+        The theme is another one, and with it the background.
     """
 
     view_rested = Signal()
     asked = Signal(int)
+    restyled = Signal()
 
     def __init__(self, stock: Stock, direction: tuple[float, float, float], parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -57,6 +63,7 @@ class PartView(QWidget):
         self._frame: Frame | None = None
         self._points: Points | None = None
         self._tool: tuple[Tool, np.ndarray] | None = None
+        self._place_shown: tuple[float, float, float] | None = None
         self._pressed = self._last = None
         self._rest = QTimer(self)
         self._rest.setSingleShot(True)
@@ -65,6 +72,7 @@ class PartView(QWidget):
         self.setMinimumSize(160, 120)
         self.setSizePolicy(QSizePolicy.Expanding, QSizePolicy.Expanding)
         self.setFocusPolicy(Qt.StrongFocus)
+        self.setBackgroundRole(QPalette.Base)  # which a theme's style sheet then sets
         self.setAccessibleName(translate("Vk_Simulate", "Simulated part"))
 
     @property
@@ -99,6 +107,11 @@ class PartView(QWidget):
         self._tool = tool, tip
         self.update()
 
+    def show_place(self, place: tuple[float, float, float] | None) -> None:
+        """Draw a ring around a place, mm; none for None."""
+        self._place_shown = place
+        self.update()
+
     def paintEvent(self, event) -> None:
         painter = QPainter(self)
         painter.fillRect(self.rect(), QColor(*self.background))
@@ -116,10 +129,17 @@ class PartView(QWidget):
             outline = QPolygonF([QPointF(x, y) for x, y in tool_outline(*self._tool, wanted).tolist()])
             painter.setRenderHint(QPainter.Antialiasing)
             color = QColor("#f2c14e")
-            painter.setPen(QPen(color, 1.5))
+            painter.setPen(QPen(color, 1.5 * ratio))
             color.setAlpha(90)
             painter.setBrush(color)
             painter.drawPolygon(outline)
+        if self._place_shown is not None:
+            column, row, _ = project(np.array([self._place_shown]), wanted)[0]
+            painter.setRenderHint(QPainter.Antialiasing)
+            painter.setBrush(Qt.NoBrush)
+            for color, width in (("#ffffff", 5), ("#d32f2f", 2.5)):  # seen on any surface
+                painter.setPen(QPen(QColor(color), width * ratio))
+                painter.drawEllipse(QPointF(column, row), _RING * ratio, _RING * ratio)
 
     @property
     def is_turned(self) -> bool:
@@ -146,6 +166,11 @@ class PartView(QWidget):
     def _changed(self) -> None:
         self._rest.start()
         self.update()
+
+    def changeEvent(self, event) -> None:
+        super().changeEvent(event)
+        if event.type() in (QEvent.StyleChange, QEvent.PaletteChange):
+            self.restyled.emit()
 
     def resizeEvent(self, event) -> None:
         super().resizeEvent(event)

@@ -11,25 +11,29 @@ import numpy as np
 
 from vkworkbench import preferences
 from vkworkbench.core import Strategy
-from vkworkbench.core.rendering import direction_of, scene
-from vkworkbench.core.zbuffer import Crash
+from vkworkbench.core.rendering import CUT, direction_of, palette, scene
+from vkworkbench.core.zbuffer import SeenModel
+from vkworkbench.document.simulated_faults import keep_faults
 from vkworkbench.document.simulated_job import SimulatedJob
 from vkworkbench.document.simulation import Simulation
+from vkworkbench.gui import docks
 from vkworkbench.gui.background import Background
 from vkworkbench.gui.plain_text import as_plain
-from vkworkbench.gui.qt import QLabel, QTimer, QVBoxLayout, QWidget, Signal
+from vkworkbench.gui.qt import QLabel, QSizePolicy, QTimer, QVBoxLayout, QWidget, Signal
 from vkworkbench.gui.sentences import said, strategy_name, user
 from vkworkbench.gui.simulation.clock import Clock
-from vkworkbench.gui.simulation.coloring import COLORINGS, Coloring, Job
-from vkworkbench.gui.simulation.controls import CHIPS, PART, PlayBar, SceneBar
+from vkworkbench.gui.simulation.coloring import COLORINGS, Colors, Job
+from vkworkbench.gui.simulation.controls import CHIPS, PART, TOLERANCE, PlayBar, SceneBar
+from vkworkbench.gui.simulation.faults import Fault, differences, faults
 from vkworkbench.gui.simulation.moment import Moment
 from vkworkbench.gui.simulation.part_view import PartView
-from vkworkbench.gui.simulation.refining import Refined, Refining
+from vkworkbench.gui.simulation.refining import Refined, Refining, Told
 from vkworkbench.gui.simulation.time_line import Block, TimeLine, Warned
 from vkworkbench.gui.text import translate
 from vkworkbench.language import Message, Unusable
 
-_TICK = 40  # ms between two looks at the work, and two pictures of a play
+_TICK = 20  # ms between two looks at the work, and two pictures of a play
+_SERIOUS, _FAST = "#d32f2f", "#e08000"  # crashes and gouges, fast plunges
 
 
 class Player(QWidget):
@@ -47,7 +51,8 @@ class Player(QWidget):
         The finest one until now.
     volumes : (n,) float64
         What each trajectory removes, mm^3; zeros until it is known.
-    crashes : list of Crash
+    faults : list of Fault
+        What is wrong, as far as it is known.
     asked : Signal
         The user asked the part; the operation that made the place is selected.
     """
@@ -59,15 +64,19 @@ class Player(QWidget):
         self.job, self.clock = job, Clock(job)
         self.strategies = (Strategy.UNKNOWN,) * len(job.operations)
         self.simulation: Simulation | None = None
-        self.crashes: list[Crash] = []
+        self.faults: list[Fault] = []
         self.volumes = np.zeros(len(self.clock.cuts))
         self.moment = Moment(self.clock, self)
         self.view = PartView(job.stock, preferences.DIRECTIONS["Isometric"])
         self.time_line = TimeLine()
         self.scene_bar, self.play_bar = SceneBar(), PlayBar()
         self.state = as_plain(QLabel())
+        self.state.setSizePolicy(QSizePolicy.Ignored, QSizePolicy.Preferred)
         self._refining: Refining | None = None
         self._work, self._recognizing = Background(self), Background(self)
+        self._told: Told | None = None
+        self._seen: SeenModel | None = None  # in the image of the simulation
+        self._colors: Colors = palette(CUT)
         self._stale = False
         self._cost = ""
         self._commands: tuple[str, list] = ("", [])
@@ -90,12 +99,15 @@ class Player(QWidget):
     def _connect(self) -> None:
         self.view.view_rested.connect(self.simulate)
         self.view.asked.connect(self.ask)
+        self.view.restyled.connect(self.draw)
         self.moment.changed.connect(self._show_moment)
         self.time_line.moved.connect(self.moment.go_to)
+        self.time_line.clicked.connect(self.moment.choose)
         self.play_bar.stepped.connect(self.moment.step)
         self.play_bar.play_clicked.connect(self.moment.play)
         self.scene_bar.looked.connect(self.look)
-        self.scene_bar.recolored.connect(self._color)
+        self.scene_bar.recolored.connect(self._recolor)
+        self.scene_bar.pointed.connect(self.point)
         self.scene_bar.chosen.connect(self.draw)
         self.scene_bar.saved.connect(lambda save: save(self))
 
@@ -121,7 +133,11 @@ class Player(QWidget):
 
     def simulate(self) -> None:
         """Simulate what is looked at, coarsely first."""
-        self._refining = Refining(self.job, self.view.view, preferences.read().memory_budget_bytes)
+        chosen = preferences.read()
+        self._refining = Refining(
+            self.job, self.view.view, chosen.memory_budget_bytes, chosen.time_budget,
+            glance=self.simulation is None, compare=self.scene_bar.compares,
+        )  # fmt: skip
         self._work.start("", self._refining, self._take, self._ended)
 
     def end(self) -> None:
@@ -146,29 +162,39 @@ class Player(QWidget):
         self._say(working)
 
     def _say(self, *texts: str) -> None:
-        self.state.setText("   ".join(filter(None, (self._cost, *texts))))
+        text = "   ".join(filter(None, (self._cost, *texts)))
+        self.state.setText(text)
+        self.state.setToolTip(text)
 
     def _ended(self, error: Exception | None) -> None:
         self._say(*map(said, self.job.remarks), *([_told(error)] if error else []))
 
-    def _take(self, done: Refined) -> None:
-        first = self.simulation is None
-        self.simulation = done.simulation
-        zbuffer = done.simulation.zbuffer
-        self.volumes, self.crashes = done.volumes, done.crashes
-        warned = tuple(Warned(self._end_of(crash), self._crash_text(crash)) for crash in done.crashes)
-        self.time_line.show_facts(self.clock.ends, done.volumes, done.air, warned)
-        self._show_warnings()
-        self._cost = translate("Vk_Simulate", "{} × {} pixels of {}, {} traces, {}, simulated in {}").format(
-            user().count(zbuffer.frame.width), user().count(zbuffer.frame.height),
-            user().measure(zbuffer.frame.pixel, 2), user().count(zbuffer.traces), user().memory(zbuffer.memory_bytes), user().time(done.seconds),
-        )  # fmt: skip
+    def _take(self, done: Refined | Told) -> None:
+        if isinstance(done, Refined):
+            self._show_refined(done)
+        else:
+            self._show_told(done)
         self._color()
-        if first:  # the part comes before the strategies
+
+    def _show_refined(self, done: Refined) -> None:
+        if self.simulation is None:  # the part comes before the strategies
             found: list[Strategy] = []
             self._recognizing.start(
                 "", lambda _: self.job.strategies(), found.append, lambda error: self._recognized(found, error)
             )
+        self.simulation, self._seen = done.simulation, done.seen
+        zbuffer = done.simulation.zbuffer
+        self._cost = translate("Vk_Simulate", "{} × {} pixels of {}, {} traces, {}, simulated in {}").format(
+            user().count(zbuffer.frame.width), user().count(zbuffer.frame.height),
+            user().measure(zbuffer.frame.pixel, 2), user().count(zbuffer.traces), user().memory(zbuffer.memory_bytes), user().time(done.seconds),
+        )  # fmt: skip
+
+    def _show_told(self, told: Told) -> None:
+        self._told, self.volumes = told, told.volumes
+        if told.simulation is self.simulation and told.seen is not None:
+            self._seen = told.seen
+        self._list_faults()
+        self._keep_faults()
 
     def _recognized(self, found: list[Strategy], error: Exception | None) -> None:
         if error is None:
@@ -178,25 +204,40 @@ class Player(QWidget):
         else:
             self._say(_told(error))
 
-    def _show_warnings(self) -> None:
-        button = self.scene_bar.warnings
-        menu = button.menu()
-        menu.clear()
-        for crash in self.crashes:
-            menu.addAction(self._crash_text(crash).replace("&", "&&")).triggered.connect(
-                lambda *_, crash=crash: self.moment.after(crash.trajectory)
-            )
-        count = len(self.crashes)
-        button.setText(translate("Vk_Simulate", "⚠ Rapid moves that cut: {}").format(user().count(count)))
-        button.setVisible(count > 0)
+    def _list_faults(self) -> None:
+        """List what is wrong, and the worst differences to the model; both depend on the tolerance."""
+        told, tolerance = self._told, self.scene_bar.tolerance_mm
+        if told is None:
+            return
+        self.faults = faults(told, tolerance)
+        entries = [(self._text(fault), fault) for fault in self.faults]
+        self.scene_bar.list_warnings(entries)
+        compared = differences(told, tolerance) if self.scene_bar.compares else []
+        self.scene_bar.list_worst([(self._text(fault), fault) for fault in compared])
+        warned = tuple(
+            Warned(float(self.clock.ends[fault.trajectory + 1]), text, _SERIOUS if fault.serious else _FAST)
+            for text, fault in entries
+        )
+        self.time_line.show_facts(self.clock.ends, told.volumes, told.air, warned)
 
-    def _end_of(self, crash: Crash) -> float:
-        return float(self.clock.ends[crash.trajectory + 1])
+    def _keep_faults(self) -> None:
+        """Let the results tell what is wrong with the operations."""
+        serious = [fault for fault in faults(self._told, TOLERANCE) if fault.serious]
+        keep_faults({
+            operation: [(fault.command, fault.what) for fault in serious if fault.cut == number]
+            for number, operation in enumerate(self.job.operations)
+        })  # fmt: skip
+        results = docks.find(docks.RESULTS)
+        if results is not None:
+            results.refresh()
 
-    def _crash_text(self, crash: Crash) -> str:
-        operation, command = self.job.operations[crash.source.cut], crash.source.command
-        text = translate("Vk_Simulate", "{}, command {} ({}): a rapid move removes {} mm³")
-        return text.format(operation.label, command + 1, self.code(operation, command), user().number(crash.volume, 2))
+    def _text(self, fault: Fault) -> str:
+        """Where and what a fault is."""
+        if fault.cut is None:
+            return translate("Vk_Simulate", "raw stock: {}").format(said(fault.what))
+        operation = self.job.operations[fault.cut]
+        text = translate("Vk_Simulate", "{}, command {} ({}): {}")
+        return text.format(operation.label, fault.command + 1, self.code(operation, fault.command), said(fault.what))
 
     # Showing
 
@@ -210,17 +251,26 @@ class Player(QWidget):
         self._stale = True
 
     def _show_moment(self) -> None:
+        self.view.show_place(None)
         self.time_line.show_moment(self.moment.seconds)
         self.play_bar.show_playing(self.moment.plays)
         self.draw()
 
+    def _recolor(self) -> None:
+        """Take another colouring or tolerance; the model is seen first, where that was not necessary until now."""
+        if self.scene_bar.compares and self._seen is None and self.job.model_shapes:
+            self.simulate()
+        self._list_faults()
+        self._color()
+
     def _color(self) -> None:
-        """Colour the surfaces anew: their colours are the same at every moment."""
+        """Colour the surfaces anew."""
         if self.simulation is None:
             return
-        job = Job(tuple(o.label for o in self.job.operations), self.strategies, self.clock, self.volumes)
-        coloring: Coloring = COLORINGS[self.scene_bar.colorings.currentIndex()][1](self.simulation.zbuffer, job)
-        self._palette = coloring.palette
+        job = Job(tuple(o.label for o in self.job.operations), self.strategies, self.clock, self.volumes,
+                  self._seen, self.scene_bar.tolerance_mm)  # fmt: skip
+        coloring = COLORINGS[self.scene_bar.colorings.currentIndex()][1](self.simulation.zbuffer, job)
+        self._colors = coloring.colors
         self.scene_bar.show_legend(coloring.legend)
         self.draw()
 
@@ -234,9 +284,8 @@ class Player(QWidget):
         if shown_chips != PART:
             chips = tuple(zbuffer.cuts.first[source.cut : source.cut + 2].tolist())
         lit = None if moment.noticed is None else moment.of_command(moment.noticed)
-        shown = scene(
-            zbuffer, self._palette, chips=chips, part=shown_chips != CHIPS, lit=lit, background=self.view.background
-        )
+        colors = self._colors(zbuffer) if callable(self._colors) else self._colors
+        shown = scene(zbuffer, colors, chips=chips, part=shown_chips != CHIPS, lit=lit, background=self.view.background)
         self.view.show_scene(shown, zbuffer.frame)
         cut, tip = moment.tool_tip()
         self.view.show_tool(self.job.cuts[cut].tool, tip)
@@ -245,8 +294,16 @@ class Player(QWidget):
             _clock(moment.seconds), _clock(self.clock.total), operation.label, source.command + 1,
             self.code(operation, source.command),
         )  # fmt: skip
+        if self._told is not None and lit is not None:
+            text += "   " + self._removed(*lit)
         self.play_bar.text.setText(text)
         self.play_bar.text.setToolTip(text)
+
+    def _removed(self, first: int, end: int) -> str:
+        volume = float(self.volumes[first:end].sum())
+        if volume:
+            return translate("Vk_Simulate", "removes {} mm³").format(user().number(volume, 2))
+        return translate("Vk_Simulate", "removes nothing")
 
     def code(self, operation, command: int) -> str:
         """Return the G-code of a command as its operation has it now."""
@@ -268,6 +325,14 @@ class Player(QWidget):
         view = Gui.getDocument(self.job.operations[0].document).ActiveView
         if hasattr(view, "getCameraOrientation"):
             self.view.look(direction_of(view.getCameraOrientation().Q))
+
+    def point(self, fault: Fault) -> None:
+        """Show a fault: the moment at which it was made, or the finished part, with a ring around the place."""
+        if fault.of_finished_part or fault.trajectory is None:
+            self.moment.go_to(self.clock.total)
+        else:
+            self.moment.after(fault.trajectory)
+        self.view.show_place(fault.place)
 
     def ask(self, trajectory: int) -> None:
         """Go to when a surface was made, and select the operation that made it."""

@@ -1,18 +1,31 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Simulations of one view, each finer than the one before."""
+"""Simulations of one view, each finer than the one before, and what they tell."""
 
 from __future__ import annotations
 
 import time
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
+from functools import cached_property
+from math import sqrt
 
 import numpy as np
 
 from vkworkbench.core import View
-from vkworkbench.core.zbuffer import Crash, OverBudget, crashes, cuts_air, removed_volumes
+from vkworkbench.core.zbuffer import (
+    Crash,
+    Deviations,
+    OverBudget,
+    Plunge,
+    SeenModel,
+    crashes,
+    cuts_air,
+    fast_plunges,
+    removed_volumes,
+)
 from vkworkbench.document.simulated_job import SimulatedJob
 from vkworkbench.document.simulation import Simulation, simulate_read
+from vkworkbench.language import Message, Unusable
 
 # Of the image's side: the first picture is there at once, the next is good enough to look at, the last is the finest.
 _SHARES = (1 / 8, 1 / 3, 1.0)
@@ -23,7 +36,25 @@ _COARSER = 0.8
 
 @dataclass(frozen=True, eq=False)
 class Refined:
-    """A simulation and what it told.
+    """A simulation.
+
+    Attributes
+    ----------
+    simulation : Simulation
+    seen : SeenModel or None
+        What the part is to be, in the same image, where that was asked for.
+    seconds : float
+        Since the view was asked for.
+    """
+
+    simulation: Simulation
+    seen: SeenModel | None
+    seconds: float
+
+
+@dataclass(frozen=True, eq=False)
+class Told:
+    """What a simulation tells.
 
     Attributes
     ----------
@@ -33,15 +64,23 @@ class Refined:
     air : (n,) bool
         Which feed moves remove nothing.
     crashes : list of Crash
-    seconds : float
-        Since the view was asked for.
+    plunges : list of Plunge
+        Those that are too fast.
+    seen : SeenModel or None
+        What the part is to be; None where it is not known, or was not asked for.
     """
 
     simulation: Simulation
     volumes: np.ndarray
     air: np.ndarray
     crashes: list[Crash]
-    seconds: float
+    plunges: list[Plunge]
+    seen: SeenModel | None
+
+    @cached_property
+    def deviations(self) -> Deviations | None:
+        """Those of the finished part."""
+        return self.seen and self.seen.against(self.simulation.zbuffer)
 
 
 class Refining:
@@ -52,8 +91,12 @@ class Refining:
     job : SimulatedJob
     view : View
         The finest image.
-    memory_budget : float
-        Bytes.
+    memory_budget, time_budget : float
+        Bytes and s that the finest picture may take.
+    glance : bool
+        Whether to begin from straight above, which is the quickest, for something to be seen.
+    compare : bool
+        Whether each picture comes with what the part is to be, not only the finest.
 
     Attributes
     ----------
@@ -61,56 +104,86 @@ class Refining:
         Of the image that is worked on, how much is done.
     """
 
-    def __init__(self, job: SimulatedJob, view: View, memory_budget: float) -> None:
-        self.job, self.view, self.memory_budget = job, view, memory_budget
+    def __init__(
+        self, job: SimulatedJob, view: View, memory_budget: float, time_budget: float, *, glance: bool, compare: bool
+    ) -> None:
+        self.job, self.view, self.glance, self.compare = job, view, glance, compare
+        self.memory_budget, self.time_budget = memory_budget, time_budget
         self.share = 0.0
         self._finest: tuple[float, float] | None = None  # s and bytes, as the last picture lets expect
+        self._largest = 1.0  # share of the image's side that the time budget allows
         self._began = self._stage = time.perf_counter()
 
     def left(self) -> tuple[float | None, float]:
         """Return how long the finest picture still takes, s, and its memory, bytes; None until that can be told."""
         if self._finest is None:
             return None, 0.0
-        seconds, memory = self._finest
+        seconds, memory = (self._largest**2 * amount for amount in self._finest)
         return max(seconds - (time.perf_counter() - self._stage), 0.1), memory
 
-    def __call__(self, going_on: Callable[[], None]) -> Iterator[Refined]:
-        """Yield the pictures, the coarsest first.
+    def __call__(self, going_on: Callable[[], None]) -> Iterator[Refined | Told]:
+        """Yield the pictures, the coarsest first, and after each of them what it tells.
 
         Raises
         ------
-        OverBudget
-            Where no picture finer than the last one fits.
+        Unusable
+            Where the finest picture that the budgets allow is coarser than the view: its message says so.
         """
+        if self.glance and any(self.view.direction[:2]):
+            above = (0.0, 0.0, 1.0 if self.view.direction[2] > 0 else -1.0)
+            yield from self._told(View(above, *self._size(_SHARES[0])), going_on)
         for share in _SHARES[:-1]:
             if share * min(self.view.width, self.view.height) >= _FEWEST:
-                yield self._simulate(share, going_on)
-        share = 1.0
+                yield from self._simulate(share, going_on)
+                if self._largest <= share:
+                    break
+        share = self._largest
         while True:
             try:
-                yield self._simulate(share, going_on)
-                return
-            except OverBudget:
+                if share > _SHARES[-2] or self._finest is None:
+                    yield from self._simulate(share, going_on, finest=True)
+                break
+            except OverBudget as error:
                 share *= _COARSER
                 if share <= _SHARES[-2]:
-                    raise
+                    raise Unusable(error.what) from None
+        if self._largest < 1:
+            raise Unusable(Message("picture-in-time", allowed=self.time_budget))
 
-    def _simulate(self, share: float, going_on: Callable[[], None]) -> Refined:
+    def _size(self, share: float) -> tuple[int, int]:
+        return max(1, round(self.view.width * share)), max(1, round(self.view.height * share))
+
+    def _simulate(self, share: float, going_on: Callable[[], None], finest: bool = False) -> Iterator[Refined | Told]:
         """Simulate an image of so large a share of the view's sides."""
+        width, height = self._size(share)
+        pixel = self.view.frame(self.job.stock).pixel / share
+        view = replace(self.view, width=width, height=height, pixel=pixel)
+        for done in self._told(view, going_on, finest):
+            if isinstance(done, Refined):
+                seconds = time.perf_counter() - self._stage
+                self._finest = seconds / share**2, done.simulation.zbuffer.memory_bytes / share**2
+                self._largest = min(1.0, sqrt(self.time_budget / self._finest[0]))
+            yield done
+
+    def _told(self, view: View, going_on: Callable[[], None], finest: bool = False) -> Iterator[Refined | Told]:
         self._stage, self.share = time.perf_counter(), 0.0
 
         def told(done: float) -> None:
             self.share = done
             going_on()
 
-        view, job = self.view, self.job
-        coarse = replace(view, width=max(1, round(view.width * share)), height=max(1, round(view.height * share)),
-                         pixel=view.frame(job.stock).pixel / share)  # fmt: skip
-        done = simulate_read(job, coarse, memory_budget=self.memory_budget, going_on=told)
+        done = simulate_read(self.job, view, memory_budget=self.memory_budget, going_on=told)
         zbuffer = done.zbuffer
         zbuffer.picture  # noqa: B018 - what any moment needs is made here, not in the window
-        facts = removed_volumes(zbuffer), cuts_air(zbuffer), crashes(zbuffer)
-        now = time.perf_counter()
-        more = 1 / share**2
-        self._finest = more * (now - self._stage), more * zbuffer.memory_bytes
-        return Refined(done, *facts, now - self._began)
+        seen = self._seen(done, going_on) if self.compare else None
+        yield Refined(done, seen, time.perf_counter() - self._began)
+        facts = removed_volumes(zbuffer), cuts_air(zbuffer), crashes(zbuffer), fast_plunges(zbuffer)
+        if finest and seen is None:
+            seen = self._seen(done, going_on)
+        told_all = Told(done, *facts, seen)
+        told_all.deviations  # noqa: B018 - likewise
+        yield told_all
+
+    def _seen(self, done: Simulation, going_on: Callable[[], None]) -> SeenModel | None:
+        model = self.job.model
+        return None if model is None else SeenModel(model, done.zbuffer.frame, going_on)

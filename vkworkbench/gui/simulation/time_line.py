@@ -10,9 +10,12 @@ import numpy as np
 
 from vkworkbench.gui.plain_text import lines, show_tooltip
 from vkworkbench.gui.qt import (
+    QApplication,
     QColor,
     QPainter,
+    QPalette,
     QPen,
+    QPoint,
     QPointF,
     QPolygonF,
     QRectF,
@@ -27,7 +30,9 @@ from vkworkbench.gui.text import translate
 
 _CURVE, _AIR, _BLOCKS = 34, 4, 20  # px, from top to bottom
 _MARK = 5.0  # px; half a warning's width
-_RED = "#d32f2f"
+_APART = 5  # px between trajectories that are told apart
+_ZOOM = 1.4  # for each notch of the wheel
+_FINEST = 1e-6  # share of the job's time that is seen at least
 # By which share of the job each key moves on.
 _KEYS = {
     int(Qt.Key_Left): -0.005, int(Qt.Key_Right): 0.005, int(Qt.Key_PageUp): 0.05, int(Qt.Key_PageDown): -0.05,
@@ -66,20 +71,33 @@ class Warned:
     seconds : float
     text : str
         Plain text.
+    color : str
+        ``"#rrggbb"``.
     """
 
     seconds: float
     text: str
+    color: str
 
 
 class TimeLine(KeyedWidget):
-    """Shows a job over the machine's time; a moment is chosen with the mouse or the keys."""
+    """Shows a job over the machine's time, or a part of it; a moment is chosen with the mouse or the keys.
 
-    moved = Signal(float)
+    Attributes
+    ----------
+    moved : Signal of float
+        The user goes to a moment, s.
+    clicked : Signal of float
+        The user clicked on what is done at a moment, s.
+    """
+
+    moved, clicked = Signal(float), Signal(float)
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.total, self.seconds = 0.0, 0.0
+        self._begin, self._end = 0.0, 0.0  # what is seen of it, s
+        self._pressed: QPoint | None = None
         self._blocks: tuple[Block, ...] = ()
         self._warned: tuple[Warned, ...] = ()
         self._ends = self._volumes = self._air = np.empty(0)
@@ -88,12 +106,15 @@ class TimeLine(KeyedWidget):
         self.setMinimumHeight(_CURVE + _AIR + _BLOCKS + 8)
         self.setSizePolicy(QSizePolicy.Expanding, QSizePolicy.Fixed)
         self.setFocusPolicy(Qt.StrongFocus)
+        self.setBackgroundRole(QPalette.Base)  # which a theme's style sheet then sets
         self.setMouseTracking(True)
         self.setAccessibleName(translate("Vk_Simulate", "Time line"))
 
     def show_job(self, blocks: tuple[Block, ...], total: float) -> None:
         """Show the operations of a job that takes `total` s."""
-        self._blocks, self.total = blocks, total
+        self._blocks = blocks
+        if total != self.total:
+            self.total, self._begin, self._end = total, 0.0, total
         self.update()
 
     def show_facts(self, ends: np.ndarray, volumes: np.ndarray, air: np.ndarray, warned: tuple[Warned, ...]) -> None:
@@ -116,6 +137,20 @@ class TimeLine(KeyedWidget):
     def show_moment(self, seconds: float) -> None:
         """Show that this is the moment, s."""
         self.seconds = seconds
+        if not self._begin <= seconds <= self._end:
+            self._see(seconds - self._span / 2, self._span)
+        self.update()
+
+    @property
+    def _span(self) -> float:
+        return self._end - self._begin
+
+    def _see(self, begin: float, span: float) -> None:
+        """See so much of the time, s, within the job's."""
+        span = min(span, self.total)
+        self._begin = min(max(begin, 0.0), self.total - span)
+        self._end = self._begin + span
+        self._curve = None
         self.update()
 
     def sizeHint(self) -> QSize:
@@ -123,7 +158,12 @@ class TimeLine(KeyedWidget):
 
     def x_of(self, seconds: float) -> float:
         """Return where a moment is drawn, px."""
-        return seconds / self.total * (self.width() - 1) if self.total else 0.0
+        return (seconds - self._begin) / self._span * (self.width() - 1) if self._span else 0.0
+
+    def seconds_at(self, x: float) -> float:
+        """Return the moment that is drawn at a place, px."""
+        share = min(max(x / max(self.width() - 1, 1), 0.0), 1.0)
+        return min(self._begin + share * self._span, self.total)
 
     def paintEvent(self, event) -> None:
         painter = QPainter(self)
@@ -134,7 +174,9 @@ class TimeLine(KeyedWidget):
         self._paint_curve(painter, text)
         top = _CURVE + _AIR
         for block in self._blocks:
-            left, right = self.x_of(block.begin), self.x_of(block.end)
+            left, right = max(self.x_of(block.begin), 0.0), min(self.x_of(block.end), float(self.width()))
+            if right < 0 or left > self.width():
+                continue
             place = QRectF(left, top, max(right - left, 1.0), _BLOCKS)
             painter.fillRect(place, QColor(block.color))
             painter.setPen(palette.base().color())
@@ -144,8 +186,8 @@ class TimeLine(KeyedWidget):
             if len(label) > 1:
                 painter.drawText(place.adjusted(3, 0, -3, 0), int(Qt.AlignVCenter | Qt.AlignLeft), label)
         painter.setPen(Qt.NoPen)
-        painter.setBrush(QColor(_RED))
         for warned in self._warned:
+            painter.setBrush(QColor(warned.color))
             x = self.x_of(warned.seconds)
             painter.drawPolygon(QPolygonF([QPointF(x - _MARK, 0), QPointF(x + _MARK, 0), QPointF(x, 2 * _MARK)]))
         painter.setPen(QPen(text, 2))
@@ -177,38 +219,54 @@ class TimeLine(KeyedWidget):
             painter.setBrush(fill)
             painter.drawPolygon(QPolygonF(corners))
         hatch = QColor("#e0a030")
+        first, last = np.searchsorted(self._ends, (self._begin, self._end))
+        if last - first < self.width() / _APART:  # trajectories can be told apart
+            painter.setPen(QPen(text, 1))
+            for end in self._ends[first:last].tolist():
+                painter.drawLine(QPointF(self.x_of(end), _CURVE), QPointF(self.x_of(end), _CURVE + _AIR))
+            painter.setPen(Qt.NoPen)
         for x in np.flatnonzero(air > 0.02).tolist():
             hatch.setAlphaF(min(1.0, 0.25 + float(air[x])))
             painter.fillRect(QRectF(x, _CURVE, 1, _AIR), hatch)
 
     def _by_column(self, width: int) -> tuple[np.ndarray, np.ndarray]:
         """Volume removed, and share of the time in which a cutting move removes nothing, by columns of pixels."""
-        edges = np.linspace(0, self.total, width + 1)
+        edges = np.linspace(self._begin, self._end, width + 1)
         removed = np.diff(np.interp(edges, self._ends, np.append(0, np.cumsum(self._volumes))))
         air = np.where(self._air, np.diff(self._ends), 0.0)
-        share = np.diff(np.interp(edges, self._ends, np.append(0, np.cumsum(air)))) * width / self.total
+        share = np.diff(np.interp(edges, self._ends, np.append(0, np.cumsum(air)))) * width / self._span
         return removed, share
-
-    def _choose(self, x: float) -> None:
-        self.moved.emit(min(max(x / max(self.width() - 1, 1), 0.0), 1.0) * self.total)
 
     def _move_on(self, share: float) -> None:
         self.moved.emit(min(max(self.seconds + share * self.total, 0.0), self.total))
 
     def mousePressEvent(self, event) -> None:
-        if event.button() == Qt.LeftButton:
-            for warned in self._warned:
-                if event.pos().y() <= 2 * _MARK and abs(event.pos().x() - self.x_of(warned.seconds)) <= _MARK:
-                    self.moved.emit(warned.seconds)
-                    return
-            self._choose(event.pos().x())
+        if event.button() != Qt.LeftButton:
+            return
+        x, y = event.pos().x(), event.pos().y()
+        near = [w.seconds for w in self._warned if y <= 2 * _MARK and abs(x - self.x_of(w.seconds)) <= _MARK]
+        self._pressed = None if near else event.pos()
+        self.moved.emit(near[0] if near else self.seconds_at(x))
 
     def mouseMoveEvent(self, event) -> None:
-        if event.buttons() & Qt.LeftButton:
-            self._choose(event.pos().x())
-            return
         x = event.pos().x()
+        if event.buttons() & Qt.LeftButton:
+            if self._pressed is None or abs(x - self._pressed.x()) >= QApplication.startDragDistance():
+                self._pressed = None
+                self.moved.emit(self.seconds_at(x))
+            return
+        seconds = self.seconds_at(x)
         near = [w.text for w in self._warned if abs(x - self.x_of(w.seconds)) <= _MARK]
-        seconds = x / max(self.width() - 1, 1) * self.total
         near += [b.tooltip for b in self._blocks if b.begin <= seconds <= b.end][:1]
         show_tooltip(self.mapToGlobal(event.pos()), lines("\n".join(near)), self)
+
+    def mouseReleaseEvent(self, event) -> None:
+        if event.button() == Qt.LeftButton and self._pressed is not None:
+            self.clicked.emit(self.seconds_at(self._pressed.x()))
+            self._pressed = None
+
+    def wheelEvent(self, event) -> None:
+        """Zoom; what is below the pointer stays there."""
+        at = self.seconds_at(event.position().x())
+        span = max(self._span * _ZOOM ** (-event.angleDelta().y() / 120), self.total * _FINEST)
+        self._see(at - (at - self._begin) / self._span * span if self._span else 0.0, span)

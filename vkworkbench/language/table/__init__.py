@@ -12,8 +12,16 @@ from vkworkbench.language.table.operations import OPERATIONS
 from vkworkbench.language.table.plain import PLAIN
 from vkworkbench.language.table.programs import PROGRAMS
 from vkworkbench.language.table.recognition import RECOGNITION
+from vkworkbench.language.table.simulation import SIMULATION
 from vkworkbench.language.table.simulators import SIMULATORS
 
 __all__ = ["PLAIN", "TABLE"]
 
-TABLE: dict[str, str | tuple[str, str]] = {**COMMANDS, **OPERATIONS, **PROGRAMS, **RECOGNITION, **SIMULATORS}
+TABLE: dict[str, str | tuple[str, str]] = {
+    **COMMANDS,
+    **OPERATIONS,
+    **PROGRAMS,
+    **RECOGNITION,
+    **SIMULATION,
+    **SIMULATORS,
+}

@@ -1,0 +1,62 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What a simulation showed to be wrong is told with the operation, and only with the toolpath that it is true of."""
+
+import vkworkbench
+from vkworkbench.document.simulated_faults import keep_faults
+from vkworkbench.document.simulated_job import read_job
+from vkworkbench.language import Message
+
+CRASH = Message("rapid-cuts", volume=22.0)
+
+
+def slot(y):
+    return [("G0", {"X": 5.0, "Y": y, "Z": 30.0}), ("G0", {"Z": 15.0}), ("G1", {"X": 55.0, "F": 10.0})]
+
+
+def told(small):
+    """The labels of operations with what simulations said of them."""
+    return {row.label: [remark.arguments for remark in row.remarks if remark.code == "simulated"]
+            for row in vkworkbench.analyze(small.document).operations}  # fmt: skip
+
+
+def simulated(small):
+    """Two slots, of which the second is said to crash in its second command."""
+    small.add("First", slot(10.0))
+    small.add("Second", slot(20.0))
+    first, second = read_job(small.job).operations
+    keep_faults({first: [], second: [(1, CRASH), (2, CRASH)]})
+
+
+def test_a_fault_is_told_with_its_operation(small):
+    simulated(small)
+    expected = {"count": 2, "command": 2, "fault": CRASH}
+    assert told(small) == {"First": [], "Second": [expected]} == told(small)
+    (row,) = vkworkbench.analyze(small.document.getObjectsByLabel("Second")[0]).operations
+    assert row.to_be_known and "2 commands are wrong, the first is 2: a rapid move removes 22 mm3" in row.error
+
+
+def test_it_is_gone_when_its_toolpath_changed_or_one_before_it(small):
+    for label in ("Second", "First"):
+        simulated(small)
+        assert told(small)["Second"]
+        op = small.document.getObjectsByLabel(label)[0]
+        before = op.Path
+        op.Path = type(before)(before.Commands[:-1])
+        assert told(small)["Second"] == []
+        op.Path = before  # nobody has simulated it since
+        assert told(small)["Second"] == []
+        for obj in small.document.getObjectsByLabel("First") + small.document.getObjectsByLabel("Second"):
+            small.document.removeObject(obj.Name)
+
+
+def test_it_is_gone_when_the_operations_come_in_another_order(small):
+    simulated(small)
+    small.job.Operations.Group = small.job.Operations.Group[::-1]
+    assert told(small)["Second"] == []
+
+
+def test_a_new_simulation_takes_its_place(small):
+    simulated(small)
+    first, second = read_job(small.job).operations
+    keep_faults({first: [], second: []})
+    assert told(small)["Second"] == []
