@@ -28,7 +28,7 @@ def tabs(window):
 def small(window):
     """A window in which the finest picture does not take long."""
     before = window.main.geometry()
-    window.main.setGeometry(0, 0, 900, 640)
+    window.main.setGeometry(0, 0, 1024, 700)
     yield
     window.main.setGeometry(before)
 
@@ -135,7 +135,7 @@ def test_the_part_tells_what_made_a_surface(simulated, window):
     view = simulated.view
     window.click_at(view, view.rect().center())
     window.idle()
-    assert simulated.isVisible()  # FreeCAD 1.1 brings the 3D view to the front
+    window.wait(simulated.isVisible)  # FreeCAD 1.1 brings the 3D view to the front
     (chosen,) = Gui.Selection.getSelection()
     operation, command = simulated.simulation.source(simulated.moment.done - 1)
     assert chosen.Name == operation.name
