@@ -2,7 +2,7 @@
 """What a simulation showed to be wrong is told with the operation, and only with the toolpath that it is true of."""
 
 import vkworkbench
-from vkworkbench.document.simulated_faults import keep_faults
+from vkworkbench.document.simulated_faults import keep_faults, read_with_faults
 from vkworkbench.document.simulated_job import read_job
 from vkworkbench.language import Message
 
@@ -60,3 +60,17 @@ def test_a_new_simulation_takes_its_place(small):
     first, second = read_job(small.job).operations
     keep_faults({first: [], second: []})
     assert told(small)["Second"] == []
+
+
+def test_marks_show_it_without_a_new_analysis_and_never_keep_it(small):
+    small.add("First", slot(10.0))
+    small.add("Second", slot(20.0))
+    second = small.document.getObjectsByLabel("Second")[0]
+    vkworkbench.mark(vkworkbench.analyze(small.document))
+    assert not [remark for remark in read_with_faults(second).remarks if remark.code == "simulated"]
+    keep_faults(dict(zip(read_job(small.job).operations, ([], [(1, CRASH)]))))
+    assert [remark.code for remark in read_with_faults(second).remarks][-1] == "simulated"
+    vkworkbench.mark(vkworkbench.analyze(small.document))
+    first = small.document.getObjectsByLabel("First")[0]
+    first.Path = type(first.Path)(first.Path.Commands[:-1])  # what is cut before it
+    assert not [remark for remark in read_with_faults(second).remarks if remark.code == "simulated"]

@@ -222,11 +222,12 @@ def _work(reading: _Reading, chosen: Preferences, conditions: Conditions, going_
         commands = None  # of a million, half a GB
         known = _analysed(reading, words, chosen, conditions, going_on)
         KNOWN.keep(key, known)
-    return with_faults(replace(
+    row = replace(
         known,
         **{name: getattr(reading, name) for name in _WHOSE},
         fingerprint=f"{text_fingerprint(text, reading.placement)}:{reading.setting_fingerprint}",
-    ))  # fmt: skip
+    )
+    return with_faults(row, row.document, row.name)
 
 
 def _analysed(

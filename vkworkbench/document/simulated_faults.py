@@ -9,14 +9,18 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import replace
+from typing import TypeVar
 
 import FreeCAD
 
 from vkworkbench import freecad
+from vkworkbench.document import marks
+from vkworkbench.document.record import Record
 from vkworkbench.document.simulated_job import SimulatedOperation
 from vkworkbench.language import Message
 from vkworkbench.report import OperationReport
 
+_Found = TypeVar("_Found", OperationReport, Record)
 _CHANGES = freecad.names_in_fingerprint("path") | freecad.names_in_fingerprint("setting")
 # By document and operation: the fingerprint that the fault is of.
 _found: dict[str, dict[str, tuple[str, Message]]] = {}
@@ -44,13 +48,26 @@ def keep_faults(faults: Mapping[SimulatedOperation, list[tuple[int, Message]]]) 
             known[operation.name] = operation.fingerprint, told
 
 
-def with_faults(row: OperationReport) -> OperationReport:
-    """Return a row with what simulations showed to be wrong with just this toolpath, tool and stock."""
-    fingerprint, told = _found.get(row.document, {}).get(row.name, ("", None))
-    remarks = tuple(remark for remark in row.remarks if remark.code != "simulated")
-    if told is not None and fingerprint == row.fingerprint:
+def with_faults(found: _Found, document: str, name: str) -> _Found:
+    """Return what is known of an operation, with what simulations showed to be wrong with just this toolpath and setting.
+
+    Parameters
+    ----------
+    found : OperationReport or Record
+    document, name : str
+        Of the document and the operation, FreeCAD's internal ones.
+    """
+    fingerprint, told = _found.get(document, {}).get(name, ("", None))
+    remarks = tuple(remark for remark in found.remarks if remark.code != "simulated")
+    if told is not None and fingerprint == found.fingerprint:
         remarks += (told,)
-    return row if remarks == row.remarks else replace(row, remarks=remarks)
+    return found if remarks == found.remarks else replace(found, remarks=remarks)
+
+
+def read_with_faults(obj: FreeCAD.DocumentObject) -> Record | None:
+    """Return the mark of an object as it is shown: with what simulations showed; None without a mark."""
+    record = marks.read(obj)
+    return None if record is None else with_faults(record, obj.Document.Name, obj.Name)
 
 
 class _Observer:

@@ -8,14 +8,9 @@ from dataclasses import dataclass
 import FreeCAD
 
 from vkworkbench import preferences
-<<<<<<< HEAD
-from vkworkbench.document import marks
 from vkworkbench.document.operations import Operation, find, fixtures_of
 from vkworkbench.document.record import Record
-=======
-from vkworkbench.document.operations import find
-from vkworkbench.document.simulated_faults import with_faults
->>>>>>> 8a1c831 (Simulation: difference to the model, gouges and fast plunges, a click lights a cut, faults in the results)
+from vkworkbench.document.simulated_faults import read_with_faults, with_faults
 from vkworkbench.report import OperationReport, Report
 
 _found: dict[str, dict[str, OperationReport]] = {}
@@ -59,16 +54,15 @@ def remember(report: Report) -> None:
         _found.setdefault(operation.document, {})[operation.name] = operation
 
 
-<<<<<<< HEAD
 def findings(document) -> list[Finding]:
     """Return what is known of the marked operations that a document has now, in their order; none without a document."""
     found = []
     for operation in find(document) if document is not None else ():
-        mark = marks.read(operation.object)
+        name, mark = operation.object.Name, read_with_faults(operation.object)
         if mark is not None:
-            report = _found.get(document.Name, {}).get(operation.object.Name)
+            report = _found.get(document.Name, {}).get(name)
             same = report is not None and report.fingerprint == mark.fingerprint
-            found.append(Finding(operation, mark, report if same else None))
+            found.append(Finding(operation, mark, with_faults(report, document.Name, name) if same else None))
     return found
 
 
@@ -81,13 +75,3 @@ def report_of(found: list[Finding]) -> Report | None:
     keys = {(job.Document.Name, name): job for name, job in jobs.items()}
     labels, fixtures = {k: job.Label for k, job in keys.items()}, {k: fixtures_of(job) for k, job in keys.items()}
     return Report(operations, labels, preferences.read().budget, fixtures)
-=======
-def report_of(document) -> Report:
-    """Return the latest findings on the operations that a document has now, in their order; none without a document."""
-    known = _found.get(document.Name, {}) if document is not None else {}
-    operations = (
-        tuple(with_faults(known[o.object.Name]) for o in find(document) if o.object.Name in known) if known else ()
-    )
-    jobs = {(o.document, o.job): _jobs[o.document, o.job] for o in operations if o.job is not None}
-    return Report(operations, jobs, preferences.read().budget, {job: _fixtures.get(job, 1) for job in jobs})
->>>>>>> 8a1c831 (Simulation: difference to the model, gouges and fast plunges, a click lights a cut, faults in the results)

@@ -14,6 +14,7 @@ import FreeCADGui as Gui
 from vkworkbench import preferences
 from vkworkbench.document import marks, upkeep
 from vkworkbench.document.mark_properties import may_have_mark
+from vkworkbench.document.simulated_faults import read_with_faults
 from vkworkbench.gui import tree
 from vkworkbench.gui.mark_explanation import explanation
 from vkworkbench.gui.mark_layout import Layout, layouts
@@ -77,7 +78,7 @@ class PillDelegate(QStyledItemDelegate):
 
     def helpEvent(self, event, view, option, index) -> bool:
         obj = _object_of(index)
-        record = marks.read(obj) if obj is not None else None
+        record = read_with_faults(obj) if obj is not None else None
         if event.type() != QEvent.ToolTip or record is None:
             return super().helpEvent(event, view, option, index)
         show_tooltip(event.globalPos(), explanation(record, preferences.read()), view)
@@ -100,7 +101,7 @@ def _layouts(option, index, most_of_remark: int | None) -> list[Layout]:
     if not index.data():
         return []
     found = _objects_of(index)
-    record = marks.read(found[0]) if found else None
+    record = read_with_faults(found[0]) if found else None
     if record is None or not marks.is_shown(found[0]):
         return []
     return layouts(record, marks.words_of(found[0]).strip(), preferences.read(), option.fontMetrics, most_of_remark)
@@ -201,7 +202,7 @@ def show() -> None:
 def fit_column() -> None:
     """Fit the Description column: also to strategy and time of operations that come to view when a branch is opened."""
     document, chosen = FreeCAD.ActiveDocument, preferences.read()
-    records = [marks.read(obj) for obj in document.Objects if may_have_mark(obj)] if document else []
+    records = [read_with_faults(obj) for obj in document.Objects if may_have_mark(obj)] if document else []
     metrics = QFontMetrics(QApplication.font("QTreeView"))
     needed = [layouts(record, "", chosen, metrics, 0)[0].needed for record in records if record is not None]
     tree.fit_description(max(needed, default=0) + _MARGINS)

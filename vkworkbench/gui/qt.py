@@ -78,11 +78,8 @@ from PySide.QtGui import (
 
 __all__ = [
     "QAbstractItemModel", "QAbstractItemView", "QAction", "QApplication", "QCheckBox", "QColor", "QComboBox",
-<<<<<<< HEAD
-    "QDate", "QDialogButtonBox", "QDockWidget", "QEvent", "QEventLoop", "QFileDialog", "QFont", "QFontMetrics", "QFrame", "QHBoxLayout",
-=======
-    "QDate", "QDockWidget", "QDoubleSpinBox", "QEvent", "QEventLoop", "QFileDialog", "QFont", "QFontMetrics", "QFrame", "QHBoxLayout",
->>>>>>> 8a1c831 (Simulation: difference to the model, gouges and fast plunges, a click lights a cut, faults in the results)
+    "QDate", "QDialogButtonBox", "QDockWidget", "QDoubleSpinBox", "QEvent", "QEventLoop", "QFileDialog",
+    "QFont", "QFontMetrics", "QFrame", "QHBoxLayout",
     "QHeaderView", "QImage", "QItemSelectionModel", "QKeySequence", "QLabel", "QLineEdit", "QLineF", "QListWidget",
     "QLocale", "QMdiArea", "QMenu", "QMessageBox", "QModelIndex", "QObject", "QOffscreenSurface", "QOpenGLContext",
     "QPainter", "QPalette", "QPen", "QPixmap", "QPoint", "QPointF", "QPolygonF", "QProgressBar", "QProgressDialog",

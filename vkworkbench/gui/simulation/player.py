@@ -16,7 +16,7 @@ from vkworkbench.core.zbuffer import SeenModel
 from vkworkbench.document.simulated_faults import keep_faults
 from vkworkbench.document.simulated_job import SimulatedJob
 from vkworkbench.document.simulation import Simulation
-from vkworkbench.gui import docks
+from vkworkbench.gui import docks, pills
 from vkworkbench.gui.background import Background
 from vkworkbench.gui.plain_text import as_plain
 from vkworkbench.gui.qt import QLabel, QSizePolicy, QTimer, QVBoxLayout, QWidget, Signal
@@ -221,12 +221,13 @@ class Player(QWidget):
         self.time_line.show_facts(self.clock.ends, told.volumes, told.air, warned)
 
     def _keep_faults(self) -> None:
-        """Let the results tell what is wrong with the operations."""
+        """Let marks and results tell what is wrong with the operations."""
         serious = [fault for fault in faults(self._told, TOLERANCE) if fault.serious]
         keep_faults({
             operation: [(fault.command, fault.what) for fault in serious if fault.cut == number]
             for number, operation in enumerate(self.job.operations)
         })  # fmt: skip
+        pills.show()
         results = docks.find(docks.RESULTS)
         if results is not None:
             results.refresh()
