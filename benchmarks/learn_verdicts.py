@@ -36,15 +36,15 @@ from vkworkbench.core.recognition.thresholds import VOTES
 from vkworkbench.core.recognition.verdict import judge
 
 OF_STRATEGIES = {"trees": 40, "leaves": 120}
-OF_NONSENSE = {"trees": 40, "leaves": 80}
+OF_NONSENSE = {"trees": 40, "leaves": 160}
 FOLDS, SEEDS = 10, 20  # folds, and made toolpaths of each kind
 #: Weights in the learning of the strategies, of what is nonsense, and of the confidence. Real code is what is rare.
 WEIGHTS = {
-    "real": (4.0, 4.0, 2.0),
+    "real": (4.0, 6.0, 2.0),
     "freecad": (1.0, 1.0, 1.0),
     "freecad without tools": (0.7, 1.0, 0.0),
     "synthetic": (0.6, 1.0, 0.0),
-    "nonsense": (0.0, 0.7, 0.0),
+    "nonsense": (0.0, 1.0, 0.0),
 }
 TABLE = HERE.parent / "vkworkbench" / "core" / "recognition" / "learned.py"
 
@@ -76,8 +76,8 @@ class Examples:
 
     Attributes
     ----------
-    kind, group : (n,) str
-        Which WEIGHTS they have, and what is left out together.
+    kind, group, system : (n,) str
+        Which WEIGHTS they have; what is left out together, repositories or parts; or, instead, CAM systems.
     x : (n, m) float
     y, rules : (n,) int
         The true strategy, and the one that the rules propose, as indices of STRATEGIES.
@@ -91,6 +91,7 @@ class Examples:
 
     kind: np.ndarray
     group: np.ndarray
+    system: np.ndarray
     x: np.ndarray
     y: np.ndarray
     rules: np.ndarray
@@ -116,6 +117,7 @@ class Examples:
                         (
                             of_kind,
                             r.group,
+                            r.system,
                             list(values.values()),
                             strategies.index(r.strategy),
                             rules,
@@ -130,9 +132,9 @@ class Examples:
         """Return weights of every example, see WEIGHTS."""
         return np.array([WEIGHTS[kind][which] for kind in self.kind])
 
-    def folds(self) -> dict[str, int]:
-        """Return which groups are left out together, the same in every run."""
-        groups = sorted(set(self.group))
+    def folds(self, by: str = "group") -> dict[str, int]:
+        """Return which groups, or systems, are left out together, the same in every run."""
+        groups = sorted(set(getattr(self, by)))
         return dict(
             zip(np.random.default_rng(0).permutation(groups).tolist(), (np.arange(len(groups)) % FOLDS).tolist())
         )
@@ -163,8 +165,8 @@ def fit(evidence, right, weight) -> np.ndarray:
     return found
 
 
-def left_out(e: Examples) -> tuple[dict[int, Learned], np.ndarray]:
-    """Learn without each fold in turn.
+def left_out(e: Examples, by: str = "group") -> tuple[dict[int, Learned], np.ndarray]:
+    """Learn without each fold of groups, or of systems, in turn.
 
     Returns
     -------
@@ -173,8 +175,8 @@ def left_out(e: Examples) -> tuple[dict[int, Learned], np.ndarray]:
     (5,) float
         The weights of the grounds, from the votes on all folds by trees that did not see them.
     """
-    of_group = e.folds()
-    fold = np.array([of_group[g] for g in e.group])
+    of_group = e.folds(by)
+    fold = np.array([of_group[g] for g in getattr(e, by)])
     votes, forests = np.empty((len(e.y), len(STRATEGIES))), {}
     for k in range(FOLDS):
         strategies, about = grown(e, fold != k)
@@ -220,7 +222,7 @@ def main() -> None:
         votes = np.array([learned[k].strategies.vote(case) for k, case in zip(fold, e.x[of])])
         unknown = np.array([learned[k].nonsense.vote(case)[1] > VOTES.NONSENSE for k, case in zip(fold, e.x[of])])
         by = {"rules": np.eye(len(STRATEGIES))[e.rules[of]], "votes": votes}
-        some = Examples(*(values[of] for values in (e.kind, e.group, e.x, e.y, e.rules, e.tool)),
+        some = Examples(*(values[of] for values in (e.kind, e.group, e.system, e.x, e.y, e.rules, e.tool)),
                         [e.accepted[i] for i in of], e.names)  # fmt: skip
         print(
             f"{kind:22s} {len(of):5d}: right by the rules {some.right(by['rules']).mean():.3f}, "

@@ -3,7 +3,7 @@
 
 Each line of a file is a JSON record. Of an operation: id, label, strategy, accept (the strategies that count as right),
 tool_diameter (mm or null) and commands ([name, parameters], mm and mm/s); where there are params with FreeCAD's StepOver
-(percent of the tool's diameter), the stepover can be compared with it. Of a program: id, commands, group (what is left
+(percent of the tool's diameter), the stepover can be compared with it; source names the CAM system. Of a program: id, commands, group (what is left
 out together when something is learned) and sections, each [first command, last command, label, accept].
 """
 
@@ -12,6 +12,7 @@ from __future__ import annotations
 import gzip
 import hashlib
 import json
+import re
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
@@ -35,7 +36,7 @@ class Section:
 
 @dataclass(frozen=True)
 class Record:
-    """A labelled toolpath; `group` names the repository or part it comes from."""
+    """A labelled toolpath; `group` names the repository or part it comes from, `system` the CAM system."""
 
     id: str
     group: str
@@ -46,6 +47,7 @@ class Record:
     stepover: float | None
     path: Toolpath
     sections: tuple[Section, ...]
+    system: str = ""
 
 
 def lines(file: str) -> Iterator[dict]:
@@ -59,6 +61,11 @@ def group_of(r: dict) -> str:
         return r["group"]
     name = r.get("id", "")
     return name.split("__")[0] if "__" in name else name.split(":")[1] if name.count(":") > 1 else r["label"]
+
+
+def system_of(r: dict) -> str:
+    """Return the CAM system's name without version and language: the first word of the record's source."""
+    return re.split(r"[\s/(-]", r.get("source", "").lower())[0]
 
 
 def key(path: Toolpath) -> bytes:
@@ -92,6 +99,7 @@ def operations(files: list[str]) -> Iterator[Record]:
                 stepover,
                 path,
                 sections,
+                system_of(r),
             )
 
 

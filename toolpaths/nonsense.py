@@ -145,10 +145,81 @@ def quadratic_island(rng):
     return _grown("F-F-F-F", {"F": "F-F+F+FF-F-F+F"}, 90, rng.integers(1, 4), "F")
 
 
+def sierpinski(rng):
+    return _grown("F--XF--F--XF", {"X": "XF+G+XF--F--XF+G+X"}, 45, rng.integers(2, 5), "FG")
+
+
+def terdragon(rng):
+    return _grown("F", {"F": "F+F-F"}, 120, rng.integers(4, 7), "F")
+
+
+def gray(rng):
+    """A grid in the order of a Gray code of the bits of both numbers."""
+    k = np.arange(4 ** int(rng.integers(3, 6)))
+    bits = ((k ^ (k >> 1))[:, None] >> np.arange(12)) & 1
+    return np.column_stack([bits[:, 0::2] @ (1 << np.arange(6)), bits[:, 1::2] @ (1 << np.arange(6))]).astype(float)
+
+
 def morton(rng):
     k = np.arange(4 ** int(rng.integers(3, 6)))
     bits = (k[:, None] >> np.arange(12)) & 1
     return np.column_stack([bits[:, 0::2] @ (1 << np.arange(6)), bits[:, 1::2] @ (1 << np.arange(6))]).astype(float)
+
+
+def levy_flight(rng):
+    """A walk whose steps are mostly short and now and then very long."""
+    angle = rng.uniform(0, 2 * np.pi, _count(rng))
+    step = rng.pareto(rng.uniform(1.2, 2.5), (len(angle), 1)) + 0.1
+    return np.cumsum(step * np.column_stack([np.cos(angle), np.sin(angle)]), axis=0)
+
+
+def drifting_noise(rng):
+    """Noise smoothed over some steps."""
+    width = int(rng.integers(2, 12))
+    steps = rng.normal(size=(_count(rng) + width, 2))
+    return np.column_stack([np.convolve(of, np.ones(width), "valid") for of in steps.T])
+
+
+def knight(rng):
+    """The moves of a knight, any that comes to mind."""
+    steps = np.array([(1, 2), (2, 1), (2, -1), (1, -2), (-1, -2), (-2, -1), (-2, 1), (-1, 2)])
+    return np.cumsum(steps[rng.integers(0, 8, _count(rng))], axis=0).astype(float)
+
+
+def tour(rng):
+    """From point to point of noise, always to the nearest that is left."""
+    points = rng.uniform(size=(int(rng.integers(60, 400)), 2))
+    left, at, order = np.ones(len(points), bool), 0, []
+    for _ in points:
+        order.append(at)
+        left[at] = False
+        at = int(np.argmin(np.where(left, np.hypot(*(points - points[at]).T), np.inf)))
+    return points[order]
+
+
+def attractor(rng):
+    """What a chaotic flow does, seen from one side (Lorenz)."""
+    at, found = rng.normal(size=3) + (0, 0, 25), []
+    for _ in range(4 * _count(rng)):
+        x, y, z = at
+        at = at + 0.008 * np.array([10 * (y - x), x * (28 - z) - y, x * y - 8 / 3 * z])
+        found.append(at)
+    return np.array(found)[:, rng.permutation(3)[:2]]
+
+
+def sunflower(rng):
+    """The seeds of a sunflower, in the order in which they grow."""
+    k = np.arange(_count(rng) // 2)
+    angle = k * np.pi * (3 - np.sqrt(5)) * rng.uniform(0.8, 1.2)
+    return np.sqrt(k)[:, None] * np.column_stack([np.cos(angle), np.sin(angle)])
+
+
+def spirolateral(rng):
+    """Steps that grow to a length and begin again, with one turn after each."""
+    most, times = int(rng.integers(3, 12)), int(rng.integers(6, 30))
+    angle = np.arange(most * times) * np.radians(rng.choice([36, 45, 60, 72, 80, 90, 108, 120, 144]))
+    step = np.tile(np.arange(1, most + 1), times)[:, None]
+    return np.cumsum(step * np.column_stack([np.cos(angle), np.sin(angle)]), axis=0)
 
 
 RANDOM = (
@@ -161,15 +232,22 @@ RANDOM = (
     normal_noise,
     chords,
     shuffled_grid,
+    levy_flight,
+    drifting_noise,
+    knight,
 )
 KINDS = (
     *RANDOM, scribble, epicycloid, hypocycloid, lissajous, rose, three_arms, star, hilbert, moore, peano, meander, dragon,
-    levy, gosper, arrowhead, koch, quadratic_island, morton,
+    levy, gosper, arrowhead, koch, quadratic_island, morton, sierpinski, terdragon, gray, tour, attractor, sunflower,
+    spirolateral,
 )  # fmt: skip
 
 
 def commands(kind, rng) -> list[tuple[str, dict]]:
-    """Return the commands that cut one of KINDS, 20 to 300 mm large; those of walks and noise may lift here and there."""
+    """Return the commands that cut one of KINDS, 20 to 300 mm large.
+
+    One in four strays in height as well, or sinks. Those of walks and noise may lift here and there.
+    """
     points = kind(rng)
     points = points - points.min(axis=0)
     points = points / max(points.max(), 1e-9) * np.exp(rng.uniform(np.log(20), np.log(300)))
@@ -177,13 +255,22 @@ def commands(kind, rng) -> list[tuple[str, dict]]:
         angle = rng.uniform(0, np.pi)
         points = points @ np.array([(np.cos(angle), -np.sin(angle)), (np.sin(angle), np.cos(angle))])
     lifts = rng.random(len(points)) < (rng.uniform(0.02, 0.4) if kind in RANDOM and rng.random() < 0.4 else 0.0)
+    depth = _depths(len(points), rng)
     program: list[tuple[str, dict]] = []
-    for (x, y), lifted in zip(points, lifts):
+    for (x, y), z, lifted in zip(points, depth, lifts):
         if lifted or not program:
-            program += [("G0", {"Z": CLEAR}), ("G0", {"X": x, "Y": y}), ("G1", {"Z": DEPTH, "F": FEED})]
+            program += [("G0", {"Z": CLEAR}), ("G0", {"X": x, "Y": y}), ("G1", {"Z": z, "F": FEED})]
         else:
-            program.append(("G1", {"X": x, "Y": y, "F": FEED}))
+            program.append(("G1", {"X": x, "Y": y, "Z": z, "F": FEED}))
     return [*program, ("G0", {"Z": CLEAR})]
+
+
+def _depths(count, rng):
+    """Mostly one depth; else noise, a walk, or an even way down, mm."""
+    height = rng.uniform(1, 20)
+    stray = (rng.uniform(size=count), np.abs(np.cumsum(rng.normal(size=count))), np.arange(count) + 1.0)
+    which = rng.integers(0, 12)
+    return DEPTH - (height * stray[which] / stray[which].max() if which < len(stray) else np.zeros(count))
 
 
 def _count(rng) -> int:

@@ -79,10 +79,20 @@ def test_only_the_rules_say_mixed_and_drilling():
 
 def test_the_rules_lose_against_more_votes_than_theirs():
     zigzag, profile = STRATEGIES.index(Strategy.ZIGZAG), STRATEGIES.index(Strategy.PROFILE)
-    for share, said in ((VOTES.RULES - 0.01, zigzag), (VOTES.RULES + 0.01, profile)):
+    theirs = (VOTES.RULES + VOTES.CLASS * VOTES.RULES_OF_CLASS) / (1 + VOTES.CLASS)
+    for share, said in ((theirs - 0.01, zigzag), (theirs + 0.01, profile)):
         votes = np.zeros(len(STRATEGIES))
         votes[profile] = share
         assert elect(votes, zigzag) == said
+
+
+@pytest.mark.parametrize("other", ["adaptive", "zigzag", "engraving"])
+def test_votes_that_are_split_within_one_class_are_not_lost(other):
+    votes = np.zeros(len(STRATEGIES))
+    for name, share in (("contour-parallel", 0.3), ("spiral", 0.2), ("profile", 0.17), (other, 0.33)):
+        votes[STRATEGIES.index(Strategy(name))] = share
+    proposed = STRATEGIES.index(Strategy.UNKNOWN)
+    assert STRATEGIES[elect(votes, proposed)] is Strategy.CONTOUR_PARALLEL
 
 
 def test_more_votes_make_a_verdict_surer():

@@ -14,13 +14,17 @@ from vkworkbench.core.recognition.measures import measures
 from vkworkbench.core.recognition.section import Section
 from vkworkbench.core.recognition.thresholds import VOTES
 from vkworkbench.core.recognition.verdict import Verdict
-from vkworkbench.core.strategy import Strategy
+from vkworkbench.core.strategy import Family, Strategy
 from vkworkbench.language import Message
 
 _BY_VALUE = {strategy.value: strategy for strategy in Strategy}
 STRATEGIES = tuple(_BY_VALUE[value] for value in learned.STRATEGIES)
 # Only the rules name the parts of a mixed operation; and where something is milled, nothing else is drilling.
 OF_THE_RULES = np.array([s in (Strategy.MIXED, Strategy.DRILLING, Strategy.UNKNOWN) for s in STRATEGIES])
+ADAPTIVE = np.array([s is Strategy.ADAPTIVE for s in STRATEGIES])
+# The classes of the paper, rows and around, and beside them adaptive clearing, which bites, and the other families.
+CLASS = np.where(ADAPTIVE, -1, [list(Family).index(s.family) for s in STRATEGIES])
+ALIKE = np.array(CLASS[:, None] == CLASS, float)
 
 
 @dataclass(frozen=True)
@@ -77,10 +81,17 @@ def decide(s: Section, rules: Verdict) -> tuple[Verdict, float]:
 
 
 def standing(votes: np.ndarray, proposed: int) -> np.ndarray:
-    """Return what each strategy has, (c,): its share of the votes, and that of the rules for the one they propose."""
-    has = np.where(OF_THE_RULES, 0.0, votes)
-    has[proposed] = votes[proposed] + VOTES.RULES
-    return has
+    """Return what each strategy has, (c,).
+
+    That is its share of the votes, and that of the rules for the one they propose; and less of the same for its class,
+    as the class is told apart more surely than the strategies in it. Adaptive clearing leaves both classes of the paper,
+    so it has to be ahead of them.
+    """
+    rules = np.zeros(len(votes))
+    rules[proposed] = 1.0
+    has = votes + VOTES.RULES * rules + VOTES.CLASS * (ALIKE * (votes + VOTES.RULES_OF_CLASS * rules)).sum(axis=1)
+    has -= VOTES.BITES * ADAPTIVE
+    return np.where(OF_THE_RULES & (rules == 0), 0.0, has)
 
 
 def elect(votes: np.ndarray, proposed: int) -> int:

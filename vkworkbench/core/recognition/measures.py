@@ -27,6 +27,7 @@ def measures(s: Section) -> dict[str, float]:
     return {
         **_of_areas(s, extent),
         **_of_moves(m, sample),
+        **_of_turns(m),
         **_of_rings(s, extent),
         **_of_rows(s, extent),
         **_of_strokes(s, extent),
@@ -66,6 +67,44 @@ def _of_moves(m: Areas, sample: np.ndarray) -> dict[str, float]:
         "one_way": float(np.hypot(dx.sum(), dy.sum())) / total,
         "one_axis": float(np.hypot(double_x.sum(), double_y.sum())) / total,
         "two_axes": float(np.hypot(four_x.sum(), four_y.sum())) / total,
+    }
+
+
+def _of_turns(m: Areas) -> dict[str, float]:
+    """Measure how the image on the Gauss map goes to and fro, in moves from the middle of the time.
+
+    A run of turns in one sense is an arc of that image: half turns where rows alternate, whole ones around a contour.
+    Of walks and noise any turn is as likely as any other, and either sense follows.
+    """
+    spare = max(0, len(m) - MEASURED.TURNS)
+    middle = slice(spare // 2, len(m) - (spare + 1) // 2)
+    turning = m.signed[0][middle]
+    at = np.flatnonzero(np.abs(turning) > MEASURED.TURN)
+    spread = float(np.log(m.length[middle]).std())
+    if not len(at):
+        return {
+            "half_arcs": 0.0,
+            "short_arcs": 0.0,
+            "long_arcs": 0.0,
+            "sense_keeps": 0.0,
+            "surprise": 0.0,
+            "spread": spread,
+        }
+    turning, area = turning[at], np.searchsorted(m.start, at + middle.start, side="right")
+    together = area[1:] == area[:-1]
+    keeps = (turning[1:] > 0) == (turning[:-1] > 0)
+    run = np.flatnonzero(np.append(True, ~(keeps & together)))
+    arc = np.abs(np.add.reduceat(turning, run))
+    whole = float(arc.sum())
+    share = np.bincount((np.abs(turning) * (MEASURED.TURNS_BY / TURN * 2)).astype(int)) / len(turning)
+    share = share[share > 0]
+    return {
+        "half_arcs": float(arc[np.abs(arc - TURN / 2) < MEASURED.HALF * TURN].sum()) / whole,
+        "short_arcs": float(arc[arc < MEASURED.SHORT * TURN].sum()) / whole,
+        "long_arcs": float(arc[arc > MEASURED.LONG * TURN].sum()) / whole,
+        "sense_keeps": float((keeps & together).sum()) / max(1, int(together.sum())),
+        "surprise": float(-(share * np.log(share)).sum()),  # Shannon's entropy of the turns
+        "spread": spread,
     }
 
 

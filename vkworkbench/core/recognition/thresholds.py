@@ -414,6 +414,18 @@ class MEASURED:
 
     #: moves. So many, evenly among all, are enough for what is a share of the length.
     MOVES = 1000
+    #: moves. So many, from the middle of the time, are enough for how turns follow one another.
+    TURNS = 2000
+    #: rad. Turns that are smaller are none.
+    TURN = 1e-4
+    #: turns. An arc of the Gauss map that is so near to a half turn is one, as where rows alternate.
+    HALF = 0.1
+    #: turns. A shorter arc is a bend.
+    SHORT = 0.3
+    #: turns. A longer arc goes around.
+    LONG = 0.75
+    #: count. Kinds of turns that are told apart, from none to an exact reversal.
+    TURNS_BY = 12
     #: rings. So many are enough for their shares.
     RINGS = 500
     #: ratio. The evenness of rings in the plane counts no more than this.
@@ -446,10 +458,18 @@ class VOTES:
 
     #: share of the votes. The rules count as so many. At 0 the trees alone decide, and operations of FreeCAD that the
     #: rules know are lost; at 1 the rules alone do, and real code that has no part in them is.
-    RULES = 0.42
+    RULES = 0.38
+    #: ratio. So much counts the share of the whole class, rows or around, beside that of the strategy. At 0 a class can
+    #: lose whose votes are split among its strategies; larger: the class decides alone.
+    CLASS = 0.3
+    #: share of the votes. The rules count as so many for the class. At 0 only trees speak for it.
+    RULES_OF_CLASS = 0.3
+    #: share of the votes. So far ahead adaptive has to be. At 0 offsets with arcs between them are adaptive; larger:
+    #: adaptive clearing of a round pocket is a spiral.
+    BITES = 0.05
     #: share of the votes. So many say that a section is like nothing that machines. At 1 random walks are machining;
     #: at 0 engravings are nonsense.
-    NONSENSE = 0.45
+    NONSENSE = 0.46
     #: share of the votes. No share counts as fewer or more but for this, that its odds are finite.
     NONE = 0.02
     #: confidence. No verdict is surer, as toolpaths nobody has seen yet hold surprises.
