@@ -469,7 +469,7 @@ class VOTES:
     BITES = 0.05
     #: share of the votes. So many say that a section is like nothing that machines. At 1 random walks are machining;
     #: at 0 engravings are nonsense.
-    NONSENSE = 0.46
+    NONSENSE = 0.58
     #: share of the votes. No share counts as fewer or more but for this, that its odds are finite.
     NONE = 0.02
     #: confidence. No verdict is surer, as toolpaths nobody has seen yet hold surprises.
