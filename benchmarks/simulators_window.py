@@ -19,7 +19,7 @@ from PySide import QtCore
 from vkworkbench import freecad
 from vkworkbench.core import Stock, Tool, linearize
 from vkworkbench.core.gcode import Words
-from vkworkbench.core.simulators import Conditions, Task, legacy_costs, preflight
+from vkworkbench.core.simulators import Conditions, Seen, Task, legacy_costs, preflight
 from vkworkbench.document.calibration import constants, learn, load
 
 LONGEST = {"fast-forward": 7000, "play": 100}  # commands
@@ -58,7 +58,7 @@ def run(samples, out):
         alone[kind].append(max(unlearned / true, true / unlearned))
         if len(load(RENDERER).runs[kind]) >= ENOUGH:
             ratios[kind].append(max(predicted / true, true / predicted))
-        learn(kind, cost, true, renderer=RENDERER)
+        learn(kind, cost, Seen(true, true), renderer=RENDERER)
     for kind, values in ratios.items():
         print(summary(f"{kind}, by calibration alone", alone[kind]), file=out)
         print(summary(kind, values), file=out)

@@ -340,7 +340,7 @@ class Report:
         rows = [header, *(_row(o) for o in self.operations)]
         totals = [
             (f"{_cell(t.label)}: {t.operations} operations", "", "", ENGLISH.count(t.trajectories), ENGLISH.length(t.length),
-             _at_least(t, ENGLISH.time(t.seconds)), _at_least(t, ENGLISH.memory(t.memory_bytes)), "")
+             _at_least(t, ENGLISH.time(t.seconds, t.factor(ZBUFFER.name))), _at_least(t, ENGLISH.memory(t.memory_bytes)), "")
             for t in self.totals
         ]  # fmt: skip
         widths = [max(len(row[i]) for row in rows + totals) for i in range(len(header))]
@@ -435,7 +435,7 @@ def _row(o: OperationReport) -> tuple[str, ...]:
         f"{o.confidence:.0%}",
         ENGLISH.count(o.trajectories),
         ENGLISH.length(o.length),
-        ENGLISH.time(estimate.seconds) if estimate else "?",
+        ENGLISH.time(estimate.seconds, estimate.factor) if estimate else "?",
         ENGLISH.memory(estimate.memory_bytes) if estimate else "?",
         _cell(o.error or "", 200),
     )

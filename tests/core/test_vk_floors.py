@@ -20,7 +20,7 @@ PACKAGE = "vkworkbench"
 # The floors, the lowest first. What stands side by side on one is one room.
 FLOORS = (
     ("language",),
-    ("core.toolpath", "core.strategy", "core.solids", "core.stocks", "core.machining"),
+    ("core.toolpath", "core.strategy", "core.solids", "core.stocks", "core.machining", "core.steady"),
     ("core.gcode",),
     ("core.paper",),
     ("core.recognition",),

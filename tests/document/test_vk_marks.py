@@ -26,7 +26,7 @@ def test_mark_text_and_data(small, zigzag_commands):
     assert vkworkbench.mark(report) == 1
     (o,) = report.operations
     cost, own = o.costs[freecad.own_simulator()], marks.read(op)
-    time = ENGLISH.about(ENGLISH.time(cost.seconds), cost.factor)
+    time = ENGLISH.estimated_time(cost.seconds, cost.factor)
     assert op.Label2 == f"⟦zigzag · ▶ {time}⟧"
     assert (op.Strategy, op.Confidence, op.Reason, op.Remarks) == ("zigzag", round(100 * o.confidence), o.reason, "")
     assert op.CuttingLength.getValueAs("mm") == pytest.approx(o.length)

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Simulations that the user runs teach the calibration how long they take."""
 
+import time
+
 import FreeCADGui as Gui
 import numpy as np
 import pytest
@@ -8,8 +10,9 @@ from opengl_window import FASTER, PLAY, click
 from PySide import QtCore, QtGui
 
 from vkworkbench import freecad, preferences
-from vkworkbench.core.simulators import opengl_speeds
+from vkworkbench.core.simulators import DEFAULTS, opengl_speeds
 from vkworkbench.document import calibration
+from vkworkbench.gui import real_runs
 from vkworkbench.gui.real_runs import OpenGLRun, _played
 from vkworkbench.gui.sentences import user
 
@@ -26,6 +29,12 @@ def calibrated(opened, window):
     yield opened
     if Gui.Control.activeDialog():
         Gui.Control.closeDialog()
+
+
+@pytest.fixture
+def undisturbed(monkeypatch):
+    """The processor always works for FreeCAD: other programs must not decide what these runs teach."""
+    monkeypatch.setattr(real_runs, "_now", lambda: np.full(2, time.perf_counter()))
 
 
 def runs():
@@ -55,10 +64,10 @@ def simulator(window, command, label):
 
 def test_the_first_analysis_calibrates(calibrated):
     known = calibration.load(preferences.read().renderer)
-    assert preferences.read().renderer and known.constants.legacy_factor < 2
+    assert preferences.read().renderer and known.constants.cell != DEFAULTS.cell
 
 
-def test_runs_of_the_legacy_simulator_teach(calibrated, window):
+def test_runs_of_the_legacy_simulator_teach(calibrated, undisturbed, window):
     before = {name: len(values) for name, values in runs().items()}
     button = simulator(window, "Path_Simulator" if OLD else "CAM_Simulator", "Bore")
     for name, taught in (("toolButtonFF", "fast-forward"), ("toolButtonPlay", "play")):
@@ -66,9 +75,20 @@ def test_runs_of_the_legacy_simulator_teach(calibrated, window):
         assert not button(name).isEnabled()
         window.wait(lambda: button(name).isEnabled(), 120)
         window.wait(lambda: len(runs().get(taught, ())) == before.get(taught, 0) + 1)
+    assert len(runs()["fast-forward"][-1]) == 3
     shown, drawn, display_seconds, seconds = runs()["play"][-1]
     assert 80 < shown < 100 and drawn > 1e5 and display_seconds < seconds
     assert 0 < calibration.constants(preferences.read().renderer).redraw < 1
+
+
+def test_a_run_that_was_disturbed_teaches_nothing(calibrated, window, monkeypatch):
+    monkeypatch.setattr(real_runs, "_now", lambda: np.array([1e3 * time.perf_counter(), 0.0]))
+    before = runs()
+    button = simulator(window, "Path_Simulator" if OLD else "CAM_Simulator", "Bore")
+    window.click_on(button("toolButtonFF"))
+    window.wait(lambda: button("toolButtonFF").isEnabled(), 60)
+    window.idle(0.5)
+    assert runs() == before
 
 
 def test_a_run_that_was_paused_teaches_nothing(calibrated, window):
@@ -85,7 +105,7 @@ def test_a_run_that_was_paused_teaches_nothing(calibrated, window):
 
 
 @pytest.mark.skipif(OLD, reason="FreeCAD 0.20 has no OpenGL simulator")
-def test_a_run_of_the_opengl_simulator_teaches(calibrated, window):
+def test_a_run_of_the_opengl_simulator_teaches(calibrated, undisturbed, window):
     before = len(runs().get("draw", ()))
     button = simulator(window, "CAM_SimulatorGL", "Pocket zigzag")
     window.click_on(button("toolButtonPlay"))
@@ -106,7 +126,9 @@ def test_a_run_of_the_opengl_simulator_teaches(calibrated, window):
     simulation.close()
     window.wait(lambda: len(runs().get("draw", ())) == before + 1)
     known = calibration.load(preferences.read().renderer).constants
-    assert 0 < known.draw < 1e-3 and known.opengl_factor < 2
+    assert 0 < known.draw < 1e-3 and known.opengl_factor >= 2  # one run tells no error
+    of_frames, of_play = runs()["draw"][-1]
+    assert of_frames > 0 and of_play > 0
 
 
 def test_the_end_of_a_play_is_found_while_other_programs_run():

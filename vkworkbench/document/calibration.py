@@ -7,7 +7,6 @@ import json
 import os
 import platform
 import sys
-import time
 from collections.abc import Callable
 from contextlib import suppress
 from dataclasses import asdict, dataclass, fields, replace
@@ -21,8 +20,8 @@ from Path import Command as PathCommand
 from PathSimulator import PathSim
 
 from vkworkbench import freecad
-from vkworkbench.core import Stock, linearize
-from vkworkbench.core.simulators import CALIBRATED_FACTOR, DEFAULTS, SIMULATORS, Constants, Cost, Task, legacy_work
+from vkworkbench.core import Stock, linearize, processor_clock, steady_seconds
+from vkworkbench.core.simulators import DEFAULTS, SIMULATORS, Constants, Cost, Seen, Task, legacy_work
 from vkworkbench.core.zbuffer import Speed, measure_speed
 
 # Names of OpenGL renderers that draw on the processor and wait for no screen, and the times of a frame and of a draw
@@ -45,8 +44,8 @@ _UNREADABLE = (TypeError, LookupError, ValueError, AttributeError, ArithmeticErr
 # No constant and no number of a run is larger; these constants may be 0 as they are measured, or by default.
 _LARGEST = 1e15
 _MAYBE_NOTHING = frozenset(["repaint", "call", "ring", "line", "cap", "refresh"])
-# How often each piece of work is timed.
-_RUNS = 4
+# How often each piece of work is timed at most.
+_RUNS = 20
 # The stock that the calibration cuts.
 _STOCK = Stock((0, 0, 0), (100, 60, 20))
 _BOX = Part.makeBox(100, 60, 20)
@@ -157,8 +156,8 @@ def _least(name: str) -> float:
     return 0.0 if name in _MAYBE_NOTHING else sys.float_info.min
 
 
-def calibrate(renderer: str = "") -> Calibration:
-    """Measure the extended z-buffer and the legacy simulator on this computer, in about a second, and remember it.
+def calibrate(renderer: str = "", *, clock: Callable[[], float] = processor_clock) -> Calibration:
+    """Measure the extended z-buffer and the legacy simulator on this computer, until it is steady, and remember it.
 
     What takes a timer or a display cannot be measured without a window: :func:`learn` finds it from real runs.
 
@@ -166,6 +165,8 @@ def calibrate(renderer: str = "") -> Calibration:
     ----------
     renderer : str
         OpenGL's name of its renderer; empty where there is no window.
+    clock : callable
+        Tells the time, s.
 
     Returns
     -------
@@ -176,18 +177,19 @@ def calibrate(renderer: str = "") -> Calibration:
     OSError
         If the user data folder cannot be written.
     """
-    _write({_speed_key(): asdict(measure_speed())})
-    measured = replace(_for_renderer(_measure(), renderer), legacy_factor=CALIBRATED_FACTOR)
+    _write({_speed_key(): asdict(measure_speed(clock))})
+    measured = _for_renderer(_measure(clock), renderer)
     known = load(renderer)
     runs = known.runs if known else dict.fromkeys(_LESSONS, ())
     version = ".".join(map(str, freecad.version()))
     return _remember(Calibration(measured, date.today().isoformat(), version, processor(), renderer, runs))
 
 
-def learn(kind: str, cost: Cost, seconds: float, *, renderer: str = "") -> Calibration | None:
+def learn(kind: str, cost: Cost, seen: Seen, *, renderer: str = "") -> Calibration | None:
     """Learn from a simulation that the user ran.
 
-    The last fifteen runs count, and an odd one among them does no harm.
+    The last fifteen runs count, and an odd one among them does no harm. One that took far longer than the processor
+    worked for it and timers waited teaches nothing.
 
     Parameters
     ----------
@@ -195,8 +197,8 @@ def learn(kind: str, cost: Cost, seconds: float, *, renderer: str = "") -> Calib
         Kind of the run, as the simulators' lessons name it; "draw" are the last frames of a play in the OpenGL one.
     cost : Cost
         The cost that was predicted for the run with :func:`constants`.
-    seconds : float
-        Time that the run took, s; for "draw", that of each frame.
+    seen : Seen
+        The run.
     renderer : str
         OpenGL's name of its renderer.
 
@@ -206,7 +208,7 @@ def learn(kind: str, cost: Cost, seconds: float, *, renderer: str = "") -> Calib
         The new calibration; None where the run teaches nothing, or nothing was calibrated yet.
     """
     known = load(renderer)
-    run = known and _LESSONS[kind].run(cost, seconds, known.constants)
+    run = known and _LESSONS[kind].kept(cost, seen, known.constants)
     if run is None:
         return None
     return _remember(replace(known, runs={**known.runs, kind: (*known.runs[kind], run)[-_LAST_RUNS:]}))
@@ -216,8 +218,7 @@ def _remember(calibration: Calibration) -> Calibration:
     """Apply what runs taught, write the calibration to the file, and return it."""
     learned = {}
     for kind, runs in calibration.runs.items():
-        if runs:
-            learned.update(_LESSONS[kind].learned(runs, calibration.constants))
+        learned.update(_LESSONS[kind].taught(runs, calibration.constants))
     calibration = replace(calibration, constants=replace(calibration.constants, **learned))
     _write({_key(calibration.renderer): asdict(calibration)})
     return calibration
@@ -273,33 +274,31 @@ def _here(seconds: float, cell: float) -> float:
     return seconds * cell / DEFAULTS.cell
 
 
-def _measure() -> Constants:
+def _measure(clock: Callable[[], float]) -> Constants:
     """Time small pieces of the legacy simulator's work, each dominated by one constant."""
     # Short moves of a tool smaller than a cell, of one a few cells wide; long moves; short moves of a wide tool.
-    pieces = [_cut(0.08, 0.1, 400), _cut(0.9, 0.1, 300), _cut(8.0, 80.0, 4), _cut(12.0, 0.1, 12)]
-    work = np.array([counts for counts, _ in pieces])
-    seconds = np.array([taken for _, taken in pieces])
-    call, ring, line, cap = np.maximum(np.linalg.solve(work, seconds), 0) * _COLD_CACHE
-
-    flat = PathSim()
+    cuts = [_cut(0.08, 0.1, 400), _cut(0.9, 0.1, 300), _cut(8.0, 80.0, 4), _cut(12.0, 0.1, 12)]
+    flat, rough = PathSim(), _rough()
     flat.BeginSimulation(_BOX, 0.12)  # a grid as large as in use: a smaller one stays in the cache
-    cell = _best(flat.GetResultMesh) / (834 * 501)
-    rough = _rough()
-    rough_seconds = _best(rough.GetResultMesh)
     facets = sum(mesh.CountFacets for mesh in rough.GetResultMesh())
-    facet = max(rough_seconds - cell * 51 * 61, 0) / facets
-
     radius, step = 2.0, 0.1
     tool = Part.makeCylinder(radius, 20)
-    profile = _best(lambda: flat.SetToolShape(tool, step)) / (3 * radius / step)
+
+    pieces = [*(run for _, run in cuts), flat.GetResultMesh, rough.GetResultMesh, lambda: flat.SetToolShape(tool, step)]
+    *cutting, flat_mesh, rough_mesh, shaping = steady_seconds(pieces, most=_RUNS, clock=clock)
+    work = np.array([counts for counts, _ in cuts])
+    call, ring, line, cap = (np.maximum(np.linalg.solve(work, cutting), 0) * _COLD_CACHE).tolist()
+    cell = float(flat_mesh) / (834 * 501)
+    facet = max(float(rough_mesh) - cell * 51 * 61, 0) / facets
+    profile = float(shaping) / (3 * radius / step)
     return replace(
         DEFAULTS, start=_here(DEFAULTS.start, cell), call=call, ring=ring, line=line, cap=cap, cell=cell, facet=facet,
         profile=profile,
     )  # fmt: skip
 
 
-def _cut(diameter: float, length: float, count: int) -> tuple[list[float], float]:
-    """Cut moves to and fro; return the numbers of calls, rings, steps along and steps around, and the time, s."""
+def _cut(diameter: float, length: float, count: int) -> tuple[list[float], Callable[[], object]]:
+    """Return moves to and fro: the numbers of calls, rings, steps along and steps around, and what cuts them."""
     resolution = 0.1
     words = [{"X": 10.0 + length * (i % 2), "Y": 30.0, "Z": 15.0} for i in range(count + 1)]
     commands = [PathCommand("G1", word) for word in words[1:]]
@@ -316,7 +315,7 @@ def _cut(diameter: float, length: float, count: int) -> tuple[list[float], float
     task = Task(linearize([("G1", word) for word in words]))
     work = legacy_work(task.motions, diameter=diameter, stock=_STOCK, accuracy=resolution)
     counts = [work.calls, work.rings, work.line_steps, work.cap_steps]
-    return [float(count.sum()) for count in counts], _best(run)
+    return [float(count.sum()) for count in counts], run
 
 
 def _rough() -> PathSim:
@@ -331,13 +330,3 @@ def _rough() -> PathSim:
             place = sim.ApplyCommand(place, PathCommand("G1", {"Z": 3.0 + (7 * x + 3 * y) % 13}))
             place = sim.ApplyCommand(place, PathCommand("G0", {"Z": 20.0}))
     return sim
-
-
-def _best(work: Callable[[], object]) -> float:
-    """Return the shortest time of some runs, s: what else the computer does makes them longer only."""
-    times = []
-    for _ in range(_RUNS):
-        begin = time.perf_counter()
-        work()
-        times.append(time.perf_counter() - begin)
-    return min(times)

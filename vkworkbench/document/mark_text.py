@@ -41,7 +41,7 @@ def time_of(record: Record, chosen: Preferences, reader: Reader = ENGLISH) -> st
     cost = record.cost(chosen.simulator)
     if not cost:
         return ""
-    time = reader.about(reader.time(cost[0]), record.factor(chosen.simulator))
+    time = reader.estimated_time(cost[0], record.factor(chosen.simulator))
     return f"≥ {time}" if record.incomplete else time
 
 

@@ -60,9 +60,9 @@ def _simulation(record: Record, name: str) -> str:
     seconds, memory = record.cost(name)
     factor, reader = record.factor(name), user()
     time = (
-        reader.time(seconds)
+        reader.time(seconds, factor)
         if factor < ROUGH
-        else reader.between(reader.time(seconds / factor), reader.time(seconds * factor))
+        else reader.between(reader.time(seconds / factor, factor), reader.time(seconds * factor, factor))
     )
     text = translate("Pills", "Simulating it in the {simulator}: {time}, {memory}")
     if record.incomplete:

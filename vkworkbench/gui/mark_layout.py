@@ -111,7 +111,7 @@ def layouts(record: Record, words: str, chosen: Preferences, metrics, most_of_re
     """
     reader = user()
     about, (seconds, _) = time_of(record, chosen, reader), record.cost(chosen.simulator) or (None, None)
-    plain = reader.time(seconds) if about else ""
+    plain = reader.time(seconds, record.factor(chosen.simulator)) if about else ""
     name = pill_text(record)
     is_error = _is_error(record)
     has_pill = not is_error or record.strategy is None or record.strategy.is_answer

@@ -31,8 +31,8 @@ class Column:
         The number or text of a row, None where there is none.
     shown : callable
         What the user reads of that value.
-    factor : callable
-        The true value of a row is between the value divided and multiplied by this factor.
+    factor : callable or None
+        For a time that is estimated: the true one is between it divided and multiplied by this factor of the row.
     least : callable
         Whether the value of a row is a lower bound.
     """
@@ -42,7 +42,7 @@ class Column:
     tooltip: str
     value: Callable[[Row], object]
     shown: Callable[[object], str] = str
-    factor: Callable[[Row], float] = lambda row: 1.0
+    factor: Callable[[Row], float] | None = None
     least: Callable[[Row], bool] = lambda row: False
 
     @property
@@ -55,15 +55,16 @@ class Column:
         value = self.value(row)
         if value is None:
             return ""
-        return ("≥ " if self.least(row) else "") + user().about(self.shown(value), self.factor(row))
+        text = user().estimated_time(value, self.factor(row)) if self.factor else self.shown(value)
+        return ("≥ " if self.least(row) else "") + text
 
     def range(self, row: Row) -> str:
         """Return between which numbers a rough one lies, empty where it is not rough."""
-        value, factor = self.value(row), self.factor(row)
+        value, factor = self.value(row), self.factor(row) if self.factor else 1.0
         if value is None or factor < ROUGH:
             return ""
         text = translate("Vk_Results", "Between {} and {}: not measured on this computer yet")
-        return text.format(self.shown(value / factor), self.shown(value * factor))
+        return text.format(user().time(value / factor, factor), user().time(value * factor, factor))
 
 
 def columns(version: tuple[int, ...], marked: str) -> tuple[list[Column], list[Column]]:
@@ -90,7 +91,7 @@ def columns(version: tuple[int, ...], marked: str) -> tuple[list[Column], list[C
                lambda row: row.found.machining_seconds, _as("time"), least=lambda row: not row.machining_complete),
         Column("simulation_time", translate("Vk_Results", "Simulation\ntime"),
                time.format(simulator=user().simulator(marked)),
-               partial(_seconds, marked), _as("time"), partial(_factor, simulator), _is_bound),
+               partial(_seconds, marked), factor=partial(_factor, simulator), least=_is_bound),
         Column(STATE, translate("Vk_Results", "State"),
                translate("Vk_Results", "Outdated: toolpath, tool or stock have changed since; analyze it again"),
                lambda row: translate("Vk_Results", "outdated") if row.outdated else None),
@@ -142,7 +143,7 @@ def _of_simulator(simulator: Simulator) -> tuple[Column, Column]:
     time, memory = translate("Vk_Results", "{simulator}\ntime"), translate("Vk_Results", "{simulator}\nmemory")
     return (
         Column(f"{name} time", time.format(simulator=called), text(simulator.time_tooltip),
-               partial(_seconds, name), _as("time"), partial(_factor, simulator), _is_bound),
+               partial(_seconds, name), factor=partial(_factor, simulator), least=_is_bound),
         Column(f"{name} memory", memory.format(simulator=called), text(simulator.memory_tooltip),
                partial(_bytes, name), _as("memory")),
     )  # fmt: skip

@@ -131,7 +131,7 @@ class PreferencesPage:
         )
         self.form.calibrated.setText(text.format(
             date=_local_date(known.date), moves=user().count(round(1 / known.constants.call)),
-            factor=user().number(known.constants.legacy_factor),
+            factor=user().number(known.constants.legacy_factor, 2),
             simulator=user().simulator(LEGACY.name), freecad=known.freecad, processor=known.processor, renderer=known.renderer or "?",
         ))  # fmt: skip
 

@@ -17,6 +17,7 @@ from vkworkbench import freecad
 from vkworkbench.core import linearize
 from vkworkbench.core.simulators import (
     SLIDER,
+    Seen,
     Task,
     legacy_costs,
     legacy_together,
@@ -80,7 +81,7 @@ class LegacyRuns(QObject):
 
     def _pressed(self, kind: str) -> None:
         whole = self._done() in (0, 100)  # not the rest of one that was paused
-        self._begin = (time.perf_counter(), kind, self._sliders()) if whole else None
+        self._begin = (_now(), kind, self._sliders()) if whole else None
 
     def eventFilter(self, button, event) -> bool:
         if event.type() == QEvent.EnabledChange and button.isEnabled() and self._begin and self._done() == 100:
@@ -89,7 +90,7 @@ class LegacyRuns(QObject):
 
     def _ended(self) -> None:
         (begin, kind, sliders), self._begin = self._begin, None
-        seconds = time.perf_counter() - begin
+        seen = Seen(*(_now() - begin).tolist())
         if sliders != self._sliders():
             return
         position, speed = sliders
@@ -101,7 +102,7 @@ class LegacyRuns(QObject):
                 for path, tool, stock in _simulated(self._panel)
             ]  # fmt: skip
             if costs:
-                calibration.learn(kind, legacy_together(costs), seconds, renderer=renderer)
+                calibration.learn(kind, legacy_together(costs), seen, renderer=renderer)
 
     def _done(self) -> int:
         """Percent of the run."""
@@ -124,12 +125,12 @@ class OpenGLRun(QObject):
             if panel is not None and panel.findChild(QToolButton, "toolButtonFF") is None:
                 quality = panel.findChild(QSlider, "sliderAccuracy").value()
                 self._simulated = _simulated(panel), quality
-        self._times: list[float] = []
+        self._times: list[np.ndarray] = []
         window.installEventFilter(self)
 
     def eventFilter(self, window, event) -> bool:
         if event.type() == QEvent.UpdateRequest:
-            self._times.append(time.perf_counter())
+            self._times.append(_now())
         elif event.type() == QEvent.MouseButtonPress:
             self._times.clear()
         elif event.type() == QEvent.Close:
@@ -138,7 +139,7 @@ class OpenGLRun(QObject):
 
     def _closed(self) -> None:
         (simulated, quality), times, self._times = self._simulated, self._times, []
-        frames = np.diff(times)
+        frames, worked = np.diff(np.reshape(times, (-1, 2)), axis=0).T
         played = _played(frames) if simulated else 0
         if not played:
             return
@@ -150,9 +151,16 @@ class OpenGLRun(QObject):
                             constants=calibration.constants(renderer))
                 for path, tool, stock in simulated
             ])  # fmt: skip
-            if any(_FEWEST < played * speed / cost.steps < _MOST for speed in speeds):
-                frame = float(np.median(frames[played - _LAST_FRAMES : played]))
-                calibration.learn("draw", cost, frame, renderer=renderer)
+            whole = [speed for speed in speeds if _FEWEST < played * speed / cost.steps < _MOST]
+            if whole:
+                last = float(np.median(frames[played - _LAST_FRAMES : played]))
+                seen = Seen(float(frames[:played].sum()), float(worked[:played].sum()), last, whole[0])
+                calibration.learn("draw", cost, seen, renderer=renderer)
+
+
+def _now() -> np.ndarray:
+    """The time, and what this process used of the processors until now, s."""
+    return np.array([time.perf_counter(), time.process_time()])
 
 
 def _played(frames: np.ndarray) -> int:

@@ -4,12 +4,14 @@
 from __future__ import annotations
 
 import re
-from math import tau
+from math import floor, inf, log10, tau
 
 from vkworkbench.language.marking import QT_TRANSLATE_NOOP
 
-# From which factor on a number is said to be "about".
-ROUGH = 2.0
+# From which factor on a number is said to be "about" and has one digit; from which on it has two.
+ROUGH, ESTIMATED = 2.0, 1.05
+# Units of time, their lengths, and from which time on the next one is taken, s.
+_UNITS = (("ms", 1e-3, 1.0), ("s", 1.0, 60.0), ("min", 60.0, 3600.0), ("h", 3600.0, inf))
 ABOUT = QT_TRANSLATE_NOOP("Sentences", "about {number}")
 _BETWEEN = QT_TRANSLATE_NOOP("Sentences", "{low} to {high}")
 _PERCENT = QT_TRANSLATE_NOOP("Sentences", "{number}%")
@@ -86,8 +88,17 @@ class Reader:
         turns = round(angle / tau, 2)
         return self.separated(f"{turns:+.2f}") if turns else "0"
 
-    def time(self, seconds: float) -> str:
-        """Return a duration, e.g. ``"12 ms"``, ``"1.4 s"``, ``"3 min"``, ``"2.5 h"``."""
+    def time(self, seconds: float, factor: float = 1.0) -> str:
+        """Return a duration, e.g. ``"12 ms"``, ``"1.4 s"``, ``"3.0 min"``, ``"2.5 h"``.
+
+        Parameters
+        ----------
+        seconds : float
+        factor : float
+            The true time is between this one divided and multiplied by this; it has as many digits as that allows.
+        """
+        if factor > ESTIMATED and 0 < seconds < inf:
+            return self._rounded_time(seconds, 1 if factor >= ROUGH else 2)
         if seconds < 0.9995:
             return f"{self._digits(seconds * 1e3)} ms"
         if seconds < 60:
@@ -95,6 +106,11 @@ class Reader:
         if seconds < 3600:
             return f"{self._digits(seconds / 60)} min"
         return f"{self._digits(seconds / 3600)} h"
+
+    def estimated_time(self, seconds: float, factor: float) -> str:
+        """Return a duration, see :meth:`time`, with "about" before it where the true one may be half or twice of it."""
+        text = self.time(seconds, factor)
+        return self.translate("Sentences", ABOUT).replace("{number}", text) if factor >= ROUGH else text
 
     def memory(self, size: float) -> str:
         """Return a memory size in bytes as kB, MB or GB (powers of 1000)."""
@@ -107,9 +123,16 @@ class Reader:
         """Return two numbers between which the true one is."""
         return self.translate("Sentences", _BETWEEN).replace("{low}", low).replace("{high}", high)
 
-    def about(self, text: str, factor: float) -> str:
-        """Return the text of a number, with "about" before it where the true one may be half or twice of it."""
-        return self.translate("Sentences", ABOUT).replace("{number}", text) if factor >= ROUGH else text
+    def _rounded_time(self, seconds: float, digits: int) -> str:
+        text = ""
+        for unit, length, most in _UNITS:
+            value = float(f"{seconds / length:.{digits - 1}e}")
+            places = max(digits - 1 - floor(log10(value)), 0)
+            text = f"{self.separated(f'{value:,.{places}f}')} {unit}"
+            if value * length < most:
+                break
+            seconds = max(seconds, most)  # 59.7 s are a minute
+        return text
 
     def _digits(self, value: float) -> str:
         if value >= 9.95 or value == 0:

@@ -122,7 +122,7 @@ def test_numbers_as_each_reads_them():
     german = German()
     assert (german.count(1234567), german.decimals(3.14159, 2)) == ("1.234.567", "3,14")
     assert (german.share(0.98), ENGLISH.share(0.98)) == ("98 %", "98%")
-    assert (german.about("3 s", 2.5), german.about("3 s", 1.5)) == ("etwa 3 s", "3 s")
+    assert (german.estimated_time(3.21, 2.5), german.estimated_time(3.21, 1.5)) == ("etwa 3 s", "3,2 s")
 
 
 @pytest.mark.parametrize("number, text", [
@@ -136,6 +136,18 @@ def test_numbers_as_each_reads_them():
 ])  # fmt: skip
 def test_numbers_have_two_or_three_digits_and_a_unit(number, text):
     assert number == text
+
+
+@pytest.mark.parametrize("seconds, two, one", [
+    (0.393, "390 ms", "400 ms"), (1.42, "1.4 s", "1 s"), (186.0, "3.1 min", "3 min"), (6120.0, "1.7 h", "2 h"),
+    (4e-5, "0.040 ms", "0.04 ms"), (59.7, "1.0 min", "1 min"), (0.996, "1.0 s", "1 s"), (3580.0, "1.0 h", "1 h"),
+    (9.96, "10 s", "10 s"), (96.0, "1.6 min", "2 min"), (1e7, "2,800 h", "3,000 h"), (0.0, "0 ms", "0 ms"),
+    (float("inf"), "inf h", "inf h"),
+])  # fmt: skip
+def test_a_time_has_as_many_digits_as_its_error_allows(seconds, two, one):
+    assert ENGLISH.time(seconds, 1.3) == ENGLISH.estimated_time(seconds, 1.9) == two
+    assert ENGLISH.time(seconds, 2.0) == one and ENGLISH.estimated_time(seconds, 4.0) == f"about {one}"
+    assert ENGLISH.time(seconds, 1.01) == ENGLISH.time(seconds)
 
 
 @pytest.mark.parametrize("strategy", Strategy)

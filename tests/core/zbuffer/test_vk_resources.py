@@ -138,8 +138,27 @@ def test_counts_grow_as_the_number_of_pixels():
     coarse, fine = (
         estimate(toolpath, None, tool=tool, stock=STOCK, view=View(width=k * 400, height=k * 300)) for k in (1, 3)
     )
-    assert fine.traces == pytest.approx(9 * coarse.traces)
-    assert fine.dexels == pytest.approx(9 * coarse.dexels)
+    # A pixel is cut or not: the contours' outline is a pixel here and there.
+    assert fine.traces == pytest.approx(9 * coarse.traces, abs=18 * coarse.traces_error)
+    assert fine.dexels == pytest.approx(9 * coarse.dexels, rel=1e-3)
+
+
+@pytest.mark.parametrize("width", [0.3, 0.5, 0.8, 1.0, 2.0])
+@pytest.mark.parametrize("direction", [TOP, (0, 1, 0), TILTED, ISOMETRIC], ids=["top", "front", "tilted", "isometric"])
+def test_the_error_bar_knows_the_pixel(width, direction):
+    """Narrow slots: whether one or two rows of pixels lie in a slot is no chance, and no area."""
+    stock, view = Stock((0, 0, 0), (120, 90, 20)), View(direction, 320, 240)
+    far, inside = 0.0, []
+    for turn in np.radians([0, 7, 45, 90]):
+        x, y = 30 * np.cos(turn), 30 * np.sin(turn)
+        toolpath = linearize([
+            ("G0", {"X": 60 - x, "Y": 45 - y, "Z": 25.0}), ("G1", {"Z": 15.0}), ("G1", {"X": 60 + x, "Y": 45 + y}),
+        ])  # fmt: skip
+        exact = simulate(toolpath, tool=Tool("endmill", width), stock=stock, view=view).traces
+        found = estimate(toolpath, None, tool=Tool("endmill", width), stock=stock, view=view)
+        inside.append(abs(found.traces - exact) <= 2 * found.traces_error)
+        far = max(far, abs(found.traces - exact) / max(found.traces_error, 1.0))
+    assert sum(inside) >= 3 and far < 4
 
 
 def test_only_the_image_counts():

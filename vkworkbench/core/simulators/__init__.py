@@ -7,19 +7,20 @@ what real runs teach it about the `Constants`; `Caution`, what to know before a 
 """
 
 from vkworkbench.core.simulators.accuracy import Accuracy, best_accuracy
-from vkworkbench.core.simulators.constants import CALIBRATED_FACTOR, DEFAULTS, Constants
+from vkworkbench.core.simulators.constants import DEFAULTS, Constants
 from vkworkbench.core.simulators.costs import Costs
 from vkworkbench.core.simulators.kept import as_data as cost_as_data
 from vkworkbench.core.simulators.kept import from_data as cost_from_data
 from vkworkbench.core.simulators.legacy import SLIDER, LegacyCost, legacy_costs, legacy_together, legacy_work
 from vkworkbench.core.simulators.opengl import OpenGLCost, opengl_cost, opengl_speeds, opengl_together
 from vkworkbench.core.simulators.preflight import preflight
-from vkworkbench.core.simulators.simulator import Advice, Caution, Conditions, Cost, Lesson, Simulator, Task
+from vkworkbench.core.simulators.real_runs import Lesson, Seen
+from vkworkbench.core.simulators.simulator import Advice, Caution, Conditions, Cost, Simulator, Task
 from vkworkbench.core.simulators.table import LEGACY, OPENGL, SIMULATORS, ZBUFFER, available, predict, together
 
 __all__ = [
-    "CALIBRATED_FACTOR", "DEFAULTS", "LEGACY", "OPENGL", "SIMULATORS", "SLIDER", "ZBUFFER", "Accuracy", "Advice",
-    "Caution", "Conditions", "Constants", "Cost", "Costs", "LegacyCost", "Lesson", "OpenGLCost", "Simulator", "Task",
+    "DEFAULTS", "LEGACY", "OPENGL", "SIMULATORS", "SLIDER", "ZBUFFER", "Accuracy", "Advice",
+    "Caution", "Conditions", "Constants", "Cost", "Costs", "LegacyCost", "Lesson", "OpenGLCost", "Seen", "Simulator", "Task",
     "available", "best_accuracy", "cost_as_data", "cost_from_data", "legacy_costs", "legacy_together", "legacy_work", "opengl_cost",
     "opengl_speeds", "opengl_together", "predict", "preflight", "together",
 ]  # fmt: skip

@@ -45,7 +45,7 @@ class Constants:
     line_bytes, arc_bytes : float
         OpenGL: memory of a straight motion and of an arc.
     legacy_factor, opengl_factor : float
-        The true number is between the estimate divided and multiplied by this, before any calibration.
+        The true time is between the estimate divided and multiplied by this; before any simulation was seen.
     """
 
     start: float = 0.32
@@ -72,5 +72,3 @@ class Constants:
 
 
 DEFAULTS = Constants()
-# With measured constants the true number is within this factor (benchmarks/simulators.py).
-CALIBRATED_FACTOR = 1.3

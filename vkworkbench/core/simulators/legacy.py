@@ -154,6 +154,8 @@ class LegacyCost:
         Time to cut them all, and to make the last mesh.
     constants : Constants
         The unit costs that the prediction used.
+    speed : float
+        Commands that play shows in a second at most.
     positions : tuple of LegacyCost
         The same at each position of the accuracy slider, 1 to 10; empty where it was not computed.
     """
@@ -172,6 +174,7 @@ class LegacyCost:
     cut_seconds: float
     mesh_seconds: float
     constants: Constants
+    speed: float
     positions: tuple[LegacyCost, ...] = ()
 
     @property
@@ -281,6 +284,7 @@ def legacy_costs(
             cut_seconds=cut_seconds,
             mesh_seconds=mesh,
             constants=constants,
+            speed=speed,
         ))  # fmt: skip
     return tuple(costs)
 
@@ -342,4 +346,5 @@ def legacy_together(costs: Sequence[LegacyCost]) -> LegacyCost:
         cut_seconds=sum(cost.cut_seconds for cost in costs),
         mesh_seconds=mesh,
         constants=constants,
+        speed=costs[0].speed,
     )

@@ -7,13 +7,13 @@ progress. A play redraws the window for every command, and every triangle of its
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
 
 from vkworkbench.core.simulators.constants import DEFAULTS, Constants
-from vkworkbench.core.simulators.simulator import Lesson
+from vkworkbench.core.simulators.real_runs import Lesson, Seen
 
 _PERCENTS = 100
 # How far the constants usually lie from their defaults, and their least values, s: of start, tick (a timer of 1 ms)
@@ -30,6 +30,7 @@ _ROUNDS = 30
 # Rounds in which the ticks of short fast-forwards are taken off, as the long ones tell them.
 _ROUNDS_OF_TICK = 5
 _SHORTEST_PLAY = 20  # commands
+_TIMER = 1e-3  # of fast-forward, s: a command waits for it at most so long
 
 
 def panel_seconds(constants: Constants, commands: int) -> float:
@@ -126,33 +127,47 @@ def _of(constants: Constants) -> np.ndarray:
     return np.array([constants.start, constants.tick, constants.repaint])
 
 
-def _fast_forward_of(cost: Any, seconds: float, constants: Constants) -> tuple[int, float] | None:
-    """Return a fast-forward's commands and its time beyond cutting and mesh, s; None where that is not positive."""
-    panel = seconds - cost.fast_forward_seconds + cost.panel_seconds
-    return (cost.commands, panel) if panel > 0 else None
-
-
-def _play_of(cost: Any, seconds: float, constants: Constants) -> tuple[int, float, float, float] | None:
-    """Return commands, triangles, time of showing and whole time of a play, s; None where it was too short."""
-    if cost.shown < _SHORTEST_PLAY:
-        return None
-    return cost.shown, cost.drawn, seconds - cost.play_seconds + cost.display_seconds, seconds
+def _fast_forward_of(cost: Any, seen: Seen, constants: Constants) -> tuple[float, ...] | None:
+    """Return a fast-forward's commands, its time beyond cutting and mesh and its whole time, s; None where none is left."""
+    panel = seen.seconds - cost.fast_forward_seconds + cost.panel_seconds
+    return (cost.commands, panel, seen.seconds) if panel > 0 else None
 
 
 def _fast_forwards(runs: Sequence[Any], constants: Constants) -> dict[str, float]:
-    return dict(zip(("start", "tick", "repaint"), fit_fast_forward(*np.array(runs).T)))
+    commands, panel, _ = np.array(runs).T
+    return dict(zip(("start", "tick", "repaint"), fit_fast_forward(commands, panel)))
+
+
+def _fast_forward_ratio(run: tuple[float, ...], constants: Constants) -> float:
+    commands, panel, seconds = run
+    return (seconds - panel + panel_seconds(constants, int(commands))) / seconds
+
+
+def _play_of(cost: Any, seen: Seen, constants: Constants) -> tuple[float, ...] | None:
+    """Return commands, triangles, time of showing and whole time of a play, s; None where it was too short."""
+    if cost.shown < _SHORTEST_PLAY:
+        return None
+    return cost.shown, cost.drawn, seen.seconds - cost.play_seconds + cost.display_seconds, seen.seconds
 
 
 def _plays(runs: Sequence[Any], constants: Constants) -> dict[str, float]:
     return dict(zip(("redraw", "display"), fit_play(*np.array(runs).T)))
 
 
-def _read_numbers(count: int) -> Callable[[Any], tuple[float, ...]]:
-    """Return the function that reads a run from the file: `count` numbers, the first of them an integer."""
-    return lambda run: (int(run[0]), *(float(run[k]) for k in range(1, count)))
+def _play_ratio(run: tuple[float, ...], constants: Constants) -> float:
+    shown, drawn, display_seconds, seconds = run
+    return (seconds - display_seconds + constants.redraw * shown + constants.display * drawn) / seconds
+
+
+def _play_waits(cost: Any, constants: Constants) -> float:
+    """Every command waits for the timer of the speed slider, and its picture for the screen."""
+    return float(cost.shown * max(1 / cost.speed, constants.refresh))
 
 
 LESSONS = (
-    Lesson("fast-forward", _fast_forward_of, _read_numbers(2), _fast_forwards),
-    Lesson("play", _play_of, _read_numbers(4), _plays),
-)
+    Lesson(
+        "fast-forward", _fast_forward_of, 3, _fast_forwards,
+        waits=lambda cost, constants: _TIMER * cost.commands, ratio=_fast_forward_ratio, factor="legacy_factor",
+    ),
+    Lesson("play", _play_of, 4, _plays, waits=_play_waits, ratio=_play_ratio),
+)  # fmt: skip

@@ -10,12 +10,14 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from statistics import median_low
+from typing import Any
 
 import numpy as np
 
-from vkworkbench.core.simulators.constants import CALIBRATED_FACTOR, DEFAULTS, Constants
+from vkworkbench.core.simulators.constants import DEFAULTS, Constants
 from vkworkbench.core.simulators.motions import Motions
-from vkworkbench.core.simulators.simulator import Caution, Conditions, Lesson, Task
+from vkworkbench.core.simulators.real_runs import Lesson, Seen
+from vkworkbench.core.simulators.simulator import Caution, Conditions, Task
 from vkworkbench.core.solids import Tool
 from vkworkbench.language import Message
 
@@ -291,19 +293,30 @@ def cautions(task: Task, cost: OpenGLCost | None, conditions: Conditions) -> lis
     return found
 
 
-def _draw_of(cost: OpenGLCost, seconds: float, constants: Constants) -> float | None:
-    """Return the constant "draw" that follows from the last frames of a play, which took `seconds` each.
+def _draw_of(cost: OpenGLCost, seen: Seen, constants: Constants) -> tuple[float, ...] | None:
+    """Return the constant "draw" that follows from the last frames of a play, and from the whole play.
 
-    None where they were so short that they may have waited for the screen.
+    None where the frames were so short that they may have waited for the screen.
     """
-    if seconds < _SLOW_FRAME * constants.refresh or not cost.drawing_seconds:
+    if seen.frame_seconds < _SLOW_FRAME * constants.refresh or not cost.drawing_seconds:
         return None
-    return constants.draw * seconds / (constants.frame + cost.drawing_seconds)
+    frame = constants.draw * seen.frame_seconds / (constants.frame + cost.drawing_seconds)
+    return frame, constants.draw * seen.seconds / cost.play_seconds[seen.speed]
 
 
-def _drawing(runs: Sequence[float], constants: Constants) -> dict[str, float]:
-    draw = median_low(runs)
-    return {"frame": constants.frame * draw / constants.draw, "draw": draw, "opengl_factor": CALIBRATED_FACTOR}
+def _drawing(runs: Sequence[Any], constants: Constants) -> dict[str, float]:
+    draw = median_low([draw for draw, _ in runs])
+    return {"frame": constants.frame * draw / constants.draw, "draw": draw}
 
 
-LESSONS = (Lesson("draw", _draw_of, float, _drawing),)
+def _ratio(run: tuple[float, ...], constants: Constants) -> float:
+    """A play takes longer as a draw call does."""
+    return constants.draw / run[1]
+
+
+def _waits(cost: OpenGLCost, constants: Constants) -> float:
+    """What a graphics card takes is not the processor's time, so nobody knows; without one nothing waits."""
+    return np.inf if constants.refresh else 0.0
+
+
+LESSONS = (Lesson("draw", _draw_of, 2, _drawing, _waits, _ratio, "opengl_factor"),)

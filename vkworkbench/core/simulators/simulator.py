@@ -12,6 +12,7 @@ from vkworkbench.core.gcode import Words
 from vkworkbench.core.recognition import Recognition
 from vkworkbench.core.simulators.constants import DEFAULTS, Constants
 from vkworkbench.core.simulators.motions import Motions, motions
+from vkworkbench.core.simulators.real_runs import Lesson
 from vkworkbench.core.solids import Tool, View
 from vkworkbench.core.stocks import Solid
 from vkworkbench.core.toolpath import Toolpath
@@ -147,29 +148,6 @@ class Caution:
 
     def __str__(self) -> str:
         return self.message
-
-
-@dataclass(frozen=True)
-class Lesson:
-    """How constants are learned from the simulations of one kind that the user runs.
-
-    Attributes
-    ----------
-    kind : str
-        Name of these runs in the calibration's file.
-    run : callable
-        ``run(cost, seconds, constants)`` returns what is kept of a run that took `seconds`, where `cost` was predicted
-        with `constants`; None where nothing can be learned from it.
-    read : callable
-        ``read(run)`` returns a run as it was kept, from the calibration's file.
-    learned : callable
-        ``learned(runs, constants)`` returns the constants that follow from all runs kept, by name.
-    """
-
-    kind: str
-    run: Callable[[Any, float, Constants], Any]
-    read: Callable[[Any], Any]
-    learned: Callable[[Sequence[Any], Constants], dict[str, float]]
 
 
 @dataclass(frozen=True)

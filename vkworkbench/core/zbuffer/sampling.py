@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Random rays where a toolpath passes: a stratified sample of an image and the totals it stands for."""
+"""Random pixels where a toolpath passes: a stratified sample of an image and the totals it stands for."""
 
 from __future__ import annotations
 
@@ -19,12 +19,12 @@ _MEETINGS = 150_000
 
 @dataclass(frozen=True, eq=False)
 class Sample:
-    """Rays of an image with the areas they stand for, in the order of their strata.
+    """Pixels' rays of an image with the areas they stand for, in the order of their strata.
 
     Attributes
     ----------
     x, y : (k,) float64
-        Image coordinates of the rays, mm.
+        Image coordinates of the rays, the centres of pixels, mm.
     area : (k,) float64
         Area of the image each ray stands for, mm^2; a sum of values times areas estimates an integral
         over the image.
@@ -75,7 +75,8 @@ def sample(removal: Removal, rng: np.random.Generator) -> Sample:
     The part of the image the trajectories reach is divided into 32 x 32 cells. A cell's weight grows with the
     square root of the number of trajectories that pass it, because where more pass the count varies more. The
     strata are stretches of equal weight along a curve through the cells that keeps neighbours together
-    (Morton 1966).
+    (Morton 1966). In each a random point is drawn, and the ray is that of the pixel it is in: a slot that is narrower
+    than a pixel is wide counts as the image shows it.
 
     Parameters
     ----------
@@ -90,11 +91,12 @@ def sample(removal: Removal, rng: np.random.Generator) -> Sample:
     frame = removal.frame
     half = np.array([frame.width, frame.height]) * frame.pixel / 2
     extent = np.abs(np.array([frame.right, frame.up])) @ (removal.stock.upper - removal.stock.lower) / 2
-    half = np.minimum(half, extent)
+    margin = frame.pixel / 2  # the pixels whose centres are reached
+    half = np.minimum(half, extent + margin)
     if len(removal.index) == 0:
         return Sample(*np.empty((3, 0)))
-    low = np.maximum(-half, [removal.box[0].min(), removal.box[2].min()])
-    high = np.minimum(half, [removal.box[1].max(), removal.box[3].max()])
+    low = np.maximum(-half, np.array([removal.box[0].min(), removal.box[2].min()]) - margin)
+    high = np.minimum(half, np.array([removal.box[1].max(), removal.box[3].max()]) + margin)
     if not (low < high).all():
         return Sample(*np.empty((3, 0)))
     side = (high - low) / _CELLS
@@ -109,12 +111,15 @@ def sample(removal: Removal, rng: np.random.Generator) -> Sample:
     row, column = np.divmod(cell, _CELLS)
     x = low[0] + (column + rng.random(rays)) * side[0]
     y = low[1] + (row + rng.random(rays)) * side[1]
+    x, y = frame.pixel_centres(
+        np.floor(x / frame.pixel + frame.width / 2), np.floor(y / frame.pixel + frame.height / 2)
+    )
     area = side.prod() * running[-1] / (rays * weight[cell])
     return Sample(x, y, area)
 
 
 def _passes(removal: Removal, low: np.ndarray, side: np.ndarray) -> np.ndarray:
-    """How many bounding boxes of trajectories, long ones cut up, touch each cell: (rows, columns)."""
+    """How many bounding boxes of trajectories, half a pixel wider, touch each cell, long ones cut up: (rows, columns)."""
     seen = np.array((removal.move[0], removal.cosine * removal.move[1] + removal.sine * removal.move[2]))
     low, side = low[:, None], side[:, None]
     parts = np.ceil((np.abs(seen) / side).max(axis=0) / 4).astype(np.int64)
@@ -122,7 +127,7 @@ def _passes(removal: Removal, low: np.ndarray, side: np.ndarray) -> np.ndarray:
     item = np.repeat(np.arange(len(parts)), parts)
     place = np.arange(len(item)) - np.repeat(np.cumsum(parts) - parts, parts)
     box = removal.boxes(item, place / parts[item], (place + 1) / parts[item])
-    lower, upper = box[::2], box[1::2]
+    lower, upper = box[::2] - removal.frame.pixel / 2, box[1::2] + removal.frame.pixel / 2
     first, last = np.floor((lower - low) / side), np.floor((upper - low) / side)
     # Seen from the side, the box of a part above the stock ends before it begins.
     inside = ((last >= np.maximum(first, 0)) & (first < _CELLS)).all(axis=0)

@@ -3,11 +3,13 @@
 
 from __future__ import annotations
 
-import time
+from collections.abc import Callable
+from functools import partial
 
 import numpy as np
 
 from vkworkbench.core.solids import Stock, Tool, View
+from vkworkbench.core.steady import processor_clock, steady_seconds
 from vkworkbench.core.toolpath import Toolpath
 from vkworkbench.core.zbuffer.counts import count
 from vkworkbench.core.zbuffer.cuts import Cut, Cuts
@@ -18,7 +20,8 @@ from vkworkbench.core.zbuffer.simulate import simulate
 _STOCK = Stock((0, 0, 0), (60, 60, 20))
 _FLAT, _BALL = Tool("endmill", 8), Tool("ballend", 8)
 _TILTED = (0, 1, -2)
-_ROUNDS = 2
+# How often each run is timed at most.
+_RUNS = 8
 # The true time is within this factor of that of a measured speed (benchmarks/resources.py).
 _FACTOR = 2.5
 # Weight of the usual proportions against one measured time.
@@ -27,11 +30,16 @@ _RIDGE = 0.5
 _LEAST = 0.1
 
 
-def measure_speed() -> Speed:
-    """Time the simulator on lines, arcs and a surface, in about a second.
+def measure_speed(clock: Callable[[], float] = processor_clock) -> Speed:
+    """Time the simulator on lines, arcs and a surface, in about two seconds, until it is steady.
 
     The images are nearly as large as real ones: in a small one most of the time is what every array operation takes
     to begin.
+
+    Parameters
+    ----------
+    clock : callable
+        Tells the time, s: that of this processor, so that other programs do not make it slower.
 
     Returns
     -------
@@ -46,10 +54,9 @@ def measure_speed() -> Speed:
         (_surface(10.0), _BALL, View(width=384, height=384)),
         (_surface(20.0), _BALL, View(_TILTED, 256, 256)),
     )
-    # In turns: a moment in which the computer does something else spoils one time of each run only.
-    rounds = [[_time(*run) for run in runs] for _ in range(_ROUNDS)]
-    amounts = np.array([amount for amount, _ in rounds[0]])
-    return fit_speed(amounts, np.min([[seconds for _, seconds in times] for times in rounds], axis=0))
+    amounts = np.array([_work(*run) for run in runs])
+    pieces = [partial(simulate, toolpath, tool=tool, stock=_STOCK, view=view) for toolpath, tool, view in runs]
+    return fit_speed(amounts, steady_seconds(pieces, most=_RUNS, clock=clock))
 
 
 def fit_speed(amounts: np.ndarray, seconds: np.ndarray) -> Speed:
@@ -75,13 +82,10 @@ def fit_speed(amounts: np.ndarray, seconds: np.ndarray) -> Speed:
     return Speed(trajectory, pixel, candidate, tilted_candidate, record, factor=_FACTOR)
 
 
-def _time(toolpath: Toolpath, tool: Tool, view: View) -> tuple[np.ndarray, float]:
-    """The work of one simulation and its time, that of this processor: other programs must not make it slower."""
-    begin = time.process_time()
-    exact = simulate(toolpath, tool=tool, stock=_STOCK, view=view)
-    seconds = time.process_time() - begin
-    passes = count(Removal(Cuts([Cut(toolpath, tool)]), _STOCK, exact.frame)).passes
-    return work(len(toolpath), exact.dexels + exact.traces, passes, tool, view), seconds
+def _work(toolpath: Toolpath, tool: Tool, view: View) -> np.ndarray:
+    """The work of one simulation; see `work`."""
+    counts = count(Removal(Cuts([Cut(toolpath, tool)]), _STOCK, view.frame(_STOCK)))
+    return work(len(toolpath), counts.dexels + counts.traces, counts.passes, tool, view)
 
 
 def _rows(step: float) -> Toolpath:

@@ -1,0 +1,51 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Times of pieces of work, with clocks that tell what they are told to tell."""
+
+import numpy as np
+import pytest
+
+from vkworkbench.core import steady_seconds
+
+
+class Workshop:
+    """Pieces of work that take the times they are given, and the clock that sees it."""
+
+    def __init__(self, *times):
+        self.now, self.turns = 0.0, []
+        self.pieces = [self._piece(place, iter(some)) for place, some in enumerate(times)]
+
+    def _piece(self, place, times):
+        def work():
+            self.turns.append(place)
+            self.now += next(times)
+
+        return work
+
+    def clock(self):
+        return self.now
+
+
+def test_a_piece_is_timed_until_its_shortest_time_came_three_times():
+    shop = Workshop([5.0, 1.0, 9.0, 1.04, 1.2, 1.01, 7.0])
+    assert steady_seconds(shop.pieces, most=20, clock=shop.clock) == pytest.approx([1.0])
+    assert len(shop.turns) == 6
+
+
+def test_the_shortest_time_counts_where_it_never_is_steady():
+    shop = Workshop([2.0**k for k in range(9, -1, -1)])
+    assert steady_seconds(shop.pieces, most=10, clock=shop.clock) == pytest.approx([1.0])
+
+
+def test_pieces_take_turns_and_only_those_that_are_not_steady_go_on():
+    shop = Workshop([1.0] * 3, [9.0, 3.0, 3.0, 3.0], [1e-3] * 3)
+    found = steady_seconds(shop.pieces, most=20, clock=shop.clock)
+    assert found == pytest.approx([1.0, 3.0, 1e-3])
+    assert shop.turns == [0, 1, 2] * 3 + [1]
+
+
+def test_a_busy_computer_gives_the_times_of_a_quiet_one():
+    rng = np.random.default_rng(7)
+    for _ in range(50):
+        busy = (0.1 * (1 + rng.choice([0.0, 0.02, rng.uniform(0.1, 3.0)])) for _ in range(99))
+        shop = Workshop(busy)
+        assert steady_seconds(shop.pieces, most=20, clock=shop.clock) == pytest.approx([0.1], rel=0.03)
