@@ -71,6 +71,8 @@ def made(folder: Path):
     document = example(folder)
     job = next(obj for obj in document.Objects if freecad.OPERATIONS.is_in(obj) and freecad.TOOLS.is_in(obj))
     controller = job.Tools.Group[1]
+    for operation in freecad.OPERATIONS.of(job).Group:
+        document.removeObject(operation.Name)
     low, high = job.Stock.Shape.BoundBox, job.Stock.Shape.BoundBox.ZMax
     width, depth = low.XLength / 5, low.YLength / 4
     operations = []
