@@ -71,6 +71,7 @@ def test_in_a_combo_view_that_was_hidden(untouched, opened, window):
     analyze(window, opened)
     assert window.dismiss() == []  # there is nothing to see yet
     untouched.show()
+    untouched.raise_()  # before the tasks, where both are tabs of one dock
     window.wait(lambda: untouched.width() > 300)
     window.dismiss()
     window.tree.expandAll()

@@ -249,11 +249,11 @@ def test_a_mark_panel_and_gauss_map_in_german(opened, german, window):
 
 
 def test_pills_have_the_users_numbers(german):
-    cost = cost_from_data("z-buffer", {"seconds": 1.4, "memory_bytes": 2e6, "factor": 4.0, "stock_bytes": 0})
+    cost = cost_from_data("z-buffer", {"seconds": 1.4, "memory_bytes": 2e6, "factor": 1.5, "stock_bytes": 0})
     record = Record(Strategy.ZIGZAG, confidence=0.7, costs={"z-buffer": cost}, remarks=(Message("no-tool"),))
     metrics = QtGui.QFontMetrics(QtGui.QFont())
     (full, *_) = layouts(record, "own words", Preferences(mark_simulator="z-buffer"), metrics, None)
-    assert full.pieces[0].text == "Zickzack 70 %" and "▶ etwa 1,4 s" in full.text
+    assert full.pieces[0].text == "Zickzack 70 %" and "▶ 1,4 s" in full.text
     assert full.text.endswith("kein Werkzeug: Der Operation einen Werkzeugcontroller geben  own words")
 
 
