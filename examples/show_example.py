@@ -18,7 +18,7 @@ from PySide.QtCore import QPoint, Qt, QTimer
 from PySide.QtGui import QPixmap
 
 import vkworkbench
-from vkworkbench.gui import tree
+from vkworkbench.gui import pills, tree
 
 sys.path.insert(0, str(Path(__file__).parent))
 from make_example import make_example
@@ -74,7 +74,7 @@ def expand_tree():
 
 
 def take_picture(view):
-    tree.fit_description()
+    pills.fit_column()
     picture = QPixmap(view.size())
     picture.fill(Qt.white)  # 1.1 draws a tree without its background
     view.render(picture, QPoint())
