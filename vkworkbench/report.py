@@ -15,8 +15,8 @@ from vkworkbench.core.paper import PaperVerdict
 from vkworkbench.core.simulators import SIMULATORS, ZBUFFER, Caution, Costs, LegacyCost, together
 from vkworkbench.core.zbuffer import FACT_COLUMNS, CutFacts
 from vkworkbench.language import ENGLISH, Message, render
-from vkworkbench.plain_text import plain_text
 from vkworkbench.simulation_facts import SimulationFacts
+from vkworkbench.spreadsheet import as_cell
 
 # Cautions on what hangs a simulator, or takes longer or more memory than the user allows.
 HANGS = frozenset({"legacy-hangs"})
@@ -424,7 +424,7 @@ def cells_of(operation: OperationReport) -> dict[str, Any]:
     row["cautions"] = "; ".join(row["cautions"])
     row["machining_notes"] = "; ".join(row["machining_notes"])
     row["spans"] = "; ".join(f"{s['strategy']} {s['first_command']}-{s['last_command']}" for s in row["spans"])
-    return {name: plain_text(value) for name, value in row.items()}
+    return {name: as_cell(value) for name, value in row.items()}
 
 
 def _row(o: OperationReport) -> tuple[str, ...]:

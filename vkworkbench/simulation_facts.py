@@ -13,7 +13,7 @@ import numpy as np
 
 from vkworkbench.core.zbuffer import FACT_COLUMNS, CutFacts
 from vkworkbench.language import ENGLISH
-from vkworkbench.plain_text import plain_text
+from vkworkbench.spreadsheet import as_cell
 
 
 @dataclass(frozen=True)
@@ -46,7 +46,7 @@ class SimulationFacts:
 
     def to_csv(self, path: str) -> None:
         """Write one line for each operation, with a header; of what is wrong the number of places and the worst."""
-        rows = [{"label": plain_text(label), **facts.cells()} for label, facts in self.operations]
+        rows = [{"label": as_cell(label), **facts.cells()} for label, facts in self.operations]
         with open(path, "w", newline="", encoding="utf-8") as file:
             writer = csv.DictWriter(file, ["label", *FACT_COLUMNS])
             writer.writeheader()
@@ -60,7 +60,7 @@ class SimulationFacts:
     def trajectories_to_csv(self, path: str) -> None:
         """Write one line for each trajectory, with a header: its operation, command, and what it removes."""
         table = dict(self.trajectories)
-        labels = [plain_text(label) for label, _ in self.operations]
+        labels = [as_cell(label) for label, _ in self.operations]
         table = {"label": np.array(labels, object)[table.pop("cut")], **table}
         with open(path, "w", newline="", encoding="utf-8") as file:
             writer = csv.writer(file)

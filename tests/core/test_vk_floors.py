@@ -28,7 +28,7 @@ FLOORS = (
     ("core.rendering",),
     ("core.simulators",),
     ("core",),
-    ("plain_text",),
+    ("spreadsheet",),
     ("simulation_facts",),
     ("report",),
     ("freecad",),

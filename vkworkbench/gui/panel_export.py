@@ -11,8 +11,8 @@ from vkworkbench.gui.panel_rows import Row
 from vkworkbench.gui.plain_text import warn
 from vkworkbench.gui.qt import QFileDialog, QWidget
 from vkworkbench.gui.text import translate
-from vkworkbench.plain_text import plain_text
 from vkworkbench.report import Report
+from vkworkbench.spreadsheet import as_cell
 
 
 def save(report: Report, document, ending: str, parent: QWidget) -> None:
@@ -36,5 +36,5 @@ def save(report: Report, document, ending: str, parent: QWidget) -> None:
 def as_text(columns: Sequence[Column], rows: Iterable[Row]) -> str:
     """Return rows as tabulated text with a line of titles, with the numbers and units that are shown."""
     lines = [[column.name for column in columns]]
-    lines += [[" ".join(plain_text(column.text(row)).split()) for column in columns] for row in rows]
+    lines += [[" ".join(as_cell(column.text(row)).split()) for column in columns] for row in rows]
     return "\n".join("\t".join(line) for line in lines) + "\n"

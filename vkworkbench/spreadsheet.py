@@ -11,7 +11,7 @@ from typing import Any
 _FORMULA = re.compile(r"[\s\x00-\x1f\ufeff\u200b-\u200f\u2060]*[=+\-@＝＋－＠]")
 
 
-def plain_text(value: Any) -> Any:
+def as_cell(value: Any) -> Any:
     """Return a text that no spreadsheet takes for a formula; other values as they are."""
     if isinstance(value, str) and _FORMULA.match(value):
         return "'" + value
