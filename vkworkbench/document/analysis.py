@@ -18,7 +18,14 @@ from vkworkbench.core.gcode import Words, in_seconds
 from vkworkbench.core.simulators import ZBUFFER, Conditions, Task, predict, preflight
 from vkworkbench.core.zbuffer import cuts_surely
 from vkworkbench.document import calibration
-from vkworkbench.document.fingerprint import AT_ONCE, setting_fingerprint, text_fingerprint, text_of
+from vkworkbench.document.fingerprint import (
+    AT_ONCE,
+    fingerprint_of,
+    path_and_setting,
+    setting_fingerprint,
+    text_fingerprint,
+    text_of,
+)
 from vkworkbench.document.known import KNOWN, key_of
 from vkworkbench.document.operations import Operation, find, fixtures_of, is_there
 from vkworkbench.document.path_prints import PATH_PRINTS
@@ -103,7 +110,7 @@ def analyze(
             reading = _read(operation)
             row = _patiently(lambda going_on, reading=reading: _row(reading, chosen, conditions, going_on), cancelled)
             reports.append(row)
-            PATH_PRINTS.end((row.document, row.name), token, row.fingerprint.partition(":")[0])
+            PATH_PRINTS.end((row.document, row.name), token, path_and_setting(row.fingerprint)[0])
     return Report(tuple(reports), jobs, chosen.budget, fixtures)
 
 
@@ -212,7 +219,7 @@ def _row(reading: _Reading, chosen: Preferences, conditions: Conditions, going_o
 
 def _work(reading: _Reading, chosen: Preferences, conditions: Conditions, going_on: Callable) -> OperationReport:
     commands = None if reading.path.Size <= AT_ONCE else reading.path.Commands
-    text = reading.path.toGCode() if commands is None else text_of(commands)
+    text = text_of(reading.path, commands)
     going_on()
     key = key_of(text, *reading.placement.toMatrix().A, *(getattr(reading, name) for name in _READ), chosen.tolerance,
                  conditions)  # fmt: skip
@@ -225,7 +232,7 @@ def _work(reading: _Reading, chosen: Preferences, conditions: Conditions, going_
     row = replace(
         known,
         **{name: getattr(reading, name) for name in _WHOSE},
-        fingerprint=f"{text_fingerprint(text, reading.placement)}:{reading.setting_fingerprint}",
+        fingerprint=fingerprint_of(text_fingerprint(text, reading.placement), reading.setting_fingerprint),
     )
     return with_faults(row, row.document, row.name)
 
@@ -290,7 +297,7 @@ def _unknown(reading: _Reading, error: Exception | None = None) -> OperationRepo
         advice={},
         cautions=(),
         remarks=(Message("not-analysed", error=f"{type(error).__name__}: {error}"),),
-        fingerprint=f":{reading.setting_fingerprint}",
+        fingerprint=fingerprint_of("", reading.setting_fingerprint),
     )
 
 

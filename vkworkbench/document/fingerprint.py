@@ -44,25 +44,38 @@ def finding_path_fingerprint(obj) -> Iterator[None]:
         token = PATH_PRINTS.begin(obj)
         path, placement, whose = obj.Path, obj.Placement, (obj.Document.Name, obj.Name)
         yield
-        texts = [path.toGCode()] if path.Size <= AT_ONCE else _texts(path.Commands)
         digest = hashlib.sha1(**_NO_SECRET)
-        for text in texts:
+        for text in _texts(path, None):
             digest.update(_without_comments(text).encode())
             yield
         digest.update(_place(placement).encode())
         PATH_PRINTS.end(whose, token, digest.hexdigest()[:16])
 
 
-def text_of(commands: list) -> str:
-    """Return the text of a path's commands; to write very many of them at once would hold up other threads."""
-    return "".join(_texts(commands))
+def text_of(path, commands: list | None = None) -> str:
+    """Return the text of a path; of a long one, `commands` may be a copy of its commands that is at hand."""
+    return "".join(_texts(path, commands))
 
 
-def _texts(commands: list) -> Iterator[str]:
-    """The text of a path's commands in pieces, line by line."""
-    lines = (f"{command.toGCode()}\n" for command in commands)
+def _texts(path, commands: list | None) -> Iterator[str]:
+    """The text of a path in pieces: FreeCAD writes it faster at once, but holds up all other threads meanwhile."""
+    if path.Size <= AT_ONCE:
+        yield path.toGCode()
+        return
+    lines = (f"{command.toGCode()}\n" for command in (path.Commands if commands is None else commands))
     while piece := "".join(islice(lines, _PIECE)):
         yield piece
+
+
+def fingerprint_of(path: str, setting: str) -> str:
+    """Return the fingerprint of an operation from those of its path, "" where it could not be read, and its setting."""
+    return f"{path}:{setting}"
+
+
+def path_and_setting(fingerprint: str) -> tuple[str, str]:
+    """Return the fingerprints of an operation's path and setting from the operation's."""
+    path, _, setting = fingerprint.partition(":")
+    return path, setting
 
 
 def text_fingerprint(text: str, placement) -> str:

@@ -10,7 +10,7 @@ import FreeCAD
 
 from vkworkbench import preferences
 from vkworkbench.document import marks
-from vkworkbench.document.fingerprint import Settings, path_fingerprint
+from vkworkbench.document.fingerprint import Settings, path_and_setting, path_fingerprint
 from vkworkbench.document.operations import find, is_document, is_object, kind
 from vkworkbench.report import OperationReport, Report
 
@@ -57,7 +57,7 @@ def _mark(document, operations: list[OperationReport]) -> int:
     for operation in operations:
         obj = document.getObject(operation.name)
         if obj is not None:
-            path, _, setting = operation.fingerprint.partition(":")
+            path, setting = path_and_setting(operation.fingerprint)
             fits = setting in settings.of(obj) and path in ("", path_fingerprint(obj))  # "" where it could not be read
             marks.write(obj, operation, chosen, outdated=not fits)
             marked.add(obj.Name)

@@ -15,7 +15,7 @@ from vkworkbench import preferences
 from vkworkbench.core import Strategy
 from vkworkbench.core.simulators import SIMULATORS, cost_from_data
 from vkworkbench.document import mark_properties, record
-from vkworkbench.document.fingerprint import path_fingerprint
+from vkworkbench.document.fingerprint import path_and_setting, path_fingerprint
 from vkworkbench.document.intent import contradicted
 from vkworkbench.document.mark_text import CLOSING, OPENING, OUTDATED, PLAY, SEPARATOR, text_of
 from vkworkbench.document.operations import find, fixtures_of
@@ -148,7 +148,7 @@ def refresh(obj, settings_of: Callable, *, path_changed: bool = True, setting_ch
     known = read(obj)
     if known is None:
         return False
-    path, _, setting = known.fingerprint.partition(":")
+    path, setting = path_and_setting(known.fingerprint)
     fits = not (setting_changed or known.outdated) or setting in settings_of(obj)
     fits = fits and (not (path_changed or known.outdated) or path_fingerprint(obj) == path)
     if fits != known.outdated:

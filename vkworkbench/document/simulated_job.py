@@ -13,7 +13,7 @@ import numpy as np
 from vkworkbench import freecad, preferences
 from vkworkbench.core import Cut, Solid, Stock, Strategy, Tool, Toolpath, linearize, trajectory_seconds
 from vkworkbench.core.gcode import in_seconds
-from vkworkbench.document.fingerprint import AT_ONCE, setting_fingerprint, text_fingerprint, text_of
+from vkworkbench.document.fingerprint import fingerprint_of, setting_fingerprint, text_fingerprint, text_of
 from vkworkbench.document.operations import Operation, find
 from vkworkbench.document.recognized import recognized
 from vkworkbench.document.setting import placed, rapid_feeds, read_stock, read_tool, tool_remark, vertical_feed
@@ -217,9 +217,8 @@ def _linearized(copied: _Copied, tolerance: float) -> ReadCut:
     if copied.tool is not None:
         try:
             commands = copied.path.Commands
-            text = text_of(commands) if len(commands) > AT_ONCE else copied.path.toGCode()
-            fingerprint = f"{text_fingerprint(text, copied.placement)}:{operation.fingerprint}"
-            operation = replace(operation, fingerprint=fingerprint)
+            path = text_fingerprint(text_of(copied.path, commands), copied.placement)
+            operation = replace(operation, fingerprint=fingerprint_of(path, operation.fingerprint))
             toolpath = placed(linearize(commands, tolerance=tolerance), copied.placement)
         except Unusable as error:
             told = [error.what]
