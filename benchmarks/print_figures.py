@@ -1,0 +1,76 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Write what commands print into the documents, where a pair of comments names the command.
+
+    python3 benchmarks/print_figures.py [DOCUMENT ...] [--only TEXT] [--list]
+
+DOCUMENTS are docs/*.md and README.md unless told. Such a pair is
+
+    <!-- printed by: python3 benchmarks/literal.py -->
+    <!-- end -->
+
+and the command with what it prints stands between. A shell runs it at the top of the checkout (`| tail -n 5` takes a
+part). Lines that begin with | are a table of the document, others are shown as they are. --only takes the commands that hold
+a TEXT, --list tells them. A command that fails leaves its place as it was, and the status is 1: `$FILES` stands for
+toolpaths that are not in the repository, and fails where it is not set.
+"""
+
+from __future__ import annotations
+
+import argparse
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[1]
+PLACE = re.compile(r"^<!-- printed by: (?P<command>[^\n]+?) -->\n(?P<text>.*?)^<!-- end -->$", re.MULTILINE | re.DOTALL)
+
+
+def documents() -> list[Path]:
+    """All documents that may hold figures."""
+    return [ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md"))]
+
+
+def printed(command: str) -> str | None:
+    """What a command prints, as it stands in a document; None where it fails."""
+    done = subprocess.run(
+        ["bash", "-euo", "pipefail", "-c", command],
+        cwd=ROOT,
+        stdin=subprocess.DEVNULL,
+        capture_output=True,
+        text=True,
+    )
+    text = "\n".join(line.rstrip() for line in done.stdout.splitlines()).strip("\n")
+    if done.returncode or not text:
+        print(f"{command}: {done.stderr.strip() or 'printed nothing'}", file=sys.stderr)
+        return None
+    if text.startswith("|"):
+        return f"\nPrinted by `{command}`:\n\n{text}\n\n"
+    return f"\n```text\n$ {command}\n{text}\n```\n\n"
+
+
+def main() -> int:
+    """Print and write."""
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("documents", nargs="*", type=Path, default=documents())
+    parser.add_argument("--only", default="")
+    parser.add_argument("--list", action="store_true")
+    chosen = parser.parse_args()
+    failed = 0
+    for document in chosen.documents:
+        for place in PLACE.finditer(document.read_text(encoding="utf-8")):
+            command = place["command"]
+            if chosen.only not in command:
+                continue
+            print(f"{document.name}: {command}", flush=True)
+            text = None if chosen.list else printed(command)
+            failed += text is None and not chosen.list
+            if text is not None:
+                new = f"<!-- printed by: {command} -->\n{text}<!-- end -->"
+                # Read again: a command may take long, and a document be edited meanwhile.
+                document.write_text(document.read_text(encoding="utf-8").replace(place[0], new), encoding="utf-8")
+    return 1 if failed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

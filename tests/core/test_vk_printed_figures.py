@@ -1,0 +1,57 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Figures of the documents stand where their command writes them, and the command is there."""
+
+from __future__ import annotations
+
+import re
+import subprocess
+import sys
+
+import pytest
+
+from benchmarks import print_figures
+
+PLACES = [
+    (document.name, place["command"], place["text"])
+    for document in print_figures.documents()
+    for place in print_figures.PLACE.finditer(document.read_text(encoding="utf-8"))
+]
+
+
+def test_every_begin_of_a_place_has_its_end():
+    for document in print_figures.documents():
+        text = document.read_text(encoding="utf-8")
+        opened = len(re.findall(r"^<!-- printed by:", text, re.MULTILINE))
+        assert opened == text.count("<!-- end -->") == len(print_figures.PLACE.findall(text)), document.name
+
+
+@pytest.mark.parametrize("document, command, text", PLACES, ids=[f"{place[0]}: {place[1]}" for place in PLACES])
+def test_a_place_holds_figures_of_a_command_that_is_there(document, command, text):
+    scripts = re.findall(r"[\w./-]+\.(?:py|sh)\b", command)
+    assert scripts
+    for script in scripts:
+        assert (print_figures.ROOT / script).is_file(), script
+    assert re.search(r"\d", text), "nothing was printed yet"
+
+
+@pytest.mark.parametrize("before", ["", "\n```text\nof before\n```\n\n"])
+def test_what_a_command_prints_replaces_what_stood_there(tmp_path, before):
+    document = tmp_path / "page.md"
+    places = "<!-- printed by: echo '| a | 1 |' -->\n{}<!-- end -->\n<!-- printed by: echo 2 -->\n{}<!-- end -->\n"
+    document.write_text("# Page\n" + places.format(before, before) + "The rest.\n", encoding="utf-8")
+    assert run(document).returncode == 0
+    table, words = "\nPrinted by `echo '| a | 1 |'`:\n\n| a | 1 |\n\n", "\n```text\n$ echo 2\n2\n```\n\n"
+    assert document.read_text(encoding="utf-8") == "# Page\n" + places.format(table, words) + "The rest.\n"
+
+
+@pytest.mark.parametrize("command", ["echo 3; false", "true", "echo $NOT_SET_ANYWHERE", "false | echo 4"])
+def test_a_command_that_fails_leaves_the_document_as_it_was(tmp_path, command):
+    document = tmp_path / "page.md"
+    document.write_text(f"<!-- printed by: {command} -->\n\n| 5 |\n\n<!-- end -->\n", encoding="utf-8")
+    before = document.read_bytes()
+    assert run(document).returncode == 1
+    assert document.read_bytes() == before
+
+
+def run(document):
+    return subprocess.run([sys.executable, print_figures.__file__, str(document)], capture_output=True)
