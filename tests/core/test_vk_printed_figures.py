@@ -9,7 +9,7 @@ import sys
 
 import pytest
 
-from benchmarks import print_figures
+from docs import print_figures
 
 PLACES = [
     (document.name, place["command"], place["text"])

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Write what commands print into the documents, where a pair of comments names the command.
 
-    python3 benchmarks/print_figures.py [DOCUMENT ...] [--only TEXT] [--list]
+    python3 docs/print_figures.py [DOCUMENT ...] [--only TEXT] [--list]
 
 DOCUMENTS are docs/*.md and README.md unless told. Such a pair is
 
