@@ -24,11 +24,13 @@ import sys
 import tempfile
 from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
+from functools import cache
 from pathlib import Path
 from threading import local
 from typing import NamedTuple
 
 ROOT = Path(__file__).resolve().parents[1]
+ROOMS = "core", "document"
 COPIED = "vkworkbench", "tests", "toolpaths", "examples", "resources", "docs", "benchmarks", "pyproject.toml"
 COPIED += "package.xml", "Init.py", "InitGui.py", "README.md"
 # Tests of the files that stand in no room.
@@ -161,12 +163,12 @@ class Checkout:
             kind(ROOT / name, self.root / name)
         subprocess.run([str(self.root / "tests/make_home.sh"), str(self.home)], check=True)
 
-    def run(self, tests: list[str], file: Path, *, reached: Path | None = None, limit: float | None = None) -> bool:
-        """Whether the tests pass; with `reached`, write there which lines of `file` each of them reaches."""
-        inside = file.relative_to(ROOT).parts[1] == "document"
+    def run(self, tests: list[str], *, reached: Path | None = None, limit: float | None = None) -> bool:
+        """Whether the tests pass; with `reached`, write there which lines of core and document each of them reaches."""
+        inside = "document" in tests[0]
         environment = {
             **os.environ, "HOME": str(self.home), "PYTHONPATH": "tests", "PYTHONDONTWRITEBYTECODE": "1",
-            "MUTATED": str(self.root / file.relative_to(ROOT)), "REACHED": str(reached or ""),
+            "REACHED": str(reached or ""),
             "HYPOTHESIS_STORAGE_DIRECTORY": str(self.home / "hypothesis"),
         }  # fmt: skip
         arguments = ["-q", "-p", "mutate", *([] if reached else ["-x"]), *tests]
@@ -190,23 +192,24 @@ class Checkout:
         original = own.read_text(encoding="utf-8")
         own.write_text(mutant.text, encoding="utf-8")
         try:
-            return self.run(tests, file, limit=limit)
+            return self.run(tests, limit=limit)
         finally:
             own.write_text(original, encoding="utf-8")
 
 
 class Reached:
-    """As pytest's plugin: which lines of the mutated file each test reaches, and how long it takes."""
+    """As pytest's plugin: which lines of the code each test reaches, and how long it takes."""
 
-    def __init__(self, file: str, out: str) -> None:
-        self.file, self.out = file, out
+    def __init__(self, out: str) -> None:
+        self.out = out
+        self.code = tuple(f"{ROOT}/vkworkbench/{room}/" for room in ROOMS)  # of the copy in which this runs
         self.lines, self.seconds, self.shared, self.first = {}, {}, {}, set()
         self.seen = self.first  # until the first test runs: what an import reaches is reached by all
 
-    def _trace(self, frame, event, _argument):
-        if event == "call" and frame.f_code.co_filename != self.file:
+    def _trace(self, frame, _event, _argument):
+        if not frame.f_code.co_filename.startswith(self.code):
             return None
-        self.seen.add(frame.f_lineno)
+        self.seen.add((frame.f_code.co_filename, frame.f_lineno))
         return self._trace
 
     def pytest_configure(self):
@@ -225,19 +228,21 @@ class Reached:
 
     def pytest_sessionfinish(self):
         sys.settrace(None)
-        tests = [
-            {"test": test, "seconds": self.seconds.get(test, 0.0),
-             "lines": sorted(lines | self.shared.get(test.split("::")[0], set()))}
-            for test, lines in self.lines.items()
-        ]  # fmt: skip
-        Path(self.out).write_text(json.dumps({"imported": sorted(self.first), "tests": tests}))
+        found = {}
+        for test, lines in self.lines.items():
+            for file, line in lines | self.shared.get(test.split("::")[0], set()):
+                found.setdefault(file, {}).setdefault(test, []).append(line)
+        imported = {}
+        for file, line in self.first:
+            imported.setdefault(file, []).append(line)
+        seconds = {test: self.seconds.get(test, 0.0) for test in self.lines}
+        Path(self.out).write_text(json.dumps({"seconds": seconds, "imported": imported, "reached": found}))
 
 
 def pytest_configure(config):
     """As pytest's plugin (-p mutate), set up what notes the lines."""
     if os.environ.get("REACHED"):
-        noting = Reached(os.environ["MUTATED"], os.environ["REACHED"])
-        config.pluginmanager.register(noting)
+        config.pluginmanager.register(Reached(os.environ["REACHED"]))
 
 
 def sample(file: Path, count: int, seed: int) -> list[Mutant]:
@@ -247,22 +252,28 @@ def sample(file: Path, count: int, seed: int) -> list[Mutant]:
     return every if not count or len(every) <= count else chosen.sample(every, count)
 
 
-def judge(file: Path, chosen: list[Mutant], checkouts: list[Checkout]) -> list[Mutant]:
-    """The mutants that live."""
+def reach(tests: tuple[str, ...], checkout: Checkout) -> dict:
+    """Which lines of which file each of the tests reaches, and its seconds."""
     with tempfile.NamedTemporaryFile(suffix=".json") as out:
-        checkouts[0].run(tests_of(file), file, reached=Path(out.name))
-        known = json.loads(Path(out.name).read_text())
-    imported, tests = set(known["imported"]), sorted(known["tests"], key=lambda test: test["seconds"])
+        checkout.run(list(tests), reached=Path(out.name))
+        return json.loads(Path(out.name).read_text())
+
+
+def judge(file: Path, chosen: list[Mutant], known: dict, checkouts: list[Checkout]) -> list[Mutant]:
+    """The mutants that live, by what `reach` knows of their tests."""
+    name = str(checkouts[0].root / file.relative_to(ROOT))
+    quickest = sorted(known["seconds"], key=known["seconds"].get)
+    imported, reached = known["imported"].get(name, ()), known["reached"].get(name, {})
     own, free = local(), list(checkouts)
 
     def lives(mutant: Mutant) -> bool:
         if not hasattr(own, "checkout"):
             own.checkout = free.pop()
-        reach = [t for t in tests if mutant.line in t["lines"]]
-        if not reach and mutant.line in imported:
-            reach = tests
-        limit = LEAST_SECONDS + 10 * sum(t["seconds"] for t in reach)
-        return not reach or own.checkout.lives(mutant, file, [t["test"] for t in reach], limit)
+        tests = [test for test in quickest if mutant.line in reached.get(test, ())]
+        if not tests and mutant.line in imported:
+            tests = quickest
+        limit = LEAST_SECONDS + 10 * sum(known["seconds"][test] for test in tests)
+        return not tests or own.checkout.lives(mutant, file, tests, limit)
 
     with ThreadPoolExecutor(len(checkouts)) as pool:
         return [mutant for mutant, alive in zip(chosen, pool.map(lives, chosen)) if alive]
@@ -277,16 +288,17 @@ def main() -> int:
     parser.add_argument("--jobs", type=int, default=2)
     chosen = parser.parse_args()
     files = [file.resolve() for file in chosen.files]
-    for room in ("core", "document"):
+    for room in ROOMS:
         files += [] if chosen.files else sorted((ROOT / "vkworkbench" / room).rglob("*.py"))
     killed = total = 0
     with tempfile.TemporaryDirectory() as folder:
         checkouts = [Checkout(Path(folder, str(job))) for job in range(chosen.jobs)]
+        known = cache(lambda tests: reach(tests, checkouts[0]))
         for file in files:
             drawn = sample(file, chosen.count, chosen.seed)
             if not drawn:
                 continue
-            alive = judge(file, drawn, checkouts)
+            alive = judge(file, drawn, known(tuple(tests_of(file))), checkouts)
             name = file.relative_to(ROOT)
             for mutant in alive:
                 print(f"    {name}:{mutant.line}: {mutant.what}")
