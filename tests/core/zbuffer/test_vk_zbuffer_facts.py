@@ -11,10 +11,19 @@ import pytest
 from zbuffer_reference.paths import DIRECTIONS, helix, toolpath
 
 from vkworkbench.core import Stock, Tool, View
-from vkworkbench.core.zbuffer import air_share, crashes, removal_rates, removed_volumes, simulate
+from vkworkbench.core.zbuffer import (
+    air_share,
+    crashes,
+    engagement,
+    records,
+    removal_rates,
+    removed_volumes,
+    simulate,
+)
 
 FLAT = Tool("endmill", 6)
 STOCK = Stock((0, 0, 0), (40, 30, 10))
+VIEW = View((1, 1, -1), 120, 90)
 
 
 def cut(points, rapid=(), direction=(0, 0, -1)):
@@ -67,3 +76,21 @@ def test_a_rapid_through_the_stock_is_found(direction):
     assert np.hypot(x - 30, y - 15) < 3.1 and 7 <= height <= 10
     if direction == (0, 0, -1):
         assert found[0].depth == pytest.approx(3)
+
+
+def test_what_is_worked_out_block_by_block_is_as_of_the_whole(monkeypatch):
+    path = toolpath(helix(None, 300))
+    path = replace(path, rapid=np.arange(len(path)) % 7 == 0)
+
+    def found():
+        z = simulate(path, tool=FLAT, stock=STOCK, view=VIEW)
+        moments = [z.at(step).picture for step in (300, 120, 0, 299)]
+        return (removed_volumes(z), *engagement(z), [c.place for c in crashes(z)],
+                *(part for p in moments for part in (p.depth, p.owner)))  # fmt: skip
+
+    whole = found()
+    monkeypatch.setattr(records, "_BLOCK", 1)
+    z = simulate(path, tool=FLAT, stock=STOCK, view=VIEW)
+    assert len(list(z.records.blocks())) > 100
+    for one, other in zip(whole, found()):
+        np.testing.assert_allclose(one, other, rtol=1e-12)

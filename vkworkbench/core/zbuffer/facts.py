@@ -9,7 +9,6 @@ import numpy as np
 
 from vkworkbench.core.zbuffer.cuts import Source
 from vkworkbench.core.zbuffer.moments import ZBuffer
-from vkworkbench.core.zbuffer.records import GAP
 
 # Views less steep than this cosine do not see how high a piece is.
 _FROM_THE_SIDE = 0.3
@@ -27,10 +26,7 @@ def removed_volumes(zbuffer: ZBuffer) -> np.ndarray:
     zbuffer : ZBuffer
         Of any moment.
     """
-    records, n = zbuffer.records, zbuffer.trajectories
-    length = records.far.astype(float) - records.near()
-    volumes = np.bincount(records.owner - GAP, length, n + 2)[1:-1]  # gaps come first, what stays last
-    return volumes * zbuffer.frame.pixel**2
+    return zbuffer.records.lengths * zbuffer.frame.pixel**2
 
 
 def removal_rates(zbuffer: ZBuffer) -> np.ndarray:
@@ -58,9 +54,10 @@ def cuts_air(zbuffer: ZBuffer) -> np.ndarray:
     length = np.where(cuts.rapid, 0.0, cuts.lengths)
     stretch = np.floor((np.cumsum(length) - length / 2) / (2 * zbuffer.frame.pixel)).astype(np.int64)
     # A rapid, and another cut, begin a new stretch.
-    parts = np.cumsum(cuts.rapid) + cuts.cut
-    _, together = np.unique(np.stack((parts, stretch)), axis=1, return_inverse=True)
-    result: np.ndarray = ~cuts.rapid & (np.bincount(together.ravel(), volumes)[together.ravel()] == 0)
+    begins = cuts.rapid.copy()
+    begins[1:] |= (np.diff(cuts.cut) != 0) | (np.diff(stretch) != 0)
+    together = np.cumsum(begins) - begins[:1]
+    result: np.ndarray = ~cuts.rapid & (np.bincount(together, volumes)[together] == 0)
     return result
 
 
@@ -86,14 +83,14 @@ def engagement(zbuffer: ZBuffer) -> tuple[np.ndarray, np.ndarray]:
     ----------
     zbuffer : ZBuffer
     """
-    records, n, cuts = zbuffer.records, zbuffer.trajectories, zbuffer.cuts
+    n, cuts = zbuffer.trajectories, zbuffer.cuts
     depth, width = np.zeros((2, n))
     steep = abs(float(zbuffer.frame.direction[2]))
     if steep < _FROM_THE_SIDE:
         return depth, width
-    pieces = np.flatnonzero(records.cut)
-    length = (records.far[pieces].astype(float) - records.near()[pieces]) * steep
-    np.maximum.at(depth, records.owner[pieces], length)
+    for _, _, block in zbuffer.records.blocks():
+        pieces = np.flatnonzero(block.cut)
+        np.maximum.at(depth, block.owner[pieces], (block.far[pieces].astype(float) - block.near()[pieces]) * steep)
     start, end = cuts.ends
     run = np.hypot(*(end - start)[:, :2].T)
     cut = np.flatnonzero((depth > 0) & (run > 0))
@@ -167,12 +164,10 @@ def crashes(zbuffer: ZBuffer) -> list[Crash]:
     zbuffer : ZBuffer
     """
     records, frame = zbuffer.records, zbuffer.frame
-    rapid = np.append(zbuffer.cuts.rapid, [False, False])  # what stays, and gaps
-    pieces = np.flatnonzero(rapid[records.owner])
+    pieces, pixel, near = records.pieces_of(zbuffer.cuts.rapid)
     if len(pieces) == 0:
         return []
-    owner, near, far = records.owner[pieces], records.near()[pieces].astype(float), records.far[pieces].astype(float)
-    pixel = np.searchsorted(records.index, pieces, side="right") - 1
+    owner, near, far = records.owner[pieces], near.astype(float), records.far[pieces].astype(float)
     row, column = np.divmod(pixel, frame.width)
     middle = frame.origins(*frame.pixel_centres(column, row)) + ((near + far) / 2)[:, None] * frame.direction
     volumes = removed_volumes(zbuffer)
@@ -228,9 +223,12 @@ def fast_plunges(zbuffer: ZBuffer) -> list[Plunge]:
     radius = np.array([own.tool.radius for own in cuts.cuts])[cuts.cut]
     fast = ~cuts.rapid & (fall > _PLUNGE * run) & (allowed > 0) & (cuts.feed > _FASTER * allowed)
     volumes = removed_volumes(zbuffer)
+    fast &= volumes > 0
+    if not fast.any():
+        return []
     depth, _ = engagement(zbuffer)
     full = volumes > _FULL * np.pi * radius**2 * np.minimum(depth, fall)
     return [
         Plunge(int(i), cuts.source(int(i)), tuple(end[i].tolist()), float(cuts.feed[i]), float(allowed[i]))
-        for i in np.flatnonzero(fast & full & (volumes > 0))
+        for i in np.flatnonzero(fast & full)
     ]

@@ -7,7 +7,9 @@ beginning of its own.
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
@@ -21,6 +23,8 @@ GAP = -1
 # What one piece and one pixel take as they are held.
 RECORD_BYTES = 8
 PIXEL_BYTES = 8
+# Pieces that are worked on at once: milliseconds. Much of numpy lets no other thread run until it is through.
+_BLOCK = 1 << 17
 
 
 @dataclass(frozen=True, eq=False)
@@ -57,6 +61,50 @@ class Records:
         """Which pieces a trajectory removes, (p,) bool."""
         result: np.ndarray = (self.owner != GAP) & (self.owner < self.trajectories)
         return result
+
+    def blocks(self) -> Iterator[tuple[int, int, Records]]:
+        """Yield the image in parts, all their pieces being worked on at once: first pixel, first piece, views of both."""
+        pieces = np.arange(0, len(self.far), max(_BLOCK, self.trajectories // 4))
+        pixels = np.unique(np.append(np.searchsorted(self.index[1:], pieces, side="right"), len(self.entry)))
+        for pixel, end in zip(pixels[:-1].tolist(), pixels[1:].tolist()):
+            index = self.index[pixel : end + 1]
+            own = slice(int(index[0]), int(index[-1]))
+            yield (
+                pixel,
+                own.start,
+                Records(self.trajectories, index - index[0], self.entry[pixel:end], self.far[own], self.owner[own]),
+            )
+
+    @cached_property
+    def lengths(self) -> np.ndarray:
+        """Length that each trajectory removes from all rays together, (trajectories,) float64 mm."""
+        total = np.zeros(self.trajectories + 2)  # gaps come first, what stays last
+        for _, _, block in self.blocks():
+            total += np.bincount(block.owner - GAP, block.far.astype(float) - block.near(), len(total))
+        return total[1:-1]
+
+    def pieces_of(self, owners: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        """Return the pieces that some trajectories remove, by pixel and depth.
+
+        Parameters
+        ----------
+        owners : (trajectories,) bool
+            Which ones.
+
+        Returns
+        -------
+        piece, pixel : (k,) int64
+        near : (k,) float32
+            Depth at which each begins, mm.
+        """
+        wanted = np.append(owners, [False, False])  # what stays, and gaps
+        found = [(np.empty(0, np.int64), np.empty(0, np.int64), np.empty(0, np.float32))]
+        for first_pixel, first_piece, block in self.blocks():
+            own = np.flatnonzero(wanted[block.owner])
+            if len(own):
+                found.append((own + first_piece, block.pixel()[own] + np.int64(first_pixel), block.near()[own]))
+        piece, pixel, near = (np.concatenate(parts) for parts in zip(*found))
+        return piece, pixel, near
 
     def near(self) -> np.ndarray:
         """Depth at which each piece begins, (p,) float32 mm."""

@@ -51,6 +51,10 @@ class Surface:
         self.records = records
         self._latest: Picture | None = None
 
+    def prepare(self) -> None:
+        """Make what every moment needs: with many pieces it takes a while, which a window does not have."""
+        self._by_owner  # noqa: B018 - kept from now on
+
     def picture(self, step: int) -> Picture:
         """Return what is seen at a moment: what has changed since the last one that was asked for is looked up."""
         latest, everywhere = self._latest, np.arange(len(self.records.entry))
@@ -98,20 +102,26 @@ class Surface:
     @cached_property
     def _maxima(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """The prefix maxima along the rays: their owners, their pieces, and each pixel's first one."""
-        keys = self.records.pixel().astype(np.int64)
-        keys *= self.records.trajectories + 1
-        keys += self.records.owner
-        new = np.ones(len(keys), bool)
-        new[1:] = keys[1:] > np.maximum.accumulate(keys)[:-1]
-        first = np.append(0, np.cumsum(new))[self.records.index]
-        pieces = np.flatnonzero(new).astype(np.uint32)
-        return self.records.owner[pieces], pieces, first
+        records = self.records
+        first = np.zeros(len(records.entry) + 1, np.int64)
+        owners, pieces = [np.empty(0, np.int32)], [np.empty(0, np.uint32)]
+        for pixel, piece, block in records.blocks():
+            keys = block.pixel().astype(np.int64)
+            keys *= records.trajectories + 1
+            keys += block.owner
+            new = np.ones(len(keys), bool)
+            new[1:] = keys[1:] > np.maximum.accumulate(keys)[:-1]
+            own = np.flatnonzero(new)
+            first[pixel + 1 : pixel + len(block.index)] = first[pixel] + np.searchsorted(own, block.index[1:])
+            owners.append(block.owner[own])
+            pieces.append((own + piece).astype(np.uint32))
+        return np.concatenate(owners), np.concatenate(pieces), first
 
     @cached_property
     def _by_owner(self) -> tuple[np.ndarray, np.ndarray]:
         """Owners of the maxima, ascending, and their pixels: a radix sort, 16 bits at a time."""
-        owner, pieces, _ = self._maxima
+        owner, _, first = self._maxima
         order = np.argsort(owner.astype(np.uint16), kind="stable")
         if self.records.trajectories >> 16:
             order = order[np.argsort((owner >> 16).astype(np.uint16)[order], kind="stable")]
-        return owner[order], self.records.pixel()[pieces[order]]
+        return owner[order], np.repeat(np.arange(len(first) - 1, dtype=np.uint32), np.diff(first))[order]
