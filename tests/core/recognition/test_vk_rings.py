@@ -1,0 +1,205 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""How rings lie to one another, told of loops that were drawn so: what the rules and the reason say rests on it."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import programs
+import pytest
+
+from vkworkbench.core import linearize
+from vkworkbench.core.paper import monotonous_areas
+from vkworkbench.core.recognition.nesting import evenness
+from vkworkbench.core.recognition.pieces import LOOP, WINDING, cut_pieces
+from vkworkbench.core.recognition.rings import relate_rings
+
+TOOL = 6.0
+RELATIONS = ("nested", "deeper", "repeated", "moved", "crossing")
+
+
+def polygon(side, *, x=0.0, y=0.0, z=0.0, corners=4, turned=0.25, clockwise=False, ratio=1.0, climbs=0.0):
+    """Closed polygon around (x, y); of four corners a rectangle of `side` by `side * ratio` mm."""
+    r = side / math.sqrt(2) if corners == 4 else side / 2
+    angles = [2 * math.pi * (i / corners + turned / 2) for i in range(corners + 1)]
+    # No drawing begins at the origin.
+    points = [
+        (70 + x + r * math.cos(a), y - 40 + ratio * r * math.sin(a), z + climbs * (i % 2)) for i, a in enumerate(angles)
+    ]
+    return points[::-1] if clockwise else points
+
+
+def rings_of(strokes, tool=TOOL):
+    """The rings among strokes, which are lists of points (x, y, z)."""
+    pieces = cut_pieces(monotonous_areas(linearize(programs.program(strokes))))
+    return relate_rings(pieces, np.flatnonzero(np.isin(pieces.kind, (LOOP, WINDING))), tool)
+
+
+def related(rings):
+    """The relations of each ring, as sets of names."""
+    return [{name for name in RELATIONS if getattr(rings, name)[i]} for i in range(len(rings))]
+
+
+@pytest.mark.parametrize("sides, growing", [((40, 36, 32, 28), 0.0), ((28, 32, 36, 40), 1.0)])
+def test_offsets_are_nested_a_stepover_apart(sides, growing):
+    rings = rings_of([polygon(side) for side in sides])
+    assert related(rings) == [{"nested"}] * len(sides)
+    assert rings.step == pytest.approx(2.0) and rings.growing == growing
+    assert not rings.alone.any() and not rings.opposite.any()
+    assert (rings.depths, rings.distinct, rings.depth_range) == (1, len(sides), 0.0)
+
+
+@pytest.mark.parametrize("nests", [1, 2, 3])
+def test_rings_of_islands_may_be_cut_between_those_of_the_boundary(nests):
+    strokes = [polygon(side, x=100 * nest) for side in (40, 36, 32, 28) for nest in range(nests)]
+    rings = rings_of(strokes)
+    assert related(rings) == [{"nested"}] * len(strokes)
+    assert rings.step == pytest.approx(2.0) and rings.growing == 0.0
+
+
+def test_of_four_nests_in_turn_no_ring_is_compared_with_its_own():
+    rings = rings_of([polygon(side, x=100 * nest) for side in (40, 36, 32) for nest in range(4)])
+    assert rings.alone.all() and math.isnan(rings.step) and math.isnan(rings.growing)
+
+
+@pytest.mark.parametrize("apart, nested", [(6.9, True), (7.5, False)])
+def test_what_lies_farther_apart_than_the_tool_cuts_are_two_contours(apart, nested):
+    rings = rings_of([polygon(60), polygon(60 - 2 * apart)])
+    assert rings.nested.tolist() == [nested, nested] and rings.alone.tolist() == [not nested] * 2
+
+
+def test_a_ring_around_an_island_moves_one_side_only_and_is_no_offset():
+    assert not rings_of([polygon(40), polygon(36, x=2)]).nested.any()
+
+
+def test_a_contour_at_several_depths_comes_again_and_is_one_ring():
+    rings = rings_of([polygon(40, z=z) for z in (0, -2, -4)])
+    assert related(rings) == [{"repeated"}] * 3 and rings.stacked.all()
+    assert (rings.depths, rings.distinct, rings.depth_range) == (3, 1, 4.0)
+
+
+def test_a_pocket_at_two_depths_comes_again_but_is_no_stack():
+    rings = rings_of([polygon(side, z=z) for z in (0, -2) for side in (48, 44, 40, 36, 32)])
+    assert related(rings) == [{"nested", "repeated"}] * 10
+    assert not rings.stacked.any()
+    assert (rings.depths, rings.distinct, rings.depth_range, rings.evenness) == (2, 5, 2.0, 0.0)
+
+
+def test_a_ring_of_a_kind_comes_again_though_others_of_its_depth_do_not():
+    rings = rings_of(
+        [polygon(20, x=x, z=z) for z in (0, -2) for x in (0, 100, 200, 300, 400, 500)] + [polygon(20, x=900)]
+    )
+    assert related(rings)[:12] == [{"repeated"}] * 12 and related(rings)[12] == set()
+
+
+def test_contours_that_grow_with_the_depth_lie_under_one_another():
+    rings = rings_of([polygon(20 + 4 * i, z=-float(i)) for i in range(6)])
+    assert related(rings) == [{"deeper"}] * 6
+    assert (rings.depths, rings.distinct, rings.depth_range) == (6, 6, 5.0)
+    assert math.isnan(rings.step)
+
+
+def test_three_depths_are_enough_to_compare_their_steps():
+    rings = rings_of([polygon(20 + 4 * i, z=-float(min(i, 2))) for i in range(4)])
+    assert rings.depths == 3 and 0 < rings.evenness < 0.1
+
+
+@pytest.mark.parametrize("side, relation", [(200, "repeated"), (20, "deeper")])
+def test_a_large_ring_may_be_farther_off_and_still_be_the_same(side, relation):
+    assert related(rings_of([polygon(side), polygon(side - 0.6, z=-2)])) == [{relation}] * 2
+
+
+def test_a_contour_deeper_and_elsewhere_lies_under_none():
+    assert rings_of([polygon(20), polygon(24, x=300, z=-2)]).alone.all()
+    # It overlaps by a corner, and is no wall of the same part.
+    assert rings_of([polygon(20), polygon(20, x=15, z=-2)]).deeper.all()
+    assert rings_of([polygon(20), polygon(20, x=25, z=-2)]).alone.all()
+
+
+@pytest.mark.parametrize(
+    "step, size, moves", [(1.0, 1.0, True), (9.0, 1.0, True), (6.0, 1.1, True), (11.0, 1.0, False), (1.0, 0.5, False)]
+)
+def test_circles_of_one_size_that_overlap_move_along(step, size, moves):
+    rings = rings_of([polygon(16 * size**i, x=step * i, corners=24) for i in range(6)])
+    assert rings.moved.tolist() == [moves] * 6
+    assert moves or not rings.repeated.any()
+
+
+def test_circles_that_move_along_at_other_depths_are_none():
+    assert not rings_of([polygon(16, x=2.0 * i, z=-2.0 * i, corners=24) for i in range(6)]).moved.any()
+
+
+def test_loops_around_ribs_in_a_row_stay_apart():
+    # As long as they are side by side, narrower than their step, and not biting into one another.
+    for apart, moves in ((4.5, False), (3.5, True)):
+        rings = rings_of([polygon(4, x=apart * i, ratio=10) for i in range(6)])
+        assert rings.moved.tolist() == [moves] * 6
+
+
+@pytest.mark.parametrize("z, relation", [(0.0, {"crossing"}), (-2.0, set())])
+def test_a_ring_of_another_shape_that_touches_the_same_walls_crosses(z, relation):
+    diamond = [(90.0, -40.0, z), (70.0, -20.0, z), (50.0, -40.0, z), (70.0, -60.0, z), (90.0, -40.0, z)]
+    assert related(rings_of([polygon(40), diamond])) == [relation] * 2
+
+
+@pytest.mark.parametrize(
+    "senses, opposite",
+    [("+-+-+", True), ("+++++", False), ("+-", False), ("++--", False), ("+-+++-", [True] * 3 + [False] * 3)],
+)
+def test_offsets_whose_sense_alternates_are_passes_there_and_back(senses, opposite):
+    rings = rings_of([polygon(40 - 4 * i, clockwise=sense == "-") for i, sense in enumerate(senses)])
+    assert rings.opposite.tolist() == ([opposite] * len(senses) if isinstance(opposite, bool) else opposite)
+    assert rings.nested.all()
+
+
+def test_rings_on_a_sculptured_surface_are_nested_at_whatever_height():
+    assert rings_of([polygon(40 - 4 * i, z=-float(i), climbs=0.5) for i in range(4)]).nested.all()
+    assert not rings_of([polygon(40 - 4 * i, z=-float(i)) for i in range(4)]).nested.any()
+
+
+@pytest.mark.parametrize("corners, is_round", [(4, False), (6, False), (8, True), (48, True)])
+def test_which_rings_are_circles(corners, is_round):
+    assert rings_of([polygon(30, corners=corners)]).round.tolist() == [is_round]
+
+
+def test_a_turn_that_descends_all_along_is_sloped_and_a_ramp_at_its_start_is_not():
+    around = polygon(30, corners=36)
+    steady = [(x, y, -2.0 * i / 36) for i, (x, y, _) in enumerate(around)]
+    at_first = [(x, y, max(-0.5 * i, -2.0)) for i, (x, y, _) in enumerate(around)]
+    assert [rings_of([points]).sloped.tolist() for points in (around, steady, at_first)] == [[False], [True], [False]]
+
+
+def test_the_turns_of_a_helix_are_a_stack_of_windings():
+    rings = rings_of([[(12 * math.cos(a), 12 * math.sin(a), -0.2 * a) for a in np.arange(0, 40, 0.2)]])
+    inner = slice(0, -1)  # the last one may be a part of a turn
+    assert rings.winding.all() and rings.sloped[inner].all() and rings.stacked[inner].all() and len(rings) >= 6
+    assert rings.depth_range == pytest.approx(0.2 * 2 * math.pi * (len(rings) - 1), rel=0.1)
+
+
+def test_the_turns_of_a_spiral_are_nested_windings():
+    rings = rings_of([[(0.5 * a * math.cos(a), 0.5 * a * math.sin(a), 0.0) for a in np.arange(3, 50, 0.2)]])
+    assert rings.winding.all() and rings.nested[:-1].all() and not rings.sloped.any()  # the last is a part of a turn
+    assert rings.step == pytest.approx(math.pi, rel=0.15) and rings.growing == 1.0
+
+
+def test_no_rings():
+    rings = rings_of([[(0, 0, 0), (50, 0, 0)]])
+    assert len(rings) == 0 and (rings.depths, rings.distinct, rings.depth_range, rings.evenness) == (0, 0, 0.0, 0.0)
+
+
+@pytest.mark.parametrize("even_in_plane", [True, False])
+def test_a_dome_is_divided_in_the_plane_or_in_depth(even_in_plane):
+    at = np.linspace(0.1, 0.9, 12)
+    radii = 40 * at if even_in_plane else 40 * np.sqrt(1 - (1 - at) ** 2)
+    rings = rings_of([polygon(2 * r, z=math.sqrt(1600 - r * r) - 40, corners=48) for r in radii])
+    assert (rings.evenness < 0.5) == even_in_plane and rings.evenness > 0
+
+
+def test_evenness_compares_two_spreads():
+    even, uneven = np.full(9, 2.0), np.linspace(1.0, 5.0, 9)
+    assert evenness(even, uneven) < 0.1 and evenness(uneven, even) > 10
+    assert evenness(even, 3 * even) == pytest.approx(1.0)
+    assert evenness(even, np.zeros(9)) == evenness(even[:2], uneven[:2]) == 0.0
+    # As relative spreads: of 3.2 mm around 3, between the tenth and the ninetieth percentile.
+    assert evenness(uneven, even) == pytest.approx((3.2 / 3 + 0.01) / 0.01)
