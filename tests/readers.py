@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
 from pathlib import Path
 from xml.etree import ElementTree
 
@@ -12,15 +13,21 @@ FOLDER = Path(__file__).resolve().parents[1] / "resources" / "translations"
 LANGUAGES = ["de", "fr", "es-ES", "zh-CN"]
 
 
+@lru_cache(maxsize=None)
+def translations(language: str) -> dict[tuple[str, str], str]:
+    """The words of one of the languages by their context and source."""
+    found = {}
+    for context in ElementTree.parse(FOLDER / f"VkWorkbench_{language}.ts").getroot().iter("context"):
+        for message in context.iter("message"):
+            found[context.findtext("name"), message.findtext("source")] = message.findtext("translation")
+    return found
+
+
 class Translated(Reader):
     """Who reads one of the languages."""
 
     def __init__(self, language: str) -> None:
-        self.texts = {}
-        for context in ElementTree.parse(FOLDER / f"VkWorkbench_{language}.ts").getroot().iter("context"):
-            for message in context.iter("message"):
-                key = context.findtext("name"), message.findtext("source")
-                self.texts[key] = message.findtext("translation")
+        self.texts = translations(language)
 
     def translate(self, context, text):
         return self.texts.get((context, text), text)

@@ -21,7 +21,7 @@ for layer in $layers; do
     tests/make_home.sh "$home"
     limit=(timeout --foreground -k 10 1800) # s; in the foreground, so that Ctrl-C reaches the tests
     case $layer in
-        core) command=("${limit[@]}" /usr/bin/python3 -m pytest) ;;
+        core) command=("${limit[@]}" /usr/bin/python3 -m pytest -n "$(nproc)") ;;
         document) command=("${limit[@]}" freecadcmd "$PWD/tests/in_freecad.py") ;;
         gui) command=(xvfb-run -a -s "-screen 0 $((1280 * scale))x$((1024 * scale))x24 -dpi 96 -ac" "${limit[@]}" freecad "$PWD/tests/in_freecad.py") ;;
     esac

@@ -219,7 +219,9 @@ def test_there_and_back(message):
 
 
 anything = st.recursive(
-    plain | st.booleans(), lambda inner: st.lists(inner) | st.dictionaries(st.text() | st.just("code"), inner)
+    plain | st.booleans(),
+    lambda inner: st.lists(inner) | st.dictionaries(st.text() | st.just("code"), inner),
+    max_leaves=20,
 )
 
 

@@ -15,7 +15,7 @@ from pathlib import Path
 import pytest
 
 from vkworkbench.preferences import Preferences
-from vkworkbench.program import apart
+from vkworkbench.program import apart, main
 
 ROOT = Path(__file__).resolve().parents[3]
 ROWS = "".join(f"G1 X{40 * (k % 2)}\nY{k + 1}\n" for k in range(20))
@@ -70,16 +70,17 @@ def test_results_as_csv_and_as_json_lines(folder, tmp_path):
 
 
 @pytest.mark.parametrize("kind", ["--csv", "--json-lines"])
-def test_it_goes_on_where_it_was_stopped(folder, tmp_path, kind):
+def test_it_goes_on_where_it_was_stopped(folder, tmp_path, kind, capsys):
     out = tmp_path / "out"
-    assert run(folder, kind, out, "--jobs", 1).returncode == 1
+    arguments = [str(folder), kind, str(out), "--jobs", "1"]
+    assert main(arguments) == 1
     whole = out.read_bytes()
     lines = whole.splitlines(keepends=True)
     for cut in (0, len(lines[0]) + 3, len(b"".join(lines[:3])), len(b"".join(lines[:4])) - 20, len(whole)):
         out.write_bytes(whole[:cut])
-        done = run(folder, kind, out, "--resume", "--jobs", 1)
+        main([*arguments, "--resume"])
         assert sorted(out.read_bytes().splitlines()) == sorted(whole.splitlines()), cut
-        again = int(done.stderr.splitlines()[-1].split(" files")[0].split()[-1])
+        again = int(capsys.readouterr().err.splitlines()[-1].split(" files")[0].split()[-1])
         complete = whole[:cut].count(b"\n") - (kind == "--csv")
         assert again == 6 - max(complete - 1, 0)  # the last one may have more rows
 
@@ -138,7 +139,9 @@ def test_a_process_that_dies_costs_only_its_program(tmp_path):
 def test_ctrl_c_ends_it_with_all_its_processes(folder, tmp_path):
     os.mkfifo(folder / "endless.nc")
     out = tmp_path / "out.csv"
-    process = subprocess.Popen(command(folder, "--csv", out, "--jobs", 2), cwd=ROOT, stderr=subprocess.PIPE, text=True)
+    heard = ["env", "--default-signal=INT"]  # a shell's background jobs, and so these tests, may ignore it
+    started = [*heard, *command(folder, "--csv", out, "--jobs", 2)]
+    process = subprocess.Popen(started, cwd=ROOT, stderr=subprocess.PIPE, text=True)
     deadline = time.monotonic() + 60
     while (not out.exists() or out.read_bytes().count(b"\n") < 7) and time.monotonic() < deadline:
         time.sleep(0.05)
@@ -214,7 +217,8 @@ def test_the_same_on_a_dask_cluster(folder, tmp_path, scheduler):
     os.mkfifo(folder / "endless.nc")
     assert run(folder, "--csv", here, "--timeout", "5").returncode == 1
     done = run(folder, "--csv", there, "--timeout", "5", "--scheduler", address)
-    assert done.returncode == 1 and done.stderr.splitlines()[-1] == "5 operations in 7 files, 2 could not be read."
+    # Dask may tell of connections that it gives up behind the last line.
+    assert done.returncode == 1 and "5 operations in 7 files, 2 could not be read." in done.stderr.splitlines()
     assert sorted(there.read_bytes().splitlines()) == sorted(here.read_bytes().splitlines())
     started = client.run(lambda: len(__import__("vkworkbench.program.apart", fromlist=["apart"])._workers))
     assert len(started) == 2 and all(started.values())  # both had something to do

@@ -29,7 +29,7 @@ def test_a_job_is_every_trajectory_tried_on_every_ray(seed):
     tools = BALLS if seed % 6 == 0 else TOOLS
     paths = [PATHS[rng.integers(len(PATHS))] for _ in range(rng.integers(1, 5))]
     cuts = [Cut(toolpath(path(rng, int(rng.choice([4, 30])))), tools[rng.integers(len(tools))]) for path in paths]
-    width, height = (int(v) for v in rng.integers(1, rng.choice([10, 60, 200]), 2))
+    width, height = (int(v) for v in rng.integers(1, rng.choice([10, 60, 140]), 2))
     view = View(DIRECTIONS[seed % len(DIRECTIONS)], width, height)
     stock = (BOX, ROUND)[rng.integers(2)]
     z = simulate_job(cuts, stock=stock, view=view)
@@ -51,8 +51,8 @@ def test_culling_drops_nothing_that_flat_tipped_cones_cut(seed):
     paths = [PATHS[rng.integers(len(PATHS))] for _ in range(2)]
     cuts = [Cut(toolpath(path(rng, 40)), CHAMFERS[rng.integers(2)]) for path in paths]
     stock = (BOX, ROUND)[rng.integers(2)]
-    z = simulate_job(cuts, stock=stock, view=View(DIRECTIONS[seed % len(DIRECTIONS)], 170, 130))
-    row, column = np.divmod(np.arange(170 * 130), 170)
+    z = simulate_job(cuts, stock=stock, view=View(DIRECTIONS[seed % len(DIRECTIONS)], 120, 90))
+    row, column = np.divmod(np.arange(120 * 90), 120)
     pieces, _ = Removal(Cuts(cuts), stock, z.frame).cut(*z.frame.pixel_centres(column, row))
     assert np.array_equal(z.records.pixel(), pieces.ray)
     assert np.array_equal(z.records.owner, np.where(pieces.owner == UNCUT, z.trajectories, pieces.owner))
