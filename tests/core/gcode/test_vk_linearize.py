@@ -194,6 +194,15 @@ def test_the_last_peck_is_the_rest(depth, pecks):
     assert (toolpath.points[1:, :2] == [1, 2]).all() and toolpath.points[-1, 2] == 3
 
 
+def test_a_depth_of_whole_pecks_has_no_peck_of_rounding():
+    """1.1 / 0.1 is more than 11 as computers reckon: the drill would come out once more for nothing."""
+    toolpath = path(("G0", {"X": 0, "Y": 0, "Z": 3}), ("G83", {"X": 1, "Y": 2, "Z": -1.1, "R": 0, "Q": 0.1}))
+    feeds = toolpath.points[1:][~toolpath.rapid]
+    assert feeds[:, 2] == pytest.approx([-0.1 * k for k in range(1, 12)])
+    at_retract = toolpath.points[1:][toolpath.rapid][:, 2] == 0
+    assert at_retract.sum() == 1 + 10  # on the way in, and between the pecks
+
+
 @pytest.mark.parametrize("peck", [0.0, -1.0, 1e-5])
 def test_pecks_that_would_never_end_are_one(peck):
     toolpath = path(("G0", {"X": 0, "Y": 0, "Z": 3}), ("G83", {"X": 0, "Y": 0, "Z": -4, "R": 0, "Q": peck}))

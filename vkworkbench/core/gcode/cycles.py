@@ -103,13 +103,13 @@ def moves(
     cycle = np.repeat(np.arange(len(code)), counts)
     first = np.cumsum(counts) - counts
     step = np.arange(len(cycle)) - first[cycle]
-    level = retract[cycle] - ((step - 3) // 3 + 1) * peck[cycle]
+    level = retract[cycle] - step // 3 * peck[cycle]
     out = np.where(code[cycle] == PECK, retract[cycle], level + CHIP_BREAK_RETRACT)
 
     points = np.empty((len(cycle), 3))
     points[:, :2] = hole[cycle]
-    points[:, 2] = np.where((step - 3) % 3 == 1, out, level)
-    rapid = (step - 3) % 3 != 0
+    points[:, 2] = np.where(step % 3 == 1, out, level)
+    rapid = step % 3 != 0
     clear = np.maximum(start[:, 2], retract)
     points[first] = np.column_stack([start[:, :2], clear])
     points[first + 1, 2] = clear

@@ -1,0 +1,99 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Which open strokes are bites of an adaptive tool: they bend the way most do, and overlap the one before or after."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import programs
+import pytest
+
+from vkworkbench.core import linearize
+from vkworkbench.core.paper import monotonous_areas
+from vkworkbench.core.recognition.pieces import STROKE, cut_pieces
+from vkworkbench.core.recognition.strokes import relate_strokes
+
+
+def arc(x=0.0, y=0.0, z=0.0, *, radius=10.0, turns=0.4, clockwise=False, drop=0.0):
+    """An arc around (x, y) in chords, that descends by `drop`."""
+    sense = -1 if clockwise else 1
+    angles = np.linspace(0, 2 * math.pi * turns, 25) * sense
+    return [(50 + x + radius * math.cos(a), y + radius * math.sin(a), z - drop * i / 24) for i, a in enumerate(angles)]
+
+
+def wavy(x):
+    """It bends by as much as a bite, but not without turning back by more than half a turn."""
+    points, heading = [(50.0 + x, 0.0, 0.0)], 0.0
+    for bend in [0.5, 0.5, 0.5, -0.5, -0.5, -0.5, -0.5, 0.5, 0.5, 0.5, 0.5] + [0.2] * 12:
+        heading += bend
+        points.append((points[-1][0] + 2 * math.cos(heading), points[-1][1] + 2 * math.sin(heading), 0.0))
+    return points
+
+
+def strokes_of(strokes):
+    pieces = cut_pieces(monotonous_areas(linearize(programs.program(strokes))))
+    assert (pieces.kind == STROKE).all() and len(pieces) == len(strokes)
+    return relate_strokes(pieces, np.arange(len(pieces)))
+
+
+def bites(*strokes):
+    found = strokes_of(strokes)
+    return "".join("b" if bite else "a" if against else "-" for bite, against in zip(found.bite, found.against))
+
+
+def test_arcs_that_overlap_the_next_are_bites():
+    assert bites(arc(0), arc(2), arc(4), arc(6)) == "bbbb"
+    assert bites(arc(0, 0), arc(0, 2), arc(0, 4)) == "bbb"
+
+
+def test_an_arc_far_from_its_neighbours_is_none():
+    assert bites(arc(0), arc(2), arc(100), arc(200), arc(202)) == "bb-bb"
+    # Beside in one direction only is not over one another.
+    assert bites(arc(0, 0), arc(0, 100), arc(100, 100)) == "---"
+    assert bites(arc(0, 0), arc(0, 2), arc(0, -100), arc(-100, -100)) == "bb--"
+
+
+def test_arcs_at_another_depth_do_not_overlap():
+    assert bites(arc(0), arc(2, z=-2.0), arc(4, z=-4.0)) == "---"
+    assert bites(arc(0), arc(2), arc(4, z=-2.0)) == "bb-"
+
+
+def test_what_bends_less_than_a_quarter_turn_is_none():
+    assert bites(arc(0, turns=0.2), arc(2, turns=0.2)) == "--"
+    assert bites(arc(0), arc(1, turns=0.2), arc(2)) == "b-b"  # and does not part those that do
+    assert bites([(0, 0, 0), (20, 0, 0)], [(0, 1, 0), (20, 1, 0)]) == "--"
+
+
+def test_what_bends_the_other_way_is_against_wherever_it_lies():
+    assert bites(arc(0), arc(2), arc(4), arc(100, clockwise=True)) == "bbba"
+    assert bites(arc(0, clockwise=True), arc(2, clockwise=True), arc(4, clockwise=True), arc(6)) == "bbba"
+
+
+def test_the_sense_is_that_of_the_longer_strokes():
+    assert (
+        bites(arc(0, radius=40), arc(2, radius=40), *(arc(30 + i, radius=4, clockwise=True) for i in range(5)))
+        == "bbaaaaa"
+    )
+
+
+def test_a_stroke_that_turns_back_is_no_bite():
+    assert bites(wavy(0.0), wavy(1.0)) == "--"
+
+
+def test_slopes_depths_and_footprints():
+    found = strokes_of([arc(0), arc(0, z=-2.0), arc(50, z=-2.0), arc(100, drop=1.0)])
+    assert found.sloped.tolist() == [False, False, False, True]
+    assert (found.distinct, found.depths) == (3, 2)  # what is sloped has no depth of its own
+    assert found.typical == pytest.approx(0.4 * 2 * math.pi * 10, rel=0.01)
+
+
+def test_the_typical_length_is_that_of_most_of_the_cut():
+    found = strokes_of([*(arc(30.0 * i, radius=1) for i in range(5)), arc(0, 200, radius=10), arc(0, 300, radius=10)])
+    assert found.typical == pytest.approx(0.4 * 2 * math.pi * 10, rel=0.01)
+
+
+def test_no_strokes():
+    found = relate_strokes(cut_pieces(monotonous_areas(linearize(programs.program([arc(0)])))), np.zeros(0, np.int64))
+    assert (len(found), found.distinct, found.depths, found.typical) == (0, 0, 0, 0.0)
+    assert len(found.bite) == len(found.against) == len(found.sloped) == 0
