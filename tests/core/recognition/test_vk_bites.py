@@ -8,18 +8,12 @@ import math
 import numpy as np
 import programs
 import pytest
+from drawings import arc
 
 from vkworkbench.core import linearize
 from vkworkbench.core.paper import monotonous_areas
 from vkworkbench.core.recognition.pieces import STROKE, cut_pieces
 from vkworkbench.core.recognition.strokes import relate_strokes
-
-
-def arc(x=0.0, y=0.0, z=0.0, *, radius=10.0, turns=0.4, clockwise=False, drop=0.0):
-    """An arc around (x, y) in chords, that descends by `drop`."""
-    sense = -1 if clockwise else 1
-    angles = np.linspace(0, 2 * math.pi * turns, 25) * sense
-    return [(50 + x + radius * math.cos(a), y + radius * math.sin(a), z - drop * i / 24) for i, a in enumerate(angles)]
 
 
 def wavy(x):

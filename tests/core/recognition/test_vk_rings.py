@@ -8,6 +8,7 @@ import math
 import numpy as np
 import programs
 import pytest
+from drawings import polygon
 
 from vkworkbench.core import linearize
 from vkworkbench.core.paper import monotonous_areas
@@ -17,17 +18,6 @@ from vkworkbench.core.recognition.rings import relate_rings
 
 TOOL = 6.0
 RELATIONS = ("nested", "deeper", "repeated", "moved", "crossing")
-
-
-def polygon(side, *, x=0.0, y=0.0, z=0.0, corners=4, turned=0.25, clockwise=False, ratio=1.0, climbs=0.0):
-    """Closed polygon around (x, y); of four corners a rectangle of `side` by `side * ratio` mm."""
-    r = side / math.sqrt(2) if corners == 4 else side / 2
-    angles = [2 * math.pi * (i / corners + turned / 2) for i in range(corners + 1)]
-    # No drawing begins at the origin.
-    points = [
-        (70 + x + r * math.cos(a), y - 40 + ratio * r * math.sin(a), z + climbs * (i % 2)) for i, a in enumerate(angles)
-    ]
-    return points[::-1] if clockwise else points
 
 
 def rings_of(strokes, tool=TOOL):

@@ -1,0 +1,133 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What the rules alone propose, of toolpaths that were drawn for one rule each, and what they say they saw.
+
+The votes mostly agree with them, so that a rule that is wrong would not show in a verdict.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import programs
+import pytest
+from drawings import arc, polygon, winding
+
+from vkworkbench.core import linearize
+from vkworkbench.core.paper import monotonous_areas
+from vkworkbench.core.recognition.section import Section
+from vkworkbench.core.recognition.verdict import judge
+
+TOOL = 6.0
+
+
+def rows(count=10, length=50.0, step=3.0, x=0.0, y=0.0, z=0.0):
+    """Rows there and back in one stroke."""
+    ends = [((x, x + length) if row % 2 == 0 else (x + length, x)) for row in range(count)]
+    return [(end, y + row * step, z) for row in range(count) for end in ends[row]]
+
+
+def waves(count, step, *, grows=0.0, alternate=False):
+    """Open wavy strokes side by side; each is farther from the next at its end by `grows`."""
+    x = np.linspace(0, 160, 41)
+    strokes = []
+    for i in range(count):
+        y = 6 * np.sin(x / 12) + i * step + grows * i * x / 160
+        points = list(zip(x, y, np.zeros(41)))
+        strokes.append(points[::-1] if alternate and i % 2 else points)
+    return strokes
+
+
+def letters(count, z=0.0):
+    """Short open strokes, each of another form."""
+    return [
+        [(12.0 * i + a, b, z) for a, b in ((0, 0), (3 + 0.3 * i, 6), (5, 1 + 0.4 * i), (1, 4))] for i in range(count)
+    ]
+
+
+squares = [polygon(side) for side in (48, 44, 40, 36, 32)]
+crooked = [(x, -40 + math.sin(1.3 * i), 0.0) for i, x in enumerate(np.linspace(44, 96, 14))]
+CASES = {
+    "bites that overlap": ([arc(8.0 * i) for i in range(12)], "adaptive", "bites-overlap", 12),
+    "too few bites": ([arc(8.0 * i) for i in range(9)], "engraving", "short-strokes", 9),
+    "bites one way and the other": ([arc(8.0 * i, clockwise=i % 3 == 0) for i in range(18)], "engraving", "short-strokes", 18),
+    "arcs around one centre": ([arc(radius=10.0 + 2 * i) for i in range(8)], "contour-parallel", "nested", 8),
+    "arcs around one centre, to and fro": (
+        [arc(radius=10.0 + 2 * i)[:: -1 if i % 2 else 1] for i in range(8)], "zigzag", "half-turns-alternate", 8),
+    "offsets": (squares, "contour-parallel", "nested", 5),
+    "offsets to and fro": (
+        [ring[:: -1 if i % 2 else 1] for i, ring in enumerate(squares)], "zigzag", "sense-alternates", 5),
+    "two contours": ([polygon(60), polygon(20)], "profile", "not-nested", 2),
+    "a contour at three depths": ([polygon(40, z=z) for z in (0.0, -2.0, -4.0)], "profile", "not-nested", 3),
+    "a spiral": ([winding(2, 26, 8)], "spiral", "endless-winding", 9),
+    "a helix": ([winding(10, 10, 8, drop=8)], "helix", "constant-radius", 8),
+    "a helix that clears at its ground": (
+        [winding(10, 10, 20, drop=12) + winding(10, 19, 3, z=-12)[1:]], "adaptive", "winding-with-entry", 3),
+    "a square ramped as helices are": (
+        [[(x, y, -2.0 * (k + i / 4)) for k in range(5) for i, (x, y, _) in enumerate(polygon(40)[:-1])]],
+        "profile", "not-nested", 4),
+    "walls that widen": ([polygon(20 + 2 * i, z=-1.0 * i) for i in range(8)], "waterline", "shape-changes", 8),
+    "an edge that is broken": ([polygon(20 + i, z=-0.25 * i) for i in range(8)], "profile", "not-nested", 8),
+    "walls that widen at two depths": ([polygon(20 + 2 * i, z=-3.0 * i) for i in range(2)], "profile", "not-nested", 2),
+    "circles on a dome": (
+        [polygon(2 * r, z=math.sqrt(1600 - r * r) - 40, corners=48) for r in np.linspace(5, 36, 12)],
+        "contour-parallel", "even-in-plane", 12),
+    "circles that move along": ([polygon(16, x=1.0 * i, corners=24) for i in range(8)], "adaptive", "loops-move", 8),
+    "four circles that overlap": ([polygon(16, x=2.0 * i, corners=24) for i in range(4)], "profile", "not-nested", 4),
+    "five circles that move along": (
+        [polygon(16, x=2.0 * i, corners=24) for i in range(5)], "adaptive", "loops-move", 5),
+    "circles that move along among others": (
+        [*(polygon(16, x=1.0 * i, corners=24) for i in range(8)), polygon(40, x=100), polygon(40, x=200),
+         *letters(9)], "adaptive", "loops-move", 10),
+    "a pass inside a narrow contour": (
+        [polygon(60, ratio=0.2), crooked + [(x, y + 1, z) for x, y, z in crooked[::-1]]], "mixed", "pass-inside", 2),
+    "rows": ([rows()], "zigzag", "half-turns-alternate", 10),
+    "rows one way": ([[(0, y, 0), (50, y, 0)] for y in np.arange(0, 30, 3.0)], "one-way", "same-way", 10),
+    "rows within a contour": ([rows(x=46, y=-54, length=48), polygon(54)], "zigzag", "half-turns-alternate", 10),
+    "rows beside contours": (
+        [rows(), *(polygon(side, x=200) for side in (80, 74, 68, 62))], "mixed", "rows-and-loops", 10),
+    "open offsets": (waves(6, 3.0), "contour-parallel", "open-offsets", 6),
+    "open offsets to and fro": (waves(6, 3.0, alternate=True), "zigzag", "open-offsets", 6),
+    "open passes that part": (waves(8, 1.0, grows=4.0), "adaptive", "open-passes", 8),
+    "open contours that change with the depth": (
+        [[(x + i * i, y * (1 + i / 5), -2.0 * i) for x, y, _ in arc(radius=30)] for i in range(5)],
+        "waterline", "open-contours-change", 5),
+    "one open contour": ([arc(radius=30)], "profile", "one-open-contour", 1),
+    "an open contour at three depths": ([arc(radius=30, z=-2.0 * i) for i in range(3)], "profile", "open-contour-again", 3),
+    "two short open contours at three depths": (
+        [arc(x, radius=5, z=-2.0 * i) for i in range(3) for x in (0, 100)], "profile", "open-contour-again", 6),
+    "a few long strokes": (
+        [[(500, 0, 0), (560, 10, 0), (590, 0, 0)], [(500, 40, 0), (550, 60, 0), (595, 45, 0)]], "profile", "long-strokes", 2),
+    "letters": (letters(12), "engraving", "short-strokes", 12),
+    "letters at two depths": (letters(12) + letters(12, z=-1.0), "engraving", "short-strokes", 24),
+    "closed letters": (
+        [polygon(3 + 0.5 * i, x=12.0 * i, corners=3 + i % 5, ratio=1 + 0.1 * i) for i in range(12)],
+        "engraving", "many-shapes", 12),
+}  # fmt: skip
+
+
+def proposed(strokes, tool=TOOL):
+    return judge(Section(monotonous_areas(linearize(programs.program(strokes))), tool))
+
+
+@pytest.mark.parametrize("strokes, strategy, seen, count", CASES.values(), ids=CASES)
+def test_a_rule_proposes_what_was_drawn_for_it(strokes, strategy, seen, count):
+    found = proposed(strokes)
+    assert (found.strategy, found.seen.code, found.count) == (strategy, seen, count)
+
+
+def test_a_mixture_tells_the_shares_and_the_verdicts_of_its_parts():
+    found = proposed(CASES["rows beside contours"][0])
+    assert found.seen.arguments["rows"] + found.seen.arguments["loops"] == pytest.approx(1.0)
+    assert found.seen.arguments["loops"] == pytest.approx(4 * 284 / (4 * 284 + 527), rel=0.05)
+    rings, of_rows = found.parts
+    assert (rings.strategy, of_rows.strategy) == ("contour-parallel", "zigzag")
+
+
+def test_rows_within_a_contour_are_finished_by_it():
+    assert proposed(CASES["rows within a contour"][0]).finished and not proposed(CASES["rows"][0]).finished
+
+
+@pytest.mark.parametrize("name, step", [("open offsets", 3.0), ("arcs around one centre", 2.0)])
+def test_the_step_of_passes_that_are_no_rings(name, step):
+    assert proposed(CASES[name][0]).step == pytest.approx(step, rel=0.1)
