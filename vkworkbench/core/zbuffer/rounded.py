@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Where rays pass balls and rounded discs, standing and swept: the tips of ball ends and bull-nose mills.
+"""Where rays pass rounded discs, standing and swept: the tips of bull-nose mills.
 
 In the ray coordinates of sweeps.py, with heights measured from the centre of the rounding.
 """
@@ -14,7 +14,7 @@ from vkworkbench.core.solids import Tool
 _CLOSE = 1e-10
 
 
-def ball_chord(tool: Tool, at: np.ndarray, sine: float, cosine: float) -> tuple[np.ndarray, np.ndarray]:
+def _ball_chord(tool: Tool, at: np.ndarray, sine: float, cosine: float) -> tuple[np.ndarray, np.ndarray]:
     """Depths at which a ray passes a standing ball."""
     x, y, z = at
     middle = cosine * z - sine * y
@@ -23,27 +23,13 @@ def ball_chord(tool: Tool, at: np.ndarray, sine: float, cosine: float) -> tuple[
     return np.where(half2 >= 0, middle - half, np.inf), middle + half
 
 
-def ball_sides(tool: Tool, offset: np.ndarray, move: np.ndarray, sine: float, cosine: float) -> list[np.ndarray]:
-    """Parameters of the axis points nearest to where a ray passes the cylinder around the ball's path."""
-    x, y, z = offset
-    ux, uy, uz = move
-    length2 = ux**2 + uy**2 + uz**2
-    along_ray = uy * sine - uz * cosine
-    here = x * ux + y * uy + z * uz
-    square = length2 - along_ray**2
-    middle = length2 * (sine * y - cosine * z) - along_ray * here
-    rest = length2 * (x**2 + y**2 + z**2 - tool.radius**2) - here**2
-    root = np.sqrt(np.maximum(middle**2 - square * rest, 0))
-    return [divide(here + divide(side, square) * along_ray, length2) for side in (-middle - root, -middle + root)]
-
-
 def rounded_chord(tool: Tool, at: np.ndarray, sine: float, cosine: float) -> tuple[np.ndarray, np.ndarray]:
     """Depths at which a ray passes a standing disc thickened by the corner radius.
 
     Newton's method on the distance to the disc, a convex function of the depth, runs monotonously to the ends
     of the interval from the ends of the ball around it.
     """
-    near, far = ball_chord(tool, at, sine, cosine)
+    near, far = _ball_chord(tool, at, sine, cosine)
     met = near <= far
     for ahead, depths in ((1.0, near), (-1.0, far)):
         active = np.flatnonzero(met)

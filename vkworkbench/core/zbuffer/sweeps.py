@@ -5,7 +5,7 @@ A tool (a convex solid of revolution, unbounded upwards) moved along a straight 
 so a ray meets it in one interval. Everything here is in ray coordinates: x to the right of the image, y the
 horizontal direction the rays go, z up; a ray at (x, y, z) runs along (0, sine, -cosine) of the view's tilt.
 
-The interval's ends are extremes over the move's parameter t of the tool's own interval at the position t. The
+For flat and ball ends the interval has a closed form, see slots.py. For the others its ends are extremes over the move's parameter t of the tool's own interval at the position t. The
 extremes lie at an end of the move, or where the ray touches a side face of the swept volume, or on the edge
 between two faces; these few t are known in closed form (bull-nose: by bisection of a monotone function) and
 the tool's interval is taken at each of them.
@@ -13,16 +13,13 @@ the tool's interval is taken at each of them.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 
 import numpy as np
 
 from vkworkbench.core.solids import Tool
-from vkworkbench.core.zbuffer.rounded import ball_chord, ball_sides, divide, rounded_chord, rounded_sides
-
-# Ends closer than this, mm, are one: an edge of the swept volume is met in a single point, give or take
-# rounding.
-ROUNDING = 1e-7
+from vkworkbench.core.zbuffer.rounded import divide, rounded_chord, rounded_sides
+from vkworkbench.core.zbuffer.slots import FROM_THE_SIDE, ROUNDING, ball_slot, level_slot, sloped_slot
 
 
 def lowest(
@@ -133,7 +130,7 @@ def _lowest_position(
 
 
 def intervals(
-    tool: Tool, start: np.ndarray, move: np.ndarray, ray: np.ndarray, sine: float, cosine: float
+    tool: Tool, start: np.ndarray, move: np.ndarray, ray: Sequence[np.ndarray], sine: float, cosine: float
 ) -> tuple[np.ndarray, np.ndarray]:
     """Where tilted rays enter and leave the swept volume.
 
@@ -142,19 +139,34 @@ def intervals(
     tool : Tool
     start, move : (3, k) ndarray
         Where the tip starts and how it moves, in ray coordinates, mm.
-    ray : (3, k) ndarray
-        A point of each ray, in ray coordinates.
+    ray : three ndarrays
+        A point of each ray, in ray coordinates; of shapes that go together and with (k,).
     sine, cosine : float
         Of the view's tilt from the vertical; ``sine > 0``.
 
     Returns
     -------
-    near, far : (k,) ndarray
+    near, far : ndarray
         Depths along the ray, mm; ``near > far``, or not a number, where it misses.
     """
-    offset = ray - start
-    if tool.rounding == 0 and tool.steepness == 0 and not move[2].any():
-        return _level_slot(tool.radius, offset, move, sine, cosine)
+    x, y, z = (along - begin for along, begin in zip(ray, start))
+    corner = tool.rounding
+    if corner == tool.radius:
+        return ball_slot(corner, (x, y, z - corner), move, sine, cosine)
+    if corner == 0 and tool.steepness == 0:
+        if not move[2].any():
+            return level_slot(tool.radius, (x, y, z), move, sine, cosine)
+        if abs(cosine) > FROM_THE_SIDE:
+            return sloped_slot(tool.radius, (x, y, z), move, sine, cosine)
+    everything = np.array(np.broadcast_arrays(x, y, z, *move))
+    near, far = _general(tool, *everything.reshape(2, 3, -1), sine, cosine)
+    return near.reshape(everything.shape[1:]), far.reshape(everything.shape[1:])
+
+
+def _general(
+    tool: Tool, offset: np.ndarray, move: np.ndarray, sine: float, cosine: float
+) -> tuple[np.ndarray, np.ndarray]:
+    """`intervals` of any tool, for offsets and moves (3, k)."""
     corner = tool.rounding
     near, far = _extremes(
         _straight_sides(tool, corner, offset, move, sine, cosine),
@@ -164,51 +176,14 @@ def intervals(
     )
     if corner > 0:
         raised = offset - np.array([[0.0], [0.0], [corner]])
-        if corner == tool.radius:
-            sides = ball_sides(tool, raised, move, sine, cosine)
-            chord = ball_chord
-        else:
-            sides = rounded_sides(tool, raised, move, sine, cosine)
-            chord = rounded_chord
-        near2, far2 = _extremes(sides, raised, move, lambda at: chord(tool, at, sine, cosine))
+        near2, far2 = _extremes(
+            rounded_sides(tool, raised, move, sine, cosine),
+            raised,
+            move,
+            lambda at: rounded_chord(tool, at, sine, cosine),
+        )
         near, far = np.minimum(near, near2), np.maximum(far, far2)
     return near, far
-
-
-def _level_slot(
-    radius: float, offset: np.ndarray, move: np.ndarray, sine: float, cosine: float
-) -> tuple[np.ndarray, np.ndarray]:
-    """Where tilted rays pass what a flat end sweeps along a level move: between its wall and above its floor."""
-    x, y, z = offset
-    ux, uy, _ = move
-    run = np.sqrt(ux**2 + uy**2)
-    across = ux != 0
-    safe = np.where(across, ux, 1.0)
-    # As the tool moves, its chord of the ray ends last where the tangent at its end goes along the move.
-    reach = radius * uy / np.where(run > 0, run, 1) * np.sign(ux)
-    ends = []
-    with np.errstate(invalid="ignore"):
-        for sign in (-1, 1):
-            t = np.where(across, (x + sign * reach) / safe, sign * uy > 0)
-            np.minimum(np.maximum(t, 0, out=t), 1, out=t)
-            aside = x - t * ux
-            # Not a number where the tool misses the ray wherever it stands.
-            half = np.sqrt(radius**2 - aside * aside)
-            half *= sign
-            t *= uy
-            t -= y
-            t += half
-            ends.append(t)
-    low, high = ends
-    height = z + ROUNDING
-    tangent = cosine / sine if abs(cosine) > 1e-9 else 0.0
-    if tangent > 0:
-        high = np.minimum(high, height / tangent)
-    elif tangent < 0:
-        low = np.maximum(low, height / tangent)
-    else:
-        high = np.where(height >= 0, high, -np.inf)
-    return low / sine, high / sine
 
 
 def _extremes(
@@ -284,8 +259,6 @@ def _straight_sides(
     # The two vertical side faces.
     reach = tool.radius * uy / safe_run
     sides = [divide(x + reach, ux), divide(x - reach, ux)]
-    if tool.rounding == tool.radius:
-        return sides  # a ball goes on where the cylinder ends: there is no edge between them
     # The swept rims, where cylinder and bottom (or cone) meet, and cone and flat tip.
     k = tool.steepness
     tilted_move = cosine * uy + sine * uz

@@ -69,15 +69,15 @@ class Tilted:
         column, row = tiles.pixels()
         x, y = self.frame.pixel_centres(column, row)
         pixels, item = tiles.side**2, tiles.item
-        cube = tiles.side, tiles.side, len(item)
-        px = np.broadcast_to(x.take(tile, axis=1)[None], cube).ravel()
-        py = np.broadcast_to(y.take(tile, axis=1)[:, None], cube).ravel()
-        enter, leave = self.trajectories.intervals(px, py, np.tile(item, pixels))
+        px, py = x.take(tile, axis=1)[None], y.take(tile, axis=1)[:, None]
+        enter, leave = self.trajectories.intervals(px, py, item)
         enter, leave = enter.reshape(pixels, len(item)), leave.reshape(pixels, len(item))
         cut = np.minimum(leave, far.take(tile, axis=1)) - np.maximum(enter, near.take(tile, axis=1)) > THINNEST
         hit = np.flatnonzero(cut)
         # On the rim of a sweep rounding decides: as it does for any other ray.
-        hit = hit[self.trajectories.passing(px[hit], py[hit], item[hit % len(item)])]
+        pixel, pair = np.divmod(hit, len(item))
+        row, column = np.divmod(pixel, tiles.side)
+        hit = hit[self.trajectories.passing(px[0, column, pair], py[row, 0, pair], item[pair])]
         return Removals(hit, enter.ravel()[hit], leave.ravel()[hit])
 
     def _intervals(

@@ -167,42 +167,44 @@ class Trajectories:
         return result
 
     def intervals(self, x: np.ndarray, y: np.ndarray, item: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Depths at which rays enter and leave the volumes swept, one ray and one position in `index` each.
+        """Depths at which rays enter and leave the volumes swept.
 
         Parameters
         ----------
-        x, y : (k,) ndarray
-            Image coordinates of the rays, mm.
+        x, y : ndarray
+            Image coordinates of the rays, mm, of shapes that go together and with (k,).
         item : (k,) ndarray of int
+            Positions in `index`.
 
         Returns
         -------
-        near, far : (k,) ndarray
+        near, far : ndarray
             Depths, mm, unbounded where they are; ``near > far``, or not a number, where a ray misses.
         """
-        near, far = np.empty(len(item)), np.empty(len(item))
+        near, far = np.empty((2, *np.broadcast(x, y).shape))
         for begin in range(0, len(item), _PAIRS_AT_ONCE):
             part = slice(begin, begin + _PAIRS_AT_ONCE)
-            near[part], far[part] = self._intervals(x[part], y[part], item[part])
+            px, py, own_item, own_near, own_far = (
+                x[..., part],
+                y[..., part],
+                item[part],
+                near[..., part],
+                far[..., part],
+            )
+            for number, own in self.by_kind(own_item):
+                tool = self.kinds[number].tool
+                own_near[..., own], own_far[..., own] = self._of_tool(tool, px[..., own], py[..., own], own_item[own])
         return near, far
 
-    def _intervals(self, x: np.ndarray, y: np.ndarray, item: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        if len(self.kinds) == 1:
-            return self._of_kind(self.kinds[0].tool, x, y, item)
-        near, far = np.empty((2, len(item)))
-        for number, own in self.by_kind(item):
-            near[own], far[own] = self._of_kind(self.kinds[number].tool, x[own], y[own], item[own])
-        return near, far
-
-    def _of_kind(self, tool: Tool, x: np.ndarray, y: np.ndarray, item: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    def _of_tool(self, tool: Tool, x: np.ndarray, y: np.ndarray, item: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         start = self.start.take(item, axis=1)
         if self.sine == 0:
             opened = -lowest(tool, start, self.heading.take(item, axis=1), x, self.cosine * y)[0]
-            everywhere = np.full(len(x), np.inf)
+            everywhere = np.full(opened.shape, np.inf)
             return (-everywhere, opened) if self.cosine > 0 else (-opened, everywhere)
-        move = self.move.take(item, axis=1)
-        ray = np.array([x, self.cosine * y, self.sine * y])
-        return intervals(tool, start, move, ray, self.sine, self.cosine)
+        return intervals(
+            tool, start, self.move.take(item, axis=1), (x, self.cosine * y, self.sine * y), self.sine, self.cosine
+        )
 
 
 def _divided(group: np.ndarray, groups: int, item: np.ndarray) -> Iterator[tuple[int, slice | np.ndarray]]:
