@@ -27,16 +27,26 @@ from trees import grow
 
 from toolpaths import nonsense, strokes, synthetic
 from vkworkbench.core.gcode import linearize
-from vkworkbench.core.paper import monotonous_areas
-from vkworkbench.core.recognition.decide import STRATEGIES, Learned, elect, grounds, sureness
+from vkworkbench.core.paper import monotonous_areas, paper_verdict
+from vkworkbench.core.recognition.decide import (
+    STRATEGIES,
+    Learned,
+    Proposal,
+    elect,
+    grounds,
+    machines_nothing,
+    proposal,
+    sureness,
+)
 from vkworkbench.core.recognition.forest import Forest
 from vkworkbench.core.recognition.measures import measures
 from vkworkbench.core.recognition.section import Section
 from vkworkbench.core.recognition.thresholds import VOTES
 from vkworkbench.core.recognition.verdict import judge
 
-OF_STRATEGIES = {"trees": 40, "leaves": 120}
-OF_NONSENSE = {"trees": 40, "leaves": 160}
+OF_STRATEGIES = {"trees": 60, "leaves": 120, "tried": 0.3}
+OF_NONSENSE = {"trees": 80, "leaves": 160, "tried": 0.3}
+DOUBTFUL = (0.2, 0.25, 0.3, 0.35, 0.4, 0.5)  # where else the doubt might begin: what it costs, and what it gains
 FOLDS, SEEDS = 10, 20  # folds, and made toolpaths of each kind
 #: Weights in the learning of the strategies, of what is nonsense, and of the confidence. Real code is what is rare.
 WEIGHTS = {
@@ -44,7 +54,7 @@ WEIGHTS = {
     "freecad": (1.0, 1.0, 1.0),
     "freecad without tools": (0.7, 1.0, 0.0),
     "synthetic": (0.6, 1.0, 0.0),
-    "nonsense": (0.0, 1.0, 0.0),
+    "nonsense": (0.0, 2.0, 0.0),
 }
 TABLE = HERE.parent / "vkworkbench" / "core" / "recognition" / "learned.py"
 
@@ -79,10 +89,10 @@ class Examples:
     kind, group, system : (n,) str
         Which WEIGHTS they have; what is left out together, repositories or parts; or, instead, CAM systems.
     x : (n, m) float
-    y, rules : (n,) int
-        The true strategy, and the one that the rules propose, as indices of STRATEGIES.
-    tool : (n,) bool
-        Whether the tool is known.
+    y : (n,) int
+        The true strategy, as an index of STRATEGIES.
+    proposed : list of Proposal
+        What the rules and the paper's rule to the letter say.
     accepted : list of set of int
         The strategies that count as right.
     names : tuple of str
@@ -94,8 +104,7 @@ class Examples:
     system: np.ndarray
     x: np.ndarray
     y: np.ndarray
-    rules: np.ndarray
-    tool: np.ndarray
+    proposed: list[Proposal]
     accepted: list[set[int]]
     names: tuple[str, ...]
 
@@ -112,7 +121,7 @@ class Examples:
                 if of_kind in WEIGHTS:
                     section = Section(moves, tool)
                     values = measures(section)
-                    rules = STRATEGIES.index(judge(section).strategy)
+                    proposed = proposal(section, judge(section), paper_verdict(moves))
                     rows.append(
                         (
                             of_kind,
@@ -120,13 +129,12 @@ class Examples:
                             r.system,
                             list(values.values()),
                             strategies.index(r.strategy),
-                            rules,
-                            tool > 0,
+                            proposed,
                             accepted,
                         )
                     )
-        *arrays, accepted = zip(*rows)
-        return cls(*map(np.array, arrays), list(accepted), tuple(values))
+        *arrays, proposed, accepted = zip(*rows)
+        return cls(*map(np.array, arrays), list(proposed), list(accepted), tuple(values))
 
     def weight(self, which: int) -> np.ndarray:
         """Return weights of every example, see WEIGHTS."""
@@ -141,7 +149,7 @@ class Examples:
 
     def right(self, votes: np.ndarray) -> np.ndarray:
         """Return whether the strategy is right that has most, (n,), for votes (n, c)."""
-        return np.array([elect(v, r) in accepted for v, r, accepted in zip(votes, self.rules, self.accepted)])
+        return np.array([elect(v, p) in accepted for v, p, accepted in zip(votes, self.proposed, self.accepted)])
 
 
 def grown(e: Examples, chosen: np.ndarray) -> tuple[list[str], list[str]]:
@@ -172,7 +180,7 @@ def left_out(e: Examples, by: str = "group") -> tuple[dict[int, Learned], np.nda
     -------
     dict
         What is learned without fold k.
-    (5,) float
+    (6,) float
         The weights of the grounds, from the votes on all folds by trees that did not see them.
     """
     of_group = e.folds(by)
@@ -182,7 +190,7 @@ def left_out(e: Examples, by: str = "group") -> tuple[dict[int, Learned], np.nda
         strategies, about = grown(e, fold != k)
         forests[k] = Forest(strategies, len(STRATEGIES)), Forest(about, 2)
         votes[fold == k] = forests[k][0].shares(e.x[fold == k])
-    evidence = np.array([grounds(*of) for of in zip(votes, e.rules, e.tool)])
+    evidence = np.array([grounds(*of) for of in zip(votes, e.proposed)])
     right, weight = e.right(votes), e.weight(2)
     learned = {
         k: Learned(*forests[k], fit(evidence[fold != k], right[fold != k], weight[fold != k])) for k in range(FOLDS)
@@ -220,14 +228,19 @@ def main() -> None:
         of = np.flatnonzero(e.kind == kind)
         fold = [of_group[g] for g in e.group[of]]
         votes = np.array([learned[k].strategies.vote(case) for k, case in zip(fold, e.x[of])])
-        unknown = np.array([learned[k].nonsense.vote(case)[1] > VOTES.NONSENSE for k, case in zip(fold, e.x[of])])
-        by = {"rules": np.eye(len(STRATEGIES))[e.rules[of]], "votes": votes}
-        some = Examples(*(values[of] for values in (e.kind, e.group, e.system, e.x, e.y, e.rules, e.tool)),
-                        [e.accepted[i] for i in of], e.names)  # fmt: skip
+        nonsense = np.array([learned[k].nonsense.vote(case)[1] for k, case in zip(fold, e.x[of])])
+        sure = np.array([sureness(grounds(v, e.proposed[i]), learned[k].sureness) for k, v, i in zip(fold, votes, of)])
+        unknown = np.array(list(map(machines_nothing, nonsense, sure)))
+        rules = np.mean([e.proposed[i].rules in e.accepted[i] for i in of])
+        right = np.mean([elect(v, e.proposed[i]) in e.accepted[i] for v, i in zip(votes, of)])
         print(
-            f"{kind:22s} {len(of):5d}: right by the rules {some.right(by['rules']).mean():.3f}, "
-            f"with the votes {some.right(votes).mean():.3f}; unlike anything that machines {unknown.mean():.3f}"
+            f"{kind:22s} {len(of):5d}: right by the rules {rules:.3f}, "
+            f"with the votes {right:.3f}; unlike anything that machines {unknown.mean():.3f}"
         )
+        print(" " * 23 + "; ".join(
+            f"{np.mean([machines_nothing(n, p, at) for n, p in zip(nonsense, sure)]):.3f} from {at:.2f} of the votes on"
+            for at in DOUBTFUL
+        ))  # fmt: skip
     if options.write:
         write(e, weights)
 

@@ -93,9 +93,9 @@ def _report_rules(examples: Examples) -> None:
     names = [s.value for s in STRATEGIES]
     for kind in ("real", "freecad", "synthetic"):
         of = np.flatnonzero(examples.kind == kind)
-        right = np.mean([examples.rules[i] in examples.accepted[i] for i in of])
+        right = np.mean([examples.proposed[i].rules in examples.accepted[i] for i in of])
         classes = [
-            two_class(names[examples.y[i]], {names[k] for k in examples.accepted[i]}, names[examples.rules[i]])
+            two_class(names[examples.y[i]], {names[k] for k in examples.accepted[i]}, names[examples.proposed[i].rules])
             for i in of
         ]
         print(f"  {kind:10s} {len(of):5d}: right {right:.3f}, two-class {_mean(classes):.3f}")

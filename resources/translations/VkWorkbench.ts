@@ -937,6 +937,10 @@
         <source>as simulated, {count:n} commands are wrong, the first is {command:#}: {fault}</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>moves in X and Z only, with passes along Z at many X, as a lathe makes them: {strategy:strategy}</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

@@ -937,6 +937,10 @@
         <source>as simulated, {count:n} commands are wrong, the first is {command:#}: {fault}</source>
         <translation>laut Simulation sind {count:n} Befehle falsch, der erste ist {command:#}: {fault}</translation>
     </message>
+    <message>
+        <source>moves in X and Z only, with passes along Z at many X, as a lathe makes them: {strategy:strategy}</source>
+        <translation>Bewegungen nur in X und Z, mit Schnitten längs Z bei vielen X, wie eine Drehmaschine sie macht: {strategy:strategy}</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

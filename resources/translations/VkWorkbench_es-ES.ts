@@ -937,6 +937,10 @@
         <source>as simulated, {count:n} commands are wrong, the first is {command:#}: {fault}</source>
         <translation>según la simulación, {count:n} órdenes están mal, la primera es la {command:#}: {fault}</translation>
     </message>
+    <message>
+        <source>moves in X and Z only, with passes along Z at many X, as a lathe makes them: {strategy:strategy}</source>
+        <translation>movimientos solo en X y Z, con pasadas a lo largo de Z en muchas X, como los hace un torno: {strategy:strategy}</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

@@ -937,6 +937,10 @@
         <source>as simulated, {count:n} commands are wrong, the first is {command:#}: {fault}</source>
         <translation>d’après la simulation, {count:n} commandes sont fausses, la première est la {command:#} : {fault}</translation>
     </message>
+    <message>
+        <source>moves in X and Z only, with passes along Z at many X, as a lathe makes them: {strategy:strategy}</source>
+        <translation>déplacements en X et Z seulement, avec des passes le long de Z à de nombreux X, comme en fait un tour : {strategy:strategy}</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

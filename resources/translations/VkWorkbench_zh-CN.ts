@@ -937,6 +937,10 @@
         <source>as simulated, {count:n} commands are wrong, the first is {command:#}: {fault}</source>
         <translation>仿真显示 {count:n} 条命令有误，首条是 {command:#}：{fault}</translation>
     </message>
+    <message>
+        <source>moves in X and Z only, with passes along Z at many X, as a lathe makes them: {strategy:strategy}</source>
+        <translation>只在 X 和 Z 方向运动，并在许多 X 处沿 Z 走刀，与车床的走刀相同：{strategy:strategy}</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

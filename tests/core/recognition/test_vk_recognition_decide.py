@@ -9,10 +9,19 @@ import numpy as np
 import pytest
 
 from toolpaths import nonsense, synthetic
-from vkworkbench.core import Strategy, linearize, recognize
+from vkworkbench.core import Family, Strategy, linearize, recognize
 from vkworkbench.core.paper import monotonous_areas
 from vkworkbench.core.recognition import learned
-from vkworkbench.core.recognition.decide import LEARNED, OF_THE_RULES, STRATEGIES, elect, grounds, sureness
+from vkworkbench.core.recognition.decide import (
+    LEARNED,
+    NO_LETTER,
+    OF_THE_RULES,
+    STRATEGIES,
+    Proposal,
+    elect,
+    grounds,
+    sureness,
+)
 from vkworkbench.core.recognition.measures import measures
 from vkworkbench.core.recognition.section import Section
 from vkworkbench.core.recognition.thresholds import VOTES
@@ -23,6 +32,10 @@ SOME = synthetic.SAMPLES[::3]
 
 def path_of(make, seed=2):
     return linearize(make(np.random.default_rng(seed)))
+
+
+def proposed_by(rules, letter=None, tool=False):
+    return Proposal(STRATEGIES.index(rules), list(Family).index(letter) if letter else NO_LETTER, tool)
 
 
 def measured(path):
@@ -73,17 +86,19 @@ def test_a_reason_names_the_strategy_it_speaks_for():
 def test_only_the_rules_say_mixed_and_drilling():
     for said in np.flatnonzero(OF_THE_RULES):
         votes = np.eye(len(STRATEGIES))[said]
-        proposed = STRATEGIES.index(Strategy.ZIGZAG)
-        assert elect(votes, proposed) == proposed
+        proposed = proposed_by(Strategy.ZIGZAG)
+        assert elect(votes, proposed) == proposed.rules
 
 
-def test_the_rules_lose_against_more_votes_than_theirs():
-    zigzag, profile = STRATEGIES.index(Strategy.ZIGZAG), STRATEGIES.index(Strategy.PROFILE)
-    theirs = (VOTES.RULES + VOTES.CLASS * VOTES.RULES_OF_CLASS) / (1 + VOTES.CLASS)
-    for share, said in ((theirs - 0.01, zigzag), (theirs + 0.01, profile)):
+@pytest.mark.parametrize("tool", [True, False])
+def test_the_rules_lose_against_more_votes_than_theirs(tool):
+    profile = STRATEGIES.index(Strategy.PROFILE)
+    rules = VOTES.RULES if tool else VOTES.RULES_WITHOUT_TOOL
+    theirs = (rules + VOTES.CLASS * VOTES.RULES_OF_CLASS) / (1 + VOTES.CLASS)
+    for share, said in ((theirs - 0.01, Strategy.ZIGZAG), (theirs + 0.01, Strategy.PROFILE)):
         votes = np.zeros(len(STRATEGIES))
         votes[profile] = share
-        assert elect(votes, zigzag) == said
+        assert STRATEGIES[elect(votes, proposed_by(Strategy.ZIGZAG, tool=tool))] is said
 
 
 @pytest.mark.parametrize("other", ["adaptive", "zigzag", "engraving"])
@@ -91,14 +106,21 @@ def test_votes_that_are_split_within_one_class_are_not_lost(other):
     votes = np.zeros(len(STRATEGIES))
     for name, share in (("contour-parallel", 0.3), ("spiral", 0.2), ("profile", 0.17), (other, 0.33)):
         votes[STRATEGIES.index(Strategy(name))] = share
-    proposed = STRATEGIES.index(Strategy.UNKNOWN)
-    assert STRATEGIES[elect(votes, proposed)] is Strategy.CONTOUR_PARALLEL
+    assert STRATEGIES[elect(votes, proposed_by(Strategy.UNKNOWN))] is Strategy.CONTOUR_PARALLEL
+
+
+def test_the_letter_of_the_paper_decides_between_the_classes_and_not_within_them():
+    votes = np.zeros(len(STRATEGIES))
+    for name, share in (("zigzag", 0.3), ("profile", 0.3), ("spiral", 0.2), ("adaptive", 0.2)):
+        votes[STRATEGIES.index(Strategy(name))] = share
+    for letter, said in ((Family.ROWS, Strategy.ZIGZAG), (Family.AROUND, Strategy.PROFILE)):
+        assert STRATEGIES[elect(votes, proposed_by(Strategy.UNKNOWN, letter))] is said
 
 
 def test_more_votes_make_a_verdict_surer():
-    of = STRATEGIES.index(Strategy.SPIRAL)
+    of = proposed_by(Strategy.SPIRAL)
     sure = [
-        sureness(grounds(np.eye(len(STRATEGIES))[of] * share, of, False), LEARNED.sureness) for share in (0.2, 0.6, 1.0)
+        sureness(grounds(np.eye(len(STRATEGIES))[of.rules] * share, of), LEARNED.sureness) for share in (0.2, 0.6, 1.0)
     ]
     assert sure == sorted(sure) and sure[0] < sure[-1] <= VOTES.SUREST
 

@@ -5,9 +5,11 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from typing import NamedTuple
 
 import numpy as np
 
+from vkworkbench.core.paper import PaperVerdict
 from vkworkbench.core.recognition import learned
 from vkworkbench.core.recognition.forest import Forest
 from vkworkbench.core.recognition.measures import measures
@@ -21,10 +23,12 @@ _BY_VALUE = {strategy.value: strategy for strategy in Strategy}
 STRATEGIES = tuple(_BY_VALUE[value] for value in learned.STRATEGIES)
 # Only the rules name the parts of a mixed operation; and where something is milled, nothing else is drilling.
 OF_THE_RULES = np.array([s in (Strategy.MIXED, Strategy.DRILLING, Strategy.UNKNOWN) for s in STRATEGIES])
-ADAPTIVE = np.array([s is Strategy.ADAPTIVE for s in STRATEGIES])
 # The classes of the paper, rows and around, and beside them adaptive clearing, which bites, and the other families.
-CLASS = np.where(ADAPTIVE, -1, [list(Family).index(s.family) for s in STRATEGIES])
+CLASS = np.array([-1 if s is Strategy.ADAPTIVE else list(Family).index(s.family) for s in STRATEGIES])
 ALIKE = np.array(CLASS[:, None] == CLASS, float)
+# What the paper's rule to the letter speaks for: nothing where it is open.
+LETTER = {Strategy.ZIGZAG: Family.ROWS, Strategy.CONTOUR_PARALLEL: Family.AROUND}
+NO_LETTER = -2
 
 
 @dataclass(frozen=True)
@@ -37,7 +41,7 @@ class Learned:
         Votes for STRATEGIES.
     nonsense : Forest
         Votes for what machines something, and for what machines nothing.
-    sureness : (5,) float
+    sureness : (6,) float
         Weights of the :func:`grounds` for a verdict.
     """
 
@@ -49,7 +53,32 @@ class Learned:
 LEARNED = Learned(Forest(learned.TREES, len(STRATEGIES)), Forest(learned.NONSENSE, 2), learned.SURENESS)
 
 
-def decide(s: Section, rules: Verdict) -> tuple[Verdict, float]:
+class Proposal(NamedTuple):
+    """What speaks for a strategy beside the votes.
+
+    Attributes
+    ----------
+    rules : int
+        The strategy that the rules propose, an index of STRATEGIES.
+    letter : int
+        The class that the paper's rule to the letter tells, as in CLASS; NO_LETTER where it leaves it open.
+    tool : bool
+        Whether the tool's diameter is known, which many of the rules measure by.
+    """
+
+    rules: int
+    letter: int
+    tool: bool
+
+
+def proposal(s: Section, rules: Verdict, paper: PaperVerdict | None) -> Proposal:
+    """Return what the rules and the paper's rule to the letter say of a section."""
+    family = LETTER.get(paper.strategy) if paper else None
+    letter = list(Family).index(family) if family else NO_LETTER
+    return Proposal(STRATEGIES.index(rules.strategy), letter, s.tool > 0)
+
+
+def decide(s: Section, rules: Verdict, paper: PaperVerdict | None) -> tuple[Verdict, float]:
     """Decide what a section is.
 
     Parameters
@@ -57,6 +86,8 @@ def decide(s: Section, rules: Verdict) -> tuple[Verdict, float]:
     s : Section
     rules : Verdict
         What the rules say of it.
+    paper : PaperVerdict or None
+        What the paper's rule says of it to the letter.
 
     Returns
     -------
@@ -68,62 +99,77 @@ def decide(s: Section, rules: Verdict) -> tuple[Verdict, float]:
     """
     values = measures(s)
     case = [values[name] for name in learned.MEASURES]
+    votes, proposed = LEARNED.strategies.vote(case), proposal(s, rules, paper)
+    sure = float(sureness(grounds(votes, proposed), LEARNED.sureness))
     nonsense = float(LEARNED.nonsense.vote(case)[1])
-    if nonsense > VOTES.NONSENSE:
+    if machines_nothing(nonsense, sure):
         seen = Message("like-nothing", share=nonsense)
         return replace(rules, strategy=Strategy.UNKNOWN, seen=seen, parts=(), step=None), nonsense
-    votes, proposed = LEARNED.strategies.vote(case), STRATEGIES.index(rules.strategy)
     said = elect(votes, proposed)
-    if said != proposed:
+    if said != proposed.rules:
         seen = Message("like-others", share=float(votes[said]))
         rules = replace(rules, strategy=STRATEGIES[said], seen=seen, parts=(), step=None)
-    return rules, float(sureness(grounds(votes, proposed, s.tool > 0), LEARNED.sureness))
+    return rules, sure
 
 
-def standing(votes: np.ndarray, proposed: int) -> np.ndarray:
+def machines_nothing(nonsense: float, sure: float, doubtful: float = VOTES.DOUBTFUL) -> bool:
+    """Tell whether a section is no machining at all, which is asked apart from which strategy it is.
+
+    Parameters
+    ----------
+    nonsense : float
+        Share of the votes that say so.
+    sure : float
+        How sure the strategy is that it would have; of what machines nothing it seldom is.
+    doubtful : float
+        Share of the votes from which that counts.
+    """
+    return nonsense > VOTES.NONSENSE or (nonsense > doubtful and sure < VOTES.SURE)
+
+
+def standing(votes: np.ndarray, proposed: Proposal) -> np.ndarray:
     """Return what each strategy has, (c,).
 
-    That is its share of the votes, and that of the rules for the one they propose; and less of the same for its class,
-    as the class is told apart more surely than the strategies in it. Adaptive clearing leaves both classes of the paper,
-    so it has to be ahead of them.
+    That is its share of the votes, that of the rules for the one they propose, and less of the same for its class. Where
+    no tool is known the rules count less, and the paper's rule to the letter, which needs none, counts for the class.
     """
     rules = np.zeros(len(votes))
-    rules[proposed] = 1.0
-    has = votes + VOTES.RULES * rules + VOTES.CLASS * (ALIKE * (votes + VOTES.RULES_OF_CLASS * rules)).sum(axis=1)
-    has -= VOTES.BITES * ADAPTIVE
+    rules[proposed.rules] = 1.0
+    has = votes + (VOTES.RULES if proposed.tool else VOTES.RULES_WITHOUT_TOOL) * rules
+    has += VOTES.CLASS * (ALIKE * (votes + VOTES.RULES_OF_CLASS * rules)).sum(axis=1)
+    if not proposed.tool:
+        has += VOTES.LETTER * (CLASS == proposed.letter)
     return np.where(OF_THE_RULES & (rules == 0), 0.0, has)
 
 
-def elect(votes: np.ndarray, proposed: int) -> int:
+def elect(votes: np.ndarray, proposed: Proposal) -> int:
     """Return the strategy that has most."""
     return int(np.argmax(standing(votes, proposed)))
 
 
-def grounds(votes: np.ndarray, proposed: int, tool: bool) -> np.ndarray:
+def grounds(votes: np.ndarray, proposed: Proposal) -> np.ndarray:
     """Return what tells how sure the elected strategy is.
 
     Parameters
     ----------
     votes : (c,) float
         Shares of the trees' votes.
-    proposed : int
-        The strategy that the rules propose.
-    tool : bool
-        Whether the tool's diameter is known.
+    proposed : Proposal
 
     Returns
     -------
-    (5,) float
-        One; the logarithm of the odds of its votes; whether the rules propose it; how far it is ahead; `tool`.
+    (6,) float
+        One; the logarithm of the odds of its votes; whether the rules propose it; whether the paper's rule tells its
+        class; how far it is ahead; whether the tool is known.
     """
     has = standing(votes, proposed)
     said = int(np.argmax(has))
     ahead = has[said] - np.delete(has, said).max()
     odds = np.log((votes[said] + VOTES.NONE) / (1 + VOTES.NONE - votes[said]))
-    return np.array([1.0, odds, said == proposed, ahead, tool], float)
+    return np.array([1.0, odds, said == proposed.rules, CLASS[said] == proposed.letter, ahead, proposed.tool], float)
 
 
 def sureness(evidence: np.ndarray, weights: Sequence[float] | np.ndarray) -> np.ndarray:
-    """Return the confidence, (...,), for grounds (..., 5): a logistic function of their weighted sum."""
+    """Return the confidence, (...,), for grounds (..., 6): a logistic function of their weighted sum."""
     result: np.ndarray = VOTES.SUREST / (1 + np.exp(-(evidence * np.asarray(weights)).sum(axis=-1)))
     return result

@@ -38,11 +38,28 @@ def measures(s: Section) -> dict[str, float]:
 def _of_areas(s: Section, extent: float) -> dict[str, float]:
     """Measure how the areas turn as a whole."""
     m = s.moves
-    net = m.phi[m.end - 1] - m.phi[m.start]
+    last = m.end - 1
+    net = m.phi[last] - m.phi[m.start]
     turned = max(float(np.abs(m.turning).sum()), SAME.HEIGHT)
+    # The paper's quantities, area by area: how far phi ranges, its net turn, and V_k of the last trajectory.
+    share, number = m.area_length / m.area_length.sum(), len(m.start)
+    ranges = (np.maximum.reduceat(m.phi, m.start) - np.minimum.reduceat(m.phi, m.start)) / TURN
+    turns = np.abs(net) / TURN
+    v = np.hypot(m.x[last] + m.dx[last] - m.x[m.start], m.y[last] + m.dy[last] - m.y[m.start]) / m.area_length
+    closed = v < MEASURED.CLOSED
+    low, high = MEASURED.ONE_TURN
     return {
         "wound": s.wound,
-        "longest_area": float(m.area_length.max()) / s.length,
+        "longest_area": float(share.max()),
+        "around_areas": float(share[ranges > 1].sum()),
+        "rows_areas": float(share[ranges < MEASURED.HALF_TURN].sum()),
+        "area_turns": float((share * np.log1p(turns)).sum()),
+        "one_turn": float(share[closed & (turns > low) & (turns < high)].sum()),
+        "closed_areas": float(share[closed].sum()),
+        "area_v": float((share * v).sum()),
+        "areas": float(np.log1p(number)),
+        "area_length": float(np.log(s.length / number / extent)),
+        "alike_areas": float(-np.log((share * share).sum() * number)),
         "turned": float(np.log1p(turned / TURN)),
         "turned_for_length": float(np.log1p(turned / TURN * extent / s.length)),
         "net_turn": float(np.abs(net).sum()) / turned,

@@ -37,7 +37,8 @@ def recognize_one(toolpath: Toolpath, moves: Areas, first: int, last: int, tool:
         spans = spans_of(toolpath, [(first, last, strategy)])
         return Recognition(strategy, VOTES.SUREST, why, spans, passes=holes or None)
     section = Section(moves, tool)
-    verdict, confidence = decide(section, judge(section))
+    paper = paper_verdict(moves)
+    verdict, confidence = decide(section, judge(section), paper)
     evidence = gather(section, verdict)
     why = sentence(section, verdict, evidence)
     runs = _runs(section, verdict, first, last) if verdict.parts else [(first, last, verdict.strategy)]
@@ -48,7 +49,7 @@ def recognize_one(toolpath: Toolpath, moves: Areas, first: int, last: int, tool:
     finishing = verdict.finished and strategy.family is Family.ROWS
     numbers = {**vars(evidence), "entry": entry, "finishing": finishing}
     why = _with_layers(why, entry, finishing)
-    return Recognition(strategy, confidence, why, spans, **numbers, paper=paper_verdict(moves))
+    return Recognition(strategy, confidence, why, spans, **numbers, paper=paper)
 
 
 def _with_layers(why: Message, entry: str | None, finishing: bool) -> Message:

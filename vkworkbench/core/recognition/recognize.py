@@ -10,6 +10,8 @@ from vkworkbench.core.recognition.operation import recognize_one
 from vkworkbench.core.recognition.parts import find_borders, recognize_parts, told_apart
 from vkworkbench.core.recognition.recognition import Recognition
 from vkworkbench.core.recognition.thresholds import PARTS
+from vkworkbench.core.recognition.turned import is_turned
+from vkworkbench.core.recognition.unknown import unknown
 from vkworkbench.core.recognition.visits import begun
 from vkworkbench.core.strategy import Strategy
 from vkworkbench.core.toolpath import Toolpath
@@ -37,6 +39,8 @@ def recognize(toolpath: Toolpath, *, tool_diameter: float | None = None, program
     rapid = toolpath.rapid
     if rapid.all():
         return Recognition(Strategy.EMPTY, 1.0, Message("only-rapids") if len(toolpath) else Message("no-moves"))
+    if is_turned(toolpath):
+        return unknown(toolpath, Message("like-a-lathe", strategy=Strategy.UNKNOWN))
     tool = float(tool_diameter) if tool_diameter and np.isfinite(tool_diameter) and tool_diameter > 0 else 0.0
     moves = monotonous_areas(toolpath)
     first, last = int(np.argmin(rapid)), len(rapid) - 1 - int(np.argmin(rapid[::-1]))

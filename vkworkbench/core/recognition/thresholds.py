@@ -409,6 +409,16 @@ class VISITS:
     SMALL = 0.05
 
 
+class LATHE:
+    """What tells a lathe's toolpath in X and Z from a mill's."""
+
+    #: count. A lathe's passes along Z lie at so many X at least. At 1 a slot is turned.
+    PASSES = 3
+    #: ratio. They are so much longer than what is cut along X. At 0 a row of slots is turned; larger: short bolts are
+    #: profiles.
+    LONGER = 1.5
+
+
 class MEASURED:
     """How much of a section its measures look at; the trees were learned with these."""
 
@@ -418,6 +428,12 @@ class MEASURED:
     TURNS = 2000
     #: rad. Turns that are smaller are none.
     TURN = 1e-4
+    #: turns. Where phi ranges over less in an area, the area goes to and fro.
+    HALF_TURN = 0.51
+    #: turns. The net turn of a closed area without its closing turn, that goes around once: all but the last corner.
+    ONE_TURN = (0.6, 1.3)
+    #: share of the length. Where V_k of the last trajectory is shorter, the area is closed, as the measure says.
+    CLOSED = 0.02
     #: turns. An arc of the Gauss map that is so near to a half turn is one, as where rows alternate.
     HALF = 0.1
     #: turns. A shorter arc is a bend.
@@ -458,18 +474,27 @@ class VOTES:
 
     #: share of the votes. The rules count as so many. At 0 the trees alone decide, and operations of FreeCAD that the
     #: rules know are lost; at 1 the rules alone do, and real code that has no part in them is.
-    RULES = 0.38
+    RULES = 0.6
+    #: share of the votes. Where no tool is known, many of the rules have nothing to measure by. As much as with a tool:
+    #: real code that names none is judged by rules that guess.
+    RULES_WITHOUT_TOOL = 0.1
     #: ratio. So much counts the share of the whole class, rows or around, beside that of the strategy. At 0 a class can
     #: lose whose votes are split among its strategies; larger: the class decides alone.
-    CLASS = 0.3
+    CLASS = 0.6
     #: share of the votes. The rules count as so many for the class. At 0 only trees speak for it.
     RULES_OF_CLASS = 0.3
-    #: share of the votes. So far ahead adaptive has to be. At 0 offsets with arcs between them are adaptive; larger:
-    #: adaptive clearing of a round pocket is a spiral.
-    BITES = 0.05
+    #: share of the votes. Where no tool is known, the paper's rule to the letter counts as so many for the class it
+    #: tells. At 0 it is right more often than we are; at 1 adaptive clearing is offsets.
+    LETTER = 0.4
     #: share of the votes. So many say that a section is like nothing that machines. At 1 random walks are machining;
     #: at 0 engravings are nonsense.
     NONSENSE = 0.58
+    #: share of the votes. So many say so where no strategy is sure either. At 1 one random path in six is machining; at
+    #: 0 whatever is unsure is nonsense.
+    DOUBTFUL = 0.32
+    #: confidence. A strategy as sure as this is said in spite of the doubt. At 0 none is; at 1 surfaces that FreeCAD
+    #: makes are nonsense.
+    SURE = 0.85
     #: share of the votes. No share counts as fewer or more but for this, that its odds are finite.
     NONE = 0.02
     #: confidence. No verdict is surer, as toolpaths nobody has seen yet hold surprises.

@@ -84,6 +84,10 @@ RECOGNITION: dict[str, str | tuple[str, str]] = {
     "entered-by-zigzag-ramp": QT_TRANSLATE_NOOP("Sentences", ", entered by a ramp to and fro"),
     "entered-by-helix": QT_TRANSLATE_NOOP("Sentences", ", entered by a helix"),
     "finished-by-contour": QT_TRANSLATE_NOOP("Sentences", ", finished by a contour around the rows"),
+    "like-a-lathe": QT_TRANSLATE_NOOP(
+        "Sentences",
+        "moves in X and Z only, with passes along Z at many X, as a lathe makes them: {strategy:strategy}",
+    ),
     # What shows the strategy.
     "bites-overlap": QT_TRANSLATE_NOOP("Sentences", "{count:n} bites of one sense overlap"),
     "rows-and-loops": QT_TRANSLATE_NOOP(

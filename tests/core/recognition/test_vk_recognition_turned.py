@@ -1,0 +1,59 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Toolpaths of lathes, told from those of a mill that never moves in Y."""
+
+from __future__ import annotations
+
+import pytest
+
+from vkworkbench.core import Strategy, linearize, recognize
+
+SAFE = 5.0
+
+
+def turning(passes, length=40.0, depth=1.0, quick=True):
+    """Roughing along Z, each pass nearer to the axis, and out of the part in X."""
+    program = [("G0", {"X": 30.0, "Y": 0.0, "Z": 2.0})]
+    for k in range(1, passes + 1):
+        x = 30.0 - depth * k
+        program += [("G0", {"X": x}), ("G1", {"Z": -length}), ("G1", {"X": x + depth})]
+        program.append(("G0" if quick else "G1", {"Z": 2.0}))
+    return program
+
+
+def slots(count, length=14.0, depth=6.0):
+    """Slots in a row along X."""
+    program = [("G0", {"X": 0.0, "Y": 0.0, "Z": SAFE})]
+    for k in range(count):
+        x = 20.0 * k
+        program += [("G0", {"X": x}), ("G1", {"Z": -depth}), ("G1", {"X": x + length}), ("G0", {"Z": SAFE})]
+    return program
+
+
+def holes(count, up="G0", across="G0"):
+    """Holes in a row along X, from hole to hole at feed where a program has no rapids."""
+    program = [("G0", {"X": 0.0, "Y": 0.0, "Z": SAFE})]
+    for k in range(count):
+        program += [(across, {"X": 10.0 * k, "Z": SAFE}), ("G1", {"Z": -20.0}), (up, {"Z": SAFE})]
+    return program
+
+
+@pytest.mark.parametrize("quick", [True, False])
+@pytest.mark.parametrize("passes", [3, 12])
+def test_a_lathes_roughing_is_unknown_and_the_reason_says_why(passes, quick):
+    found = recognize(linearize(turning(passes, quick=quick)))
+    assert found.strategy is Strategy.UNKNOWN
+    assert "as a lathe makes them" in found.reason
+
+
+@pytest.mark.parametrize(
+    "program",
+    [slots(1), slots(12), holes(9), holes(9, up="G1"), holes(9, up="G1", across="G1"), turning(2)],
+    ids=["slot", "slots", "holes", "holes left at feed", "holes without rapids", "too few passes"],
+)
+def test_a_mill_that_never_moves_in_y_is_no_lathe(program):
+    assert "lathe" not in recognize(linearize(program)).reason
+
+
+def test_the_least_move_in_y_is_a_mills():
+    program = [*turning(12), ("G1", {"Y": 0.5})]
+    assert "lathe" not in recognize(linearize(program)).reason
