@@ -5,9 +5,10 @@
 
 FILES are files of vkworkbench/core or vkworkbench/document, by default all of them; of each, COUNT mutants are drawn
 (all with --count 0). Tests of a file are those of its room: tests/core/ROOM, or tests/document inside the FreeCAD of
-this machine; --tests takes fewer, which is quicker while one writes them. A mutant is killed where a test fails, or runs ten times as long as before. Prints the mutants that live, and
-the rate of those killed by file. Other rooms' tests may kill some of those that live, and some are no change at all:
-the rate is a lower bound. The checkout is not touched: copies of it are.
+this machine; --tests takes fewer, which is quicker while one writes them. A mutant is killed where a test fails, or
+runs ten times as long as before. Prints the mutants that live, and the rate of those killed by file. Other rooms' tests
+may kill some of those that live, and some are no change at all: the rate is a lower bound. The checkout is not touched:
+copies of it are.
 """
 
 from __future__ import annotations
@@ -163,12 +164,19 @@ class Checkout:
             kind(ROOT / name, self.root / name)
         subprocess.run([str(self.root / "tests/make_home.sh"), str(self.home)], check=True)
 
-    def run(self, tests: list[str], *, reached: Path | None = None, limit: float | None = None) -> bool:
-        """Whether the tests pass; with `reached`, write there which lines of core and document each of them reaches."""
+    def run(
+        self, tests: list[str], *, only: list[str] = (), reached: Path | None = None, limit: float | None = None
+    ) -> bool:
+        """Whether the tests pass, `only` some of them in this order where it tells any.
+
+        With `reached`, write there which lines of core and document each of them reaches.
+        """
+        chosen = self.home / "only.json"  # too many for a command line
+        chosen.write_text(json.dumps(list(only)))
         inside = "document" in tests[0]
         environment = {
             **os.environ, "HOME": str(self.home), "PYTHONPATH": "tests", "PYTHONDONTWRITEBYTECODE": "1",
-            "REACHED": str(reached or ""),
+            "ONLY": str(chosen), "REACHED": str(reached or ""),
             "HYPOTHESIS_STORAGE_DIRECTORY": str(self.home / "hypothesis"),
         }  # fmt: skip
         arguments = ["-q", "-p", "mutate", *([] if reached else ["-x"]), *tests]
@@ -192,7 +200,7 @@ class Checkout:
         original = own.read_text(encoding="utf-8")
         own.write_text(mutant.text, encoding="utf-8")
         try:
-            return self.run(tests, limit=limit)
+            return self.run(sorted({test.partition("::")[0] for test in tests}), only=tests, limit=limit)
         finally:
             own.write_text(original, encoding="utf-8")
 
@@ -243,6 +251,13 @@ def pytest_configure(config):
     """As pytest's plugin (-p mutate), set up what notes the lines."""
     if os.environ.get("REACHED"):
         config.pluginmanager.register(Reached(os.environ["REACHED"]))
+
+
+def pytest_collection_modifyitems(items):
+    """As pytest's plugin, keep the tests that are asked for, in their order."""
+    only = {test: place for place, test in enumerate(json.loads(Path(os.environ["ONLY"]).read_text()))}
+    if only:
+        items[:] = sorted((item for item in items if item.nodeid in only), key=lambda item: only[item.nodeid])
 
 
 def sample(file: Path, count: int, seed: int) -> list[Mutant]:

@@ -131,6 +131,25 @@ def test_the_same_name_again_is_another_operation_where_it_is_numbered():
     assert len(sections(f"(Pocket)\n{CUT}(Pocket)\n{CUT}")) == 1
 
 
+def test_a_line_of_words_alone_cuts_where_it_goes_on_with_a_feed():
+    """Titles behind the first cut part a program: what cuts has to be seen where G1 stands some lines above."""
+    cut = "X10\nY5\nX0\n"
+    assert [title for title, _, _ in sections(f"(One)\nG1 F100\n{cut}(Two)\n{cut}")] == ["One", "Two"]
+    # Rapids and feeds without a way cut nothing: the second title is another name of the same operation.
+    assert [title for title, _, _ in sections(f"(One)\nG0 X5 Y5\nX6\nF100\n(Two)\nG1 {cut}")] == ["Two"]
+
+
+def test_titles_at_tool_changes_are_no_passes():
+    """Sixty numbered titles are passes of one operation, but not where the tool is changed at each."""
+    changed = "".join(f"(Hole {k})\nT{k} M6\n{CUT}" for k in range(1, 61))
+    assert [title for title, _, _ in sections(changed)] == [f"Hole {k}" for k in range(1, 61)]
+
+
+def test_a_title_that_names_a_tool_of_before_has_that_tool():
+    listed = "(T1 D=6 CR=0 - flat end mill)\n(T2 D=3 CR=0 - flat end mill)\n"
+    assert sections(f"{listed}(T2 : rest)\n{CUT}")[0][2] == 3
+
+
 def test_long_comments_take_no_long_time():
     for text in ("1" * 50_000, "T1 D=" + "1 " * 20_000, "a: " * 20_000, "-" * 50_000, "end mill " * 5000):
         assert len(sections(f"({text})\n{CUT}")) == 1

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from vkworkbench.core import Strategy, linearize, recognize
-from vkworkbench.core.gcode import INCH, looks_like_inches, read_program
+from vkworkbench.core.gcode import INCH, in_seconds, looks_like_inches, read_program
 from vkworkbench.core.recognition import recognize_inches
 from vkworkbench.language import render
 
@@ -49,6 +49,31 @@ def test_what_speaks_against_it():
     assert not looks_like_inches(shrunk(zigzag(lift=200.0)))
     assert not looks_like_inches(linearize([]))
     assert not looks_like_inches(linearize([("G0", {"X": 1.0, "Y": 0.0, "Z": 1.0}), ("G1", {"Z": -0.1})]))  # one hole
+
+
+@pytest.mark.parametrize(
+    "changed, imported, said",
+    [
+        ({}, False, True),
+        ({"width": 14.5}, False, True), ({"width": 16.0}, False, False),  # 15 inches are a large part
+        ({"lift": 3.0}, False, True), ({"lift": 4.0}, False, False),  # 0.5 mm deep: lifted by 4 inches in all
+        ({"feed": 4.5}, False, True), ({"feed": 5.5}, False, False),  # 300 inches a minute are fast
+        ({"feed": 290.0}, True, True), ({"feed": 310.0}, True, False),  # FreeCAD takes those for mm/s
+    ],
+)  # fmt: skip
+def test_how_small_and_slow_a_toolpath_is_of_which_it_is_said(changed, imported, said):
+    toolpath = zigzag(**{"width": 10.0, "rows": 4, "step": 0.5, "depth": -0.5, "lift": 2.0, "feed": 1.0, **changed})
+    assert looks_like_inches(toolpath, imported=imported) == said
+
+
+def test_feeds_of_a_minute_are_told_by_the_fastest():
+    slow, fast = zigzag(feed=240.0), zigzag(feed=600.0)
+    assert in_seconds(slow) == (slow, None)
+    entering = replace(fast, feed=np.where(np.arange(len(fast)) < 3, 100.0, 600.0))
+    mended, said = in_seconds(entering)
+    assert mended.feed.tolist() == [100 / 60] * 3 + [10.0] * (len(fast) - 3)
+    assert said.code == "feeds-per-minute" and said.arguments["feed"] == 600.0
+    assert in_seconds(linearize([]))[1] is None
 
 
 @pytest.mark.parametrize("path", [zigzag(), offsets()])

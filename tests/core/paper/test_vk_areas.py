@@ -1,0 +1,50 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Areas of one program: each is told as if it were alone, wherever it lies and whatever was cut before."""
+
+from __future__ import annotations
+
+import numpy as np
+import programs
+import pytest
+
+from vkworkbench.core import linearize
+from vkworkbench.core.paper import monotonous_areas
+
+SLOT = [(0.0, 0.0), (30.0, 0.0), (0.0, 0.0), (30.0, 0.0), (30.0, 5.0)]  # there and back on one line: no signs
+SQUARE = [(0.0, 0.0), (20.0, 0.0), (20.0, 20.0), (0.0, 20.0), (0.0, 0.4)]  # closed but for 0.4 mm, as a lead leaves it
+ROW = [(0.0, 0.0), (20.0, 0.0), (20.0, 0.4), (0.0, 0.4)]  # as near, but nothing lies between
+
+
+def areas_of(*strokes):
+    return monotonous_areas(linearize(programs.program([[(*point, 0.0) for point in stroke] for stroke in strokes])))
+
+
+def at(stroke, x, y):
+    return [(x + dx, y + dy) for dx, dy in stroke]
+
+
+@pytest.mark.parametrize("strokes", [(SLOT, SLOT), (SQUARE, SLOT), (ROW, SQUARE, SLOT)])
+def test_an_area_after_others_is_told_as_if_it_were_alone(strokes):
+    alone, last = areas_of(SLOT).signature(0), areas_of(*strokes).signature(len(strokes) - 1)
+    assert last.unsigned.tolist() == alone.unsigned.tolist() == [0, 1]
+    assert last.reversals.tolist() == alone.reversals.tolist()
+    assert last.phi.tolist() == alone.phi.tolist() and last.turning.tolist() == alone.turning.tolist()
+    assert last.closed == alone.closed and last.total_turning == alone.total_turning
+
+
+@pytest.mark.parametrize("x, y", [(0, 0), (500, -300), (-200, 700)])
+def test_what_closes_does_so_wherever_it_lies(x, y):
+    areas = areas_of(at(SQUARE, x, y), at(ROW, x, y), at(SQUARE, 2 * x, y), at(SLOT, x, 2 * y))
+    assert areas.closed.tolist() == [True, False, True, False]
+    assert areas.total_turning[[0, 2]] == pytest.approx(2 * np.pi)
+
+
+def test_a_gap_counts_against_what_is_enclosed():
+    # 3 % of the side: 0.6 mm of these 20 mm.
+    for gap, closed in ((0.5, True), (0.65, False)):
+        assert areas_of(at([*SQUARE[:-1], (0.0, gap)], 50, -30), at(ROW, 0, 0)).closed.tolist() == [closed, False]
+
+
+def test_no_areas():
+    areas = areas_of()
+    assert len(areas) == 0 and areas.phi_range == (0.0, 0.0) and areas.phi_ranges.shape == (0, 2)
