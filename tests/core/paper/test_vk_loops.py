@@ -1,0 +1,100 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Where a path comes back to a point, and where the turns of a winding begin."""
+
+from __future__ import annotations
+
+import numpy as np
+import programs
+import pytest
+from drawings import polygon, winding
+
+from vkworkbench.core import linearize
+from vkworkbench.core.paper import monotonous_areas, winding_turns
+
+
+def areas_of(*strokes):
+    return monotonous_areas(linearize(programs.program(strokes)))
+
+
+def loops_of(*strokes):
+    """The number of moves before each loop, and its own."""
+    first, end = areas_of(*strokes).loops
+    return list(zip(first.tolist(), (end - first).tolist()))
+
+
+def linked(*rings):
+    return [point for ring in rings for point in ring]
+
+
+def test_each_of_linked_offsets_is_a_loop():
+    sides = 40, 36, 32, 28
+    assert loops_of(linked(*(polygon(side) for side in sides))) == [(0, 4), (5, 4), (10, 4), (15, 4)]
+    assert loops_of(linked(*(polygon(side, clockwise=True) for side in sides))) == [(0, 4), (5, 4), (10, 4), (15, 4)]
+
+
+def test_loops_that_are_lifted_between_are_each_found_in_their_own_area():
+    assert loops_of(polygon(40), polygon(36), polygon(40)) == [(0, 4), (4, 4), (8, 4)]
+    # The same place again is another visit, not a longer loop.
+    assert loops_of(polygon(40), [(0, 0, 0), (9, 0, 0)], polygon(40)) == [(0, 4), (5, 4)]
+
+
+def test_a_contour_that_is_cut_twice_in_one_go_is_two_loops():
+    assert loops_of(polygon(40) + polygon(40)[1:]) == [(0, 4), (4, 4)]
+
+
+def test_what_comes_back_without_a_full_turn_is_no_loop():
+    eight = [
+        (0, 0, 0),
+        (10, 10, 0),
+        (20, 0, 0),
+        (10, -10, 0),
+        (0, 0, 0),
+        (-10, 10, 0),
+        (-20, 0, 0),
+        (-10, -10, 0),
+        (0, 0, 0),
+    ]
+    assert loops_of([(20 * (k % 2), 0.0, 0.0) for k in range(12)]) == []
+    assert loops_of(eight) == [(0, 4), (4, 4)]
+    assert loops_of([*eight[:5], *reversed(eight[:4])]) == [(0, 4), (4, 4)]  # there and back again, one loop each
+
+
+def test_the_contour_that_leads_through_the_start_of_its_zigzag_is_the_loop():
+    rows = [(x, y, 0.0) for y in range(0, 30, 3) for x in ((0.0, 40.0) if y % 2 == 0 else (40.0, 0.0))]
+    around = [
+        (-5.0, 27.0, 0.0),
+        (-5.0, 0.0, 0.0),
+        (0.0, 0.0, 0.0),
+        (45.0, 0.0, 0.0),
+        (45.0, 27.0, 0.0),
+        (-5.0, 27.0, 0.0),
+    ]
+    found = loops_of(rows + around)
+    assert found == [(len(rows), 5)]
+
+
+@pytest.mark.parametrize("first, last, sense", [(10, 10, 1), (2, 26, 1), (26, 2, -1)])
+def test_each_further_turn_of_a_winding_begins_where_phi_has_gone_round(first, last, sense):
+    points = winding(first, last, 5, drop=3.0)
+    areas = areas_of([(x, sense * y, z) for x, y, z in points])
+    turns = winding_turns(areas, np.array([0]), np.array([len(areas)]), np.array([float(sense)]))
+    assert turns[:4].tolist() == pytest.approx([36, 72, 108, 144], abs=3)
+    round_again = 2 * np.pi * np.arange(1, len(turns) + 1)  # a spiral's last move may be the first of one turn more
+    assert (sense * areas.phi[turns] >= round_again - 1e-6).all() and (sense * areas.phi[turns - 1] < round_again).all()
+
+
+def test_windings_are_counted_each_for_itself():
+    up, down = winding(10, 10, 3, drop=2.0), [(x, -y, z) for x, y, z in winding(8, 8, 4, drop=2.0)]
+    areas = areas_of(up, down)
+    turns = winding_turns(areas, areas.start, areas.end, np.array([1.0, -1.0]))
+    assert len(turns) == 2 + 3
+    assert (turns[:2] < areas.start[1]).all() and (turns[2:] > areas.start[1]).all()
+
+
+def test_turning_back_and_on_begins_no_new_turn():
+    """A wavy contour passes the same direction several times in each turn."""
+    angles = np.arange(0, 4 * 2 * np.pi, 0.1)
+    radius = 20 + 3 * np.cos(7 * angles) + angles
+    areas = areas_of(list(zip(radius * np.cos(angles), radius * np.sin(angles), np.zeros(len(angles)))))
+    turns = winding_turns(areas, areas.start, areas.end, np.ones(1))
+    assert len(turns) in (3, 4) and (np.diff(turns) > 40).all()

@@ -1,0 +1,121 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What counts as cutting along the plane, and where one monotonous area ends and the next begins."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from vkworkbench.core import linearize
+from vkworkbench.core.paper import monotonous_areas
+
+FEED = 10.0
+START = ("G0", {"X": 40.0, "Y": 30.0, "Z": 5.0})
+
+
+def feed(*points):
+    """Moves at feed through points (x, y, z)."""
+    return [("G1", {"X": 40.0 + x, "Y": 30.0 + y, "Z": z, "F": FEED}) for x, y, z in points]
+
+
+def rapid(x, y, z):
+    return ("G0", {"X": 40.0 + x, "Y": 30.0 + y, "Z": z})
+
+
+def areas_of(*commands):
+    return monotonous_areas(linearize([START, *commands]))
+
+
+def sizes(areas):
+    return np.diff(areas.start, append=len(areas)).tolist()
+
+
+ROW = [(20, 0, -1), (20, 2, -1), (0, 2, -1)]
+
+
+def test_an_area_ends_at_a_rapid():
+    one = areas_of(*feed((0, 0, -1), *ROW, (0, 2, 5)), rapid(0, 4, 5), *feed((0, 4, -1), (20, 4, -1)))
+    assert sizes(one) == [3, 1]
+    assert one.index.tolist() == [1, 2, 3, 7]
+    # A rapid at the height of the cut, too: nothing is cut on it.
+    assert sizes(areas_of(*feed((0, 0, -1), *ROW), rapid(0, 4, -1), *feed((20, 4, -1)))) == [3, 1]
+
+
+def test_an_area_ends_where_the_tool_goes_down_and_up_again():
+    assert sizes(areas_of(*feed((0, 0, -1), *ROW, (0, 2, -5), (0, 2, -1), (20, 2.5, -1), (20, 9, -1)))) == [3, 2]
+
+
+def test_an_area_ends_at_another_depth_unless_it_goes_straight_on():
+    step, wall = feed((0, 0, -1), *ROW, (0, 2, -2), (0, 30, -2)), feed((0, 0, -1), *ROW, (0, 2, 3), (-20, 2, 3))
+    assert sizes(areas_of(*step)) == [3, 1]
+    assert sizes(areas_of(*wall)) == [4]  # a raster climbs a wall
+
+
+def test_a_first_move_straight_down_at_feed_is_no_area():
+    areas = areas_of(*feed((0, 0, -1)))
+    assert len(areas) == 0 and areas.holes.tolist() == [0]
+
+
+@pytest.mark.parametrize("drop, cuts", [(0.0, 1), (-80.0, 1), (-120.0, 0)])
+def test_a_slope_cuts_along_the_plane_and_a_plunge_aside_does_not(drop, cuts):
+    assert len(areas_of(*feed((0, 0, 0), (12, 16, drop)))) == cuts  # 20 mm along the plane, five times as deep at most
+
+
+@pytest.mark.parametrize("beside, kept", [(0.3, True), (20.0, False)])
+def test_a_move_of_rounding_beside_a_long_one_has_no_direction(beside, kept):
+    areas = areas_of(*feed((0, 0, -1), (beside, 0, -1), (beside, 0.015, -1), (2 * beside, 0.015, -1)))
+    assert len(areas) == 2 + kept
+
+
+def link(x, y):
+    """Lift, straight there, and down, all of it at feed."""
+    return [(0, 2, 5), (x, y, 5), (x, y, -1)]
+
+
+def test_links_in_the_air_at_feed_are_left_out():
+    more = [(40, 20, -1), (60, 20, -1), (60, 4, -1)]
+    areas = areas_of(*feed((0, 0, -1), *ROW, *link(40, 2), *more))
+    assert sizes(areas) == [3, 3] and areas.index.tolist() == [1, 2, 3, 7, 8, 9]
+    # As the first and the last move of a program, too, where it lifts or plunges but once.
+    areas = areas_of(*feed((-30, 0, 5), (-30, 0, -1), (-10, 0, -1), (-10, 5, -1), (-10, 5, 5), (20, 5, 5)))
+    assert areas.index.tolist() == [2, 3]
+
+
+def test_what_goes_round_a_corner_or_slopes_is_no_link():
+    bent = [(0, 2, 5), (20, 20, 5), (40, 2, 5), (40, 2, -1)]
+    assert sizes(areas_of(*feed((0, 0, -1), *ROW, *bent, (60, 2, -1)))) == [3, 2, 1]
+    sloped = [(0, 2, 5), (40, 2, 8), (40, 2, -1)]
+    assert sizes(areas_of(*feed((0, 0, -1), *ROW, *sloped, (60, 9, -1)))) == [3, 1, 1]
+    low = [(0, 2, -3), (40, 2, -3), (40, 2, -1)]  # down, along a groove, and up
+    assert sizes(areas_of(*feed((0, 0, -1), *ROW, *low, (40, 30, -1), (60, 30, -1)))) == [3, 1, 2]
+
+
+def test_a_plateau_between_walls_is_cut():
+    raster = [(0, 0, -1), (20, 0, -1), (20, 0, 4), (40, 0, 4), (40, 0, -1), (60, 0, -1)]
+    assert sizes(areas_of(*feed(*raster))) == [3]
+    turned = [(0, 0, -1), (20, 0, -1), (20, 0, 4), (20, 20, 4), (20, 20, -1), (40, 20, -1)]
+    assert sizes(areas_of(*feed(*turned))) == [1, 1]  # that one is a link: it lies in no pass
+
+
+def test_a_hole_is_a_plunge_where_nothing_is_milled():
+    peck = [*feed((0, 0, -3)), rapid(0, 0, 1), rapid(0, 0, -3), *feed((0, 0, -6)), rapid(0, 0, 5)]
+    assert areas_of(*peck).holes.tolist() == [3]  # pecks into one hole count once
+    second = [
+        rapid(10, 0, 5),
+        *feed((10, 0, -6)),
+        rapid(10, 0, 5),
+        rapid(10, 8, 5),
+        *feed((10, 8, -6)),
+        rapid(10, 8, 5),
+    ]
+    assert areas_of(*peck, *second).holes.tolist() == [3, 6, 9]
+    milled = [rapid(10, 0, 5), *feed((10, 0, -6), (30, 0, -6)), rapid(30, 0, 5)]
+    assert areas_of(*peck, *milled).holes.tolist() == [3]
+
+
+def test_a_part_of_a_program_is_told_by_the_trajectories_of_the_whole():
+    hole = [rapid(60, 0, 5), *feed((60, 0, -6)), rapid(60, 0, 5)]
+    path = linearize([START, *feed((0, 0, -1), *ROW, (0, 9, -1), (0, 9, 5)), *hole])
+    behind = monotonous_areas(path, first=2)
+    assert behind.index.tolist() == [2, 3, 4] and behind.holes.tolist() == [7]
+    assert monotonous_areas(path, first=2, last=3).index.tolist() == [2, 3]
