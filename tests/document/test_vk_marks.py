@@ -10,9 +10,9 @@ import FreeCAD
 import pytest
 
 import vkworkbench
-from vkworkbench import freecad
+from vkworkbench import freecad, preferences
 from vkworkbench.core import Strategy
-from vkworkbench.document import mark_properties, marks, watcher
+from vkworkbench.document import fingerprint, mark_properties, marks, watcher
 from vkworkbench.language import ENGLISH, Message, render
 
 
@@ -446,3 +446,64 @@ def test_a_marked_file_opens_without_the_addon(example, tmp_path):
     assert shown[-1] == "False 0"
     assert all("⟦" in line for line in shown[:-1]) and "zigzag" in shown[1]
     assert log == plain_log
+
+
+def test_a_mark_is_shown_where_its_text_stands_or_is_kept_from_us(small, zigzag_commands):
+    """Pills are painted over what stands in the description: nothing is, where somebody has taken it away."""
+    op = small.add("Zigzag", zigzag_commands)
+    assert not marks.is_shown(op)
+    vkworkbench.mark(vkworkbench.analyze(small.document))
+    assert marks.is_shown(op)
+    op.Label2 = "own words"
+    assert not marks.is_shown(op) and marks.is_marked(op)
+    op.setExpression("Label2", "<<kept>>")
+    small.document.recompute()
+    assert marks.is_shown(op)
+
+
+def test_marking_again_brings_back_a_text_that_was_taken_away(small, zigzag_commands):
+    op = small.add("Zigzag", zigzag_commands)
+    report = vkworkbench.analyze(small.document)
+    vkworkbench.mark(report)
+    texts = op.Label2, small.job.Label2
+    op.Label2 = small.job.Label2 = ""
+    # What follows a change by itself leaves it away; a click on Analyze is asked for.
+    marks.refresh(op, lambda _: ())
+    assert (op.Label2, small.job.Label2) == ("", "")
+    vkworkbench.mark(vkworkbench.analyze(small.document))
+    assert (op.Label2, small.job.Label2) == texts
+
+
+def test_refreshing_says_whether_the_mark_changed(small, zigzag_commands):
+    op = small.add("Zigzag", zigzag_commands)
+    assert not marks.refresh(op, lambda _: ())  # no mark
+    vkworkbench.mark(vkworkbench.analyze(small.document))
+    _, setting = fingerprint.path_and_setting(marks.read(op).fingerprint)
+    assert not marks.refresh(op, lambda _: (setting,))
+    assert marks.refresh(op, lambda _: ("another",)) and marks.is_outdated(op)
+    assert not marks.refresh(op, lambda _: ("another",))
+    assert marks.refresh(op, lambda _: (setting,), path_changed=False, setting_changed=False)
+    assert not marks.is_outdated(op)
+
+
+def test_a_total_is_outdated_while_one_of_its_operations_is(small, zigzag_commands):
+    one, other = small.add("One", zigzag_commands), small.add("Other", zigzag_commands)
+    vkworkbench.mark(vkworkbench.analyze(small.document))
+    assert not marks.is_outdated(small.job)
+    _, setting = fingerprint.path_and_setting(marks.read(one).fingerprint)
+    marks.refresh(one, lambda _: ("another",))
+    marks.refresh_total(small.job)
+    assert marks.is_outdated(small.job) and "outdated" in small.job.Label2
+    marks.refresh(one, lambda _: (setting,))
+    marks.refresh_total(small.job)
+    assert not marks.is_outdated(small.job)
+    # A total of marks that are outdated already says so at once.
+    marks.refresh(other, lambda _: ("another",))
+    marks.write_total(small.job, preferences.read())
+    assert marks.is_outdated(small.job)
+    small.job.Operations.Group = [one]
+    marks.write_total(small.job, preferences.read())
+    assert not marks.is_outdated(small.job) and small.job.Label2.startswith("⟦1 operation")
+    marks.erase(one)
+    marks.write_total(small.job, preferences.read())
+    assert not marks.is_marked(small.job)
