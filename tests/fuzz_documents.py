@@ -28,6 +28,7 @@ import Path as CAM
 sys.path[:0] = [str(Path(__file__).parent), str(Path(__file__).parents[1] / "examples"), str(Path(__file__).parents[1])]
 import fuzz
 import programs
+from inside_freecad import run_and_leave
 from make_example import cam
 
 import vkworkbench
@@ -511,24 +512,8 @@ def main():
     return 1 if failed or not done else 0
 
 
-def run():
-    sys.stdout, sys.stderr = sys.__stdout__, sys.__stderr__
-    status = 1
-    try:
-        status = main()
-    except BaseException:
-        traceback.print_exc()
-    finally:
-        sys.stdout.flush()
-        sys.stderr.flush()
-        os._exit(status)
-
-
 if "VKWORKBENCH_FUZZ" in os.environ:
     if FreeCAD.GuiUp:
         import FreeCADGui as Gui
         from PySide import QtCore, QtGui
-
-        QtCore.QTimer.singleShot(0, run)  # once FreeCAD's event loop runs
-    else:
-        run()
+    run_and_leave(main)

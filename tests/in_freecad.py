@@ -6,31 +6,20 @@ FreeCAD passes no arguments on: pytest's are in the environment variable PYTEST_
 
 from __future__ import annotations
 
-import os
 import sys
-
-import FreeCAD
 
 sys.modules_at_start = frozenset(sys.modules)  # a test looks at what FreeCAD's start has loaded
 
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).parent))
+from inside_freecad import run_and_leave
+
 
 def run():
-    # In a window these are FreeCAD's report view, which nobody sees here.
-    sys.stdout, sys.stderr = sys.__stdout__, sys.__stderr__
-    status = 1
-    try:
-        import pytest
+    import pytest
 
-        status = int(pytest.main([]))
-    finally:
-        sys.stdout.flush()
-        sys.stderr.flush()
-        os._exit(status)  # FreeCAD itself would end with 0, or ask to save a document
+    return pytest.main([])
 
 
-if FreeCAD.GuiUp:
-    from PySide import QtCore
-
-    QtCore.QTimer.singleShot(0, run)  # once FreeCAD's event loop runs
-else:
-    run()
+run_and_leave(run)

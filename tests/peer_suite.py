@@ -20,6 +20,7 @@ import traceback
 import types
 import unittest
 from collections import Counter
+from pathlib import Path
 
 
 class Recorder(unittest.TextTestResult):
@@ -136,23 +137,15 @@ def compare(without, with_addon):
 
 
 def inside():
-    """Run within FreeCAD and leave; FreeCAD itself would end with 0 or ask to save a document."""
-    sys.stdout, sys.stderr = sys.__stdout__, sys.__stderr__
-    status = 1
-    try:
-        run(os.environ["VK_PEER_RESULTS"], bool(os.environ.get("VK_PEER_ADDON")))
-        status = 0
-    except BaseException:
-        traceback.print_exc()
-    finally:
-        sys.stdout.flush()
-        sys.stderr.flush()
-        os._exit(status)
+    """Run within FreeCAD."""
+    run(os.environ["VK_PEER_RESULTS"], bool(os.environ.get("VK_PEER_ADDON")))
+    return 0
 
 
 if "VK_PEER_RESULTS" in os.environ:
-    from PySide import QtCore
+    sys.path.insert(0, str(Path(__file__).parent))
+    from inside_freecad import run_and_leave
 
-    QtCore.QTimer.singleShot(0, inside)  # once FreeCAD's event loop runs
+    run_and_leave(inside)
 elif __name__ == "__main__":
     sys.exit(compare(*sys.argv[1:]))

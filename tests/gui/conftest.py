@@ -83,6 +83,12 @@ class Window:
         self.wait(lambda: self.button(text).isEnabled())
         QTest.mouseClick(self.button(text), QtCore.Qt.LeftButton)
 
+    def analyze(self, document):
+        """Click *Analyze toolpaths* on the example job, and wait for its marks."""
+        self.click("Analyze toolpaths")
+        self.wait(lambda: document.getObject("Job").Label2)
+        self.idle(0.3)
+
     def click_on(self, widget):
         QTest.mouseClick(widget, QtCore.Qt.LeftButton)
 
@@ -167,6 +173,16 @@ def opened(example_path, window):
             dock.hide()
     FreeCAD.closeDocument(document.Name)
     window.idle()
+
+
+@pytest.fixture
+def marked(opened, window):
+    """The example job after an analysis by a click."""
+    window.analyze(opened)
+    window.dismiss()
+    window.tree.expandAll()
+    window.idle()
+    return opened
 
 
 @pytest.fixture(params=["light", "dark"])

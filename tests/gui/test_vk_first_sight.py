@@ -50,15 +50,9 @@ def assert_marks_are_seen(window, document):
         assert columns[-1] < image.width() - 30, label  # beside the pill there is room for the time
 
 
-def analyze(window, document):
-    window.click("Analyze toolpaths")
-    window.wait(lambda: any(map(marks.is_marked, document.Objects)))
-    window.idle(0.3)
-
-
 def test_in_a_narrow_dock(untouched, opened, window):
     assert untouched.width() < 300
-    analyze(window, opened)
+    window.analyze(opened)
     window.dismiss()
     window.tree.expandAll()
     assert_marks_are_seen(window, opened)
@@ -68,7 +62,7 @@ def test_in_a_narrow_dock(untouched, opened, window):
 def test_in_a_combo_view_that_was_hidden(untouched, opened, window):
     untouched.hide()
     window.idle()
-    analyze(window, opened)
+    window.analyze(opened)
     assert window.dismiss() == []  # there is nothing to see yet
     untouched.show()
     untouched.raise_()  # before the tasks, where both are tabs of one dock
@@ -88,7 +82,7 @@ def test_in_a_dock_of_its_own_window(untouched, opened, window):
     untouched.setFloating(True)
     untouched.resize(240, 400)
     window.idle(0.3)
-    analyze(window, opened)
+    window.analyze(opened)
     window.dismiss()
     window.tree.expandAll()
     assert_marks_are_seen(window, opened)
@@ -101,7 +95,7 @@ def test_in_a_small_window_with_the_report_view(untouched, opened, window):
     window.main.setGeometry(0, 0, 1024, 700)
     window.idle(0.3)
     try:
-        analyze(window, opened)
+        window.analyze(opened)
         window.dismiss()
         window.tree.expandAll()
         assert_marks_are_seen(window, opened)
@@ -122,7 +116,7 @@ def test_the_tree_of_a_tab_that_is_behind_is_brought_to_the_front(untouched, ope
         tabs.setCurrentIndex((tabs.currentIndex() + 1) % tabs.count())
         window.idle()
         assert not any(map(tree.is_seen, tree.trees()))
-    analyze(window, opened)
+    window.analyze(opened)
     window.dismiss()
     assert any(map(tree.is_seen, tree.trees()))
     Gui.Selection.clearSelection()

@@ -22,16 +22,6 @@ from vkworkbench.language import Message
 from vkworkbench.preferences import Preferences
 
 
-@pytest.fixture
-def marked(opened, window):
-    window.click("Analyze toolpaths")
-    window.wait(lambda: any(map(marks.is_marked, opened.Objects)))
-    window.dismiss()
-    window.tree.expandAll()
-    window.idle()
-    return opened
-
-
 def labelled(document, label):
     (obj,) = document.getObjectsByLabel(label)
     return obj

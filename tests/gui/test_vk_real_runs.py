@@ -20,13 +20,10 @@ OLD = freecad.version() < (1, 0, 0)
 
 
 @pytest.fixture
-def calibrated(opened, window):
+def calibrated(marked, window):
     """The example job after a first analysis, in FreeCAD's own workbench."""
-    window.click("Analyze toolpaths")
-    window.wait(lambda: opened.getObject("Job").Label2)
-    window.dismiss()
     window.activate("PathWorkbench" if OLD else "CAMWorkbench")
-    yield opened
+    yield marked
     if Gui.Control.activeDialog():
         Gui.Control.closeDialog()
 

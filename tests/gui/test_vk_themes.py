@@ -4,22 +4,11 @@
 from collections import Counter
 
 import FreeCADGui as Gui
-import pytest
 from PySide import QtCore, QtGui
 
 from vkworkbench import freecad, preferences
 from vkworkbench.document import marks
 from vkworkbench.gui import simulator_panels
-
-
-@pytest.fixture
-def marked(opened, window, shipped):
-    window.click("Analyze toolpaths")
-    window.wait(lambda: any(map(marks.is_marked, opened.Objects)))
-    window.dismiss()
-    window.tree.expandAll()
-    window.idle()
-    return opened
 
 
 def luminance(color):
@@ -34,7 +23,7 @@ def contrast_of_text(image):
     return max((max(back, one) + 0.05) / (min(back, one) + 0.05) for one in map(luminance, shades))
 
 
-def test_a_mark_is_readable(marked, window, shipped):
+def test_a_mark_is_readable(shipped, marked, window):
     view = window.tree
     model = view.model()
     (found,) = model.match(model.index(0, 0), QtCore.Qt.DisplayRole, "Face", 1,
@@ -52,7 +41,7 @@ def test_a_mark_is_readable(marked, window, shipped):
     assert contrast_of_text(image.copy(pill[-1] + 4, 0, 60, image.height())) >= 4.5
 
 
-def test_the_line_over_the_view_is_readable(marked, window, shipped):
+def test_the_line_over_the_view_is_readable(shipped, marked, window):
     window.activate("PathWorkbench" if freecad.version() < (1, 0) else "CAMWorkbench")
     preferences.write(time_budget=0.1)
     try:
