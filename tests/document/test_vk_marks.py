@@ -12,7 +12,8 @@ import pytest
 import vkworkbench
 from vkworkbench import freecad, preferences
 from vkworkbench.core import Strategy
-from vkworkbench.document import fingerprint, mark_properties, marks, watcher
+from vkworkbench.core.simulators import Caution
+from vkworkbench.document import fingerprint, mark_properties, mark_text, marks, watcher
 from vkworkbench.language import ENGLISH, Message, render
 
 
@@ -507,3 +508,28 @@ def test_a_total_is_outdated_while_one_of_its_operations_is(small, zigzag_comman
     marks.erase(one)
     marks.write_total(small.job, preferences.read())
     assert not marks.is_marked(small.job)
+
+
+@pytest.mark.parametrize(
+    "changed, warned",
+    [
+        ({}, False),
+        ({"remarks": (Message("moves-nothing"),)}, True),
+        ({"seconds": 61.0}, True),
+        ({"seconds": 59.0}, False),
+        ({"hangs": "legacy"}, True),
+        ({"hangs": "OpenGL"}, False),  # the user starts the other one
+    ],
+)
+def test_the_warning_sign_is_of_the_simulator_that_the_user_starts(small, zigzag_commands, changed, warned):
+    op = small.add("Zigzag", zigzag_commands)
+    vkworkbench.mark(vkworkbench.analyze(small.document))
+    chosen = replace(preferences.read(), mark_simulator="legacy", time_budget=60.0)
+    known = marks.read(op)
+    cost = replace(known.costs["legacy"], fast_forward_seconds=changed.get("seconds", 5.0))
+    hangs = Message("legacy-hangs", simulator=changed.get("hangs", ""), command=3)
+    known = replace(
+        known, costs={"legacy": cost}, remarks=changed.get("remarks", ()),
+        cautions=(Caution("legacy-hangs", hangs),) if "hangs" in changed else (),
+    )  # fmt: skip
+    assert mark_text.is_warned(known, chosen) is warned

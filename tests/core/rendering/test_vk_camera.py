@@ -107,6 +107,8 @@ def test_a_png_holds_the_image():
     image = np.random.default_rng(1).integers(0, 256, (5, 7, 3)).astype(np.uint8)
     data = png(image)
     assert data[:8] == b"\x89PNG\r\n\x1a\n" and struct.unpack(">II", data[16:24]) == (7, 5)
+    # As the format wants it: 8 bits of red, green and blue, no filter or interlacing that is not told.
+    assert data[12:16] == b"IHDR" and data[24:29] == bytes([8, 2, 0, 0, 0])
     start = data.index(b"IDAT")
     (length,) = struct.unpack(">I", data[start - 4 : start])
     rows = np.frombuffer(zlib.decompress(data[start + 4 : start + 4 + length]), np.uint8).reshape(5, 22)
