@@ -138,7 +138,7 @@ def standing(votes: np.ndarray, proposed: Proposal) -> np.ndarray:
     has = votes + (VOTES.RULES if proposed.tool else VOTES.RULES_WITHOUT_TOOL) * rules
     has += VOTES.CLASS * (ALIKE * (votes + VOTES.RULES_OF_CLASS * rules)).sum(axis=1)
     if not proposed.tool:
-        has += VOTES.LETTER * (CLASS == proposed.letter)
+        has += VOTES.LETTER * (proposed.letter == CLASS)
     return np.where(OF_THE_RULES & (rules == 0), 0.0, has)
 
 
