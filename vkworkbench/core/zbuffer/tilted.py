@@ -35,6 +35,7 @@ class Tilted:
     def __init__(self, trajectories: Trajectories) -> None:
         self.trajectories, self.sine, self.cosine = trajectories, trajectories.sine, trajectories.cosine
         self.start, self.move, self.frame = trajectories.start, trajectories.move, trajectories.frame
+        self.sloped = self.move[2] != 0
         tools = [kind.tool for kind in trajectories.kinds]
         level = abs(self.cosine) > _LEVEL and not all(tool.rounding == tool.radius for tool in tools)
         self.growths = [_Growth(tool, level, self.sine, self.cosine) for tool in tools]
@@ -42,7 +43,10 @@ class Tilted:
 
     def fine_enough(self, tiles: Tiles) -> bool:
         """See `culling.Bounds.fine_enough`."""
-        return tiles.side <= 2
+        # The tools that bound a sloped move take as long as the tool itself.
+        if tiles.side > 4:
+            return False
+        return tiles.side <= 2 or 2 * int(np.count_nonzero(self.sloped.take(tiles.item))) > len(tiles.item)
 
     def quarters(
         self, column: np.ndarray, row: np.ndarray, tile: np.ndarray, item: np.ndarray, child: int
