@@ -143,6 +143,16 @@ def test_offsets_whose_sense_alternates_are_passes_there_and_back(senses, opposi
     assert rings.nested.all()
 
 
+def test_passes_there_and_back_may_go_out_and_then_in():
+    rings = rings_of([polygon(side, clockwise=i % 2 == 0) for i, side in enumerate((30, 34, 38, 35, 31))])
+    assert rings.opposite.all()
+
+
+@pytest.mark.parametrize("side, moves", [(11, True), (10, False)])
+def test_loops_that_move_along_are_of_about_one_size(side, moves):
+    assert rings_of([polygon(16, corners=24), polygon(side, x=5, corners=24)]).moved.tolist() == [moves] * 2
+
+
 def test_rings_on_a_sculptured_surface_are_nested_at_whatever_height():
     assert rings_of([polygon(40 - 4 * i, z=-float(i), climbs=0.5) for i in range(4)]).nested.all()
     assert not rings_of([polygon(40 - 4 * i, z=-float(i)) for i in range(4)]).nested.any()

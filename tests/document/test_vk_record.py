@@ -1,0 +1,77 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What a mark keeps of an analysis: all of it comes back, a job's is the sum of its operations', damage is no mark."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import replace
+from types import SimpleNamespace
+
+import pytest
+
+from vkworkbench.core import Strategy
+from vkworkbench.core.simulators import Caution
+from vkworkbench.document.record import Record, as_json, from_json, of_total
+from vkworkbench.language import Message
+
+HANGS = Caution(
+    "legacy-hangs", Message("legacy-hangs", simulator="legacy", reason="r", command=3, instead="i", others=None), 3
+)
+SHORT = Caution("short-moves", Message("opengl-long-play", simulator="OpenGL", time=700.0), None)
+WHOLE = Record(
+    strategy=Strategy.ZIGZAG, confidence=0.91, reason=(Message("not-nested"),), remarks=(Message("moves-nothing"),),
+    cautions=(HANGS, SHORT), operations=1, trajectories=120, length=512.5, machining_seconds=61.5,
+    left_out=(Message("moves-nothing"),), stepover=2.5, called="Offset", incomplete=True, fingerprint="a:b",
+    outdated=True, text="zigzag 91%",
+)  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    "changed",
+    [{}, {"machining_seconds": None}, {"stepover": None}, {"called": None}, {"strategy": None}, {"cautions": ()},
+     {"outdated": False}, {"incomplete": False}, {"operations": 7}],
+    ids=str,
+)  # fmt: skip
+def test_all_that_is_kept_comes_back(changed):
+    kept = replace(WHOLE, **changed)
+    assert from_json(as_json(kept)) == kept
+
+
+def test_a_mark_that_was_made_before_names_were_kept():
+    data = json.loads(as_json(WHOLE))
+    del data["called"]
+    assert from_json(json.dumps(data)) == replace(WHOLE, called=None)
+
+
+@pytest.mark.parametrize(
+    "name, value",
+    [("length", -1.0), ("length", True), ("length", "9"), ("length", float("inf")), ("machining", float("nan")),
+     ("stepover", []), ("strategy", "no strategy"), ("trajectories", None), ("reason", [{"code": "of a newer version"}])],
+)  # fmt: skip
+def test_what_is_damaged_or_newer_is_no_mark(name, value):
+    data = {**json.loads(as_json(WHOLE)), name: value}
+    assert from_json(json.dumps(data)) is None
+
+
+def test_remarks_name_what_is_serious_and_no_more():
+    assert WHOLE.english_remarks.count(";") == 1
+    assert HANGS.message in WHOLE.english_remarks and SHORT.message not in WHOLE.english_remarks
+
+
+def test_a_total_is_made_of_its_parts():
+    total = SimpleNamespace(
+        operations=2, trajectories=200, length=900.0, machining_seconds=61.5, incomplete=False, costs={}
+    )
+    untimed = replace(WHOLE, label="Untimed", machining_seconds=None, cautions=(SHORT,))
+    found = of_total(total, [WHOLE, untimed], "f")
+    assert found.strategy is None and (found.operations, found.trajectories, found.length) == (2, 200, 900.0)
+    assert found.machining_seconds == 61.5 and of_total(total, [untimed], "f").machining_seconds is None
+    assert found.cautions == (HANGS,)  # what hangs one operation hangs the job
+    assert found.left_out == WHOLE.left_out  # told once
+    (remark,) = found.remarks
+    assert remark.code == "cost-unknown"
+
+
+def test_costs_are_unknown_of_what_has_moves_and_none():
+    total = SimpleNamespace(operations=1, trajectories=0, length=0.0, machining_seconds=0.0, incomplete=False, costs={})
+    assert of_total(total, [replace(WHOLE, trajectories=0)], "f").remarks == ()
