@@ -6,12 +6,16 @@ import json
 
 import FreeCAD
 import numpy as np
+import Path
 import pytest
 
 import vkworkbench
 from vkworkbench.core import View
 from vkworkbench.core.zbuffer import OverBudget
+from vkworkbench.document.listing import Listing
+from vkworkbench.document.simulated_job import copy_job
 from vkworkbench.language import Unusable
+from vkworkbench.report import Cancelled
 
 VIEW = View((0, 0, -1), 120, 80)
 
@@ -226,3 +230,50 @@ def test_the_example_has_no_fault(example):
     dish = "Dish" in [label for label, _ in found.operations]
     area = sum(left.area for left in found.job.left)
     assert area < 100 if dish else 950 < area < 1050
+
+
+def test_a_job_is_copied_operation_by_operation_and_read_meanwhile(small):
+    for label, y in (("First", 10.0), ("Second", 20.0)):
+        small.add(label, [("G0", {"X": 5.0, "Y": y, "Z": 30.0}), ("G1", {"Z": 15.0, "F": 10.0}), ("G1", {"X": 55.0})])
+    copy = copy_job(small.job)
+    copying, reading = copy.copying(), copy.read()
+    next(copying)
+    assert next(reading).operation.label == "First"
+    second = small.document.getObjectsByLabel("Second")[0]
+    second.Path = type(second.Path)(second.Path.Commands[:-1])
+    next(copying)
+    assert len(next(reading).cut.toolpath) == 1
+    assert next(copying, "no more") == "no more" == next(reading, "no more")
+
+
+def test_a_job_that_is_waited_for_is_given_up(small):
+    small.add("First", [("G0", {"X": 5.0, "Y": 5.0, "Z": 30.0}), ("G1", {"Z": 15.0, "F": 10.0})])
+    looks = []
+
+    def going_on():
+        looks.append(1)
+        if len(looks) > 2:
+            raise Cancelled("given up")
+
+    with pytest.raises(Cancelled):
+        next(copy_job(small.job).read(going_on))
+
+
+def test_an_operation_that_is_gone_before_it_is_copied_ends_the_copying(small):
+    small.add("First", [("G0", {"X": 5.0, "Y": 5.0, "Z": 30.0}), ("G1", {"Z": 15.0, "F": 10.0})])
+    small.add("Second", [("G0", {"X": 5.0, "Y": 5.0, "Z": 30.0}), ("G1", {"Z": 15.0, "F": 10.0})])
+    copying = copy_job(small.job).copying()
+    next(copying)
+    small.document.removeObject(small.document.getObjectsByLabel("Second")[0].Name)
+    with pytest.raises(ReferenceError):
+        next(copying)
+
+
+@pytest.mark.parametrize("comment", ["(a comment)", "(two\nlines)", "(ä, ö)"])
+def test_any_line_of_a_listing_is_its_commands_code(comment):
+    path = Path.Path([Path.Command(comment), Path.Command("G0 X1 Y2"), Path.Command("G1 Z-1 F3")])
+    listing = Listing(path.toGCode(), path.Commands)
+    expected = [command.toGCode().replace("\n", " ") for command in path.Commands]
+    assert [listing[number] for number in range(len(listing))] == expected
+    with pytest.raises(IndexError):
+        listing[3]

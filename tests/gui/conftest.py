@@ -160,6 +160,15 @@ def window():
 
 
 @pytest.fixture
+def small(window):
+    """A window in which the finest picture does not take long."""
+    before = window.main.geometry()
+    window.main.setGeometry(0, 0, 1024, 700)
+    yield
+    window.main.setGeometry(before)
+
+
+@pytest.fixture
 def opened(example_path, window):
     """The example job, opened and expanded in the tree, in the analysis workbench."""
     document = FreeCAD.openDocument(str(example_path))

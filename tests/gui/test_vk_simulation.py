@@ -3,34 +3,18 @@
 
 from __future__ import annotations
 
-import sys
-import threading
-import traceback
-
 import FreeCAD
 import FreeCADGui as Gui
 import numpy as np
 import pytest
 from PySide import QtCore, QtGui
+from simulation_window import COMMAND, drag, finest, shown, tabs, working
 
 import vkworkbench
+from vkworkbench.gui.simulation.drawing import Drawing
 from vkworkbench.gui.simulation.faults import differences
-from vkworkbench.gui.simulation.tab import SimulationTab
-
-COMMAND = "Simulate toolpaths"
-
-
-def tabs(window):
-    return [tab for tab in window.main.findChildren(SimulationTab) if tab.isVisible()]
-
-
-@pytest.fixture
-def small(window):
-    """A window in which the finest picture does not take long."""
-    before = window.main.geometry()
-    window.main.setGeometry(0, 0, 1024, 700)
-    yield
-    window.main.setGeometry(before)
+from vkworkbench.gui.simulation.legend import Legend
+from vkworkbench.gui.simulation.state_line import StateLine
 
 
 @pytest.fixture
@@ -45,20 +29,6 @@ def simulated(opened, window, small):
         window.wait(lambda: not tabs(window))
 
 
-def shown(tab, window):
-    """Wait until the job has been read and simulated at its finest; return what shows it."""
-    window.wait(lambda: tab.player is not None and tab.player.simulation is not None, 120)
-    finest(tab.player, window)
-    return tab.player
-
-
-def finest(player, window):
-    """Wait until the picture is the finest that was asked for."""
-    window.idle(0.4)
-    window.wait(lambda: not player.is_busy and not player._stale, 300)
-    window.idle(0.1)
-
-
 def test_a_click_shows_the_part(simulated, window):
     window.screenshot("simulation-small")
     assert simulated.job.operations[0].label == "Face"
@@ -67,16 +37,6 @@ def test_a_click_shows_the_part(simulated, window):
     shown = view.grab().toImage()
     colors = {shown.pixel(x, y) for x in range(0, shown.width(), 7) for y in range(0, shown.height(), 7)}
     assert len(colors) > 50
-
-
-def drag(window, widget, start, end, button=QtCore.Qt.LeftButton, steps=6):
-    """Drag with real mouse events."""
-    window.mouse_press(widget, start, button)
-    for number in range(1, steps + 1):
-        part = QtCore.QPoint(start.x() + (end.x() - start.x()) * number // steps,
-                             start.y() + (end.y() - start.y()) * number // steps)  # fmt: skip
-        window.mouse_move(widget, part, button)
-    window.mouse_release(widget, end, button)
 
 
 def test_dragging_on_the_time_line_shows_any_moment_at_once_there_and_back(simulated, window):
@@ -167,7 +127,7 @@ def test_colours_and_chips(simulated, window):
         simulated.scene_bar.colorings.setCurrentIndex(index)
         window.wait(lambda: not simulated._stale)
         pictures.add(bytes(simulated.view._scene.image.tobytes()))
-        assert simulated.scene_bar.legend.text()
+        assert simulated.scene_bar.legend.entries
         window.screenshot(f"simulation-color-{index}")
     assert len(pictures) == simulated.scene_bar.colorings.count()
     simulated.moment.go_to(0.5 * simulated.clock.total)
@@ -188,7 +148,7 @@ def test_differences_to_the_model_are_coloured_and_their_worst_places_shown(simu
     finest(simulated, window)
     assert bar.tolerance.isVisible() and bar.worst.isEnabled()
     window.screenshot("simulation-difference")
-    kinds = [fault.what.code for fault in differences(simulated._told, bar.tolerance_mm)]
+    kinds = [fault.what.code for fault in differences(simulated.drawing.told, bar.tolerance_mm)]
     assert kinds and set(kinds) == {"leaves-material"}  # the sound example leaves inside corners, and gouges nothing
     before = view.grab().toImage()
     bar.worst.menu().actions()[0].trigger()
@@ -198,7 +158,7 @@ def test_differences_to_the_model_are_coloured_and_their_worst_places_shown(simu
     fine = len(bar.worst.menu().actions())
     bar.tolerance.setValue(2.0)
     window.wait(lambda: not simulated._stale)
-    assert fine <= 20 and [fault.what.arguments["depth"] > 2 for fault in differences(simulated._told, 2.0)] == [
+    assert fine <= 20 and [fault.what.arguments["depth"] > 2 for fault in differences(simulated.drawing.told, 2.0)] == [
         True
     ] * len(bar.worst.menu().actions())
     simulated.moment.go_to(0.0)
@@ -284,13 +244,6 @@ def test_it_says_that_a_toolpath_has_changed_and_simulates_it_again(simulated, o
     window.wait(lambda: not tabs(window))
 
 
-def working():
-    """The functions that threads of their own are in, from the outermost."""
-    frames = sys._current_frames()
-    own = threading.get_ident()
-    return [entry.name for thread, frame in frames.items() if thread != own for entry in traceback.extract_stack(frame)]
-
-
 def test_closing_ends_the_work(opened, window):
     window.click(COMMAND)
     window.wait(lambda: tabs(window))
@@ -318,7 +271,8 @@ G1 X60 F300
 G0 Z30"""
 
 
-def test_a_crash_is_found_in_three_clicks(opened, window):
+def make_crash(opened):
+    """Make the job one operation that crashes and gouges; return it."""
     import Path
 
     job = opened.getObject("Job")
@@ -327,6 +281,11 @@ def test_a_crash_is_found_in_three_clicks(opened, window):
     op.addProperty("App::PropertyBool", "Active", "Path").Active = True
     op.Path = Path.Path([Path.Command(line) for line in CRASH.splitlines()])
     job.Operations.Group = [op]
+    return op
+
+
+def test_a_crash_is_found_in_three_clicks(opened, window):
+    op = make_crash(opened)
     Gui.Selection.clearSelection()
     window.click(COMMAND)  # the first click
     window.wait(lambda: tabs(window))
@@ -368,3 +327,116 @@ def test_nothing_to_simulate_is_said(window):
     assert not tabs(window)
     assert window.dismiss()
     FreeCAD.closeDocument(document.Name)
+
+
+def test_what_has_been_read_is_seen_before_all_is_read(opened, window, small, monkeypatch):
+    monkeypatch.setattr("vkworkbench.gui.simulation.reading._SOON", 0.0)
+    window.click(COMMAND)
+    window.wait(lambda: tabs(window))
+    (tab,) = tabs(window)
+    window.wait(lambda: tab.player is not None)
+    scene, _ = tab.reading.seen
+    assert (scene.owner >= 0).any() and len(np.unique(scene.image)) > 20
+    assert tab.player.view._scene is scene  # goes on being seen
+    window.click_at(tab.player.view, tab.player.view.rect().center())  # which has no answer yet
+    finest(shown(tab, window), window)
+    assert tab.player.view._scene is not scene
+    window.press(tab, QtCore.Qt.Key_Escape)
+    window.wait(lambda: not tabs(window))
+
+
+def test_the_cost_is_told_before_the_first_picture_and_what_it_was_after_the_last(opened, window, small, monkeypatch):
+    told = []
+
+    def expected(line, cost, original=StateLine.show_expected):
+        original(line, cost)
+        told.append((cost, line.text(), tabs(window)[0].player.simulation))
+
+    monkeypatch.setattr(StateLine, "show_expected", expected)
+    window.click(COMMAND)
+    window.wait(lambda: tabs(window))
+    (tab,) = tabs(window)
+    player = shown(tab, window)
+    (cost, text, simulation), *_ = told
+    assert simulation is None and text.startswith("finest picture in about") and "MB" in text
+    zbuffer = player.simulation.zbuffer
+    assert cost.memory_bytes == pytest.approx(zbuffer.memory_bytes, rel=0.3)
+    assert f"{zbuffer.traces:,} traces" in player.state.text() and "simulated in" in player.state.text()
+    assert "about" not in player.state.text()
+    window.press(tab, QtCore.Qt.Key_Escape)
+    window.wait(lambda: not tabs(window))
+
+
+def test_what_any_moment_needs_is_made_before_its_picture_is_shown(opened, window, small, monkeypatch):
+    made = []
+
+    def show(drawing, done, original=Drawing.take):
+        made.append("_by_owner" in vars(done.simulation.zbuffer.surface))
+        original(drawing, done)
+
+    monkeypatch.setattr(Drawing, "take", show)
+    window.click(COMMAND)
+    window.wait(lambda: tabs(window))
+    (tab,) = tabs(window)
+    shown(tab, window)
+    assert made and all(made)
+    window.press(tab, QtCore.Qt.Key_Escape)
+    window.wait(lambda: not tabs(window))
+
+
+def test_an_operation_that_is_gone_while_the_job_is_copied_is_no_error(opened, window):
+    window.click(COMMAND)
+    (tab,) = tabs(window)
+    opened.removeObject(opened.Job.Operations.Group[-1].Name)
+    window.wait(tab.again.isVisible)
+    window.idle(0.3)
+    assert tab.player is None
+    window.click_on(tab.again)
+    window.wait(lambda: tabs(window) and tabs(window) != [tab])
+    (tab,) = tabs(window)
+    window.press(tab, QtCore.Qt.Key_Escape)
+    window.wait(lambda: not tabs(window))
+
+
+@pytest.mark.parametrize("width", [220, 420, 900])
+def test_the_legend_is_whole_in_a_narrow_tab(simulated, window, width):
+    bar = simulated.scene_bar
+    window.main.resize(1024, 700)
+    legend = Legend(window.main)
+    for index in range(bar.colorings.count()):
+        bar.colorings.setCurrentIndex(index)
+        window.idle(0.1)
+        entries = bar.legend.entries
+        legend.show_entries(entries)
+        legend.resize(width, legend.height())
+        window.idle(0.05)
+        places = legend._places()
+        assert [color for color, *_ in places] == [color for color, _ in entries]
+        inside = QtCore.QRectF(legend.rect()).adjusted(-1, -1, 1, 1)
+        assert all(inside.contains(place) for _, place, _ in places), (index, legend.size())
+        for number, (_, one, _) in enumerate(places):
+            assert not any(one.adjusted(0.5, 0.5, -0.5, -0.5).intersects(other) for _, other, _ in places[:number])
+    legend.deleteLater()
+
+
+def test_no_gouge_is_forgotten_while_one_looks_from_where_it_is_not_seen(opened, window, small):
+    op = make_crash(opened)
+
+    def faults():
+        (row,) = vkworkbench.analyze(op).operations
+        return [remark.arguments["count"] for remark in row.remarks if remark.code == "simulated"]
+
+    window.click(COMMAND)
+    window.wait(lambda: tabs(window))
+    (tab,) = tabs(window)
+    player = shown(tab, window)
+    assert {fault.what.code for fault in player.faults} == {"rapid-cuts", "cuts-model"} and faults() == [2]
+    judged = player.drawing.told
+    player.look("Bottom")
+    window.wait(lambda: player.drawing.told is not judged, 60)
+    assert faults() == [2]  # a coarse picture does not look for gouges
+    finest(player, window)
+    assert player.drawing.told.judged and {fault.what.code for fault in player.faults} == {"rapid-cuts"}
+    assert faults() == [2]  # it is there all the same
+    window.press(tab, QtCore.Qt.Key_Escape)
+    window.wait(lambda: not tabs(window))

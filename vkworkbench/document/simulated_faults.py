@@ -27,8 +27,8 @@ _found: dict[str, dict[str, tuple[str, Message]]] = {}
 _observer: _Observer | None = None
 
 
-def keep_faults(faults: Mapping[SimulatedOperation, list[tuple[int, Message]]]) -> None:
-    """Keep what is wrong with operations, instead of what was known of them.
+def keep_faults(faults: Mapping[SimulatedOperation, list[tuple[int, Message]]]) -> bool:
+    """Keep what is wrong with operations, instead of what was known of them; return whether that is something else.
 
     Parameters
     ----------
@@ -39,13 +39,16 @@ def keep_faults(faults: Mapping[SimulatedOperation, list[tuple[int, Message]]]) 
     if _observer is None:
         _observer = _Observer()
         FreeCAD.addDocumentObserver(_observer)
+    changed = False
     for operation, wrong in faults.items():
         known = _found.setdefault(operation.document, {})
-        known.pop(operation.name, None)
+        before = known.pop(operation.name, None)
         if wrong:
             command, fault = wrong[0]
             told = Message("simulated", count=len(wrong), command=command + 1, fault=fault)
             known[operation.name] = operation.fingerprint, told
+        changed |= known.get(operation.name) != before
+    return changed
 
 
 def with_faults(found: _Found, document: str, name: str) -> _Found:

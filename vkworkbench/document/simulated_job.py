@@ -1,24 +1,28 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What is to be simulated, read from a document: copied first, then linearised, in whatever thread."""
+"""What is to be simulated, read from a document: copied operation by operation, and linearised in whatever thread."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, replace
 from functools import cached_property
+from queue import Empty, SimpleQueue
 
 import FreeCAD
 import numpy as np
 
 from vkworkbench import freecad, preferences
 from vkworkbench.core import Cut, Solid, Stock, Strategy, Tool, Toolpath, linearize, trajectory_seconds
-from vkworkbench.core.gcode import in_seconds, used_up
+from vkworkbench.core.gcode import in_seconds
 from vkworkbench.document.fingerprint import fingerprint_of, setting_fingerprint, text_fingerprint, text_of
+from vkworkbench.document.listing import Listing
 from vkworkbench.document.operations import Operation, find
 from vkworkbench.document.recognized import recognized
 from vkworkbench.document.setting import placed, rapid_feeds, read_stock, read_tool, tool_remark, vertical_feed
 from vkworkbench.document.solids import form_of_stock, model_shapes, model_solid, stock_solid
 from vkworkbench.language import Message, Unusable
+
+_PATIENCE = 0.05  # s between two looks whether an operation is still waited for
 
 
 @dataclass(frozen=True)
@@ -57,6 +61,8 @@ class SimulatedJob:
         Their toolpaths and tools.
     as_read : tuple of Toolpath
         The toolpaths with the feeds that FreeCAD took for mm/s: their strategies are told from these.
+    listings : tuple of Listing
+        Their G-code.
     stock : Solid
     model_shapes : tuple of Shape
         Of what the part is to be.
@@ -67,6 +73,7 @@ class SimulatedJob:
     operations: tuple[SimulatedOperation, ...]
     cuts: tuple[Cut, ...]
     as_read: tuple[Toolpath, ...]
+    listings: tuple[Listing, ...]
     stock: Solid
     model_shapes: tuple
     remarks: tuple[Message, ...]
@@ -114,6 +121,7 @@ class ReadCut:
     cut : Cut or None
         None where it has nothing to simulate.
     as_read : Toolpath or None
+    listing : Listing or None
         As of `SimulatedJob`.
     remarks : tuple of Message
     """
@@ -121,38 +129,59 @@ class ReadCut:
     operation: SimulatedOperation
     cut: Cut | None
     as_read: Toolpath | None
+    listing: Listing | None
     remarks: tuple[Message, ...]
 
 
-@dataclass(frozen=True, eq=False)
 class JobCopy:
-    """Copies of what a document says of a job, which another thread may read."""
+    """Copies of what a document says of a job, one operation after the other, which another thread reads.
 
-    operations: tuple[_Copied, ...]
-    stock: Solid
-    model_shapes: tuple
-    tolerance: float
-    remarks: tuple[Message, ...]
+    Attributes
+    ----------
+    document : str
+        Internal name of the document.
+    names, labels : tuple of str
+        Internal names of the operations, and their labels.
+    """
 
-    @property
-    def document(self) -> str:
-        """Internal name of the document."""
-        return self.operations[0].operation.document
+    def __init__(self, objects: list, job) -> None:
+        self.document = objects[0].Document.Name
+        self.names = tuple(obj.Name for obj in objects)
+        self.labels = tuple(obj.Label for obj in objects)
+        self._objects = objects
+        self._box = read_stock(job)
+        self._form = form_of_stock(job, self._box)
+        self._stock, told = stock_solid(job, self._box)
+        self._model_shapes = model_shapes(job)
+        self._tolerance = preferences.read().tolerance
+        self._remarks = (told,) if told else ()
+        self._copied: SimpleQueue = SimpleQueue()
 
-    @property
-    def names(self) -> tuple[str, ...]:
-        """Internal names of the operations."""
-        return tuple(copied.operation.name for copied in self.operations)
+    def copying(self) -> Iterator[None]:
+        """Copy one operation after the other: FreeCAD copies a path whole, and may do other things between two.
 
-    @property
-    def labels(self) -> tuple[str, ...]:
-        """Labels of the operations."""
-        return tuple(copied.operation.label for copied in self.operations)
+        Raises
+        ------
+        ReferenceError
+            Where an operation is gone meanwhile.
+        """
+        for obj in self._objects:
+            self._copied.put(_copied(obj, self._box, self._form))
+            yield
 
-    def read(self) -> Iterator[ReadCut]:
-        """Linearise one operation after the other."""
-        for copied in self.operations:
-            yield _linearized(copied, self.tolerance)
+    def read(self, going_on: Callable[[], None] = lambda: None) -> Iterator[ReadCut]:
+        """Linearise one operation after the other, as they are copied; what `going_on` raises ends the work."""
+        for _ in self.names:
+            yield _linearized(self._next(going_on), self._tolerance)
+
+    def _next(self, going_on: Callable[[], None]) -> _Copied:
+        while True:
+            going_on()
+            try:
+                copied: _Copied = self._copied.get(timeout=_PATIENCE)
+            except Empty:
+                continue
+            return copied
 
     def job(self, read: Iterable[ReadCut]) -> SimulatedJob:
         """Put together what was read.
@@ -171,20 +200,23 @@ class JobCopy:
             tuple(one.operation for one in cuts),
             tuple(one.cut for one in cuts),
             tuple(one.as_read for one in cuts),
-            self.stock,
-            self.model_shapes,
-            remarks + self.remarks,
+            tuple(one.listing for one in cuts),
+            self._stock,
+            self._model_shapes,
+            remarks + self._remarks,
         )
 
 
 def read_job(what=None) -> SimulatedJob:
     """Read what is to be simulated; see :func:`vkworkbench.simulate`."""
     copy = copy_job(what)
+    for _ in copy.copying():
+        pass
     return copy.job(copy.read())
 
 
 def copy_job(what=None) -> JobCopy:
-    """Copy what is to be simulated; see :func:`vkworkbench.simulate`."""
+    """Find what is to be simulated, to be copied; see :func:`vkworkbench.simulate`."""
     if what is None:
         what = FreeCAD.ActiveDocument
         if what is None:
@@ -192,12 +224,7 @@ def copy_job(what=None) -> JobCopy:
     operations = _chosen(find(what))
     if not operations:
         raise Unusable(Message("nothing-to-simulate"))
-    job = operations[0].job
-    box = read_stock(job)
-    form = form_of_stock(job, box)
-    copies = tuple(_copied(operation.object, box, form) for operation in operations)
-    stock, told = stock_solid(job, box)
-    return JobCopy(copies, stock, model_shapes(job), preferences.read().tolerance, (told,) if told else ())
+    return JobCopy([operation.object for operation in operations], operations[0].job)
 
 
 def _copied(obj, box: Stock, form: tuple) -> _Copied:
@@ -213,13 +240,15 @@ def _copied(obj, box: Stock, form: tuple) -> _Copied:
 
 def _linearized(copied: _Copied, tolerance: float) -> ReadCut:
     operation, told = copied.operation, [copied.remark]
-    cut = toolpath = None
+    cut = toolpath = listing = None
     if copied.tool is not None:
         try:
             commands = copied.path.Commands
-            path = text_fingerprint(text_of(copied.path, commands), copied.placement)
+            text = text_of(copied.path, commands)
+            listing = Listing(text, commands)
+            path = text_fingerprint(text, copied.placement)
             operation = replace(operation, fingerprint=fingerprint_of(path, operation.fingerprint))
-            toolpath = placed(linearize(used_up(commands), tolerance=tolerance), copied.placement)
+            toolpath = placed(linearize(commands, tolerance=tolerance), copied.placement)
         except Unusable as error:
             told = [error.what]
         else:
@@ -227,7 +256,7 @@ def _linearized(copied: _Copied, tolerance: float) -> ReadCut:
             cut = Cut(feeding, copied.tool, copied.vertical_feed) if len(toolpath) else None
             told = [*told, minutes] if cut is not None else []
     remarks = tuple(Message("of", label=operation.label, sentence=remark) for remark in told if remark)
-    return ReadCut(operation, cut, toolpath, remarks)
+    return ReadCut(operation, cut, toolpath, listing, remarks)
 
 
 def _chosen(found: list[Operation]) -> list[Operation]:

@@ -12,9 +12,11 @@ from zbuffer_reference.dexels import UNCUT
 from zbuffer_reference.jobs import pieces_of_job
 from zbuffer_reference.paths import BOX, DIRECTIONS, PATHS, ROUND, TOOLS, toolpath
 
-from vkworkbench.core import Tool, View
+from vkworkbench.core import Stock, Tool, View
 from vkworkbench.core.zbuffer.cuts import Cut, Cuts, Source
+from vkworkbench.core.zbuffer.estimate import Speed, estimate
 from vkworkbench.core.zbuffer.facts import removed_volumes
+from vkworkbench.core.zbuffer.job_estimate import estimate_job
 from vkworkbench.core.zbuffer.memory import OverBudget, memory_needed
 from vkworkbench.core.zbuffer.removal import Removal
 from vkworkbench.core.zbuffer.simulate import simulate, simulate_job
@@ -132,3 +134,15 @@ def test_it_goes_on_as_long_as_nobody_stops_it(job):
 
     with pytest.raises(Stopped):
         simulate_job(job.cuts.cuts, stock=BOX, view=View((1, 1, -1), 160, 200), going_on=stop)
+
+
+@pytest.mark.parametrize("direction", [(0, 0, -1), (1, 1, -1)])
+def test_the_cost_of_a_job_is_that_of_its_operations_in_one_z_buffer(direction):
+    cuts = [Cut(slot(7, 5, y=8), FLAT), Cut(slot(6, y=20), WIDE)]
+    view = View(direction, 200, 150)
+    expected = estimate_job(cuts, stock=BOX, view=view, speed=Speed())
+    z = simulate_job(cuts, stock=BOX, view=view)
+    assert expected.memory_bytes == pytest.approx(z.memory_bytes, rel=0.1)
+    alone = [estimate(cut.toolpath, None, tool=cut.tool, stock=BOX, view=view).seconds for cut in cuts]
+    assert max(alone) < expected.seconds < sum(alone) * 1.1 and expected.factor == Speed().factor
+    assert estimate_job(cuts, stock=Stock((500, 0, 0), (510, 10, 10)), view=view, speed=Speed()).seconds > 0

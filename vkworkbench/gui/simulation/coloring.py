@@ -44,8 +44,8 @@ class Job:
         Of the operations.
     strategies : tuple of Strategy
     clock : Clock
-    volumes : (n,) float64
-        What each trajectory removes, mm^3.
+    volumes : (n,) float64 or None
+        What each trajectory removes, mm^3; None until it is known.
     seen : SeenModel or None
         What the part is to be, in the image that is coloured.
     tolerance : float
@@ -55,7 +55,7 @@ class Job:
     labels: tuple[str, ...]
     strategies: tuple[Strategy, ...]
     clock: Clock
-    volumes: np.ndarray
+    volumes: np.ndarray | None
     seen: SeenModel | None
     tolerance: float
 
@@ -100,9 +100,10 @@ def by_time(zbuffer: ZBuffer, job: Job) -> Coloring:
 def by_removal_rate(zbuffer: ZBuffer, job: Job) -> Coloring:
     """From nothing to the rate that only a hundredth of the volume is removed faster than."""
     seconds = np.diff(job.clock.ends)
-    rates = 60 * job.volumes / np.where(seconds > 0, seconds, np.inf)
+    volumes = np.zeros(len(seconds)) if job.volumes is None else job.volumes
+    rates = 60 * volumes / np.where(seconds > 0, seconds, np.inf)
     order = np.argsort(rates)
-    volume = np.cumsum(job.volumes[order])
+    volume = np.cumsum(volumes[order])
     most = float(rates[order][np.searchsorted(volume, 0.99 * volume[-1])]) if len(volume) and volume[-1] > 0 else 1.0
     highest = translate("Vk_Simulate", "{} mm³/min").format(user().count(round(most)))
     return Coloring(palette(scale_colors(rates / most)), _ends("0", highest))

@@ -3,9 +3,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 
-from vkworkbench.gui.plain_text import as_plain, lines
+from vkworkbench.gui.plain_text import as_plain
 from vkworkbench.gui.qt import (
     QComboBox,
     QDoubleSpinBox,
@@ -24,6 +24,7 @@ from vkworkbench.gui.sentences import user
 from vkworkbench.gui.simulation import exports
 from vkworkbench.gui.simulation.coloring import COLORINGS, by_difference
 from vkworkbench.gui.simulation.faults import Fault
+from vkworkbench.gui.simulation.legend import Legend
 from vkworkbench.gui.text import QT_TRANSLATE_NOOP, translate
 
 # How many times as fast as the machine a play is; the whole job in half a minute for None.
@@ -80,9 +81,7 @@ class SceneBar(QWidget):
         self.chips.addItem(translate("Vk_Simulate", "Part and chips"))
         self.colorings.currentIndexChanged.connect(lambda *_: self.recolored.emit())
         self.chips.currentIndexChanged.connect(lambda *_: self.chosen.emit())
-        self.legend = QLabel()
-        self.legend.setTextFormat(Qt.RichText)
-        self.legend.setWordWrap(True)
+        self.legend = Legend()
         factor, unit = user().length_unit(TOLERANCE)
         self.tolerance = QDoubleSpinBox()
         self.tolerance.setToolTip(translate("Vk_Simulate", "Differences to the model up to this are none."))
@@ -126,35 +125,28 @@ class SceneBar(QWidget):
     def tolerance_mm(self) -> float:
         return self.tolerance.value() * self._unit
 
-    def list_warnings(self, entries: Sequence[tuple[str, Fault]]) -> None:
-        """List what is wrong, each with its text."""
-        self._list(self.warnings, entries)
-        count = user().count(len(entries))
+    def list_warnings(self, found: Sequence[Fault], text: Callable[[Fault], str]) -> None:
+        """List what is wrong, each in the words that `text` returns."""
+        self._list(self.warnings, found, text)
+        count = user().count(len(found))
         self.warnings.setText(translate("Vk_Simulate", "⚠ Warnings: {}").format(count))
-        self.warnings.setVisible(bool(entries))
+        self.warnings.setVisible(bool(found))
 
-    def list_worst(self, entries: Sequence[tuple[str, Fault]]) -> None:
+    def list_worst(self, found: Sequence[Fault], text: Callable[[Fault], str]) -> None:
         """List the worst differences to the model, where surfaces are coloured by them."""
-        self._list(self.worst, entries)
+        self._list(self.worst, found, text)
         self.tolerance.setVisible(self.compares)
         self.worst.setVisible(self.compares)
-        self.worst.setEnabled(bool(entries))
+        self.worst.setEnabled(bool(found))
 
-    def _list(self, button: QToolButton, entries: Sequence[tuple[str, Fault]]) -> None:
+    def _list(self, button: QToolButton, found: Sequence[Fault], text: Callable[[Fault], str]) -> None:
         button.menu().clear()
-        for text, fault in entries[:_MOST]:
-            action = button.menu().addAction(text.replace("&", "&&"))
+        for fault in found[:_MOST]:
+            action = button.menu().addAction(text(fault).replace("&", "&&"))
             action.triggered.connect(lambda *_, fault=fault: self.pointed.emit(fault))
-        if len(entries) > _MOST:
-            more = translate("Vk_Simulate", "… and {} more").format(user().count(len(entries) - _MOST))
+        if len(found) > _MOST:
+            more = translate("Vk_Simulate", "… and {} more").format(user().count(len(found) - _MOST))
             button.menu().addAction(more).setEnabled(False)
-
-    def show_legend(self, entries: tuple[tuple[str, str], ...]) -> None:
-        """Show what colours mean: each with its name, or the stations of a scale, of which some have one."""
-        scale = sum(not name for _, name in entries) > 1
-        shown = entries if scale else entries[:8]
-        parts = [f"<span style='color:{color}'>■</span>{lines(' ' + name) if name else ''}" for color, name in shown]
-        self.legend.setText(("" if scale else "&nbsp; ").join(parts))
 
 
 class PlayBar(QWidget):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Simulations of one view, each finer than the one before, and what they tell."""
+"""Simulations of one view, each finer than the one before: what the finest will cost, and what they tell."""
 
 from __future__ import annotations
 
@@ -15,11 +15,14 @@ from vkworkbench.core import View
 from vkworkbench.core.zbuffer import (
     Crash,
     Deviations,
+    JobEstimate,
     OverBudget,
     Plunge,
     SeenModel,
+    Speed,
     crashes,
     cuts_air,
+    estimate_job,
     fast_plunges,
     removed_volumes,
 )
@@ -43,12 +46,15 @@ class Refined:
     simulation : Simulation
     seen : SeenModel or None
         What the part is to be, in the same image, where that was asked for.
+    traces : int
+        How many pieces it removed from its rays.
     seconds : float
         Since the view was asked for.
     """
 
     simulation: Simulation
     seen: SeenModel | None
+    traces: int
     seconds: float
 
 
@@ -68,6 +74,8 @@ class Told:
         Those that are too fast.
     seen : SeenModel or None
         What the part is to be; None where it is not known, or was not asked for.
+    judged : bool
+        Whether gouges are known, too: a coarse picture does not look at the model.
     """
 
     simulation: Simulation
@@ -76,6 +84,7 @@ class Told:
     crashes: list[Crash]
     plunges: list[Plunge]
     seen: SeenModel | None
+    judged: bool
 
     @cached_property
     def deviations(self) -> Deviations | None:
@@ -93,6 +102,8 @@ class Refining:
         The finest image.
     memory_budget, time_budget : float
         Bytes and s that the finest picture may take.
+    speed : Speed
+        Of this computer, for the cost of the finest picture.
     glance : bool
         Whether to begin from straight above, which is the quickest, for something to be seen.
     compare : bool
@@ -105,9 +116,10 @@ class Refining:
     """
 
     def __init__(
-        self, job: SimulatedJob, view: View, memory_budget: float, time_budget: float, *, glance: bool, compare: bool
-    ) -> None:
-        self.job, self.view, self.glance, self.compare = job, view, glance, compare
+        self, job: SimulatedJob, view: View, memory_budget: float, time_budget: float, speed: Speed,
+        *, glance: bool, compare: bool,
+    ) -> None:  # fmt: skip
+        self.job, self.view, self.speed, self.glance, self.compare = job, view, speed, glance, compare
         self.memory_budget, self.time_budget = memory_budget, time_budget
         self.share = 0.0
         self._finest: tuple[float, float] | None = None  # s and bytes, as the last picture lets expect
@@ -121,14 +133,16 @@ class Refining:
         seconds, memory = (self._largest**2 * amount for amount in self._finest)
         return max(seconds - (time.perf_counter() - self._stage), 0.1), memory
 
-    def __call__(self, going_on: Callable[[], None]) -> Iterator[Refined | Told]:
-        """Yield the pictures, the coarsest first, and after each of them what it tells.
+    def __call__(self, going_on: Callable[[], None]) -> Iterator[JobEstimate | Refined | Told]:
+        """Yield what the finest picture will cost, then the pictures, the coarsest first, and what each of them tells.
 
         Raises
         ------
         Unusable
             Where the finest picture that the budgets allow is coarser than the view: its message says so.
         """
+        yield estimate_job(self.job.cuts, stock=self.job.stock, view=self.view, speed=self.speed)
+        going_on()
         if self.glance and any(self.view.direction[:2]):
             above = (0.0, 0.0, 1.0 if self.view.direction[2] > 0 else -1.0)
             yield from self._told(View(above, *self._size(_SHARES[0])), going_on)
@@ -174,13 +188,18 @@ class Refining:
 
         done = simulate_read(self.job, view, memory_budget=self.memory_budget, going_on=told)
         zbuffer = done.zbuffer
-        zbuffer.picture  # noqa: B018 - what any moment needs is made here, not in the window
+        zbuffer.surface.prepare()  # here, not in the window
+        zbuffer.picture  # noqa: B018 - likewise
         seen = self._seen(done, going_on) if self.compare else None
-        yield Refined(done, seen, time.perf_counter() - self._began)
-        facts = removed_volumes(zbuffer), cuts_air(zbuffer), crashes(zbuffer), fast_plunges(zbuffer)
+        yield Refined(done, seen, zbuffer.traces, time.perf_counter() - self._began)
+        facts = []
+        for tell in (removed_volumes, cuts_air, crashes, fast_plunges):
+            facts.append(tell(zbuffer))
+            going_on()
         if finest and seen is None:
             seen = self._seen(done, going_on)
-        told_all = Told(done, *facts, seen)
+        judged = finest or seen is not None or not self.job.model_shapes
+        told_all = Told(done, *facts, seen, judged)
         told_all.deviations  # noqa: B018 - likewise
         yield told_all
 

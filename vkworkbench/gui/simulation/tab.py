@@ -1,28 +1,25 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The tab of a simulation: reads what is to be simulated, and follows what happens to the document."""
+"""The tab of a simulation: shows the job while it is read and when it is simulated, and follows the document."""
 
 from __future__ import annotations
-
-from collections.abc import Callable, Iterator
 
 import FreeCAD
 import FreeCADGui as Gui
 
 from vkworkbench import freecad
-from vkworkbench.document.simulated_job import JobCopy, ReadCut
-from vkworkbench.gui.background import Background, Busy
+from vkworkbench.document.simulated_job import JobCopy, SimulatedJob
 from vkworkbench.gui.plain_text import tell
 from vkworkbench.gui.qt import QMdiArea, QPushButton, Qt, QTimer, QVBoxLayout, QWidget, Signal
-from vkworkbench.gui.sentences import said
 from vkworkbench.gui.simulation.keys import KeyedWidget
 from vkworkbench.gui.simulation.player import Player
+from vkworkbench.gui.simulation.reading import Reading
+from vkworkbench.gui.simulation.state_line import told
 from vkworkbench.gui.text import translate
-from vkworkbench.language import Unusable
 from vkworkbench.report import Cancelled
 
 
 class SimulationTab(KeyedWidget):
-    """Shows a job's simulation as soon as the job has been read, in a thread of its own.
+    """Shows a job's simulation as soon as the job has been read.
 
     Parameters
     ----------
@@ -31,6 +28,7 @@ class SimulationTab(KeyedWidget):
 
     Attributes
     ----------
+    reading : Reading
     player : Player or None
         None while the job is being read.
     outdated : Signal
@@ -43,9 +41,6 @@ class SimulationTab(KeyedWidget):
         super().__init__(parent)
         self.copy = copy
         self.player: Player | None = None
-        self._background = Background(self)
-        self.busy = Busy(self._background)
-        self._read: list[ReadCut] = []
         self._open = True
         self.again = QPushButton(translate("Vk_Simulate", "The toolpaths have changed. Simulate again"))
         self.again.clicked.connect(lambda *_: self.outdated.emit())
@@ -53,37 +48,26 @@ class SimulationTab(KeyedWidget):
         self._layout = QVBoxLayout(self)
         self._layout.setContentsMargins(4, 4, 4, 4)
         self._layout.addWidget(self.again)
-        self._layout.addWidget(self.busy)
         self.keys = {int(Qt.Key_Escape): lambda: self.window_of().close()}
         FreeCAD.addDocumentObserver(self)
-        self._background.start(self._reading(), self._work, self._take, self._ended)
+        self.reading = Reading(copy)
+        self.reading.read.connect(self._simulate)
+        self.reading.failed.connect(self._not_read)
+        self._layout.addWidget(self.reading, 1)
 
     # Reading
 
-    def _work(self, going_on: Callable[[], None]) -> Iterator[ReadCut]:
-        return self.copy.read()
+    def _simulate(self, job: SimulatedJob) -> None:
+        self.reading.hide()
+        self._show(Player(job, self.reading.seen))
 
-    def _reading(self) -> str:
-        done, labels = len(self._read), self.copy.labels
-        return translate("Vk_Simulate", "Reading {} ({} of {})…").format(labels[done], done + 1, len(labels))
-
-    def _take(self, read: ReadCut) -> None:
-        self._read.append(read)
-        if len(self._read) < len(self.copy.labels):
-            self.busy.label.setText(self._reading())
-
-    def _ended(self, error: Exception | None) -> None:
-        try:
-            if error is not None:
-                raise error
-            job = self.copy.job(self._read)
-        except Cancelled:
-            self.window_of().close()
-        except Unusable as unusable:
-            self.window_of().close()
-            tell(translate("Vk_Simulate", "Simulate toolpaths"), said(unusable.what), Gui.getMainWindow())
-        else:
-            self._show(Player(job))
+    def _not_read(self, error: Exception) -> None:
+        if isinstance(error, ReferenceError):
+            self.again.show()
+            return
+        self.window_of().close()
+        if not isinstance(error, Cancelled):
+            tell(translate("Vk_Simulate", "Simulate toolpaths"), told(error), Gui.getMainWindow())
 
     def _show(self, player: Player) -> None:
         self.player = player
@@ -117,7 +101,7 @@ class SimulationTab(KeyedWidget):
         if self._open:
             self._open = False
             FreeCAD.removeDocumentObserver(self)
-        self._background.give_up()
+        self.reading.end()
         if self.player is not None:
             self.player.end()
 

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from functools import partial
 
@@ -32,6 +33,7 @@ _CURVE, _AIR, _BLOCKS = 34, 4, 20  # px, from top to bottom
 _MARK = 5.0  # px; half a warning's width
 _APART = 5  # px between trajectories that are told apart
 _ZOOM = 1.4  # for each notch of the wheel
+_READ = 10  # warnings in a tooltip at most
 _FINEST = 1e-6  # share of the job's time that is seen at least
 # By which share of the job each key moves on.
 _KEYS = {
@@ -69,14 +71,14 @@ class Warned:
     Attributes
     ----------
     seconds : float
-    text : str
-        Plain text.
+    text : callable
+        Returns plain text: of the many that there may be, few are read.
     color : str
         ``"#rrggbb"``.
     """
 
     seconds: float
-    text: str
+    text: Callable[[], str]
     color: str
 
 
@@ -186,9 +188,9 @@ class TimeLine(KeyedWidget):
             if len(label) > 1:
                 painter.drawText(place.adjusted(3, 0, -3, 0), int(Qt.AlignVCenter | Qt.AlignLeft), label)
         painter.setPen(Qt.NoPen)
-        for warned in self._warned:
-            painter.setBrush(QColor(warned.color))
-            x = self.x_of(warned.seconds)
+        # Of those in one place one is drawn.
+        for x, color in dict.fromkeys((round(self.x_of(warned.seconds)), warned.color) for warned in self._warned):
+            painter.setBrush(QColor(color))
             painter.drawPolygon(QPolygonF([QPointF(x - _MARK, 0), QPointF(x + _MARK, 0), QPointF(x, 2 * _MARK)]))
         painter.setPen(QPen(text, 2))
         x = self.x_of(self.seconds)
@@ -256,7 +258,8 @@ class TimeLine(KeyedWidget):
                 self.moved.emit(self.seconds_at(x))
             return
         seconds = self.seconds_at(x)
-        near = [w.text for w in self._warned if abs(x - self.x_of(w.seconds)) <= _MARK]
+        near = [w for w in self._warned if abs(x - self.x_of(w.seconds)) <= _MARK][:_READ]
+        near = [w.text() for w in near]
         near += [b.tooltip for b in self._blocks if b.begin <= seconds <= b.end][:1]
         show_tooltip(self.mapToGlobal(event.pos()), lines("\n".join(near)), self)
 

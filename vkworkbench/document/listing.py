@@ -1,0 +1,43 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The G-code of a toolpath, any line of it at once: FreeCAD gives a path's commands only all together."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+
+class Listing:
+    """The G-code of a path's commands, by their numbers.
+
+    Parameters
+    ----------
+    text : str
+        A line for each command.
+    commands : sequence of Command
+        For a path in whose comments there are ends of lines.
+    """
+
+    def __init__(self, text: str, commands: Sequence = ()) -> None:
+        self._set(text)
+        if len(self) != len(commands):
+            self._set("".join(command.toGCode().replace("\n", " ") + "\n" for command in commands))
+
+    def _set(self, text: str) -> None:
+        self._text = text.encode(errors="replace")
+        self._ends = np.flatnonzero(np.frombuffer(self._text, np.uint8) == ord("\n"))
+
+    def __len__(self) -> int:
+        return len(self._ends)
+
+    def __getitem__(self, command: int) -> str:
+        """The G-code of a command.
+
+        Raises
+        ------
+        IndexError
+            Where there is none with this number.
+        """
+        begin = self._ends[command - 1] + 1 if command else 0
+        return self._text[begin : self._ends[command]].decode()

@@ -1,0 +1,70 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The faults of a job, as far as its pictures have shown them: in words, on the time line, in marks and results."""
+
+from __future__ import annotations
+
+from vkworkbench.document.simulated_faults import keep_faults
+from vkworkbench.document.simulated_job import SimulatedJob
+from vkworkbench.gui import docks, pills
+from vkworkbench.gui.sentences import said
+from vkworkbench.gui.simulation.clock import Clock
+from vkworkbench.gui.simulation.controls import TOLERANCE
+from vkworkbench.gui.simulation.faults import Fault, faults
+from vkworkbench.gui.simulation.refining import Told
+from vkworkbench.gui.simulation.time_line import Warned
+from vkworkbench.gui.text import translate
+
+_SERIOUS, _FAST = "#d32f2f", "#e08000"  # crashes and gouges, fast plunges
+
+
+class KnownFaults:
+    """What is known to be wrong with a job.
+
+    Parameters
+    ----------
+    job : SimulatedJob
+    clock : Clock
+    """
+
+    def __init__(self, job: SimulatedJob, clock: Clock) -> None:
+        self.job, self.clock = job, clock
+        # Of all views: a gouge that one does not see is there all the same.
+        self._proved: dict[tuple, Fault] = {}
+
+    def text(self, fault: Fault) -> str:
+        """Return where and what a fault is."""
+        if fault.cut is None:
+            return translate("Vk_Simulate", "raw stock: {}").format(said(fault.what))
+        text = translate("Vk_Simulate", "{}, command {} ({}): {}")
+        label, code = self.job.operations[fault.cut].label, self.job.listings[fault.cut][fault.command]
+        return text.format(label, fault.command + 1, code, said(fault.what))
+
+    def marks(self, found: list[Fault]) -> tuple[Warned, ...]:
+        """Return faults as marks of the time line; what the raw stock lacks has no moment."""
+        return tuple(
+            Warned(
+                float(self.clock.ends[fault.trajectory + 1]),
+                lambda fault=fault: self.text(fault),
+                _SERIOUS if fault.serious else _FAST,
+            )
+            for fault in found
+            if fault.trajectory is not None
+        )
+
+    def keep(self, told: Told) -> None:
+        """Let marks and results tell what a picture has shown that looked for gouges, too."""
+        if not told.judged:
+            return
+        for fault in faults(told, TOLERANCE):
+            if fault.serious:
+                self._proved.setdefault((fault.cut, fault.what.code, fault.command), fault)
+        wrong = sorted(self._proved.values(), key=lambda fault: fault.what.code != "rapid-cuts")
+        changed = keep_faults({
+            operation: [(fault.command, fault.what) for fault in wrong if fault.cut == number]
+            for number, operation in enumerate(self.job.operations)
+        })  # fmt: skip
+        if changed:
+            pills.show()
+            results = docks.find(docks.RESULTS)
+            if results is not None:
+                results.refresh()
