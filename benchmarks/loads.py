@@ -3,9 +3,10 @@
 
     python3 benchmarks/loads.py
 
-It needs freecadcmd. Each size is analysed, marked and cleared in a FreeCAD of its own. Prints the peak of the memory
-that the analysis takes beyond that of FreeCAD and the document, the time, and the ratio of each time to that of a
-tenth of the commands: 10 is linear.
+It needs freecadcmd. Each size, in four operations, and the largest in one, is analysed, marked and cleared in a FreeCAD
+of its own. Prints the peak of the memory that the analysis takes beyond that of FreeCAD and the document, how much of it
+FreeCAD takes alone to hand out the longest path with its commands, which come only whole, the time, and the ratio of each
+time to that of the row above, which has a tenth of the commands: 10 is linear.
 """
 
 from __future__ import annotations
@@ -19,8 +20,7 @@ import time
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[1]
-SIZES = [1_000, 10_000, 100_000, 1_000_000]
-OPERATIONS = 4
+LOADS = [(1_000, 4), (10_000, 4), (100_000, 4), (1_000_000, 4), (1_000_000, 1)]  # commands, operations
 
 
 def memory(line):
@@ -44,8 +44,8 @@ def raster(commands, length=100.0):
     return CAM.Path(commands)
 
 
-def measure(size):
-    """Analyse a new document of so many commands in a few operations."""
+def measure(size, count, alone):
+    """Analyse a new document of so many commands in so many operations, or only let FreeCAD hand out a path of it."""
     import FreeCAD
 
     import vkworkbench
@@ -59,9 +59,9 @@ def measure(size):
         block.Length, block.Width, block.Height = 100, 100, 20
         document.recompute()
         job = cam("Main.Job").Create("Job", [block])
-        path = raster(commands // OPERATIONS)
+        path = raster(commands // count)
         operations = []
-        for _ in range(OPERATIONS):
+        for _ in range(count):
             op = document.addObject("Path::FeaturePython", "Op")
             op.addProperty("App::PropertyLink", "ToolController", "Path")
             op.ToolController = job.Tools.Group[0]
@@ -71,10 +71,14 @@ def measure(size):
         document.recompute()
         return document
 
-    vkworkbench.analyze(document_of(1000))  # loads numpy
+    vkworkbench.analyze(document_of(900))  # loads numpy
     document = document_of(size)
     Path("/proc/self/clear_refs").write_text("5")  # resets the peak
     before, start = memory("VmRSS"), time.perf_counter()
+    if alone:
+        path = document.Op.Path
+        commands = path.Commands
+        return {"commands": len(commands), "bytes": memory("VmHWM") - before}
     report = vkworkbench.analyze(document)
     seconds = time.perf_counter() - start
     vkworkbench.mark(report)
@@ -89,31 +93,35 @@ def measure(size):
     }
 
 
+def run(size, count, alone):
+    """Return what `measure` finds in a FreeCAD of its own."""
+    found = subprocess.run(
+        ["freecadcmd", Path(__file__).resolve()],
+        env={**os.environ, "VK_LOAD": f"{size} {count} {alone:d}"},
+        stdin=subprocess.DEVNULL,
+        capture_output=True,
+        text=True,
+    )
+    lines = [line for line in found.stdout.splitlines() if line.startswith("{")]
+    if not lines:
+        sys.exit(found.stdout + found.stderr)
+    return json.loads(lines[-1])
+
+
 def main():
     last = None
-    print("commands     extra memory   time      ratio to the decade before")
-    for size in SIZES:
-        environment = {**os.environ, "VK_LOAD": str(size)}
-        run = subprocess.run(
-            ["freecadcmd", Path(__file__).resolve()],
-            env=environment,
-            stdin=subprocess.DEVNULL,
-            capture_output=True,
-            text=True,
-        )
-        lines = [line for line in run.stdout.splitlines() if line.startswith("{")]
-        if not lines:
-            sys.exit(run.stdout + run.stderr)
-        found = json.loads(lines[-1])
+    print(" commands  operations  extra memory  FreeCAD alone  time       ratio to the one above")
+    for size, count in LOADS:
+        found, alone = run(size, count, False), run(size, count, True)
         ratio = "" if last is None else f"{found['seconds'] / last:.1f}"
         last = found["seconds"]
-        row = f"{found['commands']:>9,}    {found['bytes'] / 1e6:>8.0f} MB  {found['seconds']:>7.2f} s"
-        print(f"{row}   {ratio:>5}  {found['strategy']}")
+        row = f"{found['commands']:>9,}  {count:>10}  {found['bytes'] / 1e6:>9.0f} MB  {alone['bytes'] / 1e6:>10.0f} MB"
+        print(f"{row}  {found['seconds']:>7.2f} s  {ratio:>5}  {found['strategy']}", flush=True)
 
 
 sys.path.insert(0, str(ROOT))
 if "VK_LOAD" in os.environ:
-    print("\n" + json.dumps(measure(int(os.environ["VK_LOAD"]))), flush=True)
+    print("\n" + json.dumps(measure(*map(int, os.environ["VK_LOAD"].split()))), flush=True)
     os._exit(0)
 elif __name__ == "__main__":
     main()

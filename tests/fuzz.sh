@@ -52,6 +52,7 @@ for layer in $layers; do
     home=$(mktemp -d)
     tests/make_home.sh "$home"
     log=$PWD/$here/$layer.log
+    ended=0
     case $layer in
         # shellcheck disable=SC2086
         programs) command=(/usr/bin/python3 tests/fuzz.py --seed "$seed" --minutes "$minutes" ${sessions:+--count $sessions}) ;;
@@ -61,7 +62,12 @@ for layer in $layers; do
     env -i HOME="$home" XDG_RUNTIME_DIR="$home/run" PATH=/usr/sbin:/usr/bin:/sbin:/bin LC_ALL=C.UTF-8 \
         PYTHONDONTWRITEBYTECODE=1 QT_QPA_PLATFORM=xcb LIBGL_ALWAYS_SOFTWARE=1 QTWEBENGINE_DISABLE_SANDBOX=1 \
         VKWORKBENCH_FUZZ="$seed $minutes $sessions" VKWORKBENCH_FUZZ_LOG="$log" "${command[@]}" \
-        < /dev/null > "$log" 2>&1 || { status=1 && echo "$layer failed, see $log"; }
+        < /dev/null > "$log" 2>&1 || ended=$?
+    # freecadcmd ends with 0 whatever happens: the line that closes a run says that there was one.
+    if [ "$ended" != 0 ] || ! tail -n 1 "$log" | grep -qa ' failed$\|^peak memory'; then
+        status=1
+        echo "$layer failed, see $log"
+    fi
     grep -a '^seed .* commands:\|^FAILED\|^AssertionError' "$log" | cut -c 1-300 | head -n 20 || true
     tail -n 1 "$log" | cut -c 1-300
     rm -rf "$home"

@@ -14,6 +14,7 @@ import faulthandler
 import json
 import os
 import random
+import signal
 import sys
 import tempfile
 import time
@@ -40,7 +41,7 @@ from vkworkbench.document.operations import find
 from vkworkbench.language import Unusable
 
 ROOT = str(Path(__file__).parents[1])
-LONGEST = 120  # s for a session; then it hangs
+LONGEST, STILL = 120, 900  # s for a session, of the processor and on the wall: then it hangs
 ACTIONS = 25  # a session
 TEXTS = ["", "own words", "⟦zigzag 97%⟧", "⟦3 operations foo⟧", "a ⟦⟧ b", "⟦⟦x⟧", "⟧⟦", "zigzag 97% ⟦zigzag 97%⟧", "<b>&amp;", "🙂\n\x07",
          "<img src='file:///x'>", "x" * 3000, "⟦zigzag · ▶ 3 s · outdated⟧", "{0} %s"]  # fmt: skip
@@ -489,8 +490,10 @@ def main():
         timer = QtCore.QTimer()
         timer.timeout.connect(answer)
         timer.start(50)
+    faulthandler.register(signal.SIGPROF, chain=True)  # and ends
     while time.monotonic() < until and done < most:
-        faulthandler.dump_traceback_later(LONGEST, exit=True)
+        faulthandler.dump_traceback_later(STILL, exit=True)
+        signal.setitimer(signal.ITIMER_PROF, LONGEST)
         print(f"seed {seed}", flush=True)
         session, error = Session(seed), None
         try:

@@ -941,6 +941,10 @@
         <source>moves in X and Z only, with passes along Z at many X, as a lathe makes them: {strategy:strategy}</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>the operation&apos;s placement must be numbers within a kilometre of the origin</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

@@ -941,6 +941,10 @@
         <source>moves in X and Z only, with passes along Z at many X, as a lathe makes them: {strategy:strategy}</source>
         <translation>Bewegungen nur in X und Z, mit Schnitten längs Z bei vielen X, wie eine Drehmaschine sie macht: {strategy:strategy}</translation>
     </message>
+    <message>
+        <source>the operation&apos;s placement must be numbers within a kilometre of the origin</source>
+        <translation>die Platzierung der Operation muss aus Zahlen innerhalb eines Kilometers vom Ursprung bestehen</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

@@ -941,6 +941,10 @@
         <source>moves in X and Z only, with passes along Z at many X, as a lathe makes them: {strategy:strategy}</source>
         <translation>movimientos solo en X y Z, con pasadas a lo largo de Z en muchas X, como los hace un torno: {strategy:strategy}</translation>
     </message>
+    <message>
+        <source>the operation&apos;s placement must be numbers within a kilometre of the origin</source>
+        <translation>la ubicación de la operación debe constar de números a menos de un kilómetro del origen</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

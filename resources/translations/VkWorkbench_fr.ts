@@ -941,6 +941,10 @@
         <source>moves in X and Z only, with passes along Z at many X, as a lathe makes them: {strategy:strategy}</source>
         <translation>déplacements en X et Z seulement, avec des passes le long de Z à de nombreux X, comme en fait un tour : {strategy:strategy}</translation>
     </message>
+    <message>
+        <source>the operation&apos;s placement must be numbers within a kilometre of the origin</source>
+        <translation>le placement de l&apos;opération doit être fait de nombres à moins d&apos;un kilomètre de l&apos;origine</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

@@ -941,6 +941,10 @@
         <source>moves in X and Z only, with passes along Z at many X, as a lathe makes them: {strategy:strategy}</source>
         <translation>只在 X 和 Z 方向运动，并在许多 X 处沿 Z 走刀，与车床的走刀相同：{strategy:strategy}</translation>
     </message>
+    <message>
+        <source>the operation&apos;s placement must be numbers within a kilometre of the origin</source>
+        <translation>操作的放置必须是距原点一千米以内的数</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

@@ -149,6 +149,17 @@ def test_six_columns_at_first_and_all_others_in_a_menu(panel, opened, window):
     assert shown(panel) == FIRST and preferences.read().result_columns == ""
 
 
+def test_what_only_hidden_columns_show_is_not_computed(panel):
+    """The z-buffer's cost of a long toolpath would hold up the window."""
+    (total,) = [row for _, row in panel._indexes() if row.is_total]
+    assert total.found.costs.computed() == (preferences.read().simulator,)
+    (number,) = [n for n, column in enumerate(panel.model.columns) if column.key == "z-buffer time"]
+    panel.tree.setColumnHidden(number, False)
+    panel._fit_columns()
+    assert "z-buffer" in total.found.costs.computed()
+    panel.tree.setColumnHidden(number, True)
+
+
 def test_the_name_stays_in_sight(panel, opened, window):
     chosen = [action for action in panel.columns.actions() if action.isCheckable() and not action.isChecked()]
     try:

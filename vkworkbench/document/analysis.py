@@ -14,9 +14,9 @@ import FreeCAD
 
 from vkworkbench import freecad, preferences
 from vkworkbench.core import Solid, Strategy, Tool, linearize, machining, recognize, stock_around
-from vkworkbench.core.gcode import Words, in_seconds
+from vkworkbench.core.gcode import Words, in_seconds, used_up
 from vkworkbench.core.simulators import ZBUFFER, Conditions, Task, predict, preflight
-from vkworkbench.core.zbuffer import cuts_surely
+from vkworkbench.core.zbuffer import cuts_surely, may_cut
 from vkworkbench.document import calibration
 from vkworkbench.document.fingerprint import (
     AT_ONCE,
@@ -147,6 +147,7 @@ _READ = tuple(
 def _read(operation: Operation) -> _Reading:
     """Read an operation; an error in it must not cost the other operations their rows."""
     obj, job = operation.object, operation.job
+    job = job if job is not None and is_there(job) else None  # deleted meanwhile, its operations kept
     reading = _Reading(
         document=obj.Document.Name,
         document_id=obj.Document.Uid,
@@ -225,8 +226,7 @@ def _work(reading: _Reading, chosen: Preferences, conditions: Conditions, going_
                  conditions)  # fmt: skip
     known = KNOWN.find(key)
     if known is None:
-        words = Words(commands or reading.path.Commands)
-        commands = None  # of a million, half a GB
+        words = Words(used_up(commands or reading.path.Commands))  # a million take half a GB, read twice that
         known = _analysed(reading, words, chosen, conditions, going_on)
         KNOWN.keep(key, known)
     row = replace(
@@ -245,8 +245,7 @@ def _analysed(
     try:
         toolpath = placed(linearize(words, tolerance=chosen.tolerance), reading.placement)
     except Unusable as error:
-        remarks.append(error.what)
-        toolpath = _NOTHING
+        return replace(_unknown(reading), remarks=(error.what,))
     going_on()
     found, inches = recognized(toolpath, tool and tool.diameter, reading.imported)
     if inches:
@@ -264,9 +263,11 @@ def _analysed(
     costs, advice = {}, {}
     if tool and stock and found.strategy is not Strategy.EMPTY:
         costs, advice = predict(task, conditions)
-        if not cuts_surely(toolpath, stock) and costs[ZBUFFER.name].traces == 0:
+        too_wide = tool.diameter > max(stock.upper[0] - stock.lower[0], stock.upper[1] - stock.lower[1])
+        at_it = cuts_surely(toolpath, stock) or (too_wide and may_cut(toolpath, tool, stock))
+        if not at_it and costs[ZBUFFER.name].traces == 0:
             remarks.append(Message("not-touching"))
-        elif tool.diameter > max(stock.upper[0] - stock.lower[0], stock.upper[1] - stock.lower[1]):
+        elif too_wide:
             remarks.append(Message("tool-wider-than-stock"))
     going_on()
     if reading.imported:

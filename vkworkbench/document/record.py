@@ -7,7 +7,6 @@ import json
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from functools import lru_cache
-from math import isfinite
 from typing import Any, ClassVar
 
 from vkworkbench import freecad
@@ -17,6 +16,7 @@ from vkworkbench.language import Message, render
 from vkworkbench.report import HANGS, SERIOUS, OperationReport, Total
 
 _FORMAT = 2  # 1 was twelve properties
+_LARGEST = 1e15  # of what an analysis finds, in any unit
 
 
 @dataclass(frozen=True)
@@ -162,9 +162,10 @@ def from_json(text: str) -> Record | None:
     """Return the record that `as_json` made this of; None where it did not, or a newer version did."""
     try:
         data = json.loads(text)
+        json.dumps(data, ensure_ascii=False).encode()  # half a character in a property ends FreeCAD
         return Record(
             strategy=None if data["strategy"] is None else Strategy(data["strategy"]),
-            confidence=_number(data["confidence"]),
+            confidence=_share(data["confidence"]),
             reason=_messages(data["reason"]),
             remarks=_messages(data["remarks"]),
             cautions=tuple(_caution(one) for one in data["cautions"]),
@@ -208,6 +209,12 @@ def _or_none(data: Any) -> float | None:
 
 
 def _number(data: Any) -> float:
-    if isinstance(data, bool) or not isinstance(data, (int, float)) or not isfinite(data) or data < 0:
+    if isinstance(data, bool) or not isinstance(data, (int, float)) or not 0 <= data <= _LARGEST:
         raise ValueError(f"no measure: {data!r:.40}")
+    return data
+
+
+def _share(data: Any) -> float:
+    if _number(data) > 1:
+        raise ValueError(f"no share: {data!r:.40}")
     return data

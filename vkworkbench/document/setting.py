@@ -11,6 +11,7 @@ import Part
 
 from vkworkbench import freecad
 from vkworkbench.core import Stock, Tool, Toolpath
+from vkworkbench.core.gcode import COORDINATE_LIMIT
 from vkworkbench.document.of_shapes import OfShapes
 from vkworkbench.document.operations import through_bases
 from vkworkbench.language import Message, Unusable
@@ -114,10 +115,13 @@ def exact_box(shape) -> tuple[tuple, tuple]:
     The shape's own `BoundBox` depends on the mesh by which a window displays it, and so does its optimal box before
     FreeCAD 1.0: a copy without the mesh has none.
     """
-    return _exact_boxes.of(shape, lambda: _corners(shape.copy(False, False).optimalBoundingBox(False)))
+    return _exact_boxes.of(shape, lambda: _corners(shape.copy(False, False)))
 
 
-def _corners(box) -> tuple[tuple, tuple]:
+def _corners(shape) -> tuple[tuple, tuple]:
+    if not shape.BoundBox.isValid():  # an empty compound
+        raise Unusable(Message("stock-without-volume"))
+    box = shape.optimalBoundingBox(False)
     return (box.XMin, box.YMin, box.ZMin), (box.XMax, box.YMax, box.ZMax)
 
 
@@ -134,8 +138,16 @@ def vertical_feed(operation) -> float:
 
 
 def placed(toolpath: Toolpath, placement) -> Toolpath:
-    """Return the toolpath moved by the operation's placement."""
+    """Return the toolpath moved by the operation's placement.
+
+    Raises
+    ------
+    Unusable
+        Where the placement is no numbers, or beyond a kilometre.
+    """
     if placement is None or placement.isIdentity():
         return toolpath
     matrix = np.array(placement.toMatrix().A).reshape(4, 4)
+    if not np.abs(matrix).max() <= COORDINATE_LIMIT:
+        raise Unusable(Message("placement-not-finite"))
     return replace(toolpath, points=np.einsum("ni,ji->nj", toolpath.points, matrix[:3, :3]) + matrix[:3, 3])

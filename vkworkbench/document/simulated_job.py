@@ -13,7 +13,7 @@ import numpy as np
 
 from vkworkbench import freecad, preferences
 from vkworkbench.core import Cut, Solid, Stock, Strategy, Tool, Toolpath, linearize, trajectory_seconds
-from vkworkbench.core.gcode import in_seconds
+from vkworkbench.core.gcode import in_seconds, used_up
 from vkworkbench.document.fingerprint import fingerprint_of, setting_fingerprint, text_fingerprint, text_of
 from vkworkbench.document.listing import Listing
 from vkworkbench.document.operations import Operation, find
@@ -248,7 +248,7 @@ def _linearized(copied: _Copied, tolerance: float) -> ReadCut:
             listing = Listing(text, commands)
             path = text_fingerprint(text, copied.placement)
             operation = replace(operation, fingerprint=fingerprint_of(path, operation.fingerprint))
-            toolpath = placed(linearize(commands, tolerance=tolerance), copied.placement)
+            toolpath = placed(linearize(used_up(commands), tolerance=tolerance), copied.placement)
         except Unusable as error:
             told = [error.what]
         else:

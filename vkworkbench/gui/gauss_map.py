@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import FreeCAD
@@ -11,7 +12,7 @@ import FreeCADGui as Gui
 
 from vkworkbench import freecad
 from vkworkbench.document.operations import kind
-from vkworkbench.document.recognized import source_of
+from vkworkbench.document.recognized import Source, source_of
 from vkworkbench.gui import docks
 from vkworkbench.gui.background import Background, Busy
 from vkworkbench.gui.gauss_canvas import GaussCanvas
@@ -45,6 +46,7 @@ from vkworkbench.language import Message, Unusable
 from vkworkbench.report import Cancelled
 
 _LISTED = 50  # areas in the chooser, the longest ones
+_AT_ONCE = 20_000  # trajectories of an area that are made a picture in some hundredths of a second
 _NOT_IN_NAMES = '\\/:*?"<>|'
 
 
@@ -77,7 +79,7 @@ class GaussMapDock(QDockWidget):
             "Vk_GaussMap", "The areas that the tool cuts without a rapid move or a plunge: first the one that shows the strategy best, "
             "then the longest."
         ))  # fmt: skip
-        self.chooser.currentIndexChanged.connect(self._show_area)
+        self.chooser.currentIndexChanged.connect(self._choose_area)
         self.saver = QPushButton(translate("Vk_GaussMap", "Save picture…"))
         self.saver.setToolTip(translate("Vk_GaussMap", "Saves the three plots as they stand, as PNG or SVG."))
         self.saver.clicked.connect(self._save)
@@ -151,9 +153,10 @@ class GaussMapDock(QDockWidget):
             return
         self._shown = (obj.Document.Name, obj.Name)
         self._label = obj.Label
+        self.chooser.setEnabled(False)  # its areas are those of the operation before
         source = source_of(obj)
         text = translate("Vk_GaussMap", "Reading {}…").format(obj.Label)
-        self._background.start(text, lambda going_on: read(source, going_on), self._show, self._ended)
+        self._background.start(text, lambda going_on: _drawn(source, going_on), self._show, self._ended)
 
     def _ended(self, error: Exception | None) -> None:
         if isinstance(error, Unusable):
@@ -164,13 +167,13 @@ class GaussMapDock(QDockWidget):
             self._say_nothing()
             raise error
 
-    def _show(self, reading: Reading | None) -> None:
-        if reading is None:
+    def _show(self, drawn: tuple[Reading, GaussFigure] | None) -> None:
+        if drawn is None:
             self._say(translate("Vk_GaussMap", "{}: no cutting move has a direction in the plane").format(self._label))
             return
-        self._reading = reading
-        areas = reading.areas
-        listed = [reading.proof, *(area for area in areas.by_length[:_LISTED].tolist() if area != reading.proof)]
+        self._reading, figure = drawn
+        areas, proof = self._reading.areas, self._reading.proof
+        listed = [proof, *(area for area in areas.by_length[:_LISTED].tolist() if area != proof)]
         self.chooser.blockSignals(True)
         self.chooser.clear()
         for area in listed:
@@ -180,11 +183,19 @@ class GaussMapDock(QDockWidget):
                 text.format(area + 1, user().count(count), user().length(areas.area_length[area])), area
             )
         self.chooser.blockSignals(False)
-        self._show_area(0)
+        self._show_figure(figure)
 
-    def _show_area(self, row: int) -> None:
+    def _choose_area(self, row: int) -> None:
+        self._background.give_up()  # the area before
+        reading, area = self._reading, self.chooser.itemData(row)
+        if reading.areas.end[area] - reading.areas.start[area] < _AT_ONCE:
+            self._show_figure(GaussFigure(reading, area))
+            return
+        text = translate("Vk_GaussMap", "Reading {}…").format(self._label)
+        self._background.start(text, lambda going_on: [GaussFigure(reading, area)], self._show_figure, self._ended)
+
+    def _show_figure(self, figure: GaussFigure) -> None:
         found = self._reading.recognition
-        figure = GaussFigure(self._reading, self.chooser.itemData(row))
         signature = figure.signature
         self.canvas.set_background(self._behind())
         self.canvas.show_figure(figure)
@@ -266,6 +277,7 @@ class GaussMapDock(QDockWidget):
     def _enable(self, there_is_a_picture: bool) -> None:
         for widget in (self.chooser, self.saver, self.slider, self.number, self.legend, self.canvas):
             widget.setVisible(there_is_a_picture)
+        self.chooser.setEnabled(True)
 
     def _save(self) -> None:
         document = FreeCAD.listDocuments()[self._shown[0]]
@@ -282,6 +294,12 @@ class GaussMapDock(QDockWidget):
             self.canvas.save(path, f"{self._label}: {self._verdict()}")
         except OSError as error:
             warn(translate("Vk_GaussMap", "Save picture"), str(error), self)
+
+
+def _drawn(source: Source, going_on: Callable) -> Iterator[tuple[Reading, GaussFigure] | None]:
+    """Read an operation and draw the area that proves its strategy, in any thread."""
+    for reading in read(source, going_on):
+        yield reading and (reading, GaussFigure(reading, reading.proof))
 
 
 def _row(*widgets: QWidget) -> QHBoxLayout:

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from vkworkbench.core import Family, Recognition, linearize
+from vkworkbench.core.gcode import used_up
 from vkworkbench.core.paper import Areas, distinct, links, monotonous_areas, outline, overlapping, proof
 from vkworkbench.document.recognized import Source, recognized
 from vkworkbench.document.setting import placed
@@ -74,8 +75,7 @@ def read(source: Source, going_on: Callable) -> Iterator[Reading | None]:
     """
     commands = source.path.Commands
     going_on()
-    toolpath = placed(linearize(commands, tolerance=source.tolerance), source.placement)
-    del commands
+    toolpath = placed(linearize(used_up(commands), tolerance=source.tolerance), source.placement)
     going_on()
     areas = monotonous_areas(toolpath)
     if not len(areas):

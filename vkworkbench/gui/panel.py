@@ -129,6 +129,8 @@ class ResultsDock(QDockWidget):
 
     def _fit_columns(self) -> None:
         for number, column in enumerate(self.model.columns):
+            if self.tree.isColumnHidden(number):  # its costs may have to be computed first
+                continue
             self.tree.resizeColumnToContents(number)
             self.tree.setColumnWidth(number, min(self.tree.columnWidth(number), _WIDEST.get(column.key, 1000)))
 

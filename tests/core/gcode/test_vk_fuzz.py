@@ -34,6 +34,11 @@ def test_programs_that_failed_once(seed):
     assert not result.failed, result.outcome
 
 
+def test_a_flat_end_that_hardly_moves_across_the_ray():
+    result = fuzz.feed(62133)  # its views are not those of `flat_program`
+    assert not result.failed, result.outcome
+
+
 RAMP = [
     ("G0", {"X": 0.0, "Y": 25.0, "Z": 5.0}),
     ("G1", {"X": 50.0, "Z": -15.0, "F": 5.0}),

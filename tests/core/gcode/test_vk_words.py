@@ -4,12 +4,13 @@
 from __future__ import annotations
 
 import tracemalloc
+from functools import cached_property
 
 import numpy as np
 import programs
 import pytest
 
-from vkworkbench.core.gcode import Words, words
+from vkworkbench.core.gcode import Words, used_up, words
 
 
 class Command:
@@ -35,6 +36,29 @@ def test_a_million_commands_take_little_memory():
     assert len(read) == len(commands) and (read.column("Y")[0] == 2).all()
     # A dictionary of three numbers takes 256 bytes, and a name 50.
     assert peak < 150 * len(commands), f"{peak / len(commands):.0f} bytes a command"
+
+
+class Keeping:
+    """As FreeCAD's too: what was asked for is kept beside the command."""
+
+    Name = "G1"
+
+    @cached_property
+    def Parameters(self):
+        return {"X": 1.0, "Y": 2.0, "F": 3.0}
+
+
+def test_commands_that_are_used_up_go_with_what_they_keep():
+    commands = [Keeping() for _ in range(400_000)]
+    count = len(commands)
+    tracemalloc.start()
+    try:
+        read = Words(used_up(commands))
+        _, peak = tracemalloc.get_traced_memory()
+    finally:
+        tracemalloc.stop()
+    assert commands == [] and len(read) == count and (read.column("Y")[0] == 2).all()
+    assert peak < 200 * count, f"{peak / count:.0f} bytes a command"
 
 
 @pytest.mark.parametrize("piece", [1, 3, 7])

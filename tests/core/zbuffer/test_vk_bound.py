@@ -9,7 +9,7 @@ import pytest
 from toolpaths.synthetic import SAMPLES
 from vkworkbench.core import Stock, Tool, View, linearize, simulate
 from vkworkbench.core.solids import ConvexStock
-from vkworkbench.core.zbuffer import cuts_surely, most_bytes
+from vkworkbench.core.zbuffer import cuts_surely, may_cut, most_bytes
 
 TOOLS = [Tool("endmill", 5), Tool("ballend", 6), Tool("vbit", 8, tip_angle=np.pi / 2)]
 
@@ -45,3 +45,14 @@ def test_other_solids_have_no_bound_and_nothing_is_sure_of_them():
 
 class Holed:
     """A solid that no planes bound."""
+
+
+def test_what_may_cut():
+    path = linearize([("G0", {"X": 0.0, "Y": 0.0, "Z": 5.0}), ("G1", {"X": 20.0}), ("G1", {"Z": 1.0})])
+    tool = Tool("endmill", 10)
+    for lower, upper, may in (
+        ((0, 0, 0), (9, 9, 2), True), ((0, 0, 0), (9, 9, 1), False), ((0, 4.9, 0), (9, 9, 2), True), ((0, 5, 0), (9, 9, 2), False),
+        ((24.9, 0, 0), (30, 9, 2), True), ((25, 0, 0), (30, 9, 2), False), ((-30, 0, 0), (-5, 9, 2), False),
+    ):  # fmt: skip
+        assert may_cut(path, tool, Stock(lower, upper)) is may, (lower, upper)
+        assert may or simulate(path, tool=tool, stock=Stock(lower, upper), view=View((0, 0, -1), 40, 40)).traces == 0

@@ -4,8 +4,8 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Mapping, Sequence
-from itertools import chain
+from collections.abc import Iterable, Iterator, Mapping
+from itertools import chain, islice
 from typing import Any
 
 import numpy as np
@@ -54,13 +54,12 @@ class Words:
     """
 
     def __init__(self, commands: Iterable[Any]) -> None:
-        commands = commands if isinstance(commands, Sequence) else list(commands)
         self.names: list[str] = []
         known: dict[str, str] = {}
-        tables = []
-        for first in range(0, max(len(commands), 1), _PIECE):
-            piece = commands[first : first + _PIECE]
-            if len(piece) and hasattr(piece[0], "Parameters"):
+        tables: list[tuple[np.ndarray, str, np.ndarray]] = []
+        source = iter(commands)
+        while (piece := list(islice(source, _PIECE))) or not tables:
+            if piece and hasattr(piece[0], "Parameters"):
                 names, parameters = [c.Name for c in piece], [c.Parameters for c in piece]
             else:
                 names, parameters = [c[0] for c in piece], [c[1] for c in piece]
@@ -106,6 +105,13 @@ class Words:
         values[row] = np.where(usable, value, np.nan)
         unusable[row] = ~usable
         return (values, unusable) if rows is None else (values[rows], unusable[rows])
+
+
+def used_up(commands: list) -> Iterator[Any]:
+    """Yield the commands of a list, which is empty then: FreeCAD's keep a copy of their parameters once they were asked."""
+    commands.reverse()
+    while commands:
+        yield commands.pop()
 
 
 def _read_word_names(names: list[str], all_parameters: list[dict[str, Any] | None]) -> None:

@@ -7,7 +7,7 @@ Out: `ZBuffer`, exact dexels and traces at any moment, and what they tell; `Esti
 `Speed`, how fast this computer is.
 """
 
-from vkworkbench.core.zbuffer.bound import cuts_surely, most_bytes
+from vkworkbench.core.zbuffer.bound import cuts_surely, may_cut, most_bytes
 from vkworkbench.core.zbuffer.closed_form import cauchy_crofton, closed_form, swept
 from vkworkbench.core.zbuffer.cuts import Cut, Cuts, Source
 from vkworkbench.core.zbuffer.deviations import (
@@ -46,7 +46,7 @@ __all__ = [
     "Estimate", "JobEstimate", "JobFacts", "OverBudget", "Plunge", "Resolution", "SeenModel", "Source", "Speed", "ZBuffer", "air_share",
     "best_resolution", "cauchy_crofton", "check_budget", "closed_form", "crashes", "cuts_air", "cuts_surely",
     "deviations", "engagement", "estimate", "estimate_job", "facts", "fast_plunges", "fit_speed", "gouges", "heaviest",
-    "material_left", "measure_speed", "memory_needed", "most_bytes", "passes_apart", "removal_over_time",
+    "material_left", "measure_speed", "memory_needed", "may_cut", "most_bytes", "passes_apart", "removal_over_time",
     "removal_rates", "removed_volumes", "simulate", "simulate_job", "swept", "trajectory_table", "work",
     "worst_places",
 ]  # fmt: skip

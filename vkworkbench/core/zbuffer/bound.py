@@ -24,6 +24,14 @@ def cuts_surely(toolpath: Toolpath, stock: Solid) -> bool:
     return bool(inside.any())
 
 
+def may_cut(toolpath: Toolpath, tool: Tool, stock: Solid) -> bool:
+    """Whether the box around all that the tool passes reaches into the box around the stock; else it cuts nothing."""
+    points = toolpath.points
+    lower, upper = points[:, :2].min(axis=0) - tool.radius, points[:, :2].max(axis=0) + tool.radius
+    beside = (lower >= stock.upper[:2]).any() or (upper <= stock.lower[:2]).any()
+    return not beside and bool(points[:, 2].min() < stock.upper[2])
+
+
 def most_bytes(toolpath: Toolpath, *, tool: Tool, stock: Solid, view: View) -> float:
     """No more bytes than this hold the records of a simulation.
 

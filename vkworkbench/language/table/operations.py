@@ -30,6 +30,9 @@ OPERATIONS: dict[str, str | tuple[str, str]] = {
     "stock-not-finite": QT_TRANSLATE_NOOP(
         "Sentences", "the stock's corners must be numbers within a kilometre of the origin"
     ),
+    "placement-not-finite": QT_TRANSLATE_NOOP(
+        "Sentences", "the operation's placement must be numbers within a kilometre of the origin"
+    ),
     "stock-without-volume": QT_TRANSLATE_NOOP(
         "Sentences", "the stock has no volume: its upper corner must exceed its lower corner in x, y and z"
     ),

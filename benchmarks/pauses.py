@@ -1,0 +1,244 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The longest time an event waits in FreeCAD's window while 500,000 commands are worked on.
+
+    xvfb-run -a freecad $PWD/benchmarks/pauses.py
+
+Two documents: five operations of 100,000 commands each, and one of 500,000. Printed are, for each of them, how long
+FreeCAD alone holds up the window to hand out one path, its commands and its text, and to open, to recompute and to draw the
+document; then, for each thing a user does, the longest time between two events. A time is that of a computer with
+nothing else to do, the best of three rounds: a pause that is the add-on's comes every time.
+"""
+
+from __future__ import annotations
+
+import math
+import os
+import sys
+import tempfile
+import time
+import traceback
+from pathlib import Path
+
+import FreeCAD
+import FreeCADGui as Gui
+import Path as Cam
+from PySide import QtCore, QtGui
+
+ROOT = Path(__file__).resolve().parent.parent
+sys.path[:0] = [str(ROOT), str(ROOT / "examples")]
+
+from make_example import cam
+
+from vkworkbench import freecad
+from vkworkbench.document import idle, marks
+from vkworkbench.document.known import KNOWN
+from vkworkbench.gui import docks, gauss_map_command, strategy_view
+
+OUT = sys.__stdout__
+COMMANDS = 500_000
+ROUNDS = 3
+PATIENCE = 120  # s
+
+
+class Stopwatch:
+    """Seconds as on a computer where nothing else runs: no other process counts, nor a thread beside another."""
+
+    def __init__(self) -> None:
+        self._wall, self._process = time.perf_counter(), time.process_time()
+
+    def __call__(self) -> float:
+        return min(time.perf_counter() - self._wall, time.process_time() - self._process)
+
+
+class Events:
+    """Notes the longest time between two events while something is done."""
+
+    def __init__(self) -> None:
+        self._timer = QtCore.QTimer()
+        self._timer.timeout.connect(self._beat)
+        self.longest = 0.0
+
+    def _beat(self) -> None:
+        self.longest, self._last = max(self.longest, self._last()), Stopwatch()
+
+    def during(self, do, is_over) -> float:
+        """Do something and wait until it is over; return the longest time between two events, s."""
+        rest()
+        self.longest, self._last = 0.0, Stopwatch()
+        self._timer.start(0)
+        do()
+        wait(is_over)
+        rest()
+        self._timer.stop()
+        return self.longest
+
+
+def main() -> None:
+    print(f"FreeCAD {'.'.join(map(str, freecad.version()))}, {COMMANDS:,} commands", file=OUT)
+    window = Gui.getMainWindow()
+    window.setGeometry(0, 0, 1280, 1000)
+    window.show()
+    Gui.activateWorkbench("VkWorkbench")
+    for operations in (5, 1):
+        measure(operations)
+
+
+def measure(count: int) -> None:
+    """Print the pauses of one document."""
+    document, operations = made(count)
+    path = operations[0].Path
+    print(f"\n{count} operations of {path.Size:,} commands", file=OUT)
+    freecads_own = {
+        "a path": lambda: operations[0].Path,
+        "its commands": lambda: path.Commands,
+        "its text": path.toGCode,
+        "another path": lambda: change(operations[0]),
+        "a picture of the 3D view": Gui.updateGui,
+    }
+    for name, call in freecads_own.items():
+        say(f"FreeCAD alone: {name}", min(alone(call) for _ in range(ROUNDS)))
+    other = FreeCAD.newDocument("Other")
+    FreeCAD.setActiveDocument(document.Name)
+
+    def activate(which):
+        FreeCAD.setActiveDocument(which.Name)
+
+    def analyze():
+        Gui.Selection.clearSelection()
+        Gui.runCommand("Vk_Analyze")
+
+    def strategies(checked):
+        activate(document)
+        Gui.runCommand("Vk_Strategies", checked)
+
+    def is_marked():
+        return is_idle() and all(map(marks.is_marked, operations))
+
+    def select():
+        Gui.Selection.clearSelection()
+        Gui.Selection.addSelection(operations[0])
+
+    # What is done before, what is measured, and when it is over.
+    done = {
+        "a changed path is recomputed, no marks": (
+            lambda: change(operations[0]), document.recompute, lambda: True),
+        "Analyze toolpaths": (KNOWN.forget, analyze, is_marked),
+        "Analyze toolpaths, nothing changed": (lambda: None, analyze, is_marked),
+        "a changed path is recomputed, marked": (
+            lambda: change(operations[0]), document.recompute, lambda: is_idle() and marks.is_outdated(operations[0])),
+        "switching to the marked document": (lambda: activate(other), lambda: activate(document), is_idle),
+        "Show strategies": (lambda: strategies(0), lambda: strategies(1), lambda: not strategy_view.is_drawing()),
+        "a changed path, strategies shown": (
+            lambda: change(operations[0]), document.recompute, lambda: is_idle() and not strategy_view.is_drawing()),
+        "Gauss map": (hide_gauss_map, lambda: (gauss_map_command.show(), select()), gauss_map_is_there),
+    }  # fmt: skip
+    for name, (before, do, is_over) in done.items():
+        pauses = []
+        for _ in range(ROUNDS):
+            before()
+            pauses.append(EVENTS.during(do, is_over))
+        say(name, min(pauses))
+    strategies(0)
+    saved = str(Path(tempfile.mkdtemp()) / "long.FCStd")
+    document.saveAs(saved)
+    FreeCAD.closeDocument(document.Name)
+    rest()
+    say("FreeCAD opens the file", EVENTS.during(lambda: FreeCAD.openDocument(saved), is_idle))
+    for name in list(FreeCAD.listDocuments()):
+        FreeCAD.closeDocument(name)
+
+
+def made(count: int):
+    """A document of a job with operations of rows over a wavy surface, no two of them alike."""
+    document = FreeCAD.newDocument("Long")
+    block = document.addObject("Part::Box", "Block")
+    block.Length, block.Width, block.Height = 100, 100, 20
+    document.recompute()
+    job = cam("Main.Job").Create("Job", [block])
+    operations = []
+    for number in range(count):
+        op = document.addObject("Path::FeaturePython", f"Rows{number + 1}")
+        op.addProperty("App::PropertyLink", "ToolController", "Path").ToolController = job.Tools.Group[0]
+        op.Path = rows(COMMANDS // count, number)
+        operations.append(op)
+    job.Operations.Group = operations
+    document.recompute()
+    return document, operations
+
+
+def rows(commands: int, number: int):
+    lines = ["G0 Z30", "G0 X0 Y0", "G1 Z18 F10"]
+    for i in range(commands - 4):
+        row, step = divmod(i, 500)
+        x = 0.2 * (step if row % 2 == 0 else 499 - step)
+        lines.append(f"G1 X{x:.3f} Y{90 * 500 * row / commands + 0.1 * math.sin(x):.4f}")
+    return Cam.Path("\n".join([*lines, f"G1 X{10 + number}"]))
+
+
+changes = 0
+
+
+def change(op) -> None:
+    """Give an operation another path, by a last command that it did not have."""
+    global changes
+    changes += 1
+    path = op.Path
+    path.addCommands(Cam.Command(f"G1 X{changes / 1000}"))
+    op.Path = path
+
+
+def alone(call) -> float:
+    """Return how long something of FreeCAD's takes, s."""
+    watch = Stopwatch()
+    call()
+    return watch()
+
+
+def is_idle() -> bool:
+    return not (idle._works or idle._calls)
+
+
+def hide_gauss_map() -> None:
+    Gui.Selection.clearSelection()
+    dock = docks.find(docks.GAUSS_MAP)
+    if dock is not None:
+        dock._say_nothing()
+        dock.hide()
+
+
+def gauss_map_is_there() -> bool:
+    dock = docks.find(docks.GAUSS_MAP)
+    return dock is not None and dock.canvas.isVisible() and dock.canvas.figure is not None
+
+
+def wait(condition) -> None:
+    end = time.monotonic() + PATIENCE
+    while not condition():
+        if time.monotonic() > end:
+            raise TimeoutError(f"not over after {PATIENCE} s")
+        QtGui.QApplication.processEvents(QtCore.QEventLoop.AllEvents, 10)
+
+
+def rest(duration: float = 0.5) -> None:
+    """Let FreeCAD finish what it does."""
+    end = time.monotonic() + duration
+    wait(lambda: time.monotonic() > end)
+
+
+def say(what: str, seconds: float) -> None:
+    print(f"{what:45} {1e3 * seconds:7.0f} ms", file=OUT, flush=True)
+
+
+def run() -> None:
+    global EVENTS
+    EVENTS = Events()
+    try:
+        main()
+    except Exception:
+        traceback.print_exc(file=OUT)
+    finally:
+        OUT.flush()
+        os._exit(0)
+
+
+QtCore.QTimer.singleShot(0, run)

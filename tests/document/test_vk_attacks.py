@@ -1,0 +1,412 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Documents as no user makes them, but files and macros can: loops, strangers, damaged marks, impossible numbers."""
+
+from __future__ import annotations
+
+import json
+import math
+import sys
+from contextlib import suppress
+
+import FreeCAD
+import Part
+import Path as CAM
+import pytest
+
+import vkworkbench
+from vkworkbench import preferences
+from vkworkbench.document import marks, upkeep, watcher
+from vkworkbench.document.intent import contradicted
+from vkworkbench.document.operations import find
+
+
+def rows(what):
+    """Analyse, mark, watch and clear; return the rows by label. What was marked is as it was."""
+    document = what.Document if hasattr(what, "Document") else what
+    before = {obj.Name: (obj.Label, obj.Label2, obj.PropertiesList) for obj in document.Objects}
+    report = vkworkbench.analyze(what)
+    str(report)
+    json.dumps([row.as_dict() for row in report.operations])
+    for row in report.operations:
+        assert "please report" not in (row.error or ""), row.error
+    vkworkbench.mark(report)
+    watcher.check(document)
+    assert [obj.Label for obj in document.Objects if marks.is_outdated(obj)] == []
+    vkworkbench.clear(document)
+    assert {obj.Name: (obj.Label, obj.Label2, obj.PropertiesList) for obj in document.Objects} == before
+    return {row.label: row for row in report.operations}
+
+
+def dressed(op, bases, type_id="App::PropertyLink"):
+    op.addProperty(type_id, "Base", "Path")
+    op.Base = bases
+    return op
+
+
+# Loops and strangers.
+
+
+@pytest.mark.parametrize("length", [1, 3, 7])
+@pytest.mark.parametrize("type_id", ["App::PropertyLink", "App::PropertyLinkList", "App::PropertyLinkGlobal"])
+@pytest.mark.parametrize("arrays", [False, True])
+def test_loops_of_dress_ups(small, zigzag_commands, length, type_id, arrays):
+    ops = [small.add(f"Op {number}", zigzag_commands, controller=None) for number in range(length)]
+    for op, base in zip(ops, [*ops[1:], ops[0]]):
+        with suppress(ValueError, RuntimeError):  # some FreeCADs refuse an object's link to itself
+            dressed(op, [base] if "List" in type_id else base, type_id)
+        if arrays:
+            op.addProperty("App::PropertyInteger", "Copies").Copies = 2
+    found = rows(small.document)
+    assert set(found) == {op.Label for op in ops}
+    assert all("no tool" in row.error for row in found.values())
+    assert [contradicted(op, found[op.Label].recognition) for op in ops] == [None] * length
+
+
+def test_a_dress_up_of_a_base_that_was_deleted_and_undone(small, zigzag_commands):
+    base, top = small.add("Base", zigzag_commands), small.add("Top", zigzag_commands, controller=None)
+    dressed(top, base)
+    small.document.openTransaction("Delete")
+    small.document.removeObject(base.Name)
+    small.document.commitTransaction()
+    assert "no tool" in rows(small.document)["Top"].error
+    for _ in range(3):  # clearing, marking, deleting
+        small.document.undo()
+    assert rows(small.document)["Top"].error is None
+
+
+def test_groups_and_jobs_within_each_other(small, zigzag_commands):
+    op = small.add("Zigzag", zigzag_commands)
+    group = small.document.addObject("App::DocumentObjectGroup", "Folder")
+    small.job.Operations.Group = [group]
+    group.Group = [op, small.job]  # the job within its own operations
+    for what in (small.document, small.job, small.job.Operations):
+        assert [o.object.Name for o in find(what)] == [op.Name]
+    assert rows(small.document)["Zigzag"].strategy == "zigzag"
+
+
+def test_a_job_whose_operations_are_itself(small, zigzag_commands):
+    op = small.add("Zigzag", zigzag_commands)
+    with suppress(ValueError, RuntimeError):
+        small.job.Operations = small.job
+    assert rows(small.document)["Zigzag"].strategy == "zigzag"
+    assert marks.read(op) is None
+
+
+@pytest.mark.parametrize("container", ["App::Part", "App::DocumentObjectGroup", "App::LinkGroup", "PartDesign::Body"])
+def test_operations_in_containers(small, zigzag_commands, container):
+    op = small.add("Zigzag", zigzag_commands)
+    holder = small.document.addObject(container, "Holder")
+    small.document.recompute()
+    with suppress(TypeError, ValueError, RuntimeError):  # a body takes no toolpath
+        if container == "App::LinkGroup":
+            holder.ElementList = [op, small.job]
+        else:
+            holder.addObject(op)
+            holder.addObject(small.job)
+    found = rows(small.document)
+    assert list(found) == ["Zigzag"] and found["Zigzag"].strategy == "zigzag"
+
+
+def test_links_to_operations_and_jobs(small, zigzag_commands):
+    """A link is not the object: it is passed over, in the same document and from another one."""
+    op = small.add("Zigzag", zigzag_commands)
+    other = FreeCAD.newDocument("Linking")
+    try:
+        for document, target in ((small.document, op), (small.document, small.job), (other, op), (other, small.job)):
+            with suppress(RuntimeError, ValueError):  # FreeCAD links only to documents with a file
+                document.addObject("App::Link", "Link").LinkedObject = target
+        assert list(rows(small.document)) == ["Zigzag"]
+        assert rows(other) == {}
+        link = next(obj for obj in small.document.Objects if obj.TypeId == "App::Link")
+        with suppress(TypeError):
+            assert [o.object.Name for o in find(link)] in ([], [op.Name])
+    finally:
+        FreeCAD.closeDocument(other.Name)
+
+
+def test_a_document_with_links_opened_only_in_part(small, zigzag_commands, tmp_path):
+    """FreeCAD loads of a linked file only what is needed: objects there may have no path yet."""
+    op = small.add("Zigzag", zigzag_commands)
+    vkworkbench.mark(vkworkbench.analyze(small.document))
+    first, second = str(tmp_path / "first.FCStd"), str(tmp_path / "second.FCStd")
+    small.document.saveAs(first)
+    other = FreeCAD.newDocument("Linking")
+    other.saveAs(second)
+    other.addObject("App::Link", "Link").LinkedObject = op
+    other.save()
+    for name in (other.Name, small.document.Name):
+        FreeCAD.closeDocument(name)
+    opened = FreeCAD.openDocument(second)
+    try:
+        for document in list(FreeCAD.listDocuments().values()):
+            vkworkbench.mark(vkworkbench.analyze(document))
+            watcher.check(document)
+            assert [obj.Label for obj in document.Objects if marks.is_outdated(obj)] == []
+            vkworkbench.clear(document)
+        assert rows(opened) == {}
+    finally:
+        for name in list(FreeCAD.listDocuments()):
+            FreeCAD.closeDocument(name)
+
+
+def test_a_job_deleted_during_the_analysis(small, zigzag_commands):
+    """Its operations may stay; what was found of them is told without a job."""
+    names = [small.add(label, zigzag_commands).Name for label in ("One", "Two", "Three")]
+
+    def delete(done, *_):
+        if done == 1:
+            small.job.Operations.Group = []
+            small.job.Proxy = None  # which would delete the operations
+            small.document.removeObject(small.job.Name)
+
+    report = vkworkbench.analyze(small.document, progress=delete)
+    assert [row.label for row in report.operations if row.job] == ["One"]
+    without = [row for row in report.operations if not row.job]
+    assert {row.name for row in without} <= set(names) and all("no stock" in row.error for row in without)
+    str(report)
+    vkworkbench.mark(report)
+
+
+def test_a_job_without_anything(small):
+    """No tools, no operations, no stock, no model."""
+    for name in ("Tools", "Stock", "Model", "Operations"):
+        with suppress(ValueError, RuntimeError):
+            setattr(small.job, name, None)
+    assert rows(small.document) == {}
+    assert rows(small.job) == {} and vkworkbench.mark(vkworkbench.analyze(small.job)) == 0
+
+
+# Paths.
+
+ODD = [float("nan"), float("inf"), -float("inf"), 1e300, -1e300, 1e-300]
+PATHS = {
+    "none": [], "one rapid": [("G0", {"X": 1.0})], "one cut": [("G1", {"X": 1.0, "F": 1.0})],
+    "two points": [("G0", {"Z": 15.0}), ("G1", {"X": 30.0, "F": 1.0})], "only comments": [("(a comment)", {}), ("(b)", {})],
+    "a comment of 10,000 letters": [(f"({'x' * 10_000})", {}), ("G1", {"X": 5.0})],
+    "marks in a comment": [("(⟦zigzag 98%⟧ <b>\u202e)", {}), ("G1", {"X": 5.0})],
+    "no name": [("", {"X": 1.0})], "the same point": [("G1", {"X": 1.0, "Y": 1.0, "Z": 1.0})] * 50,
+    "unknown": [("T1", {}), ("M6", {}), ("O1000", {}), ("%", {}), ("G999.9", {"X": 1.0})],
+    "arcs without a centre": [("G1", {"X": 5.0}), ("G2", {"X": 1.0}), ("G3", {"I": 0.0, "J": 0.0})],
+    "a drill without depth": [("G81", {"X": 1.0, "R": 3.0}), ("G80", {})],
+    **{f"{value} in {word}": [("G0", {"Z": 30.0}), ("G1", {"X": 5.0, "F": 5.0}), ("G1", {word: value}), ("G1", {"X": 9.0})]
+       for value in ODD for word in "XZF"},
+    **{f"an arc of {value}": [("G0", {"Z": 9.0}), ("G2", {"X": 5.0, "I": value, "J": 1.0})] for value in ODD},
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", PATHS)
+def test_paths(small, zigzag_commands, name):
+    op = small.add("Odd", [])
+    with suppress(TypeError, ValueError):  # FreeCAD's own refusal
+        op.Path = CAM.Path([CAM.Command(*command) for command in PATHS[name]])
+    small.add("Sound", zigzag_commands)
+    found = rows(small.document)
+    assert found["Sound"].strategy == "zigzag" and found["Sound"].error is None
+    row = found["Odd"]
+    assert row.trajectories >= 0 and math.isfinite(row.length)
+    assert row.machining_seconds is None or math.isfinite(row.machining_seconds)
+
+
+@pytest.mark.parametrize("placement", [(float("nan"), 0, 0), (1e300, 0, 0), (0, 0, float("inf")), (1e9, 1e9, 1e9)])
+def test_placements(small, zigzag_commands, placement):
+    op = small.add("Odd", zigzag_commands)
+    op.Placement.Base = FreeCAD.Vector(*placement)
+    small.add("Sound", zigzag_commands)
+    small.document.recompute()
+    found = rows(small.document)
+    assert found["Sound"].error is None and "within a kilometre" in found["Odd"].error
+
+
+def test_too_many_moves_are_said(small, zigzag_commands, monkeypatch):
+    monkeypatch.setattr(sys.modules["vkworkbench.core.gcode.linearize"], "MOST_TRAJECTORIES", 100)
+    small.add(
+        "Arcs", [("G0", {"X": 0.0, "Y": 0.0, "Z": 9.0}), ("G2", {"X": 0.0, "Y": 0.0, "I": 50.0, "J": 0.0, "Z": 0.0})]
+    )
+    small.add("Sound", zigzag_commands)
+    found = rows(small.document)
+    assert "use a larger tolerance" in found["Arcs"].error and found["Sound"].error is None
+
+
+@pytest.mark.parametrize("diameter", [1e300, 1e-300, 1e6, -5, float("nan"), float("inf")])
+def test_tools_seen_from_everywhere(small, zigzag_commands, diameter):
+    small.add("Odd", zigzag_commands)
+    tool = small.document.addObject("App::FeaturePython", "Tool")
+    tool.addProperty("App::PropertyFloat", "Diameter").Diameter = diameter
+    small.controller.Tool = tool
+    group = FreeCAD.ParamGet(preferences.GROUP)
+    try:
+        for view in ("Front", "Top", "Isometric", "Right", "Bottom"):
+            group.SetString(preferences.entry("view_direction"), view)
+            row = rows(small.document)["Odd"]
+            assert row.error or row.cost("z-buffer")[0] > 0
+    finally:
+        group.Clear()
+
+
+@pytest.mark.parametrize("view", ["Front", "Isometric", "Top"])
+@pytest.mark.parametrize("above", [-0.001, 1.0])
+def test_a_tool_much_wider_than_the_stock(small, zigzag_commands, view, above):
+    """However little of a tiny stock is seen to be cut: its tool is too wide, and only what passes above does not touch."""
+    small.add("Wide", zigzag_commands)
+    small.controller.Tool.Diameter = 1e6
+    stock = small.document.addObject("Part::Box", "Tiny")
+    stock.Length = stock.Width = 0.01
+    stock.Placement.Base = FreeCAD.Vector(30, 20, 15 - above - stock.Height.Value)
+    small.document.recompute()
+    small.job.Stock = stock
+    group = FreeCAD.ParamGet(preferences.GROUP)
+    try:
+        group.SetString(preferences.entry("view_direction"), view)
+        error = rows(small.document)["Wide"].error
+    finally:
+        group.Clear()
+    assert ("does not touch the stock" in error) is (above > 0)
+    assert ("tool is wider than the stock" in error) is (above < 0)
+
+
+@pytest.mark.parametrize("make", [
+    lambda: Part.makeBox(1e-5, 1e-5, 1e-5), lambda: Part.makeBox(1e5, 1e-3, 1e-3), lambda: Part.makeBox(1e7, 1e7, 1e7),
+    lambda: Part.makeCompound([]), lambda: Part.makeCompound([Part.makeBox(60, 40, 20), Part.makeLine((0, 0, 0), (99, 0, 0))]),
+    lambda: Part.makeBox(60, 40, 20).reversed(), lambda: Part.makeHelix(1, 9, 9), lambda: Part.Vertex(1, 2, 3),
+], ids=["tiny", "needle", "huge", "empty", "with a wire", "inside out", "helix", "vertex"])  # fmt: skip
+def test_stocks(small, zigzag_commands, make):
+    small.add("Zigzag", zigzag_commands)
+    stock = small.document.addObject("Part::Feature", "Odd")
+    stock.Shape = make()
+    small.job.Stock = stock
+    assert rows(small.document)["Zigzag"].strategy == "zigzag"
+
+
+# Texts.
+
+TEXTS = ["<script>alert(1)</script>", "\x01\x02\x1b[31m", "\u202eabc\u2066def\u2069", "x" * 10_000, "a\0b", "{}{0}%n",
+         "⟦⟧", "⟦1 operation⟧⟦zigzag⟧", "\u0085\u2028\u2029", "‮⁦⁧", "=HYPERLINK(1)", " \t\n ", "ﷺ" * 200, "Ｚｉｇｚａｇ"]  # fmt: skip
+
+
+@pytest.mark.parametrize("text", TEXTS, ids=range(len(TEXTS)))
+def test_labels_of_jobs_tools_and_stocks(small, zigzag_commands, text, tmp_path):
+    small.add("Zigzag", zigzag_commands)
+    sound = rows(small.document)["Zigzag"]
+    for obj in (small.job, small.controller, small.controller.Tool, small.job.Stock, small.job.Operations):
+        with suppress(UnicodeEncodeError, ValueError, TypeError):
+            obj.Label = text
+            obj.Label2 = text
+    report = vkworkbench.analyze(small.document)
+    report.to_csv(tmp_path / "r.csv")
+    report.to_json(tmp_path / "r.json")
+    row = rows(small.document)["Zigzag"]
+    assert (row.strategy, row.error, row.fingerprint) == (sound.strategy, None, sound.fingerprint)
+    small.controller.Tool = None
+    assert "no tool" in rows(small.document)["Zigzag"].error
+
+
+def test_equal_labels(small, zigzag_commands):
+    """FreeCAD may be told to allow them."""
+    group = FreeCAD.ParamGet("User parameter:BaseApp/Preferences/Document")
+    group.SetBool("DuplicateLabels", True)
+    try:
+        ops = [small.add("Same", zigzag_commands) for _ in range(3)]
+        assert {op.Label for op in ops} == {"Same"}
+        small.job.Label = "Same"
+        report = vkworkbench.analyze(small.document)
+        assert [row.label for row in report.operations] == ["Same"] * 3 and len(
+            {r.name for r in report.operations}
+        ) == 3
+        assert vkworkbench.mark(report) == 3 and all(op.Label2 for op in ops)
+        assert report.totals[0].operations == 3
+        str(report)
+    finally:
+        group.RemBool("DuplicateLabels")
+
+
+# Marks.
+
+DAMAGES = [
+    "", "null", "[]", "{}", '"x"', "1e999", "[" * 5000, '{"format": 99}', '{"text": [], "own": {}, "shown": 5}',
+    '{"text": "x", "own": [[]], "shown": [null, {}, "Strategy"]}', "\x00", "NaN",
+]  # fmt: skip
+
+
+@pytest.mark.parametrize("damage", DAMAGES, ids=range(len(DAMAGES)))
+@pytest.mark.parametrize("of", ["operation", "job"])
+def test_marks_with_another_text(small, zigzag_commands, damage, of):
+    op = small.add("Zigzag", zigzag_commands)
+    op.Label2 = "own ⟦words⟧"
+    vkworkbench.mark(vkworkbench.analyze(small.document))
+    whole = op.Label2
+    obj = op if of == "operation" else small.job
+    with suppress(ValueError):
+        obj.ToolpathMark = damage
+    watcher.check(small.document)
+    vkworkbench.mark(vkworkbench.analyze(small.document))
+    assert op.Label2 == whole
+    with suppress(ValueError):
+        obj.ToolpathMark = damage
+    vkworkbench.clear(small.document)
+    assert op.Label2 == "own ⟦words⟧" and small.job.Label2 == ""
+    assert not any(marks.is_marked(one) for one in small.document.Objects)
+
+
+@pytest.mark.parametrize("name, value", [
+    ("operations", 1e300), ("operations", -1), ("confidence", "NaN"), ("confidence", 1e308), ("length", {}), ("costs", []),
+    ("costs", {"legacy": None}), ("costs", {"z-buffer": {"seconds": 1e300, "memory_bytes": "x"}}), ("strategy", 5),
+    ("reason", "x"), ("reason", [{"code": "nowhere"}]), ("remarks", [[["x"]]]), ("cautions", [{"code": 1}]), ("fingerprint", None),
+    ("remarks", [{"code": "verbatim", "arguments": {"text": "\ud83d"}}]), ("text", "\udc00"), ("own", ["\udc00"]),
+    ("outdated", "no"), ("called", {"a": 1}), ("trajectories", True), ("machining", "1"), ("text", 5), ("own", 7),
+])  # fmt: skip
+def test_marks_with_another_entry(small, zigzag_commands, name, value):
+    """What cannot be read is made anew by marking, and gone after clearing."""
+    op = small.add("Zigzag", zigzag_commands)
+    vkworkbench.mark(vkworkbench.analyze(small.document))
+    whole = op.Label2, small.job.Label2
+    for obj in (op, small.job):
+        data = json.loads(obj.ToolpathMark)
+        data[name] = value
+        obj.ToolpathMark = json.dumps(data)
+    watcher.check(small.document)
+    op.Path = CAM.Path(op.Path.Commands[:-1])
+    small.document.recompute()
+    upkeep.follow_preferences()
+    op.Path = CAM.Path([CAM.Command(*command) for command in zigzag_commands])
+    vkworkbench.mark(vkworkbench.analyze(small.document))
+    assert (op.Label2, small.job.Label2) == whole
+    vkworkbench.clear(small.document)
+    assert (op.Label2, small.job.Label2) == ("", "")
+
+
+RETYPED = ["App::PropertyLinkSub", "App::PropertyEnumeration", "App::PropertyColor", "App::PropertyMaterialList", "App::PropertyFile",
+           "App::PropertyUUID", "App::PropertyBoolList", "App::PropertyPlacement", "App::PropertyFloatConstraint"]  # fmt: skip
+
+
+@pytest.mark.parametrize("type_id", RETYPED)
+def test_marks_of_other_types(small, zigzag_commands, type_id):
+    op = small.add("Zigzag", zigzag_commands)
+    vkworkbench.mark(vkworkbench.analyze(small.document))
+    for name in ("ToolpathMark", "Strategy", "Confidence", "MachiningTime", "SimulationTime", "Remarks"):
+        for obj in (op, small.job):
+            if hasattr(obj, name):
+                obj.removeProperty(name)
+            with suppress(TypeError, RuntimeError, NameError, ValueError):
+                obj.addProperty(type_id, name, "Toolpath analysis")
+                obj.setPropertyStatus(name, ["LockDynamic", "Immutable"])
+    watcher.check(small.document)
+    vkworkbench.mark(vkworkbench.analyze(small.document))
+    assert op.Strategy == "zigzag" and op.Label2.startswith("⟦zigzag ")
+    watcher.check(small.document)
+    vkworkbench.clear(small.document)
+    assert op.Label2 == "" and not marks.is_marked(op)
+
+
+def test_expressions_on_marks(small, zigzag_commands):
+    """What a mark shows may be read by an expression, and driven by one: read it may be, driven it is made anew."""
+    op = small.add("Zigzag", zigzag_commands)
+    vkworkbench.mark(vkworkbench.analyze(small.document))
+    block = small.document.getObject("Block")
+    block.setExpression("Length", f"60 + 0 * {op.Name}.CuttingLength")
+    small.document.recompute()
+    op.setExpression("CuttingLength", "5 mm")
+    small.document.recompute()
+    vkworkbench.mark(vkworkbench.analyze(small.document))
+    assert op.CuttingLength.Value > 100 and block.Length.Value == 60
+    vkworkbench.clear(small.document)
+    assert not marks.is_marked(op)
