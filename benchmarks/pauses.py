@@ -11,6 +11,7 @@ nothing else to do, the best of three rounds: a pause that is the add-on's comes
 
 from __future__ import annotations
 
+import itertools
 import math
 import os
 import sys
@@ -175,15 +176,13 @@ def rows(commands: int, number: int):
     return Cam.Path("\n".join([*lines, f"G1 X{10 + number}"]))
 
 
-changes = 0
+CHANGES = itertools.count(1)
 
 
 def change(op) -> None:
     """Give an operation another path, by a last command that it did not have."""
-    global changes
-    changes += 1
     path = op.Path
-    path.addCommands(Cam.Command(f"G1 X{changes / 1000}"))
+    path.addCommands(Cam.Command(f"G1 X{next(CHANGES) / 1000}"))
     op.Path = path
 
 
@@ -192,6 +191,9 @@ def alone(call) -> float:
     watch = Stopwatch()
     call()
     return watch()
+
+
+EVENTS = Events()
 
 
 def is_idle() -> bool:
@@ -230,8 +232,6 @@ def say(what: str, seconds: float) -> None:
 
 
 def run() -> None:
-    global EVENTS
-    EVENTS = Events()
     try:
         main()
     except Exception:

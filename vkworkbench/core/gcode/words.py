@@ -107,7 +107,7 @@ class Words:
         return (values, unusable) if rows is None else (values[rows], unusable[rows])
 
 
-def used_up(commands: list) -> Iterator[Any]:
+def used_up(commands: list[Any]) -> Iterator[Any]:
     """Yield the commands of a list, which is empty then: FreeCAD's keep a copy of their parameters once they were asked."""
     commands.reverse()
     while commands:

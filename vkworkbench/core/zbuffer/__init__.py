@@ -42,11 +42,11 @@ from vkworkbench.core.zbuffer.simulate import simulate, simulate_job
 from vkworkbench.core.zbuffer.speed import fit_speed, measure_speed
 
 __all__ = [
-    "DEXEL", "FACT_COLUMNS", "RECORD_BYTES", "TRACE", "Crash", "Cut", "CutFacts", "Cuts", "Deviation", "Deviations",
-    "Estimate", "JobEstimate", "JobFacts", "OverBudget", "Plunge", "Resolution", "SeenModel", "Source", "Speed", "ZBuffer", "air_share",
-    "best_resolution", "cauchy_crofton", "check_budget", "closed_form", "crashes", "cuts_air", "cuts_surely",
-    "deviations", "engagement", "estimate", "estimate_job", "facts", "fast_plunges", "fit_speed", "gouges", "heaviest",
-    "material_left", "measure_speed", "memory_needed", "may_cut", "most_bytes", "passes_apart", "removal_over_time",
-    "removal_rates", "removed_volumes", "simulate", "simulate_job", "swept", "trajectory_table", "work",
-    "worst_places",
+    "DEXEL", "FACT_COLUMNS", "RECORD_BYTES", "TRACE", "Crash", "Cut", "CutFacts", "Cuts", "Deviation",
+    "Deviations", "Estimate", "JobEstimate", "JobFacts", "OverBudget", "Plunge", "Resolution", "SeenModel",
+    "Source", "Speed", "ZBuffer", "air_share", "best_resolution", "cauchy_crofton", "check_budget",
+    "closed_form", "crashes", "cuts_air", "cuts_surely", "deviations", "engagement", "estimate", "estimate_job",
+    "facts", "fast_plunges", "fit_speed", "gouges", "heaviest", "material_left", "may_cut", "measure_speed",
+    "memory_needed", "most_bytes", "passes_apart", "removal_over_time", "removal_rates", "removed_volumes",
+    "simulate", "simulate_job", "swept", "trajectory_table", "work", "worst_places",
 ]  # fmt: skip

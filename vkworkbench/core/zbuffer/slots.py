@@ -156,16 +156,18 @@ class _Walls:
 
     def touched(self, sign: int) -> np.ndarray:
         """Place of the tool when the ray comes in (-1) through a wall of the move without ends, or goes out (1)."""
-        touched: np.ndarray = (self.x + sign * self.reach) / np.where(self.along, 1.0, self.ux)
+        touched = (self.x + sign * self.reach) / np.where(self.along, 1.0, self.ux)
         return np.where(self.along, np.where(sign * self.uy > 0, _ENDLESS, -_ENDLESS), touched)
 
     def at(self, t: np.ndarray, sign: int) -> np.ndarray:
         """How far along itself from the start of the move the ray passes the wall of the tool standing at `t`, mm."""
         aside = self.x - t * self.ux  # beside the tool the result is not a number
-        return t * self.uy + sign * np.sqrt(self.radius**2 - aside * aside)
+        along: np.ndarray = t * self.uy + sign * np.sqrt(self.radius**2 - aside * aside)
+        return along
 
     def height(
         self, t: np.ndarray, sign: int, y: np.ndarray, z: np.ndarray, rise: np.ndarray, slope: float
     ) -> np.ndarray:
         """Height above the tool's tip at which a ray of (y, z) does so, that falls by `slope` mm per mm."""
-        return z - (self.at(t, sign) - y) * slope - t * rise
+        height: np.ndarray = z - (self.at(t, sign) - y) * slope - t * rise
+        return height

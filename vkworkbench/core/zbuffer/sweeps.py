@@ -159,7 +159,8 @@ def intervals(
         if abs(cosine) > FROM_THE_SIDE:
             return sloped_slot(tool.radius, (x, y, z), move, sine, cosine)
     everything = np.array(np.broadcast_arrays(x, y, z, *move))
-    near, far = _general(tool, *everything.reshape(2, 3, -1), sine, cosine)
+    offsets, moves = everything.reshape(2, 3, -1)
+    near, far = _general(tool, offsets, moves, sine, cosine)
     return near.reshape(everything.shape[1:]), far.reshape(everything.shape[1:])
 
 

@@ -20,7 +20,8 @@ from vkworkbench.core.solids import Frame, Tool
 from vkworkbench.core.stocks import Solid
 from vkworkbench.core.zbuffer.culling import NOISE, QUARTERS, Removals, Tiles
 from vkworkbench.core.zbuffer.dexels import THINNEST, before_in_group
-from vkworkbench.core.zbuffer.sweeps import ROUNDING, intervals
+from vkworkbench.core.zbuffer.slots import ROUNDING
+from vkworkbench.core.zbuffer.sweeps import intervals
 from vkworkbench.core.zbuffer.trajectories import Trajectories
 
 # Views less steep than this cosine are compared across the view.
