@@ -17,7 +17,7 @@ _STYLES = {
     "MayaGesture": ((_LEFT, _ALT, TURN), (_MIDDLE, _ALT, PAN)),
     "Blender": ((_MIDDLE, _NONE, TURN), (_MIDDLE, _SHIFT, PAN)),
     "SolidWorks": ((_MIDDLE, _NONE, TURN), (_MIDDLE, _CTRL, PAN)),
-    "Siemens NX": ((_MIDDLE, _NONE, TURN), (_MIDDLE | _RIGHT, _NONE, PAN), (_MIDDLE, _SHIFT, PAN)),
+    "SiemensNX": ((_MIDDLE, _NONE, TURN), (_MIDDLE | _RIGHT, _NONE, PAN), (_MIDDLE, _SHIFT, PAN)),
     "Revit": ((_MIDDLE, _NONE, PAN), (_MIDDLE, _SHIFT, TURN)),
     "Inventor": ((_MIDDLE, _NONE, PAN),),
     "OpenCascade": ((_MIDDLE, _CTRL, PAN), (_RIGHT, _CTRL, TURN)),

@@ -1,0 +1,282 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The simulation's tab in what users do and documents are: closed at any time, odd jobs, every navigation style."""
+
+from __future__ import annotations
+
+import sys
+import threading
+
+import FreeCAD
+import FreeCADGui as Gui
+import numpy as np
+import pytest
+from PySide import QtCore, QtGui
+from simulation_window import COMMAND, drag, finest, shown, tabs, working
+
+from vkworkbench.gui.simulation import navigation
+
+MIDDLE, LEFT, RIGHT = QtCore.Qt.MiddleButton, QtCore.Qt.LeftButton, QtCore.Qt.RightButton
+
+
+@pytest.fixture(autouse=True)
+def nothing_swallowed(monkeypatch):
+    """FreeCAD swallows exceptions of what Qt calls: none may happen."""
+    errors = []
+    monkeypatch.setattr(sys, "excepthook", lambda *error: errors.append(error))
+    monkeypatch.setattr(threading, "excepthook", errors.append)
+    yield
+    assert errors == []
+
+
+def close(tab, window):
+    window.press(tab, QtCore.Qt.Key_Escape)
+    window.wait(lambda: not tabs(window) and "_run" not in working(), 90)
+
+
+PHASES = {
+    "opened": lambda tab: True,
+    "read": lambda tab: tab.reading.seen is not None or tab.player is not None,
+    "shown": lambda tab: tab.player is not None,
+    "coarse": lambda tab: tab.player is not None and tab.player.simulation is not None,
+    "told": lambda tab: tab.player is not None and tab.player.drawing.told is not None,
+}
+
+
+@pytest.mark.parametrize("phase", PHASES)
+@pytest.mark.parametrize("how", ["key", "document"])
+def test_it_is_closed_in_every_phase(example_path, window, small, monkeypatch, phase, how):
+    monkeypatch.setattr("vkworkbench.gui.simulation.reading._SOON", 0.0)
+    document = FreeCAD.openDocument(str(example_path))
+    window.activate("VkWorkbench")
+    window.click(COMMAND)
+    window.wait(lambda: tabs(window))
+    (tab,) = tabs(window)
+    window.wait(lambda: PHASES[phase](tab), 60)
+    if how == "key":
+        window.press(tab, QtCore.Qt.Key_Escape)
+    else:
+        FreeCAD.closeDocument(document.Name)
+    window.wait(lambda: not tabs(window) and "_run" not in working(), 90)
+    window.idle(0.3)
+    if how == "key":
+        FreeCAD.closeDocument(document.Name)
+    window.idle()
+
+
+@pytest.mark.parametrize("moment", ["before", "during", "after"])
+def test_an_operation_is_deleted_or_changed_while_it_is_open(opened, window, small, moment):
+    window.click(COMMAND)
+    window.wait(lambda: tabs(window))
+    (tab,) = tabs(window)
+    if moment != "before":
+        window.wait(lambda: tab.player is not None and tab.player.simulation is not None, 60)
+    if moment == "after":
+        shown(tab, window)
+    opened.removeObject(opened.Job.Operations.Group[0].Name)
+    window.wait(tab.again.isVisible)
+    player = tab.player
+    if player is not None:  # goes on with what it read
+        finest(player, window)
+        player.moment.go_to(0.2 * player.clock.total)
+        window.wait(lambda: not player._stale)
+        player.ask(0)  # of the operation that is gone
+        window.idle(0.2)
+        player.look("Top")
+        player.look(None)
+        window.idle(0.3)
+    close(tab, window)
+
+
+@pytest.mark.parametrize("style", sorted(navigation._STYLES))
+def test_every_navigation_style_turns_and_moves(opened, window, small, style):
+    group = FreeCAD.ParamGet("User parameter:BaseApp/Preferences/View")
+    before = group.GetString("NavigationStyle")
+    group.SetString("NavigationStyle", f"Gui::{style}NavigationStyle")
+    try:
+        buttons = {what: b for b, m, what in navigation._STYLES[style] if m == QtCore.Qt.NoModifier}
+        none = QtCore.Qt.NoModifier
+        assert navigation.action(LEFT, none) == navigation.TURN
+        for b, m, what in navigation._STYLES[style]:
+            assert navigation.action(b, m) == what
+        window.click(COMMAND)
+        window.wait(lambda: tabs(window))
+        (tab,) = tabs(window)
+        window.wait(lambda: tab.player is not None and tab.player.simulation is not None, 60)
+        view, middle = tab.player.view, tab.player.view.rect().center()
+        for what, button in buttons.items():
+            looked = view.view
+            if button in (LEFT, MIDDLE, RIGHT):
+                drag(window, view, middle, middle + QtCore.QPoint(60, 20), button)
+                now = view.view
+                assert (now.offset != looked.offset) == (what == navigation.PAN)
+                assert np.allclose(now.direction, looked.direction) == (what == navigation.PAN)
+        close(tab, window)
+    finally:
+        group.SetString("NavigationStyle", before) if before else group.RemString("NavigationStyle")
+
+
+def lone(opened, commands, controller=1):
+    """The job with one operation of these commands."""
+    import Path
+
+    job = opened.Job
+    for name in [obj.Name for obj in opened.Objects if hasattr(obj, "Path") and hasattr(obj, "ToolController")]:
+        opened.removeObject(name)  # operations beside a job are simulated where the job has none
+    op = opened.addObject("Path::FeaturePython", "Odd")
+    op.addProperty("App::PropertyLink", "ToolController", "Path")
+    if controller is not None:
+        op.ToolController = job.Tools.Group[controller]
+    op.addProperty("App::PropertyBool", "Active", "Path").Active = True
+    op.Path = Path.Path([Path.Command(line) for line in commands])
+    job.Operations.Group = [op]
+    Gui.Selection.clearSelection()
+    return op
+
+
+SLOT = ["G0 Z30", "G0 X40 Y50", "G1 Z15 F100", "G1 X60 F300", "G0 Z30"]
+
+
+def empty(opened):
+    lone(opened, [])
+
+
+def only_comments(opened):
+    lone(opened, ["(nothing)", "M3 S1000"])
+
+
+def no_tool(opened):
+    lone(opened, SLOT, None)
+
+
+def no_stock(opened):
+    lone(opened, SLOT)
+    opened.Job.Stock = None
+
+
+@pytest.mark.parametrize("odd", [empty, only_comments, no_tool, no_stock])
+def test_what_cannot_be_simulated_is_said(opened, window, odd):
+    odd(opened)
+    window.click(COMMAND)
+    window.wait(window.boxes)
+    (text,) = window.dismiss()
+    assert len(text) > 20 and "Error" not in text and not tabs(window)
+
+
+def no_model(opened):
+    lone(opened, SLOT)
+    opened.Job.Model.Group = []
+
+
+def one_move(opened):
+    lone(opened, ["G1 X40 Y50 Z15 F100"])
+
+
+def no_feed(opened):
+    lone(opened, ["G0 Z30", "G0 X40 Y50", "G1 Z15", "G1 X60", "G0 Z30"])
+
+
+def moves_without_length(opened):
+    lone(opened, ["G1 X40 Y50 Z15 F100"] * 5)
+
+
+def far_away(opened):
+    lone(opened, ["G0 X1e6 Y1e6 Z30", "G1 Z-1e6 F100", "G1 X-1e6"])
+
+
+def huge_tool(opened):
+    op = lone(opened, SLOT)
+    op.ToolController.Tool.Diameter = 5000.0
+
+
+def tiny_tool(opened):
+    op = lone(opened, SLOT)
+    op.ToolController.Tool.Diameter = 1e-3
+
+
+def tiny_stock(opened):
+    lone(opened, SLOT)
+    import Part
+
+    stock = opened.addObject("Part::Feature", "Tiny")
+    stock.Shape = Part.makeBox(1e-3, 1e-3, 1e-3)
+    opened.Job.Stock = stock
+
+
+def flat_stock(opened):
+    lone(opened, SLOT)
+    import Part
+
+    stock = opened.addObject("Part::Feature", "Flat")
+    stock.Shape = Part.makeBox(1000, 1, 1e-2)
+    opened.Job.Stock = stock
+
+
+@pytest.mark.parametrize("odd", [no_model, one_move, no_feed, moves_without_length, far_away, huge_tool, tiny_tool, tiny_stock, flat_stock])  # fmt: skip
+def test_odd_jobs_are_shown(opened, window, small, odd):
+    odd(opened)
+    window.click(COMMAND)
+    window.wait(lambda: tabs(window) or window.boxes())
+    if not tabs(window):
+        (text,) = window.dismiss()
+        assert len(text) > 20 and "Error" not in text
+        return
+    (tab,) = tabs(window)
+    window.wait(lambda: tab.player is not None or window.boxes(), 60)
+    if tab.player is None:
+        (text,) = window.dismiss()
+        assert len(text) > 20 and "Error" not in text
+        return
+    window.wait(lambda: not tab.player.is_busy and not tab.player._stale, 120)
+    finest(tab.player, window)
+    assert "Error" not in tab.player.state.text()
+    player = tab.player
+    for index in range(player.scene_bar.colorings.count()):
+        player.scene_bar.colorings.setCurrentIndex(index)
+        window.idle(0.05)
+    finest(player, window)
+    for index in (1, 2, 0):
+        player.scene_bar.chips.setCurrentIndex(index)
+        window.idle(0.05)
+    for by in (1, 2, 3, -1, -2, -3):
+        window.click_on(player.play_bar.steps[by])
+    player.moment.play()
+    window.idle(0.2)
+    player.moment.play()
+    for key in (QtCore.Qt.Key_Home, QtCore.Qt.Key_Right, QtCore.Qt.Key_PageUp, QtCore.Qt.Key_End):
+        window.press(player.time_line, key)
+    middle = player.view.rect().center()
+    drag(window, player.view, middle, middle + QtCore.QPoint(50, 20))
+    drag(window, player.time_line, QtCore.QPoint(10, 45), QtCore.QPoint(200, 45))
+    window.click_at(player.time_line, QtCore.QPoint(100, 45))
+    window.idle(0.5)
+    finest(player, window)
+    window.screenshot(f"simulation-odd-{odd.__name__}")
+    window.click_at(player.view, middle)
+    window.idle(0.2)
+    close(tab, window)
+
+
+def test_it_is_used_by_keys_alone(opened, window, small):
+    window.main.setFocus()
+    window.click(COMMAND)
+    window.wait(lambda: tabs(window))
+    (tab,) = tabs(window)
+    player = shown(tab, window)
+    reached = set()
+    for _ in range(40):
+        focused = QtGui.QApplication.focusWidget()
+        if focused is not None:
+            reached.add(focused)
+            window.press(focused, QtCore.Qt.Key_Tab)
+        window.idle(0.01)
+    wanted = {player.time_line, player.view, player.scene_bar.colorings, player.scene_bar.chips, player.play_bar.speeds}
+    assert wanted <= reached
+    player.view.setFocus()
+    window.press(QtGui.QApplication.focusWidget(), QtCore.Qt.Key_Space)
+    window.idle(0.2)
+    assert player.moment.plays
+    window.press(QtGui.QApplication.focusWidget(), QtCore.Qt.Key_Space)
+    done = player.moment.done
+    window.press(player.view, QtCore.Qt.Key_Comma)
+    assert not player.moment.plays and player.moment.done == max(done - 1, 0)
+    close(tab, window)
