@@ -1614,6 +1614,15 @@ memory</source>
         <source>How long the {simulator} takes, as the marks show it</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>The longest that the {simulator} should take: its estimate times how far estimates are off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Simulation time
+at most</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Vk_Simulate</name>

@@ -1620,6 +1620,16 @@ Speicher</translation>
         <source>How long the {simulator} takes, as the marks show it</source>
         <translation>Wie lange es dauert: {simulator}, wie in den Markierungen</translation>
     </message>
+    <message>
+        <source>The longest that the {simulator} should take: its estimate times how far estimates are off</source>
+        <translation>So lange sollte es höchstens dauern: {simulator}; die Schätzung mal dem, wie weit Schätzungen danebenliegen</translation>
+    </message>
+    <message>
+        <source>Simulation time
+at most</source>
+        <translation>Simulationszeit
+höchstens</translation>
+    </message>
 </context>
 <context>
     <name>Vk_Simulate</name>

@@ -1620,6 +1620,16 @@ memoria</translation>
         <source>How long the {simulator} takes, as the marks show it</source>
         <translation>Cuánto tarda: {simulator}, como en las marcas</translation>
     </message>
+    <message>
+        <source>The longest that the {simulator} should take: its estimate times how far estimates are off</source>
+        <translation>Lo más que debería tardar: {simulator}; la estimación multiplicada por lo que suelen fallar las estimaciones</translation>
+    </message>
+    <message>
+        <source>Simulation time
+at most</source>
+        <translation>Tiempo de simulación
+como mucho</translation>
+    </message>
 </context>
 <context>
     <name>Vk_Simulate</name>

@@ -1620,6 +1620,16 @@ mémoire</translation>
         <source>How long the {simulator} takes, as the marks show it</source>
         <translation>Durée : {simulator}, comme dans les marques</translation>
     </message>
+    <message>
+        <source>The longest that the {simulator} should take: its estimate times how far estimates are off</source>
+        <translation>Le plus long que cela devrait durer : {simulator} ; l’estimation multipliée par l’écart habituel des estimations</translation>
+    </message>
+    <message>
+        <source>Simulation time
+at most</source>
+        <translation>Temps de simulation
+au plus</translation>
+    </message>
 </context>
 <context>
     <name>Vk_Simulate</name>

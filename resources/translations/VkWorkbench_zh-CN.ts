@@ -1620,6 +1620,16 @@ memory</source>
         <source>How long the {simulator} takes, as the marks show it</source>
         <translation>{simulator}所需时间，与标记所示一致</translation>
     </message>
+    <message>
+        <source>The longest that the {simulator} should take: its estimate times how far estimates are off</source>
+        <translation>{simulator}最长需要的时间：估计值乘以估计的偏差倍数</translation>
+    </message>
+    <message>
+        <source>Simulation time
+at most</source>
+        <translation>仿真时间
+最长</translation>
+    </message>
 </context>
 <context>
     <name>Vk_Simulate</name>

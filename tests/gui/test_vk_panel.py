@@ -128,12 +128,16 @@ def test_six_columns_at_first_and_all_others_in_a_menu(panel, opened, window):
     assert shown(panel) == FIRST
     named = [user().simulator(name) for name in ("z-buffer", "legacy", *(["OpenGL"] if OPENGL else []))]
     assert titles(panel)[6:] == [
-        "Sure", "Moves", "Length", *(f"{name} {what}" for name in named for what in ("time", "memory")),
+        "Simulation time at most", "Sure", "Moves", "Length",
+        *(f"{name} {what}" for name in named for what in ("time", "memory")),
         "Recommended image", "Recommended accuracy",
     ]  # fmt: skip
     own = user().simulator(freecad.own_simulator())
     assert column(panel, "Simulation time") == column(panel, f"{own} time")
     assert all(column(panel, "Simulation time").values())
+    costs = [o.costs[freecad.own_simulator()] for o in vkworkbench.analyze(opened).operations]
+    at_most = list(column(panel, "Simulation time at most").values())[1:]
+    assert at_most == [user().time(cost.seconds * cost.factor) for cost in costs]
     sizes = [(o.resolution.view.width, o.resolution.view.height) for o in vkworkbench.analyze(opened).operations]
     assert list(column(panel, "Recommended image").values())[1:] == [f"{width} × {height}" for width, height in sizes]
     length = next(action for action in panel.columns.actions() if action.text() == "Length")

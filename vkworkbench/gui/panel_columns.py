@@ -99,7 +99,12 @@ def columns(version: tuple[int, ...], marked: str) -> tuple[list[Column], list[C
                translate("Vk_Results", "What is wrong with the operation, or will be with its simulation"),
                lambda row: "; ".join(notice.text for notice in row.notices) or None),
     ]  # fmt: skip
+    longest = translate(
+        "Vk_Results", "The longest that the {simulator} should take: its estimate times how far estimates are off"
+    )
     others = [
+        Column("longest", translate("Vk_Results", "Simulation time\nat most"), longest.format(simulator=user().simulator(marked)),
+               partial(_longest, marked), _as("time")),
         Column("sure", translate("Vk_Results", "Sure"), translate("Vk_Results", "How sure the recognition is"),
                _confidence, _as("share")),
         Column("moves", translate("Vk_Results", "Moves"),
@@ -121,6 +126,11 @@ def _as(kind: str) -> Callable[[object], str]:
 def _seconds(simulator: str, row: Row) -> float | None:
     cost = row.found.cost(simulator)
     return cost and cost[0]
+
+
+def _longest(simulator: str, row: Row) -> float | None:
+    cost = row.found.cost(simulator)
+    return None if cost is None or _is_bound(row) else cost[0] * row.found.factor(simulator)
 
 
 def _bytes(simulator: str, row: Row) -> float | None:
