@@ -30,8 +30,8 @@ def memory(line):
     status = Path("/proc/self/status").read_text()
     return 1024 * next(int(entry.split()[1]) for entry in status.splitlines() if entry.startswith(line + ":"))
 
-trajectories, direction, width, height = {case!r}
-path, tool, view = toolpath(surface(None, trajectories)), TOOLS[2], View(direction, width, height)
+trajectories, direction, width, height, tool = {case!r}
+path, tool, view = toolpath(surface(None, trajectories)), TOOLS[tool], View(direction, width, height)
 Path("/proc/self/clear_refs").write_text("5")
 before = memory("VmRSS")
 simulate(path, tool=tool, stock=BOX, view=view)
@@ -49,8 +49,14 @@ def case(trajectories, direction, width, height):
 @pytest.mark.skipif(not Path("/proc/self/clear_refs").exists(), reason="the peak is read from Linux's /proc")
 @pytest.mark.parametrize(
     "which",
-    [(10_000, (0, 0, -1), 480, 360), (3_000, (1, 1, -1), 400, 300), (100_000, (0, 0, -1), 120, 90)],
-    ids=["records", "oblique", "trajectories"],
+    [
+        (10_000, (0, 0, -1), 480, 360, 2),
+        (3_000, (1, 1, -1), 400, 300, 2),
+        (3_000, (1, 1, -1), 400, 300, 3),
+        (3_000, (0, 1, 0), 400, 300, 2),
+        (100_000, (0, 0, -1), 120, 90, 2),
+    ],
+    ids=["records", "oblique", "oblique, bull nose", "side", "trajectories"],
 )
 def test_what_is_said_is_what_the_process_takes(which):
     script = MEASURE.format(root=str(ROOT), case=which)

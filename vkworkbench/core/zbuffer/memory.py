@@ -17,9 +17,12 @@ from vkworkbench.language import Message, Unusable
 
 # What may be taken where nobody says otherwise, bytes.
 BUDGET = 2e9
-# Measured by benchmarks/zbuffer.py. Bytes of the work on one band of the image at a time, from above and otherwise, of
-# every trajectory as the simulation holds it, and of every record of a band while the band is put together.
-_BAND_ABOVE, _BAND = 14e6, 34e6
+# Measured by benchmarks/zbuffer.py. Bytes of the work on one band of the image at a time: from above; obliquely, where
+# rays pass all tools in closed form; and otherwise. Then of every trajectory as the simulation holds it, and of every
+# record of a band while the band is put together.
+_BAND_ABOVE, _BAND_CLOSED, _BAND = 14e6, 24e6, 54e6
+# Views less steep than this cosine pass so many trajectories with each ray that the form does not matter.
+_STEEP = 0.5
 _TRAJECTORY = 400.0
 _BAND_RECORD = 13.0
 # The records grow by an eighth when they are full.
@@ -123,5 +126,12 @@ def _peak(records: float, band: float, trajectories: int, removal: Removal) -> f
     """Memory for so many records, in the fullest band so many."""
     pixels = removal.frame.width * removal.frame.height
     held = RECORD_BYTES * records * (1 + _SPARE) + PIXEL_BYTES * pixels
-    band_work = _BAND_ABOVE if removal.sine == 0 and removal.cosine > 0 else _BAND
-    return held + band_work + _BAND_RECORD * band + _TRAJECTORY * trajectories
+    return held + _band_work(removal) + _BAND_RECORD * band + _TRAJECTORY * trajectories
+
+
+def _band_work(removal: Removal) -> float:
+    """Memory of the work on one band, whatever its records."""
+    if removal.sine == 0 and removal.cosine > 0:
+        return _BAND_ABOVE
+    closed = all(t.rounding == t.radius or t.rounding == t.steepness == 0 for t in removal.tools)
+    return _BAND_CLOSED if closed and abs(removal.cosine) > _STEEP else _BAND
