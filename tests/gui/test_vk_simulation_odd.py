@@ -3,8 +3,10 @@
 
 from __future__ import annotations
 
+import gc
 import sys
 import threading
+import weakref
 
 import FreeCAD
 import FreeCADGui as Gui
@@ -61,6 +63,17 @@ def test_it_is_closed_in_every_phase(example_path, window, small, monkeypatch, p
     if how == "key":
         FreeCAD.closeDocument(document.Name)
     window.idle()
+
+
+def test_a_closed_tab_takes_no_memory_any_more(opened, window, small):
+    window.click(COMMAND)
+    window.wait(lambda: tabs(window))
+    (tab,) = tabs(window)
+    zbuffer = weakref.ref(shown(tab, window).simulation.zbuffer)
+    close(tab, window)
+    window.idle()
+    gc.collect()
+    assert zbuffer() is None
 
 
 @pytest.mark.parametrize("moment", ["before", "during", "after"])

@@ -79,7 +79,7 @@ class Background(QObject):
             self._ended(Cancelled("given up"))
 
     def _end(self) -> None:
-        self._given_up = None
+        self._given_up, self._results = None, SimpleQueue()
         self._timer.stop()
         self.over.emit()
 

@@ -55,6 +55,11 @@ class Drawing:
             if done.simulation is self.simulation and done.seen is not None:
                 self.seen = done.seen
 
+    def forget(self) -> None:
+        """Know nothing of the picture any more."""
+        self.simulation = self.told = self.seen = None
+        self._colors = palette(CUT)
+
     def color(self) -> None:
         """Colour the surfaces anew."""
         if self.simulation is None:

@@ -142,10 +142,12 @@ class Player(QWidget):
         self._work.start("", self._refining, self._take, self._ended)
 
     def end(self) -> None:
-        """Stop all work."""
+        """Stop all work, and let go of what is large: Qt and Python may keep a closed tab as long as FreeCAD runs."""
         self._timer.stop()
         self._work.give_up()
         self._recognizing.give_up()
+        self._refining = None
+        self.drawing.forget()
 
     def _tick(self) -> None:
         if self._work.works:
