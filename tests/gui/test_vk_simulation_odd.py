@@ -133,7 +133,8 @@ def lone(opened, commands, controller=1):
     import Path
 
     job = opened.Job
-    for name in [obj.Name for obj in opened.Objects if hasattr(obj, "Path") and hasattr(obj, "ToolController")]:
+    operations = [obj for obj in opened.Objects if hasattr(obj, "Path") and hasattr(obj, "ToolController")]
+    for name in [obj.Name for obj in reversed(operations)]:  # dress-ups before what they dress up
         opened.removeObject(name)  # operations beside a job are simulated where the job has none
     op = opened.addObject("Path::FeaturePython", "Odd")
     op.addProperty("App::PropertyLink", "ToolController", "Path")
@@ -210,7 +211,7 @@ def tiny_stock(opened):
     lone(opened, SLOT)
     import Part
 
-    stock = opened.addObject("Part::Feature", "Tiny")
+    stock = opened.addObject("Part::FeaturePython", "Tiny")
     stock.Shape = Part.makeBox(1e-3, 1e-3, 1e-3)
     opened.Job.Stock = stock
 
@@ -219,7 +220,7 @@ def flat_stock(opened):
     lone(opened, SLOT)
     import Part
 
-    stock = opened.addObject("Part::Feature", "Flat")
+    stock = opened.addObject("Part::FeaturePython", "Flat")
     stock.Shape = Part.makeBox(1000, 1, 1e-2)
     opened.Job.Stock = stock
 
