@@ -15,6 +15,7 @@ import pytest
 from PySide import QtCore, QtGui
 from simulation_window import COMMAND, drag, finest, shown, tabs, working
 
+from vkworkbench.document.operations import find
 from vkworkbench.gui.simulation import navigation
 
 MIDDLE, LEFT, RIGHT = QtCore.Qt.MiddleButton, QtCore.Qt.LeftButton, QtCore.Qt.RightButton
@@ -133,8 +134,7 @@ def lone(opened, commands, controller=1):
     import Path
 
     job = opened.Job
-    operations = [obj for obj in opened.Objects if hasattr(obj, "Path") and hasattr(obj, "ToolController")]
-    for name in [obj.Name for obj in reversed(operations)]:  # dress-ups before what they dress up
+    for name in [operation.object.Name for operation in find(opened)]:  # dress-ups before what they dress up
         opened.removeObject(name)  # operations beside a job are simulated where the job has none
     op = opened.addObject("Path::FeaturePython", "Odd")
     op.addProperty("App::PropertyLink", "ToolController", "Path")
