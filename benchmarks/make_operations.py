@@ -18,13 +18,13 @@ import random
 import signal
 import sys
 import time
-import traceback
 from pathlib import Path
 
 import FreeCAD
 
 HERE = Path(__file__).resolve().parent
-sys.path[:0] = [str(HERE), str(HERE.parent / "examples"), str(HERE.parent)]
+sys.path[:0] = [str(HERE), str(HERE.parent / "examples"), str(HERE.parent / "tests"), str(HERE.parent)]
+from inside_freecad import run_and_leave
 from make_example import cam, operation, tool_controller
 from shapes import HEIGHT, SHAPES
 
@@ -325,7 +325,7 @@ def has_opencamlib():
     return False
 
 
-def main():
+def main() -> int:
     signal.signal(signal.SIGALRM, give_up)
     began, counts, out = time.monotonic(), collections.Counter(), os.environ["VKWORKBENCH_OPERATIONS"]
     surfaces = has_opencamlib()
@@ -346,14 +346,7 @@ def main():
             print(f"{count:4d} {label}: {result}")
     made = sum(count for (_, result), count in counts.items() if result == "made")
     print(f"FreeCAD {VERSION}: {made} of {sum(counts.values())} operations in {time.monotonic() - began:.0f} s: {out}")
+    return 0
 
 
-status = 1
-try:
-    main()
-    status = 0
-except BaseException:
-    traceback.print_exc(file=sys.stdout)
-finally:
-    sys.stdout.flush()
-    os._exit(status)  # without FreeCAD's questions
+run_and_leave(main)

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The longest time an event waits in FreeCAD's window while 500,000 commands are worked on.
 
-    xvfb-run -a freecad $PWD/benchmarks/pauses.py
+    benchmarks/in_window.sh pauses [0.20.2|1.0.0|1.1.3]
 
 Two documents: five operations of 100,000 commands each, and one of 500,000. Printed are, for each of them, how long
 FreeCAD alone holds up the window to hand out one path, its commands and its text, and to open, to recompute and to draw the
@@ -13,21 +13,21 @@ from __future__ import annotations
 
 import itertools
 import math
-import os
 import sys
 import tempfile
 import time
-import traceback
 from pathlib import Path
 
 import FreeCAD
 import FreeCADGui as Gui
 import Path as Cam
-from PySide import QtCore, QtGui
+from PySide import QtCore
 
 ROOT = Path(__file__).resolve().parent.parent
-sys.path[:0] = [str(ROOT), str(ROOT / "examples")]
+sys.path[:0] = [str(ROOT), str(ROOT / "examples"), str(ROOT / "tests")]
 
+import events
+from inside_freecad import run_and_leave
 from make_example import cam
 
 from vkworkbench import freecad
@@ -66,7 +66,7 @@ class Events:
         """Do something and wait until it is over; return the longest time between two events, s."""
         rest()
         self.longest, self._last = 0.0, Stopwatch()
-        self._timer.start(0)
+        self._timer.start(1)
         do()
         wait(is_over)
         rest()
@@ -74,7 +74,7 @@ class Events:
         return self.longest
 
 
-def main() -> None:
+def main() -> int:
     print(f"FreeCAD {'.'.join(map(str, freecad.version()))}, {COMMANDS:,} commands", file=OUT)
     window = Gui.getMainWindow()
     window.setGeometry(0, 0, 1280, 1000)
@@ -82,6 +82,7 @@ def main() -> None:
     Gui.activateWorkbench("VkWorkbench")
     for operations in (5, 1):
         measure(operations)
+    return 0
 
 
 def measure(count: int) -> None:
@@ -218,7 +219,7 @@ def wait(condition) -> None:
     while not condition():
         if time.monotonic() > end:
             raise TimeoutError(f"not over after {PATIENCE} s")
-        QtGui.QApplication.processEvents(QtCore.QEventLoop.AllEvents, 10)
+        events.happen()
 
 
 def rest(duration: float = 0.5) -> None:
@@ -231,14 +232,4 @@ def say(what: str, seconds: float) -> None:
     print(f"{what:45} {1e3 * seconds:7.0f} ms", file=OUT, flush=True)
 
 
-def run() -> None:
-    try:
-        main()
-    except Exception:
-        traceback.print_exc(file=OUT)
-    finally:
-        OUT.flush()
-        os._exit(0)
-
-
-QtCore.QTimer.singleShot(0, run)
+run_and_leave(main)

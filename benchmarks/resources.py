@@ -1,13 +1,14 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The cost of simulating in the extended z-buffer: what is estimated against what the exact simulator counts.
 
-    python3 benchmarks/resources.py [FILE.jsonl.gz ...]
+    python3 benchmarks/resources.py [time] [FILE.jsonl.gz ...]
 
 Each line of a file is an operation: label, strategy, accept, tool_diameter, stock, commands. Without a file
 the operations are those of toolpaths/synthetic.py. The exact simulations run at 800 x 600 pixels, those with many
 candidate pixels at 400 x 300 to bound their time (small holes are not round then). Errors are ratios, the
 larger of estimate and truth over the smaller. Times are the processor's. A shared computer's speed changes: it is
-measured anew before each operation, and for a time budget also between its three simulations.
+measured anew before each operation, and for a time budget also between its three simulations. With `time` only the time
+of a simulation is predicted, of every third operation.
 """
 
 from __future__ import annotations
@@ -39,7 +40,6 @@ from vkworkbench.core.zbuffer import (
     measure_speed,
     simulate,
     swept,
-    work,
 )
 
 MANY = 1.5e6  # candidate pixels
@@ -50,7 +50,10 @@ SPEEDS = 5  # measurements of the computer's speed that are averaged
 
 
 def main() -> None:
-    operations = [o for name in sys.argv[1:] for o in of_file(name)] if sys.argv[1:] else list(synthetic())
+    names = [name for name in sys.argv[1:] if name != "time"]
+    operations = [o for name in names for o in of_file(name)] if names else list(synthetic())
+    if "time" in sys.argv[1:]:
+        operations = operations[::3]
     print(f"{len(operations)} operations, {sum(len(o[1]) for o in operations)} trajectories")
     rows = {name: [] for name in VIEWS}
     for label, toolpath, found, tool, stock in operations:
@@ -61,6 +64,9 @@ def main() -> None:
                 view = View(direction, 400, 300)
             row = measure(toolpath, found, tool, stock, view, speed)
             rows[name].append({"label": label, **row})
+    if "time" in sys.argv[1:]:
+        print_speed([r for name in VIEWS for r in rows[name]])
+        return
     for name in VIEWS:
         print_errors(name, [r for r in rows[name] if r["traces"] >= FEWEST])
     print_times([r for name in VIEWS for r in rows[name]])
@@ -102,9 +108,11 @@ def synthetic():
 def measure(toolpath, found, tool, stock, view, speed) -> dict[str, float]:
     """One operation in one view: the exact counts and every estimate of them."""
     solids = {"tool": tool, "stock": stock, "view": view}
-    begin = time.process_time()
-    exact = simulate(toolpath, **solids)
-    seconds = time.process_time() - begin
+    runs = []
+    for _ in range(2):
+        begin = time.process_time()
+        exact = simulate(toolpath, **solids)
+        runs.append(time.process_time() - begin)
     durations = []
     for _ in range(3):
         begin = time.process_time()
@@ -112,13 +120,13 @@ def measure(toolpath, found, tool, stock, view, speed) -> dict[str, float]:
         durations.append(time.process_time() - begin)
     return {
         "n": len(toolpath), "vertical": not any(view.direction[:2]),
-        "traces": exact.traces, "dexels": exact.dexels, "seconds": seconds,
+        "traces": exact.traces, "dexels": exact.dexels, "seconds": min(runs),
         "rays": guess.traces, "rays error": guess.traces_error, "rays dexels": guess.dexels,
         "duration": min(durations), "closed form": closed_form(toolpath, found, **solids),
         "blind": swept(toolpath, **solids),
         "Cauchy-Crofton": cauchy_crofton(toolpath, stock=stock, view=view),
         "predicted": guess.seconds,
-        "work": work(len(toolpath), exact.dexels + exact.traces, guess.candidates, tool, view),
+        "work": guess.work.amounts(),
     }  # fmt: skip
 
 
@@ -218,12 +226,11 @@ def seconds_at(speed: Speed, toolpath, tool, stock, view) -> float:
     durations, speeds = [], [speed]
     for _ in range(3):
         begin = time.process_time()
-        exact = simulate(toolpath, tool=tool, stock=stock, view=view)
+        simulate(toolpath, tool=tool, stock=stock, view=view)
         durations.append(time.process_time() - begin)
         speeds.append(mean_speed())
-    passes = estimate(toolpath, None, tool=tool, stock=stock, view=view).candidates
-    done = work(len(toolpath), exact.dexels + exact.traces, passes, tool, view)
-    expected = np.array([done @ each.constants for each in speeds])
+    done = estimate(toolpath, None, tool=tool, stock=stock, view=view).work
+    expected = np.array([each.seconds(done) for each in speeds])
     return float(np.median(durations / ((expected[:-1] + expected[1:]) / 2) * expected[0]))
 
 

@@ -1,12 +1,14 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The tab of *Simulate toolpaths* beside FreeCAD's own simulators, on the same jobs, in real windows.
 
-    benchmarks/simulation_tab.sh [0.20.2|1.0.0|1.1.3]
+    benchmarks/in_window.sh simulation_tab [0.20.2|1.0.0|1.1.3]
 
-which gives FreeCAD a home of its own, without the user's settings. The example job, and one of 20 operations and 100,000
-trajectories that is made here. Printed are, from the click: when the first picture is there, when the finest; the
+which gives FreeCAD a home of its own, without the user's settings. The example job, and two of 100,000 trajectories, in 20
+operations and in one, that are made here. Printed are, from the click: when the first picture is there, when the finest; the
 processor time until both, in parentheses; pictures a second while the time line is dragged; the longest time for which an
-event had to wait; and the memory that came on top. What is said of the finest picture before it is begun stands below.
+event had to wait, in parentheses the longest that FreeCAD worked meanwhile: the rest a busy computer took; and the memory
+that came on top. Below stand how long FreeCAD alone holds the window for the longest path, and what is said of the finest
+picture before it is begun.
 FreeCAD's simulators show a finished part only at the end of their fast-forward, or of a play at their fastest; they have
 no time line to drag. `VKWORKBENCH_PATIENCE` is how long each may take, s.
 """
@@ -29,37 +31,41 @@ from PySide import QtCore, QtGui
 ROOT = Path(__file__).resolve().parent.parent
 sys.path[:0] = [str(ROOT), str(ROOT / "examples"), str(ROOT / "tests")]
 
+from inside_freecad import run_and_leave
 from make_example import make_example
 
 from vkworkbench import freecad
+from vkworkbench.core.zbuffer import JobEstimate
 from vkworkbench.document.simulated_job import read_job
 from vkworkbench.gui.simulation.command import open_tab
+from vkworkbench.gui.simulation.state_line import StateLine
 
 OUT = sys.__stdout__
 PATIENCE = float(os.environ.get("VKWORKBENCH_PATIENCE", "600"))
-DRAGGED = 4.0  # s
-ROW = "{:30}{:>18}{:>18}{:>12}{:>11}{:>10}"
+DRAGGED, MOUSE = 4.0, 0.008  # s, and s between two moves of a mouse
+ROW = "{:30}{:>18}{:>18}{:>12}{:>15}{:>10}"
 
 
-def main() -> None:
+def main() -> int:
     window = Gui.getMainWindow()
     window.setGeometry(0, 0, 1280, 1000)
     window.show()
     folder = Path(tempfile.mkdtemp())
-    for name, make in (("the example job", example), ("20 operations, 100,000 moves", made)):
+    for name, make, simulators in JOBS:
         document = make(folder)
         job = read_job(document)
         moves = sum(len(cut.toolpath) for cut in job.cuts)
         title = f"\nFreeCAD {'.'.join(map(str, freecad.version()))}, {name}: {len(job.cuts)} operations, {moves:,} trajectories"
         print(title, file=OUT)
         print(ROW.format("", "first picture", "finest, end", "pictures/s", "waited", "memory"), file=OUT, flush=True)
-        for simulator in (tab, legacy, opengl):
+        for simulator in simulators:
             try:
                 print(ROW.format(*simulator(document)), file=OUT, flush=True)
             except Exception:  # a FreeCAD without it, or one that fails: the others go on
                 last = traceback.format_exc().strip().splitlines()[-1]
                 print(f"{simulator.__doc__.splitlines()[0]:34} {last}", file=OUT, flush=True)
         FreeCAD.closeDocument(document.Name)
+    return 0
 
 
 def example(folder: Path):
@@ -67,22 +73,29 @@ def example(folder: Path):
     return FreeCAD.ActiveDocument
 
 
-def made(folder: Path):
-    """The example's job with 20 pockets of many thin layers, zigzag and contour-parallel in turn."""
+def long(folder: Path):
+    """The example's job with one pocket: FreeCAD hands out its path whole."""
+    return made(folder, 1, 1, 0.036)
+
+
+def made(folder: Path, across: int = 5, along: int = 4, layer: float = 0.1):
+    """The example's job with pockets of many thin layers, mm, zigzag and contour-parallel in turn: 100,000 moves."""
     document = example(folder)
     job = next(obj for obj in document.Objects if freecad.OPERATIONS.is_in(obj) and freecad.TOOLS.is_in(obj))
     controller = job.Tools.Group[1]
     for name in [obj.Name for obj in document.Objects if operates(obj)]:
         document.removeObject(name)  # the bases of dressups, too
     low, high = job.Stock.Shape.BoundBox, job.Stock.Shape.BoundBox.ZMax
-    width, depth = low.XLength / 5, low.YLength / 4
+    width, depth, moves = low.XLength / across, low.YLength / along, 100_000 // (across * along)
     operations = []
-    for number in range(20):
+    for number in range(across * along):
         op = document.addObject("Path::FeaturePython", f"Pocket{number + 1}")
         op.addProperty("App::PropertyLink", "ToolController", "Path").ToolController = controller
         op.addProperty("App::PropertyBool", "Active", "Path").Active = True
-        corner = low.XMin + width * (number % 5), low.YMin + depth * (number // 5)
-        op.Path = Cam.Path([Cam.Command(*command) for command in pocket(number, corner, width, depth, high)])
+        corner = low.XMin + width * (number % across), low.YMin + depth * (number // across)
+        op.Path = Cam.Path(
+            [Cam.Command(*command) for command in pocket(number, corner, width, depth, high, layer, moves)]
+        )
         operations.append(op)
     job.Operations.Group = operations
     return document
@@ -92,13 +105,13 @@ def operates(obj) -> bool:
     return freecad.PATH.is_in(obj) and (freecad.CONTROLLER.is_in(obj) or freecad.BASE.is_in(obj))
 
 
-def pocket(number: int, corner, width: float, depth: float, top: float, moves: int = 5000):
-    """Commands of one pocket: layers of 0.1 mm, rows or rings 1 mm apart."""
+def pocket(number: int, corner, width: float, depth: float, top: float, layer: float, moves: int):
+    """Commands of one pocket: so many moves, rows or rings 1 mm apart."""
     left, right, front, back = corner[0] + 5, corner[0] + width - 5, corner[1] + 5, corner[1] + depth - 5
     commands = [("G0", {"X": left, "Y": front, "Z": top + 5}), ("G1", {"Z": top, "F": 5.0})]
     z = top
     while len(commands) < moves:
-        z -= 0.1
+        z -= layer
         commands.append(("G1", {"Z": z, "F": 5.0}))
         if number % 2:
             for ring in range(int(min(right - left, back - front) / 2)):
@@ -123,58 +136,83 @@ class Watch:
         return time.perf_counter() - self._begin[0], time.process_time() - self._begin[1]
 
 
+def happen() -> None:
+    """Let FreeCAD's next events happen when they come, as FreeCAD itself does."""
+    QtGui.QApplication.processEvents(QtCore.QEventLoop.WaitForMoreEvents)
+
+
 class Waiting:
     """Lets FreeCAD's events happen, and notes the longest time in which none could."""
 
     def __init__(self) -> None:
-        self.longest, self._last = 0.0, time.perf_counter()
+        self.longest = self.worked = 0.0
+        self._beaten = Watch()
         self._timer = QtCore.QTimer()
         self._timer.timeout.connect(self._beat)
         self._timer.start(5)
 
     def _beat(self) -> None:
-        now = time.perf_counter()
-        self.longest, self._last = max(self.longest, now - self._last), now
+        waited, processor = self._beaten()
+        self.longest, self.worked = max(self.longest, waited), max(self.worked, min(waited, processor))
+        self._beaten = Watch()
 
-    def end(self) -> float:
-        """Return the longest time, s, and look no more."""
+    def end(self) -> str:
+        """Tell the longest time, and the longest for which this process had the processor meanwhile; look no more."""
         self._timer.stop()
-        return self.longest
+        return f"{1e3 * self.longest:.0f} ms ({1e3 * self.worked:.0f})"
 
     def until(self, condition) -> bool:
         end = time.perf_counter() + PATIENCE
         while not condition():
             if time.perf_counter() > end:
                 return False
-            QtGui.QApplication.processEvents(QtCore.QEventLoop.AllEvents, 10)
+            happen()
         return True
 
 
 def tab(document):
     """Simulate toolpaths."""
+    told: list[JobEstimate] = []
+    show = StateLine.show_expected
+    StateLine.show_expected = lambda line, cost: (told.append(cost), show(line, cost))
+    alone = held(document)
     waiting, memory, watch = Waiting(), resident(), Watch()
     opened = open_tab(document)
     waiting.until(lambda: opened.reading.seen is not None or seen(opened))
     first = watch()
     waiting.until(lambda: opened.player is not None)
     player = opened.player
-    told: list[str] = []
-    show = player.state.show_expected
-    player.state.show_expected = lambda cost: (show(cost), told.append(player.state.text()))
     done = waiting.until(
-        lambda: seen(opened) and not player.is_busy and not player._stale and not player.view._rest.isActive()
+        lambda: seen(opened) and not player.is_busy and player.pictures.is_current and not player.view._rest.isActive()
     )
     finest, longest, memory = watch(), waiting.end(), resident() - memory
     drawn = drag(player)
-    print(f"    before: {told[0].strip()};  after: {player.state.text()}", file=OUT)
+    print(f"    FreeCAD alone hands out the longest path, {alone}", file=OUT)
+    print(
+        f"    before: {told[0].seconds:.1f} s, {told[0].memory_bytes / 1e6:.0f} MB;  after: {player.state.text()}",
+        file=OUT,
+    )
+    StateLine.show_expected = show
     opened.window_of().close()
     return (
         tab.__doc__[:-1],
         said(first),
         said(finest, done),
         f"{drawn:.0f}",
-        f"{1e3 * longest:.0f} ms",
+        longest,
         f"{memory / 1e6:.0f} MB",
+    )
+
+
+def held(document) -> str:
+    """Tell how long FreeCAD, which lets nothing else happen meanwhile, takes to hand out the longest path."""
+    longest = max((obj for obj in document.Objects if operates(obj)), key=lambda obj: obj.Path.Size)
+    watch = Watch()
+    path = longest.Path
+    copied = watch()[0]
+    commands = path.Commands
+    return (
+        f"{len(commands):,} commands: a copy {1e3 * copied:.0f} ms, its commands {1e3 * (watch()[0] - copied):.0f} ms"
     )
 
 
@@ -198,6 +236,7 @@ def drag(player) -> float:
         )  # fmt: skip
         QtGui.QApplication.sendEvent(line, event)
         QtGui.QApplication.processEvents()
+        time.sleep(MOUSE)
     player.view.show_scene = show
     return len(drawn) / DRAGGED
 
@@ -225,7 +264,7 @@ def legacy(document):
         f"{said(first)} raw",
         said(finest, done),
         "-",
-        f"{1e3 * longest:.0f} ms",
+        longest,
         f"{memory / 1e6:.0f} MB",
     )
 
@@ -267,7 +306,7 @@ def opengl(document):
     Gui.Control.closeDialog()
     return (
         opengl.__doc__[:-1], f"{said(first)} raw", said(finest, bool(still)), f"{len(shown) / (finest[0] - first[0]):.0f} in play",
-        f"{1e3 * longest:.0f} ms", f"{memory / 1e6:.0f} MB",
+        longest, f"{memory / 1e6:.0f} MB",
     )  # fmt: skip
 
 
@@ -285,7 +324,8 @@ class Frames(QtCore.QObject):
 
 
 def simulator_windows() -> list:
-    return [w for w in QtGui.QGuiApplication.allWindows() if "CAMSim" in w.metaObject().className()]
+    windows = QtGui.QGuiApplication.allWindows()
+    return [w for w in windows if w.isVisible() and "CAMSim" in w.metaObject().className()]
 
 
 def grabbed(window):
@@ -296,7 +336,7 @@ def grabbed(window):
 def rest(duration: float) -> None:
     end = time.perf_counter() + duration
     while time.perf_counter() < end:
-        QtGui.QApplication.processEvents(QtCore.QEventLoop.AllEvents, 10)
+        happen()
 
 
 def said(spent: tuple[float, float], done: bool = True) -> str:
@@ -308,14 +348,9 @@ def resident() -> int:
     return int(Path("/proc/self/statm").read_text().split()[1]) * os.sysconf("SC_PAGE_SIZE")
 
 
-def run() -> None:
-    try:
-        main()
-    except Exception:
-        traceback.print_exc(file=OUT)
-    finally:
-        OUT.flush()
-        os._exit(0)  # with documents that no one saves FreeCAD would ask
-
-
-QtCore.QTimer.singleShot(0, run)
+JOBS = (
+    ("the example job", example, (tab, legacy, opengl)),
+    ("20 operations, 100,000 moves", made, (tab, legacy, opengl)),
+    ("1 operation, 100,000 moves", long, (tab,)),
+)
+run_and_leave(main)

@@ -20,7 +20,6 @@ import os
 import sys
 import tempfile
 import time
-import traceback
 from pathlib import Path
 
 import FreeCAD
@@ -32,6 +31,7 @@ from PathSimulator import PathSim
 ROOT = Path(__file__).resolve().parent.parent
 sys.path[:0] = [str(ROOT), str(ROOT / "examples"), str(ROOT / "tests")]
 
+from inside_freecad import run_and_leave
 from make_example import make_example
 from measuring import RENDERER, quantiles, shape, stolen
 
@@ -48,7 +48,7 @@ OUT = sys.__stdout__
 FEW = 1000  # triangles; fewer count as so many: they take no time
 
 
-def main():
+def main() -> int:
     doc = make_example(str(Path(tempfile.mkdtemp()) / "example.FCStd"))
     samples = list(of_document(doc))
     for name in filter(None, os.environ.get("VKWORKBENCH_CORPUS", "").split(":")):
@@ -65,6 +65,7 @@ def main():
         simulators_window.run(samples, OUT)
     else:
         headless(samples)
+    return 0
 
 
 def calibrate_undisturbed():
@@ -180,22 +181,5 @@ def straight(commands, resolution, top):
     return made
 
 
-def leave():
-    """Run, and leave FreeCAD without its questions."""
-    try:
-        main()
-    except BaseException:
-        traceback.print_exc(file=OUT)
-        raise
-    finally:
-        OUT.flush()
-        os._exit(0)
-
-
 if __name__ in ("__main__", "simulators"):  # the second where FreeCAD imports its script
-    if FreeCAD.GuiUp:
-        from PySide import QtCore
-
-        QtCore.QTimer.singleShot(0, leave)  # once FreeCAD's event loop runs
-    else:
-        leave()
+    run_and_leave(main)

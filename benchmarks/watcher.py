@@ -10,7 +10,6 @@ Exits with 1 where that share is not below 1 %.
 
 from __future__ import annotations
 
-import os
 import sys
 import time
 from pathlib import Path
@@ -19,7 +18,8 @@ from statistics import median
 import FreeCAD
 
 ROOT = Path(__file__).resolve().parents[1] if "__file__" in globals() else Path.cwd()
-sys.path[:0] = [str(ROOT), str(ROOT / "examples")]
+sys.path[:0] = [str(ROOT), str(ROOT / "examples"), str(ROOT / "tests")]
+from inside_freecad import run_and_leave
 from make_example import HEIGHT, LENGTH, WIDTH, cam, faces, operation, plate
 
 import vkworkbench
@@ -115,9 +115,4 @@ def main():
     return 0 if median(shares) < 0.01 else 1
 
 
-status = 1
-try:
-    status = main()
-finally:
-    sys.stdout.flush()
-    os._exit(status)
+run_and_leave(main)

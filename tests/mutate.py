@@ -3,12 +3,13 @@
 
     python3 tests/mutate.py [FILES] [--count 20] [--seed 0] [--jobs 2] [--tests TESTS ...]
 
-FILES are files of vkworkbench/core or vkworkbench/document, by default all of them; of each, COUNT mutants are drawn
-(all with --count 0). Tests of a file are those of its room: tests/core/ROOM, or tests/document inside the FreeCAD of
-this machine; --tests takes fewer, which is quicker while one writes them. A mutant is killed where a test fails, or
-runs ten times as long as before. Prints the mutants that live, and the rate of those killed by file. Other rooms' tests
-may kill some of those that live, and some are no change at all: the rate is a lower bound. The checkout is not touched:
-copies of it are.
+FILES are files and folders of vkworkbench/core or vkworkbench/document, by default both; of each file, COUNT mutants
+are drawn (all with --count 0). Rows of three numbers and more are left as they are: colours, tables of measured times.
+Tests of a file are those of its room: tests/core/ROOM, or tests/document inside the FreeCAD of this machine; --tests
+takes fewer, which is quicker while one writes them. A mutant is killed where a test fails, or takes far more of the
+processor than before. Prints the rate of those killed by file, as a table for docs/reliability.md; the mutants that live
+go to the error output. Other rooms' tests may kill some of those that live, and some are no change at all: the rate is
+a lower bound. The checkout is not touched: copies of it are.
 """
 
 from __future__ import annotations
@@ -24,11 +25,9 @@ import subprocess
 import sys
 import tempfile
 from collections.abc import Iterator
-from concurrent.futures import ThreadPoolExecutor
 from functools import cache
 from pathlib import Path
-from threading import local
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 ROOT = Path(__file__).resolve().parents[1]
 ROOMS = "core", "document"
@@ -85,10 +84,18 @@ def _mutable(tree: ast.AST) -> Iterator[ast.AST]:
             continue  # a docstring
         if isinstance(node, (ast.JoinedStr, ast.Raise)):
             continue  # wording
+        if isinstance(node, (ast.Tuple, ast.List)) and len(node.elts) > 2 and all(map(_is_number, node.elts)):
+            continue  # a colour, or a line of a table: a test could only repeat it
         yield node
         for name, value in ast.iter_fields(node):
             if name not in ("annotation", "returns", "decorator_list"):
                 todo += [one for one in (value if isinstance(value, list) else [value]) if isinstance(one, ast.AST)]
+
+
+def _is_number(node: ast.AST) -> bool:
+    sign = isinstance(node, ast.UnaryOp) and isinstance(node.op, ast.USub)
+    value = node.operand if sign else node
+    return isinstance(value, ast.Constant) and isinstance(value.value, (int, float))
 
 
 def _changes(node: ast.AST) -> Iterator[ast.AST]:
@@ -158,30 +165,24 @@ class Checkout:
     def __init__(self, folder: Path) -> None:
         self.root = folder / "checkout"
         self.home = folder / "home"
+        self.written = 0
         for name in COPIED:
             kind = shutil.copytree if (ROOT / name).is_dir() else shutil.copy
             self.root.mkdir(parents=True, exist_ok=True)
             kind(ROOT / name, self.root / name)
         subprocess.run([str(self.root / "tests/make_home.sh"), str(self.home)], check=True)
 
-    def run(
-        self, tests: list[str], *, only: list[str] = (), reached: Path | None = None, limit: float | None = None
-    ) -> bool:
-        """Whether the tests pass, `only` some of them in this order where it tells any.
-
-        With `reached`, write there which lines of core and document each of them reaches.
-        """
-        chosen = self.home / "only.json"  # too many for a command line
-        chosen.write_text(json.dumps(list(only)))
-        inside = "document" in tests[0]
+    def run(self, tests: list[str], *, limit: float | None = None, **asked: Any) -> bool:
+        """Whether the tests pass; what else is asked for is told to tests/mutate_plugin.py."""
+        told = self.home / "asked.json"  # too much for a command line
+        told.write_text(json.dumps({"only": [], "reached": "", "tries": [], **asked}))
         environment = {
-            **os.environ, "HOME": str(self.home), "PYTHONPATH": "tests", "PYTHONDONTWRITEBYTECODE": "1",
-            "ONLY": str(chosen), "REACHED": str(reached or ""),
+            **os.environ, "HOME": str(self.home), "PYTHONPATH": "tests", "MUTATE": str(told),
             "HYPOTHESIS_STORAGE_DIRECTORY": str(self.home / "hypothesis"),
         }  # fmt: skip
-        arguments = ["-q", "-p", "mutate", *([] if reached else ["-x"]), *tests]
+        arguments = ["-q", "-p", "mutate_plugin", *([] if asked.get("reached") else ["-x"]), *tests]
         command = ["/usr/bin/python3", "-m", "pytest", *arguments]
-        if inside:
+        if "document" in tests[0]:
             command = ["freecadcmd", "tests/in_freecad.py"]
             environment["PYTEST_ADDOPTS"] = " ".join(f"'{argument}'" for argument in arguments)
         try:
@@ -190,74 +191,43 @@ class Checkout:
             )
         except subprocess.TimeoutExpired:
             return False
-        if reached and ended.returncode:
+        if ended.returncode and limit is None:
             sys.exit(f"the tests fail without a mutant: {ended.stdout.decode()[-2000:]}")
         return ended.returncode == 0
+
+    def reach(self, tests: tuple[str, ...]) -> dict[str, Any]:
+        """Which lines of which file each of the tests reaches, and its seconds."""
+        found = self.home / "reached.json"
+        self.run(list(tests), reached=str(found))
+        return json.loads(found.read_text())
+
+    def graft(self, file: Path, tries: list[tuple[Mutant, dict[str, float]]], jobs: int) -> list[bool | None]:
+        """Which mutants live, tried in one start with the tests that reach them and their seconds; None: takes its own."""
+        if not tries:
+            return []
+        only = sorted({test for _, tests in tries for test in tests})
+        found = self.home / "lives.json"
+        told = [{"text": mutant.text, "tests": tests} for mutant, tests in tries]
+        files = sorted({test.partition("::")[0] for test in only})
+        own = str(self.root / file.relative_to(ROOT))
+        self.run(files, only=only, tries=told, file=own, jobs=jobs, out=str(found))
+        return [{0: True, 1: False}.get(status) for status in json.loads(found.read_text())]
 
     def lives(self, mutant: Mutant, file: Path, tests: list[str], limit: float) -> bool:
         """Whether the tests pass with a mutant in its file's place."""
         own = self.root / file.relative_to(ROOT)
         original = own.read_text(encoding="utf-8")
-        own.write_text(mutant.text, encoding="utf-8")
+        self._write(own, mutant.text)
         try:
             return self.run(sorted({test.partition("::")[0] for test in tests}), only=tests, limit=limit)
         finally:
-            own.write_text(original, encoding="utf-8")
+            self._write(own, original)
 
-
-class Reached:
-    """As pytest's plugin: which lines of the code each test reaches, and how long it takes."""
-
-    def __init__(self, out: str) -> None:
-        self.out = out
-        self.code = tuple(f"{ROOT}/vkworkbench/{room}/" for room in ROOMS)  # of the copy in which this runs
-        self.lines, self.seconds, self.shared, self.first = {}, {}, {}, set()
-        self.seen = self.first  # until the first test runs: what an import reaches is reached by all
-
-    def _trace(self, frame, _event, _argument):
-        if not frame.f_code.co_filename.startswith(self.code):
-            return None
-        self.seen.add((frame.f_code.co_filename, frame.f_lineno))
-        return self._trace
-
-    def pytest_configure(self):
-        sys.settrace(self._trace)
-
-    def pytest_runtest_setup(self, item):
-        # A fixture may be shared by all tests of its file, whichever of them is the first.
-        self.seen = self.shared.setdefault(item.nodeid.split("::")[0], set())
-
-    def pytest_runtest_call(self, item):
-        self.seen = self.lines.setdefault(item.nodeid, set())
-        sys.settrace(self._trace)  # hypothesis and doctests may have set another
-
-    def pytest_runtest_logreport(self, report):
-        self.seconds[report.nodeid] = self.seconds.get(report.nodeid, 0.0) + report.duration
-
-    def pytest_sessionfinish(self):
-        sys.settrace(None)
-        found = {}
-        for test, lines in self.lines.items():
-            for file, line in lines | self.shared.get(test.split("::")[0], set()):
-                found.setdefault(file, {}).setdefault(test, []).append(line)
-        imported = {}
-        for file, line in self.first:
-            imported.setdefault(file, []).append(line)
-        seconds = {test: self.seconds.get(test, 0.0) for test in self.lines}
-        Path(self.out).write_text(json.dumps({"seconds": seconds, "imported": imported, "reached": found}))
-
-
-def pytest_configure(config):
-    """As pytest's plugin (-p mutate), set up what notes the lines."""
-    if os.environ.get("REACHED"):
-        config.pluginmanager.register(Reached(os.environ["REACHED"]))
-
-
-def pytest_collection_modifyitems(items):
-    """As pytest's plugin, keep the tests that are asked for, in their order."""
-    only = {test: place for place, test in enumerate(json.loads(Path(os.environ["ONLY"]).read_text()))}
-    if only:
-        items[:] = sorted((item for item in items if item.nodeid in only), key=lambda item: only[item.nodeid])
+    def _write(self, file: Path, text: str) -> None:
+        """Write a source, each time with another time: Python takes compiled code for that of a source of its time."""
+        file.write_text(text, encoding="utf-8")
+        self.written += 1
+        os.utime(file, (self.written, self.written))
 
 
 def sample(file: Path, count: int, seed: int) -> list[Mutant]:
@@ -267,31 +237,27 @@ def sample(file: Path, count: int, seed: int) -> list[Mutant]:
     return every if not count or len(every) <= count else chosen.sample(every, count)
 
 
-def reach(tests: tuple[str, ...], checkout: Checkout) -> dict:
-    """Which lines of which file each of the tests reaches, and its seconds."""
-    with tempfile.NamedTemporaryFile(suffix=".json") as out:
-        checkout.run(list(tests), reached=Path(out.name))
-        return json.loads(Path(out.name).read_text())
-
-
-def judge(file: Path, chosen: list[Mutant], known: dict, checkouts: list[Checkout]) -> list[Mutant]:
-    """The mutants that live, by what `reach` knows of their tests."""
-    name = str(checkouts[0].root / file.relative_to(ROOT))
+def judge(file: Path, drawn: list[Mutant], known: dict[str, Any], checkout: Checkout, jobs: int) -> list[Mutant]:
+    """The mutants that live, by what `Checkout.reach` knows of their tests."""
+    name = str(checkout.root / file.relative_to(ROOT))
     quickest = sorted(known["seconds"], key=known["seconds"].get)
     imported, reached = known["imported"].get(name, ()), known["reached"].get(name, {})
-    own, free = local(), list(checkouts)
-
-    def lives(mutant: Mutant) -> bool:
-        if not hasattr(own, "checkout"):
-            own.checkout = free.pop()
+    tries, alive = [], []
+    for mutant in drawn:
         tests = [test for test in quickest if mutant.line in reached.get(test, ())]
         if not tests and mutant.line in imported:
-            tests = quickest
-        limit = LEAST_SECONDS + 10 * sum(known["seconds"][test] for test in tests)
-        return not tests or own.checkout.lives(mutant, file, tests, limit)
-
-    with ThreadPoolExecutor(len(checkouts)) as pool:
-        return [mutant for mutant, alive in zip(chosen, pool.map(lives, chosen)) if alive]
+            tests = [test for test in quickest if test in reached] or quickest
+        if tests:
+            tries.append((mutant, {test: known["seconds"][test] for test in tests}))
+        else:
+            alive.append(mutant)
+    for (mutant, tests), lives in zip(tries, checkout.graft(file, tries, jobs)):
+        # What an import makes of it is known everywhere: only a new start changes that.
+        if lives is None:
+            lives = checkout.lives(mutant, file, list(tests), LEAST_SECONDS + 10 * sum(tests.values()))
+        if lives:
+            alive.append(mutant)
+    return sorted(alive, key=lambda mutant: mutant.line)
 
 
 def main() -> int:
@@ -303,24 +269,24 @@ def main() -> int:
     parser.add_argument("--jobs", type=int, default=2)
     parser.add_argument("--tests", nargs="+")
     chosen = parser.parse_args()
-    files = [file.resolve() for file in chosen.files]
-    for room in ROOMS:
-        files += [] if chosen.files else sorted((ROOT / "vkworkbench" / room).rglob("*.py"))
+    roots = [file.resolve() for file in chosen.files] or [ROOT / "vkworkbench" / room for room in ROOMS]
+    files = [file for root in roots for file in (sorted(root.rglob("*.py")) if root.is_dir() else [root])]
     killed = total = 0
+    print("| file | noticed | drawn |\n|---|---:|---:|")
     with tempfile.TemporaryDirectory() as folder:
-        checkouts = [Checkout(Path(folder, str(job))) for job in range(chosen.jobs)]
-        known = cache(lambda tests: reach(tests, checkouts[0]))
+        checkout = Checkout(Path(folder))
+        known = cache(checkout.reach)
         for file in files:
             drawn = sample(file, chosen.count, chosen.seed)
             if not drawn:
                 continue
-            alive = judge(file, drawn, known(tuple(chosen.tests or tests_of(file))), checkouts)
+            alive = judge(file, drawn, known(tuple(chosen.tests or tests_of(file))), checkout, chosen.jobs)
             name = file.relative_to(ROOT)
             for mutant in alive:
-                print(f"    {name}:{mutant.line}: {mutant.what}")
+                print(f"    {name}:{mutant.line}: {mutant.what}", file=sys.stderr)
             killed, total = killed + len(drawn) - len(alive), total + len(drawn)
-            print(f"{name}: {len(drawn) - len(alive)} of {len(drawn)}", flush=True)
-    print(f"{killed} of {total} mutants killed, {killed / max(total, 1):.2f}")
+            print(f"| `{name.relative_to('vkworkbench')}` | {len(drawn) - len(alive)} | {len(drawn)} |", flush=True)
+    print(f"| all, {killed / max(total, 1):.2f} | {killed} | {total} |")
     return 0
 
 

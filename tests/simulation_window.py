@@ -28,7 +28,7 @@ def shown(tab, window):
 def finest(player, window):
     """Wait until the picture is the finest that was asked for."""
     window.idle(0.4)
-    window.wait(lambda: not player.is_busy and not player._stale, 300)
+    window.wait(lambda: not player.is_busy and player.pictures.is_current, 300)
     window.idle(0.1)
 
 

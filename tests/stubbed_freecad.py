@@ -152,8 +152,8 @@ def main():
         from vkworkbench.core.simulators import DEFAULTS, Conditions
         from vkworkbench.document import calibration, marks, path_prints, watcher
 
-        calibration.measured_constants = lambda renderer: DEFAULTS  # they cut with FreeCAD's simulator
-        calibration.measured_speed = lambda: Conditions(version=(0, 21)).speed
+        calibration.measured_constants = lambda renderer, going_on: DEFAULTS  # they cut with FreeCAD's simulator
+        calibration.measured_speed = lambda going_on: Conditions(version=(0, 21)).speed
         operations = a_job(document)
         report = vkworkbench.analyze(document, cancelled=lambda: False)
         print(report)

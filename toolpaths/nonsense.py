@@ -166,6 +166,42 @@ def morton(rng):
     return np.column_stack([bits[:, 0::2] @ (1 << np.arange(6)), bits[:, 1::2] @ (1 << np.arange(6))]).astype(float)
 
 
+def odometer(rng):
+    """Count through the plane by digits of X and of Y in turn, as morton does, in other bases."""
+    bases = ((3, 3), (2, 3), (3, 2), (4, 2), (2, 4), (3, 4))[int(rng.integers(6))]
+    places, units = [], [1, 1]
+    while units[0] * units[1] < 60 or len(places) % 2:
+        axis = len(places) % 2
+        places.append((axis, bases[axis], units[axis]))
+        units[axis] *= bases[axis]
+    number = np.arange(units[0] * units[1])[: int(rng.integers(200, 1500))]
+    cells = np.zeros((len(number), 2))
+    for axis, base, unit in places:
+        number, digit = np.divmod(number, base)
+        cells[:, axis] += digit * unit
+    return cells
+
+
+def wunderlich(rng):
+    """Fill the plane with Peano's serpentines, each upright or lying by chance (Wunderlich 1973)."""
+
+    def fill(times):
+        if not times:
+            return np.zeros((1, 2))
+        size, found = 3 ** (times - 1), []
+        for k in range(9):
+            column, row = divmod(k, 3)
+            row = 2 - row if column % 2 else row
+            part = fill(times - 1)
+            part[:, 1] = size - 1 - part[:, 1] if column % 2 else part[:, 1]
+            part[:, 0] = size - 1 - part[:, 0] if row % 2 else part[:, 0]
+            found.append(part + (column * size, row * size))
+        cells = np.concatenate(found)
+        return cells[:, ::-1].copy() if rng.random() < 0.5 else cells
+
+    return fill(int(rng.integers(2, 4)))
+
+
 def levy_flight(rng):
     """A walk whose steps are mostly short and now and then very long."""
     angle = rng.uniform(0, 2 * np.pi, _count(rng))
@@ -239,7 +275,7 @@ RANDOM = (
 KINDS = (
     *RANDOM, scribble, epicycloid, hypocycloid, lissajous, rose, three_arms, star, hilbert, moore, peano, meander, dragon,
     levy, gosper, arrowhead, koch, quadratic_island, morton, sierpinski, terdragon, gray, tour, attractor, sunflower,
-    spirolateral,
+    spirolateral, wunderlich, odometer,
 )  # fmt: skip
 
 

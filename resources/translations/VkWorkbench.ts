@@ -910,7 +910,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>a rapid move removes {volume:g2} mm3</source>
+        <source>a rapid move removes {volume:mm³2}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -918,7 +918,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>plunges into full material at {feed:g3} mm/min, where its tool may plunge at {allowed:g3} mm/min</source>
+        <source>plunges into full material at {feed:mm/min3}, where its tool may plunge at {allowed:mm/min3}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -943,6 +943,14 @@
     </message>
     <message>
         <source>the operation&apos;s placement must be numbers within a kilometre of the origin</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a line with two {letter} words: the last one is read</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a line with two motions, such as G0 and G1: the last one is read</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1218,6 +1226,10 @@
     </message>
     <message>
         <source>{count} have warnings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measuring how fast this computer simulates…</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1635,10 +1647,6 @@ at most</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>{} mm³/min</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Material</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1899,15 +1907,19 @@ at most</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>{}, command {} ({}): {}</source>
+        <source>{}, command {}: {} ({})</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>removes {} mm³</source>
+        <source>removes {}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>removes nothing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the model comes with the finest picture</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

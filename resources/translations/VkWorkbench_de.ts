@@ -910,16 +910,16 @@
         <translation>„Werkzeugwege simulieren“ zeigt sofort das fertige Teil, zuerst grob.</translation>
     </message>
     <message>
-        <source>a rapid move removes {volume:g2} mm3</source>
-        <translation>ein Eilgang trägt {volume:g2} mm³ ab</translation>
+        <source>a rapid move removes {volume:mm³2}</source>
+        <translation>ein Eilgang trägt {volume:mm³2} ab</translation>
     </message>
     <message>
         <source>cuts {depth:mm2} into the model</source>
         <translation>schneidet {depth:mm2} tief in das Modell</translation>
     </message>
     <message>
-        <source>plunges into full material at {feed:g3} mm/min, where its tool may plunge at {allowed:g3} mm/min</source>
-        <translation>taucht mit {feed:g3} mm/min ins volle Material ein, ihr Werkzeug darf {allowed:g3} mm/min</translation>
+        <source>plunges into full material at {feed:mm/min3}, where its tool may plunge at {allowed:mm/min3}</source>
+        <translation>taucht mit {feed:mm/min3} ins volle Material ein, ihr Werkzeug darf {allowed:mm/min3}</translation>
     </message>
     <message>
         <source>{depth:mm2} are left on the model</source>
@@ -944,6 +944,14 @@
     <message>
         <source>the operation&apos;s placement must be numbers within a kilometre of the origin</source>
         <translation>die Platzierung der Operation muss aus Zahlen innerhalb eines Kilometers vom Ursprung bestehen</translation>
+    </message>
+    <message>
+        <source>a line with two {letter} words: the last one is read</source>
+        <translation>eine Zeile mit zwei {letter}-Wörtern: das letzte wird gelesen</translation>
+    </message>
+    <message>
+        <source>a line with two motions, such as G0 and G1: the last one is read</source>
+        <translation>eine Zeile mit zwei Bewegungen, etwa G0 und G1: die letzte wird gelesen</translation>
     </message>
 </context>
 <context>
@@ -1219,6 +1227,10 @@
     <message>
         <source>{count} have warnings</source>
         <translation>{count} mit Warnungen</translation>
+    </message>
+    <message>
+        <source>Measuring how fast this computer simulates…</source>
+        <translation>Es wird gemessen, wie schnell dieser Rechner simuliert…</translation>
     </message>
 </context>
 <context>
@@ -1642,10 +1654,6 @@ höchstens</translation>
         <translation>bearbeitet</translation>
     </message>
     <message>
-        <source>{} mm³/min</source>
-        <translation>{} mm³/min</translation>
-    </message>
-    <message>
         <source>Material</source>
         <translation>Material</translation>
     </message>
@@ -1906,16 +1914,20 @@ höchstens</translation>
         <translation>Rohteil: {}</translation>
     </message>
     <message>
-        <source>{}, command {} ({}): {}</source>
-        <translation>{}, Befehl {} ({}): {}</translation>
+        <source>{}, command {}: {} ({})</source>
+        <translation>{}, Befehl {}: {} ({})</translation>
     </message>
     <message>
-        <source>removes {} mm³</source>
-        <translation>trägt {} mm³ ab</translation>
+        <source>removes {}</source>
+        <translation>trägt {} ab</translation>
     </message>
     <message>
         <source>removes nothing</source>
         <translation>trägt nichts ab</translation>
+    </message>
+    <message>
+        <source>the model comes with the finest picture</source>
+        <translation>das Modell kommt mit dem feinsten Bild</translation>
     </message>
 </context>
 <context>

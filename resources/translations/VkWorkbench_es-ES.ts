@@ -910,16 +910,16 @@
         <translation>«Simular trayectorias» muestra enseguida la pieza acabada, al principio tosca.</translation>
     </message>
     <message>
-        <source>a rapid move removes {volume:g2} mm3</source>
-        <translation>un movimiento rápido quita {volume:g2} mm³</translation>
+        <source>a rapid move removes {volume:mm³2}</source>
+        <translation>un movimiento rápido quita {volume:mm³2}</translation>
     </message>
     <message>
         <source>cuts {depth:mm2} into the model</source>
         <translation>corta {depth:mm2} dentro del modelo</translation>
     </message>
     <message>
-        <source>plunges into full material at {feed:g3} mm/min, where its tool may plunge at {allowed:g3} mm/min</source>
-        <translation>entra en pleno material a {feed:g3} mm/min, su herramienta puede entrar a {allowed:g3} mm/min</translation>
+        <source>plunges into full material at {feed:mm/min3}, where its tool may plunge at {allowed:mm/min3}</source>
+        <translation>entra en pleno material a {feed:mm/min3}, su herramienta puede entrar a {allowed:mm/min3}</translation>
     </message>
     <message>
         <source>{depth:mm2} are left on the model</source>
@@ -944,6 +944,14 @@
     <message>
         <source>the operation&apos;s placement must be numbers within a kilometre of the origin</source>
         <translation>la ubicación de la operación debe constar de números a menos de un kilómetro del origen</translation>
+    </message>
+    <message>
+        <source>a line with two {letter} words: the last one is read</source>
+        <translation>una línea con dos palabras {letter}: se lee la última</translation>
+    </message>
+    <message>
+        <source>a line with two motions, such as G0 and G1: the last one is read</source>
+        <translation>una línea con dos movimientos, como G0 y G1: se lee el último</translation>
     </message>
 </context>
 <context>
@@ -1219,6 +1227,10 @@
     <message>
         <source>{count} have warnings</source>
         <translation>{count} con advertencias</translation>
+    </message>
+    <message>
+        <source>Measuring how fast this computer simulates…</source>
+        <translation>Midiendo a qué velocidad simula este ordenador…</translation>
     </message>
 </context>
 <context>
@@ -1642,10 +1654,6 @@ como mucho</translation>
         <translation>mecanizado</translation>
     </message>
     <message>
-        <source>{} mm³/min</source>
-        <translation>{} mm³/min</translation>
-    </message>
-    <message>
         <source>Material</source>
         <translation>Material</translation>
     </message>
@@ -1906,16 +1914,20 @@ como mucho</translation>
         <translation>material en bruto: {}</translation>
     </message>
     <message>
-        <source>{}, command {} ({}): {}</source>
-        <translation>{}, orden {} ({}): {}</translation>
+        <source>{}, command {}: {} ({})</source>
+        <translation>{}, orden {}: {} ({})</translation>
     </message>
     <message>
-        <source>removes {} mm³</source>
-        <translation>quita {} mm³</translation>
+        <source>removes {}</source>
+        <translation>quita {}</translation>
     </message>
     <message>
         <source>removes nothing</source>
         <translation>no quita nada</translation>
+    </message>
+    <message>
+        <source>the model comes with the finest picture</source>
+        <translation>el modelo llega con la imagen más fina</translation>
     </message>
 </context>
 <context>

@@ -910,16 +910,16 @@
         <translation>« Simuler les parcours d&apos;outil » montre tout de suite la pièce finie, d&apos;abord grossièrement.</translation>
     </message>
     <message>
-        <source>a rapid move removes {volume:g2} mm3</source>
-        <translation>un déplacement rapide enlève {volume:g2} mm³</translation>
+        <source>a rapid move removes {volume:mm³2}</source>
+        <translation>un déplacement rapide enlève {volume:mm³2}</translation>
     </message>
     <message>
         <source>cuts {depth:mm2} into the model</source>
         <translation>coupe {depth:mm2} dans le modèle</translation>
     </message>
     <message>
-        <source>plunges into full material at {feed:g3} mm/min, where its tool may plunge at {allowed:g3} mm/min</source>
-        <translation>plonge en pleine matière à {feed:g3} mm/min, son outil ne peut plonger qu’à {allowed:g3} mm/min</translation>
+        <source>plunges into full material at {feed:mm/min3}, where its tool may plunge at {allowed:mm/min3}</source>
+        <translation>plonge en pleine matière à {feed:mm/min3}, son outil ne peut plonger qu’à {allowed:mm/min3}</translation>
     </message>
     <message>
         <source>{depth:mm2} are left on the model</source>
@@ -944,6 +944,14 @@
     <message>
         <source>the operation&apos;s placement must be numbers within a kilometre of the origin</source>
         <translation>le placement de l&apos;opération doit être fait de nombres à moins d&apos;un kilomètre de l&apos;origine</translation>
+    </message>
+    <message>
+        <source>a line with two {letter} words: the last one is read</source>
+        <translation>une ligne avec deux mots {letter} : le dernier est lu</translation>
+    </message>
+    <message>
+        <source>a line with two motions, such as G0 and G1: the last one is read</source>
+        <translation>une ligne avec deux mouvements, comme G0 et G1 : le dernier est lu</translation>
     </message>
 </context>
 <context>
@@ -1219,6 +1227,10 @@
     <message>
         <source>{count} have warnings</source>
         <translation>{count} avec des avertissements</translation>
+    </message>
+    <message>
+        <source>Measuring how fast this computer simulates…</source>
+        <translation>Mesure de la vitesse de simulation de cet ordinateur…</translation>
     </message>
 </context>
 <context>
@@ -1642,10 +1654,6 @@ au plus</translation>
         <translation>usiné</translation>
     </message>
     <message>
-        <source>{} mm³/min</source>
-        <translation>{} mm³/min</translation>
-    </message>
-    <message>
         <source>Material</source>
         <translation>Matière</translation>
     </message>
@@ -1906,16 +1914,20 @@ au plus</translation>
         <translation>brut : {}</translation>
     </message>
     <message>
-        <source>{}, command {} ({}): {}</source>
-        <translation>{}, commande {} ({}) : {}</translation>
+        <source>{}, command {}: {} ({})</source>
+        <translation>{}, commande {} : {} ({})</translation>
     </message>
     <message>
-        <source>removes {} mm³</source>
-        <translation>enlève {} mm³</translation>
+        <source>removes {}</source>
+        <translation>enlève {}</translation>
     </message>
     <message>
         <source>removes nothing</source>
         <translation>n’enlève rien</translation>
+    </message>
+    <message>
+        <source>the model comes with the finest picture</source>
+        <translation>le modèle vient avec l’image la plus fine</translation>
     </message>
 </context>
 <context>

@@ -910,16 +910,16 @@
         <translation>“仿真刀具路径”立即显示成品零件，先粗后细。</translation>
     </message>
     <message>
-        <source>a rapid move removes {volume:g2} mm3</source>
-        <translation>快速移动去除了 {volume:g2} mm³ 材料</translation>
+        <source>a rapid move removes {volume:mm³2}</source>
+        <translation>快速移动去除了 {volume:mm³2} 材料</translation>
     </message>
     <message>
         <source>cuts {depth:mm2} into the model</source>
         <translation>切入模型 {depth:mm2}</translation>
     </message>
     <message>
-        <source>plunges into full material at {feed:g3} mm/min, where its tool may plunge at {allowed:g3} mm/min</source>
-        <translation>以 {feed:g3} mm/min 向实体材料下刀，其刀具允许 {allowed:g3} mm/min</translation>
+        <source>plunges into full material at {feed:mm/min3}, where its tool may plunge at {allowed:mm/min3}</source>
+        <translation>以 {feed:mm/min3} 向实体材料下刀，其刀具允许 {allowed:mm/min3}</translation>
     </message>
     <message>
         <source>{depth:mm2} are left on the model</source>
@@ -944,6 +944,14 @@
     <message>
         <source>the operation&apos;s placement must be numbers within a kilometre of the origin</source>
         <translation>操作的放置必须是距原点一千米以内的数</translation>
+    </message>
+    <message>
+        <source>a line with two {letter} words: the last one is read</source>
+        <translation>一行中有两个 {letter} 字：读取最后一个</translation>
+    </message>
+    <message>
+        <source>a line with two motions, such as G0 and G1: the last one is read</source>
+        <translation>一行中有两个运动指令（如 G0 和 G1）：读取最后一个</translation>
     </message>
 </context>
 <context>
@@ -1219,6 +1227,10 @@
     <message>
         <source>{count} have warnings</source>
         <translation>{count} 个有警告</translation>
+    </message>
+    <message>
+        <source>Measuring how fast this computer simulates…</source>
+        <translation>正在测量本机的仿真速度…</translation>
     </message>
 </context>
 <context>
@@ -1642,10 +1654,6 @@ at most</source>
         <translation>加工面</translation>
     </message>
     <message>
-        <source>{} mm³/min</source>
-        <translation>{} mm³/min</translation>
-    </message>
-    <message>
         <source>Material</source>
         <translation>材料</translation>
     </message>
@@ -1906,16 +1914,20 @@ at most</source>
         <translation>毛坯：{}</translation>
     </message>
     <message>
-        <source>{}, command {} ({}): {}</source>
-        <translation>{}，命令 {}（{}）：{}</translation>
+        <source>{}, command {}: {} ({})</source>
+        <translation>{}，命令 {}：{}（{}）</translation>
     </message>
     <message>
-        <source>removes {} mm³</source>
-        <translation>去除 {} mm³</translation>
+        <source>removes {}</source>
+        <translation>去除 {}</translation>
     </message>
     <message>
         <source>removes nothing</source>
         <translation>不去除材料</translation>
+    </message>
+    <message>
+        <source>the model comes with the finest picture</source>
+        <translation>模型将随最精细的画面一起显示</translation>
     </message>
 </context>
 <context>

@@ -5,6 +5,12 @@ from __future__ import annotations
 
 from hypothesis import settings
 
-# A busy machine is no failure. The same examples in every run: what it finds is the change's.
-settings.register_profile("tests", deadline=None, derandomize=True)
+# A busy machine is no failure. The same examples in every run: what it finds is the change's. Half as many as
+# usual, for they run with every change.
+settings.register_profile("tests", deadline=None, derandomize=True, max_examples=50)
 settings.load_profile("tests")
+
+
+def pytest_collection_modifyitems(items):
+    """Begin with the tests that take seconds: the others run beside them on the other processors, and none is waited for."""
+    items.sort(key=lambda item: item.get_closest_marker("long") is None)

@@ -66,6 +66,11 @@ def parsed(code: str) -> ast.Module:
     return ast.parse(code)
 
 
+@lru_cache(maxsize=None)
+def import_nodes(code: str) -> list[ast.Import | ast.ImportFrom]:
+    return [node for node in ast.walk(parsed(code)) if isinstance(node, (ast.Import, ast.ImportFrom))]
+
+
 def names_of_face(code: str) -> set[str]:
     """The names that a package offers: what its ``__all__`` lists; none where there is no such list."""
     for node in parsed(code).body:
@@ -85,10 +90,10 @@ class House:
 
     def imports(self, code: str) -> Iterator[tuple[int, str]]:
         """Lines and modules that a file imports: a package where the name is one of its face."""
-        for node in ast.walk(parsed(code)):
+        for node in import_nodes(code):
             if isinstance(node, ast.Import):
                 yield from ((node.lineno, alias.name) for alias in node.names)
-            elif isinstance(node, ast.ImportFrom):
+            else:
                 for alias in node.names:
                     inner = f"{node.module}.{alias.name}"
                     is_module = inner in self.files and alias.name not in self.faces.get(node.module, ())

@@ -43,6 +43,25 @@ def test_pieces_take_turns_and_only_those_that_are_not_steady_go_on():
     assert shop.turns == [0, 1, 2] * 3 + [1]
 
 
+def test_what_is_called_between_the_pieces_is_not_timed_and_may_end_it():
+    shop = Workshop([1.0] * 3, [2.0] * 3)
+    calls = []
+
+    def other_events():
+        calls.append(list(shop.turns))
+        shop.now += 50.0
+        if len(shop.turns) == 4 and ends:
+            raise InterruptedError
+
+    ends = False
+    assert steady_seconds(shop.pieces, most=20, clock=shop.clock, going_on=other_events) == pytest.approx([1.0, 2.0])
+    assert calls == [[0, 1, 0, 1, 0, 1][:done] for done in range(6)]
+    shop, ends = Workshop([1.0] * 3, [2.0] * 3), True
+    with pytest.raises(InterruptedError):
+        steady_seconds(shop.pieces, most=20, clock=shop.clock, going_on=other_events)
+    assert shop.turns == [0, 1, 0, 1]
+
+
 def test_a_busy_computer_gives_the_times_of_a_quiet_one():
     rng = np.random.default_rng(7)
     for _ in range(50):

@@ -3,6 +3,7 @@
 
 import ast
 import re
+from functools import lru_cache
 from pathlib import Path
 from xml.etree import ElementTree
 
@@ -14,8 +15,13 @@ LANGUAGES = ["de", "fr", "es-ES", "zh-CN"]
 MARKED = {"translate", "QT_TRANSLATE_NOOP"}
 
 
+@lru_cache(maxsize=None)
 def texts_of_code():
     """Contexts and texts of all calls that mark a text, which takes literals."""
+    return list(marked_texts())
+
+
+def marked_texts():
     for path in (ROOT / "vkworkbench").rglob("*.py"):
         for node in ast.walk(ast.parse(path.read_text())):
             if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id in MARKED:

@@ -11,10 +11,12 @@ import FreeCAD
 import numpy as np
 import pytest
 
+import vkworkbench
 from vkworkbench import freecad
 from vkworkbench.core import Speed, Stock, Tool, linearize
 from vkworkbench.core.simulators import DEFAULTS, Constants, Seen, Task, legacy_costs, opengl_cost
 from vkworkbench.document import calibration
+from vkworkbench.report import Cancelled
 
 
 @pytest.fixture
@@ -29,14 +31,15 @@ def folder(measured, monkeypatch):
     """The same, where nothing is timed: every measurement is one percent slower than that before it."""
     slower = itertools.count(100)
 
-    def constants(clock):
+    def constants(clock, going_on):
         share = next(slower) / 100
         return replace(DEFAULTS, start=share * DEFAULTS.start, cell=share * DEFAULTS.cell)
 
     monkeypatch.setattr(calibration, "_measure", constants)
     monkeypatch.setattr(
-        calibration, "measure_speed", lambda clock=None: Speed(record=next(slower) / 100 * Speed().record, factor=1.5)
-    )
+        calibration, "measure_speed",
+        lambda clock=None, going_on=None: Speed(record=next(slower) / 100 * Speed().record, factor=1.5),
+    )  # fmt: skip
     return measured
 
 
@@ -127,8 +130,8 @@ def test_numbers_that_cannot_be_count_as_none(folder, damage):
 def test_a_speed_that_cannot_be_is_measured_again(folder, number):
     speed = calibration.measured_speed()
     (path,) = folder.rglob("calibration.json")
-    path.write_text(huge(path.read_text(), "candidate", number))
-    assert calibration.measured_speed().candidate > 0 and calibration.measured_speed() != speed
+    path.write_text(huge(path.read_text(), "cell", number))
+    assert calibration.measured_speed().cell > 0 and calibration.measured_speed() != speed
 
 
 def test_no_temporary_file_stays_where_the_file_cannot_be_replaced(folder):
@@ -262,7 +265,7 @@ class Clock:
 
 def test_calibrations_on_a_busy_computer_agree(measured, monkeypatch):
     """Each piece takes 10 ms, and often longer by what else the computer does."""
-    monkeypatch.setattr(calibration, "measure_speed", lambda clock: Speed())
+    monkeypatch.setattr(calibration, "measure_speed", lambda clock, going_on: Speed())
     rng = np.random.default_rng(1)
 
     def busy():
@@ -273,6 +276,33 @@ def test_calibrations_on_a_busy_computer_agree(measured, monkeypatch):
     for name in ("cell", "facet", "profile"):
         values = [getattr(one.constants, name) for one in found]
         assert max(values) < 1.05 * min(values), name
+
+
+@pytest.mark.parametrize("after", [0, 3, 25])
+def test_a_calibration_that_is_given_up_changes_nothing(measured, after):
+    calls = []
+
+    def going_on():
+        calls.append(None)
+        if len(calls) > after:
+            raise Cancelled("given up")
+
+    with pytest.raises(Cancelled):
+        calibration.calibrate("card", going_on=going_on)
+    assert calibration.load("card") is None and not list(measured.iterdir())
+
+
+def test_an_analysis_is_cancelled_while_the_computer_is_measured(measured, small, zigzag_commands):
+    small.add("Rows", zigzag_commands)
+    asked = []
+    with pytest.raises(Cancelled):
+        vkworkbench.analyze(
+            small.document,
+            cancelled=lambda: asked.append(None) or len(asked) > 5,
+            progress=lambda *_: pytest.fail("it went on"),
+        )
+    assert len(asked) == 6
+    assert not list(measured.rglob("calibration.json"))  # FreeCAD 1.1 puts folders of its own there
 
 
 def test_nothing_is_learned_before_the_benchmark(folder):

@@ -100,11 +100,13 @@ def changes():
 
     def speed(small, op, monkeypatch):
         now = calibration.measured_speed()
-        monkeypatch.setattr(calibration, "measured_speed", lambda: replace(now, record=2 * now.record))
+        monkeypatch.setattr(calibration, "measured_speed", lambda going_on: replace(now, record=2 * now.record))
 
     def constants(small, op, monkeypatch):
         now = calibration.measured_constants()
-        monkeypatch.setattr(calibration, "measured_constants", lambda renderer: replace(now, tick=2 * now.tick))
+        monkeypatch.setattr(
+            calibration, "measured_constants", lambda renderer, going_on: replace(now, tick=2 * now.tick)
+        )
 
     return [path, comment, tool, stock, placement, rapids, active, no_tool, chords, image, budget, accuracy, speed,
             constants]  # fmt: skip

@@ -204,6 +204,20 @@ def test_an_analysis_after_a_recompute_is_no_step_of_its_own(marked, analyzed_ag
     assert outdated(document) == [] and op.Path.Size == before.Size - 3 and document.UndoNames == steps
 
 
+@pytest.mark.parametrize("what", ["tool", "stock"])
+def test_a_mark_that_a_redo_brings_back_speaks_of_what_is_there_now(small, zigzag_commands, what):
+    """Seed 320065 of the documents' fuzzer: the tool is deleted outside any step while the mark is undone."""
+    op = small.add("Zigzag", zigzag_commands)
+    upkeep.watch()
+    vkworkbench.mark(vkworkbench.analyze(small.document))
+    gone = small.controller.Tool if what == "tool" else small.job.Stock
+    small.document.removeObject(gone.Name)
+    small.document.undo()
+    assert not marks.is_marked(op)
+    small.document.redo()
+    assert marks.is_outdated(op)
+
+
 STOCKS = {
     "box": lambda: Part.makeBox(60, 60, 20),
     "cylinder": lambda: Part.makeCylinder(30, 20, FreeCAD.Vector(30, 30, 0)),

@@ -9,6 +9,8 @@ import time
 from pathlib import Path
 from xml.etree import ElementTree
 
+import dead_widgets
+import events
 import FreeCAD
 import FreeCADGui as Gui
 import pytest
@@ -26,6 +28,13 @@ from vkworkbench.document.known import KNOWN
 def nothing_known():
     """No test finds what another one's analysis found."""
     KNOWN.forget()
+
+
+@pytest.fixture(autouse=True)
+def no_dead_widgets():
+    """No test meets what FreeCAD left of another one."""
+    yield
+    dead_widgets.forget()
 
 
 DARK = """
@@ -48,12 +57,12 @@ class Window:
         end = time.monotonic() + seconds
         while not until():
             assert time.monotonic() < end, f"waited {seconds} s in vain"
-            QtGui.QApplication.processEvents(QtCore.QEventLoop.AllEvents, 20)
+            events.happen()
 
     def idle(self, seconds=0.2):
         end = time.monotonic() + seconds
         while time.monotonic() < end:
-            QtGui.QApplication.processEvents(QtCore.QEventLoop.AllEvents, 20)
+            events.happen()
 
     def activate(self, workbench):
         Gui.activateWorkbench(workbench)

@@ -61,7 +61,7 @@ def cancel(window, order, number, beats):
         gaps.append(last())
         last = Stopwatch()
         shown = dialog()
-        if shown is None or not shown.labelText():
+        if shown is None or shown.labelText() not in order:
             return  # not begun
         if pressed:
             at_esc.append(shown.labelText())

@@ -7,6 +7,7 @@ from types import SimpleNamespace
 
 import FreeCAD
 import FreeCADGui as Gui
+import Part
 import pytest
 from PySide import QtCore, QtGui
 
@@ -230,6 +231,21 @@ def test_tooltip_says_nothing_that_may_be_anothers(marked, window):
     (reason,) = marks.read(labelled(marked, "Face")).reason
     assert plainly(reason)[1:20] in QtGui.QTextDocumentFragment.fromHtml(
         tooltip(window, "Face")).toPlainText()  # fmt: skip
+
+
+def test_what_was_marked_without_a_stock_stays_outdated_when_something_is_copied(opened, window):
+    job, face = opened.getObject("Job"), labelled(opened, "Face")
+    job.Stock = opened.addObject("Part::FeaturePython", "NothingYet")
+    opened.recompute()
+    vkworkbench.mark(vkworkbench.analyze(face))
+    assert not marks.is_outdated(face)
+    job.Stock.Shape = Part.makeBox(60, 60, 20)
+    opened.recompute()
+    window.wait(lambda: marks.is_outdated(face))
+    opened.copyObject(labelled(opened, "Bore"), False)  # all marks are compared anew
+    opened.recompute()
+    window.idle(0.5)
+    assert marks.is_outdated(face)
 
 
 def all_rows(model, parent=None):

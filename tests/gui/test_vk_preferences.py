@@ -6,6 +6,7 @@ from dataclasses import replace
 import FreeCAD
 import FreeCADGui as Gui
 import pytest
+from preferences_dialog import in_preferences
 from PySide import QtCore, QtGui
 
 from vkworkbench import preferences
@@ -35,36 +36,15 @@ def with_page(opened, window):
     """Open the preferences, let a function work on the page's form, and press a button."""
 
     def open_and(work, button=OK):
-        failure = []
-
-        def answer():
-            dialog = QtGui.QApplication.activeModalWidget()
-            if dialog is None:
-                QtCore.QTimer.singleShot(50, answer)
-                return
+        def answer(dialog, form):
             try:
-                form = dialog.findChild(QtGui.QWidget, "VkPreferences")
-                show_page(dialog, form)
                 work(form)
-            except BaseException as error:
-                failure.append(error)
-            box = dialog.findChild(QtGui.QDialogButtonBox)
-            texts = {b.text().replace("&", ""): b for b in box.buttons()}
-            window.click_on(texts[button])
+            finally:
+                box = dialog.findChild(QtGui.QDialogButtonBox)
+                texts = {b.text().replace("&", ""): b for b in box.buttons()}
+                window.click_on(texts[button])
 
-        QtCore.QTimer.singleShot(50, answer)
-        Gui.runCommand("Std_DlgPreferences")
-        if failure:
-            raise failure[0]
-
-    def show_page(dialog, form):
-        """Turn to the page, as clicks on its group would."""
-        parent = form
-        while parent is not dialog:
-            stack, parent = parent, parent.parentWidget()
-            if isinstance(parent, QtGui.QStackedWidget):
-                parent.setCurrentWidget(stack)
-        window.idle(0.2)
+        in_preferences(window, answer)
 
     return open_and
 
@@ -170,7 +150,7 @@ def test_calibrate(with_page, window):
 
 
 def test_a_failed_calibration_is_said(with_page, window, monkeypatch):
-    def fail(renderer):
+    def fail(renderer, going_on):
         raise OSError("the folder cannot be written")
 
     monkeypatch.setattr(calibration, "calibrate", fail)

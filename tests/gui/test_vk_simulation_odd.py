@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import gc
+import re
 import sys
 import threading
 import weakref
@@ -92,7 +93,7 @@ def test_an_operation_is_deleted_or_changed_while_it_is_open(opened, window, sma
     if player is not None:  # goes on with what it read
         finest(player, window)
         player.moment.go_to(0.2 * player.clock.total)
-        window.wait(lambda: not player._stale)
+        window.wait(lambda: player.pictures.is_current)
         player.ask(0)  # of the operation that is gone
         window.idle(0.2)
         player.look("Top")
@@ -225,7 +226,53 @@ def flat_stock(opened):
     opened.Job.Stock = stock
 
 
-@pytest.mark.parametrize("odd", [no_model, one_move, no_feed, moves_without_length, far_away, huge_tool, tiny_tool, tiny_stock, flat_stock])  # fmt: skip
+def large_part(opened):
+    import Part
+
+    lone(
+        opened, [f"G{0 if place == 0 else 1} X{place} Y{place % 20000} Z-200 F3000" for place in range(0, 60_000, 500)]
+    )
+    stock = opened.addObject("Part::FeaturePython", "Large")
+    stock.Shape = Part.makeBox(60_000, 20_000, 3000)
+    opened.Job.Stock = stock
+    opened.Job.Model.Group = []
+
+
+def small_part(opened):
+    import Part
+
+    lone(opened, ["G0 Z1", "G1 Z0.15 F10", *(f"G1 X{0.004 * (row % 2)} Y{0.0001 * row}" for row in range(30)), "G0 Z1"])
+    opened.Job.Operations.Group[0].ToolController.Tool.Diameter = 1e-3
+    stock = opened.addObject("Part::FeaturePython", "Small")
+    stock.Shape = Part.makeBox(0.005, 0.003, 0.2)
+    opened.Job.Stock = stock
+
+
+def only_drilling(opened):
+    lone(opened, ["G0 Z30", *(f"G81 X{x} Y{y} Z5 R26 F200" for x in (20, 60, 90) for y in (20, 40)), "G80"], 2)
+
+
+def all_crashes(opened):
+    lone(opened, [f"G0 X{10 + 100 * (row % 2)} Y{5 + 0.02 * row} Z{23 - 0.002 * row}" for row in range(3000)])
+
+
+def many_operations(opened):
+    import Path
+
+    first, job = lone(opened, SLOT), opened.Job
+    rows = []
+    for row in range(300):
+        op = opened.addObject("Path::FeaturePython", f"Row{row}")
+        op.addProperty("App::PropertyLink", "ToolController", "Path").ToolController = first.ToolController
+        op.addProperty("App::PropertyBool", "Active", "Path").Active = True
+        op.Path = Path.Path(
+            [Path.Command(line) for line in ("G0 Z30", f"G0 X5 Y{row / 4}", "G1 Z20 F100", "G1 X150", "G0 Z30")]
+        )
+        rows.append(op)
+    job.Operations.Group = rows
+
+
+@pytest.mark.parametrize("odd", [large_part, small_part, only_drilling, all_crashes, many_operations, no_model, one_move, no_feed, moves_without_length, far_away, huge_tool, tiny_tool, tiny_stock, flat_stock])  # fmt: skip
 def test_odd_jobs_are_shown(opened, window, small, odd):
     odd(opened)
     window.click(COMMAND)
@@ -240,7 +287,7 @@ def test_odd_jobs_are_shown(opened, window, small, odd):
         (text,) = window.dismiss()
         assert len(text) > 20 and "Error" not in text
         return
-    window.wait(lambda: not tab.player.is_busy and not tab.player._stale, 120)
+    window.wait(lambda: not tab.player.is_busy and tab.player.pictures.is_current, 120)
     finest(tab.player, window)
     assert "Error" not in tab.player.state.text()
     player = tab.player
@@ -268,6 +315,58 @@ def test_odd_jobs_are_shown(opened, window, small, odd):
     window.click_at(player.view, middle)
     window.idle(0.2)
     close(tab, window)
+
+
+@pytest.mark.parametrize("how", ["key", "document"])
+def test_it_is_closed_while_it_plays(example_path, window, small, how):
+    document = FreeCAD.openDocument(str(example_path))
+    window.activate("VkWorkbench")
+    window.click(COMMAND)
+    window.wait(lambda: tabs(window))
+    (tab,) = tabs(window)
+    window.wait(lambda: tab.player is not None and tab.player.simulation is not None, 60)
+    tab.player.moment.play()
+    window.wait(lambda: tab.player.moment.seconds > 0.02 * tab.player.clock.total, 30)
+    if how == "key":
+        window.press(tab, QtCore.Qt.Key_Escape)
+    else:
+        FreeCAD.closeDocument(document.Name)
+    window.wait(lambda: not tabs(window) and "_run" not in working(), 90)
+    window.idle(0.3)
+    if how == "key":
+        FreeCAD.closeDocument(document.Name)
+
+
+def test_who_reads_inches_reads_no_millimetres(opened, window, small):
+    group = FreeCAD.ParamGet("User parameter:BaseApp/Preferences/Units")
+    before = group.GetInt("UserSchema", 0)
+    lone(opened, ["G0 Z30", "G0 X40 Y50", "G0 Z14", "G1 X60 F5", "G1 Z5 F50", "G0 Z30"])
+    set_schema = getattr(FreeCAD.Units, "setSchema", None)
+    group.SetInt("UserSchema", 3)  # imperial decimal
+    if set_schema:
+        set_schema(3)
+    try:
+        window.click(COMMAND)
+        window.wait(lambda: tabs(window))
+        (tab,) = tabs(window)
+        player = shown(tab, window)
+        player.scene_bar.colorings.setCurrentIndex(4)
+        player.point(player.faults[0])
+        finest(player, window)
+        window.screenshot("simulation-inches")
+        read = [action.text() for action in player.scene_bar.warnings.menu().actions()]
+        read += [player.play_bar.text.text(), player.state.text(), player.scene_bar.tolerance.suffix()]
+        read += [name for _, name in player.scene_bar.legend.entries]
+        assert (
+            len(read) > 8
+            and not [text for text in read if re.search(r"\bmm\b|mm³", text)]
+            and any("in³" in text for text in read)
+        )
+        close(tab, window)
+    finally:
+        group.SetInt("UserSchema", before)
+        if set_schema:
+            set_schema(before)
 
 
 def test_it_is_used_by_keys_alone(opened, window, small):

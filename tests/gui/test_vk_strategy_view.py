@@ -124,14 +124,14 @@ def test_the_selected_operation_is_wider(opened, window, switched_on, tmp_path):
 
 def test_a_changed_toolpath_is_coloured_anew(opened, window, switched_on):
     drill = labelled(opened, "Drill holes")
-    _, before = strategy_view._shown[opened.Name].lines[drill.Name]
+    before = strategy_view._shown[opened.Name].lines[drill.Name]
     opened.openTransaction("Depth")
     drill.setExpression("FinalDepth", None)
     drill.FinalDepth = drill.FinalDepth.Value + 1
     opened.recompute()
     opened.commitTransaction()
     window.wait(lambda: drawn(opened))
-    _, after = strategy_view._shown[opened.Name].lines[drill.Name]
+    after = strategy_view._shown[opened.Name].lines[drill.Name]
     assert after is not before
     window.idle()
     assert nodes(opened) == len(strategy_view._shown[opened.Name].lines)
@@ -253,7 +253,7 @@ def test_the_window_lives_while_half_a_million_commands_are_drawn(long, window):
           f"{max(gaps):.3f} s")  # fmt: skip
     assert len(beats) > 20
     shown = strategy_view._shown[long.Name].lines
-    assert {s for _, lines in shown.values() for s in lines.strategies} >= {Strategy.ZIGZAG, Strategy.DRILLING}
+    assert {s for lines in shown.values() for s in lines.strategies} >= {Strategy.ZIGZAG, Strategy.DRILLING}
     window.click(SWITCH)
 
 

@@ -9,6 +9,7 @@ from xml.etree import ElementTree
 import FreeCAD
 import FreeCADGui as Gui
 import pytest
+from preferences_dialog import in_preferences
 from PySide import QtCore, QtGui
 
 import vkworkbench
@@ -50,11 +51,10 @@ def speaking(language, window):
         window.idle()
 
     close_docks()
-    before = Gui.getLocale()
     Gui.setLocale(language)
     window.idle()
     yield
-    Gui.setLocale(before)
+    Gui.setLocale("en")  # FreeCAD's own answer to what it was, "C", is none that it takes back
     close_docks()
 
 
@@ -134,27 +134,15 @@ def test_the_window_in_each_language(language, opened, window):
 def test_the_preferences_in_each_language(language, window):
     seen = {}
 
-    def look():
-        dialog = QtGui.QApplication.activeModalWidget()
-        if dialog is None:
-            QtCore.QTimer.singleShot(50, look)
-            return
-        try:
-            form = parent = dialog.findChild(QtGui.QWidget, "VkPreferences")
-            while parent is not dialog:
-                child, parent = parent, parent.parentWidget()
-                if isinstance(parent, QtGui.QStackedWidget):
-                    parent.setCurrentWidget(child)
-            window.idle(0.3)
-            window.screenshot(f"preferences-{language}")
-            seen["cut off"] = list(cut_off(form))
-            seen["button"] = form.calibrate.text()
-            seen["items"] = [form.view_direction.itemText(0), form.calibrated.text()]
-        finally:
-            dialog.reject()
+    def look(dialog, form):
+        window.idle(0.1)
+        window.screenshot(f"preferences-{language}")
+        seen["cut off"] = list(cut_off(form))
+        seen["button"] = form.calibrate.text()
+        seen["items"] = [form.view_direction.itemText(0), form.calibrated.text()]
+        dialog.reject()
 
-    QtCore.QTimer.singleShot(50, look)
-    Gui.runCommand("Std_DlgPreferences")
+    in_preferences(window, look)
     assert seen["cut off"] == []
     assert seen["button"] != "Calibrate" and seen["items"][0] != "Top"
     assert "alibrated" not in seen["items"][1]

@@ -17,7 +17,11 @@ processor_clock: Callable[[], float] = time.perf_counter if os.name == "nt" else
 
 
 def steady_seconds(
-    pieces: Sequence[Callable[[], object]], *, most: int, clock: Callable[[], float] = processor_clock
+    pieces: Sequence[Callable[[], object]],
+    *,
+    most: int,
+    clock: Callable[[], float] = processor_clock,
+    going_on: Callable[[], object] = lambda: None,
 ) -> np.ndarray:
     """Time pieces of work, each until it took its shortest time, within 5 %, three times.
 
@@ -31,6 +35,8 @@ def steady_seconds(
         How often a piece is timed at most.
     clock : callable
         Tells the time, s.
+    going_on : callable
+        Called before each piece, outside the times; it may raise to end the measurement.
 
     Returns
     -------
@@ -43,6 +49,7 @@ def steady_seconds(
         if not waiting:
             break
         for place in waiting:
+            going_on()
             begin = clock()
             pieces[place]()
             times[place].append(clock() - begin)

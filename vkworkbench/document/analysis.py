@@ -17,7 +17,7 @@ from vkworkbench.core import Solid, Strategy, Tool, linearize, machining, recogn
 from vkworkbench.core.gcode import Words, in_seconds, used_up
 from vkworkbench.core.simulators import ZBUFFER, Conditions, Task, predict, preflight
 from vkworkbench.core.zbuffer import cuts_surely, may_cut
-from vkworkbench.document import calibration
+from vkworkbench.document import calibration, garbage
 from vkworkbench.document.fingerprint import (
     AT_ONCE,
     fingerprint_of,
@@ -37,7 +37,7 @@ from vkworkbench.language import Message, Unusable
 from vkworkbench.preferences import Preferences
 from vkworkbench.report import Cancelled, OperationReport, Report
 
-_PATIENCE = 0.05  # s between two calls of `cancelled`
+_PATIENCE = 0.02  # s between two calls of `cancelled`
 _NOTHING = linearize([])
 _NOT_RECOGNIZED = recognize(_NOTHING)
 
@@ -50,7 +50,7 @@ def analyze(
 ) -> Report:
     """Analyse operations: strategy, lengths and what simulating them costs. Writes nothing in a document.
 
-    The first time it also measures this computer, in about a second. An operation that is as it was when it was
+    The first time it also measures this computer, in one to two seconds. An operation that is as it was when it was
     analysed before in this session, with the same preferences and calibration, is not analysed again.
 
     Parameters
@@ -60,8 +60,9 @@ def analyze(
     progress : callable, optional
         Called before each operation with how many are done, how many there are, and its label.
     cancelled : callable, optional
-        Called before each operation, and every 50 ms while a thread of its own analyses one; True ends the analysis.
-        It may process the window's events, but none of these may change the documents.
+        Called before each operation, every 20 ms while a thread of its own analyses one, and every tenth of a second
+        while this computer is measured; True ends the analysis. It may process the window's events, but none of these
+        may change the documents.
 
     Returns
     -------
@@ -82,25 +83,29 @@ def analyze(
         what = FreeCAD.ActiveDocument
         if what is None:
             raise ValueError("no document is open: open one with a job or a toolpath")
+
+    def going_on() -> None:
+        if cancelled is not None and cancelled():
+            raise Cancelled("the analysis was cancelled; nothing has been changed")
+
     operations = find(what)
     chosen = preferences.read()
+    jobs = {(o.job.Document.Name, o.job.Name): o.job.Label for o in operations if o.job is not None}
+    fixtures = {(o.job.Document.Name, o.job.Name): fixtures_of(o.job) for o in operations if o.job is not None}
+    labels = [o.object.Label for o in operations]
     conditions = Conditions(
         version=freecad.version(),
-        constants=calibration.measured_constants(chosen.renderer),
-        speed=calibration.measured_speed(),
+        constants=calibration.measured_constants(chosen.renderer, going_on),
+        speed=calibration.measured_speed(going_on),
         view=chosen.view,
         legacy_accuracy=chosen.legacy_accuracy,
         opengl_quality=chosen.opengl_quality,
         memory_budget=chosen.memory_budget_bytes,
         time_budget=chosen.time_budget,
     )
-    jobs = {(o.job.Document.Name, o.job.Name): o.job.Label for o in operations if o.job is not None}
-    fixtures = {(o.job.Document.Name, o.job.Name): fixtures_of(o.job) for o in operations if o.job is not None}
-    labels = [o.object.Label for o in operations]
     reports = []
     for done, operation in enumerate(operations):
-        if cancelled is not None and cancelled():
-            raise Cancelled("the analysis was cancelled; nothing has been changed")
+        going_on()
         if progress is not None:
             progress(done, len(operations), labels[done])
         with suppress(ReferenceError):  # deleted meanwhile, or its document closed
@@ -108,6 +113,7 @@ def analyze(
                 continue
             token = PATH_PRINTS.begin(operation.object)
             reading = _read(operation)
+            going_on()  # FreeCAD has copied the path, and is going to copy the commands: other events come between
             row = _patiently(lambda going_on, reading=reading: _row(reading, chosen, conditions, going_on), cancelled)
             reports.append(row)
             PATH_PRINTS.end((row.document, row.name), token, path_and_setting(row.fingerprint)[0])
@@ -194,14 +200,17 @@ def _patiently(work: Callable, cancelled: Callable[[], bool] | None):
     if cancelled is None:
         return work(going_on)
     threads = ThreadPoolExecutor(1)
+    garbage.hold()
     try:
         done = threads.submit(work, going_on)
         while not wait([done], _PATIENCE).done:
+            garbage.collect()
             if cancelled():
                 given_up.set()
                 going_on()
         return done.result()
     finally:
+        garbage.release()
         threads.shutdown(wait=False)
 
 

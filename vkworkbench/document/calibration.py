@@ -98,7 +98,7 @@ def constants(renderer: str = "") -> Constants:
     return known.constants if known else _for_renderer(DEFAULTS, renderer)
 
 
-def measured_constants(renderer: str = "") -> Constants:
+def measured_constants(renderer: str = "", going_on: Callable[[], object] = lambda: None) -> Constants:
     """Return the constants of this computer; if there is a window and they never were measured, measure them now.
 
     Without a window FreeCAD would write the progress of the calibration's meshes into a macro's output.
@@ -107,18 +107,26 @@ def measured_constants(renderer: str = "") -> Constants:
     ----------
     renderer : str
         OpenGL's name of its renderer; empty where there is no window.
+    going_on : callable
+        Called every tenth of a second while it is measured; it may raise to end the measurement.
     """
     if FreeCAD.GuiUp and load(renderer) is None:
         with suppress(OSError):  # a calibration that cannot be saved is made again the next time
-            return calibrate(renderer).constants
+            return calibrate(renderer, going_on=going_on).constants
     return constants(renderer)
 
 
-def measured_speed() -> Speed:
-    """Return how fast this computer simulates in the extended z-buffer, measured now if it never was."""
+def measured_speed(going_on: Callable[[], object] = lambda: None) -> Speed:
+    """Return how fast this computer simulates in the extended z-buffer, measured now if it never was.
+
+    Parameters
+    ----------
+    going_on : callable
+        Called every tenth of a second while it is measured; it may raise to end the measurement.
+    """
     known = _speed()
     if known is None:
-        known = measure_speed()
+        known = measure_speed(going_on=going_on)
         with suppress(OSError):
             _write({_speed_key(): asdict(known)})
     return known
@@ -161,7 +169,12 @@ def _least(name: str) -> float:
     return 0.0 if name in _MAYBE_NOTHING else sys.float_info.min
 
 
-def calibrate(renderer: str = "", *, clock: Callable[[], float] = processor_clock) -> Calibration:
+def calibrate(
+    renderer: str = "",
+    *,
+    clock: Callable[[], float] = processor_clock,
+    going_on: Callable[[], object] = lambda: None,
+) -> Calibration:
     """Measure the extended z-buffer and the legacy simulator on this computer, until it is steady, and remember it.
 
     What takes a timer or a display cannot be measured without a window: :func:`learn` finds it from real runs.
@@ -172,6 +185,8 @@ def calibrate(renderer: str = "", *, clock: Callable[[], float] = processor_cloc
         OpenGL's name of its renderer; empty where there is no window.
     clock : callable
         Tells the time, s.
+    going_on : callable
+        Called every tenth of a second; it may raise to end the measurement: what was known stays.
 
     Returns
     -------
@@ -182,8 +197,9 @@ def calibrate(renderer: str = "", *, clock: Callable[[], float] = processor_cloc
     OSError
         If the user data folder cannot be written.
     """
-    _write({_speed_key(): asdict(measure_speed(clock))})
-    measured = _for_renderer(_measure(clock), renderer)
+    speed = measure_speed(clock, going_on)
+    measured = _for_renderer(_measure(clock, going_on), renderer)
+    _write({_speed_key(): asdict(speed)})
     known = load(renderer)
     runs = known.runs if known else dict.fromkeys(_LESSONS, ())
     version = ".".join(map(str, freecad.version()))
@@ -279,7 +295,7 @@ def _here(seconds: float, cell: float) -> float:
     return seconds * cell / DEFAULTS.cell
 
 
-def _measure(clock: Callable[[], float]) -> Constants:
+def _measure(clock: Callable[[], float], going_on: Callable[[], object]) -> Constants:
     """Time small pieces of the legacy simulator's work, each dominated by one constant."""
     # Short moves of a tool smaller than a cell, of one a few cells wide; long moves; short moves of a wide tool.
     cuts = [_cut(0.08, 0.1, 400), _cut(0.9, 0.1, 300), _cut(8.0, 80.0, 4), _cut(12.0, 0.1, 12)]
@@ -290,7 +306,7 @@ def _measure(clock: Callable[[], float]) -> Constants:
     tool = Part.makeCylinder(radius, 20)
 
     pieces = [*(run for _, run in cuts), flat.GetResultMesh, rough.GetResultMesh, lambda: flat.SetToolShape(tool, step)]
-    *cutting, flat_mesh, rough_mesh, shaping = steady_seconds(pieces, most=_RUNS, clock=clock)
+    *cutting, flat_mesh, rough_mesh, shaping = steady_seconds(pieces, most=_RUNS, clock=clock, going_on=going_on)
     work = np.array([counts for counts, _ in cuts])
     call, ring, line, cap = (np.maximum(np.linalg.solve(work, cutting), 0) * _COLD_CACHE).tolist()
     cell = float(flat_mesh) / (834 * 501)

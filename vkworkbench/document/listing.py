@@ -3,9 +3,13 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 
 import numpy as np
+
+# FreeCAD writes six decimals of every number.
+_ZEROS = re.compile(r"\.0+(?!\d)|(?<=\.)(\d*[1-9])0+(?!\d)")
 
 
 class Listing:
@@ -32,7 +36,7 @@ class Listing:
         return len(self._ends)
 
     def __getitem__(self, command: int) -> str:
-        """The G-code of a command.
+        """The G-code of a command, without zeros that say nothing.
 
         Raises
         ------
@@ -40,4 +44,5 @@ class Listing:
             Where there is none with this number.
         """
         begin = self._ends[command - 1] + 1 if command else 0
-        return self._text[begin : self._ends[command]].decode()
+        code = self._text[begin : self._ends[command]].decode()
+        return code if code.startswith("(") else _ZEROS.sub(r"\1", code)

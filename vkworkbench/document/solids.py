@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import time
 from collections.abc import Sequence
 from math import pi
 
@@ -17,6 +18,7 @@ from vkworkbench.language import Message, Unusable
 
 # A curved face lies so far from its triangles, mm: at least, and as a share of the shape's diagonal.
 _FINEST, _SHARE = 0.01, 1e-4
+_AT_ONCE, _TURN = 0.01, 0.001  # s of meshing, and s in which other threads, the window's first of all, get their turn
 # Shapes are what they seem up to this share of their volume.
 _ALIKE = 1e-6
 _solids = OfShapes(8)  # of the shapes read last: triangles take their time
@@ -128,7 +130,13 @@ def _mesh(shapes: Sequence) -> Mesh:
     for shape in shapes:
         lower, upper = map(np.array, exact_box(shape))
         deviation = max(_FINEST, _SHARE * float(np.linalg.norm(upper - lower)))
-        # The mesh by which a window displays the shape stays as it is.
-        points, corners = shape.copy(True, False).tessellate(deviation)
+        own = shape.copy(True, False)  # the mesh by which a window displays the shape stays as it is
+        begun = time.monotonic()
+        for face in own.Faces:  # nothing else happens meanwhile: a face is sooner done than the shape
+            face.tessellate(deviation)
+            if time.monotonic() - begun > _AT_ONCE:
+                time.sleep(_TURN)
+                begun = time.monotonic()
+        points, corners = own.tessellate(deviation)  # of the meshes of its faces
         triangles.append(np.array([tuple(point) for point in points])[np.array(corners, int).reshape(-1, 3)])
     return Mesh(np.concatenate(triangles))

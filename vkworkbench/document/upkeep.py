@@ -3,23 +3,28 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterator
+from contextlib import suppress
+
 import FreeCAD
 
 from vkworkbench import preferences
-from vkworkbench.document import marking, marks
+from vkworkbench.document import idle, marking, marks
 from vkworkbench.document.mark_properties import may_have_mark
 from vkworkbench.document.operations import find
 from vkworkbench.document.watcher import Watcher
-from vkworkbench.report import Report
+from vkworkbench.report import Cancelled, Report
 
 
 class Upkeep(Watcher):
-    """An observer that also analyses again, once the watcher has found what is outdated."""
+    """An observer that also analyses again, once the watcher has found what is outdated; a window does that itself."""
 
     def slotRecomputedDocument(self, document) -> None:
         super().slotRecomputedDocument(document)
-        if preferences.read().analyze_after_recompute:
-            _analyze_again(document)
+        if not FreeCAD.GuiUp and preferences.read().analyze_after_recompute:
+            from vkworkbench.document import analysis  # loads FreeCAD's simulators
+
+            idle.work(analyzing_again(document, analysis.analyze))
 
 
 _upkeep: Upkeep | None = None
@@ -59,10 +64,17 @@ def mark(report: Report) -> int:
     return marking.mark(report)
 
 
-def _analyze_again(document) -> None:
-    """Analyse the operations whose marks are outdated, and mark them."""
+def analyzing_again(document, analyze: Callable) -> Iterator[None]:
+    """Analyse the operations whose marks are outdated, and mark them: work for when FreeCAD is idle.
+
+    Parameters
+    ----------
+    document : Document
+    analyze : callable
+        Does what ``vkworkbench.analyze`` does; what the user cancels stays outdated.
+    """
     outdated = [o.object for o in find(document) if marks.is_outdated(o.object)]
     if outdated:
-        from vkworkbench.document import analysis  # loads FreeCAD's simulators
-
-        marking.mark(analysis.analyze(outdated), undo_step=False)
+        with suppress(Cancelled):
+            marking.mark(analyze(outdated), undo_step=False)
+    yield

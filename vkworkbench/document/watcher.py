@@ -39,10 +39,13 @@ class Watcher:
             idle.later(f"copies in {name}", lambda: self._look_at_new(name))
 
     def slotChangedObject(self, obj, name: str) -> None:
-        # An undo or a step given up may bring back what a mark said before.
-        if name in _ON_OPERATION or (name == MARK and obj.Document.Transacting):
+        # An undo or a step given up may bring back what a mark said before, of a path and a setting of before.
+        brought_back = name == MARK and obj.Document.Transacting
+        if name in _ON_OPERATION or brought_back:
             if may_have_mark(obj) and not obj.Document.Restoring:
                 self._paths.setdefault(obj.Document.Name, set()).add(obj.Name)
+                if brought_back:
+                    self._settings.add(obj.Document.Name)
         elif name in _ON_SETTING and not obj.Document.Restoring:
             self._settings.add(obj.Document.Name)
 

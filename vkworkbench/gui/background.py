@@ -8,18 +8,24 @@ import time
 from collections.abc import Callable, Iterable
 from queue import Empty, SimpleQueue
 
+from vkworkbench.document import garbage
 from vkworkbench.gui.plain_text import as_plain
 from vkworkbench.gui.qt import QHBoxLayout, QLabel, QObject, QProgressBar, QPushButton, QTimer, QWidget, Signal
 from vkworkbench.gui.text import translate
 from vkworkbench.report import Cancelled
 
-_LOOK = 20  # ms between two looks at what the thread has done
 _AT_ONCE = 0.03  # s for showing results, then other events come
+_WATCH = 50  # ms between two looks whether a thread has ended
 _PATIENCE = 300  # ms; shorter work shows no progress
 
 
 class Background(QObject):
     """Does one work at a time; a new one takes the place of the one before.
+
+    Parameters
+    ----------
+    look : int
+        ms between two looks at what the thread has done.
 
     Attributes
     ----------
@@ -32,9 +38,10 @@ class Background(QObject):
     began = Signal(str)
     over = Signal()
 
-    def __init__(self, parent: QObject | None = None) -> None:
+    def __init__(self, parent: QObject | None = None, look: int = 20) -> None:
         super().__init__(parent)
         self._timer = QTimer(self)
+        self._timer.setInterval(look)
         self._timer.timeout.connect(self._look)
         self._given_up: threading.Event | None = None
 
@@ -62,9 +69,11 @@ class Background(QObject):
         given_up, results = threading.Event(), SimpleQueue()
         self._given_up, self._results = given_up, results
         self._show, self._ended = show, ended
-        threading.Thread(target=_run, args=(work, given_up, results), daemon=True).start()
+        thread = threading.Thread(target=_run, args=(work, given_up, results), daemon=True)
+        # After a ms, so that what waited while FreeCAD copied a path comes before.
+        QTimer.singleShot(1, lambda: _threads.begin(thread, work))
         self.began.emit(text)
-        self._timer.start(_LOOK)
+        self._timer.start()
 
     def give_up(self) -> None:
         """End the work, if there is one: its thread ends at its next step."""
@@ -96,6 +105,36 @@ class Background(QObject):
                 self._end()
                 self._ended(what)
                 return
+
+
+class _Threads:
+    """The threads that work; nothing of Qt is destroyed in them, see `garbage`.
+
+    A thread destroys what it is the last to let go of, such as the tab that its work belongs to: so that is kept until the
+    thread has ended.
+    """
+
+    def __init__(self) -> None:
+        self._works: dict[threading.Thread, Callable] = {}
+
+    def begin(self, thread: threading.Thread, work: Callable) -> None:
+        if not self._works:
+            garbage.hold()
+            QTimer.singleShot(_WATCH, self._watch)
+        self._works[thread] = work
+        thread.start()
+
+    def _watch(self) -> None:
+        garbage.collect()
+        for thread in [thread for thread in self._works if not thread.is_alive()]:
+            del self._works[thread]
+        if self._works:
+            QTimer.singleShot(_WATCH, self._watch)
+        else:
+            garbage.release()
+
+
+_threads = _Threads()
 
 
 def _run(work: Callable, given_up: threading.Event, results: SimpleQueue) -> None:

@@ -11,7 +11,7 @@ import FreeCADGui as Gui
 
 from vkworkbench import freecad, preferences
 from vkworkbench.gui.plain_text import as_plain, warn
-from vkworkbench.gui.qt import QApplication, QDate, QLocale, Qt
+from vkworkbench.gui.qt import QDate, QLocale, Qt
 from vkworkbench.gui.sentences import user
 from vkworkbench.gui.text import QT_TRANSLATE_NOOP, translate
 from vkworkbench.preferences import Preferences
@@ -101,16 +101,15 @@ class PreferencesPage:
                 yield preference.name, widget
 
     def _calibrate(self) -> None:
-        from vkworkbench.document import calibration
-        from vkworkbench.gui.renderer import note_renderer
+        from vkworkbench.gui import progress
+        from vkworkbench.report import Cancelled
 
-        QApplication.setOverrideCursor(Qt.WaitCursor)
         try:
-            calibration.calibrate(note_renderer(again=True))
+            progress.calibrate(self.form)
+        except Cancelled:
+            pass  # what was known stays
         except OSError as error:
             warn(translate("VkPreferences", "Calibrate"), str(error), self.form)
-        finally:
-            QApplication.restoreOverrideCursor()
         self._say_last_calibration()
 
     def _say_last_calibration(self) -> None:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""An analysis with a progress dialog: the window stays alive, Esc cancels."""
+"""Analyses and calibrations with a progress dialog: the window stays alive, Esc cancels."""
 
 from __future__ import annotations
 
@@ -7,10 +7,10 @@ import FreeCADGui as Gui
 
 import vkworkbench
 from vkworkbench.gui.plain_text import as_plain
-from vkworkbench.gui.qt import QApplication, QEventLoop, QLabel, QProgressDialog, Qt
+from vkworkbench.gui.qt import QApplication, QEventLoop, QLabel, QProgressDialog, Qt, QWidget
 from vkworkbench.gui.renderer import note_renderer
 from vkworkbench.gui.text import translate
-from vkworkbench.report import Report
+from vkworkbench.report import Cancelled, Report
 
 _DELAY = 300  # ms; a shorter analysis shows no dialog
 _WIDTH = 400  # px; a width that changed with every label would make FreeCAD draw the 3D view behind it anew
@@ -24,28 +24,63 @@ def analyze(what) -> Report:
     Cancelled
         If the user pressed Esc or the button.
     """
-    dialog = QProgressDialog(Gui.getMainWindow())
-    dialog.setWindowTitle(translate("Vk_Analyze", "Analyze toolpaths"))
-    dialog.setWindowModality(Qt.WindowModal)
-    dialog.setMinimumDuration(_DELAY)
-    dialog.setMinimumWidth(_WIDTH)
-    as_plain(dialog.findChild(QLabel))
-    dialog.rejected.connect(dialog.cancel)  # Esc, whichever part of the dialog takes it
-
-    def progress(done: int, count: int, label: str) -> None:
-        dialog.setMaximum(count)
-        dialog.setLabelText(label)
-        dialog.setValue(done)
-
-    def cancelled() -> bool:
-        # Clicks have to wait until the dialog is visible and keeps them from the window.
-        waiting = QEventLoop.AllEvents if dialog.isVisible() else QEventLoop.ExcludeUserInputEvents
-        QApplication.processEvents(waiting)
-        return dialog.wasCanceled()
-
     note_renderer()
+    progress = _Progress(translate("Vk_Analyze", "Analyze toolpaths"), Gui.getMainWindow())
     try:
-        return vkworkbench.analyze(what, progress=progress, cancelled=cancelled)
+        return vkworkbench.analyze(what, progress=progress.show, cancelled=progress.cancelled)
     finally:
-        dialog.close()
-        dialog.deleteLater()
+        progress.close()
+
+
+def calibrate(parent: QWidget) -> None:
+    """Measure this computer as ``calibration.calibrate`` does.
+
+    Raises
+    ------
+    Cancelled
+        If the user pressed Esc or the button.
+    OSError
+        If the user data folder cannot be written.
+    """
+    from vkworkbench.document import calibration  # loads FreeCAD's simulators
+
+    progress = _Progress(translate("VkPreferences", "Calibrate"), parent)
+    try:
+        calibration.calibrate(note_renderer(again=True), going_on=progress.going_on)
+    finally:
+        progress.close()
+
+
+class _Progress:
+    """A dialog that says that this computer is being measured, which comes first, then what is analysed."""
+
+    def __init__(self, title: str, parent: QWidget) -> None:
+        self._dialog = QProgressDialog(parent)
+        self._dialog.setWindowTitle(title)
+        self._dialog.setWindowModality(Qt.WindowModal)
+        self._dialog.setMinimumDuration(_DELAY)
+        self._dialog.setMinimumWidth(_WIDTH)
+        as_plain(self._dialog.findChild(QLabel))
+        self._dialog.setLabelText(translate("Vk_Analyze", "Measuring how fast this computer simulates…"))
+        self._dialog.setMaximum(0)  # how long that takes is not known
+        self._dialog.setValue(0)
+        self._dialog.rejected.connect(self._dialog.cancel)  # Esc, whichever part of the dialog takes it
+
+    def close(self) -> None:
+        self._dialog.close()
+        self._dialog.deleteLater()
+
+    def show(self, done: int, count: int, label: str) -> None:
+        self._dialog.setMaximum(count)
+        self._dialog.setLabelText(label)
+        self._dialog.setValue(done)
+
+    def cancelled(self) -> bool:
+        # Clicks have to wait until the dialog is visible and keeps them from the window.
+        waiting = QEventLoop.AllEvents if self._dialog.isVisible() else QEventLoop.ExcludeUserInputEvents
+        QApplication.processEvents(waiting)
+        return self._dialog.wasCanceled()
+
+    def going_on(self) -> None:
+        if self.cancelled():
+            raise Cancelled("given up")

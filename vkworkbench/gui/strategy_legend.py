@@ -25,9 +25,10 @@ class Legend:
 
     def __init__(self, document_name: str) -> None:
         self._document = document_name
-        self._views: list[coin.SoGroup] = []
         self._entries: list[tuple[str, str]] = []
         self._root, self._image = _overlay()
+        self._keeper = coin.SoGroup()  # what is made by the name of its type ends with the last view otherwise
+        self._keeper.addChild(self._root)
 
     def show(self, strategies: Iterable[Strategy]) -> None:
         """Name the colours of these strategies, and that of rapids."""
@@ -37,18 +38,19 @@ class Legend:
         if entries != self._entries:
             self._entries = entries
             _fill(self._image, _painted(entries))
-        for view in Gui.getDocument(self._document).mdiViewsOfType("Gui::View3DInventor"):
-            scene = view.getSceneGraph()
+        for scene in self._scenes():
             if scene.findChild(self._root) < 0:
                 scene.addChild(self._root)
-                self._views.append(scene)
 
     def remove(self) -> None:
         """Take it out of the views."""
-        for scene in self._views:
+        for scene in self._scenes():
             if scene.findChild(self._root) >= 0:
                 scene.removeChild(self._root)
-        self._views.clear()
+
+    def _scenes(self) -> list[coin.SoGroup]:
+        views = Gui.getDocument(self._document).mdiViewsOfType("Gui::View3DInventor")
+        return [view.getSceneGraph() for view in views]
 
 
 def _overlay() -> tuple[coin.SoGroup, coin.SoImage]:

@@ -30,25 +30,41 @@ _READING = 0.03  # s for copying paths out of a document, then other events come
 Key = tuple[str, str]  # the names of document and object
 
 
+def _groups(obj) -> list[coin.SoGroup]:
+    """The groups below which FreeCAD draws an object as they are now; none where it draws nothing.
+
+    Others may take them away, and Coin ends FreeCAD where a node is used that is gone: they are asked for each time.
+    """
+    switch = obj.ViewObject.SwitchNode
+    children = map(switch.getChild, range(switch.getNumChildren()))
+    return [child for child in children if isinstance(child, coin.SoGroup)]
+
+
 class _Shown:
-    """What is shown of one document: lines and the nodes they hang below, by the names of operations."""
+    """What is shown of one document: lines by the names of operations."""
 
     def __init__(self, document_name: str) -> None:
         self._document = document_name
-        self.lines: dict[str, tuple[coin.SoGroup, Lines]] = {}
+        self.lines: dict[str, Lines] = {}
         self.legend = Legend(document_name)
 
-    def put(self, name: str, parent: coin.SoGroup, lines: Lines) -> None:
-        self.take_away(name)
-        parent.addChild(lines.root)
-        self.lines[name] = parent, lines
-        self.name_colors()
+    def put(self, obj, lines: Lines) -> None:
+        self.take_away(obj.Name)
+        for group in _groups(obj)[:1]:
+            group.addChild(lines.root)
+            self.lines[obj.Name] = lines
+            self.name_colors()
 
     def take_away(self, name: str) -> None:
         if name in self.lines:
-            parent, lines = self.lines.pop(name)
-            parent.removeChild(lines.root)
+            self._take_away(name)
             self.name_colors()
+
+    def _take_away(self, name: str) -> None:
+        root = self.lines.pop(name).root
+        for group in _groups(FreeCAD.getDocument(self._document).getObject(name)):
+            if group.findChild(root) >= 0:
+                group.removeChild(root)
 
     def forget(self, name: str) -> None:
         """Pass over an operation that is gone, and its lines with it."""
@@ -57,15 +73,14 @@ class _Shown:
 
     def end(self) -> None:
         """Take all away."""
-        for parent, lines in self.lines.values():
-            parent.removeChild(lines.root)
-        self.lines.clear()
+        for name in list(self.lines):
+            self._take_away(name)
         self.legend.remove()
 
     def name_colors(self) -> None:
         """Show in the legend what is visible."""
         document = FreeCAD.getDocument(self._document)
-        visible = [lines for name, (_, lines) in self.lines.items() if document.getObject(name).Visibility]
+        visible = [lines for name, lines in self.lines.items() if document.getObject(name).Visibility]
         self.legend.show(strategy for lines in visible for strategy in lines.strategies)
 
 
@@ -106,7 +121,7 @@ class _Drawer:
             key = next(iter(self._pending))
             del self._pending[key]
             obj = _object(key)
-            if obj is not None and obj.ViewObject.SwitchNode.getNumChildren():  # else FreeCAD draws nothing either
+            if obj is not None and _groups(obj):  # else FreeCAD draws nothing either
                 batch.append((key, source_of(obj)))
         self._at_work = [key for key, _ in batch]
         if batch:
@@ -124,7 +139,7 @@ class _Drawer:
             return
         lines = Lines(drawing)
         lines.emphasize(obj in Gui.Selection.getSelection("*"))
-        shown.put(key[1], obj.ViewObject.SwitchNode.getChild(0), lines)
+        shown.put(obj, lines)
 
     def _ended(self, error: Exception | None) -> None:
         self._at_work = []
@@ -252,5 +267,5 @@ class _Watcher:
     def _emphasize(self) -> None:
         selected = {(obj.Document.Name, obj.Name) for obj in Gui.Selection.getSelection("*")}
         for document, shown in _shown.items():
-            for name, (_, lines) in shown.lines.items():
+            for name, lines in shown.lines.items():
                 lines.emphasize((document, name) in selected)

@@ -9,7 +9,7 @@ from pathlib import Path
 import FreeCAD
 import FreeCADGui as Gui
 
-from vkworkbench import freecad
+from vkworkbench import freecad, preferences
 from vkworkbench.document import idle
 from vkworkbench.document.mark_properties import may_have_mark
 from vkworkbench.gui import preferences_page, simulator_watch
@@ -58,8 +58,9 @@ def install() -> None:
         workbench = Gui.listWorkbenches().get(name)
         if workbench is not None:
             _extend(workbench, menu)
-    idle.use(lambda call: QTimer.singleShot(0, call))
+    idle.use(lambda call: QTimer.singleShot(1, call))  # ms: other events come before
     FreeCAD.addDocumentObserver(_OpenedDocuments())
+    FreeCAD.addDocumentObserver(_Recomputes())
     Gui.getMainWindow().workbenchActivated.connect(lambda name: simulator_watch.watch())  # then the task view is there
     QApplication.instance().focusWindowChanged.connect(_focus_changed)
 
@@ -94,6 +95,7 @@ class _OpenedDocuments:
     """
 
     def __init__(self) -> None:
+        self._opened: set[str] = set()  # and not looked at since
         self._compared: set[str] = set()
 
     def slotCreatedObject(self, obj) -> None:
@@ -102,9 +104,11 @@ class _OpenedDocuments:
             self._later(obj.Document.Name)
 
     def slotDeletedDocument(self, document) -> None:
+        self._opened.discard(document.Name)
         self._compared.discard(document.Name)
 
     def slotCreatedDocument(self, document) -> None:
+        self._opened.add(document.Name)
         self._later(document.Name)
 
     def slotActivateDocument(self, document) -> None:
@@ -125,15 +129,34 @@ class _OpenedDocuments:
             return
         if document.Restoring:  # still loading: FreeCAD's progress bar lets timers run meanwhile
             self._later(name)
-        elif any(map(may_have_mark, document.Objects)):
+            return
+        opened = name in self._opened
+        self._opened.discard(name)
+        if any(map(may_have_mark, document.Objects)):
             # These load numpy: only for a document with marks.
             from vkworkbench.document import upkeep, watcher
             from vkworkbench.gui import pills
 
             pills.show()
             upkeep.watch()
-            idle.work(watcher.comparing(document, opened=True))
+            idle.work(watcher.comparing(document, opened=opened))
             self._compared.add(name)
+
+
+class _Recomputes:
+    """Analyses again after a recompute, if the user wishes: when FreeCAD is idle, with progress, and Esc cancels."""
+
+    def slotRecomputedDocument(self, document) -> None:
+        if "vkworkbench.document.marking" in sys.modules and preferences.read().analyze_after_recompute:
+            name = document.Name
+            idle.later(f"analysis of {name}", lambda: self._analyze(name))
+
+    def _analyze(self, name: str) -> None:
+        from vkworkbench.document import upkeep
+        from vkworkbench.gui import progress
+
+        if name in FreeCAD.listDocuments():  # behind the work that compares its marks
+            idle.work(upkeep.analyzing_again(FreeCAD.getDocument(name), progress.analyze))
 
 
 def _focus_changed(window) -> None:

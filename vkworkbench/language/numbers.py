@@ -60,6 +60,11 @@ class Reader:
         factor, unit = self.length_unit(millimetres)
         return f"{self.number(millimetres / factor, digits)} {unit}"
 
+    def volume(self, cubic_millimetres: float, digits: int = 6) -> str:
+        """Return a volume with a number of significant digits, e.g. ``"212 mm³"``, in the unit that its side has."""
+        factor, unit = self.length_unit(cubic_millimetres ** (1 / 3))
+        return f"{self.number(cubic_millimetres / factor**3, digits)} {unit}³"
+
     def number(self, value: float, digits: int = 6) -> str:
         """Return a number with a number of significant digits; a large one to the unit."""
         text = f"{value:.{digits}g}"

@@ -3,7 +3,7 @@
 
 A place of a template is ``{name}`` or ``{name:quantity}``. Without a quantity stands there a text as it is, or another
 message. A quantity says what a number is: ``n`` how many, ``#`` the number of a line or command, ``g`` a number,
-``mm`` a length (both with the significant digits behind them, e.g. ``mm3``), ``s`` a duration in s, ``bytes``,
+``mm`` a length, ``mm³`` a volume, ``mm/min`` a speed (these with the significant digits behind them, e.g. ``mm3``), ``s`` a duration in s, ``bytes``,
 ``%`` a share of 1, ``turns`` an angle in rad, ``strategy`` a strategy and ``simulator`` a simulator by its name.
 """
 
@@ -26,6 +26,8 @@ _QUANTITIES: dict[str, Callable[[Reader, Any, int], str]] = {
     "#": lambda reader, value, digits: f"{value:d}",
     "g": lambda reader, value, digits: reader.number(float(value), digits),
     "mm": lambda reader, value, digits: reader.measure(float(value), digits),
+    "mm³": lambda reader, value, digits: reader.volume(float(value), digits),
+    "mm/min": lambda reader, value, digits: f"{reader.measure(float(value), digits)}/min",
     "s": lambda reader, value, digits: reader.time(value),
     "bytes": lambda reader, value, digits: reader.memory(value),
     "%": lambda reader, value, digits: reader.share(value),

@@ -233,7 +233,7 @@ def test_a_feed_that_no_machine_has_is_not_taken(feed):
     toolpath = path(START, ("G1", {"X": 1, "F": 5}), ("G1", {"X": 2, "F": feed}))
     assert toolpath.feed[-2:].tolist() == [5, 5]
     told = [(problem.command, problem.what.code) for problem in toolpath.problems]
-    assert told == ([] if feed in (-3.0, 0.0) else [(2, "unusable-feed")])
+    assert told == ([] if feed == 0.0 else [(2, "unusable-feed")])
 
 
 def test_modal_cycle_lines_and_relative_cycles():

@@ -37,7 +37,9 @@ def told(commands):
     ([("G21", {}), ("G40", {}), ("G94", {}), ("M3", {"S": 500.0}), ("T1", {}), ("G43", {"H": 1.0})], []),
     ([("G41", {"D": 1.0}), ("G42.1", {})], [("compensation-not-read", "G41", 2, 1), ("compensation-not-read", "G42.1", 3, 1)]),
     ([("G93", {}), ("G95", {})], [("feed-mode-not-read", "G93", 2, 1), ("feed-mode-not-read", "G95", 3, 1)]),
-    ([("M98", {"P": 100.0}), ("m098", {})], [("subprogram-not-read", 2, 2)]),
+    ([("M98", {"P": 100.0}), ("m098", {}), ("M97", {"P": 5.0})], [("subprogram-not-read", 2, 3)]),
+    ([("G1", {"X": 5.0, "R": 2.0}), ("G0", {"Y": 5.0, "I": 1.0})], [("word-not-read", "I", 3, 1), ("word-not-read", "R", 2, 1)]),
+    ([("G1", {"X": 5.0, "F": -3.0}), ("G1", {"X": 6.0, "F": 0.0})], [("unusable-feed", 2, 1)]),
     ([("M30", {})], []),
     ([("G1", {"X": 1.0}), ("M02", {}), ("M5", {}), ("G1", {"X": 2.0}), ("M30", {}), ("G0", {"X": 3.0})], [("goes-on", 5, 2)]),
 ])  # fmt: skip
@@ -60,7 +62,11 @@ def test_a_time_with_a_dwell_is_the_least():
 @pytest.mark.parametrize("line, problem", [
     ("G0 A90", ("rotary-not-read", "A")), ("G1 X1 U2", ("word-not-read", "U")), ("G1 E5", ("word-not-read", "E")),
     ("G2 X4 Y0 I2 P3", ("turns-not-read",)), ("G4 P2", ("dwell-untimed",)), ("G82 X1 Z-2 R1 P0.5", ("dwell-untimed",)),
-    ("G41 D1", ("compensation-not-read", "G41")), ("M98 P100", ("subprogram-not-read",)),
+    ("G41 D1", ("compensation-not-read", "G41")), ("M98 P100", ("subprogram-not-read",)), ("M97 P5", ("subprogram-not-read",)),
+    ("G1 X1 Y2 X3", ("word-twice", "X")), ("G1 X1 F100 F200", ("word-twice", "F")), ("G0 G1 X3", ("two-motions",)),
+    ("G10 L2 P1 X5", ("coordinates-not-changed", "G10")), ("G10 L20 P1 X0", ("coordinates-not-changed", "G10")),
+    ("G7.1 C20", ("coordinates-not-changed", "G7.1")), ("G7", ("unknown-code", "'G7'")),
+    ("G76 P1 Z-2 Q1", ("unknown-code", "'G76'")),
 ])  # fmt: skip
 def test_programs(line, problem):
     program = read_program(f"G21 G90\nG0 X0 Y0 Z5\nG1 Z-1 F100\n{line}\nX10 Y3")
@@ -68,7 +74,22 @@ def test_programs(line, problem):
     assert program.problems[0].command == 4
 
 
-@pytest.mark.parametrize("line", ["G1 X1 A0", "G43 H1", "G40", "M3 S500", "G2 X4 Y0 I2 P1", "G94"])
+@pytest.mark.parametrize(
+    "line",
+    [
+        "G1 X1 A0",
+        "G43 H1",
+        "G40",
+        "M3 S500",
+        "G2 X4 Y0 I2 P1",
+        "G94",
+        "G10 L1 P1 Z5",
+        "M97",
+        "G90 G54 G0 X1",
+        "G80 G0 X1",
+        "G8",
+    ],
+)
 def test_words_that_say_nothing_of_the_way(line):
     assert read_program(f"G21 G90\nG0 X0 Y0 Z5\nG1 Z-1 F100\n{line}\nX10 Y3").problems == ()
 

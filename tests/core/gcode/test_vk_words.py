@@ -25,8 +25,15 @@ class Command:
         return {"X": 1.0, "Y": 2.0, "F": 3.0}
 
 
-def test_a_million_commands_take_little_memory():
-    commands = [Command()] * 400_000
+@pytest.fixture
+def many(monkeypatch):
+    """How many commands are read, of which an eighth at once: with fewer at once fewer do to tell the two apart."""
+    monkeypatch.setattr(words, "_PIECE", 5_000)
+    return 40_000
+
+
+def test_very_many_commands_take_little_memory(many):
+    commands = [Command()] * many
     tracemalloc.start()
     try:
         read = Words(commands)
@@ -48,8 +55,8 @@ class Keeping:
         return {"X": 1.0, "Y": 2.0, "F": 3.0}
 
 
-def test_commands_that_are_used_up_go_with_what_they_keep():
-    commands = [Keeping() for _ in range(400_000)]
+def test_commands_that_are_used_up_go_with_what_they_keep(many):
+    commands = [Keeping() for _ in range(many)]
     count = len(commands)
     tracemalloc.start()
     try:

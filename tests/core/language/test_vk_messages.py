@@ -6,6 +6,7 @@ from __future__ import annotations
 import ast
 import json
 import re
+from functools import lru_cache
 from pathlib import Path
 
 import numpy as np
@@ -21,7 +22,7 @@ from vkworkbench.language.table import PLAIN, TABLE
 
 PACKAGE = Path(__file__).resolve().parents[3] / "vkworkbench"
 PLACE = re.compile(r"\{(\w+)(?::([^{}\d]+)\d*)?\}")
-VALUES = {"n": 3, "#": 12345, "g": 0.5, "mm": 2.5, "s": 4.0, "bytes": 2e6, "%": 0.5, "turns": 9.0,
+VALUES = {"n": 3, "#": 12345, "g": 0.5, "mm": 2.5, "mm³": 212.0, "mm/min": 300.0, "s": 4.0, "bytes": 2e6, "%": 0.5, "turns": 9.0,
           "strategy": "zigzag", "simulator": "legacy", "": "Face"}  # fmt: skip
 
 
@@ -35,8 +36,13 @@ def places(code):
     return dict(place for template in templates(code) for place in PLACE.findall(template))
 
 
+@lru_cache(maxsize=None)
 def made():
     """Every message that the code makes: where, its code and the names of its arguments."""
+    return list(calls())
+
+
+def calls():
     for path in sorted(PACKAGE.rglob("*.py")):
         for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
             if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id == "Message":
@@ -91,10 +97,15 @@ def test_labels_stay_as_they_are(label):
     assert Message.from_data(json.loads(json.dumps(message.as_data()))) == message
 
 
+@lru_cache(maxsize=None)
+def found_in(build, seed):
+    return recognize(linearize(build(np.random.default_rng(seed))), tool_diameter=6.0)
+
+
 @pytest.mark.parametrize("kind, build", [(kind, build) for kind, _, build in synthetic.SAMPLES])
 def test_real_reasons_in_every_language(kind, build):
     for seed in range(3):
-        found = recognize(linearize(build(np.random.default_rng(seed))), tool_diameter=6.0)
+        found = found_in(build, seed)
         assert Message.from_data(json.loads(json.dumps(found.why.as_data()))) == found.why
         assert render(found.why) == found.reason
         for reader in map(Translated, LANGUAGES):
@@ -177,7 +188,7 @@ def test_plain_words_leave_out_the_papers_terms():
 
 @pytest.mark.parametrize("kind, build", [(kind, build) for kind, _, build in synthetic.SAMPLES])
 def test_plain_words_of_real_reasons(kind, build):
-    found = recognize(linearize(build(np.random.default_rng(0))), tool_diameter=6.0)
+    found = found_in(build, 0)
     for reader in (ENGLISH, *map(Translated, LANGUAGES)):
         shown = render(found.why, reader, plain=True)
         assert shown and not re.search(r"\bphi\b|φ|[{}]", shown), shown

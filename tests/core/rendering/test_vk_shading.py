@@ -42,7 +42,8 @@ def test_a_step_is_a_dark_line_and_nothing_else():
     depth[:, 30:] -= 5
     image = shade(depth, 0.5, GREY)
     line = image[20, 29:31].astype(int)
-    assert (line < image[20, 10].astype(int) - 40).all()
+    # Of the two slopes beside the step the smaller one is the surface's: the light of the flat, less the line.
+    assert np.abs(line - 0.55 * 200).max() <= 1 and (image[20, 10] == 200).all()
     assert (np.delete(image, (29, 30), axis=1) == image[20, 10]).all()
 
 
@@ -51,6 +52,28 @@ def test_a_finished_surface_has_no_lines():
     depth = np.tile(100 + 0.05 * np.cos(2 * np.pi * x / 3), (40, 1)).astype(np.float32)
     image = shade(depth, 0.5, GREY)
     assert image.min() > 0.8 * image.max()
+
+
+@pytest.mark.parametrize("turned", [False, True], ids=["across", "up"])
+@pytest.mark.parametrize(
+    ("change", "dark"), [(1.1, 0.0), (1.8, 0.45 / 2), (2.4, 0.45), (4.0, 0.45)], ids=["none", "half", "full", "no more"]
+)
+def test_an_edge_is_the_darker_the_sharper_up_to_twice_the_sharpness_of_the_first_line(change, dark, turned):
+    depth = plane(size=(60, 60))
+    depth[:, 30:] -= 0.5 * change * np.arange(30, dtype=np.float32)
+    image = shade(depth.T if turned else depth, 0.5, GREY)[::-1]
+    # Left of the edge, and below it, it is level.
+    edge, level = (image[30, 20], image[10, 20]) if turned else (image[20, 30], image[20, 10])
+    assert (level == 200).all() and edge == pytest.approx(200 * (1 - dark), abs=1)
+
+
+def test_what_looks_away_from_the_light_has_the_light_of_all_around():
+    assert brightness(plane(right=-3, up=3)) == pytest.approx(0.38 * 200, abs=1)
+
+
+def test_nothing_is_brighter_than_white():
+    white = shade(plane(right=0.4, up=-0.6), 0.5, (255, 255, 255))
+    assert (white == 255).all()
 
 
 @pytest.mark.parametrize("size", [(1, 1), (1, 7), (5, 1), (2, 2)])

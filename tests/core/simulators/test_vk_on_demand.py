@@ -96,6 +96,12 @@ def test_what_is_sent_or_copied_is_computed():
     assert type(sent) is dict and sent == dict(costs) == dict(copy.deepcopy(costs))
 
 
+def test_it_tells_what_was_computed_and_shows_as_a_dictionary():
+    costs = OnDemand({"a": lambda: 1, "b": lambda: 2})
+    assert costs.computed() == () and costs["b"] == 2 and costs.computed() == ("b",)
+    assert repr(costs) == "{'a': 1, 'b': 2}"
+
+
 def test_what_was_computed_holds_nothing_else():
     costs, _ = predict(task(), Conditions(version=(1, 1)))
     dict(costs)

@@ -63,6 +63,18 @@ def test_arcs_that_stop_the_legacy_simulator_of_every_version(version, arc, reas
     assert reason in found[0].message
 
 
+def test_an_arc_that_sweeps_nothing_about_a_centre_below_its_start():
+    start = ("G0", {"X": 0.0, "Y": 10.0, "Z": 5.0})
+    (found,) = check([start, ("G3", {"X": 0.0, "Y": 12.0, "Z": 5.0, "I": 0.0, "J": -10.0})])
+    assert "sweeps no angle" in found.message
+    assert check([start, ("G3", {"X": -10.0, "Y": 0.0, "Z": 5.0, "I": 0.0, "J": -10.0})]) == ()
+
+
+def test_a_k_word_of_nothing_is_none():
+    (found,) = check([START, ("G3", {**without("I", "J"), "K": 0.0})], (1, 1))
+    assert "without a centre" in found.message
+
+
 def test_arcs_with_a_k_word_take_another_way():
     assert check([START, ("G3", {**without("Z"), "K": 1.0})]) == ()
 

@@ -64,7 +64,25 @@ def test_the_stated_factor_is_of_several_runs(kind):
     for few in range(1, 4):
         assert lesson.taught(runs[:few], SOFTWARE)[lesson.factor] == before
     assert 1.02 < lesson.taught(runs, SOFTWARE)[lesson.factor] < 1.15
-    assert not lesson.taught((), SOFTWARE)
+    assert lesson.taught((), SOFTWARE) == {}
+
+
+def test_runs_are_read_as_so_many_numbers():
+    assert LESSONS["draw"].read([1, "2.5"]) == (1.0, 2.5)
+    for wrong in ([1.0], [1.0, 2.0, 3.0], []):
+        with pytest.raises(ValueError, match="not 2"):
+            LESSONS["draw"].read(wrong)
+    assert LESSONS["fast-forward"].read((1, 2, 3)) == (1.0, 2.0, 3.0) and len(LESSONS["play"].read([0] * 4)) == 4
+
+
+def test_a_play_whose_pictures_were_not_timed_teaches_nothing_of_drawing():
+    seconds = 100.0
+    assert LESSONS["draw"].kept(cost_of("draw", CARD), Seen(seconds, seconds), CARD) is None
+
+
+def test_an_error_is_the_larger_over_the_smaller_and_endless_where_nothing_was_predicted():
+    of_run = replace(LESSONS["draw"], learned=lambda runs, constants: {}, ratio=lambda run, constants: run[0])
+    assert of_run.errors([(0.5,), (2.0,), (1.0,), (0.0,), (-1.0,)], CARD) == [2.0, 2.0, 1.0, np.inf, np.inf]
 
 
 def test_errors_beyond_the_stated_factor_widen_it_at_once():

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -229,6 +230,10 @@ def test_budget_of_play_is_met_by_the_finest_position_that_meets_it():
     assert told.endswith("; 0.25 mm would do for passes 1 mm apart")
     none = best_accuracy([every], memory_bytes=1e9, seconds=seconds[0] / 2)
     assert none.position is None and "use fast-forward" in none.explanation
+    # Coarser does not help, and fast-forward is taken at the finest.
+    assert (none.seconds, none.memory_bytes) == (every[0].play_seconds, every[0].memory_bytes)
+    assert none.why.arguments["longer"] == every[0].play_seconds
+    assert none.why.arguments["time"] == pytest.approx(every[-1].fast_forward_seconds)
 
 
 def test_play_shows_the_uncut_stock_and_every_command():
@@ -237,10 +242,33 @@ def test_play_shows_the_uncut_stock_and_every_command():
     assert one.play_seconds - half.play_seconds == pytest.approx(0.5 * (1 + one.shown))
 
 
+def test_every_mesh_of_a_play_has_the_triangles_of_the_operations_before():
+    costs = [
+        replace(positions(linearize(zigzag(rows)), TOOL)[-1], shown=shown, facets=facets, drawn=drawn)
+        for rows, shown, facets, drawn in ((4, 10, 100.0, 7e3), (5, 20, 300.0, 8e3), (6, 40, 700.0, 9e3))
+    ]
+    together, constants = legacy_together(costs), costs[0].constants
+    more = 20 * 100 + 40 * (100 + 300)
+    assert together.drawn == 24e3 + more and together.facets == 1100 and together.shown == 70
+    once = constants.cell * costs[0].cells + constants.redraw  # the uncut stock is shown once, not three times
+    alone = sum(cost.play_seconds for cost in costs) - 2 * once
+    assert together.play_seconds == pytest.approx(alone + (constants.facet + constants.display) * more)
+    assert together.display_seconds == pytest.approx(constants.redraw * 70 + constants.display * together.drawn)
+
+
+def test_chords_of_an_arc_are_walked_in_steps_of_six_tenths_of_a_cell():
+    """A half circle of 15 mm with cells of 0.5 mm is 18 chords of 5.2 cells, nine steps each; 21 lines for 6 mm."""
+    work = legacy_work(motions(linearize(arcs(1, 15.0))), diameter=6.0, stock=STOCK, accuracy=0.5)
+    assert work.calls.tolist() == [18] and work.line_steps.tolist() == [18 * 9 * 21]
+    tiny = [("G0", {"X": 40.0, "Y": 30.0, "Z": 10.0}), ("G2", {"X": 40.1, "Y": 30.0, "Z": 10.0, "I": 0.05, "J": 0.0})]
+    assert legacy_work(motions(linearize(tiny)), diameter=6.0, stock=STOCK, accuracy=1.0).calls.tolist() == [1]
+
+
 def test_where_no_accuracy_helps_the_heaviest_operation_is_named():
     small, large = positions(linearize(zigzag(4)), TOOL), positions(linearize(surface()), TOOL)
-    told = best_accuracy([small, large], memory_bytes=1e9, seconds=1.0, labels=("Floor", "Dome")).explanation
-    assert "; the heaviest is Dome with " in told
+    told = best_accuracy([small, large], memory_bytes=1e9, seconds=1.0, labels=("Floor", "Dome"))
+    assert "; the heaviest is Dome with " in told.explanation
+    assert told.why.arguments["heaviest"].arguments["time"] == large[0].play_seconds
 
 
 def test_operations_together_start_once_and_draw_what_was_cut_before():
@@ -314,7 +342,7 @@ def test_impossible_input_is_refused_in_words():
 def test_heights_equal_those_of_every_cell_against_every_point(tool):
     path = linearize([("G1", {"X": 20.0, "Y": 15.0, "Z": 12.0}), ("G1", {"X": 70.0, "Y": 40.0, "Z": 8.0})])
     (heights,), size = heightmaps(path, tool=tool, stock=STOCK)
-    along = np.linspace(0, 1, 2000)[:, None]
+    along = np.linspace(0, 1, 500)[:, None]  # points a ninth of a mm apart, a ninth of a cell
     points = path.points[0] + along * (path.points[1] - path.points[0])
     x, y = np.meshgrid(
         (np.arange(heights.shape[0]) + 0.5) * size, (np.arange(heights.shape[1]) + 0.5) * size, indexing="ij"
@@ -359,6 +387,14 @@ def test_a_path_looked_at_in_parts_leaves_what_it_leaves_at_once():
     assert np.abs(parts[-1] - whole).max() < 0.05  # the ends of the parts are sampled twice
 
 
+def from_line(x, y, begin, end):
+    """How far points are from a line that ends."""
+    ux, uy = end - begin
+    share = ((x - begin[0]) * ux + (y - begin[1]) * uy) / max(ux**2 + uy**2, 1e-12)
+    share = np.clip(share, 0, 1)
+    return np.hypot(x - begin[0] - share * ux, y - begin[1] - share * uy)
+
+
 @pytest.mark.parametrize("tool", [Tool("endmill", 8.0), Tool("drill", 8.0)])
 def test_the_lower_face_is_cut_where_the_tool_comes_through(tool):
     def cut(x, y, z, to):
@@ -373,14 +409,41 @@ def test_the_lower_face_is_cut_where_the_tool_comes_through(tool):
     (kept,), size = floors(linearize(commands), tool=tool, stock=STOCK, thickness=0.0)
     # A drill of 118 degrees is as wide as this 1 mm above its tip.
     radius = 4.0 if tool.shape == "endmill" else np.tan(np.radians(59.0))
-    x, y = ((np.indices(kept.shape) + 0.5) * size)[:, :, :, None]
-    along = np.linspace(0, 1, 400)[:, None, None]
-    line = (begin[:2] + along * (end - begin)[:2]).reshape(-1, 2)
-    distance = np.min([np.hypot(x - px, y - py) for px, py in line], axis=0)[..., 0]
+    x, y = (np.indices(kept.shape) + 0.5) * size
+    distance = np.minimum(*(from_line(x, y, *ends) for ends in zip(begin[:2], end[:2])))
     assert not kept[distance < radius - 0.05].any()
     assert kept[distance > radius + 0.05].all()
     parts, _ = floors(linearize(commands), tool=tool, stock=STOCK, thickness=0.0, parts=3)
     assert (parts[-1] == kept).all() and kept.sum() < parts[0].sum() < kept.size
+
+
+def test_cells_of_the_lower_face_are_cut_where_their_middles_are_under_the_tool():
+    """A slot of 8 mm from (50, 30) to (51, 30) with cells of a fifth of a mm: the middles are at odd tenths."""
+    slot = [("G0", {"X": 50.0, "Y": 30.0, "Z": 9.0}), ("G1", {"Z": -1.0}), ("G1", {"X": 51.0})]
+    (kept,), size = floors(linearize(slot), tool=Tool("endmill", 8.0), stock=STOCK, thickness=0.0)
+    assert size == pytest.approx(0.2) and kept.shape == (500, 300)
+    x, y = (np.indices(kept.shape) + 0.5) * size
+    assert np.array_equal(kept, np.hypot(x - np.clip(x, 50, 51), y - 30.0) > 4.0)
+    (beside,), _ = floors(
+        linearize([("G0", {"X": -2.0, "Y": 30.0, "Z": -1.0}), ("G1", {"Y": 70.0})]),
+        tool=Tool("endmill", 8.0), stock=STOCK, thickness=0.0,
+    )  # fmt: skip
+    assert np.array_equal(~beside, np.hypot(x + 2.0, y - np.clip(y, 30, 70)) < 4.0)
+
+
+def test_cells_of_the_lower_face_grow_where_too_many_rows_would_be_passed():
+    """10,000 moves of 8 mm across pass 80 m of rows and 2 m more for their ends: 300,000 rows of about 0.3 mm."""
+    path = linearize([("G1", {"X": 20.0 + (i % 2), "Y": 30.0, "Z": -1.0}) for i in range(10_001)])
+    _, size = floors(path, tool=Tool("endmill", 8.0), stock=STOCK, thickness=0.0)
+    assert size == pytest.approx(10_000 * 8.0 / 300_000, rel=1e-3)
+
+
+def test_a_ramp_that_comes_up_cuts_the_lower_face_until_its_tip_is_out():
+    """Down at (20, 30) and up again to the side by 1 mm in 10: out at (30, 30)."""
+    rows = [("G0", {"X": 20.0, "Y": 30.0, "Z": 9.0}), ("G1", {"Z": -1.0}), ("G1", {"X": 60.0, "Z": 3.0})]
+    (kept,), size = floors(linearize(rows), tool=Tool("endmill", 8.0), stock=STOCK, thickness=0.0)
+    x, y = (np.indices(kept.shape) + 0.5) * size
+    assert np.array_equal(kept, np.hypot(x - np.clip(x, 20, 30), y - 30.0) > 4.0)
 
 
 def test_on_a_ramp_the_lower_face_is_cut_from_where_the_tip_comes_through():
@@ -395,7 +458,9 @@ def test_on_a_ramp_the_lower_face_is_cut_from_where_the_tip_comes_through():
 
 def test_draw_calls_of_lines_plunges_and_arcs():
     start = [("G0", {"X": 0.0, "Y": 0.0, "Z": 10.0})]
-    assert opengl_cost(Task(linearize(start + [("G1", {"X": 10.0})]), TOOL, STOCK)).draws == 18
+    line = opengl_cost(Task(linearize(start + [("G1", {"X": 10.0})]), TOOL, STOCK))
+    assert (line.draws, line.steps) == (18, 20)  # of half a millimetre
+    assert tuple(line.play_seconds) == opengl_speeds((1, 1))
     assert opengl_cost(Task(linearize(start + [("G1", {"Z": 1.0})]), TOOL, STOCK)).draws == 9
     # A half circle of 5 mm was counted in FreeCAD 1.0: 33 chords, 297 draw calls.
     half = opengl_cost(Task(linearize(arcs(1, 5.0)), TOOL, STOCK))

@@ -12,11 +12,13 @@ from xml.etree import ElementTree
 import pytest
 
 from vkworkbench import preferences
-from vkworkbench.core import Stock, Tool, linearize, machining, recognize
+from vkworkbench.core import Stock, Tool, View, linearize, machining, recognize
 from vkworkbench.core.gcode import Words
 from vkworkbench.core.simulators import costs, preflight, table
+from vkworkbench.core.simulators.accuracy import Accuracy
 from vkworkbench.core.simulators.simulator import Caution, Conditions, Task
 from vkworkbench.core.simulators.table import LEGACY, SIMULATORS, ZBUFFER
+from vkworkbench.core.zbuffer import Resolution
 from vkworkbench.language import Message
 from vkworkbench.report import OperationReport, Report
 
@@ -134,6 +136,36 @@ def test_one_more_entry_is_predicted_warned_of_and_written_everywhere(wireframe,
     assert float(first["wireframe_seconds"]) == count and float(first["wireframe_factor"]) == 3.0
     data = json.loads((tmp_path / "report.json").read_text(encoding="utf-8"))
     assert data["totals"][0]["wireframe_seconds"] == 2 * count
+
+
+def test_advice_as_numbers_is_nothing_where_nothing_meets_the_budget():
+    why = Message("no-image")
+    assert ZBUFFER.advice.numbers(Resolution(None, 1.0, 1.0, why)) == (0, 0)
+    assert ZBUFFER.advice.numbers(Resolution(View(width=40, height=30), 1.0, 1.0, why)) == (40, 30)
+    assert LEGACY.advice.numbers(Accuracy(None, 1.0, 1.0, why)) == (0,)
+    assert LEGACY.advice.numbers(Accuracy(7, 1.0, 1.0, why)) == (7,)
+
+
+def test_without_a_tool_or_a_stock_nothing_is_predicted():
+    path, tool = linearize(ROWS), Tool("endmill", 5.0)
+    assert Task(path, tool, STOCK).cutting == (tool, STOCK)
+    for known in ((None, STOCK), (tool, None), (None, None)):
+        with pytest.raises(ValueError, match="without tool and stock"):
+            Task(path, *known).cutting  # noqa: B018
+
+
+def test_a_caution_reads_as_its_message():
+    caution = Caution("wires", Message("leave-out"))
+    assert str(caution) == caution.message != ""
+
+
+def test_costs_by_their_own_names_are_those_of_the_table():
+    operation = row((1, 1))
+    assert operation.legacy is operation.costs["legacy"] and operation.opengl is operation.costs["OpenGL"]
+    assert operation.accuracy is operation.advice["legacy"] and operation.resolution is operation.advice["z-buffer"]
+    assert None not in (operation.legacy, operation.opengl, operation.accuracy, operation.resolution)
+    without = row(())
+    assert (without.legacy, without.opengl, without.accuracy) == (None, None, None)
 
 
 def test_a_freecad_without_it_says_nothing_of_it(wireframe):

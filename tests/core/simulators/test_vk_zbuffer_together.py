@@ -6,13 +6,19 @@ from __future__ import annotations
 import pytest
 
 from vkworkbench.core import Cut, Stock, Tool, View, estimate, linearize, simulate_job
-from vkworkbench.core.simulators import together
+from vkworkbench.core.simulators import together, zbuffer
+from vkworkbench.core.simulators.zbuffer import ZBufferCost
 
 STOCK, TOOL, VIEW = Stock((0, 0, 0), (60, 40, 10)), Tool("endmill", 6), View(width=400, height=300)
 
 
 def slot(y):
     return linearize([("G0", {"X": 5, "Y": y, "Z": 20}), ("G1", {"Z": 5}), ("G1", {"X": 55})])
+
+
+def test_the_largest_stock_and_the_least_sure_time_count():
+    one, other = ZBufferCost(10.0, 300.0, 1.5, 100.0), ZBufferCost(20.0, 250.0, 2.5, 120.0)
+    assert zbuffer.together([one, other]) == ZBufferCost(30.0, 120.0 + 200.0 + 130.0, 2.5, 120.0)
 
 
 def test_the_memory_of_a_job_counts_the_stock_once():

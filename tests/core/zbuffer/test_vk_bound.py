@@ -43,6 +43,62 @@ def test_other_solids_have_no_bound_and_nothing_is_sure_of_them():
     assert cuts_surely(path, Stock((-9, -9, -5), (9, 9, 0))) and not cuts_surely(path, Stock((1, 1, -5), (9, 9, 0)))
 
 
+STOCK, PIXEL = Stock((0, 0, 0), (40, 30, 10)), View((0, 0, -1), 80, 60)  # pixels of 0.5 mm
+
+
+FLAT = Tool("endmill", 6)
+
+
+def records_of(moves, *, tool=FLAT, view=PIXEL, stock=STOCK):
+    """The records of the bound: its bytes less 8 for each pixel and 8, 8 bytes each, less a dexel for each pixel."""
+    path = linearize([("G1", dict(zip("XYZ", map(float, point)))) for point in moves])
+    pixels = view.width * view.height
+    return (most_bytes(path, tool=tool, stock=stock, view=view) - 8 * (pixels + 1)) / 8 - pixels
+
+
+ROUND = np.pi * 6 * 7 + 1  # the foot of 6 pixels' radius: area, half of the perimeter, and 1
+
+
+def test_from_above_a_move_passes_no_more_pixels_than_its_outline_holds():
+    assert records_of([(5, 5, 5), (5, 5, 12)]) == pytest.approx(ROUND)
+    assert records_of([(5, 5, 5), (8, 9, 5)]) == pytest.approx(ROUND + 13 * 10)  # 5 mm, 13 pixels wide
+    assert records_of([(5, 5, 10), (8, 9, 10)]) == 0 == records_of([(5, 5, 5)])  # on the stock, and no move
+    assert records_of([(5, 5, 12), (8, 9, 8)]) == pytest.approx(ROUND + 13 * 10)
+    assert records_of([(0, 0, 5), (200, 0, 5)]) == 80 * 60  # no more than there are
+
+
+def test_what_a_flat_end_cuts_at_one_height_it_cuts_once():
+    there_and_back = [(0, 0, 5), (200, 0, 5), (0, 0, 5)]
+    assert records_of(there_and_back) == 4800
+    assert records_of([*there_and_back, (0, 0, 3), (200, 0, 3)]) == pytest.approx(
+        2 * 4800
+    )  # the plunge is of its level
+    assert records_of([(0, 0, 3), (200, 0, 3), (200, 0, 5), (0, 0, 5)]) == 2 * 4800  # going up from it, too
+    sloped = [(0, 0, 5), (200, 0, 4), (0, 0, 5)]
+    assert records_of(sloped) == 2 * 4800
+    for tool in (Tool("ballend", 6), Tool("vbit", 6)):
+        assert records_of(there_and_back, tool=tool) == 2 * 4800
+
+
+@pytest.mark.parametrize(
+    ("direction", "right", "up"), [((0, 1, 0), 3, 0), ((1, 0, 0), 4, 0), ((0, 0.6, -0.8), 3, 4 * 0.8)]
+)
+def test_obliquely_a_move_passes_its_box_twice(direction, right, up):
+    """3 mm by 4 mm at 5 mm below the top: in the image so wide, and so high with the tool and what stands above it."""
+    view = View(direction, 300, 300, pixel=0.5)
+    width, height = right / 0.5 + 12, up / 0.5 + 12 + 5 / 0.5
+    found = records_of([(5, 5, 5), (8, 9, 5)], view=view)
+    assert found == pytest.approx(2 * (width * height + width + height + 1))
+    assert records_of([(5, 5, 5), (8, 9, 5)], view=View(direction, 5, 4, pixel=0.5)) == 2 * 20
+
+
+def test_the_tip_cuts_where_it_stands_in_the_stock():
+    for point, surely in (((20, 15, 9.9), True), ((20, 15, 9.9995), False), ((-1, 15, 5), False), ((20, 31, 5), False),
+                          ((41, 15, 5), False), ((20, -1, 5), False), ((20, 15, -5), True)):  # fmt: skip
+        path = linearize([("G1", {"X": -50.0, "Y": -50.0, "Z": 50.0}), ("G1", dict(zip("XYZ", map(float, point))))])
+        assert cuts_surely(path, STOCK) is surely, point
+
+
 class Holed:
     """A solid that no planes bound."""
 

@@ -133,7 +133,7 @@ def hole_volume(tool, depth):
 @pytest.mark.parametrize("tool", TOOLS, ids=lambda t: t.shape)
 @pytest.mark.parametrize("view", VIEWS)
 def test_hole_volume_in_every_view(tool, view):
-    z = cut([(20, 15, 12), (20, 15, 3)], tool, direction=VIEWS[view])
+    z = cut([(20, 15, 12), (20, 15, 3)], tool, direction=VIEWS[view], width=280, height=210)
     assert z.chip_volume == pytest.approx(hole_volume(tool, 7), rel=0.01)
     assert z.part_volume + z.chip_volume == pytest.approx(z.at(0).part_volume, rel=1e-5)
 
@@ -143,7 +143,7 @@ def test_hole_volume_in_every_view(tool, view):
 def test_one_move_has_one_volume_whatever_the_view(tool, move):
     middle = np.array([20, 15, 5])
     points = [middle - np.array(move) / 2, middle + np.array(move) / 2]
-    volumes = [cut(points, tool, direction=d).chip_volume for d in VIEWS.values()]
+    volumes = [cut(points, tool, direction=d, width=280, height=210).chip_volume for d in VIEWS.values()]
     assert volumes == pytest.approx([volumes[0]] * len(volumes), rel=0.01)
 
 

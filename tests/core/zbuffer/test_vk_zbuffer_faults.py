@@ -76,6 +76,35 @@ def test_a_crash_is_found():
     assert abs(one.place[1] - 15) < 3 and one.place[2] == pytest.approx(6.5)
 
 
+def test_what_is_found_is_told_as_plain_data():
+    crash = path([(-5, 15, 12), (-5, 15, 5), (45, 15, 5), (45, 15, 12)], rapid=[1])
+    found = told(SOUND, crash).job
+    data, cells = found.as_dict(), found.cells()
+    (one,) = data["crashes"]
+    assert (one["command"], one["depth"], one["volume"]) == (1, found.crashes[0].depth, found.crashes[0].volume)
+    assert one["place"] == list(found.crashes[0].place) and data["fast_plunges"] == []
+    assert [gouge["depth"] for gouge in data["gouges"]] == [gouge.depth for gouge in found.gouges]
+    assert data["gouges"][0]["command"] == 1 and data["left"] == []
+    assert (cells["crashes"], cells["first_crash_command"], cells["fast_plunges"]) == (1, 1, 0)
+    assert cells["deepest_gouge"] == pytest.approx(3) and cells["most_left"] == 0
+    assert cells["removed_volume"] == data["removed_volume"] == found.removed_volume
+    without = told(SOUND).job.cells()
+    assert (without["crashes"], without["first_crash_command"], without["deepest_gouge"]) == (0, None, 0)
+
+
+def test_several_cuts_together_have_the_deepest_cut_the_mean_width_and_the_largest_tool():
+    """Slots of 6 and 4 mm, 3 and 2 mm deep, 50 mm each; 42 of these on the block. A rapid above has no width."""
+    slots = [(Tool("endmill", 6), 10, 7.0), (Tool("endmill", 4), 20, 8.0)]
+    cuts = [Cut(path([(-5, y, z), (45, y, z), (45, y, 20), (-5, y, 20)], rapid=[1, 2]), tool) for tool, y, z in slots]
+    found = facts(simulate_job(cuts, stock=STOCK, view=View((0, 0, -1), 840, 640)))
+    assert [one.depth_of_cut for one in (*found.cuts, found.job)] == pytest.approx([3, 2, 3])
+    assert [one.width_of_cut for one in (*found.cuts, found.job)] == pytest.approx([5.04, 3.36, 4.2], rel=0.02)
+    assert [one.tool_diameter for one in (*found.cuts, found.job)] == [6, 4, 6]
+    assert [one.cutting_length for one in (*found.cuts, found.job)] == [50, 50, 100]
+    assert found.job.mean_rate == pytest.approx(60 * found.job.removed_volume / 10)  # 100 mm at 10 mm/s
+    assert (told().job.air_length_share, told().job.air_time_share) == (0, 0)
+
+
 def test_a_gouge_is_found():
     deep = path([(10, 15, 12), (10, 15, 6.5), (30, 15, 6.5), (30, 15, 12)], rapid=[2])
     found = told(SOUND, deep)

@@ -66,7 +66,8 @@ def owners(points, tool, at):
 @pytest.mark.parametrize("kind", ["level", "free", "plunges", "helix"])
 def test_every_point_has_the_same_owner(tool, kind):
     rng = np.random.default_rng([len(kind), TOOLS.index(tool)])
-    for direction in DIRECTIONS:
+    # Every other direction: each meets each kind of move with half of the tools.
+    for direction in DIRECTIONS[(len(kind) + TOOLS.index(tool)) % 2 :: 2]:
         stock = (BOX, ROUND)[rng.integers(2)]
         points = random_moves(kind, rng)
         n = len(points) - 1

@@ -8,6 +8,7 @@ from math import pi
 
 import numpy as np
 import pytest
+from zbuffer_reference.compare import close
 from zbuffer_reference.dexels import UNCUT
 from zbuffer_reference.jobs import pieces_of_job
 from zbuffer_reference.paths import BOX, DIRECTIONS, PATHS, ROUND, TOOLS, toolpath
@@ -25,7 +26,7 @@ NOISE = 1e-7  # mm
 BALLS = [Tool("ballend", 6), Tool("ballend", 2.5)]
 
 
-@pytest.mark.parametrize("seed", range(60))
+@pytest.mark.parametrize("seed", range(36))
 def test_a_job_is_every_trajectory_tried_on_every_ray(seed):
     rng = np.random.default_rng(seed)
     tools = BALLS if seed % 6 == 0 else TOOLS
@@ -39,14 +40,13 @@ def test_a_job_is_every_trajectory_tried_on_every_ray(seed):
     records = z.records
     assert np.array_equal(records.pixel(), pieces.ray)
     assert np.array_equal(records.owner, np.where(pieces.owner == UNCUT, z.trajectories, pieces.owner))
-    assert records.near() == pytest.approx(pieces.near, abs=NOISE, rel=NOISE)
-    assert records.far == pytest.approx(pieces.far, abs=NOISE, rel=NOISE)
+    assert close(records.near(), pieces.near, NOISE, NOISE) and close(records.far, pieces.far, NOISE, NOISE)
 
 
 CHAMFERS = [Tool("vbit", 6, tip_angle=pi / 2, tip_diameter=2), Tool("vbit", 5, tip_angle=0.7, tip_diameter=0.4)]
 
 
-@pytest.mark.parametrize("seed", range(40))
+@pytest.mark.parametrize("seed", range(27))
 def test_culling_drops_nothing_that_flat_tipped_cones_cut(seed):
     """Against rays that are tried with all trajectories whose box they pass."""
     rng = np.random.default_rng(seed)
@@ -58,7 +58,7 @@ def test_culling_drops_nothing_that_flat_tipped_cones_cut(seed):
     pieces, _ = Removal(Cuts(cuts), stock, z.frame).cut(*z.frame.pixel_centres(column, row))
     assert np.array_equal(z.records.pixel(), pieces.ray)
     assert np.array_equal(z.records.owner, np.where(pieces.owner == UNCUT, z.trajectories, pieces.owner))
-    assert z.records.far == pytest.approx(pieces.far, abs=NOISE, rel=NOISE)
+    assert close(z.records.far, pieces.far, NOISE, NOISE)
 
 
 def slot(*heights, y):
@@ -145,4 +145,7 @@ def test_the_cost_of_a_job_is_that_of_its_operations_in_one_z_buffer(direction):
     assert expected.memory_bytes == pytest.approx(z.memory_bytes, rel=0.1)
     alone = [estimate(cut.toolpath, None, tool=cut.tool, stock=BOX, view=view).seconds for cut in cuts]
     assert max(alone) < expected.seconds < sum(alone) * 1.1 and expected.factor == Speed().factor
+    one, job = estimate(cuts[0].toolpath, None, tool=FLAT, stock=BOX, view=view), [cuts[0]]
+    of_one = estimate_job(job, stock=BOX, view=view, speed=Speed())
+    assert (of_one.seconds, of_one.memory_bytes) == (one.seconds, one.memory_bytes)
     assert estimate_job(cuts, stock=Stock((500, 0, 0), (510, 10, 10)), view=view, speed=Speed()).seconds > 0

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import subprocess
 import sys
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -12,7 +13,11 @@ import pytest
 from zbuffer_reference.paths import BOX, TOOLS, surface, toolpath
 
 from vkworkbench.core import View
-from vkworkbench.core.zbuffer import OverBudget
+from vkworkbench.core.zbuffer import OverBudget, memory
+from vkworkbench.core.zbuffer.counts import Counts
+from vkworkbench.core.zbuffer.cuts import Cut, Cuts
+from vkworkbench.core.zbuffer.memory import peak_bytes
+from vkworkbench.core.zbuffer.removal import Removal
 from vkworkbench.core.zbuffer.simulate import simulate
 
 ROOT = Path(__file__).resolve().parents[3]
@@ -46,15 +51,16 @@ def case(trajectories, direction, width, height):
     return toolpath(points), {"tool": TOOLS[2], "stock": BOX, "view": View(direction, width, height)}
 
 
+@pytest.mark.long
 @pytest.mark.skipif(not Path("/proc/self/clear_refs").exists(), reason="the peak is read from Linux's /proc")
 @pytest.mark.parametrize(
     "which",
     [
         (10_000, (0, 0, -1), 480, 360, 2),
         (3_000, (1, 1, -1), 400, 300, 2),
-        (3_000, (1, 1, -1), 400, 300, 3),
-        (3_000, (0, 1, 0), 400, 300, 2),
-        (100_000, (0, 0, -1), 120, 90, 2),
+        (250, (1, 1, -1), 400, 300, 3),
+        (1_200, (0, 1, 0), 400, 300, 2),
+        (60_000, (0, 0, -1), 120, 90, 2),
     ],
     ids=["records", "oblique", "oblique, bull nose", "side", "trajectories"],
 )
@@ -72,8 +78,70 @@ def test_too_large_a_simulation_is_refused_before_it_starts():
     error = refused.value
     assert isinstance(error, ValueError)
     assert error.allowed == 1e6 and error.needed > 1e7
+    said = error.what.arguments
+    assert (said["memory"], said["allowed"]) == (error.needed, 1e6) and said["traces"] > 0 and said["dexels"] > 0
     assert "1.0 MB" in str(error) and "smaller image" in str(error)
     assert simulate(path, **solids, memory_budget=error.needed * 1.01).traces > 0
+
+
+def removal(tool, direction, points=((10, 15, 5), (30, 15, 5))):
+    view = View(direction, 80, 60, pixel=0.5)
+    cuts = Cuts([Cut(toolpath(np.array(points, float)), tool)])
+    return Removal(cuts, BOX, view.frame(BOX))
+
+
+def test_the_peak_grows_with_records_pixels_and_trajectories():
+    """Records grow by an eighth when they are full, and the traces are told with two standard errors."""
+    flat = removal(TOOLS[0], (0, 0, -1))
+    nothing = Counts(0, 0, 0, 0, 0, 0, 0, 4800)
+
+    def more(trajectories=0, **counted):
+        return peak_bytes(replace(nothing, **counted), trajectories, flat) - peak_bytes(nothing, 0, flat)
+
+    assert more(dexels=1000.0) == more(traces=1000.0) == 9000 and more(traces_error=1000.0) == 18000
+    assert more(band=1000.0) > 0 and more(trajectories=1000) >= 1000 * 8 * 3  # at least where each begins
+    large = Removal(Cuts([]), BOX, View((0, 0, -1), 800, 60).frame(BOX))
+    assert peak_bytes(nothing, 0, large) - peak_bytes(nothing, 0, flat) == 8 * 720 * 60
+
+
+def test_a_band_takes_least_from_above_and_most_where_forms_are_no_closed_ones():
+    nothing = Counts(0, 0, 0, 0, 0, 0, 0, 4800)
+    flat, ball, bullnose, vee = TOOLS[0], TOOLS[2], TOOLS[3], TOOLS[5]
+    above, closed, other = (
+        {peak_bytes(nothing, 0, removal(tool, direction)) for tool, direction in some}
+        for some in (
+            [(tool, (0, 0, -1)) for tool in TOOLS],
+            [(flat, (1, 1, -1)), (ball, (0, 1, -1)), (ball, (0, 1, 1)), (flat, (0.1, 0, 1)), (flat, (0, 0, 1))],
+            [(bullnose, (1, 1, -1)), (vee, (1, 1, -1)), (flat, (0, 1, -0.5)), (flat, (0, 1, 0))],
+        )
+    )
+    assert max(above) < min(closed) < min(other)
+
+
+@pytest.mark.parametrize("direction", [(0, 0, -1), (0, 0, 1), (1, 1, -1)])
+def test_a_simulation_that_fits_anyway_asks_no_ray(direction, monkeypatch):
+    monkeypatch.setattr(memory, "count", None)
+    path, solids = case(20, direction, 80, 60)
+    simulate(path, **solids)
+    with pytest.raises(TypeError):  # which it asks where it may not fit
+        simulate(path, **solids, memory_budget=1e6)
+
+
+@pytest.mark.parametrize("direction", [(0, 0, -1), (0, 0, 1), (1, 1, -1), (0, 1, 0)])
+def test_it_has_no_more_records_than_the_boxes_of_its_moves_have_pixels(direction):
+    for points in (surface(None, 60), [(-20, -20, 3), (60, 50, 3)], [(10, 10, 5), (10, 10, 2)]):
+        moves = toolpath(np.array(points, float))
+        z = simulate(moves, tool=TOOLS[0], stock=BOX, view=View(direction, 80, 60))
+        bound = memory._most(Removal(Cuts([Cut(moves, TOOLS[0])]), BOX, z.frame))
+        assert z.dexels + z.traces <= bound <= 80 * 60 * (1 + 2 * len(moves))
+
+
+def test_the_box_of_a_move_from_above():
+    """20 mm and the tool: 26 by 6 mm of 0.5 mm, an edge more, clipped to the image; obliquely each pixel twice."""
+    assert memory._most(removal(TOOLS[0], (0, 0, -1))) == 80 * 60 + 53 * 13
+    assert memory._most(removal(TOOLS[0], (0, 0, -1), [(10, 15, 5), (90, 15, 5)])) == 80 * 60 + (80 - 14 + 1) * 13
+    assert memory._most(removal(TOOLS[0], (0, 0, -1), [(20, 28, 5), (30, 28, 5)])) == 80 * 60 + 33 * (60 - 50 + 1)
+    assert memory._most(removal(TOOLS[0], (0, 1, 0))) == 80 * 60 + 2 * 53 * 11  # 26 mm by the 5 above it
 
 
 def test_a_huge_image_is_refused_by_default():

@@ -127,7 +127,7 @@ class _Program:
 
     def _feed(self, problems: _Problems) -> np.ndarray:
         values, unusable = self.words.column("F")
-        unusable |= (values > 0) & (values < SLOWEST_FEED)
+        unusable |= (values != 0) & (values < SLOWEST_FEED)
         problems.add(np.flatnonzero(unusable), Message("unusable-feed"))
         setter = _last(values >= SLOWEST_FEED)
         per_minute = _mode(self.words.codes, {930: 0, 940: 1, 950: 0}, 1) == 1

@@ -27,10 +27,11 @@ _STATE = frozenset([170, 180, 190, 800, 900, 901, 910, 911, 980, 990])
 # Codes whose axis words are no target in the program's coordinates: dwell, data, home, machine coordinates, probes.
 _APART = frozenset([100, 280, 281, 300, 301, 310, 382, 383, 384, 385, 530, 922, 923])
 _HARMLESS = frozenset([
-    70, 80, 90, 110, 150, 200, 210, 400, 401, 410, 411, 412, 420, 421, 422, 430, 431, 432, 440, 490, 500, 501, 540, 541, 550,
+    80, 90, 110, 150, 200, 210, 400, 401, 410, 411, 412, 420, 421, 422, 430, 431, 432, 440, 490, 500, 501, 540, 541, 550,
     560, 570, 580, 590, 591, 592, 593, 600, 610, 611, 620, 630, 640, 670, 690, 700, 710, 921, 930, 940, 950, 960, 970, 1030, 1870,
 ])  # fmt: skip
-_CHANGES_COORDINATES = frozenset([160, 434, 510, 520, 680, 682, 920])
+_CHANGES_COORDINATES = frozenset([71, 160, 434, 510, 520, 680, 682, 920])
+_DATA, _OFFSETS = 100, (2, 20)  # G10, and its L words that set the origin of the program's coordinates
 _MACRO_CALLS = frozenset([650, 660])
 _MOVES = frozenset(f"G{code // 10}" for code in _MOTION)
 _SPLINES = frozenset([50, 51])
@@ -173,11 +174,15 @@ class _Reader:
             if letter == "G":
                 code = _whole(10 * value, 10 * _MOST_CODES)
                 if code in _MOTION:
+                    if motion not in (None, code):
+                        self._problem(Message("two-motions"))
                     motion = code
                 elif code in _STATE:
                     self._state(code)
                 else:
                     letters = {letter for letter, _ in words}
+                    if code == _DATA and dict(words).get("L") in _OFFSETS and self.motion >= 0:
+                        self._problem(Message("coordinates-not-changed", name=_name(code)))
                     read_as = self._read_as(code, letters)
                     motion = motion if read_as is None else read_as
                     apart |= read_as is None and (code in _APART or self._other(code, letters))
@@ -185,7 +190,7 @@ class _Reader:
                 change |= value == 6
                 ended |= value == 99
                 self.ended |= value in (2, 30)
-                if value == 98:
+                if value == 98 or (value == 97 and "P" in dict(words)):
                     self._problem(Message("subprogram-not-read"))
                 self.clues.m_code(value, self.number)
             elif letter == "T":
@@ -195,6 +200,8 @@ class _Reader:
             elif letter == "S":
                 self.spindle = value
             elif letter not in "NO":
+                if letter in parameters:
+                    self._problem(Message("word-twice", letter=letter))
                 parameters[letter] = value
         if change:
             self.changes = True
@@ -245,6 +252,8 @@ class _Reader:
             self._problem(Message("subprogram-not-read"))
             return True
         elif self.clues.g_code(code // 10, letters, self.number):
+            if code not in _HARMLESS:
+                self._problem(Message("unknown-code", name=repr(_name(code))))
             return True
         elif code not in _HARMLESS:
             self._problem(Message("unknown-code", name=repr(_name(code))))
@@ -302,7 +311,7 @@ class _Reader:
 
     def _feed(self, value: float | None) -> float | None:
         """Return a feed rate in mm/s, None where there is none; G93 gives the seconds of this line instead."""
-        self.seconds = 60 / value if self.feed_mode == 930 and value else 0.0
+        self.seconds = 60 / value if self.feed_mode == 930 and value and value > 0 else 0.0
         if value is None or self.feed_mode == 930:
             return None
         return value * self.unit * (self.spindle if self.feed_mode == 950 else 1.0) / 60

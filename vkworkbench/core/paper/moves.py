@@ -12,6 +12,8 @@ from vkworkbench.core.paper.plane import plane_of_toolpath
 from vkworkbench.core.paper.thresholds import MOVES, TURNS
 from vkworkbench.core.toolpath import Toolpath
 
+MEASURES, SPARE = 10, 10  # rows of the block that holds what is measured of moves, and rows to spare
+
 
 @dataclass
 class Moves:
@@ -77,8 +79,10 @@ def cutting_moves(toolpath: Toolpath, first: int = 0, last: int | None = None) -
     end = len(toolpath) if last is None else last + 1
     points, rapid = toolpath.points[first : end + 1], toolpath.rapid[first:end]
     # One block for all measures, and in place wherever that is possible: with this many moves the time goes into
-    # memory, not arithmetic. Many arrays that come and go make the system map the same pages again and again.
-    block = np.empty((10, len(points)))
+    # memory, not arithmetic. Many arrays that come and go make the system map the same pages again and again. The rows
+    # to spare are never touched: C libraries keep free memory of up to twice the largest block they gave out (glibc's
+    # dynamic M_TRIM_THRESHOLD), and so what is measured later finds pages that are mapped.
+    block = np.empty((MEASURES + SPARE, len(points)))
     for row, axis in zip(block, plane_of_toolpath(points, rapid)):
         row[:] = points[:, axis]
     x, y, z = block[:3]
@@ -100,7 +104,7 @@ def cutting_moves(toolpath: Toolpath, first: int = 0, last: int | None = None) -
         dx, dy, dz, length, x, y, z = (v[index] for v in (dx, dy, dz, length, x, y, z[1:]))
     else:
         x, y, z = x[:-1], y[:-1], z[1:]
-    alpha, turning, phi = block[7:, : len(index)]
+    alpha, turning, phi = block[7:MEASURES, : len(index)]
     directions(dx, dy, out=alpha)
     scratch = phi[1:]
     turns(alpha, out=turning[1:], scratch=scratch)

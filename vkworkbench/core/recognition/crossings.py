@@ -149,35 +149,47 @@ def _neighbours(crossed: Crossings, extent: float, by_depth: bool) -> dict[str, 
     same = group[1:] == group[:-1]
     apart = same & (aside > SAME.PLACE)
     beside = apart & (np.abs(np.sin(alpha[1:] - alpha[:-1])) < SCAN.PARALLEL)
-    told["other"] = 1 - float(beside.sum() / max(1, apart.sum()))
-    if not beside.any():
+    passes = np.count_nonzero(beside)
+    told["other"] = 1 - passes / max(1, int(np.count_nonzero(apart)))
+    if not passes:
         return told
     # The usual distance is where most distances are, to a fifth.
     logarithm = np.log(aside[beside])
     bins = np.rint(logarithm / SCAN.BIN).astype(np.int64)
     bins -= bins.min()
     count = np.append(np.bincount(bins), 0)
-    most = int(np.argmax(2 * count + np.roll(count, 1) + np.roll(count, -1)))
-    usual = float(np.exp(np.median(logarithm[np.abs(bins - most) <= 1])))
+    around = np.concatenate([count[-1:], count, count[:1]])
+    most = int(np.argmax(2 * count + around[:-2] + around[2:]))
+    usual = float(np.exp(_median(logarithm[np.abs(bins - most) <= 1])))
     even = beside & (np.abs(aside / usual - 1) < SCAN.EVEN)
-    number = int(even.sum())
+    number = np.count_nonzero(even)
     if not number:
         return told
     opposite = slope[1:] * slope[:-1] < 0
     later = order[1:] - order[:-1]
     three = even[1:] & even[:-1]
-    threes = max(1, int(three.sum()))
+    threes = int(np.count_nonzero(three))
+    some = max(1, threes)
     told.update({
         "step": float(np.log(usual / extent)),
-        "keep": float((three & ~opposite[1:] & ~opposite[:-1]).sum() / threes),
-        "alternating": float((three & opposite[1:] & opposite[:-1]).sum() / threes),
-        "monotonous": float((three & (later[1:] * later[:-1] > 0)).sum() / threes),
-        "opposite": float((even & opposite).sum() / number),
-        "even": float(number / beside.sum()),
+        "keep": np.count_nonzero(three & ~opposite[1:] & ~opposite[:-1]) / some,
+        "alternating": np.count_nonzero(three & opposite[1:] & opposite[:-1]) / some,
+        "monotonous": np.count_nonzero(three & (later[1:] * later[:-1] > 0)) / some,
+        "opposite": np.count_nonzero(even & opposite) / number,
+        "even": number / passes,
         "count": float(np.log1p(number / np.count_nonzero(np.bincount(line)))),
-        "tight": float(np.median(np.abs(aside[even] / usual - 1))),
-        "run": float(three.sum() / number),
-        "next": float((np.abs(later[even]) == 1).sum() / number),
+        "tight": _median(np.abs(aside[even] / usual - 1)),
+        "run": threes / number,
+        "next": np.count_nonzero(np.abs(later[even]) == 1) / number,
         "cover": float(gap[even].sum() / gap[same].sum()),
     })  # fmt: skip
     return told
+
+
+def _median(values: np.ndarray) -> float:
+    """Return the median of (k,) numbers, k > 0; numpy's own takes longer to begin than these take in all."""
+    half = len(values) // 2
+    if len(values) % 2:
+        return float(np.partition(values, half)[half])
+    parted = np.partition(values, (half - 1, half))
+    return float((parted[half - 1] + parted[half]) / 2)

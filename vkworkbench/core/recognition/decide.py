@@ -26,6 +26,11 @@ OF_THE_RULES = np.array([s in (Strategy.MIXED, Strategy.DRILLING, Strategy.UNKNO
 # The classes of the paper, rows and around, and beside them adaptive clearing, which bites, and the other families.
 CLASS = np.array([-1 if s is Strategy.ADAPTIVE else list(Family).index(s.family) for s in STRATEGIES])
 ALIKE = np.array(CLASS[:, None] == CLASS, float)
+# What the rules count where no tool is known, for each strategy that they propose.
+NO_TOOL = np.array([
+    VOTES.RULES_THAT_NEED_NO_TOOL if s in (Strategy.HELIX, Strategy.ADAPTIVE) else VOTES.RULES_WITHOUT_TOOL
+    for s in STRATEGIES
+])  # fmt: skip
 # What the paper's rule to the letter speaks for: nothing where it is open.
 LETTER = {Strategy.ZIGZAG: Family.ROWS, Strategy.CONTOUR_PARALLEL: Family.AROUND}
 NO_LETTER = -2
@@ -135,7 +140,7 @@ def standing(votes: np.ndarray, proposed: Proposal) -> np.ndarray:
     """
     rules = np.zeros(len(votes))
     rules[proposed.rules] = 1.0
-    has = votes + (VOTES.RULES if proposed.tool else VOTES.RULES_WITHOUT_TOOL) * rules
+    has = votes + (VOTES.RULES if proposed.tool else NO_TOOL) * rules
     has += VOTES.CLASS * (ALIKE * (votes + VOTES.RULES_OF_CLASS * rules)).sum(axis=1)
     if not proposed.tool:
         has += VOTES.LETTER * (proposed.letter == CLASS)

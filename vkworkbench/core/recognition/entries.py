@@ -25,6 +25,8 @@ def find_entry(moves: Areas) -> str | None:
     moves : Areas
         At least one move.
     """
+    if not moves.dz.any():
+        return ENTRIES[0]
     begin, first = moves.start, moves.start + _run(moves, moves.dz >= -LEVEL)
     after = np.arange(len(moves)) >= np.repeat(first, moves.end - begin)
     level = np.where(after & (np.abs(moves.dz) < LEVEL), moves.length, 0.0)
@@ -64,6 +66,8 @@ def without_entries(moves: Areas) -> tuple[Areas, float]:
     float
         Share of the length in ways in that wind.
     """
+    if not moves.dz.any():
+        return moves, 0.0
     down, up = _run(moves, moves.dz >= -LEVEL), _run(moves, moves.dz <= LEVEL, backward=True)
     chosen = np.flatnonzero((down + up > 0) & (down + up < moves.end - moves.start))
     if not len(chosen):

@@ -53,5 +53,7 @@ def count_depths(z: np.ndarray) -> int:
     """Count the different heights in z (k,), mm."""
     if not len(z):
         return 0
+    if np.ptp(z) <= SAME.HEIGHT:
+        return 1
     z = np.sort(z)
     return 1 + int((z[1:] - z[:-1] > SAME.HEIGHT).sum())

@@ -119,7 +119,7 @@ def _of_turns(m: Areas) -> dict[str, float]:
         "half_arcs": float(arc[np.abs(arc - TURN / 2) < MEASURED.HALF * TURN].sum()) / whole,
         "short_arcs": float(arc[arc < MEASURED.SHORT * TURN].sum()) / whole,
         "long_arcs": float(arc[arc > MEASURED.LONG * TURN].sum()) / whole,
-        "sense_keeps": float((keeps & together).sum()) / max(1, int(together.sum())),
+        "sense_keeps": np.count_nonzero(keeps & together) / max(1, int(np.count_nonzero(together))),
         "surprise": float(-(share * np.log(share)).sum()),  # Shannon's entropy of the turns
         "spread": spread,
     }

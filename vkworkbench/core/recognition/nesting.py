@@ -93,10 +93,12 @@ def reach(
         return NESTS.REACH * tool, steps, drops
     # Where the rings around islands are cut between those of the boundary, the smaller steps are the true ones.
     usual = middle(every, 4)
-    regular = (np.abs(every - usual) < NESTS.SIMILAR_STEP * usual).mean()
+    regular = np.count_nonzero(np.abs(every - usual) < NESTS.SIMILAR_STEP * usual) / len(every)
     if not tool and (not chained or regular < ENOUGH.SHARE or usual > NESTS.TOO_LARGE * size.max()):
         return min(NESTS.STEPS * usual, NESTS.REACH_OF_SIZE * float(size.max())), steps, drops
-    equal = (np.abs(steps - usual) < NESTS.SIMILAR_STEP * usual).mean() if len(steps) >= ENOUGH.TIMES else 0.0
+    equal = 0.0
+    if len(steps) >= ENOUGH.TIMES:
+        equal = np.count_nonzero(np.abs(steps - usual) < NESTS.SIMILAR_STEP * usual) / len(steps)
     if not tool or (chained and equal > NESTS.EQUAL_STEPS):
         return max(NESTS.REACH * tool, NESTS.STEPS * usual), steps, drops
     return NESTS.REACH * tool, steps, drops

@@ -147,10 +147,10 @@ def _agree(toolpath: Toolpath, whole: Recognition, found: list[Recognition], sha
     """Return the verdict on the whole; the longest section's where every section says another than the whole.
 
     A section too short to show a strategy of its own does not count: the loops of a waterline and the rows of a
-    zigzag may each have a title.
+    zigzag may each have a title. Nor do a few holes, or what little is known, speak for all the rest.
     """
     told = [k for k, r in enumerate(found) if r.strategy is not Strategy.UNKNOWN and not _short(r)]
-    if not told or whole.strategy in {found[k].strategy for k in told}:
+    if share[told].sum() < ENOUGH.SHARE or whole.strategy in {found[k].strategy for k in told}:
         return whole
     longest = found[max(told, key=lambda k: share[k])]
     runs = [(found[0].spans[0].first, found[-1].spans[-1].last, longest.strategy)]

@@ -100,13 +100,13 @@ def relate_rings(pieces: Pieces, index: np.ndarray, tool: float) -> Rings:
     enclosed, length = np.abs(pieces.enclosed[index]), pieces.length[index]
     sense = np.sign(pieces.net[index])
     size = np.maximum(box[:, 2] - box[:, 0], box[:, 3] - box[:, 1])
-    sides = np.ascontiguousarray((box * (1, 1, -1, -1)).T)
+    sides = np.ascontiguousarray(box.T)
+    sides[2:] *= -1
     winding = pieces.kind[index] == WINDING
     wavy = pieces.wavy[index] | (winding & (pieces.back[index] > WINDINGS.WAVERING * TURN))
     slack = np.where(winding, 2.0, 1.0)
     # The narrower side of the rectangle of the same area and perimeter, however a ring is turned.
     width = slack * (length / 4 - np.sqrt(np.maximum((length / 4) ** 2 - enclosed, 0)))
-    centre = (box[:, :2] + box[:, 2:]) / 2
     names = ("nested", "opposite", "deeper", "repeated", "moved", "crossing")
     flags = {name: np.zeros(k, bool) for name in names}
     inward = Inward(sides, enclosed, length, slack)
@@ -124,10 +124,13 @@ def relate_rings(pieces: Pieces, index: np.ndarray, tool: float) -> Rings:
         same_area = np.abs(enclosed[a] - enclosed[b]) < SAME.AREA * np.maximum(enclosed[a], enclosed[b])
         even = ~same_box & (step > NESTS.APART) & (step <= limit)
         # The sides of an offset move all by the same. Passes of a lattice that wind by chance seldom lie so.
-        even &= ~(wavy[a] & wavy[b]) | (high - low <= NESTS.EQUAL_SIDES * np.abs(mean) + SAME.PLACE)
+        alike = high - low <= NESTS.EQUAL_SIDES * np.abs(mean) + SAME.PLACE
+        even &= ~(wavy[a] & wavy[b]) | alike
         straddling = ~same_box & (low < 0) & (high > 0)
         # Trochoids bite into one another; ribs in a row, and the loops around them, stay apart.
-        straddling &= np.hypot(*(centre[b] - centre[a]).T) < np.minimum(width[a], width[b])
+        if straddling.any():
+            centre = (box[:, :2] + box[:, 2:]) / 2
+            straddling &= np.hypot(*(centre[b] - centre[a]).T) < np.minimum(width[a], width[b])
         found = {
             "nested": even & beside,
             "deeper": ~same_box & ~beside & (low > -smaller),
@@ -138,10 +141,7 @@ def relate_rings(pieces: Pieces, index: np.ndarray, tool: float) -> Rings:
         }  # fmt: skip
         if lag == 1:
             # The loops of one pattern keep their shape; a boundary and an island between its offsets do not.
-            turns = even & (high - low <= NESTS.EQUAL_SIDES * np.abs(mean) + SAME.PLACE) & (sense[a] != sense[b])
-            # And it goes on to a third: an outline and the hole in it are cut in opposite senses, too.
-            onward = turns[1:] & turns[:-1] & (mean[1:] * mean[:-1] > 0)
-            found["opposite"] = np.append(onward, False) | np.append(False, onward)
+            found["opposite"] = _go_on(even & alike & (sense[a] != sense[b]), mean)
         all_steps.append(mean[even & beside])
         apart = np.where(even & beside, step, np.inf)
         nearest[a], nearest[b] = np.minimum(nearest[a], apart), np.minimum(nearest[b], apart)
@@ -177,12 +177,21 @@ def relate_rings(pieces: Pieces, index: np.ndarray, tool: float) -> Rings:
     )
 
 
+def _go_on(turns: np.ndarray, mean: np.ndarray) -> np.ndarray:
+    """Tell which turns go on to a third ring: an outline and the hole in it are cut in opposite senses, too."""
+    onward = turns[1:] & turns[:-1] & (mean[1:] * mean[:-1] > 0)
+    result: np.ndarray = np.append(onward, False) | np.append(False, onward)
+    return result
+
+
 def _sloped(pieces: Pieces, index: np.ndarray) -> np.ndarray:
     """Tell which pieces change their height steadily: the mean height lies in the middle of the drop.
 
     A contour that ramps in over its first moves and is flat then does not.
     """
     drop = pieces.drop[index]
+    if not drop.any():
+        return np.zeros(len(index), bool)
     off_middle = pieces.z[index] - pieces.last_z[index] + drop / 2
     result: np.ndarray = (np.abs(drop) > SAME.HEIGHT) & (np.abs(off_middle) < RINGS.STEADY * np.abs(drop))
     return result

@@ -478,6 +478,9 @@ class VOTES:
     #: share of the votes. Where no tool is known, many of the rules have nothing to measure by. As much as with a tool:
     #: real code that names none is judged by rules that guess.
     RULES_WITHOUT_TOOL = 0.1
+    #: share of the votes. As much, for the strategies that the rules find without a tool: a helix by its one pitch,
+    #: adaptive clearing by its bites. At 0.1 bores of few turns are profiles; at 1 whatever descends evenly is a bore.
+    RULES_THAT_NEED_NO_TOOL = 0.25
     #: ratio. So much counts the share of the whole class, rows or around, beside that of the strategy. At 0 a class can
     #: lose whose votes are split among its strategies; larger: the class decides alone.
     CLASS = 0.6
@@ -491,7 +494,7 @@ class VOTES:
     NONSENSE = 0.58
     #: share of the votes. So many say so where no strategy is sure either. At 1 one random path in six is machining; at
     #: 0 whatever is unsure is nonsense.
-    DOUBTFUL = 0.32
+    DOUBTFUL = 0.36
     #: confidence. A strategy as sure as this is said in spite of the doubt. At 0 none is; at 1 surfaces that FreeCAD
     #: makes are nonsense.
     SURE = 0.85

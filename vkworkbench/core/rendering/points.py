@@ -44,13 +44,14 @@ class Points:
         image = np.empty((frame.height, frame.width, 3), np.uint8)
         image[:] = background
         at = project(self._points, frame)
-        far_first = np.argsort(-at[:, 2])
-        column, row = np.floor(at[far_first, :2]).astype(int).T
         size = 1 + int(np.ceil(self._side / frame.pixel))  # one more, as a slope that turns to the eye spreads them
-        for down in range(size):
-            for right in range(size):
-                c, r = column + right - size // 2, row + down - size // 2
-                inside = (c >= 0) & (c < frame.width) & (r >= 0) & (r < frame.height)
-                # Of several points in one pixel the last, the nearest, stays.
-                image[r[inside], c[inside]] = self._colors[far_first[inside]]
+        near = ((at[:, :2] >= -size) & (at[:, :2] < [frame.width + size, frame.height + size])).all(axis=1)
+        at, colors = at[near], self._colors[near]  # zoomed in, each of the others would take as many pixels
+        far_first = np.argsort(-at[:, 2])
+        column, row = np.floor(at[far_first, :2]).astype(int).T[..., None, None]
+        beside = np.arange(size) - size // 2
+        column, row = np.broadcast_arrays(column + beside, row + beside[:, None])
+        inside = (column >= 0) & (column < frame.width) & (row >= 0) & (row < frame.height)
+        # Of several points in one pixel the last, the nearest, stays.
+        image[row[inside], column[inside]] = colors[far_first[np.nonzero(inside)[0]]]
         return image

@@ -212,8 +212,6 @@ class Simulator:
     most_bytes : callable or None
         ``most_bytes(task, conditions)`` is a quick bound of the memory of one operation: the cost is not asked for where
         even that is allowed.
-    adds_up : bool
-        Whether several operations take no more together than the sum of each alone.
     """
 
     name: str
@@ -230,7 +228,6 @@ class Simulator:
     lessons: tuple[Lesson, ...] = ()
     preferences: tuple[str, ...] = ()
     most_bytes: Callable[[Task, Conditions], float] | None = None
-    adds_up: bool = True
 
     def figures(self, cost: Cost | None) -> dict[str, Any]:
         """Return the columns with a cost's numbers; empty cells where there is none."""

@@ -105,7 +105,6 @@ OPENGL = Simulator(
     memory_tooltip=QT_TRANSLATE_NOOP("Vk_Results", "Memory of FreeCAD's OpenGL simulator"),
     lessons=opengl.LESSONS,
     preferences=("opengl_quality",),
-    adds_up=False,
 )
 
 SIMULATORS = (ZBUFFER, LEGACY, OPENGL)

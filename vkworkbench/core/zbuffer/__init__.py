@@ -19,7 +19,7 @@ from vkworkbench.core.zbuffer.deviations import (
     material_left,
     worst_places,
 )
-from vkworkbench.core.zbuffer.estimate import Estimate, Speed, estimate, work
+from vkworkbench.core.zbuffer.estimate import Estimate, Speed, estimate
 from vkworkbench.core.zbuffer.facts import (
     Crash,
     Plunge,
@@ -48,5 +48,5 @@ __all__ = [
     "closed_form", "crashes", "cuts_air", "cuts_surely", "deviations", "engagement", "estimate", "estimate_job",
     "facts", "fast_plunges", "fit_speed", "gouges", "heaviest", "material_left", "may_cut", "measure_speed",
     "memory_needed", "most_bytes", "passes_apart", "removal_over_time", "removal_rates", "removed_volumes",
-    "simulate", "simulate_job", "swept", "trajectory_table", "work", "worst_places",
+    "simulate", "simulate_job", "swept", "trajectory_table", "worst_places",
 ]  # fmt: skip

@@ -10,7 +10,7 @@ import numpy as np
 
 from vkworkbench.core.zbuffer.chains import among, cut_rays
 from vkworkbench.core.zbuffer.culling import TILE, Bounds, Tiles
-from vkworkbench.core.zbuffer.dexels import THINNEST, UNCUT
+from vkworkbench.core.zbuffer.dexels import THINNEST, UNCUT, beginnings
 from vkworkbench.core.zbuffer.opening import opened
 from vkworkbench.core.zbuffer.records import INDEX, Records
 from vkworkbench.core.zbuffer.trajectories import Trajectories
@@ -97,12 +97,13 @@ class _Band:
         if len(hit) == 0:
             return
         # Pixels of the tiles, row by row, are the rays' order.
-        pixel = np.repeat(np.arange(shape[0]), np.diff(np.searchsorted(hit, np.arange(shape[0] + 1) * len(tile))))
-        pair = hit - pixel * len(tile)
-        owner = self.trajectories.index[tiles.item[pair]]
-        pixel *= shape[1]
-        pixel += tile[pair]
-        start = np.flatnonzero(np.diff(pixel, prepend=-1))
+        first = np.arange(shape[0]) * len(tile)
+        counts = np.diff(np.searchsorted(hit, np.append(first, shape[0] * len(tile))))
+        pair = hit - np.repeat(first, counts)
+        owner = self.trajectories.index.take(tiles.item.take(pair))
+        pixel = np.repeat(np.arange(shape[0]) * shape[1], counts)
+        pixel += tile.take(pair)
+        start = beginnings(pixel)
         met = pixel[start]
         ray, near, far = ray.ravel()[met], near.ravel()[met], far.ravel()[met]
         if enter is None and len(self.gaps.ray) == 0:

@@ -16,6 +16,7 @@ from vkworkbench.core.zbuffer.dexels import (
     UNCUT,
     Pieces,
     before_in_group,
+    beginnings,
     first_cuts,
     without_thin,
 )
@@ -63,7 +64,7 @@ def cut_rays(
     # Most trajectories that pass a ray cut nothing new: they reach no deeper than it is open from its near end.
     offset = ray * stretch
     opened = np.where(met & (enter <= first), leave, first) + offset
-    start = np.flatnonzero(np.diff(ray, prepend=-1))
+    start = beginnings(ray)
     before = before_in_group(np.maximum.accumulate(opened), start, -np.inf)
     kept = np.flatnonzero(met & (leave + offset > before + _NOISE))
     from_the_eye = not (enter > first).any()
@@ -73,7 +74,7 @@ def cut_rays(
     if len(ray) == 0:
         return Pieces(np.arange(len(near)), np.full(len(near), UNCUT, np.int32), near, far)
     offset = ray * stretch
-    start = np.flatnonzero(np.diff(ray, prepend=-1))
+    start = beginnings(ray)
     # The gap before each interval; the interval itself where it is a ray's first.
     rising, falling = leave + offset, enter - offset
     open_far = before_in_group(np.maximum.accumulate(rising), start, rising[start])

@@ -282,7 +282,7 @@ def _recut(t: _Trajectories, tool: Tool, stock: Solid, stepover: float) -> float
     Ahead of the tool a pixel is cut again by each trajectory until the axis has passed, as far as the tool is
     lower there than the previous pass left it.
     """
-    depth = np.clip(stock.upper[2] - t.low, 0, None)
+    depth = stock.upper[2] - t.low
     if tool.steepness > 0:
         reach = np.minimum(tool.radius, depth / tool.steepness)
     else:
@@ -302,7 +302,7 @@ def _walls(t: _Trajectories, tool: Tool, stock: Solid, stepover: float, azimuth:
     levels, which = np.unique(key, return_inverse=True)
     ceiling = np.append(levels[1:] * _LEVEL, stock.upper[2])
     depth = (ceiling - levels * _LEVEL)[which.ravel()]
-    engaged = np.arccos(1 - min(stepover / tool.radius, 2.0))
+    engaged = np.arccos(1 - stepover / tool.radius)
     front = tool.radius * engaged * 2 / np.pi
     seen = depth * (front + t.run * np.abs(np.sin(t.heading - azimuth)))
     return float((seen * t.share).sum())

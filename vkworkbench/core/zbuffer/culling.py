@@ -25,7 +25,7 @@ from vkworkbench.core.zbuffer.trajectories import Trajectories
 # Side of the tiles to begin with, pixels; a power of two.
 TILE = 64
 # Pairs of tile and trajectory worked on at once, so that they stay in the processor's cache.
-_PAIRS_AT_ONCE = 65536
+PAIRS_AT_ONCE = 65536
 # A reach that exceeds what is open by less than this, mm, is rounding noise.
 NOISE = 1e-8
 
@@ -135,7 +135,7 @@ class Tiles:
             begin = end
 
 
-def culled(trajectories: Trajectories, bounds: Bounds, bottom: int, top: int) -> Iterator[tuple[Tiles, int]]:
+def culled(trajectories: Trajectories, bounds: Bounds, bottom: int) -> Iterator[tuple[Tiles, int]]:
     """Go down from tiles to pixels, over a band of the image.
 
     Parameters
@@ -143,8 +143,8 @@ def culled(trajectories: Trajectories, bounds: Bounds, bottom: int, top: int) ->
     trajectories : Trajectories
     bounds : Bounds
         Of the same view.
-    bottom, top : int
-        First row of the band, and the row after its last one; at most `TILE` rows.
+    bottom : int
+        First row of the band of `TILE` rows.
 
     Yields
     ------
@@ -153,31 +153,32 @@ def culled(trajectories: Trajectories, bounds: Bounds, bottom: int, top: int) ->
     tested : int
         Pairs of a tile or pixel and a trajectory that were tested for it.
     """
-    pending = [_tiles(trajectories, bottom, top)]
+    left = np.arange(0, trajectories.frame.width, TILE)
+    pending = [first_tiles(trajectories, left, np.full(len(left), bottom))]
     tested = 0
     while pending:
-        for block in pending.pop().blocks(_PAIRS_AT_ONCE):
+        for block in pending.pop().blocks(PAIRS_AT_ONCE):
             if not bounds.fine_enough(block):
                 tested += 4 * len(block.item)
-                pending.append(_quartered(trajectories, bounds, block))
+                pending.append(quartered(trajectories, bounds, block))
                 continue
             pixels = block.side**2
-            for small in block.blocks(_PAIRS_AT_ONCE // pixels):
+            for small in block.blocks(PAIRS_AT_ONCE // pixels):
                 yield small, tested + pixels * len(small.item)
                 tested = 0
 
 
-def _tiles(trajectories: Trajectories, bottom: int, top: int) -> Tiles:
-    """The band's tiles with all trajectories that pass them."""
+def first_tiles(trajectories: Trajectories, left: np.ndarray, bottom: np.ndarray) -> Tiles:
+    """Return the largest tiles whose first pixels are at `left`, `bottom` (t,), with all trajectories that pass them."""
     frame = trajectories.frame
-    left = np.arange(0, frame.width, TILE)
-    x0, y0 = frame.pixel_centres(left, np.full(len(left), bottom))
-    x1, y1 = frame.pixel_centres(np.minimum(left + TILE, frame.width) - 1, np.full(len(left), top - 1))
+    x0, y0 = frame.pixel_centres(left, bottom)
+    x1, y1 = frame.pixel_centres(np.minimum(left + TILE, frame.width) - 1, np.minimum(bottom + TILE, frame.height) - 1)
     tile, item = trajectories.meeting(x0, x1, y0, y1)
-    return Tiles(TILE, left, np.full(len(left), bottom), np.searchsorted(tile, np.arange(len(left) + 1)), item)
+    return Tiles(TILE, left, bottom, np.searchsorted(tile, np.arange(len(left) + 1)), item)
 
 
-def _quartered(trajectories: Trajectories, bounds: Bounds, tiles: Tiles) -> Tiles:
+def quartered(trajectories: Trajectories, bounds: Bounds, tiles: Tiles) -> Tiles:
+    """Return the quarters of tiles that something may cut, each with the trajectories that may cut it."""
     frame, side = trajectories.frame, tiles.side // 2
     tile = np.repeat(np.arange(len(tiles.column)), np.diff(tiles.first))
     columns, rows, counts, items = [], [], [], []

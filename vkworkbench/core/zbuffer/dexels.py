@@ -92,6 +92,14 @@ def first_cuts(
     return without_thin(merged(Pieces(slot_ray[slots], owner[slots], depth[slots], depth[slots + 1])), near, far)
 
 
+def beginnings(group: np.ndarray) -> np.ndarray:
+    """Return where each run of equal values (k,) begins."""
+    new = np.empty(len(group), bool)
+    new[:1] = True
+    np.not_equal(group[1:], group[:-1], out=new[1:])
+    return np.flatnonzero(new)
+
+
 def before_in_group(values: np.ndarray, start: np.ndarray, first: np.ndarray | float) -> np.ndarray:
     """Return each element's predecessor in its group; `first` at the positions `start`, where groups begin."""
     before = np.empty_like(values)

@@ -13,12 +13,8 @@ from vkworkbench.core.stocks import Solid
 from vkworkbench.core.toolpath import Toolpath
 from vkworkbench.core.zbuffer.counts import count
 from vkworkbench.core.zbuffer.cuts import Cut, Cuts
+from vkworkbench.core.zbuffer.effort import Work, work_of
 from vkworkbench.core.zbuffer.removal import Removal
-
-# Work on a pair of ray and trajectory for rounded tools, a flat end's or a cone's taken as 1: seen from above
-# or below, and tilted. A bull-nose needs bisection.
-_BALL_WORK = (1.15, 1.45)
-_BULLNOSE_WORK = (1.5, 5.0)
 
 
 @dataclass(frozen=True)
@@ -49,6 +45,8 @@ class Estimate:
         The part of `memory_bytes` that the uncut stock takes.
     trajectory_seconds : float
         The part of `seconds` that no smaller image saves.
+    work : Work
+        Of the whole simulation.
     speed : Speed
         Of the computer that `seconds` holds for.
     """
@@ -64,7 +62,12 @@ class Estimate:
     candidates: float
     stock_bytes: float
     trajectory_seconds: float
+    work: Work
     speed: Speed
+
+    def seconds_in(self, growth: float) -> float:
+        """Return the time in an image of `growth` times as many pixels, s."""
+        return self.speed.seconds(self.work, growth)
 
     @property
     def factor(self) -> float:
@@ -84,27 +87,37 @@ class Speed:
         One trajectory, whether it meets the stock or not.
     pixel : float
         One pixel of the image.
-    candidate : float
-        One pixel a flat end or a cone passes, looked at from above or below.
-    tilted_candidate : float
-        The same in any other direction.
+    meeting : float
+        One trajectory looked at for one of the largest tiles.
+    block : float
+        One block of pairs that are worked on at once.
+    test : float
+        One pair of a tile and a trajectory tested.
+    cell : float
+        One pair of a pixel and a trajectory by which its ray is cut.
     record : float
         One dexel or element of a trace.
     factor : float
         The true time is between the estimated one divided and multiplied by this.
     """
 
-    trajectory: float = 1.5e-6
-    pixel: float = 0.03e-6
-    candidate: float = 0.003e-6
-    tilted_candidate: float = 0.17e-6
-    record: float = 0.18e-6
+    trajectory: float = 1.2e-06
+    pixel: float = 2e-08
+    meeting: float = 5.3e-09
+    block: float = 0.00028
+    test: float = 6.8e-07
+    cell: float = 1.4e-06
+    record: float = 2.9e-08
     factor: float = 3.0
 
     @property
     def constants(self) -> np.ndarray:
-        """(5,) float64 ndarray : what the units of :func:`work` cost, in its order."""
-        return np.array([self.trajectory, self.pixel, self.candidate, self.tilted_candidate, self.record])
+        """(7,) float64 ndarray : what the units of `Work.amounts` cost, in its order."""
+        return np.array([self.trajectory, self.pixel, self.meeting, self.block, self.test, self.cell, self.record])
+
+    def seconds(self, work: Work, growth: float = 1.0) -> float:
+        """Return what work takes, s, in an image of `growth` times as many pixels."""
+        return float((work.amounts(growth) * self.constants).sum())
 
 
 def estimate(
@@ -138,56 +151,23 @@ def estimate(
         The same for the same arguments.
     """
     frame = view.frame(stock)
-    counts = count(Removal(Cuts([Cut(toolpath, tool)]), stock, frame))
-    trajectory_seconds = speed.trajectory * len(toolpath)
-    records = counts.dexels + counts.traces
-    seconds = float(work(len(toolpath), records, counts.passes, tool, view) @ speed.constants)
+    removal = Removal(Cuts([Cut(toolpath, tool)]), stock, frame)
+    counts = count(removal)
+    work = work_of(removal, len(toolpath), counts.dexels + counts.traces)
     return Estimate(
         counts.dexels,
         counts.traces,
         counts.traces_error,
         counts.memory_bytes,
-        seconds,
+        speed.seconds(work),
         _explain(recognition, counts.traces, counts.touched),
         view,
         frame.pixel,
         counts.passes,
         counts.stock_bytes,
-        trajectory_seconds,
+        speed.trajectory * len(toolpath),
+        work,
         speed,
-    )
-
-
-def work(trajectories: int, records: float, candidates: float, tool: Tool, view: View) -> np.ndarray:
-    """How often each constant of `Speed` is due.
-
-    Parameters
-    ----------
-    trajectories : int
-    records : float
-        Number of dexels and elements of traces.
-    candidates : float
-        Pairs of pixel and trajectory that passes it.
-    tool : Tool
-    view : View
-
-    Returns
-    -------
-    (5,) float64
-    """
-    if tool.rounding == 0:
-        untilted, tilted = 1.0, 1.0
-    else:
-        untilted, tilted = _BALL_WORK if tool.rounding == tool.radius else _BULLNOSE_WORK
-    vertical = not any(view.direction[:2])
-    return np.array(
-        [
-            trajectories,
-            view.width * view.height,
-            candidates * untilted * vertical,
-            candidates * tilted * (not vertical),
-            records,
-        ]
     )
 
 

@@ -6,13 +6,12 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-import numpy as np
-
 from vkworkbench.core.solids import View
 from vkworkbench.core.stocks import Solid
 from vkworkbench.core.zbuffer.counts import count
 from vkworkbench.core.zbuffer.cuts import Cut, Cuts
-from vkworkbench.core.zbuffer.estimate import Speed, work
+from vkworkbench.core.zbuffer.effort import work_of
+from vkworkbench.core.zbuffer.estimate import Speed
 from vkworkbench.core.zbuffer.removal import Removal
 
 
@@ -49,9 +48,5 @@ def estimate_job(cuts: Sequence[Cut], *, stock: Solid, view: View, speed: Speed)
     numbered = Cuts(cuts)
     removal = Removal(numbered, stock, view.frame(stock))
     counts = count(removal)
-    records = counts.dexels + counts.traces
-    # The rays tell how much work there is; whose it is, the trajectories that can meet the stock.
-    shares = np.bincount(numbered.cut[removal.index], minlength=len(cuts)) + 1e-9
-    amounts = [work(len(numbered), records, counts.passes, cut.tool, view) for cut in cuts]
-    seconds = float(np.average(amounts, axis=0, weights=shares) @ speed.constants)
+    seconds = speed.seconds(work_of(removal, len(numbered), counts.dexels + counts.traces))
     return JobEstimate(seconds, speed.factor, counts.memory_bytes)

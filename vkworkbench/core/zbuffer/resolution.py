@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from math import isfinite, sqrt
+from math import isfinite, log2, sqrt
 
 from vkworkbench.core.solids import View
 from vkworkbench.core.zbuffer.estimate import Estimate
@@ -13,6 +13,8 @@ from vkworkbench.language import Message, render
 
 # Passes are told apart if at least this many pixels or cells lie between them.
 _CELLS_PER_STEPOVER = 4
+# No image grows by more than two to this.
+_LARGEST_GROWTH = 40
 
 
 @dataclass(frozen=True)
@@ -50,8 +52,8 @@ def best_resolution(
 ) -> Resolution:
     """Choose the finest image with which operations are simulated within a budget.
 
-    Dexels, trace elements and candidate pixels all grow with the number of pixels, so the image that fits is
-    a square root; the time of the trajectories themselves does not, and no image shortens it.
+    Dexels and trace elements grow with the number of pixels, so the image that fits a memory is a square root. The time
+    grows slower, see `Work.amounts`; that of the trajectories themselves does not, and no image shortens it.
 
     Parameters
     ----------
@@ -81,23 +83,22 @@ def best_resolution(
     view, pixel = estimates[0].view, estimates[0].pixel
     memory = max(e.stock_bytes for e in estimates) + sum(e.memory_bytes - e.stock_bytes for e in estimates)
     fixed = sum(e.trajectory_seconds for e in estimates)
-    scaled = sum(e.seconds for e in estimates) - fixed
+    pixels = view.width * view.height
 
     # How many times as many pixels each budget allows.
     limits = {}
     if memory_bytes is not None:
         limits["memory"] = memory_bytes / memory
     if seconds is not None:
-        limits["time"] = (seconds - fixed) / scaled
+        limits["time"] = _growth(estimates, seconds, 1 / pixels)
     limit = min(limits, key=limits.__getitem__)
-    pixels = view.width * view.height
     growth = limits[limit]
     if growth * pixels < 1:
         why = Message("no-image")
         if limit == "time":
             named = heaviest(labels, [e.seconds for e in estimates])
             why = Message("no-image-in-time", time=fixed, heaviest=named)
-        return Resolution(None, memory / pixels, fixed + scaled / pixels, why)
+        return Resolution(None, memory / pixels, _seconds(estimates, 1 / pixels), why)
     width = max(1, int(view.width * sqrt(growth)))
     height = max(1, int(view.height * sqrt(growth)))
     pixel *= max(view.width / width, view.height / height)
@@ -108,7 +109,24 @@ def best_resolution(
         passes=passes_apart(pixel, stepover),
     )  # fmt: skip
     chosen = replace(view, width=width, height=height, pixel=None if view.pixel is None else pixel)
-    return Resolution(chosen, memory * growth, fixed + scaled * growth, why)
+    return Resolution(chosen, memory * growth, _seconds(estimates, growth), why)
+
+
+def _seconds(estimates: Sequence[Estimate], growth: float) -> float:
+    return sum(e.seconds_in(growth) for e in estimates)
+
+
+def _growth(estimates: Sequence[Estimate], seconds: float, least: float) -> float:
+    """How many times as many pixels take that long; 0 where even `least` times as many take longer. By bisection."""
+    if _seconds(estimates, least) > seconds:
+        return 0.0
+    low = high = log2(least)
+    while high < _LARGEST_GROWTH and _seconds(estimates, 2**high) <= seconds:
+        low, high = high, high + 2
+    for _ in range(40):
+        middle = (low + high) / 2
+        low, high = (middle, high) if _seconds(estimates, 2**middle) <= seconds else (low, middle)
+    return 2**low
 
 
 def passes_apart(size: float, stepover: float | None) -> Message | None:

@@ -77,7 +77,7 @@ def simulate_job(
     writer = Writer(len(numbered), frame.width * frame.height)
     candidates = 0
     for bottom in range(0, frame.height, TILE):
-        blocks = culled(removal, bounds, bottom, min(bottom + TILE, frame.height))
+        blocks = culled(removal, bounds, bottom)
         if going_on is not None:
             going_on(bottom / frame.height)
             blocks = _told(blocks, going_on, bottom / frame.height)

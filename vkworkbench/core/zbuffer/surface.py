@@ -39,6 +39,10 @@ class Picture:
     owner: np.ndarray
 
 
+# Pixels whose pieces are worked on at once, where numpy lets no other thread run until it is through: milliseconds.
+_AT_ONCE = 1 << 14
+
+
 class Surface:
     """The pieces of an image that are seen at some moment.
 
@@ -57,10 +61,13 @@ class Surface:
 
     def picture(self, step: int) -> Picture:
         """Return what is seen at a moment: what has changed since the last one that was asked for is looked up."""
-        latest, everywhere = self._latest, np.arange(len(self.records.entry))
+        latest = self._latest
+        if latest is not None and latest.step == step:
+            return latest
+        everywhere = np.arange(len(self.records.entry))
         if latest is None or len(self._removed(latest.step, step)) > len(everywhere) // 4:
             latest = Picture(step, *self._seen(step, everywhere))
-        elif latest.step != step:
+        else:
             pixels = self.changed(latest.step, step)
             depth, owner = latest.depth.copy(), latest.owner.copy()
             depth[pixels], owner[pixels] = self._seen(step, pixels)
@@ -124,4 +131,9 @@ class Surface:
         order = np.argsort(owner.astype(np.uint16), kind="stable")
         if self.records.trajectories >> 16:
             order = order[np.argsort((owner >> 16).astype(np.uint16)[order], kind="stable")]
-        return owner[order], np.repeat(np.arange(len(first) - 1, dtype=np.uint32), np.diff(first))[order]
+        pixels = np.empty(len(owner), np.uint32)
+        for begin in range(0, len(first) - 1, _AT_ONCE):
+            own = first[begin : begin + _AT_ONCE + 1]
+            numbers = np.arange(begin, begin + len(own) - 1, dtype=np.uint32)
+            pixels[own[0] : own[-1]] = np.repeat(numbers, np.diff(own))
+        return owner[order], pixels[order]

@@ -66,7 +66,7 @@ def lowest(
         at *= slope
         at += _profile(tool, along)
     at += start[2]
-    at[missed] = np.nan
+    np.copyto(at, np.nan, where=missed)
     return at, inner
 
 
@@ -80,7 +80,10 @@ def headings(move: np.ndarray) -> np.ndarray:
 
 
 def _profile(tool: Tool, r2: np.ndarray) -> np.ndarray | float:
-    """Tool.height at squared distances from the axis, without its end at the rim, where rounding would be infinite."""
+    """Tool.height at squared distances from the axis, without its end at the rim, where rounding would be infinite.
+
+    A ball's stands in their place.
+    """
     corner = tool.rounding
     if corner == 0 and tool.steepness == 0:
         return 0.0
@@ -88,7 +91,9 @@ def _profile(tool: Tool, r2: np.ndarray) -> np.ndarray | float:
     if corner == 0:
         rise = tool.steepness * np.maximum(np.sqrt(r2) - tool.tip, 0)
     elif corner == tool.radius:
-        rise = corner - np.sqrt(np.maximum(corner**2 - r2, 0))
+        rise = np.subtract(corner**2, r2, out=r2)
+        np.sqrt(np.maximum(rise, 0, out=rise), out=rise)
+        np.subtract(corner, rise, out=rise)
     else:
         beyond_flat = np.clip(np.sqrt(r2) - (tool.radius - corner), 0, corner)
         rise = corner - np.sqrt(corner**2 - beyond_flat**2)
@@ -115,6 +120,16 @@ def _lowest_position(
         inner = np.minimum(np.maximum(inner, np.sqrt(np.maximum(tool.tip**2 - aside2, 0))), half)
         position = -np.sign(slope) * np.where(steeper > 0, inner, half)
         return position
+    position = np.zeros(half.shape)
+    sloped = np.flatnonzero(slope)
+    position[..., sloped] = _bisected(tool, slope[sloped], *(of[..., sloped] for of in (aside2, half, along, ahead)))
+    return position
+
+
+def _bisected(
+    tool: Tool, slope: np.ndarray, aside2: np.ndarray, half: np.ndarray, along: np.ndarray, ahead: np.ndarray
+) -> np.ndarray:
+    """`_lowest_position` of a bull-nose on sloped moves."""
     low, high = np.maximum(-along, -half), np.minimum(ahead, half)
     flat = tool.radius - tool.rounding
     for _ in range(48):

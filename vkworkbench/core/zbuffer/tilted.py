@@ -11,7 +11,6 @@ from the side where they pass a plane across the view.
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import replace
 from math import hypot, sqrt
 
 import numpy as np
@@ -19,7 +18,7 @@ import numpy as np
 from vkworkbench.core.solids import Frame, Tool
 from vkworkbench.core.stocks import Solid
 from vkworkbench.core.zbuffer.culling import NOISE, QUARTERS, Removals, Tiles
-from vkworkbench.core.zbuffer.dexels import THINNEST, before_in_group
+from vkworkbench.core.zbuffer.dexels import THINNEST, before_in_group, beginnings
 from vkworkbench.core.zbuffer.slots import ROUNDING
 from vkworkbench.core.zbuffer.sweeps import intervals
 from vkworkbench.core.zbuffer.trajectories import Trajectories
@@ -130,6 +129,13 @@ class _TileChords:
         return near, far
 
 
+class _Bound(Tool):
+    """A tool that bounds another one: nobody's, so it may be wider than a tool can be."""
+
+    def __post_init__(self) -> None:
+        pass
+
+
 class _Growth:
     """Tools that hold, and that are held by, a tool wherever it is moved with the rays of a tile."""
 
@@ -151,10 +157,10 @@ class _Growth:
         aside, away = self._moved(reach)
         tool = self.tool
         if self.ball:
-            return replace(tool, diameter=tool.diameter + 2 * away), -away
+            return _Bound("ballend", tool.diameter + 2 * away), -away
         lower = 0.0 if self.level else away * self.sine
         if self.flat:
-            return Tool("endmill", tool.diameter + 2 * aside), self.flat - lower
+            return _Bound("endmill", tool.diameter + 2 * aside), self.flat - lower
         return self._wider(aside), -lower
 
     def shrunk(self, reach: float) -> tuple[Tool | None, float]:
@@ -167,16 +173,17 @@ class _Growth:
         if diameter <= _LESS:
             return None, 0.0
         if self.flat:
-            return Tool("endmill", diameter), self.flat + away
+            return _Bound("endmill", diameter), self.flat + away
         if self.ball:
-            return replace(tool, diameter=diameter), away
+            return _Bound("ballend", diameter), away
         # Of a tip that is narrower than that, its cone is left above it.
         return self._wider(-aside), away + tool.steepness * max(aside - tool.tip, 0.0)
 
     def _wider(self, aside: float) -> Tool:
         """Return the end mill or cone wider by so much all around: its flat tip as well."""
-        tip = max(self.tool.tip + aside, 0.0) if self.tool.steepness else 0.0
-        return replace(self.tool, diameter=self.tool.diameter + 2 * aside, tip_diameter=2 * tip)
+        tool = self.tool
+        tip = max(tool.tip + aside, 0.0) if tool.steepness else 0.0
+        return _Bound(tool.shape, tool.diameter + 2 * aside, tool.corner_radius, tool.tip_angle, 2 * tip)
 
 
 def _not_yet_open(
@@ -203,7 +210,7 @@ def _not_yet_open(
     """
     if len(tile) == 0:
         return tile
-    start = np.flatnonzero(np.diff(tile, prepend=-1))
+    start = beginnings(tile)
     near, far = near.take(tile), far.take(tile)
     # So far apart that a running extreme starts anew in each tile.
     offset = tile * (far.max() - near.min() + 1)

@@ -13,6 +13,7 @@ import numpy as np
 
 from vkworkbench.core.solids import Tool
 from vkworkbench.core.zbuffer.culling import QUARTERS, Removals, Tiles, deeper
+from vkworkbench.core.zbuffer.dexels import beginnings
 from vkworkbench.core.zbuffer.opening import opening
 from vkworkbench.core.zbuffer.sweeps import lowest
 from vkworkbench.core.zbuffer.trajectories import Trajectories
@@ -53,23 +54,25 @@ class Upright:
         dx -= mx
         dy -= my
         along0, aside0 = dx * ux + dy * uy, dy * ux - dx * uy
-        start = np.flatnonzero(np.diff(tile, prepend=-1))
+        start = beginnings(tile)
         step, reach = child / 2 * self.frame.pixel, (child - 1) / 2 * self.frame.pixel
         extent = reach * (np.abs(ux) + np.abs(uy))
         ux *= step
         uy *= step
-        kinds = list(self.trajectories.by_kind(item))
+        kinds = [
+            (tool, own, None if level else Slopes(self.slope.take(item[own]))) for tool, level, own in self._kinds(item)
+        ]
         for across, up in QUARTERS:
             right, upwards = 2 * across - 1, (2 * up - 1) * (1 if self.cosine > 0 else -1)
             along, aside = along0 + right * ux + upwards * uy, aside0 + upwards * ux - right * uy
             places = along, aside, extent, half_run, depth
-            yield deeper(tile, start, *self._bounds(kinds, item, places), self.near, self.far)
+            yield deeper(tile, start, *_of_kinds(kinds, places), self.near, self.far)
 
     def removals(self, tiles: Tiles, tile: np.ndarray, near: np.ndarray, far: np.ndarray) -> Removals:
         """See `culling.Bounds.removals`."""
         column, row = tiles.pixels()
         x, y = self.frame.pixel_centres(column, row)
-        start = np.flatnonzero(np.diff(tile, prepend=-1))
+        start = beginnings(tile)
         depth = self._opened(x.take(tile, axis=1)[None], y.take(tile, axis=1)[:, None], tiles.item)
         if self.cosine > 0:
             hit = opening(depth, tile, start, near, far)
@@ -86,52 +89,68 @@ class Upright:
             px, py = x[..., own], y[..., own]
             height, inner = lowest(tool, start[:, own], heading[:, own], px, self.cosine * py)
             # On the rim of a sweep rounding decides: as it does for any other ray.
-            rim = np.nonzero((inner >= 0) & (inner < _RIM_LENGTH))
-            if len(rim[0]):
-                row, column, pair = rim
+            at = np.flatnonzero((inner < _RIM_LENGTH) & (inner >= 0))
+            if len(at):
+                rim = row, column, pair = np.unravel_index(at, inner.shape)
                 passed = trajectories.passing(px[0, column, pair], py[row, 0, pair], item[own][pair])
                 height[rim] = np.where(passed, height[rim], np.nan)
             depth[..., own] = np.negative(height, out=height)
         return depth.reshape(-1, len(item))
 
-    def _bounds(
-        self, kinds: list[tuple[int, slice | np.ndarray]], item: np.ndarray, places: Sequence[np.ndarray]
-    ) -> tuple[np.ndarray, np.ndarray]:
-        if len(kinds) == 1:
-            return self._of_kind(kinds[0][0], item, places)
-        reaches, opens = np.empty((2, len(item)))
-        for number, own in kinds:
-            reaches[own], opens[own] = self._of_kind(number, item[own], [place[own] for place in places])
-        return reaches, opens
+    def _kinds(self, item: np.ndarray) -> Iterator[tuple[Tool, bool, slice | np.ndarray]]:
+        """Tools, whether their moves are level, and which of the items are theirs."""
+        return ((*self.trajectories.kinds[number], own) for number, own in self.trajectories.by_kind(item))
 
-    def _of_kind(self, number: int, item: np.ndarray, places: Sequence[np.ndarray]) -> tuple[np.ndarray, np.ndarray]:
-        tool, level = self.trajectories.kinds[number]
-        along, aside, extent, half_run, depth = places
-        return bounds(tool, along, aside, extent, half_run, depth, None if level else self.slope.take(item))
+
+class Slopes:
+    """Rise of moves per mm, (p,), and what follows from it.
+
+    Attributes
+    ----------
+    slope, steepness, secant : (p,) ndarray
+        The rise with its sign and without; mm of the move per mm in the plane.
+    """
+
+    def __init__(self, slope: np.ndarray) -> None:
+        self.slope, self.steepness = slope, np.abs(slope)
+        self.secant = np.sqrt(1 + slope * slope)
+
+
+def _of_kinds(
+    kinds: Sequence[tuple[Tool, slice | np.ndarray, Slopes | None]], places: Sequence[np.ndarray]
+) -> tuple[np.ndarray, np.ndarray]:
+    """`bounds` of pairs of several kinds."""
+    if len(kinds) == 1:
+        tool, _, slopes = kinds[0]
+        return bounds(tool, slopes, *places)
+    reaches, opens = np.empty((2, len(places[0])))
+    for tool, own, slopes in kinds:
+        reaches[own], opens[own] = bounds(tool, slopes, *(place[own] for place in places))
+    return reaches, opens
 
 
 def bounds(
     tool: Tool,
+    slopes: Slopes | None,
     along: np.ndarray,
     aside: np.ndarray,
     extent: np.ndarray,
     half_run: np.ndarray,
     depth: np.ndarray,
-    slope: np.ndarray | None,
 ) -> tuple[np.ndarray, np.ndarray]:
     """Depths that moves reach at most in squares along them, and to which they open all of these at least.
 
     Parameters
     ----------
     tool : Tool
+    slopes : Slopes or None
+        None where all moves are level.
     along, aside : (p,) ndarray
         Middles of the squares from those of the moves, mm.
     extent, half_run : (p,) ndarray
         Half the squares' sides and half the moves' lengths, mm.
     depth : (p,) ndarray
         Of the moves' middles, mm.
-    slope : (p,) ndarray or None
-        Rise of the moves per mm; None where all are level.
 
     Returns
     -------
@@ -141,63 +160,111 @@ def bounds(
     radius2 = tool.radius**2
     aside = np.abs(aside)
     beyond = np.abs(along) - half_run
-    nearest2 = np.maximum(aside - extent, 0.0) ** 2 + np.maximum(beyond - extent, 0.0) ** 2
-    farthest2 = (aside + extent) ** 2 + np.maximum(beyond + extent, 0.0) ** 2
-    touched, covered = nearest2 <= radius2 + _RIM, farthest2 <= radius2 - _RIM
-    if slope is None:
+    inner = np.maximum(aside - extent, 0.0)
+    outer = aside + extent
+    inner2, outer2 = inner * inner, outer * outer
+    nearest2 = np.maximum(beyond - extent, 0.0)
+    nearest2 *= nearest2
+    nearest2 += inner2
+    beyond += extent
+    farthest2 = np.maximum(beyond, 0.0, out=beyond)
+    farthest2 *= farthest2
+    farthest2 += outer2
+    if slopes is None:
         reaches, opens = depth - profile(tool, nearest2), depth - profile(tool, farthest2)
     else:
-        deepest, shallowest = _sloped(tool, along, aside, extent, half_run, slope, nearest2)
-        reaches, opens = depth + deepest, depth + shallowest
-    return np.where(touched, reaches, -np.inf), np.where(covered, opens, -np.inf)
+        reaches = _deepest(tool, along, extent, half_run, slopes, inner, inner2, nearest2)
+        opens = _opened(tool, along, extent, half_run, slopes, outer, outer2)
+        reaches += depth
+        opens += depth
+    np.copyto(reaches, -np.inf, where=nearest2 > radius2 + _RIM)
+    np.copyto(opens, -np.inf, where=farthest2 > radius2 - _RIM)
+    return reaches, opens
 
 
-def _sloped(
+def _deepest(
     tool: Tool,
     along: np.ndarray,
-    aside: np.ndarray,
     extent: np.ndarray,
     half_run: np.ndarray,
-    slope: np.ndarray,
+    slopes: Slopes,
+    inner: np.ndarray,
+    inner2: np.ndarray,
     nearest2: np.ndarray,
-) -> tuple[np.ndarray, np.ndarray]:
-    """Depths below the move's middle that it reaches at most and opens at least."""
+) -> np.ndarray:
+    """Depths below the moves' middles that sloped ones reach at most, their tools `inner` aside at least."""
     flat, corner, k = tool.radius - tool.rounding, tool.rounding, tool.steepness
-    steepness = np.abs(slope)
-    inner = np.maximum(aside - extent, 0)
+    slope = slopes.slope
     # Above a point of the tile the tool's axis stands at most so far before or behind it.
-    half = np.sqrt(np.maximum(tool.radius**2 - inner**2, 0.0))
-    first = np.maximum(-along - half_run - extent, -half)
-    last = np.minimum(-along + half_run + extent, half)
-    lowest = np.minimum(slope * first, slope * last) + profile(tool, nearest2)
+    half = _root(tool.radius**2 - inner2)
+    reach = half_run + extent
+    first = np.maximum(-along - reach, -half)
+    last = np.minimum(reach - along, half)
+    first *= slope
+    last *= slope
+    lowest = np.minimum(first, last, out=first)
+    lowest += profile(tool, nearest2)
     # The lowest place of the tool when its move has no ends: a bound too, better for long moves.
-    secant = np.sqrt(1 + slope**2)
     if k == 0:
-        round_part = np.maximum(inner - flat, 0)
-        endless = corner - np.sqrt(np.maximum(corner**2 - round_part**2, 0.0)) * secant - steepness * flat
+        # Of a ball the rounded part is all of it.
+        rest = half if flat == 0 else _root(corner**2 - np.maximum(inner - flat, 0) ** 2)
+        endless = corner - rest * slopes.secant
+        if flat:
+            endless -= slopes.steepness * flat
     else:
-        endless = np.where(steepness < k, inner * np.sqrt(np.maximum(k**2 - slope**2, 0.0)) - k * tool.tip, -np.inf)
-    deepest = -slope * along + steepness * extent - np.maximum(lowest, endless)
+        endless = np.where(slopes.steepness < k, inner * _root(k**2 - slope**2) - k * tool.tip, -np.inf)
+    deepest: np.ndarray = slopes.steepness * extent
+    deepest -= slope * along
+    deepest -= np.maximum(lowest, endless, out=lowest)
+    return deepest
 
+
+def _opened(
+    tool: Tool,
+    along: np.ndarray,
+    extent: np.ndarray,
+    half_run: np.ndarray,
+    slopes: Slopes,
+    outer: np.ndarray,
+    outer2: np.ndarray,
+) -> np.ndarray:
+    """Depths below the moves' middles that sloped ones open all of a square, `outer` aside at most; -inf if none."""
+    flat, corner, k = tool.radius - tool.rounding, tool.rounding, tool.steepness
+    slope, steepness = slopes.slope, slopes.steepness
     # Above each point the tool stands where it is about lowest, as far as the move goes.
-    outer = aside + extent
     if k == 0:
-        rest = np.sqrt(np.maximum(corner**2 - np.maximum(outer - flat, 0.0) ** 2, 0.0))
-        ahead = np.sqrt(np.maximum(flat**2 - outer**2, 0.0)) + rest * steepness / secant
+        ahead = _root(corner**2 - (outer2 if flat == 0 else np.maximum(outer - flat, 0.0) ** 2))
+        ahead *= steepness
+        ahead /= slopes.secant
+        if flat:
+            ahead += _root(flat**2 - outer2)
     else:
         gentle = np.sqrt(np.maximum(k**2 - slope**2, 1e-12))
-        ahead = np.maximum(steepness * outer / gentle, np.sqrt(np.maximum(tool.tip**2 - outer**2, 0.0)))
+        ahead = np.maximum(steepness * outer / gentle, _root(tool.tip**2 - outer2))
         ahead = np.where(steepness < k, ahead, np.inf)
-        ahead = np.minimum(ahead, np.sqrt(np.maximum(tool.radius**2 - outer**2, 0.0)))
+        ahead = np.minimum(ahead, _root(tool.radius**2 - outer2))
     # The edge of the tool is left out: rounding would put it outside.
-    best = -np.sign(slope) * ahead * (1 - 1e-9)
-    at_low = np.clip(along - extent + best, -half_run, half_run)
-    at_high = np.clip(along + extent + best, -half_run, half_run)
-    away = np.maximum(np.abs(at_low - along + extent), np.abs(at_high - along - extent))
-    distance2 = outer**2 + away**2
-    highest = np.maximum(slope * at_low, slope * at_high) + profile(tool, distance2)
-    opened = np.where(distance2 <= tool.radius**2, -highest, -np.inf)
-    return deepest, opened
+    ahead *= 1 - 1e-9
+    best = np.copysign(ahead, -slope, out=ahead)
+    low, high = along - extent, along + extent
+    at_low = np.minimum(np.maximum(low + best, -half_run), half_run)
+    at_high = np.minimum(np.maximum(high + best, -half_run), half_run)
+    away = np.maximum(np.abs(np.subtract(at_low, low, out=low)), np.abs(np.subtract(at_high, high, out=high)))
+    distance2 = np.multiply(away, away, out=away)
+    distance2 += outer2
+    at_low *= slope
+    at_high *= slope
+    highest = np.maximum(at_low, at_high, out=at_low)
+    highest += profile(tool, distance2)
+    opened: np.ndarray = np.negative(highest, out=highest)
+    np.copyto(opened, -np.inf, where=distance2 > tool.radius**2)
+    return opened
+
+
+def _root(square: np.ndarray) -> np.ndarray:
+    """The square root in place, 0 of what is less."""
+    root: np.ndarray = np.sqrt(np.maximum(square, 0.0, out=square), out=square)
+    return root
 
 
 def profile(tool: Tool, distance2: np.ndarray) -> np.ndarray | float:

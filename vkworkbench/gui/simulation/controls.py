@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 
-from vkworkbench.gui.plain_text import as_plain
+from vkworkbench.gui.plain_text import as_html, as_plain
 from vkworkbench.gui.qt import (
     QComboBox,
     QDoubleSpinBox,
@@ -13,7 +13,6 @@ from vkworkbench.gui.qt import (
     QLabel,
     QMenu,
     QSizePolicy,
-    QStyle,
     Qt,
     QToolButton,
     QVBoxLayout,
@@ -23,8 +22,9 @@ from vkworkbench.gui.qt import (
 from vkworkbench.gui.sentences import user
 from vkworkbench.gui.simulation import exports
 from vkworkbench.gui.simulation.coloring import COLORINGS, by_difference
-from vkworkbench.gui.simulation.faults import Fault
+from vkworkbench.gui.simulation.faults import TOLERANCE, Fault
 from vkworkbench.gui.simulation.legend import Legend
+from vkworkbench.gui.simulation.symbols import PAUSE, PLAY, SymbolButton
 from vkworkbench.gui.text import QT_TRANSLATE_NOOP, translate
 
 # How many times as fast as the machine a play is; the whole job in half a minute for None.
@@ -42,7 +42,7 @@ _VIEWS = (
 )
 PART, CHIPS, BOTH = range(3)
 _MOST = 30  # entries of a list
-TOLERANCE = 0.1  # mm, at first
+_BORDERS = 60  # px beside an entry of a list
 
 
 class SceneBar(QWidget):
@@ -100,6 +100,9 @@ class SceneBar(QWidget):
         self.warnings = _menu(
             "", translate("Vk_Simulate", "Crashes, gouges and fast plunges of the simulation. Choose one to see it.")
         )
+        bold = self.warnings.font()
+        bold.setBold(True)
+        self.warnings.setFont(bold)
         for button in (self.warnings, self.tolerance, self.worst):
             button.hide()
         save = _menu(translate("Vk_Simulate", "Save"), translate("Vk_Simulate", "Save what is shown."))
@@ -142,7 +145,10 @@ class SceneBar(QWidget):
     def _list(self, button: QToolButton, found: Sequence[Fault], text: Callable[[Fault], str]) -> None:
         button.menu().clear()
         for fault in found[:_MOST]:
-            action = button.menu().addAction(text(fault).replace("&", "&&"))
+            words = text(fault)
+            short = self.fontMetrics().elidedText(words, Qt.ElideRight, self.window().width() - _BORDERS)
+            action = button.menu().addAction(short.replace("&", "&&"))
+            action.setToolTip(as_html(words))
             action.triggered.connect(lambda *_, fault=fault: self.pointed.emit(fault))
         if len(found) > _MOST:
             more = translate("Vk_Simulate", "… and {} more").format(user().count(len(found) - _MOST))
@@ -163,7 +169,7 @@ class PlayBar(QWidget):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self.play_button = QToolButton()
+        self.play_button = SymbolButton(PLAY)
         self.play_button.setToolTip(translate("Vk_Simulate", "Play or pause (Space)."))
         self.play_button.clicked.connect(lambda *_: self.play_clicked.emit())
         self.speeds = _combo(translate("Vk_Simulate", "How many times as fast as the machine."))
@@ -171,32 +177,34 @@ class PlayBar(QWidget):
             text = translate("Vk_Simulate", "Job in {}").format(user().time(_WHOLE)) if speed is None else f"×{speed}"
             self.speeds.addItem(text if speed != 1 else translate("Vk_Simulate", "Real time"))
         self.speeds.setCurrentIndex(len(_SPEEDS) - 1)
-        self.steps = {by: self._step(icon, by, tooltip) for icon, by, tooltip in (
-            (QStyle.SP_MediaSkipBackward, -3, translate("Vk_Simulate", "To the beginning of the operation.")),
-            (QStyle.SP_MediaSeekBackward, -2, translate("Vk_Simulate", "Back by one command of the program.")),
-            (QStyle.SP_ArrowLeft, -1, translate("Vk_Simulate", "Back by one trajectory.")),
-            (QStyle.SP_ArrowRight, 1, translate("Vk_Simulate", "On by one trajectory.")),
-            (QStyle.SP_MediaSeekForward, 2, translate("Vk_Simulate", "On by one command of the program.")),
-            (QStyle.SP_MediaSkipForward, 3, translate("Vk_Simulate", "To the end of the operation.")),
+        self.steps = {by: self._step(by, tooltip) for by, tooltip in (
+            (-3, translate("Vk_Simulate", "To the beginning of the operation.")),
+            (-2, translate("Vk_Simulate", "Back by one command of the program.")),
+            (-1, translate("Vk_Simulate", "Back by one trajectory.")),
+            (1, translate("Vk_Simulate", "On by one trajectory.")),
+            (2, translate("Vk_Simulate", "On by one command of the program.")),
+            (3, translate("Vk_Simulate", "To the end of the operation.")),
         )}  # fmt: skip
         self.text = as_plain(QLabel())
         self.text.setTextInteractionFlags(Qt.TextSelectableByMouse)
         self.text.setSizePolicy(QSizePolicy.Ignored, QSizePolicy.Preferred)
         back, on = ([button for by, button in self.steps.items() if by * sign > 0] for sign in (-1, 1))
-        row = _fill(self, *back, self.play_button, *on, self.speeds, self.text)
-        row.setStretch(row.count() - 1, 1)
+        controls = QWidget()
+        _fill(controls, *back, self.play_button, *on, self.speeds, None)
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(0, 0, 0, 0)
+        for widget in (controls, self.text):
+            layout.addWidget(widget)
 
     def speed(self, total: float) -> float:
         """Return how many times as fast as the machine a job of `total` s is to be played."""
         return _SPEEDS[self.speeds.currentIndex()] or total / _WHOLE
 
     def show_playing(self, plays: bool) -> None:
-        icon = QStyle.SP_MediaPause if plays else QStyle.SP_MediaPlay
-        self.play_button.setIcon(self.style().standardIcon(icon))
+        self.play_button.show_symbol(PAUSE if plays else PLAY)
 
-    def _step(self, icon, by: int, tooltip: str) -> QToolButton:
-        button = QToolButton()
-        button.setIcon(self.style().standardIcon(icon))
+    def _step(self, by: int, tooltip: str) -> QToolButton:
+        button = SymbolButton(by)
         button.setToolTip(tooltip)
         button.setAutoRepeat(abs(by) < 3)
         button.clicked.connect(lambda *_: self.stepped.emit(by))
@@ -209,6 +217,7 @@ def _menu(text: str, tooltip: str) -> QToolButton:
     button.setToolTip(tooltip)
     button.setPopupMode(QToolButton.InstantPopup)
     button.setMenu(QMenu(button))
+    button.menu().setToolTipsVisible(True)
     return button
 
 

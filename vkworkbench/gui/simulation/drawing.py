@@ -1,18 +1,23 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Draws a simulation as it is at a moment: its colours, the chips, what is to be noticed, and the tool."""
+"""The picture of a simulation at a moment: its colours, the chips, and what is to be noticed."""
 
 from __future__ import annotations
 
-from vkworkbench.core import Strategy
-from vkworkbench.core.rendering import CUT, palette, scene
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import lru_cache, partial
+
+import numpy as np
+
+from vkworkbench.core import Frame, Strategy, ZBuffer
+from vkworkbench.core.rendering import CUT, Scene, palette, scene
 from vkworkbench.core.zbuffer import SeenModel
 from vkworkbench.document.simulated_job import SimulatedJob
 from vkworkbench.document.simulation import Simulation
 from vkworkbench.gui.simulation.clock import Clock
-from vkworkbench.gui.simulation.coloring import COLORINGS, Colors, Job
+from vkworkbench.gui.simulation.coloring import COLORINGS, Coloring, Entries, Job
 from vkworkbench.gui.simulation.controls import CHIPS, PART, SceneBar
 from vkworkbench.gui.simulation.moment import Moment
-from vkworkbench.gui.simulation.part_view import PartView
 from vkworkbench.gui.simulation.refining import Refined, Told
 
 
@@ -44,7 +49,7 @@ class Drawing:
         self.told: Told | None = None
         self.strategies = (Strategy.UNKNOWN,) * len(job.operations)
         self.seen: SeenModel | None = None
-        self._colors: Colors = palette(CUT)
+        self._coloring: Callable[[], Coloring] = _uncolored
 
     def take(self, done: Refined | Told) -> None:
         """Take a finer simulation, or what it tells."""
@@ -58,7 +63,7 @@ class Drawing:
     def forget(self) -> None:
         """Know nothing of the picture any more."""
         self.simulation = self.told = self.seen = None
-        self._colors = palette(CUT)
+        self._coloring = _uncolored
 
     def color(self) -> None:
         """Colour the surfaces anew."""
@@ -66,21 +71,71 @@ class Drawing:
             return
         volumes = None if self.told is None else self.told.volumes
         job = Job(tuple(o.label for o in self.job.operations), self.strategies, self.clock, volumes, self.seen,
-                  self.bar.tolerance_mm)  # fmt: skip
-        coloring = COLORINGS[self.bar.colorings.currentIndex()][1](self.simulation.zbuffer, job)
-        self._colors = coloring.colors
-        self.bar.legend.show_entries(coloring.legend)
+                  self._awaits_model, self.bar.tolerance_mm)  # fmt: skip
+        make = COLORINGS[self.bar.colorings.currentIndex()][1]
+        # Once, with the first picture that needs it.
+        self._coloring = lru_cache(maxsize=None)(partial(make, self.simulation.zbuffer, job))
 
-    def draw(self, view: PartView, moment: Moment) -> None:
-        """Draw a moment."""
-        zbuffer = self.simulation.at(moment.done).zbuffer
+    @property
+    def _awaits_model(self) -> bool:
+        told = self.told
+        return bool(self.job.model_shapes) and not (told and told.simulation is self.simulation and told.judged)
+
+    def picture(self, moment: Moment, background: tuple[int, int, int]) -> Picture:
+        """Return how a moment is to be drawn, as all is chosen now."""
+        at = self.simulation.at(moment.done).zbuffer
         shown, chips = self.bar.chips.currentIndex(), None
         if shown != PART:
-            cut = zbuffer.cuts.source(moment.last).cut
-            chips = tuple(zbuffer.cuts.first[cut : cut + 2].tolist())
+            cut = at.cuts.source(moment.last).cut
+            chips = tuple(at.cuts.first[cut : cut + 2].tolist())
         lit = None if moment.noticed is None else moment.of_command(moment.noticed)
-        colors = self._colors(zbuffer) if callable(self._colors) else self._colors
-        picture = scene(zbuffer, colors, chips=chips, part=shown != CHIPS, lit=lit, background=view.background)
-        view.show_scene(picture, zbuffer.frame)
-        number, tip = moment.tool_tip()
-        view.show_tool(self.job.cuts[number].tool, tip)
+        return Picture(
+            at, self._coloring, partial(scene, chips=chips, part=shown != CHIPS, lit=lit, background=background)
+        )
+
+
+@dataclass(frozen=True, eq=False)
+class Picture:
+    """A moment that is to be drawn.
+
+    Attributes
+    ----------
+    zbuffer : ZBuffer
+        At the moment.
+    coloring : callable
+        Returns how it is coloured.
+    scene : callable
+        Returns its scene in colours.
+    """
+
+    zbuffer: ZBuffer
+    coloring: Callable[[], Coloring]
+    scene: Callable[[ZBuffer, np.ndarray], Scene]
+
+    def draw(self) -> Drawn:
+        """Draw it, in whatever thread: a fine picture takes a tenth of a second."""
+        coloring = self.coloring()
+        colors = coloring.colors(self.zbuffer) if callable(coloring.colors) else coloring.colors
+        return Drawn(self.scene(self.zbuffer, colors), self.zbuffer.frame, coloring.legend)
+
+
+@dataclass(frozen=True, eq=False)
+class Drawn:
+    """A moment that was drawn.
+
+    Attributes
+    ----------
+    scene : Scene
+    frame : Frame
+        What it is seen with.
+    legend : callable
+        Returns what its colours mean.
+    """
+
+    scene: Scene
+    frame: Frame
+    legend: Callable[[], Entries]
+
+
+def _uncolored() -> Coloring:
+    return Coloring(palette(CUT), tuple)

@@ -35,7 +35,8 @@ def write_frames(player, folder: Path, count: int = _FRAMES) -> None:
     """Write `count` pictures, numbered from 0000, from the stock to the part."""
     before = player.moment.seconds
     for number, seconds in enumerate(np.linspace(0, player.clock.total, count).tolist()):
-        player.show_now(seconds)
+        player.moment.go_to(seconds)
+        player.pictures.show_now()
         path = folder / f"{number:04d}.png"
         if not player.view.grab().save(str(path), "PNG"):
             _not_written(player, str(path))

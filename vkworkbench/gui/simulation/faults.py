@@ -9,6 +9,9 @@ from vkworkbench.core.zbuffer import gouges, worst_places
 from vkworkbench.gui.simulation.refining import Told
 from vkworkbench.language import Message
 
+# What is no difference to the model, mm, until the user says otherwise.
+TOLERANCE = 0.1
+
 
 @dataclass(frozen=True)
 class Fault:
@@ -40,6 +43,44 @@ class Fault:
     def of_finished_part(self) -> bool:
         """Whether it is to be seen at the end, not when its trajectory is cut."""
         return self.what.code == "leaves-material"
+
+
+@dataclass(frozen=True, eq=False)
+class Judged:
+    """What a simulation shows.
+
+    Attributes
+    ----------
+    told : Told
+        What it told.
+    faults : list of Fault
+        What is wrong, gouges beyond the tolerance.
+    differences : list of Fault
+        The worst differences to the model; empty where they were not asked for.
+    proved : list of Fault
+        What is wrong whatever tolerance one looks with; empty where the picture was too coarse to look at the model.
+    """
+
+    told: Told
+    faults: list[Fault]
+    differences: list[Fault]
+    proved: list[Fault]
+
+
+def judge(told: Told, tolerance: float, compares: bool) -> Judged:
+    """Judge a simulation, in whatever thread: with many operations or pixels it takes a while.
+
+    Parameters
+    ----------
+    told : Told
+    tolerance : float
+        What is no difference to the model yet, mm.
+    compares : bool
+        Whether the worst differences are asked for, too.
+    """
+    proved = [fault for fault in faults(told, TOLERANCE) if fault.serious] if told.judged else []
+    worst = differences(told, tolerance) if compares else []
+    return Judged(told, faults(told, tolerance), worst, proved)
 
 
 def faults(told: Told, tolerance: float) -> list[Fault]:

@@ -8,9 +8,7 @@ from vkworkbench.document.simulated_job import SimulatedJob
 from vkworkbench.gui import docks, pills
 from vkworkbench.gui.sentences import said
 from vkworkbench.gui.simulation.clock import Clock
-from vkworkbench.gui.simulation.controls import TOLERANCE
-from vkworkbench.gui.simulation.faults import Fault, faults
-from vkworkbench.gui.simulation.refining import Told
+from vkworkbench.gui.simulation.faults import Fault
 from vkworkbench.gui.simulation.time_line import Warned
 from vkworkbench.gui.text import translate
 
@@ -35,9 +33,9 @@ class KnownFaults:
         """Return where and what a fault is."""
         if fault.cut is None:
             return translate("Vk_Simulate", "raw stock: {}").format(said(fault.what))
-        text = translate("Vk_Simulate", "{}, command {} ({}): {}")
+        text = translate("Vk_Simulate", "{}, command {}: {} ({})")
         label, code = self.job.operations[fault.cut].label, self.job.listings[fault.cut][fault.command]
-        return text.format(label, fault.command + 1, code, said(fault.what))
+        return text.format(label, fault.command + 1, said(fault.what), code)
 
     def marks(self, found: list[Fault]) -> tuple[Warned, ...]:
         """Return faults as marks of the time line; what the raw stock lacks has no moment."""
@@ -51,13 +49,10 @@ class KnownFaults:
             if fault.trajectory is not None
         )
 
-    def keep(self, told: Told) -> None:
-        """Let marks and results tell what a picture has shown that looked for gouges, too."""
-        if not told.judged:
-            return
-        for fault in faults(told, TOLERANCE):
-            if fault.serious:
-                self._proved.setdefault((fault.cut, fault.what.code, fault.command), fault)
+    def keep(self, proved: list[Fault]) -> None:
+        """Let marks and results tell what a picture has shown."""
+        for fault in proved:
+            self._proved.setdefault((fault.cut, fault.what.code, fault.command), fault)
         wrong = sorted(self._proved.values(), key=lambda fault: fault.what.code != "rapid-cuts")
         changed = keep_faults({
             operation: [(fault.command, fault.what) for fault in wrong if fault.cut == number]

@@ -48,7 +48,8 @@ class Legend(QWidget):
             side = self._side
             painter.fillRect(QRectF(place.left(), place.center().y() - side / 2, side, side), QColor(color))
             painter.setPen(self.palette().windowText().color())
-            painter.drawText(place.adjusted(side + _BESIDE, 0, 0, 0), int(Qt.AlignVCenter | Qt.AlignLeft), name)
+            flags = int(Qt.AlignVCenter | Qt.AlignLeft | Qt.TextDontClip)
+            painter.drawText(place.adjusted(side + _BESIDE, 0, 0, 0), flags, name)
 
     @property
     def _line(self) -> int:
@@ -73,7 +74,7 @@ class Legend(QWidget):
             if named > _MOST:
                 break
             shown = metrics.elidedText(name, Qt.ElideRight, width - side - _BESIDE)
-            wide = side + (_BESIDE + metrics.boundingRect(shown).width() + 2 if shown else 0)
+            wide = side + (_BESIDE + metrics.horizontalAdvance(shown) if shown else 0)
             if x and x + wide > width:
                 x, y = 0.0, y + height
             places.append((color, QRectF(x, y, wide, height), shown))

@@ -114,6 +114,12 @@ class PartView(QWidget):
 
     def paintEvent(self, event) -> None:
         painter = QPainter(self)
+        try:
+            self._paint(painter)
+        finally:
+            painter.end()  # which Qt needs, and an error's traceback keeps the painter
+
+    def _paint(self, painter: QPainter) -> None:
         painter.fillRect(self.rect(), QColor(*self.background))
         if self._scene is None:
             return

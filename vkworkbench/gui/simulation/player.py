@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+from functools import partial
+
 import FreeCADGui as Gui
 import numpy as np
 
@@ -20,10 +22,11 @@ from vkworkbench.gui.sentences import strategy_name, user
 from vkworkbench.gui.simulation.clock import Clock
 from vkworkbench.gui.simulation.controls import PlayBar, SceneBar
 from vkworkbench.gui.simulation.drawing import Drawing
-from vkworkbench.gui.simulation.faults import Fault, differences, faults
+from vkworkbench.gui.simulation.faults import Fault, Judged, judge
 from vkworkbench.gui.simulation.known_faults import KnownFaults
 from vkworkbench.gui.simulation.moment import Moment
 from vkworkbench.gui.simulation.part_view import PartView
+from vkworkbench.gui.simulation.pictures import Pictures
 from vkworkbench.gui.simulation.refining import Refined, Refining, Told
 from vkworkbench.gui.simulation.state_line import StateLine
 from vkworkbench.gui.simulation.time_line import Block, TimeLine
@@ -48,7 +51,7 @@ class Player(QWidget):
     faults : list of Fault
         What is wrong, as far as the picture that is shown tells.
     asked : Signal
-        The user asked the part; the operation that made the place is selected.
+        The user asked the part, or for what is wrong; the operation that made the place is selected.
     """
 
     asked = Signal()
@@ -68,8 +71,8 @@ class Player(QWidget):
         self.drawing = Drawing(job, self.clock, self.scene_bar)
         self._known = KnownFaults(job, self.clock)
         self._refining: Refining | None = None
-        self._work, self._recognizing = Background(self), Background(self)
-        self._stale = False
+        self._work, self._recognizing, self._judging = Background(self), Background(self), Background(self)
+        self.pictures = Pictures(self.drawing, self.moment, self.view, self)
         self._lay_out()
         self._connect()
         self._show_blocks()
@@ -100,7 +103,9 @@ class Player(QWidget):
     def _connect(self) -> None:
         self.view.view_rested.connect(self.simulate)
         self.view.asked.connect(self.ask)
-        self.view.restyled.connect(self.draw)
+        self.view.restyled.connect(self.pictures.draw)
+        self.pictures.begun.connect(self._tell_moment)
+        self.pictures.failed.connect(self.state.show_error)
         self.moment.changed.connect(self._show_moment)
         self.time_line.moved.connect(self.moment.go_to)
         self.time_line.clicked.connect(self.moment.choose)
@@ -109,7 +114,7 @@ class Player(QWidget):
         self.scene_bar.looked.connect(self.look)
         self.scene_bar.recolored.connect(self._recolor)
         self.scene_bar.pointed.connect(self.point)
-        self.scene_bar.chosen.connect(self.draw)
+        self.scene_bar.chosen.connect(self.pictures.draw)
         self.scene_bar.saved.connect(lambda save: save(self))
 
     def _show_blocks(self) -> None:
@@ -129,8 +134,8 @@ class Player(QWidget):
 
     @property
     def is_busy(self) -> bool:
-        """Whether a finer picture, or the strategies, are still to come."""
-        return self._work.works or self._recognizing.works
+        """Whether a finer picture, the strategies, or what is wrong are still to come."""
+        return self._work.works or self._recognizing.works or self._judging.works
 
     def simulate(self) -> None:
         """Simulate what is looked at, coarsely first."""
@@ -146,6 +151,8 @@ class Player(QWidget):
         self._timer.stop()
         self._work.give_up()
         self._recognizing.give_up()
+        self._judging.give_up()
+        self.pictures.end()
         self._refining = None
         self.drawing.forget()
 
@@ -153,8 +160,7 @@ class Player(QWidget):
         if self._work.works:
             self.state.show_progress(self._refining)
         self.moment.go_on(self.play_bar.speed(self.clock.total))
-        if self._stale:
-            self._draw()
+        self.pictures.begin()
 
     def _ended(self, error: Exception | None) -> None:
         self.state.show_end(self.job.remarks, error)
@@ -169,8 +175,7 @@ class Player(QWidget):
         if isinstance(done, Refined):
             self.state.show_refined(done)
         else:
-            self._list_faults()
-            self._known.keep(done)
+            self._judge()
         self._color()
 
     def _recognize(self) -> None:
@@ -187,50 +192,45 @@ class Player(QWidget):
         else:
             self.state.show_error(error)
 
-    def _list_faults(self) -> None:
+    def _judge(self) -> None:
         """List what is wrong, and the worst differences to the model; both depend on the tolerance."""
-        told, tolerance = self.drawing.told, self.scene_bar.tolerance_mm
-        if told is None:
+        if self.drawing.told is None:
             return
-        self.faults = faults(told, tolerance)
+        work = partial(judge, self.drawing.told, self.scene_bar.tolerance_mm, self.scene_bar.compares)
+        self._judging.start("", lambda _: [work()], self._list, self._tell_error)
+
+    def _list(self, judged: Judged) -> None:
+        self.faults = judged.faults
         self.scene_bar.list_warnings(self.faults, self._known.text)
-        compared = differences(told, tolerance) if self.scene_bar.compares else []
-        self.scene_bar.list_worst(compared, self._known.text)
-        self.time_line.show_facts(self.clock.ends, told.volumes, told.air, self._known.marks(self.faults))
+        self.scene_bar.list_worst(judged.differences, self._known.text)
+        marks = self._known.marks(self.faults)
+        self.time_line.show_facts(self.clock.ends, judged.told.volumes, judged.told.air, marks)
+        self._known.keep(judged.proved)
+
+    def _tell_error(self, error: Exception | None) -> None:
+        if error is not None:
+            self.state.show_error(error)
 
     # Showing
-
-    def show_now(self, seconds: float) -> None:
-        """Show a moment at once, without waiting for the next tick."""
-        self.moment.go_to(seconds)
-        self._draw()
-
-    def draw(self) -> None:
-        """Show the moment anew."""
-        self._stale = True
 
     def _show_moment(self) -> None:
         self.view.show_place(None)
         self.time_line.show_moment(self.moment.seconds)
         self.play_bar.show_playing(self.moment.plays)
-        self.draw()
+        self.pictures.draw()
 
     def _recolor(self) -> None:
         """Take another colouring or tolerance; the model is seen first, where that was not necessary until now."""
         if self.scene_bar.compares and self.drawing.seen is None and self.job.model_shapes:
             self.simulate()
-        self._list_faults()
+        self._judge()
         self._color()
 
     def _color(self) -> None:
         self.drawing.color()
-        self.draw()
+        self.pictures.draw()
 
-    def _draw(self) -> None:
-        self._stale = False
-        if self.simulation is None:
-            return
-        self.drawing.draw(self.view, self.moment)
+    def _tell_moment(self) -> None:
         text = self._moment_text()
         self.play_bar.text.setText(text)
         self.play_bar.text.setToolTip(as_html(text))
@@ -246,7 +246,7 @@ class Player(QWidget):
             return text
         first, end = moment.of_command(moment.noticed)
         volume = float(self.volumes[first:end].sum())
-        removed = translate("Vk_Simulate", "removes {} mm³").format(user().number(volume, 2))
+        removed = translate("Vk_Simulate", "removes {}").format(user().volume(volume, 2))
         return text + "   " + (removed if volume else translate("Vk_Simulate", "removes nothing"))
 
     # What the user asks
@@ -267,6 +267,8 @@ class Player(QWidget):
         else:
             self.moment.after(fault.trajectory)
         self.view.show_place(fault.place)
+        if fault.cut is not None:
+            self._select(fault.cut)
 
     def ask(self, trajectory: int) -> None:
         """Go to when a surface was made, and select the operation that made it."""
@@ -276,7 +278,11 @@ class Player(QWidget):
             self.play_bar.text.setText(translate("Vk_Simulate", "This surface is the raw stock's."))
             return
         self.moment.after(trajectory)
-        operation, _ = self.simulation.source(trajectory)
+        self._select(self.clock.cuts.source(trajectory).cut)
+
+    def _select(self, cut: int) -> None:
+        """Select an operation in the tree."""
+        operation = self.job.operations[cut]
         Gui.Selection.clearSelection()
         Gui.Selection.addSelection(operation.document, operation.name)
         self.asked.emit()

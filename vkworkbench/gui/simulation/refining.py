@@ -122,27 +122,28 @@ class Refining:
         self.job, self.view, self.speed, self.glance, self.compare = job, view, speed, glance, compare
         self.memory_budget, self.time_budget = memory_budget, time_budget
         self.share = 0.0
-        self._finest: tuple[float, float] | None = None  # s and bytes, as the last picture lets expect
+        self._course: _Course | None = None  # of the pictures until now
         self._largest = 1.0  # share of the image's side that the time budget allows
         self._began = self._stage = time.perf_counter()
 
     def left(self) -> tuple[float | None, float]:
         """Return how long the finest picture still takes, s, and its memory, bytes; None until that can be told."""
-        if self._finest is None:
+        if self._course is None:
             return None, 0.0
-        seconds, memory = (self._largest**2 * amount for amount in self._finest)
+        seconds, memory = self._course.expected(self._largest)
         return max(seconds - (time.perf_counter() - self._stage), 0.1), memory
 
     def __call__(self, going_on: Callable[[], None]) -> Iterator[JobEstimate | Refined | Told]:
-        """Yield what the finest picture will cost, then the pictures, the coarsest first, and what each of them tells.
+        """Yield what the finest picture will cost, where nothing is seen, the pictures, the coarsest first, and what each tells.
 
         Raises
         ------
         Unusable
             Where the finest picture that the budgets allow is coarser than the view: its message says so.
         """
-        yield estimate_job(self.job.cuts, stock=self.job.stock, view=self.view, speed=self.speed)
-        going_on()
+        if self.glance:  # where there is a picture, the first coarse one is there sooner
+            yield estimate_job(self.job.cuts, stock=self.job.stock, view=self.view, speed=self.speed)
+            going_on()
         if self.glance and any(self.view.direction[:2]):
             above = (0.0, 0.0, 1.0 if self.view.direction[2] > 0 else -1.0)
             yield from self._told(View(above, *self._size(_SHARES[0])), going_on)
@@ -151,17 +152,17 @@ class Refining:
                 yield from self._simulate(share, going_on)
                 if self._largest <= share:
                     break
-        share = self._largest
+        share = allowed = self._largest
         while True:
             try:
-                if share > _SHARES[-2] or self._finest is None:
+                if share > _SHARES[-2] or self._course is None:
                     yield from self._simulate(share, going_on, finest=True)
                 break
             except OverBudget as error:
                 share *= _COARSER
                 if share <= _SHARES[-2]:
                     raise Unusable(error.what) from None
-        if self._largest < 1:
+        if allowed < 1:
             raise Unusable(Message("picture-in-time", allowed=self.time_budget))
 
     def _size(self, share: float) -> tuple[int, int]:
@@ -175,8 +176,8 @@ class Refining:
         for done in self._told(view, going_on, finest):
             if isinstance(done, Refined):
                 seconds = time.perf_counter() - self._stage
-                self._finest = seconds / share**2, done.simulation.zbuffer.memory_bytes / share**2
-                self._largest = min(1.0, sqrt(self.time_budget / self._finest[0]))
+                self._course = _Course(share, seconds, done.simulation.zbuffer.memory_bytes, self._course)
+                self._largest = self._course.largest(self.time_budget)
             yield done
 
     def _told(self, view: View, going_on: Callable[[], None], finest: bool = False) -> Iterator[Refined | Told]:
@@ -206,3 +207,32 @@ class Refining:
     def _seen(self, done: Simulation, going_on: Callable[[], None]) -> SeenModel | None:
         model = self.job.model
         return None if model is None else SeenModel(model, done.zbuffer.frame, going_on)
+
+
+class _Course:
+    """How time and memory grow with the image, from the last pictures: a part for each pixel, and a part for all.
+
+    Parameters
+    ----------
+    share : float
+        Of the image's side that was simulated.
+    seconds, memory : float
+        What that took, s and bytes.
+    before : _Course, optional
+        That of a coarser picture.
+    """
+
+    def __init__(self, share: float, seconds: float, memory: float, before: _Course | None) -> None:
+        self.pixels, self.seconds, self._memory = share**2, seconds, memory / share**2
+        pixels, spent = (before.pixels, before.seconds) if before else (0.0, 0.0)
+        self._each = max(seconds - spent, 0.0) / (self.pixels - pixels)
+        self._fixed = seconds - self._each * self.pixels
+
+    def expected(self, share: float) -> tuple[float, float]:
+        """Return what an image of such a share takes, s and bytes."""
+        return self._fixed + self._each * share**2, self._memory * share**2
+
+    def largest(self, budget: float) -> float:
+        """Return the largest share that takes no longer, s; at most 1, and 0 where there is none."""
+        pixels = (budget - self._fixed) / self._each if self._each else float(budget >= self._fixed)
+        return sqrt(min(max(pixels, 0.0), 1.0))

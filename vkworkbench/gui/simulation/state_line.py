@@ -8,6 +8,7 @@ import traceback
 import FreeCAD
 
 from vkworkbench.core.zbuffer import JobEstimate
+from vkworkbench.gui.plain_text import as_html
 from vkworkbench.gui.qt import QLabel, QSizePolicy, Qt, QWidget
 from vkworkbench.gui.sentences import said, user
 from vkworkbench.gui.simulation.refining import Refined, Refining
@@ -62,7 +63,7 @@ class StateLine(QLabel):
         text = "   ".join(filter(None, texts))
         if text != self.text():
             self.setText(text)
-            self.setToolTip(text)
+            self.setToolTip(as_html(text))
 
 
 def told(error: Exception) -> str:

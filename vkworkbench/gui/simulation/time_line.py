@@ -103,7 +103,7 @@ class TimeLine(KeyedWidget):
         self._blocks: tuple[Block, ...] = ()
         self._warned: tuple[Warned, ...] = ()
         self._ends = self._volumes = self._air = np.empty(0)
-        self._curve: tuple[int, np.ndarray, np.ndarray] | None = None
+        self._curve: tuple[int, QPolygonF, np.ndarray] | None = None  # for a width, px; and the share of air
         self.keys = {key: partial(self._move_on, share) for key, share in _KEYS.items()}
         self.setMinimumHeight(_CURVE + _AIR + _BLOCKS + 8)
         self.setSizePolicy(QSizePolicy.Expanding, QSizePolicy.Fixed)
@@ -169,6 +169,12 @@ class TimeLine(KeyedWidget):
 
     def paintEvent(self, event) -> None:
         painter = QPainter(self)
+        try:
+            self._paint(painter)
+        finally:
+            painter.end()  # which Qt needs, and an error's traceback keeps the painter
+
+    def _paint(self, painter: QPainter) -> None:
         painter.setRenderHint(QPainter.Antialiasing)
         palette = self.palette()
         painter.fillRect(self.rect(), palette.base())
@@ -205,21 +211,14 @@ class TimeLine(KeyedWidget):
         if not len(self._volumes) or not self.total:
             return
         if self._curve is None or self._curve[0] != self.width():
-            self._curve = (self.width(), *self._by_column(self.width()))
-        _, rate, air = self._curve
-        highest = rate.max(initial=0.0)
+            rate, air = self._by_column(self.width())
+            self._curve = self.width(), _area(rate), air
+        _, curve, air = self._curve
         fill = QColor(text)
         fill.setAlpha(110)
-        if highest > 0:
-            tops = _CURVE - rate / highest * (_CURVE - 4)
-            corners = [
-                QPointF(0, _CURVE),
-                *(QPointF(x, y) for x, y in enumerate(tops.tolist())),
-                QPointF(len(tops), _CURVE),
-            ]
-            painter.setPen(Qt.NoPen)
-            painter.setBrush(fill)
-            painter.drawPolygon(QPolygonF(corners))
+        painter.setPen(Qt.NoPen)
+        painter.setBrush(fill)
+        painter.drawPolygon(curve)
         hatch = QColor("#e0a030")
         first, last = np.searchsorted(self._ends, (self._begin, self._end))
         if last - first < self.width() / _APART:  # trajectories can be told apart
@@ -273,3 +272,10 @@ class TimeLine(KeyedWidget):
         at = self.seconds_at(event.position().x())
         span = max(self._span * _ZOOM ** (-event.angleDelta().y() / 120), self.total * _FINEST)
         self._see(at - (at - self._begin) / self._span * span if self._span else 0.0, span)
+
+
+def _area(rate: np.ndarray) -> QPolygonF:
+    """The area below a curve, one number for each column of pixels, as high as there is room."""
+    tops = _CURVE - rate / max(rate.max(initial=0.0), 1e-300) * (_CURVE - 4)
+    sides = QPointF(0, _CURVE), QPointF(len(tops), _CURVE)
+    return QPolygonF([sides[0], *(QPointF(x, y) for x, y in enumerate(tops.tolist())), sides[1]])

@@ -18,6 +18,8 @@ PROGRAMS: dict[str, str | tuple[str, str]] = {
         "Sentences", "variables and expressions are not read: the words with them are left out"
     ),
     "words-not-read": QT_TRANSLATE_NOOP("Sentences", "lines that are not made of words like G1 X10 are left out"),
+    "word-twice": QT_TRANSLATE_NOOP("Sentences", "a line with two {letter} words: the last one is read"),
+    "two-motions": QT_TRANSLATE_NOOP("Sentences", "a line with two motions, such as G0 and G1: the last one is read"),
     "coordinates-not-changed": QT_TRANSLATE_NOOP(
         "Sentences", "coordinates that {name} changes are read as if it were not there"
     ),

@@ -6,10 +6,10 @@ from __future__ import annotations
 from vkworkbench.language.marking import QT_TRANSLATE_NOOP
 
 SIMULATION: dict[str, str | tuple[str, str]] = {
-    "rapid-cuts": QT_TRANSLATE_NOOP("Sentences", "a rapid move removes {volume:g2} mm3"),
+    "rapid-cuts": QT_TRANSLATE_NOOP("Sentences", "a rapid move removes {volume:mm³2}"),
     "cuts-model": QT_TRANSLATE_NOOP("Sentences", "cuts {depth:mm2} into the model"),
     "plunges-fast": QT_TRANSLATE_NOOP(
-        "Sentences", "plunges into full material at {feed:g3} mm/min, where its tool may plunge at {allowed:g3} mm/min"
+        "Sentences", "plunges into full material at {feed:mm/min3}, where its tool may plunge at {allowed:mm/min3}"
     ),
     "leaves-material": QT_TRANSLATE_NOOP("Sentences", "{depth:mm2} are left on the model"),
     "picture-in-time": QT_TRANSLATE_NOOP(

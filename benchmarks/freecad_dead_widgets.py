@@ -1,0 +1,77 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Widgets that are gone and that FreeCAD itself leaves behind as if they were alive.
+
+    xvfb-run -a freecad $PWD/benchmarks/freecad_dead_widgets.py
+
+Printed is how many there are each time that the preferences and the panel of the simulator were opened and closed. What Qt
+later makes at the address of such a widget PySide takes for it, and FreeCAD may end. Run without the add-on, which this
+script does not import.
+"""
+
+import gc
+import os
+import sys
+import tempfile
+import time
+from pathlib import Path
+
+import FreeCAD
+import FreeCADGui as Gui
+from PySide import QtCore, QtGui
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "examples"))
+from make_example import make_example
+
+shiboken = sys.modules.get("shiboken6") or sys.modules["shiboken2"]
+OLD = FreeCAD.Version()[0] == "0"
+
+
+def dead() -> int:
+    """Return how many widgets PySide takes for alive that Qt does not know."""
+    alive = {shiboken.getCppPointer(widget)[0] for widget in QtGui.QApplication.allWidgets()}
+    return sum(
+        shiboken.isValid(thing) and shiboken.getCppPointer(thing)[0] not in alive
+        for thing in gc.get_objects()
+        if isinstance(thing, QtGui.QWidget)
+    )
+
+
+def preferences() -> None:
+    def close() -> None:
+        dialog = QtGui.QApplication.activeModalWidget()
+        if dialog is None:
+            QtCore.QTimer.singleShot(50, close)
+        else:
+            dialog.reject()
+
+    QtCore.QTimer.singleShot(50, close)
+    Gui.runCommand("Std_DlgPreferences")
+
+
+def simulator() -> None:
+    Gui.runCommand("Path_Simulator" if OLD else "CAM_Simulator")
+    idle(1.0)
+    Gui.Control.closeDialog()
+    idle(1.0)
+
+
+def idle(seconds: float) -> None:
+    end = time.monotonic() + seconds
+    while time.monotonic() < end:
+        QtGui.QApplication.processEvents()
+        time.sleep(0.005)
+
+
+def count() -> None:
+    with tempfile.TemporaryDirectory() as folder:
+        make_example(Path(folder) / "example.FCStd")
+    Gui.activateWorkbench("PathWorkbench" if OLD else "CAMWorkbench")
+    for name, open_and_close in (("the preferences", preferences), ("the simulator's panel", simulator)):
+        before = dead()
+        for times in range(1, 6):
+            open_and_close()
+            print(f"{name} closed {times} times: {dead() - before} dead widgets", file=sys.__stdout__, flush=True)
+    os._exit(0)
+
+
+QtCore.QTimer.singleShot(2000, count)

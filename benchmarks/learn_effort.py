@@ -1,0 +1,142 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What a unit of the z-buffer's work takes: learned from simulations of made-up toolpaths, for `core/zbuffer/effort.py`.
+
+    python3 benchmarks/learn_effort.py
+
+Every toolpath of toolpaths/synthetic.py and zbuffer_cases.py is simulated with tools of two or four shapes, each in one
+of three sizes of image and in one of four views, and the processor time (of two runs the best) explained by the amounts
+of work: least squares of the relative differences, no cost below nothing, with a little weight towards what is usual. Printed are how far off the times of toolpaths left out are, the tables of effort.py and the
+constants of `Speed`. benchmarks/resources.py judges by other toolpaths.
+"""
+
+from __future__ import annotations
+
+import sys
+import time
+from pathlib import Path
+
+import numpy as np
+
+ROOT = Path(__file__).resolve().parent.parent
+sys.path[:0] = [str(ROOT), str(ROOT / "benchmarks")]
+
+from zbuffer_cases import CASES
+
+from toolpaths.synthetic import SAMPLES
+from vkworkbench.core import Stock, Tool, View, estimate, simulate
+from vkworkbench.core.gcode import linearize
+
+RUNS = 2
+SIZES = (240, 400, 640)
+DIRECTIONS = ((0, 0, -1), (0, 0, -1), (1, 1, -1), (0, 0.5, -1), (1, -2, -0.3))
+# What is estimated to take longer, s, is left out, and what takes less: it is not told from noise.
+LONGEST, SHORTEST = 2.0, 3e-3
+FOLDS = 10
+# Roughly what each costs, s, from above or below and obliquely, and the weight of that against one run.
+USUAL = 1e-6 * np.array([2, 0.03, 0.005, 300, 0.035, 0.18, *[0.06, 0.35] * 8, *[0.05, 0.4] * 8])
+RIDGE = 0.3
+STEPS = 20_000
+# Columns of the amounts: trajectory, pixel, meeting, block; records, tests and cells by kind follow.
+PLAIN, RECORDS, TESTS, CELLS = slice(0, 4), slice(4, 6), slice(6, 22), slice(22, 38)
+
+
+def main() -> None:
+    learn(*map(np.array, zip(*runs())))
+
+
+def runs():
+    """Amounts of work, s that they take, and which toolpath it is, of each simulation."""
+    rng = np.random.default_rng(5)
+    for source, toolpath, tool, stock in operations(rng):
+        direction = DIRECTIONS[rng.integers(len(DIRECTIONS))]
+        width = int(rng.permutation(SIZES)[0])
+        solids = {"tool": tool, "stock": stock, "view": View(direction, width, width * 3 // 4)}
+        found = estimate(toolpath, None, **solids)
+        if found.seconds < LONGEST:
+            yield amounts(found.work), best_time(toolpath, **solids), source
+
+
+def operations(rng):
+    """Numbers of toolpaths, these, tools and stocks."""
+    for source, (_, _, maker) in enumerate(SAMPLES):
+        toolpath = linearize(maker(rng))
+        cutting = toolpath.points[1:][~toolpath.rapid]
+        lower, upper = cutting.min(axis=0) - 5, cutting.max(axis=0) + 5
+        lower[2] -= 1
+        upper[2] = max(0.0, lower[2] + 5)
+        for shape in rng.permutation(4)[:2]:
+            yield source, toolpath, tool_of(shape, rng.uniform(3, 10)), Stock(lower, upper)
+    for source, (toolpath, tool, stock) in enumerate(CASES.values(), len(SAMPLES)):
+        yield source, toolpath, tool, stock
+        for shape in range(4):
+            yield source, toolpath, tool_of(shape, rng.uniform(3, 10)), stock
+
+
+def tool_of(shape: int, diameter: float) -> Tool:
+    """A flat, pointed, ball or bull-nose end."""
+    if shape == 3:
+        return Tool("bullnose", diameter, corner_radius=diameter / 5)
+    return Tool(("endmill", "vbit", "ballend")[shape], diameter)
+
+
+def best_time(toolpath, **solids) -> float:
+    """Processor time of the fastest run, s."""
+    times = []
+    for _ in range(RUNS):
+        begin = time.process_time()
+        simulate(toolpath, **solids)
+        times.append(time.process_time() - begin)
+    return min(times)
+
+
+def amounts(work) -> np.ndarray:
+    """Amounts of one simulation's work, (38,), by kind."""
+    blocks = work.amounts()[3]
+    plain = [work.trajectories, work.pixels, work.first, blocks]
+    return np.concatenate((plain, work.records, 4 * np.reshape(work.pairs, (-1, 16)).sum(axis=0), work.cells))
+
+
+def learn(rows: np.ndarray, seconds: np.ndarray, source: np.ndarray) -> None:
+    """Print what the amounts (k, 38) of runs cost that took so long, and what leaving out toolpaths costs."""
+    long = seconds > SHORTEST
+    rows, seconds, source = rows[long], seconds[long], source[long]
+    predicted = np.empty(len(seconds))
+    for fold in range(FOLDS):
+        out = source % FOLDS == fold
+        predicted[out] = rows[out] @ costs_of(rows[~out] / seconds[~out, None])
+    off = np.exp(np.abs(np.log(predicted / seconds)))
+    above = rows[:, RECORDS][:, 0] > 0
+    for seen, some in (("from above", above), ("obliquely", ~above)):
+        median, p90, worst = np.percentile(off[some], (50, 90, 100))
+        print(f"{seen}: {some.sum()} runs of toolpaths left out: median {median:.2f}, p90 {p90:.2f}, worst {worst:.2f}")
+    costs = costs_of(rows / seconds[:, None])
+    test, cell, record = costs[TESTS].max(), costs[CELLS].max(), costs[RECORDS][0]
+    np.set_printoptions(suppress=True, linewidth=120)
+    for name, values in (
+        ("TESTS", costs[TESTS] / test), ("CELLS", costs[CELLS] / cell), ("RECORDS", costs[RECORDS] / record),
+    ):  # fmt: skip
+        print(f"{name} = {', '.join(f'{value:.3f}' for value in values)}")
+    print("Speed:", ", ".join(f"{value:.3g}" for value in (*costs[PLAIN], test, cell, record)))
+
+
+def costs_of(relative: np.ndarray) -> np.ndarray:
+    """Costs (38,) of amounts per s (k, 38)."""
+    return positive(
+        np.vstack((relative, RIDGE * np.diag(1 / USUAL))), np.append(np.ones(len(relative)), RIDGE * np.ones(38))
+    )
+
+
+def positive(rows: np.ndarray, right: np.ndarray) -> np.ndarray:
+    """Costs, none below nothing, with which the rows (k, n) come nearest to `right` (Lee and Seung 2001)."""
+    scale = rows.max(axis=0)
+    rows = rows / scale
+    costs = np.full(rows.shape[1], 1 / rows.sum(axis=1).mean())
+    wanted, square = rows.T @ right, rows.T @ rows
+    for _ in range(STEPS):
+        costs *= wanted / (square @ costs + 1e-300)
+    result: np.ndarray = costs / scale
+    return result
+
+
+if __name__ == "__main__":
+    main()

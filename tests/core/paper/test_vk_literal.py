@@ -1,0 +1,44 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The paper's rule to the letter, on polylines whose angles are seen at once."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from vkworkbench.core import Strategy, linearize
+from vkworkbench.core.paper import monotonous_areas
+from vkworkbench.core.paper.literal import paper_verdict
+
+SQUARE = [(0, 0), (30, 0), (30, 30), (0, 30)]
+
+
+def verdict(points, sense=1):
+    commands = [("G0", {"X": 0.0, "Y": 0.0, "Z": 5.0}), ("G1", {"Z": -1.0, "F": 5.0})]
+    commands += [("G1", {"X": float(x), "Y": float(sense * y)}) for x, y in points[1:]]
+    return paper_verdict(monotonous_areas(linearize(commands)))
+
+
+@pytest.mark.parametrize("sense", [1, -1])
+@pytest.mark.parametrize(
+    ("corners", "strategy"),
+    [(4, Strategy.ZIGZAG), (5, Strategy.UNKNOWN), (6, Strategy.UNKNOWN), (7, Strategy.CONTOUR_PARALLEL)],
+)
+def test_up_to_half_a_turn_it_is_a_zigzag_and_beyond_a_whole_one_a_contour(corners, strategy, sense):
+    """Sides of a square one after the other, a quarter turn at each corner but the first and the last."""
+    points = [SQUARE[k % 4] for k in range(corners)]
+    found = verdict(points, sense)
+    assert found.strategy is strategy
+    assert sorted(map(abs, found.phi_range)) == pytest.approx([0, (corners - 2) * np.pi / 2])
+
+
+def test_a_closed_contour_ends_where_it_began():
+    found = verdict([*SQUARE, SQUARE[0]])
+    assert found.v == pytest.approx((0, 0)) and found.image == (0, 0)
+    assert verdict(SQUARE[:3]).v == (30, 30) and verdict(SQUARE[:3]).image == pytest.approx((0.5**0.5, 0.5**0.5))
+
+
+def test_the_image_of_a_contour_goes_around_in_one_sense():
+    assert (verdict(SQUARE).sense, verdict(SQUARE, -1).sense) == ("ccw", "cw")
+    assert verdict([(0, 0), (10, 0), (20, 0)]).sense is None  # it does not move
+    assert verdict([(0, 0), (30, 0), (30, 2), (0, 2), (0, 4), (30, 4)]).sense is None  # to and fro

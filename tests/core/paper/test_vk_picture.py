@@ -1,0 +1,46 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What the picture of the method is drawn from: arcs in chords, and segments that can be told apart."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from vkworkbench.core.paper.picture import distinct, image_arcs
+
+
+def test_an_arc_is_drawn_in_chords_of_four_degrees_at_most():
+    """Ten degrees are three chords, from one radius to the other; then the way back, and half a turn, which is neither."""
+    angle = np.radians([20, 30, 28, 208])
+    left, right = image_arcs(angle, np.array([1.0, 0.7, 0.9, 0.9]))
+    assert np.degrees(np.arctan2(left[:4, 1], left[:4, 0])) == pytest.approx([20, 20 + 10 / 3, 20 + 20 / 3, 30])
+    assert np.hypot(*left[:4].T) == pytest.approx([1, 0.9, 0.8, 0.7])
+    assert len(left) == 5 and np.isnan(left[4]).all()
+    assert np.degrees(np.arctan2(right[:2, 1], right[:2, 0])) == pytest.approx([30, 28])
+    assert np.hypot(*right[:2].T) == pytest.approx([0.7, 0.9]) and len(right) == 3
+
+
+def rows(count, apart, at):
+    """Rows of 10 mm, `apart` from each other, from (at, at); every other segment is one."""
+    points = [(x, k * apart) for k in range(count) for x in ((0, 10) if k % 2 == 0 else (10, 0))]
+    return np.array(points, float) + at, 2 * np.arange(count)
+
+
+@pytest.mark.parametrize("at", [0.0, 300.0, -300.0])
+def test_of_rows_in_one_row_of_cells_the_first_is_drawn(at):
+    """Ninety rows on ten cells of 1 mm; and on five where no more than six may be drawn."""
+    points, segments = rows(90, 0.11, at)
+    for most, cell in ((20, 1), (6, 2)):
+        cells = (np.arange(90) * 0.11 / cell).astype(int)
+        expected = segments[np.unique(cells, return_index=True)[1]]
+        assert distinct(points, segments, cells=10, most=most).tolist() == expected.tolist()
+    assert distinct(points, segments, cells=10, most=90) is segments
+
+
+def test_no_more_are_drawn_than_may_be_however_far_apart():
+    points, segments = rows(4, 3.0, 0.0)
+    assert distinct(points, segments, cells=10, most=1).tolist() == [0]
+    standing = np.column_stack((points, np.zeros(len(points))))
+    assert (
+        distinct(standing, segments, cells=10, most=3).tolist() == distinct(points, segments, cells=10, most=3).tolist()
+    )

@@ -1,0 +1,58 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The plane in which a toolpath cuts."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from vkworkbench.core.paper.plane import XY, YZ, ZX, plane_of_points, plane_of_toolpath
+
+
+def waves(count, along=0):
+    """Cuts up and down along X (0) or Y (1), 7 mm beside the other axis."""
+    points = np.full((count + 1, 3), 7.0)
+    points[:, along] = 3.0 * np.arange(count + 1)
+    points[:, 2] = 2.0 * (np.arange(count + 1) % 2) - 4
+    return points
+
+
+def plane(points, rapid=()):
+    fast = np.zeros(len(points) - 1, bool)
+    fast[list(rapid)] = True
+    return plane_of_toolpath(np.asarray(points, float), fast)
+
+
+@pytest.mark.parametrize("count", [1, 2, 49, 50, 51, 200])
+@pytest.mark.parametrize(("along", "found"), [(0, ZX), (1, YZ)])
+def test_what_slopes_in_a_vertical_plane_lies_in_it(along, found, count):
+    assert plane(waves(count, along)) == found
+
+
+def test_passes_and_plunges_of_a_slot_lie_in_the_horizontal_plane():
+    assert plane([(0, 7, 0), (0, 7, -1), (40, 7, -1), (40, 7, -2), (0, 7, -2)]) == XY
+    # Within rounding of level and of upright, too.
+    assert plane([(0, 7, 0), (0.001, 7, -1), (40, 7, -1.001), (40, 7, -2), (0, 7, -2)]) == XY
+
+
+def test_where_rapids_go_does_not_matter():
+    points = np.vstack([[(0, 50, 30), (0, 7, 30)], waves(200), [(600, 7, 30), (600, 50, 30)]])
+    assert plane(points, rapid=(0, 1, 202, 203)) == ZX
+    assert plane(waves(30), rapid=range(30)) == XY
+
+
+@pytest.mark.parametrize("place", [0, 1, 99, 100, 200])
+def test_one_point_aside_is_enough_to_be_horizontal(place):
+    """Of long paths some moves are looked at first: those between them count as well, and both their ends."""
+    points = waves(200)
+    points[place, 1] += 1
+    assert plane(points) == XY
+
+
+def test_the_plane_of_a_polyline_is_the_one_it_stays_in():
+    wave = waves(5)
+    assert (plane_of_points(wave), plane_of_points(waves(5, 1))) == (ZX, YZ)
+    assert plane_of_points(wave[:, :2]) == plane_of_points(wave[:0]) == XY
+    level = wave * (1, 1, 0)
+    assert plane_of_points(level) == XY and plane_of_points(wave * (0, 0, 1)) == XY
+    assert plane_of_points(wave + np.arange(6)[:, None] * (0, 1, 0)) == XY

@@ -1,0 +1,91 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Arcs drawn about one centre, whose lengths and distances are known; and what makes an elected strategy sure."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from zbuffer_reference.paths import toolpath
+
+from vkworkbench.core import Family, Strategy, linearize
+from vkworkbench.core.paper import monotonous_areas
+from vkworkbench.core.recognition.concentric import find_arcs
+from vkworkbench.core.recognition.decide import NO_LETTER, STRATEGIES, Proposal, grounds, standing
+from vkworkbench.core.recognition.pieces import cut_pieces
+from vkworkbench.core.recognition.thresholds import VOTES
+
+QUARTER, CHORDS = np.pi / 2, 60
+
+
+def found(radii, *, way=lambda k: 1, climb=0.0, turned=0.0, centre=(33.0, -21.0)):
+    """The arcs in quarter circles of these radii; `way` runs each backwards or not, `climb` mm wider at its end, each `turned` further."""
+    commands = []
+    for k, radius in enumerate(radii):
+        share = np.linspace(0, 1, CHORDS + 1)[:: way(k)]
+        r, angle = radius + climb * share, QUARTER * share - 0.3 + turned * k
+        points = np.column_stack((centre[0] + r * np.cos(angle), centre[1] + r * np.sin(angle)))
+        commands += [("G0", {"Z": 5.0}), ("G0", dict(zip("XY", points[0].tolist()))), ("G1", {"Z": -1.0, "F": 5.0})]
+        commands += [("G1", {"X": x, "Y": y}) for x, y in points[1:].tolist()]
+    moves = monotonous_areas(linearize(commands))
+    pieces = cut_pieces(moves)
+    return find_arcs(moves, pieces, np.arange(len(pieces)))
+
+
+def test_lengths_and_steps_of_arcs_one_way():
+    arcs = found([10, 12, 14, 16])
+    assert (arcs.count, arcs.spiral, arcs.opposite) == (4, 0, 0)
+    assert arcs.length == pytest.approx(QUARTER * 52, rel=1e-3)
+    assert arcs.step == pytest.approx(2, rel=1e-3) and arcs.even == pytest.approx(1)
+    assert arcs.same == pytest.approx(QUARTER * 36, rel=1e-3)  # the shorter of each two
+
+
+def test_arcs_to_and_fro_run_against_their_neighbours():
+    arcs = found([10, 12, 14, 16], way=lambda k: 1 - 2 * (k % 2))
+    assert arcs.opposite == pytest.approx(QUARTER * 36, rel=1e-3) and arcs.same == 0
+    arcs = found([10, 12, 14, 16], way=lambda k: -1 if k == 3 else 1)
+    assert (arcs.opposite, arcs.same) == pytest.approx((QUARTER * 14, QUARTER * 22), rel=1e-3)
+
+
+def test_a_short_step_is_uneven_and_a_long_one_no_neighbour():
+    uneven = found([10, 12, 14, 16, 16.2, 18.2])
+    assert uneven.step == pytest.approx(2, rel=1e-3) and uneven.count == 5  # 16 and 16.2 are as good as one
+    assert uneven.even == pytest.approx((10 + 12 + 14 + 16.2) / (10 + 12 + 14 + 16 + 16.2), rel=1e-3)
+    assert found([20, 24, 28, 32, 32.4, 36.4]).even == pytest.approx(uneven.even)  # whatever the size
+    apart = found([10, 12, 14, 40, 42])
+    assert apart.same == pytest.approx(QUARTER * (10 + 12 + 40), rel=1e-3)
+    assert apart.even == pytest.approx((10 + 12 + 40) / (10 + 12 + 14 + 40), rel=1e-3)
+
+
+def test_the_same_arc_at_another_depth_is_no_step():
+    arcs = found([10, 10, 12, 12, 14, 14])
+    assert arcs.count == 3 and arcs.same == pytest.approx(QUARTER * 22, rel=1e-3)
+    assert found([10, 10, 10]) is None and found([10, 12]) is None
+
+
+@pytest.mark.parametrize(("climb", "spirals"), [(0.1, False), (0.2, True), (-0.2, True)])
+def test_an_arc_that_widens_by_a_third_of_a_step_in_a_turn_is_part_of_a_spiral(climb, spirals):
+    """By 0.1 and 0.2 mm in a quarter turn: 0.4 and 0.8 mm in a turn, where steps are 2 mm."""
+    arcs = found([10, 12, 14, 16], climb=climb, turned=QUARTER)  # all around, or another centre would fit
+    assert arcs.spiral == pytest.approx(arcs.length if spirals else 0)
+
+
+def test_rows_have_no_centre():
+    rows = np.array([(x, 2.0 * k, -1) for k in range(8) for x in ((0, 50) if k % 2 == 0 else (50, 0))])
+    moves = monotonous_areas(toolpath(rows.astype(float)))
+    pieces = cut_pieces(moves)
+    assert find_arcs(moves, pieces, np.arange(len(pieces))) is None
+
+
+def test_what_makes_an_elected_strategy_sure():
+    votes = np.zeros(len(STRATEGIES))
+    zigzag, profile = STRATEGIES.index(Strategy.ZIGZAG), STRATEGIES.index(Strategy.PROFILE)
+    votes[zigzag], votes[profile] = 0.6, 0.4
+    of = Proposal(zigzag, list(Family).index(Family.ROWS), True)
+    first, second = np.sort(standing(votes, of))[:-3:-1]
+    odds = np.log((0.6 + VOTES.NONE) / (0.4 + VOTES.NONE))
+    assert grounds(votes, of) == pytest.approx([1, odds, 1, 1, first - second, 1]) and first > second > 0.4
+    against = Proposal(profile, NO_LETTER, False)
+    votes[zigzag], votes[profile] = 1.0, 0.0
+    first, second = np.sort(standing(votes, against))[:-3:-1]
+    odds = np.log((1 + VOTES.NONE) / VOTES.NONE)
+    assert grounds(votes, against) == pytest.approx([1, odds, 0, 0, first - second, 0])

@@ -1,0 +1,33 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Curves that fill the plane with rows, and machine nothing."""
+
+import numpy as np
+import pytest
+
+from toolpaths import nonsense
+from vkworkbench.core import Strategy
+from vkworkbench.core.gcode import linearize
+from vkworkbench.core.recognition import recognize
+
+
+@pytest.mark.parametrize("seed", range(5))
+def test_wunderlichs_curve_visits_every_cell_once_and_its_neighbour_next(seed):
+    cells = nonsense.wunderlich(np.random.default_rng(seed))
+    side = int(np.sqrt(len(cells)))
+    assert side in (9, 27)
+    assert len(np.unique(cells, axis=0)) == side**2
+    assert cells.min() == 0 and cells.max() == side - 1
+    assert (np.abs(np.diff(cells, axis=0)).sum(axis=1) == 1).all()
+
+
+@pytest.mark.parametrize("seed", range(5))
+def test_an_odometer_never_shows_a_number_twice(seed):
+    cells = nonsense.odometer(np.random.default_rng(seed))
+    assert len(np.unique(cells, axis=0)) == len(cells) >= 60
+
+
+@pytest.mark.parametrize("kind", [nonsense.wunderlich, nonsense.odometer, nonsense.morton])
+def test_rows_that_lead_nowhere_are_unknown(kind):
+    paths = [linearize(nonsense.commands(kind, np.random.default_rng([seed, 7]))) for seed in range(10)]
+    unknown = sum(recognize(path).strategy is Strategy.UNKNOWN for path in paths)
+    assert unknown >= 9

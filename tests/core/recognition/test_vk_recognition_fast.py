@@ -1,0 +1,57 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What is computed in a shorter way gives what the longer one gives."""
+
+import numpy as np
+import pytest
+
+from vkworkbench.core.gcode import linearize
+from vkworkbench.core.paper import monotonous_areas
+from vkworkbench.core.recognition.crossings import _median
+from vkworkbench.core.recognition.entries import find_entry, without_entries
+from vkworkbench.core.recognition.footprints import count_depths
+from vkworkbench.core.recognition.forest import Forest
+from vkworkbench.core.recognition.thresholds import SAME
+
+
+@pytest.mark.parametrize("number", [1, 2, 3, 8, 101, 1000])
+def test_the_median_is_that_of_numpy(number):
+    rng = np.random.default_rng(number)
+    for values in (rng.normal(size=number), rng.integers(0, 4, number).astype(float)):
+        assert _median(values) == np.median(values)
+
+
+@pytest.mark.parametrize(
+    ("z", "depths"),
+    [
+        ([], 0),
+        ([-1.0], 1),
+        ([-1.0, -1.0 - SAME.HEIGHT / 2], 1),
+        ([0.0, 2 * SAME.HEIGHT, 0.0], 2),
+        ([0.0, 0.6 * SAME.HEIGHT, 1.2 * SAME.HEIGHT], 1),  # each near the next
+        ([-3.0, -1.0, -3.0, -2.0], 3),
+    ],
+)
+def test_depths_are_heights_with_a_gap_between_them(z, depths):
+    assert count_depths(np.array(z)) == depths
+
+
+def test_a_tree_that_asks_nothing_and_one_that_asks_much_vote_together():
+    forest = Forest(["1:100", "0<1 0<0.5 0:100 1<3 2:100 0:50,2:50 2:100"], 3)
+    for case, votes in (
+        ((0.4, 9), (0.5, 0.5, 0)),
+        ((0.5, 2), (0, 0.5, 0.5)),
+        ((0.5, 3), (0.25, 0.5, 0.25)),
+        ((1, 0), (0, 0.5, 0.5)),
+        ((np.nan, 0), (0, 0.5, 0.5)),  # is below nothing
+    ):
+        assert forest.vote(case) == pytest.approx(votes)
+
+
+def test_a_path_without_heights_is_plunged_into_and_has_no_ways_in():
+    square = [("G1", {"X": x, "Y": y, "Z": -1.0, "F": 5.0}) for x, y in ((0, 0), (9, 0), (9, 9), (0, 9), (0, 0))]
+    level = monotonous_areas(linearize([("G0", {"X": 0.0, "Y": 0.0, "Z": -1.0}), *square]))
+    assert not level.dz.any()
+    assert find_entry(level) == "plunge"
+    pattern, wound = without_entries(level)
+    assert pattern is level
+    assert wound == 0

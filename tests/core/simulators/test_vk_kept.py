@@ -1,0 +1,92 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Costs as they are kept in a document: there and back nothing is lost, and what is no cost is refused."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import fields, replace
+
+import pytest
+
+from vkworkbench.core import Stock, Tool, linearize, recognize
+from vkworkbench.core.simulators import Conditions, Constants, Task, predict
+from vkworkbench.core.simulators.kept import as_data, from_data
+from vkworkbench.core.simulators.zbuffer import ZBufferCost
+
+STOCK = Stock((0, 0, 0), (60, 40, 20))
+ROWS = [("G0", {"X": 5.0, "Y": 5.0, "Z": 30.0}), ("G1", {"Z": 15.0, "F": 5.0})]
+ROWS += [("G1", {"X": 5.0 + 50 * (i % 4 in (0, 1)), "Y": 5.0 + 2 * ((i + 1) // 2)}) for i in range(20)]
+OWN = Constants(start=0.5, draw=2e-6)  # of a computer that was measured
+
+
+@pytest.fixture(scope="module")
+def costs():
+    path = linearize(ROWS)
+    task = Task(path, Tool("endmill", 5.0), STOCK, None, recognize(path))
+    return dict(predict(task, Conditions(version=(1, 1), constants=OWN))[0])
+
+
+def sent(name, cost):
+    """The data of a cost as a file gives it back."""
+    return json.loads(json.dumps(as_data(name, cost)))
+
+
+@pytest.mark.parametrize("name", ["legacy", "OpenGL"])
+def test_all_numbers_come_back(costs, name):
+    back = from_data(name, sent(name, costs[name]))
+    for field in fields(costs[name]):
+        if field.name != "positions":
+            assert getattr(back, field.name) == getattr(costs[name], field.name), field.name
+    assert (back.seconds, back.memory_bytes, back.factor) == (
+        costs[name].seconds,
+        costs[name].memory_bytes,
+        costs[name].factor,
+    )
+
+
+def test_of_the_z_buffer_is_kept_what_a_total_takes(costs):
+    estimated = costs["z-buffer"]
+    back = from_data("z-buffer", sent("z-buffer", estimated))
+    assert back == ZBufferCost(estimated.seconds, estimated.memory_bytes, estimated.factor, estimated.stock_bytes)
+
+
+def test_positions_of_the_slider_are_not_kept(costs):
+    assert len(costs["legacy"].positions) == 10
+    assert "positions" not in sent("legacy", costs["legacy"])
+    assert from_data("legacy", sent("legacy", costs["legacy"])) == replace(costs["legacy"], positions=())
+
+
+def test_of_the_constants_only_those_that_are_the_computers_own(costs):
+    assert sent("legacy", costs["legacy"])["constants"] == {"start": 0.5, "draw": 2e-6}
+    usual = replace(costs["legacy"], constants=Constants())
+    assert sent("legacy", usual)["constants"] == {} and from_data("legacy", sent("legacy", usual)) == replace(
+        usual, positions=()
+    )
+
+
+@pytest.mark.parametrize("wrong", [-1, -0.5, 1e300, float("inf"), float("nan"), True, "7", None, [1.0]])
+def test_what_is_no_measure_is_refused(costs, wrong):
+    data = sent("legacy", costs["legacy"])
+    with pytest.raises(ValueError, match="no measure"):
+        from_data("legacy", {**data, "facets": wrong})
+    with pytest.raises(ValueError, match="no measure"):
+        from_data("OpenGL", {**sent("OpenGL", costs["OpenGL"]), "play_seconds": {"1": wrong}})
+    with pytest.raises(ValueError, match="no measure"):
+        from_data("legacy", {**data, "constants": {"start": wrong}})
+
+
+def test_nothing_is_a_measure_but_no_speed_is_no_cost(costs):
+    assert from_data("legacy", {**sent("legacy", costs["legacy"]), "facets": 0}).facets == 0
+    with pytest.raises(ValueError, match="no play_seconds"):
+        from_data("OpenGL", {**sent("OpenGL", costs["OpenGL"]), "play_seconds": {}})
+
+
+def test_data_of_another_version_is_refused(costs):
+    data = sent("legacy", costs["legacy"])
+    del data["drawn"]
+    with pytest.raises(KeyError):
+        from_data("legacy", data)
+    with pytest.raises(KeyError):
+        from_data("wireframe", data)
+    with pytest.raises(TypeError):
+        from_data("legacy", {**sent("legacy", costs["legacy"]), "constants": {"speed_of_light": 3e8}})

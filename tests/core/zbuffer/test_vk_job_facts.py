@@ -1,0 +1,138 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Times, rates and sizes of cuts whose volumes are known: slots of 6 mm, 3 mm deep in a block."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from math import pi
+
+import numpy as np
+import pytest
+from zbuffer_reference.paths import toolpath
+
+from vkworkbench.core import Cut, Stock, Tool, View
+from vkworkbench.core.zbuffer import facts, removal_over_time, simulate_job
+
+BLOCK, MODEL = Stock((0, 0, 0), (40, 30, 10)), Stock((0, 0, 0), (40, 30, 8))
+FLAT, VIEW = Tool("endmill", 6), View((0, 0, -1), 400, 300)  # pixels of 0.1 mm
+SLOT, ROUND = 6 * 3, 9 * pi * 3  # mm^3 per mm, and of the tool's foot
+
+
+def path(points, feeds):
+    """Moves with their feeds, mm/s; 0 is a rapid."""
+    moves = toolpath(np.array(points, float))
+    feed = np.array(feeds, float)
+    return replace(moves, rapid=feed == 0, feed=feed)
+
+
+def simulated(*paths):
+    return simulate_job([Cut(one, FLAT) for one in paths], stock=BLOCK, view=VIEW)
+
+
+# Through the block at two feeds (3 and 1.5 s), up (1 s), back above it, down beside it, and through the slot again (6 s).
+THERE_AGAIN = path(
+    [(-10, 15, 7), (20, 15, 7), (50, 15, 7), (50, 15, 12), (-10, 15, 12), (-10, 15, 7), (50, 15, 7)],
+    [10, 20, 5, 0, 0, 10],
+)
+FIRST, SECOND = 20 * SLOT + ROUND / 2, 20 * SLOT - ROUND / 2
+# Half a second of a slot, a rapid through all of the block, and 2 s of another slot.
+CRASH = path(
+    [(10, 15, 7), (15, 15, 7), (15, 15, 12), (-5, 5, 12), (-5, 5, 7), (45, 5, 7), (45, 5, 12), (10, 25, 12), (10, 25, 7),
+     (30, 25, 7)],
+    [10] + [0] * 7 + [10],
+)  # fmt: skip
+
+
+def test_each_second_has_the_rate_of_its_moves_and_the_last_is_as_long():
+    begin, rate = removal_over_time(simulated(THERE_AGAIN))
+    assert begin == pytest.approx(np.arange(12))  # 11.5 s
+    busy = [FIRST / 3] * 3 + [SECOND / 1.5, SECOND / 3]
+    assert rate == pytest.approx([60 * volume for volume in busy] + [0] * 7, rel=2e-3, abs=1e-9)
+    begin, rate = removal_over_time(simulated(THERE_AGAIN), 2.0)
+    assert begin == pytest.approx([0, 2, 4, 6, 8, 10])
+    assert rate == pytest.approx(
+        [60 * FIRST / 3, 30 * (FIRST / 3 + SECOND / 1.5), 30 * SECOND / 3, 0, 0, 0], rel=2e-3, abs=1e-9
+    )
+
+
+def test_less_than_a_second_counts_as_one():
+    begin, rate = removal_over_time(simulated(path([(10, 15, 7), (15, 15, 7)], [10])))
+    assert (begin.tolist(), rate.tolist()) == ([0.0], [pytest.approx(60 * (5 * SLOT + ROUND), rel=5e-3)])
+
+
+def test_a_rapid_takes_no_time_and_what_it_removes_has_no_rate():
+    """The feet of the second slot and of the rapid went with the rapids."""
+    short, slot = 5 * SLOT + ROUND, 20 * SLOT
+    _, rate = removal_over_time(simulated(CRASH))
+    assert rate == pytest.approx([60 * (short + slot / 4), 60 * slot / 2, 60 * slot / 4], rel=5e-3)
+    found = facts(simulated(CRASH)).job
+    assert found.removed_volume == pytest.approx(short + 40 * SLOT + ROUND + slot, rel=5e-3)
+    assert (found.mean_rate, found.peak_rate) == pytest.approx((60 * (short + slot) / 2.5, rate[0]), rel=5e-3)
+    assert (found.cutting_length, found.cutting_seconds, found.air_length) == pytest.approx((25, 2.5, 0))
+    assert found.width_of_cut == pytest.approx(6, rel=5e-3)  # of the feed moves: the rapid's is no cut
+
+
+def test_lengths_and_times_of_cuts_and_of_air():
+    found = facts(simulated(THERE_AGAIN)).job
+    assert (found.cutting_length, found.cutting_seconds) == pytest.approx((30 + 30 + 5 + 60, 3 + 1.5 + 1 + 6))
+    assert (found.air_length, found.air_seconds) == pytest.approx((65, 7))
+    assert (found.air_length_share, found.air_time_share) == pytest.approx((65 / 125, 7 / 11.5))
+    assert found.mean_rate == pytest.approx(60 * 40 * SLOT / 11.5, rel=5e-3)
+    assert found.peak_rate == pytest.approx(60 * SECOND / 1.5, rel=5e-3)
+
+
+def test_the_width_is_that_of_the_moves_that_go_somewhere():
+    """A plunge of 5 mm and a slot of 20 mm: 6 mm wide, and not 6 * 20 / 25."""
+    found = facts(simulated(path([(10, 15, 12), (10, 15, 7), (30, 15, 7)], [10, 10]))).job
+    assert (found.depth_of_cut, found.width_of_cut) == pytest.approx((3, 6), rel=5e-3)
+
+
+def test_a_narrow_width_is_one():
+    """Half a millimetre more beside a slot."""
+    found = facts(simulated(path([(-10, 15, 7), (50, 15, 7)], [10]), path([(-10, 15.5, 7), (50, 15.5, 7)], [10])))
+    assert found.cuts[1].width_of_cut == pytest.approx(0.5 * 40 / 60)
+
+
+def test_moves_without_a_cut_have_no_depth_width_or_rate():
+    found = facts(simulated(path([(-10, 15, 12), (50, 15, 12)], [10]))).job
+    assert (found.depth_of_cut, found.width_of_cut, found.mean_rate, found.peak_rate) == (0, 0, 0, 0)
+    assert (found.air_length_share, found.air_time_share) == (1, 1)
+    nothing = facts(simulated()).job
+    assert (nothing.tool_diameter, nothing.mean_rate, nothing.depth_of_cut, nothing.cutting_length) == (0, 0, 0, 0)
+
+
+def rows(heights, z):
+    points = [(-5, heights[0], z)]
+    points += [(x, y, z) for k, y in enumerate(heights) for x in ((-5, 45) if k % 2 == 0 else (45, -5))][1:]
+    return path(points, [10] * (len(points) - 1))
+
+
+def test_the_worst_of_several_places_is_told_and_what_no_cut_made_only_of_the_job():
+    """Down to the model, but for 9 mm; in these a row 0.5 mm too high; two holes 1 and 3 mm too deep."""
+    ways = [
+        rows([0, 5, 20, 25, 30], 8),
+        rows([10], 8.5),
+        *(path([(x, 24, 12), (x, 24, z)], [10]) for x, z in ((9, 7), (29, 5))),
+    ]
+    found = facts(simulated(*ways), model=MODEL)
+    assert [[round(left.depth, 3) for left in one.left] for one in (*found.cuts, found.job)] == [
+        [],
+        [0.5],
+        [],
+        [],
+        [2, 0.5],
+    ]
+    assert [left["command"] for left in found.job.as_dict()["left"]] == [None, 0]
+    assert [[gouge.depth for gouge in one.gouges] for one in found.cuts] == [
+        [],
+        [],
+        [pytest.approx(1)],
+        [pytest.approx(3)],
+    ]
+    assert (found.job.cells()["deepest_gouge"], found.job.cells()["most_left"]) == pytest.approx((3, 2))
+
+
+@pytest.mark.parametrize(("height", "told"), [(8.09, False), (8.15, True)])
+def test_up_to_a_tenth_of_a_millimetre_is_no_deviation(height, told):
+    found = facts(simulated(rows([0, 5, 10, 15, 20, 25, 30], height)), model=MODEL).job
+    assert bool(found.left) is told

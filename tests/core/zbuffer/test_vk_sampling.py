@@ -1,0 +1,148 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The rays that stand for an image: where they lie, for how much area, and what is counted with them."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from zbuffer_reference.paths import toolpath
+
+from vkworkbench.core import ConvexStock, Stock, Tool, View
+from vkworkbench.core.zbuffer.counts import count
+from vkworkbench.core.zbuffer.cuts import Cut, Cuts
+from vkworkbench.core.zbuffer.removal import Removal
+from vkworkbench.core.zbuffer.sampling import Sample, sample
+from vkworkbench.core.zbuffer.simulate import simulate
+
+STOCK, TOP = Stock((0, 0, 0), (40, 30, 10)), (0, 0, -1)
+VIEW = View(TOP, 80, 60)
+FLAT, WIDE = Tool("endmill", 6), Tool("endmill", 200)
+
+
+def removal(points, tool=FLAT, view=VIEW):
+    cuts = Cuts([Cut(toolpath(np.array(points, float)), tool)])
+    return Removal(cuts, STOCK, view.frame(STOCK))
+
+
+def drawn(*arguments, seed=1, **options):
+    found = removal(*arguments, **options)
+    return found, sample(found, np.random.default_rng(seed))
+
+
+def test_a_total_is_a_sum_over_areas_and_its_error_that_of_neighbours():
+    """Shares 2, 4 and 8: differences of 2 and 4, of which half the squares' sum counts, 3 for 2 of them."""
+    rays = Sample(np.zeros(3), np.zeros(3), np.full(3, 2.0))
+    assert rays.total(np.array([1, 2, 4])) == (14, pytest.approx(np.sqrt((4 + 16) / 2 * 3 / 2)))
+    assert Sample(*np.ones((3, 1))).total(np.array([-3])) == (-3, 3)
+    assert Sample(*np.ones((3, 2))).total(np.array([3, 5])) == (8, pytest.approx(2))
+    assert Sample(*np.empty((3, 0))).total(np.empty(0)) == (0, 0)
+
+
+@pytest.mark.parametrize(
+    ("points", "width", "height"),
+    [
+        ([(20, 15, 5), (20, 15, 8)], 6.5, 6.5),
+        ([(20, 15, 5), (20.4, 15.2, 5)], 6.9, 6.7),
+        ([(38, 15, 5), (38, 15, 8)], 5.25, 6.5),
+        ([(1, 15, 5), (1, 15, 8)], 4.25, 6.5),
+        ([(20, 28, 5), (20, 28, 8)], 6.5, 5.25),
+        ([(20, 1, 5), (20, 1, 8)], 6.5, 4.25),
+        ([(10, 15, 5), (30, 15, 5)], 26.5, 6.5),
+        ([(20, 10, 5), (20, 20, 5)], 6.5, 16.5),
+    ],
+)
+def test_they_stand_for_the_box_that_is_passed_half_a_pixel_wider(points, width, height):
+    found, rays = drawn(points)
+    total, _ = rays.total(np.ones(len(rays.x)))
+    # Boxes of long moves are cut up, and overlap.
+    assert total == pytest.approx(width * height, rel=0.01 if max(width, height) > 10 else 1e-9)
+    assert len(rays.x) == 450
+    low, high = found.box[[0, 2], 0], found.box[[1, 3], 0]
+    assert (rays.x >= low[0] - 0.5).all() and (rays.x <= high[0] + 0.5).all()
+    assert (rays.y >= low[1] - 0.5).all() and (rays.y <= high[1] + 0.5).all()
+
+
+def test_of_a_view_of_a_part_of_the_stock_they_stand_for_the_image():
+    _, rays = drawn([(20, 15, 5), (20, 15, 8)], view=View(TOP, 8, 6, pixel=0.5))
+    assert rays.total(np.ones(len(rays.x)))[0] == pytest.approx(4 * 3)
+
+
+def test_rays_go_through_the_middles_of_pixels_of_all_that_is_passed():
+    _, rays = drawn([(10, 15, 5), (30, 15, 5)])
+    column, row = rays.x / 0.5 + 40 - 0.5, rays.y / 0.5 + 30 - 0.5
+    assert np.allclose(column, np.rint(column)) and np.allclose(row, np.rint(row))
+    # 26.5 mm of 20 strips: some rays in each.
+    for place, extent in ((rays.x, 26.5), (rays.y, 6.5)):
+        assert np.histogram(place - place.mean(), 6, (-extent / 2, extent / 2))[0].min() > 450 / 6 / 2
+
+
+def test_no_ray_is_drawn_where_nothing_is_passed():
+    for points in ([(0, 0, 20), (10, 0, 20)], [(100, 100, 5), (120, 100, 5)]):
+        assert len(drawn(points)[1].x) == 0
+    _, rays = drawn([(2, 2, 5), (4, 2, 5), (4, 2, 20), (36, 28, 20), (36, 28, 5), (38, 28, 5)])
+    assert (np.abs(rays.x) > 12).all() and (np.abs(rays.y) > 7).all()
+    assert rays.total(np.ones(len(rays.x)))[0] == pytest.approx(2 * 7.25 * 5.25, rel=0.3)  # in whole cells
+
+
+def test_where_more_pass_there_are_more_rays_for_less_area_each():
+    """Left one slot, right sixteen on one another: four times as many rays."""
+    often = np.array([(25, 15, 5), (35, 15, 5)] * 9)[:17].astype(float)
+    cuts = Cuts([Cut(toolpath(points), FLAT) for points in (often[:2] - (20, 0, 0), often)])
+    rays = sample(Removal(cuts, STOCK, View(TOP, 80, 60).frame(STOCK)), np.random.default_rng(1))
+    left, right = rays.x < 0, rays.x > 0
+    assert left.sum() + right.sum() == len(rays.x) and right.sum() / left.sum() == pytest.approx(4, rel=0.05)
+    assert np.median(rays.area[left]) / np.median(rays.area[right]) == pytest.approx(4, rel=0.05)
+    assert rays.total(left)[0] == pytest.approx(rays.total(right)[0], rel=0.05)
+
+
+def test_fewer_rays_where_each_meets_many_but_a_hundred():
+    """Each cell is passed by all of the moves, and the rays by 150,000 of them together."""
+    for many, rays in ((100, 450), (1000, 150), (3000, 100)):
+        assert len(drawn([(20, 15, 5), (20.1, 15, 5)] * (many // 2), WIDE)[1].x) == pytest.approx(rays, abs=1)
+
+
+def test_all_of_an_image_cut_once():
+    """By a tool that is wider than the stock: a dexel and an element of a trace for each pixel, 64 rows in a band."""
+    counts = count(removal([(0, 15, 5), (40, 15, 5)], WIDE, View(TOP, 320, 240)))
+    assert (counts.stock, counts.pixels) == (pytest.approx(320 * 240), 320 * 240)
+    assert (counts.dexels, counts.traces, counts.touched, counts.passes) == pytest.approx((320 * 240,) * 4, rel=0.02)
+    assert counts.band == pytest.approx(2 * 320 * 64, rel=0.2)
+    assert counts.traces_error < 0.1 * counts.traces
+    assert counts.stock_bytes == pytest.approx(8 * 320 * 240 + 8 * 320 * 240 + 4)
+    assert counts.memory_bytes == pytest.approx(8 * (counts.dexels + counts.traces) + 8 * 320 * 240 + 4)
+
+
+def test_all_of_an_image_cut_through():
+    counts = count(removal([(0, 15, -1), (40, 15, -1)], WIDE))
+    assert counts.dexels == pytest.approx(0, abs=1e-6 * 4800) and counts.traces == pytest.approx(4800, rel=0.05)
+
+
+def test_what_is_passed_and_not_cut_is_counted_as_passed_only():
+    counts = count(removal([(0, 15, 5), (40, 15, 5)] * 3, WIDE))
+    assert counts.traces == counts.touched == pytest.approx(4800, rel=0.05)
+    assert counts.passes == pytest.approx(5 * counts.traces)
+
+
+def test_a_wall_that_stays_before_and_behind_a_slot_is_two_dexels():
+    """Seen from the front a slot along x through all but its ends: 34 mm by 5 mm have a dexel before and one behind."""
+    counts = count(removal([(6, 15, 5), (34, 15, 5)], view=View((0, 1, 0), 200, 150)))
+    per_area = 1 / 0.2**2
+    assert counts.stock == pytest.approx(40 * 10 * per_area)
+    assert counts.dexels - counts.stock == pytest.approx(34 * 5 * per_area, rel=0.05)
+    assert counts.traces == pytest.approx(34 * 5 * per_area, rel=0.05)
+
+
+def test_only_what_is_cut_counts_as_touched():
+    """Of the box of a slot its corners are passed and not touched: 26 by 6 mm without four corners of a circle."""
+    counts = count(removal([(10, 15, 5), (30, 15, 5)]))
+    assert counts.touched == counts.traces == pytest.approx((6 * 20 + 9 * np.pi) * 4, rel=0.03)
+    assert abs(counts.traces - (6 * 20 + 9 * np.pi) * 4) < 3 * counts.traces_error < 0.15 * counts.traces
+
+
+def test_rays_beside_a_round_stock_have_no_dexel():
+    stock, path = ConvexStock.cylinder((0, 0, 0), 20, 10, sides=24), toolpath(np.array([(-20.0, 18, 5), (20, 18, 5)]))
+    view = View(TOP, 160, 160)
+    counts = count(Removal(Cuts([Cut(path, FLAT)]), stock, view.frame(stock)))
+    exact = simulate(path, tool=FLAT, stock=stock, view=view)
+    assert counts.dexels == pytest.approx(exact.dexels, rel=2e-3) == pytest.approx(counts.stock, rel=2e-3)
+    assert counts.traces == pytest.approx(exact.traces, rel=0.05)

@@ -1,0 +1,85 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The option to analyse after a recompute, in a window: when FreeCAD is idle, with progress, and Esc leaves it outdated."""
+
+import time
+
+import Path
+import pytest
+from PySide import QtCore, QtGui
+
+from vkworkbench import preferences
+from vkworkbench.document import idle, marks
+from vkworkbench.report import Cancelled
+
+
+@pytest.fixture
+def again(marked):
+    """The marked example, with the option on; its face with another path once it is recomputed."""
+    before = preferences.read().analyze_after_recompute
+    preferences.write(analyze_after_recompute=True)
+    yield marked
+    preferences.write(analyze_after_recompute=before)
+
+
+def is_idle():
+    return not (idle._works or idle._calls)
+
+
+def imported(document):
+    """An operation whose path is what it is given: FreeCAD recomputes the others'."""
+    op = document.addObject("Path::Feature", "Given")
+    op.Path = Path.Path("G0 X0 Y0 Z30\nG1 Z15 F100\nG1 X50\nG1 Y3\nG1 X0")
+    document.recompute()
+    return op
+
+
+def change(op, commands):
+    lines = [f"G1 X{20 + number % 50} Y{number * 0.001:.3f}" for number in range(commands)]
+    op.Path = Path.Path("\n".join(["G0 X0 Y0 Z30", "G1 Z15 F100", *lines]))
+
+
+@pytest.mark.parametrize("commands", [20, 80_000])
+def test_what_a_recompute_made_outdated_is_analysed_again(again, window, commands):
+    import vkworkbench
+
+    op = imported(again)
+    vkworkbench.mark(vkworkbench.analyze(op))
+    steps, before = list(again.UndoNames), marks.read(op).trajectories
+    change(op, commands)
+    again.recompute()
+    window.wait(lambda: is_idle() and marks.read(op).trajectories != before, 60)
+    assert marks.read(op).trajectories == commands + 1 and not marks.is_outdated(op)
+    assert list(again.UndoNames) == steps
+
+
+def test_esc_leaves_it_outdated(again, window, monkeypatch):
+    import vkworkbench
+
+    op = imported(again)
+    vkworkbench.mark(vkworkbench.analyze(op))
+    analyzed = []
+
+    def endless(what, *, progress, cancelled):
+        analyzed.append([obj.Name for obj in what])
+        progress(0, 1, "Given")
+        end = time.monotonic() + 60
+        while time.monotonic() < end:
+            if cancelled():
+                raise Cancelled("given up")
+            time.sleep(0.01)
+
+    def press():
+        for dialog in window.main.findChildren(QtGui.QProgressDialog):
+            if dialog.isVisible():
+                window.press(dialog, QtCore.Qt.Key_Escape)
+
+    monkeypatch.setattr(vkworkbench, "analyze", endless)
+    timer = QtCore.QTimer()
+    timer.timeout.connect(press)
+    timer.start(100)
+    change(op, 10)
+    again.recompute()
+    assert not analyzed  # not while FreeCAD recomputes
+    window.wait(lambda: analyzed and is_idle(), 60)
+    timer.stop()
+    assert analyzed == [["Given"]] and marks.is_outdated(op)

@@ -1,0 +1,60 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Work beside the window: what is of Qt must be destroyed in the window's thread."""
+
+import gc
+import threading
+
+from PySide import QtCore
+
+from vkworkbench.gui.background import Background
+
+
+class Tells:
+    """Notes the thread in which it is destroyed."""
+
+    def __init__(self, where):
+        self.where, self.itself = where, self
+
+    def __del__(self):
+        self.where.append(threading.get_ident())
+
+
+def test_a_thread_collects_no_cycles(window):
+    where, ended, going, parent = [], [], threading.Event(), QtCore.QObject()
+
+    def work(going_on):
+        going.wait(20)
+        yield [[] for _ in range(300_000)]  # so many that Python collects
+
+    window.wait(gc.isenabled)
+    Background(parent).start("", work, lambda result: None, ended.append)
+    window.idle(0.1)
+    gc.collect()
+    Tells(where)
+    going.set()
+    window.wait(lambda: ended)
+    window.wait(gc.isenabled)
+    gc.collect()
+    assert ended == [None] and where == [threading.get_ident()]
+
+
+def test_a_work_is_let_go_of_in_the_window(window):
+    where, parent = [], QtCore.QObject()
+    background, going = Background(parent), threading.Event()
+
+    class Work(Tells):
+        def __init__(self):
+            super().__init__(where)
+            self.itself = None
+
+        def __call__(self, going_on):
+            yield 1
+            going.wait(20)
+
+    background.start("", Work(), lambda result: background.give_up(), lambda error: None)
+    window.wait(lambda: not background.works)
+    assert where == []  # given up, and its thread is not over yet
+    going.set()
+    window.wait(lambda: where)
+    assert where == [threading.get_ident()]
+    window.wait(gc.isenabled)

@@ -1,0 +1,347 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What macros, other add-ons and files do to the window's views: strangers in the 3D view, texts that are HTML, huge numbers."""
+
+from __future__ import annotations
+
+import os
+import sys
+import threading
+import time
+from contextlib import suppress
+from pathlib import Path as File
+
+import FreeCAD
+import FreeCADGui as Gui
+import Path
+import pytest
+from PySide import QtCore, QtGui
+from simulation_window import COMMAND, shown, tabs
+
+import vkworkbench
+from vkworkbench.document import marks
+from vkworkbench.document.operations import find
+from vkworkbench.gui import strategy_view
+
+SWITCH = "Show strategies"
+
+
+@pytest.fixture(autouse=True)
+def nothing_swallowed(monkeypatch):
+    """FreeCAD swallows exceptions of what Qt calls: none may happen."""
+    errors = []
+    monkeypatch.setattr(sys, "excepthook", lambda *error: errors.append(error))
+    monkeypatch.setattr(threading, "excepthook", errors.append)
+    yield
+    assert errors == []
+
+
+def face(document):
+    return document.getObjectsByLabel("Face")[0]
+
+
+def drawn(document):
+    return strategy_view.is_shown(document) and not strategy_view.is_drawing()
+
+
+# Strangers in the 3D view, while the colours come or once they are there.
+
+
+def others_empty_the_groups(document, window):
+    """A macro takes everything out of the groups in which FreeCAD draws, our lines too."""
+    switch = face(document).ViewObject.SwitchNode
+    for number in range(switch.getNumChildren()):
+        switch.getChild(number).removeAllChildren()
+
+
+def others_empty_the_switch(document, window):
+    face(document).ViewObject.SwitchNode.removeAllChildren()
+
+
+def others_replace_the_groups(document, window):
+    from pivy import coin
+
+    switch = face(document).ViewObject.SwitchNode
+    for number in range(switch.getNumChildren()):
+        switch.replaceChild(number, coin.SoGroup())
+
+
+def a_switch_of_nothing(document, window):
+    face(document).ViewObject.SwitchNode.whichChild = 99
+
+
+def a_second_view(document, window):
+    Gui.runCommand("Std_ViewCreate")
+    window.idle(0.2)
+
+
+def only_a_second_view(document, window):
+    Gui.runCommand("Std_ViewCreate")
+    window.idle(0.2)
+    views = window.main.findChild(QtGui.QMdiArea)
+    next(w for w in views.subWindowList() if w.windowTitle().startswith(document.Label)).close()
+    window.idle(0.2)
+
+
+def deleted_and_undone(document, window):
+    document.UndoMode = 1
+    document.openTransaction("Delete")
+    document.removeObject(face(document).Name)
+    document.commitTransaction()
+    window.idle(0.05)
+    document.undo()
+    document.redo()
+    document.undo()
+
+
+def deleted_in_a_step_given_up(document, window):
+    document.openTransaction("Delete")
+    document.removeObject(face(document).Name)
+    window.idle(0.05)
+    document.abortTransaction()
+
+
+def moved_into_another_document(document, window):
+    other = FreeCAD.newDocument("Other")
+    other.moveObject(face(document), False)
+    window.idle(0.2)
+    FreeCAD.closeDocument(other.Name)
+    FreeCAD.setActiveDocument(document.Name)
+
+
+def linked(document, window):
+    link = document.addObject("App::Link", "Link")
+    link.LinkedObject = face(document)
+    document.recompute()
+
+
+def paths_that_change_all_the_time(document, window):
+    op = document.addObject("Path::Feature", "Restless")
+    for number in range(30):
+        op.Path = Path.Path(f"G0 X0 Y0 Z5\nG1 Z-1 F100\nG1 X{number}\nG1 Y{number}")
+        document.recompute()
+        window.idle(0.01)
+
+
+def numbers_beyond_measure(document, window):
+    for number, value in enumerate(["nan", "inf", "-inf", "1e300", "1e38", "1e-300"]):
+        op = document.addObject("Path::Feature", f"Odd{number}")
+        op.Path = Path.Path(
+            [Path.Command("G0", {"X": 0.0}), Path.Command("G1", {"X": float(value), "Y": 1.0, "F": 1.0})]
+        )
+
+
+def read_again(document, window):
+    """FreeCAD's *Revert*: all objects go, and others of the same names come from the file."""
+    document.restore()
+    window.idle(0.2)
+
+
+def other_fields(document, window):
+    """The view is switched off and on by its nodes, not by its property."""
+    op = face(document)
+    op.ViewObject.SwitchNode.whichChild = -1
+    op.ViewObject.Visibility = False
+    op.ViewObject.Visibility = True
+
+
+STRANGE = [others_empty_the_groups, others_empty_the_switch, others_replace_the_groups, a_switch_of_nothing,
+           a_second_view, only_a_second_view, deleted_and_undone, deleted_in_a_step_given_up, moved_into_another_document, linked,
+           paths_that_change_all_the_time, numbers_beyond_measure, read_again, other_fields]  # fmt: skip
+
+
+@pytest.mark.parametrize("strange", STRANGE, ids=lambda one: one.__name__)
+@pytest.mark.parametrize("when", ["meanwhile", "behind"])
+def test_strangers_in_the_3d_view(example_path, window, tmp_path, strange, when):
+    copy = tmp_path / "attacked.FCStd"
+    copy.write_bytes(File(example_path).read_bytes())
+    document = FreeCAD.openDocument(str(copy))
+    window.activate("VkWorkbench")
+    window.idle(0.2)
+    window.click(SWITCH)
+    if when == "behind":
+        window.wait(lambda: drawn(document), 60)
+    strange(document, window)
+    window.wait(lambda: not strategy_view.is_drawing(), 60)
+    window.idle(0.1)
+    assert window.button(SWITCH).isChecked() == strategy_view.is_shown(document)
+    if not strategy_view.is_shown(document):  # FreeCAD reads a file again as another document
+        assert strange is read_again
+        window.click(SWITCH)
+        window.wait(lambda: drawn(document), 60)
+    Gui.updateGui()
+    document.recompute()
+    Gui.Selection.clearSelection()
+    for operation in find(document):
+        Gui.Selection.addSelection(operation.object)
+    window.wait(lambda: drawn(document), 60)
+    if Gui.activeDocument().ActiveView is not None:
+        Gui.activeDocument().ActiveView.saveImage(str(tmp_path / "view.png"), 100, 100)
+    window.click(SWITCH)  # off
+    window.wait(lambda: not strategy_view.is_shown(document))
+    window.click(SWITCH)  # and on
+    window.wait(lambda: drawn(document), 60)
+    FreeCAD.closeDocument(document.Name)
+    window.idle(0.1)
+    for name in list(FreeCAD.listDocuments()):
+        FreeCAD.closeDocument(name)
+
+
+# Texts that are HTML.
+
+
+@pytest.fixture
+def trap(tmp_path):
+    """A text that loads a picture where somebody takes it for HTML, and whether that happened."""
+    picture = QtGui.QPixmap(60, 60)
+    picture.fill(QtGui.QColor("#ff0000"))
+    file = tmp_path / "trap.png"
+    assert picture.save(str(file))
+    now = time.time()
+    os.utime(file, (now - 10_000, now - 5_000))  # read before it was written: the next reading is noted
+    before = os.stat(file).st_atime
+
+    class Trap:
+        text = f"<img src='{file.as_uri()}'>"
+
+        @staticmethod
+        def sprung():
+            return os.stat(file).st_atime != before
+
+    return Trap
+
+
+def rich(text):
+    """Whether Qt takes a text for HTML, as QLabel and tooltips do."""
+    return QtCore.Qt.mightBeRichText(text) if hasattr(QtCore.Qt, "mightBeRichText") else QtGui.Qt.mightBeRichText(text)
+
+
+def seen_as_html(widgets, trap):
+    """What takes a text with the trap for HTML: labels by their format, tooltips by what Qt guesses."""
+    found = []
+    for widget in widgets:
+        for kind, text in (("tooltip", widget.toolTip()), ("what's this", widget.whatsThis())):
+            if trap.text in text and rich(text):
+                found.append((type(widget).__name__, widget.objectName(), kind, text))
+        if isinstance(widget, QtGui.QLabel) and trap.text in widget.text():
+            plain = widget.textFormat() == QtCore.Qt.PlainText
+            if not plain and (widget.textFormat() == QtCore.Qt.RichText or rich(widget.text())):
+                found.append((type(widget).__name__, widget.objectName(), "label", widget.text()))
+        if isinstance(widget, QtGui.QTextEdit) and "\ufffc" in widget.toPlainText():  # the sign of a picture
+            found.append((type(widget).__name__, widget.objectName(), "page", widget.toPlainText()))
+    return found
+
+
+def ours(window):
+    """All widgets of the add-on's docks, tabs, dialogs and lines."""
+    roots = tabs(window)
+    for widget in QtGui.QApplication.allWidgets():
+        with suppress(RuntimeError):  # a widget that is gone, whose Python object another test holds
+            if widget.objectName().startswith("Vk") or isinstance(widget, QtGui.QProgressDialog):
+                roots.append(widget)
+    return {id(w): w for root in roots for w in (root, *root.findChildren(QtGui.QWidget))}.values()
+
+
+@pytest.fixture
+def html(opened, trap):
+    """The example, whose job, operations, tools, stock, model and the document itself are called by HTML."""
+    for obj in opened.Objects:
+        obj.Label = f"{trap.text} {obj.Name}"
+    opened.Label = trap.text
+    stranger = opened.addObject("Path::Feature", "Stranger")
+    stranger.Label = f"{trap.text} stranger"
+    stranger.Path = Path.Path("G0 X0 Y0 Z30\nG1 Z15 F100\nG1 X50 A30\nG99.9\n(<img src='x'>)\nG1 Y9")
+    opened.Job.Operations.Group += [stranger]
+    opened.recompute()
+    Gui.Selection.clearSelection()
+    return opened
+
+
+def test_no_text_of_a_document_is_html_in_results_and_views(html, window, trap):
+    found = []
+
+    def look():
+        window.idle(0.3)
+        found.extend(seen_as_html(ours(window), trap))
+
+    window.click("Analyze toolpaths")
+    window.wait(lambda: marks.is_marked(html.getObject("Stranger")))
+    look()
+    results = window.main.findChild(QtGui.QDockWidget, "VkResults")
+    model, job = results.model, results.model.index(0, 0)
+    for row in range(model.rowCount(job)):
+        results.tree.setCurrentIndex(model.index(row, 0, job))
+        look()
+        for column in range(model.columnCount()):
+            for role in (QtCore.Qt.ToolTipRole, QtCore.Qt.WhatsThisRole, QtCore.Qt.StatusTipRole):
+                text = model.index(row, column, job).data(role)
+                assert not (text and trap.text in text and rich(text)), text
+    for operation in find(html)[:2]:
+        Gui.Selection.clearSelection()
+        Gui.Selection.addSelection(operation.object)
+        window.click("Gauss map")
+        window.idle(0.5)
+        look()
+        window.click("Gauss map")
+    window.click(SWITCH)
+    window.wait(lambda: drawn(html))
+    look()
+    window.click(SWITCH)
+    assert found == [] and not trap.sprung()
+
+
+def test_no_text_of_a_document_is_html_in_the_simulation(html, window, small, trap):
+    window.click(COMMAND)
+    window.wait(lambda: tabs(window))
+    (tab,) = tabs(window)
+    found = seen_as_html(ours(window), trap)
+    player = shown(tab, window)
+    assert trap.text in player.state.text()  # what is to be known names operations
+    for widget, where in [(player.state, 5), *((player.time_line, x) for x in range(10, player.time_line.width(), 60))]:
+        point = QtCore.QPoint(where, min(45, widget.height() // 2))
+        event = QtGui.QHelpEvent(QtCore.QEvent.ToolTip, point, widget.mapToGlobal(point))
+        QtGui.QApplication.sendEvent(widget, event)
+        window.idle(0.1)
+    for index in range(player.scene_bar.colorings.count()):
+        player.scene_bar.colorings.setCurrentIndex(index)
+        window.idle(0.3)
+        found += seen_as_html(ours(window), trap)
+    window.screenshot("html-everywhere")
+    window.press(tab, QtCore.Qt.Key_Escape)
+    window.wait(lambda: not tabs(window), 60)
+    assert found == [] and not trap.sprung()
+
+
+# Few commands, and a great many moves.
+
+
+def arcs(moves):
+    """So many half circles as wide as a house, of chords of 0.01 mm error."""
+    return "G0 X0 Y0 Z5\nG1 Z-1 F100\n" + "G2 X200000 Y0 I100000 J0\nG2 X0 Y0 I-100000 J0\n" * (moves // 2)
+
+
+@pytest.mark.parametrize("text, trajectories", [
+    (arcs(200), 700_000), (arcs(3_000), None), ("G0 Z5\n" + "G83 X1 Y1 Z-100 R1 Q0.1 F10\nX2\n" * 200, 400_000),
+], ids=["long arcs", "too many moves", "many pecks"])  # fmt: skip
+def test_few_commands_that_are_a_great_many_moves(opened, window, text, trajectories):
+    op = opened.addObject("Path::Feature", "Few")
+    op.Path = Path.Path(text)
+    opened.Job.Operations.Group = [op]
+    opened.recompute()
+    Gui.Selection.clearSelection()
+    Gui.Selection.addSelection(op)
+    window.click("Analyze toolpaths")
+    window.wait(lambda: marks.is_marked(op), 120)
+    window.dismiss()
+    known = marks.read(op)
+    if trajectories is None:
+        assert not known.trajectories and known.remarks
+    else:
+        assert known.trajectories > trajectories
+    window.click("Gauss map")
+    title = window.main.findChild(QtGui.QDockWidget, "VkGaussMap").title
+    window.wait(lambda: "Few" in title.text() and "Reading" not in title.text(), 120)
+    window.click("Gauss map")
+    window.click(SWITCH)
+    window.wait(lambda: drawn(opened), 120)
+    window.click(SWITCH)
+    vkworkbench.clear(opened)

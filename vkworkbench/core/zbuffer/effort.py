@@ -1,0 +1,194 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What the simulator has to do, from a few tiles of the image that it would cull.
+
+How much culling drops differs from one toolpath to another by orders of magnitude; only culling tells. So some tiles
+are culled as the simulator does it, level by level. Where the tiles of a level have more pairs than a few thousands,
+some of them are drawn, as likely as they have pairs, and stand for the others (sampling proportional to size).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from vkworkbench.core.zbuffer.culling import PAIRS_AT_ONCE, TILE, Tiles, first_tiles, quartered
+from vkworkbench.core.zbuffer.removal import Removal
+from vkworkbench.core.zbuffer.tilted import Tilted
+from vkworkbench.core.zbuffer.trajectories import Kind
+from vkworkbench.core.zbuffer.upright import Upright
+
+# Pairs of tile and trajectory that go on at each level, and of the image's first tiles as many as are looked at.
+_PAIRS = 6_000
+_LOOKED_AT = 2_000_000
+# No fewer of the first tiles.
+_FEWEST = 24
+
+# The same tiles every time.
+_SEED = 2002
+
+# Kinds of pairs: by the tool (flat, pointed, ball, bull-nose), of these level and sloped moves, of these seen from above
+# or below and obliquely. What testing a pair takes, and cutting a pixel's ray by one, and a record from above and
+# obliquely, in units of `Speed`; learned by benchmarks/learn_effort.py.
+KINDS = 16
+TESTS = np.array(
+    [0.019, 0.091, 0.07, 0.586, 0.06, 0.471, 0.091, 0.619, 0.03, 0.248, 0.053, 0.375, 0.07, 1, 0.131, 0.556]
+)
+CELLS = np.array(
+    [0.021, 0.112, 0.011, 0.048, 0.005, 0.45, 0.025, 0.243, 0.022, 0.125, 0.017, 0.097, 0.009, 1, 0.082, 0.485]
+)
+RECORDS = np.array([1, 5.34])
+
+
+@dataclass(frozen=True)
+class Work:
+    """Amounts of a simulation's work.
+
+    Attributes
+    ----------
+    trajectories, pixels : float
+        Of the toolpath and of the image.
+    first : float
+        Pairs of trajectory and tile of the size to begin with, whether they meet or not.
+    pairs : tuple of (16,) tuple of float
+        Pairs of tile and trajectory that are tested at each level, from the largest tiles down, by kind; see `KINDS`.
+    cells : (16,) tuple of float
+        Pairs of pixel and trajectory of which the ray is cut, by kind.
+    records : (2,) tuple of float
+        Dexels and elements of traces, from above or below and obliquely.
+    """
+
+    trajectories: float
+    pixels: float
+    first: float
+    pairs: tuple[tuple[float, ...], ...]
+    cells: tuple[float, ...]
+    records: tuple[float, float]
+
+    def amounts(self, growth: float = 1.0) -> np.ndarray:
+        """How often each constant of `Speed` is due, in an image of `growth` times as many pixels.
+
+        How many pairs tiles of one size in mm have does not depend on the image: in a finer one the same levels follow
+        each other, begun later and continued further.
+
+        Returns
+        -------
+        (7,) float64
+            Trajectories, pixels, first pairs, blocks of pairs worked on at once, tests, cells, records.
+        """
+        levels = np.array(self.pairs).reshape(-1, KINDS)
+        pairs, tests = _finer(levels.sum(axis=1), growth), _finer(levels @ TESTS, growth)
+        cells = np.array(self.cells) * self._cells_in(growth)
+        bands = np.sqrt(self.pixels * growth) / TILE
+        each = np.maximum.accumulate(np.maximum(pairs / PAIRS_AT_ONCE, bands))
+        blocks = each.sum() + max(bands, cells.sum() / PAIRS_AT_ONCE)
+        records = float(np.dot(self.records, RECORDS))
+        return np.array([
+            self.trajectories, self.pixels * growth, self.first * growth, blocks, 4 * tests.sum(), cells @ CELLS,
+            records * growth,
+        ])  # fmt: skip
+
+    def _cells_in(self, growth: float) -> float:
+        """How many times as many cells there are: as many as the pairs of the last tiles grew from those before them."""
+        if not self.pairs or sum(self.cells) == 0:
+            return growth
+        side = TILE >> len(self.pairs)
+        step = sum(self.cells) / side**2 / sum(self.pairs[-1])
+        return float(np.clip(step, 1, 4) ** (np.log2(growth) / 2))
+
+
+def _finer(levels: np.ndarray, growth: float) -> np.ndarray:
+    """Amounts of each level in an image of `growth` times as many pixels: powers of two between those known."""
+    if growth == 1 or len(levels) < 2 or levels.min() <= 0:
+        return levels * growth
+    place = np.arange(len(levels)) + np.log2(growth) / 2
+    whole = np.clip(np.floor(place).astype(int), 0, len(levels) - 2)
+    known = np.log2(levels)
+    steps = np.clip(np.diff(known), 0, 2)
+    finer: np.ndarray = 2 ** (known[whole] + steps[whole] * (place - whole))
+    return finer
+
+
+def work_of(removal: Removal, trajectories: int, records: float) -> Work:
+    """Estimate a simulation's work.
+
+    Parameters
+    ----------
+    removal : Removal
+        What is to be simulated.
+    trajectories : int
+        Of the whole toolpath.
+    records : float
+        Dexels and elements of traces that the simulation ends with.
+
+    Returns
+    -------
+    Work
+        The same for the same arguments.
+    """
+    rng = np.random.default_rng(_SEED)
+    frame, upright = removal.frame, removal.sine == 0
+    bounds = Upright(removal) if upright else Tilted(removal)
+    kind = np.array([_kind(kind, upright) for kind in removal.kinds], int)
+    tiles, weight, all_tiles = _first(removal, rng)
+    levels = []
+    cells: np.ndarray = np.zeros(KINDS)
+    while len(tiles.item):
+        pairs = np.bincount(kind[removal.kind[tiles.item]], np.repeat(weight, np.diff(tiles.first)), KINDS)
+        if bounds.fine_enough(tiles):
+            cells = tiles.side**2 * pairs
+            break
+        levels.append(tuple(pairs.tolist()))
+        tiles, weight = _drawn(tiles, weight, rng)
+        smaller = quartered(removal, bounds, tiles)
+        tiles, weight = smaller, weight[_parents(tiles, smaller)]
+    pixels, first = frame.width * frame.height, all_tiles * len(removal.index)
+    kept = (records, 0.0) if upright else (0.0, records)
+    return Work(trajectories, pixels, first, tuple(levels), tuple(cells.tolist()), kept)
+
+
+def _kind(kind: Kind, upright: bool) -> int:
+    tool = kind.tool
+    rounded = 2 if tool.rounding == tool.radius else 3
+    shape = rounded if tool.rounding else int(tool.steepness > 0)
+    return 4 * shape + 2 * (not kind.level) + (not upright)
+
+
+def _first(removal: Removal, rng: np.random.Generator) -> tuple[Tiles, np.ndarray, int]:
+    """Some of the image's first tiles with their trajectories, for how many each stands, and how many there are."""
+    frame = removal.frame
+    columns, rows = -(-frame.width // TILE), -(-frame.height // TILE)
+    every = columns * rows
+    count = min(every, max(_FEWEST, _LOOKED_AT // (len(removal.index) + 1)))
+    chosen = np.arange(every)
+    if count < every:
+        chosen = ((np.arange(count) + rng.random(count)) * (every / count)).astype(np.int64)
+    row, column = np.divmod(chosen, columns)
+    tiles = first_tiles(removal, TILE * column, TILE * row)
+    return tiles, np.full(count, every / count), every
+
+
+def _drawn(tiles: Tiles, weight: np.ndarray, rng: np.random.Generator) -> tuple[Tiles, np.ndarray]:
+    """Draw some of the tiles where they have too many pairs, as likely as they have pairs."""
+    size = np.diff(tiles.first)
+    if size.sum() <= _PAIRS:
+        return tiles, weight
+    running = np.cumsum(weight * size)
+    usual = float((weight * size * size).sum()) / running[-1]  # size of a tile so drawn
+    count = max(1, int(_PAIRS / usual))
+    chosen = np.searchsorted(running, (np.arange(count) + rng.random(count)) / count * running[-1], side="right")
+    chosen, times = np.unique(np.minimum(chosen, len(size) - 1), return_counts=True)
+    item = [tiles.item[tiles.first[tile] : tiles.first[tile + 1]] for tile in chosen]
+    first = np.append(0, np.cumsum(size[chosen]))
+    drawn = Tiles(tiles.side, tiles.column[chosen], tiles.row[chosen], first, np.concatenate(item))
+    return drawn, times * running[-1] / count / size[chosen]
+
+
+def _parents(tiles: Tiles, made: Tiles) -> np.ndarray:
+    """Which of the tiles each of the smaller ones is in."""
+    width = 1 << 20
+    place = (tiles.row // tiles.side) * width + tiles.column // tiles.side
+    order = np.argsort(place)
+    inside = (made.row // tiles.side) * width + made.column // tiles.side
+    found: np.ndarray = order[np.searchsorted(place[order], inside)]
+    return found

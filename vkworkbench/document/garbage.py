@@ -1,0 +1,37 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Python's garbage, which the window's thread alone collects while other threads work.
+
+Python collects cycles in whatever thread makes objects. A closed tab is such a cycle, and what is of Qt must not be
+destroyed beside the window: PySide's tables have no lock, and FreeCAD ends. These functions are called in the window's
+thread.
+"""
+
+from __future__ import annotations
+
+import gc
+
+_holders = 0
+_was_on = False
+
+
+def hold() -> None:
+    """Collect nothing by itself from now on, until as many calls of `release`."""
+    global _holders, _was_on
+    if not _holders:
+        _was_on = gc.isenabled()
+        gc.disable()
+    _holders += 1
+
+
+def release() -> None:
+    """Collect by itself again."""
+    global _holders
+    _holders -= 1
+    if not _holders and _was_on:
+        gc.enable()
+
+
+def collect() -> None:
+    """Collect what is young, if it is time; what is old, which takes longer, waits for the end."""
+    if _was_on and gc.get_count()[0] > gc.get_threshold()[0]:
+        gc.collect(1)
