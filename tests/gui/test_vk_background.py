@@ -6,7 +6,7 @@ import threading
 
 from PySide import QtCore
 
-from vkworkbench.gui.background import Background
+from vkworkbench.gui.background import Background, Busy
 
 
 class Tells:
@@ -58,3 +58,38 @@ def test_a_work_is_let_go_of_in_the_window(window):
     window.wait(lambda: where)
     assert where == [threading.get_ident()]
     window.wait(gc.isenabled)
+
+
+def test_the_line_stays_between_the_pieces_of_a_work(window):
+    pieces, hidden = [], []
+    background = Background()
+    busy = Busy(background)
+
+    class Hidden(QtCore.QObject):
+        def eventFilter(self, watched, event):
+            if event.type() == QtCore.QEvent.Hide:
+                hidden.append(len(pieces))
+            return False
+
+    watch = Hidden()
+    busy.installEventFilter(watch)
+
+    def work(going_on):
+        gone.wait(20)
+        yield 1
+
+    def begin(error=None):
+        gone.clear()
+        pieces.append(error)
+        if len(pieces) < 4:
+            QtCore.QTimer.singleShot(0, lambda: background.start("piece", work, lambda result: None, begin))
+
+    gone = threading.Event()
+    begin()
+    for number in (1, 2, 3):
+        window.wait(lambda: background.works and len(pieces) == number)
+        window.wait(busy.isVisible)
+        gone.set()
+        window.wait(lambda: len(pieces) > number)
+    window.wait(lambda: not busy.isVisible())
+    assert hidden == [4]

@@ -257,7 +257,12 @@ def test_the_window_lives_while_half_a_million_commands_are_drawn(long, window):
     window.click(SWITCH)
 
 
-def test_the_drawing_is_given_up_and_its_thread_ends(long, window):
+def test_the_drawing_is_given_up_and_its_thread_ends(long, window, monkeypatch):
+    def again_and_again(source, going_on):
+        while True:  # or a fast computer is ready before the click
+            yield from strategy_lines.drawings(source, going_on)
+
+    monkeypatch.setattr(strategy_view, "drawings", again_and_again)
     before = threading.active_count()
     window.click(SWITCH)
     window.wait(lambda: threading.active_count() > before)

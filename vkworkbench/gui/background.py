@@ -17,6 +17,7 @@ from vkworkbench.report import Cancelled
 _AT_ONCE = 0.03  # s for showing results, then other events come
 _WATCH = 50  # ms between two looks whether a thread has ended
 _PATIENCE = 300  # ms; shorter work shows no progress
+_LINGER = 200  # ms between two works that are pieces of one
 
 
 class Background(QObject):
@@ -176,15 +177,20 @@ class Busy(QWidget):
         self._later = QTimer(self)
         self._later.setSingleShot(True)
         self._later.timeout.connect(self.show)
+        self._at_last = QTimer(self)
+        self._at_last.setSingleShot(True)
+        self._at_last.timeout.connect(self.hide)
         background.began.connect(self._announce)
         background.over.connect(self._end)
         self.button.clicked.connect(background.cancel)
+        self.button.clicked.connect(self.hide)
 
     def _announce(self, text: str) -> None:
         self.label.setText(text)
+        self._at_last.stop()
         if not self.isVisible():
             self._later.start(_PATIENCE)
 
     def _end(self) -> None:
         self._later.stop()
-        self.hide()
+        self._at_last.start(_LINGER)

@@ -91,6 +91,7 @@ class _Drawer:
         self._cancelled = cancelled
         self._background = Background()
         self.busy = Busy(self._background)
+        self.busy.button.clicked.connect(self._give_up)
         Gui.getMainWindow().statusBar().addPermanentWidget(self.busy)
         self._pending: dict[Key, None] = {}
         self._at_work: list[Key] = []
@@ -113,6 +114,11 @@ class _Drawer:
         keys = [key for key in (*self._at_work, *self._pending) if key[0] != document_name]
         self._pending, self._at_work = dict.fromkeys(keys), []
         self.draw(())
+
+    def _give_up(self) -> None:
+        """Draw nothing more where the button was pressed between two pieces of the work."""
+        if self.works:
+            self._ended(Cancelled("given up"))
 
     def _read(self) -> None:
         until = time.monotonic() + _READING
