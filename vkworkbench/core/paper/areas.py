@@ -72,6 +72,13 @@ class Areas(Moves):
         return turning, self.phi + np.pi * half_turns
 
     @cached_property
+    def twice_swept(self) -> np.ndarray:
+        """Twice the signed area between each move and the origin, (m,) mm2."""
+        swept: np.ndarray = self.x * self.dy
+        swept -= self.y * self.dx
+        return swept
+
+    @cached_property
     def closed(self) -> np.ndarray:
         """Whether each area ends where it began, (a,) bool."""
         first, last = self.start, self.end - 1
@@ -82,7 +89,7 @@ class Areas(Moves):
         if len(chosen):
             size = (self.end - self.start)[chosen]
             of = slice(None) if found.all() else np.flatnonzero(np.repeat(found, self.end - self.start))
-            twice_area = np.add.reduceat(self.x[of] * self.dy[of] - self.y[of] * self.dx[of], np.cumsum(size) - size)
+            twice_area = np.add.reduceat(self.twice_swept[of], np.cumsum(size) - size)
             chord = (end_x * self.y[first] - end_y * self.x[first])[chosen]
             found[chosen] = is_closed(gap[chosen], (twice_area + chord) / 2, size)
         return found

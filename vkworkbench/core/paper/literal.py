@@ -71,9 +71,9 @@ def paper_verdict(areas: Areas) -> PaperVerdict | None:
     elif reached <= np.pi + TURNS.EXACT:
         strategy = Strategy.ZIGZAG
     theta = found.theta
-    turned = np.zeros(len(theta))
-    turns(theta, out=turned[1:])
-    image = np.cumsum(turned)
+    turned, image = np.zeros((2, len(theta)))
+    turns(theta, out=turned[1:], scratch=image[1:])
+    np.cumsum(turned, out=image)
     net, both_ways = float(image[-1]), float(np.abs(turned, out=turned).sum())
     image += theta[0]
     sense = None

@@ -128,10 +128,10 @@ def _returns(
     moves: Moves, x: np.ndarray, y: np.ndarray, at: np.ndarray, area: np.ndarray, width: float, origin: float
 ) -> tuple[np.ndarray, np.ndarray]:
     """Return the stretches between visits of one cell that turn by +-2 pi; a cell is `width` times LOOPS.CLOSE wide."""
-    column, row = ((v / width + origin).astype(np.int32).view(np.uint32) for v in (x, y))
+    column, row = ((v * (1 / width) + origin).astype(np.int32).view(np.uint32) for v in (x, y))
     # Hashing the cells is O(n); sorting all vertices would not be. The products overflow, and their high bits are
-    # the hash.
-    bits = (2 * len(x)).bit_length()
+    # the hash. A table of four places a vertex at least: two cells in one place have to be sorted apart, which costs more.
+    bits = (4 * len(x)).bit_length()
     cell = column * np.uint32(2654435769)
     cell += row * np.uint32(2246822519)
     if len(area):

@@ -59,7 +59,7 @@ def signature(points: np.ndarray) -> Signature:
         raise ValueError("points must be finite numbers")
     alpha = directions(dx, dy)
     if squares.min(initial=np.inf) < NO_LENGTH**2:
-        _carry_directions(alpha, squares < NO_LENGTH**2)
+        _carry_directions(alpha, np.flatnonzero(squares < NO_LENGTH**2))
     scratch = squares[1:]
     turning = turns(alpha, scratch=scratch)
     np.abs(turning, out=scratch)
@@ -145,7 +145,10 @@ class Signature:
 
     @cached_property
     def _v(self) -> tuple[np.ndarray, np.ndarray]:
-        return self.x + self.dx - self.x[:1], self.y + self.dy - self.y[:1]
+        x, y = self.x + self.dx, self.y + self.dy
+        x -= self.x[:1]
+        y -= self.y[:1]
+        return x, y
 
     @cached_property
     def length(self) -> np.ndarray:
@@ -158,9 +161,8 @@ class Signature:
         """(n,) angles of V_k to the X axis, within -pi..pi, rad (section 3.1); where V_k has no length, the last one."""
         x, y = self._v
         theta = directions(x, y)
-        still = x * x + y * y < NO_LENGTH**2
-        if still.any():
-            _carry_directions(theta, still)
+        near = np.flatnonzero((x < NO_LENGTH) & (x > -NO_LENGTH))
+        _carry_directions(theta, near[x[near] ** 2 + y[near] ** 2 < NO_LENGTH**2])
         return theta
 
     @cached_property
@@ -202,9 +204,13 @@ def _on_circle(angle: np.ndarray) -> np.ndarray:
 
 
 def _carry_directions(alpha: np.ndarray, still: np.ndarray) -> None:
-    """Give trajectories without length the direction before them, at the beginning the one after them."""
-    if still.all():
+    """Give the trajectories without length, (s,) int, the direction before them, at the beginning the one after them."""
+    if len(still) == len(alpha):
         alpha[:] = 0.0
-        return
-    last = np.maximum.accumulate(np.where(still, -1, np.arange(len(alpha))))
-    alpha[:] = alpha[np.where(last >= 0, last, np.argmin(still))]
+    elif len(still):
+        begin = np.append(True, still[1:] > still[:-1] + 1)
+        run = np.cumsum(begin) - 1
+        source = still[begin] - 1
+        if source[0] < 0:
+            source[0] = np.count_nonzero(run == 0)
+        alpha[still] = alpha[source[run]]

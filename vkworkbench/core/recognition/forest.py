@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from array import array
 from collections.abc import Iterable, Iterator, Sequence
 from typing import NamedTuple
 
@@ -10,32 +11,35 @@ import numpy as np
 
 
 class _Nodes(NamedTuple):
-    """The nodes of all trees as columns, and the first of each tree."""
+    """The nodes of all trees as columns, and the first of each tree.
 
-    measure: list[int]
-    below: list[float]
-    no: list[int]
+    Arrays: the numbers of a list lie all over the memory, and reading them takes longer than what is done with them.
+    """
+
+    measure: array[int]
+    below: array[float]
+    no: array[int]
     share: list[np.ndarray]
     roots: list[int]
 
-    def read(self, nodes: Iterator[str], classes: int) -> int:
-        """Append the next subtree and return how many questions it asks at most."""
+    def read(self, nodes: Iterator[str], classes: int) -> None:
+        """Append the next subtree."""
         node, at = next(nodes), len(self.measure)
         share = np.zeros(classes)
         self.measure.append(-1)
-        self.below.append(-np.inf)  # no case is below that: a leaf leads to itself
+        self.below.append(0.0)
         self.no.append(at)
         self.share.append(share)
         if "<" not in node:
             for part in node.split(","):
                 name, percent = part.split(":")
                 share[int(name)] = float(percent) / 100
-            return 0
+            return
         measure, below = node.split("<")
         self.measure[at], self.below[at] = int(measure), float(below)
-        yes = self.read(nodes, classes)
+        self.read(nodes, classes)
         self.no[at] = len(self.measure)
-        return 1 + max(yes, self.read(nodes, classes))
+        self.read(nodes, classes)
 
 
 class Forest:
@@ -52,14 +56,13 @@ class Forest:
     """
 
     def __init__(self, trees: Iterable[str], classes: int) -> None:
-        nodes = _Nodes([], [], [], [], [])
-        self._deep = 0
+        nodes = _Nodes(array("h"), array("d"), array("i"), [], [])
         for tree in trees:
             nodes.roots.append(len(nodes.measure))
-            self._deep = max(self._deep, nodes.read(iter(tree.split()), classes))
+            nodes.read(iter(tree.split()), classes)
         self._measure, self._below, self._no = np.array(nodes.measure), np.array(nodes.below), np.array(nodes.no)
         self._share, self._roots = np.array(nodes.share), np.array(nodes.roots)
-        self._yes = np.arange(len(self._no)) + 1
+        self._nodes = nodes
 
     def shares(self, measures: np.ndarray) -> np.ndarray:
         """Return the mean shares of the classes.
@@ -83,11 +86,13 @@ class Forest:
     def vote(self, case: Sequence[float]) -> np.ndarray:
         """Return the mean shares of the classes, (c,), for one case, a sequence of (m,) measures.
 
-        For one case it is faster to answer the questions of all nodes at once than those of one tree after the other.
+        For one case it is faster to ask one question after the other than to begin with arrays.
         """
-        onward = np.where(np.asarray(case)[self._measure] < self._below, self._yes, self._no)
-        node = self._roots
-        for _ in range(self._deep):
-            node = onward[node]
-        result: np.ndarray = self._share[node].mean(axis=0)
+        measure, below, no, _, roots = self._nodes
+        values, leaves = [float(value) for value in case], []
+        for node in roots:
+            while (asked := measure[node]) >= 0:
+                node = node + 1 if values[asked] < below[node] else no[node]
+            leaves.append(node)
+        result: np.ndarray = self._share[leaves].mean(axis=0)
         return result

@@ -124,9 +124,7 @@ class _Stretches:
         self.x, self.y = moves.x[start], moves.y[start]
         self.end_x, self.end_y = moves.x[last] + moves.dx[last], moves.y[last] + moves.dy[last]
         self.gap = np.hypot(self.end_x - self.x, self.end_y - self.y)
-        twice_area = moves.x * moves.dy
-        twice_area -= moves.y * moves.dx
-        twice_area = np.add.reduceat(twice_area, start)
+        twice_area = np.add.reduceat(moves.twice_swept, start)
         self.enclosed = (twice_area + self.end_x * self.y - self.end_y * self.x) / 2
 
     @cached_property

@@ -8,6 +8,8 @@ import numpy as np
 from vkworkbench.core.recognition.thresholds import LATHE, SAME
 from vkworkbench.core.toolpath import Toolpath
 
+SOME = 100  # points that mostly tell that Y changes
+
 
 def is_turned(toolpath: Toolpath) -> bool:
     """Tell whether a toolpath may be a lathe's whose program has no code that says so.
@@ -21,7 +23,7 @@ def is_turned(toolpath: Toolpath) -> bool:
         At least one trajectory cuts.
     """
     x, y, z = toolpath.points.T
-    if np.ptp(y) > 0:
+    if np.ptp(y[:: len(y) // SOME + 1]) > 0 or np.ptp(y) > 0:
         return False
     cuts = ~toolpath.rapid
     dx, dz = np.abs(np.diff(x)), np.diff(z)
