@@ -42,6 +42,11 @@ class Areas(Moves):
         return np.append(self.start[1:], len(self)) if len(self) else self.start
 
     @cached_property
+    def climbs(self) -> bool:
+        """Whether any move changes its height."""
+        return bool(self.dz.any())
+
+    @cached_property
     def area_length(self) -> np.ndarray:
         """Length of each area in the plane, (a,) mm."""
         return np.add.reduceat(self.length, self.start) if len(self) else np.empty(0)
@@ -106,7 +111,8 @@ class Areas(Moves):
         first, loop_end = self.loops
         if len(first):
             area = np.searchsorted(self.start, first, side="right") - 1
-            way = np.append(0.0, np.cumsum(self.length))
+            way = np.zeros(len(self) + 1)
+            np.cumsum(self.length, out=way[1:])
             looped = np.bincount(area, way[loop_end] - way[first], len(begin)) > LOOPED * self.area_length
             final = np.append(area[1:] > area[:-1], True) & looped[area] & ~self.closed[area]
             begin[area[final]], end[area[final]] = first[final], loop_end[final]
@@ -120,8 +126,8 @@ class Areas(Moves):
         if not len(self):
             return np.empty((0, 2))
         phi, total = self.signed[1], self.total_turning
-        low = np.minimum(np.minimum.reduceat(phi, self.start), total)
-        return np.column_stack([low, np.maximum(np.maximum.reduceat(phi, self.start), total)])
+        low, high = np.minimum.reduceat(phi, self.start), np.maximum.reduceat(phi, self.start)
+        return np.array([np.minimum(low, total), np.maximum(high, total)]).T
 
     @cached_property
     def phi_range(self) -> tuple[float, float]:

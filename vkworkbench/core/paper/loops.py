@@ -77,9 +77,8 @@ def closed_loops(moves: Moves) -> tuple[np.ndarray, np.ndarray]:
     first, end : (k,) int
         The loops are the moves first[i] .. end[i] - 1, in order and without overlap.
     """
-    turned = np.maximum.reduceat(moves.phi, moves.start) - np.minimum.reduceat(moves.phi, moves.start)
     # A loop turns by 2 pi less its last corner, a zigzag by pi: most rasters need no search.
-    winds = turned > LOOPS.HALF_TURNS * np.pi
+    winds = moves.phi_extent > LOOPS.HALF_TURNS * np.pi
     if not winds.any():
         none = np.zeros(0, np.int64)
         return none, none

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
@@ -60,6 +61,12 @@ class Moves:
     def __len__(self) -> int:
         """Return the number of moves."""
         return len(self.index)
+
+    @cached_property
+    def phi_extent(self) -> np.ndarray:
+        """From the lowest to the highest phi of each area, (a,) rad."""
+        extent: np.ndarray = np.maximum.reduceat(self.phi, self.start) - np.minimum.reduceat(self.phi, self.start)
+        return extent
 
 
 def cutting_moves(toolpath: Toolpath, first: int = 0, last: int | None = None) -> Moves:

@@ -18,6 +18,37 @@ NAMES = (
 FROM_THE_MIDDLE = 0.5 + np.array([side * (k + 0.5) / SCAN.LINES for k in range(SCAN.LINES // 2) for side in (-1, 1)])
 
 
+class Sample(NamedTuple):
+    """Moves that stand for all, (k,) each.
+
+    Attributes
+    ----------
+    chosen : array
+        Which moves.
+    dx, dy, length : array
+        The moves and their lengths, mm.
+    double_x, double_y, four_x, four_y : array
+        The moves with two times and with four times their angle, mm.
+    """
+
+    chosen: np.ndarray
+    dx: np.ndarray
+    dy: np.ndarray
+    length: np.ndarray
+    double_x: np.ndarray
+    double_y: np.ndarray
+    four_x: np.ndarray
+    four_y: np.ndarray
+
+    @classmethod
+    def of(cls, moves: Areas, chosen: np.ndarray) -> Sample:
+        """Return these moves, chosen (k,) int."""
+        dx, dy, length = moves.dx[chosen], moves.dy[chosen], moves.length[chosen]
+        double_x, double_y = (dx - dy) * (dx + dy) / length, 2 * dx * dy / length
+        four_x, four_y = (double_x - double_y) * (double_x + double_y) / length, 2 * double_x * double_y / length
+        return cls(chosen, dx, dy, length, double_x, double_y, four_x, four_y)
+
+
 class Crossings(NamedTuple):
     """Where scan lines cross moves, (k,) each, line after line in the order of cutting.
 
@@ -40,7 +71,7 @@ class Crossings(NamedTuple):
     alpha: np.ndarray
 
 
-def scan(moves: Areas, sample: np.ndarray, extent: float) -> dict[str, float]:
+def scan(moves: Areas, sample: Sample, extent: float) -> dict[str, float]:
     """Cross the moves with straight lines and measure what lies between neighbouring crossings.
 
     The lines run across the direction that the moves prefer. On every line the crossings are put in order, once at each
@@ -52,8 +83,7 @@ def scan(moves: Areas, sample: np.ndarray, extent: float) -> dict[str, float]:
     ----------
     moves : Areas
         At least one move.
-    sample : (k,) int
-        Moves that stand for all.
+    sample : Sample
     extent : float
         Diagonal of their bounding box, mm.
 
@@ -81,36 +111,34 @@ def scan(moves: Areas, sample: np.ndarray, extent: float) -> dict[str, float]:
     }
 
 
-def _across(dx: np.ndarray, dy: np.ndarray, length: np.ndarray) -> tuple[float, float]:
+def _across(sample: Sample) -> tuple[float, float]:
     """Return the direction, a unit vector, at a right angle to the one that the moves prefer.
 
     The mean of four times their angle tells that direction but for quarter turns.
     """
-    double_x, double_y = (dx - dy) * (dx + dy) / length, 2 * dx * dy / length
-    four_x = ((double_x - double_y) * (double_x + double_y) / length).sum()
-    angle = float(directions(four_x, (2 * double_x * double_y / length).sum())) / 4
+    angle = float(directions(sample.four_x.sum(), sample.four_y.sum())) / 4
     u, v = np.cos(angle), np.sin(angle)
-    if np.abs(dx * u + dy * v).sum() > np.abs(dy * u - dx * v).sum():
+    if np.abs(sample.dx * u + sample.dy * v).sum() > np.abs(sample.dy * u - sample.dx * v).sum():
         u, v = -v, u
     return u, v
 
 
-def _cross(moves: Areas, sample: np.ndarray) -> Crossings:
+def _cross(moves: Areas, sample: Sample) -> Crossings:
     """Cross the moves with evenly spaced lines, where most of the cutting is."""
-    u, v = _across(moves.dx[sample], moves.dy[sample], moves.length[sample])
+    u, v = _across(sample)
     begin = moves.y * u
     begin -= moves.x * v
     end = moves.dy * u
     end -= moves.dx * v
     end += begin
-    one, other = begin[sample], end[sample]
+    one, other = begin[sample.chosen], end[sample.chosen]
     height = (one + other) / 2
     order = np.argsort(height)
-    reached = np.cumsum(moves.length[sample[order]])
+    reached = np.cumsum(sample.length[order])
     low, high = height[order[np.searchsorted(reached, (SCAN.EDGE * reached[-1], (1 - SCAN.EDGE) * reached[-1]))]]
     lines = low + (high - low) * FROM_THE_MIDDLE
     # From the middle, in pairs, so many lines that the crossings are enough, as the sample promises.
-    promised = ((one < lines[:, None]) != (other < lines[:, None])).sum(axis=1) * (len(begin) / len(sample))
+    promised = ((one < lines[:, None]) != (other < lines[:, None])).sum(axis=1) * (len(begin) / len(one))
     wanted = max(2, int(np.count_nonzero(np.cumsum(promised)[1::2] <= SCAN.ENOUGH)) * 2)
     found = []
     for line in lines[:wanted]:

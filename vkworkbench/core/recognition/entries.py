@@ -25,7 +25,7 @@ def find_entry(moves: Areas) -> str | None:
     moves : Areas
         At least one move.
     """
-    if not moves.dz.any():
+    if not moves.climbs:
         return ENTRIES[0]
     begin, first = moves.start, moves.start + _run(moves, moves.dz >= -LEVEL)
     after = np.arange(len(moves)) >= np.repeat(first, moves.end - begin)
@@ -66,7 +66,7 @@ def without_entries(moves: Areas) -> tuple[Areas, float]:
     float
         Share of the length in ways in that wind.
     """
-    if not moves.dz.any():
+    if not moves.climbs:
         return moves, 0.0
     down, up = _run(moves, moves.dz >= -LEVEL), _run(moves, moves.dz <= LEVEL, backward=True)
     chosen = np.flatnonzero((down + up > 0) & (down + up < moves.end - moves.start))

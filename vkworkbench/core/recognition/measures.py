@@ -6,7 +6,7 @@ from __future__ import annotations
 import numpy as np
 
 from vkworkbench.core.paper import TURN, Areas
-from vkworkbench.core.recognition.crossings import scan
+from vkworkbench.core.recognition.crossings import Sample, scan
 from vkworkbench.core.recognition.pieces import LOOP, WINDING
 from vkworkbench.core.recognition.section import Section
 from vkworkbench.core.recognition.thresholds import MEASURED, SAME, WINDINGS
@@ -23,7 +23,7 @@ def measures(s: Section) -> dict[str, float]:
     extent = float(np.hypot(np.ptp(m.x), np.ptp(m.y))) or 1.0  # of the starts of the moves, mm
     # Shares of the length need not look at every move.
     number = min(len(m), MEASURED.MOVES)
-    sample = ((np.arange(number) + 0.5) * (len(m) / number)).astype(np.int64)
+    sample = Sample.of(m, ((np.arange(number) + 0.5) * (len(m) / number)).astype(np.int64))
     return {
         **_of_areas(s, extent),
         **_of_moves(m, sample),
@@ -43,7 +43,7 @@ def _of_areas(s: Section, extent: float) -> dict[str, float]:
     turned = max(float(np.abs(m.turning).sum()), SAME.HEIGHT)
     # The paper's quantities, area by area: how far phi ranges, its net turn, and V_k of the last trajectory.
     share, number = m.area_length / m.area_length.sum(), len(m.start)
-    ranges = (np.maximum.reduceat(m.phi, m.start) - np.minimum.reduceat(m.phi, m.start)) / TURN
+    ranges = m.phi_extent / TURN
     turns = np.abs(net) / TURN
     v = np.hypot(m.x[last] + m.dx[last] - m.x[m.start], m.y[last] + m.dy[last] - m.y[m.start]) / m.area_length
     closed = v < MEASURED.CLOSED
@@ -67,23 +67,18 @@ def _of_areas(s: Section, extent: float) -> dict[str, float]:
     }
 
 
-def _of_moves(m: Areas, sample: np.ndarray) -> dict[str, float]:
+def _of_moves(m: Areas, sample: Sample) -> dict[str, float]:
     """Measure directions, turns and heights of some moves by their length."""
-    dx, dy, dz, length, turning = (values[sample] for values in (m.dx, m.dy, m.dz, m.length, m.turning))
-    total, turned, climbs = float(length.sum()), np.abs(turning), np.abs(dz)
-    whole = max(float(turned.sum()), SAME.HEIGHT)
-    double_x = (dx - dy) * (dx + dy) / length
-    double_y = 2 * dx * dy / length
-    four_x = (double_x - double_y) * (double_x + double_y) / length
-    four_y = 2 * double_x * double_y / length
+    length, turned, climbs = sample.length, np.abs(m.turning[sample.chosen]), np.abs(m.dz[sample.chosen])
+    total, whole = float(length.sum()), max(float(turned.sum()), SAME.HEIGHT)
     return {
         "climbs": float(climbs.sum()) / total,
         "level": float(length[climbs <= SAME.HEIGHT * length].sum()) / total,
         "corners": float(turned[turned > WINDINGS.CORNER].sum()) / whole,
         "smooth": float(turned[turned < WINDINGS.CORNER / 2].sum()) / whole,
-        "one_way": float(np.hypot(dx.sum(), dy.sum())) / total,
-        "one_axis": float(np.hypot(double_x.sum(), double_y.sum())) / total,
-        "two_axes": float(np.hypot(four_x.sum(), four_y.sum())) / total,
+        "one_way": float(np.hypot(sample.dx.sum(), sample.dy.sum())) / total,
+        "one_axis": float(np.hypot(sample.double_x.sum(), sample.double_y.sum())) / total,
+        "two_axes": float(np.hypot(sample.four_x.sum(), sample.four_y.sum())) / total,
     }
 
 

@@ -9,7 +9,7 @@ from functools import cached_property
 import numpy as np
 
 from vkworkbench.core.paper import TURN, Areas, axis_of, closing_turns, is_closed, is_one_turn, winding_turns
-from vkworkbench.core.recognition.thresholds import LITTLE, PASSES, SAME, WINDINGS
+from vkworkbench.core.recognition.thresholds import LITTLE, PASSES, PIECES, SAME, WINDINGS
 
 LOOP, WINDING, ZIGZAG, STROKE = range(4)
 
@@ -137,7 +137,27 @@ class _Stretches:
         moves = self.moves
         net = moves.phi[self.end - 1] - moves.phi[self.start]
         closed = is_closed(self.gap, self.enclosed, self.end - self.start)
-        return net + np.where(closed, closing_turns(moves.alpha, self.start, self.end), 0.0), closed
+        at = np.flatnonzero(closed)
+        net[at] += closing_turns(moves.alpha, self.start[at], self.end[at])
+        return net, closed
+
+    def boxes(self) -> np.ndarray:
+        """Return the bounding box of each stretch, lowest x and y, highest x and y, (k, 4) mm."""
+        begin, end = (self.x, self.y), (self.end_x, self.end_y)
+        box = np.array([*map(np.minimum, begin, end), *map(np.maximum, begin, end)])
+        last, most = self.end - 1, int((self.end - self.start).max())
+        if most > PIECES.FEW:
+            for along, low, high in zip((self.moves.x, self.moves.y), box[:2], box[2:]):
+                np.minimum(low, np.minimum.reduceat(along, self.start), out=low)
+                np.maximum(high, np.maximum.reduceat(along, self.start), out=high)
+            return box.T
+        for k in range(1, most):
+            at = np.minimum(self.start + k, last)
+            for along, low, high in zip((self.moves.x, self.moves.y), box[:2], box[2:]):
+                place = along.take(at)
+                np.minimum(low, place, out=low)
+                np.maximum(high, place, out=high)
+        return box.T
 
     def measure(
         self, kind: np.ndarray, area: np.ndarray, net: np.ndarray, passes: np.ndarray, wavy: np.ndarray
@@ -145,17 +165,9 @@ class _Stretches:
         """Return the pieces with all their measures."""
         moves, start = self.moves, self.start
         low, high = np.minimum, np.maximum
-        box = np.column_stack(
-            [
-                low(low.reduceat(moves.x, start), self.end_x),
-                low(low.reduceat(moves.y, start), self.end_y),
-                high(high.reduceat(moves.x, start), self.end_x),
-                high(high.reduceat(moves.y, start), self.end_y),
-            ]
-        )
         last_z = moves.z[self.end - 1]
         first_z = moves.z[start] - moves.dz[start]
-        if len(moves) and not moves.dz.any():
+        if not moves.climbs:
             z, rise = last_z, np.zeros(len(start))
         else:
             middle = moves.z - moves.dz / 2
@@ -171,7 +183,7 @@ class _Stretches:
             net=net,
             back=np.maximum(self.turned - np.abs(net), 0.0),
             enclosed=self.enclosed,
-            box=box,
+            box=self.boxes(),
             z=z,
             last_z=last_z,
             rise=rise,

@@ -96,17 +96,14 @@ def relate_rings(pieces: Pieces, index: np.ndarray, tool: float) -> Rings:
         Tool diameter, mm; 0 where unknown.
     """
     k = len(index)
-    box, z, flat = pieces.box[index], pieces.z[index], pieces.flat[index]
+    sides, z, flat = pieces.box.T.take(index, axis=1), pieces.z[index], pieces.flat[index]
     enclosed, length = np.abs(pieces.enclosed[index]), pieces.length[index]
     sense = np.sign(pieces.net[index])
-    size = np.maximum(box[:, 2] - box[:, 0], box[:, 3] - box[:, 1])
-    sides = np.ascontiguousarray(box.T)
+    size = np.maximum(*(sides[2:] - sides[:2]))
     sides[2:] *= -1
     winding = pieces.kind[index] == WINDING
     wavy = pieces.wavy[index] | (winding & (pieces.back[index] > WINDINGS.WAVERING * TURN))
     slack = np.where(winding, 2.0, 1.0)
-    # The narrower side of the rectangle of the same area and perimeter, however a ring is turned.
-    width = slack * (length / 4 - np.sqrt(np.maximum((length / 4) ** 2 - enclosed, 0)))
     names = ("nested", "opposite", "deeper", "repeated", "moved", "crossing")
     flags = {name: np.zeros(k, bool) for name in names}
     inward = Inward(sides, enclosed, length, slack)
@@ -126,17 +123,18 @@ def relate_rings(pieces: Pieces, index: np.ndarray, tool: float) -> Rings:
         # The sides of an offset move all by the same. Passes of a lattice that wind by chance seldom lie so.
         alike = high - low <= NESTS.EQUAL_SIDES * np.abs(mean) + SAME.PLACE
         even &= ~(wavy[a] & wavy[b]) | alike
-        straddling = ~same_box & (low < 0) & (high > 0)
-        # Trochoids bite into one another; ribs in a row, and the loops around them, stay apart.
-        if straddling.any():
-            centre = (box[:, :2] + box[:, 2:]) / 2
-            straddling &= np.hypot(*(centre[b] - centre[a]).T) < np.minimum(width[a], width[b])
+        moved = beside & ~same_box & (low < 0) & (high > 0)
+        if moved.any():
+            # Trochoids bite into one another; ribs in a row, and the loops around them, stay apart.
+            centre, width = (sides[:2] - sides[2:]) / 2, _widths(length, enclosed, slack)
+            moved &= np.hypot(*(centre[:, b] - centre[:, a])) < np.minimum(width[a], width[b])
+            moved &= (np.abs(mean) < TROCHOIDS.SWAY * (high - low)) & (high - low < TROCHOIDS.STEP * smaller)
+            moved &= smaller > TROCHOIDS.SIZE * larger
         found = {
             "nested": even & beside,
             "deeper": ~same_box & ~beside & (low > -smaller),
             "repeated": same_box & same_area & ~same_height,
-            "moved": beside & straddling & (np.abs(mean) < TROCHOIDS.SWAY * (high - low))
-            & (high - low < TROCHOIDS.STEP * smaller) & (smaller > TROCHOIDS.SIZE * larger),
+            "moved": moved,
             "crossing": same_height & same_box & ~same_area,
         }  # fmt: skip
         if lag == 1:
@@ -168,7 +166,7 @@ def relate_rings(pieces: Pieces, index: np.ndarray, tool: float) -> Rings:
         sloped=_sloped(pieces, index),
         back=pieces.back[index],
         step=middle(nearest[flags["nested"]]) if len(steps) else np.nan,
-        growing=float((steps < 0).mean()) if len(steps) else np.nan,
+        growing=np.count_nonzero(steps < 0) / len(steps) if len(steps) else np.nan,
         distinct=distinct,
         depths=depths,
         depth_range=float(np.ptp(z)) if k else 0.0,
@@ -177,10 +175,18 @@ def relate_rings(pieces: Pieces, index: np.ndarray, tool: float) -> Rings:
     )
 
 
+def _widths(length: np.ndarray, enclosed: np.ndarray, slack: np.ndarray) -> np.ndarray:
+    """Return the narrower side of the rectangle of the same area and perimeter, however a ring is turned, (k,) mm."""
+    result: np.ndarray = slack * (length / 4 - np.sqrt(np.maximum((length / 4) ** 2 - enclosed, 0)))
+    return result
+
+
 def _go_on(turns: np.ndarray, mean: np.ndarray) -> np.ndarray:
     """Tell which turns go on to a third ring: an outline and the hole in it are cut in opposite senses, too."""
     onward = turns[1:] & turns[:-1] & (mean[1:] * mean[:-1] > 0)
-    result: np.ndarray = np.append(onward, False) | np.append(False, onward)
+    result = np.zeros(len(turns), bool)
+    result[:-1] |= onward
+    result[1:] |= onward
     return result
 
 

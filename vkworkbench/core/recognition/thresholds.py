@@ -65,6 +65,14 @@ class ENTRY:
     LEADS = 0.25
 
 
+class PIECES:
+    """How pieces are measured."""
+
+    #: moves. Where no piece has more, boxes are measured move by move: numpy takes as long to begin a piece as for so
+    #: many moves. At 0 squares take longer; larger: nothing is gained. No result depends on it.
+    FEW = 8
+
+
 class PASSES:
     """Back and forth, or around."""
 
