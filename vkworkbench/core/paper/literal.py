@@ -71,7 +71,8 @@ def paper_verdict(areas: Areas) -> PaperVerdict | None:
     elif reached <= np.pi + TURNS.EXACT:
         strategy = Strategy.ZIGZAG
     theta = found.theta
-    turned, image = np.zeros((2, len(theta)))
+    turned, image = np.empty((2, len(theta)))
+    turned[0] = 0.0
     turns(theta, out=turned[1:], scratch=image[1:])
     np.cumsum(turned, out=image)
     net, both_ways = float(image[-1]), float(np.abs(turned, out=turned).sum())
