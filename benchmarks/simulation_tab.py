@@ -35,7 +35,7 @@ from inside_freecad import run_and_leave
 from make_example import make_example
 
 from vkworkbench import freecad
-from vkworkbench.core.zbuffer import JobEstimate
+from vkworkbench.core.zbuffer import Estimate
 from vkworkbench.document.simulated_job import read_job
 from vkworkbench.gui.simulation.command import open_tab
 from vkworkbench.gui.simulation.state_line import StateLine
@@ -172,7 +172,7 @@ class Waiting:
 
 def tab(document):
     """Simulate toolpaths."""
-    told: list[JobEstimate] = []
+    told: list[Estimate] = []
     show = StateLine.show_expected
     StateLine.show_expected = lambda line, cost: (told.append(cost), show(line, cost))
     alone = held(document)

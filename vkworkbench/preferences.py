@@ -101,6 +101,12 @@ class Preferences:
 
         return own_simulator()
 
+    @cached_property
+    def simulators(self) -> tuple[str, ...]:
+        """Names of the simulators whose costs are seen, in marks and in columns of the results."""
+        columns = [key.split(" ")[0] for key in self.result_columns.split(",")]
+        return self.simulator, *(name for name in _simulators() if name in columns and name != self.simulator)
+
     @property
     def memory_budget_bytes(self) -> float:
         return self.memory_budget * 1e6

@@ -83,6 +83,10 @@
         <source>Simulating it in the {simulator}: at least {time}, {memory}</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Simulating it alone in the {simulator}: {time}, {memory}</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>QObject</name>
@@ -1394,15 +1398,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Time to simulate it in an extended z-buffer</source>
-        <extracomment>The paper&apos;s; its columns in CSV and JSON have no prefix.</extracomment>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Memory to simulate it in an extended z-buffer</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Time of FreeCAD&apos;s OpenGL simulator at its highest speed</source>
         <extracomment>FreeCAD&apos;s newer one, which draws the cuts of all operations before with every operation.</extracomment>
         <translation type="unfinished"></translation>
@@ -1633,6 +1628,15 @@ memory</source>
     <message>
         <source>Simulation time
 at most</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Time to simulate it in an extended z-buffer: an operation alone, on the whole stock; a job one operation after another, each on what is left</source>
+        <extracomment>The paper&apos;s; its columns in CSV and JSON have no prefix.</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Memory to simulate it in an extended z-buffer: of an operation alone, with the whole stock; of a job with the stock once</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

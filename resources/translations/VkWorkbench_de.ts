@@ -83,6 +83,10 @@
         <source>Simulating it in the {simulator}: at least {time}, {memory}</source>
         <translation>Simulieren mit „{simulator}“: mindestens {time}, {memory}</translation>
     </message>
+    <message>
+        <source>Simulating it alone in the {simulator}: {time}, {memory}</source>
+        <translation>Allein simulieren mit „{simulator}“: {time}, {memory}</translation>
+    </message>
 </context>
 <context>
     <name>QObject</name>
@@ -1394,15 +1398,6 @@
         <translation>Länge der schneidenden Bewegungen</translation>
     </message>
     <message>
-        <source>Time to simulate it in an extended z-buffer</source>
-        <extracomment>The paper&apos;s; its columns in CSV and JSON have no prefix.</extracomment>
-        <translation>Zeit, sie in einem erweiterten Z-Buffer zu simulieren</translation>
-    </message>
-    <message>
-        <source>Memory to simulate it in an extended z-buffer</source>
-        <translation>Speicher, um sie in einem erweiterten Z-Buffer zu simulieren</translation>
-    </message>
-    <message>
         <source>Time of FreeCAD&apos;s OpenGL simulator at its highest speed</source>
         <extracomment>FreeCAD&apos;s newer one, which draws the cuts of all operations before with every operation.</extracomment>
         <translation>Zeit des OpenGL-Simulators von FreeCAD bei höchster Geschwindigkeit</translation>
@@ -1641,6 +1636,15 @@ Speicher</translation>
 at most</source>
         <translation>Simulationszeit
 höchstens</translation>
+    </message>
+    <message>
+        <source>Time to simulate it in an extended z-buffer: an operation alone, on the whole stock; a job one operation after another, each on what is left</source>
+        <extracomment>The paper&apos;s; its columns in CSV and JSON have no prefix.</extracomment>
+        <translation>Zeit der Simulation in einem erweiterten Z-Buffer: eine Operation allein, am ganzen Rohteil; ein Auftrag eine Operation nach der anderen, jede an dem, was noch da ist</translation>
+    </message>
+    <message>
+        <source>Memory to simulate it in an extended z-buffer: of an operation alone, with the whole stock; of a job with the stock once</source>
+        <translation>Speicher der Simulation in einem erweiterten Z-Buffer: einer Operation allein, mit dem ganzen Rohteil; eines Auftrags mit dem Rohteil nur einmal</translation>
     </message>
 </context>
 <context>

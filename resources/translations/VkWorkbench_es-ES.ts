@@ -83,6 +83,10 @@
         <source>Simulating it in the {simulator}: at least {time}, {memory}</source>
         <translation>Simulación en el {simulator}: al menos {time}, {memory}</translation>
     </message>
+    <message>
+        <source>Simulating it alone in the {simulator}: {time}, {memory}</source>
+        <translation>Simulación por sí sola en el {simulator}: {time}, {memory}</translation>
+    </message>
 </context>
 <context>
     <name>QObject</name>
@@ -1394,15 +1398,6 @@
         <translation>Longitud de los movimientos de corte</translation>
     </message>
     <message>
-        <source>Time to simulate it in an extended z-buffer</source>
-        <extracomment>The paper&apos;s; its columns in CSV and JSON have no prefix.</extracomment>
-        <translation>Tiempo para simularla en un z-buffer extendido</translation>
-    </message>
-    <message>
-        <source>Memory to simulate it in an extended z-buffer</source>
-        <translation>Memoria para simularla en un z-buffer extendido</translation>
-    </message>
-    <message>
         <source>Time of FreeCAD&apos;s OpenGL simulator at its highest speed</source>
         <extracomment>FreeCAD&apos;s newer one, which draws the cuts of all operations before with every operation.</extracomment>
         <translation>Tiempo del simulador OpenGL de FreeCAD a su mayor velocidad</translation>
@@ -1641,6 +1636,15 @@ memoria</translation>
 at most</source>
         <translation>Tiempo de simulación
 como mucho</translation>
+    </message>
+    <message>
+        <source>Time to simulate it in an extended z-buffer: an operation alone, on the whole stock; a job one operation after another, each on what is left</source>
+        <extracomment>The paper&apos;s; its columns in CSV and JSON have no prefix.</extracomment>
+        <translation>Tiempo de simulación en un z-buffer extendido: una operación sola, con el material en bruto entero; un trabajo operación tras operación, cada una con lo que queda</translation>
+    </message>
+    <message>
+        <source>Memory to simulate it in an extended z-buffer: of an operation alone, with the whole stock; of a job with the stock once</source>
+        <translation>Memoria de simulación en un z-buffer extendido: de una operación sola, con el material en bruto entero; de un trabajo con el material en bruto una sola vez</translation>
     </message>
 </context>
 <context>

@@ -83,6 +83,10 @@
         <source>Simulating it in the {simulator}: at least {time}, {memory}</source>
         <translation>Simulation dans le {simulator} : au moins {time}, {memory}</translation>
     </message>
+    <message>
+        <source>Simulating it alone in the {simulator}: {time}, {memory}</source>
+        <translation>Simulation de l&apos;opération seule dans le {simulator} : {time}, {memory}</translation>
+    </message>
 </context>
 <context>
     <name>QObject</name>
@@ -1394,15 +1398,6 @@
         <translation>Longueur des mouvements d&apos;usinage</translation>
     </message>
     <message>
-        <source>Time to simulate it in an extended z-buffer</source>
-        <extracomment>The paper&apos;s; its columns in CSV and JSON have no prefix.</extracomment>
-        <translation>Temps de sa simulation dans un z-buffer étendu</translation>
-    </message>
-    <message>
-        <source>Memory to simulate it in an extended z-buffer</source>
-        <translation>Mémoire de sa simulation dans un z-buffer étendu</translation>
-    </message>
-    <message>
         <source>Time of FreeCAD&apos;s OpenGL simulator at its highest speed</source>
         <extracomment>FreeCAD&apos;s newer one, which draws the cuts of all operations before with every operation.</extracomment>
         <translation>Temps du simulateur OpenGL de FreeCAD à sa plus grande vitesse</translation>
@@ -1641,6 +1636,15 @@ mémoire</translation>
 at most</source>
         <translation>Temps de simulation
 au plus</translation>
+    </message>
+    <message>
+        <source>Time to simulate it in an extended z-buffer: an operation alone, on the whole stock; a job one operation after another, each on what is left</source>
+        <extracomment>The paper&apos;s; its columns in CSV and JSON have no prefix.</extracomment>
+        <translation>Temps de simulation dans un z-buffer étendu : une opération seule, sur le brut entier ; une tâche opération après opération, chacune sur ce qui reste</translation>
+    </message>
+    <message>
+        <source>Memory to simulate it in an extended z-buffer: of an operation alone, with the whole stock; of a job with the stock once</source>
+        <translation>Mémoire de simulation dans un z-buffer étendu : d&apos;une opération seule, avec le brut entier ; d&apos;une tâche avec le brut une seule fois</translation>
     </message>
 </context>
 <context>

@@ -83,6 +83,10 @@
         <source>Simulating it in the {simulator}: at least {time}, {memory}</source>
         <translation>在 {simulator} 中模拟：至少 {time}，{memory}</translation>
     </message>
+    <message>
+        <source>Simulating it alone in the {simulator}: {time}, {memory}</source>
+        <translation>在 {simulator} 中单独模拟：{time}，{memory}</translation>
+    </message>
 </context>
 <context>
     <name>QObject</name>
@@ -1394,15 +1398,6 @@
         <translation>切削移动的长度</translation>
     </message>
     <message>
-        <source>Time to simulate it in an extended z-buffer</source>
-        <extracomment>The paper&apos;s; its columns in CSV and JSON have no prefix.</extracomment>
-        <translation>在扩展 Z 缓冲中模拟所需的时间</translation>
-    </message>
-    <message>
-        <source>Memory to simulate it in an extended z-buffer</source>
-        <translation>在扩展 Z 缓冲中模拟所需的内存</translation>
-    </message>
-    <message>
         <source>Time of FreeCAD&apos;s OpenGL simulator at its highest speed</source>
         <extracomment>FreeCAD&apos;s newer one, which draws the cuts of all operations before with every operation.</extracomment>
         <translation>FreeCAD OpenGL 模拟器以最高速度所需的时间</translation>
@@ -1641,6 +1636,15 @@ memory</source>
 at most</source>
         <translation>仿真时间
 最长</translation>
+    </message>
+    <message>
+        <source>Time to simulate it in an extended z-buffer: an operation alone, on the whole stock; a job one operation after another, each on what is left</source>
+        <extracomment>The paper&apos;s; its columns in CSV and JSON have no prefix.</extracomment>
+        <translation>在扩展 Z 缓冲中模拟所需的时间：单个工序按完整毛坯单独计算；作业按工序依次进行，每道工序只加工剩余材料</translation>
+    </message>
+    <message>
+        <source>Memory to simulate it in an extended z-buffer: of an operation alone, with the whole stock; of a job with the stock once</source>
+        <translation>在扩展 Z 缓冲中模拟所需的内存：单个工序包含完整毛坯；作业中毛坯只计一次</translation>
     </message>
 </context>
 <context>

@@ -51,7 +51,7 @@ def test_a_dressed_up_operation_is_not_counted_again(report):
     assert counted.pop("Cut out") is False and all(counted.values())
     (total,) = report.totals
     assert total.operations == len(counted) and not total.incomplete
-    assert total.seconds == pytest.approx(sum(o.estimate.seconds for o in report.operations if o.counted))
+    assert total.seconds < sum(o.estimate.seconds for o in report.operations if o.counted)
     assert total.length == pytest.approx(sum(o.length for o in report.operations if o.counted))
 
 

@@ -544,6 +544,41 @@ def test_the_simulation_time_is_that_of_the_marks(panel, opened, window):
         window.idle()
 
 
+def test_the_total_of_the_z_buffer_is_one_number(opened, window, tmp_path):
+    """That of one z-buffer, in report, tree, panel and page, also where the document was opened with its marks."""
+    results, again = None, None
+    preferences.write(mark_simulator="z-buffer")
+    try:
+        window.click("Analyze toolpaths")
+        window.wait(lambda: dock(window) is not None and dock(window).isVisible())
+        results = dock(window)
+        report = vkworkbench.analyze(opened)
+        (total,) = report.totals
+        told = user().estimated_time(total.seconds, total.factor("z-buffer"))
+        assert total.seconds < sum(o.estimate.seconds for o in report.operations if o.counted)
+        assert marks.read(opened.getObject("Job")).cost("z-buffer") == total.cost("z-buffer")
+        click_row(window, results, "Job")
+        title = f"{user().simulator('z-buffer')} memory"
+        memory = column(results, title)["Job"]
+        assert column(results, "Simulation time")["Job"] == told and told in text_of(results)
+        assert memory == user().memory(total.memory_bytes)
+        again = tmp_path / "again.FCStd"
+        opened.saveCopy(str(again))
+        again = FreeCAD.openDocument(str(again))
+        window.wait(lambda: FreeCAD.ActiveDocument.Name == again.Name and len(labels(results)) > 3)
+        window.idle()
+        assert column(results, "Simulation time")["Job"] == told
+        assert column(results, title)["Job"] == memory
+    finally:
+        preferences.write(mark_simulator="own")
+        if again is not None:
+            FreeCAD.closeDocument(again.Name)
+            FreeCAD.setActiveDocument(opened.Name)
+        if results is not None:
+            results.hide()
+        window.idle()
+
+
 def test_what_is_cleared_is_not_shown(panel, opened, window):
     window.click("Clear analysis")
     window.wait(lambda: labels(panel) == [])

@@ -209,7 +209,7 @@ def test_tooltip_tells_why_and_how_much(marked, window):
         and f"{user().time(known.machining_seconds)}, {user().length(known.length)} of cutting" in text
     )
     for name in freecad.own_simulators():
-        assert f"Simulating it in the {freecad.simulator_title(name)}: " in text
+        assert f"Simulating it alone in the {freecad.simulator_title(name)}: " in text
     window.screenshot("pill-tooltip")
     obj.ToolpathMark = as_json(replace(known, remarks=(Message("verbatim", text="a <b>&c remark"),)))
     assert "a &lt;b&gt;&amp;c remark" in tooltip(window, "Face")

@@ -15,9 +15,9 @@ import FreeCAD
 from vkworkbench import freecad, preferences
 from vkworkbench.core import Solid, Strategy, Tool, linearize, machining, recognize, stock_around
 from vkworkbench.core.gcode import Words, in_seconds, used_up
-from vkworkbench.core.simulators import ZBUFFER, Conditions, Task, predict, preflight
+from vkworkbench.core.simulators import ZBUFFER, Conditions, Task, predict, preflight, together
 from vkworkbench.core.zbuffer import cuts_surely, may_cut
-from vkworkbench.document import calibration, garbage
+from vkworkbench.document import calibration, garbage, session
 from vkworkbench.document.fingerprint import (
     AT_ONCE,
     fingerprint_of,
@@ -90,8 +90,10 @@ def analyze(
 
     operations = find(what)
     chosen = preferences.read()
-    jobs = {(o.job.Document.Name, o.job.Name): o.job.Label for o in operations if o.job is not None}
-    fixtures = {(o.job.Document.Name, o.job.Name): fixtures_of(o.job) for o in operations if o.job is not None}
+    of_jobs = {(o.job.Document.Name, o.job.Name): o.job for o in operations if o.job is not None}
+    jobs = {key: job.Label for key, job in of_jobs.items()}
+    fixtures = {key: fixtures_of(job) for key, job in of_jobs.items()}
+    posted = [[(o.object.Document.Name, o.object.Name) for o in find(job) if o.counted] for job in of_jobs.values()]
     labels = [o.object.Label for o in operations]
     conditions = Conditions(
         version=freecad.version(),
@@ -117,7 +119,23 @@ def analyze(
             row = _patiently(lambda going_on, reading=reading: _row(reading, chosen, conditions, going_on), cancelled)
             reports.append(row)
             PATH_PRINTS.end((row.document, row.name), token, path_and_setting(row.fingerprint)[0])
+    known = session.rows_with(reports)
+    wholes = [[known[key] for key in of_job if key in known] for of_job in posted]
+    _patiently(lambda going_on: _estimate_shown(reports, wholes, chosen.simulators, going_on), cancelled)
     return Report(tuple(reports), jobs, chosen.budget, fixtures)
+
+
+def _estimate_shown(
+    rows: list[OperationReport], wholes: list[list[OperationReport]], simulators: tuple[str, ...], going_on: Callable
+) -> None:
+    """Compute what is seen of operations and jobs, which is computed when it is asked for: a window would wait."""
+    of_jobs = [
+        together([o.costs for o in whole], labels=[o.label for o in whole], stepover=None)[0] for whole in wholes
+    ]
+    for costs in (*(row.costs for row in rows), *of_jobs):
+        for simulator in simulators:
+            going_on()
+            costs.get(simulator)
 
 
 @dataclass(frozen=True)

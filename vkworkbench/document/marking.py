@@ -9,7 +9,7 @@ from contextlib import contextmanager, nullcontext
 import FreeCAD
 
 from vkworkbench import preferences
-from vkworkbench.document import marks
+from vkworkbench.document import marks, session
 from vkworkbench.document.fingerprint import Settings, path_and_setting, path_fingerprint
 from vkworkbench.document.operations import find, is_document, is_object, kind
 from vkworkbench.report import OperationReport, Report
@@ -53,6 +53,7 @@ def mark(report: Report, *, undo_step: bool = True) -> int:
 
 def _mark(document, operations: list[OperationReport]) -> int:
     chosen, settings = preferences.read(), Settings()
+    session.remember(operations)
     marked = set()
     for operation in operations:
         obj = document.getObject(operation.name)

@@ -13,8 +13,8 @@ from dataclasses import replace
 
 from vkworkbench import preferences
 from vkworkbench.core import Strategy
-from vkworkbench.core.simulators import SIMULATORS, cost_from_data
-from vkworkbench.document import mark_properties, record
+from vkworkbench.core.simulators import SIMULATORS, ZBUFFER, cost_from_data
+from vkworkbench.document import mark_properties, record, session
 from vkworkbench.document.fingerprint import path_and_setting, path_fingerprint
 from vkworkbench.document.intent import contradicted
 from vkworkbench.document.mark_text import CLOSING, OPENING, OUTDATED, PLAY, SEPARATOR, text_of
@@ -73,9 +73,10 @@ def _segments(obj) -> Iterator[tuple[int, int]]:
     if not (mark_properties.may_have_mark(obj) or is_marked(obj)):
         return
     written, own = mark_properties.text_written(obj), mark_properties.own_brackets(obj)
-    for found in _BRACKETS.finditer(obj.Label2):
-        if found.group(1) == written or (_LIKE_A_MARK.fullmatch(found.group(1)) and found.group(1) not in own):
-            yield found.span()
+    for bracket in _BRACKETS.finditer(obj.Label2):
+        text = bracket.group(1)
+        if text == written or (_LIKE_A_MARK.fullmatch(text) and text not in own):
+            yield bracket.span()
 
 
 def _of_the_version_before(obj) -> Record | None:
@@ -106,22 +107,35 @@ def _of_the_version_before(obj) -> Record | None:
 
 def write(obj, report: OperationReport, chosen: Preferences, *, outdated: bool = False) -> None:
     """Write what was found on an operation, and say of it what the preferences ask for."""
-    found = record.of_operation(report, chosen.simulator)
-    _keep(obj, replace(found, called=contradicted(obj, report.recognition), outdated=outdated), chosen, anew=True)
+    made = record.of_operation(report, chosen.simulator)
+    _keep(obj, replace(made, called=contradicted(obj, report.recognition), outdated=outdated), chosen, anew=True)
 
 
 def write_total(job, chosen: Preferences) -> None:
-    """Mark a job with the sum over its operations' marks; a job with an unmarked operation has none."""
+    """Mark a job with the total of its operations' marks; a job with an unmarked operation has none."""
     operations = [o.object for o in find(job) if o.counted]
     parts = [read(obj) for obj in operations]
     if not parts or None in parts:
         if is_marked(job):
             erase(job)
         return
-    total = total_of(job.Document.Name, job.Name, job.Label, parts, None, fixtures_of(job))
-    fingerprint = _total_fingerprint(parts)
-    found = record.of_total(total, parts, fingerprint)
-    _keep(job, replace(found, outdated=any(part.outdated for part in parts)), chosen, anew=True)
+    known = list(map(_with_estimate, operations, parts))
+    total = total_of(job.Document.Name, job.Name, job.Label, known, None, fixtures_of(job))
+    made = record.of_total(total, parts, _total_fingerprint(parts))
+    _keep(job, replace(made, outdated=any(part.outdated for part in parts)), chosen, anew=True)
+
+
+def _with_estimate(obj, part: Record) -> Record:
+    """Return what a mark says, its z-buffer's cost with what a job's is estimated from, where this session has that."""
+    row = session.row_of(obj, part.fingerprint) if ZBUFFER.name in part.costs else None
+    return replace(part, costs={**part.costs, ZBUFFER.name: row.estimate}) if row and row.estimate else part
+
+
+def read_total(job) -> Record | None:
+    """Return what a job's mark says of the operations that it has now; None where it speaks of others."""
+    known = read(job)
+    parts = [read(o.object) for o in find(job) if o.counted] if known else []
+    return known if known and known.fingerprint == _total_fingerprint(parts) else None
 
 
 def _total_fingerprint(parts: list[Record | None]) -> str:
@@ -190,7 +204,7 @@ def _keep(obj, known: Record, chosen: Preferences, *, anew: bool = False) -> Non
     }
     shown = mark_properties.may_show(obj, values)
     values = {name: value for name, value in values.items() if value is not None and name in shown}
-    own = [found.group(1) for found in _BRACKETS.finditer(obj.Label2) if found.span() not in spans]
+    own = [bracket.group(1) for bracket in _BRACKETS.finditer(obj.Label2) if bracket.span() not in spans]
     mark_properties.set_values(obj, {mark_properties.MARK: record.as_json(known, values, own), **values})
     if spans or anew:
         _describe(obj, spans, f"{OPENING}{known.text}{CLOSING}")

@@ -7,7 +7,7 @@ import FreeCAD
 import FreeCADGui as Gui
 
 import vkworkbench
-from vkworkbench.gui import latest, panel_command, pills, progress, tree
+from vkworkbench.gui import panel_command, pills, progress, tree
 from vkworkbench.gui.plain_text import tell
 from vkworkbench.gui.selection import selected_operations
 from vkworkbench.gui.sentences import plural
@@ -54,7 +54,6 @@ class AnalyzeCommand:
             return
         mark(report)
         _show_marks()
-        latest.remember(report)
         panel_command.show()
         wrong = sum(o.to_be_known for o in report.operations)
         one, more = (

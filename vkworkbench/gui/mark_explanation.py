@@ -64,7 +64,9 @@ def _simulation(record: Record, name: str) -> str:
         if factor < ROUGH
         else reader.between(reader.time(seconds / factor, factor), reader.time(seconds * factor, factor))
     )
-    text = translate("Pills", "Simulating it in the {simulator}: {time}, {memory}")
+    text = translate("Pills", "Simulating it alone in the {simulator}: {time}, {memory}")
+    if record.strategy is None:
+        text = translate("Pills", "Simulating it in the {simulator}: {time}, {memory}")
     if record.incomplete:
         text = translate("Pills", "Simulating it in the {simulator}: at least {time}, {memory}")
     return text.format(simulator=reader.simulator(name), time=time, memory=reader.memory(memory))

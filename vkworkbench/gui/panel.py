@@ -7,6 +7,7 @@ import FreeCAD
 import FreeCADGui as Gui
 
 from vkworkbench import preferences
+from vkworkbench.document import session
 from vkworkbench.document.mark_properties import MARK
 from vkworkbench.gui import colors, docks, latest, progress
 from vkworkbench.gui.frozen_tree import FrozenTree
@@ -287,7 +288,7 @@ class ResultsDock(QDockWidget):
                 report = progress.analyze(FreeCAD.ActiveDocument)
             except Cancelled:
                 return
-            latest.remember(report)
+            session.remember(report.operations)
             self.refresh()
         save(report, FreeCAD.ActiveDocument, ending, self)
 

@@ -9,6 +9,7 @@ from dataclasses import dataclass, replace
 
 from vkworkbench import preferences
 from vkworkbench.core import Strategy
+from vkworkbench.document import marks
 from vkworkbench.document.operations import find, fixtures_of
 from vkworkbench.document.record import Record
 from vkworkbench.gui.latest import Finding
@@ -99,6 +100,9 @@ def _job(job, findings: list[Finding]) -> Row:
     numbers = [finding.report or finding.mark for finding in counted]
     total = total_of(job.Document.Name, job.Name, job.Label, numbers, budget, fixtures_of(job))
     posted = Counter(o.job.Name for o in find(job.Document) if o.counted and o.job is not None)[job.Name]
+    if budget is None and len(counted) == posted:
+        mark = marks.read_total(job)  # it was written when more was known
+        total = replace(total, costs={**total.costs, **mark.costs}) if mark else total
     outdated = any(finding.mark.outdated for finding in counted)
     rows = tuple(map(_operation, findings))
     row = Row(total, job.Name, job.Label, outdated=outdated, posted=posted, rows=rows)

@@ -11,7 +11,6 @@ from vkworkbench.core.simulators import legacy, legacy_cautions, legacy_panel, o
 from vkworkbench.core.simulators.accuracy import best_accuracy
 from vkworkbench.core.simulators.on_demand import OnDemand
 from vkworkbench.core.simulators.simulator import Advice, Conditions, Cost, Simulator, Task
-from vkworkbench.core.zbuffer import best_resolution
 from vkworkbench.language import QT_TRANSLATE_NOOP, Message
 
 #: The paper's; its columns in CSV and JSON have no prefix.
@@ -32,10 +31,18 @@ ZBUFFER = Simulator(
         "factor": lambda cost: cost.factor,
     },
     factor_column=None,
-    time_tooltip=QT_TRANSLATE_NOOP("Vk_Results", "Time to simulate it in an extended z-buffer"),
-    memory_tooltip=QT_TRANSLATE_NOOP("Vk_Results", "Memory to simulate it in an extended z-buffer"),
+    time_tooltip=QT_TRANSLATE_NOOP(
+        "Vk_Results",
+        "Time to simulate it in an extended z-buffer: an operation alone, on the whole stock; a job one operation after "
+        "another, each on what is left",
+    ),
+    memory_tooltip=QT_TRANSLATE_NOOP(
+        "Vk_Results",
+        "Memory to simulate it in an extended z-buffer: of an operation alone, with the whole stock; of a job with the "
+        "stock once",
+    ),
     advice=Advice(
-        choose=best_resolution,
+        choose=zbuffer.finest_image,
         numbers=lambda chosen: (chosen.view.width, chosen.view.height) if chosen.view else (0, 0),
         form="{} × {}",
         column="resolution",

@@ -5,17 +5,23 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import lru_cache
+from typing import Any
 
 from vkworkbench.core.simulators.simulator import Conditions, Task
-from vkworkbench.core.zbuffer import Estimate, estimate
+from vkworkbench.core.solids import View
+from vkworkbench.core.stocks import Solid, is_same
+from vkworkbench.core.zbuffer import Cut, Estimate, Resolution, Speed, best_resolution, estimate, estimate_job
 from vkworkbench.core.zbuffer import most_bytes as most_bytes_of
 
 NAME = "z-buffer"
+# Jobs whose estimates are kept: a total is asked for anew whenever it is shown.
+_JOBS = 8
 
 
 @dataclass(frozen=True)
 class ZBufferCost:
-    """What one operation takes, as far as it is kept, or several one after another.
+    """What one operation takes, as far as a mark keeps it, or the sum of several.
 
     Attributes
     ----------
@@ -37,8 +43,19 @@ def predict(task: Task, conditions: Conditions) -> Estimate:
     )
 
 
-def together(costs: Sequence[Estimate]) -> ZBufferCost:
-    """Add up the costs of several operations; their one z-buffer holds the stock once."""
+def together(costs: Sequence[Estimate | ZBufferCost]) -> Estimate | ZBufferCost:
+    """Estimate several operations one after another in one z-buffer: it holds the stock once, and each cuts what is left.
+
+    Where some of them are known from marks alone, or have stocks or images of their own, their costs are added up, the
+    stock counted once: what two of them cut counts in both.
+    """
+    if len(costs) == 1:
+        return costs[0]
+    estimates = [cost for cost in costs if isinstance(cost, Estimate)]
+    common = _common_stock(estimates) if len(estimates) == len(costs) else None
+    if common is not None:
+        cuts = tuple(cut for cost in estimates for cut in cost.cuts)
+        return _of_job(cuts, common, estimates[0].view, estimates[0].speed)
     stock = max(cost.stock_bytes for cost in costs)
     return ZBufferCost(
         sum(cost.seconds for cost in costs),
@@ -46,6 +63,28 @@ def together(costs: Sequence[Estimate]) -> ZBufferCost:
         max(cost.factor for cost in costs),
         stock,
     )
+
+
+def _common_stock(estimates: Sequence[Estimate]) -> Solid | None:
+    """Return the stock of all of them; None where they have not all the same one, in the same image."""
+    first = estimates[0]
+    for other in estimates:
+        if first.stock is None or other.stock is None or not is_same(first.stock, other.stock):
+            return None
+        if (first.view, first.speed) != (other.view, other.speed):
+            return None
+    return first.stock
+
+
+@lru_cache(_JOBS)
+def _of_job(cuts: tuple[Cut, ...], stock: Solid, view: View, speed: Speed) -> Estimate:
+    return estimate_job(cuts, stock=stock, view=view, speed=speed)
+
+
+def finest_image(costs: Sequence[Estimate], **asked: Any) -> Resolution:
+    """Choose the finest image for operations one after another; see `best_resolution`."""
+    whole = together(costs)
+    return best_resolution(costs, whole=whole if isinstance(whole, Estimate) else None, **asked)
 
 
 def most_bytes(task: Task, conditions: Conditions) -> float:

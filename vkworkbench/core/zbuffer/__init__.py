@@ -19,7 +19,7 @@ from vkworkbench.core.zbuffer.deviations import (
     material_left,
     worst_places,
 )
-from vkworkbench.core.zbuffer.estimate import Estimate, Speed, estimate
+from vkworkbench.core.zbuffer.estimate import Estimate, Speed, estimate, estimate_job
 from vkworkbench.core.zbuffer.facts import (
     Crash,
     Plunge,
@@ -32,7 +32,6 @@ from vkworkbench.core.zbuffer.facts import (
     removed_volumes,
     trajectory_table,
 )
-from vkworkbench.core.zbuffer.job_estimate import JobEstimate, estimate_job
 from vkworkbench.core.zbuffer.job_facts import FACT_COLUMNS, CutFacts, JobFacts, facts, removal_over_time
 from vkworkbench.core.zbuffer.memory import OverBudget, memory_needed
 from vkworkbench.core.zbuffer.moments import ZBuffer
@@ -43,7 +42,7 @@ from vkworkbench.core.zbuffer.speed import fit_speed, measure_speed
 
 __all__ = [
     "DEXEL", "FACT_COLUMNS", "RECORD_BYTES", "TRACE", "Crash", "Cut", "CutFacts", "Cuts", "Deviation",
-    "Deviations", "Estimate", "JobEstimate", "JobFacts", "OverBudget", "Plunge", "Resolution", "SeenModel",
+    "Deviations", "Estimate", "JobFacts", "OverBudget", "Plunge", "Resolution", "SeenModel",
     "Source", "Speed", "ZBuffer", "air_share", "best_resolution", "cauchy_crofton", "check_budget",
     "closed_form", "crashes", "cuts_air", "cuts_surely", "deviations", "engagement", "estimate", "estimate_job",
     "facts", "fast_plunges", "fit_speed", "gouges", "heaviest", "material_left", "may_cut", "measure_speed",

@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What an operation's simulation in the extended z-buffer takes, without simulating it."""
+"""What simulating an operation, or a job of several, in the extended z-buffer takes, without simulating it."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from typing import Any
 
 import numpy as np
 
@@ -19,7 +21,7 @@ from vkworkbench.core.zbuffer.removal import Removal
 
 @dataclass(frozen=True)
 class Estimate:
-    """What the simulation of one operation takes.
+    """What the simulation of one operation takes, or of several one after another in one z-buffer.
 
     Attributes
     ----------
@@ -49,6 +51,10 @@ class Estimate:
         Of the whole simulation.
     speed : Speed
         Of the computer that `seconds` holds for.
+    cuts : tuple of Cut
+        What was estimated, so that it can be estimated together with others; it is not sent to another process.
+    stock : Solid or None
+        The uncut stock, likewise.
     """
 
     dexels: float
@@ -64,6 +70,11 @@ class Estimate:
     trajectory_seconds: float
     work: Work
     speed: Speed
+    cuts: tuple[Cut, ...] = field(default=(), compare=False, repr=False)
+    stock: Solid | None = field(default=None, compare=False, repr=False)
+
+    def __getstate__(self) -> dict[str, Any]:
+        return {**vars(self), "cuts": (), "stock": None}
 
     def seconds_in(self, growth: float) -> float:
         """Return the time in an image of `growth` times as many pixels, s."""
@@ -150,31 +161,59 @@ def estimate(
     Estimate
         The same for the same arguments.
     """
-    frame = view.frame(stock)
-    removal = Removal(Cuts([Cut(toolpath, tool)]), stock, frame)
+    words = "toolpath" if recognition is None else str(recognition.strategy)
+    if recognition is not None and recognition.stepover is not None:
+        words += f", stepover {recognition.stepover:.3g} mm"
+    return _estimated((Cut(toolpath, tool),), stock, view, speed, words)
+
+
+def estimate_job(cuts: Sequence[Cut], *, stock: Solid, view: View, speed: Speed = Speed()) -> Estimate:
+    """Estimate what `simulate_job` takes, from some hundred rays cut by the whole job.
+
+    What an operation takes is what it takes on the stock that those before it left.
+
+    Parameters
+    ----------
+    cuts : sequence of Cut
+        The operations in their order.
+    stock : Solid
+    view : View
+    speed : Speed
+        Of this computer.
+
+    Returns
+    -------
+    Estimate
+        The same for the same arguments.
+    """
+    return _estimated(tuple(cuts), stock, view, speed, "job")
+
+
+def _estimated(cuts: tuple[Cut, ...], stock: Solid, view: View, speed: Speed, words: str) -> Estimate:
+    frame, numbered = view.frame(stock), Cuts(cuts)
+    removal = Removal(numbered, stock, frame)
     counts = count(removal)
-    work = work_of(removal, len(toolpath), counts.dexels + counts.traces)
+    work = work_of(removal, len(numbered), counts.dexels + counts.traces)
     return Estimate(
         counts.dexels,
         counts.traces,
         counts.traces_error,
         counts.memory_bytes,
         speed.seconds(work),
-        _explain(recognition, counts.traces, counts.touched),
+        _explain(words, counts.traces, counts.touched),
         view,
         frame.pixel,
         counts.passes,
         counts.stock_bytes,
-        speed.trajectory * len(toolpath),
+        speed.trajectory * len(numbered),
         work,
         speed,
+        cuts,
+        stock,
     )
 
 
-def _explain(recognition: Recognition | None, traces: float, touched: float) -> str:
+def _explain(words: str, traces: float, touched: float) -> str:
     if touched == 0:
         return "no trajectory cuts the stock"
-    words = "toolpath" if recognition is None else str(recognition.strategy)
-    if recognition is not None and recognition.stepover is not None:
-        words += f", stepover {recognition.stepover:.3g} mm"
     return f"{words}: each pixel is cut {traces / touched:.1f} times"

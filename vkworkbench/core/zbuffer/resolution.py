@@ -49,6 +49,7 @@ def best_resolution(
     seconds: float | None = None,
     stepover: float | None = None,
     labels: Sequence[str] = (),
+    whole: Estimate | None = None,
 ) -> Resolution:
     """Choose the finest image with which operations are simulated within a budget.
 
@@ -66,6 +67,8 @@ def best_resolution(
         Smallest distance between passes, mm: says whether the image tells the passes apart.
     labels : sequence of str, optional
         What the operations are called: the heaviest is named where no image helps.
+    whole : Estimate, optional
+        What they take together; without it the sum of theirs, the stock counted once.
 
     Returns
     -------
@@ -81,6 +84,7 @@ def best_resolution(
         raise ValueError("there is no operation to choose an image for")
     check_budget(*budgets)
     view, pixel = estimates[0].view, estimates[0].pixel
+    each, estimates = estimates, estimates if whole is None else [whole]
     memory = max(e.stock_bytes for e in estimates) + sum(e.memory_bytes - e.stock_bytes for e in estimates)
     fixed = sum(e.trajectory_seconds for e in estimates)
     pixels = view.width * view.height
@@ -96,7 +100,7 @@ def best_resolution(
     if growth * pixels < 1:
         why = Message("no-image")
         if limit == "time":
-            named = heaviest(labels, [e.seconds for e in estimates])
+            named = heaviest(labels, [e.seconds for e in each])
             why = Message("no-image-in-time", time=fixed, heaviest=named)
         return Resolution(None, memory / pixels, _seconds(estimates, 1 / pixels), why)
     width = max(1, int(view.width * sqrt(growth)))

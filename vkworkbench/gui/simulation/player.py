@@ -11,7 +11,7 @@ import numpy as np
 from vkworkbench import preferences
 from vkworkbench.core import Frame, Strategy
 from vkworkbench.core.rendering import Scene, direction_of
-from vkworkbench.core.zbuffer import JobEstimate
+from vkworkbench.core.zbuffer import Estimate
 from vkworkbench.document.calibration import known_speed
 from vkworkbench.document.simulated_job import SimulatedJob
 from vkworkbench.document.simulation import Simulation
@@ -165,8 +165,8 @@ class Player(QWidget):
     def _ended(self, error: Exception | None) -> None:
         self.state.show_end(self.job.remarks, error)
 
-    def _take(self, done: JobEstimate | Refined | Told) -> None:
-        if isinstance(done, JobEstimate):
+    def _take(self, done: Estimate | Refined | Told) -> None:
+        if isinstance(done, Estimate):
             self.state.show_expected(done)
             return
         if self.simulation is None:  # the part comes before the strategies

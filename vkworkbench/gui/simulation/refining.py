@@ -15,7 +15,7 @@ from vkworkbench.core import View
 from vkworkbench.core.zbuffer import (
     Crash,
     Deviations,
-    JobEstimate,
+    Estimate,
     OverBudget,
     Plunge,
     SeenModel,
@@ -133,7 +133,7 @@ class Refining:
         seconds, memory = self._course.expected(self._largest)
         return max(seconds - (time.perf_counter() - self._stage), 0.1), memory
 
-    def __call__(self, going_on: Callable[[], None]) -> Iterator[JobEstimate | Refined | Told]:
+    def __call__(self, going_on: Callable[[], None]) -> Iterator[Estimate | Refined | Told]:
         """Yield what the finest picture will cost, where nothing is seen, the pictures, the coarsest first, and what each tells.
 
         Raises

@@ -7,7 +7,7 @@ import traceback
 
 import FreeCAD
 
-from vkworkbench.core.zbuffer import JobEstimate
+from vkworkbench.core.zbuffer import Estimate
 from vkworkbench.gui.plain_text import as_html
 from vkworkbench.gui.qt import QLabel, QSizePolicy, Qt, QWidget
 from vkworkbench.gui.sentences import said, user
@@ -25,7 +25,7 @@ class StateLine(QLabel):
         self.setSizePolicy(QSizePolicy.Ignored, QSizePolicy.Preferred)
         self._shown = self._expected = ""
 
-    def show_expected(self, cost: JobEstimate) -> None:
+    def show_expected(self, cost: Estimate) -> None:
         """Say what the finest picture will cost, before it is begun."""
         self._expected = translate("Vk_Simulate", "finest picture in about {}, {}").format(
             user().time(cost.seconds), user().memory(cost.memory_bytes)

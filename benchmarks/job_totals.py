@@ -1,0 +1,138 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What simulating a job in the extended z-buffer takes: the total that is told, and what it took.
+
+    freecadcmd "$PWD/benchmarks/job_totals.py"
+
+The example job and random jobs: operations of the toolpaths of toolpaths/synthetic.py, in a box around all of them. Beside
+the truth stand the total and the sum of the operations, each estimated alone, which a total was before; errors are ratios,
+the larger over the smaller. Then how long analyses take, processor time, the best of three.
+"""
+
+from __future__ import annotations
+
+import os
+import sys
+import tempfile
+import time
+from pathlib import Path
+
+import numpy as np
+
+ROOT = Path(__file__).resolve().parent.parent
+sys.path[:0] = [str(ROOT), str(ROOT / "examples")]
+
+from make_example import make_example
+
+import vkworkbench
+from toolpaths.synthetic import SAMPLES
+from vkworkbench.core import Cut, Stock, Tool, View, estimate, simulate_job
+from vkworkbench.core.gcode import linearize
+from vkworkbench.core.simulators import zbuffer
+from vkworkbench.core.zbuffer import Speed, measure_speed
+from vkworkbench.document.known import KNOWN
+from vkworkbench.document.simulated_job import read_job
+
+JOBS, RUNS = 20, 3
+DIRECTIONS = {"from above": (0, 0, -1), "from (1, 1, -1)": (1, 1, -1)}
+# FreeCAD writes its progress to the standard output.
+OUT = os.fdopen(os.dup(1), "w")
+os.dup2(os.open(os.devnull, os.O_WRONLY), 1)
+
+
+def main() -> None:
+    speed = Speed(*np.mean([measure_speed().constants for _ in range(3)], axis=0))
+    with tempfile.TemporaryDirectory() as folder:
+        document = make_example(Path(folder) / "example.FCStd")
+        job = read_job(document)
+        jobs = list(random_jobs(np.random.default_rng(15)))
+        for name, direction in DIRECTIONS.items():
+            print(f"\n{name}                  true      total         sum of each alone", file=OUT)
+            told(job.cuts, job.stock, View(direction), speed)
+            rows = [errors(cuts, stock, View(direction, 400, 300), speed) for cuts, stock in jobs]
+            for number, what in enumerate(("traces", "memory")):
+                total, alone = np.array([row[number] for row in rows]).T
+                print(
+                    f"{len(rows)} random jobs, {what}: total {spread(total)}, sum {spread(alone)}", file=OUT, flush=True
+                )
+        analyses(document)
+
+
+def told(cuts, stock, view, speed) -> None:
+    """The example job's numbers."""
+    whole, alone = estimates(cuts, stock, view, speed)
+    begin = time.process_time()
+    true = simulate_job(cuts, stock=stock, view=view)
+    seconds = time.process_time() - begin
+    summed = zbuffer.together([zbuffer.ZBufferCost(e.seconds, e.memory_bytes, e.factor, e.stock_bytes) for e in alone])
+    for what, real, total, before in (
+        ("memory, MB", true.memory_bytes / 1e6, whole.memory_bytes / 1e6, summed.memory_bytes / 1e6),
+        ("traces, millions", true.traces / 1e6, whole.traces / 1e6, sum(e.traces for e in alone) / 1e6),
+        ("time, s", seconds, whole.seconds, summed.seconds),
+    ):
+        print(f"  the example job: {what:18}{real:8.2f}{total:11.2f}{before:11.2f}", file=OUT, flush=True)
+
+
+def estimates(cuts, stock, view, speed):
+    """What the job takes, and what its operations take alone."""
+    alone = [estimate(cut.toolpath, None, tool=cut.tool, stock=stock, view=view, speed=speed) for cut in cuts]
+    return zbuffer.together(alone), alone
+
+
+def errors(cuts, stock, view, speed):
+    """Errors of a job's total, and of the sum: of traces and of memory."""
+    whole, alone = estimates(cuts, stock, view, speed)
+    true = simulate_job(cuts, stock=stock, view=view)
+    once = max(e.stock_bytes for e in alone)
+    summed = once + sum(e.memory_bytes - once for e in alone)
+    return (
+        (ratio(whole.traces, true.traces), ratio(sum(e.traces for e in alone), true.traces)),
+        (ratio(whole.memory_bytes, true.memory_bytes), ratio(summed, true.memory_bytes)),
+    )
+
+
+def random_jobs(rng):
+    """Cuts and stock of jobs of two to six operations that lie over each other."""
+    for _ in range(JOBS):
+        cuts = []
+        for number in rng.choice(len(SAMPLES), rng.integers(2, 7)):
+            toolpath = linearize(SAMPLES[number][2](rng))
+            cuts.append(Cut(toolpath, Tool(str(rng.choice(["endmill", "ballend"])), float(rng.choice([4, 6, 10])))))
+        cutting = np.concatenate([cut.toolpath.points[1:][~cut.toolpath.rapid] for cut in cuts])
+        lower, upper = cutting.min(axis=0) - 5, cutting.max(axis=0) + 5
+        lower[2] -= 1
+        upper[2] = max(0.0, lower[2] + 5)
+        yield cuts, Stock(lower, upper)
+
+
+def ratio(one: float, other: float) -> float:
+    return max(one, other) / max(min(one, other), 1e-9)
+
+
+def spread(values) -> str:
+    return f"{np.median(values):.2f} median, {max(values):.2f} worst"
+
+
+def analyses(document) -> None:
+    """How long an analysis of the example takes, without its z-buffer costs, with them, and with the total."""
+    least = [np.inf] * 3
+    for _ in range(RUNS):
+        KNOWN.forget()
+        begin = time.process_time()
+        report = vkworkbench.analyze(document)
+        analysed = time.process_time()
+        for operation in report.operations:
+            operation.cost("z-buffer")
+        alone = time.process_time()
+        report.totals[0].cost("z-buffer")
+        times = analysed - begin, alone - analysed, time.process_time() - alone
+        least = [min(pair) for pair in zip(least, times)]
+    print(
+        "\nthe example job, ms: an analysis {:.0f}, its operations in the z-buffer {:.0f}, its total {:.0f}".format(
+            *(1e3 * seconds for seconds in least)
+        ),
+        file=OUT,
+        flush=True,
+    )
+
+
+main()

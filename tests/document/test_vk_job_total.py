@@ -1,0 +1,128 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The total of a job in the z-buffer is that of one z-buffer, and the same wherever it is told."""
+
+import json
+
+import FreeCAD
+import pytest
+
+import vkworkbench
+from vkworkbench import preferences
+from vkworkbench.core import simulate_job
+from vkworkbench.core.simulators import ZBUFFER
+from vkworkbench.core.zbuffer import estimate_job
+from vkworkbench.document import calibration, marks, session
+from vkworkbench.document.simulated_job import read_job
+
+
+@pytest.fixture
+def shown():
+    preferences.write(mark_simulator=ZBUFFER.name)
+    yield
+    preferences.write(mark_simulator=preferences.OWN)
+
+
+@pytest.fixture
+def twice(small, zigzag_commands, shown):
+    """Two operations that cut the same, and a third."""
+    deeper = [
+        (name, {**words, "Z": 12.0}) if words.get("Z") == 15.0 else (name, words) for name, words in zigzag_commands
+    ]
+    for label, commands in (("First", zigzag_commands), ("Second", zigzag_commands), ("Third", deeper)):
+        small.add(label, commands)
+    return small
+
+
+def summed(report):
+    return sum(o.estimate.seconds for o in report.operations if o.counted)
+
+
+def test_the_total_is_that_of_simulating_the_job(example):
+    (total,) = vkworkbench.analyze(example).totals
+    job, view = read_job(example), preferences.read().view
+    expected = estimate_job(job.cuts, stock=job.stock, view=view, speed=calibration.measured_speed())
+    assert (total.seconds, total.memory_bytes) == (expected.seconds, expected.memory_bytes)
+    true = simulate_job(job.cuts, stock=job.stock, view=view)
+    whole = total.costs[ZBUFFER.name]
+    assert abs(whole.traces - true.traces) <= 2 * whole.traces_error
+    assert total.memory_bytes == pytest.approx(true.memory_bytes, rel=0.1)
+
+
+def test_what_two_operations_cut_counts_once(twice):
+    report = vkworkbench.analyze(twice.document)
+    (total,) = report.totals
+    first, second, third = (o.estimate for o in report.operations)
+    assert second.traces == first.traces
+    assert total.costs[ZBUFFER.name].traces == pytest.approx(first.traces + third.traces, rel=0.05)
+    assert total.memory_bytes < first.memory_bytes + third.memory_bytes - third.stock_bytes + 0.05 * first.memory_bytes
+
+
+def test_report_files_and_mark_say_the_same(twice, tmp_path):
+    report = vkworkbench.analyze(twice.document)
+    vkworkbench.mark(report)
+    (total,) = report.totals
+    assert total.seconds < summed(report)
+    assert marks.read(twice.job).cost(ZBUFFER.name) == total.cost(ZBUFFER.name)
+    report.to_json(tmp_path / "report.json")
+    (told,) = json.loads((tmp_path / "report.json").read_text(encoding="utf-8"))["totals"]
+    assert (told["seconds"], told["memory_bytes"]) == total.cost(ZBUFFER.name)
+
+
+def test_operations_marked_one_by_one_have_the_same_total(twice):
+    report = vkworkbench.analyze(twice.document)
+    for obj in twice.job.Operations.Group:
+        vkworkbench.mark(vkworkbench.analyze(obj))
+    assert marks.read(twice.job).cost(ZBUFFER.name) == report.totals[0].cost(ZBUFFER.name)
+
+
+def test_nothing_is_estimated_while_marks_are_written(twice, monkeypatch):
+    asked = []
+
+    def estimated(*what, **how):
+        asked.append(what)
+        return estimate_job(*what, **how)
+
+    monkeypatch.setattr("vkworkbench.core.simulators.zbuffer.estimate_job", estimated)
+    vkworkbench.mark(vkworkbench.analyze(twice.document))
+    assert len(asked) == 1
+    last = twice.job.Operations.Group[-1]
+    last.Path = FreeCAD.ActiveDocument.getObject(twice.job.Operations.Group[0].Name).Path
+    report = vkworkbench.analyze(last)
+    assert len(asked) == 2
+    vkworkbench.mark(report)
+    assert len(asked) == 2 and marks.read(twice.job).cost(ZBUFFER.name)[0] < 3 * report.operations[0].estimate.seconds
+
+
+def test_the_total_survives_its_file_and_is_a_sum_where_the_session_knows_too_little(twice, tmp_path):
+    report = vkworkbench.analyze(twice.document)
+    vkworkbench.mark(report)
+    total = report.totals[0].cost(ZBUFFER.name)
+    file = str(tmp_path / "job.FCStd")
+    twice.document.saveCopy(file)
+    again = FreeCAD.openDocument(file)
+    try:
+        (job,) = [obj for obj in again.Objects if obj.Name == twice.job.Name]
+        first = job.Operations.Group[0]
+        assert session.row_of(first, marks.read(first).fingerprint) is None
+        assert marks.read_total(job).cost(ZBUFFER.name) == total
+        vkworkbench.mark(vkworkbench.analyze(first))
+        assert marks.read(job).cost(ZBUFFER.name)[0] == pytest.approx(summed(report))
+        vkworkbench.mark(vkworkbench.analyze(again))
+        assert marks.read(job).cost(ZBUFFER.name) == total
+    finally:
+        FreeCAD.closeDocument(again.Name)
+
+
+def test_a_total_of_other_operations_is_not_read(twice):
+    vkworkbench.mark(vkworkbench.analyze(twice.document))
+    assert marks.read_total(twice.job) is not None
+    twice.document.removeObject(twice.job.Operations.Group[0].Name)
+    assert marks.read_total(twice.job) is None
+
+
+def test_a_closed_document_is_forgotten(twice):
+    vkworkbench.mark(vkworkbench.analyze(twice.document))
+    name = twice.document.Name
+    assert any(document == name for document, _ in session.rows_with(()))
+    FreeCAD.closeDocument(name)
+    assert not any(document == name for document, _ in session.rows_with(()))
