@@ -402,9 +402,10 @@ class Session:
         self.click("Vk_Simulate")
         idle(0.3)
         if self.rng.random() < 0.8:
+            from vkworkbench.gui import widgets
             from vkworkbench.gui.simulation.tab import SimulationTab
 
-            for tab in Gui.getMainWindow().findChildren(SimulationTab):
+            for tab in widgets.find(SimulationTab):
                 tab.window_of().close()
 
     def click_select(self):

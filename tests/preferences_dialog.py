@@ -5,6 +5,8 @@ import dead_widgets
 import FreeCADGui as Gui
 from PySide import QtCore, QtGui
 
+from vkworkbench.gui import widgets
+
 
 def in_preferences(window, work):
     """Open the preferences, call `work` with the dialog and this workbench's form, shown; `work` closes the dialog."""
@@ -16,8 +18,8 @@ def in_preferences(window, work):
             QtCore.QTimer.singleShot(50, answer)
             return
         try:
-            form = dialog.findChild(QtGui.QWidget, "VkPreferences")
-            show_page(dialog, form)
+            (form,) = (form for form in widgets.find(QtGui.QWidget, "VkPreferences") if dialog.isAncestorOf(form))
+            show_page(form)
             window.idle(0.2)
             work(dialog, form)
         except BaseException as error:
@@ -31,10 +33,9 @@ def in_preferences(window, work):
         raise failure[0]
 
 
-def show_page(dialog, form):
+def show_page(form):
     """Turn to the page, as clicks on its group would."""
-    parent = form
-    while parent is not dialog:
-        stack, parent = parent, parent.parentWidget()
-        if isinstance(parent, QtGui.QStackedWidget):
-            parent.setCurrentWidget(stack)
+    for stack in widgets.find(QtGui.QStackedWidget):
+        if stack.isAncestorOf(form):
+            (index,) = (index for index in range(stack.count()) if stack.widget(index).isAncestorOf(form))
+            stack.setCurrentIndex(index)

@@ -15,7 +15,7 @@ COMMAND = "Simulate toolpaths"
 
 
 def tabs(window):
-    return [tab for tab in window.main.findChildren(SimulationTab) if tab.isVisible()]
+    return [tab for tab in window.find(SimulationTab) if tab.isVisible()]
 
 
 def shown(tab, window):

@@ -76,7 +76,7 @@ def main() -> int:
 
 def step(window: Window, button: str, command: str) -> None:
     """Click a button of the toolbar; where the toolbar has no room for it, take the command from the menu."""
-    if any(is_button(found, button) and found.isVisible() for found in window.main.findChildren(QtGui.QToolButton)):
+    if any(is_button(found, button) and found.isVisible() for found in window.find(QtGui.QToolButton)):
         window.click(button)
     else:
         Gui.runCommand(command, 1)  # switches on
@@ -87,7 +87,7 @@ def is_button(widget, text: str) -> bool:
 
 
 def is_shown(window: Window, title: str) -> bool:
-    docks = window.main.findChildren(QtGui.QDockWidget)
+    docks = window.find(QtGui.QDockWidget)
     return any(dock.windowTitle().startswith(title) and dock.isVisible() for dock in docks)
 
 

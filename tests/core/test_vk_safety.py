@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import ast
 import csv
+import re
 from pathlib import Path
 
 import pytest
@@ -99,3 +100,13 @@ def test_boxes_and_tooltips_of_the_window_are_made_in_one_place():
             node.id for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))) if isinstance(node, ast.Name)
         }
         assert {"QMessageBox", "QToolTip"} & named_there == set() or path.name == "plain_text.py", path.name
+
+
+def test_no_widget_of_freecad_is_kept_beyond_its_end():
+    # See vkworkbench/gui/widgets.py: PySide keeps what is found among a window's children or tells of its own end.
+    keeping = re.compile(r"getMainWindow\(\)\.findChild|\bwindow\.findChildren|\.destroyed\b")
+    found = {
+        path.name: keeping.findall(path.read_text(encoding="utf-8"))
+        for path in (ROOT / "vkworkbench" / "gui").rglob("*.py")
+    }
+    assert {name: what for name, what in found.items() if what} == {"widgets.py": ["getMainWindow().findChild"]}

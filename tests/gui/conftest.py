@@ -22,6 +22,7 @@ except ImportError:
     from PySide6.QtTest import QTest
 
 from vkworkbench.document.known import KNOWN
+from vkworkbench.gui import widgets
 
 
 @pytest.fixture(autouse=True)
@@ -69,20 +70,27 @@ class Window:
         self.idle(0.3)
         # FreeCAD began in no workbench, which hides the tree's dock.
         shown = {"Combo View": True, "Model": True, "Report view": False, "Python console": False}
-        for dock in self.main.findChildren(QtGui.QDockWidget):
+        for dock in self.find(QtGui.QDockWidget):
             if dock.objectName() in shown:
                 dock.setVisible(shown[dock.objectName()])
                 dock.raise_()  # in 1.x the task panel may cover the tree
-        for bar in self.main.findChildren(QtGui.QToolBar):
+        for bar in self.find(QtGui.QToolBar):
             if bar.objectName() == "Toolpath analysis":  # a row of its own, where it has room for all its buttons
                 self.main.insertToolBarBreak(bar)
         self.idle(0.2)
+
+    def find(self, kind, name=None):
+        """The widgets of a kind that there are."""
+        return widgets.find(kind, name)
+
+    def first(self, kind, name=None):
+        return next(iter(self.find(kind, name)), None)
 
     def button(self, text):
         """The visible tool button of a command, by its menu text."""
         found = [
             b
-            for b in self.main.findChildren(QtGui.QToolButton)
+            for b in self.find(QtGui.QToolButton)
             if b.isVisible() and b.defaultAction() and b.defaultAction().text().replace("&", "") == text
         ]
         assert found, f"no button {text!r}"
@@ -138,7 +146,7 @@ class Window:
 
     @property
     def tree(self):
-        views = self.main.findChildren(QtGui.QTreeView)
+        views = self.find(QtGui.QTreeView)
         return next(v for v in views if v.metaObject().className() == "Gui::TreeWidget" and v.isVisible())
 
     def descriptions(self):
@@ -186,7 +194,7 @@ def opened(example_path, window):
     Gui.Selection.clearSelection()
     yield document
     window.dismiss()
-    for dock in window.main.findChildren(QtGui.QDockWidget):
+    for dock in window.find(QtGui.QDockWidget):
         if dock.windowTitle() == "Toolpath results":  # each test begins with the room it takes
             dock.hide()
     FreeCAD.closeDocument(document.Name)

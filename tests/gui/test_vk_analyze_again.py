@@ -69,7 +69,7 @@ def test_esc_leaves_it_outdated(again, window, monkeypatch):
             time.sleep(0.01)
 
     def press():
-        for dialog in window.main.findChildren(QtGui.QProgressDialog):
+        for dialog in window.find(QtGui.QProgressDialog):
             if dialog.isVisible():
                 window.press(dialog, QtCore.Qt.Key_Escape)
 

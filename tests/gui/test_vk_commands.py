@@ -48,13 +48,13 @@ def test_the_first_click_marks_the_job_and_shows_the_column(opened, window):
 
 
 def test_the_tree_is_brought_before_the_tasks(opened, window):
-    docks = {dock.objectName(): dock for dock in window.main.findChildren(QtGui.QDockWidget)}
+    docks = {dock.objectName(): dock for dock in window.find(QtGui.QDockWidget)}
     if "Tasks" in docks:
         window.main.tabifyDockWidget(docks["Model"], docks["Tasks"])
         docks["Tasks"].setVisible(True)
         window.idle()
         docks["Tasks"].raise_()
-    for tabs in window.main.findChildren(QtGui.QTabWidget):
+    for tabs in window.find(QtGui.QTabWidget):
         if tabs.objectName() == "combiTab":
             tabs.setCurrentIndex(1)
     trees = tree.trees()
@@ -128,11 +128,9 @@ def menu_texts(menu):
 def test_guests_in_freecads_own_workbench(opened, window):
     window.activate(CAM)
     assert window.button("Analyze toolpaths").isVisible() and window.button("Clear analysis").isVisible()
-    menus = [
-        m for m in window.main.menuBar().findChildren(QtGui.QMenu) if m.title().replace("&", "") in ("CAM", "Path")
-    ]
+    menus = [m for m in window.find(QtGui.QMenu) if m.title().replace("&", "") in ("CAM", "Path")]
     assert {"Analyze toolpaths", "Clear analysis"} <= set(menu_texts(menus[0]))
-    own_toolbars = [t for t in window.main.findChildren(QtGui.QToolBar) if t.isVisible()]
+    own_toolbars = [t for t in window.find(QtGui.QToolBar) if t.isVisible()]
     assert len(own_toolbars) > 5  # the workbench's own are still there
     window.click("Analyze toolpaths")
     window.wait(lambda: marked(opened))

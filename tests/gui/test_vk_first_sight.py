@@ -8,7 +8,7 @@ from PySide import QtCore, QtGui
 
 from vkworkbench import freecad
 from vkworkbench.document import marks
-from vkworkbench.gui import tree
+from vkworkbench.gui import tree, widgets
 
 
 @pytest.fixture
@@ -17,7 +17,7 @@ def untouched(opened, window):
     FreeCAD.ParamGet("User parameter:BaseApp/Preferences/Mod/VkWorkbench").RemBool("DescriptionShown")
     if freecad.version() >= freecad.DESCRIPTION_HIDDEN_SINCE:
         FreeCAD.ParamGet("User parameter:BaseApp/Preferences/TreeView").SetBool("HideColumn", True)
-    (dock,) = [d for d in window.main.findChildren(QtGui.QDockWidget) if d.isVisible() and d.isAncestorOf(window.tree)]
+    (dock,) = [d for d in window.find(QtGui.QDockWidget) if d.isVisible() and d.isAncestorOf(window.tree)]
     window.main.resizeDocks([dock], [220], QtCore.Qt.Horizontal)
     window.idle(0.3)
     yield dock
@@ -89,7 +89,7 @@ def test_in_a_dock_of_its_own_window(untouched, opened, window):
 
 
 def test_in_a_small_window_with_the_report_view(untouched, opened, window):
-    report = window.main.findChild(QtGui.QDockWidget, "Report view")
+    report = window.first(QtGui.QDockWidget, "Report view")
     window.main.addDockWidget(QtCore.Qt.BottomDockWidgetArea, report)
     report.show()
     window.main.setGeometry(0, 0, 1024, 700)
@@ -100,9 +100,9 @@ def test_in_a_small_window_with_the_report_view(untouched, opened, window):
         window.tree.expandAll()
         assert_marks_are_seen(window, opened)
         assert window.main.width() <= 1024 and window.main.height() <= 700
-        view = window.main.findChild(QtGui.QMdiArea)
+        view = widgets.area_of_views()
         assert view.width() > 0.4 * window.main.width()  # most is the 3D view's
-        results = window.main.findChild(QtGui.QDockWidget, "VkResults")
+        results = window.first(QtGui.QDockWidget, "VkResults")
         assert results in window.main.tabifiedDockWidgets(report)  # though it was closed when that was opened
         window.screenshot("first-1024")
     finally:
@@ -110,7 +110,7 @@ def test_in_a_small_window_with_the_report_view(untouched, opened, window):
 
 
 def test_the_tree_of_a_tab_that_is_behind_is_brought_to_the_front(untouched, opened, window):
-    tabs = [t for t in window.main.findChildren(QtGui.QTabWidget) if t.isAncestorOf(window.tree)]
+    tabs = [t for t in window.find(QtGui.QTabWidget) if t.isAncestorOf(window.tree)]
     if tabs:
         (tabs,) = tabs
         tabs.setCurrentIndex((tabs.currentIndex() + 1) % tabs.count())

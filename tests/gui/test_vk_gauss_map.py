@@ -39,7 +39,7 @@ class View:
 
     def __init__(self, window):
         self.window = window
-        self.dock = window.main.findChild(QtGui.QDockWidget, "VkGaussMap")
+        self.dock = window.first(QtGui.QDockWidget, "VkGaussMap")
         self.title = self.dock.title
         self.slider, self.number, self.chooser = self.dock.slider, self.dock.number, self.dock.chooser
 
@@ -220,7 +220,7 @@ def test_narrow_and_floating(view, window):
     assert figure.path.place.bottom() < figure.graph.place.top()  # two above, one below
     window.main.removeDockWidget(view.dock)
     window.main.addDockWidget(QtCore.Qt.BottomDockWidgetArea, view.dock)
-    results = window.main.findChild(QtGui.QDockWidget, "VkResults")
+    results = window.first(QtGui.QDockWidget, "VkResults")
     if results is not None:
         window.main.tabifyDockWidget(results, view.dock)
     view.dock.setFloating(False)

@@ -20,7 +20,7 @@ def test_progress_shows_labels_as_text(opened, window, monkeypatch):
 
     def analyze(what, *, progress, cancelled):
         progress(0, 2, HTML)
-        dialog = window.main.findChildren(QtGui.QProgressDialog)[-1]  # those of other tests end with the event loop
+        dialog = window.find(QtGui.QProgressDialog)[-1]  # those of other tests end with the event loop
         label = dialog.findChild(QtGui.QLabel)
         seen.append((label.text(), label.textFormat()))
 
@@ -35,7 +35,7 @@ def test_gauss_map_shows_labels_as_text(opened, window):
     Gui.Selection.clearSelection()
     Gui.Selection.addSelection(face)
     window.click("Gauss map")
-    title = window.main.findChild(QtGui.QDockWidget, "VkGaussMap").title
+    title = window.first(QtGui.QDockWidget, "VkGaussMap").title
     window.wait(lambda: title.text().startswith(HTML))
     assert title.textFormat() == QtCore.Qt.PlainText
     window.click("Gauss map")
@@ -66,7 +66,7 @@ def test_tooltips_show_labels_as_text(opened, window, trap):
     window.click("Analyze toolpaths")
     window.wait(lambda: "⟦" in face.Label2)
     window.dismiss()
-    model = window.main.findChild(QtGui.QDockWidget, "VkResults").model
+    model = window.first(QtGui.QDockWidget, "VkResults").model
     job = model.index(0, 0)
     row = next(i for i in range(model.rowCount(job)) if model.index(i, 0, job).data() == trap)
     tooltips = [model.index(row, column, job).data(QtCore.Qt.ToolTipRole) for column in range(model.columnCount())]

@@ -50,7 +50,7 @@ def labelled(document, label):
 
 
 def dock(window):
-    return window.main.findChild(QtGui.QDockWidget, "VkResults")
+    return window.first(QtGui.QDockWidget, "VkResults")
 
 
 def titles(panel):
@@ -449,7 +449,7 @@ def test_the_command_shows_and_hides_it(panel, window):
 
 
 def test_beside_the_report_view_it_is_a_tab(opened, window):
-    view = window.main.findChild(QtGui.QDockWidget, "Report view")
+    view = window.first(QtGui.QDockWidget, "Report view")
     existing = dock(window)
     if existing is not None:  # made anew, as in a window that has just been opened
         Gui.Selection.removeObserver(existing)
@@ -477,7 +477,7 @@ def test_beside_the_report_view_it_is_a_tab(opened, window):
 
 
 def test_no_table_in_the_report_view(panel, window):
-    view = window.main.findChild(QtGui.QTextEdit, "Report view") or window.main.findChild(QtGui.QTextEdit)
+    view = window.first(QtGui.QTextEdit, "Report view") or window.first(QtGui.QTextEdit)
     assert "trajectories" not in view.toPlainText()
     assert marks.is_marked(FreeCAD.ActiveDocument.getObject("Job"))
 
@@ -486,7 +486,7 @@ def test_results_and_gauss_map_share_their_place(opened, window):
     window.click("Toolpath results")
     window.click("Gauss map")
     window.idle(0.5)
-    results, gauss = (window.main.findChild(QtGui.QDockWidget, name) for name in ("VkResults", "VkGaussMap"))
+    results, gauss = (window.first(QtGui.QDockWidget, name) for name in ("VkResults", "VkGaussMap"))
     assert gauss in window.main.tabifiedDockWidgets(results)
     assert gauss.width() > 0.9 * window.main.width() and not gauss.visibleRegion().isEmpty()
     window.click("Toolpath results")  # from behind to the front

@@ -12,7 +12,7 @@ from PySide import QtCore, QtGui
 from vkworkbench import freecad, preferences
 from vkworkbench.core.simulators import DEFAULTS, opengl_speeds
 from vkworkbench.document import calibration
-from vkworkbench.gui import real_runs
+from vkworkbench.gui import real_runs, simulator_panels
 from vkworkbench.gui.real_runs import OpenGLRun, _played
 from vkworkbench.gui.sentences import user
 
@@ -41,17 +41,9 @@ def runs():
 def simulator(window, command, label):
     """Open a simulator's panel with one operation ticked; return a function that finds its parts by name."""
     Gui.runCommand(command)
-    panel = None
-
-    def opened():
-        nonlocal panel
-        lists = [w for w in window.main.findChildren(QtGui.QListWidget, "listOperations") if w.isVisible()]
-        panel = lists[0].parent() if lists else None
-        while panel is not None and panel.findChild(QtGui.QSlider, "sliderAccuracy") is None:
-            panel = panel.parent()
-        return panel is not None
-
-    window.wait(opened)
+    window.wait(simulator_panels.panels)
+    window.idle()  # the add-on notices it
+    (panel,) = simulator_panels.panels()
     listed = panel.findChild(QtGui.QListWidget, "listOperations")
     for row in range(listed.count()):
         ticked = QtCore.Qt.Checked if listed.item(row).text() == label else QtCore.Qt.Unchecked

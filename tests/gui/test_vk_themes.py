@@ -46,9 +46,9 @@ def test_the_line_over_the_view_is_readable(shipped, marked, window):
     preferences.write(time_budget=0.1)
     try:
         Gui.runCommand(freecad.simulator_command(freecad.own_simulator()))
-        window.wait(lambda: window.main.findChild(QtGui.QFrame, "VkSimulatorWarning") is not None)
+        window.wait(lambda: window.first(QtGui.QFrame, "VkSimulatorWarning") is not None)
         window.idle(0.5)
-        (line,) = [w for w in window.main.findChildren(QtGui.QFrame, "VkSimulatorWarning") if w.isVisible()]
+        (line,) = [w for w in window.find(QtGui.QFrame, "VkSimulatorWarning") if w.isVisible()]
         window.screenshot(f"warning-{shipped.replace(' ', '-')}")
         for part in (line.text, line.way):
             assert contrast_of_text(line.grab(part.geometry()).toImage()) >= 4.5

@@ -41,7 +41,7 @@ def speaking(language, window):
     """FreeCAD in a language, with the add-on's docks made anew, as after a start."""
 
     def close_docks():
-        for dock in window.main.findChildren(QtGui.QDockWidget):
+        for dock in window.find(QtGui.QDockWidget):
             if dock.objectName() in DOCKS:
                 Gui.Selection.removeObserver(dock)
                 FreeCAD.removeDocumentObserver(dock)
@@ -100,16 +100,16 @@ def cut_off_headers(tree):
 
 
 def dock(window, name):
-    return next(d for d in window.main.findChildren(QtGui.QDockWidget) if d.objectName() == name)
+    return next(d for d in window.find(QtGui.QDockWidget) if d.objectName() == name)
 
 
 def test_the_window_in_each_language(language, opened, window):
     command, title = LANGUAGES[language]
-    menus = {m.title().replace("&", "") for m in window.main.menuBar().findChildren(QtGui.QMenu)}
+    menus = {m.title().replace("&", "") for m in window.find(QtGui.QMenu)}
     assert title in menus
     window.click(command)
     window.wait(lambda: any(d.objectName() == "VkResults" and d.isVisible()
-                            for d in window.main.findChildren(QtGui.QDockWidget)))  # fmt: skip
+                            for d in window.find(QtGui.QDockWidget)))  # fmt: skip
     window.dismiss()
     Gui.Selection.clearSelection()
     Gui.Selection.addSelection(opened.getObjectsByLabel("Face")[0])

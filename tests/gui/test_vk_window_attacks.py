@@ -20,7 +20,7 @@ from simulation_window import COMMAND, shown, tabs
 import vkworkbench
 from vkworkbench.document import marks
 from vkworkbench.document.operations import find
-from vkworkbench.gui import strategy_view
+from vkworkbench.gui import strategy_view, widgets
 
 SWITCH = "Show strategies"
 
@@ -77,7 +77,7 @@ def a_second_view(document, window):
 def only_a_second_view(document, window):
     Gui.runCommand("Std_ViewCreate")
     window.idle(0.2)
-    views = window.main.findChild(QtGui.QMdiArea)
+    views = widgets.area_of_views()
     next(w for w in views.subWindowList() if w.windowTitle().startswith(document.Label)).close()
     window.idle(0.2)
 
@@ -266,7 +266,7 @@ def test_no_text_of_a_document_is_html_in_results_and_views(html, window, trap):
     window.click("Analyze toolpaths")
     window.wait(lambda: marks.is_marked(html.getObject("Stranger")))
     look()
-    results = window.main.findChild(QtGui.QDockWidget, "VkResults")
+    results = window.first(QtGui.QDockWidget, "VkResults")
     model, job = results.model, results.model.index(0, 0)
     for row in range(model.rowCount(job)):
         results.tree.setCurrentIndex(model.index(row, 0, job))
@@ -338,7 +338,7 @@ def test_few_commands_that_are_a_great_many_moves(opened, window, text, trajecto
     else:
         assert known.trajectories > trajectories
     window.click("Gauss map")
-    title = window.main.findChild(QtGui.QDockWidget, "VkGaussMap").title
+    title = window.first(QtGui.QDockWidget, "VkGaussMap").title
     window.wait(lambda: "Few" in title.text() and "Reading" not in title.text(), 120)
     window.click("Gauss map")
     window.click(SWITCH)

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import FreeCADGui as Gui
 
+from vkworkbench.gui import widgets
 from vkworkbench.gui.qt import QDockWidget, Qt
 
 RESULTS, GAUSS_MAP = "VkResults", "VkGaussMap"
@@ -12,7 +13,7 @@ RESULTS, GAUSS_MAP = "VkResults", "VkGaussMap"
 
 def find(name: str) -> QDockWidget | None:
     """Return the dock of that name, None until it is first shown."""
-    return Gui.getMainWindow().findChild(QDockWidget, name)
+    return next(iter(widgets.find(QDockWidget, name)), None)
 
 
 def add(dock: QDockWidget, height: int) -> None:
@@ -44,7 +45,7 @@ def _at_the_bottom(dock: QDockWidget) -> list[QDockWidget]:
     """Return the other docks at the bottom, hidden ones too."""
     window = Gui.getMainWindow()
     return [
-        other for other in window.findChildren(QDockWidget)
+        other for other in widgets.find(QDockWidget)
         if other is not dock and not other.isFloating() and window.dockWidgetArea(other) == Qt.BottomDockWidgetArea
     ]  # fmt: skip
 

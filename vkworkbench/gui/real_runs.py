@@ -10,7 +10,6 @@ from __future__ import annotations
 import time
 from contextlib import suppress
 
-import FreeCADGui as Gui
 import numpy as np
 
 from vkworkbench import freecad
@@ -29,7 +28,6 @@ from vkworkbench.document import calibration
 from vkworkbench.document.setting import read_stock, read_tool
 from vkworkbench.gui.qt import (
     QEvent,
-    QListWidget,
     QObject,
     QProgressBar,
     QSlider,
@@ -37,7 +35,7 @@ from vkworkbench.gui.qt import (
     QToolButton,
 )  # fmt: skip
 from vkworkbench.gui.renderer import note_renderer
-from vkworkbench.gui.simulator_panels import chosen_in
+from vkworkbench.gui.simulator_panels import chosen_in, panels, simulator_of
 
 # Nothing is learned from longer operations and plays: the seconds of computing would be felt.
 _MOST_COMMANDS = 50_000
@@ -48,11 +46,9 @@ _LAST_FRAMES = 5
 _FEWEST, _MOST = 0.9, 1.2
 
 
-def watch_legacy() -> None:
-    """Learn from the legacy simulator's panel, which is open."""
-    for button in Gui.getMainWindow().findChildren(QToolButton, "toolButtonFF"):
-        if button.findChild(LegacyRuns) is None:
-            LegacyRuns(button)
+def watch_legacy(panel) -> None:
+    """Learn from a panel of the legacy simulator, as long as it is open."""
+    LegacyRuns(panel)
 
 
 def watch_opengl(window) -> None:
@@ -62,21 +58,22 @@ def watch_opengl(window) -> None:
 
 
 class LegacyRuns(QObject):
-    """The runs of one legacy simulator's panel, each from the press of a button until all buttons are enabled again."""
+    """The runs of one legacy simulator's panel, each from the press of a button until all buttons are enabled again.
 
-    def __init__(self, fast_forward) -> None:
-        super().__init__(fast_forward)
-        self._panel = fast_forward.parent()
-        while self._panel.findChild(QSlider, "sliderAccuracy") is None:
-            self._panel = self._panel.parent()
+    The panel is its parent and not kept beside, see `widgets`.
+    """
+
+    def __init__(self, panel) -> None:
+        super().__init__(panel)
         self._begin = None
         # FreeCAD has yet to make and to show the last mesh. Timers of the panel's own: it may be closed meanwhile.
         self._enabled, self._shown = QTimer(self), QTimer(self)
         for timer, then in ((self._enabled, lambda: self._shown.start(0)), (self._shown, self._ended)):
             timer.setSingleShot(True)
             timer.timeout.connect(then)
+        fast_forward = panel.findChild(QToolButton, "toolButtonFF")
         fast_forward.pressed.connect(lambda: self._pressed("fast-forward"))
-        self._panel.findChild(QToolButton, "toolButtonPlay").pressed.connect(lambda: self._pressed("play"))
+        panel.findChild(QToolButton, "toolButtonPlay").pressed.connect(lambda: self._pressed("play"))
         fast_forward.installEventFilter(self)
 
     def _pressed(self, kind: str) -> None:
@@ -99,17 +96,17 @@ class LegacyRuns(QObject):
             costs = [
                 legacy_costs(Task(linearize(path.Commands), tool, stock), accuracies=(SLIDER[position - 1],),
                              speed=speed, constants=calibration.constants(renderer))[0]
-                for path, tool, stock in _simulated(self._panel)
+                for path, tool, stock in _simulated(self.parent())
             ]  # fmt: skip
             if costs:
                 calibration.learn(kind, legacy_together(costs), seen, renderer=renderer)
 
     def _done(self) -> int:
         """Percent of the run."""
-        return self._panel.findChild(QProgressBar, "progressBar").value()
+        return self.parent().findChild(QProgressBar, "progressBar").value()
 
     def _sliders(self) -> tuple[int, int]:
-        return tuple(self._panel.findChild(QSlider, name).value() for name in ("sliderAccuracy", "sliderSpeed"))
+        return tuple(self.parent().findChild(QSlider, name).value() for name in ("sliderAccuracy", "sliderSpeed"))
 
 
 class OpenGLRun(QObject):
@@ -118,11 +115,8 @@ class OpenGLRun(QObject):
     def __init__(self, window) -> None:
         super().__init__(window)
         self._simulated = [], 10
-        for button in Gui.getMainWindow().findChildren(QToolButton, "toolButtonPlay"):
-            panel = button.parent()
-            while panel is not None and panel.findChild(QListWidget, "listOperations") is None:
-                panel = panel.parent()
-            if panel is not None and panel.findChild(QToolButton, "toolButtonFF") is None:
+        for panel in panels():
+            if simulator_of(panel) == "OpenGL":
                 quality = panel.findChild(QSlider, "sliderAccuracy").value()
                 self._simulated = _simulated(panel), quality
         self._times: list[np.ndarray] = []

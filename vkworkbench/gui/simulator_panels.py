@@ -4,16 +4,16 @@
 from __future__ import annotations
 
 import FreeCAD
-import FreeCADGui as Gui
 
 from vkworkbench import freecad
 from vkworkbench.document.operations import is_active
+from vkworkbench.gui import widgets
 from vkworkbench.gui.qt import QComboBox, QDialogButtonBox, QDockWidget, QListWidget, Qt, QToolButton, QWidget
 
 
 def panels() -> list[QWidget]:
     """Return the simulators' panels that are open; all of them have one name."""
-    return Gui.getMainWindow().findChildren(QWidget, "TaskPathSimulator")
+    return widgets.find(QWidget, "TaskPathSimulator")
 
 
 def simulator_of(panel: QWidget) -> str:
@@ -42,8 +42,8 @@ def tick(panel: QWidget, operations: list) -> None:
 
 def close() -> None:
     """Close a simulator's panel as its own button does: it takes away what it has put into the document."""
-    for dock in Gui.getMainWindow().findChildren(QDockWidget):
-        buttons = dock.findChild(QDialogButtonBox) if dock.objectName() in freecad.TASK_DOCKS else None
-        if buttons is not None:
+    docks = [dock for dock in widgets.find(QDockWidget) if dock.objectName() in freecad.TASK_DOCKS]
+    for buttons in widgets.find(QDialogButtonBox):
+        if any(dock.isAncestorOf(buttons) for dock in docks):
             (buttons.button(QDialogButtonBox.Cancel) or buttons.button(QDialogButtonBox.Close)).click()
             return

@@ -12,7 +12,7 @@ import FreeCADGui as Gui
 from vkworkbench import freecad, preferences
 from vkworkbench.document import better_way, marks
 from vkworkbench.document.better_way import BetterWay
-from vkworkbench.gui import simulator_panels
+from vkworkbench.gui import simulator_panels, widgets
 from vkworkbench.gui.plain_text import as_plain
 from vkworkbench.gui.qt import (
     QComboBox,
@@ -33,6 +33,7 @@ from vkworkbench.gui.text import translate
 
 NAME = "VkSimulatorWarning"
 _MARGIN = 8  # px, from the view's edges
+_LOOK = 200  # ms between two looks whether the panel is still open
 # A style of its own: it stands over the 3D view, whatever the theme.
 _STYLE = """
 QFrame#VkSimulatorWarning { background-color: #fff4ce; border: 1px solid #c77700; border-radius: 4px; }
@@ -76,32 +77,45 @@ class Line(QFrame):
         self.setGeometry(_MARGIN, area.viewport().y() + _MARGIN, width, self.layout().heightForWidth(width))
         self.raise_()
 
+    def end(self) -> None:
+        self.hide()
+        self.deleteLater()
+
 
 class OpenPanel(QObject):
-    """What is said while one panel of a simulator is open; it follows what is ticked there."""
+    """What is said while a panel of a simulator is open; it follows what is ticked there.
+
+    It belongs to its line and keeps nothing of the panel, see `widgets`.
+    """
 
     def __init__(self, panel: QWidget, simulator: str) -> None:
-        super().__init__(panel)
-        self._panel, self._simulator = panel, simulator
+        line = Line(widgets.area_of_views())
+        super().__init__(line)
+        self._line, self._simulator = line, simulator
         self._document = FreeCAD.ActiveDocument.Name
         self._found: BetterWay | None = None
-        self._line = Line(Gui.getMainWindow().findChild(QMdiArea))
         self._line.hide()
         self._line.way.clicked.connect(self._take)
         self._line.close_button.clicked.connect(self._end)
-        panel.destroyed.connect(self._line.hide)
-        panel.destroyed.connect(self._line.deleteLater)
         self._changed = QTimer(self)  # all of a list's ticks change at once
         self._changed.setSingleShot(True)
         self._changed.timeout.connect(self._say)
+        self._open = QTimer(self)  # looks: a widget that tells of its own end PySide keeps beyond it
+        self._open.timeout.connect(self._look)
+        self._open.start(_LOOK)
         panel.findChild(QListWidget, "listOperations").itemChanged.connect(lambda item: self._changed.start(0))
         panel.findChild(QComboBox, "comboJobs").currentIndexChanged.connect(lambda index: self._changed.start(0))
         self._say()
 
+    def _look(self) -> None:
+        if not simulator_panels.panels():
+            self._line.end()
+
     def _say(self) -> None:
-        if FreeCAD.ActiveDocument is None or FreeCAD.ActiveDocument.Name != self._document:
+        panels = simulator_panels.panels()
+        if not panels or FreeCAD.ActiveDocument is None or FreeCAD.ActiveDocument.Name != self._document:
             return
-        _, operations = simulator_panels.chosen_in(self._panel)
+        _, operations = simulator_panels.chosen_in(panels[0])
         self._found = better_way.better_way(self._simulator, list(map(marks.read, operations)), preferences.read())
         if self._found is None:
             self._line.hide()
@@ -117,19 +131,21 @@ class OpenPanel(QObject):
 
     def _take(self) -> None:
         """Take the better way."""
-        way, panel = self._found.way, self._panel
+        way, (panel,) = self._found.way, simulator_panels.panels()
         self._end()
         if way == self._simulator:
             panel.findChild(QToolButton, "toolButtonFF").click()
             return
         job, operations = simulator_panels.chosen_in(panel)
         simulator_panels.close()
-        # Once the panel is gone, which deletes this object as well.
+        # Once the panel is gone.
         QTimer.singleShot(0, lambda: _start(way, job, operations))
 
 
 def watch(panel: QWidget, simulator: str) -> None:
     """Say what is to be known of what is ticked in a simulator's panel, as long as it is open."""
+    for line in widgets.find(Line):
+        line.end()
     OpenPanel(panel, simulator)
 
 

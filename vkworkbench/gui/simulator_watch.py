@@ -8,11 +8,11 @@ action; but always a task panel opens. So the task view is watched for a new chi
 from __future__ import annotations
 
 import FreeCAD
-import FreeCADGui as Gui
 
-from vkworkbench import freecad, preferences
+from vkworkbench import preferences
 from vkworkbench.document.mark_properties import may_have_mark
-from vkworkbench.gui.qt import QDockWidget, QEvent, QObject, QTimer, QWidget
+from vkworkbench.gui import widgets
+from vkworkbench.gui.qt import QEvent, QObject, QTimer, QWidget
 from vkworkbench.gui.simulator_panels import panels, simulator_of
 
 
@@ -40,11 +40,9 @@ class TaskWatch(QObject):
 
 def watch() -> None:
     """Watch the task views that there are now, each once."""
-    for dock in Gui.getMainWindow().findChildren(QDockWidget):
-        if dock.objectName() in freecad.TASK_DOCKS:
-            for view in dock.findChildren(QWidget):
-                if view.metaObject().className() == "Gui::TaskView::TaskView" and view.findChild(TaskWatch) is None:
-                    TaskWatch(view)
+    for view in widgets.find(QWidget):
+        if view.metaObject().className() == "Gui::TaskView::TaskView" and view.findChild(TaskWatch) is None:
+            TaskWatch(view)
 
 
 def _opened(panel: QWidget) -> None:
@@ -53,7 +51,7 @@ def _opened(panel: QWidget) -> None:
     if simulator == "legacy":
         from vkworkbench.gui import real_runs
 
-        real_runs.watch_legacy()
+        real_runs.watch_legacy(panel)
     if preferences.read().warn_of_simulators and any(map(may_have_mark, FreeCAD.ActiveDocument.Objects)):
         from vkworkbench.gui import simulator_warning
 

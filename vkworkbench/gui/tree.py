@@ -10,6 +10,7 @@ import FreeCAD
 import FreeCADGui as Gui
 
 from vkworkbench import freecad
+from vkworkbench.gui import widgets
 from vkworkbench.gui.qt import QDockWidget, QEvent, QHeaderView, QObject, Qt, QTabWidget, QTimer, QTreeView
 
 DESCRIPTION = 1
@@ -20,8 +21,7 @@ _MOST_OF_WINDOW = 0.45  # the rest is the 3D view's
 
 def trees() -> list[QTreeView]:
     """Return FreeCAD's document trees."""
-    views = Gui.getMainWindow().findChildren(QTreeView)
-    return [view for view in views if view.metaObject().className() == "Gui::TreeWidget"]
+    return [view for view in widgets.find(QTreeView) if view.metaObject().className() == "Gui::TreeWidget"]
 
 
 class _Sight(QObject):
@@ -74,7 +74,7 @@ def show_description() -> bool:
         tree.header().setVisible(True)
     window = Gui.getMainWindow()
     width = min(_DOCK_WIDTH, int(_MOST_OF_WINDOW * window.width()))
-    for dock in window.findChildren(QDockWidget):
+    for dock in widgets.find(QDockWidget):
         if dock.objectName() in freecad.TREE_DOCKS and dock.isVisible() and dock.width() < width:
             if dock.isFloating():
                 dock.resize(width, dock.height())
@@ -87,11 +87,11 @@ def bring_to_view() -> None:
     """Bring a tree that a tab hides before it; a task that is being edited stays, and so does a closed dock."""
     if Gui.Control.activeDialog() or any(map(is_seen, trees())):
         return
-    for dock in Gui.getMainWindow().findChildren(QDockWidget):
+    for dock in widgets.find(QDockWidget):
         for tree in trees():
             if dock.toggleViewAction().isChecked() and dock.isAncestorOf(tree):
                 dock.raise_()
-                for tabs in dock.findChildren(QTabWidget):
+                for tabs in widgets.find(QTabWidget):
                     pages = [tabs.widget(i) for i in range(tabs.count()) if tabs.widget(i).isAncestorOf(tree)]
                     if pages:
                         tabs.setCurrentWidget(pages[0])

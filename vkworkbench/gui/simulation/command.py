@@ -7,8 +7,8 @@ import FreeCAD
 import FreeCADGui as Gui
 
 from vkworkbench.document.simulated_job import JobCopy, copy_job
+from vkworkbench.gui import widgets
 from vkworkbench.gui.plain_text import tell
-from vkworkbench.gui.qt import QMdiArea
 from vkworkbench.gui.selection import selected_operations
 from vkworkbench.gui.sentences import said
 from vkworkbench.gui.text import QT_TRANSLATE_NOOP, translate
@@ -56,7 +56,7 @@ def open_tab(what):
     tab.setWindowTitle(translate("Vk_Simulate", "Simulation: {}").format(_title(copy)))
     tab.setWindowIcon(Gui.getIcon(NAME))
     tab.outdated.connect(lambda: _again(tab))
-    window.findChild(QMdiArea).addSubWindow(tab)
+    widgets.area_of_views().addSubWindow(tab)
     tab.showMaximized()
     tab.setFocus()
     return tab

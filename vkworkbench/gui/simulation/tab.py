@@ -8,8 +8,9 @@ import FreeCADGui as Gui
 
 from vkworkbench import freecad
 from vkworkbench.document.simulated_job import JobCopy, SimulatedJob
+from vkworkbench.gui import widgets
 from vkworkbench.gui.plain_text import tell
-from vkworkbench.gui.qt import QMdiArea, QPushButton, Qt, QTimer, QVBoxLayout, QWidget, Signal
+from vkworkbench.gui.qt import QPushButton, Qt, QTimer, QVBoxLayout, QWidget, Signal
 from vkworkbench.gui.simulation.keys import KeyedWidget
 from vkworkbench.gui.simulation.player import Player
 from vkworkbench.gui.simulation.reading import Reading
@@ -85,8 +86,7 @@ class SimulationTab(KeyedWidget):
     def come_to_front(self) -> None:
         """Show the tab before the other ones of FreeCAD's window."""
         # Not by the sub-window's mdiArea(): PySide6 then deletes FreeCAD's area together with the sub-window.
-        area = Gui.getMainWindow().findChild(QMdiArea)
-        area.setActiveSubWindow(self.window_of())
+        widgets.area_of_views().setActiveSubWindow(self.window_of())
 
     def window_of(self) -> QWidget:
         """Return the tab in FreeCAD's window."""
