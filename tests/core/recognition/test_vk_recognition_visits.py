@@ -125,3 +125,14 @@ def test_a_single_hole_is_an_operation_of_a_program(name, last):
     found = recognize(after(*pair), tool_diameter=TOOL, program=True)
     names = [name, "drilling"] if last else ["drilling", name]
     assert [str(s.strategy) for s in found.spans] == names
+
+
+def test_two_operations_of_one_strategy_keep_their_border_in_a_mixed_program():
+    pocket, rows = DIFFERENT["contour-parallel"], DIFFERENT["zigzag"]
+    border, second = len(linearize(pocket)), len(linearize([*pocket, *pocket]))
+    path = replace(linearize([*pocket, *pocket, *rows]), comments=(), tool_changes=np.array([border, second]))
+    as_program = recognize(path, tool_diameter=TOOL, program=True)
+    assert [str(s.strategy) for s in as_program.spans] == ["contour-parallel", "contour-parallel", "zigzag"]
+    assert as_program.spans[1].first >= border > as_program.spans[0].last
+    as_operation = recognize(path, tool_diameter=TOOL)
+    assert [str(s.strategy) for s in as_operation.spans] == ["contour-parallel", "zigzag"]

@@ -105,12 +105,14 @@ def recognize_parts(
     main = int(np.argmax(share))
     # A border between a section and the longest one counts the same whichever of the two comes first.
     certain = certainly != certainly[main]
+    # Two pockets that a program cuts one after the other are two operations; what FreeCAD titles within one is not.
+    operation = certainly if program else np.zeros_like(certainly)
     differs = np.array([_differs(r, found[main], sure, program) for r, sure in zip(found, certain)])
     drilled = np.array([r.strategy is Strategy.DRILLING for r in found])  # holes have next to no length
     enough = drilled | (share > PARTS.CERTAIN) if program else drilled
     if share[differs].sum() < PARTS.ASIDE and not (differs & certain & enough).any():
-        return _agree(toolpath, whole, found, share)
-    runs = _joined([_one_span(r) for r in found] if program else found)
+        return _agree(toolpath, whole, found, share, operation)
+    runs = _joined([_one_span(r) for r in found] if program else found, operation)
     names = list(dict.fromkeys(strategy for _, _, strategy in runs))
     why = Message("sections", count=len(runs), strategies=names, strategy=Strategy.MIXED)
     confidence = float((share * [r.confidence for r in found]).sum())
@@ -131,19 +133,28 @@ def _one_span(one: Recognition) -> Recognition:
     return replace(one, spans=(span,))
 
 
-def _joined(found: list[Recognition]) -> list[tuple[int, int, Strategy]]:
-    """Return the spans of consecutive sections as (first, last, strategy), equal neighbours as one."""
+def _joined(found: list[Recognition], operation: np.ndarray) -> list[tuple[int, int, Strategy]]:
+    """Return the spans of consecutive sections as (first, last, strategy), equal neighbours of one operation as one.
+
+    Parameters
+    ----------
+    found : list of Recognition
+    operation : (k,) int
+        Number of the operation that each section belongs to, ascending.
+    """
     runs: list[tuple[int, int, Strategy]] = []
-    for r in found:
-        for s in r.spans:
-            if runs and runs[-1][2] is s.strategy:
+    for r, begins in zip(found, np.diff(operation, prepend=operation[0]) > 0):
+        for k, s in enumerate(r.spans):
+            if runs and runs[-1][2] is s.strategy and not (begins and k == 0):
                 runs[-1] = (runs[-1][0], s.last, s.strategy)
             else:
                 runs.append((s.first, s.last, s.strategy))
     return runs
 
 
-def _agree(toolpath: Toolpath, whole: Recognition, found: list[Recognition], share: np.ndarray) -> Recognition:
+def _agree(
+    toolpath: Toolpath, whole: Recognition, found: list[Recognition], share: np.ndarray, operation: np.ndarray
+) -> Recognition:
     """Return the verdict on the whole; the longest section's where every section says another than the whole.
 
     A section too short to show a strategy of its own does not count: the loops of a waterline and the rows of a
@@ -155,7 +166,7 @@ def _agree(toolpath: Toolpath, whole: Recognition, found: list[Recognition], sha
     longest = found[max(told, key=lambda k: share[k])]
     runs = [(found[0].spans[0].first, found[-1].spans[-1].last, longest.strategy)]
     if longest.strategy is Strategy.MIXED:
-        runs = _joined(found)
+        runs = _joined(found, operation)
     return replace(longest, spans=spans_of(toolpath, runs))
 
 
