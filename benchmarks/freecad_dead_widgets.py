@@ -3,9 +3,9 @@
 
     xvfb-run -a freecad $PWD/benchmarks/freecad_dead_widgets.py
 
-Printed is how many there are each time that the preferences and the panel of the simulator were opened and closed. What Qt
-later makes at the address of such a widget PySide takes for it, and FreeCAD may end. Run without the add-on, which this
-script does not import.
+Printed is how many there are after the preferences and the panel of the simulator were opened and closed, and how often
+the simulator could not be opened. What Qt later makes at the address of such a widget PySide takes for it, and FreeCAD
+may end. Run without the add-on, which this script does not import.
 """
 
 import gc
@@ -36,7 +36,7 @@ def dead() -> int:
     )
 
 
-def preferences() -> None:
+def preferences() -> bool:
     def close() -> None:
         dialog = QtGui.QApplication.activeModalWidget()
         if dialog is None:
@@ -46,13 +46,16 @@ def preferences() -> None:
 
     QtCore.QTimer.singleShot(50, close)
     Gui.runCommand("Std_DlgPreferences")
+    return True
 
 
-def simulator() -> None:
+def simulator() -> bool:
     Gui.runCommand("Path_Simulator" if OLD else "CAM_Simulator")
-    idle(1.0)
+    idle(0.5)
+    opened = bool(Gui.Control.activeDialog())
     Gui.Control.closeDialog()
-    idle(1.0)
+    idle(0.3)
+    return opened
 
 
 def idle(seconds: float) -> None:
@@ -66,11 +69,14 @@ def count() -> None:
     with tempfile.TemporaryDirectory() as folder:
         make_example(Path(folder) / "example.FCStd")
     Gui.activateWorkbench("PathWorkbench" if OLD else "CAMWorkbench")
-    for name, open_and_close in (("the preferences", preferences), ("the simulator's panel", simulator)):
+    for name, open_and_close, times in (("the preferences", preferences, 5), ("the simulator's panel", simulator, 60)):
         before = dead()
-        for times in range(1, 6):
-            open_and_close()
-            print(f"{name} closed {times} times: {dead() - before} dead widgets", file=sys.__stdout__, flush=True)
+        opened = sum(open_and_close() for _ in range(times))
+        print(
+            f"{name}: opened {opened} of {times} times and closed, {dead() - before} dead widgets",
+            file=sys.__stdout__,
+            flush=True,
+        )
     os._exit(0)
 
 

@@ -8,12 +8,27 @@ import FreeCAD
 from vkworkbench import freecad
 from vkworkbench.document.operations import is_active
 from vkworkbench.gui import widgets
-from vkworkbench.gui.qt import QComboBox, QDialogButtonBox, QDockWidget, QListWidget, Qt, QToolButton, QWidget
+from vkworkbench.gui.qt import QComboBox, QDialogButtonBox, QDockWidget, QListWidget, QSlider, Qt, QToolButton, QWidget
+
+_PARTS = {
+    "comboJobs": QComboBox,
+    "listOperations": QListWidget,
+    "sliderAccuracy": QSlider,
+    "toolButtonPlay": QToolButton,
+}
 
 
 def panels() -> list[QWidget]:
-    """Return the simulators' panels that are open; all of them have one name."""
-    return widgets.find(QWidget, "TaskPathSimulator")
+    """Return the simulators' panels that are open and work; all of them have one name.
+
+    FreeCAD 1.x keeps each that was closed, and PySide may take parts of the next for what was at their address: then
+    FreeCAD says that its command failed, and they are not found.
+    """
+    return [
+        panel
+        for panel in widgets.find(QWidget, "TaskPathSimulator")
+        if all(panel.findChild(kind, name) is not None for name, kind in _PARTS.items())
+    ]
 
 
 def simulator_of(panel: QWidget) -> str:
