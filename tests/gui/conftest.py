@@ -22,7 +22,7 @@ except ImportError:
     from PySide6.QtTest import QTest
 
 from vkworkbench.document.known import KNOWN
-from vkworkbench.gui import widgets
+from vkworkbench.gui import tree, widgets
 
 
 @pytest.fixture(autouse=True)
@@ -80,8 +80,9 @@ class Window:
         self.idle(0.2)
 
     def find(self, kind, name=None):
-        """The widgets of a kind that there are."""
-        return widgets.find(kind, name)
+        """The widgets of a kind that there are; kept until the next are looked for, and with them what they are asked for."""
+        self.found = widgets.find(kind, name)
+        return self.found
 
     def first(self, kind, name=None):
         return next(iter(self.find(kind, name)), None)
@@ -146,8 +147,7 @@ class Window:
 
     @property
     def tree(self):
-        views = self.find(QtGui.QTreeView)
-        return next(v for v in views if v.metaObject().className() == "Gui::TreeWidget" and v.isVisible())
+        return next(view for view in tree.trees() if view.isVisible())
 
     def descriptions(self):
         """The tree's second column by its first."""

@@ -20,7 +20,7 @@ def test_progress_shows_labels_as_text(opened, window, monkeypatch):
 
     def analyze(what, *, progress, cancelled):
         progress(0, 2, HTML)
-        dialog = window.find(QtGui.QProgressDialog)[-1]  # those of other tests end with the event loop
+        (dialog,) = (d for d in window.find(QtGui.QProgressDialog) if d.labelText() == HTML)
         label = dialog.findChild(QtGui.QLabel)
         seen.append((label.text(), label.textFormat()))
 

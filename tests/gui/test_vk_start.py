@@ -18,7 +18,7 @@ def test_window_is_there():
 AT_START = {
     "vkworkbench", "vkworkbench.freecad", "vkworkbench.preferences", "vkworkbench.document",
     "vkworkbench.document.idle", "vkworkbench.document.mark_properties", "vkworkbench.document.operations", "vkworkbench.gui", "vkworkbench.gui.plain_text", "vkworkbench.gui.preferences_page",
-    "vkworkbench.gui.qt", "vkworkbench.gui.selection", "vkworkbench.gui.sentences", "vkworkbench.gui.simulator_panels", "vkworkbench.gui.simulator_watch", "vkworkbench.gui.text", "vkworkbench.gui.workbench",
+    "vkworkbench.gui.qt", "vkworkbench.gui.selection", "vkworkbench.gui.sentences", "vkworkbench.gui.simulator_panels", "vkworkbench.gui.simulator_watch", "vkworkbench.gui.text", "vkworkbench.gui.widgets", "vkworkbench.gui.workbench",
 }  # fmt: skip
 
 

@@ -13,7 +13,7 @@ RESULTS, GAUSS_MAP = "VkResults", "VkGaussMap"
 
 def find(name: str) -> QDockWidget | None:
     """Return the dock of that name, None until it is first shown."""
-    return next(iter(widgets.find(QDockWidget, name)), None)
+    return next((dock for dock in widgets.docks() if dock.objectName() == name), None)
 
 
 def add(dock: QDockWidget, height: int) -> None:
@@ -45,7 +45,7 @@ def _at_the_bottom(dock: QDockWidget) -> list[QDockWidget]:
     """Return the other docks at the bottom, hidden ones too."""
     window = Gui.getMainWindow()
     return [
-        other for other in widgets.find(QDockWidget)
+        other for other in widgets.docks()
         if other is not dock and not other.isFloating() and window.dockWidgetArea(other) == Qt.BottomDockWidgetArea
     ]  # fmt: skip
 

@@ -8,7 +8,7 @@ import FreeCAD
 from vkworkbench import freecad
 from vkworkbench.document.operations import is_active
 from vkworkbench.gui import widgets
-from vkworkbench.gui.qt import QComboBox, QDialogButtonBox, QDockWidget, QListWidget, QSlider, Qt, QToolButton, QWidget
+from vkworkbench.gui.qt import QComboBox, QDialogButtonBox, QListWidget, QSlider, Qt, QToolButton, QWidget
 
 _PARTS = {
     "comboJobs": QComboBox,
@@ -57,7 +57,7 @@ def tick(panel: QWidget, operations: list) -> None:
 
 def close() -> None:
     """Close a simulator's panel as its own button does: it takes away what it has put into the document."""
-    docks = [dock for dock in widgets.find(QDockWidget) if dock.objectName() in freecad.TASK_DOCKS]
+    docks = [dock for dock in widgets.docks() if dock.objectName() in freecad.TASK_DOCKS]
     for buttons in widgets.find(QDialogButtonBox):
         if any(dock.isAncestorOf(buttons) for dock in docks):
             (buttons.button(QDialogButtonBox.Cancel) or buttons.button(QDialogButtonBox.Close)).click()

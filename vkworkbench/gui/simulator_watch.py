@@ -21,6 +21,7 @@ class TaskWatch(QObject):
 
     def __init__(self, view: QWidget) -> None:
         super().__init__(view)
+        self._view = view  # kept, and with it its children
         self._changed = QTimer(self)  # the panel is complete once FreeCAD is done with it
         self._changed.setSingleShot(True)
         self._changed.timeout.connect(self._look)

@@ -11,17 +11,20 @@ import FreeCADGui as Gui
 
 from vkworkbench import freecad
 from vkworkbench.gui import widgets
-from vkworkbench.gui.qt import QDockWidget, QEvent, QHeaderView, QObject, Qt, QTabWidget, QTimer, QTreeView
+from vkworkbench.gui.qt import QEvent, QHeaderView, QObject, Qt, QTabWidget, QTimer, QTreeView
 
 DESCRIPTION = 1
 _TREE_PREFERENCES = "User parameter:BaseApp/Preferences/TreeView"
 _DOCK_WIDTH = 500  # px; with FreeCAD's 260 the column would be out of sight
 _MOST_OF_WINDOW = 0.45  # the rest is the 3D view's
 
+_trees: list[QTreeView] = []  # kept, and with them what they were asked for
+
 
 def trees() -> list[QTreeView]:
     """Return FreeCAD's document trees."""
-    return [view for view in widgets.find(QTreeView) if view.metaObject().className() == "Gui::TreeWidget"]
+    _trees[:] = [view for view in widgets.find(QTreeView) if view.metaObject().className() == "Gui::TreeWidget"]
+    return list(_trees)
 
 
 class _Sight(QObject):
@@ -74,7 +77,7 @@ def show_description() -> bool:
         tree.header().setVisible(True)
     window = Gui.getMainWindow()
     width = min(_DOCK_WIDTH, int(_MOST_OF_WINDOW * window.width()))
-    for dock in widgets.find(QDockWidget):
+    for dock in widgets.docks():
         if dock.objectName() in freecad.TREE_DOCKS and dock.isVisible() and dock.width() < width:
             if dock.isFloating():
                 dock.resize(width, dock.height())
@@ -87,7 +90,7 @@ def bring_to_view() -> None:
     """Bring a tree that a tab hides before it; a task that is being edited stays, and so does a closed dock."""
     if Gui.Control.activeDialog() or any(map(is_seen, trees())):
         return
-    for dock in widgets.find(QDockWidget):
+    for dock in widgets.docks():
         for tree in trees():
             if dock.toggleViewAction().isChecked() and dock.isAncestorOf(tree):
                 dock.raise_()
