@@ -21,7 +21,6 @@ class TaskWatch(QObject):
 
     def __init__(self, view: QWidget) -> None:
         super().__init__(view)
-        self._view = view  # kept, and with it its children
         self._changed = QTimer(self)  # the panel is complete once FreeCAD is done with it
         self._changed.setSingleShot(True)
         self._changed.timeout.connect(self._look)
@@ -39,11 +38,14 @@ class TaskWatch(QObject):
                 _opened(panel)
 
 
+_watched: dict[QWidget, TaskWatch] = {}  # kept: what belongs to a widget goes when Python lets go of the widget
+
+
 def watch() -> None:
     """Watch the task views that there are now, each once."""
     for view in widgets.find(QWidget):
-        if view.metaObject().className() == "Gui::TaskView::TaskView" and view.findChild(TaskWatch) is None:
-            TaskWatch(view)
+        if view.metaObject().className() == "Gui::TaskView::TaskView" and view not in _watched:
+            _watched[view] = TaskWatch(view)
 
 
 def _opened(panel: QWidget) -> None:
