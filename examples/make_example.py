@@ -154,7 +154,7 @@ def make_example(path):
     drill = tool_controller(doc, 3, "Drill 5 mm", "drill.fcstd", 5, 200)
     ball = tool_controller(doc, 4, "Ball end mill 6 mm", "ballend.fcstd", 6, 1000)
     # Between several tools FreeCAD lets the user choose for the first operation: without a window that fails.
-    job.Tools.Group = [cutter]
+    job.Proxy.addToolController(cutter)
 
     pattern = "ClearingPattern" if VERSION >= (1, 1) else "OffsetPattern"
     top = faces(shape, "Plane", (0, 0, HEIGHT), (LENGTH, WIDTH, HEIGHT))
@@ -202,7 +202,8 @@ def make_example(path):
     profile = operation(job, "Profile", "Cut out", small, StepDown=5)
     holding_tags(job, profile)
 
-    job.Tools.Group = [cutter, small, drill, ball]
+    for controller in (small, drill, ball):
+        job.Proxy.addToolController(controller)
     doc.recompute()
     doc.saveAs(str(path))
     return doc

@@ -81,6 +81,7 @@ def test_steps_go_to_commands_and_operations(simulated, window):
     assert simulated.moment.done == first[0]
     window.wait(lambda: simulated.pictures.is_current)
     assert simulated.job.operations[0].label in simulated.play_bar.text.text()
+    assert simulated.clock.complete and simulated.play_bar.text.text()[0].isdigit()
 
 
 def test_a_play_shows_the_machines_time(simulated, window):

@@ -291,6 +291,8 @@ def test_odd_jobs_are_shown(opened, window, small, odd):
     finest(tab.player, window)
     assert "Error" not in tab.player.state.text()
     player = tab.player
+    assert player.play_bar.text.text().startswith("about") == (not player.clock.complete)
+    assert not player.clock.complete or odd is not no_feed
     for index in range(player.scene_bar.colorings.count()):
         player.scene_bar.colorings.setCurrentIndex(index)
         window.idle(0.05)

@@ -127,8 +127,11 @@ class Player(QWidget):
         self.time_line.show_job(tuple(blocks), self.clock.total)
 
     def _duration(self, seconds: float) -> str:
-        text = user().time(seconds)
-        return text if self.clock.complete else translate("Vk_Simulate", "about {}").format(text)
+        return self._about(user().time(seconds))
+
+    def _about(self, time: str) -> str:
+        """A time of the machine, which is not exact where speeds are unknown."""
+        return time if self.clock.complete else translate("Vk_Simulate", "about {}").format(time)
 
     # Simulating
 
@@ -239,7 +242,7 @@ class Player(QWidget):
         """When the moment is, what is cut then, and what that removes."""
         moment, source = self.moment, self.clock.cuts.source(self.moment.last)
         text = translate("Vk_Simulate", "{} of {}   {}, command {}: {}").format(
-            _clock(moment.seconds), _clock(self.clock.total), self.job.operations[source.cut].label,
+            self._about(_clock(moment.seconds)), _clock(self.clock.total), self.job.operations[source.cut].label,
             source.command + 1, self.job.listings[source.cut][source.command],
         )  # fmt: skip
         if self.drawing.told is None or moment.noticed is None:
