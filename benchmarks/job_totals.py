@@ -49,7 +49,7 @@ def main() -> None:
             print(f"\n{name}                  true      total         sum of each alone", file=OUT)
             told(job.cuts, job.stock, View(direction), speed)
             rows = [errors(cuts, stock, View(direction, 400, 300), speed) for cuts, stock in jobs]
-            for number, what in enumerate(("traces", "memory")):
+            for number, what in enumerate(("traces", "memory", "time")):
                 total, alone = np.array([row[number] for row in rows]).T
                 print(
                     f"{len(rows)} random jobs, {what}: total {spread(total)}, sum {spread(alone)}", file=OUT, flush=True
@@ -79,14 +79,17 @@ def estimates(cuts, stock, view, speed):
 
 
 def errors(cuts, stock, view, speed):
-    """Errors of a job's total, and of the sum: of traces and of memory."""
+    """Errors of a job's total, and of the sum: of traces, memory and time."""
     whole, alone = estimates(cuts, stock, view, speed)
+    begin = time.process_time()
     true = simulate_job(cuts, stock=stock, view=view)
+    seconds = time.process_time() - begin
     once = max(e.stock_bytes for e in alone)
     summed = once + sum(e.memory_bytes - once for e in alone)
     return (
         (ratio(whole.traces, true.traces), ratio(sum(e.traces for e in alone), true.traces)),
         (ratio(whole.memory_bytes, true.memory_bytes), ratio(summed, true.memory_bytes)),
+        (ratio(whole.seconds, seconds), ratio(sum(e.seconds for e in alone), seconds)),
     )
 
 

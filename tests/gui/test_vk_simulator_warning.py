@@ -3,6 +3,7 @@
 
 import gc
 
+import dead_widgets
 import FreeCADGui as Gui
 import Path
 import pytest
@@ -34,6 +35,7 @@ def marked(marked, window):
 def _close(window):
     simulator_panels.close()
     window.wait(lambda: not Gui.Control.activeDialog() and simulator_panel(window) is None)
+    dead_widgets.forget()
 
 
 def lines(window):

@@ -22,12 +22,12 @@ def panels() -> list[QWidget]:
     """Return the simulators' panels that are open and work; all of them have one name.
 
     FreeCAD 1.x keeps each that was closed, and PySide may take parts of the next for what was at their address: then
-    FreeCAD says that its command failed, and they are not found.
+    FreeCAD says that its command failed, and the panel is nowhere, or they are not found.
     """
     return [
         panel
         for panel in widgets.find(QWidget, "TaskPathSimulator")
-        if all(panel.findChild(kind, name) is not None for name, kind in _PARTS.items())
+        if not panel.isWindow() and all(panel.findChild(kind, name) is not None for name, kind in _PARTS.items())
     ]
 
 

@@ -166,7 +166,10 @@ def _start(way: str, job, operations: list) -> None:
         return
     Gui.Selection.clearSelection()
     Gui.Selection.addSelection(job)
-    Gui.runCommand(freecad.simulator_command(way))
+    command = freecad.simulator_command(way)
+    Gui.runCommand(command)
+    if not Gui.Control.activeDialog():
+        Gui.runCommand(command)  # FreeCAD 1.0 fails to open one panel in fifteen (benchmarks/freecad_dead_widgets.py)
     for panel in simulator_panels.panels():
         simulator_panels.tick(panel, operations)
         button = panel.findChild(QToolButton, "toolButtonFF")

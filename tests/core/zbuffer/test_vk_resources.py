@@ -16,13 +16,13 @@ from vkworkbench.core.recognition import Recognition, recognize
 from vkworkbench.core.zbuffer.closed_form import cauchy_crofton, closed_form, swept
 from vkworkbench.core.zbuffer.cuts import Cut, Cuts
 from vkworkbench.core.zbuffer.dexels import UNCUT
-from vkworkbench.core.zbuffer.estimate import Speed, estimate
+from vkworkbench.core.zbuffer.estimate import Speed, estimate, estimate_job
 from vkworkbench.core.zbuffer.records import INDEX, PIXEL_BYTES, RECORD_BYTES
 from vkworkbench.core.zbuffer.removal import Removal
 from vkworkbench.core.zbuffer.resolution import best_resolution
 from vkworkbench.core.zbuffer.sampling import sample
 from vkworkbench.core.zbuffer.silhouette import silhouette_area
-from vkworkbench.core.zbuffer.simulate import simulate
+from vkworkbench.core.zbuffer.simulate import simulate, simulate_job
 from vkworkbench.core.zbuffer.speed import fit_speed, measure_speed
 from vkworkbench.language import Message
 
@@ -330,6 +330,31 @@ def test_the_work_is_that_of_the_simulator(name, direction):
     found = estimate(toolpath, None, tool=tool, stock=STOCK, view=view)
     assert 4 * np.sum(found.work.pairs) + sum(found.work.cells) == pytest.approx(exact.candidates, rel=0.3)
     assert found.seconds == pytest.approx(found.speed.constants @ found.work.amounts())
+
+
+@pytest.mark.parametrize("direction", [TOP, TILTED], ids=["top", "tilted"])
+def test_the_work_of_a_job_is_that_of_all_its_operations(direction):
+    """Operations of many moves do not hide those of few in other places."""
+    cuts = [Cut(*PATHS[name]) for name in ("zigzag", "surface", "helix")] + [Cut(zigzag(0.5, chords=40), FLAT)]
+    view = View(direction, 512, 384)
+    exact = simulate_job(cuts, stock=STOCK, view=view)
+    found = estimate_job(cuts, stock=STOCK, view=view).work
+    assert 4 * np.sum(found.pairs) + sum(found.cells) == pytest.approx(exact.candidates, rel=0.15)
+
+
+def test_kinds_of_trajectory_are_worked_on_apart_where_they_meet():
+    row, behind = path([(5, 5, 15), (75, 5, 15)]), path([(5, 55, 15), (75, 55, 15)])
+    view = View(TOP, 640, 480)  # of 60 mm in 7.5 bands of 64 rows
+
+    def work(*cuts):
+        return estimate_job([Cut(toolpath, Tool("endmill", size)) for toolpath, size in cuts], stock=STOCK, view=view).work
+
+    assert work((row, 6)).kinds == work((row, 6), (behind, 6)).kinds == 1
+    assert work((row, 6), (row, 4)).kinds == pytest.approx(2, abs=0.2)
+    apart = work((row, 6), (behind, 4))
+    assert apart.kinds < 0.7 and apart.bands == pytest.approx(7.5, rel=0.15)
+    assert work((row, 6)).bands == pytest.approx(1 + 6 / 8, rel=0.15)
+    assert work((path([(5, 5, 30), (75, 5, 30)]), 6)).bands == 0  # above the stock
 
 
 def test_the_work_in_another_image_is_known_from_one():

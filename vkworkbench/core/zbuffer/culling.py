@@ -33,8 +33,9 @@ NOISE = 1e-8
 class Bounds(Protocol):
     """What one kind of view knows of a trajectory above a tile."""
 
-    def fine_enough(self, tiles: Tiles) -> bool:
-        """Whether cutting the pixels of these tiles one by one is quicker than dividing them further."""
+    @property
+    def sloped(self) -> np.ndarray:
+        """(m,) bool ndarray : the trajectories that do not stay on their level."""
 
     def quarters(
         self, column: np.ndarray, row: np.ndarray, tile: np.ndarray, item: np.ndarray, child: int
@@ -118,6 +119,14 @@ class Tiles:
         inner = np.arange(self.side)[:, None]
         return self.column + inner, self.row + inner
 
+    def only(self, these: np.ndarray) -> Tiles:
+        """Return those of `these` (t,) bool."""
+        if these.all():
+            return self
+        count = np.diff(self.first)
+        first = np.append(0, np.cumsum(count[these]))
+        return Tiles(self.side, self.column[these], self.row[these], first, self.item[np.repeat(these, count)])
+
     def part(self, begin: int, end: int) -> Tiles:
         """Return the tiles from `begin` to before `end`."""
         first = self.first[begin : end + 1]
@@ -158,14 +167,27 @@ def culled(trajectories: Trajectories, bounds: Bounds, bottom: int) -> Iterator[
     tested = 0
     while pending:
         for block in pending.pop().blocks(PAIRS_AT_ONCE):
-            if not bounds.fine_enough(block):
-                tested += 4 * len(block.item)
-                pending.append(quartered(trajectories, bounds, block))
-                continue
+            fine = fine_enough(block, bounds.sloped)
+            if not fine.all():
+                coarse = block.only(~fine)
+                tested += 4 * len(coarse.item)
+                pending.append(quartered(trajectories, bounds, coarse))
             pixels = block.side**2
-            for small in block.blocks(PAIRS_AT_ONCE // pixels):
+            for small in block.only(fine).blocks(PAIRS_AT_ONCE // pixels):
                 yield small, tested + pixels * len(small.item)
                 tested = 0
+
+
+def fine_enough(tiles: Tiles, sloped: np.ndarray) -> np.ndarray:
+    """Say of which tiles (t,) cutting the pixels one by one is quicker than dividing them further.
+
+    Bounds of a sloped move take as long as the surface of what it sweeps.
+    """
+    if tiles.side != 4:
+        return np.full(len(tiles.column), tiles.side < 4)
+    running = np.append(0, np.cumsum(sloped.take(tiles.item)))
+    result: np.ndarray = 2 * np.diff(running.take(tiles.first)) > np.diff(tiles.first)
+    return result
 
 
 def first_tiles(trajectories: Trajectories, left: np.ndarray, bottom: np.ndarray) -> Tiles:

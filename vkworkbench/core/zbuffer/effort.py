@@ -3,7 +3,7 @@
 
 How much culling drops differs from one toolpath to another by orders of magnitude; only culling tells. So some tiles
 are culled as the simulator does it, level by level. Where the tiles of a level have more pairs than a few thousands,
-some of them are drawn, as likely as they have pairs, and stand for the others (sampling proportional to size).
+some of them are drawn, as likely as their pairs take long, and stand for the others (sampling proportional to size).
 """
 
 from __future__ import annotations
@@ -12,13 +12,14 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from vkworkbench.core.zbuffer.culling import PAIRS_AT_ONCE, TILE, Tiles, first_tiles, quartered
+from vkworkbench.core.zbuffer.culling import PAIRS_AT_ONCE, TILE, Tiles, fine_enough, first_tiles, quartered
 from vkworkbench.core.zbuffer.removal import Removal
 from vkworkbench.core.zbuffer.tilted import Tilted
 from vkworkbench.core.zbuffer.trajectories import Kind
 from vkworkbench.core.zbuffer.upright import Upright
 
-# Pairs of tile and trajectory that go on at each level, and of the image's first tiles as many as are looked at.
+# Pairs of tile and trajectory that go on at each level, for each kind of trajectory: operations with different tools are
+# in different places. And of the image's first tiles as many as are looked at.
 _PAIRS = 6_000
 _LOOKED_AT = 2_000_000
 # No fewer of the first tiles.
@@ -32,12 +33,12 @@ _SEED = 2002
 # obliquely, in units of `Speed`; learned by benchmarks/learn_effort.py.
 KINDS = 16
 TESTS = np.array(
-    [0.019, 0.091, 0.07, 0.586, 0.06, 0.471, 0.091, 0.619, 0.03, 0.248, 0.053, 0.375, 0.07, 1, 0.131, 0.556]
+    [0.021, 0.124, 0.053, 0.429, 0.058, 0.475, 0.069, 0.502, 0.043, 0.288, 0.06, 0.344, 0.055, 1, 0.108, 0.461]
 )
 CELLS = np.array(
-    [0.021, 0.112, 0.011, 0.048, 0.005, 0.45, 0.025, 0.243, 0.022, 0.125, 0.017, 0.097, 0.009, 1, 0.082, 0.485]
+    [0.024, 0.099, 0.013, 0.067, 0.002, 0.473, 0.027, 0.339, 0.02, 0.136, 0.012, 0.107, 0.014, 1, 0.106, 0.47]
 )
-RECORDS = np.array([1, 5.34])
+RECORDS = np.array([1, 7.55])
 
 
 @dataclass(frozen=True)
@@ -56,6 +57,10 @@ class Work:
         Pairs of pixel and trajectory of which the ray is cut, by kind.
     records : (2,) tuple of float
         Dexels and elements of traces, from above or below and obliquely.
+    bands : float
+        Bands of `TILE` rows of the image, from the lowest to the highest that trajectories reach.
+    kinds : float
+        How many kinds of trajectory reach each of these on average: the pairs of each are worked on apart.
     """
 
     trajectories: float
@@ -64,6 +69,8 @@ class Work:
     pairs: tuple[tuple[float, ...], ...]
     cells: tuple[float, ...]
     records: tuple[float, float]
+    bands: float
+    kinds: float
 
     def amounts(self, growth: float = 1.0) -> np.ndarray:
         """How often each constant of `Speed` is due, in an image of `growth` times as many pixels.
@@ -74,14 +81,14 @@ class Work:
         Returns
         -------
         (7,) float64
-            Trajectories, pixels, first pairs, blocks of pairs worked on at once, tests, cells, records.
+            Trajectories, pixels, first pairs, blocks of pairs of one kind worked on at once, tests, cells, records.
         """
         levels = np.array(self.pairs).reshape(-1, KINDS)
         pairs, tests = _finer(levels.sum(axis=1), growth), _finer(levels @ TESTS, growth)
         cells = np.array(self.cells) * self._cells_in(growth)
-        bands = np.sqrt(self.pixels * growth) / TILE
+        bands = self.bands * np.sqrt(growth)
         each = np.maximum.accumulate(np.maximum(pairs / PAIRS_AT_ONCE, bands))
-        blocks = each.sum() + max(bands, cells.sum() / PAIRS_AT_ONCE)
+        blocks = self.kinds * (each.sum() + max(bands, cells.sum() / PAIRS_AT_ONCE))
         records = float(np.dot(self.records, RECORDS))
         return np.array([
             self.trajectories, self.pixels * growth, self.first * growth, blocks, 4 * tests.sum(), cells @ CELLS,
@@ -129,22 +136,42 @@ def work_of(removal: Removal, trajectories: int, records: float) -> Work:
     rng = np.random.default_rng(_SEED)
     frame, upright = removal.frame, removal.sine == 0
     bounds = Upright(removal) if upright else Tilted(removal)
-    kind = np.array([_kind(kind, upright) for kind in removal.kinds], int)
+    kind = np.array([_kind(kind, upright) for kind in removal.kinds], int)[removal.kind]
     tiles, weight, all_tiles = _first(removal, rng)
     levels = []
     cells: np.ndarray = np.zeros(KINDS)
     while len(tiles.item):
-        pairs = np.bincount(kind[removal.kind[tiles.item]], np.repeat(weight, np.diff(tiles.first)), KINDS)
-        if bounds.fine_enough(tiles):
-            cells = tiles.side**2 * pairs
+        fine = fine_enough(tiles, bounds.sloped)
+        cells += tiles.side**2 * _pairs(tiles.only(fine), weight[fine], kind)
+        tiles, weight = tiles.only(~fine), weight[~fine]
+        if not len(tiles.item):
             break
-        levels.append(tuple(pairs.tolist()))
-        tiles, weight = _drawn(tiles, weight, rng)
+        levels.append(tuple(_pairs(tiles, weight, kind).tolist()))
+        tiles, weight = _drawn(tiles, weight, TESTS[kind[tiles.item]], _PAIRS * len(removal.kinds), rng)
         smaller = quartered(removal, bounds, tiles)
         tiles, weight = smaller, weight[_parents(tiles, smaller)]
     pixels, first = frame.width * frame.height, all_tiles * len(removal.index)
     kept = (records, 0.0) if upright else (0.0, records)
-    return Work(trajectories, pixels, first, tuple(levels), tuple(cells.tolist()), kept)
+    return Work(trajectories, pixels, first, tuple(levels), tuple(cells.tolist()), kept, *_bands(removal))
+
+
+def _bands(removal: Removal) -> tuple[float, float]:
+    """See `Work.bands` and `Work.kinds`."""
+    frame = removal.frame
+    band, most, half = TILE * frame.pixel, -(-frame.height // TILE), frame.height * frame.pixel / 2
+    bottom, top = np.clip(removal.box[2:], -half, half)
+    own = [removal.kind == number for number in range(len(removal.kinds))]
+    # A part of a band is a band, too: one more on average.
+    each = [min((top[of].max() - bottom[of].min()) / band + 1, most) for of in own]
+    if not each:
+        return 0.0, 1.0
+    together = min((top.max() - bottom.min()) / band + 1, most)
+    return together, sum(each) / together
+
+
+def _pairs(tiles: Tiles, weight: np.ndarray, kind: np.ndarray) -> np.ndarray:
+    """How many pairs of each kind tiles have that stand for so many."""
+    return np.bincount(kind[tiles.item], np.repeat(weight, np.diff(tiles.first)), KINDS)
 
 
 def _kind(kind: Kind, upright: bool) -> int:
@@ -168,20 +195,23 @@ def _first(removal: Removal, rng: np.random.Generator) -> tuple[Tiles, np.ndarra
     return tiles, np.full(count, every / count), every
 
 
-def _drawn(tiles: Tiles, weight: np.ndarray, rng: np.random.Generator) -> tuple[Tiles, np.ndarray]:
-    """Draw some of the tiles where they have too many pairs, as likely as they have pairs."""
+def _drawn(
+    tiles: Tiles, weight: np.ndarray, cost: np.ndarray, pairs: int, rng: np.random.Generator
+) -> tuple[Tiles, np.ndarray]:
+    """Draw some of the tiles where they have too many pairs, as likely as these take long, each its `cost` (p,)."""
     size = np.diff(tiles.first)
-    if size.sum() <= _PAIRS:
+    if size.sum() <= pairs:
         return tiles, weight
-    running = np.cumsum(weight * size)
-    usual = float((weight * size * size).sum()) / running[-1]  # size of a tile so drawn
-    count = max(1, int(_PAIRS / usual))
+    cost = np.diff(np.append(0.0, np.cumsum(cost)).take(tiles.first))
+    running = np.cumsum(weight * cost)
+    usual = float((weight * cost * size).sum()) / running[-1]  # size of a tile so drawn
+    count = max(1, int(pairs / usual))
     chosen = np.searchsorted(running, (np.arange(count) + rng.random(count)) / count * running[-1], side="right")
     chosen, times = np.unique(np.minimum(chosen, len(size) - 1), return_counts=True)
     item = [tiles.item[tiles.first[tile] : tiles.first[tile + 1]] for tile in chosen]
     first = np.append(0, np.cumsum(size[chosen]))
     drawn = Tiles(tiles.side, tiles.column[chosen], tiles.row[chosen], first, np.concatenate(item))
-    return drawn, times * running[-1] / count / size[chosen]
+    return drawn, times * running[-1] / count / cost[chosen]
 
 
 def _parents(tiles: Tiles, made: Tiles) -> np.ndarray:

@@ -101,7 +101,7 @@ class Speed:
     meeting : float
         One trajectory looked at for one of the largest tiles.
     block : float
-        One block of pairs that are worked on at once.
+        One block of pairs of one kind that are worked on at once.
     test : float
         One pair of a tile and a trajectory tested.
     cell : float
@@ -112,13 +112,13 @@ class Speed:
         The true time is between the estimated one divided and multiplied by this.
     """
 
-    trajectory: float = 1.2e-06
-    pixel: float = 2e-08
-    meeting: float = 5.3e-09
-    block: float = 0.00028
-    test: float = 6.8e-07
-    cell: float = 1.4e-06
-    record: float = 2.9e-08
+    trajectory: float = 1.4e-06
+    pixel: float = 3.7e-08
+    meeting: float = 5.2e-09
+    block: float = 0.00048
+    test: float = 8.6e-07
+    cell: float = 1.7e-06
+    record: float = 3.1e-08
     factor: float = 3.0
 
     @property

@@ -41,13 +41,6 @@ class Tilted:
         self.growths = [_Growth(tool, level, self.sine, self.cosine) for tool in tools]
         self.chords = _TileChords(trajectories.stock, trajectories.frame, self.sine / self.cosine if level else 0.0)
 
-    def fine_enough(self, tiles: Tiles) -> bool:
-        """See `culling.Bounds.fine_enough`."""
-        # The tools that bound a sloped move take as long as the tool itself.
-        if tiles.side > 4:
-            return False
-        return tiles.side <= 2 or 2 * int(np.count_nonzero(self.sloped.take(tiles.item))) > len(tiles.item)
-
     def quarters(
         self, column: np.ndarray, row: np.ndarray, tile: np.ndarray, item: np.ndarray, child: int
     ) -> Iterator[np.ndarray]:

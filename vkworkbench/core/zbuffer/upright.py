@@ -33,16 +33,9 @@ class Upright:
         ux, uy, run, slope = trajectories.heading
         # The moves from their middles: position, direction, half the length, depth, and slope.
         self.columns = (x + mx / 2, y + my / 2, ux, uy, run / 2, -(z + slope * run / 2))
-        self.slope = slope
+        self.slope, self.sloped = slope, slope != 0
         half = (trajectories.stock.upper[2] - trajectories.stock.lower[2]) / 2
         self.near, self.far = -float(half), float(half)
-
-    def fine_enough(self, tiles: Tiles) -> bool:
-        """See `culling.Bounds.fine_enough`."""
-        # Of a sloped move bounds take longer than the surface of what it sweeps.
-        if tiles.side > 4:
-            return False
-        return tiles.side <= 2 or 2 * int(np.count_nonzero(self.slope.take(tiles.item))) > len(tiles.item)
 
     def quarters(
         self, column: np.ndarray, row: np.ndarray, tile: np.ndarray, item: np.ndarray, child: int
