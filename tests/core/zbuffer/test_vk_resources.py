@@ -347,7 +347,9 @@ def test_kinds_of_trajectory_are_worked_on_apart_where_they_meet():
     view = View(TOP, 640, 480)  # of 60 mm in 7.5 bands of 64 rows
 
     def work(*cuts):
-        return estimate_job([Cut(toolpath, Tool("endmill", size)) for toolpath, size in cuts], stock=STOCK, view=view).work
+        return estimate_job(
+            [Cut(toolpath, Tool("endmill", size)) for toolpath, size in cuts], stock=STOCK, view=view
+        ).work
 
     assert work((row, 6)).kinds == work((row, 6), (behind, 6)).kinds == 1
     assert work((row, 6), (row, 4)).kinds == pytest.approx(2, abs=0.2)
