@@ -71,6 +71,11 @@ def test_thinned_keeps_every_peak(values, count):
                 assert {stretch.min(), stretch.max()} <= set(values[kept])
 
 
+def test_thinned_keeps_the_ends_of_every_stretch():
+    edges = np.arange(0, 1000, 100)
+    assert thinned(np.zeros(1000), 10).tolist() == np.sort(np.append(edges, edges + 99)).tolist()
+
+
 def test_rows_closer_than_pixels_are_drawn_once():
     rows = np.arange(100_000)
     points = np.column_stack([np.where(rows % 2, 100.0, 0.0), rows * 1e-3])

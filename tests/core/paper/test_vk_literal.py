@@ -42,3 +42,15 @@ def test_the_image_of_a_contour_goes_around_in_one_sense():
     assert (verdict(SQUARE).sense, verdict(SQUARE, -1).sense) == ("ccw", "cw")
     assert verdict([(0, 0), (10, 0), (20, 0)]).sense is None  # it does not move
     assert verdict([(0, 0), (30, 0), (30, 2), (0, 2), (0, 4), (30, 4)]).sense is None  # to and fro
+
+
+def test_the_image_is_told_from_where_it_begins():
+    """V_k points up at first, and then less and less so, to the left."""
+    assert np.degrees(verdict([(0, 0), (0, 30), (-30, 30)]).theta_range) == pytest.approx((90, 135))
+    assert verdict([(0, 0), (0, 30), (-30, 30)]).sense == "ccw"  # by an eighth of a turn
+    assert verdict([(0, 0), (0, 30), (30, 30)]).sense == "cw"
+
+
+def test_a_short_way_to_and_fro_has_no_sense():
+    found = verdict([(0, 0), (30, 0), (60, 6), (100, 5)])
+    assert found.sense is None and max(found.theta_range) == pytest.approx(np.arctan2(6, 60))

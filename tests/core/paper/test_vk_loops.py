@@ -10,6 +10,7 @@ from drawings import polygon, winding
 
 from vkworkbench.core import linearize
 from vkworkbench.core.paper import monotonous_areas, winding_turns
+from vkworkbench.core.paper.loops import is_closed, may_be_closed
 
 
 def areas_of(*strokes):
@@ -71,6 +72,8 @@ def test_the_contour_that_leads_through_the_start_of_its_zigzag_is_the_loop():
     ]
     found = loops_of(rows + around)
     assert found == [(len(rows), 5)]
+    # After another loop as well.
+    assert loops_of(polygon(40), rows + around) == [(0, 4), (4 + len(rows), 5)]
 
 
 @pytest.mark.parametrize("first, last, sense", [(10, 10, 1), (2, 26, 1), (26, 2, -1)])
@@ -98,3 +101,10 @@ def test_turning_back_and_on_begins_no_new_turn():
     areas = areas_of(list(zip(radius * np.cos(angles), radius * np.sin(angles), np.zeros(len(angles)))))
     turns = winding_turns(areas, areas.start, areas.end, np.ones(1))
     assert len(turns) in (3, 4) and (np.diff(turns) > 40).all()
+
+
+@pytest.mark.parametrize("length", [3.0, 100.0, 4000.0])
+def test_no_path_encloses_more_than_a_circle_of_its_length(length):
+    gap = np.geomspace(1e-3, length, 200)
+    circle = np.full(200, length**2 / (4 * np.pi))
+    assert may_be_closed(gap, np.full(200, length)).tolist() == is_closed(gap, circle, np.full(200, 99)).tolist()

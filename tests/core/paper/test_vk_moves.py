@@ -49,6 +49,8 @@ def test_an_area_ends_at_another_depth_unless_it_goes_straight_on():
     step, wall = feed((0, 0, -1), *ROW, (0, 2, -2), (0, 30, -2)), feed((0, 0, -1), *ROW, (0, 2, 3), (-20, 2, 3))
     assert sizes(areas_of(*step)) == [3, 1]
     assert sizes(areas_of(*wall)) == [4]  # a raster climbs a wall
+    assert sizes(areas_of(*feed((0, 0, -1), (20, 20, -1), (20, 20, 3), (40, 40, 3)))) == [2]
+    assert sizes(areas_of(*feed((0, 0, -1), (20, 20, -1), (20, 20, 3), (40, 0, 3), (60, 0, 3)))) == [1, 2]
 
 
 def test_a_first_move_straight_down_at_feed_is_no_area():
@@ -65,6 +67,8 @@ def test_a_slope_cuts_along_the_plane_and_a_plunge_aside_does_not(drop, cuts):
 def test_a_move_of_rounding_beside_a_long_one_has_no_direction(beside, kept):
     areas = areas_of(*feed((0, 0, -1), (beside, 0, -1), (beside, 0.015, -1), (2 * beside, 0.015, -1)))
     assert len(areas) == 2 + kept
+    last = areas_of(*feed((0, 0, -1), (0.3, 0, -1), (0.3, 0.015, -1), (0.3 + beside, 0.015, -1)))
+    assert len(last) == 2 + kept
 
 
 def link(x, y):
@@ -95,6 +99,11 @@ def test_a_plateau_between_walls_is_cut():
     assert sizes(areas_of(*feed(*raster))) == [3]
     turned = [(0, 0, -1), (20, 0, -1), (20, 0, 4), (20, 20, 4), (20, 20, -1), (40, 20, -1)]
     assert sizes(areas_of(*feed(*turned))) == [1, 1]  # that one is a link: it lies in no pass
+    aslant = [(0, 0, -1), (20, 0, -1), (20, 0, 4), (40, 20, 4), (40, 20, -1), (60, 20, -1)]
+    assert sizes(areas_of(*feed(*aslant))) == [1, 1]
+    lifted = [*feed((0, 0, -1), (20, 0, -1)), rapid(20, 0, 4), *feed((40, 0, 4)), rapid(40, 0, -1), *feed((60, 0, -1))]
+    before = [rapid(0, 40, 5), *feed((0, 40, -1), (0, 60, -1), (20, 60, -1)), rapid(20, 60, 5), rapid(0, 0, 5)]
+    assert sizes(areas_of(*before, *lifted)) == [2, 1, 1, 1]
 
 
 def test_a_hole_is_a_plunge_where_nothing_is_milled():

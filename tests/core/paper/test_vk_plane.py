@@ -56,3 +56,8 @@ def test_the_plane_of_a_polyline_is_the_one_it_stays_in():
     level = wave * (1, 1, 0)
     assert plane_of_points(level) == XY and plane_of_points(wave * (0, 0, 1)) == XY
     assert plane_of_points(wave + np.arange(6)[:, None] * (0, 1, 0)) == XY
+
+
+def test_what_falls_by_a_hundredth_of_its_length_stays_in_the_horizontal_plane():
+    assert plane([(0, 7, 0), (100, 7, -1), (0, 7, -2)]) == XY == plane([(7, 0, 0), (7, 100, -1), (7, 0, -2)])
+    assert plane([(0, 7, 0), (1, 7, -100), (2, 7, 0)]) == XY

@@ -70,6 +70,8 @@ def test_trajectories_without_length_do_not_turn():
     assert result.alpha == pytest.approx([0, 0, 0, 0, PI / 2, PI / 2])
     assert result.phi[-1] == pytest.approx(PI / 2)
     assert not signature(np.zeros((5, 2))).phi.any()
+    late = signature(np.array([(0, 0), (0, 0), (0, 0), (0, 1), (-1, 1), (-1, 1), (-1, 0)], float))
+    assert late.alpha == pytest.approx([PI / 2, PI / 2, PI / 2, PI, PI, -PI / 2])
 
 
 def test_v_k_is_the_sum_of_the_trajectories():
