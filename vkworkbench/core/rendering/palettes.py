@@ -59,7 +59,7 @@ def colors_of(owner: np.ndarray, palette: np.ndarray) -> np.ndarray:
 
 def distinct_colors(count: int) -> np.ndarray:
     """Return so many colours that neighbours in the list differ well, (count, 3) uint8."""
-    hues = (0.58 + _GOLDEN * np.arange(count)) % 1
+    hues = 0.58 + _GOLDEN * np.arange(count)  # in turns
     colors = [[round(255 * part) for part in colorsys.hls_to_rgb(hue, 0.6, 0.55)] for hue in hues]
     return np.array(colors, np.uint8).reshape(-1, 3)
 
