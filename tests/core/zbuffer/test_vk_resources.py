@@ -24,6 +24,9 @@ from vkworkbench.core.zbuffer.sampling import sample
 from vkworkbench.core.zbuffer.silhouette import silhouette_area
 from vkworkbench.core.zbuffer.simulate import simulate, simulate_job
 from vkworkbench.core.zbuffer.speed import fit_speed, measure_speed
+from vkworkbench.core.zbuffer.tilted import Tilted
+from vkworkbench.core.zbuffer.trajectories import Trajectories
+from vkworkbench.core.zbuffer.upright import Upright
 from vkworkbench.language import Message
 
 STOCK = Stock((0, 0, 0), (80, 60, 20))
@@ -340,6 +343,30 @@ def test_the_work_of_a_job_is_that_of_all_its_operations(direction):
     exact = simulate_job(cuts, stock=STOCK, view=view)
     found = estimate_job(cuts, stock=STOCK, view=view).work
     assert 4 * np.sum(found.pairs) + sum(found.cells) == pytest.approx(exact.candidates, rel=0.15)
+
+
+@pytest.mark.parametrize("direction", [TOP, TILTED], ids=["top", "tilted"])
+@pytest.mark.parametrize("names", [("zigzag",), ("surface",), ("helix",), ("zigzag", "surface", "helix")])
+def test_blocks_are_those_that_the_simulator_works_on(names, direction, monkeypatch):
+    """As often as it bounds or cuts pairs of one kind at once."""
+    worked = []
+    divided = Trajectories.by_kind
+    bounds = Upright if direction == TOP else Tilted
+
+    def counted(function):
+        def count_and_go_on(self, *arguments):
+            item = arguments[0].item if len(arguments) < 5 else arguments[3]
+            worked.append(len(list(divided(self.trajectories, item))))
+            return function(self, *arguments)
+
+        return count_and_go_on
+
+    cuts, view = [Cut(*PATHS[name]) for name in names], View(direction, 640, 480)
+    said = estimate_job(cuts, stock=STOCK, view=view).work.amounts()[3]
+    monkeypatch.setattr(bounds, "quarters", counted(bounds.quarters))
+    monkeypatch.setattr(bounds, "removals", counted(bounds.removals))
+    simulate_job(cuts, stock=STOCK, view=view)
+    assert said == pytest.approx(sum(worked), rel=0.3)
 
 
 def test_kinds_of_trajectory_are_worked_on_apart_where_they_meet():
