@@ -307,3 +307,29 @@ def test_too_many_chords_are_refused():
     circles = [("G0", {"X": 0, "Y": 0, "Z": 0})] + [("G2", {"I": 9000.0, "J": 0.0})] * 5000
     with pytest.raises(ValueError, match="larger tolerance"):
         linearize(circles, tolerance=1e-4)
+
+
+def test_an_arc_starts_where_both_axes_of_its_plane_are_known():
+    half = ("G2", {"X": 10.0, "Y": 0.0, "I": 5.0, "J": 0.0})
+    told = [problem.what.code for problem in path(("G1", {"X": 0.0}), half).problems]
+    assert told == ["arc-before-start"]
+    assert not path(("G1", {"X": 0.0, "Y": 0.0}), half).problems  # the height plays no part
+
+
+def test_the_centre_counts_where_an_arc_has_a_radius_too():
+    centre = {"X": 10.0, "Y": 0.0, "I": 5.0, "J": 0.0}
+    assert np.array_equal(path(START, ("G2", {**centre, "R": 8.0})).points, path(START, ("G2", centre)).points)
+
+
+def test_a_radius_shorter_than_half_the_chord_by_more_than_rounding_makes_a_line():
+    assert len(path(START, ("G2", {"X": 4.0, "Y": 0.0, "R": 1.9991}))) > 1
+    short = path(START, ("G2", {"X": 4.0, "Y": 0.0, "R": 1.9985}))
+    assert len(short) == 1
+    assert [problem.what.code for problem in short.problems] == ["arc-as-line"]
+
+
+def test_the_radius_of_an_arc_goes_evenly_to_that_of_its_end():
+    spiral = path(START, ("G3", {"X": 9.0, "Y": 0.0, "I": 5.0, "J": 0.0}), tolerance=1e-5).points
+    below = spiral[spiral[:, 1] < -1]  # half a turn, from radius 5 to 4
+    middle = below[np.argmin(np.abs(below[:, 0] - 5))]
+    assert np.hypot(middle[0] - 5, middle[1]) == pytest.approx(4.5, abs=0.002)

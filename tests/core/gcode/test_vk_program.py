@@ -102,9 +102,24 @@ def test_a_cycle_repeated_and_a_cycle_kept_for_later():
     assert sorted(set(np.round(later.points[later.points[:, 2] < 0, 0], 6))) == [10, 20]
 
 
+def test_behind_g80_machines_go_on_with_rapids():
+    assert points("G0 X0 Y0 Z5\nG81 X1 Y0 Z-1 R1 F60\nG80\nX5\nX9")[-2:] == [[5, 0, 5], [9, 0, 5]]
+    path = read_program("G1 X0 Y0 Z5 F60\nG1 X1\nG80\nX5\nX9").toolpath()
+    assert path.rapid.tolist() == [False, True, True]
+    kept = points("G0 X0 Y0 Z5\nG81 Z-1 R1 F60 L0\nG80\nX5\nG81 X9 Z-2 R1")
+    assert min(z for *_, z in kept) == -2
+
+
+def test_a_cycle_without_repeats_drills_once():
+    once = points("G0 X0 Y0 Z5\nG91 G81 X10 Y0 Z-4 R-3 F100\nG80")
+    assert {x for x, _, z in once if z < 0} == {10}
+
+
 def test_feeds_by_time_and_by_turn():
     by_time = read_program("G0 X0 Y0 Z0\nG93\nG1 X10 F2\nG1 X40 F3\nG94\nG1 X0 F600").toolpath()
     assert by_time.feed.tolist() == pytest.approx([20 / 60, 90 / 60, 10])
+    slow = read_program("G0 X0 Y0 Z0\nG93\nG1 X10 F.5").toolpath()
+    assert slow.feed.tolist() == pytest.approx([5 / 60])
     by_turn = read_program("G0 X0 Y0 Z0\nG95 S1200 M3\nG1 X10 F.1").toolpath()
     assert by_turn.feed.tolist() == pytest.approx([2])
 
@@ -119,6 +134,10 @@ def test_feeds_by_time_and_by_turn():
 def test_tool_changes(text, numbers):
     program = read_program(f"{text}\n{PLAIN}")
     assert [words["T"] for name, words in program.commands if name == "M6"] == numbers
+
+
+def test_a_comment_ends_at_its_parenthesis():
+    assert points("G0 X0 Y0 Z5\nG1 (down)Z-1 F60(now)X3 Y4") == [[0, 0, 5], [3, 4, -1]]
 
 
 def test_commands_keep_their_lines():
@@ -185,14 +204,25 @@ def test_no_milling_program(text, sentence):
     assert sentence in str(error.value)
 
 
+def test_a_text_is_a_program_while_half_of_its_lines_are_words():
+    assert len(read_program("what\nG0 X0 Y0 Z0\nG1 X5 F60").toolpath()) == 1
+    with pytest.raises(Unusable, match="not made of words"):
+        read_program("what\nis\nthis\nG0 X0 Y0 Z0\nG1 X5 F60")
+    assert len(read_program("what\nis\nG0 X0 Y0 Z0\nG1 X5 F60\nG1 X6").toolpath()) == 2
+
+
 @pytest.mark.parametrize(
     ("text", "sentence"),
     [
         ("G18\nG0 X50 Z2\nG1 Z-20 F.2", "a program for a lathe (G18, line 1)"),
         ("G0 X50 Z2\nG71 P10 Q20 U.5 W.1\nN10 G1 X20\nN20 Z-30", "a program for a lathe (G71, line 2)"),
+        ("G0 X50 Z2\nG72 P10 Q20 U.5 W.1\nN10 G1 X20\nN20 Z-30", "a program for a lathe (G72, line 2)"),
+        ("G0 X50 Z2\nG76 P10 Q20\nG1 Z-30", "a program for a lathe (G76, line 2)"),
         ("G7\nG0 X50 Z2\nG1 Z-20 F.2", "a program for a lathe (G7, line 1)"),
+        ("G0 X50 Z2\nG8\nG1 Z-20 F.2", "a program for a lathe (G8, line 2)"),
         ("G0 X50 Z2\nG96 S200 M3\nG1 Z-20 F.2", "a program for a lathe (G96, line 2)"),
         ("M104 S200\nG1 X5 Y5 Z.2 F600\nG1 X9 E1", "a program for a 3D printer (M104, line 1)"),
+        ("G1 X0 Z0 F600\n" + "".join(f"X{i} E{i}\n" for i in range(1, 12)), "a program for a 3D printer (E, line 2)"),
         ("G1 X0 Y0 U0 V0 F100\nG1 X10 Y1 U10 V2", "a program for a wire cutter (U, V, line 1)"),
     ],
 )
@@ -203,6 +233,11 @@ def test_other_machines_say_so(text, sentence):
 @pytest.mark.parametrize("line", ["G18 G2 X5 Z0 R10", "G96 S100", "G8 P1", "G76 X5 Y5 Z-3 R1 Q.1", "E5 (a slip)"])
 def test_a_milling_program_is_none_of_them(line):
     assert read_program(PLAIN + line).other is None
+
+
+@pytest.mark.parametrize("line", ["G61 P1", "G64 P.01 Q.01", "G9 X5", "".join(f"X{i} A{i}\n" for i in range(1, 13))])
+def test_nor_is_one_that_does_not_move_in_y(line):
+    assert read_program("G0 X0 Z5\nG1 Z-1 F60\nX10\n" + line).other is None
 
 
 def test_a_rotary_axis_that_cuts():

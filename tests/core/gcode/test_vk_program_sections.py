@@ -66,6 +66,25 @@ def test_what_else_is_told_of_a_tool():
     assert tool_told("T4 D=12 TAPER=45deg - chamfer mill", inches=False).tool.tip_angle == pytest.approx(math.pi / 2)
     assert tool_told("T7 D=5 TAPER=118deg - drill", inches=False).tool.tip_angle == pytest.approx(math.radians(118))
     assert tool_told("V-Bit 60° 12mm", inches=False).tool.tip_angle == pytest.approx(math.pi / 3)
+    assert tool_told("V-Bit 12mm", inches=False).tool.tip_angle is None
+    assert tool_told("V-Bit 180.5 deg 12mm", inches=False).tool.tip_angle is None
+    assert tool_told("T1 3/8 FLAT ENDMILL 2in LOC", inches=False).tool.diameter == pytest.approx(9.525)
+    assert tool_told("TOOL 2mm END MILL of 3 mm drill", inches=False).tool.diameter == 2
+
+
+@pytest.mark.parametrize(
+    ("fractions", "diameter"), [("", 6.35), ("1/3", 6.35), ("0/0", 6.35), ("6 35/100", 6.35), ("127/20", 161.29)]
+)
+def test_a_size_that_stands_there_as_a_fraction_too_is_in_inches(fractions, diameter):
+    assert tool_told(f"T2 D=6.35 {fractions} - flat end mill", inches=False).tool.diameter == pytest.approx(diameter)
+
+
+def test_what_is_too_large_or_told_too_long_is_no_tool():
+    assert tool_told("face mill 500 mm", inches=False).tool.diameter == 500
+    assert tool_told("face mill 501 mm", inches=False) is None
+    name = "end mill of the green box " + 29 * "x" + " 6 mm"
+    assert (len(name), tool_told(name, inches=False).tool.diameter) == (60, 6)
+    assert tool_told(name.replace("box", "case"), inches=False) is None
 
 
 @pytest.mark.parametrize(
@@ -153,6 +172,16 @@ def test_a_title_that_names_a_tool_of_before_has_that_tool():
 def test_long_comments_take_no_long_time():
     for text in ("1" * 50_000, "T1 D=" + "1 " * 20_000, "a: " * 20_000, "-" * 50_000, "end mill " * 5000):
         assert len(sections(f"({text})\n{CUT}")) == 1
+
+
+def test_an_operation_without_a_title_has_the_name_of_its_own_tool():
+    (told,) = split_sections(read_program(f"T2 M6\n(T2 D=3 - ball end mill)\n(T3 D=8 - flat end mill)\n{CUT}"))
+    assert (told.title, told.tool.diameter) == ("T2 D=3 - ball end mill", 3)
+
+
+def test_a_section_begins_with_its_first_line():
+    (whole,) = split_sections(read_program(CUT))
+    assert (whole.first, whole.last) == (1, 4)
 
 
 def test_a_program_without_comments_is_one_operation():

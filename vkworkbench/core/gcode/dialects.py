@@ -15,8 +15,8 @@ _SIEMENS = re.compile(
     r"\b(?:CYCLE\d+|POCKET\d|SLOT\d|HOLES\d|LONGHOLE)\s*\(|=\s*(?:AC|IC|DC|ACP|ACN)\b|\b(?:MCALL|EXTCALL|WORKPIECE|SUPA|STOPRE)\b"
     r"|^(?:N\d+\s*)?(?:DEF\s+(?:REAL|INT|BOOL|STRING)|PROC|A?TRANS|A?ROT|A?MIRROR)\b|\bT\s*=\s*\"|^;?\$PATH|^%_N_"
 )
-_TURNING = {7: "G7", 8: "G8", 32: "G32", 96: "G96"}
-_TURNING_CYCLES = {70, 71, 72, 76}
+_TURNING = frozenset([7, 8, 32, 96])
+_TURNING_CYCLES = frozenset([70, 71, 72, 76])
 _PRINTER = frozenset([104, 109, 140, 190])
 _EXTRUSIONS = 10  # moves; fewer E words may be typing errors
 
