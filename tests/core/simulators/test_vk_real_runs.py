@@ -67,6 +67,18 @@ def test_the_stated_factor_is_of_several_runs(kind):
     assert lesson.taught((), SOFTWARE) == {}
 
 
+@pytest.mark.parametrize("late", [0.0, 2.5])
+def test_what_a_play_takes_longer_than_predicted_is_its_drawing(late):
+    cost = cost_of("play", SOFTWARE, 3000)
+    run = true_run("play", cost)
+    seconds = cost.play_seconds + late
+    shown, drawn, drawing, whole = LESSONS["play"].kept(
+        cost, replace(run, seconds=seconds, processor_seconds=seconds), SOFTWARE
+    )
+    assert (shown, drawn, whole) == (cost.shown, cost.drawn, seconds)
+    assert drawing == pytest.approx(cost.display_seconds + late)
+
+
 def test_runs_are_read_as_so_many_numbers():
     assert LESSONS["draw"].read([1, "2.5"]) == (1.0, 2.5)
     for wrong in ([1.0], [1.0, 2.0, 3.0], []):

@@ -217,6 +217,13 @@ def positions(path, tool):
     return legacy_costs(Task(path, tool, STOCK), accuracies=SLIDER)
 
 
+def test_the_finest_of_several_accuracies_costs_what_it_costs_alone():
+    through = linearize([("G0", {"X": 30.0, "Y": 30.0, "Z": 25.0}), ("G1", {"Z": -0.15}), *arcs(4, 12.0)])
+    task = Task(through, TOOL, STOCK)
+    (alone,) = legacy_costs(task, accuracies=(0.1,))
+    assert legacy_costs(task, accuracies=(1.0, 0.1))[1] == alone
+
+
 def test_budget_of_play_is_met_by_the_finest_position_that_meets_it():
     every = positions(linearize(surface()), Tool("ballend", 6.0))
     seconds = [cost.play_seconds for cost in every]
@@ -356,6 +363,27 @@ def test_heights_equal_those_of_every_cell_against_every_point(tool):
     assert np.abs(heights - exact)[inside].max() < 1.8 * size * (1 + tool.steepness) + 0.2
 
 
+def test_cells_of_the_heights_are_a_hundredth_of_the_longer_side_or_a_sixteenth_of_the_radius():
+    path = linearize(zigzag(3))
+    tall = Stock((0, 0, 0), (100, 60, 300))
+    for stock, diameter, expected in ((STOCK, 6.0, 1.0), (tall, 6.0, 1.0), (STOCK, 64.0, 2.0)):
+        _, size = heightmaps(path, tool=Tool("endmill", diameter), stock=stock)
+        assert size == pytest.approx(expected)
+    _, of_floor = floors(path, tool=TOOL, stock=tall, thickness=0.1)
+    assert of_floor == pytest.approx(0.2)
+
+
+def test_a_fine_groove_has_no_gaps_and_its_ramps_are_cut_where_they_are_within_the_stock():
+    small = Stock((0, 0, 0), (10, 6, 2))
+    groove = [("G0", {"X": 1.0, "Y": 3.05, "Z": 4.0}), ("G1", {"X": 5.0, "Z": 0.0}), ("G1", {"X": 9.0, "Z": 4.0})]
+    (heights,), size = heightmaps(linearize(groove), tool=Tool("endmill", 0.6), stock=small)
+    x = (np.arange(heights.shape[0]) + 0.5) * size
+    along = heights[:, int(3.05 / size)]
+    # The lowest point of the flat tool over each cell: its edge is a radius ahead of its middle.
+    exact = np.clip(np.abs(x - 5) - 0.3, 0, 2)
+    assert np.abs(along - exact)[(x > 2) & (x < 8)].max() < 3 * size
+
+
 def test_a_path_outside_the_stock_leaves_it_a_box():
     path = linearize([("G1", {"X": -50.0, "Y": 500.0, "Z": -5.0}), ("G1", {"X": -900.0})])
     (heights,), size = heightmaps(path, tool=TOOL, stock=STOCK)
@@ -375,6 +403,15 @@ def test_a_surface_makes_far_more_triangles_than_a_pocket_and_four_times_as_many
     assert of_dome[0] > 10 * of_pocket[0]
     assert 3.5 < of_dome[0] / of_dome[1] <= 4
     assert 1.7 < of_pocket[0] / of_pocket[1] < 2.1
+
+
+def test_half_the_size_at_half_the_cell_makes_as_many_triangles():
+    (dome,), size = heightmaps(linearize(surface()), tool=Tool("ballend", 6.0), stock=STOCK)
+    floor = np.ones((1, 1), bool)
+    whole, half = (
+        mesh_facets(dome * scale, size * scale, [0.1 * scale], floor=floor, floor_size=scale) for scale in (1, 0.5)
+    )
+    assert half == pytest.approx(whole)
 
 
 def test_a_path_looked_at_in_parts_leaves_what_it_leaves_at_once():
@@ -461,6 +498,9 @@ def test_draw_calls_of_lines_plunges_and_arcs():
     line = opengl_cost(Task(linearize(start + [("G1", {"X": 10.0})]), TOOL, STOCK))
     assert (line.draws, line.steps) == (18, 20)  # of half a millimetre
     assert tuple(line.play_seconds) == opengl_speeds((1, 1))
+    # Ten millimetres in steps of one, and of four at the coarsest.
+    rough = [opengl_cost(Task(linearize(start + [("G1", {"X": 10.0})]), TOOL, STOCK), quality=q) for q in (5, 1)]
+    assert [cost.steps for cost in rough] == [10, 2]
     assert opengl_cost(Task(linearize(start + [("G1", {"Z": 1.0})]), TOOL, STOCK)).draws == 9
     # A half circle of 5 mm was counted in FreeCAD 1.0: 33 chords, 297 draw calls.
     half = opengl_cost(Task(linearize(arcs(1, 5.0)), TOOL, STOCK))

@@ -87,7 +87,7 @@ def _parts(
 def bottom_rectangles(kept: np.ndarray) -> int:
     """Rectangles that the legacy simulator makes of what is left of the lower face (``TesselBot`` in VolSim.cpp).
 
-    From the first free cell a rectangle grows to the right, left and upwards in turn. If it is longer than 5:1, FreeCAD
+    From the first free cell a rectangle grows to the right and upwards in turn. If it is longer than 5:1, FreeCAD
     by mistake takes a single cell, five widths further on, and starts again. Beside a curved outline nearly all
     rectangles are that long, so the face is divided into pieces of about one by five cells.
 
@@ -105,7 +105,8 @@ def bottom_rectangles(kept: np.ndarray) -> int:
     count = 0
     for y in range(len(rows)):
         while rows[y]:
-            x, width, height = _grown(columns, rows, (rows[y] & -rows[y]).bit_length() - 1, y)
+            x = (rows[y] & -rows[y]).bit_length() - 1
+            width, height = _grown(columns, rows, x, y)
             corner = x, y
             if height // width > _LONGEST:
                 corner, width, height = (x, y + _LONGEST * width), 1, 1
@@ -117,29 +118,25 @@ def bottom_rectangles(kept: np.ndarray) -> int:
     return count
 
 
-def _grown(columns: list[int], rows: list[int], x: int, y: int) -> tuple[int, int, int]:
-    """Grow the rectangle of one cell; return its left column, width and height."""
+def _grown(columns: list[int], rows: list[int], x: int, y: int) -> tuple[int, int]:
+    """Grow the rectangle of the first free cell of a row; return its width and height.
+
+    To the left of that cell nothing of the row is free, so it grows to the right and upwards only.
+    """
     width = height = 1
-    right = left = up = True
-    while up and (right or left):
+    right = up = True
+    while up and right:
         side = ((1 << height) - 1) << y
-        right = right and x + width < len(columns) and columns[x + width] & side == side
+        right = x + width < len(columns) and columns[x + width] & side == side
         width += right
-        left = left and x > 0 and columns[x - 1] & side == side
-        x, width = x - left, width + left
         top = ((1 << width) - 1) << x
         up = y + height < len(rows) and rows[y + height] & top == top
         height += up
     if up:  # as far as all its columns are free
         height += _ones(_common(columns[x : x + width]) >> (y + height))
-    else:
-        band = _common(rows[y : y + height])
-        if right:
-            width += _ones(band >> (x + width))
-        if left:
-            begin = (~band & ((1 << x) - 1)).bit_length()
-            x, width = begin, width + x - begin
-    return x, width, height
+    elif right:
+        width += _ones(_common(rows[y : y + height]) >> (x + width))
+    return width, height
 
 
 def _bits(cells: np.ndarray) -> list[int]:

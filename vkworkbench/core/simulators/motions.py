@@ -58,8 +58,7 @@ def motions(toolpath: Toolpath) -> Motions:
         return Motions(np.zeros((0, 3)), np.zeros(0), np.zeros(0), np.zeros(0, np.int64))
     points, command = toolpath.points, toolpath.command
     arc = (toolpath.sweep != 0) & (toolpath.plane == 17)
-    same = command[1:] == command[:-1]
-    joined = same & ((arc[1:] & arc[:-1]) | (toolpath.cycle[1:] & toolpath.cycle[:-1]))
+    joined = (command[1:] == command[:-1]) & (arc | toolpath.cycle)[1:]
     first = np.flatnonzero(np.concatenate(([True], ~joined)))
     last = np.append(first[1:], n)
 
