@@ -12,6 +12,11 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from vkworkbench.core import Strategy, linearize, recognize
+from vkworkbench.core.paper import monotonous_areas
+from vkworkbench.core.recognition.parts import find_borders
+from vkworkbench.core.recognition.recognition import Span
+from vkworkbench.core.recognition.unknown import unknown
+from vkworkbench.language import Message
 
 TOOL = 5.0
 DEEPER = 0.7  # mm; no step of depths that a program here has
@@ -110,6 +115,33 @@ def test_the_whole_says_nothing_that_all_its_sections_deny(name, border, depth):
     parted = {"tool_changes": np.array([at])} if border[0] == "M6" else {"comments": ((at, "the second"),)}
     found = recognize(replace(path, **parted), tool_diameter=TOOL)
     assert found.strategy == name, found.reason
+
+
+def test_runs_of_holes_are_borders_at_their_first_and_behind_their_last():
+    rest = [("G0", {"Z": 5.0})]
+    rectangle = [
+        ("G1", {"Z": -1.0}),
+        *[("G1", {"X": x, "Y": y}) for x, y in ((30.0, 0.0), (30.0, 9.0), (0.0, 0.0))],
+        *rest,
+    ]
+    hole = [("G1", {"Z": -9.0}), *rest]
+    start = ("G0", {"X": 0.0, "Y": 0.0, "Z": 5.0})
+    away = ("G0", {"X": 50.0})
+    milled_first = linearize([start, *rectangle, away, *hole, away, ("G0", {"X": 70.0}), *hole])
+    # Trajectories: plunge 0, rectangle 1 to 3, up 4, over 5, hole 6, up 7, over 8, hole 9, up 10.
+    assert find_borders(milled_first, monotonous_areas(milled_first)) == {4: True, 10: True}
+    drilled_first = linearize([start, *hole, away, *hole, start, *rectangle])
+    # Hole 0, up 1, over 2, hole 3, up 4.
+    assert find_borders(drilled_first, monotonous_areas(drilled_first)) == {4: True}
+
+
+def test_moves_that_are_no_cutting_are_unknown_from_the_first_to_the_last():
+    path = linearize(
+        [("G0", {"X": 0.0, "Y": 0.0, "Z": 5.0}), ("G0", {"X": 5.0}), ("(turn)", {}), ("G0", {"Y": 5.0, "Z": 9.0})]
+    )
+    found = unknown(path, Message("moves-nothing"))
+    assert (found.strategy, found.confidence) == (Strategy.UNKNOWN, 0.0)
+    assert found.spans == (Span(0, 1, 1, 3, Strategy.UNKNOWN, 1.0),)
 
 
 def contour(depths, closed=True):

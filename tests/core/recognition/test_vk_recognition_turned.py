@@ -6,6 +6,7 @@ from __future__ import annotations
 import pytest
 
 from vkworkbench.core import Strategy, linearize, recognize
+from vkworkbench.core.recognition.turned import is_turned
 
 SAFE = 5.0
 
@@ -57,3 +58,15 @@ def test_a_mill_that_never_moves_in_y_is_no_lathe(program):
 def test_the_least_move_in_y_is_a_mills():
     program = [*turning(12), ("G1", {"Y": 0.5})]
     assert "lathe" not in recognize(linearize(program)).reason
+
+
+def test_rapids_down_to_the_part_and_flat_ramps_are_no_passes_of_a_lathe():
+    dashes = [("G0", {"X": 0.0, "Y": 0.0, "Z": 40.0})]
+    ramps = list(dashes)
+    for k in range(8):
+        x = 10.0 * k
+        dashes += [("G0", {"X": x}), ("G0", {"Z": -0.2}), ("G1", {"X": x + 5.0}), ("G0", {"Z": 40.0})]
+        ramps += [("G0", {"X": x}), ("G1", {"X": x + 6.0, "Z": 35.0}), ("G1", {"X": x + 7.0}), ("G0", {"Z": 40.0})]
+    assert not is_turned(linearize(dashes))
+    assert not is_turned(linearize(ramps))
+    assert is_turned(linearize(turning(3)))

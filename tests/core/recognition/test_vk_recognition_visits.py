@@ -136,3 +136,24 @@ def test_two_operations_of_one_strategy_keep_their_border_in_a_mixed_program():
     assert as_program.spans[1].first >= border > as_program.spans[0].last
     as_operation = recognize(path, tool_diameter=TOOL)
     assert [str(s.strategy) for s in as_operation.spans] == ["contour-parallel", "zigzag"]
+
+
+def test_a_visit_reaches_as_far_as_its_last_move():
+    path = linearize([
+        ("G0", {"X": 5.0, "Y": 5.0, "Z": 5.0}), ("G1", {"Z": -1.0}), ("G1", {"X": 9.0}), ("G1", {"X": 20.0, "Y": -3.0}),
+        ("G0", {"Z": 5.0}), ("G0", {"X": 50.0, "Y": 50.0}), ("G1", {"Z": -1.0}), ("G1", {"X": 40.0, "Y": 70.0}),
+    ])  # fmt: skip
+    visits = find_visits(path, monotonous_areas(path))
+    assert visits.low.tolist() == [[5, -3], [40, 50]]
+    assert visits.high.tolist() == [[20, 5], [50, 70]]
+
+
+@pytest.mark.parametrize(("corner", "same"), [((20.0, 20.0), 1.0), ((29.0, 20.0), 0.0), ((20.0, 29.0), 0.0)])
+def test_the_same_ground_has_the_same_corners(corner, same):
+    def rectangle(x, y):
+        corners = ((x, 0.0), (x, y), (0.0, y), (0.0, 0.0))
+        return [("G0", {"X": 0.0, "Y": 0.0}), ("G1", {"Z": -1.0}), *[("G1", dict(zip("XY", at))) for at in corners]]
+
+    path = after([("G0", {"Z": programs.CLEAR}), *rectangle(20.0, 20.0)], rectangle(*corner))
+    (row,) = compared(find_visits(path, monotonous_areas(path)))
+    assert row[MEASURES.index("same_ground")] == same

@@ -13,7 +13,7 @@ from drawings import polygon
 from vkworkbench.core import linearize
 from vkworkbench.core.paper import monotonous_areas
 from vkworkbench.core.recognition.nesting import evenness
-from vkworkbench.core.recognition.pieces import LOOP, WINDING, cut_pieces
+from vkworkbench.core.recognition.pieces import LOOP, STROKE, WINDING, ZIGZAG, cut_pieces
 from vkworkbench.core.recognition.rings import relate_rings
 
 TOOL = 6.0
@@ -203,3 +203,13 @@ def test_evenness_compares_two_spreads():
     assert evenness(even, np.zeros(9)) == evenness(even[:2], uneven[:2]) == 0.0
     # As relative spreads: of 3.2 mm around 3, between the tenth and the ninetieth percentile.
     assert evenness(uneven, even) == pytest.approx((3.2 / 3 + 0.01) / 0.01)
+
+
+@pytest.mark.parametrize(("back", "kind"), [(True, ZIGZAG), (False, STROKE)])
+def test_a_piece_that_goes_back_and_forth_is_a_zigzag_and_one_that_goes_on_is_none(back, kind):
+    program = [("G0", {"X": 0.0, "Y": 0.0, "Z": -1.0})]
+    for row in range(8):
+        there = 40.0 * (row % 2 == 0) if back else 40.0 * (row + 1)
+        program += [("G1", {"X": there}), ("G1", {"Y": 2.0 * (row + 1)})]
+    pieces = cut_pieces(monotonous_areas(linearize(program)))
+    assert pieces.kind.tolist() == [kind]
