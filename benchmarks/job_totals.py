@@ -61,7 +61,7 @@ def told(cuts, stock, view, speed) -> None:
     """The example job's numbers."""
     whole, alone = estimates(cuts, stock, view, speed)
     begin = time.process_time()
-    true = simulate_job(cuts, stock=stock, view=view)
+    true = simulate_job(cuts, stock=stock, view=view, processes=1)
     seconds = time.process_time() - begin
     summed = zbuffer.together([zbuffer.ZBufferCost(e.seconds, e.memory_bytes, e.factor, e.stock_bytes) for e in alone])
     for what, real, total, before in (
@@ -82,7 +82,7 @@ def errors(cuts, stock, view, speed):
     """Errors of a job's total, and of the sum: of traces, memory and time."""
     whole, alone = estimates(cuts, stock, view, speed)
     begin = time.process_time()
-    true = simulate_job(cuts, stock=stock, view=view)
+    true = simulate_job(cuts, stock=stock, view=view, processes=1)
     seconds = time.process_time() - begin
     once = max(e.stock_bytes for e in alone)
     summed = once + sum(e.memory_bytes - once for e in alone)

@@ -111,7 +111,7 @@ def measure(toolpath, found, tool, stock, view, speed) -> dict[str, float]:
     runs = []
     for _ in range(2):
         begin = time.process_time()
-        exact = simulate(toolpath, **solids)
+        exact = simulate(toolpath, **solids, processes=1)
         runs.append(time.process_time() - begin)
     durations = []
     for _ in range(3):
@@ -226,7 +226,7 @@ def seconds_at(speed: Speed, toolpath, tool, stock, view) -> float:
     durations, speeds = [], [speed]
     for _ in range(3):
         begin = time.process_time()
-        simulate(toolpath, tool=tool, stock=stock, view=view)
+        simulate(toolpath, tool=tool, stock=stock, view=view, processes=1)
         durations.append(time.process_time() - begin)
         speeds.append(mean_speed())
     done = estimate(toolpath, None, tool=tool, stock=stock, view=view).work

@@ -63,12 +63,12 @@ def cases(runs) -> None:
     for name, (toolpath, tool, stock) in CASES.items():
         for seen, direction in VIEWS.items():
             solids = {"tool": tool, "stock": stock, "view": View(direction)}
-            seconds, z = processor_time(lambda: simulate(toolpath, **solids), runs)
+            seconds, z = processor_time(lambda: simulate(toolpath, **solids, processes=1), runs)
             told = f"{name + ', ' + seen:24}{len(toolpath):12,}{z.traces / 1e6:14.2f}"
             told += f"{z.candidates / 1e6:20.1f}{seconds:10.2f}"
             view = tried_in(toolpath, tool, stock, direction)
             small = {**solids, "view": view}
-            ours, _ = processor_time(lambda: simulate(toolpath, **small), runs)
+            ours, _ = processor_time(lambda: simulate(toolpath, **small, processes=1), runs)
             theirs, z = processor_time(lambda: tried(toolpath, **small))
             size = f"{view.width} x {view.height}, {z.candidates / 1e6:.1f}"
             print(f"{told}{theirs / ours:12.1f} times, at {size} * 10^6 pairs", flush=True)
@@ -91,7 +91,7 @@ def growth() -> None:
         rows = []
         for count in GROWTH:
             toolpath = path(count)
-            seconds, z = processor_time(lambda: simulate(toolpath, tool=tool, stock=stock, view=View()), 2)
+            seconds, z = processor_time(lambda: simulate(toolpath, tool=tool, stock=stock, view=View(), processes=1), 2)
             rows.append((len(toolpath), seconds, z.candidates, z.traces))
         sizes, seconds, pairs, traces = np.log(np.array(rows, float)).T
         slopes = [np.polyfit(sizes, values, 1)[0] for values in (seconds, pairs, traces)]
@@ -128,7 +128,7 @@ def million() -> None:
     needed = memory_needed([Cut(toolpath, BALL)], stock=BLOCK, view=view)
     Path("/proc/self/clear_refs").write_text("5")  # resets the peak
     before = memory("VmRSS")
-    seconds, z = processor_time(lambda: simulate(toolpath, tool=BALL, stock=BLOCK, view=view))
+    seconds, z = processor_time(lambda: simulate(toolpath, tool=BALL, stock=BLOCK, view=view, processes=1))
     peak = memory("VmHWM") - before
     print(
         f"\n{len(toolpath):,} trajectories: {z.traces / 1e6:.1f} * 10^6 traces in {seconds:.1f} s, "

@@ -19,8 +19,8 @@ CALLS = {"eval", "exec", "compile", "__import__", "system", "popen", "urlopen", 
 MODULES = {"socket", "ssl", "http", "urllib", "ftplib", "smtplib", "requests", "asyncio", "subprocess",
            "ctypes", "pickle", "marshal", "shelve", "xmlrpc", "telnetlib", "webbrowser", "QtNetwork",
            "QtWebEngineWidgets"}  # fmt: skip
-# The command line analyses each program in a process of this add-on's own; only what that one sends is unpickled.
-ALLOWED = {"vkworkbench/program/apart.py": {"pickle", "subprocess"}}
+# Work is done in processes of this add-on's own; only what these send is unpickled.
+ALLOWED = {"vkworkbench/core/worker.py": {"pickle", "subprocess"}}
 
 
 def named(tree):

@@ -434,13 +434,13 @@ def test_the_cost_is_told_before_the_first_picture_and_what_it_was_after_the_las
 def test_what_grows_with_the_image_and_what_does_not_are_told_apart():
     course = None
     for share in (1 / 8, 1 / 3):  # of pictures that take 2 s, and 27 s for all of the pixels
-        course = refining._Course(share, 2 + 27 * share**2, 36e6 * share**2, course)
+        course = refining._Course(share, 2 + 27 * share**2, 36e6 * share**2, course, 1)
     assert course.expected(1.0) == pytest.approx((29, 36e6))
     assert course.largest(29) == pytest.approx(1) == course.largest(100)
     assert course.largest(8.75) == pytest.approx(0.5)
     assert course.largest(1) == 0
-    assert refining._Course(0.5, 3.0, 1e6, None).expected(1.0) == (12.0, 4e6)
-    quicker = refining._Course(0.5, 1.0, 1e6, refining._Course(0.25, 2.0, 1e6, None))  # on a computer that was busy
+    assert refining._Course(0.5, 3.0, 1e6, None, 1).expected(1.0) == (12.0, 4e6)
+    quicker = refining._Course(0.5, 1.0, 1e6, refining._Course(0.25, 2.0, 1e6, None, 1), 1)  # on a computer that was busy
     assert quicker.expected(1.0) == (1.0, 4e6) and quicker.largest(1) == 1 and quicker.largest(0.5) == 0
 
 

@@ -22,6 +22,7 @@ from PathSimulator import PathSim
 from vkworkbench import freecad
 from vkworkbench.core import Stock, linearize, processor_clock, steady_seconds
 from vkworkbench.core.simulators import DEFAULTS, SIMULATORS, Constants, Cost, Seen, Task, legacy_work
+from vkworkbench.core.worker import processes
 from vkworkbench.core.zbuffer import Speed, measure_speed
 
 # Names of OpenGL renderers that draw on the processor and wait for no screen, and the times of a frame and of a draw
@@ -39,6 +40,8 @@ _COLD_CACHE = 1.5
 # The kinds of real runs to learn from, and how many of each are kept.
 _LESSONS = {lesson.kind: lesson for simulator in SIMULATORS for lesson in simulator.lessons}
 _LAST_RUNS = 15
+# Of a speed, what is measured.
+_MEASURED = [field.name for field in fields(Speed) if field.name != "processes"]
 # What a damaged file raises where it holds other things than a calibration, numbers too large or lists nested too deep.
 _UNREADABLE = (TypeError, LookupError, ValueError, AttributeError, ArithmeticError, RecursionError)
 # No constant and no number of a run is larger; these constants may be 0 as they are measured, or by default.
@@ -128,19 +131,28 @@ def measured_speed(going_on: Callable[[], object] = lambda: None) -> Speed:
     if known is None:
         known = measure_speed(going_on=going_on)
         with suppress(OSError):
-            _write({_speed_key(): asdict(known)})
-    return known
+            _write(_kept(known))
+    return _here_and_now(known)
 
 
 def known_speed() -> Speed:
     """Return how fast this computer simulates in the extended z-buffer, or the usual speed where it never was measured."""
-    return _speed() or Speed()
+    return _here_and_now(_speed() or Speed())
+
+
+def _here_and_now(speed: Speed) -> Speed:
+    """The measured speed of one process, for as many as can work at once."""
+    return replace(speed, processes=processes())
+
+
+def _kept(speed: Speed) -> dict[str, dict[str, float]]:
+    return {_speed_key(): {name: getattr(speed, name) for name in _MEASURED}}
 
 
 def _speed() -> Speed | None:
     record = _records().get(_speed_key())
     try:
-        values = {field.name: float(record[field.name]) for field in fields(Speed)}
+        values = {name: float(record[name]) for name in _MEASURED}
     except _UNREADABLE:
         return None
     return Speed(**values) if all(0 < value <= _LARGEST for value in values.values()) else None
@@ -199,7 +211,7 @@ def calibrate(
     """
     speed = measure_speed(clock, going_on)
     measured = _for_renderer(_measure(clock, going_on), renderer)
-    _write({_speed_key(): asdict(speed)})
+    _write(_kept(speed))
     known = load(renderer)
     runs = known.runs if known else dict.fromkeys(_LESSONS, ())
     version = ".".join(map(str, freecad.version()))

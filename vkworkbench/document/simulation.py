@@ -23,7 +23,7 @@ def simulate(
     *,
     view: View | str | None = None,
     memory_budget: float | None = None,
-    going_on: Callable[[float], None] | None = None,
+    going_on: Callable[[float], None] = lambda _: None,
 ) -> Simulation:
     """Simulate operations in the extended z-buffer, one after the other. Writes nothing in a document.
 
@@ -62,7 +62,7 @@ def simulate_read(
     view: View | str | None = None,
     *,
     memory_budget: float | None = None,
-    going_on: Callable[[float], None] | None = None,
+    going_on: Callable[[float], None] = lambda _: None,
 ) -> Simulation:
     """Simulate a job that was read; see :func:`simulate`. Any thread may do it."""
     chosen = preferences.read()

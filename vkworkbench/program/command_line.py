@@ -13,6 +13,7 @@ from itertools import islice
 from pathlib import Path
 
 from vkworkbench import preferences
+from vkworkbench.core.worker import processes
 from vkworkbench.language import Message
 from vkworkbench.program.analysis import report_of, unread
 from vkworkbench.program.apart import analyze_apart, end_workers
@@ -139,20 +140,13 @@ def _executor(asked: argparse.Namespace) -> Iterator[tuple[Executor, int]]:
         with _cluster(asked.scheduler) as both:
             yield both
         return
-    jobs = asked.jobs or _cores()
+    jobs = asked.jobs or processes()
     executor = ThreadPoolExecutor(jobs)  # each thread waits for a process of its own
     try:
         yield executor, _AHEAD * jobs
     finally:
         executor.shutdown(wait=False)
         end_workers()
-
-
-def _cores() -> int:
-    """Return how many cores this process may use."""
-    if hasattr(os, "sched_getaffinity"):
-        return len(os.sched_getaffinity(0))
-    return os.cpu_count() or 1
 
 
 @contextmanager

@@ -39,7 +39,7 @@ trajectories, direction, width, height, tool = {case!r}
 path, tool, view = toolpath(surface(None, trajectories)), TOOLS[tool], View(direction, width, height)
 Path("/proc/self/clear_refs").write_text("5")
 before = memory("VmRSS")
-simulate(path, tool=tool, stock=BOX, view=view)
+simulate(path, tool=tool, stock=BOX, view=view, processes=1)
 taken = memory("VmHWM") - before
 # Only now: memory that it gives back would be used again, and not be seen to be taken.
 print(memory_needed([Cut(path, tool)], stock=BOX, view=view), taken)

@@ -37,6 +37,7 @@ from vkworkbench.core.zbuffer.memory import OverBudget, memory_needed
 from vkworkbench.core.zbuffer.moments import ZBuffer
 from vkworkbench.core.zbuffer.records import DEXEL, RECORD_BYTES, TRACE
 from vkworkbench.core.zbuffer.resolution import Resolution, best_resolution, check_budget, heaviest, passes_apart
+from vkworkbench.core.zbuffer.sharing import shared_seconds, unshared_seconds
 from vkworkbench.core.zbuffer.simulate import simulate, simulate_job
 from vkworkbench.core.zbuffer.speed import fit_speed, measure_speed
 
@@ -47,5 +48,5 @@ __all__ = [
     "closed_form", "crashes", "cuts_air", "cuts_surely", "deviations", "engagement", "estimate", "estimate_job",
     "facts", "fast_plunges", "fit_speed", "gouges", "heaviest", "material_left", "may_cut", "measure_speed",
     "memory_needed", "most_bytes", "passes_apart", "removal_over_time", "removal_rates", "removed_volumes",
-    "simulate", "simulate_job", "swept", "trajectory_table", "worst_places",
+    "shared_seconds", "simulate", "simulate_job", "swept", "trajectory_table", "unshared_seconds", "worst_places",
 ]  # fmt: skip

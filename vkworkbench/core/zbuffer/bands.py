@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The pieces of the rays of a band of the image."""
+"""The pieces of the rays of an area of the image."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from vkworkbench.core.zbuffer.chains import among, cut_rays
-from vkworkbench.core.zbuffer.culling import TILE, Bounds, Tiles
+from vkworkbench.core.zbuffer.culling import Area, Bounds, Tiles
 from vkworkbench.core.zbuffer.dexels import THINNEST, UNCUT, beginnings
 from vkworkbench.core.zbuffer.opening import opened
 from vkworkbench.core.zbuffer.records import INDEX, Records
@@ -23,7 +23,7 @@ class _Part:
     Attributes
     ----------
     ray : (k,) ndarray of int
-        Their numbers in the band.
+        Their numbers in the area.
     size : (k,) ndarray of int
         How many pieces each one has.
     count : (k,) ndarray of int
@@ -40,10 +40,10 @@ class _Part:
     owner: np.ndarray
 
 
-def cut_band(
-    trajectories: Trajectories, bounds: Bounds, blocks: Iterable[tuple[Tiles, int]], uncut: int, bottom: int
+def cut_area(
+    trajectories: Trajectories, bounds: Bounds, blocks: Iterable[tuple[Tiles, int]], uncut: int, area: Area
 ) -> tuple[Records, int]:
-    """Cut the rays of `TILE` rows of the image, from row `bottom` on.
+    """Cut the rays of a part of the image.
 
     Parameters
     ----------
@@ -54,7 +54,7 @@ def cut_band(
         See `culling.culled`.
     uncut : int
         Owner of what nothing removes.
-    bottom : int
+    area : Area
 
     Returns
     -------
@@ -62,21 +62,21 @@ def cut_band(
     tested : int
         Pairs that were tested for it.
     """
-    band = _Band(trajectories, bounds, uncut, bottom)
+    rays = _Rays(trajectories, bounds, uncut, area)
     tested = 0
     for tiles, pairs in blocks:
         tested += pairs
-        band.cut(tiles)
-    return band.records(), tested
+        rays.cut(tiles)
+    return rays.records(), tested
 
 
-class _Band:
-    def __init__(self, trajectories: Trajectories, bounds: Bounds, uncut: int, bottom: int) -> None:
-        self.trajectories, self.bounds, self.uncut, self.bottom = trajectories, bounds, uncut, bottom
-        frame = self.frame = trajectories.frame
-        self.top = min(bottom + TILE, frame.height)
-        row, column = np.divmod(np.arange(bottom * frame.width, self.top * frame.width), frame.width)
-        self.near, self.far, self.gaps = trajectories.stock.spans(frame, *frame.pixel_centres(column, row))
+class _Rays:
+    def __init__(self, trajectories: Trajectories, bounds: Bounds, uncut: int, area: Area) -> None:
+        self.trajectories, self.bounds, self.uncut, self.area = trajectories, bounds, uncut, area
+        frame, self.width = trajectories.frame, area.right - area.left
+        row, column = np.divmod(np.arange(self.width * (area.top - area.bottom)), self.width)
+        centres = frame.pixel_centres(area.left + column, area.bottom + row)
+        self.near, self.far, self.gaps = trajectories.stock.spans(frame, *centres)
         self.inside = self.far - self.near > THINNEST
         # Where a stock has gaps, they are pieces of rays that nothing cuts, too.
         self.pending = np.zeros(len(row), bool)
@@ -87,8 +87,8 @@ class _Band:
         """Cut the rays of tiles by their trajectories."""
         column, row = tiles.pixels()
         shape = tiles.side**2, len(tiles.column)
-        ray = ((row[:, None] - self.bottom) * self.frame.width + column).reshape(shape)
-        outside = ((row[:, None] >= self.top) | (column >= self.frame.width)).reshape(shape)
+        ray = ((row[:, None] - self.area.bottom) * self.width + column - self.area.left).reshape(shape)
+        outside = ((row[:, None] >= self.area.top) | (column >= self.area.right)).reshape(shape)
         ray[outside] = 0
         usable = self.inside[ray] & ~outside
         near, far = np.where(usable, self.near[ray], np.inf), np.where(usable, self.far[ray], -np.inf)

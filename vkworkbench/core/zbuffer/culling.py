@@ -144,16 +144,32 @@ class Tiles:
             begin = end
 
 
-def culled(trajectories: Trajectories, bounds: Bounds, bottom: int) -> Iterator[tuple[Tiles, int]]:
-    """Go down from tiles to pixels, over a band of the image.
+class Area(NamedTuple):
+    """A part of the image, of whole tiles of the largest size as far as the image goes, `TILE` rows high.
+
+    Attributes
+    ----------
+    left, right : int
+        Its first column and the one behind its last.
+    bottom, top : int
+        Its first row and the one behind its last.
+    """
+
+    left: int
+    right: int
+    bottom: int
+    top: int
+
+
+def culled(trajectories: Trajectories, bounds: Bounds, area: Area) -> Iterator[tuple[Tiles, int]]:
+    """Go down from tiles to pixels, over a part of the image.
 
     Parameters
     ----------
     trajectories : Trajectories
     bounds : Bounds
         Of the same view.
-    bottom : int
-        First row of the band of `TILE` rows.
+    area : Area
 
     Yields
     ------
@@ -162,8 +178,8 @@ def culled(trajectories: Trajectories, bounds: Bounds, bottom: int) -> Iterator[
     tested : int
         Pairs of a tile or pixel and a trajectory that were tested for it.
     """
-    left = np.arange(0, trajectories.frame.width, TILE)
-    pending = [first_tiles(trajectories, left, np.full(len(left), bottom))]
+    left = np.arange(area.left, area.right, TILE)
+    pending = [first_tiles(trajectories, left, np.full(len(left), area.bottom))]
     tested = 0
     while pending:
         for block in pending.pop().blocks(PAIRS_AT_ONCE):

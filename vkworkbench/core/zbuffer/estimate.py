@@ -17,6 +17,7 @@ from vkworkbench.core.zbuffer.counts import count
 from vkworkbench.core.zbuffer.cuts import Cut, Cuts
 from vkworkbench.core.zbuffer.effort import Work, work_of
 from vkworkbench.core.zbuffer.removal import Removal
+from vkworkbench.core.zbuffer.sharing import shared_seconds
 
 
 @dataclass(frozen=True)
@@ -110,6 +111,8 @@ class Speed:
         One dexel or element of a trace.
     factor : float
         The true time is between the estimated one divided and multiplied by this.
+    processes : int
+        How many cut at once: all else is what one of them takes.
     """
 
     trajectory: float = 1.4e-06
@@ -120,6 +123,7 @@ class Speed:
     cell: float = 1.7e-06
     record: float = 3.1e-08
     factor: float = 3.0
+    processes: int = 1
 
     @property
     def constants(self) -> np.ndarray:
@@ -127,8 +131,9 @@ class Speed:
         return np.array([self.trajectory, self.pixel, self.meeting, self.block, self.test, self.cell, self.record])
 
     def seconds(self, work: Work, growth: float = 1.0) -> float:
-        """Return what work takes, s, in an image of `growth` times as many pixels."""
-        return float((work.amounts(growth) * self.constants).sum())
+        """Return how long work takes, s, in an image of `growth` times as many pixels."""
+        alone = float((work.amounts(growth) * self.constants).sum())
+        return shared_seconds(alone, max(1, min(self.processes, int(work.bands))))
 
 
 def estimate(

@@ -25,6 +25,10 @@ _BAND_ABOVE, _BAND_CLOSED, _BAND = 14e6, 24e6, 54e6
 _STEEP = 0.5
 _TRAJECTORY = 400.0
 _BAND_RECORD = 13.0
+# A further process: itself, with Python and numpy; of every trajectory that it is told, and every record of a band, there and here.
+_PROCESS = 50e6
+_SENT_TRAJECTORY = 500.0
+_SENT_RECORD = 26.0
 # The records grow by an eighth when they are full.
 _SPARE = 1 / 8
 # Traces are estimated; so many standard errors are added.
@@ -108,6 +112,23 @@ def peak_bytes(counts: Counts, trajectories: int, removal: Removal) -> float:
     """
     records = counts.dexels + counts.traces + _ERRORS * counts.traces_error
     return _peak(records, counts.band, trajectories, removal)
+
+
+def helpers_within(allowed: float, removal: Removal, trajectories: int) -> int:
+    """How many further processes may cut bands of a simulation that takes no more memory than that, with them.
+
+    Parameters
+    ----------
+    allowed : float
+        Bytes.
+    removal : Removal
+        What is simulated.
+    trajectories : int
+        How many there are, those that miss the stock included.
+    """
+    counts = count(removal)
+    each = _PROCESS + _band_work(removal) + _SENT_RECORD * counts.band + _SENT_TRAJECTORY * trajectories
+    return max(0, int((allowed - peak_bytes(counts, trajectories, removal)) // each))
 
 
 def _most(removal: Removal) -> float:

@@ -7,7 +7,7 @@ beginning of its own.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -143,6 +143,28 @@ class Records:
         before = np.append(0, np.cumsum(self.cut))
         result: np.ndarray = before[self.index].astype(INDEX)
         return result
+
+
+def side_by_side(parts: Sequence[Records], height: int) -> Records:
+    """Return the records of an image from those of its parts from left to right, each of so many rows."""
+    if len(parts) == 1:
+        return parts[0]
+    # Each part's first pixel of each row, and there its first piece.
+    pixels = [np.arange(height + 1) * (len(part.entry) // height) for part in parts]
+    pieces = [part.index[own] for part, own in zip(parts, pixels)]
+
+    def rows(arrays: list[np.ndarray], bounds: list[np.ndarray]) -> np.ndarray:
+        both = list(zip(arrays, bounds))
+        return np.concatenate([array[of[row] : of[row + 1]] for row in range(height) for array, of in both])
+
+    counts = rows([np.diff(part.index) for part in parts], pixels)
+    return Records(
+        parts[0].trajectories,
+        np.append(0, np.cumsum(counts)).astype(INDEX),
+        rows([part.entry for part in parts], pixels),
+        rows([part.far for part in parts], pieces),
+        rows([part.owner for part in parts], pieces),
+    )
 
 
 class Writer:

@@ -3,21 +3,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable
+from contextlib import closing
 
 from vkworkbench.core.solids import Tool, View
 from vkworkbench.core.stocks import Solid
 from vkworkbench.core.toolpath import Toolpath
-from vkworkbench.core.zbuffer.bands import cut_band
-from vkworkbench.core.zbuffer.culling import TILE, Tiles, culled
+from vkworkbench.core import worker
 from vkworkbench.core.zbuffer.cuts import Cut, Cuts
-from vkworkbench.core.zbuffer.memory import BUDGET, check_memory
+from vkworkbench.core.zbuffer.memory import BUDGET, check_memory, helpers_within
 from vkworkbench.core.zbuffer.moments import ZBuffer
 from vkworkbench.core.zbuffer.records import Writer
-from vkworkbench.core.zbuffer.removal import Removal
+from vkworkbench.core.zbuffer.sharing import CutImage, cut_bands
 from vkworkbench.core.zbuffer.surface import Surface
-from vkworkbench.core.zbuffer.tilted import Tilted
-from vkworkbench.core.zbuffer.upright import Upright
 
 
 def simulate(
@@ -27,11 +25,14 @@ def simulate(
     stock: Solid,
     view: View,
     memory_budget: float = BUDGET,
-    going_on: Callable[[float], None] | None = None,
+    going_on: Callable[[float], None] = lambda _: None,
+    processes: int | None = None,
 ) -> ZBuffer:
     """Cut the stock by one toolpath; see :func:`simulate_job`, of which this is a job of one operation."""
     cuts = [Cut(toolpath, tool)]
-    return simulate_job(cuts, stock=stock, view=view, memory_budget=memory_budget, going_on=going_on)
+    return simulate_job(
+        cuts, stock=stock, view=view, memory_budget=memory_budget, going_on=going_on, processes=processes
+    )
 
 
 def simulate_job(
@@ -40,7 +41,8 @@ def simulate_job(
     stock: Solid,
     view: View,
     memory_budget: float = BUDGET,
-    going_on: Callable[[float], None] | None = None,
+    going_on: Callable[[float], None] = lambda _: None,
+    processes: int | None = None,
 ) -> ZBuffer:
     """Cut the stock by toolpaths one after the other, by all trajectories, rapids included, and count exactly.
 
@@ -55,9 +57,12 @@ def simulate_job(
     stock : Solid
     view : View
     memory_budget : float
-        Bytes that the process may take for it at its peak.
+        Bytes that all processes together may take for it at their peak.
     going_on : callable, optional
         Called many times a second with the share of the image that is done, 0 to 1; what it raises ends the simulation.
+    processes : int, optional
+        How many may cut, this one included: where it takes longer than half a second, and memory allows. One for each
+        core by default. The records do not depend on it.
 
     Returns
     -------
@@ -71,26 +76,18 @@ def simulate_job(
     """
     numbered = Cuts(cuts)
     frame = view.frame(stock)
-    removal = Removal(numbered, stock, frame)
-    check_memory(removal, len(numbered), memory_budget)
-    bounds = Upright(removal) if removal.sine == 0 else Tilted(removal)
+    image = CutImage(numbered, stock, frame)
+    check_memory(image.removal, len(numbered), memory_budget)
+
+    def helpers() -> int:
+        wanted = (worker.processes() if processes is None else processes) - 1
+        return min(wanted, helpers_within(memory_budget, image.removal, len(numbered))) if wanted > 0 else 0
+
     writer = Writer(len(numbered), frame.width * frame.height)
     candidates = 0
-    for bottom in range(0, frame.height, TILE):
-        blocks = culled(removal, bounds, bottom)
-        if going_on is not None:
-            going_on(bottom / frame.height)
-            blocks = _told(blocks, going_on, bottom / frame.height)
-        band, tested = cut_band(removal, bounds, blocks, len(numbered), bottom)
-        writer.append(band)
-        candidates += tested
+    with closing(cut_bands(image, helpers, going_on)) as found:
+        for band, tested in found:
+            writer.append(band)
+            candidates += tested
     records = writer.records()
     return ZBuffer(frame, numbered, len(numbered), records, Surface(records), candidates)
-
-
-def _told(
-    blocks: Iterator[tuple[Tiles, int]], going_on: Callable[[float], None], done: float
-) -> Iterator[tuple[Tiles, int]]:
-    for block in blocks:
-        going_on(done)
-        yield block

@@ -25,6 +25,8 @@ from vkworkbench.core.zbuffer import (
     estimate_job,
     fast_plunges,
     removed_volumes,
+    shared_seconds,
+    unshared_seconds,
 )
 from vkworkbench.document.simulated_job import SimulatedJob
 from vkworkbench.document.simulation import Simulation, simulate_read
@@ -176,7 +178,8 @@ class Refining:
         for done in self._told(view, going_on, finest):
             if isinstance(done, Refined):
                 seconds = time.perf_counter() - self._stage
-                self._course = _Course(share, seconds, done.simulation.zbuffer.memory_bytes, self._course)
+                memory = done.simulation.zbuffer.memory_bytes
+                self._course = _Course(share, seconds, memory, self._course, self.speed.processes)
                 self._largest = self._course.largest(self.time_budget)
             yield done
 
@@ -212,6 +215,8 @@ class Refining:
 class _Course:
     """How time and memory grow with the image, from the last pictures: a part for each pixel, and a part for all.
 
+    The times grow so that one process would take; see `core.zbuffer.shared_seconds`.
+
     Parameters
     ----------
     share : float
@@ -220,9 +225,13 @@ class _Course:
         What that took, s and bytes.
     before : _Course, optional
         That of a coarser picture.
+    processes : int
+        How many cut at once.
     """
 
-    def __init__(self, share: float, seconds: float, memory: float, before: _Course | None) -> None:
+    def __init__(self, share: float, seconds: float, memory: float, before: _Course | None, processes: int) -> None:
+        self._processes = processes
+        seconds = unshared_seconds(seconds, processes)
         self.pixels, self.seconds, self._memory = share**2, seconds, memory / share**2
         pixels, spent = (before.pixels, before.seconds) if before else (0.0, 0.0)
         self._each = max(seconds - spent, 0.0) / (self.pixels - pixels)
@@ -230,9 +239,10 @@ class _Course:
 
     def expected(self, share: float) -> tuple[float, float]:
         """Return what an image of such a share takes, s and bytes."""
-        return self._fixed + self._each * share**2, self._memory * share**2
+        return shared_seconds(self._fixed + self._each * share**2, self._processes), self._memory * share**2
 
     def largest(self, budget: float) -> float:
         """Return the largest share that takes no longer, s; at most 1, and 0 where there is none."""
-        pixels = (budget - self._fixed) / self._each if self._each else float(budget >= self._fixed)
+        alone = unshared_seconds(budget, self._processes)
+        pixels = (alone - self._fixed) / self._each if self._each else float(alone >= self._fixed)
         return sqrt(min(max(pixels, 0.0), 1.0))

@@ -1,0 +1,338 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""An image cut by several processes: the same records, whatever becomes of them, and no process left behind."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+import time
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+from zbuffer_reference.paths import BOX, PATHS, TOOLS, surface, toolpath
+
+from vkworkbench.core import Cut, Mesh, Speed, View, estimate, simulate, worker
+from vkworkbench.core.worker import Worker, WorkerDied
+from vkworkbench.core.zbuffer import memory_needed, shared_seconds, sharing, unshared_seconds
+from vkworkbench.core.zbuffer.cuts import Cuts
+from vkworkbench.core.zbuffer.memory import helpers_within
+from vkworkbench.core.zbuffer.records import side_by_side
+from vkworkbench.core.zbuffer.removal import Removal
+
+ROOT = Path(__file__).resolve().parents[3]
+WIDE = View((1, 1, -1), 300, 200)
+
+
+@pytest.fixture
+def workers(monkeypatch):
+    """Let others help from the beginning, and tell of their processes and of what each has done."""
+    made = []
+
+    class Watched(Worker):
+        def __init__(self, work):
+            super().__init__(work)
+            self.areas = []
+            made.append(self)
+
+        def __call__(self, area):
+            found = super().__call__(area)
+            self.areas.append(area)
+            return found
+
+    monkeypatch.setattr(sharing, "_ALONE", -1.0)
+    monkeypatch.setattr(sharing, "Worker", Watched)
+    yield made
+    assert not any(each.lives for each in made)
+
+
+def until(done):
+    """Leave everything to the others until something is done, a minute at most."""
+
+    def going_on(_):
+        end = time.monotonic() + 60
+        while not done() and time.monotonic() < end:
+            time.sleep(0.01)
+
+    return going_on
+
+
+def case(view=WIDE, stock=BOX, moves=300):
+    points = PATHS[0](np.random.default_rng(5), moves)
+    return toolpath(points), {"tool": TOOLS[0], "stock": stock, "view": view}
+
+
+def same(one, other):
+    for part in ("index", "entry", "far", "owner"):
+        expected, found = getattr(one.records, part), getattr(other.records, part)
+        assert found.dtype == expected.dtype and np.array_equal(found, expected)
+    return True
+
+
+def hollow():
+    """A block with a cavity: on its rays are several dexels from the start."""
+    corner = np.array([[(0, 40)[i & 1], (0, 30)[i >> 1 & 1], (0, 10)[i >> 2]] for i in range(8)], float)
+    quads = [(0, 2, 3, 1), (4, 5, 7, 6), (0, 1, 5, 4), (2, 6, 7, 3), (0, 4, 6, 2), (1, 3, 7, 5)]
+    outer = np.array([corner[[a, b, c]] for q in quads for a, b, c in ((q[0], q[1], q[2]), (q[0], q[2], q[3]))])
+    return Mesh(np.concatenate((outer, outer * 0.5 + (10, 7, 2))))
+
+
+@pytest.mark.parametrize("view", [View((0, 0, -1), 300, 200), WIDE, View((1, 0.5, -0.3), 130, 70)], ids=str)
+@pytest.mark.parametrize("stock", [BOX, hollow()], ids=["box", "hollow"])
+def test_the_records_are_those_of_one_process(view, stock, workers):
+    path, solids = case(view, stock)
+    alone = simulate(path, **solids, processes=1)
+    assert not workers
+    helped = until(lambda: not workers or any(each.areas for each in workers))
+    shared = simulate(path, **solids, processes=3, going_on=helped)
+    assert same(alone, shared) and shared.candidates == pytest.approx(alone.candidates, rel=0.01)
+    assert len(workers) == 2
+    assert any(each.areas for each in workers)
+
+
+def test_a_quick_simulation_is_not_shared(monkeypatch):
+    path, solids = case(View((0, 0, -1), 60, 130), moves=5)
+    monkeypatch.setattr(sharing, "Worker", None)
+    assert simulate(path, **solids, processes=4).traces > 0
+    monkeypatch.setattr(sharing, "_ALONE", -1.0)
+    with pytest.raises(TypeError):  # there is none
+        simulate(path, **solids, processes=4)
+
+
+def test_as_many_help_as_there_are_other_cores(workers, monkeypatch):
+    monkeypatch.setattr(worker, "processes", lambda: 2)
+    path, solids = case(moves=20)
+    simulate(path, **solids)
+    assert len(workers) == 1
+    monkeypatch.setattr(worker, "processes", lambda: 1)
+    simulate(path, **solids)
+    assert len(workers) == 1
+
+
+@pytest.mark.parametrize("areas", [0, 2])
+def test_what_a_process_that_dies_had_to_do_is_done_by_others(areas, workers, monkeypatch):
+    """Once as soon as it is ready, once in the middle of its work."""
+    done = []
+
+    def dying(self, area):
+        done.append(area)
+        if len(done) > areas:
+            self._process.kill()
+        return original(self, area)
+
+    path, solids = case()
+    alone = simulate(path, **solids, processes=1)
+    original = Worker.__call__
+    monkeypatch.setattr(Worker, "__call__", dying)
+    dead = until(lambda: not workers or len(done) > areas)
+    assert same(alone, simulate(path, **solids, processes=2, going_on=dead))
+    assert len(done) == areas + 1 and len(workers[0].areas) == areas
+
+
+def test_without_another_python_one_process_does_it_all(workers, monkeypatch):
+    monkeypatch.setattr(worker, "interpreter", lambda: None)
+    path, solids = case()
+    assert same(simulate(path, **solids, processes=1), simulate(path, **solids, processes=3))
+    assert not workers
+
+
+def test_another_numpy_does_not_help(workers, monkeypatch):
+    monkeypatch.setattr(worker.np, "__version__", "1.2.3")
+    path, solids = case()
+    ended = until(lambda: not workers or not workers[0].lives)
+    assert same(simulate(path, **solids, processes=1), simulate(path, **solids, processes=2, going_on=ended))
+    assert len(workers) == 1 and not workers[0].areas
+
+
+class Stopped(Exception):
+    pass
+
+
+@pytest.mark.parametrize("moment", ["before", "while they start", "while they cut"])
+def test_who_stops_it_is_obeyed_and_no_process_is_left(moment, workers):
+    """The fixture looks for those that are left."""
+    cutting = until(lambda: any(each.areas for each in workers))
+
+    def going_on(share):
+        if not workers and moment != "before":
+            return
+        if moment == "while they cut":
+            cutting(share)
+        raise Stopped
+
+    path, solids = case()
+    with pytest.raises(Stopped):
+        simulate(path, **solids, processes=3, going_on=going_on)
+    assert len(workers) == (0 if moment == "before" else 2)
+
+
+def test_the_share_that_is_done_grows_from_nothing(workers):
+    told, helped = [], until(lambda: not workers or len(workers[0].areas) > 1)
+
+    def going_on(share):
+        told.append(share)
+        helped(share)
+
+    path, solids = case()
+    simulate(path, **solids, processes=2, going_on=going_on)
+    assert told[0] == 0 and told == sorted(told) and told[-1] < 1
+    # What this process did first and what the others did while it waited: no band was whole yet.
+    assert 0 < min(filter(None, told)) < 64 / 200 and len(set(told)) > 2
+
+
+def test_the_rest_is_divided_for_the_processes():
+    image = sharing.CutImage(Cuts([Cut(case()[0], TOOLS[0])]), BOX, View((0, 0, -1), 700, 200).frame(BOX))
+    assert [(band.left, band.right, band.bottom, band.top) for band in image.bands] == [
+        (0, 700, 0, 64), (0, 700, 64, 128), (0, 700, 128, 192), (0, 700, 192, 200),
+    ]  # fmt: skip
+    shared = sharing._Shared(image.bands)
+    first = shared.take()
+    shared.divide(1)
+    areas = [shared.take() for _ in range(shared.left)]
+    assert shared.take() is None
+    # 33 tiles for twelve areas: two tiles each; the last of a band has what is left.
+    assert [(area.left, area.right) for area in areas[:6]] == [(k, min(k + 128, 700)) for k in range(0, 700, 128)]
+    assert {area.bottom for area in areas} == {64, 128, 192} and len(areas) == 18
+    shared.give(first, (None, 0))
+    assert shared.share == 0.25 and shared.has(first) and not shared.has(image.bands[1])
+    for area in areas[:6]:
+        shared.give(area, (None, 0))
+    assert shared.share == 0.5 and shared.has(image.bands[1])
+
+
+def test_records_side_by_side_are_those_of_the_whole():
+    path, solids = case(View((0, 0, -1), 200, 50))
+    image = sharing.CutImage(Cuts([Cut(path, solids["tool"])]), BOX, solids["view"].frame(BOX))
+    (band,) = image.bands
+    whole, tested = image(band)
+    parts = [image(band._replace(left=a, right=b)) for a, b in ((0, 64), (64, 192), (192, 200))]
+    joined = side_by_side([records for records, _ in parts], 50)
+    for part in ("index", "entry", "far", "owner"):
+        assert np.array_equal(getattr(joined, part), getattr(whole, part))
+        assert getattr(joined, part).dtype == getattr(whole, part).dtype
+    assert joined.trajectories == whole.trajectories and sum(n for _, n in parts) == pytest.approx(tested, rel=0.01)
+
+
+def test_how_long_several_take_is_told_from_one_and_back():
+    assert shared_seconds(0.4, 8) == 0.4 and shared_seconds(20.0, 1) == 20.0
+    assert 10 < shared_seconds(20.0, 2) < 11
+    for seconds in (0.1, 0.85, 1.0, 30.0):
+        for processes in (1, 2, 5):
+            assert unshared_seconds(shared_seconds(seconds, processes), processes) == pytest.approx(seconds)
+
+
+def test_the_estimate_is_of_as_many_processes_as_the_image_has_bands():
+    path, solids = case()
+    alone = estimate(path, None, **solids, speed=replace(Speed(), cell=1e-3)).seconds
+    assert alone > 5
+    for processes, used in ((2, 2), (3, 3), (64, 4)):  # of 200 rows, all of which are reached
+        told = estimate(path, None, **solids, speed=replace(Speed(), cell=1e-3, processes=processes))
+        assert told.seconds == pytest.approx(shared_seconds(alone, used))
+
+
+def test_no_more_help_than_memory_allows():
+    path, solids = case()
+    cuts = [Cut(path, solids["tool"])]
+    removal = Removal(Cuts(cuts), BOX, WIDE.frame(BOX))
+    needed = memory_needed(cuts, stock=BOX, view=WIDE)
+    assert helpers_within(needed, removal, len(path)) == 0 == helpers_within(0.0, removal, len(path))
+    assert helpers_within(needed + 65e6, removal, len(path)) == 0
+    assert helpers_within(needed + 2 * 90e6, removal, len(path)) == 2
+
+
+def test_where_memory_is_scarce_one_process_cuts(workers):
+    path, solids = case()
+    needed = memory_needed([Cut(path, solids["tool"])], stock=BOX, view=WIDE)
+    assert simulate(path, **solids, memory_budget=1.01 * needed, processes=2).traces > 0
+    assert not workers
+    simulate(path, **solids, memory_budget=needed + 1e8, processes=2)
+    assert len(workers) == 1
+
+
+MEASURE = """
+import resource, sys
+from pathlib import Path
+sys.path[:0] = [{root!r}, {root!r} + "/tests"]
+from vkworkbench.core import View
+from vkworkbench.core.zbuffer import Cut, memory_needed, sharing, simulate
+from vkworkbench.core.zbuffer.cuts import Cuts
+from vkworkbench.core.zbuffer.memory import helpers_within
+from vkworkbench.core.zbuffer.removal import Removal
+from zbuffer_reference.paths import BOX, TOOLS, surface, toolpath
+
+def memory(line):
+    status = Path("/proc/self/status").read_text()
+    return 1024 * next(int(entry.split()[1]) for entry in status.splitlines() if entry.startswith(line + ":"))
+
+sharing._ALONE = -1.0
+trajectories, direction, width, height = {case!r}
+path, view = toolpath(surface(None, trajectories)), View(direction, width, height)
+Path("/proc/self/clear_refs").write_text("5")
+before = memory("VmRSS")
+simulate(path, tool=TOOLS[2], stock=BOX, view=view, processes=2)
+taken = memory("VmHWM") - before + 1024 * resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss
+removal = Removal(Cuts([Cut(path, TOOLS[2])]), BOX, view.frame(BOX))
+budget = memory_needed([Cut(path, TOOLS[2])], stock=BOX, view=view)
+while helpers_within(budget, removal, len(path)) < 1:
+    budget += 1e6
+print(budget, taken)
+"""
+
+
+@pytest.mark.long
+@pytest.mark.skipif(not Path("/proc/self/clear_refs").exists(), reason="the peak is read from Linux's /proc")
+@pytest.mark.parametrize(
+    "which",
+    [(10_000, (0, 0, -1), 480, 360), (3_000, (1, 1, -1), 400, 300), (40_000, (0, 0, -1), 120, 190)],
+    ids=["records", "oblique", "trajectories"],
+)
+def test_the_processes_take_no_more_than_the_budget_that_allows_them(which):
+    script = MEASURE.format(root=str(ROOT), case=which)
+    run = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, check=True)
+    budget, taken = (float(v) for v in run.stdout.split())
+    assert taken < budget < 1.6 * taken
+
+
+def test_a_worker_works_for_one_argument_after_the_other():
+    one = Worker(len)
+    one.get_ready()
+    assert [one("abc"), one([1]), one(())] == [3, 1, 0] and one.lives
+    one.end()
+    one.end()
+    assert not one.lives
+    with pytest.raises(WorkerDied):
+        one("abc")
+
+
+def test_a_worker_whose_work_fails_or_cannot_be_said_dies():
+    for argument in (3, lambda: 0):
+        one = Worker(len)
+        with pytest.raises((WorkerDied, AttributeError, TypeError)) as error:
+            one(argument)
+        if argument == 3:
+            assert error.type is WorkerDied and not one.lives
+        one.end()
+
+
+def test_what_work_prints_does_not_come_between_answers():
+    one = Worker(print)
+    assert one("something") is None and one("else") is None
+    one.end()
+
+
+def test_the_python_of_a_program_that_is_not_python(monkeypatch, tmp_path):
+    """FreeCAD's own name is the executable's; its Python lies in the folder of its modules, or beside it."""
+    assert worker.interpreter() == sys.executable
+    version = f"python{sys.version_info.major}.{sys.version_info.minor}"
+    for executable in (str(tmp_path / "apart" / "FreeCAD"), "", None):
+        monkeypatch.setattr(sys, "executable", executable)
+        monkeypatch.setattr(sys, "prefix", str(tmp_path / "usr"))
+        assert worker.interpreter() is None and worker.processes() == 1
+    (tmp_path / "usr" / "bin" / "python3").mkdir(parents=True)  # a folder is no program
+    (tmp_path / "apart").mkdir()
+    monkeypatch.setattr(sys, "executable", str(tmp_path / "apart" / "FreeCAD"))
+    for place in (Path("apart", "python.exe"), Path("apart", version), Path("usr", "python.exe"), Path("usr/bin", version)):
+        (tmp_path / place).touch()
+        assert worker.interpreter() == str(tmp_path / place)
+    assert worker.processes() >= 1

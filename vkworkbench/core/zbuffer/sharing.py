@@ -1,0 +1,236 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The image cut part by part, by this process and, where that takes long, by others beside it.
+
+The parts do not depend on each other. Threads gain little: numpy keeps Python's lock on arrays that fit the processor's
+cache (`benchmarks/threads.py`). So the others are processes, which are told what is cut and send the records back.
+"""
+
+from __future__ import annotations
+
+import threading
+import time
+from collections import deque
+from collections.abc import Callable, Iterator
+from typing import Any
+
+from vkworkbench.core.solids import Frame
+from vkworkbench.core.stocks import Solid
+from vkworkbench.core.worker import Worker, WorkerDied
+from vkworkbench.core.zbuffer.bands import cut_area
+from vkworkbench.core.zbuffer.culling import TILE, Area, Tiles, culled
+from vkworkbench.core.zbuffer.cuts import Cuts
+from vkworkbench.core.zbuffer.records import Records, side_by_side
+from vkworkbench.core.zbuffer.removal import Removal
+from vkworkbench.core.zbuffer.tilted import Tilted
+from vkworkbench.core.zbuffer.upright import Upright
+
+# So long one process cuts alone, and so long the others then take to begin, s.
+_ALONE, _START = 0.5, 0.35
+# Into so many areas for each process the rest is divided: small ones end together, large ones are quicker.
+_AREAS = 12
+_TOLD = 0.05  # s between two calls while others are waited for
+
+
+class CutImage:
+    """An image that can be cut area by area; another process can be told of it.
+
+    Parameters
+    ----------
+    cuts : Cuts
+    stock : Solid
+    frame : Frame
+        The view of this stock.
+
+    Attributes
+    ----------
+    removal : Removal
+        What is cut.
+    bands : list of Area
+        All of the image, from below.
+    """
+
+    def __init__(self, cuts: Cuts, stock: Solid, frame: Frame) -> None:
+        self._told = cuts, stock, frame
+        self._uncut = len(cuts)
+        self.removal = Removal(cuts, stock, frame)
+        self._bounds = Upright(self.removal) if self.removal.sine == 0 else Tilted(self.removal)
+        bottoms = range(0, frame.height, TILE)
+        self.bands = [Area(0, frame.width, bottom, min(bottom + TILE, frame.height)) for bottom in bottoms]
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return CutImage, self._told
+
+    def __call__(self, area: Area, going_on: Callable[[], None] = lambda: None) -> tuple[Records, int]:
+        """Cut an area: its records, and how many pairs were tested for it.
+
+        `going_on` is called many times a second; what it raises ends it.
+        """
+        blocks = _interrupted(culled(self.removal, self._bounds, area), going_on)
+        return cut_area(self.removal, self._bounds, blocks, self._uncut, area)
+
+
+def cut_bands(
+    image: CutImage, helpers: Callable[[], int], going_on: Callable[[float], None]
+) -> Iterator[tuple[Records, int]]:
+    """Cut all bands of an image, the lowest first.
+
+    Parameters
+    ----------
+    image : CutImage
+    helpers : callable
+        Asked once, where it takes long, how many processes may help.
+    going_on : callable
+        Called many times a second with the share that is done; what it raises ends it.
+
+    Yields
+    ------
+    Records, int
+        What `image` gives of each band.
+    """
+    begin = time.monotonic()
+    shared = _Shared(image.bands)
+    crew: _Crew | None = None
+
+    def told() -> None:
+        nonlocal crew
+        going_on(shared.share)
+        if crew is None and shared.left and time.monotonic() - begin > _ALONE:
+            crew = _Crew(image, helpers(), shared)
+
+    try:
+        for band in image.bands:
+            while not shared.has(band):
+                told()
+                area = shared.take()
+                if area is None:
+                    shared.wait(band, _TOLD)
+                    continue
+                shared.give(area, image(area, told))
+            yield shared.fetch(band)
+    finally:
+        if crew is not None:
+            crew.end()
+
+
+def shared_seconds(seconds: float, processes: int) -> float:
+    """Return how long several processes take for what takes one so long, s."""
+    alone = min(seconds, _ALONE + _START)
+    return alone + (seconds - alone) / processes
+
+
+def unshared_seconds(seconds: float, processes: int) -> float:
+    """Return how long one process takes for what takes several so long, s: the inverse of :func:`shared_seconds`."""
+    alone = min(seconds, _ALONE + _START)
+    return alone + (seconds - alone) * processes
+
+
+class _Shared:
+    """What is to be done and what is found, for several threads."""
+
+    def __init__(self, bands: list[Area]) -> None:
+        self._todo = deque(bands)
+        self._found: dict[Area, tuple[Records, int]] = {}
+        self._areas = {band: [band] for band in bands}
+        self._changed = threading.Condition()
+        self._all = len(bands) * bands[0].right
+        self._done = 0
+
+    @property
+    def share(self) -> float:
+        """How much of the image is found."""
+        return self._done / self._all
+
+    @property
+    def left(self) -> int:
+        """How many areas nobody works on yet."""
+        return len(self._todo)
+
+    def divide(self, processes: int) -> None:
+        """Divide the bands that nobody works on yet for so many processes."""
+        with self._changed:
+            bands = list(self._todo)
+            self._todo.clear()
+            tiles = sum(-(-band.right // TILE) for band in bands)
+            run = TILE * max(1, tiles // (_AREAS * processes))
+            for band in bands:
+                lefts = range(0, band.right, run)
+                self._areas[band] = [band._replace(left=left, right=min(left + run, band.right)) for left in lefts]
+                self._todo.extend(self._areas[band])
+
+    def take(self) -> Area | None:
+        """Return the next area; None where there is none."""
+        with self._changed:
+            return self._todo.popleft() if self._todo else None
+
+    def give(self, area: Area, found: tuple[Records, int]) -> None:
+        """Add what an area became."""
+        with self._changed:
+            self._found[area] = found
+            self._done += area.right - area.left
+            self._changed.notify()
+
+    def give_back(self, area: Area) -> None:
+        """Leave an area to others."""
+        with self._changed:
+            self._todo.appendleft(area)
+            self._changed.notify()
+
+    def has(self, band: Area) -> bool:
+        """Whether all of a band is found."""
+        return all(area in self._found for area in self._areas[band])
+
+    def wait(self, band: Area, seconds: float) -> None:
+        """Wait until a band is found, or there is something to do, but not longer than that."""
+        with self._changed:
+            self._changed.wait_for(lambda: self.has(band) or self._todo, seconds)
+
+    def fetch(self, band: Area) -> tuple[Records, int]:
+        """Return a band that is found, and forget it."""
+        found = [self._found.pop(area) for area in self._areas[band]]
+        return side_by_side([records for records, _ in found], band.top - band.bottom), sum(n for _, n in found)
+
+
+class _Crew:
+    """Processes that help, each with a thread that waits for it. Without them there is more for this process to do."""
+
+    def __init__(self, image: CutImage, size: int, shared: _Shared) -> None:
+        self._workers: list[Worker] = []
+        self._threads: list[threading.Thread] = []
+        size = min(size, shared.left)
+        if size < 1:
+            return
+        shared.divide(1 + size)
+        for _ in range(size):
+            try:
+                worker = Worker(image)
+            except WorkerDied:
+                break
+            self._workers.append(worker)
+            self._threads.append(threading.Thread(target=_have_cut, args=(worker, shared), daemon=True))
+            self._threads[-1].start()
+
+    def end(self) -> None:
+        for worker in self._workers:
+            worker.kill()
+        for thread in self._threads:
+            thread.join()
+
+
+def _have_cut(worker: Worker, shared: _Shared) -> None:
+    """Have areas cut until there are none."""
+    area = None
+    try:
+        worker.get_ready()
+        while (area := shared.take()) is not None:
+            shared.give(area, worker(area))
+    except WorkerDied:
+        if area is not None:
+            shared.give_back(area)
+    finally:
+        worker.end()
+
+
+def _interrupted(blocks: Iterator[tuple[Tiles, int]], going_on: Callable[[], None]) -> Iterator[tuple[Tiles, int]]:
+    for block in blocks:
+        going_on()
+        yield block
