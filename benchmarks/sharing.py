@@ -40,8 +40,7 @@ def main() -> None:
             cuts = [Cut(toolpath, tool)]
             alone, shared, threads = measured(cuts, stock, view, several)
             told = "".join(
-                f"{alone / seconds:16.2f}{alone / shared_seconds(alone, n):6.2f}"
-                for n, seconds in zip(several, shared)
+                f"{alone / seconds:16.2f}{alone / shared_seconds(alone, n):6.2f}" for n, seconds in zip(several, shared)
             )
             print(f"{name:16}{seen:18}{alone:14.2f}{told}{threads:14.2f}", flush=True)
 

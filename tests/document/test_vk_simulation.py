@@ -3,6 +3,7 @@
 
 import csv
 import json
+import time
 
 import FreeCAD
 import numpy as np
@@ -10,8 +11,9 @@ import Path
 import pytest
 
 import vkworkbench
-from vkworkbench.core import View
-from vkworkbench.core.zbuffer import OverBudget
+from vkworkbench.core import View, worker
+from vkworkbench.core.worker import Worker
+from vkworkbench.core.zbuffer import OverBudget, sharing
 from vkworkbench.document.listing import Listing
 from vkworkbench.document.simulated_job import copy_job
 from vkworkbench.language import Unusable
@@ -278,3 +280,33 @@ def test_any_line_of_a_listing_is_its_commands_code(comment):
     assert [listing[number] for number in range(len(listing))] == expected
     with pytest.raises(IndexError):
         listing[4]
+
+
+def test_freecad_knows_a_python_that_helps_it():
+    """With the same numpy: a worker with another would not get ready."""
+    one = Worker(len)
+    assert one("abc") == 3
+    one.end()
+    assert worker.processes() >= 1
+
+
+def test_a_long_simulation_of_freecad_is_shared_and_stays_the_same(small, monkeypatch):
+    small.add("First", slot(10.0))
+    small.add("Second", slot(12.0))
+    view = View((1, 1, -1), 300, 200)
+    monkeypatch.setattr(worker, "processes", lambda: 1)
+    alone = vkworkbench.simulate(small.job, view=view).zbuffer.records
+    monkeypatch.setattr(worker, "processes", lambda: 2)
+    monkeypatch.setattr(sharing, "_ALONE", -1.0)
+    helped, original = [], Worker.__call__
+    monkeypatch.setattr(Worker, "__call__", lambda self, area: helped.append(area) or original(self, area))
+    began = time.monotonic()
+
+    def going_on(share):
+        while share and not helped and time.monotonic() < began + 60:
+            time.sleep(0.01)
+
+    shared = vkworkbench.simulate(small.job, view=view, going_on=going_on).zbuffer.records
+    assert helped
+    for part in ("index", "entry", "far", "owner"):
+        assert np.array_equal(getattr(alone, part), getattr(shared, part))

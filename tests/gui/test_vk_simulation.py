@@ -440,8 +440,12 @@ def test_what_grows_with_the_image_and_what_does_not_are_told_apart():
     assert course.largest(8.75) == pytest.approx(0.5)
     assert course.largest(1) == 0
     assert refining._Course(0.5, 3.0, 1e6, None, 1).expected(1.0) == (12.0, 4e6)
-    quicker = refining._Course(0.5, 1.0, 1e6, refining._Course(0.25, 2.0, 1e6, None, 1), 1)  # on a computer that was busy
+    busy = refining._Course(0.25, 2.0, 1e6, None, 1)  # the computer was
+    quicker = refining._Course(0.5, 1.0, 1e6, busy, 1)
     assert quicker.expected(1.0) == (1.0, 4e6) and quicker.largest(1) == 1 and quicker.largest(0.5) == 0
+    several = refining._Course(0.5, 3.0, 1e6, None, 4).expected(1.0)[0]  # what takes one longer than 12 s
+    assert 12 > several > 12 / 2
+    assert refining._Course(0.5, 3.0, 1e6, None, 4).largest(several) == pytest.approx(1)
 
 
 def test_what_any_moment_needs_is_made_before_its_picture_is_shown(opened, window, small, monkeypatch):

@@ -77,7 +77,7 @@ class Worker:
         self._say(self._work)
         self._ready = True
 
-    def __call__(self, argument: Any) -> Any:  # noqa: ANN401 - whatever its work takes and gives
+    def __call__(self, argument: Any) -> Any:
         """Have it do its work, and wait for the result.
 
         Raises
@@ -100,7 +100,7 @@ class Worker:
             with suppress(OSError):
                 pipe.close()  # type: ignore[union-attr] # both are pipes
 
-    def _say(self, what: Any) -> None:  # noqa: ANN401
+    def _say(self, what: Any) -> None:
         try:
             pickle.dump(what, self._process.stdin, pickle.HIGHEST_PROTOCOL)  # type: ignore[arg-type]
             self._process.stdin.flush()  # type: ignore[union-attr]
@@ -108,7 +108,7 @@ class Worker:
             self.end()
             raise WorkerDied from None
 
-    def _answer(self) -> Any:  # noqa: ANN401
+    def _answer(self) -> Any:
         try:
             return pickle.load(self._process.stdout)  # type: ignore[arg-type] # of this package's own process
         except (EOFError, OSError, ValueError, pickle.UnpicklingError):

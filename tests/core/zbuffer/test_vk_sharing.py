@@ -11,7 +11,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from zbuffer_reference.paths import BOX, PATHS, TOOLS, surface, toolpath
+from zbuffer_reference.paths import BOX, PATHS, TOOLS, toolpath
 
 from vkworkbench.core import Cut, Mesh, Speed, View, estimate, simulate, worker
 from vkworkbench.core.worker import Worker, WorkerDied
@@ -332,7 +332,12 @@ def test_the_python_of_a_program_that_is_not_python(monkeypatch, tmp_path):
     (tmp_path / "usr" / "bin" / "python3").mkdir(parents=True)  # a folder is no program
     (tmp_path / "apart").mkdir()
     monkeypatch.setattr(sys, "executable", str(tmp_path / "apart" / "FreeCAD"))
-    for place in (Path("apart", "python.exe"), Path("apart", version), Path("usr", "python.exe"), Path("usr/bin", version)):
+    for place in (
+        Path("apart", "python.exe"),
+        Path("apart", version),
+        Path("usr", "python.exe"),
+        Path("usr/bin", version),
+    ):
         (tmp_path / place).touch()
         assert worker.interpreter() == str(tmp_path / place)
     assert worker.processes() >= 1

@@ -10,7 +10,7 @@ from __future__ import annotations
 import threading
 import time
 from collections import deque
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Generator, Iterator
 from typing import Any
 
 from vkworkbench.core.solids import Frame
@@ -71,7 +71,7 @@ class CutImage:
 
 def cut_bands(
     image: CutImage, helpers: Callable[[], int], going_on: Callable[[float], None]
-) -> Iterator[tuple[Records, int]]:
+) -> Generator[tuple[Records, int], None, None]:
     """Cut all bands of an image, the lowest first.
 
     Parameters

@@ -59,7 +59,9 @@ def measure_speed(clock: Callable[[], float] = processor_clock, going_on: Callab
         (_surface(20.0), _BALL, View(_TILTED, 256, 256)),
     )
     amounts = np.array([_work(*run) for run in runs])
-    pieces = [partial(simulate, toolpath, tool=tool, stock=_STOCK, view=view, processes=1) for toolpath, tool, view in runs]
+    pieces = [
+        partial(simulate, toolpath, tool=tool, stock=_STOCK, view=view, processes=1) for toolpath, tool, view in runs
+    ]
     return fit_speed(amounts, steady_seconds(pieces, most=_RUNS, clock=clock, going_on=going_on))
 
 
