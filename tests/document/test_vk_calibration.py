@@ -146,7 +146,7 @@ def test_what_is_kept_is_plain_json(folder):
     calibration.calibrate("card")
     (path,) = folder.rglob("calibration.json")
     speed, record = json.loads(path.read_text()).values()
-    assert set(speed) == {field.name for field in fields(Speed)}
+    assert set(speed) == {field.name for field in fields(Speed)} - {"processes"}  # which is no measured number
     assert set(record["constants"]) == {field.name for field in fields(DEFAULTS)}
     assert record["renderer"] == "card" and len(record["date"]) == 10
 

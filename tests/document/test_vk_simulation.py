@@ -299,7 +299,7 @@ def test_a_long_simulation_of_freecad_is_shared_and_stays_the_same(small, monkey
     monkeypatch.setattr(worker, "processes", lambda: 2)
     monkeypatch.setattr(sharing, "_ALONE", -1.0)
     helped, original = [], Worker.__call__
-    monkeypatch.setattr(Worker, "__call__", lambda self, area: helped.append(area) or original(self, area))
+    monkeypatch.setattr(Worker, "__call__", lambda self, region: helped.append(region) or original(self, region))
     began = time.monotonic()
 
     def going_on(share):

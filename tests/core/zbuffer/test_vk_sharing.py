@@ -33,12 +33,12 @@ def workers(monkeypatch):
     class Watched(Worker):
         def __init__(self, work):
             super().__init__(work)
-            self.areas = []
+            self.regions = []
             made.append(self)
 
-        def __call__(self, area):
-            found = super().__call__(area)
-            self.areas.append(area)
+        def __call__(self, region):
+            found = super().__call__(region)
+            self.regions.append(region)
             return found
 
     monkeypatch.setattr(sharing, "_ALONE", -1.0)
@@ -84,11 +84,11 @@ def test_the_records_are_those_of_one_process(view, stock, workers):
     path, solids = case(view, stock)
     alone = simulate(path, **solids, processes=1)
     assert not workers
-    helped = until(lambda: not workers or any(each.areas for each in workers))
+    helped = until(lambda: not workers or any(each.regions for each in workers))
     shared = simulate(path, **solids, processes=3, going_on=helped)
     assert same(alone, shared) and shared.candidates == pytest.approx(alone.candidates, rel=0.01)
     assert len(workers) == 2
-    assert any(each.areas for each in workers)
+    assert any(each.regions for each in workers)
 
 
 def test_a_quick_simulation_is_not_shared(monkeypatch):
@@ -110,24 +110,24 @@ def test_as_many_help_as_there_are_other_cores(workers, monkeypatch):
     assert len(workers) == 1
 
 
-@pytest.mark.parametrize("areas", [0, 2])
-def test_what_a_process_that_dies_had_to_do_is_done_by_others(areas, workers, monkeypatch):
+@pytest.mark.parametrize("regions", [0, 2])
+def test_what_a_process_that_dies_had_to_do_is_done_by_others(regions, workers, monkeypatch):
     """Once as soon as it is ready, once in the middle of its work."""
     done = []
 
-    def dying(self, area):
-        done.append(area)
-        if len(done) > areas:
+    def dying(self, region):
+        done.append(region)
+        if len(done) > regions:
             self._process.kill()
-        return original(self, area)
+        return original(self, region)
 
     path, solids = case()
     alone = simulate(path, **solids, processes=1)
     original = Worker.__call__
     monkeypatch.setattr(Worker, "__call__", dying)
-    dead = until(lambda: not workers or len(done) > areas)
+    dead = until(lambda: not workers or len(done) > regions)
     assert same(alone, simulate(path, **solids, processes=2, going_on=dead))
-    assert len(done) == areas + 1 and len(workers[0].areas) == areas
+    assert len(done) == regions + 1 and len(workers[0].regions) == regions
 
 
 def test_without_another_python_one_process_does_it_all(workers, monkeypatch):
@@ -142,7 +142,7 @@ def test_another_numpy_does_not_help(workers, monkeypatch):
     path, solids = case()
     ended = until(lambda: not workers or not workers[0].lives)
     assert same(simulate(path, **solids, processes=1), simulate(path, **solids, processes=2, going_on=ended))
-    assert len(workers) == 1 and not workers[0].areas
+    assert len(workers) == 1 and not workers[0].regions
 
 
 class Stopped(Exception):
@@ -152,7 +152,7 @@ class Stopped(Exception):
 @pytest.mark.parametrize("moment", ["before", "while they start", "while they cut"])
 def test_who_stops_it_is_obeyed_and_no_process_is_left(moment, workers):
     """The fixture looks for those that are left."""
-    cutting = until(lambda: any(each.areas for each in workers))
+    cutting = until(lambda: any(each.regions for each in workers))
 
     def going_on(share):
         if not workers and moment != "before":
@@ -168,7 +168,7 @@ def test_who_stops_it_is_obeyed_and_no_process_is_left(moment, workers):
 
 
 def test_the_share_that_is_done_grows_from_nothing(workers):
-    told, helped = [], until(lambda: not workers or len(workers[0].areas) > 1)
+    told, helped = [], until(lambda: not workers or len(workers[0].regions) > 1)
 
     def going_on(share):
         told.append(share)
@@ -189,15 +189,17 @@ def test_the_rest_is_divided_for_the_processes():
     shared = sharing._Shared(image.bands)
     first = shared.take()
     shared.divide(1)
-    areas = [shared.take() for _ in range(shared.left)]
+    regions = [shared.take() for _ in range(shared.left)]
     assert shared.take() is None
-    # 33 tiles for twelve areas: two tiles each; the last of a band has what is left.
-    assert [(area.left, area.right) for area in areas[:6]] == [(k, min(k + 128, 700)) for k in range(0, 700, 128)]
-    assert {area.bottom for area in areas} == {64, 128, 192} and len(areas) == 18
+    # 33 tiles for twelve regions: two tiles each; the last of a band has what is left.
+    assert [(region.left, region.right) for region in regions[:6]] == [
+        (k, min(k + 128, 700)) for k in range(0, 700, 128)
+    ]
+    assert {region.bottom for region in regions} == {64, 128, 192} and len(regions) == 18
     shared.give(first, (None, 0))
     assert shared.share == 0.25 and shared.has(first) and not shared.has(image.bands[1])
-    for area in areas[:6]:
-        shared.give(area, (None, 0))
+    for region in regions[:6]:
+        shared.give(region, (None, 0))
     assert shared.share == 0.5 and shared.has(image.bands[1])
 
 

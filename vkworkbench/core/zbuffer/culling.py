@@ -144,7 +144,7 @@ class Tiles:
             begin = end
 
 
-class Area(NamedTuple):
+class Region(NamedTuple):
     """A part of the image, of whole tiles of the largest size as far as the image goes, `TILE` rows high.
 
     Attributes
@@ -161,7 +161,7 @@ class Area(NamedTuple):
     top: int
 
 
-def culled(trajectories: Trajectories, bounds: Bounds, area: Area) -> Iterator[tuple[Tiles, int]]:
+def culled(trajectories: Trajectories, bounds: Bounds, region: Region) -> Iterator[tuple[Tiles, int]]:
     """Go down from tiles to pixels, over a part of the image.
 
     Parameters
@@ -169,7 +169,7 @@ def culled(trajectories: Trajectories, bounds: Bounds, area: Area) -> Iterator[t
     trajectories : Trajectories
     bounds : Bounds
         Of the same view.
-    area : Area
+    region : Region
 
     Yields
     ------
@@ -178,8 +178,8 @@ def culled(trajectories: Trajectories, bounds: Bounds, area: Area) -> Iterator[t
     tested : int
         Pairs of a tile or pixel and a trajectory that were tested for it.
     """
-    left = np.arange(area.left, area.right, TILE)
-    pending = [first_tiles(trajectories, left, np.full(len(left), area.bottom))]
+    left = np.arange(region.left, region.right, TILE)
+    pending = [first_tiles(trajectories, left, np.full(len(left), region.bottom))]
     tested = 0
     while pending:
         for block in pending.pop().blocks(PAIRS_AT_ONCE):

@@ -16,23 +16,23 @@ from typing import Any
 from vkworkbench.core.solids import Frame
 from vkworkbench.core.stocks import Solid
 from vkworkbench.core.worker import Worker, WorkerDied
-from vkworkbench.core.zbuffer.bands import cut_area
-from vkworkbench.core.zbuffer.culling import TILE, Area, Tiles, culled
+from vkworkbench.core.zbuffer.culling import TILE, Region, Tiles, culled
 from vkworkbench.core.zbuffer.cuts import Cuts
 from vkworkbench.core.zbuffer.records import Records, side_by_side
+from vkworkbench.core.zbuffer.regions import cut_region
 from vkworkbench.core.zbuffer.removal import Removal
 from vkworkbench.core.zbuffer.tilted import Tilted
 from vkworkbench.core.zbuffer.upright import Upright
 
 # So long one process cuts alone, and so long the others then take to begin, s.
 _ALONE, _START = 0.5, 0.35
-# Into so many areas for each process the rest is divided: small ones end together, large ones are quicker.
-_AREAS = 12
+# Into so many regions for each process the rest is divided: small ones end together, large ones are quicker.
+_REGIONS = 12
 _TOLD = 0.05  # s between two calls while others are waited for
 
 
 class CutImage:
-    """An image that can be cut area by area; another process can be told of it.
+    """An image that can be cut region by region; another process can be told of it.
 
     Parameters
     ----------
@@ -45,7 +45,7 @@ class CutImage:
     ----------
     removal : Removal
         What is cut.
-    bands : list of Area
+    bands : list of Region
         All of the image, from below.
     """
 
@@ -55,18 +55,18 @@ class CutImage:
         self.removal = Removal(cuts, stock, frame)
         self._bounds = Upright(self.removal) if self.removal.sine == 0 else Tilted(self.removal)
         bottoms = range(0, frame.height, TILE)
-        self.bands = [Area(0, frame.width, bottom, min(bottom + TILE, frame.height)) for bottom in bottoms]
+        self.bands = [Region(0, frame.width, bottom, min(bottom + TILE, frame.height)) for bottom in bottoms]
 
     def __reduce__(self) -> tuple[Any, ...]:
         return CutImage, self._told
 
-    def __call__(self, area: Area, going_on: Callable[[], None] = lambda: None) -> tuple[Records, int]:
-        """Cut an area: its records, and how many pairs were tested for it.
+    def __call__(self, region: Region, going_on: Callable[[], None] = lambda: None) -> tuple[Records, int]:
+        """Cut a region: its records, and how many pairs were tested for it.
 
         `going_on` is called many times a second; what it raises ends it.
         """
-        blocks = _interrupted(culled(self.removal, self._bounds, area), going_on)
-        return cut_area(self.removal, self._bounds, blocks, self._uncut, area)
+        blocks = _interrupted(culled(self.removal, self._bounds, region), going_on)
+        return cut_region(self.removal, self._bounds, blocks, self._uncut, region)
 
 
 def cut_bands(
@@ -101,11 +101,11 @@ def cut_bands(
         for band in image.bands:
             while not shared.has(band):
                 told()
-                area = shared.take()
-                if area is None:
+                region = shared.take()
+                if region is None:
                     shared.wait(band, _TOLD)
                     continue
-                shared.give(area, image(area, told))
+                shared.give(region, image(region, told))
             yield shared.fetch(band)
     finally:
         if crew is not None:
@@ -127,10 +127,10 @@ def unshared_seconds(seconds: float, processes: int) -> float:
 class _Shared:
     """What is to be done and what is found, for several threads."""
 
-    def __init__(self, bands: list[Area]) -> None:
+    def __init__(self, bands: list[Region]) -> None:
         self._todo = deque(bands)
-        self._found: dict[Area, tuple[Records, int]] = {}
-        self._areas = {band: [band] for band in bands}
+        self._found: dict[Region, tuple[Records, int]] = {}
+        self._regions = {band: [band] for band in bands}
         self._changed = threading.Condition()
         self._all = len(bands) * bands[0].right
         self._done = 0
@@ -142,7 +142,7 @@ class _Shared:
 
     @property
     def left(self) -> int:
-        """How many areas nobody works on yet."""
+        """How many regions nobody works on yet."""
         return len(self._todo)
 
     def divide(self, processes: int) -> None:
@@ -151,42 +151,42 @@ class _Shared:
             bands = list(self._todo)
             self._todo.clear()
             tiles = sum(-(-band.right // TILE) for band in bands)
-            run = TILE * max(1, tiles // (_AREAS * processes))
+            run = TILE * max(1, tiles // (_REGIONS * processes))
             for band in bands:
                 lefts = range(0, band.right, run)
-                self._areas[band] = [band._replace(left=left, right=min(left + run, band.right)) for left in lefts]
-                self._todo.extend(self._areas[band])
+                self._regions[band] = [band._replace(left=left, right=min(left + run, band.right)) for left in lefts]
+                self._todo.extend(self._regions[band])
 
-    def take(self) -> Area | None:
-        """Return the next area; None where there is none."""
+    def take(self) -> Region | None:
+        """Return the next region; None where there is none."""
         with self._changed:
             return self._todo.popleft() if self._todo else None
 
-    def give(self, area: Area, found: tuple[Records, int]) -> None:
-        """Add what an area became."""
+    def give(self, region: Region, found: tuple[Records, int]) -> None:
+        """Add what a region became."""
         with self._changed:
-            self._found[area] = found
-            self._done += area.right - area.left
+            self._found[region] = found
+            self._done += region.right - region.left
             self._changed.notify()
 
-    def give_back(self, area: Area) -> None:
-        """Leave an area to others."""
+    def give_back(self, region: Region) -> None:
+        """Leave a region to others."""
         with self._changed:
-            self._todo.appendleft(area)
+            self._todo.appendleft(region)
             self._changed.notify()
 
-    def has(self, band: Area) -> bool:
+    def has(self, band: Region) -> bool:
         """Whether all of a band is found."""
-        return all(area in self._found for area in self._areas[band])
+        return all(region in self._found for region in self._regions[band])
 
-    def wait(self, band: Area, seconds: float) -> None:
+    def wait(self, band: Region, seconds: float) -> None:
         """Wait until a band is found, or there is something to do, but not longer than that."""
         with self._changed:
             self._changed.wait_for(lambda: self.has(band) or self._todo, seconds)
 
-    def fetch(self, band: Area) -> tuple[Records, int]:
+    def fetch(self, band: Region) -> tuple[Records, int]:
         """Return a band that is found, and forget it."""
-        found = [self._found.pop(area) for area in self._areas[band]]
+        found = [self._found.pop(region) for region in self._regions[band]]
         return side_by_side([records for records, _ in found], band.top - band.bottom), sum(n for _, n in found)
 
 
@@ -217,15 +217,15 @@ class _Crew:
 
 
 def _have_cut(worker: Worker, shared: _Shared) -> None:
-    """Have areas cut until there are none."""
-    area = None
+    """Have regions cut until there are none."""
+    region = None
     try:
         worker.get_ready()
-        while (area := shared.take()) is not None:
-            shared.give(area, worker(area))
+        while (region := shared.take()) is not None:
+            shared.give(region, worker(region))
     except WorkerDied:
-        if area is not None:
-            shared.give_back(area)
+        if region is not None:
+            shared.give_back(region)
     finally:
         worker.end()
 

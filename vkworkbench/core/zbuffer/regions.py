@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The pieces of the rays of an area of the image."""
+"""The pieces of the rays of a region of the image."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from vkworkbench.core.zbuffer.chains import among, cut_rays
-from vkworkbench.core.zbuffer.culling import Area, Bounds, Tiles
+from vkworkbench.core.zbuffer.culling import Bounds, Region, Tiles
 from vkworkbench.core.zbuffer.dexels import THINNEST, UNCUT, beginnings
 from vkworkbench.core.zbuffer.opening import opened
 from vkworkbench.core.zbuffer.records import INDEX, Records
@@ -23,7 +23,7 @@ class _Part:
     Attributes
     ----------
     ray : (k,) ndarray of int
-        Their numbers in the area.
+        Their numbers in the region.
     size : (k,) ndarray of int
         How many pieces each one has.
     count : (k,) ndarray of int
@@ -40,8 +40,8 @@ class _Part:
     owner: np.ndarray
 
 
-def cut_area(
-    trajectories: Trajectories, bounds: Bounds, blocks: Iterable[tuple[Tiles, int]], uncut: int, area: Area
+def cut_region(
+    trajectories: Trajectories, bounds: Bounds, blocks: Iterable[tuple[Tiles, int]], uncut: int, region: Region
 ) -> tuple[Records, int]:
     """Cut the rays of a part of the image.
 
@@ -54,7 +54,7 @@ def cut_area(
         See `culling.culled`.
     uncut : int
         Owner of what nothing removes.
-    area : Area
+    region : Region
 
     Returns
     -------
@@ -62,7 +62,7 @@ def cut_area(
     tested : int
         Pairs that were tested for it.
     """
-    rays = _Rays(trajectories, bounds, uncut, area)
+    rays = _Rays(trajectories, bounds, uncut, region)
     tested = 0
     for tiles, pairs in blocks:
         tested += pairs
@@ -71,11 +71,11 @@ def cut_area(
 
 
 class _Rays:
-    def __init__(self, trajectories: Trajectories, bounds: Bounds, uncut: int, area: Area) -> None:
-        self.trajectories, self.bounds, self.uncut, self.area = trajectories, bounds, uncut, area
-        frame, self.width = trajectories.frame, area.right - area.left
-        row, column = np.divmod(np.arange(self.width * (area.top - area.bottom)), self.width)
-        centres = frame.pixel_centres(area.left + column, area.bottom + row)
+    def __init__(self, trajectories: Trajectories, bounds: Bounds, uncut: int, region: Region) -> None:
+        self.trajectories, self.bounds, self.uncut, self.region = trajectories, bounds, uncut, region
+        frame, self.width = trajectories.frame, region.right - region.left
+        row, column = np.divmod(np.arange(self.width * (region.top - region.bottom)), self.width)
+        centres = frame.pixel_centres(region.left + column, region.bottom + row)
         self.near, self.far, self.gaps = trajectories.stock.spans(frame, *centres)
         self.inside = self.far - self.near > THINNEST
         # Where a stock has gaps, they are pieces of rays that nothing cuts, too.
@@ -87,8 +87,8 @@ class _Rays:
         """Cut the rays of tiles by their trajectories."""
         column, row = tiles.pixels()
         shape = tiles.side**2, len(tiles.column)
-        ray = ((row[:, None] - self.area.bottom) * self.width + column - self.area.left).reshape(shape)
-        outside = ((row[:, None] >= self.area.top) | (column >= self.area.right)).reshape(shape)
+        ray = ((row[:, None] - self.region.bottom) * self.width + column - self.region.left).reshape(shape)
+        outside = ((row[:, None] >= self.region.top) | (column >= self.region.right)).reshape(shape)
         ray[outside] = 0
         usable = self.inside[ray] & ~outside
         near, far = np.where(usable, self.near[ray], np.inf), np.where(usable, self.far[ray], -np.inf)
