@@ -23,10 +23,10 @@ sys.path[:0] = [str(Path(__file__).resolve().parent.parent), str(Path(__file__).
 from zbuffer_cases import CASES
 
 from vkworkbench.core import Cut, View, simulate_job
-from vkworkbench.core.worker import processes
 from vkworkbench.core.zbuffer import shared_seconds
 from vkworkbench.core.zbuffer.cuts import Cuts
 from vkworkbench.core.zbuffer.sharing import CutImage
+from vkworkbench.worker import processes
 
 TURNS = 3
 

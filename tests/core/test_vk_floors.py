@@ -20,6 +20,7 @@ PACKAGE = "vkworkbench"
 # The floors, the lowest first. What stands side by side on one is one room.
 FLOORS = (
     ("language",),
+    ("worker",),
     ("core.toolpath", "core.strategy", "core.solids", "core.stocks", "core.machining", "core.steady"),
     ("core.gcode",),
     ("core.paper",),
@@ -42,6 +43,7 @@ FLOORS = (
 OUTSIDE = {
     "": set(),
     "core": {"numpy"},
+    "worker": {"numpy"},
     "simulation_facts": {"numpy"},
     "freecad": {"FreeCAD"},
     "preferences": {"FreeCAD"},

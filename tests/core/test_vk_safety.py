@@ -20,7 +20,7 @@ MODULES = {"socket", "ssl", "http", "urllib", "ftplib", "smtplib", "requests", "
            "ctypes", "pickle", "marshal", "shelve", "xmlrpc", "telnetlib", "webbrowser", "QtNetwork",
            "QtWebEngineWidgets"}  # fmt: skip
 # Work is done in processes of this add-on's own; only what these send is unpickled.
-ALLOWED = {"vkworkbench/core/worker.py": {"pickle", "subprocess"}}
+ALLOWED = {"vkworkbench/worker.py": {"pickle", "subprocess"}}
 
 
 def named(tree):

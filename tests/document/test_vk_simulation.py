@@ -11,13 +11,14 @@ import Path
 import pytest
 
 import vkworkbench
-from vkworkbench.core import View, worker
-from vkworkbench.core.worker import Worker
-from vkworkbench.core.zbuffer import OverBudget, sharing
+from vkworkbench import worker
+from vkworkbench.core import View
+from vkworkbench.core.zbuffer import OverBudget
 from vkworkbench.document.listing import Listing
 from vkworkbench.document.simulated_job import copy_job
 from vkworkbench.language import Unusable
 from vkworkbench.report import Cancelled
+from vkworkbench.worker import Worker
 
 VIEW = View((0, 0, -1), 120, 80)
 
@@ -297,7 +298,7 @@ def test_a_long_simulation_of_freecad_is_shared_and_stays_the_same(small, monkey
     monkeypatch.setattr(worker, "processes", lambda: 1)
     alone = vkworkbench.simulate(small.job, view=view).zbuffer.records
     monkeypatch.setattr(worker, "processes", lambda: 2)
-    monkeypatch.setattr(sharing, "_ALONE", -1.0)
+    monkeypatch.setattr("vkworkbench.core.zbuffer.sharing._ALONE", -1.0)
     helped, original = [], Worker.__call__
     monkeypatch.setattr(Worker, "__call__", lambda self, region: helped.append(region) or original(self, region))
     began = time.monotonic()

@@ -22,8 +22,8 @@ from PathSimulator import PathSim
 from vkworkbench import freecad
 from vkworkbench.core import Stock, linearize, processor_clock, steady_seconds
 from vkworkbench.core.simulators import DEFAULTS, SIMULATORS, Constants, Cost, Seen, Task, legacy_work
-from vkworkbench.core.worker import processes
 from vkworkbench.core.zbuffer import Speed, measure_speed
+from vkworkbench.worker import processes
 
 # Names of OpenGL renderers that draw on the processor and wait for no screen, and the times of a frame and of a draw
 # call as measured with them, s.

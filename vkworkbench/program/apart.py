@@ -8,11 +8,11 @@ import time
 import weakref
 from pathlib import Path
 
-from vkworkbench.core.worker import Worker, WorkerDied
 from vkworkbench.language import Message
 from vkworkbench.preferences import Preferences
 from vkworkbench.program.analysis import analyze_file, unread
 from vkworkbench.report import OperationReport
+from vkworkbench.worker import Worker, WorkerDied
 
 _of_thread = threading.local()
 _workers: weakref.WeakSet[Worker] = weakref.WeakSet()

@@ -13,7 +13,6 @@ from itertools import islice
 from pathlib import Path
 
 from vkworkbench import preferences
-from vkworkbench.core.worker import processes
 from vkworkbench.language import Message
 from vkworkbench.program.analysis import report_of, unread
 from vkworkbench.program.apart import analyze_apart, end_workers
@@ -21,6 +20,7 @@ from vkworkbench.program.files import find_programs
 from vkworkbench.program.progress import Progress
 from vkworkbench.program.results import Csv, JsonLines, Results
 from vkworkbench.report import OperationReport, cells_of
+from vkworkbench.worker import processes
 
 _WRONG, _UNREAD, _STOPPED = 2, 1, 130  # exit statuses
 _CONNECT = 30  # s

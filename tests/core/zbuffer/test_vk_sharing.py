@@ -13,13 +13,14 @@ import numpy as np
 import pytest
 from zbuffer_reference.paths import BOX, PATHS, TOOLS, toolpath
 
-from vkworkbench.core import Cut, Mesh, Speed, View, estimate, simulate, worker
-from vkworkbench.core.worker import Worker, WorkerDied
+from vkworkbench import worker
+from vkworkbench.core import Cut, Mesh, Speed, View, estimate, simulate
 from vkworkbench.core.zbuffer import memory_needed, shared_seconds, sharing, unshared_seconds
 from vkworkbench.core.zbuffer.cuts import Cuts
 from vkworkbench.core.zbuffer.memory import helpers_within
 from vkworkbench.core.zbuffer.records import side_by_side
 from vkworkbench.core.zbuffer.removal import Removal
+from vkworkbench.worker import Worker
 
 ROOT = Path(__file__).resolve().parents[3]
 WIDE = View((1, 1, -1), 300, 200)
@@ -294,52 +295,3 @@ def test_the_processes_take_no_more_than_the_budget_that_allows_them(which):
     run = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, check=True)
     budget, taken = (float(v) for v in run.stdout.split())
     assert taken < budget < 1.6 * taken
-
-
-def test_a_worker_works_for_one_argument_after_the_other():
-    one = Worker(len)
-    one.get_ready()
-    assert [one("abc"), one([1]), one(())] == [3, 1, 0] and one.lives
-    one.end()
-    one.end()
-    assert not one.lives
-    with pytest.raises(WorkerDied):
-        one("abc")
-
-
-def test_a_worker_whose_work_fails_or_cannot_be_said_dies():
-    for argument in (3, lambda: 0):
-        one = Worker(len)
-        with pytest.raises((WorkerDied, AttributeError, TypeError)) as error:
-            one(argument)
-        if argument == 3:
-            assert error.type is WorkerDied and not one.lives
-        one.end()
-
-
-def test_what_work_prints_does_not_come_between_answers():
-    one = Worker(print)
-    assert one("something") is None and one("else") is None
-    one.end()
-
-
-def test_the_python_of_a_program_that_is_not_python(monkeypatch, tmp_path):
-    """FreeCAD's own name is the executable's; its Python lies in the folder of its modules, or beside it."""
-    assert worker.interpreter() == sys.executable
-    version = f"python{sys.version_info.major}.{sys.version_info.minor}"
-    for executable in (str(tmp_path / "apart" / "FreeCAD"), "", None):
-        monkeypatch.setattr(sys, "executable", executable)
-        monkeypatch.setattr(sys, "prefix", str(tmp_path / "usr"))
-        assert worker.interpreter() is None and worker.processes() == 1
-    (tmp_path / "usr" / "bin" / "python3").mkdir(parents=True)  # a folder is no program
-    (tmp_path / "apart").mkdir()
-    monkeypatch.setattr(sys, "executable", str(tmp_path / "apart" / "FreeCAD"))
-    for place in (
-        Path("apart", "python.exe"),
-        Path("apart", version),
-        Path("usr", "python.exe"),
-        Path("usr/bin", version),
-    ):
-        (tmp_path / place).touch()
-        assert worker.interpreter() == str(tmp_path / place)
-    assert worker.processes() >= 1

@@ -15,7 +15,6 @@ from typing import Any
 
 from vkworkbench.core.solids import Frame
 from vkworkbench.core.stocks import Solid
-from vkworkbench.core.worker import Worker, WorkerDied
 from vkworkbench.core.zbuffer.culling import TILE, Region, Tiles, culled
 from vkworkbench.core.zbuffer.cuts import Cuts
 from vkworkbench.core.zbuffer.records import Records, side_by_side
@@ -23,6 +22,7 @@ from vkworkbench.core.zbuffer.regions import cut_region
 from vkworkbench.core.zbuffer.removal import Removal
 from vkworkbench.core.zbuffer.tilted import Tilted
 from vkworkbench.core.zbuffer.upright import Upright
+from vkworkbench.worker import Worker, WorkerDied
 
 # So long one process cuts alone, and so long the others then take to begin, s.
 _ALONE, _START = 0.5, 0.35

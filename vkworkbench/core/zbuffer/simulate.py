@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 from contextlib import closing
 
-from vkworkbench.core import worker
+from vkworkbench import worker
 from vkworkbench.core.solids import Tool, View
 from vkworkbench.core.stocks import Solid
 from vkworkbench.core.toolpath import Toolpath

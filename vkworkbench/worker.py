@@ -16,7 +16,7 @@ from typing import Any
 import numpy as np
 
 # This package's folder, and that of the numpy that is used here.
-_FOLDERS = [str(Path(__file__).resolve().parents[2]), str(Path(np.__file__).resolve().parents[1])]
+_FOLDERS = [str(Path(__file__).resolve().parents[1]), str(Path(np.__file__).resolve().parents[1])]
 # Windows would open a console for each.
 _NO_WINDOW: int = getattr(subprocess, "CREATE_NO_WINDOW", 0)
 
@@ -46,7 +46,7 @@ class Worker:
         if python is None:
             raise WorkerDied
         path = os.pathsep.join([*_FOLDERS, *filter(None, [os.environ.get("PYTHONPATH")])])
-        code = "from vkworkbench.core.worker import serve; serve()"
+        code = "from vkworkbench.worker import serve; serve()"
         try:
             self._process = subprocess.Popen(
                 [python, "-c", code], stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL,

@@ -1,0 +1,61 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Work in other processes: it is done, or it is said that they died; and which Python they are of."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+
+import pytest
+
+from vkworkbench import worker
+from vkworkbench.worker import Worker, WorkerDied
+
+
+def test_a_worker_works_for_one_argument_after_the_other():
+    one = Worker(len)
+    one.get_ready()
+    assert [one("abc"), one([1]), one(())] == [3, 1, 0] and one.lives
+    one.end()
+    one.end()
+    assert not one.lives
+    with pytest.raises(WorkerDied):
+        one("abc")
+
+
+def test_a_worker_whose_work_fails_or_cannot_be_said_dies():
+    for argument in (3, lambda: 0):
+        one = Worker(len)
+        with pytest.raises((WorkerDied, AttributeError, TypeError)) as error:
+            one(argument)
+        if argument == 3:
+            assert error.type is WorkerDied and not one.lives
+        one.end()
+
+
+def test_what_work_prints_does_not_come_between_answers():
+    one = Worker(print)
+    assert one("something") is None and one("else") is None
+    one.end()
+
+
+def test_the_python_of_a_program_that_is_not_python(monkeypatch, tmp_path):
+    """FreeCAD's own name is the executable's; its Python lies in the folder of its modules, or beside it."""
+    assert worker.interpreter() == sys.executable
+    version = f"python{sys.version_info.major}.{sys.version_info.minor}"
+    for executable in (str(tmp_path / "apart" / "FreeCAD"), "", None):
+        monkeypatch.setattr(sys, "executable", executable)
+        monkeypatch.setattr(sys, "prefix", str(tmp_path / "usr"))
+        assert worker.interpreter() is None and worker.processes() == 1
+    (tmp_path / "usr" / "bin" / "python3").mkdir(parents=True)  # a folder is no program
+    (tmp_path / "apart").mkdir()
+    monkeypatch.setattr(sys, "executable", str(tmp_path / "apart" / "FreeCAD"))
+    for place in (
+        Path("apart", "python.exe"),
+        Path("apart", version),
+        Path("usr", "python.exe"),
+        Path("usr/bin", version),
+    ):
+        (tmp_path / place).touch()
+        assert worker.interpreter() == str(tmp_path / place)
+    assert worker.processes() >= 1
