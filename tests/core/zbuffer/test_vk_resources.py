@@ -340,7 +340,7 @@ def test_the_work_of_a_job_is_that_of_all_its_operations(direction):
     """Operations of many moves do not hide those of few in other places."""
     cuts = [Cut(*PATHS[name]) for name in ("zigzag", "surface", "helix")] + [Cut(zigzag(0.5, chords=40), FLAT)]
     view = View(direction, 512, 384)
-    exact = simulate_job(cuts, stock=STOCK, view=view)
+    exact = simulate_job(cuts, stock=STOCK, view=view, processes=1)
     found = estimate_job(cuts, stock=STOCK, view=view).work
     assert 4 * np.sum(found.pairs) + sum(found.cells) == pytest.approx(exact.candidates, rel=0.15)
 
@@ -365,7 +365,7 @@ def test_blocks_are_those_that_the_simulator_works_on(names, direction, monkeypa
     said = estimate_job(cuts, stock=STOCK, view=view).work.amounts()[3]
     monkeypatch.setattr(bounds, "quarters", counted(bounds.quarters))
     monkeypatch.setattr(bounds, "removals", counted(bounds.removals))
-    simulate_job(cuts, stock=STOCK, view=view)
+    simulate_job(cuts, stock=STOCK, view=view, processes=1)
     assert said == pytest.approx(sum(worked), rel=0.3)
 
 

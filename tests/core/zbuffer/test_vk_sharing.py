@@ -95,6 +95,7 @@ def test_the_records_are_those_of_one_process(view, stock, workers):
 def test_a_quick_simulation_is_not_shared(monkeypatch):
     path, solids = case(View((0, 0, -1), 60, 130), moves=5)
     monkeypatch.setattr(sharing, "Worker", None)
+    monkeypatch.setattr(sharing, "_ALONE", 60.0)
     assert simulate(path, **solids, processes=4).traces > 0
     monkeypatch.setattr(sharing, "_ALONE", -1.0)
     with pytest.raises(TypeError):  # there is none

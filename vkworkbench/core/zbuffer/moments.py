@@ -35,7 +35,8 @@ class ZBuffer:
     surface : Surface
         The pieces of rays that are seen at some moment.
     candidates : int
-        Pairs of a tile or pixel of the image and a trajectory that the simulation tested.
+        Pairs of a tile or pixel of the image and a trajectory that the simulation tested; a few more or less where
+        several processes shared it.
     """
 
     frame: Frame
