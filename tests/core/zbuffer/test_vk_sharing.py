@@ -203,6 +203,9 @@ def test_the_rest_is_divided_for_the_processes():
     for region in regions[:6]:
         shared.give(region, (None, 0))
     assert shared.share == 0.5 and shared.has(image.bands[1])
+    fewest = sharing._Shared(image.bands[:1])
+    fewest.divide(50)
+    assert fewest.left == 11 and fewest.take().right == 64  # no region is less than a tile
 
 
 def test_records_side_by_side_are_those_of_the_whole():
