@@ -13,7 +13,7 @@ from vkworkbench.core import Strategy, linearize, recognize
 from vkworkbench.core.paper import monotonous_areas
 from vkworkbench.core.recognition.borders import MEASURES
 from vkworkbench.core.recognition.forest import Forest
-from vkworkbench.core.recognition.visits import begun, compared, find_visits
+from vkworkbench.core.recognition.visits import Visits, begun, compared, find_visits
 
 TOOL = 5.0
 
@@ -157,3 +157,100 @@ def test_the_same_ground_has_the_same_corners(corner, same):
     path = after([("G0", {"Z": programs.CLEAR}), *rectangle(20.0, 20.0)], rectangle(*corner))
     (row,) = compared(find_visits(path, monotonous_areas(path)))
     assert row[MEASURES.index("same_ground")] == same
+
+
+def two_visits(**changed):
+    """Two visits that differ in everything."""
+    told = {
+        "first": [0, 10], "last": [8, 20], "blocks": [2, 6], "low": [[0, 0], [10, 0]], "high": [[30, 40], [50, 40]],
+        "bottom": [-2, -5], "top": [0, -1], "begin": [0, -3], "length": [100, 50], "feed": [10, 5], "fastest": [20, 20],
+        "turn": [1, 3], "chord": [0.1, 0.5], "closed": [0.9, 0.2], "axis": [1, 0.5j],
+    }  # fmt: skip
+    return Visits(**{name: np.array(changed.get(name, values), complex if name == "axis" else float)
+                     for name, values in told.items()})  # fmt: skip
+
+
+def backwards(visits):
+    return Visits(*(values[::-1] for values in vars(visits).values()))
+
+
+def test_visits_are_compared_without_a_unit():
+    (row,) = compared(two_visits())
+    told = dict(zip(MEASURES, row))
+    series = {name: told.pop(name) for name in MEASURES if name.startswith("series_")}
+    assert series == {name: told[name[len("series_") :]] for name in series}
+    small = 0.05
+    shared, one, other = (20 + small) * (40 + small), (30 + small) * (40 + small), (40 + small) * (40 + small)
+    expected = {
+        "feed": 0.5, "same_feed": 1, "same_ground": 0, "overlap": shared / (one + other - shared), "inside": shared / one,
+        "same_bottom": 0, "higher_bottom": 0, "deeper": -3 / 5, "same_top": 0, "same_begin": 0, "higher_begin": 0,
+        "size": np.log(np.hypot(40, 40) / 50), "length": np.log((100 + small) / (50 + small)),
+        "block_length": np.log((50 + small) / (50 / 6 + small)), "block_count": np.log(3), "fewer_blocks": np.log(2),
+        "more_blocks": np.log(6), "turn": np.log(3.1 / 1.1), "chord": 0.4, "closed": 0.7, "axis": np.hypot(1, 0.5),
+        "visits": np.log(2),
+    }  # fmt: skip
+    assert told == pytest.approx(expected)
+    # Backwards all is the same but what says which of the two is higher.
+    expected |= {"higher_bottom": 1, "higher_begin": 1, "deeper": 3 / 5}
+    (row,) = compared(backwards(two_visits()))
+    assert {name: value for name, value in zip(MEASURES, row) if name in expected} == pytest.approx(expected)
+
+
+@pytest.mark.parametrize(
+    ("name", "values", "measure"),
+    [
+        ("bottom", [-5, -5.01], "same_bottom"), ("top", [0, 0.01], "same_top"), ("begin", [0, -0.01], "same_begin"),
+        ("fastest", [20, 20.1], "same_feed"),
+    ],
+)  # fmt: skip
+def test_what_rounding_leaves_is_the_same(name, values, measure):
+    at = MEASURES.index(measure)
+    assert compared(two_visits(**{name: values}))[0, at] == 1
+    apart = [values[0], values[0] + 100 * (values[1] - values[0])]
+    assert compared(two_visits(**{name: apart}))[0, at] == 0
+
+
+def test_grounds_that_do_not_touch_share_nothing():
+    told = dict(zip(MEASURES, compared(two_visits(low=[[0, 0], [40, 50]], high=[[30, 40], [50, 60]]))[0]))
+    assert told["overlap"] == told["inside"] == told["same_ground"] == 0
+    told = dict(zip(MEASURES, compared(two_visits(low=[[0, 0], [0, 0]], high=[[0, 0], [0, 0]]))[0]))
+    assert told["overlap"] == told["inside"] == told["same_ground"] == 1 and told["size"] == 0  # holes in one place
+
+
+def test_a_series_is_what_the_pairs_before_and_after_show():
+    tops = [0, 0, 5, 9, 9]  # the same, not, not, the same
+    visits = Visits(*(np.repeat(values[:1], 5, axis=0) for values in vars(two_visits()).values()))
+    rows = compared(replace(visits, top=np.array(tops, float)))
+    assert rows[:, MEASURES.index("same_top")].tolist() == [1, 0, 0, 1]
+    assert rows[:, MEASURES.index("series_same_top")].tolist() == [0, 0.5, 0.5, 0]
+
+
+def test_what_a_visit_measures():
+    """A square and, deeper and faster, a line; then, beyond two lifts, a line back and a hole."""
+
+    def lines(*points, z, feed):
+        yield "G1", {"Z": z, "F": feed}
+        yield from (("G1", {"X": x, "Y": y, "F": feed}) for x, y in points)
+
+    path = linearize([
+        ("G0", {"X": 0.0, "Y": 0.0, "Z": 9.0}), *lines((10, 0), (10, 10), (0, 10), (0, 0), z=-1.0, feed=10.0),
+        ("G0", {"Z": 2.0}), ("G0", {"X": 20.0}), *lines((20, 30), z=-2.0, feed=20.0),
+        ("G0", {"Z": 2.0}), ("G0", {"Z": 9.0}), ("G0", {"X": 60.0, "Y": 5.0}), *lines((40, 5), z=-3.0, feed=10.0),
+        ("G0", {"Z": 2.0}), ("G0", {"X": 70.0}), ("G81", {"Z": -6.0, "R": 2.0, "F": 5.0}),
+    ])  # fmt: skip
+    visits = find_visits(path, monotonous_areas(path))
+    assert len(visits) == 2 and visits.blocks.tolist() == [2, 2]
+    assert visits.low.tolist() == [[0, 0], [40, 5]] and visits.high.tolist() == [[20, 30], [70, 5]]
+    assert visits.bottom.tolist() == [-2, -6] and visits.top.tolist() == [-1, -3] and visits.begin.tolist() == [-1, -3]
+    assert visits.length == pytest.approx([70, 20]) and visits.fastest.tolist() == [20, 10]
+    assert visits.feed == pytest.approx([(40 * 10 + 30 * 20) / 70, 10])
+    assert visits.turn == pytest.approx([0.75 / 2, 0]) and visits.chord == pytest.approx([30 / 70, 1])
+    assert visits.closed == pytest.approx([40 / 70, 0]) and visits.axis == pytest.approx([-30 / 70, 1])
+    assert path.command[visits.first].tolist() == [2, 14] and path.command[visits.last].tolist() == [9, 17]
+
+
+def test_a_mixed_program_is_as_sure_as_its_parts():
+    path = after(DIFFERENT["zigzag"], DIFFERENT["helix"])
+    found = recognize(path, tool_diameter=TOOL, program=True)
+    parts = [recognize(linearize(DIFFERENT[name]), tool_diameter=TOOL).confidence for name in ("zigzag", "helix")]
+    assert found.strategy is Strategy.MIXED and min(parts) - 0.1 < found.confidence <= max(parts)

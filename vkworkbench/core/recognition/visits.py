@@ -149,9 +149,9 @@ def compared(v: Visits) -> np.ndarray:
     a, b = slice(None, -1), slice(1, None)
 
     def differ(values: np.ndarray, least: float = 1e-6) -> np.ndarray:
-        """Relative difference."""
-        larger = np.maximum(np.abs(values[a]), np.abs(values[b]))
-        result: np.ndarray = np.minimum(np.abs(values[b] - values[a]) / np.maximum(larger, least), 1.0)
+        """Relative difference of what is not negative."""
+        larger = np.maximum(values[a], values[b])
+        result: np.ndarray = np.abs(values[b] - values[a]) / np.maximum(larger, least)
         return result
 
     def ratio(values: np.ndarray, least: float) -> np.ndarray:

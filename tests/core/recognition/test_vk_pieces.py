@@ -1,0 +1,96 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The pieces that areas are cut into, and what is measured of each, of toolpaths that were drawn so."""
+
+from __future__ import annotations
+
+import numpy as np
+import programs
+import pytest
+from drawings import polygon
+
+from vkworkbench.core import linearize
+from vkworkbench.core.paper import TURN, monotonous_areas
+from vkworkbench.core.recognition.pieces import LOOP, STROKE, WINDING, ZIGZAG, cut_pieces
+
+
+def pieces_of(*strokes):
+    return cut_pieces(monotonous_areas(linearize(programs.program(strokes))))
+
+
+def zigzag(rows, length=40.0, step=3.0, z=0.0):
+    ends = [(0.0, length), (length, 0.0)]
+    return [(x, step * row, z) for row in range(rows) for x in ends[row % 2]]
+
+
+def test_a_loop_a_zigzag_and_a_stroke():
+    pieces = pieces_of(polygon(20), zigzag(7), [(0, 0, 0), (30, 0, 0), (30, 10, 0)])
+    assert pieces.kind.tolist() == [LOOP, ZIGZAG, STROKE] and pieces.area.tolist() == [0, 1, 2]
+    assert pieces.length == pytest.approx([80, 7 * 40 + 6 * 3, 40])
+    assert np.abs(pieces.net) == pytest.approx([TURN, 0, TURN / 4])
+    assert pieces.back == pytest.approx([0, 12 * TURN / 4, 0], abs=1e-9)
+    assert np.abs(pieces.enclosed[[0, 2]]) == pytest.approx([400, 150])
+    assert pieces.passes.tolist() == [1, 7, 1] and pieces.wavy.tolist() == [False, False, False]
+    assert pieces.box[1].tolist() == [0, 0, 40, 18] and pieces.box[2].tolist() == [0, 0, 30, 10]
+    assert pieces.start.tolist() == [0, pieces.end[0], pieces.end[1]]
+    assert pieces.flat.all()
+
+
+def test_a_loop_with_a_tail_is_two_pieces_of_one_area():
+    square = [(0, 0, 0), (20, 0, 0), (20, 20, 0), (0, 20, 0), (0, 0, 0)]
+    pieces = pieces_of([*square, (-15, -5, 0), (-30, 0, 0)])
+    assert pieces.kind.tolist() == [LOOP, STROKE] and pieces.area.tolist() == [0, 0]
+    assert pieces.start.tolist() == [0, 4] and pieces.end.tolist() == [4, 6]
+
+
+def test_the_turns_of_a_winding_are_pieces_with_what_the_winding_is():
+    """A spiral of three turns, and a zigzag behind it whose kind is its own."""
+    angles = np.linspace(0, 3 * TURN, 145)
+    radius = 30 - 6 * angles / TURN
+    spiral = np.column_stack((radius * np.cos(angles), radius * np.sin(angles), np.zeros(145))).tolist()
+    pieces = pieces_of(spiral, zigzag(6))
+    assert pieces.kind.tolist() == [WINDING] * (len(pieces) - 1) + [ZIGZAG] and len(pieces) == 4
+    assert pieces.area.tolist() == [0, 0, 0, 1] and not pieces.wavy.any()
+    assert pieces.net[:2] == pytest.approx([TURN, TURN], rel=0.1) and pieces.passes[-1] == 6
+    assert (np.diff(pieces.length[:3]) < 0).all()
+
+
+@pytest.mark.parametrize("corners", [4, 48])
+def test_a_box_holds_all_of_a_piece(corners):
+    """Of few points and of many, which are found in another way."""
+    drawn = polygon(20, x=100, y=50, corners=corners)
+    low, high = np.min(drawn, axis=0)[:2], np.max(drawn, axis=0)[:2]
+    (box,) = pieces_of(drawn).box
+    assert box == pytest.approx([*low, *high])
+
+
+def test_heights_of_a_piece_that_climbs():
+    """Level for 10 mm, 6 mm up on 20 mm, level for 10 mm."""
+    pieces = pieces_of([(0, 0, 0), (10, 0, 0), (10, 20, 6), (20, 20, 6)], polygon(10, z=-1.0))
+    assert pieces.z == pytest.approx([(0 + 3 * 20 + 6 * 10) / 40, -1])
+    assert (pieces.last_z[0], pieces.rise[0], pieces.drop[0]) == pytest.approx((6, 6, 6))
+    assert (pieces.last_z[1], pieces.rise[1], pieces.drop[1]) == pytest.approx((-1, 0, 0))
+    assert pieces.flat.tolist() == [False, True]
+    falling = pieces_of([(0, 0, 3), (10, 0, 3), (10, 20, -3), (20, 20, -3)])
+    assert (falling.rise[0], falling.drop[0]) == pytest.approx((6, -6))
+
+
+def test_a_zigzag_that_ends_where_it_began_is_a_wavy_loop():
+    closed = [*zigzag(6), (-5, 15, 0), (-5, 0, 0), (0, 0, 0)]
+    pieces = pieces_of(closed)
+    assert pieces.kind.tolist() == [LOOP] and pieces.wavy.tolist() == [True]
+
+
+@pytest.mark.parametrize(("rows", "kind"), [(2, STROKE), (3, ZIGZAG), (6, ZIGZAG)])
+def test_what_goes_back_once_is_no_zigzag(rows, kind):
+    """Of three rows one lies between two others: a third of the length."""
+    pieces = pieces_of(zigzag(rows))
+    assert pieces.kind.tolist() == [kind] and pieces.passes.tolist() == [rows]
+    assert not pieces.wavy.any()
+
+
+def test_short_zigzags_between_large_loops_are_links():
+    """Whoever goes back and forth for a thousandth of the length is not looked at."""
+    large = [polygon(400 - 10 * k) for k in range(8)]
+    small = zigzag(6, length=1.0, step=0.2)
+    assert pieces_of(*large, small).kind.tolist() == [LOOP] * 8 + [STROKE]
+    assert pieces_of(*large, zigzag(40)).kind.tolist() == [LOOP] * 8 + [ZIGZAG]
