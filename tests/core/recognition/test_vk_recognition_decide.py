@@ -20,11 +20,15 @@ from vkworkbench.core.recognition.decide import (
     Proposal,
     elect,
     grounds,
+    machines_nothing,
+    proposal,
     sureness,
 )
 from vkworkbench.core.recognition.measures import measures
 from vkworkbench.core.recognition.section import Section
 from vkworkbench.core.recognition.thresholds import VOTES
+from vkworkbench.core.recognition.verdict import Verdict
+from vkworkbench.language import Message
 
 MADE = 4  # paths of each kind
 SOME = synthetic.SAMPLES[::3]
@@ -154,3 +158,37 @@ def test_one_case_has_the_votes_of_many():
     x = np.random.default_rng(0).uniform(-1, 3, (20, len(learned.MEASURES)))
     for forest in (LEARNED.strategies, LEARNED.nonsense):
         assert np.array([forest.vote(case.tolist()) for case in x]) == pytest.approx(forest.shares(x))
+
+
+def test_nonsense_is_said_by_many_votes_or_by_some_where_nothing_is_sure():
+    many, some, sure = VOTES.NONSENSE + 0.01, VOTES.DOUBTFUL + 0.01, VOTES.SURE
+    assert machines_nothing(many, 0.97) and machines_nothing(some, sure - 0.01)
+    assert not machines_nothing(some, sure) and not machines_nothing(VOTES.DOUBTFUL, 0.0)
+    assert not machines_nothing(some, 0.0, doubtful=some)
+
+
+def test_grounds_are_six_numbers():
+    votes = np.zeros(len(STRATEGIES))
+    votes[STRATEGIES.index(Strategy.ZIGZAG)], votes[STRATEGIES.index(Strategy.ENGRAVING)] = 0.7, 0.3
+    odds = np.log((0.7 + VOTES.NONE) / (0.3 + VOTES.NONE))
+    # The rules propose it, with a tool: their share, and that of its class, are added to its votes.
+    ahead = 0.7 + VOTES.RULES + VOTES.CLASS * (0.7 + VOTES.RULES_OF_CLASS)
+    second = max(VOTES.CLASS * (0.7 + VOTES.RULES_OF_CLASS), (1 + VOTES.CLASS) * 0.3)
+    proposed = proposed_by(Strategy.ZIGZAG, Family.ROWS, tool=True)
+    assert grounds(votes, proposed) == pytest.approx([1, odds, 1, 1, ahead - second, 1])
+    told = grounds(votes, proposed_by(Strategy.SPIRAL, Family.AROUND))
+    assert told[[0, 2, 3, 5]].tolist() == [1, 0, 0, 0] and told[1] == pytest.approx(odds)
+
+
+def test_sureness_is_a_logistic_function():
+    assert sureness(np.zeros(6), np.ones(6)) == VOTES.SUREST / 2
+    evidence = np.array([[1.0, 2.0, 0.0, 0.0, 0.5, 1.0], [1.0, 0.0, 1.0, 0.0, 0.0, 0.0]])
+    weights = np.array([-1.0, 0.5, 3.0, 7.0, 2.0, 0.25])
+    assert sureness(evidence, weights) == pytest.approx(VOTES.SUREST / (1 + np.exp([-1.25, -2.0])))
+
+
+@pytest.mark.parametrize("diameter", [0.0, 6.0])
+def test_what_is_proposed_tells_whether_a_tool_is_known(diameter):
+    section = Section(monotonous_areas(path_of(synthetic.SAMPLES[0][2])), diameter)
+    rules, paper = Verdict(Strategy.SPIRAL, 1, Message("rest")), None
+    assert proposal(section, rules, paper) == proposed_by(Strategy.SPIRAL, tool=diameter > 0)

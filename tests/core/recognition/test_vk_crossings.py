@@ -1,0 +1,125 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What lies between the crossings of scan lines, of passes that were drawn so."""
+
+from __future__ import annotations
+
+from math import log, log1p
+
+import numpy as np
+import programs
+import pytest
+
+from vkworkbench.core import linearize
+from vkworkbench.core.paper import monotonous_areas
+from vkworkbench.core.recognition.crossings import NAMES, Sample, scan
+
+EXTENT = 60.0
+ROWS, STEP = 10, 3.0
+# Of ten rows, 3 mm apart, cut in their order.
+SIDE_BY_SIDE = {
+    "step": log(STEP / EXTENT), "monotonous": 1, "even": 1, "count": log1p(ROWS - 1), "tight": 0,
+    "run": (ROWS - 2) / (ROWS - 1), "next": 1, "other": 0, "cover": 1,
+}  # fmt: skip
+TO_AND_FRO = {"keep": 0, "alternating": 1, "opposite": 1, "signed": 0}
+ONE_WAY = {"keep": 1, "alternating": 0, "opposite": 0, "signed": 1}
+NOTHING = dict.fromkeys(NAMES, -1)
+
+
+def scanned(commands):
+    moves = monotonous_areas(linearize(commands))
+    return scan(moves, Sample.of(moves, np.arange(len(moves))), EXTENT)
+
+
+def told(commands):
+    """How many crossings a line has, and the measures of neighbours at one depth and of all."""
+    found = scanned(commands)
+    names = {which: {name: found[f"{which}_{name}"] for name in NAMES} for which in ("level", "plan")}
+    assert set(found) == {"crossings", *(f"{which}_{name}" for which in names for name in NAMES)}
+    return np.expm1(found["crossings"]), names["level"], names["plan"]
+
+
+def rows(heights, places, length=50.0):
+    return programs.program([[(0.0, y, z), (length, y, z)] for y, z in zip(places, heights)])
+
+
+@pytest.mark.parametrize(
+    ("commands", "way"),
+    [(programs.zigzag(ROWS, 50.0, STEP), TO_AND_FRO), (programs.one_way(ROWS, 50.0, STEP), ONE_WAY)],
+    ids=["to and fro", "one way"],
+)
+def test_rows_side_by_side(commands, way):
+    crossings, level, plan = told(commands)
+    assert crossings == pytest.approx(ROWS)
+    assert level == pytest.approx({**SIDE_BY_SIDE, **way}, abs=1e-6) and plan == level
+
+
+def test_rows_at_two_depths_lie_side_by_side_at_each_and_over_one_another_from_above():
+    """From above every other neighbour lies on the line of the one before it, which is no distance."""
+    crossings, level, plan = told(programs.one_way(ROWS, 50.0, STEP, depths=(0.0, -1.0)))
+    assert crossings == pytest.approx(2 * ROWS)
+    assert level == pytest.approx({**SIDE_BY_SIDE, **ONE_WAY, "count": log1p(2 * (ROWS - 1))}, abs=1e-6)
+    assert (plan["run"], plan["keep"], plan["other"], plan["cover"]) == pytest.approx((0, 0, 0, 1))
+    assert plan["count"] == pytest.approx(log1p(ROWS - 1)) and plan["step"] == pytest.approx(log(STEP / EXTENT))
+
+
+def test_rows_cut_in_turns_from_both_sides():
+    """0, 9, 1, 8, ...: of neighbours only those in the middle are cut one after the other."""
+    order = np.ravel(np.column_stack((np.arange(5), np.arange(9, 4, -1))))
+    _, level, _ = told(rows(np.zeros(ROWS), STEP * order))
+    assert level["next"] == pytest.approx(1 / 9)
+    assert level["monotonous"] == pytest.approx(7 / 8)  # but where the sides meet
+    backwards = told(rows(np.zeros(ROWS), STEP * np.arange(ROWS)[::-1]))[1]
+    assert backwards == pytest.approx({**SIDE_BY_SIDE, **ONE_WAY}, abs=1e-6)
+
+
+def test_distances_that_are_not_the_usual_one():
+    """Distances 3, 3, 3, 3, 9, 3, 3, 3, 3 and, a tenth longer, one that is still the usual one."""
+    gaps = np.array([3, 3, 3, 3, 9, 3, 3, 3, 3.3])
+    _, level, _ = told(rows(np.zeros(ROWS), np.append(0.0, np.cumsum(gaps))))
+    assert level["even"] == pytest.approx(8 / 9) and level["step"] == pytest.approx(log(3 / EXTENT))
+    assert level["cover"] == pytest.approx((gaps.sum() - 9) / gaps.sum()) and level["run"] == pytest.approx(6 / 8)
+    assert level["tight"] == pytest.approx(0) and level["count"] == pytest.approx(log1p(8))
+
+
+def test_neighbours_that_are_not_parallel_are_no_passes():
+    """Teeth of a saw, 20 degrees up and down, which only lines across them all cross more than once."""
+    teeth = [(20.0 * k, (20.0 * np.tan(np.pi / 9) if k % 2 else 0.0), 0.0) for k in range(9)]
+    strokes = [
+        [(x, y + 5.0 * (k % 2), 0.0) for x, y, _ in (teeth if k % 2 else [(x, 7.3 - y, z) for x, y, z in teeth])]
+        for k in range(2)
+    ]
+    _, level, _ = told(programs.program(strokes))
+    assert level["other"] == 1 and level["step"] == level["even"] == level["run"] == -1
+    assert level["signed"] == pytest.approx(1)
+
+
+def test_what_the_lines_meet_once_has_no_neighbours():
+    crossings, level, plan = told(rows([0.0], [5.0]))
+    assert crossings == pytest.approx(1) and level["signed"] == 1 and level["other"] == 1
+    assert {**level, "signed": -1, "other": -1} == NOTHING and plan == level
+
+
+def test_of_thousands_of_crossings_those_in_the_middle_of_the_time_are_looked_at():
+    """Two lines, 600 crossings each: of 2,000 rows one way those from the 700th on; before and behind they go to and fro."""
+    strokes = []
+    for k in range(2000):
+        ends = [(0.0, 0.5 * k, 0.0), (500.0, 0.5 * k, 0.0)]
+        strokes.append(ends[::-1] if k % 2 and not 700 <= k < 1300 else ends)
+    crossings, level, _ = told(programs.program(strokes))
+    assert crossings == pytest.approx(600) and level["count"] == pytest.approx(log1p(599))
+    assert (level["opposite"], level["signed"], level["keep"]) == pytest.approx((0, 1, 1))
+
+
+def test_lines_lie_where_the_cutting_is():
+    """A long lead beside the rows is crossed by no line."""
+    lead = [[(-400.0, 0.0, 0.0), (-401.0, 0.0, 0.0)]]
+    crossings, level, _ = told([*programs.program(lead), *programs.one_way(ROWS, 50.0, STEP)])
+    assert crossings == pytest.approx(ROWS) and level == pytest.approx({**SIDE_BY_SIDE, **ONE_WAY}, abs=1e-6)
+
+
+@pytest.mark.parametrize("angle", [0.3, 1.0, 2.0])
+def test_turned_rows_tell_the_same(angle):
+    cos, sin = np.cos(angle), np.sin(angle)
+    turned = [(name, {**p, "X": p["X"] * cos - p["Y"] * sin, "Y": p["X"] * sin + p["Y"] * cos} if "X" in p else p)
+              for name, p in programs.zigzag(ROWS, 50.0, STEP)]  # fmt: skip
+    assert told(turned)[1] == pytest.approx({**SIDE_BY_SIDE, **TO_AND_FRO}, abs=1e-6)

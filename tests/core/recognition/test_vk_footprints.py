@@ -1,0 +1,62 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Which pieces cover the same ground, at which depths."""
+
+from __future__ import annotations
+
+import numpy as np
+import programs
+import pytest
+from drawings import polygon
+
+from vkworkbench.core import linearize
+from vkworkbench.core.paper import monotonous_areas
+from vkworkbench.core.recognition.footprints import come_again, count_depths, footprints
+from vkworkbench.core.recognition.pieces import cut_pieces
+
+SQUARE = {"side": 20.0}
+OTHERS = [
+    {"side": 20.0, "x": 7.0}, {"side": 20.0, "y": 7.0}, {"side": 30.0, "x": 5.0, "y": 5.0},
+    {"side": 20.0, "ratio": 0.5}, {"side": 21.0, "x": 0.5},
+]  # fmt: skip
+
+
+def pieces_of(*strokes):
+    return cut_pieces(monotonous_areas(linearize(programs.program(strokes))))
+
+
+def every(pieces):
+    return np.arange(len(pieces))
+
+
+@pytest.mark.parametrize("other", OTHERS, ids=str)
+def test_what_lies_elsewhere_or_is_larger_has_another_footprint(other):
+    pieces = pieces_of(polygon(**SQUARE), polygon(**other), polygon(**SQUARE, z=-1.0))
+    group, count = footprints(pieces, every(pieces))
+    assert count == 2 and group[0] == group[2] != group[1]
+    again, count = come_again(pieces, every(pieces))
+    assert count == 2 and again.tolist() == [True, False, True]
+
+
+def test_one_box_with_more_way_in_it_is_another_footprint():
+    """Along the border and, once, twice across: the box is the same, the length is not."""
+    x, y, _ = np.min(polygon(**SQUARE), axis=0)
+    wave = [(x, y, 0), (x + 20, y, 0), (x + 20, y + 10, 0), (x, y + 10, 0), (x, y + 20, 0), (x + 20, y + 20, 0)]
+    pieces = pieces_of(wave, [*wave[:1], (x + 20, y, 0), (x + 20, y + 20, 0)])
+    assert footprints(pieces, every(pieces))[1] == 2
+
+
+def test_what_rounding_leaves_is_one_footprint():
+    pieces = pieces_of(polygon(**SQUARE), polygon(side=20.0, x=0.004, y=-0.003), polygon(side=20.004))
+    assert footprints(pieces, every(pieces))[1] == 1
+
+
+def test_at_one_depth_nothing_comes_again():
+    pieces = pieces_of(polygon(**SQUARE), polygon(**SQUARE, z=0.01), polygon(**SQUARE, x=100.0))
+    again, count = come_again(pieces, every(pieces))
+    assert not again.any() and count == 2
+    again, count = come_again(pieces, np.zeros(0, np.int64))
+    assert again.dtype == bool and len(again) == count == 0
+
+
+def test_different_heights_are_counted():
+    assert [count_depths(np.array(z)) for z in ([], [3.0], [3.0, 3.01], [-1.0, 0.0, -1.01, -2.0])] == [0, 1, 1, 3]
