@@ -1,0 +1,149 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The measures that the learned trees read, of toolpaths that were drawn so, beside their numbers by hand."""
+
+from __future__ import annotations
+
+from math import hypot, log, log1p, pi, sqrt
+
+import numpy as np
+import programs
+import pytest
+from drawings import polygon
+
+from vkworkbench.core import linearize
+from vkworkbench.core.paper import monotonous_areas
+from vkworkbench.core.recognition.measures import FLAGS, measures
+from vkworkbench.core.recognition.section import Section
+
+TOOL = 6.0
+NO_RINGS = {
+    **dict.fromkeys((*FLAGS, "hunting", "aside"), 0), "loops": 0, "windings": 0, "ring_step": -1, "roundness": 0, "rings": 0,
+    "distinct": 0, "ring_depths": 0, "drift": 0, "ring_length": 0,
+}  # fmt: skip
+NO_ROWS = {
+    "rows": 0, "rows_opposite": 0, "rows_same": 0, "zigzags": 0, "lines_of_rows": 0, "row_count": 0, "row_slender": -1,
+    "row_even": -1, "row_length": -1,
+}  # fmt: skip
+NO_STROKES = {"strokes": 0, "bites": 0, "against": 0, "stroke_slopes": 0, "stroke_length": 0, "stroke_count": 0}
+
+
+def told(commands):
+    return measures(Section(monotonous_areas(linearize(commands)), TOOL))
+
+
+def holds(found, expected):
+    assert {name: (found[name], value) for name, value in expected.items() if abs(found[name] - value) > 1e-6} == {}
+
+
+def test_a_zigzag():
+    """Ten rows of 50 mm, 3 mm apart; the last one runs back, half a turn from the first."""
+    found = told(programs.zigzag(10, 50.0, 3.0))
+    length, extent, links, turns = 527, hypot(50, 27), 27, 4.5
+    holds(found, {
+        "wound": 0, "longest_area": 1, "around_areas": 0, "rows_areas": 1, "area_turns": log1p(0.5), "one_turn": 0,
+        "closed_areas": 0, "area_v": links / length, "areas": log1p(1), "area_length": log(length / extent), "alike_areas": 0,
+        "turned": log1p(turns), "turned_for_length": log1p(turns * extent / length), "net_turn": 0.5 / turns,
+        "one_sense": 0.5 / turns,
+    })  # fmt: skip
+    holds(found, {
+        "climbs": 0, "level": 1, "corners": 1, "smooth": 0, "one_way": links / length, "one_axis": (500 - links) / length,
+        "two_axes": 1,
+    })  # fmt: skip
+    # Of 18 turns by a quarter two and two have one sense: arcs of half a turn.
+    holds(found, {
+        "half_arcs": 1, "short_arcs": 0, "long_arcs": 0, "sense_keeps": 9 / 17, "surprise": 0,
+        "spread": sqrt(90) / 19 * log(50 / 3),
+    })  # fmt: skip
+    holds(found, {**NO_RINGS, **NO_STROKES})
+    holds(found, {
+        "rows": 500 / length, "rows_opposite": 450 / length, "rows_same": 0, "zigzags": 1, "lines_of_rows": log1p(10),
+        "row_count": log1p(10), "row_slender": log1p(50 / 3), "row_even": 1, "row_length": 50 / extent,
+    })  # fmt: skip
+
+
+def test_rings_at_two_depths():
+    """Two squares within one another, and the same a millimetre deeper; each has three quarter turns."""
+    found = told(programs.program([polygon(side, z=z) for z in (0.0, -1.0) for side in (40, 34)]))
+    length, extent = 2 * 4 * (40 + 34), hypot(40, 40)
+    holds(found, {
+        "longest_area": 40 / 148, "around_areas": 0, "area_turns": log1p(0.75), "one_turn": 1, "closed_areas": 1, "area_v": 0,
+        "areas": log1p(4), "area_length": log(length / 4 / extent), "turned": log1p(3), "turned_for_length": log1p(3 * extent / length),
+        "net_turn": 1, "one_sense": 1, "alike_areas": -log(4 * 2 * (40**2 + 34**2) / 148**2),
+    })  # fmt: skip
+    holds(found, {"level": 1, "corners": 1, "one_way": 0, "one_axis": 0, "two_axes": 1})
+    holds(found, {"half_arcs": 0, "short_arcs": 0, "sense_keeps": 1, "surprise": 0, "spread": log(40 / 34) / 2})
+    holds(found, {
+        "loops": 1, "windings": 0, "roundness": pi / 4, "rings": log1p(4), "distinct": 0.5, "ring_depths": log1p(2),
+        "ring_step": log1p(100 * 3 / extent), "drift": 0, "ring_length": 148 / extent, "nested": 1, "deeper": 0, "alone": 0,
+        "sloped": 0, "round": 0, "crossing": 0,
+    })  # fmt: skip
+    holds(found, NO_STROKES)
+
+
+def test_round_rings_that_move_on():
+    """Circles of 10 mm in a row, 2 mm apart: the way from the first to the last is straight."""
+    found = told(programs.program([polygon(20, x=2.0 * k, corners=48) for k in range(12)]))
+    holds(found, {"drift": 1, "rings": log1p(12), "loops": 1, "smooth": 1, "corners": 0, "distinct": 1})
+    assert found["roundness"] == pytest.approx(1, abs=0.01)
+    there = [2.0 * k for k in range(6)]
+    back = told(programs.program([polygon(20, x=x, corners=48) for x in (*there, *there[::-1])]))
+    assert back["drift"] == pytest.approx(0, abs=1e-9)
+
+
+def test_open_strokes():
+    """Bent strokes of 20 mm; one in four climbs by one in ten."""
+    strokes = [
+        [(30.0 * k, 0.0, 0.0), (30.0 * k + 10.0, 0.0, (k == 3) * 1.0), (30.0 * k + 10.0, 10.0, (k == 3) * 2.0)]
+        for k in range(4)
+    ]
+    found = told(programs.program(strokes))
+    slanting = hypot(10, 0)
+    assert slanting == 10  # lengths are those in the plane
+    holds(found, {
+        "strokes": 1, "stroke_count": log1p(4), "climbs": 2 / 80, "level": 0.75, "areas": log1p(4), "alike_areas": 0,
+        "closed_areas": 0, "area_v": hypot(10, 10) / 20, "one_way": hypot(40, 40) / 80, "one_axis": 0, "two_axes": 1,
+        "longest_area": 0.25, "net_turn": 1, "one_sense": 1,
+    })  # fmt: skip
+    holds(found, NO_RINGS)
+    extent = hypot(100, 0)
+    holds(found, {"stroke_length": 20 / extent, "stroke_slopes": 0.25})
+
+
+def test_turns_to_either_side_cancel_in_one_sense_only():
+    """Two strokes, one bent to the left and one to the right."""
+    found = told(programs.program([[(0, 0, 0), (10, 0, 0), (10, 10, 0)], [(50, 0, 0), (60, 0, 0), (60, -10, 0)]]))
+    holds(found, {"net_turn": 1, "one_sense": 0, "sense_keeps": 0, "short_arcs": 1, "turned": log1p(0.5)})
+
+
+def test_surprise_is_the_entropy_of_the_turns():
+    """As many turns by 1.7 as by 0.6."""
+    stroke, heading = [(0.0, 0.0)], 0.0
+    for k in range(17):
+        x, y = stroke[-1]
+        stroke.append((x + 10 * np.cos(heading), y + 10 * np.sin(heading)))
+        heading += (1.7, 0.6, -1.7, -0.6)[k % 4]
+    found = told(programs.program([[(x, y, 0.0) for x, y in stroke]]))
+    assert found["surprise"] == pytest.approx(log(2)) and found["spread"] == pytest.approx(0, abs=1e-6)
+    assert found["sense_keeps"] == pytest.approx(8 / 15)
+
+
+def test_nothing_turns():
+    found = told(programs.program([[(0, 0, 0), (10, 0, 0)], [(0, 20, 0), (20, 20, 0)]]))
+    holds(found, {
+        "half_arcs": 0, "short_arcs": 0, "long_arcs": 0, "sense_keeps": 0, "surprise": 0, "spread": log(2) / 2, "turned": log1p(0.02 / (2 * pi)),
+        "corners": 0, "smooth": 0,
+    })  # fmt: skip
+
+
+@pytest.mark.parametrize("rows", [(3.0, 3.0), (3.0, 5.0)])
+def test_two_families_of_rows(rows):
+    """A grid: the sums are of both, the proportions of the longer one."""
+    step, other = rows
+    across = [[(0.0, step * k, 0.0), (60.0, step * k, 0.0)] for k in range(12)]
+    down = [[(other * k, 0.0, 0.0), (other * k, 33.0, 0.0)] for k in range(12)]
+    found = told(programs.program(across + down))
+    length = 12 * (60 + 33)
+    holds(found, {
+        "rows": 1, "rows_same": (11 * 60 + 11 * 33) / length, "rows_opposite": 0, "row_count": log1p(24), "lines_of_rows": log1p(12),
+        "row_slender": log1p(60 / step), "row_even": 1,
+    })  # fmt: skip
