@@ -8,8 +8,8 @@ import pickle
 import signal
 import subprocess
 import sys
-from collections.abc import Callable
-from contextlib import suppress
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import Any
 
@@ -97,13 +97,14 @@ class Worker:
         self._process.kill()
         self._process.wait()
         for pipe in (self._process.stdin, self._process.stdout):
-            with suppress(OSError):
+            with suppress(OSError), _broken_pipes_are_errors():  # what was not said yet is, when it is closed
                 pipe.close()  # type: ignore[union-attr] # both are pipes
 
     def _say(self, what: Any) -> None:
         try:
-            pickle.dump(what, self._process.stdin, pickle.HIGHEST_PROTOCOL)  # type: ignore[arg-type]
-            self._process.stdin.flush()  # type: ignore[union-attr]
+            with _broken_pipes_are_errors():
+                pickle.dump(what, self._process.stdin, pickle.HIGHEST_PROTOCOL)  # type: ignore[arg-type]
+                self._process.stdin.flush()  # type: ignore[union-attr]
         except (OSError, ValueError):  # the other end, or this one, is closed
             self.end()
             raise WorkerDied from None
@@ -158,6 +159,21 @@ def processes() -> int:
     if hasattr(os, "sched_getaffinity"):
         return len(os.sched_getaffinity(0))
     return os.cpu_count() or 1
+
+
+@contextmanager
+def _broken_pipes_are_errors() -> Iterator[None]:
+    """Let no signal end this process when it writes to one that has died: Python ignores it, FreeCAD 1.0 does not."""
+    if not hasattr(signal, "pthread_sigmask"):  # on Windows there is none
+        yield
+        return
+    before = signal.pthread_sigmask(signal.SIG_BLOCK, [signal.SIGPIPE])
+    try:
+        yield
+    finally:
+        if signal.SIGPIPE not in before and signal.SIGPIPE in signal.sigpending():
+            signal.sigwait([signal.SIGPIPE])
+        signal.pthread_sigmask(signal.SIG_SETMASK, before)
 
 
 def _versions() -> tuple[tuple[int, ...], str]:

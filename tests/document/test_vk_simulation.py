@@ -3,6 +3,7 @@
 
 import csv
 import json
+import signal
 import time
 
 import FreeCAD
@@ -18,7 +19,7 @@ from vkworkbench.document.listing import Listing
 from vkworkbench.document.simulated_job import copy_job
 from vkworkbench.language import Unusable
 from vkworkbench.report import Cancelled
-from vkworkbench.worker import Worker
+from vkworkbench.worker import Worker, WorkerDied
 
 VIEW = View((0, 0, -1), 120, 80)
 
@@ -289,6 +290,21 @@ def test_freecad_knows_a_python_that_helps_it():
     assert one("abc") == 3
     one.end()
     assert worker.processes() >= 1
+
+
+@pytest.mark.skipif(not hasattr(signal, "SIGPIPE"), reason="there is no such signal")
+def test_a_helper_that_dies_does_not_take_freecad_with_it():
+    """Python ignores the signal of a broken pipe; FreeCAD may end of it, as it would here."""
+    before = signal.signal(signal.SIGPIPE, signal.SIG_DFL)
+    try:
+        one = Worker(len)
+        one.get_ready()
+        one.kill()
+        with pytest.raises(WorkerDied):
+            one(b"x" * 10_000_000)
+        assert not one.lives and signal.SIGPIPE not in signal.pthread_sigmask(signal.SIG_BLOCK, [])
+    finally:
+        signal.signal(signal.SIGPIPE, before)
 
 
 def test_a_long_simulation_of_freecad_is_shared_and_stays_the_same(small, monkeypatch):
