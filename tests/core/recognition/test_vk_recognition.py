@@ -11,7 +11,9 @@ from hypothesis import strategies as st
 from toolpaths import synthetic
 from vkworkbench.core import Strategy, Toolpath
 from vkworkbench.core.gcode import linearize
+from vkworkbench.core.recognition import Span, unknown
 from vkworkbench.core.recognition.recognize import recognize
+from vkworkbench.language import Message
 
 
 def cut(points, rapid=()):
@@ -189,3 +191,13 @@ def test_one_pass_over_many_areas_stays_linear():
     path = cut(strokes, rapid=range(1, 39_999, 2))
     found = recognize(path)
     assert found.strategy is Strategy.ZIGZAG and found.passes == 20_000
+
+
+def test_what_is_unknown_has_no_numbers():
+    path = linearize([("(a)", {}), ("G1", {"X": 5.0}), ("G1", {"Y": 5.0})])
+    found = unknown(path, Message("rest"))
+    assert vars(found) == {
+        "strategy": Strategy.UNKNOWN, "confidence": 0.0, "why": Message("rest"), "level": 0, "phi_range": (0.0, 0.0),
+        "spans": (Span(0, 1, 1, 2, Strategy.UNKNOWN, 1.0),), "reversals": 0, "sense": None, "stepover": None, "passes": None,
+        "depths": 0, "direction": None, "closed_loops": 0, "milling": None, "entry": None, "finishing": False, "paper": None,
+    }  # fmt: skip

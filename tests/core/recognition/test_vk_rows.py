@@ -111,3 +111,10 @@ def test_a_median_by_weight():
     assert weighted_median(values, weights) == 9.0
     assert weighted_median(values, np.ones(4)) == 2.0
     assert weighted_median(values[:1], weights[:1]) == 3.0
+
+
+def test_steps_of_a_stroke_are_none_in_whatever_area_it_lies():
+    before = [[(0.0, -80.0, 0.0), (1.0, -80.0, 0.0)]]
+    stairs = [(10.0 * (k // 2 + k % 2), 3.0 * (k // 2), 0.0) for k in range(20)]
+    families = rows_of(programs.program(before + [stairs]))
+    assert families[0].same == 0

@@ -1,0 +1,94 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Open strokes that lie side by side, and those that do not, of strokes that were drawn so."""
+
+from __future__ import annotations
+
+import numpy as np
+import programs
+import pytest
+
+from vkworkbench.core import linearize
+from vkworkbench.core.paper import monotonous_areas
+from vkworkbench.core.recognition.neighbours import find_neighbours
+from vkworkbench.core.recognition.pieces import cut_pieces
+
+TOOL = 4.0
+
+
+def neighbours(strokes, tool=TOOL):
+    moves = monotonous_areas(linearize(programs.program(strokes)))
+    pieces = cut_pieces(moves)
+    return find_neighbours(moves, pieces, np.arange(len(pieces)), tool)
+
+
+def corner(offset, z=0.0):
+    """Along two walls, an offset from them."""
+    return [(offset, 60.0, z), (offset, offset, z), (80.0, offset, z)]
+
+
+def line(y, x=0.0, length=50.0, z=0.0, slant=0.0):
+    return [(x, y, z), (x + length, y + slant, z)]
+
+
+def test_offsets_of_a_corner_lie_a_step_apart():
+    found = neighbours([corner(2.0 * k) for k in range(6)])
+    assert (found.count, found.share, found.even, found.onward) == pytest.approx((6, 1, 1, 1))
+    assert found.step == pytest.approx(2.0, abs=0.05)
+
+
+def test_every_other_one_back():
+    found = neighbours([corner(2.0 * k)[:: 1 - 2 * (k % 2)] for k in range(6)])
+    assert (found.count, found.even, found.onward) == pytest.approx((6, 1, 0))
+
+
+@pytest.mark.parametrize("lag", [1, 2, 3, 4])
+def test_a_neighbour_is_one_of_the_last_three(lag):
+    """So many walls are offset in turns. The first of the first wall counts, which has none before it."""
+    found = neighbours([line(100.0 * wall + 2.0 * k) for k in range(5) for wall in range(lag)])
+    if lag > 3:
+        assert found is None
+    else:
+        assert found.count == 5 * lag - (lag - 1) and found.step == pytest.approx(2.0)
+
+
+@pytest.mark.parametrize(
+    ("apart", "tool", "beside"), [(4.7, TOOL, True), (4.9, TOOL, False), (4.9, 0.0, True), (0.01, 0.0, False)]
+)
+def test_neighbours_are_not_farther_apart_than_the_tool_reaches(apart, tool, beside):
+    """Nor on one line."""
+    found = neighbours([line(apart * k, length=200.0) for k in range(5)], tool)
+    assert (found is not None) == beside
+
+
+def test_what_is_far_for_its_length_is_no_neighbour():
+    assert neighbours([line(6.0 * k, length=9.0) for k in range(5)], 0.0) is None
+    assert neighbours([line(6.0 * k, length=90.0) for k in range(5)], 0.0).count == 5
+
+
+def test_at_another_height_is_not_beside():
+    assert neighbours([line(2.0 * k, z=-1.0 * k) for k in range(5)]) is None
+    falling = [[(0.0, 2.0 * k, 5.0 - k), (50.0, 2.0 * k, -k)] for k in range(5)]
+    assert neighbours(falling).count == 5  # those that climb have no height of their own
+
+
+def test_strokes_face_one_another_along_most_of_them():
+    """Half of each lies beside the next one; then three quarters."""
+    assert neighbours([line(2.0 * k, x=25.0 * k) for k in range(5)]) is None
+    assert neighbours([line(2.0 * k, x=12.0 * k) for k in range(5)]).count == 5
+
+
+def test_passes_that_open_like_a_fan_are_not_even():
+    """0.4 mm apart at one end and 3.6 at the other, where an offset keeps its distance."""
+    found = neighbours([line(0.4 * k, slant=3.2 * k) for k in range(5)])
+    assert found.even == 0 and found.onward == 1 and found.step == pytest.approx(2.0, rel=0.1)
+
+
+def test_one_far_from_the_usual_step_counts_as_none():
+    """Rows of 2 mm and, behind them, one of 7 mm, and nothing beside the other half of the length."""
+    strokes = [*(line(2.0 * k, length=200.0) for k in range(5)), line(15.0, length=200.0)]
+    found = neighbours(strokes, 0.0)
+    assert found.count == 5 and found.share == pytest.approx(5 / 6) and found.step == 2.0
+
+
+def test_too_few():
+    assert neighbours([line(0.0)]) is None and neighbours([line(0.0), line(2.0)]) is None

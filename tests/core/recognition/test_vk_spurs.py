@@ -1,0 +1,72 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Ways out and back on one line, which reliefs in corners add to a contour."""
+
+from __future__ import annotations
+
+import numpy as np
+import programs
+import pytest
+
+from vkworkbench.core import linearize
+from vkworkbench.core.paper import TURN, monotonous_areas
+from vkworkbench.core.recognition.spurs import some_moves, without_spurs
+
+
+def areas(*strokes):
+    return monotonous_areas(linearize(programs.program(strokes)))
+
+
+def square(out=None, side=40.0, z=0.0, closed=True, turned=0.0):
+    """Begun in the middle of a side; `out` is how far a spur leads from one corner."""
+    half = side / 2
+    points = [(0.0, 0.0, z), (half, 0.0, z)]
+    if out:
+        points += [(half + out, -out, z + turned), (half, 0.0, z)]
+    points += [(half, side, z), (-half, side, z), (-half, 0.0, z)]
+    return points + [(0.0, 0.0, z)] * closed
+
+
+def test_a_spur_is_taken_out_and_the_turn_at_its_corner_is_what_it_was():
+    plain, spurred = areas(square()), areas(square(2.0))
+    kept = without_spurs(spurred)
+    assert len(spurred) == len(plain) + 2 and len(kept) == len(plain)
+    for name in ("dx", "dy", "length", "turning", "phi", "alpha"):
+        assert getattr(kept, name) == pytest.approx(getattr(plain, name), abs=1e-9)
+    assert not len(kept.reversals) and len(spurred.reversals) == 1
+    assert kept.phi[-1] == pytest.approx(TURN)
+
+
+def test_every_area_counts_from_its_own_first_move():
+    moves = areas(square(2.0), square(2.0, side=60.0, z=-1.0), square())
+    kept = without_spurs(moves)
+    assert np.diff(kept.start, append=len(kept)).tolist() == [5, 5, 5]
+    assert kept.phi[kept.start].tolist() == [0, 0, 0] and kept.phi[kept.end - 1] == pytest.approx([TURN] * 3)
+
+
+@pytest.mark.parametrize(
+    "stroke",
+    [square(2.0, closed=False)[:-1], square(17.0), square(2.0, turned=1.0), square()],
+    ids=["open", "long", "down", "none"],
+)
+def test_what_is_no_relief_stays(stroke):
+    """In an open stroke; a fifth of the length and more; where it leads deeper."""
+    moves = areas(stroke)
+    assert without_spurs(moves) is moves
+
+
+def test_spurs_one_after_the_other_are_no_reliefs():
+    """To and fro on one line is a stroke of its own: only the first way out and back could be one."""
+    there, half = (21.0, -1.0, 0.0), (20.0, 0.0, 0.0)
+    stroke = square()
+    moves = areas([*stroke[:2], there, half, there, half, *stroke[2:]])
+    assert len(without_spurs(moves)) >= len(moves) - 2
+
+
+def test_areas_whose_first_moves_go_begin_to_turn_anew():
+    moves = areas(square(), square(side=60.0))
+    kept = np.ones(len(moves), bool)
+    kept[[0, 1]] = False
+    left = some_moves(moves, kept)
+    assert left.start.tolist() == [0, 3] and left.phi[0] == 0 == left.turning[0]
+    assert left.phi[:3] == pytest.approx([0, TURN / 4, TURN / 2]) and left.phi[3:] == pytest.approx(moves.phi[5:])
+    assert left.length.tolist() == moves.length[kept].tolist()
