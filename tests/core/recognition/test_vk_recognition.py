@@ -198,7 +198,7 @@ def test_one_pass_over_many_areas_stays_linear():
 def test_what_is_unknown_has_no_numbers():
     path = replace(cut([(0, 0), (5, 0), (5, 5)]), command=np.array([3, 7]))
     found = unknown(path, Message("moves-nothing"))
-    assert found.reason == str(Message("moves-nothing"))
+    assert "moves a tool" in found.reason
     assert vars(found) == {
         "strategy": Strategy.UNKNOWN, "confidence": 0.0, "why": Message("moves-nothing"), "level": 0, "phi_range": (0.0, 0.0),
         "spans": (Span(0, 1, 3, 7, Strategy.UNKNOWN, 1.0),), "reversals": 0, "sense": None, "stepover": None, "passes": None,
