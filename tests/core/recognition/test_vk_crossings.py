@@ -123,3 +123,10 @@ def test_turned_rows_tell_the_same(angle):
     turned = [(name, {**p, "X": p["X"] * cos - p["Y"] * sin, "Y": p["X"] * sin + p["Y"] * cos} if "X" in p else p)
               for name, p in programs.zigzag(ROWS, 50.0, STEP)]  # fmt: skip
     assert told(turned)[1] == pytest.approx({**SIDE_BY_SIDE, **TO_AND_FRO}, abs=1e-6)
+
+
+def test_passes_that_descend_to_and_fro_are_at_one_depth_where_a_line_crosses_them():
+    strokes = [[(0.0, STEP * k, 0.0), (50.0, STEP * k, -10.0)][:: 1 - 2 * (k % 2)] for k in range(ROWS)]
+    _, level, plan = told(programs.program(strokes))
+    assert level == pytest.approx({**SIDE_BY_SIDE, **TO_AND_FRO}, abs=1e-6)
+    assert plan == pytest.approx(level)

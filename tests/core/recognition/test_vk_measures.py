@@ -8,7 +8,7 @@ from math import hypot, log, log1p, pi, sqrt
 import numpy as np
 import programs
 import pytest
-from drawings import polygon
+from drawings import polygon, winding
 
 from vkworkbench.core import linearize
 from vkworkbench.core.paper import monotonous_areas
@@ -147,3 +147,11 @@ def test_two_families_of_rows(rows):
         "rows": 1, "rows_same": (11 * 60 + 11 * 33) / length, "rows_opposite": 0, "row_count": log1p(24), "lines_of_rows": log1p(12),
         "row_slender": log1p(60 / step), "row_even": 1,
     })  # fmt: skip
+
+
+def test_windings_have_their_share_of_the_length():
+    spiral = winding(30.0, 12.0, 3)
+    rows = [(200.0 + x, 3.0 * row, 0.0) for row in range(6) for x in ((0.0, 40.0), (40.0, 0.0))[row % 2]]
+    around, straight = (sum(hypot(b[0] - a[0], b[1] - a[1]) for a, b in zip(of, of[1:])) for of in (spiral, rows))
+    found = told(programs.program([spiral, rows]))
+    holds(found, {"windings": around / (around + straight), "loops": 0, "rows": 240 / (around + straight)})

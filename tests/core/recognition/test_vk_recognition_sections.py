@@ -13,8 +13,8 @@ from hypothesis import strategies as st
 
 from vkworkbench.core import Strategy, linearize, recognize
 from vkworkbench.core.paper import monotonous_areas
-from vkworkbench.core.recognition.parts import find_borders
-from vkworkbench.core.recognition.recognition import Span
+from vkworkbench.core.recognition.parts import _short, find_borders
+from vkworkbench.core.recognition.recognition import Recognition, Span
 from vkworkbench.core.recognition.unknown import unknown
 from vkworkbench.language import Message
 
@@ -161,3 +161,12 @@ def test_what_is_cut_once_is_not_said_to_come_again(closed):
     assert "again" not in once.reason and "depths" not in once.reason and "repeated" not in once.reason
     thrice = recognize(linearize(contour([-1.0, -2.0, -3.0], closed)))
     assert thrice.strategy is Strategy.PROFILE and "at 3 depths" in thrice.reason
+
+
+@pytest.mark.parametrize(
+    ("loops", "passes", "short"),
+    [(0, None, True), (1, 2, True), (2, 2, False), (1, 3, False), (0, 3, False), (2, None, False)],
+)
+def test_two_loops_or_three_passes_show_a_strategy(loops, passes, short):
+    one = Recognition(Strategy.PROFILE, 0.9, Message("moves-nothing"), closed_loops=loops, passes=passes)
+    assert _short(one) is short
