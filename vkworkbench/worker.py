@@ -122,15 +122,16 @@ def serve() -> None:
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C is for the parent process, which then ends the input
     answers = os.fdopen(os.dup(sys.stdout.fileno()), "wb")
     os.dup2(2, 1)  # no other output may come between the answers
-    answer: Any = _versions()
-    with suppress(EOFError, BrokenPipeError):
-        pickle.dump(answer, answers)
+
+    def say(answer: Any) -> None:
+        pickle.dump(answer, answers, pickle.HIGHEST_PROTOCOL)
         answers.flush()
+
+    with suppress(EOFError, BrokenPipeError):
+        say(_versions())
         work = pickle.load(sys.stdin.buffer)
         while True:
-            answer = work(pickle.load(sys.stdin.buffer))
-            pickle.dump(answer, answers, pickle.HIGHEST_PROTOCOL)
-            answers.flush()
+            say(work(pickle.load(sys.stdin.buffer)))
 
 
 def interpreter() -> str | None:

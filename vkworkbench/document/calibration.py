@@ -132,15 +132,15 @@ def measured_speed(going_on: Callable[[], object] = lambda: None) -> Speed:
         known = measure_speed(going_on=going_on)
         with suppress(OSError):
             _write(_kept(known))
-    return _here_and_now(known)
+    return _on_all_cores(known)
 
 
 def known_speed() -> Speed:
     """Return how fast this computer simulates in the extended z-buffer, or the usual speed where it never was measured."""
-    return _here_and_now(_speed() or Speed())
+    return _on_all_cores(_speed() or Speed())
 
 
-def _here_and_now(speed: Speed) -> Speed:
+def _on_all_cores(speed: Speed) -> Speed:
     """The measured speed of one process, for as many as can work at once."""
     return replace(speed, processes=processes())
 

@@ -16,6 +16,7 @@ from zbuffer_reference.paths import BOX, PATHS, TOOLS, toolpath
 from vkworkbench import worker
 from vkworkbench.core import Cut, Mesh, Speed, View, estimate, simulate
 from vkworkbench.core.zbuffer import memory_needed, shared_seconds, sharing, unshared_seconds
+from vkworkbench.core.zbuffer.cut_image import CutImage
 from vkworkbench.core.zbuffer.cuts import Cuts
 from vkworkbench.core.zbuffer.memory import helpers_within
 from vkworkbench.core.zbuffer.records import side_by_side
@@ -184,7 +185,7 @@ def test_the_share_that_is_done_grows_from_nothing(workers):
 
 
 def test_the_rest_is_divided_for_the_processes():
-    image = sharing.CutImage(Cuts([Cut(case()[0], TOOLS[0])]), BOX, View((0, 0, -1), 700, 200).frame(BOX))
+    image = CutImage(Cuts([Cut(case()[0], TOOLS[0])]), BOX, View((0, 0, -1), 700, 200).frame(BOX))
     assert [(band.left, band.right, band.bottom, band.top) for band in image.bands] == [
         (0, 700, 0, 64), (0, 700, 64, 128), (0, 700, 128, 192), (0, 700, 192, 200),
     ]  # fmt: skip
@@ -210,7 +211,7 @@ def test_the_rest_is_divided_for_the_processes():
 
 def test_records_side_by_side_are_those_of_the_whole():
     path, solids = case(View((0, 0, -1), 200, 50))
-    image = sharing.CutImage(Cuts([Cut(path, solids["tool"])]), BOX, solids["view"].frame(BOX))
+    image = CutImage(Cuts([Cut(path, solids["tool"])]), BOX, solids["view"].frame(BOX))
     (band,) = image.bands
     whole, tested = image(band)
     parts = [image(band._replace(left=a, right=b)) for a, b in ((0, 64), (64, 192), (192, 200))]
@@ -263,6 +264,7 @@ from pathlib import Path
 sys.path[:0] = [{root!r}, {root!r} + "/tests"]
 from vkworkbench.core import View
 from vkworkbench.core.zbuffer import Cut, memory_needed, sharing, simulate
+from vkworkbench.core.zbuffer.cut_image import CutImage
 from vkworkbench.core.zbuffer.cuts import Cuts
 from vkworkbench.core.zbuffer.memory import helpers_within
 from vkworkbench.core.zbuffer.removal import Removal

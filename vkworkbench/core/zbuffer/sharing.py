@@ -2,7 +2,7 @@
 """The image cut part by part, by this process and, where that takes long, by others beside it.
 
 The parts do not depend on each other. Threads gain little: numpy keeps Python's lock on arrays that fit the processor's
-cache (`benchmarks/threads.py`). So the others are processes, which are told what is cut and send the records back.
+cache (`benchmarks/sharing.py`). So the others are processes, which are told what is cut and send the records back.
 """
 
 from __future__ import annotations
@@ -10,18 +10,11 @@ from __future__ import annotations
 import threading
 import time
 from collections import deque
-from collections.abc import Callable, Generator, Iterator
-from typing import Any
+from collections.abc import Callable, Generator
 
-from vkworkbench.core.solids import Frame
-from vkworkbench.core.stocks import Solid
-from vkworkbench.core.zbuffer.culling import TILE, Region, Tiles, culled
-from vkworkbench.core.zbuffer.cuts import Cuts
+from vkworkbench.core.zbuffer.culling import TILE, Region
+from vkworkbench.core.zbuffer.cut_image import CutImage
 from vkworkbench.core.zbuffer.records import Records, side_by_side
-from vkworkbench.core.zbuffer.regions import cut_region
-from vkworkbench.core.zbuffer.removal import Removal
-from vkworkbench.core.zbuffer.tilted import Tilted
-from vkworkbench.core.zbuffer.upright import Upright
 from vkworkbench.worker import Worker, WorkerDied
 
 # So long one process cuts alone, and so long the others then take to begin, s.
@@ -29,44 +22,6 @@ _ALONE, _START = 0.5, 0.35
 # Into so many regions for each process the rest is divided: small ones end together, large ones are quicker.
 _REGIONS = 12
 _TOLD = 0.05  # s between two calls while others are waited for
-
-
-class CutImage:
-    """An image that can be cut region by region; another process can be told of it.
-
-    Parameters
-    ----------
-    cuts : Cuts
-    stock : Solid
-    frame : Frame
-        The view of this stock.
-
-    Attributes
-    ----------
-    removal : Removal
-        What is cut.
-    bands : list of Region
-        All of the image, from below.
-    """
-
-    def __init__(self, cuts: Cuts, stock: Solid, frame: Frame) -> None:
-        self._told = cuts, stock, frame
-        self._uncut = len(cuts)
-        self.removal = Removal(cuts, stock, frame)
-        self._bounds = Upright(self.removal) if self.removal.sine == 0 else Tilted(self.removal)
-        bottoms = range(0, frame.height, TILE)
-        self.bands = [Region(0, frame.width, bottom, min(bottom + TILE, frame.height)) for bottom in bottoms]
-
-    def __reduce__(self) -> tuple[Any, ...]:
-        return CutImage, self._told
-
-    def __call__(self, region: Region, going_on: Callable[[], None] = lambda: None) -> tuple[Records, int]:
-        """Cut a region: its records, and how many pairs were tested for it.
-
-        `going_on` is called many times a second; what it raises ends it.
-        """
-        blocks = _interrupted(culled(self.removal, self._bounds, region), going_on)
-        return cut_region(self.removal, self._bounds, blocks, self._uncut, region)
 
 
 def cut_bands(
@@ -228,9 +183,3 @@ def _have_cut(worker: Worker, shared: _Shared) -> None:
             shared.give_back(region)
     finally:
         worker.end()
-
-
-def _interrupted(blocks: Iterator[tuple[Tiles, int]], going_on: Callable[[], None]) -> Iterator[tuple[Tiles, int]]:
-    for block in blocks:
-        going_on()
-        yield block

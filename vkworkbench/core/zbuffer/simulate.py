@@ -10,11 +10,12 @@ from vkworkbench import worker
 from vkworkbench.core.solids import Tool, View
 from vkworkbench.core.stocks import Solid
 from vkworkbench.core.toolpath import Toolpath
+from vkworkbench.core.zbuffer.cut_image import CutImage
 from vkworkbench.core.zbuffer.cuts import Cut, Cuts
 from vkworkbench.core.zbuffer.memory import BUDGET, check_memory, helpers_within
 from vkworkbench.core.zbuffer.moments import ZBuffer
 from vkworkbench.core.zbuffer.records import Writer
-from vkworkbench.core.zbuffer.sharing import CutImage, cut_bands
+from vkworkbench.core.zbuffer.sharing import cut_bands
 from vkworkbench.core.zbuffer.surface import Surface
 
 
