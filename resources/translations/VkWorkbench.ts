@@ -957,6 +957,10 @@
         <source>a line with two motions, such as G0 and G1: the last one is read</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>{told}, with a little {strategies:strategy} beside it</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

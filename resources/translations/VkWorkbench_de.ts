@@ -957,6 +957,10 @@
         <source>a line with two motions, such as G0 and G1: the last one is read</source>
         <translation>eine Zeile mit zwei Bewegungen, etwa G0 und G1: die letzte wird gelesen</translation>
     </message>
+    <message>
+        <source>{told}, with a little {strategies:strategy} beside it</source>
+        <translation>{told}, daneben ein wenig {strategies:strategy}</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

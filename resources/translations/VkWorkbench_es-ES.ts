@@ -957,6 +957,10 @@
         <source>a line with two motions, such as G0 and G1: the last one is read</source>
         <translation>una línea con dos movimientos, como G0 y G1: se lee el último</translation>
     </message>
+    <message>
+        <source>{told}, with a little {strategies:strategy} beside it</source>
+        <translation>{told}, con un poco de {strategies:strategy} al lado</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

@@ -957,6 +957,10 @@
         <source>a line with two motions, such as G0 and G1: the last one is read</source>
         <translation>une ligne avec deux mouvements, comme G0 et G1 : le dernier est lu</translation>
     </message>
+    <message>
+        <source>{told}, with a little {strategies:strategy} beside it</source>
+        <translation>{told}, avec un peu de {strategies:strategy} à côté</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

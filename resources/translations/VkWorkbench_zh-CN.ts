@@ -957,6 +957,10 @@
         <source>a line with two motions, such as G0 and G1: the last one is read</source>
         <translation>一行中有两个运动指令（如 G0 和 G1）：读取最后一个</translation>
     </message>
+    <message>
+        <source>{told}, with a little {strategies:strategy} beside it</source>
+        <translation>{told}，另有少量{strategies:strategy}</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

@@ -170,3 +170,28 @@ def test_what_is_cut_once_is_not_said_to_come_again(closed):
 def test_two_loops_or_three_passes_show_a_strategy(loops, passes, short):
     one = Recognition(Strategy.PROFILE, 0.9, Message("moves-nothing"), closed_loops=loops, passes=passes)
     assert _short(one) is short
+
+
+def beside(drilled, change=()):
+    """Twelve loops of a pocket, 2.5 m in all, and `drilled` by 2 holes of 15 mm beside it."""
+    pocket = programs.SOUND["contour-parallel"](12, 36, 3.0, 10.0, [-1.0], 0.0)
+    return [*pocket, *change, ("G0", {"X": 300.0}), *programs.SOUND["drilling"](drilled, 2, 20.0, "G81")]
+
+
+@pytest.mark.parametrize("program", [False, True])
+def test_a_few_holes_beside_a_pattern_leave_it_its_name_and_have_a_span(program):
+    found = recognize(linearize(beside(3)), tool_diameter=TOOL, program=program)
+    assert found.strategy is Strategy.CONTOUR_PARALLEL
+    assert [s.strategy for s in found.spans] == [Strategy.CONTOUR_PARALLEL, Strategy.DRILLING]
+    assert found.spans[1].share < 0.05
+    assert found.reason.endswith("with a little drilling beside it"), found.reason
+    assert found.passes == 12  # the numbers are those of the pattern
+
+
+@pytest.mark.parametrize("program", [False, True])
+@pytest.mark.parametrize(("drilled", "change"), [(3, [("M6", {"T": 2.0})]), (9, [])])
+def test_holes_that_another_tool_drills_or_that_are_many_are_another_operation(drilled, change, program):
+    found = recognize(linearize(beside(drilled, change)), tool_diameter=TOOL, program=program)
+    assert found.strategy is Strategy.MIXED
+    assert [s.strategy for s in found.spans] == [Strategy.CONTOUR_PARALLEL, Strategy.DRILLING]
+    assert found.reason.endswith("retracts or drilling show contour-parallel, drilling: mixed")

@@ -110,15 +110,22 @@ def recognize_parts(
     differs = np.array([_differs(r, found[main], sure, program) for r, sure in zip(found, certain)])
     drilled = np.array([r.strategy is Strategy.DRILLING for r in found])  # holes have next to no length
     enough = drilled | (share > PARTS.CERTAIN) if program else drilled
-    if share[differs].sum() < PARTS.ASIDE and not (differs & certain & enough).any():
+    little = bool(share[differs].sum() < PARTS.ASIDE)
+    if little and not (differs & certain & enough).any():
         return _agree(toolpath, whole, found, share, operation)
     runs = _joined([_one_span(r) for r in found] if program else found, operation)
+    spans = spans_of(toolpath, runs)
     names = list(dict.fromkeys(strategy for _, _, strategy in runs))
+    change = np.searchsorted(np.sort(toolpath.tool_changes), [a for a, *_ in cut], side="right")
+    if little and (change[differs] == change[main]).all():
+        # What one tool cuts beside the pattern, however surely, does not take its name away.
+        pattern = whole if whole.strategy is found[main].strategy else found[main]
+        others = [name for name in names if name is not pattern.strategy]
+        why = Message("with-others", told=pattern.why, strategies=others)
+        return replace(pattern, why=why, spans=spans)
     why = Message("sections", count=len(runs), strategies=names, strategy=Strategy.MIXED)
     confidence = float((share * [r.confidence for r in found]).sum())
-    return replace(
-        whole, strategy=Strategy.MIXED, confidence=confidence, why=why, entry=None, spans=spans_of(toolpath, runs)
-    )
+    return replace(whole, strategy=Strategy.MIXED, confidence=confidence, why=why, entry=None, spans=spans)
 
 
 def _one_span(one: Recognition) -> Recognition:

@@ -45,8 +45,8 @@ class Recognition:
     why : Message
         In the paper's terms with the numbers.
     spans : tuple of Span
-        In the order of cutting; more than one only where the strategy is mixed. Neighbours of one strategy are two
-        operations of a program.
+        In the order of cutting; more than one where the strategy is mixed, or a little of others lies beside it.
+        Neighbours of one strategy are two operations of a program.
     level : int
         The level n of the paper reached, signed: whole turns of phi in one area, truncated toward zero.
     phi_range : tuple of float

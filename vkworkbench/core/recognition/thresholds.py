@@ -384,7 +384,8 @@ class PARTS:
     DRILLED = 0.25
     #: depths. Where there are more, heights are those of a surface. Less: boards engraved at a few depths are.
     DEPTHS = 10
-    #: share of the length. Sections that differ and are less do not make a program mixed. At 0 rasters on surfaces are.
+    #: share of the length. Sections that differ and are less do not make it mixed, unless another tool cuts them. At 0
+    #: rasters on surfaces and circuits with a hole are.
     ASIDE = 0.05
     #: share of the length. Behind a border that is certain, so much does. At 1 short zigzags before a profile are lost.
     CERTAIN = 0.01

@@ -70,6 +70,7 @@ RECOGNITION: dict[str, str | tuple[str, str]] = {
         "{count:n} sections parted by tool changes, titles, retracts or drilling show {strategies:strategy}: "
         "{strategy:strategy}",
     ),
+    "with-others": QT_TRANSLATE_NOOP("Sentences", "{told}, with a little {strategies:strategy} beside it"),
     "only-rapids": QT_TRANSLATE_NOOP("Sentences", "nothing cuts: there are only rapid moves"),
     "no-moves": QT_TRANSLATE_NOOP("Sentences", "nothing cuts: there are no moves"),
     # How the rows, strokes or loops lie.
