@@ -294,6 +294,8 @@ class Report:
         How often each job's operations are posted, where that is known, likewise.
     simulated : dict
         What a simulation told of each job as a whole, where there was one, likewise.
+    simulator : str
+        Whose time and memory the table shows, as of :meth:`Costs.cost`: where there are marks, that of the marks.
     """
 
     operations: tuple[OperationReport, ...]
@@ -301,6 +303,7 @@ class Report:
     budget: dict[str, float]
     fixtures: dict[tuple[str, str], int] = field(default_factory=dict)
     simulated: dict[tuple[str, str], CutFacts] = field(default_factory=dict)
+    simulator: str = ZBUFFER.name
 
     def with_facts(self, facts: SimulationFacts) -> Report:
         """Return the report with what a simulation told of its operations, and of the job if all of it was simulated.
@@ -336,11 +339,23 @@ class Report:
     def __str__(self) -> str:
         if not self.operations:
             return "No operations found."
-        header = ("operation", "strategy", "sure", "trajectories", "cutting", "time", "memory", "")
-        rows = [header, *(_row(o) for o in self.operations)]
+        of = self.simulator
+        header = (
+            "operation",
+            "strategy",
+            "sure",
+            "trajectories",
+            "cutting",
+            "machining",
+            f"{of} time",
+            f"{of} memory",
+            "",
+        )
+        rows = [header, *(_row(o, of) for o in self.operations)]
         totals = [
-            (f"{_cell(t.label)}: {t.operations} operations", "", "", ENGLISH.count(t.trajectories), ENGLISH.length(t.length),
-             _at_least(t, ENGLISH.time(t.seconds, t.factor(ZBUFFER.name))), _at_least(t, ENGLISH.memory(t.memory_bytes)), "")
+            (f"{_cell(t.label)}: {counted(t.operations, 'operation')}", "", "", ENGLISH.count(t.trajectories),
+             ENGLISH.length(t.length), _machining(t.machining_seconds, t.machining_complete),
+             *_cost(t, of, t.incomplete), "")
             for t in self.totals
         ]  # fmt: skip
         widths = [max(len(row[i]) for row in rows + totals) for i in range(len(header))]
@@ -427,28 +442,43 @@ def cells_of(operation: OperationReport) -> dict[str, Any]:
     return {name: as_cell(value) for name, value in row.items()}
 
 
-def _row(o: OperationReport) -> tuple[str, ...]:
-    estimate = o.estimate
+def _row(o: OperationReport, simulator: str) -> tuple[str, ...]:
     return (
         _cell(o.label) if o.counted or o.job is None else f"({_cell(o.label)})",
         o.strategy.value,
         f"{o.confidence:.0%}",
         ENGLISH.count(o.trajectories),
         ENGLISH.length(o.length),
-        ENGLISH.time(estimate.seconds, estimate.factor) if estimate else "?",
-        ENGLISH.memory(estimate.memory_bytes) if estimate else "?",
+        _machining(o.machining_seconds, complete=not o.left_out),
+        *_cost(o, simulator, least=False),
         _cell(o.error or "", 200),
     )
+
+
+def counted(number: int, thing: str) -> str:
+    """Return how many things there are in English, e.g. ``"1 operation"``, ``"2 operations"``."""
+    return f"{number} {thing}" + ("" if number == 1 else "s")
+
+
+def _machining(seconds: float | None, complete: bool) -> str:
+    if seconds is None:
+        return "?"
+    return ENGLISH.time(seconds) if complete else f">= {ENGLISH.time(seconds)}"
+
+
+def _cost(of: Costs, simulator: str, least: bool) -> tuple[str, str]:
+    """Return the time and the memory of a simulation, as marks say them."""
+    cost = of.cost(simulator)
+    if cost is None:
+        return "?", "?"
+    time, memory = ENGLISH.estimated_time(cost[0], of.factor(simulator)), ENGLISH.memory(cost[1])
+    return (f">= {time}", f">= {memory}") if least else (time, memory)
 
 
 def _cell(text: str, longest: int = 60) -> str:
     """Return a text that fits into its cell; control characters would break the table or steer the terminal."""
     text = _CONTROL.sub(" ", text)
     return text if len(text) <= longest else text[: longest - 1] + "…"
-
-
-def _at_least(total: Total, text: str) -> str:
-    return f">= {text}" if total.incomplete else text
 
 
 def _line(row: tuple[str, ...], widths: list[int]) -> str:

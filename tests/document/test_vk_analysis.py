@@ -3,6 +3,7 @@
 
 import csv
 import json
+import re
 import sys
 from pathlib import PurePath
 
@@ -11,7 +12,7 @@ import Path
 import pytest
 
 import vkworkbench
-from vkworkbench import core, freecad
+from vkworkbench import core, freecad, preferences
 from vkworkbench.document.known import KNOWN
 from vkworkbench.document.setting import read_tool
 from vkworkbench.language import Message, render
@@ -61,6 +62,22 @@ def test_table_names_every_operation_and_the_total(report):
     for o in report.operations:
         (line,) = [line for line in lines if line.split("  ")[0].strip("()") == o.label]
         assert o.strategy.value in line and f"{o.trajectories:,}" in line
+
+
+def test_table_says_the_times_that_the_marks_say(example_path):
+    document = FreeCAD.openDocument(str(example_path))
+    report = vkworkbench.analyze(document)
+    vkworkbench.mark(report)
+    header, _, *lines = str(report).splitlines()
+    assert f"{report.simulator} time" in header and report.simulator == preferences.read().simulator
+    for o in report.operations:
+        (line,) = [line for line in lines if line.split("  ")[0].strip("()") == o.label]
+        (said,) = re.findall("▶ (about )?([0-9.,]+ [a-z]+)", document.getObject(o.name).Label2)
+        assert f" {''.join(said)} " in f"{line} "
+    job = document.getObject(report.operations[0].job)
+    (said,) = re.findall("▶ (about )?([0-9.,]+ [a-z]+)", job.Label2)
+    assert f" {''.join(said)} " in f"{lines[-1]} "
+    FreeCAD.closeDocument(document.Name)
 
 
 def test_csv_and_json_hold_the_same_numbers(report, tmp_path):

@@ -122,7 +122,7 @@ def analyze(
     known = session.rows_with(reports)
     wholes = [[known[key] for key in of_job if key in known] for of_job in posted]
     _patiently(lambda going_on: _estimate_shown(reports, wholes, chosen.simulators, going_on), cancelled)
-    return Report(tuple(reports), jobs, chosen.budget, fixtures)
+    return Report(tuple(reports), jobs, chosen.budget, fixtures, simulator=chosen.simulator)
 
 
 def _estimate_shown(

@@ -50,4 +50,5 @@ def report_of(known: list[Finding]) -> Report | None:
     jobs = {o.job.Name: o.job for o in (finding.operation for finding in known) if o.job is not None}
     keys = {(job.Document.Name, name): job for name, job in jobs.items()}
     labels, fixtures = {k: job.Label for k, job in keys.items()}, {k: fixtures_of(job) for k, job in keys.items()}
-    return Report(operations, labels, preferences.read().budget, fixtures)
+    chosen = preferences.read()
+    return Report(operations, labels, chosen.budget, fixtures, simulator=chosen.simulator)

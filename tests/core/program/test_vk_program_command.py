@@ -95,7 +95,7 @@ def test_it_goes_on_where_it_was_stopped(folder, tmp_path, kind, capsys):
         out.write_bytes(whole[:cut])
         main([*arguments, "--resume"])
         assert sorted(out.read_bytes().splitlines()) == sorted(whole.splitlines()), cut
-        again = int(capsys.readouterr().err.splitlines()[-1].split(" files")[0].split()[-1])
+        again = int(capsys.readouterr().err.splitlines()[-1].split(" in ")[1].split()[0])
         complete = whole[:cut].count(b"\n") - (kind == "--csv")
         assert again == 6 - max(complete - 1, 0)  # the last one may have more rows
 

@@ -91,6 +91,13 @@ def test_one_row_for_each_operation(tmp_path):
     (total,) = report.totals
     assert (total.operations, total.label, total.incomplete) == (2, "bracket.nc", True)
     assert "Face" in str(report) and "bracket.nc: 2 operations" in str(report)
+    assert "z-buffer time" in str(report).splitlines()[0]
+
+
+def test_one_operation_is_no_operations(tmp_path):
+    path = tmp_path / "face.nc"
+    path.write_text(PROGRAM.split("(Holes)")[0])
+    assert "face.nc: 1 operation " in str(vkworkbench.analyze(str(path)))
 
 
 def test_inches_and_millimetres_are_one_part(tmp_path):
