@@ -96,7 +96,7 @@ def test_one_row_for_each_operation(tmp_path):
 
 def test_one_operation_is_no_operations(tmp_path):
     path = tmp_path / "face.nc"
-    path.write_text(PROGRAM.split("(Holes)")[0])
+    path.write_text(PROGRAM.split("(Holes)", maxsplit=1)[0])
     assert "face.nc: 1 operation " in str(vkworkbench.analyze(str(path)))
 
 
