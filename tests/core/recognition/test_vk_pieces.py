@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 import programs
 import pytest
@@ -94,3 +96,48 @@ def test_short_zigzags_between_large_loops_are_links():
     small = zigzag(6, length=1.0, step=0.2)
     assert pieces_of(*large, small).kind.tolist() == [LOOP] * 8 + [STROKE]
     assert pieces_of(*large, zigzag(40)).kind.tolist() == [LOOP] * 8 + [ZIGZAG]
+
+
+def slanted(stroke, degrees):
+    """The stroke, turned about Z."""
+    u, v = math.cos(math.radians(degrees)), math.sin(math.radians(degrees))
+    return [(x * u - y * v, x * v + y * u, z) for x, y, z in stroke]
+
+
+@pytest.mark.parametrize("degrees", [0, 30, 60, 90, 150])
+def test_a_zigzag_has_as_many_passes_as_rows_however_it_is_turned(degrees):
+    pieces = pieces_of(slanted(zigzag(7), degrees))
+    assert pieces.kind.tolist() == [ZIGZAG] and pieces.passes.tolist() == [7]
+
+
+def test_links_that_bulge_into_the_rows_are_no_passes():
+    """Each leads 1 mm back and forth again while it goes 3 mm aside."""
+    ends, stroke = (0.0, 40.0), []
+    for row in range(7):
+        x = ends[(row + 1) % 2]
+        bulge = x - 1.0 if x else 1.0
+        stroke += [(40.0 - x, 3.0 * row, 0), (x, 3.0 * row, 0), (bulge, 3.0 * row + 1.5, 0)]
+    pieces = pieces_of(stroke[:-1])
+    assert pieces.kind.tolist() == [ZIGZAG] and pieces.passes.tolist() == [7]
+
+
+def test_there_and_back_by_two_moves_is_one_pass():
+    """Only three moves and more are looked at, in whatever place of the program."""
+    hairpin = [(0, 0, 0), (30, 0, 0), (0, 1, 0)]
+    pieces = pieces_of(hairpin, zigzag(2), hairpin)
+    assert pieces.kind.tolist() == [STROKE] * 3 and pieces.passes.tolist() == [1, 2, 1]
+
+
+@pytest.mark.parametrize("middle, kind", [(20.0, ZIGZAG), (10.0, STROKE)])
+def test_three_tenths_between_half_turns_that_alternate_are_a_zigzag(middle, kind):
+    """Rows of 20 mm with a shorter one between them, and links of 1 mm: 20 of 62 mm, or 10 of 52 mm."""
+    stroke = [(0, 0, 0), (20, 0, 0), (20, 1, 0), (20 - middle, 1, 0), (20 - middle, 2, 0), (40 - middle, 2, 0)]
+    assert pieces_of(stroke).kind.tolist() == [kind]
+
+
+@pytest.mark.parametrize("turns, kind", [(1.1, STROKE), (1.3, WINDING)])
+def test_what_turns_by_more_than_a_turn_and_a_fifth_winds(turns, kind):
+    """An arc that grows on its way, so that it does not meet itself."""
+    angles = np.linspace(0, turns * TURN, 49)
+    pieces = pieces_of([(70 + (20 + a) * math.cos(a), (20 + a) * math.sin(a), 0) for a in angles])
+    assert set(pieces.kind.tolist()) == {kind}

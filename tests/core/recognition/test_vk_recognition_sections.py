@@ -13,7 +13,7 @@ from hypothesis import strategies as st
 
 from vkworkbench.core import Strategy, linearize, recognize
 from vkworkbench.core.paper import monotonous_areas
-from vkworkbench.core.recognition.parts import _short, find_borders
+from vkworkbench.core.recognition.parts import _agree, _differing, _differs, _joined, _one_span, _short, find_borders
 from vkworkbench.core.recognition.recognition import Recognition, Span
 from vkworkbench.core.recognition.unknown import unknown
 from vkworkbench.language import Message
@@ -195,3 +195,105 @@ def test_holes_that_another_tool_drills_or_that_are_many_are_another_operation(d
     assert found.strategy is Strategy.MIXED
     assert [s.strategy for s in found.spans] == [Strategy.CONTOUR_PARALLEL, Strategy.DRILLING]
     assert found.reason.endswith("retracts or drilling show contour-parallel, drilling: mixed")
+
+
+@pytest.mark.parametrize("titles, borders", [(200, 200), (201, 0)])
+def test_more_than_two_hundred_titles_are_those_of_no_operations(titles, borders):
+    path = linearize(programs.one_way(210))
+    path = replace(path, comments=tuple((at, "title") for at in range(1, titles + 1)), tool_changes=np.array([5]))
+    # The tool change is one of them, or the only one.
+    found = find_borders(path, monotonous_areas(path))
+    assert len(found) == max(borders, 1) and found[5] is True and sum(found.values()) == 1
+
+
+def told(strategy, *spans, **numbers):
+    """A recognition with spans that are (first, last, strategy, share)."""
+    spans = tuple(Span(first, last, first, last, one, share) for first, last, one, share in spans)
+    return Recognition(strategy, numbers.pop("confidence", 0.9), Message("moves-nothing"), spans, **numbers)
+
+
+def test_two_verdicts_are_as_likely_different_as_both_are_right():
+    zigzag, helix = told(Strategy.ZIGZAG, confidence=0.8), told(Strategy.HELIX, confidence=0.5)
+    assert _differing(zigzag, helix) == pytest.approx(0.4 / 0.6) == _differing(helix, zigzag)
+    assert _differing(zigzag, told(Strategy.ZIGZAG)) == 0
+    for other in (None, told(Strategy.UNKNOWN), told(Strategy.EMPTY)):
+        assert _differing(zigzag, other) == 0 == _differing(other, zigzag)
+
+
+def test_an_operation_of_a_program_is_one_span_named_by_its_rows_where_they_are_most():
+    rows, contour = Strategy.ZIGZAG, Strategy.PROFILE
+
+    def span(*spans):
+        (one,) = _one_span(told(Strategy.MIXED, *spans)).spans
+        assert (one.first, one.last, one.first_command, one.last_command, one.share) == (3, 9, 3, 9, 1.0)
+        return one.strategy
+
+    assert span((3, 4, contour, 0.4), (5, 9, rows, 0.6)) is rows
+    assert span((3, 4, rows, 0.6), (5, 9, contour, 0.4)) is rows
+    assert span((3, 4, contour, 0.6), (5, 9, rows, 0.4)) is Strategy.MIXED
+    assert span((3, 4, rows, 0.2), (5, 6, contour, 0.4), (7, 9, Strategy.ONE_WAY, 0.4)) is Strategy.ONE_WAY
+    one = told(contour, (3, 9, contour, 1.0))
+    assert _one_span(one) is one
+
+
+def test_equal_neighbours_are_one_span_but_for_another_operation():
+    rows, contour = Strategy.ZIGZAG, Strategy.PROFILE
+    found = [
+        told(rows, (0, 4, rows, 1.0)),
+        told(Strategy.MIXED, (6, 8, rows, 0.5), (9, 12, contour, 0.5)),
+        told(contour, (14, 20, contour, 1.0)),
+    ]
+    assert _joined(found, np.array([0, 0, 0])) == [(0, 8, rows), (9, 20, contour)]
+    assert _joined(found, np.array([0, 1, 1])) == [(0, 4, rows), (6, 8, rows), (9, 20, contour)]
+    assert _joined(found, np.array([0, 0, 1])) == [(0, 8, rows), (9, 12, contour), (14, 20, contour)]
+    assert _joined(found[::2], np.array([2, 2])) == [(0, 4, rows), (14, 20, contour)]
+
+
+ROWS, AROUND, STROKES = Strategy.ZIGZAG, Strategy.PROFILE, Strategy.ENGRAVING
+
+
+@pytest.mark.parametrize(
+    "one, loops, passes, main, sure, program, differs",
+    [
+        (ROWS, 0, 3, AROUND, False, False, True),
+        (ROWS, 0, 2, AROUND, False, False, False),  # too little to show it
+        (ROWS, 0, None, AROUND, True, False, False),
+        (AROUND, 1, None, ROWS, False, False, True),
+        (AROUND, 1, 1, ROWS, True, False, True),
+        (ROWS, 0, 3, Strategy.ONE_WAY, False, False, False),  # of one family
+        (ROWS, 0, 3, Strategy.ONE_WAY, True, False, True),
+        (ROWS, 0, 3, ROWS, True, False, False),
+        (ROWS, 0, 0, Strategy.ONE_WAY, True, True, True),
+        (ROWS, 0, 0, ROWS, True, True, False),
+        (ROWS, 0, 0, AROUND, False, True, False),
+        (STROKES, 0, 9, ROWS, False, False, False),  # strokes are no family that a title divides
+        (STROKES, 0, 9, ROWS, True, False, True),
+        (ROWS, 0, 9, STROKES, False, False, False),
+        (Strategy.UNKNOWN, 0, 9, ROWS, True, True, False),
+        (ROWS, 0, 9, Strategy.UNKNOWN, True, True, False),
+    ],
+)
+def test_what_parts_two_sections_decides_how_far_they_must_differ(one, loops, passes, main, sure, program, differs):
+    assert _differs(told(one, closed_loops=loops, passes=passes), told(main), sure, program) is differs
+
+
+def test_the_longest_section_speaks_where_all_that_show_something_deny_the_whole():
+    path = linearize(programs.one_way(10))
+    whole, one = told(AROUND, (0, 39, AROUND, 1.0)), np.zeros(2, int)
+
+    def agreed(*found, share=(0.4, 0.6), whole=whole):
+        return _agree(path, whole, list(found), np.array(share), one)
+
+    rows = told(ROWS, (2, 9, ROWS, 1.0), passes=5)
+    arcs = told(STROKES, (12, 30, STROKES, 1.0), passes=5)
+    (span,) = agreed(rows, arcs).spans
+    assert (span.first, span.last, span.strategy) == (2, 30, STROKES)
+    assert agreed(rows, arcs, share=(0.6, 0.4)).spans[0].strategy is ROWS
+    assert agreed(rows, told(AROUND, (12, 30, AROUND, 1.0), passes=5)) is whole
+    short, unknown_one = (told(s, (12, 30, s, 1.0), passes=1) for s in (STROKES, Strategy.UNKNOWN))
+    for little in (short, unknown_one):
+        assert agreed(rows, little) is whole  # six tenths show nothing
+        assert agreed(rows, little, share=(0.6, 0.4)).spans[0].strategy is ROWS
+    mixed = told(Strategy.MIXED, (12, 20, AROUND, 0.5), (21, 30, ROWS, 0.5), closed_loops=2)
+    spans = [(s.first, s.last, s.strategy) for s in agreed(rows, mixed).spans]
+    assert spans == [(2, 9, ROWS), (12, 20, AROUND), (21, 30, ROWS)]

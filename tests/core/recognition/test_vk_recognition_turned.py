@@ -57,7 +57,7 @@ def test_a_mill_that_never_moves_in_y_is_no_lathe(program):
 
 def test_the_least_move_in_y_is_a_mills():
     program = [*turning(12), ("G1", {"Y": 0.5})]
-    assert "lathe" not in recognize(linearize(program)).reason
+    assert "lathe" not in recognize(linearize(program)).reason and not is_turned(linearize(program))
 
 
 def test_rapids_down_to_the_part_and_flat_ramps_are_no_passes_of_a_lathe():
@@ -70,3 +70,40 @@ def test_rapids_down_to_the_part_and_flat_ramps_are_no_passes_of_a_lathe():
     assert not is_turned(linearize(dashes))
     assert not is_turned(linearize(ramps))
     assert is_turned(linearize(turning(3)))
+
+
+@pytest.mark.parametrize("length, lathe", [(2.0, True), (0.8, False)])
+def test_passes_along_z_are_longer_by_half_than_what_is_cut_along_x(length, lathe):
+    """Each begins 2 mm above 0 and ends by 2 mm along X: 4 mm are twice as long, 2.8 mm are not half as much longer."""
+    assert is_turned(linearize(turning(5, length, depth=2.0))) is lathe
+
+
+def test_passes_at_many_x_may_all_leave_the_part_at_one():
+    """What counts is where they are cut: ways out that end at one X, as those of a collar do."""
+    program = [("G0", {"X": 30.0, "Y": 0.0, "Z": 2.0})]
+    for x in (29.0, 28.0, 27.0):
+        program += [("G0", {"X": x}), ("G1", {"Z": -40.0}), ("G1", {"X": 30.0}), ("G0", {"Z": 2.0})]
+    assert is_turned(linearize(program))
+    grooves = [("G0", {"X": 30.0, "Y": 0.0, "Z": 2.0})]
+    for out in (29.0, 28.0, 27.0):
+        grooves += [("G0", {"X": 26.0}), ("G1", {"Z": -40.0}), ("G1", {"X": out}), ("G0", {"Z": 2.0})]
+    assert not is_turned(linearize(grooves))
+
+
+def test_a_pass_that_leaves_the_part_by_no_move_along_x_is_none():
+    """The third ends the program, or goes up again on its own way."""
+    last = [("G0", {"X": 27.0}), ("G1", {"Z": -40.0})]
+    assert not is_turned(linearize([*turning(2), *last]))
+    assert not is_turned(linearize([*turning(2), *last, ("G1", {"Z": 2.0})]))
+    assert not is_turned(linearize([*turning(2), *last, ("G0", {"X": 28.0})]))
+    assert is_turned(linearize([*turning(2), *last, ("G1", {"X": 28.0})]))
+
+
+def test_ways_up_at_feed_are_no_passes():
+    """Steps of 0.5 mm up, each followed by a cut along X: they climb a slope, and nothing is cut downward."""
+    program = [("G0", {"X": 0.0, "Y": 0.0, "Z": -20.0})]
+    for k in range(1, 9):
+        program += [("G1", {"Z": -20.0 + 0.5 * k}), ("G1", {"X": 0.3 * k})]
+    assert not is_turned(linearize(program))
+    down = [(name, {axis: -v if axis == "Z" else v for axis, v in words.items()}) for name, words in program]
+    assert is_turned(linearize(down))

@@ -3,13 +3,16 @@
 
 from __future__ import annotations
 
+import math
+from dataclasses import replace
+
 import numpy as np
 import programs
 import pytest
 
 from vkworkbench.core import linearize
 from vkworkbench.core.paper import monotonous_areas
-from vkworkbench.core.recognition.rows import find_rows, weighted_median
+from vkworkbench.core.recognition.rows import Rows, filling, find_rows, weighted_median
 
 
 def rows_of(commands):
@@ -54,10 +57,34 @@ def test_a_row_cut_at_two_depths_before_the_next_counts_once():
     assert (rows.count, rows.lines, rows.length, rows.once) == pytest.approx((6, 6, 600, 300))
 
 
-def test_a_row_that_an_island_interrupts_is_one_row():
+def slanted(strokes, degrees):
+    """The strokes, turned about Z."""
+    u, v = math.cos(math.radians(degrees)), math.sin(math.radians(degrees))
+    return [[(x * u - y * v, x * v + y * u, z) for x, y, z in stroke] for stroke in strokes]
+
+
+@pytest.mark.parametrize("degrees", [0.0, 30.0, 60.0, 120.0])
+def test_a_row_that_an_island_interrupts_is_one_row(degrees):
     strokes = [[(x, 3.0 * row, 0.0), (x + 20.0, 3.0 * row, 0.0)] for row in range(6) for x in (0.0, 30.0)]
-    (rows,) = rows_of(programs.program(strokes))
+    (rows,) = rows_of(programs.program(slanted(strokes, degrees)))
     assert (rows.count, rows.typical, rows.length) == pytest.approx((6, 40, 240))
+    assert (rows.axis, rows.step) == pytest.approx((math.radians(degrees), 3))
+
+
+def test_a_row_whose_moves_waver_is_one_row():
+    """By a tenth of a millimetre on ten, which is as good as parallel; each row is a stroke of its own."""
+    strokes = [[(10.0 * k, 3.0 * row + 0.1 * (k % 2), 0.0) for k in range(6)] for row in range(8)]
+    (rows,) = rows_of(programs.program(strokes))
+    assert (rows.count, rows.lines) == (8, 8)
+    assert (rows.typical, rows.step, rows.same) == pytest.approx((50, 3, 350), rel=1e-3)
+
+
+@pytest.mark.parametrize("degrees, aligned", [(2.0, True), (4.0, False)])
+def test_a_row_lies_within_three_degrees_of_the_axis(degrees, aligned):
+    """0.05 rad are 2.9 degrees: ten rows of 50 mm, and one of 60 mm that is askew."""
+    (askew,) = slanted([[(0.0, -30.0, 0.0), (60.0, -30.0, 0.0)]], degrees)
+    families = rows_of([*programs.one_way(10, 50.0, 3.0), *programs.program([askew])])
+    assert families[0].length == pytest.approx(560 if aligned else 500, rel=1e-3)
 
 
 def test_rows_by_twos_have_a_period():
@@ -118,3 +145,92 @@ def test_steps_of_a_stroke_are_none_in_whatever_area_it_lies():
     stairs = [(10.0 * (k // 2 + k % 2), 3.0 * (k // 2), 0.0) for k in range(20)]
     families = rows_of(programs.program(before + [stairs]))
     assert families[0].same == 0
+
+
+# Which families of rows fill an area
+
+TOOL = 6.0
+# Ten rows of 50 mm, 3 mm apart, there and back.
+GOOD = Rows(
+    axis=0.0, length=500.0, once=500.0, typical=50.0, count=10, lines=10, opposite=450.0, same=0.0, step=3.0, pitch=3.0,
+    period=3.0, even=1.0, moves=np.arange(10),
+)  # fmt: skip
+
+
+def fills(tool=TOOL, contour=False, **changed):
+    family = replace(GOOD, **changed)
+    found = filling([family], tool, length=500.0, contour=contour)
+    assert found in ([], [family])
+    return bool(found)
+
+
+@pytest.mark.parametrize("opposite, same, good", [(130, 0, True), (0, 130, True), (70, 60, True), (60, 60, False)])
+def test_rows_with_more_than_a_quarter_beside_one_another_fill(opposite, same, good):
+    assert fills(opposite=opposite, same=same) is good
+
+
+def test_what_goes_over_a_line_again_asks_for_no_neighbour():
+    """120 mm of 400 mm that are cut once are more than a quarter."""
+    assert fills(opposite=120, once=400.0) and not fills(opposite=120)
+
+
+@pytest.mark.parametrize(
+    "typical, lines, even, good",
+    [(7.6, 9, 0.9, True), (7.4, 9, 0.9, False), (7.4, 10, 0.9, True), (7.4, 10, 0.7, False), (4.4, 10, 0.9, False)],
+)
+def test_rows_are_longer_than_two_and_a_half_steps_and_many_even_ones_than_one_and_a_half(typical, lines, even, good):
+    """7.5 and 4.5 mm."""
+    assert fills(typical=typical, lines=lines, even=even) is good
+
+
+@pytest.mark.parametrize(
+    "step, tool, good",
+    [(0.17, 6, False), (0.19, 6, True), (0.17, 0, True), (3, 2.4, False), (3, 2.6, True), (3, 0, True)],
+)
+def test_steps_are_those_that_the_tool_can_make(step, tool, good):
+    """Closer than 0.03 diameters is a pass cut again; more than 1.2 diameters leave something between."""
+    assert fills(tool, step=step) is good
+
+
+@pytest.mark.parametrize(
+    "count, even, tool, good",
+    [
+        (3, 0.6, 6, True),
+        (3, 0.4, 6, False),
+        (2, 0.4, 3.1, True),
+        (2, 1.0, 2.9, False),
+        (2, 1.0, 0, False),
+        (1, 0.4, 6, False),
+    ],
+)
+def test_three_rows_are_even_and_two_overlap(count, even, tool, good):
+    assert fills(tool, count=count, even=even, lines=count) is good
+
+
+@pytest.mark.parametrize("period, walls", [(3.1, False), (3.2, True), (30.0, True)])
+def test_rows_of_a_contour_that_come_again_after_more_than_a_pitch_are_its_walls(period, walls):
+    assert fills(contour=True, period=period) is not walls
+    assert fills(contour=False, period=period)
+
+
+@pytest.mark.parametrize(
+    "length, changed, grid",
+    [
+        (1150.0, {}, True),  # 1000 mm in rows are more than 85 %
+        (1200.0, {}, False),
+        (1150.0, {"count": 5}, True),
+        (1150.0, {"count": 4}, False),
+        (1150.0, {"typical": 7.6}, True),
+        (1150.0, {"typical": 7.4}, False),
+    ],
+)
+def test_two_families_without_neighbours_are_a_grid_where_they_are_nearly_everything(length, changed, grid):
+    alone = {"opposite": 0.0}
+    families = [replace(GOOD, **alone), replace(GOOD, axis=1.5, **alone, **changed)]
+    assert filling(families, TOOL, length=length, contour=False) == (families if grid else [])
+    assert filling(families[:1], TOOL, length=500.0, contour=False) == []
+
+
+def test_of_two_families_that_which_fills_is_left():
+    across = replace(GOOD, axis=1.5, opposite=0.0)
+    assert filling([GOOD, across], TOOL, length=1000.0, contour=False) == [GOOD]

@@ -54,6 +54,56 @@ def test_what_is_no_relief_stays(stroke):
     assert without_spurs(moves) is moves
 
 
+@pytest.mark.parametrize("near", [(1.0, 20.0), (20.0, 1.0)], ids=["before", "behind"])
+def test_a_way_out_that_is_longer_than_a_move_beside_it_is_no_relief(near):
+    """2.8 mm, from a corner with a point 1 mm before or behind it on its sides."""
+    before, behind = near
+    points = [(0, 0, 0), (20 - before, 0, 0), (20, 0, 0), (22, -2, 0), (20, 0, 0), (20, behind, 0), (20, 40, 0)]
+    moves = areas([*points, (-20, 40, 0), (-20, 0, 0), (0, 0, 0)])
+    assert without_spurs(moves) is moves
+    longer = areas([(0, 0, 0), (17, 0, 0), *points[2:5], (20, 3, 0), (20, 40, 0), (-20, 40, 0), (-20, 0, 0), (0, 0, 0)])
+    assert len(without_spurs(longer)) == len(longer) - 2
+
+
+@pytest.mark.parametrize("ahead", [True, False], ids=["along the side before", "along the side behind"])
+def test_a_spur_along_a_side_leaves_no_reversal_behind(ahead):
+    """The way out goes on along one side, the way back reverses it, and the corner is left by a quarter turn."""
+    tip = (23, 0, 0) if ahead else (20, 3, 0)
+    moves = areas([(0, 0, 0), (20, 0, 0), tip, (20, 0, 0), (20, 40, 0), (-20, 40, 0), (-20, 0, 0), (0, 0, 0)])
+    kept = without_spurs(moves)
+    assert len(kept) == len(moves) - 2 and not len(kept.reversals) and not len(kept.unsigned)
+    assert kept.turning[1] == pytest.approx(TURN / 4) and kept.phi[-1] == pytest.approx(TURN)
+
+
+def test_reversals_elsewhere_stay_where_they_are():
+    """Of a contour with a relief, and of the zigzag on one line that is cut after it."""
+    moves = areas(square(2.0), [(0, -80, 0), (30, -80, 0), (0, -80, 0), (30, -80, 0)])
+    kept = without_spurs(moves)
+    assert len(moves.reversals) == 3 and kept.reversals.tolist() == (moves.reversals[1:] - 2).tolist()
+
+
+@pytest.mark.parametrize("off, there", [(0.01, False), (0.05, True)])
+def test_a_way_back_that_ends_elsewhere_is_no_spur(off, there):
+    """By more than lines may differ that are one."""
+    points = [(0, 0, 0), (20, 0, 0), (24, -3, 0), (20 - 0.8 * off, 0.6 * off, 0), (20, 40, 0), (-20, 40, 0)]
+    moves = areas([*points, (-20, 0, 0), (0, 0, 0)])
+    assert len(moves.reversals) == 1 and len(without_spurs(moves)) == len(moves) - (0 if there else 2)
+
+
+@pytest.mark.parametrize("deep, there", [(0.005, False), (0.015, True)])
+def test_a_spur_keeps_its_height_there_and_back(deep, there):
+    """Down and up again is twice the depth, and 0.02 mm are one depth."""
+    moves = areas(square(2.0, turned=-deep))
+    assert len(without_spurs(moves)) == len(moves) - (0 if there else 2)
+
+
+@pytest.mark.parametrize("out, there", [(13.0, False), (15.0, True)])
+def test_reliefs_are_less_than_a_fifth_of_a_contour(out, there):
+    """There and back 36.8 mm of 196.8 mm, and 42.4 mm of 202.4 mm."""
+    moves = areas(square(out))
+    assert len(without_spurs(moves)) == len(moves) - (0 if there else 2)
+
+
 def test_spurs_one_after_the_other_are_no_reliefs():
     """To and fro on one line is a stroke of its own: only the first way out and back could be one."""
     there, half = (21.0, -1.0, 0.0), (20.0, 0.0, 0.0)

@@ -227,7 +227,7 @@ def filling(families: list[Rows], tool: float, *, length: float, contour: bool) 
     contour : bool
         Whether they are closed loops, which may be contours.
     """
-    good = [f for f in families if _fills(f, tool) and not (contour and _walls(f, tool))]
+    good = [f for f in families if _fills(f, tool) and not (contour and _walls(f))]
     if good or len(families) < 2:
         return good
     # The tool cuts a grid as a ball runs on a billiard table, and no row is followed by its neighbour. Two families of
@@ -252,10 +252,9 @@ def _fills(f: Rows, tool: float) -> bool:
     return regular or (f.count == 2 and f.step <= tool)
 
 
-def _walls(f: Rows, tool: float) -> bool:
-    """Tell whether passes of a closed contour are the walls of its teeth.
+def _walls(f: Rows) -> bool:
+    """Tell whether passes of a closed contour are the walls of its teeth: then gaps and teeth take turns.
 
-    Then gaps and teeth take turns, or they are too wide to be cut from row to row. A zigzag seldom comes back to
-    its start, a contour always.
+    A zigzag seldom comes back to its start, a contour always.
     """
-    return f.period > ROWS.WALLS * f.pitch or (bool(tool) and f.step > NESTS.REACH * tool)
+    return f.period > ROWS.WALLS * f.pitch

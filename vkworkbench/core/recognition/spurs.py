@@ -44,8 +44,7 @@ def without_spurs(moves: Areas) -> Areas:
     phi = moves.phi + more - np.repeat(more[moves.start], moves.end - moves.start)
     kept = np.ones(len(moves), bool)
     kept[out] = kept[out + 1] = False
-    gone = np.concatenate([out, out + 1, after])
-    unsigned, reversals = (at[~np.isin(at, gone)] for at in (moves.unsigned, moves.reversals))
+    unsigned, reversals = (at[~np.isin(at, after)] for at in (moves.unsigned, moves.reversals))
     return some_moves(replace(moves, turning=turning, phi=phi, unsigned=unsigned, reversals=reversals), kept)
 
 

@@ -8,8 +8,6 @@ import numpy as np
 from vkworkbench.core.recognition.thresholds import LATHE, SAME
 from vkworkbench.core.toolpath import Toolpath
 
-SOME = 100  # points that mostly tell that Y changes
-
 
 def is_turned(toolpath: Toolpath) -> bool:
     """Tell whether a toolpath may be a lathe's whose program has no code that says so.
@@ -23,12 +21,12 @@ def is_turned(toolpath: Toolpath) -> bool:
         At least one trajectory cuts.
     """
     x, y, z = toolpath.points.T
-    if np.ptp(y[:: len(y) // SOME + 1]) > 0 or np.ptp(y) > 0:
+    if np.ptp(y) > 0:
         return False
     cuts = ~toolpath.rapid
     dx, dz = np.abs(np.diff(x)), np.diff(z)
     steep = np.abs(dz) > dx
-    passes = np.flatnonzero(cuts & steep & (dz < 0))
+    passes = np.flatnonzero(cuts & (-dz > dx))
     passes = passes[passes < len(cuts) - 1]
     passes = passes[cuts[passes + 1] & ~steep[passes + 1]]
     if len(np.unique(np.rint(x[passes + 1] / SAME.PLACE))) < LATHE.PASSES:

@@ -1,0 +1,291 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What is measured of a section before it is judged, of toolpaths that were drawn so that it can be said by hand."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import programs
+import pytest
+from drawings import polygon
+
+from vkworkbench.core import linearize
+from vkworkbench.core.paper import TURN, monotonous_areas
+from vkworkbench.core.recognition.pieces import LOOP, ZIGZAG, cut_pieces
+from vkworkbench.core.recognition.section import Section, _absorbed
+
+TOOL = 6.0
+
+
+def section(*strokes, tool=TOOL):
+    return Section(monotonous_areas(linearize(programs.program(strokes))), tool)
+
+
+def rows(count=6, length=30.0, step=3.0, x=0.0, y=0.0, z=0.0):
+    """Rows there and back in one stroke."""
+    ends = ((x, x + length), (x + length, x))
+    return [(end, y + row * step, z) for row in range(count) for end in ends[row % 2]]
+
+
+def walk(*steps, start=(70.0, -40.0)):
+    """The points of a walk: each step turns by so many degrees and then goes so many mm."""
+    (x, y), heading, points = start, 0.0, [(*start, 0.0)]
+    for turn, length in steps:
+        heading += math.radians(turn)
+        x, y = x + length * math.cos(heading), y + length * math.sin(heading)
+        points.append((x, y, 0.0))
+    return points
+
+
+def square_spiral(turns, side_steps, grows=2.0):
+    """Sides that grow; `side_steps` goes along one side of a length and gives its steps."""
+    lengths = [20.0 + grows * k for k in range(4 * turns)]
+    return walk(*(step for length in lengths for step in side_steps(length)))
+
+
+def jogs(count, degrees, length=None):
+    """Sides of a square spiral, each first of four with so many bends against the sense of the spiral, and back."""
+    side = iter(range(10**6))
+
+    def steps(whole):
+        if next(side) % 4:
+            return [(90, whole)]
+        piece = whole / (2 * count + 1)
+        bend = piece if length is None else length
+        return [(90, piece), *(one for _ in range(count) for one in ((-degrees, bend), (degrees, piece)))]
+
+    return steps
+
+
+# Rings and rows
+
+
+def test_a_piece_is_of_the_rings_or_of_the_rows():
+    found = section(polygon(60), rows(x=50, y=-50), polygon(60, z=-1.0))
+    assert found.ring_pieces.tolist() == [True, False, True]
+    assert found.row_pieces.tolist() == [False, True, False]
+
+
+@pytest.mark.parametrize("length, families", [(15.0, 0), (30.0, 1)])
+def test_rows_that_are_a_tenth_beside_rings_are_links(length, families):
+    """Four squares of 1136 mm, and six rows with links of 15 mm: 105 of 1241 mm, or 195 of 1331 mm."""
+    squares = [polygon(side, x=200) for side in (80, 74, 68, 62)]
+    assert len(section(rows(length=length), *squares).rows) == families
+
+
+def test_a_ramp_to_and_fro_on_one_line_is_no_zigzag():
+    """On a line of 50 mm, four times, beside four rows with their links, 60 + 9 mm, away from it."""
+    ramp = [(0, 0, 0), (30, 40, -1), (0, 0, -2), (30, 40, -3), (0, 0, -4)]
+    found = section(ramp, rows(4, length=15.0, y=-60))
+    assert found.retraced == pytest.approx(200 / 269) and found.zigzag == pytest.approx(69 / 269)
+
+
+@pytest.mark.parametrize("aside, retraced", [(0.01, 1.0), (0.05, 0.0)])
+def test_a_ramp_that_leaves_its_line_is_not_retraced(aside, retraced):
+    """The second way begins `aside` beside the line of the first."""
+    ramp = [(0, 0, 0), (30, 40, -1), (0.8 * aside, -0.6 * aside, -2), (30, 40, -3), (0, 0, -4)]
+    assert section(ramp).retraced == retraced
+
+
+# Small loops within a zigzag
+
+
+def kinds(stroke):
+    """The kinds of the pieces of a stroke, and those with small loops made a part of the zigzag."""
+    pieces = cut_pieces(monotonous_areas(linearize(programs.program([stroke]))))
+    return pieces.kind.tolist(), _absorbed(pieces).tolist()
+
+
+def box(x, y, width, height):
+    """A closed rectangle from its upper left corner."""
+    return [(x, y, 0.0), (x, y - height, 0.0), (x + width, y - height, 0.0), (x + width, y, 0.0), (x, y, 0.0)]
+
+
+def test_a_small_loop_between_rows_is_a_part_of_the_zigzag():
+    cut, absorbed = kinds(rows(7, length=40.0) + box(42.0, 20.0, 5.0, 5.0))
+    assert cut == [ZIGZAG, LOOP] and absorbed == [ZIGZAG, ZIGZAG]
+
+
+@pytest.mark.parametrize("inside", [-2.0, 2.0])
+def test_a_loop_around_the_rows_is_a_contour_though_it_may_lie_a_little_inside(inside):
+    """By 2 mm on each side of rows of 40 by 18 mm, which 15 % are 6 and 2.7 mm of."""
+    stroke = rows(7, length=40.0) + box(inside, 18.0 - inside, 40.0 - 2 * inside, 18.0 - 2 * inside)
+    assert kinds(stroke) == ([ZIGZAG, LOOP], [ZIGZAG, LOOP])
+
+
+@pytest.mark.parametrize(
+    "loop",
+    [box(42, 22, 5, 26), box(-8, 22, 5, 26), box(-3, 30, 46, 8), box(-3, -3, 46, 8), box(7, 20, 26, 22)],
+    ids=["right", "left", "above", "below", "narrow"],
+)
+def test_a_loop_as_long_as_the_rows_that_lies_beside_them_is_no_contour(loop):
+    """Each reaches as far as the rows on some sides, and lies farther inside than it may on one."""
+    cut, absorbed = kinds(rows(7, length=40.0) + loop)
+    assert cut == [ZIGZAG, LOOP] and absorbed == [ZIGZAG, ZIGZAG]
+
+
+def test_a_loop_in_another_stroke_is_a_contour():
+    strokes = [rows(7, length=40.0), box(42.0, 20.0, 5.0, 5.0)]
+    pieces = cut_pieces(monotonous_areas(linearize(programs.program(strokes))))
+    assert _absorbed(pieces).tolist() == [ZIGZAG, LOOP]
+
+
+# Windings
+
+
+def polygon_spiral(corners):
+    """A spiral of straight sides, six times around."""
+    return [walk(*((360 / corners, (20.0 + k / corners) * 4 / corners) for k in range(6 * corners)))]
+
+
+@pytest.mark.parametrize("corners, share", [(4, 1.0), (11, 1.0), (13, 0.0), (36, 0.0)])
+def test_corners_of_a_winding_turn_by_more_than_30_degrees(corners, share):
+    assert section(*polygon_spiral(corners)).cornered() == share
+
+
+def test_half_of_the_turning_in_corners():
+    """By turns a corner of 90 degrees and nine bends of 10 degrees."""
+    rounded = [(10, 1.0)] * 9
+    found = section(walk(*(step for k in range(12) for step in [(90, 20.0 + 2 * k), *rounded])))
+    assert found.cornered() == pytest.approx(0.5, abs=0.05)
+
+
+def test_no_corners_without_a_winding():
+    assert section(polygon(40), polygon(36)).cornered() == 0.0
+
+
+@pytest.mark.parametrize(
+    "degrees, length, aside", [(20, None, False), (35, None, True), (35, 0.05, False), (35, 0.2, True)]
+)
+def test_a_winding_steps_aside_where_it_turns_back_by_27_degrees_and_rounding_has_not_made_it(degrees, length, aside):
+    """Once a turn; 35 degrees are 0.61 rad, times 0.05 mm less than 0.05 rad mm."""
+    found = section(square_spiral(5, jogs(1, degrees, length)))
+    assert found.rings.winding.all() and len(found.aside) == 5
+    assert found.aside[:4].tolist() == [aside] * 4 and not found.hunting.any()
+
+
+@pytest.mark.parametrize("count, degrees, hunting", [(8, 6, True), (7, 6, False), (8, 9, True), (8, 12, False)])
+def test_eight_corrections_a_turn_by_up_to_ten_degrees_are_hunting(count, degrees, hunting):
+    found = section(square_spiral(5, jogs(count, degrees)))
+    assert found.rings.winding.all()
+    assert found.hunting[:4].tolist() == [hunting] * 4
+
+
+# Letters
+
+
+def letter(i, x, z=0.0, size=3.0):
+    """A closed contour, wider by half a millimetre for each i."""
+    return polygon(size + 0.5 * i, x=x, z=z, corners=3 + i % 5, ratio=1 + 0.1 * i)
+
+
+def written(shapes, copies=0, depths=1, size=3.0):
+    """So many contours of different shapes, and as many again as there are copies."""
+    text = [*range(shapes), *range(copies)]
+    return section(*(letter(i, 12.0 * k, -1.0 * d, size) for d in range(depths) for k, i in enumerate(text)))
+
+
+@pytest.mark.parametrize(
+    "text, letters",
+    [
+        ({"shapes": 8}, True),
+        ({"shapes": 7}, False),
+        ({"shapes": 8, "copies": 3}, True),  # 8 of 11 are more than 67 %
+        ({"shapes": 8, "copies": 4}, False),  # 8 of 12 are not
+        ({"shapes": 8, "depths": 3}, True),
+        ({"shapes": 8, "depths": 4}, False),
+        ({"shapes": 8, "size": 14.0}, False),  # of 16 mm on some 100 mm
+        ({"shapes": 8, "size": 7.0}, True),
+    ],
+    ids=str,
+)
+def test_letters_are_many_small_contours_of_as_many_shapes(text, letters):
+    assert written(**text).letters() is letters
+
+
+# What lies inside a ring
+
+
+FAR = polygon(40, x=300)
+
+
+@pytest.mark.parametrize(
+    "strokes, share",
+    [
+        ([polygon(60), rows(x=50, y=-50)], 1.0),
+        ([rows(x=50, y=-50), polygon(60)], 1.0),
+        ([FAR, polygon(60), rows(x=50, y=-50), FAR], 1.0),
+        ([FAR, FAR, rows(x=50, y=-50), polygon(60)], 1.0),
+        ([polygon(60, z=-1.0), rows(x=50, y=-50)], 0.0),
+        ([polygon(60), FAR, FAR, rows(x=50, y=-50)], 0.0),
+        ([polygon(60), rows(x=80, y=-50)], 0.0),
+        ([polygon(60), rows(x=20, y=-50)], 0.0),
+        ([polygon(60), rows(x=50, y=-20)], 0.0),
+        ([polygon(60), rows(x=50, y=-80)], 0.0),
+        ([polygon(60), rows(x=50, y=-50), rows(4, length=24.0, step=3.0, x=120)], 195 / (195 + 105)),
+        ([rows()], 0.0),
+        ([polygon(60)], 0.0),
+    ],
+    ids=["after", "before", "between, inside the first", "between, inside the second", "deeper", "not next", "right", "left",
+         "above", "below", "some", "no ring", "no rows"],
+)  # fmt: skip
+def test_rows_are_surrounded_by_the_ring_cut_before_or_after_them_at_their_depth(strokes, share):
+    assert section(*strokes).surrounded() == pytest.approx(share)
+
+
+crooked = [(x, -40 + math.sin(1.3 * i), 0.0) for i, x in enumerate(np.linspace(44, 96, 14))]
+there_and_back = crooked + [(x, y + 1, z) for x, y, z in crooked[::-1]]
+RING = polygon(60, ratio=0.2)
+
+
+def deeper(stroke, by=1.0):
+    return [(x, y, z - by) for x, y, z in stroke]
+
+
+@pytest.mark.parametrize(
+    "strokes, clears",
+    [
+        ([RING, there_and_back], True),
+        ([there_and_back, RING], True),
+        ([FAR, RING, there_and_back, FAR], True),
+        ([FAR, FAR, there_and_back, RING], True),
+        ([RING, deeper(there_and_back)], False),
+        ([RING, FAR, FAR, there_and_back], False),
+        ([RING, crooked], False),
+        ([RING, [(x + 6, y, z) for x, y, z in there_and_back]], False),
+        ([RING], False),
+    ],
+    ids=["after", "before", "between, inside the first", "between, inside the second", "deeper", "not next", "one way",
+         "over the edge", "no stroke"],
+)  # fmt: skip
+def test_a_stroke_to_and_fro_clears_the_ring_cut_before_or_after_it_at_its_depth(strokes, clears):
+    found = section(*strokes)
+    length = sum(math.dist(a, b) for a, b in zip(there_and_back, there_and_back[1:]))
+    assert found.filled() == pytest.approx(length / found.length if clears else 0.0)
+
+
+@pytest.mark.parametrize("tool, clears", [(6.0, True), (3.0, False), (0.0, True)])
+def test_a_stroke_clears_no_ring_that_lies_farther_away_than_the_tool_reaches(tool, clears):
+    """By 4 mm at the ends, where a tool of 3 mm reaches 3.6 mm."""
+    assert bool(section(RING, there_and_back, tool=tool).filled()) is clears
+
+
+def test_a_stroke_that_encloses_as_much_as_the_ring_is_its_repetition():
+    """Another contour that does not quite close."""
+    again = [*polygon(58, ratio=0.19)[:-1], (99.0, -36.0, 0.0)]
+    assert section(RING, again).filled() == 0.0
+
+
+def test_shares_are_of_the_whole_length():
+    """Rings of 160 and 80 mm, a stroke of 60 mm."""
+    found = section(polygon(40), polygon(20, x=200), [(0, 0, 0), (30, 0, 0), (30, 30, 0)])
+    assert found.share(np.array([True, False])) == pytest.approx(160 / 300)
+    assert found.part(np.array([True])) == pytest.approx(60 / 300)
+
+
+def test_a_helix_into_the_depth_is_no_part_of_the_pattern():
+    helix = [(70 + 4 * math.cos(a), -40 + 4 * math.sin(a), -a / TURN) for a in np.linspace(0, 3 * TURN, 73)]
+    squares = [polygon(side, z=-3.0) for side in (20, 24, 28)]
+    found = section(helix + squares[0], *squares[1:])
+    assert 0 < found.wound < 0.5 and len(found.moves) < len(found.areas)
