@@ -111,6 +111,26 @@ def test_little_across_the_rows_is_no_family():
         assert len(rows_of(programs.program(across + down))) == families
 
 
+def test_much_in_many_other_directions_is_no_second_family():
+    """Five lines of 20 mm, each askew in its own way, beside twelve rows of 50 mm: together a sixth, each a thirtieth."""
+    across = [[(0.0, 3.0 * row, 0.0), (50.0, 3.0 * row, 0.0)] for row in range(12)]
+    askew = [slanted([[(0.0, 0.0, 0.0), (20.0, 0.0, 0.0)]], 25.0 * k)[0] for k in range(1, 6)]
+    assert [rows.length for rows in rows_of(programs.program(across + askew))] == pytest.approx([600])
+
+
+@pytest.mark.parametrize(
+    "lines, period",
+    [
+        ((0, 1, 10, 11), 10.0),
+        ((0, 1, 10), 5.0),  # three lines tell of no period: half of them are 5 mm apart
+        ((0, 3.0, 6.2, 9.6, 13.2, 17.0), 3.4),  # gaps that grow slowly are one set
+    ],
+)
+def test_lines_by_twos_have_a_period_from_four_on(lines, period):
+    (rows,) = rows_of(programs.program([[(0.0, float(y), 0.0), (50.0, float(y), 0.0)] for y in lines]))
+    assert rows.period == pytest.approx(period)
+
+
 def test_two_passes_the_same_way_in_one_stroke_are_steps_and_no_rows():
     """A staircase: what a contour sampled on a grid looks like."""
     stairs = [(10.0 * (k // 2 + k % 2), 3.0 * (k // 2), 0.0) for k in range(20)]

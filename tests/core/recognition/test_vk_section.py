@@ -67,6 +67,28 @@ def test_a_piece_is_of_the_rings_or_of_the_rows():
     assert found.row_pieces.tolist() == [False, True, False]
 
 
+@pytest.mark.parametrize("side, rings", [(1.0, [0]), (1.5, [0, 1])])
+def test_rings_shorter_than_a_fiftieth_of_the_longest_are_leads(side, rings):
+    """Beside one of 240 mm, of which 4.8 mm are a fiftieth: 4 mm, or 6 mm."""
+    assert section(polygon(60), polygon(side, x=100)).rings.index.tolist() == rings
+
+
+def test_a_zigzag_that_ends_where_it_began_is_rows_and_no_ring():
+    """Beside a contour at another depth, which stays a ring."""
+    closed = [*rows(6, length=40.0), (-5.0, 15.0, 0.0), (-5.0, 0.0, 0.0), (0.0, 0.0, 0.0)]
+    found = section(closed, polygon(60, z=-1.0))
+    assert found.lattice.tolist() == [True, False] and len(found.rows) == 1
+    assert found.ring_pieces.tolist() == [False, True] and found.row_pieces.tolist() == [True, False]
+
+
+def test_rings_of_two_shapes_between_the_same_walls_may_be_rows_but_are_rings_where_none_are_found():
+    square = polygon(40)
+    diamond = polygon(20 * math.sqrt(2), turned=0.0)
+    found = section(square, diamond)
+    assert found.lattice.all() and not found.rows and found.ring_pieces.all()
+    assert not section(square, polygon(36)).lattice.any()
+
+
 @pytest.mark.parametrize("length, families", [(15.0, 0), (30.0, 1)])
 def test_rows_that_are_a_tenth_beside_rings_are_links(length, families):
     """Four squares of 1136 mm, and six rows with links of 15 mm: 105 of 1241 mm, or 195 of 1331 mm."""
@@ -116,8 +138,15 @@ def test_a_loop_around_the_rows_is_a_contour_though_it_may_lie_a_little_inside(i
 
 @pytest.mark.parametrize(
     "loop",
-    [box(42, 22, 5, 26), box(-8, 22, 5, 26), box(-3, 30, 46, 8), box(-3, -3, 46, 8), box(7, 20, 26, 22)],
-    ids=["right", "left", "above", "below", "narrow"],
+    [
+        box(42, 22, 5, 26),
+        box(-8, 22, 5, 26),
+        box(-3, 30, 46, 8),
+        box(-3, -3, 46, 8),
+        box(7, 20, 26, 22),
+        box(-2, 20, 27, 22),
+    ],
+    ids=["right", "left", "above", "below", "narrow", "half"],
 )
 def test_a_loop_as_long_as_the_rows_that_lies_beside_them_is_no_contour(loop):
     """Each reaches as far as the rows on some sides, and lies farther inside than it may on one."""
@@ -165,6 +194,18 @@ def test_a_winding_steps_aside_where_it_turns_back_by_27_degrees_and_rounding_ha
     assert found.aside[:4].tolist() == [aside] * 4 and not found.hunting.any()
 
 
+def test_a_bend_in_small_steps_is_one_bend():
+    """Five of 7 degrees, each on 0.3 mm, which rounding might have made alone, and back at once."""
+
+    def side(whole):
+        return [(90, whole / 2), *[(-7, 0.3)] * 5, (35, whole / 2)]
+
+    found = section(
+        walk(*(step for k in range(20) for step in (side if k % 4 == 1 else lambda w: [(90, w)])(20.0 + 2 * k)))
+    )
+    assert found.rings.winding.all() and found.aside[:4].all() and not found.hunting.any()
+
+
 @pytest.mark.parametrize("count, degrees, hunting", [(8, 6, True), (7, 6, False), (8, 9, True), (8, 12, False)])
 def test_eight_corrections_a_turn_by_up_to_ten_degrees_are_hunting(count, degrees, hunting):
     found = section(square_spiral(5, jogs(count, degrees)))
@@ -204,6 +245,17 @@ def test_letters_are_many_small_contours_of_as_many_shapes(text, letters):
     assert written(**text).letters() is letters
 
 
+def test_letters_in_boxes_of_one_size_differ_by_their_lengths():
+    """Squares of 10 mm with a notch, each deeper by 0.45 mm: their mean sides differ by 0.225 mm."""
+
+    def notched(k):
+        x, depth = 100.0 * k, 0.45 * k
+        ways = ((0, 0), (10, 0), (10, 10), (6, 10), (6, 10 - depth), (4, 10 - depth), (4, 10), (0, 10), (0, 0))
+        return [(x + a, b, 0.0) for a, b in ways]
+
+    assert section(*map(notched, range(1, 9))).letters()
+
+
 # What lies inside a ring
 
 
@@ -219,6 +271,7 @@ FAR = polygon(40, x=300)
         ([FAR, FAR, rows(x=50, y=-50), polygon(60)], 1.0),
         ([polygon(60, z=-1.0), rows(x=50, y=-50)], 0.0),
         ([polygon(60), FAR, FAR, rows(x=50, y=-50)], 0.0),
+        ([rows(x=50, y=-50), FAR, polygon(60)], 0.0),
         ([polygon(60), rows(x=80, y=-50)], 0.0),
         ([polygon(60), rows(x=20, y=-50)], 0.0),
         ([polygon(60), rows(x=50, y=-20)], 0.0),
@@ -227,7 +280,7 @@ FAR = polygon(40, x=300)
         ([rows()], 0.0),
         ([polygon(60)], 0.0),
     ],
-    ids=["after", "before", "between, inside the first", "between, inside the second", "deeper", "not next", "right", "left",
+    ids=["after", "before", "between, inside the first", "between, inside the second", "deeper", "not last", "not next", "right", "left",
          "above", "below", "some", "no ring", "no rows"],
 )  # fmt: skip
 def test_rows_are_surrounded_by_the_ring_cut_before_or_after_them_at_their_depth(strokes, share):
@@ -252,11 +305,12 @@ def deeper(stroke, by=1.0):
         ([FAR, FAR, there_and_back, RING], True),
         ([RING, deeper(there_and_back)], False),
         ([RING, FAR, FAR, there_and_back], False),
+        ([there_and_back, FAR, RING], False),
         ([RING, crooked], False),
         ([RING, [(x + 6, y, z) for x, y, z in there_and_back]], False),
         ([RING], False),
     ],
-    ids=["after", "before", "between, inside the first", "between, inside the second", "deeper", "not next", "one way",
+    ids=["after", "before", "between, inside the first", "between, inside the second", "deeper", "not last", "not next", "one way",
          "over the edge", "no stroke"],
 )  # fmt: skip
 def test_a_stroke_to_and_fro_clears_the_ring_cut_before_or_after_it_at_its_depth(strokes, clears):

@@ -37,7 +37,7 @@ def without_spurs(moves: Areas) -> Areas:
     after = out + 2
     turn = closing_turns(moves.alpha, after, out)
     more = np.zeros(len(moves))
-    more[after] = turn - moves.turning[out] - moves.turning[out + 1] - moves.turning[after]
+    more[after] = turn - moves.turning[out] - moves.turning[after]  # the reversal itself has no sign, and counts as 0
     turning = moves.turning.copy()
     turning[after] = turn
     more = np.cumsum(more)
