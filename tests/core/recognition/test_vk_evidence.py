@@ -8,6 +8,11 @@ import pytest
 from drawings import polygon
 
 from vkworkbench.core import Strategy, linearize, recognize
+from vkworkbench.core.paper import monotonous_areas
+from vkworkbench.core.recognition.evidence import gather, sentence
+from vkworkbench.core.recognition.section import Section
+from vkworkbench.core.recognition.verdict import Verdict
+from vkworkbench.language import Message
 
 TOOL = 6.0
 
@@ -69,3 +74,81 @@ def test_letters_are_strokes():
     found = found_in(programs.engraving())
     assert found.strategy is Strategy.ENGRAVING and found.direction is None and found.milling is None
     assert "strokes" in found.reason
+
+
+def section(*strokes):
+    return Section(monotonous_areas(linearize(programs.program(strokes))), TOOL)
+
+
+def said(strategy, count=1, **more):
+    return Verdict(strategy, count, Message("nested"), **more)
+
+
+def rows(count=10, length=48.0, step=3.0, x=46.0, y=-54.0, z=0.0):
+    """Rows there and back in one stroke."""
+    ends = ((x, x + length), (x + length, x))
+    return [(end, y + row * step, z) for row in range(count) for end in ends[row % 2]]
+
+
+def test_of_rows_within_a_contour_the_numbers_are_those_of_what_was_said():
+    both = section(rows(), polygon(54))
+    e = gather(both, said(Strategy.ZIGZAG))
+    assert (e.passes, e.stepover, e.direction, e.sense) == (10, 3, 0, None)
+    e = gather(both, said(Strategy.ENGRAVING))  # what is neither rows nor around has the direction of its rows
+    assert (e.passes, e.stepover, e.direction, e.sense) == (10, 3, 0, None)
+    e = gather(both, said(Strategy.PROFILE))
+    assert (e.passes, e.stepover, e.direction, e.sense) == (1, None, None, "ccw")
+    e = gather(section(polygon(54)), said(Strategy.ENGRAVING))
+    assert (e.passes, e.stepover, e.direction, e.sense) == (1, None, None, "ccw")
+
+
+def test_the_step_of_one_family_is_from_row_to_row_and_that_of_a_grid_its_period():
+    """Every other row first: 6 mm from one to the next, 3 mm from line to line."""
+    order = [*range(0, 20, 2), *range(1, 20, 2)]
+    across = [[(0, 3.0 * k, 0), (60, 3.0 * k, 0)] for k in order]
+    down = [[(3.0 * k, 0, 0), (3.0 * k, 57, 0)] for k in order]
+    one, two = (gather(section(*strokes), said(Strategy.ONE_WAY)) for strokes in (across, across + down))
+    assert (one.passes, two.passes) == (20, 40)
+    assert (one.stepover, two.stepover) == pytest.approx((6, 3))
+
+
+def test_a_step_that_the_verdict_tells_is_taken_where_there_is_no_other():
+    strokes = section(*([(60.0 * k, 0, 0), (60.0 * k + 30, 9.0 * k, 0)] for k in range(4)))
+    e = gather(strokes, said(Strategy.CONTOUR_PARALLEL, 7, step=2.5))
+    assert (e.passes, e.stepover) == (7, 2.5)
+    e = gather(section(rows()), said(Strategy.ZIGZAG, 7, step=2.5))
+    assert (e.passes, e.stepover) == (10, 3)
+
+
+@pytest.mark.parametrize("length, depths", [(4.0, 1), (6.0, 2)])
+def test_what_is_a_fiftieth_of_the_longest_has_no_depth_of_its_own(length, depths):
+    """Beside a contour of 240 mm."""
+    found = section(polygon(60), [(200, 0, -1), (200 + length, 0, -1)])
+    assert gather(found, said(Strategy.PROFILE)).depths == depths
+
+
+SHORT = [[(60.0 * k, 0, 0), (60.0 * k + 9, 0, 0)] for k in range(4)]
+BENT = [[(60.0 * k, 0, 0), (60.0 * k + 9, 0, 0), (60.0 * k + 9, 9.0 + k, 0)] for k in range(4)]
+
+
+@pytest.mark.parametrize(
+    "strokes, strategy, code, count",
+    [
+        ([[(0, 3.0 * k, 0), (50, 3.0 * k, 0)] for k in range(9)], Strategy.ONE_WAY, "rows-at-0", 9),
+        ([rows()], Strategy.ZIGZAG, "rows", 10),
+        ([polygon(40), polygon(36)], Strategy.CONTOUR_PARALLEL, "loops", 2),
+        ([polygon(40), polygon(36, clockwise=True)], Strategy.ZIGZAG, "loops", 2),
+        ([polygon(40), polygon(36)], Strategy.ENGRAVING, "between", None),
+        (SHORT, Strategy.ENGRAVING, "strokes-at-0", 4),
+        (BENT, Strategy.ENGRAVING, "strokes", 4),
+        (BENT, Strategy.PROFILE, "strokes", 4),
+        (BENT, Strategy.MIXED, "between", None),
+    ],
+    ids=lambda value: str(value) if isinstance(value, (str, Strategy)) else "",
+)
+def test_the_sentence_is_that_of_what_was_counted(strokes, strategy, code, count):
+    found = section(*strokes)
+    verdict = said(strategy)
+    message = sentence(found, verdict, gather(found, verdict))
+    assert (message.code, message.arguments.get("count")) == (code, count)
+    assert message.arguments["strategy"] == strategy

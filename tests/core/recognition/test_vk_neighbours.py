@@ -73,8 +73,16 @@ def test_at_another_height_is_not_beside():
 
 def test_strokes_face_one_another_along_most_of_them():
     """Half of each lies beside the next one; then three quarters."""
-    assert neighbours([line(2.0 * k, x=25.0 * k) for k in range(5)]) is None
-    assert neighbours([line(2.0 * k, x=12.0 * k) for k in range(5)]).count == 5
+    for onward in (1, -1):
+        assert neighbours([line(2.0 * k, x=onward * 25.0 * k) for k in range(5)]) is None
+        assert neighbours([line(2.0 * k, x=onward * 12.0 * k) for k in range(5)]).count == 5
+
+
+def test_a_stroke_runs_from_its_first_point_to_its_last():
+    """A hook at the begin of each leads back first; every other one is cut from its other end."""
+    hooks = [[(20.0, 2.0 * k, 0.0), (12.0, 2.0 * k, 0.0), (70.0, 2.0 * k + 0.1, 0.0)] for k in range(6)]
+    assert neighbours(hooks).onward == 1
+    assert neighbours([hook[:: 1 - 2 * (k % 2)] for k, hook in enumerate(hooks)]).onward == 0
 
 
 def test_passes_that_open_like_a_fan_are_not_even():

@@ -3,10 +3,13 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import replace
 
 import numpy as np
+import programs
 import pytest
+from drawings import polygon
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
@@ -204,3 +207,28 @@ def test_what_is_unknown_has_no_numbers():
         "spans": (Span(0, 1, 3, 7, Strategy.UNKNOWN, 1.0),), "reversals": 0, "sense": None, "stepover": None, "passes": None,
         "depths": 0, "direction": None, "closed_loops": 0, "milling": None, "entry": None, "finishing": False, "paper": None,
     }  # fmt: skip
+
+
+def test_the_span_of_an_operation_reaches_from_its_first_cut_to_its_last():
+    path = linearize(
+        [("G0", {"Z": 5.0}), ("G0", {"X": 9.0}), *programs.profile(depths=(-1.0,)), ("G0", {"X": 0.0, "Y": 0.0})]
+    )
+    cuts = np.flatnonzero(~path.rapid)
+    (span,) = recognize(path).spans
+    assert (span.first, span.last) == (cuts[0], cuts[-1]) and 0 < cuts[0] and cuts[-1] < len(path) - 2
+    assert (span.first_command, span.last_command, span.share) == (*path.command[cuts[[0, -1]]], 1.0)
+
+
+@pytest.mark.parametrize(
+    "tool, known", [(0.5, True), (0, False), (-0.5, False), (None, False), (math.nan, False), (math.inf, False)]
+)
+def test_a_tool_of_half_a_millimetre_is_known_and_one_of_none_is_not(tool, known):
+    """Two contours 0.7 mm apart: such a tool leaves ground between them, and without one they are a pocket's."""
+    path = linearize(programs.program([polygon(60.0), polygon(58.6)]))
+    assert recognize(path, tool_diameter=tool).stepover == (None if known else pytest.approx(0.7))
+
+
+@pytest.mark.parametrize("commands", [[], [("G0", {"X": 5.0})]])
+def test_that_nothing_cuts_is_certain(commands):
+    found = recognize(linearize(commands))
+    assert (found.strategy, found.confidence) == (Strategy.EMPTY, 1.0)

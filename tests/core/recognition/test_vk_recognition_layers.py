@@ -6,12 +6,13 @@ from __future__ import annotations
 from dataclasses import replace
 
 import numpy as np
+import programs
 import pytest
 
 from vkworkbench.core import Strategy
 from vkworkbench.core.gcode import linearize
-from vkworkbench.core.paper import monotonous_areas
-from vkworkbench.core.recognition.entries import without_entries
+from vkworkbench.core.paper import TURN, monotonous_areas
+from vkworkbench.core.recognition.entries import find_entry, without_entries
 from vkworkbench.core.recognition.recognize import recognize
 
 ABOVE = [("G0", {"X": 0.0, "Y": 0.0, "Z": 2.0})]
@@ -108,3 +109,71 @@ def test_a_contour_around_the_rows_is_their_finishing_pass(last):
     assert found.reason.endswith(", finished by a contour around the rows")
     alone = recognize(linearize(inside), tool_diameter=3.0)
     assert alone.strategy is Strategy.ZIGZAG and not alone.finishing
+
+
+def areas(*strokes):
+    return monotonous_areas(linearize(programs.program(strokes)))
+
+
+def way_down(*points, x=0.0):
+    """A stroke down over some points and then around a rectangle of 60 by 40 mm at the last height."""
+    *_, (a, b, z) = points
+    corners = ((60, 0), (60, 40), (0, 40), (0, 0), (60, 0))
+    return [*((x + a, b, z) for a, b, z in points), *((x + a, b + c, z) for a, c in corners)]
+
+
+SINGLE = [(0, 0, 0), (20, 0, -3)]
+RAMP = [(0, 0, 0), (20, 0, -1), (40, 0, -4)]
+TO_AND_FRO = [(0, 0, 0), (20, 0, -1), (0, 0, -2), (20, 0, -3)]
+HELIX = [(4 * np.cos(a), 4 * np.sin(a) - 4, -5 * a / TURN) for a in np.linspace(0, TURN, 25)]
+DOWN_ALL_ALONG = [(200 + x, y, 2 * z) for x, y, z in HELIX]
+
+
+@pytest.mark.parametrize(
+    "strokes, entry",
+    [
+        ([way_down((0, 0, -1))], "plunge"),
+        ([way_down(*SINGLE)], "ramp"),
+        ([way_down(*TO_AND_FRO)], "zigzag ramp"),
+        ([way_down(*HELIX)], "helix"),
+        ([way_down(*RAMP), way_down(*TO_AND_FRO, x=100)], "ramp"),  # 4 mm and 3 mm
+        ([way_down(*TO_AND_FRO, x=100), way_down(*RAMP)], "ramp"),
+        ([way_down(*SINGLE), way_down(*SINGLE, x=100), way_down(*HELIX, x=200)], "ramp"),  # 6 mm and 5 mm
+        ([way_down(*SINGLE), way_down(*TO_AND_FRO, x=100), way_down(*HELIX, x=200)], "helix"),
+        ([way_down(*RAMP), DOWN_ALL_ALONG], "ramp"),  # nothing level follows the helix
+        ([DOWN_ALL_ALONG], None),
+        ([[*way_down((0, 0, -1)), (50, 0, -1.5)]], "plunge"),  # it begins level
+        ([way_down((0, 0, 0), (20, 0, -0.01))], "plunge"),  # so little is no depth
+        ([[(0, 0, 0), (20, 0, -1), (60, 0, -1), (60, 20, -2), (0, 20, -3)]], None),  # 40 of 120 mm are level
+        ([[(0, 0, 0), (20, 0, -1), (20, 90, -1), (60, 90, -2), (60, 70, -3)]], "ramp"),  # 90 of 150 mm are
+    ],
+)
+def test_the_entry_is_that_of_most_of_the_depth(strokes, entry):
+    assert find_entry(areas(*strokes)) == entry
+
+
+@pytest.mark.parametrize("points", [SINGLE, RAMP, TO_AND_FRO, HELIX], ids=["one move", "ramp", "to and fro", "helix"])
+def test_a_way_in_is_no_part_of_the_pattern_and_counts_where_it_winds(points):
+    """A helix of one turn on a radius of 4 mm; the rectangle, begun anew where the way in ends, is what is left."""
+    moves = areas(way_down(*points))
+    pattern, wound = without_entries(moves)
+    assert len(pattern) == len(moves) - (len(points) - 1) and not pattern.dz.any()
+    way_in = moves.length[: len(points) - 1].sum()
+    assert wound == pytest.approx(way_in / moves.length.sum() if points is HELIX else 0.0)
+
+
+def test_sharp_turns_behind_a_straight_way_in_do_not_make_it_wind():
+    """Twice 150 degrees in one sense, more than three quarters of a turn, of which none is in the ramp."""
+    turned = np.cumsum(np.radians([150, 150, 30, 30]))
+    steps = 20 * np.column_stack((np.cos(turned), np.sin(turned), np.zeros(4)))
+    moves = areas([(0, 0, 0), (20, 0, -1), *(np.array((20, 0, -1)) + np.cumsum(steps, axis=0)).tolist()])
+    pattern, wound = without_entries(moves)
+    assert len(pattern) == len(moves) - 1 and wound == 0.0
+
+
+def test_of_several_areas_only_the_ways_in_and_out_are_gone():
+    strokes = [way_down((0, 0, -1)), way_down(*HELIX, x=100), [*way_down(*SINGLE, x=200), (240, 0, 0)]]
+    moves = areas(*strokes)
+    pattern, wound = without_entries(moves)
+    assert np.diff(pattern.start, append=len(pattern)).tolist() == [5, 5, 5]
+    assert wound == pytest.approx(8 * np.pi / moves.length.sum(), rel=0.01)

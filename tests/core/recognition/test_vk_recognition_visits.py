@@ -210,6 +210,26 @@ def test_what_rounding_leaves_is_the_same(name, values, measure):
     assert compared(two_visits(**{name: apart}))[0, at] == 0
 
 
+@pytest.mark.parametrize(
+    ("low", "high", "same"),
+    [
+        ([[10, 10], [10, 10]], [[30, 40], [30, 40]], 1),
+        ([[10, 10], [12, 10]], [[30, 40], [30, 40]], 0),
+        ([[10, 10], [10, 10]], [[30, 40], [30, 42]], 0),
+        ([[10, 10], [10.2, 10]], [[30, 40], [30, 40]], 1),  # a hundredth of the diagonal and 0.1 mm are 0.46 mm
+    ],
+)
+def test_the_same_ground_lies_between_the_same_sides(low, high, same):
+    told = dict(zip(MEASURES, compared(two_visits(low=low, high=high))[0]))
+    assert told["same_ground"] == same
+
+
+def test_axes_differ_by_the_angle_between_them():
+    """Of directions at twice their angle: the same, half of it, and at a right angle."""
+    for other, differ in ((1, 0), (0.5, 0.5), (-1, 2)):
+        assert compared(two_visits(axis=[1, other]))[0, MEASURES.index("axis")] == pytest.approx(differ)
+
+
 def test_grounds_that_do_not_touch_share_nothing():
     told = dict(zip(MEASURES, compared(two_visits(low=[[0, 0], [40, 50]], high=[[30, 40], [50, 60]]))[0]))
     assert told["overlap"] == told["inside"] == told["same_ground"] == 0

@@ -63,6 +63,38 @@ def test_a_ring_around_an_island_moves_one_side_only_and_is_no_offset():
     assert not rings_of([polygon(40), polygon(36, x=2)]).nested.any()
 
 
+def box(left, bottom, right, top):
+    """A rectangle by how far its sides lie inside those of one of 40 mm."""
+    x, y, u, v = 50 + left, -60 + bottom, 90 - right, -20 - top
+    return [(x, y, 0), (u, y, 0), (u, v, 0), (x, v, 0), (x, y, 0)]
+
+
+@pytest.mark.parametrize("left, nested", [(0.9, False), (1.1, True)])
+def test_no_side_of_an_offset_moves_by_less_than_half_the_step(left, nested):
+    """The others move by 2.4 mm, and the rings lie 2.03 or 2.08 mm apart."""
+    assert rings_of([polygon(40), box(left, 2.4, 2.4, 2.4)]).nested.tolist() == [nested] * 2
+
+
+def squares(*steps, first=300.0):
+    """Squares inside one another, so many mm apart."""
+    return [polygon(first - 2 * inside) for inside in np.cumsum([0.0, *steps])]
+
+
+@pytest.mark.parametrize(
+    "steps, tool, nested",
+    [
+        ([10] * 5, 6.0, True),
+        ([10] * 4, 6.0, False),  # too few to know better than the tool does
+        ([10, 10, 10, 10, 19, 19], 6.0, True),  # four of six steps are the usual one
+        ([10, 10, 10, 19, 19, 19], 6.0, False),
+        ([10, 10, 10, 19, 19, 19], 0.0, True),
+    ],
+)
+def test_where_more_than_six_tenths_of_five_steps_are_equal_the_tool_is_wrong(steps, tool, nested):
+    """They are longer than a tool of 6 mm reaches, and all less than twice the usual one."""
+    assert rings_of(squares(*steps), tool).nested.tolist() == [nested] * (len(steps) + 1)
+
+
 def test_a_contour_at_several_depths_comes_again_and_is_one_ring():
     rings = rings_of([polygon(40, z=z) for z in (0, -2, -4)])
     assert related(rings) == [{"repeated"}] * 3 and rings.stacked.all()

@@ -41,7 +41,7 @@ def find_entry(moves: Areas) -> str | None:
     drop = moves.z[begin] - moves.dz[begin] - moves.z[last]
     if drop.max() < SAME.HEIGHT:
         return ENTRIES[0]
-    turned = np.abs(moves.phi[last] - moves.phi[begin])
+    turned = np.abs(moves.phi[last])
     reversed_ = np.cumsum(np.bincount(moves.unsigned, minlength=len(moves)))
     to_and_fro = reversed_[last] > reversed_[begin]
     kind = np.where(turned > ENTRY.WINDS * TURN, 3, np.where(to_and_fro, 2, 1))
@@ -88,7 +88,7 @@ def without_entries(moves: Areas) -> tuple[Areas, float]:
         np.add.at(gone, stop[some], -1)
         leads.append(some)
     into = leads[0]
-    winds = np.abs(moves.phi[first[into] - 1] - moves.phi[start[into]]) > ENTRY.WINDS * TURN
+    winds = np.abs(moves.phi[first[into] - 1]) > ENTRY.WINDS * TURN
     wound = float((way[first] - way[start])[into[winds]].sum() / way[-1])
     kept = np.cumsum(gone[:-1]) == 0
     return (moves if kept.all() else some_moves(moves, kept)), wound
