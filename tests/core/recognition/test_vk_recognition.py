@@ -215,7 +215,7 @@ def test_the_span_of_an_operation_reaches_from_its_first_cut_to_its_last():
     )
     cuts = np.flatnonzero(~path.rapid)
     (span,) = recognize(path).spans
-    assert (span.first, span.last) == (cuts[0], cuts[-1]) and 0 < cuts[0] and cuts[-1] < len(path) - 2
+    assert (span.first, span.last) == (cuts[0], cuts[-1]) and cuts[0] > 0 and cuts[-1] < len(path) - 2
     assert (span.first_command, span.last_command, span.share) == (*path.command[cuts[[0, -1]]], 1.0)
 
 

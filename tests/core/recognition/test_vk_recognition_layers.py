@@ -117,7 +117,7 @@ def areas(*strokes):
 
 def way_down(*points, x=0.0):
     """A stroke down over some points and then around a rectangle of 60 by 40 mm at the last height."""
-    *_, (a, b, z) = points
+    b, z = points[-1][1:]
     corners = ((60, 0), (60, 40), (0, 40), (0, 0), (60, 0))
     return [*((x + a, b, z) for a, b, z in points), *((x + a, b + c, z) for a, c in corners)]
 
