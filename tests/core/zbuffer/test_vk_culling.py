@@ -1,0 +1,139 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Tiles of an image with the trajectories that may cut them, and which of these reach deeper than those before."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from zbuffer_reference.paths import BOX, toolpath
+
+from vkworkbench.core import Cut, Tool, View
+from vkworkbench.core.zbuffer.culling import TILE, Region, Tiles, culled, deeper, fine_enough, first_tiles, quartered
+from vkworkbench.core.zbuffer.cuts import Cuts
+from vkworkbench.core.zbuffer.trajectories import Trajectories
+from vkworkbench.core.zbuffer.upright import Upright
+
+# Three tiles with two, none and three trajectories.
+SOME = Tiles(8, np.array([0, 8, 16]), np.array([24, 32, 40]), np.array([0, 2, 2, 5]), np.array([3, 5, 1, 3, 4]))
+
+
+def told(tiles):
+    """Each tile's first pixel and its trajectories."""
+    assert len(tiles.first) == len(tiles.column) + 1 and tiles.first[0] == 0 and tiles.first[-1] == len(tiles.item)
+    lists = [tiles.item[a:b].tolist() for a, b in zip(tiles.first, tiles.first[1:])]
+    return list(zip(tiles.column.tolist(), tiles.row.tolist(), lists))
+
+
+FIRST, EMPTY, LAST = (0, 24, [3, 5]), (8, 32, []), (16, 40, [1, 3, 4])
+
+
+def test_tiles_are_taken_apart_with_their_lists():
+    assert told(SOME) == [FIRST, EMPTY, LAST]
+    assert told(SOME.only(np.array([True, False, True]))) == [FIRST, LAST]
+    assert told(SOME.only(np.array([False, True, False]))) == [EMPTY]
+    assert told(SOME.only(np.array([False, False, False]))) == []
+    assert SOME.only(np.ones(3, bool)) is SOME
+    assert told(SOME.part(0, 1)) == [FIRST] and told(SOME.part(1, 3)) == [EMPTY, LAST]
+    assert SOME.part(1, 3).side == SOME.only(np.array([True, False, True])).side == 8
+
+
+@pytest.mark.parametrize(
+    "pairs, blocks",
+    [
+        (1, [[FIRST], [EMPTY], [LAST]]),
+        (2, [[FIRST, EMPTY], [LAST]]),
+        (4, [[FIRST, EMPTY], [LAST]]),
+        (5, [[FIRST, EMPTY, LAST]]),
+    ],
+)
+def test_blocks_are_of_whole_tiles_and_no_more_pairs_than_one_has_alone(pairs, blocks):
+    assert [told(block) for block in SOME.blocks(pairs)] == blocks
+
+
+def test_the_pixels_of_tiles():
+    column, row = SOME.pixels()
+    assert column.shape == row.shape == (8, 3)
+    assert column[:, 1].tolist() == list(range(8, 16)) and row[:, 2].tolist() == list(range(40, 48))
+
+
+@pytest.mark.parametrize("side, fine", [(8, [False, False, False]), (2, [True, True, True]), (4, [False, False, True])])
+def test_tiles_of_four_pixels_are_fine_enough_where_most_moves_are_sloped(side, fine):
+    """Of the first one's two moves one is sloped, which is half of them; of the last one's three two are."""
+    sloped = np.isin(np.arange(6), [3, 4])
+    tiles = Tiles(side, SOME.column, SOME.row, SOME.first, SOME.item)
+    assert fine_enough(tiles, sloped).tolist() == fine
+
+
+def reached(*tiles, near=-5.0, far=5.0):
+    """Which pairs stay of tiles that are lists of (reach, opens)."""
+    tile = np.repeat(np.arange(len(tiles)), [len(own) for own in tiles])
+    start = np.searchsorted(tile, np.arange(len(tiles)))
+    reach, opens = (np.array([pair[k] for own in tiles for pair in own], float) for k in (0, 1))
+    return deeper(tile, start, reach, opens, near, far).tolist()
+
+
+NO = -np.inf
+
+
+@pytest.mark.parametrize(
+    "pairs, stay",
+    [
+        ([(1, 0), (2, 0)], [0, 1]),
+        ([(1, 1), (1, 1)], [0]),
+        ([(1, 0), (0.5, NO)], [0, 1]),
+        ([(1, 0), (-0.5, NO), (0, NO), (0.1, NO)], [0, 3]),
+        ([(3, 2), (4, 1), (1.5, NO), (2.5, NO)], [0, 1, 3]),  # opened to 2, whatever opened less since
+        ([(-5, NO), (-4, NO)], [1]),  # above the rays nothing is reached
+        ([(9, 9), (20, 9)], [0]),  # and below them nothing is left
+        ([(1, 0), (1e-9, NO), (1e-7, NO)], [0, 2]),  # rounding reaches no deeper
+    ],
+)
+def test_a_pair_stays_where_it_reaches_deeper_than_those_before_it_opened(pairs, stay):
+    assert reached(pairs) == stay
+
+
+def test_what_is_open_in_one_tile_is_not_in_the_next():
+    assert reached([(4, 4), (3, NO)], [(-4, -4), (-4.5, NO)], [(-4, NO)]) == [0, 2, 4]
+
+
+FLAT = Tool("endmill", 6)
+
+
+def of_slots(*heights, width=400, height=300):
+    """Slots along X through the middle of the block, seen from above in pixels of 0.1 mm."""
+    points = [(x, 15.0, z) for z in heights for x in (-10.0, 50.0)]
+    cuts = Cuts([Cut(toolpath(np.array(points)), FLAT)])
+    return Trajectories(cuts, BOX, View((0, 0, -1), width, height).frame(BOX))
+
+
+def test_the_first_tiles_have_what_passes_them():
+    """The slot is 6 mm wide, from row 120 to row 180: it passes the tiles of rows 64 to 127 and 128 to 191."""
+    trajectories = of_slots(6.0)
+    left, bottom = np.meshgrid(np.arange(0, 400, TILE), np.arange(0, 300, TILE))
+    tiles = first_tiles(trajectories, left.ravel(), bottom.ravel())
+    assert tiles.side == TILE
+    assert {row for _, row, items in told(tiles) if items} == {64, 128}
+    assert all((items == [0]) == (row in (64, 128)) for _, row, items in told(tiles))
+
+
+def test_quarters_are_those_in_the_image_that_something_may_cut():
+    """The last tile of a row begins at column 384, and of its 64 columns 16 are in the image."""
+    trajectories = of_slots(6.0)
+    tiles = first_tiles(trajectories, np.array([320, 384]), np.array([64, 64]))
+    found = quartered(trajectories, Upright(trajectories), tiles)
+    assert found.side == 32
+    assert sorted(told(found)) == [(320, 96, [0]), (352, 96, [0]), (384, 96, [0])]  # up to row 96 nothing is cut
+
+
+@pytest.mark.parametrize("heights, cut", [((6.0, 8.0), [0]), ((8.0, 6.0), [0, 2])])
+def test_what_is_opened_deeper_before_is_left_to_no_pixel(heights, cut):
+    """The second slot, 2, removes something only where it is the deeper one; 1 is the way back from one to the other."""
+    trajectories = of_slots(*heights)
+    found, tested = [], 0
+    for tiles, own in culled(trajectories, Upright(trajectories), Region(0, 400, 128, 192)):
+        found += told(tiles)
+        tested += own
+    inside = {item for column, row, items in found if 64 < column < 320 and row < 170 for item in items}
+    assert inside == set(cut) or inside == {*cut, 1}
+    assert len(found) == len({(column, row) for column, row, _ in found}) and tested > len(found)
+    assert all(row < 184 for _, row, _ in found)
