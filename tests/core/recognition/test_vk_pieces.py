@@ -74,6 +74,8 @@ def test_heights_of_a_piece_that_climbs():
     assert pieces.flat.tolist() == [False, True]
     falling = pieces_of([(0, 0, 3), (10, 0, 3), (10, 20, -3), (20, 20, -3)])
     assert (falling.rise[0], falling.drop[0]) == pytest.approx((6, -6))
+    at_once = pieces_of([(0, 0, 5), (10, 0, 2), (10, 20, 2), (20, 20, 3)])  # from its first point on
+    assert (at_once.rise[0], at_once.drop[0], at_once.last_z[0]) == pytest.approx((3, -2, 3))
 
 
 def test_a_zigzag_that_ends_where_it_began_is_a_wavy_loop():

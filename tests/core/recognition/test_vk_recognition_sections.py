@@ -133,6 +133,10 @@ def test_runs_of_holes_are_borders_at_their_first_and_behind_their_last():
     drilled_first = linearize([start, *hole, away, *hole, start, *rectangle])
     # Hole 0, up 1, over 2, hole 3, up 4.
     assert find_borders(drilled_first, monotonous_areas(drilled_first)) == {4: True}
+    to = [("G0", {"X": x}) for x in (70.0, 90.0, 110.0)]
+    around = linearize([start, *hole, away, *hole, to[0], *rectangle, to[1], *hole, to[2], *hole])
+    # Hole 0, up 1, over 2, hole 3, up 4, over 5, down 6, rectangle 7 to 9, up 10, over 11, hole 12, up 13, over 14, hole 15.
+    assert find_borders(around, monotonous_areas(around)) == {4: True, 10: True, 16: True}
 
 
 def test_moves_that_are_no_cutting_are_unknown_from_the_first_to_the_last():

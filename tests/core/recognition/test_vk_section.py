@@ -107,15 +107,15 @@ def test_a_ramp_to_and_fro_on_one_line_is_no_zigzag():
 def test_a_ramp_that_leaves_its_line_is_not_retraced(aside, retraced):
     """The second way begins `aside` beside the line of the first."""
     ramp = [(0, 0, 0), (30, 40, -1), (0.8 * aside, -0.6 * aside, -2), (30, 40, -3), (0, 0, -4)]
-    assert section(ramp).retraced == retraced
+    assert section([(x + 70, y - 45, z) for x, y, z in ramp]).retraced == retraced
 
 
 # Small loops within a zigzag
 
 
 def kinds(stroke):
-    """The kinds of the pieces of a stroke, and those with small loops made a part of the zigzag."""
-    pieces = cut_pieces(monotonous_areas(linearize(programs.program([stroke]))))
+    """The kinds of the pieces of a stroke, wherever it lies, and those with small loops made a part of the zigzag."""
+    pieces = cut_pieces(monotonous_areas(linearize(programs.program([[(x + 90, y + 50, z) for x, y, z in stroke]]))))
     return pieces.kind.tolist(), _absorbed(pieces).tolist()
 
 
@@ -269,6 +269,7 @@ FAR = polygon(40, x=300)
         ([rows(x=50, y=-50), polygon(60)], 1.0),
         ([FAR, polygon(60), rows(x=50, y=-50), FAR], 1.0),
         ([FAR, FAR, rows(x=50, y=-50), polygon(60)], 1.0),
+        ([polygon(60, z=-1.0), rows(x=50, y=-50, z=-1.0)], 1.0),
         ([polygon(60, z=-1.0), rows(x=50, y=-50)], 0.0),
         ([polygon(60), FAR, FAR, rows(x=50, y=-50)], 0.0),
         ([rows(x=50, y=-50), FAR, polygon(60)], 0.0),
@@ -280,7 +281,7 @@ FAR = polygon(40, x=300)
         ([rows()], 0.0),
         ([polygon(60)], 0.0),
     ],
-    ids=["after", "before", "between, inside the first", "between, inside the second", "deeper", "not last", "not next", "right", "left",
+    ids=["after", "before", "between, inside the first", "between, inside the second", "as deep", "deeper", "not last", "not next", "right", "left",
          "above", "below", "some", "no ring", "no rows"],
 )  # fmt: skip
 def test_rows_are_surrounded_by_the_ring_cut_before_or_after_them_at_their_depth(strokes, share):
@@ -303,6 +304,7 @@ def deeper(stroke, by=1.0):
         ([there_and_back, RING], True),
         ([FAR, RING, there_and_back, FAR], True),
         ([FAR, FAR, there_and_back, RING], True),
+        ([deeper(RING), deeper(there_and_back)], True),
         ([RING, deeper(there_and_back)], False),
         ([RING, FAR, FAR, there_and_back], False),
         ([there_and_back, FAR, RING], False),
@@ -310,7 +312,7 @@ def deeper(stroke, by=1.0):
         ([RING, [(x + 6, y, z) for x, y, z in there_and_back]], False),
         ([RING], False),
     ],
-    ids=["after", "before", "between, inside the first", "between, inside the second", "deeper", "not last", "not next", "one way",
+    ids=["after", "before", "between, inside the first", "between, inside the second", "as deep", "deeper", "not last", "not next", "one way",
          "over the edge", "no stroke"],
 )  # fmt: skip
 def test_a_stroke_to_and_fro_clears_the_ring_cut_before_or_after_it_at_its_depth(strokes, clears):
