@@ -62,6 +62,7 @@ def test_tiles_of_four_pixels_are_fine_enough_where_most_moves_are_sloped(side, 
     sloped = np.isin(np.arange(6), [3, 4])
     tiles = Tiles(side, SOME.column, SOME.row, SOME.first, SOME.item)
     assert fine_enough(tiles, sloped).tolist() == fine
+    assert fine_enough(tiles, np.isin(np.arange(6), [3, 5])).tolist() == ([True, False, False] if side == 4 else fine)
 
 
 def reached(*tiles, near=-5.0, far=5.0):
@@ -94,6 +95,7 @@ def test_a_pair_stays_where_it_reaches_deeper_than_those_before_it_opened(pairs,
 
 def test_what_is_open_in_one_tile_is_not_in_the_next():
     assert reached([(4, 4), (3, NO)], [(-4, -4), (-4.5, NO)], [(-4, NO)]) == [0, 2, 4]
+    assert reached([(5, 5)], [(-4.9, NO), (-4.5, NO)]) == [0, 1, 2]  # opened to the ground, and not at all
 
 
 FLAT = Tool("endmill", 6)
@@ -114,6 +116,25 @@ def test_the_first_tiles_have_what_passes_them():
     assert tiles.side == TILE
     assert {row for _, row, items in told(tiles) if items} == {64, 128}
     assert all((items == [0]) == (row in (64, 128)) for _, row, items in told(tiles))
+
+
+@pytest.mark.parametrize("along_x", [True, False])
+def test_a_tile_ends_with_its_last_pixel(along_x):
+    """A slot from 6.4 mm to 12.4 mm: pixel 63 lies at 6.35 mm, pixel 128 at 12.85 mm."""
+    ends = [(-10, 9.4, 6), (50, 9.4, 6)] if along_x else [(9.4, -10, 6), (9.4, 50, 6)]
+    trajectories = Trajectories(Cuts([Cut(toolpath(np.array(ends, float)), FLAT)]), BOX, of_slots(6.0).frame)
+    first, other = np.array([0, 64, 128]), np.full(3, 128)
+    tiles = first_tiles(trajectories, *((other, first) if along_x else (first, other)))
+    assert [items for *_, items in told(tiles)] == [[], [0], []]
+
+
+def test_pairs_are_counted_at_every_level():
+    """A slot that covers a tile of 64 pixels: four quarters each of 1, 4, 16, 64 and 256 tiles, and 64 by 64 pixels."""
+    points = np.array([(-30.0, 15.0, 6.0), (70.0, 15.0, 6.0)])
+    trajectories = Trajectories(Cuts([Cut(toolpath(points), Tool("endmill", 30))]), BOX, of_slots(6.0).frame)
+    found = list(culled(trajectories, Upright(trajectories), Region(128, 192, 128, 192)))
+    assert sum(tested for _, tested in found) == 4 * (1 + 4 + 16 + 64 + 256) + 64 * 64
+    assert sum(len(tiles.item) * tiles.side**2 for tiles, _ in found) == 64 * 64
 
 
 def test_quarters_are_those_in_the_image_that_something_may_cut():

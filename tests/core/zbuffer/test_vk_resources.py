@@ -384,6 +384,8 @@ def test_kinds_of_trajectory_are_worked_on_apart_where_they_meet():
     assert apart.kinds < 0.7 and apart.bands == pytest.approx(7.5, rel=0.15)
     assert work((row, 6)).bands == pytest.approx(1 + 6 / 8, rel=0.15)
     assert work((path([(5, 5, 30), (75, 5, 30)]), 6)).bands == 0  # above the stock
+    assert work((path([(40, -50, 15), (40, 10, 15)]), 6)).bands == pytest.approx(1 + 13 / 8)  # of the image
+    assert work((path([(40, -50, 15), (40, 110, 15)]), 6)).bands == 8  # no more than there are
 
 
 def test_the_work_in_another_image_is_known_from_one():

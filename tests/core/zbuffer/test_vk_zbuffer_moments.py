@@ -9,7 +9,7 @@ from zbuffer_reference.paths import BOX, DIRECTIONS, PATHS, ROUND, TOOLS, toolpa
 
 from vkworkbench.core import View
 from vkworkbench.core.zbuffer.simulate import simulate
-from vkworkbench.core.zbuffer.surface import STOCK
+from vkworkbench.core.zbuffer.surface import STOCK, Surface
 
 
 def simulated(seed):
@@ -94,3 +94,34 @@ def test_pictures_of_nothing():
     z = simulate(toolpath(np.zeros((1, 3))), tool=TOOLS[0], stock=BOX, view=View(pixel=1.0, width=80, height=10))
     assert np.isnan(z.picture.depth).sum() == 40 * 10
     assert (z.picture.owner == STOCK).all()
+
+
+def test_moments_of_more_trajectories_than_16_bits_number():
+    """A slot, 70,000 moves above the block, and another slot: what each of them changes is its own."""
+    air = [(x, 5.0, 20.0) for x in np.linspace(35, 5, 70_000)]
+    points = [(5.0, 5.0, 6.0), (35.0, 5.0, 6.0), *air, (5.0, 25.0, 4.0), (35.0, 25.0, 4.0)]
+    z = simulate(toolpath(np.array(points)), tool=TOOLS[0], stock=BOX, view=View((0, 0, -1), 80, 60))
+    last = z.trajectories - 1
+    row = {step: z.surface.changed(step, step + 1) // 80 for step in (0, 40_000, last)}
+    assert row[0].min() >= 3 and row[0].max() <= 16 and len(row[40_000]) == 0 and row[last].min() >= 43
+    assert len(row[0]) > 600 and len(row[last]) > 500
+    for step in (0, 1, 40_000, last, z.trajectories):
+        depth, owner = expected(z.at(step))
+        assert np.array_equal(z.at(step).picture.depth, depth, equal_nan=True)
+        assert np.array_equal(z.at(step).picture.owner, owner)
+
+
+@pytest.mark.parametrize("seed", [1, 6])
+def test_a_picture_is_the_same_from_whatever_moment_it_is_looked_up(seed):
+    """From the moment before it, from one far away, and at once."""
+    z, _ = simulated(seed)
+    for step in range(0, z.trajectories + 1, 5):
+        pictures = []
+        for before in ((), (max(step - 1, 0),), (z.trajectories - step,)):
+            surface = Surface(z.records)
+            for one in before:
+                surface.picture(one)
+            pictures.append(surface.picture(step))
+            assert surface.picture(step) is pictures[-1] and pictures[-1].step == step
+        assert all(np.array_equal(one.depth, pictures[0].depth, equal_nan=True) for one in pictures)
+        assert all(np.array_equal(one.owner, pictures[0].owner) for one in pictures)
