@@ -8,6 +8,7 @@ import pytest
 from zbuffer_reference.paths import BOX, DIRECTIONS, PATHS, ROUND, TOOLS, toolpath
 
 from vkworkbench.core import View
+from vkworkbench.core.zbuffer import surface
 from vkworkbench.core.zbuffer.simulate import simulate
 from vkworkbench.core.zbuffer.surface import STOCK, Surface
 
@@ -109,6 +110,17 @@ def test_moments_of_more_trajectories_than_16_bits_number():
         depth, owner = expected(z.at(step))
         assert np.array_equal(z.at(step).picture.depth, depth, equal_nan=True)
         assert np.array_equal(z.at(step).picture.owner, owner)
+
+
+@pytest.mark.parametrize("at_once", [1, 70, 3499, 3500])
+def test_what_changes_does_not_depend_on_how_many_pixels_are_worked_on_at_once(at_once, monkeypatch):
+    z, _ = simulated(2)
+    every = [z.surface.changed(step, step + 5).tolist() for step in range(0, z.trajectories, 5)]
+    monkeypatch.setattr(surface, "_AT_ONCE", at_once)
+    again = Surface(z.records)
+    again.prepare()
+    assert [again.changed(step, step + 5).tolist() for step in range(0, z.trajectories, 5)] == every
+    assert sum(map(len, every)) > 1000
 
 
 @pytest.mark.parametrize("seed", [1, 6])

@@ -1,0 +1,107 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""How deep moves reach in squares seen from above, held against the tool at many places of each move.
+
+Too deep a bound only takes longer, too shallow a one loses a cut: both are told here.
+"""
+
+from __future__ import annotations
+
+from math import pi
+
+import numpy as np
+import pytest
+
+from vkworkbench.core import Tool
+from vkworkbench.core.zbuffer.upright import Slopes, bounds
+
+TOOLS = [
+    Tool("endmill", 6),
+    Tool("ballend", 6),
+    Tool("bullnose", 6, corner_radius=1),
+    Tool("bullnose", 6, corner_radius=2.5),
+    Tool("vbit", 6, tip_angle=pi / 2),
+    Tool("vbit", 6, tip_angle=pi / 2, tip_diameter=2),
+    Tool("drill", 5),
+]
+SLOPES = [0.0, 0.3, -0.3, 1.2, -1.2]
+DEPTH = 2.0
+PLACES, STEP = 1001, 5  # of the tool on a move, and points on a side of a square
+
+
+def bounded(tool, slope, along, aside, extent, half_run):
+    """How deep one move reaches at most in a square, and to which depth it opens all of it."""
+    slopes = Slopes(np.array([slope])) if slope else None
+    reaches, opens = bounds(tool, slopes, *(np.array([float(v)]) for v in (along, aside, extent, half_run, DEPTH)))
+    return float(reaches[0]), float(opens[0])
+
+
+def opened(tool, slope, along, aside, extent, half_run):
+    """Depths to which the tool opens the points of a square: (k,), -inf where it does not pass."""
+    side = np.linspace(-extent, extent, STEP)
+    x, y = (values.ravel() for values in np.meshgrid(along + side, aside + side))
+    t = np.linspace(-half_run, half_run, PLACES)[:, None]
+    return DEPTH - (slope * t + tool.height(np.hypot(x - t, y))).min(axis=0)
+
+
+@pytest.mark.parametrize("slope", SLOPES)
+@pytest.mark.parametrize("tool", TOOLS, ids=str)
+def test_no_point_of_a_square_is_opened_deeper_than_is_said_and_none_less_deep(tool, slope):
+    """Squares beside moves, across their ends and their rims, within them, and around short ones."""
+    rng = np.random.default_rng([TOOLS.index(tool), SLOPES.index(slope)])
+    inside = 0
+    for _ in range(40):
+        half_run, extent = rng.choice([0.2, 2.0, 8.0]), rng.choice([0.05, 0.4, 1.5])
+        along, aside = rng.uniform(-half_run - 4, half_run + 4), rng.uniform(-4, 4)
+        reaches, opens = bounded(tool, slope, along, aside, extent, half_run)
+        depths = opened(tool, slope, along, aside, extent, half_run)
+        assert depths.max() <= reaches + 1e-9
+        # Between two places of the tool on a slope is one that opens a little deeper.
+        assert opens <= depths.min() + 0.02 * (1 + 3 * abs(slope))
+        inside += np.isfinite(opens)
+    assert inside > 3
+
+
+# On slopes the bounds only come near to tools of several parts, and to a point that is blunter than the slope.
+SIMPLE = [
+    (tool, slope)
+    for tool in TOOLS
+    for slope in SLOPES
+    if not slope or (tool.rounding in (0, tool.radius) and not tool.tip and not 0 < tool.steepness <= abs(slope))
+]
+
+
+@pytest.mark.parametrize("aside", [0.0, 0.4, -1.4, 2.1])
+@pytest.mark.parametrize("tool, slope", SIMPLE, ids=str)
+def test_along_a_move_a_point_is_opened_as_deep_as_is_said(tool, slope, aside):
+    """In the middle of a long one; a point as wide as a thousandth of a millimetre, and places 0.04 mm apart."""
+    point = tool, slope, 0.7, aside, 1e-3, 20.0
+    assert bounded(*point) == pytest.approx([opened(*point).max()] * 2, abs=0.02 + 0.05 * abs(slope))
+
+
+@pytest.mark.parametrize("tool", TOOLS, ids=str)
+@pytest.mark.parametrize(
+    "along, aside, near, far",
+    [
+        (0.0, 0.0, 0.0, 0.5),  # around the move
+        (2.0, 1.0, 0.5, 1.5),  # beside it
+        (6.5, 0.0, 1.0, 4.25**0.5),  # beyond its end: 2 mm on, and 0.5 mm aside
+        (-6.5, 1.5, 2**0.5, 8**0.5),  # and beside it as well
+    ],
+)
+def test_a_level_move_reaches_the_nearest_point_of_a_square_and_opens_it_as_deep_as_the_farthest(
+    tool, along, aside, near, far
+):
+    """Squares of 1 mm along a move of 10 mm; how far their nearest and farthest points are from it."""
+    reaches, opens = bounded(tool, 0.0, along, aside, 0.5, 5.0)
+    assert reaches == pytest.approx(DEPTH - tool.height(near))
+    assert opens == (pytest.approx(DEPTH - tool.height(far)) if far < tool.radius else -np.inf)
+
+
+@pytest.mark.parametrize("slope", SLOPES)
+def test_a_square_beside_the_tool_is_not_reached_and_one_across_its_rim_not_opened(slope):
+    flat = TOOLS[0]
+    assert bounded(flat, slope, 0.0, 3.6, 0.5, 5.0) == (-np.inf, -np.inf)
+    assert bounded(flat, slope, 8.6, 0.0, 0.5, 5.0) == (-np.inf, -np.inf)
+    for along, aside in ((0.0, 3.4), (0.0, 2.6), (8.4, 0.0), (7.6, 0.0)):
+        reaches, opens = bounded(flat, slope, along, aside, 0.5, 5.0)
+        assert np.isfinite(reaches) and opens == -np.inf
