@@ -221,7 +221,7 @@ def _opened(
     outer: np.ndarray,
     outer2: np.ndarray,
 ) -> np.ndarray:
-    """Depths below the moves' middles that sloped ones open all of a square, `outer` aside at most; -inf if none."""
+    """Depths below the moves' middles that sloped ones open all of a square, `outer` aside at most, if they cover it."""
     flat, corner, k = tool.radius - tool.rounding, tool.rounding, tool.steepness
     slope, steepness = slopes.slope, slopes.steepness
     # Above each point the tool stands where it is about lowest, as far as the move goes.
@@ -250,7 +250,6 @@ def _opened(
     highest = np.maximum(at_low, at_high, out=at_low)
     highest += profile(tool, distance2)
     opened: np.ndarray = np.negative(highest, out=highest)
-    np.copyto(opened, -np.inf, where=distance2 > tool.radius**2)
     return opened
 
 
