@@ -7,8 +7,10 @@ import programs
 import pytest
 
 import vkworkbench
-from vkworkbench.core import linearize, recognize
+from vkworkbench.core import Strategy, linearize, recognize
+from vkworkbench.core.recognition import Recognition, Span
 from vkworkbench.document.intent import contradicted, contradicts
+from vkworkbench.language import Message
 
 FITS = [("helix", "Adaptive"), ("spiral", "Adaptive"), ("profile", "Offset"), ("contour-parallel", "Profile"), ("one-way", "ZigZag"),
         ("engraving", "Profile"), ("zigzag", "ZigZagOffset"), ("drilling", "Tapping"), ("zigzag", None), ("zigzag", "Slot")]  # fmt: skip
@@ -34,6 +36,35 @@ def test_another_family_contradicts(strategy, name):
 
 def test_one_line_or_one_loop_is_all_there_is_room_for():
     assert not contradicts("ZigZag", recognize(linearize(programs.profile(depths=(0.0,)))))
+
+
+def told(strategy, confidence=0.8, passes=3, spans=()):
+    spans = tuple(Span(k, k, k, k, one, 1 / len(spans)) for k, one in enumerate(spans))
+    return Recognition(strategy, confidence, Message("moves-nothing"), spans, passes=passes)
+
+
+ROWS, ROWS_ONE_WAY, AROUND, MIXED = Strategy.ZIGZAG, Strategy.ONE_WAY, Strategy.PROFILE, Strategy.MIXED
+
+
+@pytest.mark.parametrize(
+    "name, found, expected",
+    [
+        ("Offset", told(ROWS), True),
+        ("Offset", told(ROWS, confidence=0.79), False),
+        ("Offset", told(ROWS, passes=2), False),
+        ("Offset", told(ROWS, passes=None), True),
+        ("Offset", told(Strategy.UNKNOWN), False),
+        ("Offset", told(Strategy.EMPTY, 1.0), False),
+        ("Slot", told(ROWS), False),
+        (None, told(ROWS), False),
+        ("Offset", told(MIXED, spans=[ROWS, ROWS_ONE_WAY]), True),
+        ("Offset", told(MIXED, spans=[ROWS, AROUND]), False),
+        ("Grid", told(MIXED, spans=[ROWS, AROUND]), False),
+        ("Grid", told(MIXED, spans=[AROUND, Strategy.DRILLING]), True),
+    ],
+)
+def test_a_sure_verdict_on_enough_passes_of_no_family_that_fits_contradicts(name, found, expected):
+    assert contradicts(name, found) is expected
 
 
 def test_a_dress_up_is_judged_by_itself(small, zigzag_commands):

@@ -1,0 +1,104 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A mark in words, of records that were made for it: what is long, what is warned of, and what stands between brackets."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import pytest
+
+from vkworkbench.core import Stock, Strategy, Tool, linearize
+from vkworkbench.core.simulators import Caution, Task, legacy_costs
+from vkworkbench.document.mark_text import Burden, _shortened, burden, is_unsure, is_warned, text_of, time_of
+from vkworkbench.document.record import Record
+from vkworkbench.language import Message, render
+from vkworkbench.preferences import Preferences
+
+CHOSEN = Preferences(mark_simulator="legacy", time_budget=600.0)
+PATH = linearize([("G0", {"X": 0.0, "Y": 0.0, "Z": 5.0}), ("G1", {"X": 40.0, "F": 10.0})])
+(COST,) = legacy_costs(Task(PATH, Tool("endmill", 6.0), Stock((-5, -5, 0), (50, 50, 20))))
+NOTHING = Message("moves-nothing")
+
+
+def record(seconds=5.0, **rest):
+    """A mark that tells so many seconds, or none."""
+    costs = {} if seconds is None else {"legacy": replace(COST, fast_forward_seconds=seconds)}
+    return Record(**{"strategy": Strategy.ZIGZAG, "confidence": 0.9, "trajectories": 2, "costs": costs, **rest})
+
+
+def hangs(simulator):
+    what = Message("legacy-hangs", simulator=simulator, reason="r", command=3, instead="i", others=None)
+    return Caution("legacy-hangs", what, 3)
+
+
+@pytest.mark.parametrize(
+    "seconds, expected",
+    [(None, Burden.FINE), (299.0, Burden.FINE), (301.0, Burden.NEAR), (600.0, Burden.NEAR), (601.0, Burden.OVER)],
+)
+def test_half_of_the_budget_is_near_it_and_all_of_it_is_within(seconds, expected):
+    assert burden(record(seconds), CHOSEN) is expected
+    assert is_warned(record(seconds), CHOSEN) is (expected is Burden.OVER)
+
+
+@pytest.mark.parametrize(
+    "rest, warned",
+    [
+        ({}, False),
+        ({"remarks": (NOTHING,)}, True),
+        ({"cautions": (hangs("legacy"),)}, True),
+        ({"cautions": (hangs("OpenGL"),)}, False),  # the other simulator is not the chosen one
+        ({"cautions": (hangs("OpenGL"), hangs("legacy"))}, True),
+        ({"cautions": (Caution("short-moves", hangs("legacy").what, None),)}, False),  # not serious
+    ],
+    ids=["nothing", "remark", "hangs", "the other hangs", "both hang", "not serious"],
+)
+def test_what_the_user_must_know_before_it_is_started_is_warned_of(rest, warned):
+    assert is_warned(record(**rest), CHOSEN) is warned
+    assert ("⚠" in text_of(record(**rest), CHOSEN)) is warned
+
+
+def test_the_time_of_what_is_not_all_known_is_a_least_one():
+    assert time_of(record(5.0), CHOSEN) != "" and "≥" not in time_of(record(5.0), CHOSEN)
+    assert time_of(record(5.0, incomplete=True), CHOSEN) == f"≥ {time_of(record(5.0), CHOSEN)}"
+    assert time_of(record(None), CHOSEN) == "" == time_of(record(None, incomplete=True), CHOSEN)
+
+
+TIME = f"▶ {time_of(record(), CHOSEN)}"
+REMARK = render(NOTHING)
+
+
+@pytest.mark.parametrize(
+    "rest, text",
+    [
+        ({}, f"zigzag · {TIME}"),
+        ({"confidence": 0.8}, f"zigzag · {TIME}"),
+        ({"confidence": 0.79}, f"zigzag 79% · {TIME}"),
+        ({"strategy": Strategy.UNKNOWN, "confidence": 0.0}, f"unknown · {TIME}"),
+        ({"strategy": None, "operations": 1}, f"1 operation · {TIME}"),
+        ({"strategy": None, "operations": 2}, f"2 operations · {TIME}"),
+        ({"seconds": None}, "zigzag"),
+        ({"remarks": (NOTHING,)}, f"zigzag · {TIME} ⚠ · {REMARK}"),
+        ({"remarks": (NOTHING, NOTHING)}, f"zigzag · {TIME} ⚠ · {REMARK}; {REMARK}"),
+        ({"remarks": (NOTHING,), "seconds": None}, f"zigzag · ⚠ {REMARK}"),
+        ({"outdated": True}, f"zigzag · {TIME} · outdated"),
+        ({"outdated": True, "seconds": None}, "zigzag · outdated"),
+    ],
+    ids=str,
+)
+def test_the_text_between_the_brackets(rest, text):
+    assert text_of(record(**rest), CHOSEN) == text
+
+
+@pytest.mark.parametrize(
+    "strategy, confidence, unsure",
+    [(Strategy.ZIGZAG, 0.79, True), (Strategy.ZIGZAG, 0.8, False), (Strategy.UNKNOWN, 0.1, False), (None, 0.1, False)],
+)
+def test_only_an_answer_can_be_unsure(strategy, confidence, unsure):
+    assert is_unsure(record(strategy=strategy, confidence=confidence)) is unsure
+
+
+def test_a_long_remark_is_cut_and_has_no_brackets_of_marks():
+    assert _shortened("x" * 120) == "x" * 120
+    assert _shortened("x" * 121) == "x" * 119 + "…"
+    assert _shortened("x" * 110 + " " * 20 + "y") == "x" * 110 + "…"
+    assert _shortened("⟦a⟧") == "[a]"
