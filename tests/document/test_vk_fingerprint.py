@@ -1,0 +1,100 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Fingerprints: the same for what an analysis takes for the same, another one for everything else."""
+
+from __future__ import annotations
+
+import FreeCAD
+import pytest
+
+from vkworkbench.core import Stock, Tool
+from vkworkbench.document.fingerprint import fingerprint_of, path_and_setting, setting_fingerprint, text_fingerprint
+
+NOWHERE = FreeCAD.Placement()
+TEXT = "G0 X0.000000 Y1.000000\nG1 X5.000000\n"
+
+
+def placed(x=0.0, angle=0.0):
+    return FreeCAD.Placement(FreeCAD.Vector(x, 2, 3), FreeCAD.Rotation(FreeCAD.Vector(0, 0, 1), angle))
+
+
+@pytest.mark.parametrize(
+    "text", [TEXT.replace("X0.0", "X-0.0"), "(a title)\n" + TEXT, TEXT.replace("\nG1", "\n(a title)\nG1")]
+)
+def test_comments_and_the_sign_of_nothing_do_not_count(text):
+    assert text != TEXT and text_fingerprint(text, NOWHERE) == text_fingerprint(TEXT, NOWHERE)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        TEXT.replace("Y1.0", "Y1.1"),
+        TEXT.replace("X5.000000", "X5.000001"),
+        TEXT.replace("Y1", "Y-1"),
+        "G0 (X)\n" + TEXT,
+        "",
+    ],
+)
+def test_every_other_letter_counts(text):
+    assert text_fingerprint(text, NOWHERE) != text_fingerprint(TEXT, NOWHERE)
+
+
+def test_the_place_counts_to_a_millionth():
+    here = text_fingerprint(TEXT, placed())
+    assert here != text_fingerprint(TEXT, NOWHERE)
+    assert here == text_fingerprint(TEXT, placed(1e-7)) and here != text_fingerprint(TEXT, placed(1e-5))
+    assert here != text_fingerprint(TEXT, placed(angle=0.01))
+
+
+def test_a_fingerprint_has_sixteen_letters_and_is_made_of_those_of_path_and_setting():
+    path, setting = text_fingerprint(TEXT, NOWHERE), setting_fingerprint(None, None)
+    assert len(path) == len(setting) == 16
+    assert path_and_setting(fingerprint_of(path, setting)) == (path, setting)
+    assert path_and_setting(fingerprint_of("", setting)) == ("", setting)
+    assert path_and_setting("") == ("", "")
+
+
+TOOL, BOX = {"shape": "bullnose", "diameter": 6.0, "corner_radius": 1.0}, ((0.0, 0.0, 0.0), (50.0, 40.0, 20.0))
+
+
+def of(form=(), lower=BOX[0], upper=BOX[1], **changed):
+    return setting_fingerprint(Tool(**{**TOOL, **changed}), Stock(lower, upper), form)
+
+
+@pytest.mark.parametrize(
+    "changed",
+    [{"diameter": 6.0002}, {"corner_radius": 1.0002}, {"lower": (0.01, 0.0, 0.0)}, {"upper": (50.0, 40.01, 20.0)},
+     {"upper": (50.0, 40.0, 20.01)}, {"form": ("cylinder",)}],
+    ids=str,
+)  # fmt: skip
+def test_another_tool_or_stock_is_another_setting(changed):
+    assert of(**changed) != of()
+
+
+@pytest.mark.parametrize(
+    "changed",
+    [{"diameter": 6.00001}, {"corner_radius": 1.00001}, {"lower": (1e-5, -1e-5, 0.0)}, {"upper": (50.00001, 40.0, 20.0)}],
+    ids=str,
+)  # fmt: skip
+def test_what_files_and_versions_round_is_the_same_setting(changed):
+    assert of(**changed) == of()
+
+
+def test_a_corner_on_the_border_between_two_hundredths_is_the_same_with_another_last_digit():
+    """A multiple of 5 mm / 1000, as halves of sizes are, is no such border."""
+    for corner in (0.005, 0.125, 12.345, 3.175):
+        assert of(upper=(60.0 + corner - 1e-9, 40.0, 20.0)) == of(upper=(60.0 + corner + 1e-9, 40.0, 20.0))
+
+
+def test_what_cannot_be_read_is_a_setting_of_its_own():
+    tool, stock = Tool(**TOOL), Stock(*BOX)
+    settings = [(tool, stock), (tool, None), (None, stock), (None, None)]
+    assert len({setting_fingerprint(*one) for one in settings}) == 4
+    assert setting_fingerprint(tool, None, ("a form",)) == setting_fingerprint(tool, None)
+
+
+def test_the_point_of_a_tool_counts():
+    pointed = Tool("vbit", 6.0, tip_angle=1.0)
+    settings = [pointed, Tool("vbit", 6.0, tip_angle=1.0002), Tool("vbit", 6.0, tip_angle=1.0, tip_diameter=1.0),
+                Tool("vbit", 6.0, tip_angle=1.0, tip_diameter=1.001), Tool("drill", 6.0, tip_angle=1.0)]  # fmt: skip
+    assert len({setting_fingerprint(tool, None) for tool in settings}) == 5
+    assert setting_fingerprint(Tool("vbit", 6.0, tip_angle=1.00001), None) == setting_fingerprint(pointed, None)
