@@ -98,5 +98,16 @@ def test_one_far_from_the_usual_step_counts_as_none():
     assert found.count == 5 and found.share == pytest.approx(5 / 6) and found.step == 2.0
 
 
+def test_a_short_stroke_is_no_neighbour_of_a_long_one_that_is_far_for_it():
+    """Every other one is 9 mm long, and 6 mm from those of 90 mm on both sides."""
+    strokes = [line(6.0 * k, x=40.0 * (k % 2), length=9.0 if k % 2 else 90.0) for k in range(4)]
+    assert neighbours(strokes, 0.0) is None
+
+
+def test_three_strokes_are_enough():
+    """Two of them have one before them."""
+    assert neighbours([line(2.0 * k) for k in range(3)]).count == 3
+
+
 def test_too_few():
     assert neighbours([line(0.0)]) is None and neighbours([line(0.0), line(2.0)]) is None

@@ -12,7 +12,7 @@ import pytest
 from vkworkbench.core import Strategy
 from vkworkbench.core.gcode import linearize
 from vkworkbench.core.paper import TURN, monotonous_areas
-from vkworkbench.core.recognition.entries import find_entry, without_entries
+from vkworkbench.core.recognition.entries import _run, find_entry, without_entries
 from vkworkbench.core.recognition.recognize import recognize
 
 ABOVE = [("G0", {"X": 0.0, "Y": 0.0, "Z": 2.0})]
@@ -124,6 +124,7 @@ def way_down(*points, x=0.0):
 
 SINGLE = [(0, 0, 0), (20, 0, -3)]
 RAMP = [(0, 0, 0), (20, 0, -1), (40, 0, -4)]
+CORNER = [(0, 0, 0), (20, 0, -1), (20, 20, -3)]  # a quarter turn is no winding
 TO_AND_FRO = [(0, 0, 0), (20, 0, -1), (0, 0, -2), (20, 0, -3)]
 HELIX = [(4 * np.cos(a), 4 * np.sin(a) - 4, -5 * a / TURN) for a in np.linspace(0, TURN, 25)]
 DOWN_ALL_ALONG = [(200 + x, y, 2 * z) for x, y, z in HELIX]
@@ -134,6 +135,7 @@ DOWN_ALL_ALONG = [(200 + x, y, 2 * z) for x, y, z in HELIX]
     [
         ([way_down((0, 0, -1))], "plunge"),
         ([way_down(*SINGLE)], "ramp"),
+        ([way_down(*CORNER)], "ramp"),
         ([way_down(*TO_AND_FRO)], "zigzag ramp"),
         ([way_down(*HELIX)], "helix"),
         ([way_down(*RAMP), way_down(*TO_AND_FRO, x=100)], "ramp"),  # 4 mm and 3 mm
@@ -152,7 +154,10 @@ def test_the_entry_is_that_of_most_of_the_depth(strokes, entry):
     assert find_entry(areas(*strokes)) == entry
 
 
-@pytest.mark.parametrize("points", [SINGLE, RAMP, TO_AND_FRO, HELIX], ids=["one move", "ramp", "to and fro", "helix"])
+WAYS_IN = [SINGLE, RAMP, CORNER, TO_AND_FRO, HELIX]
+
+
+@pytest.mark.parametrize("points", WAYS_IN, ids=["one move", "ramp", "around a corner", "to and fro", "helix"])
 def test_a_way_in_is_no_part_of_the_pattern_and_counts_where_it_winds(points):
     """A helix of one turn on a radius of 4 mm; the rectangle, begun anew where the way in ends, is what is left."""
     moves = areas(way_down(*points))
@@ -177,3 +182,20 @@ def test_of_several_areas_only_the_ways_in_and_out_are_gone():
     pattern, wound = without_entries(moves)
     assert np.diff(pattern.start, append=len(pattern)).tolist() == [5, 5, 5]
     assert wound == pytest.approx(8 * np.pi / moves.length.sum(), rel=0.01)
+
+
+@pytest.mark.parametrize(
+    "other, before, after",
+    [
+        ("--x x- ----", [2, 0, 4], [0, 1, 4]),
+        ("x-x -- --x-", [0, 2, 2], [0, 2, 1]),
+        ("--- -- ----", [3, 2, 4], [3, 2, 4]),
+        ("xxx xx xxxx", [0, 0, 0], [0, 0, 0]),
+        ("-x- -x x---", [1, 1, 0], [1, 0, 3]),
+    ],
+)
+def test_how_many_moves_come_before_the_first_and_after_the_last_of_some_kind(other, before, after):
+    moves = areas(*([(10.0 * k, 0, 0) for k in range(count + 1)] for count in (3, 2, 4)))
+    chosen = np.array([one == "x" for one in other.replace(" ", "")])
+    assert _run(moves, chosen).tolist() == before
+    assert _run(moves, chosen, backward=True).tolist() == after
