@@ -128,13 +128,20 @@ def test_a_tile_ends_with_its_last_pixel(along_x):
     assert [items for *_, items in told(tiles)] == [[], [0], []]
 
 
-def test_pairs_are_counted_at_every_level():
-    """A slot that covers a tile of 64 pixels: four quarters each of 1, 4, 16, 64 and 256 tiles, and 64 by 64 pixels."""
-    points = np.array([(-30.0, 15.0, 6.0), (70.0, 15.0, 6.0)])
-    trajectories = Trajectories(Cuts([Cut(toolpath(points), Tool("endmill", 30))]), BOX, of_slots(6.0).frame)
+@pytest.mark.parametrize("slots", [1, 20])
+def test_pairs_are_counted_at_every_level_and_once(slots):
+    """Slots, each deeper than the one before, that cover a tile of 64 pixels; of 20 the pairs are not worked on at once.
+
+    Four quarters each of 1, 4, 16, 64 and 256 tiles, and 64 by 64 pixels.
+    """
+    heights = 9.5 - 0.4 * np.arange(slots)
+    points = [(x, 15.0, z) for k, z in enumerate(heights) for x in ((-30.0, 70.0) if k % 2 == 0 else (70.0, -30.0))]
+    cuts = Cuts([Cut(toolpath(np.array(points)), Tool("endmill", 30))])
+    trajectories = Trajectories(cuts, BOX, of_slots(6.0).frame)
     found = list(culled(trajectories, Upright(trajectories), Region(128, 192, 128, 192)))
-    assert sum(tested for _, tested in found) == 4 * (1 + 4 + 16 + 64 + 256) + 64 * 64
-    assert sum(len(tiles.item) * tiles.side**2 for tiles, _ in found) == 64 * 64
+    assert len(found) == (1 if slots == 1 else 2)
+    assert sum(tested for _, tested in found) == slots * (4 * (1 + 4 + 16 + 64 + 256) + 64 * 64)
+    assert sum(len(tiles.item) * tiles.side**2 for tiles, _ in found) == slots * 64 * 64
 
 
 def test_quarters_are_those_in_the_image_that_something_may_cut():
