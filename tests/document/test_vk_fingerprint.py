@@ -72,7 +72,8 @@ def test_another_tool_or_stock_is_another_setting(changed):
 
 @pytest.mark.parametrize(
     "changed",
-    [{"diameter": 6.00001}, {"corner_radius": 1.00001}, {"lower": (1e-5, -1e-5, 0.0)}, {"upper": (50.00001, 40.0, 20.0)}],
+    [{"diameter": 6.00001}, {"corner_radius": 1.00001}, {"lower": (1e-5, -1e-5, 0.0)}, {"upper": (50.00001, 40.0, 20.0)},
+     {"upper": (50.002, 40.0, 20.0)}, {"lower": (0.0, -0.001, 0.0)}],
     ids=str,
 )  # fmt: skip
 def test_what_files_and_versions_round_is_the_same_setting(changed):
