@@ -248,12 +248,12 @@ def deeper(
         Where each tile's pairs begin.
     reach, opens : (p,) ndarray
         How deep the trajectory reaches at most, and the depth to which it opens all of the tile's rays from their near
-        end; -inf where it does not. Both are overwritten.
+        end; -inf or not a number where it does not. Both are overwritten.
     near, far : float
         Where the tiles' rays begin and end, at least and at most.
     """
     stretch = far - near + 1
-    np.minimum(np.maximum(opens, near, out=opens), far, out=opens)
+    np.minimum(np.fmax(opens, near, out=opens), far, out=opens)
     np.minimum(reach, far, out=reach)
     offset = tile * stretch
     opens += offset

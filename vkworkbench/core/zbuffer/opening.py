@@ -58,7 +58,7 @@ def opened(
     owner : (m,) ndarray of int
         The trajectories.
     leave : (m,) ndarray
-        Depth to which each one opens the ray, mm.
+        Depth to which each one opens the ray, mm; may be overwritten.
 
     Returns
     -------
@@ -71,20 +71,20 @@ def opened(
     owner : (r,) ndarray of int
     """
     count = np.diff(start, append=len(leave))
-    leave = np.minimum(leave, np.repeat(far, count))
-    begin = np.empty_like(leave)
-    begin[1:] = leave[:-1]
-    begin[start] = near
-    deepest = leave[start + count - 1]
-    # What is too thin goes to the piece before it.
-    thick = leave - begin > THINNEST
+    last = start + count - 1
+    deepest = leave[last]
+    if (deepest > far).any():
+        leave = np.minimum(leave, np.repeat(far, count))
+        deepest = leave[last]
+    thick = np.empty(len(leave), bool)
+    np.greater(leave[1:] - leave[:-1], THINNEST, out=thick[1:])
+    thick[start] = leave[start] - near > THINNEST
     if not thick.all():
+        # What is too thin goes to the piece before it, which ends where the next one begins.
         kept = np.flatnonzero(thick)
         count = np.add.reduceat(thick, start, dtype=np.int64)
-        start = np.cumsum(count) - count
-        owner, begin = owner[kept], begin[kept]
+        last = np.cumsum(count) - 1
+        owner, leave = owner[kept], leave[np.append(kept[1:], 0) - 1]
     rest = far - deepest > THINNEST
-    end = np.empty_like(begin)
-    end[:-1] = begin[1:]
-    end[start + count - 1] = np.where(rest, deepest, far)
-    return count, rest, end, owner
+    leave[last] = np.where(rest, deepest, far)
+    return count, rest, leave, owner

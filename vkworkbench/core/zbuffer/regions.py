@@ -10,7 +10,7 @@ import numpy as np
 
 from vkworkbench.core.zbuffer.chains import among, cut_rays
 from vkworkbench.core.zbuffer.culling import Bounds, Region, Tiles
-from vkworkbench.core.zbuffer.dexels import THINNEST, UNCUT, beginnings
+from vkworkbench.core.zbuffer.dexels import THINNEST, UNCUT
 from vkworkbench.core.zbuffer.opening import opened
 from vkworkbench.core.zbuffer.records import INDEX, Records
 from vkworkbench.core.zbuffer.trajectories import Trajectories
@@ -97,14 +97,13 @@ class _Rays:
         if len(hit) == 0:
             return
         # Pixels of the tiles, row by row, are the rays' order.
-        first = np.arange(shape[0]) * len(tile)
-        counts = np.diff(np.searchsorted(hit, np.append(first, shape[0] * len(tile))))
-        pair = hit - np.repeat(first, counts)
-        owner = self.trajectories.index.take(tiles.item.take(pair))
-        pixel = np.repeat(np.arange(shape[0]) * shape[1], counts)
-        pixel += tile.take(pair)
-        start = beginnings(pixel)
-        met = pixel[start]
+        rows = np.arange(shape[0]) * len(tile)
+        begin = np.searchsorted(hit, (rows[:, None] + tiles.first[:-1]).ravel())
+        met = np.flatnonzero(np.diff(begin, append=len(hit)))
+        start = begin[met]
+        for first, own in zip(rows.tolist(), np.split(hit, begin[:: shape[1]][1:])):
+            own -= first  # from a position in the matrix to that of the pair
+        owner = self.trajectories.index.take(tiles.item).take(hit)
         ray, near, far = ray.ravel()[met], near.ravel()[met], far.ravel()[met]
         if enter is None and len(self.gaps.ray) == 0:
             count, rest, end, owner = opened(near, far, start, owner, leave)

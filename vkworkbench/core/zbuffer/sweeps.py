@@ -42,17 +42,19 @@ def lowest(
     height : ndarray
         z, mm; not a number where the tool does not pass.
     inner : ndarray
-        How far the point is from where the tool first touches or last leaves it, mm; about 0 at the rim of the sweep,
-        negative or not a number outside.
+        How far inside the rim of the sweep the point is, mm, along the move or, of a ball, along its shortest chord;
+        about 0 at the rim, negative or not a number outside.
     """
     ux, uy, run, slope = heading
     px, py = x - start[0], y - start[1]
     along, aside2 = px * ux + py * uy, py * ux - px * uy
     aside2 *= aside2
     half = tool.radius**2 - aside2
-    ahead = run - along
     with np.errstate(invalid="ignore"):
         np.sqrt(half, out=half)  # not a number beside the tool
+        if tool.rounding == tool.radius:
+            return _lowest_of_ball(tool.radius, start[2], run, slope, along, half)
+        ahead = run - along
         # The tool's axis moves from -along to ahead, seen from the foot of the point; half is how far the tool reaches.
         at = along + _lowest_position(tool, slope, aside2, half, along, ahead)
         np.minimum(np.maximum(at, 0, out=at), run, out=at)
@@ -60,14 +62,38 @@ def lowest(
         np.minimum(ahead, 0, out=ahead)
         inner = np.add(ahead, half, out=half)
         missed = ~(inner >= 0)
-        along -= at
-        along *= along
-        along += aside2
-        at *= slope
-        at += _profile(tool, along)
+        if tool.rounding or tool.steepness:
+            along -= at
+            along *= along
+            along += aside2
+            at *= slope
+            at += _profile(tool, along)
+        else:
+            at *= slope
     at += start[2]
     np.copyto(at, np.nan, where=missed)
     return at, inner
+
+
+def _lowest_of_ball(
+    radius: float, start: np.ndarray, run: np.ndarray, slope: np.ndarray, along: np.ndarray, half: np.ndarray
+) -> tuple[np.ndarray, np.ndarray]:
+    """`lowest` of a ball whose tip starts at the height `start`; `along` and `half` are overwritten.
+
+    What is left of its radius beside the path and before or behind it is not a number outside: no mask is needed.
+    """
+    at = half * (-slope / np.sqrt(1 + slope**2))
+    at += along
+    np.minimum(np.maximum(at, 0, out=at), run, out=at)
+    along -= at
+    left = half - along
+    along += half
+    left *= along
+    np.sqrt(left, out=left)
+    at *= slope
+    at -= left
+    at += start + radius
+    return at, left
 
 
 def headings(move: np.ndarray) -> np.ndarray:
@@ -79,21 +105,12 @@ def headings(move: np.ndarray) -> np.ndarray:
     return np.array([ux, uy, run, np.where(moving, move[2] / safe_run, 0.0)])
 
 
-def _profile(tool: Tool, r2: np.ndarray) -> np.ndarray | float:
-    """Tool.height at squared distances from the axis, without its end at the rim, where rounding would be infinite.
-
-    A ball's stands in their place.
-    """
+def _profile(tool: Tool, r2: np.ndarray) -> np.ndarray:
+    """Tool.height at squared distances from the axis, without its end at the rim, where rounding would be infinite."""
     corner = tool.rounding
-    if corner == 0 and tool.steepness == 0:
-        return 0.0
     rise: np.ndarray
     if corner == 0:
         rise = tool.steepness * np.maximum(np.sqrt(r2) - tool.tip, 0)
-    elif corner == tool.radius:
-        rise = np.subtract(corner**2, r2, out=r2)
-        np.sqrt(np.maximum(rise, 0, out=rise), out=rise)
-        np.subtract(corner, rise, out=rise)
     else:
         beyond_flat = np.clip(np.sqrt(r2) - (tool.radius - corner), 0, corner)
         rise = corner - np.sqrt(corner**2 - beyond_flat**2)
@@ -107,9 +124,6 @@ def _lowest_position(
     if not slope.any():
         return np.zeros_like(slope)
     position: np.ndarray
-    if tool.rounding == tool.radius:
-        position = half * (-slope / np.sqrt(1 + slope**2))
-        return position
     if tool.rounding == 0 and tool.steepness == 0:
         position = half * -np.sign(slope)
         return position

@@ -102,11 +102,14 @@ class Slopes:
     ----------
     slope, steepness, secant : (p,) ndarray
         The rise with its sign and without; mm of the move per mm in the plane.
+    lean : (p,) ndarray
+        How far from its axis a ball is lowest above its path, and on which side, in radii.
     """
 
     def __init__(self, slope: np.ndarray) -> None:
         self.slope, self.steepness = slope, np.abs(slope)
         self.secant = np.sqrt(1 + slope * slope)
+        self.lean = -slope / self.secant
 
 
 def _of_kinds(
@@ -148,10 +151,12 @@ def bounds(
     Returns
     -------
     reaches, opens : (p,) ndarray
-        mm; -inf where a move does not meet a square, or does not cover it.
+        mm; -inf or not a number where a move does not meet a square, or does not cover it.
     """
-    radius2 = tool.radius**2
     aside = np.abs(aside)
+    if tool.rounding == tool.radius:
+        return _bounds_of_ball(tool.radius, slopes, along, aside, extent, half_run, depth)
+    radius2 = tool.radius**2
     beyond = np.abs(along) - half_run
     inner = np.maximum(aside - extent, 0.0)
     outer = aside + extent
@@ -172,6 +177,61 @@ def bounds(
         opens += depth
     np.copyto(reaches, -np.inf, where=nearest2 > radius2 + _RIM)
     np.copyto(opens, -np.inf, where=farthest2 > radius2 - _RIM)
+    return reaches, opens
+
+
+def _bounds_of_ball(
+    radius: float,
+    slopes: Slopes | None,
+    along: np.ndarray,
+    aside: np.ndarray,
+    extent: np.ndarray,
+    half_run: np.ndarray,
+    depth: np.ndarray,
+) -> tuple[np.ndarray, np.ndarray]:
+    """`bounds` of a ball: at places of its axis as in `sweeps.lowest`, in a square and at the corners of its outer side.
+
+    What a ball sweeps is convex, so it is lowest in the square at most where it would be on a move longer by the square,
+    at its inner side, and highest at a corner. Where it misses, roots are not numbers.
+    """
+    inner, outer = np.maximum(aside - extent, 0.0), aside + extent
+    inner2 = np.subtract(radius**2 + _RIM, np.multiply(inner, inner, out=inner), out=inner)
+    outer2 = np.subtract(radius**2 - _RIM, np.multiply(outer, outer, out=outer), out=outer)
+    depth = depth - radius
+
+    def depths(chord2: np.ndarray, begin: np.ndarray, end: np.ndarray) -> np.ndarray:
+        """Of the tool with this half chord, squared, its axis from begin to end; both are overwritten."""
+        if slopes is None:
+            at = np.maximum(begin, 0, out=begin)
+        else:
+            at = np.sqrt(chord2)
+            at *= slopes.lean
+            np.maximum(at, begin, out=at)
+        np.minimum(at, end, out=at)
+        left: np.ndarray = np.multiply(at, at, out=end)
+        np.sqrt(np.subtract(chord2, left, out=left), out=left)
+        if slopes is not None:
+            at *= slopes.slope
+            left -= at
+        return left
+
+    with np.errstate(invalid="ignore"):
+        reach = half_run + extent
+        low, high = along - extent, along + extent
+        reaches = depths(inner2, -along - reach, reach - along)
+        opens_low, opens_high = (
+            depths(outer2, -half_run - low, half_run - low),
+            depths(outer2, -half_run - high, half_run - high),
+        )
+        if slopes is not None:
+            rise = slopes.slope * along
+            reaches -= rise
+            reaches += slopes.steepness * extent
+            opens_low -= slopes.slope * low
+            opens_high -= slopes.slope * high
+        opens = np.minimum(opens_low, opens_high, out=opens_low)
+        reaches += depth
+        opens += depth
     return reaches, opens
 
 
@@ -199,11 +259,8 @@ def _deepest(
     lowest += profile(tool, nearest2)
     # The lowest place of the tool when its move has no ends: a bound too, better for long moves.
     if k == 0:
-        # Of a ball the rounded part is all of it.
-        rest = half if flat == 0 else _root(corner**2 - np.maximum(inner - flat, 0) ** 2)
-        endless = corner - rest * slopes.secant
-        if flat:
-            endless -= slopes.steepness * flat
+        endless = corner - _root(corner**2 - np.maximum(inner - flat, 0) ** 2) * slopes.secant
+        endless -= slopes.steepness * flat
     else:
         endless = np.where(slopes.steepness < k, inner * _root(k**2 - slope**2) - k * tool.tip, -np.inf)
     deepest: np.ndarray = slopes.steepness * extent
@@ -226,11 +283,10 @@ def _opened(
     slope, steepness = slopes.slope, slopes.steepness
     # Above each point the tool stands where it is about lowest, as far as the move goes.
     if k == 0:
-        ahead = _root(corner**2 - (outer2 if flat == 0 else np.maximum(outer - flat, 0.0) ** 2))
+        ahead = _root(corner**2 - np.maximum(outer - flat, 0.0) ** 2)
         ahead *= steepness
         ahead /= slopes.secant
-        if flat:
-            ahead += _root(flat**2 - outer2)
+        ahead += _root(flat**2 - outer2)
     else:
         gentle = np.sqrt(np.maximum(k**2 - slope**2, 1e-12))
         ahead = np.maximum(steepness * outer / gentle, _root(tool.tip**2 - outer2))
@@ -260,14 +316,11 @@ def _root(square: np.ndarray) -> np.ndarray:
 
 
 def profile(tool: Tool, distance2: np.ndarray) -> np.ndarray | float:
-    """`Tool.height` at squared distances from the axis, its value at the rim beyond the rim."""
+    """`Tool.height` of a tool that is no ball at squared distances from the axis, its value at the rim beyond the rim."""
     corner = tool.rounding
     if corner == 0 and tool.steepness == 0:
         return 0.0
     rise: np.ndarray
-    if corner == tool.radius:
-        rise = corner - np.sqrt(np.maximum(corner**2 - distance2, 0))
-        return rise
     distance = np.sqrt(np.minimum(distance2, tool.radius**2))
     if corner == 0:
         rise = tool.steepness * np.maximum(distance - tool.tip, 0)
