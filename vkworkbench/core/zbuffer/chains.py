@@ -57,23 +57,47 @@ def cut_rays(
     """
     if gaps is not None and len(gaps.ray):
         ray, trajectory, enter, leave = _behind(gaps, ray, trajectory, enter, leave)
-    first, last = near.take(ray), far.take(ray)
-    enter, leave = np.maximum(enter, first), np.minimum(leave, last)
+    enter, leave = enter[None], leave[None]
+    kept = removing(ray, enter, leave, near[None], far[None])
+    return cut_new(near, far, ray[kept], trajectory[kept], enter[0, kept], leave[0, kept])
+
+
+def removing(group: np.ndarray, enter: np.ndarray, leave: np.ndarray, near: np.ndarray, far: np.ndarray) -> np.ndarray:
+    """Positions, row by row, of intervals that reach deeper than those before them opened their rays from the near end.
+
+    Most trajectories that pass a ray do not.
+
+    Parameters
+    ----------
+    group : (p,) ndarray of int
+        Ascending; in each group are the intervals of one ray of every row, in their order.
+    enter, leave : (q, p) ndarray
+        The intervals, mm; they are cut to their rays. Not a number, or ``enter > leave``, where there is none.
+    near, far : (q, g) ndarray
+        Ends of the groups' rays, mm; ``near > far`` where nothing is to be cut.
+    """
+    nearest, farthest = near.min(initial=0, where=near < far), far.max(initial=0, where=near < far)
+    first = np.where(near < far, near, farthest).take(group, axis=1)
+    np.maximum(enter, first, out=enter)
+    np.minimum(leave, far.take(group, axis=1), out=leave)
     met = leave - enter > THINNEST
-    stretch = far.max(initial=0) - near.min(initial=0) + 1
-    # Most trajectories that pass a ray cut nothing new: they reach no deeper than it is open from its near end.
-    offset = ray * stretch
-    opened = np.where(met & (enter <= first), leave, first) + offset
-    start = beginnings(ray)
-    before = before_in_group(np.maximum.accumulate(opened), start, -np.inf)
-    kept = np.flatnonzero(met & (leave + offset > before + _NOISE))
-    from_the_eye = not (enter > first).any()
-    ray, trajectory, enter, leave = ray[kept], trajectory[kept], enter[kept], leave[kept]
-    if from_the_eye:
+    opened = np.where(met & (enter <= first), leave, first)
+    # So far apart that a running extreme starts anew in each group.
+    offset = group * (farthest - nearest + 1)
+    opened += offset
+    before = np.maximum.accumulate(opened, axis=1, out=opened)
+    before += _NOISE
+    met[:, 1:] &= leave[:, 1:] + offset[1:] > before[:, :-1]
+    return np.flatnonzero(met)
+
+
+def cut_new(
+    near: np.ndarray, far: np.ndarray, ray: np.ndarray, trajectory: np.ndarray, enter: np.ndarray, leave: np.ndarray
+) -> Pieces:
+    """`cut_rays` by intervals that are longer than THINNEST and within their rays, best only those that are `removing`."""
+    if not (enter > near.take(ray)).any():
         return _deepened(near, far, ray, trajectory, leave)
-    if len(ray) == 0:
-        return Pieces(np.arange(len(near)), np.full(len(near), UNCUT, np.int32), near, far)
-    offset = ray * stretch
+    offset = ray * (far.max() - near.min() + 1)
     start = beginnings(ray)
     # The gap before each interval; the interval itself where it is a ray's first.
     rising, falling = leave + offset, enter - offset
@@ -88,6 +112,8 @@ def cut_rays(
     scattered[ray[apart]] = True
     loose = scattered[ray]
     tight = np.flatnonzero(~loose)
+    # What is within the interval before it cuts nothing: sorting takes long.
+    loose[1:] &= (enter[1:] < enter[:-1]) | (leave[1:] > leave[:-1]) | first[1:]
     loose = np.flatnonzero(loose)
     rest, these = np.flatnonzero(~scattered), np.flatnonzero(scattered)
     new = np.cumsum(~scattered) - 1

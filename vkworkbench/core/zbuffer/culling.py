@@ -83,7 +83,7 @@ class Removals(NamedTuple):
     hit : (k,) int64
         Positions in the matrix (pixels of a tile, pairs), row by row.
     enter, leave : (k,) ndarray
-        Depths between which it is removed, mm. Without `enter` all of it begins at the near end of its ray, and each
+        Depths between which it is removed, within the ray, mm. Without `enter` all of it begins at the near end of its ray, and each
         reaches deeper than those before it.
     """
 

@@ -20,7 +20,7 @@ BUDGET = 2e9
 # Measured by benchmarks/zbuffer.py, other views as test_vk_zbuffer_memory.py does. Bytes of the work on one band of the
 # image at a time: from above; obliquely, where rays pass all tools in closed form; and otherwise. Then of every
 # trajectory as the simulation holds it, and of every record of a band while the band is put together.
-_BAND_ABOVE, _BAND_CLOSED, _BAND = 14e6, 24e6, 54e6
+_BAND_ABOVE, _BAND_CLOSED, _BAND = 14e6, 20e6, 40e6
 # Views less steep than this cosine pass so many trajectories with each ray that the form does not matter.
 _STEEP = 0.5
 _TRAJECTORY = 400.0

@@ -8,9 +8,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from vkworkbench.core.zbuffer.chains import among, cut_rays
+from vkworkbench.core.zbuffer.chains import among, cut_new, cut_rays
 from vkworkbench.core.zbuffer.culling import Bounds, Region, Tiles
-from vkworkbench.core.zbuffer.dexels import THINNEST, UNCUT
+from vkworkbench.core.zbuffer.dexels import THINNEST, UNCUT, Pieces
 from vkworkbench.core.zbuffer.opening import opened
 from vkworkbench.core.zbuffer.records import INDEX, Records
 from vkworkbench.core.zbuffer.trajectories import Trajectories
@@ -112,14 +112,17 @@ class _Rays:
         if enter is None:
             enter = np.full(len(hit), -np.inf)
         number = np.repeat(np.arange(len(start)), np.diff(start, append=len(hit)))
-        self._cut(ray, number, owner, enter, leave)
+        if len(self.gaps.ray):
+            self._put(ray, cut_rays(near, far, number, owner, enter, leave, among(self.gaps, ray)))
+        else:
+            self._put(ray, cut_new(near, far, number, owner, enter, leave))
 
     def records(self) -> Records:
         """Put the pieces together."""
         ray = np.flatnonzero(self.pending & self.inside)
         if len(ray):
-            nobody, nowhere = np.empty(0, np.int64), np.empty(0)
-            self._cut(ray, nobody, nobody, nowhere, nowhere)
+            nobody, nowhere, own = np.empty(0, np.int64), np.empty(0), among(self.gaps, ray)
+            self._put(ray, cut_rays(self.near[ray], self.far[ray], nobody, nobody, nowhere, nowhere, own))
         size = self.inside.astype(np.int64)
         for part in self.parts:
             size[part.ray] = part.size
@@ -133,11 +136,8 @@ class _Rays:
         entry = np.where(self.inside, self.near, 0).astype(np.float32)
         return Records(self.uncut, index.astype(INDEX), entry, ends, owners)
 
-    def _cut(
-        self, ray: np.ndarray, number: np.ndarray, owner: np.ndarray, enter: np.ndarray, leave: np.ndarray
-    ) -> None:
-        """Cut rays, each interval on the ray of its number in `ray`."""
-        pieces = cut_rays(self.near[ray], self.far[ray], number, owner, enter, leave, among(self.gaps, ray))
+    def _put(self, ray: np.ndarray, pieces: Pieces) -> None:
+        """Add the pieces of rays, each of the ray of its number in `ray`."""
         size = np.bincount(pieces.ray, minlength=len(ray))
         self._add(ray, size, size, pieces.far, np.where(pieces.owner == UNCUT, self.uncut, pieces.owner))
         self.pending[ray] = False

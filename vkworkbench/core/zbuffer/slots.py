@@ -54,7 +54,7 @@ def level_slot(
     walls = _Walls(radius, x, ux, uy)
     depth = y / sine
     with np.errstate(invalid="ignore"):
-        low, high = (walls.at(np.clip(walls.touched(sign), 0, 1), sign) / sine - depth for sign in (-1, 1))
+        low, high = (walls.at(_on_move(walls.touched(sign)), sign) / sine - depth for sign in (-1, 1))
     height = z + ROUNDING
     if cosine > FROM_THE_SIDE:
         high = np.minimum(high, height / cosine, out=high)
@@ -76,26 +76,40 @@ def sloped_slot(
         return -far, -near
     walls = _Walls(radius, x, ux, uy)
     # Where the ray passes the floor of the tool standing at t: at (x - t ux, beyond - t rate) from its axis.
-    tangent = sine / cosine
+    tangent, slope = sine / cosine, cosine / sine
     beyond, rate = y + tangent * z, uy + tangent * uz
     square = np.maximum(ux**2 + rate**2, _TINY)
-    middle = x * ux + beyond * rate
-    root = np.sqrt(np.maximum(middle**2 - square * (x**2 + beyond**2 - radius**2), 0))
-    first, last = (middle - root) / square, (middle + root) / square
+    middle = x * (ux / square) + beyond * (rate / square)
+    root = x * rate - beyond * ux
+    root *= root
+    np.sqrt(np.maximum(np.subtract(square * radius**2, root, out=root), 0, out=root), out=root)
+    root /= square
     z = z + ROUNDING
+    height = z + y * slope
     with np.errstate(invalid="ignore"):
         t = walls.touched(-1)
         # Where it would come in below the floor, it enters over the rim.
-        below = walls.height(t, -1, y, z, uz, cosine / sine) < 0
-        t = np.clip(np.where(below, np.minimum(np.maximum(t, first), last), t), 0, 1)
-        low = walls.at(t, -1) - y
-        near = np.where(z - low * cosine / sine - t * uz >= -ROUNDING, low / sine, np.nan)
+        below = height < walls.at(t, -1) * slope + t * uz
+        over = np.maximum(middle - root, t)
+        t = _on_move(np.where(below, np.minimum(over, middle + root, out=over), t))
+        low = walls.at(t, -1)
+        low -= y
+        t *= uz
+        t += low * slope
+        low /= sine
+        np.copyto(low, np.nan, where=~(t <= z + ROUNDING))
 
         t = walls.touched(1)
-        below = walls.height(t, 1, y, z, uz, cosine / sine) < 0
-        t = np.clip(np.where(below, np.where(uz < 0, last, first), t), 0, 1)
-        far = np.minimum((walls.at(t, 1) - y) / sine, (z - t * uz) / cosine)
-    return near, far
+        below = height < walls.at(t, 1) * slope + t * uz
+        root *= np.where(uz < 0, 1, -1)
+        root += middle
+        t = _on_move(np.where(below, root, t))
+        high = walls.at(t, 1)
+        high -= y
+        high /= sine
+        t *= uz
+        np.minimum(high, np.divide(np.subtract(z, t, out=t), cosine, out=t), out=high)
+    return low, high
 
 
 def ball_slot(
@@ -106,29 +120,46 @@ def ball_slot(
     ux, uy, uz = move
     walls = _Walls(radius, x, ux, uy)
     slope = cosine / sine
-    # Where the ray passes the cylinder around the path of the centre.
+    # Along the ray, and upwards across it.
+    forward, upward = sine * y - cosine * z, cosine * y + sine * z
+    along_ray, across_ray = sine * uy - cosine * uz, cosine * uy + sine * uz
     length2 = np.maximum(ux**2 + uy**2 + uz**2, _TINY)
-    along_ray = uy * sine - uz * cosine
-    here = x * ux + y * uy + z * uz
     square = length2 - along_ray**2
-    middle = length2 * (sine * y - cosine * z) - along_ray * here
-    rest = length2 * (x**2 + y**2 + z**2 - radius**2) - here**2
-    root = np.sqrt(np.maximum(middle**2 - square * rest, 0))
+    across = square > 1e-12 * length2
+    inverse = np.where(across, 1 / np.where(across, square, 1), 0.0)
+    # Where the ray comes nearest to the path of the centre, and from there to where it passes the cylinder around it.
+    nearest = x * (ux * inverse) + upward * (across_ray * inverse)
+    root = np.sqrt(inverse)
+    apart = x * (across_ray * root) - upward * (ux * root)
+    apart *= apart
+    passed = np.sqrt(np.maximum(np.subtract(radius**2, apart, out=apart), 0, out=apart), out=apart)
+    passed *= np.where(across, along_ray * root / np.sqrt(length2), np.sign(along_ray) * _ENDLESS)
     ends = []
-    with np.errstate(invalid="ignore", divide="ignore"):
-        across = square > 1e-12 * length2
+    with np.errstate(invalid="ignore"):
         for sign in (-1, 1):
             t = walls.touched(sign)
-            below = walls.height(t, sign, y, z, uz, slope) < 0
-            passed = np.where(across, (sign * root - middle) / square, sign * _ENDLESS)
-            t = np.clip(np.where(below, (here + passed * along_ray) / length2, t), 0, 1)
-            aside, ahead, above = x - t * ux, y - t * uy, z - t * uz
-            half2 = radius**2 - aside**2
-            wall = sign * np.sqrt(half2) - ahead
-            lens2 = half2 - (cosine * ahead + sine * above) ** 2
-            lens = np.sqrt(np.where(lens2 > -_RIM, np.maximum(lens2, 0), np.nan))
-            lens = cosine * above - sine * ahead + sign * lens
-            ends.append(np.where(above - wall * slope >= 0, wall / sine, lens))
+            below = z + y * slope < walls.at(t, sign) * slope + t * uz
+            t = _on_move(np.where(below, nearest + sign * passed, t))
+            half2 = x - t * ux
+            half2 *= half2
+            np.subtract(radius**2, half2, out=half2)
+            wall = np.sqrt(half2)
+            wall *= sign
+            wall -= y
+            wall += t * uy
+            lens = upward - t * across_ray
+            lens *= lens
+            half2 -= lens
+            np.maximum(half2, 0, out=lens)
+            np.copyto(lens, np.nan, where=half2 <= -_RIM)
+            np.sqrt(lens, out=lens)
+            lens *= sign
+            lens -= forward
+            lens += t * along_ray
+            t *= uz
+            standing = z - t >= wall * slope
+            wall /= sine
+            ends.append(np.where(standing, wall, lens))
     return ends[0], ends[1]
 
 
@@ -149,25 +180,31 @@ class _Walls:
         self.radius, self.x, self.uy = radius, x, uy
         run = np.sqrt(ux**2 + uy**2)
         # Along the ray; rounding may leave it something else.
-        self.along = np.abs(ux) <= 1e-12 * run
-        self.ux = np.where(self.along, 0.0, ux)
+        along = np.abs(ux) <= 1e-12 * run
+        self.ux = np.where(along, 0.0, ux)
+        self.inverse = np.where(along, 0.0, 1 / np.where(along, 1.0, ux))
         # As the tool moves, its chord of the ray ends last where the tangent at its end goes along the move.
-        self.reach = radius * uy / np.where(run > 0, run, 1) * np.sign(ux)
+        reach = radius * uy / np.where(run > 0, run, 1) * np.abs(self.inverse)
+        self.reach = np.where(along, np.copysign(_ENDLESS, uy), reach)
 
     def touched(self, sign: int) -> np.ndarray:
         """Place of the tool when the ray comes in (-1) through a wall of the move without ends, or goes out (1)."""
-        touched = (self.x + sign * self.reach) / np.where(self.along, 1.0, self.ux)
-        return np.where(self.along, np.where(sign * self.uy > 0, _ENDLESS, -_ENDLESS), touched)
+        touched: np.ndarray = self.x * self.inverse + sign * self.reach
+        return touched
 
     def at(self, t: np.ndarray, sign: int) -> np.ndarray:
         """How far along itself from the start of the move the ray passes the wall of the tool standing at `t`, mm."""
-        aside = self.x - t * self.ux  # beside the tool the result is not a number
-        along: np.ndarray = t * self.uy + sign * np.sqrt(self.radius**2 - aside * aside)
-        return along
+        half = t * self.ux
+        np.subtract(self.x, half, out=half)
+        half *= half
+        np.sqrt(np.subtract(self.radius**2, half, out=half), out=half)  # beside the tool not a number
+        half *= sign
+        half += t * self.uy
+        return half
 
-    def height(
-        self, t: np.ndarray, sign: int, y: np.ndarray, z: np.ndarray, rise: np.ndarray, slope: float
-    ) -> np.ndarray:
-        """Height above the tool's tip at which a ray of (y, z) does so, that falls by `slope` mm per mm."""
-        height: np.ndarray = z - (self.at(t, sign) - y) * slope - t * rise
-        return height
+
+def _on_move(t: np.ndarray) -> np.ndarray:
+    """The nearest places between the ends of the move, in place."""
+    np.maximum(t, 0, out=t)
+    np.minimum(t, 1, out=t)
+    return t

@@ -10,17 +10,17 @@ from the side where they pass a plane across the view.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from math import hypot, sqrt
 
 import numpy as np
 
 from vkworkbench.core.solids import Frame, Tool
 from vkworkbench.core.stocks import Solid
+from vkworkbench.core.zbuffer.chains import removing
 from vkworkbench.core.zbuffer.culling import NOISE, QUARTERS, Removals, Tiles
 from vkworkbench.core.zbuffer.dexels import THINNEST, before_in_group, beginnings
 from vkworkbench.core.zbuffer.slots import ROUNDING
-from vkworkbench.core.zbuffer.sweeps import intervals
 from vkworkbench.core.zbuffer.trajectories import Trajectories
 
 # Views less steep than this cosine are compared across the view.
@@ -34,8 +34,7 @@ class Tilted:
 
     def __init__(self, trajectories: Trajectories) -> None:
         self.trajectories, self.sine, self.cosine = trajectories, trajectories.sine, trajectories.cosine
-        self.start, self.move, self.frame = trajectories.start, trajectories.move, trajectories.frame
-        self.sloped = self.move[2] != 0
+        self.frame, self.sloped = trajectories.frame, trajectories.move[2] != 0
         tools = [kind.tool for kind in trajectories.kinds]
         level = abs(self.cosine) > _LEVEL and not all(tool.rounding == tool.radius for tool in tools)
         self.growths = [_Growth(tool, level, self.sine, self.cosine) for tool in tools]
@@ -45,21 +44,20 @@ class Tilted:
         self, column: np.ndarray, row: np.ndarray, tile: np.ndarray, item: np.ndarray, child: int
     ) -> Iterator[np.ndarray]:
         """See `culling.Bounds.quarters`."""
-        start, move = self.start.take(item, axis=1), self.move.take(item, axis=1)
         middle = (child - 1) / 2
         reach = middle * self.frame.pixel * (1 + NOISE)
-        large = [growth.grown(reach) for growth in self.growths]
-        small = [growth.shrunk(reach) for growth in self.growths]
+        both = np.array([[middle], [child + middle]])
+        x, y = self.frame.pixel_centres(column + both, row + both)
+        places = x.take(tile, axis=1)[None], y.take(tile, axis=1)[:, None], item
+        enter, leave = self.trajectories.intervals(*places, [growth.grown(reach) for growth in self.growths])
+        opens = self.trajectories.intervals(*places, [growth.shrunk(reach) for growth in self.growths])
         for across, up in QUARTERS:
-            x, y = self.frame.pixel_centres(column + across * child + middle, row + up * child + middle)
-            near, far = self.chords.over(x, y, reach)
-            px, py = x.take(tile), y.take(tile)
-            ray = np.array([px, self.cosine * py, self.sine * py])
-            enter, leave = self._intervals(large, item, start, move, ray)
-            enter, leave = np.maximum(enter, near.take(tile)), np.minimum(leave, far.take(tile))
-            met = np.flatnonzero(leave - enter > 0.9 * THINNEST)
-            all_enter, all_leave = self._intervals(small, item[met], start[:, met], move[:, met], ray[:, met])
-            yield met[_not_yet_open(tile[met], enter[met], leave[met], all_enter, all_leave, near, far)]
+            near, far = self.chords.over(x[across], y[up], reach)
+            first = np.maximum(enter[up, across], near.take(tile))
+            last = np.minimum(leave[up, across], far.take(tile))
+            met = np.flatnonzero(last - first > 0.9 * THINNEST)
+            all_enter, all_leave = (of[up, across].take(met) for of in opens)
+            yield met[_not_yet_open(tile[met], first[met], last[met], all_enter, all_leave, near, far)]
 
     def removals(self, tiles: Tiles, tile: np.ndarray, near: np.ndarray, far: np.ndarray) -> Removals:
         """See `culling.Bounds.removals`."""
@@ -68,31 +66,14 @@ class Tilted:
         pixels, item = tiles.side**2, tiles.item
         px, py = x.take(tile, axis=1)[None], y.take(tile, axis=1)[:, None]
         enter, leave = self.trajectories.intervals(px, py, item)
+        # On the rim of a sweep rounding decides: as it does for any other ray. Most are within it with all of the tile.
+        corners = self.trajectories.passing(px[:, [0, -1]], py[[0, -1]], item)
+        doubtful = np.flatnonzero(~corners.all(axis=(0, 1)))
+        passing = self.trajectories.passing(px[..., doubtful], py[..., doubtful], item[doubtful])
+        enter[..., doubtful] = np.where(passing, enter[..., doubtful], np.inf)
         enter, leave = enter.reshape(pixels, len(item)), leave.reshape(pixels, len(item))
-        cut = np.minimum(leave, far.take(tile, axis=1)) - np.maximum(enter, near.take(tile, axis=1)) > THINNEST
-        hit = np.flatnonzero(cut)
-        # On the rim of a sweep rounding decides: as it does for any other ray.
-        pixel, pair = np.divmod(hit, len(item))
-        row, column = np.divmod(pixel, tiles.side)
-        hit = hit[self.trajectories.passing(px[0, column, pair], py[row, 0, pair], item[pair])]
+        hit = removing(tile, enter, leave, near, far)
         return Removals(hit, enter.ravel()[hit], leave.ravel()[hit])
-
-    def _intervals(
-        self,
-        tools: Sequence[tuple[Tool | None, float]],
-        item: np.ndarray,
-        start: np.ndarray,
-        move: np.ndarray,
-        ray: np.ndarray,
-    ) -> tuple[np.ndarray, np.ndarray]:
-        """Where rays pass what tools in the place of each kind's sweep, these raised by so much."""
-        enter, leave = np.full(len(item), np.inf), np.full(len(item), -np.inf)
-        for number, own in self.trajectories.by_kind(item):
-            tool, raised = tools[number]
-            if tool is not None:
-                its_ray = ray[:, own] - np.array([[0.0], [0.0], [raised]])
-                enter[own], leave[own] = intervals(tool, start[:, own], move[:, own], its_ray, self.sine, self.cosine)
-        return enter, leave
 
 
 class _TileChords:

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -166,7 +166,9 @@ class Trajectories:
         )
         return result
 
-    def intervals(self, x: np.ndarray, y: np.ndarray, item: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    def intervals(
+        self, x: np.ndarray, y: np.ndarray, item: np.ndarray, tools: Sequence[tuple[Tool | None, float]] | None = None
+    ) -> tuple[np.ndarray, np.ndarray]:
         """Depths at which rays enter and leave the volumes swept.
 
         Parameters
@@ -175,12 +177,16 @@ class Trajectories:
             Image coordinates of the rays, mm, of shapes that go together and with (k,).
         item : (k,) ndarray of int
             Positions in `index`.
+        tools : sequence of (Tool or None, float), optional
+            In the place of each kind's tool another one, and how much higher it is, mm; None meets nothing.
 
         Returns
         -------
         near, far : ndarray
             Depths, mm, unbounded where they are; ``near > far``, or not a number, where a ray misses.
         """
+        if tools is None:
+            tools = [(kind.tool, 0.0) for kind in self.kinds]
         near, far = np.empty((2, *np.broadcast(x, y).shape))
         for begin in range(0, len(item), _PAIRS_AT_ONCE):
             part = slice(begin, begin + _PAIRS_AT_ONCE)
@@ -192,12 +198,20 @@ class Trajectories:
                 far[..., part],
             )
             for number, own in self.by_kind(own_item):
-                tool = self.kinds[number].tool
-                own_near[..., own], own_far[..., own] = self._of_tool(tool, px[..., own], py[..., own], own_item[own])
+                tool, raised = tools[number]
+                if tool is None:
+                    own_near[..., own], own_far[..., own] = np.inf, -np.inf
+                    continue
+                own_near[..., own], own_far[..., own] = self._of_tool(
+                    tool, raised, px[..., own], py[..., own], own_item[own]
+                )
         return near, far
 
-    def _of_tool(self, tool: Tool, x: np.ndarray, y: np.ndarray, item: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    def _of_tool(
+        self, tool: Tool, raised: float, x: np.ndarray, y: np.ndarray, item: np.ndarray
+    ) -> tuple[np.ndarray, np.ndarray]:
         start = self.start.take(item, axis=1)
+        start[2] += raised
         if self.sine == 0:
             opened = -lowest(tool, start, self.heading.take(item, axis=1), x, self.cosine * y)[0]
             everywhere = np.full(opened.shape, np.inf)

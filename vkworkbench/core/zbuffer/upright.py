@@ -71,7 +71,9 @@ class Upright:
             hit = opening(depth, tile, start, near, far)
             return Removals(hit, None, depth.ravel()[hit])
         hit = opening(depth, tile, start, -far, -near)
-        return Removals(hit, -depth.ravel()[hit], np.full(len(hit), np.inf))
+        pixel, pair = np.divmod(hit, len(tile))
+        ray = pixel, tile[pair]
+        return Removals(hit, np.maximum(-depth.ravel()[hit], near[ray]), far[ray])
 
     def _opened(self, x: np.ndarray, y: np.ndarray, item: np.ndarray) -> np.ndarray:
         """Depths (pixels of a tile, p) to which the pairs open the rays of columns x (1, side, p), rows y (side, 1, p)."""
