@@ -34,8 +34,8 @@ class Bounds(Protocol):
     """What one kind of view knows of a trajectory above a tile."""
 
     @property
-    def sloped(self) -> np.ndarray:
-        """(m,) bool ndarray : the trajectories that do not stay on their level."""
+    def slow(self) -> np.ndarray:
+        """(m,) bool ndarray : the trajectories whose bounds take as long as the surface of what they sweep."""
 
     def quarters(
         self, column: np.ndarray, row: np.ndarray, tile: np.ndarray, item: np.ndarray, child: int
@@ -183,7 +183,7 @@ def culled(trajectories: Trajectories, bounds: Bounds, region: Region) -> Iterat
     tested = 0
     while pending:
         for block in pending.pop().blocks(PAIRS_AT_ONCE):
-            fine = fine_enough(block, bounds.sloped)
+            fine = fine_enough(block, bounds.slow)
             if not fine.all():
                 coarse = block.only(~fine)
                 tested += 4 * len(coarse.item)
@@ -194,14 +194,11 @@ def culled(trajectories: Trajectories, bounds: Bounds, region: Region) -> Iterat
                 tested = 0
 
 
-def fine_enough(tiles: Tiles, sloped: np.ndarray) -> np.ndarray:
-    """Say of which tiles (t,) cutting the pixels one by one is quicker than dividing them further.
-
-    Bounds of a sloped move take as long as the surface of what it sweeps.
-    """
+def fine_enough(tiles: Tiles, slow: np.ndarray) -> np.ndarray:
+    """Say of which tiles (t,) cutting the pixels one by one is quicker than dividing them further: see `Bounds.slow`."""
     if tiles.side != 4:
         return np.full(len(tiles.column), tiles.side < 4)
-    running = np.append(0, np.cumsum(sloped.take(tiles.item)))
+    running = np.append(0, np.cumsum(slow.take(tiles.item)))
     result: np.ndarray = 2 * np.diff(running.take(tiles.first)) > np.diff(tiles.first)
     return result
 

@@ -115,13 +115,13 @@ class Speed:
         How many cut at once: all else is what one of them takes.
     """
 
-    trajectory: float = 1.4e-06
-    pixel: float = 3.7e-08
-    meeting: float = 5.2e-09
-    block: float = 0.00048
-    test: float = 8.6e-07
-    cell: float = 1.7e-06
-    record: float = 3.1e-08
+    trajectory: float = 1e-06
+    pixel: float = 4.3e-08
+    meeting: float = 5.1e-09
+    block: float = 0.00046
+    test: float = 4.9e-07
+    cell: float = 1.5e-06
+    record: float = 2.4e-08
     factor: float = 3.0
     processes: int = 1
 

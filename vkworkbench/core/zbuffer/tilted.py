@@ -34,7 +34,8 @@ class Tilted:
 
     def __init__(self, trajectories: Trajectories) -> None:
         self.trajectories, self.sine, self.cosine = trajectories, trajectories.sine, trajectories.cosine
-        self.frame, self.sloped = trajectories.frame, trajectories.move[2] != 0
+        # The rays of a tile share what depends on their row or column alone.
+        self.frame, self.slow = trajectories.frame, np.ones(len(trajectories.index), bool)
         tools = [kind.tool for kind in trajectories.kinds]
         level = abs(self.cosine) > _LEVEL and not all(tool.rounding == tool.radius for tool in tools)
         self.growths = [_Growth(tool, level, self.sine, self.cosine) for tool in tools]

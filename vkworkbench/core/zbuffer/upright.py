@@ -33,7 +33,7 @@ class Upright:
         ux, uy, run, slope = trajectories.heading
         # The moves from their middles: position, direction, half the length, depth, and slope.
         self.columns = (x + mx / 2, y + my / 2, ux, uy, run / 2, -(z + slope * run / 2))
-        self.slope, self.sloped = slope, slope != 0
+        self.slope, self.slow = slope, slope != 0
         half = (trajectories.stock.upper[2] - trajectories.stock.lower[2]) / 2
         self.near, self.far = -float(half), float(half)
 
