@@ -45,14 +45,14 @@ def test_the_amounts_of_a_simulation():
 
 
 def test_in_an_image_of_four_times_as_many_pixels_every_level_is_the_next():
-    """And the pixels have twice as many pairs, as they had twice as many as the last tiles."""
+    """And the pixels have more pairs, between twice as many, as they had of the last tiles, and four times, as they end."""
     trajectories, pixels, first, blocks, tests, cells, records = WORK.amounts(4.0)
     assert (trajectories, pixels, first) == (10, 4000, 200)
-    assert cells == pytest.approx(2 * WORK.amounts()[5]) and records == pytest.approx(4 * WORK.amounts()[6])
+    assert cells == pytest.approx(sqrt(2 * 4) * WORK.amounts()[5]) and records == pytest.approx(4 * WORK.amounts()[6])
     # What tests take grows by more than four times from the first level to the second: by four at most.
     assert tests == pytest.approx(4 * 1e5 * TESTS[0] * (4 + 16))
     each = max(4e5 / PAIRS_AT_ONCE, 4), 16e5 / PAIRS_AT_ONCE
-    assert blocks == pytest.approx(1.5 * (sum(each) + 2 * 2 * 16**2 * 4e5 / PAIRS_AT_ONCE))
+    assert blocks == pytest.approx(1.5 * (sum(each) + sqrt(2 * 4) * 2 * 16**2 * 4e5 / PAIRS_AT_ONCE))
 
 
 def test_blocks_are_no_fewer_than_the_bands_of_the_image():
@@ -79,9 +79,13 @@ def test_levels_of_a_finer_image_lie_between_those_that_are_known(levels, growth
     assert effort._finer(np.array(levels, float), growth) == pytest.approx(finer)
 
 
-@pytest.mark.parametrize("step, growth, factor", [(2, 4, 2), (2, 16, 4), (8, 4, 4), (0.5, 4, 1), (3, 2, sqrt(3))])
-def test_pixels_have_as_many_more_pairs_as_they_had_than_the_last_tiles(step, growth, factor):
-    """At least as many, and at most four times as many, for each time that the pixels are four times as many."""
+@pytest.mark.parametrize(
+    "step, growth, factor", [(2, 4, sqrt(8)), (2, 16, 8), (8, 4, 4), (0.5, 4, 2), (3, 2, 12**0.25)]
+)
+def test_pixels_have_more_pairs_between_as_many_more_as_they_had_than_the_last_tiles_and_four_times(
+    step, growth, factor
+):
+    """Where these had no more, the mean of once and four times, for each time that the pixels are four times as many."""
     work = Work(1, 1, 1, (of_kind(kind_3=100),), of_kind(kind_3=step * 100 * 32**2), (1, 0), 1, 1)
     assert work._cells_in(growth) == pytest.approx(factor)
 

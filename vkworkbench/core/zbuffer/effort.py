@@ -96,12 +96,16 @@ class Work:
         ])  # fmt: skip
 
     def _cells_in(self, growth: float) -> float:
-        """How many times as many cells there are: as many as the pairs of the last tiles grew from those before them."""
+        """How many times as many cells there are.
+
+        At each level as many as the pairs of the last tiles grew from those before them, and in the end as many as there
+        are pixels, each of which as many trajectories cut: the mean of both, as ratios.
+        """
         if not self.pairs or sum(self.cells) == 0:
             return growth
         side = TILE >> len(self.pairs)
-        step = sum(self.cells) / side**2 / sum(self.pairs[-1])
-        return float(np.clip(step, 1, 4) ** (np.log2(growth) / 2))
+        step = np.clip(sum(self.cells) / side**2 / sum(self.pairs[-1]), 1, 4)
+        return float((4 * step) ** (np.log2(growth) / 4))
 
 
 def _finer(levels: np.ndarray, growth: float) -> np.ndarray:
