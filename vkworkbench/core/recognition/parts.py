@@ -121,7 +121,8 @@ def recognize_parts(
         # What one tool cuts beside the pattern, however surely, does not take its name away.
         pattern = whole if whole.strategy is found[main].strategy else found[main]
         others = [name for name in names if name is not pattern.strategy]
-        why = Message("with-others", told=pattern.why, strategies=others)
+        # None where rows with a contour around them are the rows that the pattern is.
+        why = Message("with-others", told=pattern.why, strategies=others) if others else pattern.why
         return replace(pattern, why=why, spans=spans)
     why = Message("sections", count=len(runs), strategies=names, strategy=Strategy.MIXED)
     confidence = float((share * [r.confidence for r in found]).sum())
