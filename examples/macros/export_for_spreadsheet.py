@@ -46,5 +46,10 @@ if __name__ == "__main__":
     from PySide import QtCore
 
     document = FreeCAD.ActiveDocument
-    folder = Path(document.FileName).parent if document.FileName else Path.home()
-    export(document, str(folder / f"{document.Label}.csv"), str(QtCore.QLocale().decimalPoint()))
+    if document is None:
+        FreeCAD.Console.PrintError("Open a document with a job first\n")
+    else:
+        beside = Path(document.FileName) if document.FileName else Path.home() / document.Name
+        table = beside.with_suffix(".csv")
+        count = export(document, str(table), str(QtCore.QLocale().decimalPoint()))
+        FreeCAD.Console.PrintMessage(f"{count} operations in {table}\n")

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """A folder of FreeCAD documents to one CSV: a line for each operation of each of them.
 
-Run it as a macro: it asks for the folder. The documents are opened without a window and not changed.
+Run it as a macro: it asks for the folder. The documents are opened without a window and not changed; one that is open
+already is analysed as it is and stays open. A file that FreeCAD cannot open is named in the report view and left out.
 """
 
 from __future__ import annotations
@@ -18,9 +19,15 @@ def folder_to_csv(folder, table):
     """Analyse the documents below a folder into a table; return how many operations it has."""
     whole = None
     for path in sorted(Path(folder).rglob("*.FCStd")):
-        document = FreeCAD.openDocument(str(path), True)  # hidden
+        open_before = FreeCAD.listDocuments()
+        try:
+            document = FreeCAD.openDocument(str(path), True)  # hidden; one that is open already is that document itself
+        except (OSError, RuntimeError) as error:
+            FreeCAD.Console.PrintError(f"{path}: {error}\n")
+            continue
         report = vkworkbench.analyze(document)
-        FreeCAD.closeDocument(document.Name)
+        if document.Name not in open_before:
+            FreeCAD.closeDocument(document.Name)
         FreeCAD.Console.PrintMessage(f"{path}: {len(report.operations)} operations\n")
         rows = tuple(replace(operation, document=str(path)) for operation in report.operations)
         whole = replace(report, operations=rows if whole is None else whole.operations + rows)
@@ -35,4 +42,6 @@ if __name__ == "__main__":
 
     chosen = QtGui.QFileDialog.getExistingDirectory(None, "Folder of FreeCAD documents")
     if chosen:
-        folder_to_csv(chosen, str(Path(chosen, "operations.csv")))
+        written = Path(chosen, "operations.csv")
+        count = folder_to_csv(chosen, str(written))
+        FreeCAD.Console.PrintMessage(f"{count} operations in {written}\n")

@@ -37,6 +37,25 @@ def test_a_folder_becomes_one_table(example_path, tmp_path):
         folder_to_csv(tmp_path / "deeper" / "nothing", tmp_path / "none.csv")
 
 
+def test_an_open_document_of_the_folder_stays_open(example, example_path, tmp_path):
+    shutil.copy(example_path, tmp_path / "mine.FCStd")
+    mine = FreeCAD.openDocument(str(tmp_path / "mine.FCStd"))
+    try:
+        mine.getObject("Job").Operations.Group[0].Label = "Not saved"
+        folder_to_csv(tmp_path, tmp_path / "all.csv")
+        assert mine.Name in FreeCAD.listDocuments() and mine.getObjectsByLabel("Not saved")
+        assert "Not saved" in (tmp_path / "all.csv").read_text(encoding="utf-8")
+    finally:
+        FreeCAD.closeDocument(mine.Name)
+
+
+def test_a_broken_document_of_the_folder_is_left_out(example_path, tmp_path):
+    (tmp_path / "a.FCStd").write_text("no document")
+    shutil.copy(example_path, tmp_path / "b.FCStd")
+    assert folder_to_csv(tmp_path, tmp_path / "all.csv") > 0
+    assert "b.FCStd" in (tmp_path / "all.csv").read_text(encoding="utf-8")
+
+
 def test_colours_are_those_of_the_strategies(example):
     colors = color_by_strategy(example)
     known = {o.name: o.strategy for o in vkworkbench.analyze(example).operations}
