@@ -353,7 +353,7 @@ class Report:
         )
         rows = [header, *(_row(o, of) for o in self.operations)]
         totals = [
-            (f"{_cell(t.label)}: {counted(t.operations, 'operation')}", "", "", ENGLISH.count(t.trajectories),
+            (f"{_cell(t.label)}: {how_many(t.operations, 'operation')}", "", "", ENGLISH.count(t.trajectories),
              ENGLISH.length(t.length), _machining(t.machining_seconds, t.machining_complete),
              *_cost(t, of, t.incomplete), "")
             for t in self.totals
@@ -455,7 +455,7 @@ def _row(o: OperationReport, simulator: str) -> tuple[str, ...]:
     )
 
 
-def counted(number: int, thing: str) -> str:
+def how_many(number: int, thing: str) -> str:
     """Return how many things there are in English, e.g. ``"1 operation"``, ``"2 operations"``."""
     return f"{number} {thing}" + ("" if number == 1 else "s")
 

@@ -8,7 +8,7 @@ from enum import IntEnum
 from vkworkbench.document.record import Record
 from vkworkbench.language import ENGLISH, Reader, render
 from vkworkbench.preferences import Preferences
-from vkworkbench.report import SERIOUS, counted
+from vkworkbench.report import SERIOUS, how_many
 
 OPENING, CLOSING, SEPARATOR, OUTDATED = "⟦", "⟧", " · ", "outdated"
 PLAY, WARNING = "▶", "⚠"
@@ -48,7 +48,7 @@ def time_of(record: Record, chosen: Preferences, reader: Reader = ENGLISH) -> st
 def text_of(record: Record, chosen: Preferences) -> str:
     """Return the text that stands between the brackets in a description, in English, the same for all its readers."""
     if record.strategy is None:
-        first = counted(record.operations, "operation")
+        first = how_many(record.operations, "operation")
     else:
         first = record.strategy.value + (f" {record.confidence:.0%}" if is_unsure(record) else "")
     time, warning = time_of(record, chosen), f" {WARNING}" if is_warned(record, chosen) else ""

@@ -19,7 +19,7 @@ from vkworkbench.program.apart import analyze_apart, end_workers
 from vkworkbench.program.files import find_programs
 from vkworkbench.program.progress import Progress
 from vkworkbench.program.results import Csv, JsonLines, Results
-from vkworkbench.report import OperationReport, cells_of, counted
+from vkworkbench.report import OperationReport, cells_of, how_many
 from vkworkbench.worker import processes
 
 _WRONG, _UNREAD, _STOPPED = 2, 1, 130  # exit statuses
@@ -110,9 +110,9 @@ def _run(asked: argparse.Namespace) -> int:
         if results is not None:
             results.close()
     progress.clear()
-    before = f", {counted(len(paths) - len(todo), 'file')} done before" if len(todo) < len(paths) else ""
+    before = f", {how_many(len(paths) - len(todo), 'file')} done before" if len(todo) < len(paths) else ""
     not_read = f", {unread_files} could not be read" if unread_files else ""
-    print(f"{counted(operations, 'operation')} in {counted(len(todo), 'file')}{not_read}{before}.", file=sys.stderr)
+    print(f"{how_many(operations, 'operation')} in {how_many(len(todo), 'file')}{not_read}{before}.", file=sys.stderr)
     return _UNREAD if unread_files else 0
 
 
