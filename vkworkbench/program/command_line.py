@@ -8,7 +8,7 @@ import os
 import sys
 from collections.abc import Iterable, Iterator
 from concurrent.futures import FIRST_COMPLETED, Executor, Future, ThreadPoolExecutor, wait
-from contextlib import closing, contextmanager
+from contextlib import closing, contextmanager, suppress
 from itertools import islice
 from pathlib import Path
 
@@ -16,7 +16,7 @@ from vkworkbench import preferences
 from vkworkbench.language import Message
 from vkworkbench.program.analysis import report_of, unread
 from vkworkbench.program.apart import analyze_apart, end_workers
-from vkworkbench.program.files import find_programs
+from vkworkbench.program.files import SUFFIXES, find_programs
 from vkworkbench.program.progress import Progress
 from vkworkbench.program.results import Csv, JsonLines, Results
 from vkworkbench.report import OperationReport, cells_of, how_many
@@ -58,9 +58,7 @@ def _parser() -> argparse.ArgumentParser:
     parser.add_argument("what", nargs="+", metavar="FILE|FOLDER", help="NC programs, and folders of them")
     output = parser.add_mutually_exclusive_group()
     output.add_argument("--csv", metavar="PATH", help="write a CSV file instead of a table; - is the standard output")
-    output.add_argument(
-        "--json-lines", metavar="PATH", nargs="?", const="-", help="write a JSON object a line, to PATH if it is given"
-    )
+    output.add_argument("--json-lines", metavar="PATH", help="write a JSON object a line, likewise")
     parser.add_argument("--resume", action="store_true", help="go on with the results in PATH after a stop")
     parser.add_argument("--jobs", type=_positive(int), metavar="N", help="processes; one per core if not given")
     parser.add_argument(
@@ -72,10 +70,12 @@ def _parser() -> argparse.ArgumentParser:
 
 def _positive(kind):
     def number(text: str):
-        value = kind(text)
-        if not 0 < value < float("inf"):
-            raise ValueError(text)
-        return value
+        with suppress(ValueError):
+            value = kind(text)
+            if 0 < value < float("inf"):
+                return value
+        wanted = "a whole number" if kind is int else "a number"
+        raise argparse.ArgumentTypeError(f"invalid value {text!r}: it takes {wanted} above 0")
 
     return number
 
@@ -123,6 +123,8 @@ def _results(asked: argparse.Namespace) -> Results | None:
         raise _Wrong("--resume needs the results' file: --csv PATH or --json-lines PATH")
     if path is None:
         return None
+    if Path(path).suffix.lower() in SUFFIXES:  # "--csv bracket.nc old-programs/" would lose a program
+        raise _Wrong(f"{path} is called as an NC program is: give the results' file another name")
     any_row = unread(Path(), Message("moves-nothing"))
     form = Csv(cells_of(any_row)) if asked.csv else JsonLines()
     try:

@@ -75,7 +75,7 @@ def test_results_as_csv_and_as_json_lines(folder, tmp_path, inside):
     rows = rows_of(tmp_path / "out.csv")
     assert sorted(Path(row["document"]).name for row in rows) == [f"{name}.nc" for name in "abcdef"]
     assert {row["strategy"] for row in rows} == {"zigzag", "empty"}
-    lines = [json.loads(line) for line in run(folder, "--json-lines").stdout.splitlines()]
+    lines = [json.loads(line) for line in run(folder, "--json-lines", "-").stdout.splitlines()]
     assert sorted(line["document"] for line in lines) == sorted(row["document"] for row in rows)
     assert inside("--json-lines", tmp_path / "out.jsonl", folder / "a.nc").stdout == ""
     (line,) = map(json.loads, (tmp_path / "out.jsonl").read_text().splitlines())
@@ -110,12 +110,16 @@ def test_wrong_arguments_say_what_to_do(folder, tmp_path, inside):
         ((folder, "--resume"), "--resume needs the results' file"),
         ((folder, "--csv", other, "--resume"), f"cannot go on with {other}: its columns are others"),
         ((folder, "--csv", tmp_path / "no" / "x.csv"), "cannot write"),
-        ((folder, "--jobs", "0"), "invalid"),
+        ((folder, "--csv", folder / "a.nc"), f"{folder / 'a.nc'} is called as an NC program is"),
+        ((folder, "--json-lines", folder / "a.nc"), "give the results' file another name"),
+        ((folder, "--jobs", "0"), "invalid value '0': it takes a whole number above 0"),
+        ((folder, "--timeout", "soon"), "invalid value 'soon': it takes a number above 0"),
         ((), "required: FILE|FOLDER"),
     ):
         done = inside(*arguments)
         assert (done.returncode, done.stdout) == (2, "") and words in done.stderr and "Traceback" not in done.stderr
     assert other.read_text() == "a,b\n1,2\n"
+    assert (folder / "a.nc").read_text() == PROGRAM
 
 
 @pytest.mark.long
