@@ -354,7 +354,7 @@ class Report:
         rows = [header, *(_row(o, of) for o in self.operations)]
         totals = [
             (f"{_cell(t.label)}: {how_many(t.operations, 'operation')}", "", "", ENGLISH.count(t.trajectories),
-             ENGLISH.length(t.length), _machining(t.machining_seconds, t.machining_complete),
+             *_machining(t.length, t.machining_seconds, t.machining_complete),
              *_cost(t, of, t.incomplete), "")
             for t in self.totals
         ]  # fmt: skip
@@ -448,8 +448,7 @@ def _row(o: OperationReport, simulator: str) -> tuple[str, ...]:
         o.strategy.value,
         f"{o.confidence:.0%}",
         ENGLISH.count(o.trajectories),
-        ENGLISH.length(o.length),
-        _machining(o.machining_seconds, complete=not o.left_out),
+        *_machining(o.length, o.machining_seconds or 0.0, complete=not o.left_out),
         *_cost(o, simulator, least=False),
         _cell(o.error or "", 200),
     )
@@ -460,10 +459,12 @@ def how_many(number: int, thing: str) -> str:
     return f"{number} {thing}" + ("" if number == 1 else "s")
 
 
-def _machining(seconds: float | None, complete: bool) -> str:
-    if seconds is None:
-        return "?"
-    return ENGLISH.time(seconds) if complete else f">= {ENGLISH.time(seconds)}"
+def _machining(length: float, seconds: float, complete: bool) -> tuple[str, str]:
+    """Return the cutting length and the machining time; a question mark for what is 0 because it is not known."""
+    time = ENGLISH.time(seconds)
+    if complete:
+        return ENGLISH.length(length), time
+    return ENGLISH.length(length) if length else "?", f">= {time}" if seconds else "?"
 
 
 def _cost(of: Costs, simulator: str, least: bool) -> tuple[str, str]:

@@ -128,7 +128,9 @@ def _rows(
     parts = [toolpath.part(int(a), int(b)) for a, b in zip([0, *bounds], [*bounds, len(toolpath)])]
     cutting = [(part, section) for part, section in zip(parts, sections) if not part.rapid.all()]
     if not cutting:
-        return [replace(unread(path, Message("no-cutting-move")), trajectories=len(toolpath))]
+        row = unread(path, Message("no-cutting-move"))
+        remarks = (*row.remarks, *map(at_line, toolpath.problems))  # what is not read may be what cuts
+        return [replace(row, trajectories=len(toolpath), remarks=remarks)]
     stock = _stock(toolpath, [section.tool for _, section in cutting])
     lost = [Message("inches-as-millimetres")] if not program.unit_told and looks_like_inches(toolpath) else []
     starts = [section.first for _, section in cutting]
@@ -156,7 +158,9 @@ def _row(
     )
     unlike_milling = program.other or _turned(program, section)
     if unlike_milling:
-        return replace(row, recognition=unknown(part, unlike_milling), remarks=(unlike_milling, *remarks))
+        unmeasured = replace(row.machining, cutting_seconds=None, left_out=(unlike_milling,))
+        remarks = [unlike_milling, *remarks]
+        return replace(row, recognition=unknown(part, unlike_milling), machining=unmeasured, remarks=tuple(remarks))
     tool = section.tool
     if Message("inches-as-millimetres") in remarks:  # the tool's size in the comments was read in mm as well
         found = recognize_inches(part, tool_diameter=tool and INCH * tool.diameter, program=undivided)

@@ -196,6 +196,7 @@ def test_problems_count():
         ("", "no NC program: no line of it moves a tool"),
         ("G21\nG90\nM30\n", "no NC program: no line of it moves a tool"),
         ("#1=5\nG65 P9000\n", "no move of it can be read: variables and expressions"),
+        ("#1=5\nG1 X#1 Y[#1*2] F200\n", "no move of it can be read: variables and expressions"),
     ],
 )  # fmt: skip
 def test_no_milling_program(text, sentence):

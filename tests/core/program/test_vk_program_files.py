@@ -120,12 +120,15 @@ def test_what_cannot_be_read_costs_only_itself(tmp_path):
     (tmp_path / "b.nc").write_text(PROGRAM)
     (tmp_path / "c.nc").write_text("1 L X+10 Y+5 R0 FMAX M3\n")
     (tmp_path / "d.nc").write_text("G0 X0\nG0 X1\n")
+    (tmp_path / "e.nc").write_text("G0 X0 Y0 Z5\n#1=5\nG1 X#1 F200\n")
     report = vkworkbench.analyze([tmp_path, tmp_path / "missing.nc"])
     errors = {Path(row.document).name: row.error for row in report.operations if not row.counted}
     assert errors == {
         "a.nc": "no NC program: it is not a text",
         "c.nc": "a program in the language of Heidenhain controls (line 1): post it as G-code (ISO) to have it read",
         "d.nc": "no cutting move in its toolpath",
+        "e.nc": "no cutting move in its toolpath; variables and expressions are not read: the words with them are left "
+        "out (2 times, first in line 2)",
         "missing.nc": "the file cannot be read: No such file or directory",
     }
     assert [row.label for row in report.operations if row.counted] == ["Face", "Holes"]
@@ -146,6 +149,8 @@ def test_what_is_no_milling_has_no_strategy(tmp_path, text, error):
     (row,) = vkworkbench.analyze(path).operations
     assert str(row.strategy) == "unknown" and row.error.startswith(error) and row.reason.startswith(error)
     assert row.estimate is None and row.confidence == 0
+    line = str(vkworkbench.analyze(path)).splitlines()[2]  # nothing is known of its length and time: not 0
+    assert " 0 m" not in line and line.split("%")[1].split()[1:5] == ["?"] * 4
 
 
 def test_files_of_the_report(tmp_path):

@@ -328,7 +328,7 @@ class _Reader:
         commands = self.commands
         if not self.changes:
             commands = self._changed_by_t(commands)
-        moves = any(words and (not name or name in _MOVES) for name, words in self.commands)
+        moves = any((not name or name in _MOVES) and not _AXES.isdisjoint(words) for name, words in self.commands)
         dialects.check(self.blocks, self.strange, moves, problems)
         return Program(
             commands, np.array(self.lines, np.int64), tuple(self.comments), self.inverse_time,
