@@ -106,6 +106,7 @@ def test_comments_that_tell_no_tool(comment):
         ("finish operation: Face", ""), ("Plunge rate: 127", ""), ("Layer 3 of 12", ""), ("Path 7", ""),
         ("MOVEMENT_LEAD_IN", ""), ("retract", ""), ("Machine", ""), ("1001", ""), ("Z=-1.5", ""), ("", ""),
         ("Exported by FreeCAD", ""), ("Output Time:2020-01-01 12:30", ""), ("M6 T1", ""), ("-----", ""),
+        ("MATERIAL - ALUMINUM MM - 2024", ""), ("Werkstoff: EN AW-6061", ""), ("Material removal 2", "Material removal 2"),
     ],
 )  # fmt: skip
 def test_titles_and_remarks(comment, title):
