@@ -12,7 +12,7 @@ from typing import Any
 
 from vkworkbench.core import Estimate, Machining, Recognition, Span, Strategy
 from vkworkbench.core.paper import PaperVerdict
-from vkworkbench.core.simulators import SIMULATORS, ZBUFFER, Caution, Costs, LegacyCost, together
+from vkworkbench.core.simulators import SIMULATORS, ZBUFFER, Caution, Costs, together
 from vkworkbench.core.zbuffer import FACT_COLUMNS, CutFacts
 from vkworkbench.language import ENGLISH, Message, render
 from vkworkbench.simulation_facts import SimulationFacts
@@ -101,11 +101,6 @@ class OperationReport(Costs):
         """Dexels, traces, memory and time of simulating it in the extended z-buffer."""
         cost: Estimate | None = self.costs.get(ZBUFFER.name)
         return cost
-
-    @property
-    def legacy_positions(self) -> tuple[LegacyCost, ...]:
-        """What the legacy simulator takes at each position of its accuracy slider, 1 to 10."""
-        return self.legacy.positions if self.legacy else ()
 
     @property
     def length(self) -> float:

@@ -108,12 +108,6 @@ def before_in_group(values: np.ndarray, start: np.ndarray, first: np.ndarray | f
     return before
 
 
-def with_uncut(pieces: Pieces, step: int) -> Pieces:
-    """Return the pieces as they are before trajectory `step`: later removals have not happened."""
-    owner = np.where(pieces.owner >= step, UNCUT, pieces.owner).astype(np.int32)
-    return merged(Pieces(pieces.ray, owner, pieces.near, pieces.far))
-
-
 def _lowest_cover(slots: int, first: np.ndarray, last: np.ndarray, value: np.ndarray) -> np.ndarray:
     """Lowest of the values of the ranges ``first <= slot < last`` that cover each slot.
 
