@@ -18,7 +18,7 @@ ROOT = Path(__file__).resolve().parent.parent
 FOLDER = "ToolpathAnalysis"
 SHIPPED = (
     "*.py", "package.xml", "*.md", "LICENSE", "docs/*.md", "vkworkbench/**/*.py",
-    "resources/icons/*", "resources/ui/*", "resources/translations/*.qm",
+    "examples/macros/*.py", "resources/icons/*", "resources/ui/*", "resources/translations/*.qm",
 )  # fmt: skip
 
 

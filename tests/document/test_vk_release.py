@@ -43,7 +43,11 @@ def test_it_has_what_users_need_and_nothing_else(archive):
         names = {name.split("/", 1)[1] for name in file.namelist()}
     assert {"InitGui.py", "Init.py", "package.xml", "LICENSE", "README.md", "vkworkbench/__init__.py"} <= names
     assert any(name.endswith(".qm") for name in names) and any(name.endswith(".ui") for name in names)
-    assert not any(name.startswith(("tests/", "benchmarks/", "toolpaths/", "examples/", ".")) for name in names)
+    assert not any(name.startswith(("tests/", "benchmarks/", "toolpaths/", ".")) for name in names)
+    # The guide tells of the macros; the example job needs a checkout.
+    assert {name for name in names if name.startswith("examples/")} == {
+        f"examples/macros/{path.name}" for path in (RESOURCES.parent / "examples" / "macros").glob("*.py")
+    }
 
 
 @pytest.mark.parametrize("folder", ["ToolpathAnalysis", "Toolpath-Analysis-main", "Fräsen mit Überblick 刀具"])
