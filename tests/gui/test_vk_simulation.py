@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import threading
+from pathlib import Path
 
 import FreeCAD
 import FreeCADGui as Gui
@@ -14,8 +15,8 @@ from simulation_window import COMMAND, drag, finest, shown, tabs, working
 
 import vkworkbench
 from vkworkbench.core import linearize
+from vkworkbench.gui.simulation import exports, refining
 from vkworkbench.gui.simulation import player as playing
-from vkworkbench.gui.simulation import refining
 from vkworkbench.gui.simulation.drawing import Drawing, Picture
 from vkworkbench.gui.simulation.faults import differences
 from vkworkbench.gui.simulation.legend import Legend
@@ -251,8 +252,6 @@ def test_it_is_read_on_light_and_dark_themes(opened, window, small, theme):
 
 
 def test_exports(simulated, window, tmp_path):
-    from vkworkbench.gui.simulation import exports
-
     (save,) = [button for button in simulated.findChildren(QtGui.QToolButton) if button.text() == "Save"]
     QtCore.QTimer.singleShot(300, lambda: (window.screenshot("simulation-save"), save.menu().close()))
     window.click_on(save)
@@ -264,7 +263,24 @@ def test_exports(simulated, window, tmp_path):
     assert simulated.moment.seconds == pytest.approx(0.4 * simulated.clock.total)
     exports.write_rates(simulated, tmp_path / "rates.csv")
     lines = (tmp_path / "rates.csv").read_text().splitlines()
-    assert len(lines) == 1 + simulated.simulation.trajectories and lines[1].startswith("Face,0,")
+    assert len(lines) == 1 + simulated.simulation.trajectories and lines[1].startswith("Face,1,")
+    first = simulated.job.cuts[0].toolpath.command[0]
+    assert lines[1].split(",")[2] == str(first + 1)  # as the line below the part counts them
+
+
+def test_what_is_saved_is_proposed_beside_the_document(simulated, opened, tmp_path, monkeypatch):
+    asked = []
+
+    def choose(parent, title, path, forms):
+        asked.append(path)
+        return str(tmp_path / "chosen"), forms
+
+    monkeypatch.setattr(exports.QFileDialog, "getSaveFileName", choose)
+    exports.save_picture(simulated)
+    exports.save_rates(simulated)
+    beside = Path(opened.FileName).parent
+    assert asked == [str(beside / f"{opened.Name}.png"), str(beside / f"{opened.Name}.csv")]
+    assert (tmp_path / "chosen.png").exists() and (tmp_path / "chosen.csv").exists()
 
 
 def test_it_says_that_a_toolpath_has_changed_and_simulates_it_again(simulated, opened, window):

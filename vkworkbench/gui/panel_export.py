@@ -4,12 +4,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from pathlib import Path
 
 from vkworkbench.gui.panel_columns import Column
 from vkworkbench.gui.panel_rows import Row
 from vkworkbench.gui.plain_text import warn
 from vkworkbench.gui.qt import QFileDialog, QWidget
+from vkworkbench.gui.saving import proposed, with_suffix
 from vkworkbench.gui.text import translate
 from vkworkbench.report import Report
 from vkworkbench.spreadsheet import as_cell
@@ -17,16 +17,14 @@ from vkworkbench.spreadsheet import as_cell
 
 def save(report: Report, document, ending: str, parent: QWidget) -> None:
     """Ask for a file, and save a report of a document there as ``"csv"`` or ``"json"``."""
-    folder = Path(document.FileName).parent if document.FileName else Path.home()
     title, filter_ = {
         "csv": (translate("Vk_Results", "Export CSV"), "CSV (*.csv)"),
         "json": (translate("Vk_Results", "Export JSON"), "JSON (*.json)"),
     }[ending]
-    path, _ = QFileDialog.getSaveFileName(parent, title, str(folder / f"{document.Name}.{ending}"), filter_)
+    path, _ = QFileDialog.getSaveFileName(parent, title, proposed(document, f"{document.Name}.{ending}"), filter_)
+    path = with_suffix(path, f".{ending}")
     if not path:
         return
-    if not Path(path).suffix:
-        path += f".{ending}"
     try:
         report.to_csv(path) if ending == "csv" else report.to_json(path)
     except OSError as error:

@@ -6,11 +6,14 @@ from __future__ import annotations
 import csv
 from pathlib import Path
 
+import FreeCAD
 import numpy as np
 
 from vkworkbench.gui.plain_text import warn
 from vkworkbench.gui.qt import QApplication, QEventLoop, QFileDialog
+from vkworkbench.gui.saving import proposed, with_suffix
 from vkworkbench.gui.text import translate
+from vkworkbench.spreadsheet import as_cell
 
 _FRAMES = 120  # of the whole job
 _COLUMNS = ("operation", "trajectory", "command", "begin_s", "end_s", "volume_mm3", "rate_mm3_per_min")
@@ -18,8 +21,9 @@ _COLUMNS = ("operation", "trajectory", "command", "begin_s", "end_s", "volume_mm
 
 def save_picture(player) -> None:
     """Save what is seen to a file that the user chooses."""
-    name = f"{player.job.operations[0].document}.png"
-    path, _ = QFileDialog.getSaveFileName(player, translate("Vk_Simulate", "Save Picture"), name, "PNG (*.png)")
+    title = translate("Vk_Simulate", "Save Picture")
+    path, _ = QFileDialog.getSaveFileName(player, title, _proposed(player, ".png"), "PNG (*.png)")
+    path = with_suffix(path, ".png")
     if path and not player.view.grab().save(path, "PNG"):
         _not_written(player, path)
 
@@ -47,8 +51,9 @@ def write_frames(player, folder: Path, count: int = _FRAMES) -> None:
 
 def save_rates(player) -> None:
     """Save what each trajectory removes, and how fast, to a CSV file that the user chooses."""
-    name = f"{player.job.operations[0].document}.csv"
-    path, _ = QFileDialog.getSaveFileName(player, translate("Vk_Simulate", "Save Removal Rates"), name, "CSV (*.csv)")
+    title = translate("Vk_Simulate", "Save Removal Rates")
+    path, _ = QFileDialog.getSaveFileName(player, title, _proposed(player, ".csv"), "CSV (*.csv)")
+    path = with_suffix(path, ".csv")
     if path:
         try:
             write_rates(player, Path(path))
@@ -57,7 +62,7 @@ def save_rates(player) -> None:
 
 
 def write_rates(player, path: Path) -> None:
-    """Write one line for each trajectory."""
+    """Write one line for each trajectory; operations' trajectories and commands are counted from 1, as in the window."""
     ends = player.clock.ends
     seconds = np.diff(ends)
     rates = 60 * player.volumes / np.where(seconds > 0, seconds, np.inf)
@@ -66,10 +71,15 @@ def write_rates(player, path: Path) -> None:
         writer.writerow(_COLUMNS)
         number = 0
         for operation, cut in zip(player.job.operations, player.job.cuts):
-            for own, command in enumerate(cut.toolpath.command.tolist()):
+            for own, command in enumerate(cut.toolpath.command.tolist(), 1):
                 numbers = (ends[number], ends[number + 1], player.volumes[number], rates[number])
-                writer.writerow((operation.label, own, command, *(f"{value:.6g}" for value in numbers)))
+                writer.writerow((as_cell(operation.label), own, command + 1, *(f"{value:.6g}" for value in numbers)))
                 number += 1
+
+
+def _proposed(player, suffix: str) -> str:
+    document = FreeCAD.getDocument(player.job.operations[0].document)
+    return proposed(document, document.Name + suffix)
 
 
 def _not_written(player, path: str) -> None:
