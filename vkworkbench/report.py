@@ -339,7 +339,7 @@ class Report:
             "operation",
             "strategy",
             "sure",
-            "trajectories",
+            "moves",
             "cutting",
             "machining",
             f"{of} time",

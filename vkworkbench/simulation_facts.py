@@ -72,7 +72,7 @@ class SimulationFacts:
             "operation",
             "removed, cm3",
             "rate, cm3/min",
-            "peak",
+            "peak, cm3/min",
             "air",
             "crashes",
             "fast plunges",
