@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """FreeCAD 1.1 ends in a recompute, by itself: a tool whose size changes while an object of its body is an error.
 
-    MALLOC_PERTURB_=255 freecadcmd benchmarks/freecad_recompute.py
+    MALLOC_PERTURB_=255 freecadcmd $PWD/benchmarks/freecad_recompute.py
 
 A tool bit makes its body anew when it hears that the recompute is over (Mod/CAM/Path/Tool/toolbit/models/base.py,
 slotRecomputedDocument). Document::recompute then goes on to tell of the errors of all objects that it had recomputed,

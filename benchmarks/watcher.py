@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What the watcher of the marks adds to a recompute of a job of 200 operations, all of them marked.
 
-    freecadcmd benchmarks/watcher.py
+    freecadcmd $PWD/benchmarks/watcher.py
 
 Recomputes with and without the watcher take turns in one run. Printed are the shortest and the median time of
 each, their ratio, and the share of the recompute that the watcher's own functions took, which noise does not hide.

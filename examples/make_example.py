@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Build the example job, a plate with one operation of every common kind, and save it.
 
-    freecadcmd examples/make_example.py            # writes build/example.FCStd
+    freecadcmd "$PWD/examples/make_example.py"     # writes build/example.FCStd
 
 The environment variable VKWORKBENCH_EXAMPLE names another file. Runs in FreeCAD 0.20, 1.0 and 1.1, without a window
 or in one; only in a window do the operations get the icons and editors of FreeCAD's own commands.
