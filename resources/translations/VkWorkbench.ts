@@ -4,7 +4,7 @@
 <context>
     <name>App::Property</name>
     <message>
-        <source>Machining strategy recognised from the toolpath</source>
+        <source>Machining strategy recognized from the toolpath</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -218,47 +218,47 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>words without a motion before them ignored</source>
+        <source>words without a motion before them are ignored</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>feed rate that is no usable number ignored</source>
+        <source>a feed rate that is not a usable number is ignored</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>centre word (I, J, K) that is no usable number ignored</source>
+        <source>center words (I, J, K) that are not usable numbers are ignored</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>{letter} word that is no usable number ignored</source>
+        <source>{letter} words that are not usable numbers are ignored</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>position beyond a kilometre cut off there</source>
+        <source>positions beyond a kilometer are cut off there</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>drilling cycle without a depth (Z): no hole</source>
+        <source>a drilling cycle without a depth (Z) drills nothing</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>drilling cycle without R: it starts where it stands</source>
+        <source>a drilling cycle without R starts at the current height</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>drilling cycle outside the XY plane read as in XY</source>
+        <source>a drilling cycle outside the XY plane is read as one in XY</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>arc before its start is known ignored</source>
+        <source>an arc whose start is not known is ignored</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>arc without a usable centre or radius read as a line</source>
+        <source>an arc without a usable center or radius is read as a line</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>arc whose end is not on its circle read with a changing radius</source>
+        <source>an arc whose end is not on its circle is read with a changing radius</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -270,7 +270,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>without a centre</source>
+        <source>without a center</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -374,10 +374,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>{width:n} x {height:n} pixels of {pixel:mm2}, limited by the {limit}{passes}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>; passes {step:mm3} apart ask for {cell:mm2}</source>
         <translation type="unfinished"></translation>
     </message>
@@ -414,15 +410,15 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>unknown code {name} ignored</source>
+        <source>the unknown code {name} is ignored</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>1 more unknown code ignored</source>
+        <source>1 more unknown code is ignored</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>{count:n} more unknown codes ignored</source>
+        <source>{count:n} more unknown codes are ignored</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -434,7 +430,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>could not be analysed, please report it with the file: {error}</source>
+        <source>could not be analyzed, please report it with the file: {error}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -522,7 +518,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>lines with a block delete (/) are read as the others</source>
+        <source>lines with a block delete (/) are read like the others</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -562,19 +558,19 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>no NC program: {part:n} of its {lines:n} lines are not made of words like G1 X10, the first is line {line:#}</source>
+        <source>not an NC program: {part:n} of its {lines:n} lines are not made of words like G1 X10, the first is line {line:#}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>no NC program: no line of it moves a tool</source>
+        <source>not an NC program: no line of it moves a tool</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>no move of it can be read: {problems}</source>
+        <source>none of its moves can be read: {problems}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>no NC program: it is not a text</source>
+        <source>not an NC program: it is not text</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -590,7 +586,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>a rotary axis turns while the tool cuts (line {line:#}): the way of the tool cannot be told</source>
+        <source>a rotary axis turns while the tool cuts (line {line:#}): the path of the tool cannot be told</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -614,7 +610,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>the process that read it died, of too little memory perhaps</source>
+        <source>the process that read it died, perhaps for lack of memory</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -622,7 +618,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>it looks 25.4 times too small: inches read as millimetres?</source>
+        <source>it looks 25.4 times too small: inches read as millimeters?</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -682,11 +678,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>the tool&apos;s diameter must be a positive number of at most a kilometre, not {diameter:mm}</source>
+        <source>the tool&apos;s diameter must be a positive number of at most a kilometer, not {diameter:mm}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>the stock&apos;s corners must be numbers within a kilometre of the origin</source>
+        <source>the stock&apos;s corners must be numbers within a kilometer of the origin</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -702,7 +698,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>the stock of {label} is taken for the box around it: {sentence}</source>
+        <source>the box around the stock of {label} is taken for it: {sentence}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -722,7 +718,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>a rotary axis ({letter}) turns while the tool cuts: the way of the tool cannot be told</source>
+        <source>a rotary axis ({letter}) turns while the tool cuts: the path of the tool cannot be told</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -746,7 +742,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>cutter compensation ({name}) is not followed: the way is that of the program</source>
+        <source>cutter compensation ({name}) is not followed: the path is the programmed one</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -878,11 +874,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>, beside another operation,</source>
+        <source> (also in another operation)</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>, beside {count:n} other operations,</source>
+        <source> (also in {count:n} other operations)</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -946,7 +942,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>the operation&apos;s placement must be numbers within a kilometre of the origin</source>
+        <source>the operation&apos;s placement must be numbers within a kilometer of the origin</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -959,6 +955,10 @@
     </message>
     <message>
         <source>{told}, with a little {strategies:strategy} beside it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{width:n} x {height:n} pixels of {pixel:mm2}, limited by the {limit}{passes}</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1101,7 +1101,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>From where the z-buffer looks at the part.</source>
+        <source>Where the z-buffer looks at the part from.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1279,10 +1279,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>{}: no cutting move has a direction in the plane</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Area {}: {} trajectories, {}</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1342,6 +1338,10 @@
         <source>&lt;p&gt;The wheel zooms, dragging moves, a double click shows all again.&lt;/p&gt;</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>{}: no move cuts sideways, so there is no direction to show</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Vk_Results</name>
@@ -1362,15 +1362,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>a lower bound: the cost of some operations is not known</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>called {name}, but its toolpath is {strategy}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>not in the total: a dress-up stands for it, or it is switched off</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1415,12 +1407,12 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Time of FreeCAD&apos;s legacy simulator in fast-forward, at the accuracy that the preferences say</source>
+        <source>Time of FreeCAD&apos;s legacy simulator in fast-forward, at the accuracy set in the preferences</source>
         <extracomment>FreeCAD&apos;s older one.</extracomment>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Memory of FreeCAD&apos;s legacy simulator, at the accuracy that the preferences say</source>
+        <source>Memory of FreeCAD&apos;s legacy simulator, at the accuracy set in the preferences</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1450,7 +1442,7 @@ time</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Time on the machine at the programmed feeds; rapids where the tool controller says their speed</source>
+        <source>Time on the machine at the programmed feeds; rapids where the tool controller gives their speed</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1626,7 +1618,7 @@ memory</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The longest that the {simulator} should take: its estimate times how far estimates are off</source>
+        <source>The longest that the {simulator} should take: its estimate times the factor by which estimates are off</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1641,6 +1633,14 @@ at most</source>
     </message>
     <message>
         <source>Memory to simulate it in an extended z-buffer: of an operation alone, with the whole stock; of a job with the stock once</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not in the total: its dress-up is counted instead</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not in the total: it is switched off</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1743,11 +1743,11 @@ at most</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>From where the part is seen.</source>
+        <source>Where the part is seen from.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>By what the surfaces are colored.</source>
+        <source>What the surfaces are colored by.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1815,11 +1815,11 @@ at most</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>On by one trajectory.</source>
+        <source>Forward by one trajectory.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>On by one command of the program.</source>
+        <source>Forward by one command of the program.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1887,7 +1887,7 @@ at most</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Differences to the model up to this are none.</source>
+        <source>Smaller differences to the model do not count.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1946,7 +1946,7 @@ at most</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Drawing strategies: {} operations to go</source>
+        <source>Drawing strategies, operations to go: {}</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

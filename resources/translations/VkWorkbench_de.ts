@@ -4,7 +4,7 @@
 <context>
     <name>App::Property</name>
     <message>
-        <source>Machining strategy recognised from the toolpath</source>
+        <source>Machining strategy recognized from the toolpath</source>
         <translation>Aus dem Werkzeugweg erkannte Bearbeitungsstrategie</translation>
     </message>
     <message>
@@ -218,47 +218,47 @@
         <translation>Aufwand unbekannt für {labels}</translation>
     </message>
     <message>
-        <source>words without a motion before them ignored</source>
+        <source>words without a motion before them are ignored</source>
         <translation>Wörter ohne Bewegung davor übergangen</translation>
     </message>
     <message>
-        <source>feed rate that is no usable number ignored</source>
+        <source>a feed rate that is not a usable number is ignored</source>
         <translation>Vorschub, der keine brauchbare Zahl ist, übergangen</translation>
     </message>
     <message>
-        <source>centre word (I, J, K) that is no usable number ignored</source>
+        <source>center words (I, J, K) that are not usable numbers are ignored</source>
         <translation>Mittelpunktswort (I, J, K), das keine brauchbare Zahl ist, übergangen</translation>
     </message>
     <message>
-        <source>{letter} word that is no usable number ignored</source>
+        <source>{letter} words that are not usable numbers are ignored</source>
         <translation>{letter}-Wort, das keine brauchbare Zahl ist, übergangen</translation>
     </message>
     <message>
-        <source>position beyond a kilometre cut off there</source>
+        <source>positions beyond a kilometer are cut off there</source>
         <translation>Position jenseits eines Kilometers dort abgeschnitten</translation>
     </message>
     <message>
-        <source>drilling cycle without a depth (Z): no hole</source>
+        <source>a drilling cycle without a depth (Z) drills nothing</source>
         <translation>Bohrzyklus ohne Tiefe (Z): kein Loch</translation>
     </message>
     <message>
-        <source>drilling cycle without R: it starts where it stands</source>
+        <source>a drilling cycle without R starts at the current height</source>
         <translation>Bohrzyklus ohne R: Er beginnt, wo er steht</translation>
     </message>
     <message>
-        <source>drilling cycle outside the XY plane read as in XY</source>
+        <source>a drilling cycle outside the XY plane is read as one in XY</source>
         <translation>Bohrzyklus außerhalb der XY-Ebene wie in XY gelesen</translation>
     </message>
     <message>
-        <source>arc before its start is known ignored</source>
+        <source>an arc whose start is not known is ignored</source>
         <translation>Bogen mit noch unbekanntem Anfang übergangen</translation>
     </message>
     <message>
-        <source>arc without a usable centre or radius read as a line</source>
+        <source>an arc without a usable center or radius is read as a line</source>
         <translation>Bogen ohne brauchbaren Mittelpunkt oder Radius als Linie gelesen</translation>
     </message>
     <message>
-        <source>arc whose end is not on its circle read with a changing radius</source>
+        <source>an arc whose end is not on its circle is read with a changing radius</source>
         <translation>Bogen, dessen Ende nicht auf seinem Kreis liegt, mit veränderlichem Radius gelesen</translation>
     </message>
     <message>
@@ -270,7 +270,7 @@
         <translation>dem ein Z-Wort fehlt</translation>
     </message>
     <message>
-        <source>without a centre</source>
+        <source>without a center</source>
         <translation>dem der Mittelpunkt fehlt</translation>
     </message>
     <message>
@@ -374,10 +374,6 @@
         <translation> und {count:n} weitere</translation>
     </message>
     <message>
-        <source>{width:n} x {height:n} pixels of {pixel:mm2}, limited by the {limit}{passes}</source>
-        <translation>{width:n} x {height:n} Pixel von {pixel:mm2}, begrenzt durch {limit}{passes}</translation>
-    </message>
-    <message>
         <source>; passes {step:mm3} apart ask for {cell:mm2}</source>
         <translation>; Bahnen im Abstand von {step:mm3} verlangen {cell:mm2}</translation>
     </message>
@@ -414,15 +410,15 @@
         <translation>{sentence} ({count:n}-mal, zuerst bei Befehl {command:#})</translation>
     </message>
     <message>
-        <source>unknown code {name} ignored</source>
+        <source>the unknown code {name} is ignored</source>
         <translation>unbekannter Code {name} übergangen</translation>
     </message>
     <message>
-        <source>1 more unknown code ignored</source>
+        <source>1 more unknown code is ignored</source>
         <translation>1 weiterer unbekannter Code übergangen</translation>
     </message>
     <message>
-        <source>{count:n} more unknown codes ignored</source>
+        <source>{count:n} more unknown codes are ignored</source>
         <translation>{count:n} weitere unbekannte Codes übergangen</translation>
     </message>
     <message>
@@ -434,7 +430,7 @@
         <translation>{label}: {sentence}</translation>
     </message>
     <message>
-        <source>could not be analysed, please report it with the file: {error}</source>
+        <source>could not be analyzed, please report it with the file: {error}</source>
         <translation>konnte nicht analysiert werden, bitte mit der Datei melden: {error}</translation>
     </message>
     <message>
@@ -522,7 +518,7 @@
         <translation>{what} ({count:n}-mal, zuerst in Zeile {line:#})</translation>
     </message>
     <message>
-        <source>lines with a block delete (/) are read as the others</source>
+        <source>lines with a block delete (/) are read like the others</source>
         <translation>Zeilen mit Ausblendzeichen (/) werden wie die anderen gelesen</translation>
     </message>
     <message>
@@ -562,19 +558,19 @@
         <translation>ein Programm in der Sprache von {name}-Steuerungen (Zeile {line:#}): als G-Code (ISO) ausgegeben wird es gelesen</translation>
     </message>
     <message>
-        <source>no NC program: {part:n} of its {lines:n} lines are not made of words like G1 X10, the first is line {line:#}</source>
+        <source>not an NC program: {part:n} of its {lines:n} lines are not made of words like G1 X10, the first is line {line:#}</source>
         <translation>kein NC-Programm: {part:n} seiner {lines:n} Zeilen bestehen nicht aus Wörtern wie G1 X10, die erste ist Zeile {line:#}</translation>
     </message>
     <message>
-        <source>no NC program: no line of it moves a tool</source>
+        <source>not an NC program: no line of it moves a tool</source>
         <translation>kein NC-Programm: keine seiner Zeilen bewegt ein Werkzeug</translation>
     </message>
     <message>
-        <source>no move of it can be read: {problems}</source>
+        <source>none of its moves can be read: {problems}</source>
         <translation>keine seiner Bewegungen kann gelesen werden: {problems}</translation>
     </message>
     <message>
-        <source>no NC program: it is not a text</source>
+        <source>not an NC program: it is not text</source>
         <translation>kein NC-Programm: es ist kein Text</translation>
     </message>
     <message>
@@ -590,7 +586,7 @@
         <translation>ein Programm für eine Drahtschneidemaschine ({name}, Zeile {line:#}): Frässtrategien sagen darüber nichts</translation>
     </message>
     <message>
-        <source>a rotary axis turns while the tool cuts (line {line:#}): the way of the tool cannot be told</source>
+        <source>a rotary axis turns while the tool cuts (line {line:#}): the path of the tool cannot be told</source>
         <translation>eine Drehachse dreht, während das Werkzeug schneidet (Zeile {line:#}): der Weg des Werkzeugs ist nicht bekannt</translation>
     </message>
     <message>
@@ -614,7 +610,7 @@
         <translation>nach {time:s} aufgegeben</translation>
     </message>
     <message>
-        <source>the process that read it died, of too little memory perhaps</source>
+        <source>the process that read it died, perhaps for lack of memory</source>
         <translation>der Prozess, der es las, ist gestorben, vielleicht aus Speichermangel</translation>
     </message>
     <message>
@@ -622,7 +618,7 @@
         <translation>Die Simulation braucht in der Spitze etwa {memory:bytes}, für {dexels:n} Dexel und {traces:n} Spurelemente, mehr als die erlaubten {allowed:bytes}: Wählen Sie ein kleineres Bild oder simulieren Sie weniger Operationen.</translation>
     </message>
     <message>
-        <source>it looks 25.4 times too small: inches read as millimetres?</source>
+        <source>it looks 25.4 times too small: inches read as millimeters?</source>
         <translation>es sieht 25,4-mal zu klein aus: Zoll als Millimeter gelesen?</translation>
     </message>
     <message>
@@ -682,11 +678,11 @@
         <translation>für diese Operation den {simulator:simulator} benutzen</translation>
     </message>
     <message>
-        <source>the tool&apos;s diameter must be a positive number of at most a kilometre, not {diameter:mm}</source>
+        <source>the tool&apos;s diameter must be a positive number of at most a kilometer, not {diameter:mm}</source>
         <translation>Der Werkzeugdurchmesser muss positiv und höchstens ein Kilometer sein, nicht {diameter:mm}</translation>
     </message>
     <message>
-        <source>the stock&apos;s corners must be numbers within a kilometre of the origin</source>
+        <source>the stock&apos;s corners must be numbers within a kilometer of the origin</source>
         <translation>Die Ecken des Rohteils müssen Zahlen innerhalb eines Kilometers vom Ursprung sein</translation>
     </message>
     <message>
@@ -702,7 +698,7 @@
         <translation>die Oberfläche des Körpers ist nicht geschlossen</translation>
     </message>
     <message>
-        <source>the stock of {label} is taken for the box around it: {sentence}</source>
+        <source>the box around the stock of {label} is taken for it: {sentence}</source>
         <translation>als Rohteil von {label} gilt der Quader darum herum: {sentence}</translation>
     </message>
     <message>
@@ -722,7 +718,7 @@
         <translation>als Bohrer</translation>
     </message>
     <message>
-        <source>a rotary axis ({letter}) turns while the tool cuts: the way of the tool cannot be told</source>
+        <source>a rotary axis ({letter}) turns while the tool cuts: the path of the tool cannot be told</source>
         <translation>Eine Drehachse ({letter}) dreht, während das Werkzeug schneidet: Der Weg des Werkzeugs ist nicht bestimmbar</translation>
     </message>
     <message>
@@ -746,7 +742,7 @@
         <translation>Zoll (G20) werden nicht berücksichtigt: Längen werden in mm gelesen</translation>
     </message>
     <message>
-        <source>cutter compensation ({name}) is not followed: the way is that of the program</source>
+        <source>cutter compensation ({name}) is not followed: the path is the programmed one</source>
         <translation>Die Radiuskorrektur ({name}) wird nicht berücksichtigt: Der Weg ist der des Programms</translation>
     </message>
     <message>
@@ -878,11 +874,11 @@
         <translation>„{simulator:simulator}“ bleibt daran hängen: Befehl {command:#} von {label}{others} ist ein Bogen, {reason}.</translation>
     </message>
     <message>
-        <source>, beside another operation,</source>
+        <source> (also in another operation)</source>
         <translation> (und eine weitere Operation)</translation>
     </message>
     <message>
-        <source>, beside {count:n} other operations,</source>
+        <source> (also in {count:n} other operations)</source>
         <translation> (und {count:n} weitere Operationen)</translation>
     </message>
     <message>
@@ -946,7 +942,7 @@
         <translation>Bewegungen nur in X und Z, mit Schnitten längs Z bei vielen X, wie eine Drehmaschine sie macht: {strategy:strategy}</translation>
     </message>
     <message>
-        <source>the operation&apos;s placement must be numbers within a kilometre of the origin</source>
+        <source>the operation&apos;s placement must be numbers within a kilometer of the origin</source>
         <translation>die Platzierung der Operation muss aus Zahlen innerhalb eines Kilometers vom Ursprung bestehen</translation>
     </message>
     <message>
@@ -960,6 +956,10 @@
     <message>
         <source>{told}, with a little {strategies:strategy} beside it</source>
         <translation>{told}, daneben ein wenig {strategies:strategy}</translation>
+    </message>
+    <message>
+        <source>{width:n} x {height:n} pixels of {pixel:mm2}, limited by the {limit}{passes}</source>
+        <translation>{width:n} x {height:n} Pixel von {pixel:mm2}, begrenzt durch {limit}{passes}</translation>
     </message>
 </context>
 <context>
@@ -1101,7 +1101,7 @@
         <translation>Ansicht des Z-Buffers</translation>
     </message>
     <message>
-        <source>From where the z-buffer looks at the part.</source>
+        <source>Where the z-buffer looks at the part from.</source>
         <translation>Von wo der Z-Buffer auf das Werkstück blickt.</translation>
     </message>
     <message>
@@ -1279,10 +1279,6 @@
         <translation>Geht schrittweise durch die Bewegungen k des Bereichs.</translation>
     </message>
     <message>
-        <source>{}: no cutting move has a direction in the plane</source>
-        <translation>{}: Keine Schnittbewegung hat eine Richtung in der Ebene</translation>
-    </message>
-    <message>
         <source>Area {}: {} trajectories, {}</source>
         <translation>Bereich {}: {} Bewegungen, {}</translation>
     </message>
@@ -1342,6 +1338,10 @@
         <source>&lt;p&gt;The wheel zooms, dragging moves, a double click shows all again.&lt;/p&gt;</source>
         <translation>&lt;p&gt;Das Mausrad vergrößert, Ziehen verschiebt, ein Doppelklick zeigt wieder alles.&lt;/p&gt;</translation>
     </message>
+    <message>
+        <source>{}: no move cuts sideways, so there is no direction to show</source>
+        <translation>{}: Keine Bewegung schneidet zur Seite, daher ist keine Richtung zu zeigen</translation>
+    </message>
 </context>
 <context>
     <name>Vk_Results</name>
@@ -1362,16 +1362,8 @@
         <translation>JSON exportieren</translation>
     </message>
     <message>
-        <source>a lower bound: the cost of some operations is not known</source>
-        <translation>eine untere Grenze: Der Aufwand einiger Operationen ist nicht bekannt</translation>
-    </message>
-    <message>
         <source>called {name}, but its toolpath is {strategy}</source>
         <translation>heißt {name}, doch ihr Werkzeugweg ist: {strategy}</translation>
-    </message>
-    <message>
-        <source>not in the total: a dress-up stands for it, or it is switched off</source>
-        <translation>nicht in der Summe: Eine Anpassung steht für sie, oder sie ist ausgeschaltet</translation>
     </message>
     <message>
         <source>Operation</source>
@@ -1415,12 +1407,12 @@
         <translation>Was an der Operation nicht stimmt oder in ihrer Simulation schiefgehen wird</translation>
     </message>
     <message>
-        <source>Time of FreeCAD&apos;s legacy simulator in fast-forward, at the accuracy that the preferences say</source>
+        <source>Time of FreeCAD&apos;s legacy simulator in fast-forward, at the accuracy set in the preferences</source>
         <extracomment>FreeCAD&apos;s older one.</extracomment>
         <translation>Zeit des alten FreeCAD-Simulators im schnellen Vorlauf, bei der Genauigkeit aus den Einstellungen</translation>
     </message>
     <message>
-        <source>Memory of FreeCAD&apos;s legacy simulator, at the accuracy that the preferences say</source>
+        <source>Memory of FreeCAD&apos;s legacy simulator, at the accuracy set in the preferences</source>
         <translation>Speicher des alten FreeCAD-Simulators, bei der Genauigkeit aus den Einstellungen</translation>
     </message>
     <message>
@@ -1452,7 +1444,7 @@ time</source>
 tungszeit</translation>
     </message>
     <message>
-        <source>Time on the machine at the programmed feeds; rapids where the tool controller says their speed</source>
+        <source>Time on the machine at the programmed feeds; rapids where the tool controller gives their speed</source>
         <translation>Zeit auf der Maschine mit den programmierten Vorschüben; Eilgänge, wo der Werkzeugcontroller ihre Geschwindigkeit nennt</translation>
     </message>
     <message>
@@ -1625,14 +1617,14 @@ Speicher</translation>
     </message>
     <message>
         <source>the total of what was analyzed, not of the whole job</source>
-        <translation>die Summe des Analysierten, nicht des ganzen Jobs</translation>
+        <translation>die Summe des Analysierten, nicht des ganzen Auftrags</translation>
     </message>
     <message>
         <source>How long the {simulator} takes, as the marks show it</source>
         <translation>Wie lange es dauert: {simulator}, wie in den Markierungen</translation>
     </message>
     <message>
-        <source>The longest that the {simulator} should take: its estimate times how far estimates are off</source>
+        <source>The longest that the {simulator} should take: its estimate times the factor by which estimates are off</source>
         <translation>So lange sollte es höchstens dauern: {simulator}; die Schätzung mal dem, wie weit Schätzungen danebenliegen</translation>
     </message>
     <message>
@@ -1649,6 +1641,14 @@ höchstens</translation>
     <message>
         <source>Memory to simulate it in an extended z-buffer: of an operation alone, with the whole stock; of a job with the stock once</source>
         <translation>Speicher der Simulation in einem erweiterten Z-Buffer: einer Operation allein, mit dem ganzen Rohteil; eines Auftrags mit dem Rohteil nur einmal</translation>
+    </message>
+    <message>
+        <source>not in the total: its dress-up is counted instead</source>
+        <translation>nicht in der Summe: Stattdessen zählt ihre Anpassung</translation>
+    </message>
+    <message>
+        <source>not in the total: it is switched off</source>
+        <translation>nicht in der Summe: Sie ist ausgeschaltet</translation>
     </message>
 </context>
 <context>
@@ -1750,11 +1750,11 @@ höchstens</translation>
         <translation>Ansicht</translation>
     </message>
     <message>
-        <source>From where the part is seen.</source>
+        <source>Where the part is seen from.</source>
         <translation>Von wo das Teil gesehen wird.</translation>
     </message>
     <message>
-        <source>By what the surfaces are colored.</source>
+        <source>What the surfaces are colored by.</source>
         <translation>Wonach die Flächen gefärbt sind.</translation>
     </message>
     <message>
@@ -1822,11 +1822,11 @@ höchstens</translation>
         <translation>Eine Bewegung zurück.</translation>
     </message>
     <message>
-        <source>On by one trajectory.</source>
+        <source>Forward by one trajectory.</source>
         <translation>Eine Bewegung weiter.</translation>
     </message>
     <message>
-        <source>On by one command of the program.</source>
+        <source>Forward by one command of the program.</source>
         <translation>Einen Befehl des Programms weiter.</translation>
     </message>
     <message>
@@ -1894,8 +1894,8 @@ höchstens</translation>
         <translation>Abweichung vom Modell</translation>
     </message>
     <message>
-        <source>Differences to the model up to this are none.</source>
-        <translation>Abweichungen vom Modell bis zu dieser sind keine.</translation>
+        <source>Smaller differences to the model do not count.</source>
+        <translation>Kleinere Abweichungen vom Modell zählen nicht.</translation>
     </message>
     <message>
         <source>Worst places</source>
@@ -1953,8 +1953,8 @@ höchstens</translation>
         <translation>Eilgänge</translation>
     </message>
     <message>
-        <source>Drawing strategies: {} operations to go</source>
-        <translation>Strategien werden gezeichnet: noch {} Operationen</translation>
+        <source>Drawing strategies, operations to go: {}</source>
+        <translation>Strategien werden gezeichnet, noch offene Operationen: {}</translation>
     </message>
 </context>
 <context>

@@ -4,7 +4,7 @@
 <context>
     <name>App::Property</name>
     <message>
-        <source>Machining strategy recognised from the toolpath</source>
+        <source>Machining strategy recognized from the toolpath</source>
         <translation>Estrategia de mecanizado reconocida en la trayectoria de la herramienta</translation>
     </message>
     <message>
@@ -218,47 +218,47 @@
         <translation>coste desconocido de {labels}</translation>
     </message>
     <message>
-        <source>words without a motion before them ignored</source>
+        <source>words without a motion before them are ignored</source>
         <translation>palabras sin movimiento previo ignoradas</translation>
     </message>
     <message>
-        <source>feed rate that is no usable number ignored</source>
+        <source>a feed rate that is not a usable number is ignored</source>
         <translation>avance que no es un número utilizable ignorado</translation>
     </message>
     <message>
-        <source>centre word (I, J, K) that is no usable number ignored</source>
+        <source>center words (I, J, K) that are not usable numbers are ignored</source>
         <translation>palabra de centro (I, J, K) que no es un número utilizable ignorada</translation>
     </message>
     <message>
-        <source>{letter} word that is no usable number ignored</source>
+        <source>{letter} words that are not usable numbers are ignored</source>
         <translation>palabra {letter} que no es un número utilizable ignorada</translation>
     </message>
     <message>
-        <source>position beyond a kilometre cut off there</source>
+        <source>positions beyond a kilometer are cut off there</source>
         <translation>posición más allá de un kilómetro recortada allí</translation>
     </message>
     <message>
-        <source>drilling cycle without a depth (Z): no hole</source>
+        <source>a drilling cycle without a depth (Z) drills nothing</source>
         <translation>ciclo de taladrado sin profundidad (Z): ningún agujero</translation>
     </message>
     <message>
-        <source>drilling cycle without R: it starts where it stands</source>
+        <source>a drilling cycle without R starts at the current height</source>
         <translation>ciclo de taladrado sin R: empieza donde está</translation>
     </message>
     <message>
-        <source>drilling cycle outside the XY plane read as in XY</source>
+        <source>a drilling cycle outside the XY plane is read as one in XY</source>
         <translation>ciclo de taladrado fuera del plano XY leído como en XY</translation>
     </message>
     <message>
-        <source>arc before its start is known ignored</source>
+        <source>an arc whose start is not known is ignored</source>
         <translation>arco cuyo comienzo aún no se conoce ignorado</translation>
     </message>
     <message>
-        <source>arc without a usable centre or radius read as a line</source>
+        <source>an arc without a usable center or radius is read as a line</source>
         <translation>arco sin centro ni radio utilizables leído como recta</translation>
     </message>
     <message>
-        <source>arc whose end is not on its circle read with a changing radius</source>
+        <source>an arc whose end is not on its circle is read with a changing radius</source>
         <translation>arco cuyo final no está en su círculo leído con radio variable</translation>
     </message>
     <message>
@@ -270,7 +270,7 @@
         <translation>sin palabra Z</translation>
     </message>
     <message>
-        <source>without a centre</source>
+        <source>without a center</source>
         <translation>sin centro</translation>
     </message>
     <message>
@@ -374,10 +374,6 @@
         <translation> y {count:n} más</translation>
     </message>
     <message>
-        <source>{width:n} x {height:n} pixels of {pixel:mm2}, limited by the {limit}{passes}</source>
-        <translation>{width:n} x {height:n} píxeles de {pixel:mm2}, limitados por {limit}{passes}</translation>
-    </message>
-    <message>
         <source>; passes {step:mm3} apart ask for {cell:mm2}</source>
         <translation>; pasadas a {step:mm3} piden {cell:mm2}</translation>
     </message>
@@ -414,15 +410,15 @@
         <translation>{sentence} ({count:n} veces, primero en la orden {command:#})</translation>
     </message>
     <message>
-        <source>unknown code {name} ignored</source>
+        <source>the unknown code {name} is ignored</source>
         <translation>código desconocido {name} ignorado</translation>
     </message>
     <message>
-        <source>1 more unknown code ignored</source>
+        <source>1 more unknown code is ignored</source>
         <translation>otro código desconocido ignorado</translation>
     </message>
     <message>
-        <source>{count:n} more unknown codes ignored</source>
+        <source>{count:n} more unknown codes are ignored</source>
         <translation>otros {count:n} códigos desconocidos ignorados</translation>
     </message>
     <message>
@@ -434,7 +430,7 @@
         <translation>{label}: {sentence}</translation>
     </message>
     <message>
-        <source>could not be analysed, please report it with the file: {error}</source>
+        <source>could not be analyzed, please report it with the file: {error}</source>
         <translation>no se pudo analizar, por favor infórmelo con el archivo: {error}</translation>
     </message>
     <message>
@@ -522,7 +518,7 @@
         <translation>{what} ({count:n} veces, la primera en la línea {line:#})</translation>
     </message>
     <message>
-        <source>lines with a block delete (/) are read as the others</source>
+        <source>lines with a block delete (/) are read like the others</source>
         <translation>las líneas con salto de bloque (/) se leen como las demás</translation>
     </message>
     <message>
@@ -562,19 +558,19 @@
         <translation>un programa en el lenguaje de los controles {name} (línea {line:#}): emítalo como código G (ISO) para que se lea</translation>
     </message>
     <message>
-        <source>no NC program: {part:n} of its {lines:n} lines are not made of words like G1 X10, the first is line {line:#}</source>
+        <source>not an NC program: {part:n} of its {lines:n} lines are not made of words like G1 X10, the first is line {line:#}</source>
         <translation>no es un programa CN: {part:n} de sus {lines:n} líneas no constan de palabras como G1 X10, la primera es la línea {line:#}</translation>
     </message>
     <message>
-        <source>no NC program: no line of it moves a tool</source>
+        <source>not an NC program: no line of it moves a tool</source>
         <translation>no es un programa CN: ninguna línea mueve una herramienta</translation>
     </message>
     <message>
-        <source>no move of it can be read: {problems}</source>
+        <source>none of its moves can be read: {problems}</source>
         <translation>no se puede leer ninguno de sus movimientos: {problems}</translation>
     </message>
     <message>
-        <source>no NC program: it is not a text</source>
+        <source>not an NC program: it is not text</source>
         <translation>no es un programa CN: no es un texto</translation>
     </message>
     <message>
@@ -590,7 +586,7 @@
         <translation>un programa para una cortadora de hilo ({name}, línea {line:#}): las estrategias de fresado no dicen nada de él</translation>
     </message>
     <message>
-        <source>a rotary axis turns while the tool cuts (line {line:#}): the way of the tool cannot be told</source>
+        <source>a rotary axis turns while the tool cuts (line {line:#}): the path of the tool cannot be told</source>
         <translation>un eje rotativo gira mientras la herramienta corta (línea {line:#}): no se conoce el recorrido de la herramienta</translation>
     </message>
     <message>
@@ -614,7 +610,7 @@
         <translation>abandonado tras {time:s}</translation>
     </message>
     <message>
-        <source>the process that read it died, of too little memory perhaps</source>
+        <source>the process that read it died, perhaps for lack of memory</source>
         <translation>el proceso que lo leía murió, quizá por falta de memoria</translation>
     </message>
     <message>
@@ -622,7 +618,7 @@
         <translation>La simulación ocupa unos {memory:bytes} como máximo, para {dexels:n} dexels y {traces:n} elementos de traza, más que los {allowed:bytes} permitidos: elija una imagen más pequeña o simule menos operaciones.</translation>
     </message>
     <message>
-        <source>it looks 25.4 times too small: inches read as millimetres?</source>
+        <source>it looks 25.4 times too small: inches read as millimeters?</source>
         <translation>parece 25,4 veces demasiado pequeño: ¿pulgadas leídas como milímetros?</translation>
     </message>
     <message>
@@ -682,11 +678,11 @@
         <translation>use el {simulator:simulator} para esta operación</translation>
     </message>
     <message>
-        <source>the tool&apos;s diameter must be a positive number of at most a kilometre, not {diameter:mm}</source>
+        <source>the tool&apos;s diameter must be a positive number of at most a kilometer, not {diameter:mm}</source>
         <translation>el diámetro de la herramienta debe ser positivo y de un kilómetro como máximo, no {diameter:mm}</translation>
     </message>
     <message>
-        <source>the stock&apos;s corners must be numbers within a kilometre of the origin</source>
+        <source>the stock&apos;s corners must be numbers within a kilometer of the origin</source>
         <translation>las esquinas del material deben ser números a menos de un kilómetro del origen</translation>
     </message>
     <message>
@@ -702,7 +698,7 @@
         <translation>la superficie del sólido no está cerrada</translation>
     </message>
     <message>
-        <source>the stock of {label} is taken for the box around it: {sentence}</source>
+        <source>the box around the stock of {label} is taken for it: {sentence}</source>
         <translation>como material de {label} se toma la caja que lo rodea: {sentence}</translation>
     </message>
     <message>
@@ -722,7 +718,7 @@
         <translation>como broca</translation>
     </message>
     <message>
-        <source>a rotary axis ({letter}) turns while the tool cuts: the way of the tool cannot be told</source>
+        <source>a rotary axis ({letter}) turns while the tool cuts: the path of the tool cannot be told</source>
         <translation>un eje rotativo ({letter}) gira mientras la herramienta corta: no se puede saber su recorrido</translation>
     </message>
     <message>
@@ -746,7 +742,7 @@
         <translation>no se siguen las pulgadas (G20): las longitudes se leen en mm</translation>
     </message>
     <message>
-        <source>cutter compensation ({name}) is not followed: the way is that of the program</source>
+        <source>cutter compensation ({name}) is not followed: the path is the programmed one</source>
         <translation>no se sigue la compensación de radio ({name}): el recorrido es el del programa</translation>
     </message>
     <message>
@@ -878,11 +874,11 @@
         <translation>{simulator:simulator} se bloquea con esto: la orden {command:#} de {label}{others} es un arco {reason}.</translation>
     </message>
     <message>
-        <source>, beside another operation,</source>
+        <source> (also in another operation)</source>
         <translation> (y otra operación)</translation>
     </message>
     <message>
-        <source>, beside {count:n} other operations,</source>
+        <source> (also in {count:n} other operations)</source>
         <translation> (y {count:n} operaciones más)</translation>
     </message>
     <message>
@@ -946,7 +942,7 @@
         <translation>movimientos solo en X y Z, con pasadas a lo largo de Z en muchas X, como los hace un torno: {strategy:strategy}</translation>
     </message>
     <message>
-        <source>the operation&apos;s placement must be numbers within a kilometre of the origin</source>
+        <source>the operation&apos;s placement must be numbers within a kilometer of the origin</source>
         <translation>la ubicación de la operación debe constar de números a menos de un kilómetro del origen</translation>
     </message>
     <message>
@@ -960,6 +956,10 @@
     <message>
         <source>{told}, with a little {strategies:strategy} beside it</source>
         <translation>{told}, con un poco de {strategies:strategy} al lado</translation>
+    </message>
+    <message>
+        <source>{width:n} x {height:n} pixels of {pixel:mm2}, limited by the {limit}{passes}</source>
+        <translation>{width:n} x {height:n} píxeles de {pixel:mm2}, limitados por {limit}{passes}</translation>
     </message>
 </context>
 <context>
@@ -1101,7 +1101,7 @@
         <translation>Vista del z-buffer</translation>
     </message>
     <message>
-        <source>From where the z-buffer looks at the part.</source>
+        <source>Where the z-buffer looks at the part from.</source>
         <translation>Desde dónde mira el z-buffer la pieza.</translation>
     </message>
     <message>
@@ -1279,10 +1279,6 @@
         <translation>Recorre paso a paso los tramos k de la zona.</translation>
     </message>
     <message>
-        <source>{}: no cutting move has a direction in the plane</source>
-        <translation>{}: ningún movimiento de corte tiene dirección en el plano</translation>
-    </message>
-    <message>
         <source>Area {}: {} trajectories, {}</source>
         <translation>Zona {}: {} tramos, {}</translation>
     </message>
@@ -1342,6 +1338,10 @@
         <source>&lt;p&gt;The wheel zooms, dragging moves, a double click shows all again.&lt;/p&gt;</source>
         <translation>&lt;p&gt;La rueda amplía, arrastrar desplaza, un doble clic muestra todo de nuevo.&lt;/p&gt;</translation>
     </message>
+    <message>
+        <source>{}: no move cuts sideways, so there is no direction to show</source>
+        <translation>{}: ningún movimiento corta hacia los lados, así que no hay dirección que mostrar</translation>
+    </message>
 </context>
 <context>
     <name>Vk_Results</name>
@@ -1362,16 +1362,8 @@
         <translation>Exportar JSON</translation>
     </message>
     <message>
-        <source>a lower bound: the cost of some operations is not known</source>
-        <translation>un mínimo: se desconoce el coste de algunas operaciones</translation>
-    </message>
-    <message>
         <source>called {name}, but its toolpath is {strategy}</source>
         <translation>se llama {name}, pero su trayectoria es: {strategy}</translation>
-    </message>
-    <message>
-        <source>not in the total: a dress-up stands for it, or it is switched off</source>
-        <translation>fuera del total: un aderezo la sustituye, o está desactivada</translation>
     </message>
     <message>
         <source>Operation</source>
@@ -1415,12 +1407,12 @@
         <translation>Lo que falla en la operación, o fallará en su simulación</translation>
     </message>
     <message>
-        <source>Time of FreeCAD&apos;s legacy simulator in fast-forward, at the accuracy that the preferences say</source>
+        <source>Time of FreeCAD&apos;s legacy simulator in fast-forward, at the accuracy set in the preferences</source>
         <extracomment>FreeCAD&apos;s older one.</extracomment>
         <translation>Tiempo del simulador antiguo de FreeCAD en avance rápido, con la precisión de las preferencias</translation>
     </message>
     <message>
-        <source>Memory of FreeCAD&apos;s legacy simulator, at the accuracy that the preferences say</source>
+        <source>Memory of FreeCAD&apos;s legacy simulator, at the accuracy set in the preferences</source>
         <translation>Memoria del simulador antiguo de FreeCAD, con la precisión de las preferencias</translation>
     </message>
     <message>
@@ -1452,7 +1444,7 @@ time</source>
 mecanizado</translation>
     </message>
     <message>
-        <source>Time on the machine at the programmed feeds; rapids where the tool controller says their speed</source>
+        <source>Time on the machine at the programmed feeds; rapids where the tool controller gives their speed</source>
         <translation>Tiempo en la máquina con los avances programados; rápidos si el controlador de herramienta da su velocidad</translation>
     </message>
     <message>
@@ -1632,7 +1624,7 @@ memoria</translation>
         <translation>Cuánto tarda: {simulator}, como en las marcas</translation>
     </message>
     <message>
-        <source>The longest that the {simulator} should take: its estimate times how far estimates are off</source>
+        <source>The longest that the {simulator} should take: its estimate times the factor by which estimates are off</source>
         <translation>Lo más que debería tardar: {simulator}; la estimación multiplicada por lo que suelen fallar las estimaciones</translation>
     </message>
     <message>
@@ -1649,6 +1641,14 @@ como mucho</translation>
     <message>
         <source>Memory to simulate it in an extended z-buffer: of an operation alone, with the whole stock; of a job with the stock once</source>
         <translation>Memoria de simulación en un z-buffer extendido: de una operación sola, con el material en bruto entero; de un trabajo con el material en bruto una sola vez</translation>
+    </message>
+    <message>
+        <source>not in the total: its dress-up is counted instead</source>
+        <translation>fuera del total: en su lugar cuenta su aderezo</translation>
+    </message>
+    <message>
+        <source>not in the total: it is switched off</source>
+        <translation>fuera del total: está desactivada</translation>
     </message>
 </context>
 <context>
@@ -1750,11 +1750,11 @@ como mucho</translation>
         <translation>Vista</translation>
     </message>
     <message>
-        <source>From where the part is seen.</source>
+        <source>Where the part is seen from.</source>
         <translation>Desde dónde se ve la pieza.</translation>
     </message>
     <message>
-        <source>By what the surfaces are colored.</source>
+        <source>What the surfaces are colored by.</source>
         <translation>Según qué se colorean las superficies.</translation>
     </message>
     <message>
@@ -1822,11 +1822,11 @@ como mucho</translation>
         <translation>Retroceder un movimiento.</translation>
     </message>
     <message>
-        <source>On by one trajectory.</source>
+        <source>Forward by one trajectory.</source>
         <translation>Avanzar un movimiento.</translation>
     </message>
     <message>
-        <source>On by one command of the program.</source>
+        <source>Forward by one command of the program.</source>
         <translation>Avanzar una orden del programa.</translation>
     </message>
     <message>
@@ -1894,7 +1894,7 @@ como mucho</translation>
         <translation>Diferencia con el modelo</translation>
     </message>
     <message>
-        <source>Differences to the model up to this are none.</source>
+        <source>Smaller differences to the model do not count.</source>
         <translation>Las diferencias con el modelo hasta este valor no cuentan.</translation>
     </message>
     <message>
@@ -1953,8 +1953,8 @@ como mucho</translation>
         <translation>movimientos rápidos</translation>
     </message>
     <message>
-        <source>Drawing strategies: {} operations to go</source>
-        <translation>Dibujando estrategias: faltan {} operaciones</translation>
+        <source>Drawing strategies, operations to go: {}</source>
+        <translation>Dibujando estrategias, operaciones pendientes: {}</translation>
     </message>
 </context>
 <context>

@@ -4,7 +4,7 @@
 <context>
     <name>App::Property</name>
     <message>
-        <source>Machining strategy recognised from the toolpath</source>
+        <source>Machining strategy recognized from the toolpath</source>
         <translation>Stratégie d&apos;usinage reconnue à partir du parcours d&apos;outil</translation>
     </message>
     <message>
@@ -218,47 +218,47 @@
         <translation>coût inconnu pour {labels}</translation>
     </message>
     <message>
-        <source>words without a motion before them ignored</source>
+        <source>words without a motion before them are ignored</source>
         <translation>mots sans mouvement avant eux ignorés</translation>
     </message>
     <message>
-        <source>feed rate that is no usable number ignored</source>
+        <source>a feed rate that is not a usable number is ignored</source>
         <translation>avance qui n&apos;est pas un nombre utilisable ignorée</translation>
     </message>
     <message>
-        <source>centre word (I, J, K) that is no usable number ignored</source>
+        <source>center words (I, J, K) that are not usable numbers are ignored</source>
         <translation>mot de centre (I, J, K) qui n&apos;est pas un nombre utilisable ignoré</translation>
     </message>
     <message>
-        <source>{letter} word that is no usable number ignored</source>
+        <source>{letter} words that are not usable numbers are ignored</source>
         <translation>mot {letter} qui n&apos;est pas un nombre utilisable ignoré</translation>
     </message>
     <message>
-        <source>position beyond a kilometre cut off there</source>
+        <source>positions beyond a kilometer are cut off there</source>
         <translation>position au-delà d&apos;un kilomètre tronquée</translation>
     </message>
     <message>
-        <source>drilling cycle without a depth (Z): no hole</source>
+        <source>a drilling cycle without a depth (Z) drills nothing</source>
         <translation>cycle de perçage sans profondeur (Z) : pas de trou</translation>
     </message>
     <message>
-        <source>drilling cycle without R: it starts where it stands</source>
+        <source>a drilling cycle without R starts at the current height</source>
         <translation>cycle de perçage sans R : il commence là où il est</translation>
     </message>
     <message>
-        <source>drilling cycle outside the XY plane read as in XY</source>
+        <source>a drilling cycle outside the XY plane is read as one in XY</source>
         <translation>cycle de perçage hors du plan XY lu comme dans XY</translation>
     </message>
     <message>
-        <source>arc before its start is known ignored</source>
+        <source>an arc whose start is not known is ignored</source>
         <translation>arc dont le début n&apos;est pas encore connu ignoré</translation>
     </message>
     <message>
-        <source>arc without a usable centre or radius read as a line</source>
+        <source>an arc without a usable center or radius is read as a line</source>
         <translation>arc sans centre ni rayon utilisables lu comme une droite</translation>
     </message>
     <message>
-        <source>arc whose end is not on its circle read with a changing radius</source>
+        <source>an arc whose end is not on its circle is read with a changing radius</source>
         <translation>arc dont la fin n&apos;est pas sur son cercle lu avec un rayon variable</translation>
     </message>
     <message>
@@ -270,7 +270,7 @@
         <translation>sans mot Z</translation>
     </message>
     <message>
-        <source>without a centre</source>
+        <source>without a center</source>
         <translation>sans centre</translation>
     </message>
     <message>
@@ -374,10 +374,6 @@
         <translation> et {count:n} autres</translation>
     </message>
     <message>
-        <source>{width:n} x {height:n} pixels of {pixel:mm2}, limited by the {limit}{passes}</source>
-        <translation>{width:n} x {height:n} pixels de {pixel:mm2}, limités par {limit}{passes}</translation>
-    </message>
-    <message>
         <source>; passes {step:mm3} apart ask for {cell:mm2}</source>
         <translation> ; des passes espacées de {step:mm3} demandent {cell:mm2}</translation>
     </message>
@@ -414,15 +410,15 @@
         <translation>{sentence} ({count:n} fois, d&apos;abord à la commande {command:#})</translation>
     </message>
     <message>
-        <source>unknown code {name} ignored</source>
+        <source>the unknown code {name} is ignored</source>
         <translation>code inconnu {name} ignoré</translation>
     </message>
     <message>
-        <source>1 more unknown code ignored</source>
+        <source>1 more unknown code is ignored</source>
         <translation>1 autre code inconnu ignoré</translation>
     </message>
     <message>
-        <source>{count:n} more unknown codes ignored</source>
+        <source>{count:n} more unknown codes are ignored</source>
         <translation>{count:n} autres codes inconnus ignorés</translation>
     </message>
     <message>
@@ -434,7 +430,7 @@
         <translation>{label} : {sentence}</translation>
     </message>
     <message>
-        <source>could not be analysed, please report it with the file: {error}</source>
+        <source>could not be analyzed, please report it with the file: {error}</source>
         <translation>n&apos;a pas pu être analysée, merci de le signaler avec le fichier : {error}</translation>
     </message>
     <message>
@@ -522,7 +518,7 @@
         <translation>{what} ({count:n} fois, d’abord à la ligne {line:#})</translation>
     </message>
     <message>
-        <source>lines with a block delete (/) are read as the others</source>
+        <source>lines with a block delete (/) are read like the others</source>
         <translation>les lignes avec saut de bloc (/) sont lues comme les autres</translation>
     </message>
     <message>
@@ -562,19 +558,19 @@
         <translation>un programme dans le langage des commandes {name} (ligne {line:#}) : sorti en code G (ISO), il sera lu</translation>
     </message>
     <message>
-        <source>no NC program: {part:n} of its {lines:n} lines are not made of words like G1 X10, the first is line {line:#}</source>
+        <source>not an NC program: {part:n} of its {lines:n} lines are not made of words like G1 X10, the first is line {line:#}</source>
         <translation>pas un programme CN : {part:n} de ses {lines:n} lignes ne sont pas faites de mots comme G1 X10, la première est la ligne {line:#}</translation>
     </message>
     <message>
-        <source>no NC program: no line of it moves a tool</source>
+        <source>not an NC program: no line of it moves a tool</source>
         <translation>pas un programme CN : aucune ligne ne déplace un outil</translation>
     </message>
     <message>
-        <source>no move of it can be read: {problems}</source>
+        <source>none of its moves can be read: {problems}</source>
         <translation>aucun de ses mouvements ne peut être lu : {problems}</translation>
     </message>
     <message>
-        <source>no NC program: it is not a text</source>
+        <source>not an NC program: it is not text</source>
         <translation>pas un programme CN : ce n’est pas un texte</translation>
     </message>
     <message>
@@ -590,7 +586,7 @@
         <translation>un programme pour une découpe au fil ({name}, ligne {line:#}) : les stratégies de fraisage n’en disent rien</translation>
     </message>
     <message>
-        <source>a rotary axis turns while the tool cuts (line {line:#}): the way of the tool cannot be told</source>
+        <source>a rotary axis turns while the tool cuts (line {line:#}): the path of the tool cannot be told</source>
         <translation>un axe rotatif tourne pendant la coupe (ligne {line:#}) : le chemin de l’outil n’est pas connu</translation>
     </message>
     <message>
@@ -614,7 +610,7 @@
         <translation>abandonné après {time:s}</translation>
     </message>
     <message>
-        <source>the process that read it died, of too little memory perhaps</source>
+        <source>the process that read it died, perhaps for lack of memory</source>
         <translation>le processus qui le lisait est mort, faute de mémoire peut-être</translation>
     </message>
     <message>
@@ -622,7 +618,7 @@
         <translation>La simulation prend environ {memory:bytes} au plus fort, pour {dexels:n} dexels et {traces:n} éléments de trace, plus que les {allowed:bytes} permis : choisissez une image plus petite ou simulez moins d’opérations.</translation>
     </message>
     <message>
-        <source>it looks 25.4 times too small: inches read as millimetres?</source>
+        <source>it looks 25.4 times too small: inches read as millimeters?</source>
         <translation>cela semble 25,4 fois trop petit : des pouces lus comme des millimètres ?</translation>
     </message>
     <message>
@@ -682,11 +678,11 @@
         <translation>utilisez le {simulator:simulator} pour cette opération</translation>
     </message>
     <message>
-        <source>the tool&apos;s diameter must be a positive number of at most a kilometre, not {diameter:mm}</source>
+        <source>the tool&apos;s diameter must be a positive number of at most a kilometer, not {diameter:mm}</source>
         <translation>le diamètre de l&apos;outil doit être positif et d&apos;un kilomètre au plus, pas {diameter:mm}</translation>
     </message>
     <message>
-        <source>the stock&apos;s corners must be numbers within a kilometre of the origin</source>
+        <source>the stock&apos;s corners must be numbers within a kilometer of the origin</source>
         <translation>les coins du brut doivent être des nombres à moins d&apos;un kilomètre de l&apos;origine</translation>
     </message>
     <message>
@@ -702,7 +698,7 @@
         <translation>la surface du solide n&apos;est pas fermée</translation>
     </message>
     <message>
-        <source>the stock of {label} is taken for the box around it: {sentence}</source>
+        <source>the box around the stock of {label} is taken for it: {sentence}</source>
         <translation>le brut de {label} est remplacé par la boîte qui l&apos;entoure : {sentence}</translation>
     </message>
     <message>
@@ -722,7 +718,7 @@
         <translation>comme un foret</translation>
     </message>
     <message>
-        <source>a rotary axis ({letter}) turns while the tool cuts: the way of the tool cannot be told</source>
+        <source>a rotary axis ({letter}) turns while the tool cuts: the path of the tool cannot be told</source>
         <translation>un axe rotatif ({letter}) tourne pendant la coupe : le trajet de l&apos;outil ne peut pas être déterminé</translation>
     </message>
     <message>
@@ -746,7 +742,7 @@
         <translation>les pouces (G20) ne sont pas suivis : les longueurs sont lues en mm</translation>
     </message>
     <message>
-        <source>cutter compensation ({name}) is not followed: the way is that of the program</source>
+        <source>cutter compensation ({name}) is not followed: the path is the programmed one</source>
         <translation>la compensation de rayon ({name}) n&apos;est pas suivie : le trajet est celui du programme</translation>
     </message>
     <message>
@@ -878,11 +874,11 @@
         <translation>{simulator:simulator} se bloque ici : la commande {command:#} de {label}{others} est un arc {reason}.</translation>
     </message>
     <message>
-        <source>, beside another operation,</source>
+        <source> (also in another operation)</source>
         <translation> (et une autre opération)</translation>
     </message>
     <message>
-        <source>, beside {count:n} other operations,</source>
+        <source> (also in {count:n} other operations)</source>
         <translation> (et {count:n} autres opérations)</translation>
     </message>
     <message>
@@ -946,7 +942,7 @@
         <translation>déplacements en X et Z seulement, avec des passes le long de Z à de nombreux X, comme en fait un tour : {strategy:strategy}</translation>
     </message>
     <message>
-        <source>the operation&apos;s placement must be numbers within a kilometre of the origin</source>
+        <source>the operation&apos;s placement must be numbers within a kilometer of the origin</source>
         <translation>le placement de l&apos;opération doit être fait de nombres à moins d&apos;un kilomètre de l&apos;origine</translation>
     </message>
     <message>
@@ -960,6 +956,10 @@
     <message>
         <source>{told}, with a little {strategies:strategy} beside it</source>
         <translation>{told}, avec un peu de {strategies:strategy} à côté</translation>
+    </message>
+    <message>
+        <source>{width:n} x {height:n} pixels of {pixel:mm2}, limited by the {limit}{passes}</source>
+        <translation>{width:n} x {height:n} pixels de {pixel:mm2}, limités par {limit}{passes}</translation>
     </message>
 </context>
 <context>
@@ -1101,7 +1101,7 @@
         <translation>Vue du z-buffer</translation>
     </message>
     <message>
-        <source>From where the z-buffer looks at the part.</source>
+        <source>Where the z-buffer looks at the part from.</source>
         <translation>D&apos;où le z-buffer regarde la pièce.</translation>
     </message>
     <message>
@@ -1279,10 +1279,6 @@
         <translation>Parcourt pas à pas les trajectoires k de la zone.</translation>
     </message>
     <message>
-        <source>{}: no cutting move has a direction in the plane</source>
-        <translation>{} : aucun mouvement de coupe n&apos;a de direction dans le plan</translation>
-    </message>
-    <message>
         <source>Area {}: {} trajectories, {}</source>
         <translation>Zone {} : {} trajectoires, {}</translation>
     </message>
@@ -1342,6 +1338,10 @@
         <source>&lt;p&gt;The wheel zooms, dragging moves, a double click shows all again.&lt;/p&gt;</source>
         <translation>&lt;p&gt;La molette agrandit, glisser déplace, un double-clic montre de nouveau tout.&lt;/p&gt;</translation>
     </message>
+    <message>
+        <source>{}: no move cuts sideways, so there is no direction to show</source>
+        <translation>{} : aucun déplacement ne coupe latéralement, il n&apos;y a donc pas de direction à montrer</translation>
+    </message>
 </context>
 <context>
     <name>Vk_Results</name>
@@ -1362,16 +1362,8 @@
         <translation>Exporter en JSON</translation>
     </message>
     <message>
-        <source>a lower bound: the cost of some operations is not known</source>
-        <translation>un minimum : le coût de certaines opérations n&apos;est pas connu</translation>
-    </message>
-    <message>
         <source>called {name}, but its toolpath is {strategy}</source>
         <translation>appelée {name}, mais son parcours est : {strategy}</translation>
-    </message>
-    <message>
-        <source>not in the total: a dress-up stands for it, or it is switched off</source>
-        <translation>hors du total : un complément la remplace, ou elle est désactivée</translation>
     </message>
     <message>
         <source>Operation</source>
@@ -1415,12 +1407,12 @@
         <translation>Ce qui ne va pas dans l&apos;opération, ou n&apos;ira pas dans sa simulation</translation>
     </message>
     <message>
-        <source>Time of FreeCAD&apos;s legacy simulator in fast-forward, at the accuracy that the preferences say</source>
+        <source>Time of FreeCAD&apos;s legacy simulator in fast-forward, at the accuracy set in the preferences</source>
         <extracomment>FreeCAD&apos;s older one.</extracomment>
         <translation>Temps de l&apos;ancien simulateur de FreeCAD en avance rapide, à la précision des préférences</translation>
     </message>
     <message>
-        <source>Memory of FreeCAD&apos;s legacy simulator, at the accuracy that the preferences say</source>
+        <source>Memory of FreeCAD&apos;s legacy simulator, at the accuracy set in the preferences</source>
         <translation>Mémoire de l&apos;ancien simulateur de FreeCAD, à la précision des préférences</translation>
     </message>
     <message>
@@ -1452,7 +1444,7 @@ time</source>
 d&apos;usinage</translation>
     </message>
     <message>
-        <source>Time on the machine at the programmed feeds; rapids where the tool controller says their speed</source>
+        <source>Time on the machine at the programmed feeds; rapids where the tool controller gives their speed</source>
         <translation>Durée sur la machine aux avances programmées ; déplacements rapides si le contrôleur d&apos;outil donne leur vitesse</translation>
     </message>
     <message>
@@ -1632,7 +1624,7 @@ mémoire</translation>
         <translation>Durée : {simulator}, comme dans les marques</translation>
     </message>
     <message>
-        <source>The longest that the {simulator} should take: its estimate times how far estimates are off</source>
+        <source>The longest that the {simulator} should take: its estimate times the factor by which estimates are off</source>
         <translation>Le plus long que cela devrait durer : {simulator} ; l’estimation multipliée par l’écart habituel des estimations</translation>
     </message>
     <message>
@@ -1649,6 +1641,14 @@ au plus</translation>
     <message>
         <source>Memory to simulate it in an extended z-buffer: of an operation alone, with the whole stock; of a job with the stock once</source>
         <translation>Mémoire de simulation dans un z-buffer étendu : d&apos;une opération seule, avec le brut entier ; d&apos;une tâche avec le brut une seule fois</translation>
+    </message>
+    <message>
+        <source>not in the total: its dress-up is counted instead</source>
+        <translation>hors du total : son complément est compté à sa place</translation>
+    </message>
+    <message>
+        <source>not in the total: it is switched off</source>
+        <translation>hors du total : elle est désactivée</translation>
     </message>
 </context>
 <context>
@@ -1750,11 +1750,11 @@ au plus</translation>
         <translation>Vue</translation>
     </message>
     <message>
-        <source>From where the part is seen.</source>
+        <source>Where the part is seen from.</source>
         <translation>D&apos;où la pièce est vue.</translation>
     </message>
     <message>
-        <source>By what the surfaces are colored.</source>
+        <source>What the surfaces are colored by.</source>
         <translation>Selon quoi les surfaces sont colorées.</translation>
     </message>
     <message>
@@ -1822,11 +1822,11 @@ au plus</translation>
         <translation>Reculer d&apos;un mouvement.</translation>
     </message>
     <message>
-        <source>On by one trajectory.</source>
+        <source>Forward by one trajectory.</source>
         <translation>Avancer d&apos;un mouvement.</translation>
     </message>
     <message>
-        <source>On by one command of the program.</source>
+        <source>Forward by one command of the program.</source>
         <translation>Avancer d&apos;une commande du programme.</translation>
     </message>
     <message>
@@ -1894,7 +1894,7 @@ au plus</translation>
         <translation>Écart au modèle</translation>
     </message>
     <message>
-        <source>Differences to the model up to this are none.</source>
+        <source>Smaller differences to the model do not count.</source>
         <translation>Les écarts au modèle jusqu’à cette valeur n’en sont pas.</translation>
     </message>
     <message>
@@ -1953,8 +1953,8 @@ au plus</translation>
         <translation>déplacements rapides</translation>
     </message>
     <message>
-        <source>Drawing strategies: {} operations to go</source>
-        <translation>Dessin des stratégies : encore {} opérations</translation>
+        <source>Drawing strategies, operations to go: {}</source>
+        <translation>Dessin des stratégies, opérations restantes : {}</translation>
     </message>
 </context>
 <context>

@@ -4,7 +4,7 @@
 <context>
     <name>App::Property</name>
     <message>
-        <source>Machining strategy recognised from the toolpath</source>
+        <source>Machining strategy recognized from the toolpath</source>
         <translation>由刀具路径识别出的加工策略</translation>
     </message>
     <message>
@@ -218,47 +218,47 @@
         <translation>{labels} 的开销未知</translation>
     </message>
     <message>
-        <source>words without a motion before them ignored</source>
+        <source>words without a motion before them are ignored</source>
         <translation>忽略了之前没有运动指令的字</translation>
     </message>
     <message>
-        <source>feed rate that is no usable number ignored</source>
+        <source>a feed rate that is not a usable number is ignored</source>
         <translation>忽略了无效的进给速度</translation>
     </message>
     <message>
-        <source>centre word (I, J, K) that is no usable number ignored</source>
+        <source>center words (I, J, K) that are not usable numbers are ignored</source>
         <translation>忽略了无效的圆心字 (I, J, K)</translation>
     </message>
     <message>
-        <source>{letter} word that is no usable number ignored</source>
+        <source>{letter} words that are not usable numbers are ignored</source>
         <translation>忽略了无效的 {letter} 字</translation>
     </message>
     <message>
-        <source>position beyond a kilometre cut off there</source>
+        <source>positions beyond a kilometer are cut off there</source>
         <translation>超过一公里的位置已截断</translation>
     </message>
     <message>
-        <source>drilling cycle without a depth (Z): no hole</source>
+        <source>a drilling cycle without a depth (Z) drills nothing</source>
         <translation>钻孔循环没有深度 (Z)：不成孔</translation>
     </message>
     <message>
-        <source>drilling cycle without R: it starts where it stands</source>
+        <source>a drilling cycle without R starts at the current height</source>
         <translation>钻孔循环没有 R：从当前位置开始</translation>
     </message>
     <message>
-        <source>drilling cycle outside the XY plane read as in XY</source>
+        <source>a drilling cycle outside the XY plane is read as one in XY</source>
         <translation>XY 平面之外的钻孔循环按 XY 处理</translation>
     </message>
     <message>
-        <source>arc before its start is known ignored</source>
+        <source>an arc whose start is not known is ignored</source>
         <translation>忽略了起点未知的圆弧</translation>
     </message>
     <message>
-        <source>arc without a usable centre or radius read as a line</source>
+        <source>an arc without a usable center or radius is read as a line</source>
         <translation>没有有效圆心或半径的圆弧按直线处理</translation>
     </message>
     <message>
-        <source>arc whose end is not on its circle read with a changing radius</source>
+        <source>an arc whose end is not on its circle is read with a changing radius</source>
         <translation>终点不在圆上的圆弧按变半径处理</translation>
     </message>
     <message>
@@ -270,7 +270,7 @@
         <translation>没有 Z 字</translation>
     </message>
     <message>
-        <source>without a centre</source>
+        <source>without a center</source>
         <translation>没有圆心</translation>
     </message>
     <message>
@@ -374,10 +374,6 @@
         <translation>及另外 {count:n} 处</translation>
     </message>
     <message>
-        <source>{width:n} x {height:n} pixels of {pixel:mm2}, limited by the {limit}{passes}</source>
-        <translation>{width:n} x {height:n} 像素，每个 {pixel:mm2}，受{limit}限制{passes}</translation>
-    </message>
-    <message>
         <source>; passes {step:mm3} apart ask for {cell:mm2}</source>
         <translation>；间距 {step:mm3} 的走刀需要 {cell:mm2}</translation>
     </message>
@@ -414,15 +410,15 @@
         <translation>{sentence}（{count:n} 次，首次在命令 {command:#}）</translation>
     </message>
     <message>
-        <source>unknown code {name} ignored</source>
+        <source>the unknown code {name} is ignored</source>
         <translation>忽略了未知代码 {name}</translation>
     </message>
     <message>
-        <source>1 more unknown code ignored</source>
+        <source>1 more unknown code is ignored</source>
         <translation>另忽略了 1 个未知代码</translation>
     </message>
     <message>
-        <source>{count:n} more unknown codes ignored</source>
+        <source>{count:n} more unknown codes are ignored</source>
         <translation>另忽略了 {count:n} 个未知代码</translation>
     </message>
     <message>
@@ -434,7 +430,7 @@
         <translation>{label}：{sentence}</translation>
     </message>
     <message>
-        <source>could not be analysed, please report it with the file: {error}</source>
+        <source>could not be analyzed, please report it with the file: {error}</source>
         <translation>无法分析，请连同文件一起报告：{error}</translation>
     </message>
     <message>
@@ -522,7 +518,7 @@
         <translation>{what}（{count:n} 次，首次在第 {line:#} 行）</translation>
     </message>
     <message>
-        <source>lines with a block delete (/) are read as the others</source>
+        <source>lines with a block delete (/) are read like the others</source>
         <translation>带跳段符（/）的行按普通行读取</translation>
     </message>
     <message>
@@ -562,19 +558,19 @@
         <translation>{name} 控制系统语言的程序（第 {line:#} 行）：请以 G 代码（ISO）输出后再读取</translation>
     </message>
     <message>
-        <source>no NC program: {part:n} of its {lines:n} lines are not made of words like G1 X10, the first is line {line:#}</source>
+        <source>not an NC program: {part:n} of its {lines:n} lines are not made of words like G1 X10, the first is line {line:#}</source>
         <translation>不是 NC 程序：{lines:n} 行中有 {part:n} 行不是由 G1 X10 这类字组成，第一处是第 {line:#} 行</translation>
     </message>
     <message>
-        <source>no NC program: no line of it moves a tool</source>
+        <source>not an NC program: no line of it moves a tool</source>
         <translation>不是 NC 程序：没有一行移动刀具</translation>
     </message>
     <message>
-        <source>no move of it can be read: {problems}</source>
+        <source>none of its moves can be read: {problems}</source>
         <translation>其中没有可读取的运动：{problems}</translation>
     </message>
     <message>
-        <source>no NC program: it is not a text</source>
+        <source>not an NC program: it is not text</source>
         <translation>不是 NC 程序：它不是文本</translation>
     </message>
     <message>
@@ -590,7 +586,7 @@
         <translation>线切割程序（{name}，第 {line:#} 行）：铣削策略对它不适用</translation>
     </message>
     <message>
-        <source>a rotary axis turns while the tool cuts (line {line:#}): the way of the tool cannot be told</source>
+        <source>a rotary axis turns while the tool cuts (line {line:#}): the path of the tool cannot be told</source>
         <translation>切削时旋转轴在转动（第 {line:#} 行）：无法得知刀具的路径</translation>
     </message>
     <message>
@@ -614,7 +610,7 @@
         <translation>{time:s} 后放弃</translation>
     </message>
     <message>
-        <source>the process that read it died, of too little memory perhaps</source>
+        <source>the process that read it died, perhaps for lack of memory</source>
         <translation>读取它的进程已终止，可能是内存不足</translation>
     </message>
     <message>
@@ -622,7 +618,7 @@
         <translation>该仿真峰值约占用 {memory:bytes}（{dexels:n} 个 dexel 和 {traces:n} 个轨迹痕迹元素），超过允许的 {allowed:bytes}：请选择较小的图像或减少仿真的操作。</translation>
     </message>
     <message>
-        <source>it looks 25.4 times too small: inches read as millimetres?</source>
+        <source>it looks 25.4 times too small: inches read as millimeters?</source>
         <translation>看起来小了 25.4 倍：是否把英寸读成了毫米？</translation>
     </message>
     <message>
@@ -682,11 +678,11 @@
         <translation>请对此操作使用 {simulator:simulator}</translation>
     </message>
     <message>
-        <source>the tool&apos;s diameter must be a positive number of at most a kilometre, not {diameter:mm}</source>
+        <source>the tool&apos;s diameter must be a positive number of at most a kilometer, not {diameter:mm}</source>
         <translation>刀具直径必须为正数且不超过一千米，而不是 {diameter:mm}</translation>
     </message>
     <message>
-        <source>the stock&apos;s corners must be numbers within a kilometre of the origin</source>
+        <source>the stock&apos;s corners must be numbers within a kilometer of the origin</source>
         <translation>毛坯的角点必须是距原点一千米以内的数</translation>
     </message>
     <message>
@@ -702,7 +698,7 @@
         <translation>实体的表面不封闭</translation>
     </message>
     <message>
-        <source>the stock of {label} is taken for the box around it: {sentence}</source>
+        <source>the box around the stock of {label} is taken for it: {sentence}</source>
         <translation>{label} 的毛坯按其外接长方体计算：{sentence}</translation>
     </message>
     <message>
@@ -722,7 +718,7 @@
         <translation>按钻头模拟</translation>
     </message>
     <message>
-        <source>a rotary axis ({letter}) turns while the tool cuts: the way of the tool cannot be told</source>
+        <source>a rotary axis ({letter}) turns while the tool cuts: the path of the tool cannot be told</source>
         <translation>切削时旋转轴（{letter}）在转动：无法确定刀具的路径</translation>
     </message>
     <message>
@@ -746,7 +742,7 @@
         <translation>不处理英寸（G20）：长度按 mm 读取</translation>
     </message>
     <message>
-        <source>cutter compensation ({name}) is not followed: the way is that of the program</source>
+        <source>cutter compensation ({name}) is not followed: the path is the programmed one</source>
         <translation>不处理刀具半径补偿（{name}）：路径按程序读取</translation>
     </message>
     <message>
@@ -878,11 +874,11 @@
         <translation>{simulator:simulator}会在此卡死：{label} 的命令 {command:#}{others}是{reason}的圆弧。</translation>
     </message>
     <message>
-        <source>, beside another operation,</source>
+        <source> (also in another operation)</source>
         <translation>（另有 1 个操作）</translation>
     </message>
     <message>
-        <source>, beside {count:n} other operations,</source>
+        <source> (also in {count:n} other operations)</source>
         <translation>（另有 {count:n} 个操作）</translation>
     </message>
     <message>
@@ -946,7 +942,7 @@
         <translation>只在 X 和 Z 方向运动，并在许多 X 处沿 Z 走刀，与车床的走刀相同：{strategy:strategy}</translation>
     </message>
     <message>
-        <source>the operation&apos;s placement must be numbers within a kilometre of the origin</source>
+        <source>the operation&apos;s placement must be numbers within a kilometer of the origin</source>
         <translation>操作的放置必须是距原点一千米以内的数</translation>
     </message>
     <message>
@@ -960,6 +956,10 @@
     <message>
         <source>{told}, with a little {strategies:strategy} beside it</source>
         <translation>{told}，另有少量{strategies:strategy}</translation>
+    </message>
+    <message>
+        <source>{width:n} x {height:n} pixels of {pixel:mm2}, limited by the {limit}{passes}</source>
+        <translation>{width:n} x {height:n} 像素，每个 {pixel:mm2}，受{limit}限制{passes}</translation>
     </message>
 </context>
 <context>
@@ -1101,7 +1101,7 @@
         <translation>Z 缓冲视图</translation>
     </message>
     <message>
-        <source>From where the z-buffer looks at the part.</source>
+        <source>Where the z-buffer looks at the part from.</source>
         <translation>Z 缓冲从哪个方向观察工件。</translation>
     </message>
     <message>
@@ -1279,10 +1279,6 @@
         <translation>逐步浏览该区域的轨迹 k。</translation>
     </message>
     <message>
-        <source>{}: no cutting move has a direction in the plane</source>
-        <translation>{}：没有在平面内有方向的切削移动</translation>
-    </message>
-    <message>
         <source>Area {}: {} trajectories, {}</source>
         <translation>区域 {}：{} 段轨迹，{}</translation>
     </message>
@@ -1342,6 +1338,10 @@
         <source>&lt;p&gt;The wheel zooms, dragging moves, a double click shows all again.&lt;/p&gt;</source>
         <translation>&lt;p&gt;滚轮缩放，拖动平移，双击恢复全部显示。&lt;/p&gt;</translation>
     </message>
+    <message>
+        <source>{}: no move cuts sideways, so there is no direction to show</source>
+        <translation>{}：没有横向切削的移动，因此没有方向可显示</translation>
+    </message>
 </context>
 <context>
     <name>Vk_Results</name>
@@ -1362,16 +1362,8 @@
         <translation>导出 JSON</translation>
     </message>
     <message>
-        <source>a lower bound: the cost of some operations is not known</source>
-        <translation>下限：部分操作的开销未知</translation>
-    </message>
-    <message>
         <source>called {name}, but its toolpath is {strategy}</source>
         <translation>名为 {name}，但其刀具路径是：{strategy}</translation>
-    </message>
-    <message>
-        <source>not in the total: a dress-up stands for it, or it is switched off</source>
-        <translation>不计入总和：已由修饰代替，或已停用</translation>
     </message>
     <message>
         <source>Operation</source>
@@ -1415,12 +1407,12 @@
         <translation>操作存在的问题，或模拟时将出现的问题</translation>
     </message>
     <message>
-        <source>Time of FreeCAD&apos;s legacy simulator in fast-forward, at the accuracy that the preferences say</source>
+        <source>Time of FreeCAD&apos;s legacy simulator in fast-forward, at the accuracy set in the preferences</source>
         <extracomment>FreeCAD&apos;s older one.</extracomment>
         <translation>FreeCAD 旧版模拟器以首选项中的精度快进所需的时间</translation>
     </message>
     <message>
-        <source>Memory of FreeCAD&apos;s legacy simulator, at the accuracy that the preferences say</source>
+        <source>Memory of FreeCAD&apos;s legacy simulator, at the accuracy set in the preferences</source>
         <translation>FreeCAD 旧版模拟器在首选项精度下的内存</translation>
     </message>
     <message>
@@ -1452,7 +1444,7 @@ time</source>
 时间</translation>
     </message>
     <message>
-        <source>Time on the machine at the programmed feeds; rapids where the tool controller says their speed</source>
+        <source>Time on the machine at the programmed feeds; rapids where the tool controller gives their speed</source>
         <translation>按编程进给在机床上的时间；刀具控制器给出速度时包括快速移动</translation>
     </message>
     <message>
@@ -1632,7 +1624,7 @@ memory</source>
         <translation>{simulator}所需时间，与标记所示一致</translation>
     </message>
     <message>
-        <source>The longest that the {simulator} should take: its estimate times how far estimates are off</source>
+        <source>The longest that the {simulator} should take: its estimate times the factor by which estimates are off</source>
         <translation>{simulator}最长需要的时间：估计值乘以估计的偏差倍数</translation>
     </message>
     <message>
@@ -1649,6 +1641,14 @@ at most</source>
     <message>
         <source>Memory to simulate it in an extended z-buffer: of an operation alone, with the whole stock; of a job with the stock once</source>
         <translation>在扩展 Z 缓冲中模拟所需的内存：单个工序包含完整毛坯；作业中毛坯只计一次</translation>
+    </message>
+    <message>
+        <source>not in the total: its dress-up is counted instead</source>
+        <translation>不计入总和：由其修饰代替计入</translation>
+    </message>
+    <message>
+        <source>not in the total: it is switched off</source>
+        <translation>不计入总和：已停用</translation>
     </message>
 </context>
 <context>
@@ -1750,11 +1750,11 @@ at most</source>
         <translation>视图</translation>
     </message>
     <message>
-        <source>From where the part is seen.</source>
+        <source>Where the part is seen from.</source>
         <translation>观察工件的方向。</translation>
     </message>
     <message>
-        <source>By what the surfaces are colored.</source>
+        <source>What the surfaces are colored by.</source>
         <translation>表面着色的依据。</translation>
     </message>
     <message>
@@ -1822,11 +1822,11 @@ at most</source>
         <translation>后退一个运动。</translation>
     </message>
     <message>
-        <source>On by one trajectory.</source>
+        <source>Forward by one trajectory.</source>
         <translation>前进一个运动。</translation>
     </message>
     <message>
-        <source>On by one command of the program.</source>
+        <source>Forward by one command of the program.</source>
         <translation>前进一条程序指令。</translation>
     </message>
     <message>
@@ -1894,7 +1894,7 @@ at most</source>
         <translation>与模型的差异</translation>
     </message>
     <message>
-        <source>Differences to the model up to this are none.</source>
+        <source>Smaller differences to the model do not count.</source>
         <translation>不超过此值的差异不计。</translation>
     </message>
     <message>
@@ -1953,8 +1953,8 @@ at most</source>
         <translation>快速移动</translation>
     </message>
     <message>
-        <source>Drawing strategies: {} operations to go</source>
-        <translation>正在绘制策略：还剩 {} 个操作</translation>
+        <source>Drawing strategies, operations to go: {}</source>
+        <translation>正在绘制策略，剩余操作：{}</translation>
     </message>
 </context>
 <context>

@@ -59,6 +59,7 @@ def test_a_dressed_up_operation_is_not_counted_again(report):
 def test_table_names_every_operation_and_the_total(report):
     lines = str(report).splitlines()
     assert len(lines) == len(report.operations) + 4
+    assert lines[0].split()[:4] == ["operation", "strategy", "sure", "moves"]  # the words of the panel
     for o in report.operations:
         (line,) = [line for line in lines if line.split("  ")[0].strip("()") == o.label]
         assert o.strategy.value in line and f"{o.trajectories:,}" in line
@@ -186,11 +187,11 @@ BAD_PATHS = {
     "Empty": ([], "no toolpath"),
     "Rapids": ([("G0", {"X": 1.0, "Y": 1.0, "Z": 1.0}), ("G0", {"X": 9.0})], "no cutting move"),
     "NaN": ([*[("G0", {"X": 0.0, "Y": 0.0, "Z": 1.0}), ("G1", {"X": 9.0}), ("G1", {"X": float("nan"), "Y": 4.0})]],
-            "X word that is no usable number ignored (command 2)"),
+            "X words that are not usable numbers are ignored (command 3)"),
     "Unknown": ([("G0", {"X": 0.0, "Y": 0.0, "Z": 1.0}), ("G1", {"X": 9.0}), ("G123", {"X": 5.0})],
-                "unknown code 'G123' ignored"),
+                "the unknown code 'G123' is ignored"),
     "No centre": ([("G0", {"X": 0.0, "Y": 0.0, "Z": 1.0}), ("G1", {"X": 9.0}), ("G2", {"X": 5.0, "Y": 4.0})],
-                  "arc without a usable centre"),
+                  "arc without a usable center"),
 }  # fmt: skip
 
 
@@ -238,11 +239,13 @@ def test_labels_in_remarks_are_arguments_of_their_codes(small, zigzag_commands, 
     label = small.controller.Label
     assert row.remarks == (
         Message("of", label=label, sentence=Message("tool-diameter", diameter=0.0)),
-        Message("in-commands", sentence=Message("unknown-code", name="'G123'"), count=1, command=len(zigzag_commands)),
+        Message(
+            "in-commands", sentence=Message("unknown-code", name="'G123'"), count=1, command=len(zigzag_commands) + 1
+        ),
     )
     assert row.error == (
-        f"{label}: the tool's diameter must be a positive number of at most a kilometre, not 0 mm; "
-        f"unknown code 'G123' ignored (command {len(zigzag_commands)})"
+        f"{label}: the tool's diameter must be a positive number of at most a kilometer, not 0 mm; "
+        f"the unknown code 'G123' is ignored (command {len(zigzag_commands) + 1})"
     )
     report.to_csv(tmp_path / "r.csv")
     report.to_json(tmp_path / "r.json")

@@ -186,7 +186,7 @@ PATHS = {
     "marks in a comment": [("(⟦zigzag 98%⟧ <b>\u202e)", {}), ("G1", {"X": 5.0})],
     "no name": [("", {"X": 1.0})], "the same point": [("G1", {"X": 1.0, "Y": 1.0, "Z": 1.0})] * 50,
     "unknown": [("T1", {}), ("M6", {}), ("O1000", {}), ("%", {}), ("G999.9", {"X": 1.0})],
-    "arcs without a centre": [("G1", {"X": 5.0}), ("G2", {"X": 1.0}), ("G3", {"I": 0.0, "J": 0.0})],
+    "arcs without a center": [("G1", {"X": 5.0}), ("G2", {"X": 1.0}), ("G3", {"I": 0.0, "J": 0.0})],
     "a drill without depth": [("G81", {"X": 1.0, "R": 3.0}), ("G80", {})],
     **{f"{value} in {word}": [("G0", {"Z": 30.0}), ("G1", {"X": 5.0, "F": 5.0}), ("G1", {word: value}), ("G1", {"X": 9.0})]
        for value in ODD for word in "XZF"},
@@ -214,7 +214,7 @@ def test_placements(small, zigzag_commands, placement):
     small.add("Sound", zigzag_commands)
     small.document.recompute()
     found = rows(small.document)
-    assert found["Sound"].error is None and "within a kilometre" in found["Odd"].error
+    assert found["Sound"].error is None and "within a kilometer" in found["Odd"].error
 
 
 def test_too_many_moves_are_said(small, zigzag_commands, monkeypatch):

@@ -70,7 +70,7 @@ def test_the_opengl_simulator_gives_way_to_the_legacy_one():
 def test_what_hangs_is_named_and_the_other_simulator_offered():
     found = better_way("legacy", [record(), hanging("Thread001"), hanging("Thread002")], BUDGET)
     assert found.way == "OpenGL"
-    assert "command 12 of Thread001, beside another operation, is an arc that is a full circle" in said(found)
+    assert "command 13 of Thread001 (also in another operation) is an arc that is a full circle" in said(found)
     assert better_way("OpenGL", [hanging("Thread001")], BUDGET) is None
 
 

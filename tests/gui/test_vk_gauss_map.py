@@ -103,7 +103,7 @@ def test_it_follows_the_selection(view, opened, window):
     assert same(view.picture(), shown)  # nothing selected: it stays
 
     select(labelled(opened, "Drill holes"))
-    window.wait(lambda: "no cutting move has a direction" in view.title.text())
+    window.wait(lambda: "no move cuts sideways" in view.title.text())
     assert not view.canvas.isVisible() and not view.slider.isVisible()
     select(labelled(opened, "Adaptive pocket"))
     window.wait(view.canvas.isVisible)

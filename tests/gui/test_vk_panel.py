@@ -139,7 +139,9 @@ def test_six_columns_at_first_and_all_others_in_a_menu(panel, opened, window):
     at_most = list(column(panel, "Simulation time at most").values())[1:]
     assert at_most == [user().time(cost.seconds * cost.factor) for cost in costs]
     sizes = [(o.resolution.view.width, o.resolution.view.height) for o in vkworkbench.analyze(opened).operations]
-    assert list(column(panel, "Recommended image").values())[1:] == [f"{width} × {height}" for width, height in sizes]
+    assert list(column(panel, "Recommended image").values())[1:] == [
+        f"{width:,} × {height:,}" for width, height in sizes
+    ]
     length = next(action for action in panel.columns.actions() if action.text() == "Length")
     state = next(action for action in panel.columns.actions() if action.text() == "State")
     try:
@@ -330,11 +332,14 @@ def test_what_it_is_called_against_what_it_does(panel, opened, window):
 def test_what_is_wrong_is_said(panel, opened, window):
     bore = labelled(opened, "Bore")
     bore.ToolController = None
+    labelled(opened, "Face").Active = False
     window.click("Analyze toolpaths")
     window.idle()
     remarks = column(panel, "Warnings")
     assert "no tool" in remarks["Bore"]
-    assert "lower bound" in remarks["Job"]
+    assert remarks["Face"].endswith("not in the total: it is switched off")
+    assert remarks["Cut out"] == "not in the total: its dress-up is counted instead"
+    assert remarks["Job"] == "cost unknown for Bore"
 
 
 def test_rows_live_with_the_document(panel, opened, window):

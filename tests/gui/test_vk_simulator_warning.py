@@ -133,7 +133,7 @@ def test_an_operation_that_hangs_it_is_named(marked, window):
     _, command = let_hang(marked, "Bore")
     (line,) = start(window, "legacy")
     window.screenshot("warning-hangs")
-    assert f"command {command} of Bore" in line.text.text()
+    assert f"command {command + 1} of Bore" in line.text.text()
     if OLD:
         assert line.way.text() == "Simulate toolpaths"
     else:

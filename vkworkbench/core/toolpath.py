@@ -30,7 +30,7 @@ class Problem:
 
     @property
     def message(self) -> str:
-        """What it is in English, a sentence without a full stop, e.g. ``"unknown code 'G999' ignored"``."""
+        """What it is in English, a sentence without a full stop, e.g. ``"the unknown code 'G999' is ignored"``."""
         return render(self.what)
 
     @property
@@ -41,7 +41,7 @@ class Problem:
     @property
     def remark(self) -> Message:
         """The problem as a message with its first command and how many commands are concerned."""
-        return Message("in-commands", sentence=self.what, count=self.count, command=self.command)
+        return Message("in-commands", sentence=self.what, count=self.count, command=self.command + 1)
 
     def __str__(self) -> str:
         return render(self.remark)

@@ -67,7 +67,7 @@ def _hangs(simulator: str, fresh: list[Record]) -> Message | None:
     record, caution = found[0]
     others = len({id(record) for record, _ in found}) - 1
     return Message(
-        "started-hangs", simulator=simulator, command=caution.command, label=record.label, reason=caution.what.arguments["reason"],
+        "started-hangs", simulator=simulator, command=caution.command + 1, label=record.label, reason=caution.what.arguments["reason"],
         others=Message("and-other-operations", count=others) if others else None,
     )  # fmt: skip
 

@@ -25,7 +25,7 @@ _SHOWN, _HIDDEN = 9, 13
 _TYPES = {
     MARK: ("App::PropertyString", QT_TRANSLATE_NOOP("App::Property", "What the mark in the description says")),
     "Strategy": ("App::PropertyString", QT_TRANSLATE_NOOP(
-        "App::Property", "Machining strategy recognised from the toolpath")),
+        "App::Property", "Machining strategy recognized from the toolpath")),
     "Confidence": ("App::PropertyPercent", QT_TRANSLATE_NOOP(
         "App::Property", "How sure the recognition is, in percent")),
     "Reason": ("App::PropertyString", QT_TRANSLATE_NOOP("App::Property", "Why this strategy")),

@@ -40,6 +40,7 @@ from vkworkbench.gui.qt import (
     QVBoxLayout,
     QWidget,
 )  # fmt: skip
+from vkworkbench.gui.saving import proposed
 from vkworkbench.gui.sentences import said, strategy_name, user
 from vkworkbench.gui.text import translate
 from vkworkbench.language import Message, Unusable
@@ -169,7 +170,8 @@ class GaussMapDock(QDockWidget):
 
     def _show(self, drawn: tuple[Reading, GaussFigure] | None) -> None:
         if drawn is None:
-            self._say(translate("Vk_GaussMap", "{}: no cutting move has a direction in the plane").format(self._label))
+            text = translate("Vk_GaussMap", "{}: no move cuts sideways, so there is no direction to show")
+            self._say(text.format(self._label))
             return
         self._reading, figure = drawn
         areas, proof = self._reading.areas, self._reading.proof
@@ -281,11 +283,9 @@ class GaussMapDock(QDockWidget):
 
     def _save(self) -> None:
         document = FreeCAD.listDocuments()[self._shown[0]]
-        folder = Path(document.FileName).parent if document.FileName else Path.home()
         name = "".join("_" if c in _NOT_IN_NAMES else c for c in self._label)
-        path, chosen = QFileDialog.getSaveFileName(
-            self, translate("Vk_GaussMap", "Save picture"), str(folder / f"{name}.png"), "PNG (*.png);;SVG (*.svg)"
-        )
+        title, forms = translate("Vk_GaussMap", "Save picture"), "PNG (*.png);;SVG (*.svg)"
+        path, chosen = QFileDialog.getSaveFileName(self, title, proposed(document, f"{name}.png"), forms)
         if not path:
             return
         if Path(path).suffix.lower() not in (".png", ".svg"):
@@ -293,7 +293,7 @@ class GaussMapDock(QDockWidget):
         try:
             self.canvas.save(path, f"{self._label}: {self._verdict()}")
         except OSError as error:
-            warn(translate("Vk_GaussMap", "Save picture"), str(error), self)
+            warn(title, str(error), self)
 
 
 def _drawn(source: Source, going_on: Callable) -> Iterator[tuple[Reading, GaussFigure] | None]:
@@ -326,7 +326,7 @@ def _legend(theme: Theme) -> str:
 
 
 def _in_pi(angle: float) -> str:
-    return f"{user().decimals(angle / math.pi, 2)}π".replace("-", "−")
+    return f"{user().decimals(angle / math.pi, 2)}π"
 
 
 def _in_degrees(angle: float) -> str:

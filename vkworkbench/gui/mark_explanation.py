@@ -7,7 +7,7 @@ from vkworkbench.document.record import Record
 from vkworkbench.gui.mark_layout import pill_text
 from vkworkbench.gui.notices import contradiction
 from vkworkbench.gui.plain_text import lines
-from vkworkbench.gui.sentences import plainly, said, strategy_name, user
+from vkworkbench.gui.sentences import as_sentence, plainly, said, strategy_name, user
 from vkworkbench.gui.text import translate
 from vkworkbench.language import ROUGH
 from vkworkbench.preferences import Preferences
@@ -17,7 +17,7 @@ from vkworkbench.report import SERIOUS
 def explanation(record: Record, chosen: Preferences) -> str:
     """Return what a mark means, as a part of HTML."""
     told = [f"<b>{lines(_title(record))}</b>"]
-    told += [lines(_sentence(plainly(reason))) for reason in record.reason]
+    told += [lines(as_sentence(plainly(reason))) for reason in record.reason]
     told.append(lines(_machining(record)))
     names = sorted(record.costs, key=lambda name: name != chosen.simulator)
     told += [lines(_simulation(record, name)) for name in names]
@@ -31,10 +31,6 @@ def explanation(record: Record, chosen: Preferences) -> str:
         text = translate("Pills", "Outdated: toolpath, tool or stock have changed since. Analyze it again.")
         told.append(f"<i>{lines(text)}</i>")
     return "<br>".join(told)
-
-
-def _sentence(text: str) -> str:
-    return f"{text[:1].upper()}{text[1:]}."
 
 
 def _title(record: Record) -> str:

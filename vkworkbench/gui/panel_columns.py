@@ -87,7 +87,7 @@ def columns(version: tuple[int, ...], marked: str) -> tuple[list[Column], list[C
                lambda row: row.kind),
         Column("machining_time", translate("Vk_Results", "Machining\ntime"),
                translate("Vk_Results", "Time on the machine at the programmed feeds; rapids where the tool "
-                                       "controller says their speed"),
+                                       "controller gives their speed"),
                lambda row: row.found.machining_seconds, _as("time"), least=lambda row: not row.machining_complete),
         Column("simulation_time", translate("Vk_Results", "Simulation\ntime"),
                time.format(simulator=user().simulator(marked)),
@@ -100,7 +100,8 @@ def columns(version: tuple[int, ...], marked: str) -> tuple[list[Column], list[C
                lambda row: "; ".join(notice.text for notice in row.notices) or None),
     ]  # fmt: skip
     longest = translate(
-        "Vk_Results", "The longest that the {simulator} should take: its estimate times how far estimates are off"
+        "Vk_Results",
+        "The longest that the {simulator} should take: its estimate times the factor by which estimates are off",
     )
     others = [
         Column("longest", translate("Vk_Results", "Simulation time\nat most"), longest.format(simulator=user().simulator(marked)),
@@ -168,7 +169,7 @@ def _of_advice(simulator: Simulator) -> Column:
         return chosen and advice.numbers(chosen)
 
     return Column(f"{simulator.name} advice", text(advice.title), text(advice.tooltip), numbers,
-                  lambda found: advice.form.format(*found) if all(found) else text(advice.none))  # fmt: skip
+                  lambda found: advice.form.format(*map(user().count, found)) if all(found) else text(advice.none))  # fmt: skip
 
 
 def _confidence(row: Row) -> float | None:

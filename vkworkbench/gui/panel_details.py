@@ -11,7 +11,7 @@ from vkworkbench.gui.notices import Level
 from vkworkbench.gui.panel_columns import OPERATION, STATE, STRATEGY, WARNINGS
 from vkworkbench.gui.panel_rows import Row
 from vkworkbench.gui.plain_text import lines
-from vkworkbench.gui.sentences import plainly, said, user
+from vkworkbench.gui.sentences import as_sentence, plainly, said, user
 from vkworkbench.gui.text import translate
 from vkworkbench.report import OperationReport
 
@@ -56,7 +56,7 @@ def _title(row: Row) -> str:
 def _strategy(row: Row, why: bool) -> str:
     link = _link(WHY, translate("Vk_Results", "Why?"))
     seen = "; ".join(map(plainly, row.mark.reason))
-    text = f"{lines(seen[:1].upper() + seen[1:])}. {link}"
+    text = f"{lines(as_sentence(seen))} {link}"
     if not why:
         return text
     more = [lines(said(reason)) for reason in row.mark.reason]

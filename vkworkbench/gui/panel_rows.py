@@ -14,8 +14,9 @@ from vkworkbench.document.operations import find, fixtures_of
 from vkworkbench.document.record import Record
 from vkworkbench.gui.latest import Finding
 from vkworkbench.gui.notices import Level, Notice, notices_of
-from vkworkbench.gui.sentences import plural, strategy_name
+from vkworkbench.gui.sentences import plural, said, strategy_name
 from vkworkbench.gui.text import translate
+from vkworkbench.language import Message
 from vkworkbench.report import OperationReport, Total, total_of
 
 
@@ -87,8 +88,9 @@ def rows_of(findings: Iterable[Finding]) -> list[Row]:
 def _operation(finding: Finding) -> Row:
     obj, notices = finding.operation.object, notices_of(finding.mark)
     if not finding.operation.counted and finding.operation.job is not None:
-        text = translate("Vk_Results", "not in the total: a dress-up stands for it, or it is switched off")
-        notices.append(Notice(Level.NOTE, text))
+        dressed = translate("Vk_Results", "not in the total: its dress-up is counted instead")
+        inactive = translate("Vk_Results", "not in the total: it is switched off")
+        notices.append(Notice(Level.NOTE, dressed if finding.operation.active else inactive))
     found = finding.report or finding.mark
     return Row(found, obj.Name, obj.Label, tuple(notices), finding.mark.outdated, finding.mark)
 
@@ -106,7 +108,8 @@ def _job(job, findings: list[Finding]) -> Row:
     outdated = any(finding.mark.outdated for finding in counted)
     rows = tuple(map(_operation, findings))
     row = Row(total, job.Name, job.Label, outdated=outdated, posted=posted, rows=rows)
-    return replace(row, notices=tuple(_notices_of_total(row)))
+    unknown = [f.mark.label for f, found in zip(counted, numbers) if found.trajectories and not found.costs]
+    return replace(row, notices=tuple(_notices_of_total(row, unknown)))
 
 
 def in_total(row: Row) -> str:
@@ -117,9 +120,9 @@ def in_total(row: Row) -> str:
     return plural(translate("Vk_Results", "{count} operation"), translate("Vk_Results", "{count} operations"), count)
 
 
-def _notices_of_total(row: Row) -> Iterator[Notice]:
-    if row.found.incomplete:
-        yield Notice(Level.WARNING, translate("Vk_Results", "a lower bound: the cost of some operations is not known"))
+def _notices_of_total(row: Row, unknown: list[str]) -> Iterator[Notice]:
+    if unknown:  # in the words of the job's mark
+        yield Notice(Level.WARNING, said(Message("cost-unknown", labels=unknown)))
     if row.found.operations < row.posted:
         text = translate("Vk_Results", "the total of what was analyzed, not of the whole job")
         yield Notice(Level.NOTE, text)

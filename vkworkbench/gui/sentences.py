@@ -59,6 +59,11 @@ def plainly(message: Message) -> str:
     return render(message, user(), plain=True)
 
 
+def as_sentence(text: str) -> str:
+    """Return what is told with a capital and a full stop; several sentences have both already."""
+    return f"{text[:1].upper()}{text[1:]}" + ("" if text.endswith((".", "。")) else ".")
+
+
 def plural(one: str, more: str, count: int) -> str:
     """Return the text for one or that for more, with the count in its place ``{count}``."""
     reader = user()

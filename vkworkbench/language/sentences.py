@@ -2,7 +2,7 @@
 """Messages in words: the sentence of a code in the reader's language, filled with the arguments as he reads them.
 
 A place of a template is ``{name}`` or ``{name:quantity}``. Without a quantity stands there a text as it is, or another
-message. A quantity says what a number is: ``n`` how many, ``#`` the number of a line or command, ``g`` a number,
+message. A quantity says what a number is: ``n`` how many, ``#`` the number of a line or command, counted from 1, ``g`` a number,
 ``mm`` a length, ``mm³`` a volume, ``mm/min`` a speed (these with the significant digits behind them, e.g. ``mm3``), ``s`` a duration in s, ``bytes``,
 ``%`` a share of 1, ``turns`` an angle in rad, ``strategy`` a strategy and ``simulator`` a simulator by its name.
 """

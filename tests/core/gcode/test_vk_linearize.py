@@ -266,18 +266,21 @@ def test_words_that_are_no_numbers_are_named_and_skipped():
         ("G1", {"X": None, "Y": 4}),
     )
     assert ends(toolpath) == [[0, 3, 0], [0, 4, 0]]
-    assert messages(toolpath) == ["X word that is no usable number ignored (5 times, first at command 1)"]
+    assert messages(toolpath) == ["X words that are not usable numbers are ignored (5 times, first at command 2)"]
 
 
 def test_unknown_codes_are_named():
     toolpath = path(START, ("G999", {}), ("Ж7", {}), ("G1", {"X": 1}), ("M3", {"S": 1000}), ("G54", {}))
-    assert messages(toolpath) == ["unknown code 'G999' ignored (command 1)", "unknown code 'Ж7' ignored (command 2)"]
+    assert messages(toolpath) == [
+        "the unknown code 'G999' is ignored (command 2)",
+        "the unknown code 'Ж7' is ignored (command 3)",
+    ]
 
 
 @pytest.mark.parametrize("arc, message", [
-    ({"X": 1, "Y": 1}, "arc without a usable centre or radius read as a line"),
-    ({"X": 10, "Y": 0, "R": 1}, "arc without a usable centre or radius read as a line"),
-    ({"X": 10, "Y": 0, "I": 2, "J": 0}, "arc whose end is not on its circle read with a changing radius"),
+    ({"X": 1, "Y": 1}, "an arc without a usable center or radius is read as a line"),
+    ({"X": 10, "Y": 0, "R": 1}, "an arc without a usable center or radius is read as a line"),
+    ({"X": 10, "Y": 0, "I": 2, "J": 0}, "an arc whose end is not on its circle is read with a changing radius"),
 ])  # fmt: skip
 def test_impossible_arcs_end_where_they_should(arc, message):
     toolpath = path(START, ("G2", arc))
@@ -287,7 +290,7 @@ def test_impossible_arcs_end_where_they_should(arc, message):
 
 def test_arc_before_its_start_is_known():
     toolpath = path(("G2", {"X": 1, "Y": 1, "I": 1}), ("G1", {"X": 5}))
-    assert messages(toolpath) == ["arc before its start is known ignored (command 0)"]
+    assert messages(toolpath) == ["an arc whose start is not known is ignored (command 1)"]
     assert toolpath.points.tolist() == [[1, 1, 0], [5, 1, 0]]
 
 

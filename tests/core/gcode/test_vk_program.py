@@ -148,7 +148,7 @@ def test_commands_keep_their_lines():
 @pytest.mark.parametrize(
     ("line", "sentence"),
     [
-        ("/G1 X5", "lines with a block delete (/) are read as the others (line 5)"),
+        ("/G1 X5", "lines with a block delete (/) are read like the others (line 5)"),
         ("#1=5", "variables and expressions are not read: the words with them are left out (line 5)"),
         ("G1 X#1 Y[2+#<d>]", "variables and expressions are not read: the words with them are left out (line 5)"),
         ("M98 P1000", "a subprogram or macro call is not read (line 5)"),
@@ -158,7 +158,7 @@ def test_commands_keep_their_lines():
         ("G68 X0 Y0 R45", "coordinates that G68 changes are read as if it were not there (line 5)"),
         ("G92 X0", "coordinates that G92 changes are read as if it were not there (line 5)"),
         ("G5 X10 Y2 I1 J1 P1 Q1", "a spline (G5) is read as a line (line 5)"),
-        ("G999", "unknown code 'G999' ignored (line 5)"),
+        ("G999", "the unknown code 'G999' is ignored (line 5)"),
         ("WHAT IS THIS?", "lines that are not made of words like G1 X10 are left out (line 5)"),
         ("M30\nG1 X10", "what follows M2 or M30 is read as the same program (line 6)"),
         ("M30\nO2000\nG1 X99", "what follows the program's end is not read (line 7)"),
@@ -191,12 +191,12 @@ def test_problems_count():
         ("N10 G0 X0 Y0\nN20 CYCLE81(10,0,2,-5)\n", "Siemens controls (line 2)"),
         ("G0 X0\nG1 X=IC(5) F100\n", "Siemens controls (line 2)"),
         ("DEF REAL DEPTH\nG0 X0\n", "Siemens controls (line 1)"),
-        ("solid cube\nfacet normal 0 0 1\nouter loop\n", "no NC program: 3 of its 3 lines are not made of words"),
-        ("Dear Sir,\nplease find enclosed\nthe drawing\n", "no NC program"),
-        ("", "no NC program: no line of it moves a tool"),
-        ("G21\nG90\nM30\n", "no NC program: no line of it moves a tool"),
-        ("#1=5\nG65 P9000\n", "no move of it can be read: variables and expressions"),
-        ("#1=5\nG1 X#1 Y[#1*2] F200\n", "no move of it can be read: variables and expressions"),
+        ("solid cube\nfacet normal 0 0 1\nouter loop\n", "not an NC program: 3 of its 3 lines are not made of words"),
+        ("Dear Sir,\nplease find enclosed\nthe drawing\n", "not an NC program"),
+        ("", "not an NC program: no line of it moves a tool"),
+        ("G21\nG90\nM30\n", "not an NC program: no line of it moves a tool"),
+        ("#1=5\nG65 P9000\n", "none of its moves can be read: variables and expressions"),
+        ("#1=5\nG1 X#1 Y[#1*2] F200\n", "none of its moves can be read: variables and expressions"),
     ],
 )  # fmt: skip
 def test_no_milling_program(text, sentence):

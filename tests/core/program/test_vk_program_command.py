@@ -64,7 +64,7 @@ def test_a_table_for_each_program(folder, inside):
     done = run(folder, "--jobs", 2)
     assert done.returncode == 1
     assert done.stdout.count("Face") == 5 and done.stdout.count("zigzag") == 5
-    assert f"{folder / 'b.nc'}\nno NC program: it is not a text\n" in done.stdout
+    assert f"{folder / 'b.nc'}\nnot an NC program: it is not text\n" in done.stdout
     assert done.stderr.splitlines()[-1] == "5 operations in 6 files, 1 could not be read."
     (folder / "b.nc").unlink()
     assert inside(folder).returncode == 0

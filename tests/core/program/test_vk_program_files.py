@@ -42,7 +42,7 @@ def test_encodings(data, text):
 
 @pytest.mark.parametrize("data", [b"\x7fELF\x02\0\0\0G1 X1", bytes(range(256)) * 4, b"\x89PNG\r\n\x1a\n\0\0\0\rIHDR"])
 def test_no_text(data):
-    with pytest.raises(Unusable, match="it is not a text"):
+    with pytest.raises(Unusable, match="it is not text"):
         text_of(data)
 
 
@@ -124,7 +124,7 @@ def test_what_cannot_be_read_costs_only_itself(tmp_path):
     report = vkworkbench.analyze([tmp_path, tmp_path / "missing.nc"])
     errors = {Path(row.document).name: row.error for row in report.operations if not row.counted}
     assert errors == {
-        "a.nc": "no NC program: it is not a text",
+        "a.nc": "not an NC program: it is not text",
         "c.nc": "a program in the language of Heidenhain controls (line 1): post it as G-code (ISO) to have it read",
         "d.nc": "no cutting move in its toolpath",
         "e.nc": "no cutting move in its toolpath; variables and expressions are not read: the words with them are left "
@@ -185,4 +185,4 @@ def test_inches_without_g20_are_noticed(tmp_path, unit, said):
     path.write_text(f"{unit}(T1 D=0.25 - end mill)\nT1 M6\nG0 X0 Y0 Z.5\nG1 Z-.1 F20\n{rows}G0 Z.5\n")
     (row,) = vkworkbench.analyze(path).operations
     assert str(row.strategy) == "zigzag"
-    assert (row.error == "it looks 25.4 times too small: inches read as millimetres?") is said
+    assert (row.error == "it looks 25.4 times too small: inches read as millimeters?") is said

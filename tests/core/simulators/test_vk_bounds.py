@@ -38,13 +38,13 @@ def test_any_size_takes_little_memory(tool, stock, program):
 
 @pytest.mark.parametrize("diameter", [1.0000001e6, 1e9, 1e300, float("inf"), float("nan"), 0, -1.0])
 def test_tools_that_no_machine_has(diameter):
-    with pytest.raises(Unusable, match="at most a kilometre"):
+    with pytest.raises(Unusable, match="at most a kilometer"):
         Tool("endmill", diameter)
 
 
 @pytest.mark.parametrize("corner, words", [
-    ((1e-7, 60, 20), "no volume"), ((60, 60, 1e-300), "no volume"), ((1e7, 60, 20), "within a kilometre"),
-    ((60, 1e300, 20), "within a kilometre"), ((float("nan"), 60, 20), "within a kilometre"),
+    ((1e-7, 60, 20), "no volume"), ((60, 60, 1e-300), "no volume"), ((1e7, 60, 20), "within a kilometer"),
+    ((60, 1e300, 20), "within a kilometer"), ((float("nan"), 60, 20), "within a kilometer"),
 ])  # fmt: skip
 def test_stocks_that_no_machine_has(corner, words):
     with pytest.raises(Unusable, match=words):

@@ -239,7 +239,7 @@ def test_impossible_tools_are_refused_in_words(arguments, words):
 def test_impossible_stocks_and_views_are_refused_in_words():
     with pytest.raises(ValueError, match="no volume"):
         Stock((0, 0, 0), (10, 10, 0))
-    with pytest.raises(ValueError, match="numbers within a kilometre"):
+    with pytest.raises(ValueError, match="numbers within a kilometer"):
         Stock((0, 0, 0), (10, float("inf"), 5))
     open_box = [(-1, 0, 0), (1, 0, 0), (0, -1, 0), (0, 1, 0), (0, 0, -1)]
     for normals, offsets in [

@@ -65,7 +65,7 @@ def _hangs(task: Task, version: tuple[int, ...]) -> list[Caution]:
             continue
         first, others = int(concerned[0]), len(concerned) - 1
         what = Message(
-            "legacy-hangs", simulator=NAME, reason=reason, command=first, instead=instead,
+            "legacy-hangs", simulator=NAME, reason=reason, command=first + 1, instead=instead,
             others=Message("and-more", count=others) if others else None,
         )  # fmt: skip
         found.append(Caution("legacy-hangs", what, first))
@@ -95,7 +95,7 @@ def _ramps(toolpath: Toolpath, diameter: float) -> list[Caution]:
         return []
     worst = wrong[np.argmax(error[wrong])]
     what = Message(
-        "legacy-ramp", simulator=NAME, count=len(wrong), error=error[worst], command=toolpath.command[worst],
+        "legacy-ramp", simulator=NAME, count=len(wrong), error=error[worst], command=toolpath.command[worst] + 1,
         way=Message("too-deep") if moves[worst, 2] < 0 else Message("too-high"),
     )  # fmt: skip
     return [Caution("legacy-ramp", what, int(toolpath.command[wrong[0]]))]

@@ -71,10 +71,10 @@ LEGACY = Simulator(
     factor_column="legacy_factor",
     time_tooltip=QT_TRANSLATE_NOOP(
         "Vk_Results",
-        "Time of FreeCAD's legacy simulator in fast-forward, at the accuracy that the preferences say",
+        "Time of FreeCAD's legacy simulator in fast-forward, at the accuracy set in the preferences",
     ),
     memory_tooltip=QT_TRANSLATE_NOOP(
-        "Vk_Results", "Memory of FreeCAD's legacy simulator, at the accuracy that the preferences say"
+        "Vk_Results", "Memory of FreeCAD's legacy simulator, at the accuracy set in the preferences"
     ),
     advice=Advice(
         choose=lambda costs, **budget: best_accuracy([cost.positions for cost in costs], **budget),

@@ -10,7 +10,7 @@ from vkworkbench.document.simulated_job import JobCopy, copy_job
 from vkworkbench.gui import widgets
 from vkworkbench.gui.plain_text import tell
 from vkworkbench.gui.selection import selected_operations
-from vkworkbench.gui.sentences import said
+from vkworkbench.gui.sentences import as_sentence, said
 from vkworkbench.gui.text import QT_TRANSLATE_NOOP, translate
 from vkworkbench.language import Unusable
 
@@ -50,7 +50,7 @@ def open_tab(what):
     try:
         copy = copy_job(what)
     except Unusable as error:
-        tell(translate("Vk_Simulate", "Simulate toolpaths"), said(error.what), window)
+        tell(translate("Vk_Simulate", "Simulate toolpaths"), as_sentence(said(error.what)), window)
         return None
     tab = SimulationTab(copy)
     tab.setWindowTitle(translate("Vk_Simulate", "Simulation: {}").format(_title(copy)))

@@ -66,11 +66,11 @@ class SceneBar(QWidget):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self.views = _menu(translate("Vk_Simulate", "View"), translate("Vk_Simulate", "From where the part is seen."))
+        self.views = _menu(translate("Vk_Simulate", "View"), translate("Vk_Simulate", "Where the part is seen from."))
         for text, name in _VIEWS:
             action = self.views.menu().addAction(user().translate("Vk_Simulate", text))
             action.triggered.connect(lambda *_, n=name: self.looked.emit(n))
-        self.colorings = _combo(translate("Vk_Simulate", "By what the surfaces are colored."))
+        self.colorings = _combo(translate("Vk_Simulate", "What the surfaces are colored by."))
         for text, _ in COLORINGS:
             self.colorings.addItem(user().translate("Vk_Simulate", text))
         self.chips = _combo(
@@ -84,7 +84,7 @@ class SceneBar(QWidget):
         self.legend = Legend()
         factor, unit = user().length_unit(TOLERANCE)
         self.tolerance = QDoubleSpinBox()
-        self.tolerance.setToolTip(translate("Vk_Simulate", "Differences to the model up to this are none."))
+        self.tolerance.setToolTip(translate("Vk_Simulate", "Smaller differences to the model do not count."))
         self.tolerance.setDecimals(3)
         self.tolerance.setPrefix("± ")
         self.tolerance.setSuffix(f" {unit}")
@@ -181,8 +181,8 @@ class PlayBar(QWidget):
             (-3, translate("Vk_Simulate", "To the beginning of the operation.")),
             (-2, translate("Vk_Simulate", "Back by one command of the program.")),
             (-1, translate("Vk_Simulate", "Back by one trajectory.")),
-            (1, translate("Vk_Simulate", "On by one trajectory.")),
-            (2, translate("Vk_Simulate", "On by one command of the program.")),
+            (1, translate("Vk_Simulate", "Forward by one trajectory.")),
+            (2, translate("Vk_Simulate", "Forward by one command of the program.")),
             (3, translate("Vk_Simulate", "To the end of the operation.")),
         )}  # fmt: skip
         self.text = as_plain(QLabel())

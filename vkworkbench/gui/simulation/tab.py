@@ -11,6 +11,7 @@ from vkworkbench.document.simulated_job import JobCopy, SimulatedJob
 from vkworkbench.gui import widgets
 from vkworkbench.gui.plain_text import tell
 from vkworkbench.gui.qt import QPushButton, Qt, QTimer, QVBoxLayout, QWidget, Signal
+from vkworkbench.gui.sentences import as_sentence
 from vkworkbench.gui.simulation.keys import KeyedWidget
 from vkworkbench.gui.simulation.player import Player
 from vkworkbench.gui.simulation.reading import Reading
@@ -68,7 +69,7 @@ class SimulationTab(KeyedWidget):
             return
         self.window_of().close()
         if not isinstance(error, Cancelled):
-            tell(translate("Vk_Simulate", "Simulate toolpaths"), told(error), Gui.getMainWindow())
+            tell(translate("Vk_Simulate", "Simulate toolpaths"), as_sentence(told(error)), Gui.getMainWindow())
 
     def _show(self, player: Player) -> None:
         self.player = player

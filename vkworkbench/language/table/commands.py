@@ -10,27 +10,27 @@ COMMANDS: dict[str, str | tuple[str, str]] = {
         QT_TRANSLATE_NOOP("Sentences", "{sentence} (command {command:#})"),
         QT_TRANSLATE_NOOP("Sentences", "{sentence} ({count:n} times, first at command {command:#})"),
     ),
-    "words-without-motion": QT_TRANSLATE_NOOP("Sentences", "words without a motion before them ignored"),
-    "unusable-feed": QT_TRANSLATE_NOOP("Sentences", "feed rate that is no usable number ignored"),
-    "unusable-centre": QT_TRANSLATE_NOOP("Sentences", "centre word (I, J, K) that is no usable number ignored"),
-    "unusable-word": QT_TRANSLATE_NOOP("Sentences", "{letter} word that is no usable number ignored"),
-    "position-cut-off": QT_TRANSLATE_NOOP("Sentences", "position beyond a kilometre cut off there"),
-    "cycle-without-depth": QT_TRANSLATE_NOOP("Sentences", "drilling cycle without a depth (Z): no hole"),
-    "cycle-without-retract": QT_TRANSLATE_NOOP("Sentences", "drilling cycle without R: it starts where it stands"),
-    "cycle-outside-xy": QT_TRANSLATE_NOOP("Sentences", "drilling cycle outside the XY plane read as in XY"),
-    "arc-before-start": QT_TRANSLATE_NOOP("Sentences", "arc before its start is known ignored"),
-    "arc-as-line": QT_TRANSLATE_NOOP("Sentences", "arc without a usable centre or radius read as a line"),
+    "words-without-motion": QT_TRANSLATE_NOOP("Sentences", "words without a motion before them are ignored"),
+    "unusable-feed": QT_TRANSLATE_NOOP("Sentences", "a feed rate that is not a usable number is ignored"),
+    "unusable-centre": QT_TRANSLATE_NOOP("Sentences", "center words (I, J, K) that are not usable numbers are ignored"),
+    "unusable-word": QT_TRANSLATE_NOOP("Sentences", "{letter} words that are not usable numbers are ignored"),
+    "position-cut-off": QT_TRANSLATE_NOOP("Sentences", "positions beyond a kilometer are cut off there"),
+    "cycle-without-depth": QT_TRANSLATE_NOOP("Sentences", "a drilling cycle without a depth (Z) drills nothing"),
+    "cycle-without-retract": QT_TRANSLATE_NOOP("Sentences", "a drilling cycle without R starts at the current height"),
+    "cycle-outside-xy": QT_TRANSLATE_NOOP("Sentences", "a drilling cycle outside the XY plane is read as one in XY"),
+    "arc-before-start": QT_TRANSLATE_NOOP("Sentences", "an arc whose start is not known is ignored"),
+    "arc-as-line": QT_TRANSLATE_NOOP("Sentences", "an arc without a usable center or radius is read as a line"),
     "arc-of-changing-radius": QT_TRANSLATE_NOOP(
-        "Sentences", "arc whose end is not on its circle read with a changing radius"
+        "Sentences", "an arc whose end is not on its circle is read with a changing radius"
     ),
-    "unknown-code": QT_TRANSLATE_NOOP("Sentences", "unknown code {name} ignored"),
+    "unknown-code": QT_TRANSLATE_NOOP("Sentences", "the unknown code {name} is ignored"),
     "more-unknown-codes": (
-        QT_TRANSLATE_NOOP("Sentences", "1 more unknown code ignored"),
-        QT_TRANSLATE_NOOP("Sentences", "{count:n} more unknown codes ignored"),
+        QT_TRANSLATE_NOOP("Sentences", "1 more unknown code is ignored"),
+        QT_TRANSLATE_NOOP("Sentences", "{count:n} more unknown codes are ignored"),
     ),
     # What a machine understands and is not read here.
     "rotary-cuts": QT_TRANSLATE_NOOP(
-        "Sentences", "a rotary axis ({letter}) turns while the tool cuts: the way of the tool cannot be told"
+        "Sentences", "a rotary axis ({letter}) turns while the tool cuts: the path of the tool cannot be told"
     ),
     "rotary-not-read": QT_TRANSLATE_NOOP("Sentences", "turns of a rotary axis ({letter}) are not followed"),
     "word-not-read": QT_TRANSLATE_NOOP("Sentences", "{letter} words are not read"),
@@ -38,7 +38,7 @@ COMMANDS: dict[str, str | tuple[str, str]] = {
     "turns-not-read": QT_TRANSLATE_NOOP("Sentences", "further turns of an arc (P) are not made"),
     "inches-not-read": QT_TRANSLATE_NOOP("Sentences", "inches (G20) are not followed: lengths are read in mm"),
     "compensation-not-read": QT_TRANSLATE_NOOP(
-        "Sentences", "cutter compensation ({name}) is not followed: the way is that of the program"
+        "Sentences", "cutter compensation ({name}) is not followed: the path is the programmed one"
     ),
     "feed-mode-not-read": QT_TRANSLATE_NOOP("Sentences", "feeds after {name} are not read"),
     "dwell-untimed": QT_TRANSLATE_NOOP("Sentences", "dwells are not in the time"),

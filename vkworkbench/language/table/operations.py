@@ -11,12 +11,12 @@ OPERATIONS: dict[str, str | tuple[str, str]] = {
     "inactive": QT_TRANSLATE_NOOP("Sentences", "inactive: switch it on and recompute it"),
     "no-toolpath": QT_TRANSLATE_NOOP("Sentences", "no toolpath: recompute the operation and see FreeCAD's report view"),
     "no-cutting-move": QT_TRANSLATE_NOOP("Sentences", "no cutting move in its toolpath"),
-    "not-analysed": QT_TRANSLATE_NOOP("Sentences", "could not be analysed, please report it with the file: {error}"),
+    "not-analysed": QT_TRANSLATE_NOOP("Sentences", "could not be analyzed, please report it with the file: {error}"),
     "no-tool": QT_TRANSLATE_NOOP("Sentences", "no tool: give the operation a tool controller"),
     "no-tool-bit": QT_TRANSLATE_NOOP("Sentences", "no tool in {label}: choose a tool bit for it"),
     "no-diameter": QT_TRANSLATE_NOOP("Sentences", "the tool in {label} has no diameter"),
     "tool-diameter": QT_TRANSLATE_NOOP(
-        "Sentences", "the tool's diameter must be a positive number of at most a kilometre, not {diameter:mm}"
+        "Sentences", "the tool's diameter must be a positive number of at most a kilometer, not {diameter:mm}"
     ),
     "corner-radius": QT_TRANSLATE_NOOP(
         "Sentences", "the corner radius must lie between 0 and {radius:mm}, not be {corner:mm}"
@@ -28,16 +28,16 @@ OPERATIONS: dict[str, str | tuple[str, str]] = {
     "no-job": QT_TRANSLATE_NOOP("Sentences", "no stock: put the toolpath into a job"),
     "no-stock": QT_TRANSLATE_NOOP("Sentences", "no stock: give {label} a stock"),
     "stock-not-finite": QT_TRANSLATE_NOOP(
-        "Sentences", "the stock's corners must be numbers within a kilometre of the origin"
+        "Sentences", "the stock's corners must be numbers within a kilometer of the origin"
     ),
     "placement-not-finite": QT_TRANSLATE_NOOP(
-        "Sentences", "the operation's placement must be numbers within a kilometre of the origin"
+        "Sentences", "the operation's placement must be numbers within a kilometer of the origin"
     ),
     "stock-without-volume": QT_TRANSLATE_NOOP(
         "Sentences", "the stock has no volume: its upper corner must exceed its lower corner in x, y and z"
     ),
     "solid-not-closed": QT_TRANSLATE_NOOP("Sentences", "the solid's surface is not closed"),
-    "stock-as-box": QT_TRANSLATE_NOOP("Sentences", "the stock of {label} is taken for the box around it: {sentence}"),
+    "stock-as-box": QT_TRANSLATE_NOOP("Sentences", "the box around the stock of {label} is taken for it: {sentence}"),
     "tool-simplified": QT_TRANSLATE_NOOP("Sentences", "{label} is not simulated exactly, but {instead}"),
     "as-end-mill": QT_TRANSLATE_NOOP("Sentences", "as an end mill of its largest diameter"),
     "as-ball-end": QT_TRANSLATE_NOOP("Sentences", "as a ball end of its tip's diameter"),

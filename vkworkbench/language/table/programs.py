@@ -11,7 +11,7 @@ PROGRAMS: dict[str, str | tuple[str, str]] = {
         QT_TRANSLATE_NOOP("Sentences", "{what} ({count:n} times, first in line {line:#})"),
     ),
     # What is not read as a machine would do it.
-    "block-delete": QT_TRANSLATE_NOOP("Sentences", "lines with a block delete (/) are read as the others"),
+    "block-delete": QT_TRANSLATE_NOOP("Sentences", "lines with a block delete (/) are read like the others"),
     "subprogram-not-read": QT_TRANSLATE_NOOP("Sentences", "a subprogram or macro call is not read"),
     "jumps-not-followed": QT_TRANSLATE_NOOP("Sentences", "jumps, loops and calls are not followed"),
     "variables-not-read": QT_TRANSLATE_NOOP(
@@ -33,11 +33,11 @@ PROGRAMS: dict[str, str | tuple[str, str]] = {
     ),
     "no-words": QT_TRANSLATE_NOOP(
         "Sentences",
-        "no NC program: {part:n} of its {lines:n} lines are not made of words like G1 X10, the first is line {line:#}",
+        "not an NC program: {part:n} of its {lines:n} lines are not made of words like G1 X10, the first is line {line:#}",
     ),
-    "moves-nothing": QT_TRANSLATE_NOOP("Sentences", "no NC program: no line of it moves a tool"),
-    "no-moves-read": QT_TRANSLATE_NOOP("Sentences", "no move of it can be read: {problems}"),
-    "no-text": QT_TRANSLATE_NOOP("Sentences", "no NC program: it is not a text"),
+    "moves-nothing": QT_TRANSLATE_NOOP("Sentences", "not an NC program: no line of it moves a tool"),
+    "no-moves-read": QT_TRANSLATE_NOOP("Sentences", "none of its moves can be read: {problems}"),
+    "no-text": QT_TRANSLATE_NOOP("Sentences", "not an NC program: it is not text"),
     "lathe": QT_TRANSLATE_NOOP(
         "Sentences", "a program for a lathe ({name}, line {line:#}): milling strategies say nothing about it"
     ),
@@ -48,7 +48,7 @@ PROGRAMS: dict[str, str | tuple[str, str]] = {
         "Sentences", "a program for a wire cutter ({name}, line {line:#}): milling strategies say nothing about it"
     ),
     "rotary": QT_TRANSLATE_NOOP(
-        "Sentences", "a rotary axis turns while the tool cuts (line {line:#}): the way of the tool cannot be told"
+        "Sentences", "a rotary axis turns while the tool cuts (line {line:#}): the path of the tool cannot be told"
     ),
     "rapids-not-told": QT_TRANSLATE_NOOP(
         "Sentences", "{length:mm4} of rapids are not in the time: a program does not say how fast they are"
@@ -57,7 +57,7 @@ PROGRAMS: dict[str, str | tuple[str, str]] = {
         "Sentences", "no tool: the program does not say its diameter, so the cost is not known"
     ),
     "inches-as-millimetres": QT_TRANSLATE_NOOP(
-        "Sentences", "it looks 25.4 times too small: inches read as millimetres?"
+        "Sentences", "it looks 25.4 times too small: inches read as millimeters?"
     ),
     "feeds-per-minute": QT_TRANSLATE_NOOP(
         "Sentences", "its feeds, up to {feed:g} mm/s, are taken for mm/min: FreeCAD's importer keeps them as mm/s"
@@ -65,6 +65,6 @@ PROGRAMS: dict[str, str | tuple[str, str]] = {
     # Files.
     "file-unreadable": QT_TRANSLATE_NOOP("Sentences", "the file cannot be read: {name}"),
     "too-long": QT_TRANSLATE_NOOP("Sentences", "given up after {time:s}"),
-    "worker-died": QT_TRANSLATE_NOOP("Sentences", "the process that read it died, of too little memory perhaps"),
+    "worker-died": QT_TRANSLATE_NOOP("Sentences", "the process that read it died, perhaps for lack of memory"),
     "file-too-large": QT_TRANSLATE_NOOP("Sentences", "the file is larger than {size:bytes}"),
 }

@@ -55,7 +55,7 @@ SIMULATORS: dict[str, str | tuple[str, str]] = {
     # Why an arc makes it hang, and how many others do.
     "arc-without-xy": QT_TRANSLATE_NOOP("Sentences", "without an X or Y word"),
     "arc-without-z": QT_TRANSLATE_NOOP("Sentences", "without a Z word"),
-    "arc-without-centre": QT_TRANSLATE_NOOP("Sentences", "without a centre"),
+    "arc-without-centre": QT_TRANSLATE_NOOP("Sentences", "without a center"),
     "arc-full-circle": QT_TRANSLATE_NOOP("Sentences", "that is a full circle"),
     "arc-without-sweep": QT_TRANSLATE_NOOP("Sentences", "that sweeps no angle"),
     "and-more": (
@@ -70,8 +70,8 @@ SIMULATORS: dict[str, str | tuple[str, str]] = {
         "The {simulator:simulator} hangs on this: command {command:#} of {label}{others} is an arc {reason}.",
     ),
     "and-other-operations": (
-        QT_TRANSLATE_NOOP("Sentences", ", beside another operation,"),
-        QT_TRANSLATE_NOOP("Sentences", ", beside {count:n} other operations,"),
+        QT_TRANSLATE_NOOP("Sentences", " (also in another operation)"),
+        QT_TRANSLATE_NOOP("Sentences", " (also in {count:n} other operations)"),
     ),
     "started-takes": QT_TRANSLATE_NOOP(
         "Sentences", "Playing this takes {bound} {time:s} in the {simulator:simulator}."
