@@ -16,7 +16,9 @@ import numpy as np
 from vkworkbench import preferences
 from vkworkbench.core import (
     Machining,
+    Recognition,
     Stock,
+    Strategy,
     Tool,
     Toolpath,
     linearize,
@@ -113,11 +115,12 @@ def analyze_file(path: Path, chosen: Preferences) -> tuple[OperationReport, ...]
 
 
 def unread(path: Path, why: Message) -> OperationReport:
-    """Return the row of a file without results, which says why."""
-    nothing = linearize([])
+    """Return the row of a file without results, which says why: no strategy, length or time of it is known."""
+    unmeasured = replace(machining(linearize([])), cutting_seconds=None, left_out=(why,))
     return OperationReport(
-        document=str(path), name="", label=path.name, job=path.name, counted=False, recognition=recognize(nothing),
-        trajectories=0, machining=machining(nothing), costs={}, advice={}, cautions=(), remarks=(why,), fingerprint="",
+        document=str(path), name="", label=path.name, job=path.name, counted=False,
+        recognition=Recognition(Strategy.UNKNOWN, 0.0, why, ()), trajectories=0, machining=unmeasured, costs={}, advice={},
+        cautions=(), remarks=(why,), fingerprint="",
     )  # fmt: skip
 
 
@@ -130,7 +133,10 @@ def _rows(
     if not cutting:
         row = unread(path, Message("no-cutting-move"))
         remarks = (*row.remarks, *map(at_line, toolpath.problems))  # what is not read may be what cuts
-        return [replace(row, trajectories=len(toolpath), remarks=remarks)]
+        found = recognize(toolpath)
+        return [
+            replace(row, recognition=found, trajectories=len(toolpath), machining=_machining(toolpath), remarks=remarks)
+        ]
     stock = _stock(toolpath, [section.tool for _, section in cutting])
     lost = [Message("inches-as-millimetres")] if not program.unit_told and looks_like_inches(toolpath) else []
     starts = [section.first for _, section in cutting]
@@ -149,18 +155,16 @@ def _row(
     remarks: list[Message], undivided: bool,
 ) -> OperationReport:  # fmt: skip
     """Return the row of one operation."""
+    unlike_milling = program.other or _turned(program, section)
     row = replace(
-        unread(path, Message("no-cutting-move")),
+        unread(path, unlike_milling or Message("no-cutting-move")),
         name=f"lines {section.first}-{section.last}",
         label=section.title or (path.stem if section.number is None else f"T{section.number}"),
         counted=True,
         trajectories=len(part),
     )
-    unlike_milling = program.other or _turned(program, section)
     if unlike_milling:
-        unmeasured = replace(row.machining, cutting_seconds=None, left_out=(unlike_milling,))
-        remarks = [unlike_milling, *remarks]
-        return replace(row, recognition=unknown(part, unlike_milling), machining=unmeasured, remarks=tuple(remarks))
+        return replace(row, recognition=unknown(part, unlike_milling), remarks=(*row.remarks, *remarks))
     tool = section.tool
     if Message("inches-as-millimetres") in remarks:  # the tool's size in the comments was read in mm as well
         found = recognize_inches(part, tool_diameter=tool and INCH * tool.diameter, program=undivided)

@@ -74,7 +74,7 @@ def test_results_as_csv_and_as_json_lines(folder, tmp_path, inside):
     assert inside(folder, "--csv", tmp_path / "out.csv").returncode == 1
     rows = rows_of(tmp_path / "out.csv")
     assert sorted(Path(row["document"]).name for row in rows) == [f"{name}.nc" for name in "abcdef"]
-    assert {row["strategy"] for row in rows} == {"zigzag", "empty"}
+    assert {row["strategy"] for row in rows} == {"zigzag", "unknown"}
     lines = [json.loads(line) for line in run(folder, "--json-lines", "-").stdout.splitlines()]
     assert sorted(line["document"] for line in lines) == sorted(row["document"] for row in rows)
     assert inside("--json-lines", tmp_path / "out.jsonl", folder / "a.nc").stdout == ""

@@ -131,6 +131,12 @@ def test_what_cannot_be_read_costs_only_itself(tmp_path):
         "out (2 times, first in line 2)",
         "missing.nc": "the file cannot be read: No such file or directory",
     }
+    # Of what cannot be read nothing is known; what has no cut is empty.
+    strategies = {Path(row.document).name: str(row.strategy) for row in report.operations if not row.counted}
+    assert {name for name, strategy in strategies.items() if strategy == "unknown"} == {"a.nc", "c.nc", "missing.nc"}
+    assert {name for name, strategy in strategies.items() if strategy == "empty"} == {"d.nc", "e.nc"}
+    missing = report.operations[-1]
+    assert missing.reason == missing.error and missing.confidence == 0.0 and missing.machining_seconds is None
     assert [row.label for row in report.operations if row.counted] == ["Face", "Holes"]
     assert [total.label for total in report.totals] == ["b.nc"]
 
