@@ -314,7 +314,7 @@ def test_an_error_of_our_own_costs_one_row_only(small, zigzag_commands, monkeypa
     first = core.linearize(zigzag_commands)
     monkeypatch.setattr(analysis, "recognized", broken)
     rows = vkworkbench.analyze(small.document).operations
-    assert [row.strategy.value for row in rows] == ["empty", "zigzag"]
+    assert [row.strategy.value for row in rows] == ["unknown", "zigzag"]
     assert "please report" in rows[0].error and rows[1].error is None
 
 

@@ -13,7 +13,7 @@ from dataclasses import dataclass, fields, replace
 import FreeCAD
 
 from vkworkbench import freecad, preferences
-from vkworkbench.core import Solid, Strategy, Tool, linearize, machining, recognize, stock_around
+from vkworkbench.core import Recognition, Solid, Strategy, Tool, linearize, machining, stock_around
 from vkworkbench.core.gcode import Words, in_seconds, used_up
 from vkworkbench.core.simulators import ZBUFFER, Conditions, Task, predict, preflight, together
 from vkworkbench.core.zbuffer import cuts_surely, may_cut
@@ -39,7 +39,6 @@ from vkworkbench.report import Cancelled, OperationReport, Report
 
 _PATIENCE = 0.02  # s between two calls of `cancelled`
 _NOTHING = linearize([])
-_NOT_RECOGNIZED = recognize(_NOTHING)
 
 
 def analyze(
@@ -235,14 +234,14 @@ def _patiently(work: Callable, cancelled: Callable[[], bool] | None):
 def _row(reading: _Reading, chosen: Preferences, conditions: Conditions, going_on: Callable) -> OperationReport:
     """Return the row of one operation; an error of this add-on must not cost the other operations theirs."""
     if reading.error is not None:
-        return _unknown(reading, reading.error)
+        return _failed(reading, reading.error)
     try:
         return _work(reading, chosen, conditions, going_on)
     except Cancelled:
         raise
     except Exception as error:
         FreeCAD.Console.PrintLog(traceback.format_exc())
-        return _unknown(reading, error)
+        return _failed(reading, error)
 
 
 def _work(reading: _Reading, chosen: Preferences, conditions: Conditions, going_on: Callable) -> OperationReport:
@@ -272,7 +271,7 @@ def _analysed(
     try:
         toolpath = placed(linearize(words, tolerance=chosen.tolerance), reading.placement)
     except Unusable as error:
-        return replace(_unknown(reading), remarks=(error.what,))
+        return _unknown(reading, error.what)
     going_on()
     found, inches = recognized(toolpath, tool and tool.diameter, reading.imported)
     if inches:
@@ -301,8 +300,8 @@ def _analysed(
         toolpath, told = in_seconds(toolpath)
         remarks += [told] if told else []
     horizontal, vertical = reading.rapid_feeds
-    return replace(
-        _unknown(reading),
+    return OperationReport(
+        **{name: getattr(reading, name) for name in _WHOSE},
         recognition=found,
         trajectories=len(toolpath),
         machining=machining(toolpath, horizontal_rapid=horizontal, vertical_rapid=vertical,
@@ -311,20 +310,26 @@ def _analysed(
         advice=advice,
         cautions=preflight(task, costs, conditions),
         remarks=tuple(remarks),
+        fingerprint=fingerprint_of("", reading.setting_fingerprint),
     )  # fmt: skip
 
 
-def _unknown(reading: _Reading, error: Exception | None = None) -> OperationReport:
-    """Return the row of an operation without results: they are still to come, or `error` prevented them."""
+def _failed(reading: _Reading, error: Exception) -> OperationReport:
+    """Return the row of an operation whose analysis failed."""
+    return _unknown(reading, Message("not-analysed", error=f"{type(error).__name__}: {error}"))
+
+
+def _unknown(reading: _Reading, why: Message) -> OperationReport:
+    """Return the row of an operation of which nothing is known, and why."""
     return OperationReport(
         **{name: getattr(reading, name) for name in _WHOSE},
-        recognition=_NOT_RECOGNIZED,
+        recognition=Recognition(Strategy.UNKNOWN, 0.0, why, ()),
         trajectories=0,
-        machining=machining(_NOTHING),
+        machining=replace(machining(_NOTHING), cutting_seconds=None),
         costs={},
         advice={},
         cautions=(),
-        remarks=(Message("not-analysed", error=f"{type(error).__name__}: {error}"),),
+        remarks=(why,),
         fingerprint=fingerprint_of("", reading.setting_fingerprint),
     )
 
