@@ -123,11 +123,6 @@ class OperationReport(Costs):
         return self.recognition.stepover
 
     @property
-    def to_be_known(self) -> bool:
-        """Whether the user must know something of it before simulating: an error, a hang, a long play, too much memory."""
-        return bool(self.remarks) or any(caution.code in SERIOUS for caution in self.cautions)
-
-    @property
     def error(self) -> str | None:
         """What is wrong or unknown in English, sentences with semicolons between them; None where nothing is."""
         return "; ".join(map(render, self.remarks)) or None

@@ -128,7 +128,12 @@ def test_a_failure_of_reading_costs_one_row(sound, zigzag_commands, monkeypatch)
     monkeypatch.setattr(analysis, "rapid_feeds", lambda obj: read(obj) if obj.Label == "Sound" else 1 / 0)
     first, second = vkworkbench.analyze(sound.document).operations
     assert (first.label, first.error) == ("Sound", None)
-    assert second.label == "Odd" and "ZeroDivisionError" in second.error and second.recognition.strategy == "unknown" and second.confidence == 0
+    assert (
+        second.label == "Odd"
+        and "ZeroDivisionError" in second.error
+        and second.recognition.strategy == "unknown"
+        and second.confidence == 0
+    )
 
 
 @pytest.mark.parametrize("what", ["x", 5, b"x", ["x"], [None], [[5]], 1.5, object()])

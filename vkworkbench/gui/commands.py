@@ -7,7 +7,9 @@ import FreeCAD
 import FreeCADGui as Gui
 
 import vkworkbench
+from vkworkbench.document.simulated_faults import read_with_faults
 from vkworkbench.gui import panel_command, pills, progress, tree
+from vkworkbench.gui.notices import Level, notices_of
 from vkworkbench.gui.plain_text import tell
 from vkworkbench.gui.selection import selected_operations
 from vkworkbench.gui.sentences import plural
@@ -55,16 +57,16 @@ class AnalyzeCommand:
         mark(report)
         _show_marks()
         panel_command.show()
-        wrong = sum(o.to_be_known for o in report.operations)
+        warned = _warned(report)
         one, more = (
             translate("Vk_Analyze", "{count} operation analyzed"), translate("Vk_Analyze", "{count} operations analyzed")
         )  # fmt: skip
         text = plural(one, more, len(report.operations))
-        if wrong:
+        if warned:
             one, more = (
                 translate("Vk_Analyze", "{count} has a warning"), translate("Vk_Analyze", "{count} have warnings")
             )  # fmt: skip
-            text += ", " + plural(one, more, wrong)
+            text += ", " + plural(one, more, warned)
         _status(text)
 
 
@@ -102,6 +104,14 @@ def mark(report) -> None:
     with tree.steady_columns():
         vkworkbench.mark(report)
     pills.fit_column()
+
+
+def _warned(report) -> int:
+    """Return how many of the operations just marked have a warning in the results."""
+    documents = FreeCAD.listDocuments()
+    objects = (documents[o.document].getObject(o.name) for o in report.operations if o.document in documents)
+    marked = (read_with_faults(obj) for obj in objects if obj is not None)
+    return sum(any(n.level >= Level.WARNING for n in notices_of(record)) for record in marked if record is not None)
 
 
 def _show_marks() -> None:
