@@ -29,7 +29,7 @@ from vkworkbench.core.recognition.forest import Forest
 from vkworkbench.core.recognition.thresholds import VISITS
 from vkworkbench.core.recognition.visits import compared, find_visits
 
-TREES, LEAVES = 16, 50
+TREES, LEAVES = 32, 100
 MANY = 60  # visits of one operation that are taken at most, so that no raster outweighs all other programs
 FOLDS = 10
 BORDERS_OF_PROGRAMS, OF_JOINED = 4.0, 0.5  # weights: true borders of real programs are rare

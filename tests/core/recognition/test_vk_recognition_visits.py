@@ -13,6 +13,7 @@ from vkworkbench.core import Strategy, linearize, recognize
 from vkworkbench.core.paper import monotonous_areas
 from vkworkbench.core.recognition.borders import MEASURES
 from vkworkbench.core.recognition.forest import Forest
+from vkworkbench.core.recognition.parts import told_apart
 from vkworkbench.core.recognition.visits import Visits, begun, compared, find_visits
 
 TOOL = 5.0
@@ -187,11 +188,12 @@ def test_visits_are_compared_without_a_unit():
         "size": np.log(np.hypot(40, 40) / 50), "length": np.log((100 + small) / (50 + small)),
         "block_length": np.log((50 + small) / (50 / 6 + small)), "block_count": np.log(3), "fewer_blocks": np.log(2),
         "more_blocks": np.log(6), "turn": np.log(3.1 / 1.1), "chord": 0.4, "closed": 0.7, "axis": np.hypot(1, 0.5),
-        "visits": np.log(2),
+        "visits": np.log(2), "again": 0, "again_above": 0,
     }  # fmt: skip
     assert told == pytest.approx(expected)
     # Backwards all is the same but what says which of the two is higher.
     expected |= {"higher_bottom": 1, "higher_begin": 1, "deeper": 3 / 5}
+    expected |= {"again": shared / one, "again_above": shared / one}  # of the ground of what is now the second
     (row,) = compared(backwards(two_visits()))
     assert {name: value for name, value in zip(MEASURES, row) if name in expected} == pytest.approx(expected)
 
@@ -235,6 +237,51 @@ def test_grounds_that_do_not_touch_share_nothing():
     assert told["overlap"] == told["inside"] == told["same_ground"] == 0
     told = dict(zip(MEASURES, compared(two_visits(low=[[0, 0], [0, 0]], high=[[0, 0], [0, 0]]))[0]))
     assert told["overlap"] == told["inside"] == told["same_ground"] == 1 and told["size"] == 0  # holes in one place
+
+
+def test_ground_that_one_of_the_last_visits_cut_as_deep_is_cut_again():
+    """Ten squares of 10 mm side by side, then half of the first again: at its depth, above it, below it."""
+    low = np.array([[20.0 * k, 0.0] for k in range(10)])
+    for back, place in ((1, 9), (8, 2), (9, 1)):
+        for z, again, above in ((-1.0, 1, 0), (-0.5, 1, 1), (-2.0, 0, 0)):
+            corner = low[place] + (5.0, 0.0)
+            visits = Visits(*(np.repeat(values[:1], 11, axis=0) for values in vars(two_visits()).values()))
+            visits = replace(
+                visits,
+                low=np.vstack([low, corner]),
+                high=np.vstack([low, corner]) + 10.0,
+                bottom=np.append(np.full(10, -1.0), z),
+            )
+            rows = compared(visits)[:, [MEASURES.index("again"), MEASURES.index("again_above")]]
+            half = (5.05 * 10.05) / 10.05**2 * (back <= 8)  # what lies nine visits back is not looked at
+            assert rows[-1] == pytest.approx([again * half, above * half]), (back, z)
+            assert (rows[:-1] == 0).all()
+
+
+def test_a_contour_around_rows_as_deep_finishes_their_walls_and_is_no_operation():
+    rows = [("G0", {"Z": 5.0}), *programs.SOUND["zigzag"](14, 60.0, 3.0, [-1.0])]
+    path = linearize(rows)
+    (x0, y0), (x1, y1) = path.points[:, :2].min(axis=0), path.points[:, :2].max(axis=0)
+
+    def contour(z, out=0.5):
+        corners = ((x0 - out, y0 - out), (x1 + out, y0 - out), (x1 + out, y1 + out), (x0 - out, y1 + out))
+        to = [dict(zip("XY", map(float, corner))) for corner in (*corners, corners[0])]
+        return [
+            ("G0", {"Z": 5.0}),
+            ("G0", to[0]),
+            ("G1", {"Z": z, "F": 10.0}),
+            *[("G1", {**at, "F": 10.0}) for at in to[1:]],
+        ]
+
+    def borders(second, share):
+        path = linearize([*rows, *second, ("G0", {"Z": 5.0})])
+        return told_apart(path, {}, {len(linearize(rows)): share}, TOOL)
+
+    at = [len(linearize(rows))]
+    assert borders(contour(-1.0), 0.4) == []
+    assert borders(contour(-1.0), 0.6) == at  # the motion itself is sure
+    assert borders(contour(-2.0), 0.4) == at  # deeper
+    assert borders(contour(-1.0, out=9.0), 0.4) == at  # around something else
 
 
 def test_a_series_is_what_the_pairs_before_and_after_show():

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import replace
 
 import numpy as np
@@ -13,7 +13,7 @@ from vkworkbench.core.paper import Areas, monotonous_areas
 from vkworkbench.core.recognition.footprints import count_depths
 from vkworkbench.core.recognition.operation import cutting_length, recognize_one, spans_of
 from vkworkbench.core.recognition.recognition import Recognition
-from vkworkbench.core.recognition.thresholds import ENOUGH, PARTS, ROWS, VISITS
+from vkworkbench.core.recognition.thresholds import ENOUGH, PARTS, ROWS, SAME, VISITS
 from vkworkbench.core.strategy import Family, Strategy
 from vkworkbench.core.toolpath import Toolpath
 from vkworkbench.language import Message
@@ -28,7 +28,9 @@ def find_borders(toolpath: Toolpath, moves: Areas) -> dict[int, bool]:
     borders = dict.fromkeys(comments, False) if len(comments) <= PARTS.BORDERS else {}
     borders.update((int(at), True) for at in toolpath.tool_changes)
     holes = moves.holes
-    if len(moves) and len(holes) and len(holes) >= PARTS.DRILLED * len(moves.start) and not _sculptured(moves):
+    if len(holes) < PARTS.DRILLED * len(moves.start) or _sculptured(moves):
+        holes = holes[toolpath.cycle[holes]]  # a canned cycle drills, whatever there is beside it
+    if len(moves) and len(holes):
         # Holes with no milling between them are one run.
         place = np.searchsorted(moves.index, holes)
         begin = np.flatnonzero(np.append(True, place[1:] != place[:-1]))
@@ -53,28 +55,58 @@ def told_apart(toolpath: Toolpath, borders: dict[int, bool], begun: dict[int, fl
     begun : dict
         Where another operation may begin, and how likely it is.
     """
-    doubtful = [at for at, share in begun.items() if share <= VISITS.BORDER]
-    if not doubtful:
-        return list(begun)
-    beside: dict[int, list[Recognition | None]] = {}
-    for a, b, one in _sections(toolpath, {*borders, *begun}, tool):
-        beside.setdefault(a, [None, None])[1] = beside.setdefault(b, [None, None])[0] = one
+    if not begun:
+        return []
+    pairs = _beside(toolpath, borders, begun, tool)
     names = {
-        at: frozenset(one.strategy for one in beside[at] if one is not None)
-        for at in doubtful
-        if at in beside and _odds(begun[at]) * _differing(*beside[at]) > VISITS.DIFFER
+        at: frozenset(one.strategy for one in pair)
+        for at, pair in pairs.items()
+        if begun[at] <= VISITS.BORDER and _odds(begun[at]) * _differing(*pair) > VISITS.DIFFER
     }
     times = Counter(names.values())
     # Two patterns that take turns are one operation, depth after depth or place after place.
     told = {at for at, pair in names.items() if times[pair] < PARTS.TURNS}
-    return [at for at in begun if begun[at] > VISITS.BORDER or at in told]
+    told |= {at for at, share in begun.items() if share > VISITS.BORDER}
+    # So are a pattern and the contour that finishes its walls.
+    told -= {at for at, pair in pairs.items() if begun[at] < VISITS.SURE and _finished(toolpath, *pair)}
+    return [at for at in begun if at in told]
 
 
-def _differing(one: Recognition | None, other: Recognition | None) -> float:
+def _beside(
+    toolpath: Toolpath, borders: Iterable[int], begun: Iterable[int], tool: float
+) -> dict[int, tuple[Recognition, Recognition]]:
+    """Recognise what lies before and behind each retract, up to the next retract or border."""
+    before, behind = {}, {}
+    for a, b, one in _sections(toolpath, {*borders, *begun}, tool):
+        behind[a], before[b] = one, one
+    return {at: (before[at], behind[at]) for at in begun if at in before and at in behind}
+
+
+def _differing(one: Recognition, other: Recognition) -> float:
     """Return the odds that two sections are different operations, told by their verdicts; 0 where those are equal."""
-    if one is None or other is None or not (one.strategy.is_answer and other.strategy.is_answer):
+    if not (one.strategy.is_answer and other.strategy.is_answer):
         return 0.0
     return 0.0 if one.strategy is other.strategy else _odds(one.confidence * other.confidence)
+
+
+def _finished(toolpath: Toolpath, one: Recognition, other: Recognition) -> bool:
+    """Whether one clears an area, and the other goes once around the same ground, as deep: it finishes the walls."""
+    for clearing, around in ((one, other), (other, one)):
+        clears = clearing.strategy.family is Family.ROWS or clearing.strategy is Strategy.ADAPTIVE
+        if clears and around.strategy is Strategy.PROFILE:
+            ground, walls = _ground(toolpath, clearing), _ground(toolpath, around)
+            apart = np.abs(ground - walls).max(axis=0)
+            size = float(np.hypot(*(ground[1] - ground[0])[:2]))
+            return bool(apart[:2].max() < PARTS.AROUND * size and abs(ground[0, 2] - walls[0, 2]) < SAME.HEIGHT)
+    return False
+
+
+def _ground(toolpath: Toolpath, one: Recognition) -> np.ndarray:
+    """Return the box of what a section cuts, (2, 3): its lowest and its highest corner, mm."""
+    first, last = one.spans[0].first, one.spans[-1].last
+    cut = np.flatnonzero(~toolpath.rapid[first : last + 1]) + first
+    points = toolpath.points[np.union1d(cut, cut + 1)]
+    return np.array([points.min(axis=0), points.max(axis=0)])
 
 
 def _odds(share: float) -> float:

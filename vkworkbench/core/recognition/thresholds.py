@@ -388,10 +388,13 @@ class PARTS:
     #: rasters on surfaces and circuits with a hole are.
     ASIDE = 0.05
     #: share of the length. Behind a border that is certain, so much does. At 1 short zigzags before a profile are lost.
-    CERTAIN = 0.01
+    CERTAIN = 0.001
     #: count. Two strategies that meet so often at retracts in doubt take turns within one operation. At 1 all do, and a
     #: pocket with another pattern behind it is one.
     TURNS = 3
+    #: share of the size. A contour whose box differs by less on every side from that of what is cleared finishes its
+    #: walls. At 0 none does, and rows with a contour around them are mixed; larger: by real code, nothing changes.
+    AROUND = 0.05
 
 
 class VISITS:
@@ -406,6 +409,10 @@ class VISITS:
     #: ratio. The odds by the votes, times the odds that both verdicts are right where they differ. Above it another
     #: operation begins. At 0 every retract in doubt with two names beside it is a border, and pockets are mixed.
     DIFFER = 0.4
+    #: share of the votes. Where more say so, even a contour around what was cleared before is another operation.
+    SURE = 0.5
+    #: visits. So many before are looked at for ground that is cut again. At 1 only neighbours are; more gains little.
+    EARLIER = 8
     #: visits. More sections are no operations, and each takes its time. At 1 most programs are one.
     MOST = 60
     #: share of the length. A block whose ends lie closer together is closed, as the measure says.

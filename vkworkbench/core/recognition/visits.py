@@ -196,6 +196,7 @@ def compared(v: Visits) -> np.ndarray:
         "axis": np.abs(v.axis[b] - v.axis[a]),
         "visits": np.full(len(v) - 1, np.log(len(v))),
     }  # fmt: skip
+    measures["again"], measures["again_above"] = _cut_again(v)
     # What the pairs before and after show: a regular series goes on.
     for name in ("same_ground", "overlap", "same_top", "same_bottom", "same_feed"):
         values = measures[name]
@@ -205,6 +206,23 @@ def compared(v: Visits) -> np.ndarray:
         else:
             measures["series_" + name] = values
     return np.column_stack([measures[name] for name in MEASURES])
+
+
+def _cut_again(v: Visits) -> tuple[np.ndarray, np.ndarray]:
+    """Return how much of each visit's ground but the first's one of the last visits covers, (k-1,) each.
+
+    The first counts visits as deep or deeper, the second deeper ones: operations seldom cut what they have cut.
+    """
+    again = np.zeros((2, len(v) - 1))
+    ground = np.prod(v.high - v.low + VISITS.SMALL, axis=1)
+    for back in range(1, min(VISITS.EARLIER, len(v) - 1) + 1):
+        a, b = slice(None, -back), slice(back, None)
+        shared = np.minimum(v.high[a], v.high[b]) - np.maximum(v.low[a], v.low[b]) + VISITS.SMALL
+        share = np.prod(np.maximum(shared, 0.0), axis=1) / ground[b]
+        higher = v.bottom[b] - v.bottom[a]
+        for of, deep in zip(again[:, back - 1 :], (higher > -SAME.HEIGHT, higher > SAME.HEIGHT)):
+            np.maximum(of, share * deep, out=of)
+    return again[0], again[1]
 
 
 def begun(toolpath: Toolpath, moves: Areas) -> dict[int, float]:
