@@ -28,7 +28,9 @@ CLASS = np.array([-1 if s is Strategy.ADAPTIVE else list(Family).index(s.family)
 ALIKE = np.array(CLASS[:, None] == CLASS, float)
 # What the rules count where no tool is known, for each strategy that they propose.
 NO_TOOL = np.array([
-    VOTES.RULES_THAT_NEED_NO_TOOL if s in (Strategy.HELIX, Strategy.ADAPTIVE) else VOTES.RULES_WITHOUT_TOOL
+    VOTES.RULES_THAT_NEED_NO_TOOL
+    if s in (Strategy.HELIX, Strategy.SPIRAL, Strategy.ADAPTIVE)
+    else VOTES.RULES_WITHOUT_TOOL
     for s in STRATEGIES
 ])  # fmt: skip
 # What the paper's rule to the letter speaks for: nothing where it is open.

@@ -494,7 +494,7 @@ class VOTES:
     #: share of the votes. Where no tool is known, many of the rules have nothing to measure by. As much as with a tool:
     #: real code that names none is judged by rules that guess.
     RULES_WITHOUT_TOOL = 0.1
-    #: share of the votes. As much, for the strategies that the rules find without a tool: a helix by its one pitch,
+    #: share of the votes. As much, for the strategies that the rules find without a tool: a helix by its one pitch, a spiral,
     #: adaptive clearing by its bites. At 0.1 bores of few turns are profiles; at 1 whatever descends evenly is a bore.
     RULES_THAT_NEED_NO_TOOL = 0.25
     #: ratio. So much counts the share of the whole class, rows or around, beside that of the strategy. At 0 a class can
