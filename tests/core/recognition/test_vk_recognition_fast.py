@@ -10,6 +10,7 @@ from vkworkbench.core.recognition.crossings import _median
 from vkworkbench.core.recognition.entries import find_entry, without_entries
 from vkworkbench.core.recognition.footprints import count_depths
 from vkworkbench.core.recognition.forest import Forest
+from vkworkbench.core.recognition.neighbours import _quantiles
 from vkworkbench.core.recognition.thresholds import SAME
 
 
@@ -18,6 +19,16 @@ def test_the_median_is_that_of_numpy(number):
     rng = np.random.default_rng(number)
     for values in (rng.normal(size=number), rng.integers(0, 4, number).astype(float)):
         assert _median(values) == np.median(values)
+
+
+def test_quantiles_by_row_are_those_of_numpy():
+    rng = np.random.default_rng(0)
+    values, shares = rng.normal(size=(2000, 16)), (0.1, 0.5, 0.9)
+    of = rng.random(values.shape) < rng.random((2000, 1))
+    of[:, 0] = True  # at least one
+    of[:20] = True
+    expected = np.nanpercentile(np.where(of, values, np.nan), [100 * share for share in shares], axis=1)
+    assert np.array_equal(_quantiles(values, of, shares), expected)
 
 
 @pytest.mark.parametrize(

@@ -279,14 +279,15 @@ def _held(values: np.ndarray) -> np.ndarray:
 
 def _mode(codes: np.ndarray, states: dict[int, int], default: int) -> np.ndarray:
     """State of a modal group at every command: the value of the last of its codes."""
-    state = np.full(len(codes), default, np.int64)
-    setter = _last(np.isin(codes, list(states)))
-    if setter.max(initial=-1) >= 0:
-        value = np.full(len(codes), default, np.int64)
-        for code, code_value in states.items():
-            value[codes == code] = code_value
-        state = np.where(setter >= 0, value[setter], default)
-    return state
+    value, sets = np.full(len(codes), default, np.int64), np.zeros(len(codes), bool)
+    for code, code_value in states.items():
+        own = codes == code
+        value[own] = code_value
+        sets |= own
+    if not sets.any():
+        return value
+    setter = _last(sets)
+    return np.where(setter >= 0, value[setter], default)
 
 
 def _coordinate(values: np.ndarray, relative: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

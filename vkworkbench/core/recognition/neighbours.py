@@ -70,9 +70,8 @@ def find_neighbours(moves: Areas, pieces: Pieces, index: np.ndarray, tool: float
         distance, on = _distances(x[a], y[a], x[b], y[b])
         enough = on.mean(axis=1) > NEIGHBOURS.FACING
         enough &= (np.abs(z[a] - z[b]) < SAME.HEIGHT) | ~flat[a] | ~flat[b]
-        distance[~on] = np.nan
-        distance[~enough] = 0.0
-        low, middle, high = np.nanpercentile(distance, (10, 50, 90), axis=1)
+        low, middle, high = np.zeros((3, len(enough)))
+        low[enough], middle[enough], high[enough] = _quantiles(distance[enough], on[enough], (0.1, 0.5, 0.9))
         enough &= (middle > SAME.RING) & (high < np.minimum(length[a], length[b]) / ROWS.LONG)
         if tool:
             enough &= high < NESTS.REACH * tool
@@ -107,6 +106,23 @@ def _sampled(moves: Areas, pieces: Pieces, index: np.ndarray) -> tuple[np.ndarra
     move = np.clip(np.searchsorted(walked, at, side="right") - 1, first, last)
     along = np.clip((at - walked[move]) / moves.length[move], 0, 1)
     return moves.x[move] + along * moves.dx[move], moves.y[move] + along * moves.dy[move]
+
+
+def _quantiles(values: np.ndarray, of: np.ndarray, shares: tuple[float, ...]) -> list[np.ndarray]:
+    """Return quantiles (rows,) of those values (rows, k) in each row that are chosen, of (rows, k) bool, at least one.
+
+    They are what numpy's `nanpercentile` tells, which takes the rows one after the other.
+    """
+    ascending = np.sort(np.where(of, values, np.inf), axis=1)
+    row, last = np.arange(len(values)), of.sum(axis=1) - 1
+    found = []
+    for share in shares:
+        place = last * share
+        before = place.astype(np.int64)
+        one, other = ascending[row, before], ascending[row, np.minimum(before + 1, last)]
+        part, step = place - before, other - one
+        found.append(np.where(part < 0.5, one + step * part, other - step * (1 - part)))
+    return found
 
 
 def _distances(ax: np.ndarray, ay: np.ndarray, bx: np.ndarray, by: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
