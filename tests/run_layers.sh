@@ -29,7 +29,7 @@ for layer in $layers; do
     # pytest captures no output of the FreeCAD layers: their logs have to show what FreeCAD swallows.
     # FreeCAD as root needs its browser's sandbox off, and under Xvfb OpenGL in software.
     env -i HOME="$home" XDG_RUNTIME_DIR="$home/run" PATH=/usr/sbin:/usr/bin:/sbin:/bin LC_ALL=C.UTF-8 \
-        PYTHONDONTWRITEBYTECODE=1 HYPOTHESIS_STORAGE_DIRECTORY="$home/hypothesis" \
+        PYTHONPYCACHEPREFIX="$PWD/build/bytecode/${results##*/}" HYPOTHESIS_STORAGE_DIRECTORY="$home/hypothesis" \
         QT_QPA_PLATFORM=xcb QT_SCALE_FACTOR="$scale" LIBGL_ALWAYS_SOFTWARE=1 QTWEBENGINE_DISABLE_SANDBOX=1 \
         VKWORKBENCH_SCREENSHOTS="$PWD/$results/screenshots" \
         PYTEST_ADDOPTS="tests/$layer --junit-xml='$results/$layer.xml' $([ "$layer" = core ] || echo -s) ${*@Q}" \
