@@ -15,7 +15,8 @@ from pathlib import Path
 import pytest
 
 from vkworkbench.preferences import Preferences
-from vkworkbench.program import apart, main
+from vkworkbench.program import apart, command_line, main
+from vkworkbench.program.analysis import analyze_file
 
 ROOT = Path(__file__).resolve().parents[3]
 ROWS = "".join(f"G1 X{40 * (k % 2)}\nY{k + 1}\n" for k in range(20))
@@ -42,8 +43,9 @@ def run(*arguments, **options):
 
 
 @pytest.fixture
-def inside(capsys):
-    """The command in this process, for what its start as one of its own does not change."""
+def inside(capsys, monkeypatch):
+    """The command and what it analyses in this process, for what their start as others does not change."""
+    monkeypatch.setattr(command_line, "analyze_apart", lambda path, chosen, _patience: analyze_file(path, chosen))
 
     def run_inside(*arguments):
         try:
@@ -75,7 +77,7 @@ def test_results_as_csv_and_as_json_lines(folder, tmp_path, inside):
     rows = rows_of(tmp_path / "out.csv")
     assert sorted(Path(row["document"]).name for row in rows) == [f"{name}.nc" for name in "abcdef"]
     assert {row["strategy"] for row in rows} == {"zigzag", "unknown"}
-    lines = [json.loads(line) for line in run(folder, "--json-lines", "-").stdout.splitlines()]
+    lines = [json.loads(line) for line in run(folder, "--json-lines", "-", "--jobs", 1).stdout.splitlines()]
     assert sorted(line["document"] for line in lines) == sorted(row["document"] for row in rows)
     assert inside("--json-lines", tmp_path / "out.jsonl", folder / "a.nc").stdout == ""
     (line,) = map(json.loads, (tmp_path / "out.jsonl").read_text().splitlines())
@@ -85,17 +87,17 @@ def test_results_as_csv_and_as_json_lines(folder, tmp_path, inside):
 
 
 @pytest.mark.parametrize("kind", ["--csv", "--json-lines"])
-def test_it_goes_on_where_it_was_stopped(folder, tmp_path, kind, capsys):
+def test_it_goes_on_where_it_was_stopped(folder, tmp_path, kind, inside):
     out = tmp_path / "out"
-    arguments = [str(folder), kind, str(out), "--jobs", "1"]
-    assert main(arguments) == 1
+    arguments = folder, kind, out, "--jobs", 1
+    assert inside(*arguments).returncode == 1
     whole = out.read_bytes()
     lines = whole.splitlines(keepends=True)
     for cut in (0, len(lines[0]) + 3, len(b"".join(lines[:3])), len(b"".join(lines[:4])) - 20, len(whole)):
         out.write_bytes(whole[:cut])
-        main([*arguments, "--resume"])
+        done = inside(*arguments, "--resume")
         assert sorted(out.read_bytes().splitlines()) == sorted(whole.splitlines()), cut
-        again = int(capsys.readouterr().err.splitlines()[-1].split(" in ")[1].split()[0])
+        again = int(done.stderr.splitlines()[-1].split(" in ")[1].split()[0])
         complete = whole[:cut].count(b"\n") - (kind == "--csv")
         assert again == 6 - max(complete - 1, 0)  # the last one may have more rows
 
@@ -184,12 +186,12 @@ def test_a_reader_that_goes_away_is_no_error(folder):
     process.wait(60)
 
 
-def test_names_that_are_no_utf8(tmp_path):
+def test_names_that_are_no_utf8(tmp_path, inside):
     (tmp_path / "a.nc").write_text(PROGRAM)
     os.rename(tmp_path / "a.nc", os.fsencode(tmp_path) + b"/fr\xe4sen.nc")
-    assert run(tmp_path).returncode == 0
-    for _ in range(2):
-        assert run(tmp_path, "--json-lines", tmp_path / "out.jsonl", "--resume").returncode == 0
+    assert run(tmp_path, "--jobs", 1).returncode == 0
+    for one in (run, inside):
+        assert one(tmp_path, "--json-lines", tmp_path / "out.jsonl", "--resume").returncode == 0
         assert (tmp_path / "out.jsonl").read_bytes().count(b"\n") == 1
 
 
@@ -230,16 +232,19 @@ def scheduler(tmp_path):
 
 
 @pytest.mark.long
-def test_the_same_on_a_dask_cluster(folder, tmp_path, scheduler):
+def test_the_same_on_a_dask_cluster(folder, tmp_path, inside, scheduler):
     address, client = scheduler
     here, there = tmp_path / "here.csv", tmp_path / "there.csv"
+    inside(folder, "--csv", here)
     os.mkfifo(folder / "endless.nc")
-    alone = subprocess.Popen(command(folder, "--csv", here, "--timeout", "5"), cwd=ROOT, stderr=subprocess.DEVNULL)
     done = run(folder, "--csv", there, "--timeout", "5", "--scheduler", address)
-    assert alone.wait(60) == 1
     # Dask may tell of connections that it gives up behind the last line.
     assert done.returncode == 1 and "5 operations in 7 files, 2 could not be read." in done.stderr.splitlines()
-    assert sorted(there.read_bytes().splitlines()) == sorted(here.read_bytes().splitlines())
+    endless, found = [], []
+    for line in there.read_bytes().splitlines():
+        (endless if b"endless.nc" in line else found).append(line)
+    assert sorted(found) == sorted(here.read_bytes().splitlines())
+    assert len(endless) == 1 and b"given up after 5.0 s" in endless[0]
     started = client.run(lambda: len(__import__("vkworkbench.program.apart", fromlist=["apart"])._workers))
     assert len(started) == 2 and all(started.values())  # both had something to do
 
