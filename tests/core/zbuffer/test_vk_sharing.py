@@ -260,6 +260,7 @@ def test_where_memory_is_scarce_one_process_cuts(workers):
 
 MEASURE = """
 import resource, sys
+from bisect import bisect_left
 from pathlib import Path
 sys.path[:0] = [{root!r}, {root!r} + "/tests"]
 from vkworkbench.core import View
@@ -283,9 +284,9 @@ simulate(path, tool=TOOLS[2], stock=BOX, view=view, processes=2)
 taken = memory("VmHWM") - before + 1024 * resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss
 removal = Removal(Cuts([Cut(path, TOOLS[2])]), BOX, view.frame(BOX))
 budget = memory_needed([Cut(path, TOOLS[2])], stock=BOX, view=view)
-while helpers_within(budget, removal, len(path)) < 1:
-    budget += 1e6
-print(budget, taken)
+# To the megabyte, by halving: each question is of hundreds of rays.
+more = bisect_left(range(1000), 1, key=lambda megabytes: helpers_within(budget + 1e6 * megabytes, removal, len(path)))
+print(budget + 1e6 * more, taken)
 """
 
 
