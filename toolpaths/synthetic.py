@@ -47,8 +47,9 @@ class Program:
             self.go(*first)
         else:
             self.enter(*first)
-        for (x, y), height in zip(points[1:, :2], heights[1:]):
-            self.go(float(x), float(y), float(height))
+        rest = zip(*points[1:, :2].T.tolist(), heights[1:].tolist())
+        self.commands += [("G1", {"X": x, "Y": y, "Z": height, "F": FEED}) for x, y, height in rest]
+        self.last = (*points[-1, :2].tolist(), float(heights[-1]))
 
     def arc(self, x: float, y: float, i: float, j: float, *, ccw: bool, z: float | None = None) -> None:
         """Cut an arc in XY, centre (i, j) from here."""
