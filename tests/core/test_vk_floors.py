@@ -70,7 +70,12 @@ def parsed(code: str) -> ast.Module:
 
 @lru_cache(maxsize=None)
 def import_nodes(code: str) -> list[ast.Import | ast.ImportFrom]:
-    return [node for node in ast.walk(parsed(code)) if isinstance(node, (ast.Import, ast.ImportFrom))]
+    """The imports of a file, wherever they stand: among statements, so that expressions need not be looked through."""
+    todo: list[ast.AST] = [parsed(code)]
+    for node in todo:
+        for part in ("body", "orelse", "handlers", "finalbody", "cases"):
+            todo += getattr(node, part, ())
+    return [node for node in todo if isinstance(node, (ast.Import, ast.ImportFrom))]
 
 
 def names_of_face(code: str) -> set[str]:

@@ -51,14 +51,18 @@ def random_moves(kind, rng, n=6):
 def owners(points, tool, at):
     """Trajectory that removes each point (p, 3) first, `UNCUT` if none does, -1 if too close to tell."""
     owner = np.full(len(at), UNCUT)
+    reach = tool.radius + 2 * CLEARANCE
     for i in reversed(range(len(points) - 1)):
         t = np.linspace(0, 1, 700)[:, None, None]
         tip = points[i] + t * (points[i + 1] - points[i])
-        r = np.hypot(at[:, 0] - tip[..., 0], at[:, 1] - tip[..., 1])
-        z = at[:, 2] - tip[..., 2]
+        ends = points[i : i + 2, :2]
+        near = ((at[:, :2] > ends.min(axis=0) - reach) & (at[:, :2] < ends.max(axis=0) + reach)).all(axis=1)
+        x, y, z = at[near].T
+        r = np.hypot(x - tip[..., 0], y - tip[..., 1])
+        z = z - tip[..., 2]
         inside = (z >= tool.height(r + CLEARANCE) + CLEARANCE).any(axis=0)
         outside = (z < tool.height(np.maximum(r - CLEARANCE, 0)) - CLEARANCE).all(axis=0)
-        owner = np.where(inside, i, np.where(outside, owner, -1))
+        owner[near] = np.where(inside, i, np.where(outside, owner[near], -1))
     return owner
 
 

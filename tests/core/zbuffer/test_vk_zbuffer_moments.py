@@ -56,13 +56,11 @@ def expected(z):
     """Depth of the first dexel on every ray, and the owner of the trace element that ends there."""
     pixels = len(z.records.entry)
     depth, owner = np.full(pixels, np.nan, np.float32), np.full(pixels, STOCK)
-    for dexel in z.dexel_records[::-1]:
-        depth[dexel["pixel"]] = dexel["near"]
-    for pixel in np.flatnonzero(~np.isnan(depth)):
-        own = z.trace_records[z.trace_index[pixel] : z.trace_index[pixel + 1]]
-        before = own[own["far"] == depth[pixel]]
-        if len(before):
-            owner[pixel] = before["trajectory"][-1]
+    # Of several for one pixel the last stays: of the dexels, which are told from behind, the first.
+    depth[z.dexel_records["pixel"][::-1]] = z.dexel_records["near"][::-1]
+    pixel = np.repeat(np.arange(pixels), np.diff(z.trace_index.astype(int)))
+    before = z.trace_records["far"] == depth[pixel]
+    owner[pixel[before]] = z.trace_records["trajectory"][before]
     return depth, owner
 
 
