@@ -267,7 +267,7 @@ def test_silhouettes():
 
 
 def expected(toolpath, strategy, tool=FLAT, direction=TOP, **known):
-    view = View(direction)
+    view = View(direction, 480, 360)
     found = Recognition(strategy, 1.0, Message("no-moves"), **known)
     count = closed_form(toolpath, found, tool=tool, stock=STOCK, view=view)
     return count / simulate(toolpath, tool=tool, stock=STOCK, view=view).traces
@@ -317,22 +317,10 @@ def test_what_the_sequence_is_good_for():
 def test_candidate_pixels(direction):
     # Along the stock's edge and beside it: only what lies over the stock is examined.
     toolpath = path([(20, 20, 10), (60, 40, 10), (20, 40, 12), (-2, -2, 8), (-2, 90, 8)])
-    view = View(direction)
+    view = View(direction, 480, 360)
     exact = reference(toolpath, tool=FLAT, stock=STOCK, view=view)
     found = estimate(toolpath, None, tool=FLAT, stock=STOCK, view=view)
     assert found.candidates == pytest.approx(exact.candidates, rel=0.08)
-
-
-@pytest.mark.parametrize("direction", [TOP, TILTED], ids=["top", "tilted"])
-@pytest.mark.parametrize("name", ["zigzag", "surface", "helix"])
-def test_the_work_is_that_of_the_simulator(name, direction):
-    """Pairs that are tested, as the simulator counts them, from a few tiles."""
-    toolpath, tool = PATHS[name]
-    view = View(direction, 512, 384)
-    exact = simulate(toolpath, tool=tool, stock=STOCK, view=view)
-    found = estimate(toolpath, None, tool=tool, stock=STOCK, view=view)
-    assert 4 * np.sum(found.work.pairs) + sum(found.work.cells) == pytest.approx(exact.candidates, rel=0.3)
-    assert found.seconds == pytest.approx(found.speed.constants @ found.work.amounts())
 
 
 @pytest.mark.parametrize("direction", [TOP, TILTED], ids=["top", "tilted"])
@@ -347,8 +335,8 @@ def test_the_work_of_a_job_is_that_of_all_its_operations(direction):
 
 @pytest.mark.parametrize("direction", [TOP, TILTED], ids=["top", "tilted"])
 @pytest.mark.parametrize("names", [("zigzag",), ("surface",), ("helix",), ("zigzag", "surface", "helix")])
-def test_blocks_are_those_that_the_simulator_works_on(names, direction, monkeypatch):
-    """As often as it bounds or cuts pairs of one kind at once."""
+def test_the_work_is_that_of_the_simulator(names, direction, monkeypatch):
+    """Pairs that are tested, and blocks: as often as it bounds or cuts pairs of one kind at once; from a few tiles."""
     worked = []
     divided = Trajectories.by_kind
     bounds = Upright if direction == TOP else Tilted
@@ -362,11 +350,13 @@ def test_blocks_are_those_that_the_simulator_works_on(names, direction, monkeypa
         return count_and_go_on
 
     cuts, view = [Cut(*PATHS[name]) for name in names], View(direction, 640, 480)
-    said = estimate_job(cuts, stock=STOCK, view=view).work.amounts()[3]
+    found = estimate_job(cuts, stock=STOCK, view=view)
     monkeypatch.setattr(bounds, "quarters", counted(bounds.quarters))
     monkeypatch.setattr(bounds, "removals", counted(bounds.removals))
-    simulate_job(cuts, stock=STOCK, view=view, processes=1)
-    assert said == pytest.approx(sum(worked), rel=0.3)
+    exact = simulate_job(cuts, stock=STOCK, view=view, processes=1)
+    assert found.work.amounts()[3] == pytest.approx(sum(worked), rel=0.3)
+    assert 4 * np.sum(found.work.pairs) + sum(found.work.cells) == pytest.approx(exact.candidates, rel=0.3)
+    assert found.seconds == pytest.approx(found.speed.constants @ found.work.amounts())
 
 
 def test_kinds_of_trajectory_are_worked_on_apart_where_they_meet():
@@ -423,10 +413,10 @@ def test_this_computers_speed_is_measured():
 def test_a_memory_budget_is_met(name):
     toolpath, tool = PATHS[name]
     found = estimate(toolpath, None, tool=tool, stock=STOCK, view=View(TILTED))
-    chosen = best_resolution([found], memory_bytes=8e6)
+    chosen = best_resolution([found], memory_bytes=4e6)
     exact = simulate(toolpath, tool=tool, stock=STOCK, view=chosen.view)
-    assert 0.9 < exact.memory_bytes / 8e6 < 1.05
-    assert chosen.memory_bytes <= 8e6
+    assert 0.9 < exact.memory_bytes / 4e6 < 1.05
+    assert chosen.memory_bytes <= 4e6
     assert "limited by the memory" in chosen.explanation
 
 

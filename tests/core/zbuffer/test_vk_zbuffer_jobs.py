@@ -52,8 +52,8 @@ def test_culling_drops_nothing_that_flat_tipped_cones_cut(seed):
     paths = [PATHS[rng.integers(len(PATHS))] for _ in range(2)]
     cuts = [Cut(toolpath(path(rng, 40)), CHAMFERS[rng.integers(2)]) for path in paths]
     stock = (BOX, ROUND)[rng.integers(2)]
-    z = simulate_job(cuts, stock=stock, view=View(DIRECTIONS[seed % len(DIRECTIONS)], 120, 90))
-    row, column = np.divmod(np.arange(120 * 90), 120)
+    z = simulate_job(cuts, stock=stock, view=View(DIRECTIONS[seed % len(DIRECTIONS)], 90, 70))
+    row, column = np.divmod(np.arange(90 * 70), 90)
     pieces, _ = Removal(Cuts(cuts), stock, z.frame).cut(*z.frame.pixel_centres(column, row))
     assert np.array_equal(z.records.pixel(), pieces.ray)
     assert np.array_equal(z.records.owner, np.where(pieces.owner == UNCUT, z.trajectories, pieces.owner))

@@ -30,7 +30,7 @@ def box(lower, upper):
     return np.array([corner[[a, b, c]] for a, b, c, d in faces for a, b, c in ((a, b, c), (a, c, d))])
 
 
-def ball(middle, radius, parts=24):
+def ball(middle, radius, parts=12):
     """Triangles of a ball's inscribed polyhedron."""
     phi, theta = np.meshgrid(0.1 + np.linspace(0, 2 * pi, 2 * parts + 1), np.linspace(0, pi, parts + 1))
     at = np.stack((np.sin(theta) * np.cos(phi), np.sin(theta) * np.sin(phi), np.cos(theta)), axis=-1) * radius + middle
