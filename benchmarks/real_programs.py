@@ -1,0 +1,94 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Fetch other people's programs whose operations are labelled, and write what benchmarks/recognition.py reads.
+
+    python3 benchmarks/real_programs.py FOLDER [--from https://raw.githubusercontent.com]
+
+real_programs.csv names public repositories, the lines of their programs that are one operation, and the strategies that
+count as right, labelled from titles and plots by somebody who saw no verdict. Nothing was learned from them but the
+constant of the confidence (learn_verdicts.py --unseen). The programs are theirs and stay in FOLDER, with
+operations.jsonl.gz and programs.jsonl.gz. What cannot be fetched, or is another text, is left out and named.
+"""
+
+from __future__ import annotations
+
+import argparse
+import csv
+import gzip
+import hashlib
+import itertools
+import json
+import sys
+import urllib.request
+from pathlib import Path
+from urllib.parse import quote
+
+import numpy as np
+
+HERE = Path(__file__).resolve().parent
+sys.path[:0] = [str(HERE.parent)]
+
+from vkworkbench.core import Toolpath
+from vkworkbench.core.gcode import read_program
+from vkworkbench.language.unusable import Unusable
+
+
+def fetch(row: dict[str, str], folder: Path, host: str) -> str:
+    """Return the text of a row's program, from FOLDER where it is there already; OSError where it cannot be had."""
+    path = folder / "texts" / row["repository"] / row["commit"] / row["path"]
+    if not path.exists():
+        with urllib.request.urlopen(f"{host}/{quote(str(path.relative_to(folder / 'texts')))}") as answer:
+            text = answer.read()
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_bytes(text)
+    text = path.read_bytes()
+    if not hashlib.sha256(text).hexdigest().startswith(row["sha256"]):
+        raise OSError("it is another text")
+    return text.decode("utf-8", "replace")
+
+
+def commands(path: Toolpath, first: int, last: int) -> list[tuple[str, dict[str, float]]]:
+    """Return the trajectories first .. last, which are straight, as commands behind one that goes to their start."""
+    to = [dict(zip("XYZ", map(float, point))) for point in path.points[first : last + 2].round(6)]
+    moves = zip(path.rapid[first : last + 1], to[1:], path.feed[first : last + 1])
+    return [("G0", to[0]), *(("G0" if rapid else "G1", {**at, "F": float(feed)}) for rapid, at, feed in moves)]
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
+    parser.add_argument("folder", type=Path)
+    parser.add_argument("--from", dest="host", default="https://raw.githubusercontent.com")
+    options = parser.parse_args()
+    options.folder.mkdir(parents=True, exist_ok=True)
+    with open(HERE / "real_programs.csv", newline="") as file:
+        rows = list(csv.DictReader(file))
+    with (
+        gzip.open(options.folder / "operations.jsonl.gz", "wt") as operations,
+        gzip.open(options.folder / "programs.jsonl.gz", "wt") as programs,
+    ):
+        for _, of_program in itertools.groupby(rows, key=lambda row: (row["repository"], row["path"])):
+            these = list(of_program)
+            name = f"{these[0]['repository'].replace('/', '_')}__{these[0]['path']}"
+            try:
+                path, sections = read_program(fetch(these[0], options.folder, options.host)).toolpath(), []
+            except (OSError, Unusable) as error:
+                print(f"{name}: {error}", file=sys.stderr)
+                continue
+            for row in these:
+                first, end = np.searchsorted(path.command, (int(row["first_line"]), int(row["last_line"]) + 1)).tolist()
+                if first == end:
+                    print(f"{name}: nothing moves in lines {row['first_line']} to {row['last_line']}", file=sys.stderr)
+                    continue
+                accept = row["strategies"].split()
+                record = {
+                    "id": f"{name}:{row['first_line']}", "source": row["system"], "label": accept[0], "strategy": accept[0],
+                    "accept": accept, "tool_diameter": None, "commands": commands(path, first, end - 1),
+                }  # fmt: skip
+                operations.write(json.dumps(record) + "\n")
+                sections.append([first + 1, end, accept[0], accept])
+            whole = {"id": name, "commands": commands(path, 0, len(path) - 1), "sections": sections}
+            programs.write(json.dumps(whole) + "\n")
+
+
+if __name__ == "__main__":
+    main()
