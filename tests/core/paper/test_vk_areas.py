@@ -45,6 +45,12 @@ def test_a_gap_counts_against_what_is_enclosed():
         assert areas_of(at([*SQUARE[:-1], (0.0, gap)], 50, -30), at(ROW, 0, 0)).closed.tolist() == [closed, False]
 
 
+@pytest.mark.parametrize("gap, closed", [(0.02, True), (0.045, False)])
+def test_around_next_to_nothing_three_hundredths_of_a_millimetre_are_a_gap(gap, closed):
+    small = [(0.0, 0.0), (0.9, 0.0), (0.9, 0.9), (0.0, 0.9), (0.0, gap)]
+    assert areas_of(small).closed.tolist() == [closed]
+
+
 def test_no_areas():
     areas = areas_of()
     assert len(areas) == 0 and areas.phi_range == (0.0, 0.0) and areas.phi_ranges.shape == (0, 2)

@@ -54,3 +54,12 @@ def test_the_image_is_told_from_where_it_begins():
 def test_a_short_way_to_and_fro_has_no_sense():
     found = verdict([(0, 0), (30, 0), (60, 6), (100, 5)])
     assert found.sense is None and max(found.theta_range) == pytest.approx(np.arctan2(6, 60))
+
+
+@pytest.mark.parametrize("share, sense", [(0.008, "ccw"), (0.015, None)])
+def test_an_image_that_goes_back_by_a_hundredth_of_its_way_goes_to_and_fro(share, sense):
+    """About its first point the path goes two radians on, and back by a share of all its way."""
+    back = 2 * share / (1 - 2 * share)  # of 2 + 2 back
+    angles = [0.5, 1.0, 1.5, 1.5 - back, 2.0, 2.5]
+    found = verdict([(0, 0), *((20 * np.cos(angle), 20 * np.sin(angle)) for angle in angles)])
+    assert found.sense == sense

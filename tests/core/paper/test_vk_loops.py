@@ -60,20 +60,34 @@ def test_what_comes_back_without_a_full_turn_is_no_loop():
     assert loops_of([*eight[:5], *reversed(eight[:4])]) == [(0, 4), (4, 4)]  # there and back again, one loop each
 
 
-def test_the_contour_that_leads_through_the_start_of_its_zigzag_is_the_loop():
-    rows = [(x, y, 0.0) for y in range(0, 30, 3) for x in ((0.0, 40.0) if y % 2 == 0 else (40.0, 0.0))]
-    around = [
-        (-5.0, 27.0, 0.0),
-        (-5.0, 0.0, 0.0),
-        (0.0, 0.0, 0.0),
-        (45.0, 0.0, 0.0),
-        (45.0, 27.0, 0.0),
-        (-5.0, 27.0, 0.0),
-    ]
-    found = loops_of(rows + around)
-    assert found == [(len(rows), 5)]
+def contoured(count, notches=0):
+    """Rows, and a contour that leads through their start; it has notches on its right side. And how many moves are which."""
+    top = 3.0 * (count - 1)
+    rows = [(x, 3.0 * k, 0.0) for k in range(count) for x in ((0.0, 40.0) if k % 2 == 0 else (40.0, 0.0))]
+    steps = [(x, 2.0 + 2 * k + y, 0.0) for k in range(notches) for x, y in ((45.0, 0), (44.0, 0), (44.0, 1), (45.0, 1))]
+    around = [(-5.0, top, 0.0), (-5.0, 0.0, 0.0), (0.0, 0.0, 0.0), (45.0, 0.0, 0.0), *steps, (45.0, top, 0.0),
+              (-5.0, top, 0.0)]  # fmt: skip
+    return rows + around, len(rows), 5 + len(steps)
+
+
+@pytest.mark.parametrize("count", [4, 10])
+def test_the_contour_that_leads_through_the_start_of_its_zigzag_is_the_loop(count):
+    path, rows, around = contoured(count)
+    assert loops_of(path) == [(rows, around)]
     # After another loop as well.
-    assert loops_of(polygon(40), rows + around) == [(0, 4), (4 + len(rows), 5)]
+    assert loops_of(polygon(40), path) == [(0, 4), (4 + rows, around)]
+
+
+def test_two_rows_turn_no_more_than_a_loop():
+    path, rows, _ = contoured(2)
+    assert loops_of(path) == [(0, rows + 2)]
+
+
+@pytest.mark.parametrize("notches, is_the_loop", [(1, True), (3, False)])
+def test_a_contour_that_goes_to_and_fro_half_as_much_as_the_rows_is_no_better(notches, is_the_loop):
+    """Ten rows turn by four turns more than a loop, and each notch of the contour by one."""
+    path, rows, around = contoured(10, notches)
+    assert (loops_of(path)[0] == (rows, around)) is is_the_loop
 
 
 @pytest.mark.parametrize("first, last, sense", [(10, 10, 1), (2, 26, 1), (26, 2, -1)])

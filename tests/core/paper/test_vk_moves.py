@@ -71,6 +71,24 @@ def test_a_move_of_rounding_beside_a_long_one_has_no_direction(beside, kept):
     assert len(last) == 2 + kept
 
 
+@pytest.mark.parametrize("width, kept", [(0.015, False), (0.03, True)])
+def test_beside_a_long_move_one_of_a_fiftieth_of_a_millimetre_has_a_direction(width, kept):
+    areas = areas_of(*feed((0, 0, -1), (20, 0, -1), (20, width, -1), (40, width, -1)))
+    assert len(areas) == 2 + kept
+
+
+@pytest.mark.parametrize("step, moves", [(0.0008, 0), (0.0015, 3)])
+def test_what_moves_by_less_than_a_thousandth_stands_still(step, moves):
+    assert len(areas_of(*feed((0, 0, -1), (step, 0, -1), (step, step, -1), (0, step, -1)))) == moves
+
+
+@pytest.mark.parametrize("aside, signed", [(0.1, False), (0.3, True)])
+def test_a_turn_has_a_sign_a_hundredth_of_a_radian_from_half_a_turn(aside, signed):
+    areas = areas_of(*feed((0, 0, -1), (20, 0, -1), (0, aside, -1)))  # 0.005 and 0.015 rad
+    assert (len(areas.unsigned) == 0) is signed and areas.reversals.tolist() == []
+    assert areas.phi[-1] == pytest.approx(np.pi - np.arctan2(aside, 20) if signed else 0.0)
+
+
 def link(x, y):
     """Lift, straight there, and down, all of it at feed."""
     return [(0, 2, 5), (x, y, 5), (x, y, -1)]

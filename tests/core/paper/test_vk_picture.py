@@ -44,3 +44,18 @@ def test_no_more_are_drawn_than_may_be_however_far_apart():
     assert (
         distinct(standing, segments, cells=10, most=3).tolist() == distinct(points, segments, cells=10, most=3).tolist()
     )
+
+
+def test_ends_on_both_sides_of_where_all_begin_are_told_apart():
+    """A star on cells of 1 mm: what ends left of its middle is not what ends right of it."""
+    ends = [(-10, -10), (-0.4, 0), (0.4, 0), (10, 10), (10, 10)]
+    points = np.array([point for end in ends for point in ((0.0, 0.0), end)], float)
+    assert distinct(points, 2 * np.arange(5), cells=20, most=4).tolist() == [0, 2, 4, 6]
+
+
+def test_no_two_pairs_of_cells_are_taken_for_one():
+    places = [(x, y) for x in range(5) for y in range(5)]
+    pairs = [pair for k, one in enumerate(places) for pair in ((one, other) for other in places[k + 1 :])]
+    points = np.array([point for pair in pairs + pairs for point in pair], float)
+    found = distinct(points, 2 * np.arange(2 * len(pairs)), cells=4, most=len(pairs))
+    assert found.tolist() == (2 * np.arange(len(pairs))).tolist()

@@ -61,3 +61,9 @@ def test_the_plane_of_a_polyline_is_the_one_it_stays_in():
 def test_what_falls_by_a_hundredth_of_its_length_stays_in_the_horizontal_plane():
     assert plane([(0, 7, 0), (100, 7, -1), (0, 7, -2)]) == XY == plane([(7, 0, 0), (7, 100, -1), (7, 0, -2)])
     assert plane([(0, 7, 0), (1, 7, -100), (2, 7, 0)]) == XY
+
+
+@pytest.mark.parametrize(("fall", "found"), [(4, XY), (7, ZX)])
+def test_what_falls_by_a_twentieth_slopes(fall, found):
+    assert plane([(0, 7, 0), (100, 7, -fall)]) == found
+    assert plane([(0, 7, 0), (fall, 7, -100)]) == found

@@ -40,6 +40,14 @@ def test_closed_polygon_turns_by_two_pi(sides, sense):
     assert once.closed and once.total_turning == pytest.approx(sense * 2 * PI, abs=1e-9)
 
 
+@pytest.mark.parametrize("gap, closed", [(0.0005, True), (0.0015, False)])
+def test_a_polyline_is_closed_to_a_millionth_of_its_size(gap, closed):
+    square = np.array([(0, 0), (1000, 0), (1000, 500), (0, 500), (0, gap)], float)
+    found = signature(square)
+    assert found.closed is closed
+    assert found.total_turning == pytest.approx(2 * PI if closed else 3 * PI / 2)
+
+
 def test_nested_squares_climb_one_level_each():
     corners = np.array([(1, 1), (-1, 1), (-1, -1), (1, -1)], float)
     spiral = np.vstack([corners * size for size in (40, 30, 20, 10)])
@@ -72,6 +80,15 @@ def test_trajectories_without_length_do_not_turn():
     assert not signature(np.zeros((5, 2))).phi.any()
     late = signature(np.array([(0, 0), (0, 0), (0, 0), (0, 1), (-1, 1), (-1, 1), (-1, 0)], float))
     assert late.alpha == pytest.approx([PI / 2, PI / 2, PI / 2, PI, PI, -PI / 2])
+
+
+@pytest.mark.parametrize("aside, carried", [((3e-10, 4e-10), True), ((0.0, 1e-8), False), ((1e-8, 0.0), False)])
+def test_back_at_the_first_point_v_k_keeps_its_direction(aside, carried):
+    """A millionth of a micrometre is rounding."""
+    x, y = aside
+    theta = signature(np.array([(0, 0), (-3, 0), (-3, -3), (x, y), (5, 0)], float)).theta
+    before, back = -3 * PI / 4, np.arctan2(y, x)
+    assert theta == pytest.approx([PI, before, before if carried else back, 0], abs=1e-12)
 
 
 def test_v_k_is_the_sum_of_the_trajectories():
