@@ -6,10 +6,11 @@
 FILES are files and folders of vkworkbench/core or vkworkbench/document, by default both; of each file, COUNT mutants
 are drawn (all with --count 0). Rows of three numbers and more are left as they are: colours, tables of measured times.
 Tests of a file are those of its room: tests/core/ROOM, or tests/document inside the FreeCAD of this machine; --tests
-takes fewer, which is quicker while one writes them. A mutant is killed where a test fails, or takes far more of the
-processor than before. Prints the rate of those killed by file, as a table for docs/reliability.md; the mutants that live
-go to the error output. Other rooms' tests may kill some of those that live, and some are no change at all: the rate is
-a lower bound. The checkout is not touched: copies of it are.
+takes fewer, which is quicker while one writes them. Those that only start programs of their own are left out: no mutant
+is tried in these. A mutant is killed where a test fails, or takes far more of the processor than before. Prints the rate
+of those killed by file, as a table for docs/reliability.md; the mutants that live go to the error output. Other rooms'
+tests may kill some of those that live, and some are no change at all: the rate is a lower bound. The checkout is not
+touched: copies of it are.
 """
 
 from __future__ import annotations
@@ -35,6 +36,8 @@ COPIED = "vkworkbench", "tests", "toolpaths", "examples", "resources", "docs", "
 COPIED += "package.xml", "Init.py", "InitGui.py", "README.md"
 # Tests of the files that stand in no room.
 OF_ALL_ROOMS = {"solids": ["tests/core/zbuffer"], "stocks": ["tests/core/zbuffer"]}
+# Tests that start a FreeCAD of their own, in which no mutant is tried.
+ELSEWHERE = "test_vk_release.py", "test_vk_show_example.py"
 LEAST_SECONDS = 30
 SWAPS = {
     ast.Lt: ast.LtE, ast.LtE: ast.Lt, ast.Gt: ast.GtE, ast.GtE: ast.Gt, ast.Eq: ast.NotEq, ast.NotEq: ast.Eq,
@@ -151,12 +154,11 @@ def _compiles(text: str) -> bool:
 def tests_of(file: Path) -> list[str]:
     """The tests of a file's room, as pytest takes them."""
     parts = file.relative_to(ROOT / "vkworkbench").parts
-    if parts[0] == "document":
-        return ["tests/document"]
     if len(parts) == 3:
         return [f"tests/core/{parts[1]}"]
-    own = sorted((ROOT / "tests/core").glob("test_vk_*.py"))
-    return [*(str(path.relative_to(ROOT)) for path in own), *OF_ALL_ROOMS.get(file.stem, [])]
+    own = sorted((ROOT / "tests" / parts[0]).glob("test_vk_*.py"))
+    here = [str(path.relative_to(ROOT)) for path in own if path.name not in ELSEWHERE]
+    return here if parts[0] == "document" else here + OF_ALL_ROOMS.get(file.stem, [])
 
 
 class Checkout:

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import math
 import time
 from collections import deque
 from collections.abc import Callable, Iterator
@@ -26,10 +27,7 @@ def work(steps: Iterator) -> None:
     It ends where it meets a document or an object that is gone.
     """
     _works.append(steps)
-    if _soon is None:
-        while _works:
-            _step()
-    elif len(_works) == 1:
+    if len(_works) == 1:
         _go_on()
 
 
@@ -42,11 +40,13 @@ def later(name: str, call: Callable[[], None]) -> None:
 
 
 def _go_on() -> None:
-    until = time.monotonic() + _AT_ONCE
-    while _works and time.monotonic() < until:
-        _step()
-    if _works:
-        _soon(_go_on)
+    until = math.inf if _soon is None else time.monotonic() + _AT_ONCE
+    try:
+        while _works and time.monotonic() < until:
+            _step()
+    finally:
+        if _works:  # the moment is over; or one has failed, which ends no other
+            _go_on() if _soon is None else _soon(_go_on)
 
 
 def _step() -> None:

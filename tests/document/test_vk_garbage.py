@@ -1,0 +1,75 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Python's garbage while other threads work: collected by whoever calls `collect`, and by nobody else."""
+
+from __future__ import annotations
+
+import gc
+import weakref
+
+import pytest
+
+from vkworkbench.document import garbage
+
+
+class Ring:
+    """An object that only the collector of cycles removes."""
+
+    def __init__(self):
+        self.itself = self
+
+
+@pytest.fixture
+def collector():
+    """The collector as it was, on and without garbage, after the test."""
+    threshold = gc.get_threshold()
+    gc.enable()
+    gc.collect()
+    yield gc
+    gc.enable()
+    gc.set_threshold(*threshold)
+
+
+def gone():
+    """A reference to a ring that nobody holds."""
+    return weakref.ref(Ring())
+
+
+def test_nothing_is_collected_by_itself_until_the_last_holder_releases_it(collector):
+    garbage.hold()
+    garbage.hold()
+    assert not gc.isenabled()
+    garbage.release()
+    assert not gc.isenabled()
+    garbage.release()
+    assert gc.isenabled()
+
+
+def test_what_was_off_stays_off(collector):
+    gc.disable()
+    garbage.hold()
+    garbage.release()
+    assert not gc.isenabled()
+
+
+def test_what_is_young_is_collected_when_it_is_time(collector):
+    garbage.hold()
+    ring = gone()
+    gc.set_threshold(1_000_000)
+    garbage.collect()
+    assert ring() is not None  # it is not time
+    gc.set_threshold(1)
+    more = [[] for _ in range(10)]
+    garbage.collect()
+    assert ring() is None and len(more) == 10
+    garbage.release()
+
+
+def test_nothing_is_collected_where_the_user_has_turned_it_off(collector):
+    gc.disable()
+    garbage.hold()
+    ring = gone()
+    gc.set_threshold(1)
+    more = [[] for _ in range(10)]
+    garbage.collect()
+    assert ring() is not None and len(more) == 10
+    garbage.release()

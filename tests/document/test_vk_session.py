@@ -1,0 +1,45 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What was found in this session, as long as its document is open and its operation is as it was."""
+
+from __future__ import annotations
+
+from types import SimpleNamespace
+
+import FreeCAD
+
+from vkworkbench.document import session
+
+
+def row(document, name, fingerprint="f"):
+    return SimpleNamespace(document=document, name=name, fingerprint=fingerprint)
+
+
+def test_the_last_row_of_an_operation_is_remembered_while_its_fingerprint_holds(small):
+    op = small.add("Op", [])
+    assert session.row_of(op, "f") is None
+    before, after = row(small.name, op.Name), row(small.name, op.Name, "g")
+    session.remember([before, row(small.name, "Other", "g")])
+    assert session.row_of(op, "f") is before and session.row_of(op, "g") is None
+    session.remember([after])
+    assert session.row_of(op, "g") is after and session.row_of(op, "f") is None
+
+
+def test_a_document_of_the_same_name_starts_anew(small):
+    op = small.add("Op", [])
+    session.remember([row(small.name, op.Name)])
+    FreeCAD.closeDocument(small.name)
+    again = FreeCAD.newDocument(small.name)
+    try:
+        assert again.Name == small.name
+        assert session.row_of(again.addObject("Path::Feature", "Op"), "f") is None
+    finally:
+        FreeCAD.closeDocument(again.Name)
+
+
+def test_new_rows_take_the_place_of_those_that_were_remembered(small):
+    old = [row(small.name, "A"), row(small.name, "B")]
+    session.remember(old)
+    new = row(small.name, "B", "g")
+    known = session.rows_with([new])
+    assert (known[small.name, "A"], known[small.name, "B"]) == (old[0], new)
+    assert session.rows_with([])[small.name, "B"] is old[1]  # nothing is kept of them
