@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import math
 import re
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -17,6 +18,7 @@ from vkworkbench.core.simulators.legacy import legacy_costs
 from vkworkbench.core.simulators.opengl import opengl_cost
 from vkworkbench.core.simulators.preflight import preflight
 from vkworkbench.core.simulators.simulator import Conditions, Task
+from vkworkbench.core.simulators.table import predict
 from vkworkbench.core.zbuffer import estimate
 
 START = ("G0", {"X": 10.0, "Y": 0.0, "Z": 5.0})
@@ -127,6 +129,19 @@ def test_thousands_of_moves_shorter_than_a_cell():
     assert found.code == "short-moves" and found.message.startswith(
         "2,999 moves are shorter than a cell of the legacy simulator (0.1 mm)"
     )
+
+
+@pytest.mark.parametrize("memory, too_much", [(0.9e9, False), (1.1e9, True)])
+def test_a_gigabyte_is_allowed_where_nothing_else_is_said(memory, too_much):
+    cost = SimpleNamespace(memory_bytes=memory, play_seconds=1.0, resolution=0.1)
+    found = preflight(Task(linearize([])), {"legacy": cost}, Conditions(version=(1, 0)))
+    assert [one.code for one in found] == ["memory"] * too_much
+
+
+def test_a_cell_is_a_thousandth_of_the_stocks_longer_side_where_nothing_else_is_said():
+    """FreeCAD's slider stands there. 100 mm and 60 mm: 1001 x 601 corners."""
+    task = Task(linearize([START, ("G1", {"X": 20.0, "F": 5.0})]), Tool("endmill", 6.0), Stock((0, 0, 0), (100, 60, 20)))
+    assert predict(task, Conditions(version=(1, 0)))[0]["legacy"].cells == 1001 * 601
 
 
 def test_memory_beyond_the_budget():

@@ -17,7 +17,7 @@ from vkworkbench.core.simulators.floors import floors
 from vkworkbench.core.simulators.heightmap import heightmaps
 from vkworkbench.core.simulators.legacy import SLIDER, legacy_costs, legacy_together, legacy_work
 from vkworkbench.core.simulators.legacy_mesh import bottom_rectangles, mesh_facets
-from vkworkbench.core.simulators.legacy_panel import fit_fast_forward, fit_play
+from vkworkbench.core.simulators.legacy_panel import fit_fast_forward, fit_play, panel_seconds
 from vkworkbench.core.simulators.motions import motions
 from vkworkbench.core.simulators.opengl import (
     opengl_cost,
@@ -305,6 +305,28 @@ def test_fast_forwards_tell_start_tick_and_repaint(tick):
     seconds = 0.8 + tick * commands + 0.03 * np.minimum(commands, 100)
     seconds[3] *= 20  # the computer did something else
     assert fit_fast_forward(commands, seconds) == pytest.approx((0.8, tick, 0.03), rel=0.1)
+
+
+@pytest.mark.parametrize("tick, found", [(1.3e-3, 1.3e-3), (0.7e-3, 1e-3)])
+def test_no_tick_is_shorter_than_the_timer(tick, found):
+    commands = np.array([2000, 3000, 5000, 8000, 12000])
+    assert fit_fast_forward(commands, 0.3 + tick * commands)[1] == pytest.approx(found, rel=0.03)
+
+
+def test_a_fast_forward_repaints_for_every_percent_and_no_more_often_than_there_are_commands():
+    repaints = Constants(start=0.0, tick=0.0, repaint=1.0)
+    assert [panel_seconds(repaints, commands) for commands in (40, 100, 5000)] == [40, 100, 100]
+
+
+def test_a_play_that_hardly_shows_anything_moves_the_redraw_a_part_of_the_way():
+    """A ridge regression of one number: in units of 0.03 s, the default weighs 0.02, and a run of 60 s 20 / 60^2."""
+    shown, seconds, beyond = 100, 60.0, 1.0
+    redraw, display = fit_play(
+        np.array([shown]), np.array([0.0]), np.array([shown * DEFAULTS.redraw + beyond]), np.array([seconds])
+    )
+    unit, weight = shown * 0.03, 20 / seconds**2
+    moved = unit * weight * beyond / (0.02 + unit**2 * weight)
+    assert redraw == pytest.approx(DEFAULTS.redraw + 0.03 * moved) and display == pytest.approx(DEFAULTS.display)
 
 
 @pytest.mark.parametrize("seconds", [[1.0, 0.9, 1.1, 0.9], [0.9, 1.2, 1.4, 1.5], [1.0, 1.0, 1.5, 1.9]])

@@ -88,7 +88,7 @@ def fit_play(
     redraw, display : float
         s, as in :class:`Constants`.
     """
-    work, default = np.stack((shown, drawn), axis=-1), np.array([DEFAULTS.redraw, DEFAULTS.display])
+    work, default = np.column_stack((shown, drawn)), np.array([DEFAULTS.redraw, DEFAULTS.display])
     redraw, display = _fit(work, display_seconds, seconds, default, _USUAL_PLAY, _LEAST_PLAY)
     return redraw, display
 
