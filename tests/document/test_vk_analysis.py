@@ -5,14 +5,20 @@ import csv
 import json
 import re
 import sys
+from dataclasses import replace
 from pathlib import PurePath
+from threading import Event
+from types import SimpleNamespace
 
 import FreeCAD
+import Part
 import Path
 import pytest
 
 import vkworkbench
 from vkworkbench import core, freecad, preferences
+from vkworkbench.core.simulators import zbuffer
+from vkworkbench.document import analysis
 from vkworkbench.document.known import KNOWN
 from vkworkbench.document.setting import read_tool
 from vkworkbench.language import Message, render
@@ -302,8 +308,6 @@ def test_progress_and_cancel(small, zigzag_commands):
 def test_an_error_of_our_own_costs_one_row_only(small, zigzag_commands, monkeypatch):
     small.add("First", zigzag_commands)
     small.add("Second", zigzag_commands[:-4])
-    from vkworkbench.document import analysis
-
     recognized = analysis.recognized
 
     def broken(toolpath, *rest):
@@ -364,3 +368,48 @@ def test_operations_take_their_time_for_every_fixture(small, zigzag_commands, fi
     assert total.fixtures == count and total.length == row.length
     assert total.machining_seconds == pytest.approx(count * row.machining.seconds)
     assert total.as_dict()["fixtures"] == count
+
+
+@pytest.mark.parametrize("diameter, told", [(50.0, False), (65.0, True)])
+def test_a_tool_is_too_wide_beyond_the_longer_side_of_the_stock(small, zigzag_commands, diameter, told):
+    """Of 60 by 40 mm, wherever it lies."""
+    place = FreeCAD.Vector(100, -300, 0)
+    stock = small.document.addObject("Part::Feature", "Elsewhere")
+    stock.Shape = Part.makeBox(60, 40, 20, place)
+    small.job.Stock, small.controller.Tool.Diameter = stock, diameter
+    op = small.add("Rows", zigzag_commands)
+    op.Placement.Base = place
+    (row,) = vkworkbench.analyze(op).operations
+    assert ("tool-wider-than-stock" in [remark.code for remark in row.remarks]) is told
+
+
+def test_what_is_given_up_is_not_waited_for(small, zigzag_commands, monkeypatch):
+    small.add("Rows", zigzag_commands)
+    vkworkbench.analyze(small.document)  # measures the computer where nobody has
+    KNOWN.forget()
+    begun, go_on, ended = Event(), Event(), Event()
+
+    def slow(*_):
+        begun.set()
+        go_on.wait(10)
+        ended.set()
+
+    monkeypatch.setattr(analysis, "_row", slow)
+    with pytest.raises(vkworkbench.Cancelled):
+        vkworkbench.analyze(small.document, cancelled=begun.is_set)
+    assert not ended.is_set()
+    go_on.set()
+
+
+def test_what_the_panel_shows_of_a_job_is_computed_by_the_analysis(small, zigzag_commands, monkeypatch):
+    """A window would wait for what is computed when it is asked for."""
+    small.add("First", zigzag_commands)
+    small.add("Second", zigzag_commands[:-4])
+    chosen = replace(preferences.read(), mark_simulator=core.simulators.ZBUFFER.name)
+    monkeypatch.setattr(analysis, "preferences", SimpleNamespace(read=lambda: chosen))
+    estimated = []
+    estimate_job = zbuffer.estimate_job
+    monkeypatch.setattr(zbuffer, "estimate_job", lambda *cuts, **of: estimated.append(1) or estimate_job(*cuts, **of))
+    (total,) = vkworkbench.analyze(small.document).totals
+    assert estimated == [1] and total.cost(chosen.simulator)[0] > 0
+    assert estimated == [1]

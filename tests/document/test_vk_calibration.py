@@ -58,6 +58,36 @@ def test_measured_constants_are_of_the_order_of_the_known_ones(measured):
         assert 0.1 < getattr(found, name) / getattr(DEFAULTS, name) < 20, name
 
 
+def test_in_a_window_the_computer_is_measured_the_first_time(folder, monkeypatch):
+    assert calibration.measured_constants("card") == DEFAULTS and calibration.load("card") is None
+    monkeypatch.setattr(FreeCAD, "GuiUp", 1)
+    found = calibration.measured_constants("card")
+    assert found == calibration.load("card").constants == calibration.measured_constants("card")
+
+
+def test_what_cannot_be_kept_is_told_by_default(folder, monkeypatch):
+    monkeypatch.setattr(FreeCAD, "GuiUp", 1)
+    calibration._path().mkdir(parents=True)
+    assert calibration.measured_constants("card") == DEFAULTS
+
+
+def test_the_folder_of_the_users_data_may_not_be_there_yet(folder, monkeypatch):
+    monkeypatch.setattr(FreeCAD, "getUserAppDataDir", lambda: f"{folder}/not/yet/")
+    assert calibration.calibrate("card") == calibration.load("card")
+
+
+def test_constants_are_what_the_meshes_and_the_profile_took_by_their_size(monkeypatch):
+    """A flat mesh of 100 / 0.12 by 60 / 0.12 cells; a rough one of 50 by 60 cells; a profile of three radii of 2 mm in 0.1 mm."""
+    facets = sum(mesh.CountFacets for mesh in calibration._rough().GetResultMesh())
+    assert facets > 50 * 60  # as many as the cells themselves: what is flat has a few
+    cutting, flat, rough, shaping = [0.0] * 4, 834 * 501 * 1e-6, 51 * 61 * 1e-6 + facets * 3e-6, 60 * 5e-6
+    monkeypatch.setattr(calibration, "steady_seconds", lambda pieces, **_: [*cutting, flat, rough, shaping])
+    found = calibration._measure(None, None)
+    assert (found.cell, found.facet, found.profile) == pytest.approx((1e-6, 3e-6, 5e-6))
+    assert found.start / DEFAULTS.start == pytest.approx(1e-6 / DEFAULTS.cell)
+    assert found.call == found.ring == found.line == found.cap == 0
+
+
 def test_each_renderer_has_its_own(folder):
     calibration.calibrate("card")
     assert calibration.load("llvmpipe (LLVM 19)") is None
