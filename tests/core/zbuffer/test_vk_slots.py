@@ -1,0 +1,87 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Slots in closed form against the tool standing at thousands of places along its move, one after the other."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from vkworkbench.core.zbuffer.slots import ball_slot, level_slot, sloped_slot
+
+RADIUS, PLACES, RAYS = 3.0, 1001, 60
+# Across the ray, along it, down and up, short, long, and straight down.
+LEVEL = [(9.0, 0.0, 0.0), (0.0, -9.0, 0.0), (5.0, 7.0, 0.0), (-6.0, 2.0, 0.0), (0.4, 0.3, 0.0)]
+SLOPED = [(9.0, 0.0, 2.0), (0.0, 9.0, -4.0), (0.0, -9.0, -4.0), (5.0, 7.0, -6.0), (-6.0, 2.0, 3.0), (2.0, -1.0, 12.0)]
+UPRIGHT = [(0.0, 0.0, -8.0), (0.0, 0.0, 8.0)]
+TILTS = [0.4, 1.2]
+FROM_BELOW, FROM_THE_SIDE = [2.2], [np.pi / 2]
+
+
+def rays(move, seed):
+    """Points of rays around a move, of the tool's first place."""
+    lower, upper = np.minimum(move, 0) - 1.3 * RADIUS, np.maximum(move, 0) + 1.3 * RADIUS
+    return np.random.default_rng(seed).uniform(lower[:, None], upper[:, None], (3, RAYS))
+
+
+def standing(x, y, z, t, move, sine, cosine):
+    """Where rays pass the cylinder of the tool at its places, above its foot."""
+    half = np.sqrt(RADIUS**2 - (x - t * move[0]) ** 2)  # not a number beside it
+    near, far = (-half - (y - t * move[1])) / sine, (half - (y - t * move[1])) / sine
+    foot = z - t * move[2] + 1e-7
+    if abs(cosine) < 1e-9:
+        return near, np.where(foot >= 0, far, np.nan)
+    if cosine > 0:
+        far = np.minimum(far, foot / cosine)
+    else:
+        near = np.maximum(near, foot / cosine)
+    return near, np.where(near <= far, far, np.nan)
+
+
+def in_ball(x, y, z, t, move, sine, cosine):
+    """Where rays pass the ball of the tool at its places."""
+    at = [place - t * step for place, step in zip((x, y, z), move)]
+    middle = -(at[1] * sine - at[2] * cosine)
+    half = np.sqrt(RADIUS**2 - sum(one**2 for one in at) + middle**2)
+    return middle - half, middle + half
+
+
+def check(slot, parts, move, tilt):
+    """The first entry and the last exit are those of the places, but for what lies between two of these."""
+    move, sine, cosine = np.array(move), np.sin(tilt), np.cos(tilt)
+    x, y, z = rays(move, seed=int(100 * tilt))
+    with np.errstate(invalid="ignore"):
+        near, far = slot(RADIUS, (x, y, z), np.repeat(move[:, None], RAYS, axis=1), sine, cosine)
+        t = np.linspace(0, 1, PLACES)[:, None]
+        ends = [part(x, y, z, t, move, sine, cosine) for part in parts]
+    entry = np.fmin.reduce([np.where(np.isnan(out), np.inf, into) for into, out in ends]).min(axis=0)
+    leave = np.fmax.reduce([np.where(np.isnan(out), -np.inf, out) for _, out in ends]).max(axis=0)
+    met = entry < leave
+    hit = far - near > 0
+    assert hit[met & (leave - entry > 1e-3)].all()
+    assert met[hit & (far - near > 0.3)].all()  # a thinner edge may lie between two places
+    both = met & hit
+    assert both.sum() > 10
+    shares = [share for share in (sine, abs(cosine)) if share > 1e-9]
+    between = np.linalg.norm(move) / (PLACES - 1) / min(shares)
+    for short in (entry[both] - near[both], far[both] - leave[both]):
+        assert short.min() > -1e-6
+        assert short.max() < 0.3  # where a place touches the ray with its rim alone
+        assert np.mean(short < between) > 0.9
+
+
+@pytest.mark.parametrize("tilt", TILTS + FROM_BELOW + FROM_THE_SIDE)
+@pytest.mark.parametrize("move", LEVEL, ids=str)
+def test_a_flat_end_on_a_level_move(move, tilt):
+    check(level_slot, [standing], move, tilt)
+
+
+@pytest.mark.parametrize("tilt", TILTS + FROM_BELOW)
+@pytest.mark.parametrize("move", LEVEL + SLOPED + UPRIGHT, ids=str)
+def test_a_flat_end_on_any_move(move, tilt):
+    check(sloped_slot, [standing], move, tilt)
+
+
+@pytest.mark.parametrize("tilt", TILTS + FROM_BELOW + FROM_THE_SIDE)
+@pytest.mark.parametrize("move", LEVEL + SLOPED + UPRIGHT, ids=str)
+def test_a_ball_end(move, tilt):
+    check(ball_slot, [standing, in_ball], move, tilt)
