@@ -82,3 +82,10 @@ def test_feeds_of_a_machine_are_not_doubted(small, zigzag_commands):
     fast = small.add("Fast", [(name, {**words, "F": 300.0}) for name, words in zigzag_commands])
     fast.Proxy = object()
     assert MINUTES not in (vkworkbench.analyze(fast).operations[0].error or "")
+
+
+def test_no_inches_are_looked_for_where_a_rotary_axis_cuts(small):
+    """Degrees are no lengths: the toolpath is not told, and not said to be too small."""
+    turning = [("G0", {"X": 0.1, "Y": 0.1, "Z": 1.0}), ("G1", {"X": 1.0, "F": 5.0}), ("G1", {"X": 0.2, "A": 90.0})]
+    (row,) = vkworkbench.analyze(small.add("Turning", turning)).operations
+    assert row.strategy == "unknown" and "rotary" in row.error and TOO_SMALL not in row.error

@@ -74,3 +74,15 @@ def test_marks_show_it_without_a_new_analysis_and_never_keep_it(small):
     first = small.document.getObjectsByLabel("First")[0]
     first.Path = type(first.Path)(first.Path.Commands[:-1])  # what is cut before it
     assert not [remark for remark in read_with_faults(second).remarks if remark.code == "simulated"]
+
+
+def test_it_is_said_whether_a_simulation_found_something_else(small):
+    small.add("First", slot(10.0))
+    small.add("Second", slot(20.0))
+    first, second = read_job(small.job).operations
+    crash, other = [(1, CRASH)], [(2, CRASH)]
+    assert not keep_faults({first: [], second: []})
+    assert keep_faults({first: crash, second: []})  # whichever of them it is
+    assert not keep_faults({first: crash, second: []})
+    assert keep_faults({first: crash, second: other}) and keep_faults({first: other, second: other})
+    assert keep_faults({first: [], second: other}) and not keep_faults({second: other})

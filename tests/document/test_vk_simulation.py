@@ -195,6 +195,27 @@ def test_facts_of_a_job_with_a_fault_of_each_kind(small, tmp_path):
     assert [move["command"] for move in moves if move["rapid"] == "True" and float(move["removed_volume"]) > 0] == ["2"]
 
 
+@pytest.mark.parametrize("depth, told", [(0.05, False), (0.15, True), (0.25, True)])
+def test_a_gouge_is_deeper_than_a_tenth_of_a_millimetre_or_than_what_is_asked_for(small, depth, told):
+    """The model is 20 mm high."""
+    small.add("Deep", slot(10.0, z=20 - depth))
+    done = vkworkbench.simulate(small.job, view=View((0, 0, -1), 300, 200))
+    assert bool(done.facts().job.gouges) is told
+    assert bool(done.facts(tolerance=0.2).job.gouges) is (depth > 0.2)
+
+
+def test_every_move_takes_its_time_by_feed_or_rapid(small):
+    """60 mm at 10 mm/s and 15 mm at 5 mm/s; of rapids, 15 mm across at 50 mm/s and 15 mm up at 30 mm/s."""
+    sheet = small.job.SetupSheet
+    sheet.HorizRapid, sheet.VertRapid = "50 mm/s", "30 mm/s"
+    small.document.recompute()
+    small.add("Times", [
+        ("G0", {"X": 0.0, "Y": 0.0, "Z": 30.0}), ("G1", {"Z": 15.0, "F": 5.0}), ("G1", {"X": 60.0, "F": 10.0}),
+        ("G0", {"Z": 30.0}), ("G0", {"Y": 15.0}),
+    ])  # fmt: skip
+    assert vkworkbench.simulate(small.job, view=VIEW).job.seconds == pytest.approx([3.0, 6.0, 0.5, 0.3])
+
+
 def test_a_report_tells_what_a_simulation_found(small, tmp_path):
     slot = small.add("Slot", [("G0", {"X": 10.0, "Y": 10.0, "Z": 30.0}), ("G1", {"Z": 15.0}), ("G0", {"X": 30.0})])
     small.add("More", [("G0", {"X": 10.0, "Y": 20.0, "Z": 30.0}), ("G1", {"Z": 16.0}), ("G1", {"X": 30.0})])

@@ -1,0 +1,75 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Fingerprints of paths and what was found of shapes: kept while they are true, and no more than a few."""
+
+from __future__ import annotations
+
+import FreeCAD
+import Part
+import Path
+import pytest
+
+from vkworkbench.document.of_shapes import OfShapes
+from vkworkbench.document.path_prints import PathPrints
+
+
+@pytest.fixture
+def prints():
+    prints = PathPrints()
+    yield prints
+    FreeCAD.removeDocumentObserver(prints)
+
+
+def found(prints, op, fingerprint="f", meanwhile=lambda: None):
+    """Find a fingerprint of an operation's path."""
+    whose, token = (op.Document.Name, op.Name), prints.begin(op)
+    meanwhile()
+    prints.end(whose, token, fingerprint)
+    return prints.of(op)
+
+
+def test_a_fingerprint_is_kept_until_the_path_or_its_place_changes(small, zigzag_commands, prints):
+    op, other = small.add("One", zigzag_commands), small.add("Other", zigzag_commands)
+    assert prints.of(op) is None
+    assert found(prints, op) == "f" and found(prints, other, "g") == "g"
+    op.Label = "Renamed"
+    assert prints.of(op) == "f"
+    op.Path = Path.Path(op.Path.Commands[:-1])
+    assert prints.of(op) is None and prints.of(other) == "g"
+    other.Placement.Base = FreeCAD.Vector(1, 0, 0)
+    assert prints.of(other) is None
+
+
+def test_what_changes_while_it_is_being_found_has_none(small, zigzag_commands, prints):
+    op = small.add("One", zigzag_commands)
+
+    def edit():
+        op.Path = Path.Path(op.Path.Commands[:-1])
+
+    assert found(prints, op, meanwhile=edit) is None
+    assert found(prints, op, meanwhile=lambda: prints.begin(op)) is None  # somebody else has begun anew
+    assert found(prints, op, "") is None  # it could not be found
+    assert found(prints, op, "g") == "g"
+
+
+def test_a_document_that_is_closed_is_forgotten(small, zigzag_commands, prints):
+    op = small.add("One", zigzag_commands)
+    name = op.Name
+    assert found(prints, op) == "f"
+    FreeCAD.closeDocument(small.name)
+    again = FreeCAD.newDocument(small.name)
+    try:
+        assert prints.of(again.addObject("Path::Feature", name)) is None
+    finally:
+        FreeCAD.closeDocument(again.Name)
+
+
+def test_what_was_found_of_the_shapes_asked_for_last_is_kept():
+    shapes, made = [Part.makeBox(1, 1, height) for height in (1, 2, 3)], []
+    kept = OfShapes(2)
+
+    def of(which):
+        return kept.of(shapes[which], lambda: made.append(which) or which)
+
+    assert [of(0), of(1), of(0), of(1)] == [0, 1, 0, 1] and made == [0, 1]
+    assert [of(2), of(1)] == [2, 1] and made == [0, 1, 2]
+    assert of(0) == 0 and made == [0, 1, 2, 0]
