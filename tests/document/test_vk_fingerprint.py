@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+import hashlib
+
 import FreeCAD
 import pytest
 
@@ -84,6 +86,18 @@ def test_a_corner_on_the_border_between_two_hundredths_is_the_same_with_another_
     """A multiple of 5 mm / 1000, as halves of sizes are, is no such border."""
     for corner in (0.005, 0.125, 12.345, 3.175):
         assert of(upper=(60.0 + corner - 1e-9, 40.0, 20.0)) == of(upper=(60.0 + corner + 1e-9, 40.0, 20.0))
+
+
+def test_what_stands_in_files_is_told_the_same_by_every_version():
+    """The first sixteen digits of a SHA-1 of what counts, rounded; nothing is never below nothing."""
+
+    def digits(text):
+        return hashlib.sha1(text.encode()).hexdigest()[:16]
+
+    assert text_fingerprint(TEXT, NOWHERE) == digits(TEXT)
+    assert text_fingerprint(TEXT, placed()) == digits(TEXT + "[0.0, 2.0, 3.0, 0.0, 0.0, 0.0, 1.0]")
+    setting = "[('bullnose', 6.0, 1.0, None), [0.0, 1.23, 1.24, 50.0, 40.0, 20.0]]"
+    assert of(lower=(-0.003, 1.2345, 1.2347)) == digits(setting)
 
 
 def test_what_cannot_be_read_is_a_setting_of_its_own():

@@ -173,6 +173,15 @@ def test_it_is_bounded():
     assert known.find(None) is None and len(known) == 0
 
 
+def test_after_all_was_forgotten_there_is_room_for_as_much_as_before():
+    known, row = Known(most_trajectories=100), SimpleNamespace(trajectories=100)
+    for _ in range(2):
+        known.keep("key", row)
+        assert known.find("key") is row
+        known.forget()
+        assert len(known) == 0
+
+
 def test_a_key_tells_all_of_its_parts():
     def keys(*parts):
         return key_of("G1 X1", *parts)

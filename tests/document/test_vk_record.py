@@ -9,10 +9,11 @@ from types import SimpleNamespace
 
 import pytest
 
+from vkworkbench import freecad
 from vkworkbench.core import Strategy
 from vkworkbench.core.simulators import Caution
-from vkworkbench.document.record import Record, as_json, from_json, of_total
-from vkworkbench.language import Message
+from vkworkbench.document.record import Record, as_json, from_json, of_operation, of_total
+from vkworkbench.language import Message, render
 
 HANGS = Caution(
     "legacy-hangs", Message("legacy-hangs", simulator="legacy", reason="r", command=3, instead="i", others=None), 3
@@ -29,7 +30,8 @@ WHOLE = Record(
 @pytest.mark.parametrize(
     "changed",
     [{}, {"machining_seconds": None}, {"stepover": None}, {"called": None}, {"strategy": None}, {"cautions": ()},
-     {"outdated": False}, {"incomplete": False}, {"operations": 7}],
+     {"outdated": False}, {"incomplete": False}, {"operations": 7}, {"trajectories": 0, "length": 0.0, "confidence": 0.0},
+     {"confidence": 1.0}, {"length": 0.9e15}],
     ids=str,
 )  # fmt: skip
 def test_all_that_is_kept_comes_back(changed):
@@ -45,12 +47,53 @@ def test_a_mark_that_was_made_before_names_were_kept():
 
 @pytest.mark.parametrize(
     "name, value",
-    [("length", -1.0), ("length", True), ("length", "9"), ("length", float("inf")), ("machining", float("nan")),
+    [("length", -1.0), ("length", True), ("length", "9"), ("length", 1.1e15), ("confidence", 1.5), ("text", "\ud800"), ("length", float("inf")), ("machining", float("nan")),
      ("stepover", []), ("strategy", "no strategy"), ("trajectories", None), ("reason", [{"code": "of a newer version"}])],
 )  # fmt: skip
 def test_what_is_damaged_or_newer_is_no_mark(name, value):
     data = {**json.loads(as_json(WHOLE)), name: value}
     assert from_json(json.dumps(data)) is None
+
+
+def test_an_operation_alone_leaves_out_nothing():
+    """Only a job's costs may be lower bounds."""
+    assert not Record(Strategy.ZIGZAG).incomplete
+
+
+def test_reasons_are_told_in_english():
+    reasons = Message("not-nested"), Message("moves-nothing")
+    assert replace(WHOLE, reason=reasons).english_reason == "; ".join(map(render, reasons))
+
+
+class Asked(dict):
+    """Costs of which some have been computed, and those that were asked for."""
+
+    def __init__(self, costs, computed):
+        super().__init__(costs)
+        self.asked, self._computed = [], computed
+
+    def computed(self):
+        return self._computed
+
+    def __getitem__(self, name):
+        self.asked.append(name)
+        return super().__getitem__(name)
+
+
+def test_of_an_operation_the_costs_that_are_shown_or_computed_already_are_kept(monkeypatch):
+    monkeypatch.setattr(freecad, "own_simulators", lambda: ("legacy", "missing"))
+    costs = Asked({"chosen": 1, "legacy": 2, "computed": 3, "other": 4}, computed=("computed",))
+    report = SimpleNamespace(
+        costs=costs, recognition=SimpleNamespace(why=Message("not-nested")),
+        **{name: getattr(WHOLE, name) for name in ("strategy", "confidence", "remarks", "cautions", "trajectories",
+           "length", "machining_seconds", "left_out", "stepover", "fingerprint")},
+    )  # fmt: skip
+    kept = of_operation(report, "chosen")
+    assert kept.costs == {"chosen": 1, "legacy": 2, "computed": 3} and "other" not in costs.asked
+    expected = replace(WHOLE, costs=kept.costs, called=None, incomplete=False, outdated=False, text="")
+    assert kept == expected
+    report.costs = {"legacy": 2}
+    assert of_operation(report, "chosen").costs == {"legacy": 2}
 
 
 def test_remarks_name_what_is_serious_and_no_more():

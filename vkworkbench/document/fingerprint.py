@@ -145,7 +145,8 @@ class Settings:
         job, controller = job_of(obj), through_bases(obj, freecad.CONTROLLER)
         key = tuple(getattr(one, "Name", None) for one in (job, controller))
         if key not in self._known:
-            self._known[key] = read_setting_fingerprints(obj, job)[: 2 if self._opened else 1]
+            whole, of_tool = read_setting_fingerprints(obj, job)
+            self._known[key] = (whole, of_tool) if self._opened else (whole,)
         return self._known[key]
 
 
