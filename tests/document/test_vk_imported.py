@@ -9,6 +9,8 @@ import FreeCAD
 import pytest
 
 import vkworkbench
+from vkworkbench import preferences
+from vkworkbench.document.recognized import source_of
 
 ROWS = "".join(f"G1 X{2 * (k % 2) + 0.1:.4f} Y{0.1 * k + 0.1:.4f}\nG1 Y{0.1 * (k + 1) + 0.1:.4f}\n" for k in range(12))
 PROGRAM = f"G20\nM6 T1\nG0 X0.1 Y0.1 Z1.5\nG1 Z0.7 F20\n{ROWS}G0 Z1.5\n"
@@ -89,3 +91,14 @@ def test_no_inches_are_looked_for_where_a_rotary_axis_cuts(small):
     turning = [("G0", {"X": 0.1, "Y": 0.1, "Z": 1.0}), ("G1", {"X": 1.0, "F": 5.0}), ("G1", {"X": 0.2, "A": 90.0})]
     (row,) = vkworkbench.analyze(small.add("Turning", turning)).operations
     assert row.strategy == "unknown" and "rotary" in row.error and TOO_SMALL not in row.error
+
+
+def test_what_a_strategy_is_told_from_is_copied_for_another_thread(small, zigzag_commands):
+    op, without = small.add("Rows", zigzag_commands), small.add("No tool", zigzag_commands, controller=None)
+    op.Placement.Base = FreeCAD.Vector(1, 2, 3)
+    source = source_of(op)
+    assert source.path.Size == len(zigzag_commands) and source.placement.Base == FreeCAD.Vector(1, 2, 3)
+    assert (source.tool_diameter, source.imported, source.tolerance) == (5.0, True, preferences.read().tolerance)
+    assert source_of(without).tool_diameter is None
+    op.Path = type(op.Path)()
+    assert source.path.Size == len(zigzag_commands)

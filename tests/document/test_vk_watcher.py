@@ -7,7 +7,7 @@ import Path
 import pytest
 
 import vkworkbench
-from vkworkbench.document import marks, upkeep, watcher
+from vkworkbench.document import idle, marks, upkeep, watcher
 from vkworkbench.document.fingerprint import setting_fingerprint
 from vkworkbench.document.setting import read_stock
 
@@ -94,6 +94,31 @@ def test_an_operation_that_comes_or_goes_outdates_the_total(watched, zigzag_comm
     document.removeObject(watched.second.Name)
     document.recompute()
     assert outdated(document) == [watched.job.Label]
+
+
+@pytest.fixture
+def waiting(monkeypatch):
+    """What waits for a window to be idle; without a window again after the test."""
+    waiting = []
+    monkeypatch.setattr(idle, "_soon", None)
+    idle.use(waiting.append)
+    return waiting
+
+
+def test_a_copy_in_another_document_is_outdated_once_the_window_is_idle(watched, waiting):
+    """Nobody recomputes or saves what was pasted."""
+    other = FreeCAD.newDocument("Other")
+    closed = FreeCAD.newDocument("Closed")
+    for document in (other, closed):
+        document.copyObject(watched.first, False)
+    assert outdated(other) == []
+    FreeCAD.closeDocument(closed.Name)
+    try:
+        while waiting:
+            waiting.pop(0)()
+        assert outdated(other) == ["First"] and outdated(watched.document) == []
+    finally:
+        FreeCAD.closeDocument(other.Name)
 
 
 def test_reopened_marks_are_fresh_or_say_so(watched, tmp_path):

@@ -1,0 +1,94 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""How far squares lie inside one another, and how far apart those of one pocket may lie."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from vkworkbench.core.recognition.nesting import Inward, evenness, middle, reach
+
+
+def inward(*sides, aside=0.0, enclosed=None, slack=1.0):
+    """Squares about one middle; each lies `aside` farther than the one before, along X."""
+    half, x = np.array(sides) / 2, aside * np.arange(len(sides))
+    borders = np.array([x - half, -half, -(x + half), -half])
+    area = np.array(sides) ** 2.0 if enclosed is None else np.array(enclosed)
+    return Inward(borders, area, 4.0 * np.array(sides), np.full(len(sides), slack))
+
+
+def distance(*sides, lag=1, **drawn):
+    return inward(*sides, **drawn)[lag][3].tolist()
+
+
+def test_squares_lie_half_the_difference_of_their_sides_inside_one_another():
+    low, high, mean, step = inward(20.0, 16.0, 10.0)[1]
+    assert low.tolist() == high.tolist() == mean.tolist() == step.tolist() == [2, 3]
+    assert distance(20.0, 16.0, 10.0, lag=2) == [5]
+    low, high, mean, step = inward(10.0, 16.0)[1]  # the later one is the outer one
+    assert (low[0], high[0], mean[0], step[0]) == (-3, -3, -3, 3)
+
+
+def test_what_does_not_lie_inside_is_no_offset():
+    assert distance(20.0, 20.0, aside=1.0) == [0]
+    assert distance(20.0, 16.0, aside=3.0) == [0]
+    assert distance(20.0, 16.0, aside=0.5) == [1.5]  # by the side that it came nearest to
+
+
+def square_inside(step, **drawn):
+    """A square 2 mm inside one of 20 mm, of which islands or what is open leave the area of one `step` inside."""
+    return distance(20.0, 16.0, enclosed=[400.0, 400 - step * (80 + 64) / 2], **drawn)
+
+
+@pytest.mark.parametrize("step, found", [(4.2, 0), (4.02, 2), (1.34, 1.34), (1.327, 1.327), (1.3, 0)])
+def test_a_box_moves_by_half_to_one_and_a_half_times_the_distance_but_for_rounding(step, found):
+    """2 mm are half of 4 mm and one and a half times 1.33 mm; two hundredths are rounding."""
+    assert square_inside(step) == pytest.approx([found])
+
+
+@pytest.mark.parametrize("step, found", [(7.9, 2), (8.2, 0), (0.7, 0.7), (0.6, 0)])
+def test_what_encloses_only_about_as_much_may_lie_twice_as_far_off(step, found):
+    assert square_inside(step, slack=2.0) == pytest.approx([found])
+
+
+def reached(*sides, tool=0.0, z=None):
+    heights = np.zeros(len(sides)) if z is None else np.array(z)
+    return reach(inward(*sides), np.array(sides), heights, np.full(len(sides), True), tool)
+
+
+def test_rings_lie_no_farther_apart_than_the_tool_reaches():
+    limit, steps, drops = reached(40.0, 36.0, 32.0, tool=3.0)
+    assert limit == pytest.approx(3.6) and steps.tolist() == [2, 2] and drops.tolist() == [0, 0]
+    assert reached(40.0, 39.99, tool=3.0)[0] == pytest.approx(3.6)  # one ring
+
+
+def test_without_a_tool_they_lie_two_steps_apart_where_three_are_nested():
+    assert reached(40.0, 36.0, 32.0)[0] == pytest.approx(4)
+    assert reached(40.0, 38.0)[0] == pytest.approx(2)  # two: two steps, or a twentieth of the larger one
+    assert reached(40.0, 36.0)[0] == pytest.approx(2)
+
+
+def test_a_tool_that_reaches_less_than_five_equal_steps_is_wrong():
+    sides = 40.0 - 4 * np.arange(6)
+    assert reached(*sides, tool=1.0)[0] == pytest.approx(4)
+    assert reached(*sides[:5], tool=1.0)[0] == pytest.approx(1.2)
+
+
+def test_two_contours_that_come_again_at_every_depth_are_no_pocket():
+    """A washer: 10 mm apart would be the step."""
+    limit, steps, drops = reached(40.0, 20.0, 40.0, 20.0, z=[0, 0, -1, -1])
+    assert limit == pytest.approx(2) and steps.tolist() == [10, 10, 10] and drops.tolist() == [0, 1, 0]
+
+
+def test_evenness_is_the_spread_in_the_plane_over_that_in_depth():
+    """0 to 10: the middle four fifths spread by 8 about 5. A hundredth is rounding."""
+    even, spread = np.full(11, 2.0), np.arange(11.0)
+    assert evenness(even, spread) == pytest.approx(0.01 / 1.61)
+    assert evenness(spread, even) == pytest.approx(1.61 / 0.01)
+    assert evenness(spread, spread) == pytest.approx(1)
+    assert evenness(spread, 0 * even) == evenness(even[:2], spread[:2]) == 0
+
+
+def test_the_value_in_the_middle_or_at_a_quarter():
+    assert middle(np.array([5.0, 1.0, 3.0])) == 3
+    assert middle(np.array([7.0, 1.0, 5.0, 3.0, 2.0, 8.0, 6.0, 4.0]), 4) == 3
