@@ -19,9 +19,8 @@ class Window:
 
     def idle(self):
         """Call what waits; what that makes wait comes the next time."""
-        calls, self.waiting = self.waiting, []
-        for call in calls:
-            call()
+        for _ in range(len(self.waiting)):
+            self.waiting.pop(0)()
 
     def steps(self, name, count, *, seconds=0.02, error=None):
         """Work in so many steps, which may end in an error."""
@@ -39,7 +38,7 @@ def window(monkeypatch):
     window = Window()
     monkeypatch.setattr(idle, "time", SimpleNamespace(monotonic=lambda: window.now))
     monkeypatch.setattr(idle, "_soon", None)
-    idle.use(lambda call: window.waiting.append(call))
+    idle.use(window.waiting.append)
     return window
 
 

@@ -10,10 +10,10 @@ import Part
 import pytest
 
 import vkworkbench
-from vkworkbench.core import Cylinder, Mesh, Stock, View
-from vkworkbench.document.setting import read_stock, read_tool, tool_remark
+from vkworkbench.core import Cylinder, Mesh, Stock, View, linearize
+from vkworkbench.document.setting import placed, read_stock, read_tool, tool_remark
 from vkworkbench.document.solids import model_shapes, model_solid, stock_solid
-from vkworkbench.language import render
+from vkworkbench.language import Unusable, render
 
 VIEW = View((1, 1, -1), 200, 150)
 SHAPES = {
@@ -84,6 +84,24 @@ def test_chamfer_mills_and_engravers_have_a_flat_tip():
         assert (tool.shape, tool.tip) == ("vbit", 2.0)
         assert tool.height([1, 2, 5]) == pytest.approx([0, 0, 3])
     assert read_tool(operation(ShapeName="vbit", CuttingEdgeAngle=60.0)).tip == 0
+
+
+@pytest.mark.parametrize("measures, corner", [({"FlatRadius": 3.0}, 2.0), ({"CornerRadius": 1.5}, 1.5), ({}, 0.0)])
+def test_the_corner_of_a_bull_nose_is_told_by_itself_or_by_what_is_flat(measures, corner):
+    """Of 10 mm; before FreeCAD 1.1 the flat part has its radius."""
+    tool = read_tool(operation(ShapeName="bullnose", **measures))
+    assert (tool.shape, tool.corner_radius) == ("bullnose", corner)
+
+
+@pytest.mark.parametrize("far, usable", [(0.9e6, True), (1.1e6, False), (float("nan"), False)])
+def test_an_operation_lies_within_a_kilometre(far, usable):
+    path = linearize([("G0", {"X": 1.0, "Y": 2.0, "Z": 3.0}), ("G1", {"X": 4.0})])
+    place = FreeCAD.Placement(FreeCAD.Vector(0, far, 0), FreeCAD.Rotation())
+    if usable:
+        assert placed(path, place).points[:, 1] == pytest.approx(2 + far)
+    else:
+        with pytest.raises(Unusable, match="placement"):
+            placed(path, place)
 
 
 @pytest.mark.parametrize(

@@ -140,7 +140,9 @@ def test_a_gigabyte_is_allowed_where_nothing_else_is_said(memory, too_much):
 
 def test_a_cell_is_a_thousandth_of_the_stocks_longer_side_where_nothing_else_is_said():
     """FreeCAD's slider stands there. 100 mm and 60 mm: 1001 x 601 corners."""
-    task = Task(linearize([START, ("G1", {"X": 20.0, "F": 5.0})]), Tool("endmill", 6.0), Stock((0, 0, 0), (100, 60, 20)))
+    task = Task(
+        linearize([START, ("G1", {"X": 20.0, "F": 5.0})]), Tool("endmill", 6.0), Stock((0, 0, 0), (100, 60, 20))
+    )
     assert predict(task, Conditions(version=(1, 0)))[0]["legacy"].cells == 1001 * 601
 
 
