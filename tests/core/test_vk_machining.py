@@ -111,3 +111,10 @@ def test_lengths_of_lines_are_the_chords():
     rng = np.random.default_rng(1)
     path = linearize([("G1", dict(zip("XYZ", row.tolist()))) for row in rng.normal(size=(50, 3))])
     assert np.allclose(exact_lengths(path), path.lengths)
+
+
+def test_the_lowest_point_is_that_of_what_is_cut_whichever_way():
+    """Into the stock by a rapid and out of it at feed; a rapid below is no cut."""
+    rising = [("G0", {"X": 0.0, "Y": 0.0, "Z": 5.0}), ("G0", {"Z": -2.0}), ("G1", {"X": 9.0, "Z": 1.0, "F": 5.0})]
+    work = machining(linearize([*rising, ("G0", {"Z": 9.0}), ("G0", {"X": 50.0}), ("G0", {"Z": -7.0})]), top=1.0)
+    assert (work.lowest, work.depth) == (-2, 3)

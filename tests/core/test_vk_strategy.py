@@ -77,3 +77,7 @@ def test_values_are_stable():
               "drilling", "engraving", "mixed", "unknown", "empty"}  # fmt: skip
     assert stored <= {strategy.value for strategy in Strategy}
     assert Strategy("one-way") is Strategy.ONE_WAY and f"{Strategy.ONE_WAY}" == Strategy.ONE_WAY == "one-way"
+
+
+def test_only_what_says_something_of_the_operation_is_an_answer():
+    assert [one.value for one in Strategy if not one.is_answer] == ["unknown", "empty"]

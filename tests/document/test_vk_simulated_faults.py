@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What a simulation showed to be wrong is told with the operation, and only with the toolpath that it is true of."""
 
+from dataclasses import replace
+
 import vkworkbench
-from vkworkbench.document.simulated_faults import keep_faults, read_with_faults
+from vkworkbench.document.simulated_faults import keep_faults, read_with_faults, with_faults
 from vkworkbench.document.simulated_job import read_job
 from vkworkbench.language import Message
 
@@ -86,3 +88,11 @@ def test_it_is_said_whether_a_simulation_found_something_else(small):
     assert not keep_faults({first: crash, second: []})
     assert keep_faults({first: crash, second: other}) and keep_faults({first: other, second: other})
     assert keep_faults({first: [], second: other}) and not keep_faults({second: other})
+
+
+def test_it_is_told_with_no_other_toolpath_of_that_operation(small):
+    simulated(small)
+    (row,) = vkworkbench.analyze(small.document.getObjectsByLabel("Second")[0]).operations
+    of_before = with_faults(replace(row, fingerprint="of:before"), row.document, row.name)
+    assert [remark.code for remark in row.remarks][-1] == "simulated"
+    assert "simulated" not in [remark.code for remark in of_before.remarks]

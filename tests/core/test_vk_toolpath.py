@@ -1,0 +1,48 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A toolpath and its parts, and how what could not be read is told."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from vkworkbench.core import linearize
+from vkworkbench.core.toolpath import Problem
+from vkworkbench.language import Message
+
+COMMANDS = [
+    ("(begin)", {}), ("G0", {"X": 0.0, "Y": 0.0, "Z": 0.0}), ("G1", {"X": 3.0, "Y": 4.0, "F": 5.0}), ("M6", {"T": 1.0}),
+    ("G1", {"X": 3.0, "Y": 4.0, "Z": 12.0}), ("(middle)", {}), ("G0", {"X": 0.0, "Y": 0.0}), ("M6", {"T": 2.0}),
+    ("(end)", {}), ("G1", {"X": 8.0, "Y": 6.0}), ("G999", {}),
+]  # fmt: skip
+
+
+def test_a_toolpath_has_its_lengths():
+    path = linearize(COMMANDS)
+    assert len(path) == 4 and path.lengths == pytest.approx([5, 12, 5, 10])
+    assert len(linearize([])) == 0 and linearize([]).lengths.shape == (0,)
+
+
+def test_a_part_holds_what_lies_between_its_ends_and_no_problems():
+    path = linearize(COMMANDS)
+    assert path.tool_changes.tolist() == [1, 3] and [at for at, _ in path.comments] == [0, 2, 3]
+    part = path.part(1, 4)
+    assert len(part) == 3 and part.lengths == pytest.approx([12, 5, 10])
+    for name in ("rapid", "command", "feed", "sweep", "plane", "cycle"):
+        assert getattr(part, name).tolist() == getattr(path, name)[1:].tolist(), name
+    assert part.tool_changes.tolist() == [2]  # that at its beginning belongs to no move of it
+    assert [at for at, _ in part.comments] == [1, 2]
+    assert part.commands == path.commands == len(COMMANDS) and path.problems and part.problems == ()
+    middle = path.part(1, 3)
+    assert middle.tool_changes.tolist() == [] and [at for at, _ in middle.comments] == [1]
+    assert np.array_equal(middle.points, path.points[1:4])
+
+
+def test_a_problem_is_told_with_its_first_command_and_how_many_there_are():
+    (problem,) = linearize([*COMMANDS, ("G999", {})]).problems
+    assert problem == Problem(10, problem.what, 2) and not problem.of_time
+    assert problem.message == "unknown code 'G999' ignored"
+    assert problem.remark == Message("in-commands", sentence=problem.what, count=2, command=10)
+    assert str(problem) == "unknown code 'G999' ignored (2 times, first at command 10)"
+    assert str(Problem(4, problem.what)) == "unknown code 'G999' ignored (command 4)"
+    assert Problem(4, Message("dwell-untimed")).of_time
