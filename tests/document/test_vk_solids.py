@@ -12,7 +12,7 @@ import pytest
 import vkworkbench
 from vkworkbench.core import Cylinder, Mesh, Stock, View, linearize
 from vkworkbench.document.setting import placed, read_stock, read_tool, tool_remark
-from vkworkbench.document.solids import model_shapes, model_solid, stock_solid
+from vkworkbench.document.solids import form_of_stock, model_shapes, model_solid, stock_solid
 from vkworkbench.language import Unusable, render
 
 VIEW = View((1, 1, -1), 200, 150)
@@ -46,6 +46,17 @@ def test_a_stock_is_what_it_is(small, name):
     done = vkworkbench.simulate(small.job, view=VIEW)
     assert done.zbuffer.part_volume == pytest.approx(shape.Volume, rel=0.01)
     assert stock_solid(job, read_stock(job))[0] is solid
+
+
+@pytest.mark.parametrize(
+    "name, form",
+    [("box", ()), ("cylinder", ("Cylinder",)),
+     ("two", ("Mesh", *(f"{1.0037 * measure:.4e}" for measure in (2 * 10**3, 2 * 600, 15, 5, 5))))],
+)  # fmt: skip
+def test_a_form_is_what_the_box_of_a_stock_does_not_tell(small, name, form):
+    """Of two cubes of 10 mm, 20 mm apart: volume, area and centre, off the borders between two roundings."""
+    job = with_stock(small, SHAPES[name][0])
+    assert form_of_stock(job, read_stock(job)) == form
 
 
 def test_a_stock_without_a_volume_is_its_box(small, zigzag_commands):
