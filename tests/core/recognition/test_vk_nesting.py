@@ -66,6 +66,13 @@ def test_without_a_tool_they_lie_two_steps_apart_where_three_are_nested():
     assert reached(40.0, 36.0, 32.0)[0] == pytest.approx(4)
     assert reached(40.0, 38.0)[0] == pytest.approx(2)  # two: two steps, or a twentieth of the larger one
     assert reached(40.0, 36.0)[0] == pytest.approx(2)
+    assert reached(40.0, 40.0, 38.0, 36.0)[0] == pytest.approx(2)  # a ring that is cut twice is no step
+
+
+def test_without_a_tool_the_steps_have_to_be_alike():
+    """Of 2, 2, 5, 6 and 7 mm less than half are the usual one: no more than a twentieth of 70 mm is believed."""
+    limit, steps, _ = reached(70.0, 66.0, 62.0, 52.0, 40.0, 26.0)
+    assert steps.tolist() == [2, 2, 5, 6, 7] and limit == pytest.approx(3.5)
 
 
 def test_a_tool_that_reaches_less_than_five_equal_steps_is_wrong():
