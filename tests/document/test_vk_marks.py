@@ -13,7 +13,7 @@ import vkworkbench
 from vkworkbench import freecad, preferences
 from vkworkbench.core import Strategy
 from vkworkbench.core.simulators import Caution
-from vkworkbench.document import fingerprint, mark_properties, mark_text, marks, watcher
+from vkworkbench.document import fingerprint, mark_properties, mark_text, marking, marks, watcher
 from vkworkbench.language import ENGLISH, Message, render
 
 
@@ -533,3 +533,44 @@ def test_the_warning_sign_is_of_the_simulator_that_the_user_starts(small, zigzag
         cautions=(Caution("legacy-hangs", hangs),) if "hangs" in changed else (),
     )  # fmt: skip
     assert mark_text.is_warned(known, chosen) is warned
+
+
+def test_clear_takes_the_marks_of_the_document_that_is_open(small, zigzag_commands):
+    small.add("Zigzag", zigzag_commands)
+    vkworkbench.mark(vkworkbench.analyze(small.document))
+    FreeCAD.setActiveDocument(small.name)
+    assert vkworkbench.clear() == 2 and marked(small.document) == []
+
+
+def test_a_step_that_fails_changes_nothing(small, zigzag_commands):
+    op = small.add("Before", zigzag_commands)
+    count = small.document.UndoCount
+
+    def fail():
+        with marking.transaction(small.document, "Step"):
+            op.Label = "After"
+            raise ValueError("a bug")
+
+    with pytest.raises(ValueError, match="a bug"):
+        fail()
+    assert op.Label == "Before" and small.document.UndoCount == count
+
+
+def test_other_words_come_before_the_mark(small, zigzag_commands):
+    op = small.add("Zigzag", zigzag_commands)
+    assert marks.with_words(op, " mine ") == "mine"
+    vkworkbench.mark(vkworkbench.analyze(op))
+    mark = op.Label2
+    op.Label2 = f"before {mark}"
+    assert marks.with_words(op, "mine ") == f"mine {mark}" and marks.with_words(op, "") == mark
+    op.Label2 = f"⟦zigzag⟧ {mark}"  # of a version before
+    assert marks.with_words(op, "mine") == f"mine {mark}"
+
+
+def test_brackets_that_the_user_puts_beside_a_mark_stay(small, zigzag_commands):
+    op = small.add("Zigzag", zigzag_commands)
+    op.Label2 = "mine"
+    vkworkbench.mark(vkworkbench.analyze(op))
+    op.Label2 += " ⟦of another tool⟧"
+    vkworkbench.clear(op)
+    assert op.Label2 == "mine ⟦of another tool⟧"
