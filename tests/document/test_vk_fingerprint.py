@@ -113,3 +113,5 @@ def test_the_point_of_a_tool_counts():
                 Tool("vbit", 6.0, tip_angle=1.0, tip_diameter=1.001), Tool("drill", 6.0, tip_angle=1.0)]  # fmt: skip
     assert len({setting_fingerprint(tool, None) for tool in settings}) == 5
     assert setting_fingerprint(Tool("vbit", 6.0, tip_angle=1.00001), None) == setting_fingerprint(pointed, None)
+    blunt = [Tool("vbit", 6.0, tip_angle=1.0, tip_diameter=diameter) for diameter in (1.0, 1.00003)]
+    assert len({setting_fingerprint(tool, None) for tool in blunt}) == 1
