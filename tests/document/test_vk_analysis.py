@@ -17,7 +17,7 @@ import pytest
 
 import vkworkbench
 from vkworkbench import core, freecad, preferences
-from vkworkbench.core.simulators import zbuffer
+from vkworkbench.core.zbuffer import estimate_job
 from vkworkbench.document import analysis
 from vkworkbench.document.known import KNOWN
 from vkworkbench.document.setting import read_tool
@@ -408,8 +408,10 @@ def test_what_the_panel_shows_of_a_job_is_computed_by_the_analysis(small, zigzag
     chosen = replace(preferences.read(), mark_simulator=core.simulators.ZBUFFER.name)
     monkeypatch.setattr(analysis, "preferences", SimpleNamespace(read=lambda: chosen))
     estimated = []
-    estimate_job = zbuffer.estimate_job
-    monkeypatch.setattr(zbuffer, "estimate_job", lambda *cuts, **of: estimated.append(1) or estimate_job(*cuts, **of))
+    monkeypatch.setattr(
+        "vkworkbench.core.simulators.zbuffer.estimate_job",
+        lambda *cuts, **of: estimated.append(1) or estimate_job(*cuts, **of),
+    )
     (total,) = vkworkbench.analyze(small.document).totals
     assert estimated == [1] and total.cost(chosen.simulator)[0] > 0
     assert estimated == [1]
