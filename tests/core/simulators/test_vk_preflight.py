@@ -136,6 +136,7 @@ def test_a_gigabyte_is_allowed_where_nothing_else_is_said(memory, too_much):
     cost = SimpleNamespace(memory_bytes=memory, play_seconds=1.0, resolution=0.1)
     found = preflight(Task(linearize([])), {"legacy": cost}, Conditions(version=(1, 0)))
     assert [one.code for one in found] == ["memory"] * too_much
+    assert all("1.1 GB" in str(one) and "1 GB" in str(one) for one in found)
 
 
 def test_a_cell_is_a_thousandth_of_the_stocks_longer_side_where_nothing_else_is_said():

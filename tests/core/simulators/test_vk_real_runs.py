@@ -42,6 +42,13 @@ def test_a_run_that_took_far_longer_than_processor_and_timers_teaches_nothing(ki
     assert lesson.kept(cost, replace(undisturbed, seconds=1.6 * (5.0 + waits)), SOFTWARE) is None
 
 
+def test_a_fast_forward_waits_a_millisecond_for_each_command():
+    """Of 4 s of waiting and 1 s of work, nothing is left to something else."""
+    lesson, cost = LESSONS["fast-forward"], cost_of("fast-forward", SOFTWARE, 4000)
+    assert lesson.waits(cost, SOFTWARE) == pytest.approx(4.0)
+    assert lesson.kept(cost, Seen(5.0, 1.0), SOFTWARE) is not None
+
+
 def test_nobody_knows_how_long_a_graphics_card_works():
     lesson, cost = LESSONS["draw"], cost_of("draw", CARD)
     assert lesson.kept(cost, Seen(100.0, 1.0, 0.2, 10), CARD) is not None
