@@ -288,9 +288,11 @@ def test_a_tool_whose_diameter_is_no_number():
 
 def test_placement_moves_the_toolpath(small, zigzag_commands):
     op = small.add("Moved", zigzag_commands)
-    inside = vkworkbench.analyze(op).operations[0].estimate.traces
+    (inside,) = vkworkbench.analyze(op).operations
     op.Placement.Base = FreeCAD.Vector(1000, 0, 0)
-    assert vkworkbench.analyze(op).operations[0].estimate.traces == 0 < inside
+    (outside,) = vkworkbench.analyze(op).operations
+    assert outside.estimate.traces == 0 < inside.estimate.traces
+    assert [remark.code for remark in outside.remarks] == ["not-touching"] and inside.remarks == ()
 
 
 def test_progress_and_cancel(small, zigzag_commands):
@@ -415,3 +417,17 @@ def test_what_the_panel_shows_of_a_job_is_computed_by_the_analysis(small, zigzag
     (total,) = vkworkbench.analyze(small.document).totals
     assert estimated == [1] and total.cost(chosen.simulator)[0] > 0
     assert estimated == [1]
+
+
+def test_what_cannot_be_read_costs_one_row_only(small, zigzag_commands, monkeypatch):
+    first, _ = small.add("First", zigzag_commands), small.add("Second", zigzag_commands)
+
+    def read(obj):
+        if obj.Name == first.Name:
+            raise ZeroDivisionError("a bug")
+        return read_tool(obj)
+
+    monkeypatch.setattr(analysis, "read_tool", read)
+    rows = vkworkbench.analyze(small.document).operations
+    assert [row.strategy.value for row in rows] == ["empty", "zigzag"]
+    assert "ZeroDivisionError: a bug" in rows[0].error and rows[1].error is None
