@@ -228,15 +228,18 @@ def set_anew(e: Examples, learned: dict[int, Learned], unseen: str) -> float:
     accepted = [*(e.accepted[i] for i in real), *new.accepted]
     evidence = np.array([grounds(*of) for of in zip(votes, proposed)])
     right = np.array([elect(v, p) in these for v, p, these in zip(votes, proposed, accepted)])
-    found = constant(LEARNED.sureness, evidence, right)
+    groups = [*e.group[real], *new.group]
+    half = np.array([sorted(set(groups)).index(group) % 2 for group in groups])
+    sure = np.empty(len(right))
+    for k in (0, 1):
+        first = constant(LEARNED.sureness, evidence[half != k], right[half != k])
+        sure[half == k] = sureness(evidence[half == k], [first, *LEARNED.sureness[1:]])
     for name, of in (("left out", slice(len(real))), ("unseen", slice(len(real), None))):
-        sure = sureness(evidence[of], LEARNED.sureness)
-        then = sureness(evidence[of], [found, *LEARNED.sureness[1:]])
         print(
-            f"{name}, {len(sure)}: right {right[of].mean():.3f}, sure {sure.mean():.3f}, now {then.mean():.3f}; "
-            f"calibration error {calibration_error(sure, right[of]):.3f}, now {calibration_error(then, right[of]):.3f}"
+            f"{name}, {len(sure[of])}: right {right[of].mean():.3f}, as sure by the other half of the sources "
+            f"{sure[of].mean():.3f}, calibration error {calibration_error(sure[of], right[of]):.3f}"
         )
-    return found
+    return constant(LEARNED.sureness, evidence, right)
 
 
 def write_constant(found: float) -> None:

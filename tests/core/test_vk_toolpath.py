@@ -41,8 +41,8 @@ def test_a_part_holds_what_lies_between_its_ends_and_no_problems():
 def test_a_problem_is_told_with_its_first_command_and_how_many_there_are():
     (problem,) = linearize([*COMMANDS, ("G999", {})]).problems
     assert problem == Problem(10, problem.what, 2) and not problem.of_time
-    assert problem.message == "unknown code 'G999' ignored"
-    assert problem.remark == Message("in-commands", sentence=problem.what, count=2, command=10)
-    assert str(problem) == "unknown code 'G999' ignored (2 times, first at command 10)"
-    assert str(Problem(4, problem.what)) == "unknown code 'G999' ignored (command 4)"
+    assert problem.message == "the unknown code 'G999' is ignored"
+    assert problem.remark == Message("in-commands", sentence=problem.what, count=2, command=11)
+    assert str(problem) == "the unknown code 'G999' is ignored (2 times, first at command 11)"  # counted from 1
+    assert str(Problem(4, problem.what)) == "the unknown code 'G999' is ignored (command 5)"
     assert Problem(4, Message("dwell-untimed")).of_time

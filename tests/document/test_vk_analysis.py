@@ -429,5 +429,5 @@ def test_what_cannot_be_read_costs_one_row_only(small, zigzag_commands, monkeypa
 
     monkeypatch.setattr(analysis, "read_tool", read)
     rows = vkworkbench.analyze(small.document).operations
-    assert [row.strategy.value for row in rows] == ["empty", "zigzag"]
+    assert [row.strategy.value for row in rows] == ["unknown", "zigzag"]
     assert "ZeroDivisionError: a bug" in rows[0].error and rows[1].error is None
