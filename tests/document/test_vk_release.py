@@ -9,6 +9,7 @@ import sys
 import zipfile
 from pathlib import Path
 
+import FreeCAD
 import pytest
 
 RESOURCES = Path(__file__).resolve().parents[2] / "resources"
@@ -48,6 +49,24 @@ def test_it_has_what_users_need_and_nothing_else(archive):
     assert {name for name in names if name.startswith("examples/")} == {
         f"examples/macros/{path.name}" for path in (RESOURCES.parent / "examples" / "macros").glob("*.py")
     }
+
+
+def test_freecad_reads_where_the_repository_is(tmp_path):
+    text = (RESOURCES.parent / "package.xml").read_text(encoding="utf-8")
+    for place in ("https://example.org/one/first", "https://example.org/other/second"):  # published elsewhere later
+        text = make_release.with_urls(text, place)
+    package = tmp_path / "package.xml"
+    package.write_text(text, encoding="utf-8")
+    urls = {url["type"]: url["location"] for url in FreeCAD.Metadata(str(package)).Urls}
+    assert urls == {
+        "repository": place,
+        "bugtracker": f"{place}/issues",
+        "readme": f"{place}/blob/main/README.md",
+        "documentation": f"{place}/blob/main/docs/guide.md",
+    }
+    for none in ("example.org/one", "https://example.org", 'https://example.org/"><x/>'):
+        with pytest.raises(ValueError, match="is no address"):
+            make_release.with_urls(text, none)
 
 
 @pytest.mark.parametrize("folder", ["ToolpathAnalysis", "Toolpath-Analysis-main", "Fräsen mit Überblick 刀具"])
