@@ -66,9 +66,8 @@ class Window:
             events.happen()
 
     def activate(self, workbench):
-        if Gui.activeWorkbench().name() != workbench:
-            Gui.activateWorkbench(workbench)
-            self.idle(0.3)
+        Gui.activateWorkbench(workbench)
+        self.idle(0.3)
         # FreeCAD began in no workbench, which hides the tree's dock.
         shown = {"Combo View": True, "Model": True, "Report view": False, "Python console": False}
         for dock in self.find(QtGui.QDockWidget):
@@ -143,8 +142,7 @@ class Window:
         for box in self.boxes():
             texts.append(box.text())
             QTest.mouseClick(box.buttons()[0], QtCore.Qt.LeftButton)
-        if texts:
-            self.idle(0.1)
+        self.idle(0.1)
         return texts
 
     @property
