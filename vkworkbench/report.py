@@ -321,8 +321,11 @@ class Report:
         """One total for each job, nothing counted twice."""
         return tuple(self._total(*key, label) for key, label in self.jobs.items())
 
+    def _counted(self, document: str, job: str) -> list[OperationReport]:
+        return [o for o in self.operations if o.counted and (o.document, o.job) == (document, job)]
+
     def _total(self, document: str, job: str, label: str) -> Total:
-        counted = [o for o in self.operations if o.counted and (o.document, o.job) == (document, job)]
+        counted = self._counted(document, job)
         total = total_of(document, job, label, counted, self.budget, self.fixtures.get((document, job), 1))
         return replace(total, simulated=self.simulated.get((document, job)))
 
@@ -344,7 +347,8 @@ class Report:
         rows = [header, *(_row(o, of) for o in self.operations)]
         totals = [
             (f"{_cell(t.label)}: {how_many(t.operations, 'operation')}", "", "", ENGLISH.count(t.trajectories),
-             *_machining(t.length, t.machining_seconds, t.machining_complete),
+             *_machining(t.length, t.machining_seconds, t.machining_complete,
+                         all(map(_is_measured, self._counted(t.document, t.job)))),
              *_cost(t, of, t.incomplete), "")
             for t in self.totals
         ]  # fmt: skip
@@ -438,7 +442,7 @@ def _row(o: OperationReport, simulator: str) -> tuple[str, ...]:
         o.strategy.value,
         f"{o.confidence:.0%}",
         ENGLISH.count(o.trajectories),
-        *_machining(o.length, o.machining_seconds or 0.0, complete=not o.left_out),
+        *_machining(o.length, o.machining_seconds or 0.0, not o.left_out, _is_measured(o)),
         *_cost(o, simulator, least=False),
         _cell(o.error or "", 200),
     )
@@ -449,12 +453,17 @@ def how_many(number: int, thing: str) -> str:
     return f"{number} {thing}" + ("" if number == 1 else "s")
 
 
-def _machining(length: float, seconds: float, complete: bool) -> tuple[str, str]:
+def _is_measured(o: OperationReport) -> bool:
+    """Whether its cutting length is known: where nothing cuts it is 0, and so is the cutting time."""
+    return bool(o.length) or o.machining.cutting_seconds is not None
+
+
+def _machining(length: float, seconds: float, complete: bool, measured: bool) -> tuple[str, str]:
     """Return the cutting length and the machining time; a question mark for what is 0 because it is not known."""
     time = ENGLISH.time(seconds)
     if complete:
         return ENGLISH.length(length), time
-    return ENGLISH.length(length) if length else "?", f">= {time}" if seconds else "?"
+    return ENGLISH.length(length) if length or measured else "?", f">= {time}" if seconds else "?"
 
 
 def _cost(of: Costs, simulator: str, least: bool) -> tuple[str, str]:

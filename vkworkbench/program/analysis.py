@@ -99,8 +99,8 @@ def analyze_file(path: Path, chosen: Preferences) -> tuple[OperationReport, ...]
     -------
     tuple of OperationReport
         One row for each operation with a cut. Its document is the file's path, its job the file's name, its name and
-        the commands of its spans are lines of the text, counted from 1. A file that cannot be read has one row, which
-        is not counted, with the reason among its remarks.
+        the commands of its spans are lines of the text, counted from 1. A program that cuts nothing has one row, and
+        so has a file that cannot be read, which is not counted, with the reason among its remarks.
     """
     try:
         data = read_bytes(path)
@@ -132,11 +132,13 @@ def _rows(
     cutting = [(part, section) for part, section in zip(parts, sections) if not part.rapid.all()]
     if not cutting:
         row = unread(path, Message("no-cutting-move"))
-        remarks = (*row.remarks, *map(at_line, toolpath.problems))  # what is not read may be what cuts
+        remarks = (*row.remarks, *map(at_line, toolpath.problems))
         found = recognize(toolpath)
+        read = all(problem.of_time for problem in toolpath.problems)  # else what is not read may be what cuts
         return [
-            replace(row, recognition=found, trajectories=len(toolpath), machining=_machining(toolpath), remarks=remarks)
-        ]
+            replace(row, counted=read, recognition=found, trajectories=len(toolpath), machining=_machining(toolpath),
+                    remarks=remarks)
+        ]  # fmt: skip
     stock = _stock(toolpath, [section.tool for _, section in cutting])
     lost = [Message("inches-as-millimetres")] if not program.unit_told and looks_like_inches(toolpath) else []
     starts = [section.first for _, section in cutting]

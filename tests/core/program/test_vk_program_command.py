@@ -72,6 +72,13 @@ def test_a_table_for_each_program(folder, inside):
     assert inside(folder).returncode == 0
 
 
+def test_a_program_of_rapids_was_read(tmp_path, inside):
+    (tmp_path / "rapids.nc").write_text("G0 X0 Y0 Z5\nG0 X50\n")
+    done = inside(tmp_path)
+    assert done.returncode == 0 and done.stderr.splitlines()[-1] == "1 operation in 1 file."
+    assert "empty" in done.stdout
+
+
 def test_results_as_csv_and_as_json_lines(folder, tmp_path, inside):
     assert inside(folder, "--csv", tmp_path / "out.csv").returncode == 1
     rows = rows_of(tmp_path / "out.csv")

@@ -5,6 +5,7 @@ import csv
 import gzip
 import json
 import lzma
+import re
 import subprocess
 import sys
 from pathlib import Path
@@ -126,19 +127,27 @@ def test_what_cannot_be_read_costs_only_itself(tmp_path):
     assert errors == {
         "a.nc": "not an NC program: it is not text",
         "c.nc": "a program in the language of Heidenhain controls (line 1): post it as G-code (ISO) to have it read",
-        "d.nc": "no cutting move in its toolpath",
         "e.nc": "no cutting move in its toolpath; variables and expressions are not read: the words with them are left "
         "out (2 times, first in line 2)",
         "missing.nc": "the file cannot be read: No such file or directory",
     }
-    # Of what cannot be read nothing is known; what has no cut is empty.
-    strategies = {Path(row.document).name: str(row.strategy) for row in report.operations if not row.counted}
+    # Of what cannot be read nothing is known; what has no cut is empty, and was read unless something in it was not.
+    strategies = {Path(row.document).name: str(row.strategy) for row in report.operations}
     assert {name for name, strategy in strategies.items() if strategy == "unknown"} == {"a.nc", "c.nc", "missing.nc"}
     assert {name for name, strategy in strategies.items() if strategy == "empty"} == {"d.nc", "e.nc"}
     missing = report.operations[-1]
     assert missing.reason == missing.error and missing.confidence == 0.0 and missing.machining_seconds is None
-    assert [row.label for row in report.operations if row.counted] == ["Face", "Holes"]
-    assert [total.label for total in report.totals] == ["b.nc"]
+    assert [row.label for row in report.operations if row.counted] == ["Face", "Holes", "d.nc"]
+    assert [total.label for total in report.totals] == ["b.nc", "d.nc"]
+
+
+def test_a_program_of_rapids_cuts_nothing_and_takes_an_unknown_time(tmp_path):
+    (tmp_path / "rapids.nc").write_text("G21\nG0 X0 Y0 Z5\nG0 X50\nM30\n")
+    report = vkworkbench.analyze(tmp_path)
+    (row,) = report.operations
+    assert row.counted and str(row.strategy) == "empty" and row.error == "no cutting move in its toolpath"
+    _, _, line, _, total = str(report).splitlines()
+    assert re.search(r" 0 mm +\? ", line) and re.search(r" 0 mm +\? ", total)
 
 
 @pytest.mark.parametrize(
