@@ -12,6 +12,7 @@ from PySide import QtCore, QtGui
 from vkworkbench import freecad, preferences
 from vkworkbench.document import marks, watcher
 from vkworkbench.gui import simulator_panels
+from vkworkbench.gui.simulator_warning import OpenPanel
 
 OLD = freecad.version() < (1, 0, 0)
 needs_opengl = pytest.mark.skipif(OLD, reason="FreeCAD 0.20 has no OpenGL simulator")
@@ -118,6 +119,19 @@ def test_it_goes_with_the_panel_with_what_is_unticked_and_when_it_is_closed(mark
     listed.item(1).setCheckState(QtCore.Qt.Checked)
     window.idle()
     assert lines(window) == []  # the user has closed it
+
+
+def test_a_click_after_the_panel_was_closed_does_nothing(marked, window):
+    preferences.write(time_budget=0.1)
+    (line,) = start(window, "legacy")
+    (panel,) = (child for child in line.children() if isinstance(child, OpenPanel))
+    simulator_panels.close()
+    assert simulator_panel(window) is None and line.isVisible()  # not looked yet
+    panel._take()  # what a slot raises does not fail a test
+    assert lines(window) == []
+    window.idle(0.5)
+    assert not Gui.Control.activeDialog() and simulator_panel(window) is None
+    dead_widgets.forget()
 
 
 @pytest.mark.skipif(not OLD, reason="since 1.0 FreeCAD itself keeps one each time")

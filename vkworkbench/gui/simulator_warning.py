@@ -131,8 +131,10 @@ class OpenPanel(QObject):
 
     def _take(self) -> None:
         """Take the better way."""
-        way, (panel,) = self._found.way, simulator_panels.panels()
+        way, panel = self._found.way, next(iter(simulator_panels.panels()), None)
         self._end()
+        if panel is None:  # closed since the last look
+            return
         if way == self._simulator:
             panel.findChild(QToolButton, "toolButtonFF").click()
             return
