@@ -111,6 +111,17 @@ def test_it_follows_the_selection(view, opened, window):
     window.screenshot("gauss-map-adaptive")
 
 
+def test_an_operation_that_is_switched_off_says_so(view, opened, window):
+    face = labelled(opened, "Face")
+    face.Active = False
+    opened.recompute()
+    window.wait(lambda: "switch it on" in view.title.text())
+    assert view.title.text().startswith("Face: inactive") and not view.canvas.isVisible()
+    face.Active = True
+    opened.recompute()
+    window.wait(view.canvas.isVisible)
+
+
 def test_slider_and_number_step_through_k(view, window):
     last = view.slider.maximum()
     pictures = [view.picture()]

@@ -11,7 +11,7 @@ import FreeCAD
 import FreeCADGui as Gui
 
 from vkworkbench import freecad
-from vkworkbench.document.operations import kind
+from vkworkbench.document.operations import is_active, kind
 from vkworkbench.document.recognized import Source, source_of
 from vkworkbench.gui import docks
 from vkworkbench.gui.background import Background, Busy
@@ -153,7 +153,7 @@ class GaussMapDock(QDockWidget):
         if self._shown == (obj.Document.Name, obj.Name):
             return
         self._shown = (obj.Document.Name, obj.Name)
-        self._label = obj.Label
+        self._label, self._active = obj.Label, is_active(obj)
         self.chooser.setEnabled(False)  # its areas are those of the operation before
         source = source_of(obj)
         text = translate("Vk_GaussMap", "Reading {}…").format(obj.Label)
@@ -169,6 +169,9 @@ class GaussMapDock(QDockWidget):
             raise error
 
     def _show(self, drawn: tuple[Reading, GaussFigure] | None) -> None:
+        if drawn is None and not self._active:
+            self._say(said(Message("of", label=self._label, sentence=Message("inactive"))))
+            return
         if drawn is None:
             text = translate("Vk_GaussMap", "{}: no move cuts sideways, so there is no direction to show")
             self._say(text.format(self._label))
