@@ -22,6 +22,7 @@ from vkworkbench.document import analysis
 from vkworkbench.document.known import KNOWN
 from vkworkbench.document.setting import read_tool
 from vkworkbench.language import Message, render
+from vkworkbench.report import cells_of
 
 STRATEGIES = {
     "Face": "zigzag", "Pocket zigzag": "zigzag", "Pocket around island": "contour-parallel",
@@ -100,6 +101,18 @@ def test_csv_and_json_hold_the_same_numbers(report, tmp_path):
         assert float(row["length"]) == entry["length"] == o.length
         assert float(row["seconds"]) == entry["seconds"] == o.estimate.seconds
     assert data["totals"][0]["seconds"] == report.totals[0].seconds
+
+
+def test_spans_count_commands_from_0_as_a_path_does(small, zigzag_commands, tmp_path):
+    op = small.add("Rows", zigzag_commands)
+    report = vkworkbench.analyze(small.document)
+    (span,) = report.operations[0].spans
+    first, last = (op.Path.Commands[index] for index in (span.first_command, span.last_command))
+    assert first.Name == "G1" and "Z" in first.Parameters and last.Name == "G1" and last is not first
+    report.to_csv(tmp_path / "report.csv")
+    (row,) = csv.DictReader((tmp_path / "report.csv").open(newline="", encoding="utf-8"))
+    assert row["spans"] == f"zigzag {span.first_command}-{span.last_command}"
+    assert "from 0" in cells_of.__doc__
 
 
 def test_formulas_in_labels_stay_text(small, zigzag_commands, tmp_path):
