@@ -6,8 +6,10 @@ from __future__ import annotations
 import csv
 import json
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from itertools import zip_longest
+from pathlib import PurePath
 from typing import Any
 
 from vkworkbench.core import Estimate, Machining, Recognition, Span, Strategy
@@ -345,16 +347,20 @@ class Report:
             "",
         )
         rows = [header, *(_row(o, of) for o in self.operations)]
-        totals = [
+        totals: list[tuple[str, ...]] = [
             (f"{_cell(t.label)}: {how_many(t.operations, 'operation')}", "", "", ENGLISH.count(t.trajectories),
              *_machining(t.length, t.machining_seconds, t.machining_complete,
                          all(map(_is_measured, self._counted(t.document, t.job)))),
              *_cost(t, of, t.incomplete), "")
             for t in self.totals
         ]  # fmt: skip
-        widths = [max(len(row[i]) for row in rows + totals) for i in range(len(header))]
+        names = _told_apart([o.document for o in self.operations])
+        if len(names) > 1:  # each has a "Job"
+            rows = [("document", *header), *((names[o.document], *row) for o, row in zip(self.operations, rows[1:]))]
+            totals = [(names.get(t.document, t.document), *row) for t, row in zip(self.totals, totals)]
+        widths = [max(len(row[i]) for row in rows + totals) for i in range(len(rows[0]))]
         rule = "  ".join("-" * width for width in widths[:-1])
-        lines = [_line(header, widths), rule, *(_line(row, widths) for row in rows[1:])]
+        lines = [_line(rows[0], widths), rule, *(_line(row, widths) for row in rows[1:])]
         if totals:
             lines += [rule, *(_line(row, widths) for row in totals)]
         return "\n".join(lines)
@@ -438,6 +444,13 @@ def cells_of(operation: OperationReport) -> dict[str, Any]:
     return {name: as_cell(value) for name, value in row.items()}
 
 
+def _told_apart(documents: Iterable[str]) -> dict[str, str]:
+    """Return what documents are called in a table: programs, whose names are paths, without the folder of them all."""
+    parts = {name: PurePath(name).parts for name in documents}
+    shared = next((depth for depth, names in enumerate(zip_longest(*parts.values())) if len(set(names)) > 1), 0)
+    return {name: _cell(str(PurePath(*of_name[shared:])), 200) for name, of_name in parts.items()}
+
+
 def _row(o: OperationReport, simulator: str) -> tuple[str, ...]:
     return (
         _cell(o.label) if o.counted or o.job is None else f"({_cell(o.label)})",
@@ -484,6 +497,6 @@ def _cell(text: str, longest: int = 60) -> str:
 
 
 def _line(row: tuple[str, ...], widths: list[int]) -> str:
-    left = {0, 1, len(row) - 1}
+    left = {*range(len(row) - 7), len(row) - 1}  # the six between them are numbers
     cells = (cell.ljust(w) if i in left else cell.rjust(w) for i, (cell, w) in enumerate(zip(row, widths)))
     return "  ".join(cells).rstrip()

@@ -115,6 +115,17 @@ def test_spans_count_commands_from_0_as_a_path_does(small, zigzag_commands, tmp_
     assert "from 0" in cells_of.__doc__
 
 
+def test_the_table_of_two_documents_names_them(small, example):
+    # Where only one has operations, there is nothing to tell apart.
+    assert str(vkworkbench.analyze([small.document, example])).startswith("operation ")
+    small.add("Face", [("G0", {"X": 1.0, "Y": 1.0, "Z": 30.0}), ("G1", {"Z": 15.0, "F": 5.0})])
+    report = vkworkbench.analyze([small.document, example])
+    header, _, *rows, _, own, other = str(report).splitlines()
+    assert header.split()[:2] == ["document", "operation"]
+    assert [row.split()[0] for row in rows] == [o.document for o in report.operations]
+    assert own.split()[:2] == [small.name, f"{small.job.Label}:"] and other.split()[:2] == [example.Name, "Job:"]
+
+
 def test_formulas_in_labels_stay_text(small, zigzag_commands, tmp_path):
     small.add("=HYPERLINK(0)", zigzag_commands)
     vkworkbench.analyze(small.document).to_csv(tmp_path / "report.csv")

@@ -95,6 +95,18 @@ def test_one_row_for_each_operation(tmp_path):
     assert "z-buffer time" in str(report).splitlines()[0]
 
 
+def test_the_table_of_several_programs_names_them_below_their_folder(tmp_path):
+    (tmp_path / "old").mkdir()
+    for name in ("bracket.nc", "old/bracket.nc"):
+        (tmp_path / name).write_text(PROGRAM)
+    header, _, *rows, _, first, second = str(vkworkbench.analyze(tmp_path)).splitlines()
+    assert header.split()[:2] == ["document", "operation"]
+    assert [row.split()[:2] for row in rows] == [
+        [name, label] for name in ("bracket.nc", "old/bracket.nc") for label in ("Face", "Holes")
+    ]
+    assert (first.split()[0], second.split()[0]) == ("bracket.nc", "old/bracket.nc")
+
+
 def test_one_operation_is_no_operations(tmp_path):
     path = tmp_path / "face.nc"
     path.write_text(PROGRAM.split("(Holes)", maxsplit=1)[0])
