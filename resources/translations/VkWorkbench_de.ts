@@ -961,6 +961,10 @@
         <source>{width:n} x {height:n} pixels of {pixel:mm2}, limited by the {limit}{passes}</source>
         <translation>{width:n} x {height:n} Pixel von {pixel:mm2}, begrenzt durch {limit}{passes}</translation>
     </message>
+    <message>
+        <source>{length:mm4} of rapids are not in the time because the operation has no tool controller: give it one with rapid speeds</source>
+        <translation>{length:mm4} Eilgänge fehlen in der Zeit, weil die Operation keinen Werkzeugcontroller hat: ihr einen mit Eilganggeschwindigkeiten geben</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

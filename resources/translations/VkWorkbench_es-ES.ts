@@ -961,6 +961,10 @@
         <source>{width:n} x {height:n} pixels of {pixel:mm2}, limited by the {limit}{passes}</source>
         <translation>{width:n} x {height:n} píxeles de {pixel:mm2}, limitados por {limit}{passes}</translation>
     </message>
+    <message>
+        <source>{length:mm4} of rapids are not in the time because the operation has no tool controller: give it one with rapid speeds</source>
+        <translation>{length:mm4} de rápidos no están en el tiempo porque la operación no tiene controlador de herramienta: asígnele uno con velocidades rápidas</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

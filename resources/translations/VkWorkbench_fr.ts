@@ -961,6 +961,10 @@
         <source>{width:n} x {height:n} pixels of {pixel:mm2}, limited by the {limit}{passes}</source>
         <translation>{width:n} x {height:n} pixels de {pixel:mm2}, limités par {limit}{passes}</translation>
     </message>
+    <message>
+        <source>{length:mm4} of rapids are not in the time because the operation has no tool controller: give it one with rapid speeds</source>
+        <translation>{length:mm4} de déplacements rapides ne sont pas dans la durée, car l&apos;opération n&apos;a pas de contrôleur d&apos;outil : donnez-lui-en un avec des vitesses rapides</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

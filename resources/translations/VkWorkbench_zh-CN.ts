@@ -961,6 +961,10 @@
         <source>{width:n} x {height:n} pixels of {pixel:mm2}, limited by the {limit}{passes}</source>
         <translation>{width:n} x {height:n} 像素，每个 {pixel:mm2}，受{limit}限制{passes}</translation>
     </message>
+    <message>
+        <source>{length:mm4} of rapids are not in the time because the operation has no tool controller: give it one with rapid speeds</source>
+        <translation>操作没有刀具控制器，因此 {length:mm4} 快速移动未计入时间：请为其指定一个带有快速移动速度的刀具控制器</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

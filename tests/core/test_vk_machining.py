@@ -84,6 +84,11 @@ def test_unknown_rapid_speeds_are_named_and_left_out():
     one = machining(linearize(commands), horizontal_rapid=50.0)
     assert one.rapid_seconds == pytest.approx(2)
     assert one.notes == ("4 mm of rapids are not in the time because the tool controller's VertRapid is 0",)
+    none = machining(linearize(commands), controller=False)
+    assert none.rapid_seconds is None
+    assert none.notes == (
+        "104 mm of rapids are not in the time because the operation has no tool controller: give it one with rapid speeds",
+    )
 
 
 def test_moves_without_a_feed_are_named_and_left_out():

@@ -385,6 +385,14 @@ def test_a_time_without_rapids_is_the_least(small, zigzag_commands):
     assert row.machining.left_out == () and row.machining.complete and total.machining_complete
 
 
+def test_rapids_without_a_tool_controller_are_not_blamed_on_one(small, zigzag_commands):
+    small.add("With", zigzag_commands)
+    small.add("Without", zigzag_commands, controller=None)
+    told = {o.label: o.machining.notes for o in vkworkbench.analyze(small.document).operations}
+    assert "tool controller's VertRapid is 0" in told["With"][0]
+    assert "has no tool controller: give it one" in told["Without"][0] and "VertRapid" not in told["Without"][0]
+
+
 @pytest.mark.parametrize("fixtures, count", [(["G54"], 1), (["G54", "G55", "G59"], 3), ([], 1)])
 def test_operations_take_their_time_for_every_fixture(small, zigzag_commands, fixtures, count):
     small.add("Zigzag", zigzag_commands)

@@ -122,6 +122,7 @@ def machining(
     *,
     horizontal_rapid: float = 0.0,
     vertical_rapid: float = 0.0,
+    controller: bool = True,
     top: float | None = None,
 ) -> Machining:
     """Measure one operation.
@@ -133,6 +134,8 @@ def machining(
     horizontal_rapid, vertical_rapid : float
         The tool controller's HorizRapid and VertRapid, mm/s; 0 (FreeCAD's default) where unknown. A rapid
         straight up or down runs at the vertical one, any other at the horizontal one.
+    controller : bool
+        Whether there is a tool controller, which could say them.
     top : float, optional
         Height of the stock's top, mm.
 
@@ -177,7 +180,9 @@ def machining(
             )
             if not given and (rapid & kind).any()
         ]
-        if len(names) == 1:
+        if not controller:
+            left_out.append(Message("rapids-without-controller", length=untimed))
+        elif len(names) == 1:
             left_out.append(Message("rapids-untimed", length=untimed, name=names[0]))
         else:
             left_out.append(Message("all-rapids-untimed", length=untimed, name=names[0], other=names[1]))

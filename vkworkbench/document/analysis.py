@@ -39,6 +39,7 @@ from vkworkbench.report import Cancelled, OperationReport, Report
 
 _PATIENCE = 0.02  # s between two calls of `cancelled`
 _NOTHING = linearize([])
+_NO_TOOL = Message("no-tool")  # what is said of an operation without a tool controller
 
 
 def analyze(
@@ -305,7 +306,7 @@ def _analysed(
         recognition=found,
         trajectories=len(toolpath),
         machining=machining(toolpath, horizontal_rapid=horizontal, vertical_rapid=vertical,
-                            top=reading.stock and reading.stock.upper[2]),
+                            controller=_NO_TOOL not in reading.remarks, top=reading.stock and reading.stock.upper[2]),
         costs=costs,
         advice=advice,
         cautions=preflight(task, costs, conditions),

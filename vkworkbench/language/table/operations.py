@@ -71,4 +71,8 @@ OPERATIONS: dict[str, str | tuple[str, str]] = {
         "Sentences",
         "{length:mm4} of rapids are not in the time because the tool controller's {name} and {other} are 0",
     ),
+    "rapids-without-controller": QT_TRANSLATE_NOOP(
+        "Sentences",
+        "{length:mm4} of rapids are not in the time because the operation has no tool controller: give it one with rapid speeds",
+    ),
 }
