@@ -1953,6 +1953,10 @@ at most</source>
         <source>Drawing strategies, operations to go: {}</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>There is no toolpath to color in this document. Create a job with operations, or import G-code.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Vk_Warning</name>

@@ -1960,6 +1960,10 @@ höchstens</translation>
         <source>Drawing strategies, operations to go: {}</source>
         <translation>Strategien werden gezeichnet, noch offene Operationen: {}</translation>
     </message>
+    <message>
+        <source>There is no toolpath to color in this document. Create a job with operations, or import G-code.</source>
+        <translation>In diesem Dokument gibt es keinen Werkzeugweg zu färben. Legen Sie einen Auftrag mit Operationen an oder importieren Sie G-Code.</translation>
+    </message>
 </context>
 <context>
     <name>Vk_Warning</name>

@@ -1960,6 +1960,10 @@ como mucho</translation>
         <source>Drawing strategies, operations to go: {}</source>
         <translation>Dibujando estrategias, operaciones pendientes: {}</translation>
     </message>
+    <message>
+        <source>There is no toolpath to color in this document. Create a job with operations, or import G-code.</source>
+        <translation>No hay ninguna trayectoria que colorear en este documento. Cree un trabajo con operaciones o importe código G.</translation>
+    </message>
 </context>
 <context>
     <name>Vk_Warning</name>

@@ -1960,6 +1960,10 @@ au plus</translation>
         <source>Drawing strategies, operations to go: {}</source>
         <translation>Dessin des stratégies, opérations restantes : {}</translation>
     </message>
+    <message>
+        <source>There is no toolpath to color in this document. Create a job with operations, or import G-code.</source>
+        <translation>Ce document ne contient aucun parcours à colorer. Créez une tâche avec des opérations, ou importez du G-code.</translation>
+    </message>
 </context>
 <context>
     <name>Vk_Warning</name>

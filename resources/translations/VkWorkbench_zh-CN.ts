@@ -1960,6 +1960,10 @@ at most</source>
         <source>Drawing strategies, operations to go: {}</source>
         <translation>正在绘制策略，剩余操作：{}</translation>
     </message>
+    <message>
+        <source>There is no toolpath to color in this document. Create a job with operations, or import G-code.</source>
+        <translation>此文档中没有可着色的刀具路径。请创建带有操作的作业，或导入 G 代码。</translation>
+    </message>
 </context>
 <context>
     <name>Vk_Warning</name>

@@ -146,6 +146,16 @@ def test_each_document_has_its_own_switch(opened, window, switched_on):
     window.wait(lambda: window.button(SWITCH).isChecked())
 
 
+def test_nothing_to_colour_is_said(window):
+    document = FreeCAD.newDocument("Empty")
+    window.activate("VkWorkbench")
+    window.click(SWITCH)
+    window.wait(window.boxes)
+    assert ["no toolpath to color" in text for text in window.dismiss()] == [True]
+    assert not window.button(SWITCH).isChecked() and not strategy_view.is_shown(document)
+    FreeCAD.closeDocument(document.Name)
+
+
 def test_closing_the_document_forgets_it(example_path, window):
     document = FreeCAD.openDocument(str(example_path))
     window.activate("VkWorkbench")

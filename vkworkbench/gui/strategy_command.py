@@ -6,8 +6,10 @@ from __future__ import annotations
 import FreeCAD
 import FreeCADGui as Gui
 
+from vkworkbench.document.operations import find
 from vkworkbench.gui import strategy_view
-from vkworkbench.gui.text import QT_TRANSLATE_NOOP
+from vkworkbench.gui.plain_text import tell
+from vkworkbench.gui.text import QT_TRANSLATE_NOOP, translate
 
 NAME = "Vk_Strategies"
 
@@ -39,6 +41,14 @@ class StrategiesCommand:
             return
         if not checked:
             strategy_view.hide(document)
+            return
+        if not find(document):
+            follow_document(document)
+            text = translate(
+                "Vk_Strategies",
+                "There is no toolpath to color in this document. Create a job with operations, or import G-code.",
+            )
+            tell(translate("Vk_Strategies", "Show strategies"), text, Gui.getMainWindow())
             return
         strategy_view.show(document, lambda: follow_document(FreeCAD.ActiveDocument))
 
