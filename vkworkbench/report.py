@@ -354,10 +354,10 @@ class Report:
              *_cost(t, of, t.incomplete), "")
             for t in self.totals
         ]  # fmt: skip
-        names = _told_apart([o.document for o in self.operations])
+        names = _told_apart([*(o.document for o in self.operations), *(t.document for t in self.totals)])
         if len(names) > 1:  # each has a "Job"
             rows = [("document", *header), *((names[o.document], *row) for o, row in zip(self.operations, rows[1:]))]
-            totals = [(names.get(t.document, t.document), *row) for t, row in zip(self.totals, totals)]
+            totals = [(names[t.document], *row) for t, row in zip(self.totals, totals)]
         widths = [max(len(row[i]) for row in rows + totals) for i in range(len(rows[0]))]
         rule = "  ".join("-" * width for width in widths[:-1])
         lines = [_line(rows[0], widths), rule, *(_line(row, widths) for row in rows[1:])]
