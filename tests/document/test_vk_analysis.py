@@ -343,8 +343,11 @@ def test_an_error_of_our_own_costs_one_row_only(small, zigzag_commands, monkeypa
 
     first = core.linearize(zigzag_commands)
     monkeypatch.setattr(analysis, "recognized", broken)
-    rows = vkworkbench.analyze(small.document).operations
+    report = vkworkbench.analyze(small.document)
+    rows = report.operations
     assert [row.strategy.value for row in rows] == ["unknown", "zigzag"]
+    line = next(line for line in str(report).splitlines() if line.startswith("First"))
+    assert line.split()[4:6] == ["?", "?"], line  # neither its length nor its time is known
     assert "please report" in rows[0].error and rows[1].error is None
 
 
@@ -460,6 +463,9 @@ def test_what_cannot_be_read_costs_one_row_only(small, zigzag_commands, monkeypa
         return read_tool(obj)
 
     monkeypatch.setattr(analysis, "read_tool", read)
-    rows = vkworkbench.analyze(small.document).operations
+    report = vkworkbench.analyze(small.document)
+    rows = report.operations
     assert [row.strategy.value for row in rows] == ["unknown", "zigzag"]
+    line = next(line for line in str(report).splitlines() if line.startswith("First"))
+    assert line.split()[4:6] == ["?", "?"], line  # neither its length nor its time is known
     assert "ZeroDivisionError: a bug" in rows[0].error and rows[1].error is None

@@ -326,7 +326,7 @@ def _unknown(reading: _Reading, why: Message) -> OperationReport:
         **{name: getattr(reading, name) for name in _WHOSE},
         recognition=Recognition(Strategy.UNKNOWN, 0.0, why, ()),
         trajectories=0,
-        machining=replace(machining(_NOTHING), cutting_seconds=None),
+        machining=replace(machining(_NOTHING), cutting_seconds=None, left_out=(why,)),
         costs={},
         advice={},
         cautions=(),
