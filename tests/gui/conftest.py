@@ -162,6 +162,11 @@ class Window:
         visit(QtCore.QModelIndex())
         return found
 
+    def see_all(self):
+        """Turn the 3D view so that all of the job is seen from the front, right and above."""
+        Gui.activeView().viewIsometric()
+        Gui.SendMsgToActiveView("ViewFit")
+
     def screenshot(self, name):
         folder = Path(os.environ.get("VKWORKBENCH_SCREENSHOTS", "build/screenshots"))
         folder.mkdir(parents=True, exist_ok=True)

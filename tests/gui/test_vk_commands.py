@@ -37,6 +37,7 @@ def test_the_first_click_marks_the_job_and_shows_the_column(opened, window):
     # Only where the column was hidden is there anything to say.
     assert [("Description column" in text) for text in texts] == ([] if freecad.version() < (1, 0) else [True])
     window.tree.expandAll()
+    window.see_all()
     window.screenshot("marks")
     shown = window.descriptions()
     assert shown["Face"].startswith("⟦zigzag") and "⟦adaptive" in shown["Adaptive pocket"]
@@ -158,6 +159,7 @@ def test_an_edit_shows_outdated_in_the_tree(opened, window):
     opened.recompute()
     opened.commitTransaction()
     window.wait(lambda: window.descriptions()["Drill holes"].endswith("outdated⟧"))
+    window.see_all()
     window.screenshot("outdated")
     Gui.runCommand("Std_Undo")
     window.wait(lambda: not window.descriptions()["Drill holes"].endswith("outdated⟧"))

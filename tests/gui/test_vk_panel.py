@@ -271,6 +271,7 @@ def test_plain_words_first_and_the_papers_terms_behind_why(panel, opened, window
     assert "Recommended" not in text_of(panel) and "cells of" not in text_of(panel)
     panel.details.anchorClicked.emit(QtCore.QUrl("numbers"))
     assert "Recommended image" in text_of(panel)
+    window.see_all()
     window.screenshot("panel-why")
     panel.details.anchorClicked.emit(QtCore.QUrl("why"))
     panel.details.anchorClicked.emit(QtCore.QUrl("numbers"))
@@ -326,6 +327,7 @@ def test_what_it_is_called_against_what_it_does(panel, opened, window):
     assert "called Offset, but its toolpath is zigzag" in remarks["Pocket around island"]
     click_row(window, panel, "Face")
     assert "called ZigZag" in text_of(panel)
+    window.see_all()
     window.screenshot("panel-mismatch")
 
 
