@@ -1,0 +1,54 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Toolpaths one after the other: where each of their trajectories comes from, and how long it takes."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from zbuffer_reference.paths import toolpath
+
+from vkworkbench.core import Cut, Tool
+from vkworkbench.core.zbuffer.cuts import Cuts, Source
+
+ONE = toolpath(np.array([(0, 0, 0), (3, 4, 0), (3, 4, 12)], float))
+NONE = toolpath(np.zeros((1, 3)))
+OTHER = toolpath(np.array([(5, 0, 0), (5, 6, 0), (5, 6, 8), (7, 6, 8)], float))
+OTHER = replace(OTHER, rapid=np.array([True, False, False]), feed=np.array([0.0, 4.0, 0.0]), command=np.array([2, 5, 5]))
+TOOL = Tool("endmill", 6)
+CUTS = Cuts(Cut(path, TOOL) for path in (ONE, NONE, OTHER))
+
+
+def test_trajectories_are_numbered_through():
+    assert len(CUTS) == 5 and CUTS.first.tolist() == [0, 2, 2, 5]
+    assert CUTS.cut.tolist() == [0, 0, 2, 2, 2] and CUTS.command.tolist() == [0, 1, 2, 5, 5]
+    assert [CUTS.source(k) for k in range(5)] == [
+        Source(0, 0, 0), Source(0, 1, 1), Source(2, 0, 2), Source(2, 1, 5), Source(2, 2, 5),
+    ]  # fmt: skip
+    assert CUTS.rapid.tolist() == [False, False, True, False, False]
+    start, end = CUTS.ends
+    assert start.tolist() == [[0, 0, 0], [3, 4, 0], [5, 0, 0], [5, 6, 0], [5, 6, 8]]
+    assert end.tolist() == [[3, 4, 0], [3, 4, 12], [5, 6, 0], [5, 6, 8], [7, 6, 8]]
+
+
+def test_what_has_a_feed_takes_its_time():
+    """5 and 12 mm at 10 mm/s; a rapid; 8 mm at 4 mm/s; and 2 mm of which no feed is known."""
+    assert CUTS.lengths.tolist() == [5, 12, 6, 8, 2]
+    assert CUTS.feed.tolist() == [10, 10, 0, 4, 0]
+    assert CUTS.seconds == pytest.approx([0.5, 1.2, 0, 2, 0])
+    slow = replace(ONE, feed=np.array([0.5, 0.25]))
+    assert Cuts([Cut(slow, TOOL)]).seconds == pytest.approx([10, 48])
+
+
+@pytest.mark.parametrize("number", [-1, 5, 6])
+def test_there_is_no_other_trajectory(number):
+    with pytest.raises(IndexError, match=f"0 to 4, not {number}"):
+        CUTS.source(number)
+
+
+def test_no_cuts_are_no_trajectories():
+    nothing = Cuts([])
+    assert len(nothing) == 0 and nothing.cut.tolist() == nothing.seconds.tolist() == []
+    assert [of.shape for of in nothing.ends] == [(0, 3), (0, 3)]
+    assert Cut(ONE, TOOL).vertical_feed == 0

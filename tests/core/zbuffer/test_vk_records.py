@@ -1,0 +1,123 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The pieces of a few rays, written down by hand, as dexels, traces and sums."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from vkworkbench.core.zbuffer import records as module
+from vkworkbench.core.zbuffer.records import GAP, Records, Writer, side_by_side
+
+TRAJECTORIES = 3  # of the number 3 is what stays
+# Pixels 0 to 5: cut, stays, cut; nothing; stays, a gap, stays, stays; one piece, cut; one of each; one that stays.
+INDEX = [0, 3, 3, 7, 8, 11, 12]
+ENTRY = [-5.0, 0.0, -4.0, 1.0, 2.0, 6.0]
+FAR = [-3.0, 1.0, 5.0, -2.0, 0.0, 1.5, 4.0, 3.0, 3.0, 5.0, 9.0, 8.0]
+OWNER = [0, 3, 2, 3, GAP, 3, 3, 0, 1, 2, 3, 3]
+NEAR = [-5, -3, 1, -4, -2, 0, 1.5, 1, 2, 3, 5, 6]
+PIXEL = [0, 0, 0, 2, 2, 2, 2, 3, 4, 4, 4, 5]
+
+
+def records():
+    return Records(TRAJECTORIES, np.array(INDEX, module.INDEX), np.array(ENTRY, np.float32),
+                   np.array(FAR, np.float32), np.array(OWNER, np.int32))  # fmt: skip
+
+
+def same(one, other):
+    assert one.trajectories == other.trajectories
+    for name in ("index", "entry", "far", "owner"):
+        mine, others = getattr(one, name), getattr(other, name)
+        assert mine.dtype == others.dtype and mine.tolist() == others.tolist(), name
+
+
+def part(rays, begin, end):
+    """Some pixels of records."""
+    own = slice(rays.index[begin], rays.index[end])
+    index = rays.index[begin : end + 1] - rays.index[begin]
+    return Records(TRAJECTORIES, index, rays.entry[begin:end], rays.far[own], rays.owner[own])
+
+
+def test_where_pieces_begin():
+    rays = records()
+    assert rays.near().tolist() == NEAR and rays.pixel().tolist() == PIXEL
+    assert rays.cut.tolist() == [True, False, True, *[False] * 4, True, True, True, False, False]
+    assert rays.nbytes == 4 * (7 + 6 + 12 + 12) == 4 + module.PIXEL_BYTES * 6 + module.RECORD_BYTES * 12
+
+
+@pytest.mark.parametrize("block", [1, 2, 4, 1 << 17])
+def test_what_each_trajectory_removes_block_by_block(block, monkeypatch):
+    monkeypatch.setattr(module, "_BLOCK", block)
+    rays = records()
+    assert rays.lengths.tolist() == [2 + 2, 1, 4 + 2]
+    for owners, pieces in (([1, 0, 1], [0, 2, 7, 9]), ([0, 1, 0], [8]), ([0, 0, 0], [])):
+        piece, pixel, near = rays.pieces_of(np.array(owners, bool))
+        assert piece.tolist() == pieces and pixel.tolist() == [PIXEL[k] for k in pieces]
+        assert near.tolist() == [NEAR[k] for k in pieces]
+    blocks = list(rays.blocks())
+    at = 0
+    for pixel, piece, of in blocks:
+        assert (pixel, piece) == (at, INDEX[at])
+        same(of, part(rays, at, at + len(of.entry)))
+        at += len(of.entry)
+    assert at == 6
+    assert len(blocks) == {1: 5, 2: 3, 4: 3, 1 << 17: 1}[block]  # a ray is never divided
+
+
+def test_many_trajectories_make_larger_blocks(monkeypatch):
+    """What is summed for all of them should not be summed for each few pieces: a block has a quarter as many."""
+    monkeypatch.setattr(module, "_BLOCK", 1)
+    many = Records(24, *(getattr(records(), name) for name in ("index", "entry", "far", "owner")))
+    assert [pixel for pixel, _, _ in many.blocks()] == [0, 2]
+
+
+@pytest.mark.parametrize(
+    "step, expected",
+    [
+        (0, [(-5, 5, 0), (-4, -2, 2), (0, 4, 2), (1, 3, 3), (2, 9, 4), (6, 8, 5)]),
+        (1, [(-3, 5, 0), (-4, -2, 2), (0, 4, 2), (2, 9, 4), (6, 8, 5)]),
+        (2, [(-3, 5, 0), (-4, -2, 2), (0, 4, 2), (3, 9, 4), (6, 8, 5)]),
+        (3, [(-3, 1, 0), (-4, -2, 2), (0, 4, 2), (5, 9, 4), (6, 8, 5)]),
+    ],
+)
+def test_what_is_left_after_some_trajectories(step, expected):
+    assert records().dexels(step).tolist() == expected
+
+
+def test_what_all_trajectories_remove():
+    rays = records()
+    assert rays.traces().tolist() == [(-5, -3, 0), (1, 5, 2), (1, 3, 0), (2, 3, 1), (3, 5, 2)]
+    assert rays.trace_index().tolist() == [0, 2, 2, 2, 3, 5, 5]
+
+
+def test_parts_side_by_side_are_one_image():
+    """Three columns and two rows, of which the first part has one column and the second two."""
+    whole = records()
+    rows = [[part(whole, 3 * row + a, 3 * row + b) for row in range(2)] for a, b in ((0, 1), (1, 3))]
+    parts = []
+    for one, other in rows:
+        written = Writer(TRAJECTORIES, len(one.entry) + len(other.entry))
+        written.append(one)
+        written.append(other)
+        parts.append(written.records())
+    same(side_by_side(parts, 2), whole)
+    assert side_by_side([whole], 2) is whole
+
+
+@pytest.mark.parametrize("bands", [(0, 6), (0, 1, 2, 3, 4, 5, 6), (0, 2, 6), (0, 5, 6)])
+def test_bands_from_below_are_one_image(bands):
+    whole, written = records(), Writer(TRAJECTORIES, 6)
+    for begin, end in zip(bands, bands[1:]):
+        written.append(part(whole, begin, end))
+    same(written.records(), whole)
+
+
+def test_room_for_more_pieces_is_made_seldom():
+    """Each time for an eighth more than are there: of 4,096 bands of one piece so many are not copied each time."""
+    written, band = Writer(TRAJECTORIES, 4096), part(records(), 5, 6)
+    sizes = set()
+    for _ in range(4096):
+        written.append(band)
+        sizes.add(len(written.far))
+    assert len(sizes) < 80 and max(sizes) <= 4096 * 9 // 8
+    assert len(written.records().far) == len(written.records().owner) == 4096
