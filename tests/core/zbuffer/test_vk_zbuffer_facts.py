@@ -4,22 +4,28 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from math import pi
+from math import pi, sqrt
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
 from zbuffer_reference.paths import DIRECTIONS, helix, toolpath
 
-from vkworkbench.core import Stock, Tool, View
+from vkworkbench.core import Cut, Stock, Tool, View
 from vkworkbench.core.zbuffer import (
     air_share,
     crashes,
+    cuts_air,
     engagement,
+    fast_plunges,
     records,
     removal_rates,
     removed_volumes,
     simulate,
+    simulate_job,
+    trajectory_table,
 )
+from vkworkbench.core.zbuffer.cuts import Cuts
 
 FLAT = Tool("endmill", 6)
 STOCK = Stock((0, 0, 0), (40, 30, 10))
@@ -94,3 +100,110 @@ def test_what_is_worked_out_block_by_block_is_as_of_the_whole(monkeypatch):
     assert len(list(z.records.blocks())) > 100
     for one, other in zip(whole, found()):
         np.testing.assert_allclose(one, other, rtol=1e-12)
+
+
+@pytest.mark.parametrize(
+    "lengths, rapid, removed, air",
+    [
+        # Stretches of 2 mm, of which a move belongs to that of its middle: 0.5, 1.25, 1.75 | 2.5, 3.5.
+        ([1, 0.5, 0.5, 1, 1], [], [0], [3, 4]),
+        ([1, 0.5, 0.5, 1, 1], [], [2], [3, 4]),
+        ([1, 0.5, 0.5, 1, 1], [], [4], [0, 1, 2]),
+        ([0.5, 2.8, 0.2], [], [0], [2]),  # 0.25, 1.9 | 3.4
+        ([1, 1, 1], [0], [1], []),  # the way of a rapid counts nothing
+        ([0.1, 0.1, 0.1, 0.1], [1], [0], [2, 3]),  # and parts stretches
+        ([0.1, 0.1, 0.1, 0.1], [1], [1], [0, 2, 3]),  # what it removes is no work of theirs
+    ],
+)
+def test_short_moves_are_air_with_their_neighbours(lengths, rapid, removed, air):
+    """Pixels of 1 mm."""
+    points = np.zeros((len(lengths) + 1, 3))
+    points[1:, 0] = np.cumsum(lengths)
+    fast = np.isin(np.arange(len(lengths)), rapid)
+    path = replace(toolpath(points), rapid=fast)
+    traced = SimpleNamespace(lengths=np.isin(np.arange(len(lengths)), removed) * 0.25)
+    z = SimpleNamespace(cuts=Cuts([Cut(path, FLAT)]), records=traced, frame=SimpleNamespace(pixel=1.0))
+    assert np.flatnonzero(cuts_air(z)).tolist() == air
+    total = sum(length for k, length in enumerate(lengths) if k not in rapid)
+    assert air_share(z) == pytest.approx(sum(lengths[k] for k in air) / total)
+    # Another cut begins a new stretch, too.
+    two = SimpleNamespace(cuts=Cuts([Cut(path, FLAT)] * 2), frame=z.frame,
+                          records=SimpleNamespace(lengths=np.append(traced.lengths, 0 * traced.lengths)))  # fmt: skip
+    told = np.flatnonzero(cuts_air(two))
+    assert told[told < len(lengths)].tolist() == air
+    assert len(told) == len(air) + len(lengths) - len(rapid)
+
+
+def test_the_rate_of_what_takes_less_than_a_second():
+    z = cut([(10, 15, 6), (12, 15, 6)])
+    assert removal_rates(z) == pytest.approx(60 * removed_volumes(z) / 0.2)
+
+
+def test_depth_and_width_of_cut():
+    """A plunge has no width; half a slot is as wide as what is left of it; a slot no wider than its tool."""
+    points = [(10, 15, 12), (10, 15, 7), (30, 15, 7), (30, 18, 7), (10, 18, 7), (10, 18, 20), (12, 18, 20)]
+    depth, width = engagement(cut(points, direction=(0, 0, -1)))
+    assert depth == pytest.approx([3, 3, 3, 3, 0, 0], abs=1e-5)
+    assert width[[0, 4, 5]].tolist() == [0, 0, 0] and width[1] == pytest.approx(6, rel=0.02) and width[1] <= 6
+    # Half a disc at its end, but for what the slot beside it took; at its begin the way to it took a quarter.
+    taken = 3 * pi - 0.75 * sqrt(27)
+    assert width[3] == pytest.approx(3 + (9 * pi / 2 - taken - 9 * pi / 4) / 20, rel=0.002)
+    aside = engagement(cut(points, direction=(1, 0.1, -0.2)))
+    assert [values.tolist() for values in aside] == [[0] * 6] * 2  # not known from the side
+
+
+def test_a_shallow_short_move_has_a_width():
+    """Half a millimetre long and as deep, in a stock of 2 x 2 mm."""
+    path = toolpath(np.array([(1, 0.5, 1.5), (1, 1, 1.5)], float))
+    z = simulate(path, tool=Tool("endmill", 1), stock=Stock((0, 0, 0), (2, 2, 2)), view=View(width=200, height=200))
+    ((depth,), (width,)) = engagement(z)
+    assert depth == pytest.approx(0.5) and width == 1  # with the round ends it is more than that
+
+
+def test_the_table_has_a_row_for_each_trajectory():
+    slow, other = Tool("endmill", 6), Tool("endmill", 4)
+    first = replace(toolpath(np.array([(10, 10, 6), (30, 10, 6), (30, 10, 20)], float)), command=np.array([3, 7]))
+    second = toolpath(np.array([(10, 20, 8), (30, 20, 8)], float))
+    first = replace(first, rapid=np.array([False, True]), feed=np.array([10.0, 0.0]))
+    z = simulate_job([Cut(first, slow), Cut(second, other)], stock=STOCK, view=View())
+    table = trajectory_table(z)
+    assert {name: table[name].tolist() for name in ("cut", "command", "rapid", "length", "seconds", "air")} == {
+        "cut": [0, 0, 1], "command": [3, 7, 0], "rapid": [False, True, False], "length": [20, 14, 20],
+        "seconds": [2, 0, 2], "air": [False, False, False],
+    }  # fmt: skip
+    assert table["tool_diameter"].tolist() == [6, 6, 4] and table["depth"] == pytest.approx([4, 0, 2], abs=1e-5)
+    assert table["removed_volume"] == pytest.approx([4 * (120 + 9 * pi), 0, 2 * (80 + 4 * pi)], rel=0.02)
+    assert table["rate"][[0, 2]] == pytest.approx(30 * table["removed_volume"][[0, 2]]) and np.isnan(table["rate"][1])
+    assert table["width"].tolist() == [6, 0, 4]
+
+
+def test_a_crash_is_shown_where_it_is_deepest():
+    """Half of the block is 2 mm lower when a rapid goes 5 mm deep through all of it."""
+    rows = [(x, y, 8) for k, y in enumerate(range(0, 31, 5)) for x in ((-5, 17) if k % 2 == 0 else (17, -5))]
+    points = [*rows, (rows[-1][0], 30, 20), (-5, 15, 20), (-5, 15, 5), (45, 15, 5)]
+    (crash,) = crashes(cut(points, rapid=[len(points) - 2]))
+    assert crash.depth == pytest.approx(5) and crash.place[0] > 20 and crash.place[2] == pytest.approx(7.5)
+
+
+def plunges(points, feed=6.0, allowed=2.0, tool=FLAT, stock=STOCK, view=None):
+    path = toolpath(np.array(points, float))
+    path = replace(path, feed=np.full(len(path), feed))
+    return [one.trajectory for one in fast_plunges(simulate_job([Cut(path, tool, allowed)], stock=stock, view=view or View()))]
+
+
+def test_plunges_that_are_too_fast():
+    down = [(20, 15, 12), (20, 15, 8)]
+    assert plunges(down) == plunges(down, feed=2.03) == plunges(down, feed=0.6, allowed=0.5) == [0]
+    assert plunges(down, feed=2.01) == plunges(down, feed=1.0) == []  # FreeCAD rounds
+    assert plunges(down, allowed=0) == []  # nobody says
+    assert plunges(down[::-1]) == []  # upwards
+    # 6 in 1 is a plunge, 4 in 1 a ramp.
+    assert plunges([(20, 15, 12), (20.9, 15, 6.6)]) == [0] and plunges([(20, 15, 12), (21.5, 15, 6)]) == []
+    # 61 and 39 of 100 parts of the tool over the block.
+    assert plunges([(0.5, 15, 12), (0.5, 15, 7)]) == [0] and plunges([(-0.5, 15, 12), (-0.5, 15, 7)]) == []
+
+
+def test_plunges_of_small_tools_count_as_well():
+    """A fifth of a square millimetre, 1 mm deep."""
+    small = {"tool": Tool("endmill", 0.5), "stock": Stock((0, 0, 0), (2, 2, 2)), "view": View(width=200, height=200)}
+    assert plunges([(1, 1, 3), (1, 1, 1)], **small) == [0]

@@ -50,13 +50,13 @@ def cuts_air(zbuffer: ZBuffer) -> np.ndarray:
     ----------
     zbuffer : ZBuffer
     """
-    cuts, volumes = zbuffer.cuts, removed_volumes(zbuffer)
-    length = np.where(cuts.rapid, 0.0, cuts.lengths)
+    cuts = zbuffer.cuts
+    length, volumes = np.where(cuts.rapid, 0.0, (cuts.lengths, removed_volumes(zbuffer)))
     stretch = np.floor((np.cumsum(length) - length / 2) / (2 * zbuffer.frame.pixel)).astype(np.int64)
     # A rapid, and another cut, begin a new stretch.
     begins = cuts.rapid.copy()
     begins[1:] |= (np.diff(cuts.cut) != 0) | (np.diff(stretch) != 0)
-    together = np.cumsum(begins) - begins[:1]
+    together = np.cumsum(begins)
     result: np.ndarray = ~cuts.rapid & (np.bincount(together, volumes)[together] == 0)
     return result
 

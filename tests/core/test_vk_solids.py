@@ -1,0 +1,258 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Tools, stocks and views by numbers worked out by hand."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from math import hypot, inf, pi, sqrt, tan
+
+import numpy as np
+import programs
+import pytest
+
+from vkworkbench.core import ConvexStock, Stock, Tool, View, linearize
+from vkworkbench.core.solids import LARGEST, SMALLEST, stock_around
+from vkworkbench.language import Unusable
+
+DOWN = np.array([0.0, 0.0, -1.0])
+
+
+@pytest.mark.parametrize(
+    "tool, heights",
+    [
+        (Tool("endmill", 10), {0: 0, 3: 0, 5: 0, 5.001: inf}),
+        (Tool("endmill", 10, corner_radius=2), {4.9: 0}),  # what only a bull-nose has
+        (Tool("ballend", 10), {0: 0, 3: 1, 4: 2, 5: 5, 5.1: inf}),
+        (Tool("bullnose", 20, corner_radius=5), {0: 0, 5: 0, 8: 1, 9: 2, 10: 5, 10.1: inf}),
+        (Tool("bullnose", 20), {9.9: 0}),
+        (Tool("vbit", 10), {0: 0, 1: sqrt(3), 5: 5 * sqrt(3)}),  # 60 degrees
+        (Tool("vbit", 10, tip_angle=pi / 2), {3: 3, 5: 5, 5.1: inf}),
+        (Tool("vbit", 10, tip_angle=pi / 2, tip_diameter=4), {1: 0, 2: 0, 3: 1, 5: 3}),
+        (Tool("vbit", 10, tip_angle=pi), {4: 0}),
+        (Tool("drill", 10), {0: 0, 2: 2 / tan(59 * pi / 180)}),
+        (Tool("drill", 10, tip_angle=pi / 2), {2: 2}),
+    ],
+)
+def test_the_lower_surface_of_a_tool(tool, heights):
+    told = tool.height(np.array(list(heights)))
+    assert told == pytest.approx(list(heights.values()), abs=1e-9)
+    assert float(tool.height(3)) == pytest.approx(float(tool.height([3.0])[0]))
+
+
+def test_what_a_tool_is_made_of():
+    for shape, rounding, steepness in (("endmill", 0, 0), ("ballend", 5, 0), ("bullnose", 2, 0), ("vbit", 0, sqrt(3)),
+                                       ("drill", 0, 1 / tan(59 * pi / 180))):  # fmt: skip
+        tool = Tool(shape, 10, corner_radius=2, tip_diameter=3)
+        assert (tool.radius, tool.rounding, tool.steepness) == pytest.approx((5, rounding, steepness))
+        assert tool.tip == (1.5 if steepness else 0)
+
+
+@pytest.mark.parametrize(
+    "arguments, code",
+    [
+        (("endmill", 0), "tool-diameter"),
+        (("endmill", -1), "tool-diameter"),
+        (("endmill", float("nan")), "tool-diameter"),
+        (("endmill", 1.001 * LARGEST), "tool-diameter"),
+        (("bullnose", 6, 3.001), "corner-radius"),
+        (("bullnose", 6, -0.001), "corner-radius"),
+        (("vbit", 6, 0, 0.0), "tip-angle"),
+        (("vbit", 6, 0, 3.15), "tip-angle"),
+        (("vbit", 6, 0, 1.0, 6.001), "tip-diameter"),
+        (("vbit", 6, 0, 1.0, -0.001), "tip-diameter"),
+    ],
+)
+def test_tools_that_cannot_be(arguments, code):
+    with pytest.raises(Unusable) as refused:
+        Tool(*arguments)
+    assert refused.value.what.code == code
+
+
+def test_tools_at_the_bounds():
+    for arguments in (("endmill", LARGEST), ("bullnose", 6, 3), ("bullnose", 6, 0), ("endmill", 6, 99), ("vbit", 6, 0, pi),
+                      ("vbit", 6, 0, 1.0, 6), ("endmill", 1e-6)):  # fmt: skip
+        assert Tool(*arguments).diameter == arguments[1]
+    with pytest.raises(ValueError, match="unknown tool shape 'saw'"):
+        Tool("saw", 6)
+
+
+def box():
+    return Stock((1, 2, 3), (5, 10, 6))
+
+
+def test_a_box():
+    stock = box()
+    assert stock.lower.tolist() == [1, 2, 3] and stock.upper.tolist() == [5, 10, 6]
+    assert repr(stock) == "Stock([1.0, 2.0, 3.0], [5.0, 10.0, 6.0])"
+    corners = {tuple(corner) for corner in stock.corners.tolist()}
+    assert corners == {(x, y, z) for x in (1, 5) for y in (2, 10) for z in (3, 6)}
+    assert Stock((-LARGEST,) * 3, (LARGEST,) * 3).upper[0] == LARGEST
+    assert Stock((0, 0, 0), (SMALLEST, 1, 1)).upper[0] == SMALLEST
+    for lower, upper, code in (
+        ((0, 0, 0), (1, 1, 1.001 * LARGEST), "stock-not-finite"),
+        ((0, -1.001 * LARGEST, 0), (1, 1, 1), "stock-not-finite"),
+        ((0, 0, 0), (1, np.nan, 1), "stock-not-finite"),
+        ((0, 0, 0), (1, 1, SMALLEST / 2), "stock-without-volume"),
+        ((0, 2, 0), (1, 1, 1), "stock-without-volume"),
+    ):
+        with pytest.raises(Unusable) as refused:
+            Stock(lower, upper)
+        assert refused.value.what.code == code
+
+
+def chord(solid, origin, direction):
+    direction = np.array(direction, float) / np.linalg.norm(direction)
+    (near,), (far,) = solid.chords(np.array([origin], float), direction)
+    return near, far
+
+
+@pytest.mark.parametrize(
+    "origin, direction, near, far",
+    [
+        ((2, 3, 16), (0, 0, -1), 10, 13),
+        ((2, 3, 0), (0, 0, 1), 3, 6),
+        ((2, 4, 4), (0, 1, 0), -2, 6),
+        ((0, 3, 4), (1, 0, 0), 1, 5),
+        ((0, 1, 4), (1, 1, 0), sqrt(2), 5 * sqrt(2)),
+        ((5, 2, 0), (0, 0.6, 0.8), 3.75, 7.5),  # along a side of the box
+        ((2, 2, 7), (1, 1, -1), sqrt(3), 3 * sqrt(3)),
+    ],
+)
+def test_where_rays_enter_and_leave_a_box(origin, direction, near, far):
+    stock = box()
+    assert chord(stock, origin, direction) == pytest.approx((near, far))
+    scale = np.array([2.0, 3.0, 0.5])[:, None]  # of normals of any length
+    planes = ConvexStock(stock.normals * np.tile(scale, (2, 1)), stock.offsets * np.tile(scale, (2, 1))[:, 0])
+    assert chord(planes, origin, direction) == pytest.approx((near, far))
+
+
+@pytest.mark.parametrize(
+    "origin, direction", [((0, 3, 0), (0, 0, 1)), ((2, 3, 7), (1, 0, 0)), ((2, 11, 4), (1, 1, 0)), ((5.1, 3, 4), (1, 1, 1))]
+)
+def test_where_rays_miss_a_box(origin, direction):
+    near, far = chord(box(), origin, direction)
+    assert near >= far or far <= 0
+
+
+# Planes at 1 from the middle of an octahedron, moved by (2, 0, 0): x + y + z <= 3 and so on.
+SIGNS = np.array([(a, b, c) for a in (1, -1) for b in (1, -1) for c in (1, -1)], float)
+
+
+def test_an_octahedron_has_its_corners_on_the_axes():
+    octahedron = ConvexStock(SIGNS, 1 + 2 * SIGNS[:, 0])
+    corners = {tuple(corner) for corner in np.round(octahedron.corners, 9).tolist()}
+    assert corners == {(3, 0, 0), (1, 0, 0), (2, 1, 0), (2, -1, 0), (2, 0, 1), (2, 0, -1)}
+    assert octahedron.lower == pytest.approx([1, -1, -1]) and octahedron.upper == pytest.approx([3, 1, 1])
+    assert chord(octahedron, (2.5, 0, 5), DOWN) == pytest.approx((4.5, 5.5))
+    assert np.linalg.norm(octahedron.normals, axis=1) == pytest.approx(np.ones(8))
+
+
+def test_planes_that_enclose_nothing():
+    walls, six = np.vstack((np.eye(3), -np.eye(3))), np.ones(6)
+    assert ConvexStock(walls, six).upper == pytest.approx([1, 1, 1])
+    tetrahedron = ConvexStock(np.vstack((-np.eye(3), [[1, 1, 1]])), [0, 0, 0, 1])
+    assert len(tetrahedron.corners) == 4 and tetrahedron.upper == pytest.approx([1, 1, 1])
+    flat = np.array([1, 1, 0, 1, 1, 0.0])
+    for normals, offsets in ((walls[:5], six[:5]), (walls, flat), (walls, -six), (np.empty((0, 3)), []), (walls[1:5], six[1:5])):
+        with pytest.raises(ValueError, match="enclose no bounded volume"):
+            ConvexStock(normals, offsets)
+    # A pyramid that stands on its top, with walls above it that never end.
+    top = np.array([(1, 0, -1), (-1, 0, -1), (0, 1, -1), (0, -1, -1)])
+    with pytest.raises(ValueError, match="enclose no bounded volume"):
+        ConvexStock(np.vstack((top, walls[[0, 1, 3, 4]])), np.append(np.zeros(4), np.ones(4)))
+    with pytest.raises(ValueError, match="a plane of the stock has no normal"):
+        ConvexStock(np.vstack((walls, np.zeros(3))), np.ones(7))
+
+
+def test_a_prism_has_the_cross_section_of_its_cylinder():
+    for sides in (3, 4, 64):
+        prism = ConvexStock.cylinder((1, 2, 3), 5, 7, sides=sides) if sides < 64 else ConvexStock.cylinder((1, 2, 3), 5, 7)
+        rim = prism.corners[prism.corners[:, 2] > 6] - (1, 2, 10)
+        assert len(rim) == sides and len(prism.corners) == 2 * sides
+        # Of a regular polygon with corners so far from its middle.
+        radius = np.hypot(rim[:, 0], rim[:, 1])
+        assert sides * np.sin(2 * pi / sides) * radius**2 / 2 == pytest.approx(np.full(sides, 25 * pi))
+        assert prism.lower[2] == pytest.approx(3) and prism.upper[2] == pytest.approx(10)
+        assert (np.abs(rim[:, 2]) < 1e-9).all() and np.abs(rim.sum(axis=0)).max() < 1e-8
+    for radius, height in ((0, 1), (1, 0), (-1, 1), (1, -1)):
+        with pytest.raises(ValueError, match="positive radius and height"):
+            ConvexStock.cylinder((0, 0, 0), radius, height)
+    assert ConvexStock.cylinder((0, 0, 0), 0.5, 0.25).upper[2] == pytest.approx(0.25)
+
+
+def test_rays_of_a_view_through_a_box():
+    """From above: the image's middle is (3, 6) and the middle of the depths z = 4.5. There are no gaps."""
+    frame = View(pixel=1).frame(box())
+    near, far, gaps = box().spans(frame, np.array([0.0, 1.9, 2.1]), np.array([0.0, -3.9, 0.0]))
+    assert near[:2].tolist() == [-1.5, -1.5] and far[:2].tolist() == [1.5, 1.5] and near[2] >= far[2]
+    assert len(gaps.ray) == len(gaps.enter) == len(gaps.leave) == 0
+
+
+@pytest.mark.parametrize(
+    "direction, right, up",
+    [
+        ((0, 0, -5), (1, 0, 0), (0, 1, 0)),
+        ((0, 0, 2), (1, 0, 0), (0, -1, 0)),
+        ((1e-12, 0, -1), (1, 0, 0), (0, 1, 0)),
+        ((0, 1, 0), (1, 0, 0), (0, 0, 1)),
+        ((-1, 0, 0), (0, 1, 0), (0, 0, 1)),
+        ((0, 3, -4), (1, 0, 0), (0, 0.8, 0.6)),
+        ((3, 0, 4), (0, -1, 0), (-0.8, 0, 0.6)),
+    ],
+)
+def test_the_axes_of_an_image(direction, right, up):
+    frame = View(direction, pixel=0.5).frame(box())
+    assert frame.right == pytest.approx(right, abs=1e-9) and frame.up == pytest.approx(up, abs=1e-9)
+    along = np.array(direction) / np.linalg.norm(direction)
+    assert frame.direction == pytest.approx(along, abs=1e-9) and frame.centre.tolist() == [3, 6, 4.5]
+    assert (frame.pixel, frame.width, frame.height) == (0.5, 800, 600)
+
+
+def test_the_smallest_pixel_with_which_an_image_holds_the_stock():
+    """A stock of 4 x 8 x 3 mm, seen from above, from the side, and 45 degrees from above."""
+    for direction, width, height, pixel in (
+        ((0, 0, -1), 40, 40, 0.2), ((0, 0, -1), 10, 40, 0.4), ((0, 1, 0), 8, 100, 0.5), ((0, 1, 0), 100, 5, 0.6),
+        ((0, 1, -1), 100, 10, 1.1 / sqrt(2)),
+    ):  # fmt: skip
+        assert View(direction, width, height).frame(box()).pixel == pytest.approx(pixel)
+
+
+def test_rays_of_an_image():
+    frame = View((0, 1, 0), 4, 2, pixel=0.5, offset=(10, 20)).frame(box())
+    assert frame.centre.tolist() == [13, 6, 24.5]
+    x, y = frame.pixel_centres([0, 3], [0, 1])
+    assert x.tolist() == [-0.75, 0.75] and y.tolist() == [-0.25, 0.25]
+    assert frame.origins(x, y).tolist() == [[12.25, 6, 24.25], [13.75, 6, 24.75]]
+
+
+def test_views_that_cannot_be():
+    for direction in ((0, 0, 0), (0, 0, np.nan), (0, 1), (np.inf, 0, 0)):
+        with pytest.raises(ValueError, match="the view's direction"):
+            View(direction)
+    for width, height in ((0, 5), (5, 0)):
+        with pytest.raises(ValueError, match="at least one pixel"):
+            View(width=width, height=height)
+    for pixel in (0, -1, inf, np.nan):
+        with pytest.raises(ValueError, match="the side of a pixel"):
+            View(pixel=pixel)
+    assert View(width=1, height=1).direction == (0, 0, -1)
+
+
+def test_a_stock_around_cuts():
+    """Rapids do not count; half the tool's diameter around, and below the lowest; up to the highest."""
+    path = linearize(programs.program([[(0.0, 0.0, -2.0), (30.0, 0.0, -9.0), (30.0, 20.0, -9.0)]]))
+    cuts = np.flatnonzero(~path.rapid)
+    top = path.points[cuts[0], 2]
+    box = stock_around(path, Tool("endmill", 6))
+    assert box.lower == pytest.approx([-3, -3, -12]) and box.upper == pytest.approx([33, 23, max(top, -6)])
+    level = replace(path, points=path.points * (1, 1, 0))
+    flat = stock_around(level, Tool("endmill", 6))
+    assert flat.lower[2] == -3 and flat.upper[2] == 3  # as high as the tool is wide
+
+
+def test_a_stock_around_cuts_is_never_beyond_what_a_stock_may_be():
+    path = linearize(programs.program([[(0.0, 0.0, -2.0), (30.0, 0.0, -2.0)]]))
+    for move in (4 * LARGEST, -4 * LARGEST):
+        box = stock_around(replace(path, points=path.points + move), Tool("endmill", 6))
+        assert np.abs([box.lower, box.upper]).max() <= LARGEST and (box.upper - box.lower >= SMALLEST).all()
+    assert hypot(*stock_around(path, Tool("endmill", 6)).lower[:2]) == pytest.approx(hypot(3, 3))
