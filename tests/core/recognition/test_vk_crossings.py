@@ -11,7 +11,7 @@ import pytest
 
 from vkworkbench.core import linearize
 from vkworkbench.core.paper import monotonous_areas
-from vkworkbench.core.recognition.crossings import NAMES, Sample, scan
+from vkworkbench.core.recognition.crossings import NAMES, Sample, _cross, scan
 
 EXTENT = 60.0
 ROWS, STEP = 10, 3.0
@@ -105,9 +105,22 @@ def test_of_thousands_of_crossings_those_in_the_middle_of_the_time_are_looked_at
     for k in range(2000):
         ends = [(0.0, 0.5 * k, 0.0), (500.0, 0.5 * k, 0.0)]
         strokes.append(ends[::-1] if k % 2 and not 700 <= k < 1300 else ends)
-    crossings, level, _ = told(programs.program(strokes))
+    commands = programs.program(strokes)
+    crossings, level, _ = told(commands)
     assert crossings == pytest.approx(600) and level["count"] == pytest.approx(log1p(599))
     assert (level["opposite"], level["signed"], level["keep"]) == pytest.approx((0, 1, 1))
+    moves = monotonous_areas(linearize(commands))
+    for rows in (np.arange(2000), np.arange(0, 2000, 2)):  # a half that stands for all tells as much
+        assert np.unique(_cross(moves, Sample.of(moves, rows)).line).tolist() == [0, 1]
+    few = monotonous_areas(linearize(programs.zigzag(ROWS, 50.0, STEP)))
+    assert np.unique(_cross(few, Sample.of(few, np.arange(len(few)))).line).tolist() == list(range(12))
+
+
+@pytest.mark.parametrize("wider, usual, even", [(1.05, 1.05**0.5, 1), (1.2, 1.2**0.5, 1), (1.45, 1, 0.5)])
+def test_two_distances_are_one_where_they_are_nearly_alike(wider, usual, even):
+    _, level, _ = told(rows(np.zeros(3), [0.0, STEP, STEP + wider * STEP]))
+    assert level["even"] == even and level["step"] == pytest.approx(log(usual * STEP / EXTENT))
+    assert level["tight"] == pytest.approx(np.median(np.abs(np.array([1, wider][: int(2 * even)]) / usual - 1)))
 
 
 def test_lines_lie_where_the_cutting_is():

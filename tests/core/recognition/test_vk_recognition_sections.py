@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from types import SimpleNamespace
 
 import numpy as np
 import programs
@@ -13,7 +14,17 @@ from hypothesis import strategies as st
 
 from vkworkbench.core import Strategy, linearize, recognize
 from vkworkbench.core.paper import monotonous_areas
-from vkworkbench.core.recognition.parts import _agree, _differing, _differs, _joined, _one_span, _short, find_borders
+from vkworkbench.core.recognition.operation import _runs
+from vkworkbench.core.recognition.parts import (
+    _agree,
+    _differing,
+    _differs,
+    _finished,
+    _joined,
+    _one_span,
+    _short,
+    find_borders,
+)
 from vkworkbench.core.recognition.recognition import Recognition, Span
 from vkworkbench.core.recognition.unknown import unknown
 from vkworkbench.language import Message
@@ -151,6 +162,17 @@ def test_canned_cycles_are_borders_however_few_they_are():
         assert found == ({int(last) + 1: True, down + 1: True} if certain else {})
 
 
+def test_plunges_are_borders_where_there_is_one_for_four_passes():
+    """One for five is a pass clipped to a point."""
+    plunge = [("G0", {"X": 300.0, "Y": 0.0, "Z": 5.0}), ("G1", {"X": 300.0, "Y": 0.0, "Z": -9.0}), ("G0", {"Z": 5.0})]
+    for rows, borders in ((4, True), (5, False)):
+        path = replace(linearize([*programs.one_way(rows), *plunge]), comments=())
+        moves = monotonous_areas(path)
+        assert (len(moves.start), len(moves.holes)) == (rows, 1)
+        last = int(np.flatnonzero(~path.rapid)[-2])
+        assert sorted(find_borders(path, moves)) == ([last + 1, len(path) - 1] if borders else [])
+
+
 def test_moves_that_are_no_cutting_are_unknown_from_the_first_to_the_last():
     path = linearize(
         [("G0", {"X": 0.0, "Y": 0.0, "Z": 5.0}), ("G0", {"X": 5.0}), ("(turn)", {}), ("G0", {"Y": 5.0, "Z": 9.0})]
@@ -226,6 +248,41 @@ def told(strategy, *spans, **numbers):
     """A recognition with spans that are (first, last, strategy, share)."""
     spans = tuple(Span(first, last, first, last, one, share) for first, last, one, share in spans)
     return Recognition(strategy, numbers.pop("confidence", 0.9), Message("moves-nothing"), spans, **numbers)
+
+
+def test_stretches_of_loops_and_of_rows_lie_one_behind_the_other():
+    """Of six pieces: a ring and a link, two rows and a link, a ring; of one to three moves each."""
+    rings, rows = Strategy.PROFILE, Strategy.ZIGZAG
+    section = SimpleNamespace(
+        ring_pieces=np.array([1, 0, 0, 0, 0, 1], bool), row_pieces=np.array([0, 0, 1, 1, 0, 0], bool),
+        moves=SimpleNamespace(index=np.array([4, 5, 7, 10, 11, 12, 14, 15, 20, 22])),
+        pieces=SimpleNamespace(start=np.array([0, 2, 3, 5, 6, 8])),
+    )  # fmt: skip
+    verdict = SimpleNamespace(parts=(told(rings), told(rows)))
+    assert _runs(section, verdict, 2, 25) == [(2, 7, rings), (10, 15, rows), (20, 25, rings)]
+
+
+@pytest.mark.parametrize("where", [0.0, 1000.0])
+def test_only_a_contour_as_deep_around_rows_or_adaptive_clearing_finishes_walls(where):
+    """An area of 30 x 40 mm, and a contour 2 mm, then 3 mm outside: up to a twentieth of its diagonal, 50 mm."""
+    def path(out, depth=-1.0):
+        corners = [[-out, -out], [30 + out, 40 + out], [0, 0], [30, 40]]
+        points = np.column_stack((np.add(corners, where), [depth, depth, -1, -1]))
+        moves = linearize([("G0", {"Z": 5.0}), *[("G1", dict(zip("XYZ", map(float, at)))) for at in points]])
+        assert np.allclose(moves.points[-4:], points)
+        return moves, len(moves) - 4
+
+    def finished(clearing, around=Strategy.PROFILE, out=2.0, **depth):
+        moves, at = path(out, **depth)
+        pair = told(clearing, (at + 3, at + 3, clearing, 1.0)), told(around, (at + 1, at + 1, around, 1.0))
+        found = _finished(moves, *pair)
+        assert _finished(moves, *pair[::-1]) == found
+        return found
+
+    assert finished(Strategy.ZIGZAG) and finished(Strategy.ONE_WAY) and finished(Strategy.ADAPTIVE)
+    assert not finished(Strategy.ZIGZAG, out=3.0) and not finished(Strategy.ZIGZAG, depth=-2.0)
+    assert not finished(Strategy.CONTOUR_PARALLEL) and not finished(Strategy.PROFILE)
+    assert not finished(Strategy.ZIGZAG, Strategy.ADAPTIVE) and not finished(Strategy.ZIGZAG, Strategy.WATERLINE)
 
 
 def test_two_verdicts_are_as_likely_different_as_both_are_right():

@@ -190,9 +190,7 @@ def _neighbours(crossed: Crossings, extent: float, by_depth: bool) -> dict[str, 
     most = int(np.argmax(2 * count + around[:-2] + around[2:]))
     usual = float(np.exp(_median(logarithm[np.abs(bins - most) <= 1])))
     even = beside & (np.abs(aside / usual - 1) < SCAN.EVEN)
-    number = np.count_nonzero(even)
-    if not number:
-        return told
+    number = np.count_nonzero(even)  # some: the usual one lies between them
     opposite = slope[1:] * slope[:-1] < 0
     later = order[1:] - order[:-1]
     three = even[1:] & even[:-1]
