@@ -154,6 +154,7 @@ def test_corners_that_are_nearly_the_same_are_one():
     assert (mesh.normals @ (1, 1, 1) < mesh.offsets + 1e-6).all() and (mesh.normals @ (-1, 4, 5) > mesh.offsets).any()
     inside = mesh.normals @ np.array([[1, 0.1, 0.1], [1, 2.9, 3.9]]).T
     assert (inside < mesh.offsets[:, None]).all()
+    assert sorted(Mesh(box((1, 2, 3), (2, 4, 6))).offsets) == pytest.approx([-3, -2, -1, 2, 4, 6])
     apart = box((0, 0, 0), (2, 3, 4))
     apart[0, 0] += 1e-5
     with pytest.raises(Unusable) as refused:

@@ -1,0 +1,61 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Speeds of tool controllers, boxes that a window's mesh does not change, and the text of long paths."""
+
+from math import inf, nan
+from types import SimpleNamespace
+
+import FreeCAD
+import Part
+import pytest
+
+from vkworkbench.document.fingerprint import AT_ONCE, Settings, text_of
+from vkworkbench.document.setting import exact_box, rapid_feeds, vertical_feed
+
+
+def operation(**controller):
+    """An operation, with a tool controller where something is said of it."""
+    return SimpleNamespace(Name="Operation", **{"ToolController": SimpleNamespace(**controller)} if controller else {})
+
+
+@pytest.mark.parametrize(
+    "across, down, feeds",
+    [
+        (50.0, 20.0, (50, 20)), (0.5, 0.0, (0.5, 0)), (-1.0, 20.0, (0, 20)), (inf, nan, (0, 0)), (None, "fast", (0, 0)),
+        (SimpleNamespace(Value=30.0), SimpleNamespace(Value=0), (30, 0)),
+    ],
+)  # fmt: skip
+def test_rapid_speeds_are_positive_numbers_or_none(across, down, feeds):
+    assert rapid_feeds(operation(HorizRapid=across, VertRapid=down)) == feeds
+    assert rapid_feeds(operation()) == (0, 0)
+
+
+@pytest.mark.parametrize("feed, told", [(5.0, 5), (0.5, 0.5), (SimpleNamespace(Value=3.0), 3), (None, 0), ("slow", 0)])
+def test_the_feed_downwards(feed, told):
+    assert vertical_feed(operation(VertFeed=feed)) == told
+    assert vertical_feed(operation()) == 0
+
+
+def test_a_coarse_mesh_does_not_change_the_box():
+    """A ball that a window shows by a few triangles, which do not reach as far as it does."""
+    ball = Part.makeSphere(10, FreeCAD.Vector(1, 2, 3))
+    ball.tessellate(5.0)
+    lower, upper = exact_box(ball)
+    assert lower == pytest.approx((-9, -8, -7), abs=1e-4) and upper == pytest.approx((11, 12, 13), abs=1e-4)
+
+
+def test_commands_at_hand_are_the_text_of_a_long_path():
+    """FreeCAD hands out a copy of them only slowly."""
+    commands = [SimpleNamespace(toGCode=lambda k=k: f"G1 X{k}") for k in range(AT_ONCE + 1)]
+    path = SimpleNamespace(Size=len(commands))
+    expected = "".join(f"G1 X{k}\n" for k in range(len(commands)))
+    assert text_of(path, commands) == expected
+    path.Commands = commands
+    assert text_of(path) == text_of(path, None) == expected
+    short = SimpleNamespace(Size=AT_ONCE, toGCode=lambda: "at once")
+    assert text_of(short) == text_of(short, []) == "at once"
+
+
+def test_only_what_has_just_been_opened_fits_its_tool_alone(small, zigzag_commands):
+    one = small.add("One", zigzag_commands)
+    (whole,) = Settings().of(one)
+    assert Settings(opened=True).of(one)[0] == whole and len(Settings(opened=True).of(one)) == 2
