@@ -71,12 +71,12 @@ LEVEL = 4
 
 def swept(move, frame):
     """Image coordinates of the rim of a flat end on its way, and right above at the top of the block."""
-    angle = np.linspace(0, 2 * pi, 721)
+    angle = np.linspace(0, 2 * pi, 361)
     rim = 3 * np.column_stack((np.cos(angle), np.sin(angle), 0 * angle))
     start, end = np.array(move, float)
     if (start[:2] == end[:2]).all():
         start = end = min(start, end, key=lambda at: at[2])
-    below = (start + np.linspace(0, 1, 21)[:, None, None] * (end - start) + rim).reshape(-1, 3)
+    below = (start + np.linspace(0, 1, 3)[:, None, None] * (end - start) + rim).reshape(-1, 3)
     points = np.concatenate((below, [(x, y, 10) for x, y, _ in below]))
     return (points - frame.centre) @ np.array([frame.right, frame.up]).T
 
@@ -91,7 +91,7 @@ def test_boxes_and_strips_hold_what_moves_sweep_and_level_ones_fill_them(number,
     assert np.hypot(nx, ny) == pytest.approx(1)
     told = np.array([left, bottom, low, -right, -top, -high])
     there = np.array([x.min(), y.min(), across.min(), -x.max(), -y.max(), -across.max()])
-    assert (told <= there + 1e-4).all()
+    assert (told <= there + 1e-3).all()
     if number < LEVEL:
         assert told == pytest.approx(there, abs=1e-3)
     else:

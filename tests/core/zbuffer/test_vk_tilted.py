@@ -1,0 +1,118 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What bounds oblique views: tools grown and shrunk by half a tile, the stock's depths there, and what is open already."""
+
+from __future__ import annotations
+
+from math import cos, hypot, pi, sin
+
+import numpy as np
+import pytest
+from zbuffer_reference.paths import BOX, DIRECTIONS, TOOLS
+
+from vkworkbench.core import Tool, View
+from vkworkbench.core.zbuffer.tilted import _Growth, _not_yet_open, _TileChords
+
+REACH = 0.4
+TOOLS = [*TOOLS, Tool("vbit", 6, tip_angle=pi / 2, tip_diameter=2), Tool("vbit", 6, tip_angle=2.6, tip_diameter=5.5)]
+# Angles of views from the vertical: from above, from below, and nearly from the side.
+VIEWS = [(angle, level) for angle in (0.5, 1.1, 2.2) for level in (True, False)] + [(1.5, False)]
+SHIFTS = [(a * REACH, b * REACH) for a in (-1, -0.5, 0, 1) for b in (-1, 0.3, 1)]
+
+
+def moved(shift, angle, level):
+    """Where a ray aside in the image is aside in space, where it passes a horizontal plane, or one across the view."""
+    x, y = shift
+    return np.array((x, y / cos(angle), 0) if level else (x, y * cos(angle), y * sin(angle)))
+
+
+def surface(tool, raised):
+    """Points of a tool's lower surface and its rim."""
+    r, turn = (of.ravel() for of in np.meshgrid(np.linspace(0, tool.radius, 25), np.linspace(0, 2 * pi, 37)))
+    return np.column_stack((r * np.cos(turn), r * np.sin(turn), tool.height(r * (1 - 1e-12)) + raised))
+
+
+def holds(tool, raised, points):
+    r = np.hypot(points[:, 0], points[:, 1])
+    inside = np.minimum(r, tool.radius)  # the rim itself is a matter of rounding
+    return (r <= tool.radius + 1e-9).all() and (tool.height(inside) + raised <= points[:, 2] + 1e-5).all()
+
+
+@pytest.mark.parametrize("angle, level", VIEWS)
+@pytest.mark.parametrize("tool", TOOLS, ids=str)
+def test_a_grown_tool_holds_the_tool_wherever_rays_move_it_and_a_shrunk_one_is_held(tool, angle, level):
+    growth = _Growth(tool, level, sin(angle), cos(angle))
+    larger, smaller = growth.grown(REACH), growth.shrunk(REACH)
+    for shift in SHIFTS:
+        by = moved(shift, angle, level)
+        assert holds(*larger, surface(tool, 0.0) + by)
+        assert smaller[0] is None or holds(tool, 0.0, surface(*smaller) + by)
+    # Neither is wider or narrower than that needs.
+    corner = moved((REACH, REACH), angle, level)
+    ball = tool.rounding == tool.radius
+    aside = hypot(*corner) if ball else hypot(*corner[:2])
+    assert larger[0].radius == pytest.approx(tool.radius + aside)
+    left = tool.radius - aside - (0 if ball else tool.rounding)
+    if left > 1e-3:
+        assert smaller[0].radius == pytest.approx(left, abs=1e-5)
+    else:
+        assert smaller == (None, 0.0)
+
+
+@pytest.mark.parametrize("direction, level", [
+    (direction, level) for direction in DIRECTIONS[2:] for level in (True, False)
+    if not level or abs(direction[2]) > 0.3 * np.linalg.norm(direction)
+])  # fmt: skip
+def test_the_stock_on_all_rays_of_a_tile_is_within_the_depths_of_the_tile(direction, level):
+    """Where rays are compared on a horizontal plane, those further up the image are so much further along it."""
+    frame = View(direction, 40, 30).frame(BOX)
+    sine, cosine = hypot(*frame.direction[:2]), -frame.direction[2]
+    shear = sine / cosine if level else 0.0
+    chords = _TileChords(BOX, frame, shear)
+    x, y = np.array([0.0, 3.0, -4.0, 1.0]), np.array([0.0, 2.0, 1.0, -5.0])
+    near, far = chords.over(x, y, REACH)
+    side = np.linspace(-REACH, REACH, 5)
+    ends = []
+    for dx in side:
+        for dy in side:
+            one, other = BOX.chords(frame.origins(x + dx, y + dy), frame.direction)
+            ends.append((one - shear * dy, other - shear * dy))
+    least, greatest = np.min(ends, axis=0)[0], np.max(ends, axis=0)[1]
+    assert (near <= least + 1e-9).all() and (far >= greatest - 1e-9).all()
+    # In the middle rays leave and enter through one face: there is nothing between the bounds and the rays.
+    assert near[0] == pytest.approx(least[0]) or direction[2] == 0 or direction[:2] == (1, 1)
+    assert far[0] == pytest.approx(greatest[0]) or direction[2] == 0
+
+
+NOWHERE = (1.0, 0.0)
+WHOLE, NEAR, FAR, MIDDLE = (-5.0, 5.0), (-5.0, 0.0), (2.0, 5.0), (-1.0, 1.0)
+
+
+@pytest.mark.parametrize(
+    "pairs, stay",
+    [
+        ([(NEAR, NEAR), ((-4, -1), NOWHERE)], [0]),
+        ([(NEAR, NOWHERE), ((-4, -1), NOWHERE)], [0, 1]),  # not all of the tile is open
+        ([(NEAR, (-5, -2)), ((-4, -1), NOWHERE), ((-4, -2.5), NOWHERE)], [0, 1]),
+        ([(FAR, FAR), ((3, 4), NOWHERE), ((1, 4), NOWHERE)], [0, 2]),
+        ([(FAR, (9, 8)), ((3, 4), NOWHERE)], [0, 1]),
+        ([(MIDDLE, MIDDLE), ((-0.5, 0.5), NOWHERE)], [0, 1]),  # only what is open from an end is known
+        ([(NEAR, NEAR), ((-1, 2), (-1, 2)), ((-1, 1.5), NOWHERE), ((1, 3), NOWHERE)], [0, 1, 3]),
+        ([(FAR, FAR), ((-1, 3), (-1, 3)), ((0, 4), NOWHERE), ((-2, 3), NOWHERE)], [0, 1, 3]),
+        ([(NEAR, NEAR), (FAR, FAR), ((-3, 1), NOWHERE), ((-3, 0), NOWHERE)], [0, 1, 2]),
+        ([(WHOLE, WHOLE), (WHOLE, WHOLE)], [0]),
+        ([(MIDDLE, MIDDLE), (NEAR, NEAR), ((0, 0.9), NOWHERE)], [0, 1, 2]),  # what met nothing in its time
+        ([], []),
+    ],
+)
+def test_pairs_stay_that_reach_beyond_what_is_open_from_an_end(pairs, stay):
+    def told(*tiles):
+        tile = np.repeat(np.arange(len(tiles)), [len(own) for own in tiles])
+        columns = np.array([(*passed, *opened) for own in tiles for passed, opened in own], float).reshape(-1, 4).T
+        ends = np.full(len(tiles), -5.0), np.full(len(tiles), 5.0)
+        return _not_yet_open(tile, *columns, *ends).tolist()
+
+    assert told(pairs) == stay
+    # What is open in one tile is not in the next.
+    again = [len(pairs) + k for k in stay]
+    assert told(pairs, pairs) == stay + again
+    assert len(told(pairs, pairs, pairs)) == 3 * len(stay)
