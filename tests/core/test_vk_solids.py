@@ -127,7 +127,8 @@ def test_where_rays_enter_and_leave_a_box(origin, direction, near, far):
 
 
 @pytest.mark.parametrize(
-    "origin, direction", [((0, 3, 0), (0, 0, 1)), ((2, 3, 7), (1, 0, 0)), ((2, 11, 4), (1, 1, 0)), ((5.1, 3, 4), (1, 1, 1))]
+    "origin, direction",
+    [((0, 3, 0), (0, 0, 1)), ((2, 3, 7), (1, 0, 0)), ((2, 11, 4), (1, 1, 0)), ((5.1, 3, 4), (1, 1, 1))],
 )
 def test_where_rays_miss_a_box(origin, direction):
     near, far = chord(box(), origin, direction)
@@ -153,7 +154,13 @@ def test_planes_that_enclose_nothing():
     tetrahedron = ConvexStock(np.vstack((-np.eye(3), [[1, 1, 1]])), [0, 0, 0, 1])
     assert len(tetrahedron.corners) == 4 and tetrahedron.upper == pytest.approx([1, 1, 1])
     flat = np.array([1, 1, 0, 1, 1, 0.0])
-    for normals, offsets in ((walls[:5], six[:5]), (walls, flat), (walls, -six), (np.empty((0, 3)), []), (walls[1:5], six[1:5])):
+    for normals, offsets in (
+        (walls[:5], six[:5]),
+        (walls, flat),
+        (walls, -six),
+        (np.empty((0, 3)), []),
+        (walls[1:5], six[1:5]),
+    ):
         with pytest.raises(ValueError, match="enclose no bounded volume"):
             ConvexStock(normals, offsets)
     # A pyramid that stands on its top, with walls above it that never end.
@@ -166,7 +173,9 @@ def test_planes_that_enclose_nothing():
 
 def test_a_prism_has_the_cross_section_of_its_cylinder():
     for sides in (3, 4, 64):
-        prism = ConvexStock.cylinder((1, 2, 3), 5, 7, sides=sides) if sides < 64 else ConvexStock.cylinder((1, 2, 3), 5, 7)
+        prism = (
+            ConvexStock.cylinder((1, 2, 3), 5, 7, sides=sides) if sides < 64 else ConvexStock.cylinder((1, 2, 3), 5, 7)
+        )
         rim = prism.corners[prism.corners[:, 2] > 6] - (1, 2, 10)
         assert len(rim) == sides and len(prism.corners) == 2 * sides
         # Of a regular polygon with corners so far from its middle.

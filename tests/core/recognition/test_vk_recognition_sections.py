@@ -265,6 +265,7 @@ def test_stretches_of_loops_and_of_rows_lie_one_behind_the_other():
 @pytest.mark.parametrize("where", [0.0, 1000.0])
 def test_only_a_contour_as_deep_around_rows_or_adaptive_clearing_finishes_walls(where):
     """An area of 30 x 40 mm, and a contour 2 mm, then 3 mm outside: up to a twentieth of its diagonal, 50 mm."""
+
     def path(out, depth=-1.0):
         corners = [[-out, -out], [30 + out, 40 + out], [0, 0], [30, 40]]
         points = np.column_stack((np.add(corners, where), [depth, depth, -1, -1]))

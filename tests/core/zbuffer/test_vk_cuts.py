@@ -15,7 +15,9 @@ from vkworkbench.core.zbuffer.cuts import Cuts, Source
 ONE = toolpath(np.array([(0, 0, 0), (3, 4, 0), (3, 4, 12)], float))
 NONE = toolpath(np.zeros((1, 3)))
 OTHER = toolpath(np.array([(5, 0, 0), (5, 6, 0), (5, 6, 8), (7, 6, 8)], float))
-OTHER = replace(OTHER, rapid=np.array([True, False, False]), feed=np.array([0.0, 4.0, 0.0]), command=np.array([2, 5, 5]))
+OTHER = replace(
+    OTHER, rapid=np.array([True, False, False]), feed=np.array([0.0, 4.0, 0.0]), command=np.array([2, 5, 5])
+)
 TOOL = Tool("endmill", 6)
 CUTS = Cuts(Cut(path, TOOL) for path in (ONE, NONE, OTHER))
 

@@ -48,7 +48,14 @@ def test_moves_have_their_tools_and_whether_they_are_level():
     assert [some.kinds[k] for k in some.kind] == [level, level, level, sloped, flat, level]
     assert [some.tools[k] for k in some.tool] == [BALL, BALL, BALL, BALL, FLAT, BALL]
     assert some.radius.tolist() == [2, 2, 2, 2, 3, 2]
-    assert some.start.T.tolist() == [[-15, -10, 0], [-5, -10, -2], [-5, -10, -2], [-5, -10, 3], [-15, 5, 2], [10, 5, -4]]
+    assert some.start.T.tolist() == [
+        [-15, -10, 0],
+        [-5, -10, -2],
+        [-5, -10, -2],
+        [-5, -10, 3],
+        [-15, 5, 2],
+        [10, 5, -4],
+    ]
     assert some.move.T.tolist() == [[10, 0, 0], [0, 0, 0], [0, 0, 0], [-10, 0, -2], [4, 3, 0], [0, 0, 0]]
     assert some.heading.T.tolist() == [[1, 0, 10, 0], [1, 0, 0, 0], [1, 0, 0, 0], [-1, 0, 10, -0.2], [0.8, 0.6, 5, 0],
                                        [1, 0, 0, 0]]  # fmt: skip
@@ -117,9 +124,13 @@ def test_pairs_that_may_meet_are_those_whose_box_and_strip_do(direction):
         for r in range(40):
             for k in range(len(MOVES)) if selection is None else selection:
                 nx, ny, low, up = some.strip[:, k]
-                corners = [nx * x + ny * y for x in (left[r], left[r] + wide[r]) for y in (bottom[r], bottom[r] + high[r])]
+                corners = [
+                    nx * x + ny * y for x in (left[r], left[r] + wide[r]) for y in (bottom[r], bottom[r] + high[r])
+                ]
                 box = some.box[:, k]
-                beside = box[0] > left[r] + wide[r] or box[1] < left[r] or box[2] > bottom[r] + high[r] or box[3] < bottom[r]
+                beside = (
+                    box[0] > left[r] + wide[r] or box[1] < left[r] or box[2] > bottom[r] + high[r] or box[3] < bottom[r]
+                )
                 if not beside and max(corners) >= low and min(corners) <= up:
                     expected.append((r, int(k)))
         assert list(zip(rectangle.tolist(), item.tolist())) == expected

@@ -188,7 +188,10 @@ def test_a_crash_is_shown_where_it_is_deepest():
 def plunges(points, feed=6.0, allowed=2.0, tool=FLAT, stock=STOCK, view=None):
     path = toolpath(np.array(points, float))
     path = replace(path, feed=np.full(len(path), feed))
-    return [one.trajectory for one in fast_plunges(simulate_job([Cut(path, tool, allowed)], stock=stock, view=view or View()))]
+    return [
+        one.trajectory
+        for one in fast_plunges(simulate_job([Cut(path, tool, allowed)], stock=stock, view=view or View()))
+    ]
 
 
 def test_plunges_that_are_too_fast():
