@@ -284,6 +284,16 @@ def test_a_contour_around_rows_as_deep_finishes_their_walls_and_is_no_operation(
     assert borders(contour(-1.0, out=9.0), 0.4) == at  # around something else
 
 
+def test_a_way_down_from_the_top_is_no_retract_to_it():
+    """A ramp at feed from the height of the retracts; a lift of 3 mm behind it begins no visit, the retract does."""
+    path = linearize([
+        ("G0", {"X": 0.0, "Y": 0.0, "Z": 9.0}), ("G1", {"X": 30.0, "Z": -1.0, "F": 10.0}), ("G0", {"Z": 2.0}),
+        ("G0", {"X": 40.0}), ("G1", {"Z": -1.0, "F": 10.0}), ("G1", {"X": 60.0, "F": 10.0}), ("G0", {"Z": 9.0}),
+        ("G0", {"X": 80.0}), ("G1", {"Z": -1.0, "F": 10.0}), ("G1", {"X": 90.0, "F": 10.0}), ("G0", {"Z": 9.0}),
+    ])  # fmt: skip
+    assert find_visits(path, monotonous_areas(path)).blocks.tolist() == [2, 1]
+
+
 def test_a_series_is_what_the_pairs_before_and_after_show():
     tops = [0, 0, 5, 9, 9]  # the same, not, not, the same
     visits = Visits(*(np.repeat(values[:1], 5, axis=0) for values in vars(two_visits()).values()))
