@@ -260,6 +260,10 @@ def test_stretches_of_loops_and_of_rows_lie_one_behind_the_other():
     )  # fmt: skip
     verdict = SimpleNamespace(parts=(told(rings), told(rows)))
     assert _runs(section, verdict, 2, 25) == [(2, 7, rings), (10, 15, rows), (20, 25, rings)]
+    section.ring_pieces[0] = False  # a way in, which belongs to the rows behind it
+    assert _runs(section, verdict, 2, 25) == [(2, 15, rows), (20, 25, rings)]
+    section.ring_pieces[1] = True  # and to a ring
+    assert _runs(section, verdict, 2, 25) == [(2, 7, rings), (10, 15, rows), (20, 25, rings)]
 
 
 @pytest.mark.parametrize("where", [0.0, 1000.0])

@@ -60,11 +60,14 @@ def _with_layers(why: Message, entry: str | None, finishing: bool) -> Message:
 
 
 def _runs(section: Section, verdict: Verdict, first: int, last: int) -> list[tuple[int, int, Strategy]]:
-    """Return the stretches of loops and of rows in a mixed operation, first .. last; a link belongs to what it follows."""
+    """Return the stretches of loops and of rows in a mixed operation, first .. last.
+
+    A link belongs to what it follows, a way in to what follows it.
+    """
     of_rings, of_rows = verdict.parts
     is_ring = section.ring_pieces.copy()
     known = is_ring | section.row_pieces
-    held = np.maximum.accumulate(np.where(known, np.arange(len(known)), 0))
+    held = np.maximum.accumulate(np.where(known, np.arange(len(known)), np.argmax(known)))
     is_ring = is_ring[held]
     begin = np.flatnonzero(np.concatenate([[True], is_ring[1:] != is_ring[:-1]]))
     index, pieces = section.moves.index, section.pieces
