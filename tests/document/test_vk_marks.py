@@ -7,6 +7,7 @@ import subprocess
 from dataclasses import replace
 
 import FreeCAD
+import Path
 import pytest
 
 import vkworkbench
@@ -400,6 +401,18 @@ def test_two_documents_have_an_undo_step_each(small, zigzag_commands):
         assert not marked(small.document) and len(marked(other)) == 1
     finally:
         FreeCAD.closeDocument(other.Name)
+
+
+@pytest.mark.parametrize("changed", ["path", "tool", None])
+def test_a_report_from_before_a_change_marks_as_outdated(small, zigzag_commands, changed):
+    op = small.add("Zigzag", zigzag_commands)
+    report = vkworkbench.analyze(op)
+    if changed == "path":
+        op.Path = Path.Path(op.Path.Commands[:-3])
+    elif changed == "tool":
+        small.controller.Tool.Diameter = 9
+    vkworkbench.mark(report)
+    assert marks.is_outdated(op) == (changed is not None)
 
 
 def test_a_transaction_that_is_open_is_joined(small, zigzag_commands):
