@@ -16,7 +16,7 @@ from vkworkbench.core import View
 from vkworkbench.core.zbuffer import OverBudget, memory
 from vkworkbench.core.zbuffer.counts import Counts
 from vkworkbench.core.zbuffer.cuts import Cut, Cuts
-from vkworkbench.core.zbuffer.memory import peak_bytes
+from vkworkbench.core.zbuffer.memory import helpers_within, peak_bytes
 from vkworkbench.core.zbuffer.removal import Removal
 from vkworkbench.core.zbuffer.simulate import simulate
 
@@ -102,6 +102,26 @@ def test_the_peak_grows_with_records_pixels_and_trajectories():
     assert more(band=1000.0) > 0 and more(trajectories=1000) >= 1000 * 8 * 3  # at least where each begins
     large = Removal(Cuts([]), BOX, View((0, 0, -1), 800, 60).frame(BOX))
     assert peak_bytes(nothing, 0, large) - peak_bytes(nothing, 0, flat) == 8 * 720 * 60
+
+
+def test_each_further_process_takes_its_own_memory_and_what_is_sent_to_it(monkeypatch):
+    flat, plenty = removal(TOOLS[0], (0, 0, -1)), 1e15
+
+    def each(band, trajectories):
+        counts = Counts(0, 0, 0, 0, 0, 0, band, 4800)
+        assert counts.band == band
+        monkeypatch.setattr(memory, "count", lambda _: counts)
+        peak = peak_bytes(counts, trajectories, flat)
+        taken = plenty / helpers_within(peak + plenty, flat, trajectories)
+        fit = [helpers_within(peak + share * taken, flat, trajectories) for share in (-9, 0, 0.99, 1.01, 2.5)]
+        assert fit == [0, 0, 0, 1, 2]
+        return taken
+
+    alone = each(0, 0)
+    assert 20e6 < alone < 500e6  # a Python with numpy, and its work on a band
+    record, trajectory = each(1_000_000, 0) - alone, each(0, 1_000_000) - alone
+    assert record > 8e6 and trajectory > 24e6  # a record is 8 bytes, a trajectory begins somewhere
+    assert each(1_000_000, 1_000_000) == pytest.approx(alone + record + trajectory, rel=1e-5)
 
 
 def test_a_band_takes_least_from_above_and_most_where_forms_are_no_closed_ones():
