@@ -63,6 +63,7 @@ def main() -> None:
     options.folder.mkdir(parents=True, exist_ok=True)
     with open(HERE / "real_programs.csv", newline="") as file:
         rows = list(csv.DictReader(file))
+    count = 0
     into = [options.folder / f"{name}.jsonl.gz" for name in ("operations", "programs")]
     with gzip.open(into[0], "wt") as operations, gzip.open(into[1], "wt") as programs:
         for _, of_program in itertools.groupby(rows, key=lambda row: (row["repository"], row["path"])):
@@ -85,8 +86,10 @@ def main() -> None:
                 }  # fmt: skip
                 operations.write(json.dumps(record) + "\n")
                 sections.append([first + 1, end, accept[0], accept])
+            count += len(sections)
             whole = {"id": name, "commands": commands(path, 0, len(path) - 1), "sections": sections}
             programs.write(json.dumps(whole) + "\n")
+    print(f"{count} of {len(rows)} labelled operations are in {into[0]}")
 
 
 if __name__ == "__main__":
