@@ -13,7 +13,7 @@ from vkworkbench.core import Strategy, linearize, recognize
 from vkworkbench.core.paper import monotonous_areas
 from vkworkbench.core.recognition.borders import MEASURES
 from vkworkbench.core.recognition.forest import Forest
-from vkworkbench.core.recognition.parts import told_apart
+from vkworkbench.core.recognition.parts import Sections, told_apart
 from vkworkbench.core.recognition.visits import Visits, begun, compared, find_visits
 
 TOOL = 5.0
@@ -275,7 +275,7 @@ def test_a_contour_around_rows_as_deep_finishes_their_walls_and_is_no_operation(
 
     def borders(second, share):
         path = linearize([*rows, *second, ("G0", {"Z": 5.0})])
-        return told_apart(path, {}, {len(linearize(rows)): share}, TOOL)
+        return told_apart(Sections(path, TOOL), {}, {len(linearize(rows)): share})
 
     at = [len(linearize(rows))]
     assert borders(contour(-1.0), 0.4) == []

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Collection, Iterable, Iterator, Mapping
 from dataclasses import replace
 
 import numpy as np
@@ -45,19 +45,52 @@ def _sculptured(moves: Areas) -> bool:
     return count_depths(moves.z[:: len(moves) // ROWS.SAMPLE + 1]) > PARTS.DEPTHS
 
 
-def told_apart(toolpath: Toolpath, borders: dict[int, bool], begun: dict[int, float], tool: float) -> list[int]:
+class Sections:
+    """What a toolpath cuts between borders; each stretch is recognised once, however often it is asked for.
+
+    Parameters
+    ----------
+    toolpath : Toolpath
+    tool : float
+        Tool diameter, mm; 0 where unknown.
+    """
+
+    def __init__(self, toolpath: Toolpath, tool: float) -> None:
+        self.toolpath = toolpath
+        self._tool = tool
+        self._cutting = np.flatnonzero(~toolpath.rapid)
+        self._known: dict[tuple[int, int], Recognition] = {}
+
+    def between(self, borders: Iterable[int]) -> Iterator[tuple[int, int, Recognition]]:
+        """Yield the border before each section, the one behind it, and what it is; nothing where nothing is cut."""
+        at = sorted({0, *borders, len(self.toolpath)})
+        ends = zip(at, at[1:], np.searchsorted(self._cutting, at), np.searchsorted(self._cutting, at[1:]))
+        for a, b, begin, end in ends:
+            if begin < end:
+                yield a, b, self._recognized(int(self._cutting[begin]), int(self._cutting[end - 1]))
+
+    def _recognized(self, first: int, last: int) -> Recognition:
+        if (first, last) not in self._known:
+            moves = monotonous_areas(self.toolpath, first, last)
+            self._known[first, last] = recognize_one(self.toolpath, moves, first, last, self._tool)
+        return self._known[first, last]
+
+
+def told_apart(sections: Sections, borders: Collection[int], begun: dict[int, float]) -> list[int]:
     """Return the retracts that part operations: those that likely do, and those with clearly different verdicts beside.
 
     Parameters
     ----------
-    borders : dict
+    sections : Sections
+        Of the program.
+    borders : collection of int
         Other borders.
     begun : dict
         Where another operation may begin, and how likely it is.
     """
     if not begun:
         return []
-    pairs = _beside(toolpath, borders, begun, tool)
+    pairs = _beside(sections, borders, begun)
     names = {
         at: frozenset(one.strategy for one in pair)
         for at, pair in pairs.items()
@@ -68,16 +101,16 @@ def told_apart(toolpath: Toolpath, borders: dict[int, bool], begun: dict[int, fl
     told = {at for at, pair in names.items() if times[pair] < PARTS.TURNS}
     told |= {at for at, share in begun.items() if share > VISITS.BORDER}
     # So are a pattern and the contour that finishes its walls.
-    told -= {at for at, pair in pairs.items() if begun[at] < VISITS.SURE and _finished(toolpath, *pair)}
+    told -= {at for at, pair in pairs.items() if begun[at] < VISITS.SURE and _finished(sections.toolpath, *pair)}
     return [at for at in begun if at in told]
 
 
 def _beside(
-    toolpath: Toolpath, borders: Iterable[int], begun: Iterable[int], tool: float
+    sections: Sections, borders: Collection[int], begun: Collection[int]
 ) -> dict[int, tuple[Recognition, Recognition]]:
     """Recognise what lies before and behind each retract, up to the next retract or border."""
     before, behind = {}, {}
-    for a, b, one in _sections(toolpath, {*borders, *begun}, tool):
+    for a, b, one in sections.between((*borders, *begun)):
         behind[a], before[b] = one, one
     return {at: (before[at], behind[at]) for at in begun if at in before and at in behind}
 
@@ -113,22 +146,9 @@ def _odds(share: float) -> float:
     return share / (1 - share)
 
 
-def _sections(toolpath: Toolpath, borders: set[int], tool: float) -> Iterator[tuple[int, int, Recognition]]:
-    """Recognise what is cut between the borders: give the border before it, the one behind it, and what it is."""
-    cutting = np.flatnonzero(~toolpath.rapid)
-    at = sorted({0, *borders, len(toolpath)})
-    for a, b in zip(at, at[1:]):
-        inside = cutting[np.searchsorted(cutting, a) : np.searchsorted(cutting, b)]
-        if len(inside):
-            first, last = int(inside[0]), int(inside[-1])
-            yield a, b, recognize_one(toolpath, monotonous_areas(toolpath, first, last), first, last, tool)
-
-
-def recognize_parts(
-    toolpath: Toolpath, borders: Mapping[int, bool], whole: Recognition, tool: float, program: bool
-) -> Recognition:
+def recognize_parts(sections: Sections, borders: Mapping[int, bool], whole: Recognition, program: bool) -> Recognition:
     """Recognise the sections between the borders; mixed where they differ as much as their borders ask."""
-    cut = list(_sections(toolpath, set(borders), tool))
+    toolpath, cut = sections.toolpath, list(sections.between(borders))
     found = [one for *_, one in cut]
     parts = np.cumsum([certain for _, certain in sorted(borders.items())])  # what certain borders part, so far
     certainly = np.append(0, parts)[np.searchsorted(sorted(borders), [a for a, *_ in cut], side="right")]

@@ -7,7 +7,7 @@ import numpy as np
 
 from vkworkbench.core.paper import monotonous_areas
 from vkworkbench.core.recognition.operation import recognize_one
-from vkworkbench.core.recognition.parts import find_borders, recognize_parts, told_apart
+from vkworkbench.core.recognition.parts import Sections, find_borders, recognize_parts, told_apart
 from vkworkbench.core.recognition.recognition import Recognition
 from vkworkbench.core.recognition.thresholds import PARTS
 from vkworkbench.core.recognition.turned import is_turned
@@ -45,9 +45,9 @@ def recognize(toolpath: Toolpath, *, tool_diameter: float | None = None, program
     moves = monotonous_areas(toolpath)
     first, last = int(np.argmin(rapid)), len(rapid) - 1 - int(np.argmin(rapid[::-1]))
     whole = recognize_one(toolpath, moves, first, last, tool)
-    borders = find_borders(toolpath, moves)
+    borders, sections = find_borders(toolpath, moves), Sections(toolpath, tool)
     if program:
-        borders.update(dict.fromkeys(told_apart(toolpath, borders, begun(toolpath, moves), tool), True))
+        borders.update(dict.fromkeys(told_apart(sections, borders, begun(toolpath, moves)), True))
     if not 0 < len(borders) <= PARTS.BORDERS:
         return whole
-    return recognize_parts(toolpath, borders, whole, tool, program)
+    return recognize_parts(sections, borders, whole, program)
