@@ -167,9 +167,7 @@ def compared(v: Visits) -> np.ndarray:
 
     size = np.maximum(np.hypot(*(v.high - v.low).T), VISITS.SMALL)
     moved = np.maximum(np.abs(v.low[b] - v.low[a]), np.abs(v.high[b] - v.high[a])).max(axis=1)
-    shared = np.minimum(v.high[a], v.high[b]) - np.maximum(v.low[a], v.low[b]) + VISITS.SMALL
-    shared = np.prod(np.maximum(shared, 0.0), axis=1)
-    ground = np.prod(v.high - v.low + VISITS.SMALL, axis=1)
+    shared, ground = _shared_ground(v, 1), _ground(v)
     fewer, more = np.minimum(v.blocks[a], v.blocks[b]), np.maximum(v.blocks[a], v.blocks[b])
     lowest, highest = v.bottom.min(), v.top.max()
     measures = {
@@ -208,18 +206,29 @@ def compared(v: Visits) -> np.ndarray:
     return np.column_stack([measures[name] for name in MEASURES])
 
 
+def _ground(v: Visits) -> np.ndarray:
+    """Area of the box of each visit, (k,) mm2; a hole has a little."""
+    area: np.ndarray = np.prod(v.high - v.low + VISITS.SMALL, axis=1)
+    return area
+
+
+def _shared_ground(v: Visits, back: int) -> np.ndarray:
+    """Area that the box of each visit has in common with that of the one `back` visits before it, (k - back,) mm2."""
+    sides = np.minimum(v.high[back:], v.high[:-back]) - np.maximum(v.low[back:], v.low[:-back]) + VISITS.SMALL
+    area: np.ndarray = np.prod(np.maximum(sides, 0.0), axis=1)
+    return area
+
+
 def _cut_again(v: Visits) -> tuple[np.ndarray, np.ndarray]:
     """Return how much of each visit's ground but the first's one of the last visits covers, (k-1,) each.
 
     The first counts visits as deep or deeper, the second deeper ones: operations seldom cut what they have cut.
     """
     again = np.zeros((2, len(v) - 1))
-    ground = np.prod(v.high - v.low + VISITS.SMALL, axis=1)
+    ground = _ground(v)
     for back in range(1, min(VISITS.EARLIER, len(v) - 1) + 1):
-        a, b = slice(None, -back), slice(back, None)
-        shared = np.minimum(v.high[a], v.high[b]) - np.maximum(v.low[a], v.low[b]) + VISITS.SMALL
-        share = np.prod(np.maximum(shared, 0.0), axis=1) / ground[b]
-        higher = v.bottom[b] - v.bottom[a]
+        share = _shared_ground(v, back) / ground[back:]
+        higher = v.bottom[back:] - v.bottom[:-back]
         for of, deep in zip(again[:, back - 1 :], (higher > -SAME.HEIGHT, higher > SAME.HEIGHT)):
             np.maximum(of, share * deep, out=of)
     return again[0], again[1]
