@@ -10,7 +10,7 @@ from vkworkbench.core.recognition.crossings import _median
 from vkworkbench.core.recognition.entries import find_entry, without_entries
 from vkworkbench.core.recognition.footprints import count_depths
 from vkworkbench.core.recognition.forest import Forest
-from vkworkbench.core.recognition.neighbours import _quantiles
+from vkworkbench.core.recognition.neighbours import _percentiles
 from vkworkbench.core.recognition.thresholds import SAME
 
 
@@ -21,14 +21,14 @@ def test_the_median_is_that_of_numpy(number):
         assert _median(values) == np.median(values)
 
 
-def test_quantiles_by_row_are_those_of_numpy():
+def test_percentiles_by_row_are_those_of_numpy():
     rng = np.random.default_rng(0)
-    values, shares = rng.normal(size=(2000, 16)), (0.1, 0.5, 0.9)
+    values, percent = rng.normal(size=(2000, 16)), (10, 50, 90)
     of = rng.random(values.shape) < rng.random((2000, 1))
     of[:, 0] = True  # at least one
     of[:20] = True
-    expected = np.nanpercentile(np.where(of, values, np.nan), [100 * share for share in shares], axis=1)
-    assert np.array_equal(_quantiles(values, of, shares), expected)
+    expected = np.nanpercentile(np.where(of, values, np.nan), percent, axis=1)
+    assert np.array_equal(_percentiles(values, of, percent), expected)
 
 
 @pytest.mark.parametrize(

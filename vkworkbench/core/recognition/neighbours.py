@@ -70,8 +70,8 @@ def find_neighbours(moves: Areas, pieces: Pieces, index: np.ndarray, tool: float
         distance, on = _distances(x[a], y[a], x[b], y[b])
         enough = on.mean(axis=1) > NEIGHBOURS.FACING
         enough &= (np.abs(z[a] - z[b]) < SAME.HEIGHT) | ~flat[a] | ~flat[b]
-        low, middle, high = np.zeros((3, len(enough)))
-        low[enough], middle[enough], high[enough] = _quantiles(distance[enough], on[enough], (0.1, 0.5, 0.9))
+        low, middle, high = spans = np.zeros((3, len(enough)))
+        spans[:, enough] = _percentiles(distance[enough], on[enough], (10, 50, 90))
         enough &= (middle > SAME.RING) & (high < np.minimum(length[a], length[b]) / ROWS.LONG)
         if tool:
             enough &= high < NESTS.REACH * tool
@@ -108,20 +108,15 @@ def _sampled(moves: Areas, pieces: Pieces, index: np.ndarray) -> tuple[np.ndarra
     return moves.x[move] + along * moves.dx[move], moves.y[move] + along * moves.dy[move]
 
 
-def _quantiles(values: np.ndarray, of: np.ndarray, shares: tuple[float, ...]) -> list[np.ndarray]:
-    """Return quantiles (rows,) of those values (rows, k) in each row that are chosen, of (rows, k) bool, at least one.
+def _percentiles(values: np.ndarray, of: np.ndarray, percent: tuple[float, ...]) -> np.ndarray:
+    """Return percentiles (p, rows) of those values (rows, k) in each row that are chosen, of (rows, k) bool, at least one.
 
-    They are what numpy's `nanpercentile` tells, which takes the rows one after the other.
+    numpy's `nanpercentile` takes the rows one after the other; here those with as many values go together.
     """
-    ascending = np.sort(np.where(of, values, np.inf), axis=1)
-    row, last = np.arange(len(values)), of.sum(axis=1) - 1
-    found = []
-    for share in shares:
-        place = last * share
-        before = place.astype(np.int64)
-        one, other = ascending[row, before], ascending[row, np.minimum(before + 1, last)]
-        part, step = place - before, other - one
-        found.append(np.where(part < 0.5, one + step * part, other - step * (1 - part)))
+    ascending, count = np.sort(np.where(of, values, np.inf), axis=1), of.sum(axis=1)
+    found = np.empty((len(percent), len(values)))
+    for some in np.unique(count).tolist():
+        found[:, count == some] = np.percentile(ascending[count == some, :some], percent, axis=1)
     return found
 
 
