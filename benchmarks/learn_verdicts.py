@@ -152,9 +152,16 @@ class Examples:
         order = np.random.default_rng(0).permutation(groups).tolist()
         return {**dict(zip(order, (np.arange(len(groups)) % FOLDS).tolist())), **JOINED}
 
-    def right(self, votes: np.ndarray) -> np.ndarray:
-        """Return whether the strategy is right that has most, (n,), for votes (n, c)."""
-        return np.array([elect(v, p) in accepted for v, p, accepted in zip(votes, self.proposed, self.accepted)])
+    def judged(self, votes: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Return the grounds of the verdicts, (n, 6), and whether they are right, (n,), for votes (n, c)."""
+        cases = list(zip(votes, self.proposed, self.accepted))
+        right = np.array([elect(v, proposed) in accepted for v, proposed, accepted in cases])
+        return np.array([grounds(v, proposed) for v, proposed, _ in cases]), right
+
+    def left_out_votes(self, learned: dict[int, Learned]) -> np.ndarray:
+        """Return the votes on each, (n, c), of what was learned without its fold."""
+        of_group = self.folds()
+        return np.array([learned[of_group[g]].strategies.vote(case) for g, case in zip(self.group, self.x)])
 
 
 def grown(e: Examples, chosen: np.ndarray) -> tuple[list[str], list[str]]:
@@ -195,8 +202,7 @@ def left_out(e: Examples, by: str = "group") -> tuple[dict[int, Learned], np.nda
         strategies, about = grown(e, fold != k)
         forests[k] = Forest(strategies, len(STRATEGIES)), Forest(about, 2)
         votes[fold == k] = forests[k][0].shares(e.x[fold == k])
-    evidence = np.array([grounds(*of) for of in zip(votes, e.proposed)])
-    right, weight = e.right(votes), e.weight(2)
+    (evidence, right), weight = e.judged(votes), e.weight(2)
     learned = {
         k: Learned(*forests[k], fit(evidence[fold != k], right[fold != k], weight[fold != k])) for k in range(FOLDS)
     }
@@ -218,23 +224,17 @@ def set_anew(e: Examples, learned: dict[int, Learned], unseen: str) -> float:
 
     Both count: those who labelled the one are not those who labelled the other.
     """
-    of_group, real = e.folds(), np.flatnonzero(e.kind == "real")
+    real = e.kind == "real"
     new = Examples.measured(("real", record) for record in operations([unseen]))
-    votes = np.array(
-        [learned[of_group[e.group[i]]].strategies.vote(e.x[i]) for i in real]
-        + [LEARNED.strategies.vote(case) for case in new.x]
-    )
-    proposed = [*(e.proposed[i] for i in real), *new.proposed]
-    accepted = [*(e.accepted[i] for i in real), *new.accepted]
-    evidence = np.array([grounds(*of) for of in zip(votes, proposed)])
-    right = np.array([elect(v, p) in these for v, p, these in zip(votes, proposed, accepted)])
-    groups = [*e.group[real], *new.group]
-    half = np.array([sorted(set(groups)).index(group) % 2 for group in groups])
+    known, others = e.judged(e.left_out_votes(learned)), new.judged(LEARNED.strategies.shares(new.x))
+    evidence, right = (np.concatenate([old[real], more]) for old, more in zip(known, others))
+    # Every other source is the one half, all others the other.
+    half = np.unique(np.concatenate([e.group[real], new.group]), return_inverse=True)[1] % 2
     sure = np.empty(len(right))
     for k in (0, 1):
         first = constant(LEARNED.sureness, evidence[half != k], right[half != k])
         sure[half == k] = sureness(evidence[half == k], [first, *LEARNED.sureness[1:]])
-    for name, of in (("left out", slice(len(real))), ("unseen", slice(len(real), None))):
+    for name, of in (("left out", slice(real.sum())), ("unseen", slice(real.sum(), None))):
         print(
             f"{name}, {len(sure[of])}: right {right[of].mean():.3f}, as sure by the other half of the sources "
             f"{sure[of].mean():.3f}, calibration error {calibration_error(sure[of], right[of]):.3f}"
@@ -281,18 +281,17 @@ def main() -> None:
             write_constant(found)
         return
     of_group = e.folds()
+    evidence, right = e.judged(e.left_out_votes(learned))
     for kind in WEIGHTS:
         of = np.flatnonzero(e.kind == kind)
         fold = [of_group[g] for g in e.group[of]]
-        votes = np.array([learned[k].strategies.vote(case) for k, case in zip(fold, e.x[of])])
         nonsense = np.array([learned[k].nonsense.vote(case)[1] for k, case in zip(fold, e.x[of])])
-        sure = np.array([sureness(grounds(v, e.proposed[i]), learned[k].sureness) for k, v, i in zip(fold, votes, of)])
+        sure = np.array([sureness(evidence[i], learned[k].sureness) for k, i in zip(fold, of)])
         unknown = np.array(list(map(machines_nothing, nonsense, sure)))
         rules = np.mean([e.proposed[i].rules in e.accepted[i] for i in of])
-        right = np.mean([elect(v, e.proposed[i]) in e.accepted[i] for v, i in zip(votes, of)])
         print(
             f"{kind:22s} {len(of):5d}: right by the rules {rules:.3f}, "
-            f"with the votes {right:.3f}; unlike anything that machines {unknown.mean():.3f}"
+            f"with the votes {right[of].mean():.3f}; unlike anything that machines {unknown.mean():.3f}"
         )
         print(" " * 23 + "; ".join(
             f"{np.mean([machines_nothing(n, p, at) for n, p in zip(nonsense, sure)]):.3f} from {at:.2f} of the votes on"
