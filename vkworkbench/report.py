@@ -463,6 +463,21 @@ def _row(o: OperationReport, simulator: str) -> tuple[str, ...]:
     )
 
 
+def without_results(why: Message, **whose: Any) -> OperationReport:
+    """Return the row of something of which nothing is known, and why: no strategy, length, time or cost.
+
+    Parameters
+    ----------
+    why : Message
+    whose
+        The fields of `OperationReport` that say whose row it is, and the fingerprint.
+    """
+    return OperationReport(
+        recognition=Recognition(Strategy.UNKNOWN, 0.0, why), trajectories=0,
+        machining=Machining(0.0, 0.0, None, None, None, 0.0, (why,)), costs={}, advice={}, cautions=(), remarks=(why,), **whose,
+    )  # fmt: skip
+
+
 def how_many(number: int, thing: str) -> str:
     """Return how many things there are in English, e.g. ``"1 operation"``, ``"2 operations"``."""
     return f"{number} {thing}" + ("" if number == 1 else "s")

@@ -331,6 +331,15 @@ def test_progress_and_cancel(small, zigzag_commands):
     assert all(not obj.Label2 for obj in small.document.Objects)
 
 
+def rows_of_a_failure(report):
+    """The rows of First, whose analysis failed, and of Second, which is told as if nothing had happened."""
+    rows = report.operations
+    assert [row.strategy.value for row in rows] == ["unknown", "zigzag"]
+    line = next(line for line in str(report).splitlines() if line.startswith("First"))
+    assert line.split()[4:6] == ["?", "?"], line  # neither its length nor its time is known
+    return rows
+
+
 def test_an_error_of_our_own_costs_one_row_only(small, zigzag_commands, monkeypatch):
     small.add("First", zigzag_commands)
     small.add("Second", zigzag_commands[:-4])
@@ -344,10 +353,7 @@ def test_an_error_of_our_own_costs_one_row_only(small, zigzag_commands, monkeypa
     first = core.linearize(zigzag_commands)
     monkeypatch.setattr(analysis, "recognized", broken)
     report = vkworkbench.analyze(small.document)
-    rows = report.operations
-    assert [row.strategy.value for row in rows] == ["unknown", "zigzag"]
-    line = next(line for line in str(report).splitlines() if line.startswith("First"))
-    assert line.split()[4:6] == ["?", "?"], line  # neither its length nor its time is known
+    rows = rows_of_a_failure(report)
     assert "please report" in rows[0].error and rows[1].error is None
 
 
@@ -464,8 +470,5 @@ def test_what_cannot_be_read_costs_one_row_only(small, zigzag_commands, monkeypa
 
     monkeypatch.setattr(analysis, "read_tool", read)
     report = vkworkbench.analyze(small.document)
-    rows = report.operations
-    assert [row.strategy.value for row in rows] == ["unknown", "zigzag"]
-    line = next(line for line in str(report).splitlines() if line.startswith("First"))
-    assert line.split()[4:6] == ["?", "?"], line  # neither its length nor its time is known
+    rows = rows_of_a_failure(report)
     assert "ZeroDivisionError: a bug" in rows[0].error and rows[1].error is None

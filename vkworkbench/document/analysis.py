@@ -13,7 +13,7 @@ from dataclasses import dataclass, fields, replace
 import FreeCAD
 
 from vkworkbench import freecad, preferences
-from vkworkbench.core import Recognition, Solid, Strategy, Tool, linearize, machining, stock_around
+from vkworkbench.core import Solid, Strategy, Tool, linearize, machining, stock_around
 from vkworkbench.core.gcode import Words, in_seconds, used_up
 from vkworkbench.core.simulators import ZBUFFER, Conditions, Task, predict, preflight, together
 from vkworkbench.core.zbuffer import cuts_surely, may_cut
@@ -30,16 +30,14 @@ from vkworkbench.document.known import KNOWN, key_of
 from vkworkbench.document.operations import Operation, find, fixtures_of, is_there
 from vkworkbench.document.path_prints import PATH_PRINTS
 from vkworkbench.document.recognized import recognized
-from vkworkbench.document.setting import placed, rapid_feeds, read_stock, read_tool, tool_remark
+from vkworkbench.document.setting import NO_CONTROLLER, placed, rapid_feeds, read_stock, read_tool, tool_remark
 from vkworkbench.document.simulated_faults import with_faults
 from vkworkbench.document.solids import form_of_stock, stock_solid
 from vkworkbench.language import Message, Unusable
 from vkworkbench.preferences import Preferences
-from vkworkbench.report import Cancelled, OperationReport, Report
+from vkworkbench.report import Cancelled, OperationReport, Report, without_results
 
 _PATIENCE = 0.02  # s between two calls of `cancelled`
-_NOTHING = linearize([])
-_NO_TOOL = Message("no-tool")  # what is said of an operation without a tool controller
 
 
 def analyze(
@@ -306,7 +304,7 @@ def _analysed(
         recognition=found,
         trajectories=len(toolpath),
         machining=machining(toolpath, horizontal_rapid=horizontal, vertical_rapid=vertical,
-                            controller=_NO_TOOL not in reading.remarks, top=reading.stock and reading.stock.upper[2]),
+                            controller=NO_CONTROLLER not in reading.remarks, top=reading.stock and reading.stock.upper[2]),
         costs=costs,
         advice=advice,
         cautions=preflight(task, costs, conditions),
@@ -322,17 +320,8 @@ def _failed(reading: _Reading, error: Exception) -> OperationReport:
 
 def _unknown(reading: _Reading, why: Message) -> OperationReport:
     """Return the row of an operation of which nothing is known, and why."""
-    return OperationReport(
-        **{name: getattr(reading, name) for name in _WHOSE},
-        recognition=Recognition(Strategy.UNKNOWN, 0.0, why, ()),
-        trajectories=0,
-        machining=replace(machining(_NOTHING), cutting_seconds=None, left_out=(why,)),
-        costs={},
-        advice={},
-        cautions=(),
-        remarks=(why,),
-        fingerprint=fingerprint_of("", reading.setting_fingerprint),
-    )
+    fingerprint = fingerprint_of("", reading.setting_fingerprint)
+    return without_results(why, fingerprint=fingerprint, **{name: getattr(reading, name) for name in _WHOSE})
 
 
 def _or_remark(remarks: list[Message], read: Callable, source):

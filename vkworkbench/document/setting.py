@@ -30,6 +30,8 @@ _SIMPLIFIED = {
     "slotcutter": _AS_END_MILL, "dovetail": _AS_END_MILL, "radius": _AS_END_MILL,
 }  # fmt: skip
 
+NO_CONTROLLER = Message("no-tool")  # what is said of an operation without a tool controller
+
 _exact_boxes = OfShapes(16)  # of the stocks read last: one with many curved faces takes 0.1 s
 
 
@@ -43,7 +45,7 @@ def read_tool(operation) -> Tool:
     """
     controller = through_bases(operation, freecad.CONTROLLER)
     if not hasattr(controller, "Label"):
-        raise Unusable(Message("no-tool"))
+        raise Unusable(NO_CONTROLLER)
     bit = freecad.TOOL.of(controller)
     if bit is None:
         raise Unusable(Message("no-tool-bit", label=controller.Label))

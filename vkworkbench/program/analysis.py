@@ -16,12 +16,9 @@ import numpy as np
 from vkworkbench import preferences
 from vkworkbench.core import (
     Machining,
-    Recognition,
     Stock,
-    Strategy,
     Tool,
     Toolpath,
-    linearize,
     machining,
     recognize,
     stock_around,
@@ -32,7 +29,7 @@ from vkworkbench.core.simulators import Conditions, Task, predict
 from vkworkbench.language import Message, Unusable
 from vkworkbench.preferences import Preferences
 from vkworkbench.program.files import find_programs, read_bytes, text_of
-from vkworkbench.report import Cancelled, OperationReport, Report
+from vkworkbench.report import Cancelled, OperationReport, Report, without_results
 
 # A computer that allows no SHA-1 for secrets allows it here; Python 3.8 does not know the difference.
 _NO_SECRET = {"usedforsecurity": False} if sys.version_info >= (3, 9) else {}
@@ -116,12 +113,9 @@ def analyze_file(path: Path, chosen: Preferences) -> tuple[OperationReport, ...]
 
 def unread(path: Path, why: Message) -> OperationReport:
     """Return the row of a file without results, which says why: no strategy, length or time of it is known."""
-    unmeasured = replace(machining(linearize([])), cutting_seconds=None, left_out=(why,))
-    return OperationReport(
-        document=str(path), name="", label=path.name, job=path.name, counted=False,
-        recognition=Recognition(Strategy.UNKNOWN, 0.0, why, ()), trajectories=0, machining=unmeasured, costs={}, advice={},
-        cautions=(), remarks=(why,), fingerprint="",
-    )  # fmt: skip
+    return without_results(
+        why, document=str(path), name="", label=path.name, job=path.name, counted=False, fingerprint=""
+    )
 
 
 def _rows(
