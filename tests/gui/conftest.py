@@ -21,6 +21,7 @@ try:  # in this order: where FreeCAD runs on PySide2, loading PySide6 beside it 
 except ImportError:
     from PySide6.QtTest import QTest
 
+from vkworkbench import freecad
 from vkworkbench.document.known import KNOWN
 from vkworkbench.gui import tree, widgets
 
@@ -106,6 +107,11 @@ class Window:
         self.click("Analyze toolpaths")
         self.wait(lambda: document.getObject("Job").Label2)
         self.idle(0.3)
+
+    def start_simulator(self, name):
+        """Start a simulator of FreeCAD as its command does; the panels of before do not get in its way."""
+        dead_widgets.forget()
+        Gui.runCommand(freecad.simulator_command(name))
 
     def click_on(self, widget):
         QTest.mouseClick(widget, QtCore.Qt.LeftButton)

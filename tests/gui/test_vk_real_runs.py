@@ -38,9 +38,9 @@ def runs():
     return calibration.load(preferences.read().renderer).runs
 
 
-def simulator(window, command, label):
+def simulator(window, name, label):
     """Open a simulator's panel with one operation ticked; return a function that finds its parts by name."""
-    Gui.runCommand(command)
+    window.start_simulator(name)
     window.wait(simulator_panels.panels)
     window.idle()  # the add-on notices it
     (panel,) = simulator_panels.panels()
@@ -58,7 +58,7 @@ def test_the_first_analysis_calibrates(calibrated):
 
 def test_runs_of_the_legacy_simulator_teach(calibrated, undisturbed, window):
     before = {name: len(values) for name, values in runs().items()}
-    button = simulator(window, "Path_Simulator" if OLD else "CAM_Simulator", "Bore")
+    button = simulator(window, "legacy", "Bore")
     for name, taught in (("toolButtonFF", "fast-forward"), ("toolButtonPlay", "play")):
         window.click_on(button(name))
         assert not button(name).isEnabled()
@@ -73,7 +73,7 @@ def test_runs_of_the_legacy_simulator_teach(calibrated, undisturbed, window):
 def test_a_run_that_was_disturbed_teaches_nothing(calibrated, window, monkeypatch):
     monkeypatch.setattr(real_runs, "_now", lambda: np.array([1e3 * time.perf_counter(), 0.0]))
     before = runs()
-    button = simulator(window, "Path_Simulator" if OLD else "CAM_Simulator", "Bore")
+    button = simulator(window, "legacy", "Bore")
     window.click_on(button("toolButtonFF"))
     window.wait(lambda: button("toolButtonFF").isEnabled(), 60)
     window.idle(0.5)
@@ -82,7 +82,7 @@ def test_a_run_that_was_disturbed_teaches_nothing(calibrated, window, monkeypatc
 
 def test_a_run_that_was_paused_teaches_nothing(calibrated, window):
     before = runs()
-    button = simulator(window, "Path_Simulator" if OLD else "CAM_Simulator", "Bore")
+    button = simulator(window, "legacy", "Bore")
     window.click_on(button("toolButtonPlay"))
     window.idle(1.0)
     window.click_on(button("toolButtonPause"))
@@ -96,7 +96,7 @@ def test_a_run_that_was_paused_teaches_nothing(calibrated, window):
 @pytest.mark.skipif(OLD, reason="FreeCAD 0.20 has no OpenGL simulator")
 def test_a_run_of_the_opengl_simulator_teaches(calibrated, undisturbed, window):
     before = len(runs().get("draw", ()))
-    button = simulator(window, "CAM_SimulatorGL", "Pocket zigzag")
+    button = simulator(window, "OpenGL", "Pocket zigzag")
     window.click_on(button("toolButtonPlay"))
 
     def shown():

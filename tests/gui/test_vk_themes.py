@@ -45,7 +45,7 @@ def test_the_line_over_the_view_is_readable(shipped, marked, window):
     window.activate("PathWorkbench" if freecad.version() < (1, 0) else "CAMWorkbench")
     preferences.write(time_budget=0.1)
     try:
-        Gui.runCommand(freecad.simulator_command(freecad.own_simulator()))
+        window.start_simulator(freecad.own_simulator())
         window.wait(lambda: window.first(QtGui.QFrame, "VkSimulatorWarning") is not None)
         window.idle(0.5)
         (line,) = [w for w in window.find(QtGui.QFrame, "VkSimulatorWarning") if w.isVisible()]
