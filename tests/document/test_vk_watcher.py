@@ -49,6 +49,55 @@ def test_an_edited_path_outdates_its_mark_and_the_total(watched):
     assert outdated(document) == []
 
 
+@pytest.fixture
+def looked_at(monkeypatch):
+    """The labels of what is compared with its mark, and what of it may have changed."""
+    looked_at = []
+    refresh = marks.refresh
+
+    def noted(obj, settings_of, **changed):
+        looked_at.append((obj.Label, *changed.values()))
+        return refresh(obj, settings_of, **changed)
+
+    monkeypatch.setattr(marks, "refresh", noted)
+    return looked_at
+
+
+def test_only_what_may_have_changed_is_looked_at(watched, looked_at):
+    document = watched.document
+    for rename in ("Another", "Third"):
+        document.openTransaction("Rename")
+        watched.second.Label = rename
+        document.commitTransaction()
+        document.undo()
+    document.addObject("Path::FeaturePython", "Unmarked")
+    document.recompute()
+    assert looked_at == []
+    edit_path(watched)
+    document.recompute()
+    assert looked_at == [("First", True, False)]
+
+
+def test_a_check_looks_at_all_that_is_marked_and_at_all_of_it(watched, zigzag_commands, looked_at):
+    watched.add("Third", zigzag_commands)
+    looked_at.clear()
+    watcher.check(watched.document)
+    assert looked_at == [("First", True, True), ("Second", True, True)]
+
+
+def test_an_undone_mark_is_compared_with_what_is_now(watched):
+    """The job's tool was changed in between, in no step that is undone."""
+    document = watched.document
+    document.UndoMode = 0
+    watched.controller.Tool.Diameter = 7
+    document.recompute()
+    document.UndoMode = 1
+    vkworkbench.mark(vkworkbench.analyze(document))
+    assert outdated(document) == []
+    document.undo()
+    assert "First" in outdated(document)
+
+
 @pytest.mark.parametrize("change", ["tool", "stock", "placement"])
 def test_tool_and_stock_matter_too(watched, change):
     document = watched.document
@@ -161,6 +210,7 @@ def test_nothing_is_looked_at_while_restoring(watched, tmp_path, monkeypatch):
     looked = []
     monkeypatch.setattr(marks, "refresh", lambda *args, **kwargs: looked.append(args))
     document = FreeCAD.openDocument(path)
+    document.save()
     assert looked == []
     FreeCAD.closeDocument(document.Name)
 
