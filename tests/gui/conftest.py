@@ -53,6 +53,8 @@ class Window:
     def __init__(self):
         self.main = Gui.getMainWindow()
         self.main.setGeometry(0, 0, 1280, 1000)
+        # Below the window. Since 1.1 FreeCAD asks the mouse, not the event, what a press hits: it may be an empty task panel.
+        QtGui.QCursor.setPos(QtGui.QApplication.primaryScreen().geometry().bottomRight())
 
     def wait(self, until, seconds=20.0):
         """Let FreeCAD work until a condition holds."""
