@@ -39,6 +39,12 @@ def no_dead_widgets():
     dead_widgets.forget()
 
 
+@pytest.fixture(autouse=True)
+def mouse_below_the_window():
+    """FreeCAD 1.1 asks the mouse, not the event, what a press hits: where it was left there may be an empty task panel."""
+    QtGui.QCursor.setPos(QtGui.QApplication.primaryScreen().geometry().bottomRight())
+
+
 DARK = """
 QWidget { background-color: #26282c; color: #e6e6e6; }
 QTreeView, QTableView { background-color: #1e1f22; alternate-background-color: #26282c; color: #e6e6e6; }
@@ -53,8 +59,6 @@ class Window:
     def __init__(self):
         self.main = Gui.getMainWindow()
         self.main.setGeometry(0, 0, 1280, 1000)
-        # Below the window. Since 1.1 FreeCAD asks the mouse, not the event, what a press hits: it may be an empty task panel.
-        QtGui.QCursor.setPos(QtGui.QApplication.primaryScreen().geometry().bottomRight())
 
     def wait(self, until, seconds=20.0):
         """Let FreeCAD work until a condition holds."""
