@@ -3,7 +3,6 @@
 
 from collections import Counter
 
-import FreeCADGui as Gui
 from PySide import QtCore, QtGui
 
 from vkworkbench import freecad, preferences
