@@ -415,6 +415,22 @@ def test_a_report_from_before_a_change_marks_as_outdated(small, zigzag_commands,
     assert marks.is_outdated(op) == (changed is not None)
 
 
+def test_a_step_that_is_open_in_another_document_stays_open(small, zigzag_commands):
+    op = small.add("Zigzag", zigzag_commands)
+    other = FreeCAD.newDocument("Other")
+    try:
+        other.UndoMode = 1
+        other.openTransaction("Edit")
+        vkworkbench.mark(vkworkbench.analyze(op))
+        assert marks.is_marked(op) and FreeCAD.getActiveTransaction()[0] == "Edit"
+        other.addObject("App::FeaturePython", "Of the step")
+        FreeCAD.closeActiveTransaction()
+        assert [name.endswith("Edit") for name in other.UndoNames] == [True]
+    finally:
+        FreeCAD.closeActiveTransaction(True)
+        FreeCAD.closeDocument(other.Name)
+
+
 def test_a_transaction_that_is_open_is_joined(small, zigzag_commands):
     op = small.add("Zigzag", zigzag_commands)
     small.document.openTransaction("Macro")
