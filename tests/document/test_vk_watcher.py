@@ -203,15 +203,14 @@ def test_real_operations_outdate_and_recover(example):
     assert outdated(example) == []
 
 
-def test_nothing_is_looked_at_while_restoring(watched, tmp_path, monkeypatch):
+def test_nothing_is_looked_at_while_restoring(watched, tmp_path, looked_at):
     path = str(tmp_path / "job.FCStd")
     watched.document.saveAs(path)
     FreeCAD.closeDocument(watched.document.Name)
-    looked = []
-    monkeypatch.setattr(marks, "refresh", lambda *args, **kwargs: looked.append(args))
+    looked_at.clear()
     document = FreeCAD.openDocument(path)
     document.save()
-    assert looked == []
+    assert looked_at == []
     FreeCAD.closeDocument(document.Name)
 
 

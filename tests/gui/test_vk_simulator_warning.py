@@ -48,7 +48,6 @@ def marked(marked, window):
 def _close(window):
     simulator_panels.close()
     window.wait(lambda: not Gui.Control.activeDialog() and simulator_panel(window) is None)
-    dead_widgets.forget()
 
 
 def lines(window):
@@ -143,7 +142,6 @@ def test_a_click_after_the_panel_was_closed_does_nothing(marked, window):
     assert lines(window) == []
     window.idle(0.5)
     assert not Gui.Control.activeDialog() and simulator_panel(window) is None
-    dead_widgets.forget()
 
 
 @pytest.mark.skipif(not OLD, reason="since 1.0 FreeCAD itself keeps one each time")
