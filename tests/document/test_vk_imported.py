@@ -45,6 +45,16 @@ def test_imported_inches_are_noticed_and_recognised(small, tmp_path):
     assert file.strategy is row.strategy and file.length == pytest.approx(25.4 * row.length)
 
 
+def test_imported_inches_of_two_operations_are_told_apart(small, tmp_path):
+    FreeCAD.setActiveDocument(small.name)
+    turn = "".join(f"G1 X{x} Y{y}\n" for x, y in ((8, 4), (8, 8), (4, 8), (4, 4)))
+    contours = f"G0 X4 Y4\nG1 Z0.7 F20\n{turn}G1 Z0.6\n{turn}G0 Z1.5\n"
+    operation = imported(small, PROGRAM + contours, tmp_path)
+    (row,) = vkworkbench.analyze(operation).operations
+    assert TOO_SMALL in row.error
+    assert [str(span.strategy) for span in row.recognition.spans] == ["zigzag", "profile"]
+
+
 def test_imported_millimetres_are_not_doubted(small, tmp_path):
     FreeCAD.setActiveDocument(small.name)
     lines = ROWS.replace("G1 X2.1000", "G1 X50.1000").replace("Y0.", "Y").replace("Y1.", "Y1")

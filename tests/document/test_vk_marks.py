@@ -5,6 +5,7 @@ import json
 import os
 import subprocess
 from dataclasses import replace
+from functools import partial
 
 import FreeCAD
 import Path
@@ -16,6 +17,8 @@ from vkworkbench.core import Strategy
 from vkworkbench.core.simulators import Caution
 from vkworkbench.document import fingerprint, mark_properties, mark_text, marking, marks, watcher
 from vkworkbench.language import ENGLISH, Message, render
+
+refresh = partial(marks.refresh, path_changed=True, setting_changed=True)
 
 
 def marked(document):
@@ -498,7 +501,7 @@ def test_marking_again_brings_back_a_text_that_was_taken_away(small, zigzag_comm
     texts = op.Label2, small.job.Label2
     op.Label2 = small.job.Label2 = ""
     # What follows a change by itself leaves it away; a click on Analyze is asked for.
-    marks.refresh(op, lambda _: ())
+    refresh(op, lambda _: ())
     assert (op.Label2, small.job.Label2) == ("", "")
     vkworkbench.mark(vkworkbench.analyze(small.document))
     assert (op.Label2, small.job.Label2) == texts
@@ -506,13 +509,13 @@ def test_marking_again_brings_back_a_text_that_was_taken_away(small, zigzag_comm
 
 def test_refreshing_says_whether_the_mark_changed(small, zigzag_commands):
     op = small.add("Zigzag", zigzag_commands)
-    assert not marks.refresh(op, lambda _: ())  # no mark
+    assert not refresh(op, lambda _: ())  # no mark
     vkworkbench.mark(vkworkbench.analyze(small.document))
     _, setting = fingerprint.path_and_setting(marks.read(op).fingerprint)
-    assert not marks.refresh(op, lambda _: (setting,))
-    assert marks.refresh(op, lambda _: ("another",)) and marks.is_outdated(op)
-    assert not marks.refresh(op, lambda _: ("another",))
-    assert marks.refresh(op, lambda _: (setting,), path_changed=False, setting_changed=False)
+    assert not refresh(op, lambda _: (setting,))
+    assert refresh(op, lambda _: ("another",)) and marks.is_outdated(op)
+    assert not refresh(op, lambda _: ("another",))
+    assert refresh(op, lambda _: (setting,), path_changed=False, setting_changed=False)
     assert not marks.is_outdated(op)
 
 
@@ -521,14 +524,14 @@ def test_a_total_is_outdated_while_one_of_its_operations_is(small, zigzag_comman
     vkworkbench.mark(vkworkbench.analyze(small.document))
     assert not marks.is_outdated(small.job)
     _, setting = fingerprint.path_and_setting(marks.read(one).fingerprint)
-    marks.refresh(one, lambda _: ("another",))
+    refresh(one, lambda _: ("another",))
     marks.refresh_total(small.job)
     assert marks.is_outdated(small.job) and "outdated" in small.job.Label2
-    marks.refresh(one, lambda _: (setting,))
+    refresh(one, lambda _: (setting,))
     marks.refresh_total(small.job)
     assert not marks.is_outdated(small.job)
     # A total of marks that are outdated already says so at once.
-    marks.refresh(other, lambda _: ("another",))
+    refresh(other, lambda _: ("another",))
     marks.write_total(small.job, preferences.read())
     assert marks.is_outdated(small.job)
     small.job.Operations.Group = [one]

@@ -142,7 +142,7 @@ def _total_fingerprint(parts: list[Record | None]) -> str:
     return " ".join(part.fingerprint if part else "" for part in parts)
 
 
-def refresh(obj, settings_of: Callable, *, path_changed: bool = True, setting_changed: bool = True) -> bool:
+def refresh(obj, settings_of: Callable, *, path_changed: bool, setting_changed: bool) -> bool:
     """Add "outdated" to a mark that no longer fits its operation, and take it away where it fits again.
 
     Parameters

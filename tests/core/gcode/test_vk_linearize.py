@@ -214,6 +214,8 @@ def test_a_cycle_returns_where_it_began_or_to_its_plane():
     for mode, height in (("G98", 5), ("G99", 1)):
         toolpath = path(begin, (mode, {}), ("G81", {"X": 1, "Z": -2, "R": 1}), ("G0", {"X": 9}))
         assert toolpath.points[-1].tolist() == [9, 0, height] and toolpath.points[-2].tolist() == [1, 0, height]
+    again = path(begin, ("G99", {}), ("G98", {}), ("G81", {"X": 1, "Z": -2, "R": 1}))
+    assert again.points[-1, 2] == 5
     from_below = path(("G0", {"X": 0, "Y": 0, "Z": 0.5}), ("G98", {}), ("G81", {"X": 1, "Z": -2, "R": 1}))
     assert from_below.points[-1, 2] == 1  # its plane is higher than where it began
     no_height = path(("G81", {"X": 1, "Y": 0, "Z": -2, "R": 1}))
@@ -267,6 +269,13 @@ def test_words_that_are_no_numbers_are_named_and_skipped():
     )
     assert ends(toolpath) == [[0, 3, 0], [0, 4, 0]]
     assert messages(toolpath) == ["X words that are not usable numbers are ignored (5 times, first at command 2)"]
+
+
+@pytest.mark.parametrize("before", [[], [("G81", {"X": 1, "Y": 0, "Z": -2, "R": 1, "F": 1}), ("G80", {})]])
+def test_words_that_continue_no_motion_move_nothing(before):
+    toolpath = path(*before, ("", {"X": 50}))
+    assert [problem.what.code for problem in toolpath.problems] == ["words-without-motion"]
+    assert 50 not in toolpath.points[:, 0]
 
 
 def test_unknown_codes_are_named():

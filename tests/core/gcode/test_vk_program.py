@@ -115,9 +115,21 @@ def test_a_cycle_without_repeats_drills_once():
     assert {x for x, _, z in once if z < 0} == {10}
 
 
+def test_a_cycle_in_absolute_coordinates_is_repeated_in_no_other_place():
+    text = "G0 X0 Y0 Z5\nG91\nG90\nG81 X10 Y0 Z-4 R1 L{} F100\nG80"
+    assert points(text.format(3)) == points(text.format(1))
+
+
+def test_fine_boring_goes_to_its_depth_and_up():
+    bored = points("G0 X0 Y0 Z5\nG76 X5 Y5 Z-3 R1 Q.1 F100\nX9")
+    assert [point for point in bored if point[2] < 0] == [[5, 5, -3], [9, 5, -3]] and bored[-1] == [9, 5, 5]
+
+
 def test_feeds_by_time_and_by_turn():
     by_time = read_program("G0 X0 Y0 Z0\nG93\nG1 X10 F2\nG1 X40 F3\nG94\nG1 X0 F600").toolpath()
     assert by_time.feed.tolist() == pytest.approx([20 / 60, 90 / 60, 10])
+    rapid = read_program("G0 X0 Y0 Z0\nG93\nG0 X10 F2\nG1 X40 F3").toolpath()
+    assert rapid.feed.tolist() == pytest.approx([0, 90 / 60])
     slow = read_program("G0 X0 Y0 Z0\nG93\nG1 X10 F.5").toolpath()
     assert slow.feed.tolist() == pytest.approx([5 / 60])
     by_turn = read_program("G0 X0 Y0 Z0\nG95 S1200 M3\nG1 X10 F.1").toolpath()
@@ -153,6 +165,7 @@ def test_commands_keep_their_lines():
         ("G1 X#1 Y[2+#<d>]", "variables and expressions are not read: the words with them are left out (line 5)"),
         ("M98 P1000", "a subprogram or macro call is not read (line 5)"),
         ("G65 P9000 X5 Y6", "a subprogram or macro call is not read (line 5)"),
+        ("G66 P9000 X5 Y6", "a subprogram or macro call is not read (line 5)"),
         ("O100 call [1]", "jumps, loops and calls are not followed (line 5)"),
         ("WHILE [#1 LT 5] DO1", "jumps, loops and calls are not followed (line 5)"),
         ("G68 X0 Y0 R45", "coordinates that G68 changes are read as if it were not there (line 5)"),

@@ -84,9 +84,9 @@ def test_too_large_a_simulation_is_refused_before_it_starts():
     assert simulate(path, **solids, memory_budget=error.needed * 1.01).traces > 0
 
 
-def removal(tool, direction, points=((10, 15, 5), (30, 15, 5))):
+def removal(tool, direction, points=((10, 15, 5), (30, 15, 5)), *, others=()):
     view = View(direction, 80, 60, pixel=0.5)
-    cuts = Cuts([Cut(toolpath(np.array(points, float)), tool)])
+    cuts = Cuts([Cut(toolpath(np.array(points, float)), one) for one in (tool, *others)])
     return Removal(cuts, BOX, view.frame(BOX))
 
 
@@ -136,6 +136,7 @@ def test_a_band_takes_least_from_above_and_most_where_forms_are_no_closed_ones()
         )
     )
     assert max(above) < min(closed) < min(other)
+    assert peak_bytes(nothing, 0, removal(flat, (1, 1, -1), others=[bullnose])) in other
 
 
 @pytest.mark.parametrize("direction", [(0, 0, -1), (0, 0, 1), (1, 1, -1)])
