@@ -33,11 +33,11 @@ DIRECTIONS = ((0, 0, -1), (0, 0, -1), (1, 1, -1), (0, 0.5, -1), (1, -2, -0.3))
 LONGEST, SHORTEST = 2.0, 3e-3
 FOLDS = 10
 # Roughly what each costs, s, from above or below and obliquely, and the weight of that against one run.
-USUAL = 1e-6 * np.array([2, 0.03, 0.005, 300, 0.035, 0.18, *[0.06, 0.35] * 8, *[0.05, 0.4] * 8])
+USUAL = 1e-6 * np.array([2, 0.03, 0.005, 300, 0.035, 0.18, *[0.06, 0.35] * 8, *[0.05, 0.4] * 8, 0.1])
 RIDGE = 0.3
 STEPS = 20_000
-# Columns of the amounts: trajectory, pixel, meeting, block; records, tests and cells by kind follow.
-PLAIN, RECORDS, TESTS, CELLS = slice(0, 4), slice(4, 6), slice(6, 22), slice(22, 38)
+# Columns of the amounts: trajectory, pixel, meeting, block; records, tests and cells by kind, and cells that are sorted.
+PLAIN, RECORDS, TESTS, CELLS, SORTED = slice(0, 4), slice(4, 6), slice(6, 22), slice(22, 38), 38
 
 
 def main() -> None:
@@ -90,14 +90,15 @@ def best_time(toolpath, **solids) -> float:
 
 
 def amounts(work) -> np.ndarray:
-    """Amounts of one simulation's work, (38,), by kind."""
+    """Amounts of one simulation's work, (39,), by kind."""
     blocks = work.amounts()[3]
     plain = [work.trajectories, work.pixels, work.first, blocks]
-    return np.concatenate((plain, work.records, 4 * np.reshape(work.pairs, (-1, 16)).sum(axis=0), work.cells))
+    tests, sorted_ = 4 * np.reshape(work.pairs, (-1, 16)).sum(axis=0), work.unconnected * sum(work.cells)
+    return np.concatenate((plain, work.records, tests, work.cells, [sorted_]))
 
 
 def learn(rows: np.ndarray, seconds: np.ndarray, source: np.ndarray) -> None:
-    """Print what the amounts (k, 38) of runs cost that took so long, and what leaving out toolpaths costs."""
+    """Print what the amounts (k, 39) of runs cost that took so long, and what leaving out toolpaths costs."""
     long = seconds > SHORTEST
     rows, seconds, source = rows[long], seconds[long], source[long]
     predicted = np.empty(len(seconds))
@@ -116,13 +117,14 @@ def learn(rows: np.ndarray, seconds: np.ndarray, source: np.ndarray) -> None:
         ("TESTS", costs[TESTS] / test), ("CELLS", costs[CELLS] / cell), ("RECORDS", costs[RECORDS] / record),
     ):  # fmt: skip
         print(f"{name} = {', '.join(f'{value:.3f}' for value in values)}")
+    print(f"SORTED = {costs[SORTED] / cell:.3f}")
     print("Speed:", ", ".join(f"{value:.3g}" for value in (*costs[PLAIN], test, cell, record)))
 
 
 def costs_of(relative: np.ndarray) -> np.ndarray:
-    """Costs (38,) of amounts per s (k, 38)."""
+    """Costs (39,) of amounts per s (k, 39)."""
     return positive(
-        np.vstack((relative, RIDGE * np.diag(1 / USUAL))), np.append(np.ones(len(relative)), RIDGE * np.ones(38))
+        np.vstack((relative, RIDGE * np.diag(1 / USUAL))), np.append(np.ones(len(relative)), RIDGE * np.ones(39))
     )
 
 

@@ -10,11 +10,13 @@ import pytest
 from zbuffer_reference.paths import BOX, toolpath
 
 from vkworkbench.core import Cut, Tool, View
-from vkworkbench.core.zbuffer import effort
+from vkworkbench.core.zbuffer import chains, counts, effort
 from vkworkbench.core.zbuffer.culling import PAIRS_AT_ONCE, TILE, Tiles
 from vkworkbench.core.zbuffer.cuts import Cuts
-from vkworkbench.core.zbuffer.effort import CELLS, KINDS, RECORDS, TESTS, Work
+from vkworkbench.core.zbuffer.dexels import UNCUT, Pieces
+from vkworkbench.core.zbuffer.effort import CELLS, KINDS, RECORDS, SORTED, TESTS, Work
 from vkworkbench.core.zbuffer.estimate import Speed
+from vkworkbench.core.zbuffer.records import GAP
 from vkworkbench.core.zbuffer.removal import Removal
 from vkworkbench.core.zbuffer.speed import _loops, _rows, _surface, fit_speed
 from vkworkbench.core.zbuffer.trajectories import Kind
@@ -30,7 +32,7 @@ def of_kind(**amounts):
 # Two levels of tiles of 64 and 32 pixels, four times as many pairs on the second; pixels of tiles of 16, twice as many pairs.
 WORK = Work(
     trajectories=10, pixels=1000, first=50, pairs=(of_kind(kind_0=1e5), of_kind(kind_1=4e5)),
-    cells=of_kind(kind_2=2 * 16**2 * 4e5), records=(3, 2), bands=2, kinds=1.5,
+    cells=of_kind(kind_2=2 * 16**2 * 4e5), unconnected=0.25, records=(3, 2), bands=2, kinds=1.5,
 )  # fmt: skip
 
 
@@ -38,7 +40,7 @@ def test_the_amounts_of_a_simulation():
     trajectories, pixels, first, blocks, tests, cells, records = WORK.amounts()
     assert (trajectories, pixels, first) == (10, 1000, 50)
     assert tests == pytest.approx(4 * (1e5 * TESTS[0] + 4e5 * TESTS[1]))
-    assert cells == pytest.approx(2 * 16**2 * 4e5 * CELLS[2])
+    assert cells == pytest.approx(2 * 16**2 * 4e5 * (CELLS[2] + 0.25 * SORTED))
     assert records == pytest.approx(3 * RECORDS[0] + 2 * RECORDS[1])
     # No level has fewer blocks than bands, or than the level before it.
     assert blocks == pytest.approx(1.5 * (2 + 4e5 / PAIRS_AT_ONCE + 2 * 16**2 * 4e5 / PAIRS_AT_ONCE))
@@ -56,9 +58,9 @@ def test_in_an_image_of_four_times_as_many_pixels_every_level_is_the_next():
 
 
 def test_blocks_are_no_fewer_than_the_bands_of_the_image():
-    few = Work(1, 1, 1, (of_kind(kind_0=8), of_kind(kind_0=2)), of_kind(kind_0=9), (1, 0), bands=3, kinds=2)
+    few = Work(1, 1, 1, (of_kind(kind_0=8), of_kind(kind_0=2)), of_kind(kind_0=9), 0, (1, 0), bands=3, kinds=2)
     assert few.amounts()[3] == pytest.approx(2 * (3 + 3 + 3))
-    falling = Work(1, 1, 1, (of_kind(kind_0=5 * PAIRS_AT_ONCE), of_kind(kind_0=1)), of_kind(), (1, 0), 0, 1)
+    falling = Work(1, 1, 1, (of_kind(kind_0=5 * PAIRS_AT_ONCE), of_kind(kind_0=1)), of_kind(), 0, (1, 0), 0, 1)
     assert falling.amounts()[3] == pytest.approx(5 + 5)
 
 
@@ -86,13 +88,13 @@ def test_pixels_have_more_pairs_between_as_many_more_as_they_had_than_the_last_t
     step, growth, factor
 ):
     """Where these had no more, the mean of once and four times, for each time that the pixels are four times as many."""
-    work = Work(1, 1, 1, (of_kind(kind_3=100),), of_kind(kind_3=step * 100 * 32**2), (1, 0), 1, 1)
+    work = Work(1, 1, 1, (of_kind(kind_3=100),), of_kind(kind_3=step * 100 * 32**2), 0, (1, 0), 1, 1)
     assert work._cells_in(growth) == pytest.approx(factor)
 
 
 def test_without_any_level_pairs_grow_as_the_pixels():
-    assert Work(1, 1, 1, (), of_kind(kind_3=100), (1, 0), 1, 1)._cells_in(3.0) == 3
-    assert Work(1, 1, 1, (of_kind(kind_3=9),), of_kind(), (1, 0), 1, 1)._cells_in(3.0) == 3
+    assert Work(1, 1, 1, (), of_kind(kind_3=100), 0, (1, 0), 1, 1)._cells_in(3.0) == 3
+    assert Work(1, 1, 1, (of_kind(kind_3=9),), of_kind(), 0, (1, 0), 1, 1)._cells_in(3.0) == 3
 
 
 def test_kinds_of_pairs():
@@ -220,3 +222,42 @@ def test_the_paths_that_are_timed_go_over_all_of_the_block():
     assert 9 < surface[:, 2].min() < 11 and 15 < surface[:, 2].max() < 17
     for made in (_rows(4.0), _loops(8.0), _surface(10.0)):
         assert not made.rapid.any() and len(made) == len(made.points) - 1 == made.commands
+
+
+@pytest.mark.parametrize(
+    ("owners", "unconnected"),
+    [
+        ([7], False),
+        ([GAP, 2, 5, UNCUT], False),  # from the near end on
+        ([UNCUT, 4, 1, 3, UNCUT], False),  # a gap that grew to both sides
+        ([2, UNCUT, 1], True),  # what is left between two gaps
+        ([UNCUT, 1, 4, 2, UNCUT], True),  # two gaps that a third joined
+    ],
+)
+def test_removals_that_do_not_connect_leave_a_peak_of_owners(owners, unconnected):
+    others = [UNCUT, 1, UNCUT]  # of rays before and behind: no peak is where a ray ends
+    rays = np.repeat(np.arange(3), [3, len(owners), 3])
+    pieces = Pieces(rays, np.array(others + owners + others), *np.zeros((2, len(rays))))
+    assert counts._unconnected(pieces, 4).tolist() == [False, unconnected, False, False]
+
+
+def test_so_many_rays_are_sorted_as_are_counted(monkeypatch):
+    rng = np.random.default_rng(3)
+    ray = np.sort(rng.integers(0, 200, 800))
+    enter = rng.integers(-2, 20, 800).astype(float)
+    sorted_ = []
+    first_cuts = chains.first_cuts
+    monkeypatch.setattr(chains, "first_cuts", lambda *of: sorted_.append(len(of[0])) or first_cuts(*of))
+    near, far = np.zeros(200), np.full(200, 20.0)
+    pieces = chains.cut_rays(near, far, ray, np.arange(800), enter, enter + rng.integers(1, 9, 800))
+    assert 20 < counts._unconnected(pieces, 200).sum() < 180
+    assert sorted_ == [counts._unconnected(pieces, 200).sum()]
+
+
+@pytest.mark.parametrize(("depths", "share"), [([4], 0), ([4, 4], 1), ([8, 4], 1 / 2)])
+def test_what_is_sorted_is_a_share_of_what_passes(depths, share):
+    """Seen from the side, what is left between two slots parts their rays; a deeper slot meets some of them alone."""
+    points = [(10 + 20 * slot, y, z) for slot, z in enumerate(depths) for y in (-20, 50)]
+    cuts = Cuts([Cut(toolpath(np.array(points[k : k + 2], float)), FLAT) for k in range(0, len(points), 2)])
+    removal = Removal(cuts, BOX, View((1, 0, 0), 80, 40).frame(BOX))
+    assert counts.count(removal).unconnected == pytest.approx(share, abs=0.03)

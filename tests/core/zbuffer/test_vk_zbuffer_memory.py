@@ -93,7 +93,7 @@ def removal(tool, direction, points=((10, 15, 5), (30, 15, 5)), *, others=()):
 def test_the_peak_grows_with_records_pixels_and_trajectories():
     """Records grow by an eighth when they are full, and the traces are told with two standard errors."""
     flat = removal(TOOLS[0], (0, 0, -1))
-    nothing = Counts(0, 0, 0, 0, 0, 0, 0, 4800)
+    nothing = Counts(0, 0, 0, 0, 0, 0, 0, 0, 4800)
 
     def more(trajectories=0, **counted):
         return peak_bytes(replace(nothing, **counted), trajectories, flat) - peak_bytes(nothing, 0, flat)
@@ -108,7 +108,7 @@ def test_each_further_process_takes_its_own_memory_and_what_is_sent_to_it(monkey
     flat, plenty = removal(TOOLS[0], (0, 0, -1)), 1e15
 
     def each(band, trajectories):
-        counts = Counts(0, 0, 0, 0, 0, 0, band, 4800)
+        counts = Counts(0, 0, 0, 0, 0, 0, 0, band, 4800)
         assert counts.band == band
         monkeypatch.setattr(memory, "count", lambda _: counts)
         peak = peak_bytes(counts, trajectories, flat)
@@ -125,7 +125,7 @@ def test_each_further_process_takes_its_own_memory_and_what_is_sent_to_it(monkey
 
 
 def test_a_band_takes_least_from_above_and_most_where_forms_are_no_closed_ones():
-    nothing = Counts(0, 0, 0, 0, 0, 0, 0, 4800)
+    nothing = Counts(0, 0, 0, 0, 0, 0, 0, 0, 4800)
     flat, ball, bullnose, vee = TOOLS[0], TOOLS[2], TOOLS[3], TOOLS[5]
     above, closed, other = (
         {peak_bytes(nothing, 0, removal(tool, direction)) for tool, direction in some}

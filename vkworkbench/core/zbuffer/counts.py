@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from vkworkbench.core.zbuffer.culling import TILE
-from vkworkbench.core.zbuffer.dexels import UNCUT
+from vkworkbench.core.zbuffer.dexels import UNCUT, Pieces
 from vkworkbench.core.zbuffer.records import GAP, INDEX, PIXEL_BYTES, RECORD_BYTES
 from vkworkbench.core.zbuffer.removal import Removal
 from vkworkbench.core.zbuffer.sampling import sample
@@ -34,6 +34,8 @@ class Counts:
         Pixels that something cuts.
     passes : float
         Pairs of a pixel and a trajectory that passes it, whether or not anything is left to cut.
+    unconnected : float
+        Share of `passes` that are of rays whose removals do not connect: these are sorted (`chains.py`).
     band : float
         Records of the fullest band of `TILE` rows.
     pixels : int
@@ -46,6 +48,7 @@ class Counts:
     traces_error: float
     touched: float
     passes: float
+    unconnected: float
     band: float
     pixels: int
 
@@ -89,6 +92,7 @@ def count(removal: Removal) -> Counts:
     more, _ = rays.total(parts - first)
     more = max(more, -covered)  # where everything is cut away, rounding leaves less than nothing
     traces, error = rays.total(cuts)
+    passed, sorted_ = (rays.total(of)[0] for of in (passes, passes * _unconnected(pieces, len(rays.x))))
     band = np.floor((rays.y / frame.pixel + frame.height / 2) / TILE).astype(np.int64)
     bands = np.bincount(np.maximum(band, 0), (cuts + parts) * rays.area, minlength=1)
     return Counts(
@@ -97,7 +101,16 @@ def count(removal: Removal) -> Counts:
         traces * per_area,
         error * per_area,
         rays.total(cuts > 0)[0] * per_area,
-        rays.total(passes)[0] * per_area,
+        passed * per_area,
+        sorted_ / passed if passed else 0.0,
         float(bands.max()) * per_area,
         frame.width * frame.height,
     )
+
+
+def _unconnected(pieces: Pieces, rays: int) -> np.ndarray:
+    """(rays,) bool: whose gap did not only grow. Owners then rise and fall again along the ray, or what is left parts them."""
+    owner, ray = pieces.owner, pieces.ray
+    peak = np.flatnonzero((owner[1:-1] > owner[:-2]) & (owner[1:-1] > owner[2:]) & (ray[2:] == ray[:-2])) + 1
+    found: np.ndarray = np.bincount(ray[peak], minlength=rays) > 0
+    return found

@@ -12,6 +12,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from vkworkbench.core.zbuffer.counts import Counts
 from vkworkbench.core.zbuffer.culling import PAIRS_AT_ONCE, TILE, Tiles, fine_enough, first_tiles, quartered
 from vkworkbench.core.zbuffer.removal import Removal
 from vkworkbench.core.zbuffer.tilted import Tilted
@@ -29,16 +30,17 @@ _FEWEST = 24
 _SEED = 2002
 
 # Kinds of pairs: by the tool (flat, pointed, ball, bull-nose), of these level and sloped moves, of these seen from above
-# or below and obliquely. What testing a pair takes, and cutting a pixel's ray by one, and a record from above and
-# obliquely, in units of `Speed`; learned by benchmarks/learn_effort.py.
+# or below and obliquely. What testing a pair takes, and cutting a pixel's ray by one, what more where the ray's removals
+# have to be sorted, and a record from above and obliquely, in units of `Speed`; learned by benchmarks/learn_effort.py.
 KINDS = 16
 TESTS = np.array(
-    [0.028, 0.3, 0.091, 0.67, 0.078, 0.5, 0.131, 0.893, 0.057, 0.303, 0.082, 0.553, 0.107, 1, 0.175, 0.783]
+    [0.037, 0.227, 0.095, 0.586, 0.079, 0.743, 0.123, 0.91, 0.055, 0.403, 0.1, 0.613, 0.095, 1, 0.209, 0.813]
 )
 CELLS = np.array(
-    [0.019, 0.04, 0.011, 0.053, 0.001, 0.288, 0.036, 0.336, 0.02, 0.067, 0.006, 0.092, 0.005, 1, 0.091, 0.476]
+    [0.017, 0.013, 0.007, 0.029, 0.001, 0.252, 0.021, 0.23, 0.017, 0.035, 0.004, 0.048, 0.005, 1, 0.131, 0.487]
 )
-RECORDS = np.array([1, 4.56])
+SORTED = 0.057
+RECORDS = np.array([1, 4.63])
 
 
 @dataclass(frozen=True)
@@ -55,6 +57,8 @@ class Work:
         Pairs of tile and trajectory that are tested at each level, from the largest tiles down, by kind; see `KINDS`.
     cells : (16,) tuple of float
         Pairs of pixel and trajectory of which the ray is cut, by kind.
+    unconnected : float
+        Share of these whose ray's removals do not connect, so that they are sorted.
     records : (2,) tuple of float
         Dexels and elements of traces, from above or below and obliquely.
     bands : float
@@ -68,6 +72,7 @@ class Work:
     first: float
     pairs: tuple[tuple[float, ...], ...]
     cells: tuple[float, ...]
+    unconnected: float
     records: tuple[float, float]
     bands: float
     kinds: float
@@ -91,8 +96,8 @@ class Work:
         blocks = self.kinds * (each.sum() + max(bands, cells.sum() / PAIRS_AT_ONCE))
         records = float(np.dot(self.records, RECORDS))
         return np.array([
-            self.trajectories, self.pixels * growth, self.first * growth, blocks, 4 * tests.sum(), cells @ CELLS,
-            records * growth,
+            self.trajectories, self.pixels * growth, self.first * growth, blocks, 4 * tests.sum(),
+            cells @ (CELLS + SORTED * self.unconnected), records * growth,
         ])  # fmt: skip
 
     def _cells_in(self, growth: float) -> float:
@@ -120,7 +125,7 @@ def _finer(levels: np.ndarray, growth: float) -> np.ndarray:
     return finer
 
 
-def work_of(removal: Removal, trajectories: int, records: float) -> Work:
+def work_of(removal: Removal, trajectories: int, counts: Counts) -> Work:
     """Estimate a simulation's work.
 
     Parameters
@@ -129,8 +134,8 @@ def work_of(removal: Removal, trajectories: int, records: float) -> Work:
         What is to be simulated.
     trajectories : int
         Of the whole toolpath.
-    records : float
-        Dexels and elements of traces that the simulation ends with.
+    counts : Counts
+        What the simulation ends with.
 
     Returns
     -------
@@ -155,8 +160,10 @@ def work_of(removal: Removal, trajectories: int, records: float) -> Work:
         smaller = quartered(removal, bounds, tiles)
         tiles, weight = smaller, weight[_parents(tiles, smaller)]
     pixels, first = frame.width * frame.height, all_tiles * len(removal.index)
+    records = counts.dexels + counts.traces
     kept = (records, 0.0) if upright else (0.0, records)
-    return Work(trajectories, pixels, first, tuple(levels), tuple(cells.tolist()), kept, *_bands(removal))
+    cut = tuple(cells.tolist()), counts.unconnected
+    return Work(trajectories, pixels, first, tuple(levels), *cut, kept, *_bands(removal))
 
 
 def _bands(removal: Removal) -> tuple[float, float]:

@@ -115,13 +115,13 @@ class Speed:
         How many cut at once: all else is what one of them takes.
     """
 
-    trajectory: float = 1e-06
-    pixel: float = 4.3e-08
+    trajectory: float = 7.5e-07
+    pixel: float = 3.4e-08
     meeting: float = 5.1e-09
-    block: float = 0.00046
-    test: float = 4.9e-07
-    cell: float = 1.5e-06
-    record: float = 2.4e-08
+    block: float = 0.0003
+    test: float = 4.7e-07
+    cell: float = 1.4e-06
+    record: float = 2.5e-08
     factor: float = 3.0
     processes: int = 1
 
@@ -198,7 +198,7 @@ def _estimated(cuts: tuple[Cut, ...], stock: Solid, view: View, speed: Speed, wo
     frame, numbered = view.frame(stock), Cuts(cuts)
     removal = Removal(numbered, stock, frame)
     counts = count(removal)
-    work = work_of(removal, len(numbered), counts.dexels + counts.traces)
+    work = work_of(removal, len(numbered), counts)
     return Estimate(
         counts.dexels,
         counts.traces,

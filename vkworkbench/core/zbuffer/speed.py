@@ -91,8 +91,7 @@ def fit_speed(amounts: np.ndarray, seconds: np.ndarray) -> Speed:
 def _work(toolpath: Toolpath, tool: Tool, view: View) -> np.ndarray:
     """The work of one simulation; see `Work.amounts`."""
     removal = Removal(Cuts([Cut(toolpath, tool)]), _STOCK, view.frame(_STOCK))
-    counts = count(removal)
-    return work_of(removal, len(toolpath), counts.dexels + counts.traces).amounts()
+    return work_of(removal, len(toolpath), count(removal)).amounts()
 
 
 def _rows(step: float) -> Toolpath:
