@@ -123,3 +123,5 @@ def test_the_lowest_point_is_that_of_what_is_cut_whichever_way():
     rising = [("G0", {"X": 0.0, "Y": 0.0, "Z": 5.0}), ("G0", {"Z": -2.0}), ("G1", {"X": 9.0, "Z": 1.0, "F": 5.0})]
     work = machining(linearize([*rising, ("G0", {"Z": 9.0}), ("G0", {"X": 50.0}), ("G0", {"Z": -7.0})]), top=1.0)
     assert (work.lowest, work.depth) == (-2, 3)
+    again = machining(linearize([*rising, ("G1", {"X": 0.0}), ("G1", {"Z": 4.0})]), top=1.0)
+    assert (again.lowest, again.depth) == (-2, 3)
