@@ -193,6 +193,12 @@ def test_the_z_buffers_speed_is_measured_once(folder, damage):
     assert calibration.measured_speed() not in (speed, again)
 
 
+def test_a_speed_in_other_units_is_measured_again(folder, monkeypatch):
+    speed = calibration.measured_speed()
+    monkeypatch.setattr(calibration, "WORK_UNITS", "of another version")
+    assert calibration.measured_speed() != speed
+
+
 def cost_of(commands, **known):
     """Of rows of a pocket."""
     rows = [("G1", {"X": 10.0 + 60 * (i % 2), "Y": 5.0 + i % 40, "Z": 10.0, "F": 5.0}) for i in range(commands)]

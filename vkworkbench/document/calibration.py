@@ -22,7 +22,7 @@ from PathSimulator import PathSim
 from vkworkbench import freecad
 from vkworkbench.core import Stock, linearize, processor_clock, steady_seconds
 from vkworkbench.core.simulators import DEFAULTS, SIMULATORS, Constants, Cost, Seen, Task, legacy_work
-from vkworkbench.core.zbuffer import Speed, measure_speed
+from vkworkbench.core.zbuffer import WORK_UNITS, Speed, measure_speed
 from vkworkbench.worker import processes
 
 # Names of OpenGL renderers that draw on the processor and wait for no screen, and the times of a frame and of a draw
@@ -289,8 +289,8 @@ def _key(renderer: str) -> str:
 
 
 def _speed_key() -> str:
-    """Return the key of the z-buffer's speed, which depends on the processor and numpy but not on FreeCAD."""
-    return f"z-buffer; {np.__version__}; {processor()}"
+    """Return the key of the z-buffer's speed, which depends on its units, numpy and the processor but not on FreeCAD."""
+    return f"z-buffer; {WORK_UNITS}; {np.__version__}; {processor()}"
 
 
 def _for_renderer(base: Constants, renderer: str) -> Constants:

@@ -19,6 +19,7 @@ from vkworkbench.core.zbuffer.deviations import (
     material_left,
     worst_places,
 )
+from vkworkbench.core.zbuffer.effort import WORK_UNITS
 from vkworkbench.core.zbuffer.estimate import Estimate, Speed, estimate, estimate_job
 from vkworkbench.core.zbuffer.facts import (
     Crash,
@@ -42,7 +43,7 @@ from vkworkbench.core.zbuffer.simulate import simulate, simulate_job
 from vkworkbench.core.zbuffer.speed import fit_speed, measure_speed
 
 __all__ = [
-    "DEXEL", "FACT_COLUMNS", "RECORD_BYTES", "TRACE", "Crash", "Cut", "CutFacts", "Cuts", "Deviation",
+    "DEXEL", "FACT_COLUMNS", "RECORD_BYTES", "TRACE", "WORK_UNITS", "Crash", "Cut", "CutFacts", "Cuts", "Deviation",
     "Deviations", "Estimate", "JobFacts", "OverBudget", "Plunge", "Resolution", "SeenModel",
     "Source", "Speed", "ZBuffer", "air_share", "best_resolution", "cauchy_crofton", "check_budget",
     "closed_form", "crashes", "cuts_air", "cuts_surely", "deviations", "engagement", "estimate", "estimate_job",
