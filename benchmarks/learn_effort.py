@@ -37,7 +37,7 @@ USUAL = 1e-6 * np.array([2, 0.03, 0.005, 300, 0.035, 0.18, *[0.06, 0.35] * 8, *[
 RIDGE = 0.3
 STEPS = 20_000
 # Columns of the amounts: trajectory, pixel, meeting, block; records, tests and cells by kind, and cells that are sorted.
-PLAIN, RECORDS, TESTS, CELLS, SORTED = slice(0, 4), slice(4, 6), slice(6, 22), slice(22, 38), 38
+PLAIN, RECORDS, TESTS, CELLS, SORTED = slice(0, 4), slice(4, 6), slice(6, 22), slice(22, 38), slice(38, 39)
 
 
 def main() -> None:
@@ -114,17 +114,17 @@ def learn(rows: np.ndarray, seconds: np.ndarray, source: np.ndarray) -> None:
     test, cell, record = costs[TESTS].max(), costs[CELLS].max(), costs[RECORDS][0]
     np.set_printoptions(suppress=True, linewidth=120)
     for name, values in (
-        ("TESTS", costs[TESTS] / test), ("CELLS", costs[CELLS] / cell), ("RECORDS", costs[RECORDS] / record),
+        ("TESTS", costs[TESTS] / test), ("CELLS", costs[CELLS] / cell), ("SORTED", costs[SORTED] / cell),
+        ("RECORDS", costs[RECORDS] / record),
     ):  # fmt: skip
         print(f"{name} = {', '.join(f'{value:.3f}' for value in values)}")
-    print(f"SORTED = {costs[SORTED] / cell:.3f}")
     print("Speed:", ", ".join(f"{value:.3g}" for value in (*costs[PLAIN], test, cell, record)))
 
 
 def costs_of(relative: np.ndarray) -> np.ndarray:
     """Costs (39,) of amounts per s (k, 39)."""
     return positive(
-        np.vstack((relative, RIDGE * np.diag(1 / USUAL))), np.append(np.ones(len(relative)), RIDGE * np.ones(39))
+        np.vstack((relative, RIDGE * np.diag(1 / USUAL))), np.append(np.ones(len(relative)), np.full(len(USUAL), RIDGE))
     )
 
 

@@ -10,13 +10,11 @@ import pytest
 from zbuffer_reference.paths import BOX, toolpath
 
 from vkworkbench.core import Cut, Tool, View
-from vkworkbench.core.zbuffer import chains, counts, effort
+from vkworkbench.core.zbuffer import effort
 from vkworkbench.core.zbuffer.culling import PAIRS_AT_ONCE, TILE, Tiles
 from vkworkbench.core.zbuffer.cuts import Cuts
-from vkworkbench.core.zbuffer.dexels import UNCUT, Pieces
 from vkworkbench.core.zbuffer.effort import CELLS, KINDS, RECORDS, SORTED, TESTS, Work
 from vkworkbench.core.zbuffer.estimate import Speed
-from vkworkbench.core.zbuffer.records import GAP
 from vkworkbench.core.zbuffer.removal import Removal
 from vkworkbench.core.zbuffer.speed import _loops, _rows, _surface, fit_speed
 from vkworkbench.core.zbuffer.trajectories import Kind
@@ -222,42 +220,3 @@ def test_the_paths_that_are_timed_go_over_all_of_the_block():
     assert 9 < surface[:, 2].min() < 11 and 15 < surface[:, 2].max() < 17
     for made in (_rows(4.0), _loops(8.0), _surface(10.0)):
         assert not made.rapid.any() and len(made) == len(made.points) - 1 == made.commands
-
-
-@pytest.mark.parametrize(
-    ("owners", "unconnected"),
-    [
-        ([7], False),
-        ([GAP, 2, 5, UNCUT], False),  # from the near end on
-        ([UNCUT, 4, 1, 3, UNCUT], False),  # a gap that grew to both sides
-        ([2, UNCUT, 1], True),  # what is left between two gaps
-        ([UNCUT, 1, 4, 2, UNCUT], True),  # two gaps that a third joined
-    ],
-)
-def test_removals_that_do_not_connect_leave_a_peak_of_owners(owners, unconnected):
-    others = [UNCUT, 1, UNCUT]  # of rays before and behind: no peak is where a ray ends
-    rays = np.repeat(np.arange(3), [3, len(owners), 3])
-    pieces = Pieces(rays, np.array(others + owners + others), *np.zeros((2, len(rays))))
-    assert counts._unconnected(pieces, 4).tolist() == [False, unconnected, False, False]
-
-
-def test_so_many_rays_are_sorted_as_are_counted(monkeypatch):
-    rng = np.random.default_rng(3)
-    ray = np.sort(rng.integers(0, 200, 800))
-    enter = rng.integers(-2, 20, 800).astype(float)
-    sorted_ = []
-    first_cuts = chains.first_cuts
-    monkeypatch.setattr(chains, "first_cuts", lambda *of: sorted_.append(len(of[0])) or first_cuts(*of))
-    near, far = np.zeros(200), np.full(200, 20.0)
-    pieces = chains.cut_rays(near, far, ray, np.arange(800), enter, enter + rng.integers(1, 9, 800))
-    assert 20 < counts._unconnected(pieces, 200).sum() < 180
-    assert sorted_ == [counts._unconnected(pieces, 200).sum()]
-
-
-@pytest.mark.parametrize(("depths", "share"), [([4], 0), ([4, 4], 1), ([8, 4], 1 / 2)])
-def test_what_is_sorted_is_a_share_of_what_passes(depths, share):
-    """Seen from the side, what is left between two slots parts their rays; a deeper slot meets some of them alone."""
-    points = [(10 + 20 * slot, y, z) for slot, z in enumerate(depths) for y in (-20, 50)]
-    cuts = Cuts([Cut(toolpath(np.array(points[k : k + 2], float)), FLAT) for k in range(0, len(points), 2)])
-    removal = Removal(cuts, BOX, View((1, 0, 0), 80, 40).frame(BOX))
-    assert counts.count(removal).unconnected == pytest.approx(share, abs=0.03)

@@ -53,6 +53,11 @@ class Counts:
     pixels: int
 
     @property
+    def records(self) -> float:
+        """Dexels and elements of traces that the z-buffer holds at the end."""
+        return self.dexels + self.traces
+
+    @property
     def stock_bytes(self) -> float:
         """What the z-buffer of the uncut stock holds."""
         return RECORD_BYTES * self.stock + PIXEL_BYTES * self.pixels + INDEX.itemsize
@@ -60,7 +65,7 @@ class Counts:
     @property
     def memory_bytes(self) -> float:
         """What the z-buffer holds at the end."""
-        return RECORD_BYTES * (self.dexels + self.traces) + PIXEL_BYTES * self.pixels + INDEX.itemsize
+        return RECORD_BYTES * self.records + PIXEL_BYTES * self.pixels + INDEX.itemsize
 
 
 def count(removal: Removal) -> Counts:
@@ -92,7 +97,8 @@ def count(removal: Removal) -> Counts:
     more, _ = rays.total(parts - first)
     more = max(more, -covered)  # where everything is cut away, rounding leaves less than nothing
     traces, error = rays.total(cuts)
-    passed, sorted_ = (rays.total(of)[0] for of in (passes, passes * _unconnected(pieces, len(rays.x))))
+    passed, _ = rays.total(passes)
+    unconnected, _ = rays.total(passes * _unconnected(pieces, len(rays.x)))
     band = np.floor((rays.y / frame.pixel + frame.height / 2) / TILE).astype(np.int64)
     bands = np.bincount(np.maximum(band, 0), (cuts + parts) * rays.area, minlength=1)
     return Counts(
@@ -102,7 +108,7 @@ def count(removal: Removal) -> Counts:
         error * per_area,
         rays.total(cuts > 0)[0] * per_area,
         passed * per_area,
-        sorted_ / passed if passed else 0.0,
+        unconnected / passed if passed else 0.0,
         float(bands.max()) * per_area,
         frame.width * frame.height,
     )

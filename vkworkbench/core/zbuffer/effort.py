@@ -163,10 +163,10 @@ def work_of(removal: Removal, trajectories: int, counts: Counts) -> Work:
         smaller = quartered(removal, bounds, tiles)
         tiles, weight = smaller, weight[_parents(tiles, smaller)]
     pixels, first = frame.width * frame.height, all_tiles * len(removal.index)
-    records = counts.dexels + counts.traces
-    kept = (records, 0.0) if upright else (0.0, records)
-    cut = tuple(cells.tolist()), counts.unconnected
-    return Work(trajectories, pixels, first, tuple(levels), *cut, kept, *_bands(removal))
+    kept = (counts.records, 0.0) if upright else (0.0, counts.records)
+    return Work(
+        trajectories, pixels, first, tuple(levels), tuple(cells.tolist()), counts.unconnected, kept, *_bands(removal)
+    )
 
 
 def _bands(removal: Removal) -> tuple[float, float]:

@@ -110,7 +110,7 @@ def peak_bytes(counts: Counts, trajectories: int, removal: Removal) -> float:
     removal : Removal
         What is simulated.
     """
-    records = counts.dexels + counts.traces + _ERRORS * counts.traces_error
+    records = counts.records + _ERRORS * counts.traces_error
     return _peak(records, counts.band, trajectories, removal)
 
 

@@ -24,7 +24,7 @@ _TILTED = (0, 1, -2)
 # How often each run is timed at most.
 _RUNS = 8
 # The true time of nine in ten is within this factor of that of a measured speed (benchmarks/resources.py time, and on
-# toolpaths of more kinds benchmarks/learn_effort.py, whose worst is 3.5).
+# toolpaths of more kinds benchmarks/learn_effort.py, whose worst is 2.7).
 _FACTOR = 2.0
 # Weight of the usual proportions against one measured time.
 _RIDGE = 0.5
