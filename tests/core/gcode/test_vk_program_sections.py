@@ -27,6 +27,7 @@ def sections(text):
         ("T5 D=3.175 CR=0 - ZMIN=-4.3 - Schaftfräser", 5, "endmill", 3.175),
         ("T6 : 6.0", 6, "endmill", 6),
         ("TOOL/MILL,6.0,3.0,20.0,0", None, "ballend", 6),
+        ("TOOL/MILL,6.0", None, "endmill", 6),
         ("TOOL/DRILL,4.0,118.0,20.0", None, "drill", 4),
         ("Tool: End Mill {0.25 inch}", None, "endmill", 6.35),
         ("Tool: End Mill (6 mm)", None, "endmill", 6),

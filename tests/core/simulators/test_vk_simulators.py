@@ -249,6 +249,23 @@ def test_play_shows_the_uncut_stock_and_every_command():
     assert one.play_seconds - half.play_seconds == pytest.approx(0.5 * (1 + one.shown))
 
 
+def test_play_makes_a_mesh_after_each_of_the_three_moves_of_a_drilling_cycle():
+    free = {field: 0.0 for field in ("redraw", "facet", "display", "profile", "call", "ring", "line", "cap")}
+    holes = [("G81", {"X": x, "Y": 20.0, "Z": 5.0, "R": 22.0, "F": 5.0}) for x in (30.0, 60.0)]
+    path = linearize([("G0", {"X": 20.0, "Y": 20.0, "Z": 25.0}), *holes])
+    (cost,) = legacy_costs(Task(path, TOOL, STOCK), speed=1e9, constants=Constants(cell=1e-6, **free))
+    assert cost.play_seconds == pytest.approx(1e-6 * cost.cells * (1 + 1 + 2 * 3))  # the uncut stock, a move, two holes
+
+
+def test_a_profile_of_the_tool_is_as_long_as_the_tool_is_wide_and_high():
+    path, cone = linearize(zigzag(2)), Tool("vbit", 6.0, tip_angle=math.pi / 2)
+    without, with_ = (
+        legacy_costs(Task(path, cone, STOCK), constants=Constants(profile=seconds))[0] for seconds in (0.0, 0.01)
+    )
+    steps = (3 * 3.0 + 3.0) / (0.05 * SLIDER[-1])
+    assert with_.fast_forward_seconds - without.fast_forward_seconds == pytest.approx(0.01 * steps)
+
+
 def test_every_mesh_of_a_play_has_the_triangles_of_the_operations_before():
     costs = [
         replace(positions(linearize(zigzag(rows)), TOOL)[-1], shown=shown, facets=facets, drawn=drawn)

@@ -155,7 +155,7 @@ def _tool(comment: str, size: re.Match[str], diameter: float, inches: bool) -> T
     if kind and size["second"] and kind.upper() == "MILL":
         rounding = float(size["second"]) * unit
     elif kind:
-        shape = {"DRILL": "drill", "CHAMFER": "vbit"}[kind.upper()] if kind.upper() != "MILL" else shape
+        shape = {"DRILL": "drill", "CHAMFER": "vbit"}.get(kind.upper(), shape)
     if shape in ("endmill", "bullnose") and 0 < rounding <= diameter / 2:
         ball = rounding > 0.499 * diameter
         return Tool("ballend", diameter) if ball else Tool("bullnose", diameter, corner_radius=rounding)
