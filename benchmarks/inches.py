@@ -17,6 +17,8 @@ from collections.abc import Iterator
 from dataclasses import replace
 from pathlib import Path
 
+sys.path[:0] = [str(Path(__file__).resolve().parent.parent)]
+
 from vkworkbench.core import Toolpath, linearize, recognize
 from vkworkbench.core.gcode import INCH, looks_like_inches, read_program
 from vkworkbench.core.recognition import recognize_inches

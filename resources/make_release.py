@@ -1,16 +1,18 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Build the add-on as its users get it, without tests, benchmarks and the pictures of the guide; print its size.
 
-    python3 resources/make_release.py [FOLDER] [--repository URL]       # build/ unless told; needs no FreeCAD
+    python3 resources/make_release.py [FOLDER] [--repository URL [--branch main]]     # build/ unless told; needs no FreeCAD
 
 The zip holds one folder, to be unpacked into FreeCAD's Mod folder. It may have any name there. Who publishes the
-repository says once where: package.xml then names it, its issues, its README and its guide, as the Addon Manager asks.
+repository says once where: package.xml then names it, its issues, its README and its guide, as the Addon Manager asks,
+in the form of GitHub's addresses.
 """
 
 from __future__ import annotations
 
 import argparse
 import re
+import sys
 import zipfile
 from pathlib import Path
 from xml.etree import ElementTree
@@ -30,7 +32,7 @@ def release_files() -> list[Path]:
     return sorted(path.relative_to(ROOT) for path in files | {ROOT / picture for picture in shown})
 
 
-def with_urls(package: str, repository: str) -> str:
+def with_urls(package: str, repository: str, branch: str = "main") -> str:
     """Return the text of a package.xml that names where the repository is, in place of what it named before.
 
     Raises
@@ -38,14 +40,14 @@ def with_urls(package: str, repository: str) -> str:
     ValueError
         Where the address is none.
     """
+    repository = re.sub(r"(\.git)?/*$", "", repository)
     if not re.fullmatch(r"https://[\w.-]+(/[\w.~-]+)+", repository):
         raise ValueError(f"{repository!r} is no address such as https://example.org/owner/name")
-    shown = f"{repository}/blob/main"
     urls = (
-        f'  <url type="repository" branch="main">{repository}</url>\n'
+        f'  <url type="repository" branch="{branch}">{repository}</url>\n'
         f'  <url type="bugtracker">{repository}/issues</url>\n'
-        f'  <url type="readme">{shown}/README.md</url>\n'
-        f'  <url type="documentation">{shown}/docs/guide.md</url>\n'
+        f'  <url type="readme">{repository}/raw/{branch}/README.md</url>\n'
+        f'  <url type="documentation">{repository}/blob/{branch}/docs/guide.md</url>\n'
     )
     bare = re.sub(r"  <url .*</url>\n", "", package)
     return bare.replace("  <icon>", f"{urls}  <icon>", 1)
@@ -67,12 +69,16 @@ if __name__ == "__main__":
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("folder", nargs="?", type=Path, default=ROOT / "build")
     parser.add_argument("--repository", metavar="URL")
+    parser.add_argument("--branch", default="main")
     chosen = parser.parse_args()
+    package = ROOT / "package.xml"
+    text = package.read_text(encoding="utf-8")
     if chosen.repository:
-        package = ROOT / "package.xml"
         try:
-            package.write_text(with_urls(package.read_text(encoding="utf-8"), chosen.repository), encoding="utf-8")
+            package.write_text(with_urls(text, chosen.repository, chosen.branch), encoding="utf-8")
         except ValueError as error:
             parser.error(str(error))
+    elif "<url" not in text:
+        print("package.xml names no repository: before you publish, run this with --repository", file=sys.stderr)
     made = make_release(chosen.folder)
     print(f"{made}: {made.stat().st_size / 1e3:.0f} kB, {len(release_files())} files")

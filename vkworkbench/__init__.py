@@ -14,6 +14,7 @@ Importing this package is cheap; what the functions need is loaded when they are
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from importlib import import_module
 
 __version__ = "0.1.0"
@@ -49,7 +50,7 @@ def analyze(what=None, *, progress=None, cancelled=None):
     Raises
     ------
     ValueError
-        If `what` is None and no document is open.
+        If `what` is None and no document is open, or an empty name.
     TypeError
         If `what` is something else.
     Cancelled
@@ -57,8 +58,14 @@ def analyze(what=None, *, progress=None, cancelled=None):
     """
     from vkworkbench import program
 
+    if isinstance(what, Iterable) and not isinstance(what, str):
+        what = list(what)  # a generator can be looked at once
     home = program if program.is_path(what) else import_module("vkworkbench.document.analysis")
     return home.analyze(what, progress=progress, cancelled=cancelled)
+
+
+def __dir__() -> list[str]:
+    return sorted({*globals(), *_HOMES})
 
 
 def __getattr__(name: str):

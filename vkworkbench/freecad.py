@@ -148,7 +148,9 @@ SURFACE_PATTERN = Property("CutPattern")
 OPERATIONS = Property("Operations")
 TOOLS = Property("Tools")
 GROUP = Property("Group", fingerprint="setting")
-FIXTURES = Property("Fixtures")  # work offsets, G54 to G59; all operations are posted once for each
+FIXTURES = Property(
+    "Fixtures", fingerprint="setting"
+)  # work offsets, G54 to G59; all operations are posted once for each
 STOCK = Property("Stock", fingerprint="setting")
 MODEL = Property("Model")
 SHAPE = Property("Shape", fingerprint="setting")
@@ -156,8 +158,8 @@ SHAPE = Property("Shape", fingerprint="setting")
 TOOL = Property("Tool", fingerprint="setting")
 TOOL_NUMBER = Property("ToolNumber")
 SPINDLE_SPEED = Property("SpindleSpeed")
-HORIZONTAL_RAPID = Property("HorizRapid")
-VERTICAL_RAPID = Property("VertRapid")
+HORIZONTAL_RAPID = Property("HorizRapid", fingerprint="setting")
+VERTICAL_RAPID = Property("VertRapid", fingerprint="setting")
 VERTICAL_FEED = Property("VertFeed")
 GCODE = Property("Gcode")  # the lines of a file that FreeCAD imported as a custom operation
 # A tool; the last name of its shape is that of 0.20's tools without a tool bit.

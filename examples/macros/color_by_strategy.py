@@ -27,4 +27,7 @@ def color_by_strategy(document):
 
 
 if __name__ == "__main__":
-    color_by_strategy(FreeCAD.ActiveDocument)
+    if FreeCAD.ActiveDocument is None:
+        FreeCAD.Console.PrintError("Open a document with a job first\n")
+    else:
+        color_by_strategy(FreeCAD.ActiveDocument)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Stop before a simulation that is too heavy: say which job takes too long or too much memory, in which simulator."""
+"""Stop before a simulation that is too heavy: say which job takes too long or too much memory, in which simulator, and what hangs."""
 
 from __future__ import annotations
 
@@ -12,9 +12,17 @@ BYTES = 2e9
 
 
 def too_heavy(document, seconds=SECONDS, memory_bytes=BYTES):
-    """What of a document's jobs takes more than that: a sentence for each job and simulator."""
-    found = []
-    for total in vkworkbench.analyze(document).totals:
+    """What of a document takes more than that, hangs, or nobody knows: a sentence for each."""
+    report = vkworkbench.analyze(document)
+    found = [
+        f"{operation.label}: {caution.message}"
+        for operation in report.operations
+        for caution in operation.cautions
+        if caution.code == "legacy-hangs"
+    ]
+    for total in report.totals:
+        if total.incomplete:
+            found.append(f"{total.label}: what some of its operations take is not known")
         for simulator, cost in total.costs.items():
             if cost.seconds > seconds or cost.memory_bytes > memory_bytes:
                 found.append(f"{total.label}, {simulator}: {cost.seconds:.0f} s, {cost.memory_bytes / 1e6:.0f} MB")
@@ -22,8 +30,11 @@ def too_heavy(document, seconds=SECONDS, memory_bytes=BYTES):
 
 
 if __name__ == "__main__":
-    heavy = too_heavy(FreeCAD.ActiveDocument)
-    for sentence in heavy:
-        FreeCAD.Console.PrintError(f"Too heavy: {sentence}\n")
-    if not heavy:
-        FreeCAD.Console.PrintMessage("Every job can be simulated\n")
+    if FreeCAD.ActiveDocument is None:
+        FreeCAD.Console.PrintError("Open a document with a job first\n")
+    else:
+        heavy = too_heavy(FreeCAD.ActiveDocument)
+        for sentence in heavy:
+            FreeCAD.Console.PrintError(f"Stop: {sentence}\n")
+        if not heavy:
+            FreeCAD.Console.PrintMessage("Nothing here is too heavy to simulate\n")

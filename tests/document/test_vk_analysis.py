@@ -5,6 +5,7 @@ import csv
 import json
 import re
 import sys
+import time
 from dataclasses import replace
 from pathlib import PurePath
 from threading import Event
@@ -191,12 +192,75 @@ def test_dressups_and_arrays(small, zigzag_commands):
     array.addProperty("App::PropertyInteger", "Copies", "Path")
     counted = {o.label: o.counted for o in vkworkbench.analyze(small.job).operations}
     assert counted == {"Base": False, "Dress-up": True, "Array": True}
-    small.job.Operations.Group = [dressup]  # as the window arranges it
+    small.job.Operations.Group = [dressup, array]  # as the window arranges it
     counted = {o.label: o.counted for o in vkworkbench.analyze(small.document).operations}
     assert counted == {"Dress-up": True, "Base": False, "Array": True}
     assert vkworkbench.analyze(base).operations[0].job == small.job.Name
     base.Active = False
     assert not any(o.counted for o in vkworkbench.analyze(small.job).operations)
+
+
+def array_of(small, commands, *bases):
+    array = small.add("Array", commands)
+    array.addProperty("App::PropertyLinkList", "Base", "Path").Base = list(bases)
+    array.addProperty("App::PropertyInteger", "Copies", "Path")
+    return array
+
+
+def counted(what):
+    return {o.label for o in vkworkbench.analyze(what).operations if o.counted}
+
+
+def test_what_is_in_no_group_of_a_job_is_not_posted(small, zigzag_commands):
+    """FreeCAD 1.1's array takes its base out of the job."""
+    base = small.add("Base", zigzag_commands)
+    array = array_of(small, zigzag_commands, base)
+    assert counted(small.document) == {"Base", "Array"}
+    small.job.Operations.Group = [array]
+    assert counted(small.document) == counted(small.job) == {"Array"} and counted(base) == set()
+    (total,) = vkworkbench.analyze(small.document).totals
+    vkworkbench.mark(vkworkbench.analyze(small.document))
+    assert total.operations == 1 and small.job.Label2.startswith("⟦1 operation ")
+    assert [o.label for o in vkworkbench.simulate(small.document).job.operations] == ["Array"]
+
+
+def test_an_array_is_posted_as_long_as_one_of_its_bases_is_active(small, zigzag_commands):
+    first, second = small.add("First", zigzag_commands), small.add("Second", zigzag_commands)
+    array_of(small, zigzag_commands, first, second)
+    first.Active = False
+    assert counted(small.job) == {"Second", "Array"}
+    second.Active = False
+    assert counted(small.job) == set()
+
+
+def test_what_a_dressed_up_array_copies_is_posted(small, zigzag_commands):
+    array = array_of(small, zigzag_commands, small.add("Base", zigzag_commands))
+    dressup = small.add("Dress-up", zigzag_commands)
+    dressup.addProperty("App::PropertyLink", "Base", "Path").Base = array
+    assert counted(small.job) == {"Base", "Dress-up"}
+
+
+def test_copies_of_what_may_come_from_a_file_are_read_as_that(small, zigzag_commands):
+    """A custom operation's feeds may be mm/min, and so may those of an array of it."""
+    base = small.add("Base", [(n, {**w, "F": 600.0} if "F" in w else w) for n, w in zigzag_commands])
+    array = array_of(small, zigzag_commands, base)
+    array.Path, array.Proxy = base.Path, object()
+    one, copy = vkworkbench.analyze(small.job).operations
+    assert copy.machining_seconds == pytest.approx(one.machining_seconds) and copy.error == one.error
+    array.Base = []
+    assert vkworkbench.analyze(array).operations[0].machining_seconds < 0.1 * one.machining_seconds
+
+
+def test_folders_and_parts_stand_for_what_is_in_them(small, zigzag_commands):
+    op = small.add("Zigzag", zigzag_commands)
+    for kind in ("App::DocumentObjectGroup", "App::Part"):
+        folder = small.document.addObject(kind, "Folder")
+        folder.addObject(small.job)
+        assert [o.label for o in vkworkbench.analyze(folder).operations] == ["Zigzag"]
+        vkworkbench.mark(vkworkbench.analyze(folder))
+        assert op.Label2 and small.job.Label2
+        assert vkworkbench.clear(folder) == 2 and not op.Label2 and not small.job.Label2
+        small.document.removeObject(folder.Name)
 
 
 def test_inactive_operation(small, zigzag_commands):
@@ -378,6 +442,35 @@ def test_everything_is_read_and_made_once(small, zigzag_commands):
     (found,) = report.operations
     assert found.legacy is not None and (found.opengl is not None) == (freecad.version() >= (1, 0))
     assert counted == dict.fromkeys(counted, 1)
+
+
+def test_an_analysis_ends_where_cancelled_raises(small, zigzag_commands, monkeypatch):
+    small.add("Zigzag", zigzag_commands)
+    begun, asked, ended = Event(), Event(), []
+
+    def work(*arguments):
+        begun.set()
+        asked.wait(20)
+        try:
+            arguments[-1]()
+        except vkworkbench.Cancelled:
+            ended.append(True)
+            raise
+
+    def cancelled():
+        if begun.is_set():
+            raise KeyboardInterrupt
+        return False
+
+    monkeypatch.setattr(analysis, "_work", work)
+    with pytest.raises(KeyboardInterrupt):
+        vkworkbench.analyze(small.document, cancelled=cancelled)
+    asked.set()
+    for _ in range(200):
+        if ended:
+            break
+        time.sleep(0.05)
+    assert ended
 
 
 def test_a_time_without_rapids_is_the_least(small, zigzag_commands):

@@ -107,6 +107,14 @@ def test_what_cannot_be_read_is_a_setting_of_its_own():
     assert setting_fingerprint(tool, None, ("a form",)) == setting_fingerprint(tool, None)
 
 
+def test_rapid_speeds_count_where_they_are_set():
+    tool, stock = Tool(**TOOL), Stock(*BOX)
+    assert setting_fingerprint(tool, stock, (), (0.0, 0.0)) == setting_fingerprint(tool, stock)
+    speeds = [(0.0, 0.0), (50.0, 0.0), (0.0, 50.0), (50.0, 50.01)]
+    assert len({setting_fingerprint(tool, stock, (), both) for both in speeds}) == 4
+    assert setting_fingerprint(tool, stock, (), (100 / 3, 9.0)) == setting_fingerprint(tool, stock, (), (33.33334, 9.0))
+
+
 def test_the_point_of_a_tool_counts():
     pointed = Tool("vbit", 6.0, tip_angle=1.0)
     settings = [pointed, Tool("vbit", 6.0, tip_angle=1.0002), Tool("vbit", 6.0, tip_angle=1.0, tip_diameter=1.0),

@@ -53,17 +53,22 @@ def test_it_has_what_users_need_and_nothing_else(archive):
 
 def test_freecad_reads_where_the_repository_is(tmp_path):
     text = (RESOURCES.parent / "package.xml").read_text(encoding="utf-8")
-    for place in ("https://example.org/one/first", "https://example.org/other/second"):  # published elsewhere later
-        text = make_release.with_urls(text, place)
+    for place in (
+        "https://example.org/one/first",
+        "https://example.org/other/second.git/",
+    ):  # published elsewhere later
+        text = make_release.with_urls(text, place, "trunk")
+    place = "https://example.org/other/second"
     package = tmp_path / "package.xml"
     package.write_text(text, encoding="utf-8")
     urls = {url["type"]: url["location"] for url in FreeCAD.Metadata(str(package)).Urls}
     assert urls == {
         "repository": place,
         "bugtracker": f"{place}/issues",
-        "readme": f"{place}/blob/main/README.md",
-        "documentation": f"{place}/blob/main/docs/guide.md",
+        "readme": f"{place}/raw/trunk/README.md",
+        "documentation": f"{place}/blob/trunk/docs/guide.md",
     }
+    assert f'<url type="repository" branch="trunk">{place}</url>' in text
     for none in ("example.org/one", "https://example.org", 'https://example.org/"><x/>'):
         with pytest.raises(ValueError, match="is no address"):
             make_release.with_urls(text, none)

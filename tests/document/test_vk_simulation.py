@@ -72,6 +72,10 @@ def test_the_view_is_that_of_the_preferences_or_given(small, monkeypatch):
     assert vkworkbench.simulate(small.job).zbuffer.frame.width == 800
     seen = vkworkbench.simulate(small.job, view="Isometric").zbuffer.frame
     assert seen.direction * np.sqrt(3) == pytest.approx([-1, 1, -1]) and seen.height == 600
+    with pytest.raises(TypeError, match="not tuple"):
+        vkworkbench.simulate(small.job, view=(0, 0, -1))
+    with pytest.raises(ValueError, match="not nan"):
+        vkworkbench.simulate(small.job, memory_budget=float("nan"))
     with pytest.raises(ValueError, match=r"Sideways.*Isometric"):
         vkworkbench.simulate(small.job, view="Sideways")
 

@@ -98,7 +98,7 @@ def test_an_undone_mark_is_compared_with_what_is_now(watched):
     assert "First" in outdated(document)
 
 
-@pytest.mark.parametrize("change", ["tool", "stock", "placement"])
+@pytest.mark.parametrize("change", ["tool", "stock", "placement", "rapids"])
 def test_tool_and_stock_matter_too(watched, change):
     document = watched.document
     fresh = descriptions(document)
@@ -108,11 +108,14 @@ def test_tool_and_stock_matter_too(watched, change):
             watched.controller.Tool.Diameter = 5 + value
         elif change == "stock":
             watched.job.Stock.ExtZpos = 1 + value
+        elif change == "rapids":
+            watched.controller.setExpression("HorizRapid", None)  # since 1.0 it follows the setup sheet
+            watched.controller.HorizRapid = 50 + value
         else:
             watched.first.Placement.Base = FreeCAD.Vector(value, 0, 0)
         document.recompute()
 
-    if change == "stock":
+    if change in ("stock", "rapids"):
         set_to(0)
         vkworkbench.mark(vkworkbench.analyze(document))
         fresh = descriptions(document)
@@ -121,6 +124,15 @@ def test_tool_and_stock_matter_too(watched, change):
     assert ("Second" in outdated(document)) == (change != "placement")
     set_to(0)
     assert descriptions(document) == fresh
+
+
+def test_more_fixtures_outdate_the_total_alone(watched):
+    watched.job.Fixtures = ["G54", "G55"]
+    watched.document.recompute()
+    assert outdated(watched.document) == [watched.job.Label]
+    watched.job.Fixtures = ["G54"]
+    watched.document.recompute()
+    assert outdated(watched.document) == []
 
 
 def test_what_does_not_matter_keeps_marks_fresh(watched):

@@ -27,7 +27,7 @@ from vkworkbench.document.fingerprint import (
     text_of,
 )
 from vkworkbench.document.known import KNOWN, key_of
-from vkworkbench.document.operations import Operation, find, fixtures_of, is_there
+from vkworkbench.document.operations import Operation, find, fixtures_of, is_imported, is_there
 from vkworkbench.document.path_prints import PATH_PRINTS
 from vkworkbench.document.recognized import recognized
 from vkworkbench.document.setting import NO_CONTROLLER, placed, rapid_feeds, read_stock, read_tool, tool_remark
@@ -186,14 +186,16 @@ def _read(operation: Operation) -> _Reading:
         remarks += [remark for remark in (told, tool and tool_remark(obj)) if remark]
         return replace(
             reading,
-            imported=freecad.is_imported(obj),
+            imported=is_imported(obj),
             path=obj.Path,
             placement=obj.Placement,
             tool=tool,
             stock=stock,
             remarks=tuple(remarks),
             rapid_feeds=rapid_feeds(obj),
-            setting_fingerprint=setting_fingerprint(tool, box, form_of_stock(job, box) if box else ()),
+            setting_fingerprint=setting_fingerprint(
+                tool, box, form_of_stock(job, box) if box else (), rapid_feeds(obj)
+            ),
         )
     except ReferenceError:  # deleted meanwhile
         raise
@@ -226,6 +228,7 @@ def _patiently(work: Callable, cancelled: Callable[[], bool] | None):
                 going_on()
         return done.result()
     finally:
+        given_up.set()  # also where `cancelled` raised an error
         garbage.release()
         threads.shutdown(wait=False)
 

@@ -16,7 +16,7 @@ from vkworkbench import freecad
 from vkworkbench.core import Stock, Tool
 from vkworkbench.document.operations import job_of, through_bases
 from vkworkbench.document.path_prints import PATH_PRINTS
-from vkworkbench.document.setting import read_stock, read_tool
+from vkworkbench.document.setting import rapid_feeds, read_stock, read_tool
 from vkworkbench.document.solids import form_of_stock
 
 # mm, added before a stock's corners are rounded to hundredths: no measure in mm or inches is then on a border between
@@ -96,8 +96,10 @@ def _place(placement) -> str:
     return repr([round(value, 6) for value in (*placement.Base, *placement.Rotation.Q)])
 
 
-def setting_fingerprint(tool: Tool | None, stock: Stock | None, form: Iterable = ()) -> str:
-    """Return the fingerprint of tool and stock, None where one cannot be read.
+def setting_fingerprint(
+    tool: Tool | None, stock: Stock | None, form: Iterable = (), rapids: tuple[float, float] = (0.0, 0.0)
+) -> str:
+    """Return the fingerprint of tool, stock and rapid speeds; None where tool or stock cannot be read.
 
     Parameters
     ----------
@@ -106,6 +108,8 @@ def setting_fingerprint(tool: Tool | None, stock: Stock | None, form: Iterable =
         The exact box around it.
     form : iterable
         What the box does not tell, as `form_of_stock` returns it.
+    rapids : tuple of float
+        As `rapid_feeds` returns them, mm/s.
     """
     parts = [None, None]
     if tool is not None:
@@ -116,6 +120,8 @@ def setting_fingerprint(tool: Tool | None, stock: Stock | None, form: Iterable =
     if stock is not None:
         parts[1] = [round(float(value) + _ASIDE, 2) + 0.0 for value in (*stock.lower, *stock.upper)]
         parts[1] += form
+    if any(rapids):
+        parts.append([round(speed, 3) for speed in rapids])
     return _digest(repr(parts))
 
 
@@ -123,7 +129,8 @@ def read_setting_fingerprints(obj, job) -> tuple[str, str]:
     """Return the fingerprint of the tool and the stock that an operation and its job have now, and of the tool alone."""
     tool, stock = _or_none(read_tool, obj), _or_none(read_stock, job)
     form = form_of_stock(job, stock) if stock else ()
-    return setting_fingerprint(tool, stock, form), setting_fingerprint(tool, None)
+    rapids = rapid_feeds(obj)
+    return setting_fingerprint(tool, stock, form, rapids), setting_fingerprint(tool, None, (), rapids)
 
 
 class Settings:

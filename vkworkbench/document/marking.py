@@ -11,7 +11,7 @@ import FreeCAD
 from vkworkbench import preferences
 from vkworkbench.document import marks, session
 from vkworkbench.document.fingerprint import Settings, path_and_setting, path_fingerprint
-from vkworkbench.document.operations import find, is_document, is_object, kind
+from vkworkbench.document.operations import find, is_document, is_group, is_object, kind, members
 from vkworkbench.report import OperationReport, Report
 
 
@@ -132,6 +132,8 @@ def _with_jobs(what) -> Iterator:
             yield from (obj for obj in one.Objects if kind(obj))
         elif is_object(one) and kind(one) == "job":
             yield one
+        elif is_object(one) and is_group(one):
+            yield from (obj for obj in members(one) if kind(obj) == "job")
     for operation in operations:
         yield operation.object
         if operation.job is not None:

@@ -121,7 +121,7 @@ def write_total(job, chosen: Preferences) -> None:
         return
     known = list(map(_with_estimate, operations, parts))
     total = total_of(job.Document.Name, job.Name, job.Label, known, None, fixtures_of(job))
-    made = record.of_total(total, parts, _total_fingerprint(parts))
+    made = record.of_total(total, parts, _total_fingerprint(job, parts))
     _keep(job, replace(made, outdated=any(part.outdated for part in parts)), chosen, anew=True)
 
 
@@ -135,11 +135,12 @@ def read_total(job) -> Record | None:
     """Return what a job's mark says of the operations that it has now; None where it speaks of others."""
     known = read(job)
     parts = [read(o.object) for o in find(job) if o.counted] if known else []
-    return known if known and known.fingerprint == _total_fingerprint(parts) else None
+    return known if known and known.fingerprint == _total_fingerprint(job, parts) else None
 
 
-def _total_fingerprint(parts: list[Record | None]) -> str:
-    return " ".join(part.fingerprint if part else "" for part in parts)
+def _total_fingerprint(job, parts: list[Record | None]) -> str:
+    often = [f"x{fixtures_of(job)}"] if fixtures_of(job) > 1 else []
+    return " ".join([part.fingerprint if part else "" for part in parts] + often)
 
 
 def refresh(obj, settings_of: Callable, *, path_changed: bool, setting_changed: bool) -> bool:
@@ -177,7 +178,7 @@ def refresh_total(job) -> None:
     if known is None:
         return
     parts = [read(o.object) for o in find(job) if o.counted]
-    outdated = known.fingerprint != _total_fingerprint(parts) or any(part and part.outdated for part in parts)
+    outdated = known.fingerprint != _total_fingerprint(job, parts) or any(part and part.outdated for part in parts)
     if outdated != known.outdated:
         _keep(job, replace(known, outdated=outdated), preferences.read())
 

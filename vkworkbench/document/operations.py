@@ -88,8 +88,8 @@ def is_job_group(obj) -> bool:
     return freecad.GROUP.is_in(obj) and any(_is_job(user) and freecad.OPERATIONS.of(user) is obj for user in obj.InList)
 
 
-def _members(group) -> Iterator:
-    """The members of a group or of a list, those of groups among them in their place."""
+def members(group) -> Iterator:
+    """Yield the members of a group or of a list, those of groups among them in their place."""
     seen = set()
     pending = _listed(group)
     while pending:
@@ -108,8 +108,8 @@ def _listed(group) -> list:
 
 
 def is_group(obj) -> bool:
-    """Whether it only holds other objects together: a folder of the tree, or a compound of toolpaths."""
-    return obj.isDerivedFrom("App::DocumentObjectGroup") or kind(obj) == "group"
+    """Whether it only holds other objects together: a folder of the tree, a part, or a compound of toolpaths."""
+    return any(map(obj.isDerivedFrom, ("App::DocumentObjectGroup", "App::Part"))) or kind(obj) == "group"
 
 
 def find(what) -> list[Operation]:
@@ -119,7 +119,7 @@ def find(what) -> list[Operation]:
     ----------
     what : Document, DocumentObject, or iterable of them
         A document stands for all its jobs and the toolpaths outside them, a job (or its group of operations)
-        for all that is in it.
+        for all that is in it, a folder for its members. Other objects have no toolpath.
 
     Returns
     -------
@@ -154,7 +154,8 @@ def _find(what, jobs: dict) -> Iterator[Operation]:
                 yield from _of_job(obj)
         for obj in what.Objects:
             if kind(obj) in ("operation", "dressup", "array"):
-                yield from _with_bases(obj, job_of(obj), counted=True)
+                job = job_of(obj)
+                yield from _with_bases(obj, job, counted=job is None)  # a job posts what is in its group
     elif is_object(what):
         sort = kind(what)
         if sort == "job":
@@ -164,11 +165,11 @@ def _find(what, jobs: dict) -> Iterator[Operation]:
             if job is not None and _key(job) not in jobs:
                 jobs[_key(job)] = _once(_of_job(job))
             listed = jobs[_key(job)].get(_key(what)) if job is not None else None
-            yield listed or next(_with_bases(what, job, counted=True))
+            yield listed or next(_with_bases(what, job, counted=job is None))
         elif is_job_group(what):
             yield from _of_job(job_of(what))
-        elif sort == "group":
-            for obj in _members(what):
+        elif is_group(what):
+            for obj in members(what):
                 yield from _find(obj, jobs)
     elif isinstance(what, Iterable) and not isinstance(what, (str, bytes)):
         for one in what:
@@ -178,10 +179,10 @@ def _find(what, jobs: dict) -> Iterator[Operation]:
 
 
 def _of_job(job) -> Iterator[Operation]:
-    members = list(_members(freecad.OPERATIONS.of(job)))
+    posted = list(members(freecad.OPERATIONS.of(job)))
     # A file made without a window lists a dress-up and its base side by side.
-    dressed = {base.Name for obj in members if kind(obj) == "dressup" for base in _all_bases(obj)}
-    for obj in members:
+    dressed = {base.Name for obj in posted if kind(obj) == "dressup" for base in _dressed(obj)}
+    for obj in posted:
         if kind(obj) in ("operation", "dressup", "array"):
             yield from _with_bases(obj, job, counted=obj.Name not in dressed)
 
@@ -190,7 +191,7 @@ def _with_bases(obj, job, counted: bool) -> Iterator[Operation]:
     active = is_active(obj)
     yield Operation(obj, job, counted and active, active)
     if kind(obj) == "dressup":
-        for base in _all_bases(obj):
+        for base in _dressed(obj):
             yield Operation(base, job, False, is_active(base))
 
 
@@ -210,6 +211,14 @@ def _all_bases(obj) -> Iterator:
             seen.add(base.Name)
             yield base
             pending += _bases(base)
+
+
+def _dressed(obj) -> Iterator:
+    """What is not posted because a dress-up stands for it; what an array copies is posted beside it."""
+    for base in _all_bases(obj):
+        yield base
+        if kind(base) == "array":
+            return
 
 
 def fixtures_of(job) -> int:
@@ -244,6 +253,14 @@ def through_bases(obj, wanted: freecad.Property):
     return None
 
 
-def is_active(obj) -> bool:
-    """Whether FreeCAD posts the operation: neither it nor what it dresses up is switched off."""
-    return all(freecad.ACTIVE.of(one, True) for one in (obj, *_all_bases(obj)))
+def is_active(obj, _above: tuple[str, ...] = ()) -> bool:
+    """Whether FreeCAD posts the operation: neither it nor what it dresses up is switched off, of an array not all."""
+    if not freecad.ACTIVE.of(obj, True):
+        return False
+    of_bases = [is_active(base, (*_above, obj.Name)) for base in _bases(obj) if base.Name not in _above]
+    return any(of_bases) or not of_bases if kind(obj) == "array" else all(of_bases)
+
+
+def is_imported(obj) -> bool:
+    """Whether a toolpath may come from a file: its own, or one that it dresses up or copies."""
+    return any(map(freecad.is_imported, (obj, *_all_bases(obj))))

@@ -5,10 +5,11 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from vkworkbench import freecad, preferences
+from vkworkbench import preferences
 from vkworkbench.core import Recognition, Toolpath, recognize
 from vkworkbench.core.gcode import looks_like_inches
 from vkworkbench.core.recognition import recognize_inches, unknown
+from vkworkbench.document.operations import is_imported
 from vkworkbench.document.setting import read_tool
 
 
@@ -41,7 +42,7 @@ def source_of(obj) -> Source:
         diameter = read_tool(obj).diameter
     except ValueError:
         diameter = None
-    return Source(obj.Path, obj.Placement, diameter, freecad.is_imported(obj), preferences.read().tolerance)
+    return Source(obj.Path, obj.Placement, diameter, is_imported(obj), preferences.read().tolerance)
 
 
 def recognized(toolpath: Toolpath, tool_diameter: float | None, imported: bool) -> tuple[Recognition, bool]:

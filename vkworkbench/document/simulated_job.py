@@ -11,12 +11,12 @@ from queue import Empty, SimpleQueue
 import FreeCAD
 import numpy as np
 
-from vkworkbench import freecad, preferences
+from vkworkbench import preferences
 from vkworkbench.core import Cut, Solid, Stock, Strategy, Tool, Toolpath, linearize, trajectory_seconds
 from vkworkbench.core.gcode import in_seconds, used_up
 from vkworkbench.document.fingerprint import fingerprint_of, setting_fingerprint, text_fingerprint, text_of
 from vkworkbench.document.listing import Listing
-from vkworkbench.document.operations import Operation, find
+from vkworkbench.document.operations import Operation, find, is_imported
 from vkworkbench.document.recognized import recognized
 from vkworkbench.document.setting import placed, rapid_feeds, read_stock, read_tool, tool_remark, vertical_feed
 from vkworkbench.document.solids import form_of_stock, model_shapes, model_solid, stock_solid
@@ -232,9 +232,9 @@ def _copied(obj, box: Stock, form: tuple) -> _Copied:
         tool, remark = read_tool(obj), tool_remark(obj)
     except Unusable as error:
         tool, remark = None, error.what
-    operation = SimulatedOperation(
-        obj.Document.Name, obj.Name, obj.Label, rapid_feeds(obj), freecad.is_imported(obj), setting_fingerprint(tool, box, form)
-    )  # fmt: skip
+    rapids = rapid_feeds(obj)
+    setting = setting_fingerprint(tool, box, form, rapids)
+    operation = SimulatedOperation(obj.Document.Name, obj.Name, obj.Label, rapids, is_imported(obj), setting)
     return _Copied(operation, obj.Path, obj.Placement, tool, vertical_feed(obj), remark)
 
 

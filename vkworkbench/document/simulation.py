@@ -70,6 +70,8 @@ def simulate_read(
         if view not in preferences.DIRECTIONS:
             raise ValueError(f"there is no direction {view!r}: choose among {', '.join(preferences.DIRECTIONS)}")
         view = replace(chosen.view, direction=preferences.DIRECTIONS[view])
+    elif not isinstance(view, (View, type(None))):
+        raise TypeError(f"a view is a View or the name of a direction, not {type(view).__name__}")
     zbuffer = simulate_job(
         job.cuts,
         stock=job.stock,

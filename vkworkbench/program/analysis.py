@@ -68,6 +68,8 @@ def analyze(
 
     Raises
     ------
+    ValueError
+        Where a name is empty.
     Cancelled
         If `cancelled` returned True.
     """

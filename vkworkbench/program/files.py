@@ -50,7 +50,15 @@ def find_programs(what: Iterable[str | os.PathLike]) -> Iterator[Path]:
     """Return the files named, and in folders, at any depth, those whose suffix is that of an NC program.
 
     Each file comes once, those of a folder in the order of their names.
+
+    Raises
+    ------
+    ValueError
+        Where a name is empty: what a file dialog returns that was cancelled is not the current folder.
     """
+    what = list(what)
+    if "" in what:
+        raise ValueError("no file is named")
     seen: set[Path] = set()
     for one in map(Path, what):
         for path in _in_folder(one) if one.is_dir() else [one]:

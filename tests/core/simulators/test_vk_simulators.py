@@ -250,7 +250,7 @@ def test_play_shows_the_uncut_stock_and_every_command():
 
 
 def test_play_makes_a_mesh_after_each_of_the_three_moves_of_a_drilling_cycle():
-    free = {field: 0.0 for field in ("redraw", "facet", "display", "profile", "call", "ring", "line", "cap")}
+    free = dict.fromkeys(("redraw", "facet", "display", "profile", "call", "ring", "line", "cap"), 0.0)
     holes = [("G81", {"X": x, "Y": 20.0, "Z": 5.0, "R": 22.0, "F": 5.0}) for x in (30.0, 60.0)]
     path = linearize([("G0", {"X": 20.0, "Y": 20.0, "Z": 25.0}), *holes])
     (cost,) = legacy_costs(Task(path, TOOL, STOCK), speed=1e9, constants=Constants(cell=1e-6, **free))

@@ -88,7 +88,11 @@ def check_memory(removal: Removal, trajectories: int, allowed: float) -> None:
     Raises
     ------
     OverBudget
+    ValueError
+        Where `allowed` is no number.
     """
+    if not allowed >= 0:
+        raise ValueError(f"a memory budget is a number of bytes, not {allowed}")
     most = _most(removal)
     if _peak(most, most, trajectories, removal) <= allowed:
         return  # whatever the rays say
