@@ -51,6 +51,26 @@ def test_around_next_to_nothing_three_hundredths_of_a_millimetre_are_a_gap(gap, 
     assert areas_of(small).closed.tolist() == [closed]
 
 
+@pytest.mark.parametrize("turned", [0.0, 0.008])
+def test_phi_is_the_direction_of_rows_that_fan_out(turned):
+    """Rows there and back, each turned a little against the one before: what half turns are off pi adds up."""
+    angle = np.arange(400) * turned + np.pi * (np.arange(400) % 2)
+    fan = [(50 * np.cos(a), 50 * np.sin(a)) for a in angle.tolist()]
+    signature = areas_of(fan).signature(0)
+    assert np.sin(signature.alpha - signature.alpha[0] - signature.phi) == pytest.approx(0, abs=1e-9)
+    assert abs(signature.phi[-1]) == pytest.approx(398 * turned, abs=np.pi + 1e-9)
+    low, high = signature.phi_interval
+    assert (low <= signature.phi).all() and (signature.phi <= high).all()
+
+
+def test_a_loop_behind_a_zigzag_closes_nothing():
+    """The tool comes back to a row's end once: that turn is none of a contour's."""
+    rows = [(x, 3.0 * k) for k in range(12) for x in ((0.0, 40.0) if k % 2 == 0 else (40.0, 0.0))]
+    loop = [(0.0, 36.0), (5.0, 36.0), (5.0, 40.0), (0.0, 40.0), (0.0, 36.0)]
+    areas = areas_of([*rows, *loop])
+    assert len(areas.loops[0]) and np.abs(areas.phi_ranges).max() < 2 * np.pi - 0.1
+
+
 def test_no_areas():
     areas = areas_of()
     assert len(areas) == 0 and areas.phi_range == (0.0, 0.0) and areas.phi_ranges.shape == (0, 2)

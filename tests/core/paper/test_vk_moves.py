@@ -86,7 +86,7 @@ def test_what_moves_by_less_than_a_thousandth_stands_still(step, moves):
 def test_a_turn_has_a_sign_a_hundredth_of_a_radian_from_half_a_turn(aside, signed):
     areas = areas_of(*feed((0, 0, -1), (20, 0, -1), (0, aside, -1)))  # 0.005 and 0.015 rad
     assert (len(areas.unsigned) == 0) is signed and areas.reversals.tolist() == []
-    assert areas.phi[-1] == pytest.approx(np.pi - np.arctan2(aside, 20) if signed else 0.0)
+    assert areas.phi[-1] == pytest.approx((np.pi if signed else 0.0) - np.arctan2(aside, 20))
 
 
 def link(x, y):

@@ -4,9 +4,12 @@
 from __future__ import annotations
 
 import numpy as np
+import programs
 import pytest
 
-from vkworkbench.core.paper.picture import distinct, image_arcs
+from vkworkbench.core import linearize
+from vkworkbench.core.paper import monotonous_areas
+from vkworkbench.core.paper.picture import distinct, image_arcs, proof
 
 
 def test_an_arc_is_drawn_in_chords_of_four_degrees_at_most():
@@ -18,6 +21,19 @@ def test_an_arc_is_drawn_in_chords_of_four_degrees_at_most():
     assert len(left) == 5 and np.isnan(left[4]).all()
     assert np.degrees(np.arctan2(right[:2, 1], right[:2, 0])) == pytest.approx([30, 28])
     assert np.hypot(*right[:2].T) == pytest.approx([0.7, 0.9]) and len(right) == 3
+
+
+def test_of_equal_loops_the_longest_is_shown_though_rounding_tells_their_turns_apart():
+    angle = np.linspace(0, 2 * np.pi, 60)
+
+    def circle(radius, x):
+        return [
+            (*point, 0.0) for point in np.column_stack([x + radius * np.cos(angle), radius * np.sin(angle)]).tolist()
+        ]
+
+    areas = monotonous_areas(linearize(programs.program([circle(5.0, 0.0), circle(20.0, 50.0), circle(8.0, 100.0)])))
+    areas.phi_ranges[:, 1] += [5e-7, 0.0, 5e-7]
+    assert proof(areas, 0, len(areas), around=True) == 1
 
 
 def rows(count, apart, at):

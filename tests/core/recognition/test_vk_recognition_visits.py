@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import sys
 from dataclasses import replace
 
 import numpy as np
@@ -14,6 +15,7 @@ from vkworkbench.core.paper import monotonous_areas
 from vkworkbench.core.recognition.borders import MEASURES
 from vkworkbench.core.recognition.forest import Forest
 from vkworkbench.core.recognition.parts import Sections, told_apart
+from vkworkbench.core.recognition.thresholds import VISITS
 from vkworkbench.core.recognition.visits import Visits, begun, compared, find_visits
 
 TOOL = 5.0
@@ -90,6 +92,40 @@ def test_borders_stand_before_the_way_down():
 def test_next_to_nothing_has_no_borders(commands):
     path = linearize(commands)
     assert begun(path, monotonous_areas(path)) == {}
+
+
+def test_retracts_that_go_down_step_by_step_are_no_deeper_than_the_stack():
+    """Of blocks that each begin lower than the one before every retract is the top of those that follow."""
+    commands = [("G0", {"X": 0.0, "Y": 0.0, "Z": 3310.0})]
+    for k in range(1100):
+        x, corner = 200.0 * k, 5.0
+        commands += [("G0", {"X": x, "Y": 0.0}), ("G1", {"Z": -1 - 0.3 * k, "F": 50.0 + 20 * k})]
+        commands += [("G1", {"X": x + corner}), ("G1", {"Y": corner}), ("G1", {"X": x}), ("G1", {"Y": 0.0})]
+        commands += [("G0", {"Z": 3307.0 - 3 * k})]
+    assert len(recognize(linearize(commands), program=True).spans) >= 1
+
+
+def test_of_too_many_borders_the_likeliest_are_kept(monkeypatch):
+    path = after(DIFFERENT["zigzag"], [*DIFFERENT["helix"], ("G0", {"Z": programs.CLEAR}), *DIFFERENT["profile"]])
+    moves = monotonous_areas(path)
+    every = begun(path, moves)
+    monkeypatch.setattr(VISITS, "MOST", 1)
+    (kept,) = begun(path, moves).values()
+    assert kept == max(every.values()) > min(every.values())
+
+
+def test_a_program_that_certain_borders_divide_too_often_is_not_looked_at_for_others(monkeypatch):
+    """Each stretch between them would be recognised, and the answer be that on the whole."""
+    commands = [("G0", {"X": 0.0, "Y": 0.0, "Z": 5.0})]
+    for k in range(120):
+        x, y = 30.0 * (k % 12), 25.0 * (k // 12)
+        commands += [("G81", {"X": x, "Y": y, "Z": -5.0, "R": 2.0, "F": 3.0}), ("G80", {})]
+        commands += [("G0", {"X": x + 5, "Y": y}), ("G1", {"Z": -1.0, "F": 5.0})]
+        commands += [("G1", {"X": x + 5 + dx, "Y": y + dy}) for dx, dy in ((10, 0), (10, 10), (0, 10), (0, 0))]
+        commands += [("G0", {"Z": 5.0})]
+    looked_at = []
+    monkeypatch.setattr(sys.modules["vkworkbench.core.recognition.recognize"], "begun", looked_at.append)
+    assert len(recognize(linearize(commands), tool_diameter=3.0, program=True).spans) == 1 and not looked_at
 
 
 def test_nothing_is_mixed_that_has_one_name():

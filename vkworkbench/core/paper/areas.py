@@ -11,9 +11,8 @@ from vkworkbench.core.paper.directions import signs_of_reversals, top_level
 from vkworkbench.core.paper.loops import closed_loops, closing_turns, is_closed, may_be_closed
 from vkworkbench.core.paper.moves import Moves, cutting_moves
 from vkworkbench.core.paper.signature import Signature
+from vkworkbench.core.paper.thresholds import LOOPS
 from vkworkbench.core.toolpath import Toolpath
-
-LOOPED = 0.5  # share of an area's length; an area with more of it in loops is made of loops
 
 
 def monotonous_areas(toolpath: Toolpath, first: int = 0, last: int | None = None) -> Areas:
@@ -69,7 +68,7 @@ class Areas(Moves):
         area = np.searchsorted(self.start, self.unsigned, side="right") - 1
         signs = signs_of_reversals(self.phi[self.unsigned], area)
         turning = self.turning.copy()
-        turning[self.unsigned] = np.pi * signs
+        turning[self.unsigned] += np.pi * signs
         half_turns = np.zeros(len(self), np.int64)
         half_turns[self.unsigned] = signs
         np.cumsum(half_turns, out=half_turns)
@@ -113,7 +112,7 @@ class Areas(Moves):
             area = np.searchsorted(self.start, first, side="right") - 1
             way = np.zeros(len(self) + 1)
             np.cumsum(self.length, out=way[1:])
-            looped = np.bincount(area, way[loop_end] - way[first], len(begin)) > LOOPED * self.area_length
+            looped = np.bincount(area, way[loop_end] - way[first], len(begin)) > LOOPS.LOOPED * self.area_length
             final = np.append(area[1:] > area[:-1], True) & looped[area] & ~self.closed[area]
             begin[area[final]], end[area[final]] = first[final], loop_end[final]
             closes[area[final]] = True

@@ -20,8 +20,8 @@ class PaperVerdict:
     Attributes
     ----------
     strategy : Strategy
-        CONTOUR_PARALLEL where phi leaves +-2 pi, ZIGZAG where -pi <= phi <= pi; UNKNOWN between them, which the paper
-        leaves open.
+        CONTOUR_PARALLEL where phi leaves +-2 pi, ZIGZAG where -pi <= phi <= pi; UNKNOWN between them, where section 3.2
+        says neither. (By the level of 3.1 they are zigzags below 2 pi, and a contour at 2 pi.)
     area : int
         Index of that area in :class:`Areas`.
     level : int
@@ -33,8 +33,8 @@ class PaperVerdict:
     theta_range : tuple of float
         Lowest and highest theta, rad, followed over all turns of the image of V_k from theta of the first trajectory.
     sense : str or None
-        "ccw" or "cw" where the image of V_k goes around in one sense only, as the paper expects of a contour; None
-        where it goes to and fro, as it expects of a zigzag.
+        "ccw" or "cw" where the image of V_k moves in one sense only; None where it goes to and fro, as the paper expects
+        of a zigzag. (Of a contour it expects the way all around the circle, which V_k goes only if it starts inside.)
     """
 
     strategy: Strategy

@@ -31,9 +31,10 @@ class Moves:
     alpha : (m,) float
         Direction, rad.
     turning : (m,) float
-        Turn at the start of the move, rad in [-pi, pi]; 0 at the start of an area, and where the turn has no sign.
+        Turn at the start of the move, rad in [-pi, pi]; 0 at the start of an area; of a turn without a sign, by how
+        much it is off half a turn.
     phi : (m,) float
-        Cumulative angular function of each area, rad, 0 at its first move; turns without a sign are not in it.
+        Cumulative angular function of each area, rad, 0 at its first move, without the half turns that have no sign.
     start : (a,) int
         First move of each area.
     unsigned, reversals : (u,) and (r,) int
@@ -116,10 +117,10 @@ def cutting_moves(toolpath: Toolpath, first: int = 0, last: int | None = None) -
     scratch = phi[1:]
     turns(alpha, out=turning[1:], scratch=scratch)
     turning[start] = 0.0
-    # A turn of pi has no sign: it is listed in `unsigned`, and phi leaves it out.
+    # A turn of pi has no sign: it is listed in `unsigned`, and phi has only what it is off pi.
     unsigned = np.flatnonzero(np.abs(turning[1:], out=scratch) > np.pi - TURNS.UNSIGNED) + 1
     reversals = unsigned[phi[unsigned] > np.pi - TURNS.EXACT]
-    turning[unsigned] = 0.0
+    turning[unsigned] -= np.copysign(np.pi, turning[unsigned])
     np.cumsum(turning, out=phi)
     if len(start) > 1:
         phi -= np.repeat(phi[start], np.diff(start, append=len(phi)))

@@ -185,7 +185,7 @@ class Signature:
     def phi_interval(self) -> tuple[np.ndarray, np.ndarray]:
         """Phi with every turn without a sign counted as -pi, and as +pi, both (n,): what is true of both is certain."""
         signed = self.turning.copy()
-        signed[self.unsigned] = 0.0
+        signed[self.unsigned] -= np.copysign(np.pi, signed[self.unsigned])
         doubt = np.zeros(len(self))
         doubt[self.unsigned + 1] = np.pi
         steady = np.concatenate([np.zeros(min(len(self), 1)), np.cumsum(signed)])

@@ -53,6 +53,9 @@ class LOOPS:
     #: half-turns. An area in which phi changes by less has no loop. Less: no verdict, but every raster is searched;
     #: larger: the contour around a zigzag is not found.
     HALF_TURNS = 1.05
+    #: share of an area's length. An area with more of it in loops is made of loops, and its last one closes. At 0 the
+    #: level told of a zigzag with a loop in it counts that loop's closing turn; at 1 that of linked loops lacks it.
+    LOOPED = 0.5
     #: share of the vertices. Where fewer lie in loops, they are looked for once more on wider grids. At 0, by tests,
     #: loops that close with a move as short as rounding are not found.
     FOUND = 0.75

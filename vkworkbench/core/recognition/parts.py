@@ -220,7 +220,7 @@ def _agree(
     A section too short to show a strategy of its own does not count: the loops of a waterline and the rows of a
     zigzag may each have a title. Nor do a few holes, or what little is known, speak for all the rest.
     """
-    told = [k for k, r in enumerate(found) if r.strategy is not Strategy.UNKNOWN and not _short(r)]
+    told = [k for k, r in enumerate(found) if r.strategy is not Strategy.UNKNOWN and not _short(r, 2)]
     if share[told].sum() < ENOUGH.SHARE or whole.strategy in {found[k].strategy for k in told}:
         return whole
     longest = found[max(told, key=lambda k: share[k])]
@@ -230,9 +230,12 @@ def _agree(
     return replace(longest, spans=spans_of(toolpath, runs))
 
 
-def _short(one: Recognition) -> bool:
-    """Whether a section is too little to show a strategy."""
-    return one.closed_loops < 2 and (one.passes or 0) < 3
+def _short(one: Recognition, loops: int) -> bool:
+    """Whether a section with fewer loops than that is too little to show a strategy.
+
+    One loop is enough to be another operation than rows; to gainsay the verdict on the whole it takes two.
+    """
+    return one.closed_loops < loops and (one.passes or 0) < PARTS.PASSES
 
 
 def _differs(one: Recognition, main: Recognition, certain: bool, program: bool) -> bool:
@@ -246,8 +249,8 @@ def _differs(one: Recognition, main: Recognition, certain: bool, program: bool) 
         return False
     if certain and program:
         return one.strategy is not main.strategy
-    if not one.closed_loops and (one.passes or 0) < 3:
-        return False  # too little to show a strategy
+    if _short(one, 1):
+        return False
     if certain:
         return one.strategy is not main.strategy
     families = {one.strategy.family, main.strategy.family}

@@ -46,7 +46,7 @@ def recognize(toolpath: Toolpath, *, tool_diameter: float | None = None, program
     first, last = int(np.argmin(rapid)), len(rapid) - 1 - int(np.argmin(rapid[::-1]))
     whole = recognize_one(toolpath, moves, first, last, tool)
     borders, sections = find_borders(toolpath, moves), Sections(toolpath, tool)
-    if program:
+    if program and len(borders) <= PARTS.BORDERS:
         borders.update(dict.fromkeys(told_apart(sections, borders, begun(toolpath, moves)), True))
     if not 0 < len(borders) <= PARTS.BORDERS:
         return whole

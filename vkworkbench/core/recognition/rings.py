@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 
@@ -96,59 +97,25 @@ def relate_rings(pieces: Pieces, index: np.ndarray, tool: float) -> Rings:
         Tool diameter, mm; 0 where unknown.
     """
     k = len(index)
-    sides, z, flat = pieces.box.T.take(index, axis=1), pieces.z[index], pieces.flat[index]
-    enclosed, length = np.abs(pieces.enclosed[index]), pieces.length[index]
-    sense = np.sign(pieces.net[index])
-    size = np.maximum(*(sides[2:] - sides[:2]))
-    sides[2:] *= -1
-    winding = pieces.kind[index] == WINDING
-    wavy = pieces.wavy[index] | (winding & (pieces.back[index] > WINDINGS.WAVERING * TURN))
-    slack = np.where(winding, 2.0, 1.0)
+    shapes = _shapes(pieces, index)
+    inward = Inward(shapes.sides, shapes.enclosed, shapes.length, shapes.slack)
+    limit, next_step, next_drop = reach(inward, shapes.size, shapes.z, shapes.flat, tool)
     names = ("nested", "opposite", "deeper", "repeated", "moved", "crossing")
     flags = {name: np.zeros(k, bool) for name in names}
-    inward = Inward(sides, enclosed, length, slack)
-    limit, next_step, next_drop = reach(inward, size, z, flat, tool)
     all_steps, nearest = [], np.full(k, np.inf)  # the next but one is two steps away
     for lag in range(1, min(NESTS.NEXT, k - 1) + 1):
         a, b = slice(None, -lag), slice(lag, None)
-        low, high, mean, step = inward[lag]
-        larger, smaller = np.maximum(size[a], size[b]), np.minimum(size[a], size[b])
-        same_height = np.abs(z[a] - z[b]) < SAME.HEIGHT
-        # Rings on a sculptured surface have no depth of their own: nearness in the plane decides.
-        beside = same_height | ~flat[a] | ~flat[b]
-        same_side = np.minimum(SAME.RING + SAME.RING_OF_SIZE * larger, max(SAME.RING_OF_REACH * limit, SAME.RING))
-        same_box = np.maximum(-low, high) < same_side
-        same_area = np.abs(enclosed[a] - enclosed[b]) < SAME.AREA * np.maximum(enclosed[a], enclosed[b])
-        even = ~same_box & (step > NESTS.APART) & (step <= limit)
-        # The sides of an offset move all by the same. Passes of a lattice that wind by chance seldom lie so.
-        alike = high - low <= NESTS.EQUAL_SIDES * np.abs(mean) + SAME.PLACE
-        even &= ~(wavy[a] & wavy[b]) | alike
-        moved = beside & ~same_box & (low < 0) & (high > 0)
-        if moved.any():
-            # Trochoids bite into one another; ribs in a row, and the loops around them, stay apart.
-            centre, width = (sides[:2] - sides[2:]) / 2, _widths(length, enclosed, slack)
-            moved &= np.hypot(*(centre[:, b] - centre[:, a])) < np.minimum(width[a], width[b])
-            moved &= (np.abs(mean) < TROCHOIDS.SWAY * (high - low)) & (high - low < TROCHOIDS.STEP * smaller)
-            moved &= smaller > TROCHOIDS.SIZE * larger
-        found = {
-            "nested": even & beside,
-            "deeper": ~same_box & ~beside & (low > -smaller),
-            "repeated": same_box & same_area & ~same_height,
-            "moved": moved,
-            "crossing": same_height & same_box & ~same_area,
-        }  # fmt: skip
-        if lag == 1:
-            # The loops of one pattern keep their shape; a boundary and an island between its offsets do not.
-            found["opposite"] = _go_on(even & alike & (sense[a] != sense[b]), mean)
-        all_steps.append(mean[even & beside])
-        apart = np.where(even & beside, step, np.inf)
-        nearest[a], nearest[b] = np.minimum(nearest[a], apart), np.minimum(nearest[b], apart)
+        found = _compare(shapes, inward, limit, lag)
         for name, flag in found.items():
             flags[name][a] |= flag
             flags[name][b] |= flag
+        mean, step = inward[lag][2:]
+        all_steps.append(mean[found["nested"]])
+        apart = np.where(found["nested"], step, np.inf)
+        nearest[a], nearest[b] = np.minimum(nearest[a], apart), np.minimum(nearest[b], apart)
         if flags["nested"].all():
             break
-    depths = count_depths(z)
+    depths = count_depths(shapes.z)
     again, distinct = come_again(pieces, index) if depths > 1 else (np.zeros(k, bool), k)
     flags["stacked"] = flags["repeated"].copy()
     flags["repeated"] |= again
@@ -159,20 +126,86 @@ def relate_rings(pieces: Pieces, index: np.ndarray, tool: float) -> Rings:
     steps: np.ndarray = np.concatenate(all_steps) if all_steps else np.zeros(0)
     return Rings(
         index=index,
-        length=length,
+        length=shapes.length,
         alone=~related,
-        winding=winding,
-        round=4 * np.pi * enclosed > RINGS.ROUND * length**2,
+        winding=pieces.kind[index] == WINDING,
+        round=4 * np.pi * shapes.enclosed > RINGS.ROUND * shapes.length**2,
         sloped=_sloped(pieces, index),
         back=pieces.back[index],
         step=middle(nearest[flags["nested"]]) if len(steps) else np.nan,
         growing=np.count_nonzero(steps < 0) / len(steps) if len(steps) else np.nan,
         distinct=distinct,
         depths=depths,
-        depth_range=float(np.ptp(z)) if k else 0.0,
+        depth_range=float(np.ptp(shapes.z)) if k else 0.0,
         evenness=evenness(next_step, next_drop) if depths > 2 else 0.0,
         **flags,
     )
+
+
+class _Shapes(NamedTuple):
+    """What k rings are compared by, (k,) each: sides (4, k) and slack as of :class:`Inward`, size the longer side."""
+
+    sides: np.ndarray
+    size: np.ndarray
+    z: np.ndarray
+    flat: np.ndarray
+    enclosed: np.ndarray
+    length: np.ndarray
+    sense: np.ndarray
+    wavy: np.ndarray
+    slack: np.ndarray
+
+
+def _shapes(pieces: Pieces, index: np.ndarray) -> _Shapes:
+    sides, winding = pieces.box.T.take(index, axis=1), pieces.kind[index] == WINDING
+    size = np.maximum(*(sides[2:] - sides[:2]))
+    sides[2:] *= -1
+    return _Shapes(
+        sides=sides,
+        size=size,
+        z=pieces.z[index],
+        flat=pieces.flat[index],
+        enclosed=np.abs(pieces.enclosed[index]),
+        length=pieces.length[index],
+        sense=np.sign(pieces.net[index]),
+        wavy=pieces.wavy[index] | (winding & (pieces.back[index] > WINDINGS.WAVERING * TURN)),
+        slack=np.where(winding, 2.0, 1.0),
+    )
+
+
+def _compare(r: _Shapes, inward: Inward, limit: float, lag: int) -> dict[str, np.ndarray]:
+    """Tell how each ring lies to the one that is cut `lag` rings after it, (k - lag,) bool for each relation."""
+    a, b = slice(None, -lag), slice(lag, None)
+    low, high, mean, step = inward[lag]
+    larger, smaller = np.maximum(r.size[a], r.size[b]), np.minimum(r.size[a], r.size[b])
+    same_height = np.abs(r.z[a] - r.z[b]) < SAME.HEIGHT
+    # Rings on a sculptured surface have no depth of their own: nearness in the plane decides.
+    beside = same_height | ~r.flat[a] | ~r.flat[b]
+    same_side = np.minimum(SAME.RING + SAME.RING_OF_SIZE * larger, max(SAME.RING_OF_REACH * limit, SAME.RING))
+    same_box = np.maximum(-low, high) < same_side
+    same_area = np.abs(r.enclosed[a] - r.enclosed[b]) < SAME.AREA * np.maximum(r.enclosed[a], r.enclosed[b])
+    even = ~same_box & (step > NESTS.APART) & (step <= limit)
+    # The sides of an offset move all by the same. Passes of a lattice that wind by chance seldom lie so.
+    alike = high - low <= NESTS.EQUAL_SIDES * np.abs(mean) + SAME.PLACE
+    even &= ~(r.wavy[a] & r.wavy[b]) | alike
+    moved = beside & ~same_box & (low < 0) & (high > 0)
+    if moved.any():
+        # Trochoids bite into one another; ribs in a row, and the loops around them, stay apart.
+        centre, width = (r.sides[:2] - r.sides[2:]) / 2, _widths(r.length, r.enclosed, r.slack)
+        moved &= np.hypot(*(centre[:, b] - centre[:, a])) < np.minimum(width[a], width[b])
+        moved &= (np.abs(mean) < TROCHOIDS.SWAY * (high - low)) & (high - low < TROCHOIDS.STEP * smaller)
+        moved &= smaller > TROCHOIDS.SIZE * larger
+    found = {
+        "nested": even & beside,
+        "deeper": ~same_box & ~beside & (low > -smaller),
+        "repeated": same_box & same_area & ~same_height,
+        "moved": moved,
+        "crossing": same_height & same_box & ~same_area,
+    }
+    if lag == 1:
+        # The loops of one pattern keep their shape; a boundary and an island between its offsets do not.
+        found["opposite"] = _go_on(even & alike & (r.sense[a] != r.sense[b]), mean)
+    return found
 
 
 def _widths(length: np.ndarray, enclosed: np.ndarray, slack: np.ndarray) -> np.ndarray:

@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 import numpy as np
 
 from vkworkbench.core.paper import TURN, Areas
@@ -144,17 +146,25 @@ class Section:
 
     def surrounded(self) -> float:
         """Share of the rows' length inside a ring that was cut before or after them at the same depth."""
-        p, ring = self.pieces, self.rings.index
-        k = np.flatnonzero(self.row_pieces)
-        if not len(k) or not len(ring):
+        p, k = self.pieces, np.flatnonzero(self.row_pieces)
+        if not len(k) or not len(self.rings):
             return 0.0
-        after = np.clip(np.searchsorted(ring, k), 0, len(ring) - 1)
         inside = np.zeros(len(k), bool)
+        for _, gap, level in self._beside(k):
+            inside |= level & (gap >= -SAME.PLACE)
+        return float(p.length[k[inside]].sum() / p.length[k].sum())
+
+    def _beside(self, k: np.ndarray) -> Iterator[tuple[np.ndarray, np.ndarray, np.ndarray]]:
+        """Yield the rings cut after pieces k, (k,) int, and those cut before them, as pieces.
+
+        With each how far inside the ring's box the piece lies, mm, and whether at the same depth.
+        """
+        p, ring = self.pieces, self.rings.index
+        after = np.clip(np.searchsorted(ring, k), 0, len(ring) - 1)
         for beside in (ring[after], ring[np.maximum(after - 1, 0)]):
             box = p.box[beside]
             gap = np.column_stack([p.box[k, :2] - box[:, :2], box[:, 2:] - p.box[k, 2:]]).min(axis=1)
-            inside |= (gap >= -SAME.PLACE) & (np.abs(p.z[k] - p.z[beside]) < SAME.HEIGHT)
-        return float(p.length[k[inside]].sum() / p.length[k].sum())
+            yield beside, gap, np.abs(p.z[k] - p.z[beside]) < SAME.HEIGHT
 
     def filled(self) -> float:
         """Share of the cutting length in open strokes that clear the inside of a ring.
@@ -164,20 +174,15 @@ class Section:
         uncut and they are another contour that does not quite close. And they are thin, with little area
         between them and their chord for their length: one that encloses as much as the ring is its repetition.
         """
-        p, ring = self.pieces, self.rings.index
-        k = self.strokes.index
+        p, k = self.pieces, self.strokes.index
         k = k[p.passes[k] > 1]
         if not len(k):
             return 0.0
-        after = np.clip(np.searchsorted(ring, k), 0, len(ring) - 1)
         inside = np.zeros(len(k), bool)
         width = np.abs(p.enclosed) / p.length
-        for beside in (ring[after], ring[np.maximum(after - 1, 0)]):
-            box = p.box[beside]
-            gap = np.column_stack([p.box[k, :2] - box[:, :2], box[:, 2:] - p.box[k, 2:]]).min(axis=1)
+        for beside, gap, level in self._beside(k):
             within = (gap >= -SAME.PLACE) & ((gap < NESTS.REACH * self.tool) | (self.tool == 0))
-            thin = width[k] < POCKET.WIDTH * width[beside]
-            inside |= within & thin & (np.abs(p.z[k] - p.z[beside]) < SAME.HEIGHT)
+            inside |= level & within & (width[k] < POCKET.WIDTH * width[beside])
         return float(p.length[k[inside]].sum()) / self.length
 
 

@@ -389,6 +389,9 @@ class PARTS:
     ASIDE = 0.05
     #: share of the length. Behind a border that is certain, so much does. At 1 short zigzags before a profile are lost.
     CERTAIN = 0.001
+    #: passes. A section with fewer, and hardly a loop, is too little to show a strategy. At 0 rows and rings on surfaces
+    #: are profiles.
+    PASSES = 3
     #: count. Two strategies that meet so often at retracts in doubt take turns within one operation. At 1 all do, and a
     #: pocket with another pattern behind it is one.
     TURNS = 3
@@ -398,7 +401,7 @@ class PARTS:
 
 
 class VISITS:
-    """Which retracts begin another operation; how that was learned, benchmarks/learn_recognition.py tells."""
+    """Which retracts begin another operation; how that was learned, benchmarks/learn_borders.py tells."""
 
     #: share of the votes. So many say that another operation begins. At 0 every visit does, and pockets are mixed; at 1
     #: none does, and a zigzag with a profile behind it is one.
@@ -415,6 +418,9 @@ class VISITS:
     EARLIER = 8
     #: visits. More sections are no operations, and each takes its time. At 1 most programs are one.
     MOST = 60
+    #: count. So many times what lies between two borders is divided in turn. At 0 operations between two tool changes
+    #: are one where the tool is changed higher up; larger: stairs of retracts take long.
+    NESTED = 4
     #: share of the length. A block whose ends lie closer together is closed, as the measure says.
     CLOSED = 0.03
     #: share of the size. Visits whose boxes differ by less on every side cover the same ground, as the measure says.

@@ -243,14 +243,19 @@ def begun(toolpath: Toolpath, moves: Areas) -> dict[int, float]:
     borders and holds no other such retract is divided in turn at those to its own top height: a tool is changed higher than
     any operation retracts.
     """
-    found = _begun(toolpath, moves, VISITS.DOUBTFUL)
+    found, alone = _begun(toolpath, moves, VISITS.DOUBTFUL)
+    for _ in range(VISITS.NESTED):
+        within = [_begun(toolpath, monotonous_areas(toolpath, *visit), VISITS.BORDER) for visit in alone]
+        found.update(dict.fromkeys((at for lower, _ in within for at in lower), VISITS.BORDER))
+        alone = [visit for _, visits in within for visit in visits]
     return dict(sorted(found.items(), key=lambda of: -of[1])[: VISITS.MOST])
 
 
-def _begun(toolpath: Toolpath, moves: Areas, least: float) -> dict[int, float]:
+def _begun(toolpath: Toolpath, moves: Areas, least: float) -> tuple[dict[int, float], list[tuple[int, int]]]:
+    """Return the same of the retracts to the top height, and the visits that stand alone and retract lower down."""
     visits = find_visits(toolpath, moves)
     if visits is None:
-        return {}
+        return {}, []
     share = FOREST.shares(compared(visits))[:, 1]
     at = np.flatnonzero(share > least)
     # Before the way down to the next visit.
@@ -259,7 +264,5 @@ def _begun(toolpath: Toolpath, moves: Areas, least: float) -> dict[int, float]:
     found = {int(a + np.argmax(z[a:b])): float(s) for (a, b), s in zip(gaps, share[at])}
     begin = np.append(0, at + 1)
     alone = begin[np.diff(begin, append=len(visits)) == 1]
-    for k in alone[visits.blocks[alone] > 1]:
-        lower = _begun(toolpath, monotonous_areas(toolpath, visits.first[k], visits.last[k]), VISITS.BORDER)
-        found.update(dict.fromkeys(lower, VISITS.BORDER))
-    return found
+    alone = alone[visits.blocks[alone] > 1]
+    return found, list(zip(visits.first[alone].tolist(), visits.last[alone].tolist()))
