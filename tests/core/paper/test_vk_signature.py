@@ -118,7 +118,10 @@ def test_motion_in_another_plane_is_seen_in_that_plane(axes):
     assert signature(points).total_turning == pytest.approx(2 * PI)
 
 
-@pytest.mark.parametrize("points", [[1, 2, 3], np.zeros((4, 4)), [(0, 0), (np.nan, 1)], [(0, 0), (np.inf, 1)]])
+NO_NUMBERS = ([(np.nan, 0)], [(0, 0), (np.nan, 1)], [(0, 0), (np.inf, 1)], [(0, 0, np.nan), (1, 0, 0), (1, 1, 0)])
+
+
+@pytest.mark.parametrize("points", [[1, 2, 3], np.zeros((4, 4)), *NO_NUMBERS])
 def test_bad_points(points):
     with pytest.raises(ValueError, match="points"):
         signature(points)

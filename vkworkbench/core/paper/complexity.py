@@ -46,7 +46,8 @@ def complexity(points: np.ndarray) -> Complexity:
     Returns
     -------
     Complexity
-        It does not depend on size, place or direction of the polyline.
+        It does not depend on the polyline's place, rotation, and size, as long as its trajectories are longer than a
+        millionth of a micrometre; traversed the other way round, the net turning and the windings change their signs.
 
     Raises
     ------

@@ -50,13 +50,13 @@ def signature(points: np.ndarray) -> Signature:
     points = np.asarray(points, np.float64)
     if points.ndim != 2 or points.shape[1] not in (2, 3):
         raise ValueError(f"points must have the shape (n+1, 2) or (n+1, 3), not {points.shape}")
+    if not np.isfinite(points).all():
+        raise ValueError("points must be finite numbers")
     x, y = (points[:, axis] for axis in plane_of_points(points)[:2])
     dx, dy = x[1:] - x[:-1], y[1:] - y[:-1]
     # The work is done in few arrays: for a long path, allocating memory takes most of the time.
     squares = dx * dx
     squares += dy * dy
-    if not np.isfinite(squares.max(initial=0.0)) and not np.isfinite(points).all():
-        raise ValueError("points must be finite numbers")
     alpha = directions(dx, dy)
     if squares.min(initial=np.inf) < NO_LENGTH**2:
         _carry_directions(alpha, np.flatnonzero(squares < NO_LENGTH**2))

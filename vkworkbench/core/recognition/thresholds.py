@@ -389,7 +389,7 @@ class PARTS:
     ASIDE = 0.05
     #: share of the length. Behind a border that is certain, so much does. At 1 short zigzags before a profile are lost.
     CERTAIN = 0.001
-    #: passes. A section with fewer, and hardly a loop, is too little to show a strategy. At 0 rows and rings on surfaces
+    #: count. A section with fewer passes and hardly a loop is too little to show a strategy. At 0 rows and rings on surfaces
     #: are profiles.
     PASSES = 3
     #: count. Two strategies that meet so often at retracts in doubt take turns within one operation. At 1 all do, and a
