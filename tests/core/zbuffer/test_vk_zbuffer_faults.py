@@ -174,7 +174,7 @@ def test_a_wall_through_a_pixel_is_no_deviation():
     moved = Stock((0.03, 0.02, 0), (39.98, 30.04, 8))
     found = deviations(z, moved)
     assert found.gouged.max() < 1e-5 and found.left.max() < 1e-5
-    beside = np.isnan(SeenModel(moved, z.frame).near).mean()
+    beside = np.isnan(found.depth).mean()
     assert beside == pytest.approx(1 - 40 * 30 / (z.frame.pixel**2 * 111 * 87), abs=0.03)
 
 
