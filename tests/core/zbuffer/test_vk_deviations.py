@@ -7,7 +7,8 @@ import numpy as np
 import pytest
 from zbuffer_reference.paths import BOX, toolpath
 
-from vkworkbench.core import Cut, Stock, Tool, View
+from vkworkbench.core import Cut, Cylinder, Stock, Tool, View
+from vkworkbench.core.solids import Gaps, Spans
 from vkworkbench.core.zbuffer import SeenModel, deviations, gouges, material_left, simulate_job, worst_places
 from vkworkbench.core.zbuffer.deviations import _around
 
@@ -105,17 +106,14 @@ def test_what_is_left_above_a_model_is_told_by_pixel():
     assert seen.near.shape == seen.far.shape == (HEIGHT, WIDTH)
     assert seen.near == pytest.approx(np.full((HEIGHT, WIDTH), -3.0)) and seen.far == pytest.approx(5.0 + 0 * seen.far)
     found = seen.against(UNCUT)
-    assert found.depth == pytest.approx(np.full(WIDTH * HEIGHT, 2.0)) and found.left == pytest.approx(found.depth)
-    assert not found.gouged.any()
+    assert found.left == pytest.approx(np.full(WIDTH * HEIGHT, 2.0)) and not found.gouged.any()
 
 
 def test_beside_a_model_there_is_nothing_to_compare():
     """It covers the left half: its last column has neighbours without it, and can be no gouge."""
     deep = simulated(path((-10, 15, 6), (50, 15, 6)))
     found = deviations(deep, Stock((0, 0, 0), (20, 30, 8)))
-    depth, gouged, left = (values.reshape(HEIGHT, WIDTH) for values in (found.depth, found.gouged, found.left))
-    assert np.isnan(depth[:, 100:]).all() and not np.isnan(depth[:, :100]).any()
-    assert depth[75, :100] == pytest.approx(np.full(100, -2.0)) and depth[20, :100] == pytest.approx(np.full(100, 2.0))
+    gouged, left = (values.reshape(HEIGHT, WIDTH) for values in (found.gouged, found.left))
     assert gouged[75, :99] == pytest.approx(np.full(99, 2.0)) and not gouged[75, 99:].any()
     assert left[20, :100] == pytest.approx(np.full(100, 2.0)) and not left[:, 100:].any() and not gouged[20].any()
 
@@ -148,8 +146,100 @@ def test_the_stocks_own_surface_was_made_by_no_cut():
 
 
 @pytest.mark.parametrize("x, y", [(20, 15), (40, 30), (0, 0)], ids=["inside", "last pixel", "first pixel"])
-def test_where_nothing_is_left_the_last_that_removed_something_made_it(x, y):
+def test_where_nothing_is_left_the_first_that_removed_something_of_the_model_is_guilty(x, y):
     """A pocket of 6 mm, then through all of it, and once more without anything to remove."""
     z = simulated(path((x, y, 12), (x, y, 4)), path((x, y, 12), (x, y, -1), (x, y, 12), (x, y, -2)))
     (gouge,) = gouges(z, deviations(z, BOX), 0.1)
-    assert gouge.depth == pytest.approx(10) and gouge.trajectory == 1 and gouge.source.cut == 1
+    assert gouge.depth == pytest.approx(10) and gouge.trajectory == 0 and gouge.source.cut == 0
+    # Of a model that begins 7 mm below the top, the pocket removed nothing.
+    (gouge,) = gouges(z, deviations(z, Stock((0, 0, 0), (40, 30, 3))), 0.1)
+    assert gouge.depth == pytest.approx(3) and gouge.trajectory == 1 and gouge.source.cut == 1
+
+
+class Milled:
+    """A block without boxes and cylinders; its rays in closed form."""
+
+    def __init__(self, block, *removed):
+        self.block, self.removed = block, removed
+        self.lower, self.upper = block.lower, block.upper
+
+    def spans(self, frame, x, y):
+        near, far, gaps = self.block.spans(frame, x, y)
+        for _ in self.removed:  # whichever comes first on a ray
+            for solid in self.removed:
+                begin, end, _ = solid.spans(frame, x, y)
+                near = np.where((begin <= near + 1e-9) & (end > near), end, near)
+        return Spans(near, far, gaps)
+
+
+# Faced, with a pocket of 12 by 20 by 5 mm, a blind hole and one through all of it.
+PART = Milled(
+    Stock((0, 0, 0), (40, 30, 8)),
+    Stock((5, 5, 3), (17, 25, 20)),
+    Cylinder((30, 21, 2), 3, 20),
+    Cylinder((24, 8, -5), 3, 30),
+)
+FACING = path(*((x, y, 8) for k, y in enumerate(range(0, 31, 5)) for x in ((-5, 45) if k % 2 == 0 else (45, -5))))
+POCKET = path(
+    (8, 8, 12), *((x, y, 3) for k, x in enumerate((8, 10, 12, 14)) for y in ((8, 22) if k % 2 == 0 else (22, 8)))
+)
+DRILLING = path((30, 21, 12), (30, 21, 2), (30, 21, 12), (24, 8, 12), (24, 8, -5))
+# Over the pocket and both holes, 3 mm deep.
+CRASH = path((-5, 15, 12), (-5, 15, 5), (12, 15, 5), (24.5, 9, 5), (29.3, 20, 5), (45, 22, 5))
+VIEWS = [(0, 0, -1), (1, 1, -1), (0, 1, -1), (-1, 0.5, -1), (0.3, -1, -0.4)]
+
+
+ROUGH = Stock((-1, -1, 0), (41, 31, 10))
+# Of all of the part, and of rims: of the pocket, and of both holes.
+IMAGES = [((0, 0), 0.2), ((-3, 0), 0.02), ((4, -5), 0.05), ((10, 4), 0.05)]
+
+
+@pytest.mark.parametrize("direction", VIEWS)
+@pytest.mark.parametrize("offset, pixel", IMAGES)
+def test_the_sound_part_is_not_gouged(direction, offset, pixel):
+    cuts = [Cut(one, FLAT) for one in (FACING, POCKET, DRILLING)]
+    z = simulate_job(cuts, stock=ROUGH, view=View(direction, 300, 240, pixel, offset))
+    assert gouges(z, deviations(z, PART), 0.1) == []
+
+
+@pytest.mark.parametrize("direction", VIEWS)
+@pytest.mark.parametrize("offset, pixel", IMAGES)
+@pytest.mark.parametrize("guilty", [0, 3])
+def test_only_what_cuts_into_the_model_is_guilty(guilty, direction, offset, pixel):
+    """Through what a rapid cut away one sees walls that others cut rightly, earlier or later."""
+    jobs = [FACING, POCKET, DRILLING]
+    jobs.insert(guilty, CRASH)
+    z = simulate_job([Cut(one, FLAT) for one in jobs], stock=ROUGH, view=View(direction, 300, 240, pixel, offset))
+    found = deviations(z, PART)
+    told = [*gouges(z, found, 0.1), *worst_places(z, found.gouged, 0.1, model=found.model)]
+    assert len(told) > 1 and {one.source and one.source.cut for one in told} == {guilty}
+    sure = sum(one.area for one in gouges(z, found, 0.1)) / pixel**2
+    assert sure == pytest.approx(np.count_nonzero(found.gouged > 0.1), rel=0.05)
+
+
+def test_what_is_cut_within_the_tolerance_makes_nobody_guilty():
+    """A pocket 0.05 mm too deep, in which another cuts 2 mm too deep."""
+    z = simulated(path((5, 15, 7.95), (35, 15, 7.95)), path((10, 15, 6), (30, 15, 6)))
+    (gouge,) = gouges(z, deviations(z, Stock((0, 0, 0), (40, 30, 8))), 0.1)
+    assert gouge.source.cut == 1 and gouge.depth == pytest.approx(2)
+
+
+def test_who_is_guilty_of_what_lies_behind_a_gap_of_the_stock():
+    """A model of 8 mm in a stock that is hollow from 4 to 9 mm: a slot through its lid is none's, one to 2 mm a gouge."""
+    solid = Stock((0, 0, 0), (40, 30, 10))
+    hollow = Milled(solid)
+    hollow.spans = lambda frame, x, y: Spans(
+        *solid.spans(frame, x, y)[:2], Gaps(np.arange(len(x)), np.full(len(x), -4.0), np.full(len(x), 1.0))
+    )
+    lid, deep = path((5, 15, 8.5), (35, 15, 8.5)), path((10, 15, 2), (30, 15, 2))
+    cuts = [Cut(lid, FLAT), Cut(deep, FLAT)]
+    model = Stock((0, 0, 0), (40, 30, 8))
+    frame = VIEW.frame(solid)
+    z = simulate_job(cuts, stock=hollow, view=VIEW)
+    assert z.frame.pixel == frame.pixel
+    by_none, by_deep = sorted(gouges(z, deviations(z, model), 0.1), key=lambda one: one.depth)
+    assert by_none.depth == pytest.approx(4) and by_none.trajectory is None
+    assert by_deep.depth == pytest.approx(6) and by_deep.source.cut == 1
+    # Before it was cut, nobody is guilty of it.
+    (early,) = gouges(z.at(1), deviations(z.at(1), model), 0.1)
+    assert early.depth == pytest.approx(4) and early.trajectory is None

@@ -174,7 +174,7 @@ def test_a_wall_through_a_pixel_is_no_deviation():
     moved = Stock((0.03, 0.02, 0), (39.98, 30.04, 8))
     found = deviations(z, moved)
     assert found.gouged.max() < 1e-5 and found.left.max() < 1e-5
-    beside = np.isnan(found.depth).mean()
+    beside = np.isnan(SeenModel(moved, z.frame).near).mean()
     assert beside == pytest.approx(1 - 40 * 30 / (z.frame.pixel**2 * 111 * 87), abs=0.03)
 
 
@@ -183,7 +183,7 @@ def test_worst_places_lie_apart_and_name_what_made_them():
     drilled = path([(10, 15, 12), (10, 15, 5), (10, 15, 12), (30, 15, 12), (30, 15, -1), (30, 15, 12)])
     z = simulate_job([Cut(SOUND, FLAT), Cut(drilled, FLAT)], stock=STOCK, view=View((0, 0, -1), 200, 150))
     found = deviations(z, MODEL)
-    through, blind = worst_places(z, found.gouged, 0.1)
+    through, blind = worst_places(z, found.gouged, 0.1, model=found.model)
     own = len(SOUND)
     assert (through.trajectory, blind.trajectory) == (own + 3, own)
     assert (through.depth, blind.depth) == pytest.approx((8, 3), abs=1e-4)

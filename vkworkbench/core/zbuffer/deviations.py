@@ -12,6 +12,8 @@ from vkworkbench.core.solids import Frame
 from vkworkbench.core.stocks import Solid
 from vkworkbench.core.zbuffer.cuts import Source
 from vkworkbench.core.zbuffer.moments import ZBuffer
+from vkworkbench.core.zbuffer.records import GAP, first_not_below
+from vkworkbench.core.zbuffer.surface import STOCK
 
 _ROWS_AT_ONCE = 64
 # Of the image's shorter side: worst places closer to each other hang together.
@@ -24,17 +26,16 @@ class Deviations:
 
     Attributes
     ----------
-    depth : (pixels,) float32
-        How far the part's surface lies above the model's, along the view, mm: material left where positive, gouges where
-        negative; not a number where the model is not seen.
     left, gouged : (pixels,) float32
-        How much of it is sure, mm, at least 0: what is left above all of the model around the pixel, and what is cut
-        below all of it. A wall that passes through a pixel is neither.
+        How much is left above all of the model around the pixel, and how much is cut below all of it, along the view, mm,
+        at least 0. A wall that passes through a pixel is neither.
+    model : SeenModel
+        What the part was compared with.
     """
 
-    depth: np.ndarray
     left: np.ndarray
     gouged: np.ndarray
+    model: SeenModel
 
 
 @dataclass(frozen=True)
@@ -44,7 +45,8 @@ class Deviation:
     Attributes
     ----------
     trajectory : int or None
-        What made the surface there, or removed the last of it; None for the stock's own.
+        What made the surface where material is left; what removed the material at the model's surface where it is gouged.
+        None for the stock's own.
     source : Source or None
         Its cut and command.
     place : (3,) tuple of float
@@ -103,7 +105,7 @@ class SeenModel:
         part = np.where(np.isnan(part) & seen, self.far, part)
         left = np.where(seen, np.maximum(self._highest - part, 0), 0)
         gouged = np.where(seen & np.isfinite(self._lowest), np.maximum(part - self._lowest, 0), 0)
-        return Deviations(*(values.astype(np.float32).ravel() for values in (self.near - part, left, gouged)))
+        return Deviations(*(values.astype(np.float32).ravel() for values in (left, gouged)), self)
 
 
 def deviations(zbuffer: ZBuffer, model: Solid) -> Deviations:
@@ -129,7 +131,7 @@ def gouges(zbuffer: ZBuffer, found: Deviations, tolerance: float) -> list[Deviat
     tolerance : float
         What is no gouge yet, mm.
     """
-    return _worst(zbuffer, found.gouged, tolerance)
+    return _worst(zbuffer, found.gouged, tolerance, found.model)
 
 
 def material_left(zbuffer: ZBuffer, found: Deviations, tolerance: float) -> list[Deviation]:
@@ -137,7 +139,9 @@ def material_left(zbuffer: ZBuffer, found: Deviations, tolerance: float) -> list
     return _worst(zbuffer, found.left, tolerance)
 
 
-def worst_places(zbuffer: ZBuffer, amount: np.ndarray, tolerance: float, most: int = 10) -> list[Deviation]:
+def worst_places(
+    zbuffer: ZBuffer, amount: np.ndarray, tolerance: float, most: int = 10, model: SeenModel | None = None
+) -> list[Deviation]:
     """Return the places where most is gouged, or left, the worst first; what hangs together is one.
 
     Parameters
@@ -150,13 +154,15 @@ def worst_places(zbuffer: ZBuffer, amount: np.ndarray, tolerance: float, most: i
         What is no deviation yet, mm.
     most : int
         How many are returned at most.
+    model : SeenModel, optional
+        That of the deviations, where `amount` is gouged: where it begins decides who is guilty.
     """
     frame = zbuffer.frame
     side = max(1, round(_APART * min(frame.height, frame.width)))
     rows, columns = -(-frame.height // side), -(-frame.width // side)
     too_much = np.zeros((rows * side, columns * side), np.float32)
-    too_much[: frame.height, : frame.width] = amount.reshape(frame.height, frame.width)
-    too_much[too_much <= tolerance] = 0
+    deviating, maker = _makers(zbuffer, amount, tolerance, model)
+    too_much[np.divmod(deviating, frame.width)] = amount[deviating]
     tiles = too_much.reshape(rows, side, columns, side).swapaxes(1, 2)
     worst, counts = tiles.max(axis=(2, 3)), np.count_nonzero(tiles, axis=(2, 3))
     places: list[Deviation] = []
@@ -164,7 +170,8 @@ def worst_places(zbuffer: ZBuffer, amount: np.ndarray, tolerance: float, most: i
         row, column = (int(at) for at in np.unravel_index(int(worst.argmax()), worst.shape))
         own_row, own_column = np.unravel_index(int(tiles[row, column].argmax()), (side, side))
         pixel = (row * side + int(own_row)) * frame.width + column * side + int(own_column)
-        places.append(_place(zbuffer, amount, pixel, _take(worst, counts, row, column)))
+        own = int(maker[np.searchsorted(deviating, pixel)])
+        places.append(_place(zbuffer, amount, pixel, _take(worst, counts, row, column), own))
     return places
 
 
@@ -182,40 +189,73 @@ def _take(worst: np.ndarray, counts: np.ndarray, row: int, column: int) -> int:
     return total
 
 
-def _worst(zbuffer: ZBuffer, amount: np.ndarray, tolerance: float) -> list[Deviation]:
-    pixels = np.flatnonzero(amount > tolerance)
-    owner = _makers(zbuffer, pixels)
-    cut = np.full(len(pixels), -1)
-    cut[owner >= 0] = zbuffer.cuts.cut[owner[owner >= 0]]
+def _worst(zbuffer: ZBuffer, amount: np.ndarray, tolerance: float, model: SeenModel | None = None) -> list[Deviation]:
+    pixels, maker = _makers(zbuffer, amount, tolerance, model)
+    cut = _cuts(zbuffer, maker)
     worst = []
     for own in np.unique(cut):
-        its = pixels[cut == own]
-        worst.append(_place(zbuffer, amount, int(its[np.argmax(amount[its])]), len(its)))
+        its = np.flatnonzero(cut == own)
+        most = its[np.argmax(amount[pixels[its]])]
+        worst.append(_place(zbuffer, amount, int(pixels[most]), len(its), int(maker[most])))
     return sorted(worst, key=lambda one: -one.depth)
 
 
-def _makers(zbuffer: ZBuffer, pixels: np.ndarray) -> np.ndarray:
-    """What made the surface at pixels, -1 for the stock's own; where nothing is left, what removed the last of it."""
-    picture, records = zbuffer.picture, zbuffer.records
-    makers = picture.owner[pixels].astype(np.int64)
-    gone = np.isnan(picture.depth[pixels]) & (records.index[pixels + 1] > records.index[pixels])
-    if gone.any():
-        bounds = np.column_stack((records.index[pixels[gone]], records.index[pixels[gone] + 1])).ravel()
-        if bounds[-1] == len(records.owner):  # which reduceat takes for granted
-            bounds = bounds[:-1]
-        makers[gone] = np.maximum.reduceat(records.owner, bounds.astype(np.int64))[::2]
-    return np.asarray(makers)
+def _makers(
+    zbuffer: ZBuffer, amount: np.ndarray, tolerance: float, model: SeenModel | None
+) -> tuple[np.ndarray, np.ndarray]:
+    """Pixels that deviate, ascending, and by which trajectory, `STOCK` where by none.
+
+    Material left is theirs whose surface is seen. Through what was cut away by mistake one sees what others cut rightly: a
+    gouge is theirs who removed the material at the model's surface.
+    """
+    pixels = np.flatnonzero(amount > tolerance)
+    if model is None:
+        return pixels, zbuffer.picture.owner[pixels]
+    # Within the tolerance nobody is guilty; farther behind its surface than a pixel the model may be over, at a rim.
+    maker = _removers(zbuffer, pixels, model.near.ravel()[pixels] + min(tolerance, zbuffer.frame.pixel))
+    cut = _cuts(zbuffer, maker)
+
+    def around(extreme: np.ufunc, nobody: int) -> np.ndarray:
+        image = np.full(model.near.shape, nobody)
+        image.ravel()[pixels] = cut
+        return _around(image, extreme).ravel()[pixels]
+
+    # At a rim or a wall a pixel may see past the model: those around it must say the same.
+    sure = around(np.minimum, len(zbuffer.cuts.cuts)) == around(np.maximum, -1)
+    return pixels[sure], maker[sure]
 
 
-def _place(zbuffer: ZBuffer, amount: np.ndarray, pixel: int, count: int) -> Deviation:
+def _removers(zbuffer: ZBuffer, pixels: np.ndarray, depth: np.ndarray) -> np.ndarray:
+    """What removed the material at depths (k,) of the rays of pixels (k,), or first behind it; `STOCK` where none did."""
+    records = zbuffer.records
+    end = records.index[pixels + 1].astype(np.int64)
+    piece = first_not_below(records.far, records.index[pixels].astype(np.int64), end, depth)
+    found = np.flatnonzero(piece < end)
+    piece, end = piece[found], end[found]
+    # In a gap of the stock nothing was; what is missing there begins behind it.
+    piece = np.minimum(piece + (records.owner[piece] == GAP), end - 1)
+    removers = np.full(len(pixels), STOCK, np.int32)
+    removers[found] = records.owner[piece]
+    removers[removers >= zbuffer.step] = STOCK
+    return removers
+
+
+def _cuts(zbuffer: ZBuffer, owner: np.ndarray) -> np.ndarray:
+    """Whose the trajectories are; -1 for `STOCK`."""
+    cut = np.full(len(owner), -1)
+    made = owner != STOCK
+    cut[made] = zbuffer.cuts.cut[owner[made]]
+    return cut
+
+
+def _place(zbuffer: ZBuffer, amount: np.ndarray, pixel: int, count: int, maker: int) -> Deviation:
     """What deviates at a pixel, and at so many in all."""
     frame, picture = zbuffer.frame, zbuffer.picture
     row, column = divmod(pixel, frame.width)
     x, y = frame.pixel_centres(np.array([column]), np.array([row]))
     at = float(np.nan_to_num(picture.depth[pixel]))
     place = (frame.origins(x, y)[0] + at * frame.direction).tolist()
-    maker = int(_makers(zbuffer, np.array([pixel]))[0])
-    trajectory = maker if maker >= 0 else None
+    trajectory = None if maker == STOCK else maker
     source = None if trajectory is None else zbuffer.cuts.source(trajectory)
     return Deviation(trajectory, source, tuple(place), float(amount[pixel]), count * frame.pixel**2)
 

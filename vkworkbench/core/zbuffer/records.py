@@ -145,6 +145,29 @@ class Records:
         return result
 
 
+def first_not_below(values: np.ndarray, first: np.ndarray, end: np.ndarray, sought: np.ndarray | float) -> np.ndarray:
+    """Search stretches of an array, ``values[first:end]``, that ascend: binary searches, all at once.
+
+    Parameters
+    ----------
+    values : (p,) ndarray
+    first, end : (k,) int64
+        Where each stretch begins and ends.
+    sought : (k,) ndarray or float
+
+    Returns
+    -------
+    (k,) int64
+        Where the first value of each stretch is that is not below `sought`; `end` where none is.
+    """
+    low, high = first, end
+    for _ in range(int((end - first).max(initial=0)).bit_length()):
+        middle = (low + high) // 2
+        below = (low < high) & (values.take(middle, mode="clip") < sought)
+        low, high = np.where(below, middle + 1, low), np.where(below, high, middle)
+    return low
+
+
 def side_by_side(parts: Sequence[Records], height: int) -> Records:
     """Return the records of an image from those of its parts from left to right, each of so many rows."""
     if len(parts) == 1:

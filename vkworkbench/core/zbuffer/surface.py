@@ -14,7 +14,7 @@ from functools import cached_property
 
 import numpy as np
 
-from vkworkbench.core.zbuffer.records import GAP, Records
+from vkworkbench.core.zbuffer.records import GAP, Records, first_not_below
 
 # Owner of a surface that no trajectory made: the stock's own, or none.
 STOCK = GAP
@@ -90,12 +90,8 @@ class Surface:
     def _seen(self, step: int, pixels: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Depth and owner of the surface at some pixels: a binary search in each one's maxima, all at once."""
         records, (owners, pieces, first) = self.records, self._maxima
-        low, end = first[pixels], first[pixels + 1]
-        high = end
-        for _ in range(int((high - low).max(initial=0)).bit_length()):
-            middle = (low + high) // 2
-            earlier = (low < high) & (owners.take(middle, mode="clip") < step)
-            low, high = np.where(earlier, middle + 1, low), np.where(earlier, high, middle)
+        end = first[pixels + 1]
+        low = first_not_below(owners, first[pixels], end, step)
         seen = low < end
         depth = np.full(len(pixels), np.nan, np.float32)
         depth[seen] = records.entry[pixels[seen]]
