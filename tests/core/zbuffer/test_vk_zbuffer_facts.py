@@ -26,6 +26,7 @@ from vkworkbench.core.zbuffer import (
     trajectory_table,
 )
 from vkworkbench.core.zbuffer.cuts import Cuts
+from vkworkbench.core.zbuffer.facts import _displaced
 
 FLAT = Tool("endmill", 6)
 STOCK = Stock((0, 0, 0), (40, 30, 10))
@@ -210,3 +211,52 @@ def test_plunges_of_small_tools_count_as_well():
     """A fifth of a square millimetre, 1 mm deep."""
     small = {"tool": Tool("endmill", 0.5), "stock": Stock((0, 0, 0), (2, 2, 2)), "view": View(width=200, height=200)}
     assert plunges([(1, 1, 3), (1, 1, 1)], **small) == [0]
+
+
+# Their volumes up to 1, 2 and 5 mm above the tip, by hand.
+VOLUMES = [
+    (FLAT, [9 * pi, 18 * pi, 45 * pi]),
+    (Tool("ballend", 6), [pi * (3 - 1 / 3), pi * 4 * (3 - 2 / 3), 18 * pi + 18 * pi]),
+    (Tool("vbit", 6, tip_angle=pi / 2), [pi / 3, pi * 8 / 3, 9 * pi + 18 * pi]),
+    (Tool("vbit", 6, tip_angle=pi / 2, tip_diameter=2), [pi * 7 / 3, pi * 26 / 3, pi * (26 / 3 + 27)]),
+    (Tool("drill", 6, tip_angle=2 * pi / 3), [pi, 9 * pi * (2 - 2 / sqrt(3)), 9 * pi * (5 - 2 / sqrt(3))]),
+    # The rounded corner is a quarter of a ring: Pappus.
+    (Tool("bullnose", 6, 1), [4 * pi + 2 * pi * (2 + 4 / (3 * pi)) * pi / 4 + more for more in (0, 9 * pi, 36 * pi)]),
+]  # fmt: skip
+NAMES = ["flat", "ball", "v", "chamfer", "drill", "bull nose"]
+
+
+@pytest.mark.parametrize("tool, volumes", VOLUMES, ids=NAMES)
+def test_what_a_tool_displaces(tool, volumes):
+    assert _displaced(tool, np.array([0.0, 1.0, 2.0, 5.0])) == pytest.approx([0, *volumes], rel=2e-3)
+
+
+@pytest.mark.parametrize("tool", [tool for tool, _ in VOLUMES], ids=NAMES)
+@pytest.mark.parametrize("direction", [(0, 0, -1), (0, 0, 1), (0, 1, -1), (0, 1, 0)])
+@pytest.mark.parametrize("depth", [1, 2, 5])
+def test_plunges_of_all_tools_however_shallow(tool, direction, depth):
+    """Into full material; a second time into the same hole; and with little more, or less, than half of the tool."""
+    view, bottom = View(direction), 10 - depth
+    assert plunges([(20, 15, 12), (20, 15, bottom)] * 2, tool=tool, view=view) == [0]
+    for aside, told in ((0.2, [0]), (-0.2, [])):
+        assert plunges([(aside, 15, 12), (aside, 15, bottom)], tool=tool, view=view) == told
+
+
+def test_a_steep_plunge_beside_a_deep_hole_is_one():
+    """6 in 1 down from the bottom of a hole: it also takes a sliver of the wall, which is far higher than it falls."""
+    hole = [(20, 15, 12), (20, 15, 2)]
+    assert plunges([*hole, (20.15, 15, 1)]) == [0, 1]
+
+
+def test_a_cone_that_comes_down_beside_an_edge_is_in_no_full_material():
+    """As it begins a chamfer: 3 mm below the top, 2 mm beside it."""
+    assert plunges([(-2, 15, 12), (-2, 15, 7)], tool=Tool("vbit", 6, tip_angle=pi / 2)) == []
+
+
+def test_each_plunge_is_judged_by_its_own_tool():
+    """An end mill with less than half of itself over the stock, and a cone, which displaces less than that, with all."""
+    points = np.array([(-0.4, 15, 12), (-0.4, 15, 7)], float)
+    path = replace(toolpath(points), feed=np.full(1, 6.0))
+    beside = replace(toolpath(points + (20, 0, 0)), feed=np.full(1, 6.0))
+    cuts = [Cut(path, FLAT, 2.0), Cut(beside, Tool("vbit", 6), 2.0)]
+    assert [one.source.cut for one in fast_plunges(simulate_job(cuts, stock=STOCK, view=View()))] == [1]

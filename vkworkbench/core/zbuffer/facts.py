@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from vkworkbench.core.solids import Tool
 from vkworkbench.core.zbuffer.cuts import Source
 from vkworkbench.core.zbuffer.moments import ZBuffer
 
@@ -16,6 +17,8 @@ _FROM_THE_SIDE = 0.3
 _PLUNGE, _FULL = 5.0, 0.5
 # What a feed may exceed another by: FreeCAD rounds them.
 _FASTER = 1.01
+# Rings of equal width by which the volume of a tool is summed up.
+_RINGS = 64
 
 
 def removed_volumes(zbuffer: ZBuffer) -> np.ndarray:
@@ -220,15 +223,39 @@ def fast_plunges(zbuffer: ZBuffer) -> list[Plunge]:
     start, end = cuts.ends
     run, fall = np.hypot(*(end - start)[:, :2].T), start[:, 2] - end[:, 2]
     allowed = np.array([own.vertical_feed for own in cuts.cuts])[cuts.cut]
-    radius = np.array([own.tool.radius for own in cuts.cuts])[cuts.cut]
-    fast = ~cuts.rapid & (fall > _PLUNGE * run) & (allowed > 0) & (cuts.feed > _FASTER * allowed)
     volumes = removed_volumes(zbuffer)
-    fast &= volumes > 0
+    fast = ~cuts.rapid & (fall > _PLUNGE * run) & (allowed > 0) & (cuts.feed > _FASTER * allowed) & (volumes > 0)
     if not fast.any():
         return []
-    depth, _ = engagement(zbuffer)
-    full = volumes > _FULL * np.pi * radius**2 * np.minimum(depth, fall)
+    plunges = np.flatnonzero(fast)
+    # How deep the tip is in the material, or falls in it.
+    depth = np.minimum(_tops(zbuffer, fast) - end[:, 2], fall)[plunges]
+    displaced = np.empty(len(plunges))
+    for number in np.unique(cuts.cut[plunges]):
+        own = cuts.cut[plunges] == number
+        displaced[own] = _displaced(cuts.cuts[number].tool, depth[own])
     return [
         Plunge(int(i), cuts.source(int(i)), tuple(end[i].tolist()), float(cuts.feed[i]), float(allowed[i]))
-        for i in np.flatnonzero(fast & full)
+        for i in plunges[volumes[plunges] > _FULL * displaced]
     ]
+
+
+def _tops(zbuffer: ZBuffer, owners: np.ndarray) -> np.ndarray:
+    """Height of the highest point that each of some trajectories (n,) bool removes, (n,) mm; -inf where nothing."""
+    records, frame = zbuffer.records, zbuffer.frame
+    pieces, pixel, near = records.pieces_of(owners)
+    row, column = np.divmod(pixel, frame.width)
+    upper = near if frame.direction[2] < 0 else records.far[pieces]
+    height = frame.origins(*frame.pixel_centres(column, row))[:, 2] + upper * frame.direction[2]
+    tops = np.full(zbuffer.trajectories, -np.inf)
+    np.maximum.at(tops, records.owner[pieces], height)
+    return tops
+
+
+def _displaced(tool: Tool, depth: np.ndarray) -> np.ndarray:
+    """Volume of a tool up to so high above its tip, of the shape of `depth`, mm^3."""
+    width = tool.radius / _RINGS
+    volume = np.zeros_like(depth)
+    for r in (np.arange(_RINGS) + 0.5) * width:
+        volume += 2 * np.pi * r * width * np.maximum(depth - tool.height(r), 0)
+    return volume
