@@ -67,6 +67,34 @@ def test_of_a_view_of_a_part_of_the_stock_they_stand_for_the_image():
     assert rays.total(np.ones(len(rays.x)))[0] == pytest.approx(4 * 3)
 
 
+@pytest.mark.parametrize(
+    ("offset", "width", "height"),
+    [
+        ((0, 0), 40.5, 30.5),
+        ((30, 0), 10.25, 30),
+        ((-30, 0), 10.25, 30),
+        ((0, -20), 40, 10.25),
+        ((30, 20), 10.25, 10.25),
+    ],
+)
+def test_they_stand_for_the_stock_where_the_image_has_it(offset, width, height):
+    """All of the stock is passed, by a tool that is far wider; the image is 40 by 30 mm, or larger than the stock."""
+    moves = [(0, 15, 5), (40, 15, 5)]
+    found = View(TOP, 80, 60, pixel=0.5, offset=offset) if any(offset) else View(TOP, 120, 100, pixel=0.5)
+    _, rays = drawn(moves, WIDE, found)
+    assert rays.total(np.ones(len(rays.x)))[0] == pytest.approx(width * height)
+
+
+@pytest.mark.parametrize("direction", [TOP, (1, 1, -1), (0, 1, 0)])
+@pytest.mark.parametrize("offset", [(0, 0), (25, 18), (-30, 0), (0, -12)])
+def test_of_a_panned_view_what_it_shows_is_counted(direction, offset):
+    moves = [(x, y, 5) for k, y in enumerate(range(0, 31, 5)) for x in ((-5, 45) if k % 2 == 0 else (45, -5))]
+    path, view = toolpath(np.array(moves, float)), View(direction, 240, 180, pixel=0.2, offset=offset)
+    told, true = count(removal(moves, view=view)), simulate(path, tool=FLAT, stock=STOCK, view=view)
+    assert abs(told.traces - true.traces) < 3 * told.traces_error + 0.01 * true.traces
+    assert told.dexels == pytest.approx(true.dexels, rel=0.02) and true.traces > 1000
+
+
 def test_rays_go_through_the_middles_of_pixels_of_all_that_is_passed():
     _, rays = drawn([(10, 15, 5), (30, 15, 5)])
     column, row = rays.x / 0.5 + 40 - 0.5, rays.y / 0.5 + 30 - 0.5

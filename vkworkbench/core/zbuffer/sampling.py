@@ -89,14 +89,16 @@ def sample(removal: Removal, rng: np.random.Generator) -> Sample:
         Empty where no trajectory reaches the image.
     """
     frame = removal.frame
-    half = np.array([frame.width, frame.height]) * frame.pixel / 2
-    extent = np.abs(np.array([frame.right, frame.up])) @ (removal.stock.upper - removal.stock.lower) / 2
-    margin = frame.pixel / 2  # the pixels whose centres are reached
-    half = np.minimum(half, extent + margin)
     if len(removal.index) == 0:
         return Sample(*np.empty((3, 0)))
-    low = np.maximum(-half, np.array([removal.box[0].min(), removal.box[2].min()]) - margin)
-    high = np.minimum(half, np.array([removal.box[1].max(), removal.box[3].max()]) + margin)
+    half = np.array([frame.width, frame.height]) * frame.pixel / 2
+    axes, (lower, upper) = np.array([frame.right, frame.up]), (removal.stock.lower, removal.stock.upper)
+    middle = axes @ ((lower + upper) / 2 - frame.centre)
+    extent = np.abs(axes) @ (upper - lower) / 2
+    margin = frame.pixel / 2  # the pixels whose centres are reached
+    passed = removal.box[::2].min(axis=1), removal.box[1::2].max(axis=1)
+    low = np.maximum(-half, np.maximum(middle - extent, passed[0]) - margin)
+    high = np.minimum(half, np.minimum(middle + extent, passed[1]) + margin)
     if not (low < high).all():
         return Sample(*np.empty((3, 0)))
     side = (high - low) / _CELLS
