@@ -136,15 +136,6 @@ def test_no_rays_are_nowhere():
     assert len(found.near) == len(found.far) == len(found.gaps.ray) == len(found.gaps.enter) == 0
 
 
-def test_the_area_that_is_seen():
-    """Of a block of 2 x 3 x 4 a rectangle; of two of them, one behind the other, twice as much; from a corner three sides."""
-    mesh = Mesh(box((0, 0, 0), (2, 3, 4)))
-    for direction, area in (((0, 0, -1), 6), ((0, 1, 0), 8), ((1, 0, 0), 12), ((1, 1, -1), (6 + 8 + 12) / sqrt(3))):
-        assert mesh.seen_area(View(direction).frame(mesh)) == pytest.approx(area)
-    two = Mesh(np.concatenate((box((0, 0, 0), (2, 3, 4)), box((0, 0, 5), (2, 3, 6)))))
-    assert two.seen_area(View((0, 0, -1)).frame(two)) == pytest.approx(12)
-
-
 def test_corners_that_are_nearly_the_same_are_one():
     shaken = box((0, 0, 0), (2, 3, 4)) + np.random.default_rng(1).uniform(-2e-7, 2e-7, (12, 3, 3))
     mesh = Mesh(shaken)

@@ -138,12 +138,6 @@ class Mesh:
         outside = np.flatnonzero((number[:-1] % 2 == 1) & (ray[1:] == ray[:-1]))
         return Spans(near, far, Gaps(ray[outside], depth[outside], depth[outside + 1]))
 
-    def seen_area(self, frame: Frame) -> float:
-        """Area of the image that the solid covers, where it does so several times counted as often, mm^2."""
-        ends = (self.corners - frame.centre) @ np.array([frame.right, frame.up]).T
-        (ax, ay), (bx, by), (cx, cy) = (ends[self.triangles[:, k]].T for k in range(3))
-        return float(np.abs((bx - ax) * (cy - ay) - (cx - ax) * (by - ay)).sum()) / 4
-
     def _crossings(self, frame: Frame, x: np.ndarray, y: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Rays and the depths at which they cross triangles, in no order.
 

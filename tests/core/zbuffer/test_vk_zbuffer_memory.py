@@ -93,12 +93,14 @@ def removal(tool, direction, points=((10, 15, 5), (30, 15, 5)), *, others=()):
 def test_the_peak_grows_with_records_pixels_and_trajectories():
     """Records grow by an eighth when they are full, and the traces are told with two standard errors."""
     flat = removal(TOOLS[0], (0, 0, -1))
-    nothing = Counts(0, 0, 0, 0, 0, 0, 0, 0, 4800)
+    nothing = Counts(*[0] * 9, 4800)
 
     def more(trajectories=0, **counted):
         return peak_bytes(replace(nothing, **counted), trajectories, flat) - peak_bytes(nothing, 0, flat)
 
-    assert more(dexels=1000.0) == more(traces=1000.0) == 9000 and more(traces_error=1000.0) == 18000
+    assert (
+        more(dexels=1000.0) == more(traces=1000.0) == more(gaps=1000.0) == 9000 and more(traces_error=1000.0) == 18000
+    )
     assert more(band=1000.0) > 0 and more(trajectories=1000) >= 1000 * 8 * 3  # at least where each begins
     large = Removal(Cuts([]), BOX, View((0, 0, -1), 800, 60).frame(BOX))
     assert peak_bytes(nothing, 0, large) - peak_bytes(nothing, 0, flat) == 8 * 720 * 60
@@ -108,7 +110,7 @@ def test_each_further_process_takes_its_own_memory_and_what_is_sent_to_it(monkey
     flat, plenty = removal(TOOLS[0], (0, 0, -1)), 1e15
 
     def each(band, trajectories):
-        counts = Counts(0, 0, 0, 0, 0, 0, 0, band, 4800)
+        counts = Counts(*[0] * 8, band, 4800)
         assert counts.band == band
         monkeypatch.setattr(memory, "count", lambda _: counts)
         peak = peak_bytes(counts, trajectories, flat)
@@ -125,7 +127,7 @@ def test_each_further_process_takes_its_own_memory_and_what_is_sent_to_it(monkey
 
 
 def test_a_band_takes_least_from_above_and_most_where_forms_are_no_closed_ones():
-    nothing = Counts(0, 0, 0, 0, 0, 0, 0, 0, 4800)
+    nothing = Counts(*[0] * 9, 4800)
     flat, ball, bullnose, vee = TOOLS[0], TOOLS[2], TOOLS[3], TOOLS[5]
     above, closed, other = (
         {peak_bytes(nothing, 0, removal(tool, direction)) for tool, direction in some}

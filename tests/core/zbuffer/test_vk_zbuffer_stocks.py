@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from math import pi
+from math import pi, sqrt
 
 import numpy as np
 import pytest
@@ -12,10 +12,12 @@ from zbuffer_reference.dexels import Pieces, first_cuts
 from zbuffer_reference.paths import BOX, DIRECTIONS, PATHS, TOOLS, toolpath
 
 from vkworkbench.core import ConvexStock, Cylinder, Mesh, Tool, View, estimate
+from vkworkbench.core.zbuffer import OverBudget, memory_needed
 from vkworkbench.core.zbuffer.cuts import Cut, Cuts
 from vkworkbench.core.zbuffer.facts import removed_volumes
 from vkworkbench.core.zbuffer.records import GAP
 from vkworkbench.core.zbuffer.removal import Removal
+from vkworkbench.core.zbuffer.silhouette import seen_areas
 from vkworkbench.core.zbuffer.simulate import simulate
 from vkworkbench.core.zbuffer.surface import STOCK
 from vkworkbench.language import Unusable
@@ -166,6 +168,63 @@ def test_the_estimate_knows_the_stock(stock, direction):
     told, true = estimate(toolpath(points), None, **solids), simulate(toolpath(points), **solids)
     assert abs(told.traces - true.traces) < 3 * told.traces_error + 0.01 * true.traces
     assert told.dexels == pytest.approx(true.dexels, rel=0.1)
+
+
+def areas(mesh, view):
+    return seen_areas(mesh, view.frame(mesh), np.random.default_rng(1))
+
+
+def test_the_area_that_a_mesh_covers():
+    """Of a block of 2 x 3 x 4 a rectangle; from a corner three sides; of two behind each other twice as much, and a gap."""
+    block = Mesh(box((0, 0, 0), (2, 3, 4)))
+    for direction, area in (((0, 0, -1), 6), ((0, 1, 0), 8), ((1, 0, 0), 12), ((1, 1, -1), (6 + 8 + 12) / sqrt(3))):
+        assert areas(block, View(direction)) == pytest.approx((area, 0), rel=0.005)
+    two = Mesh(np.concatenate((box((0, 0, 0), (2, 3, 4)), box((0, 0, 5), (2, 3, 6)))))
+    assert areas(two, View((0, 0, -1))) == pytest.approx((12, 6)) and areas(two, View((0, 1, 0))) == pytest.approx(
+        (10, 0), rel=0.02
+    )
+    # Of a part of it, of one that is small in the image, and of none.
+    assert areas(block, View((0, 0, -1), 10, 20, pixel=0.05)) == pytest.approx((0.5, 0))
+    assert areas(block, View((0, 0, -1), 10, 10, pixel=0.1, offset=(1, 1.5))) == pytest.approx((0.25, 0))
+    assert areas(block, View((0, 0, -1), 100, 100, pixel=10)) == pytest.approx((6, 0))
+    assert areas(block, View((0, 0, -1), 10, 10, pixel=0.1, offset=(5, 0))) == (0, 0)
+
+
+# A hundred ribs, 0.5 mm thick and as far apart.
+COMB = Mesh(np.concatenate([box((0, y + 0.25, 0), (60, y + 0.75, 20)) for y in range(100)]))
+
+
+@pytest.mark.parametrize(
+    "direction, pieces", [((0, 1, 0), 199), ((0, 0, -1), 0.5), ((1, 0, 0), 0.5)], ids=["along", "above", "aside"]
+)
+def test_the_memory_of_a_mesh_with_gaps(direction, pieces):
+    """Pieces of each ray through the comb: a hundred ribs, and the gaps between them; or, as often as not, one rib."""
+    moves = toolpath(np.array([(10, 20, 12), (50, 20, 12)], float))
+    solids = {"tool": TOOLS[0], "stock": COMB, "view": View(direction, 128, 128, pixel=0.78125)}
+    told, true = estimate(moves, None, **solids), simulate(moves, **solids)
+    area = 60 * 20 if direction == (0, 1, 0) else 100 * (60 if direction == (0, 0, -1) else 20)
+    assert told.stock_bytes == pytest.approx(8 * (pieces * area / 0.78125**2 + 128 * 128), rel=0.03)
+    assert told.memory_bytes == pytest.approx(true.memory_bytes, rel=0.05)
+
+
+def test_gaps_are_refused_that_take_too_much():
+    moves, view = toolpath(np.array([(10, 20, 12), (50, 20, 12)], float)), View((0, 1, 0), 600, 400)
+    solids = {"tool": TOOLS[0], "view": view}
+    held = simulate(moves, stock=COMB, memory_budget=1e10, **solids).memory_bytes
+    assert held > 100e6
+    with pytest.raises(OverBudget) as refused:
+        simulate(moves, stock=COMB, memory_budget=held, **solids)
+    assert held < refused.value.needed < 2 * held
+
+
+def test_a_view_of_a_part_of_a_mesh_takes_no_more_than_that_of_a_box():
+    moves = toolpath(np.array([(10, 15, 8), (30, 15, 8)], float))
+    for view in (View(pixel=0.002), View((1, 1, -1), pixel=0.002, offset=(3, 2)), View((0, 1, 0))):
+        mesh, plain = (
+            memory_needed([Cut(moves, TOOLS[0])], stock=stock, view=view)
+            for stock in (Mesh(box(BOX.lower, BOX.upper)), BOX)
+        )
+        assert mesh == pytest.approx(plain, rel=0.01)
 
 
 def test_what_is_no_solid_is_refused():

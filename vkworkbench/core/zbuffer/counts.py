@@ -12,7 +12,7 @@ from vkworkbench.core.zbuffer.dexels import UNCUT, Pieces
 from vkworkbench.core.zbuffer.records import GAP, INDEX, PIXEL_BYTES, RECORD_BYTES
 from vkworkbench.core.zbuffer.removal import Removal
 from vkworkbench.core.zbuffer.sampling import sample
-from vkworkbench.core.zbuffer.silhouette import silhouette_area
+from vkworkbench.core.zbuffer.silhouette import seen_areas
 
 # The same rays every time: a click and a macro give the same numbers.
 _SEED = 2002
@@ -24,8 +24,8 @@ class Counts:
 
     Attributes
     ----------
-    stock : float
-        Dexels of the uncut stock.
+    stock, gaps : float
+        Dexels of the uncut stock, and pieces of rays in its gaps, which stay.
     dexels : float
         Dexels at the end.
     traces, traces_error : float
@@ -43,6 +43,7 @@ class Counts:
     """
 
     stock: float
+    gaps: float
     dexels: float
     traces: float
     traces_error: float
@@ -54,13 +55,13 @@ class Counts:
 
     @property
     def records(self) -> float:
-        """Dexels and elements of traces that the z-buffer holds at the end."""
-        return self.dexels + self.traces
+        """Dexels, elements of traces and gaps that the z-buffer holds at the end."""
+        return self.dexels + self.traces + self.gaps
 
     @property
     def stock_bytes(self) -> float:
         """What the z-buffer of the uncut stock holds."""
-        return RECORD_BYTES * self.stock + PIXEL_BYTES * self.pixels + INDEX.itemsize
+        return RECORD_BYTES * (self.stock + self.gaps) + PIXEL_BYTES * self.pixels + INDEX.itemsize
 
     @property
     def memory_bytes(self) -> float:
@@ -83,16 +84,18 @@ def count(removal: Removal) -> Counts:
         The same for the same arguments.
     """
     frame = removal.frame
-    rays = sample(removal, np.random.default_rng(_SEED))
+    rng = np.random.default_rng(_SEED)
+    rays = sample(removal, rng)
     pieces, passes = removal.cut(rays.x, rays.y)
     # A ray begins with a dexel, and one more behind every gap of the stock.
-    first = np.bincount(pieces.ray[pieces.owner == GAP], minlength=len(rays.x))
+    held = np.bincount(pieces.ray, minlength=len(rays.x))
+    empty = np.bincount(pieces.ray[pieces.owner == GAP], minlength=len(rays.x))
     parts = np.bincount(pieces.ray[pieces.owner == UNCUT], minlength=len(rays.x))
-    cuts = np.bincount(pieces.ray, minlength=len(rays.x)) - first - parts
-    first += cuts + parts > 0
+    cuts = held - empty - parts
+    first = empty + (held > 0)
     per_area = 1 / frame.pixel**2
 
-    covered = silhouette_area(removal.stock, frame)
+    covered, gaps = seen_areas(removal.stock, frame, rng)
     # Where a ray was cut through or through a wall: fewer or more dexels than it began with.
     more, _ = rays.total(parts - first)
     more = max(more, -covered)  # where everything is cut away, rounding leaves less than nothing
@@ -100,9 +103,10 @@ def count(removal: Removal) -> Counts:
     passed, _ = rays.total(passes)
     unconnected, _ = rays.total(passes * _unconnected(pieces, len(rays.x)))
     band = np.floor((rays.y / frame.pixel + frame.height / 2) / TILE).astype(np.int64)
-    bands = np.bincount(np.maximum(band, 0), (cuts + parts) * rays.area, minlength=1)
+    bands = np.bincount(np.maximum(band, 0), held * rays.area, minlength=1)
     return Counts(
         covered * per_area,
+        gaps * per_area,
         (covered + more) * per_area,
         traces * per_area,
         error * per_area,

@@ -8,7 +8,7 @@ from collections.abc import Iterable
 import numpy as np
 
 from vkworkbench.core.solids import View
-from vkworkbench.core.stocks import Solid
+from vkworkbench.core.stocks import Mesh, Solid
 from vkworkbench.core.zbuffer.counts import Counts, count
 from vkworkbench.core.zbuffer.cuts import Cut, Cuts
 from vkworkbench.core.zbuffer.records import PIXEL_BYTES, RECORD_BYTES
@@ -136,7 +136,9 @@ def helpers_within(allowed: float, removal: Removal, trajectories: int) -> int:
 
 
 def _most(removal: Removal) -> float:
-    """No more records than this, from the trajectories' bounding boxes in the image."""
+    """No more records than this, from the trajectories' bounding boxes in the image; a mesh may have any number."""
+    if isinstance(removal.stock, Mesh):
+        return np.inf
     frame = removal.frame
     half = np.array([frame.width, frame.height]) / 2
     left, right, bottom, top = removal.box / frame.pixel

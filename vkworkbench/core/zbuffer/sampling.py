@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from vkworkbench.core.zbuffer.removal import Removal
+from vkworkbench.core.zbuffer.silhouette import seen_box
 
 _CELLS = 32  # a power of two, for the Morton order
 # Rays drawn where the trajectories are few, and at least; between them, as many as meet that many
@@ -92,13 +93,10 @@ def sample(removal: Removal, rng: np.random.Generator) -> Sample:
     if len(removal.index) == 0:
         return Sample(*np.empty((3, 0)))
     half = np.array([frame.width, frame.height]) * frame.pixel / 2
-    axes, (lower, upper) = np.array([frame.right, frame.up]), (removal.stock.lower, removal.stock.upper)
-    middle = axes @ ((lower + upper) / 2 - frame.centre)
-    extent = np.abs(axes) @ (upper - lower) / 2
     margin = frame.pixel / 2  # the pixels whose centres are reached
-    passed = removal.box[::2].min(axis=1), removal.box[1::2].max(axis=1)
-    low = np.maximum(-half, np.maximum(middle - extent, passed[0]) - margin)
-    high = np.minimum(half, np.minimum(middle + extent, passed[1]) + margin)
+    low, high = seen_box(removal.stock, frame)
+    low = np.maximum(-half, np.maximum(low, removal.box[::2].min(axis=1)) - margin)
+    high = np.minimum(half, np.minimum(high, removal.box[1::2].max(axis=1)) + margin)
     if not (low < high).all():
         return Sample(*np.empty((3, 0)))
     side = (high - low) / _CELLS

@@ -8,24 +8,57 @@ import numpy as np
 from vkworkbench.core.solids import Frame
 from vkworkbench.core.stocks import Mesh, Solid
 
+# Rows of rays by which the area of a mesh is counted, and rays of each.
+_RAYS = 64
 
-def silhouette_area(stock: Solid, frame: Frame) -> float:
-    """Area of the image a stock covers, mm^2; where a mesh covers it several times, as often.
+
+def seen_box(stock: Solid, frame: Frame) -> tuple[np.ndarray, np.ndarray]:
+    """Lower and upper corner, (2,) mm, of where an image shows the box around a stock; they cross where it does not."""
+    half = np.array([frame.width, frame.height]) * frame.pixel / 2
+    axes = np.array([frame.right, frame.up])
+    middle = axes @ ((stock.lower + stock.upper) / 2 - frame.centre)
+    extent = np.abs(axes) @ (stock.upper - stock.lower) / 2
+    return np.maximum(-half, middle - extent), np.minimum(half, middle + extent)
+
+
+def seen_areas(stock: Solid, frame: Frame, rng: np.random.Generator) -> tuple[float, float]:
+    """How much of an image a stock covers.
 
     Parameters
     ----------
     stock : Solid
     frame : Frame
-        Whose image holds a mesh as a whole.
+    rng : numpy.random.Generator
+        For the rays by which a mesh is counted; others are known without.
+
+    Returns
+    -------
+    covered, gaps : float
+        Area of the image that its parts cover, and the gaps between these, mm^2: where several lie behind each other, as
+        often.
     """
     if isinstance(stock, Mesh):
-        return stock.seen_area(frame)
+        return _mesh_areas(stock, frame, rng)
     points = (stock.corners - frame.centre) @ np.array([frame.right, frame.up]).T
     outline = _convex_hull(points.tolist())
     for axis, pixels in enumerate((frame.width, frame.height)):
         for side in (-1, 1):
             outline = clip(outline, axis, side, pixels * frame.pixel / 2)
-    return polygon_area(outline)
+    return polygon_area(outline), 0.0
+
+
+def _mesh_areas(mesh: Mesh, frame: Frame, rng: np.random.Generator) -> tuple[float, float]:
+    """`seen_areas` of a mesh, from a ray in each of many cells: random ones, which no ribs of a mesh are in step with."""
+    low, high = seen_box(mesh, frame)
+    if not (low < high).all():
+        return 0.0, 0.0
+    side = (high - low) / _RAYS
+    # In rows: a mesh is crossed row by row.
+    y = low[1] + (np.arange(_RAYS) + rng.random(_RAYS)) * side[1]
+    x = low[0] + (np.arange(_RAYS) + rng.random((_RAYS, _RAYS))) * side[0]
+    spans = mesh.spans(frame, x.ravel(), np.repeat(y, _RAYS))
+    gaps, area = len(spans.gaps.ray), float(side.prod())
+    return (np.count_nonzero(spans.far > spans.near) + gaps) * area, gaps * area
 
 
 def polygon_area(outline: list[list[float]]) -> float:
