@@ -140,11 +140,21 @@ def test_outlines_have_the_area_of_their_tools_and_no_corner_too_many():
         (Tool("endmill", 6), 0, 4),
         (Tool("vbit", 6, tip_angle=pi / 2), 9, 5),
         (Tool("ballend", 6), 9 * 6 * np.sin(pi / 12), 15),
+        (Tool("vbit", 6, tip_angle=pi / 2, tip_diameter=2), 8, 6),
+        (Tool("vbit", 6, tip_angle=pi / 2, tip_diameter=4.4), 5.2 * 0.8, 6),
     ):
         outline = tool_outline(tool, (40, 30, 5), front) * front.pixel
         assert len(outline) == corners and polygon_area(outline) == pytest.approx(shank + tip, rel=1e-5)
         assert np.ptp(outline[:, 1]) == pytest.approx(18 + float(tool.height(3.0)))
         assert len(tool_outline(tool, (40, 30, 5), above)) == 32
+
+
+def test_the_outline_of_a_bull_nose_has_all_of_its_flat():
+    frame = View((0, 1, 0), 800, 600).frame(STOCK)
+    for corner in (0.3, 1.0):
+        outline = tool_outline(Tool("bullnose", 6, corner), (40, 30, 5), frame)
+        x, y = ((outline - project([(40, 30, 5)], frame)[0, :2]) * frame.pixel).T
+        assert sorted(x[np.isclose(y, 0)]) == pytest.approx([corner - 3, 3 - corner])
 
 
 @pytest.mark.parametrize("tool", [

@@ -28,7 +28,8 @@ def tool_outline(tool: Tool, tip: np.ndarray, frame: Frame) -> np.ndarray:
     (m, 2) ndarray
         Corners of a convex polygon, column and row in pixels from the image's upper left corner.
     """
-    radii = tool.radius * np.sin(np.linspace(0, np.pi / 2, _ALONG))
+    # With those at which the profile has a corner, or a flat ends.
+    radii = np.union1d(tool.radius * np.sin(np.linspace(0, np.pi / 2, _ALONG)), (tool.tip, tool.radius - tool.rounding))
     heights = tool.height(radii)
     radii, heights = np.append(radii, tool.radius), np.append(heights, heights[-1] + _LENGTH * tool.diameter)
     angles = np.linspace(0, 2 * np.pi, _AROUND, endpoint=False)
