@@ -81,7 +81,7 @@ class Tool:
         if self.shape not in _DEFAULT_TIP_ANGLE:
             return 0.0
         angle = self.tip_angle if self.tip_angle is not None else _DEFAULT_TIP_ANGLE[self.shape]
-        return 1 / tan(angle / 2)
+        return 1 / tan(angle / 2) if angle < pi else 0.0  # of which rounding would leave a cone
 
     @property
     def tip(self) -> float:

@@ -255,3 +255,18 @@ def test_impossible_stocks_and_views_are_refused_in_words():
         View(width=0)
     with pytest.raises(ValueError, match="positive number"):
         View(pixel=0.0)
+
+
+@pytest.mark.parametrize("direction", VIEWS.values())
+@pytest.mark.parametrize("shape", ["vbit", "drill"])
+def test_a_tip_of_half_a_turn_is_a_flat_end(direction, shape):
+    """One that rounding leaves as a cone cuts too little where rays touch it."""
+    points = [(5, 5, 12), (5, 5, 6), (30, 20, 6), (35, 10, 4), (10, 25, 4)]
+    solids = {"stock": STOCK, "view": View(direction, 60, 45)}
+    tip, flat = (
+        simulate(path(points), tool=tool, **solids).records
+        for tool in (Tool(shape, 6, tip_angle=pi, tip_diameter=2), Tool("endmill", 6))
+    )
+    assert all(
+        np.array_equal(*pair) for pair in ((tip.index, flat.index), (tip.owner, flat.owner), (tip.far, flat.far))
+    )
