@@ -7,8 +7,7 @@ import numpy as np
 import pytest
 
 from toolpaths.synthetic import SAMPLES
-from vkworkbench.core import Stock, Tool, View, linearize, simulate
-from vkworkbench.core.solids import ConvexStock
+from vkworkbench.core import ConvexStock, Cylinder, Mesh, Stock, Tool, View, linearize, simulate
 from vkworkbench.core.zbuffer import cuts_surely, may_cut, most_bytes
 
 TOOLS = [Tool("endmill", 5), Tool("ballend", 6), Tool("vbit", 8, tip_angle=np.pi / 2)]
@@ -35,11 +34,20 @@ def test_no_simulation_holds_more_than_the_bound(tool, direction):
     assert bounds > 5
 
 
-def test_other_solids_have_no_bound_and_nothing_is_sure_of_them():
+@pytest.mark.parametrize("direction", [(0, 0, -1), (1, 1, -1), (0, 1, 0)])
+def test_a_round_stock_is_bounded_as_well(direction):
+    path = linearize([("G1", {"X": x, "Y": y, "Z": -2.0}) for x, y in ((-12.0, 0.0), (12.0, 3.0), (0.0, -9.0))])
+    for stock in (Cylinder((0, 0, -5), 10, 5), ConvexStock.cylinder((0, 0, -5), 10, 5)):
+        solids = {"tool": TOOLS[0], "stock": stock, "view": View(direction, 60, 45)}
+        assert simulate(path, **solids).memory_bytes <= most_bytes(path, **solids) < np.inf
+        assert not cuts_surely(path, stock)
+
+
+def test_a_mesh_has_no_bound_and_nothing_is_sure_of_it():
     path = linearize([("G0", {"X": 0.0, "Y": 0.0, "Z": 5.0}), ("G1", {"Z": -2.0})])
-    cylinder = ConvexStock.cylinder(np.array([0.0, 0.0, -5.0]), 10.0, 5.0)
-    assert np.isfinite(most_bytes(path, tool=TOOLS[0], stock=cylinder, view=View())) and not cuts_surely(path, cylinder)
-    assert most_bytes(path, tool=TOOLS[0], stock=Holed(), view=View()) == np.inf
+    corners = np.array([(-9, -9, -5), (9, -9, -5), (0, 9, -5), (0, 0, 0)], float)
+    mesh = Mesh(corners[[(0, 1, 2), (0, 1, 3), (1, 2, 3), (2, 0, 3)]])
+    assert most_bytes(path, tool=TOOLS[0], stock=mesh, view=View()) == np.inf and not cuts_surely(path, mesh)
     assert cuts_surely(path, Stock((-9, -9, -5), (9, 9, 0))) and not cuts_surely(path, Stock((1, 1, -5), (9, 9, 0)))
 
 
@@ -97,10 +105,6 @@ def test_the_tip_cuts_where_it_stands_in_the_stock():
                           ((41, 15, 5), False), ((20, -1, 5), False), ((20, 15, -5), True)):  # fmt: skip
         path = linearize([("G1", {"X": -50.0, "Y": -50.0, "Z": 50.0}), ("G1", dict(zip("XYZ", map(float, point))))])
         assert cuts_surely(path, STOCK) is surely, point
-
-
-class Holed:
-    """A solid that no planes bound."""
 
 
 def test_what_may_cut():

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from vkworkbench.core.solids import ConvexStock, Stock, Tool, View
+from vkworkbench.core.solids import Convex, Stock, Tool, View
 from vkworkbench.core.stocks import Solid
 from vkworkbench.core.toolpath import Toolpath
 from vkworkbench.core.zbuffer.records import PIXEL_BYTES, RECORD_BYTES
@@ -44,7 +44,7 @@ def most_bytes(toolpath: Toolpath, *, tool: Tool, stock: Solid, view: View) -> f
     toolpath : Toolpath
     tool : Tool
     stock : Solid
-        Any other solid has no bound.
+        Of a mesh, whose rays may begin with any number of dexels, there is no bound.
     view : View
 
     Returns
@@ -52,7 +52,7 @@ def most_bytes(toolpath: Toolpath, *, tool: Tool, stock: Solid, view: View) -> f
     float
         Bytes.
     """
-    if not isinstance(stock, (Stock, ConvexStock)):
+    if not isinstance(stock, Convex):
         return np.inf
     frame = view.frame(stock)
     points, top = toolpath.points, float(stock.upper[2])
