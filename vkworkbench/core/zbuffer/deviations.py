@@ -105,7 +105,7 @@ class SeenModel:
         part = np.where(np.isnan(part) & seen, self.far, part)
         left = np.where(seen, np.maximum(self._highest - part, 0), 0)
         gouged = np.where(seen & np.isfinite(self._lowest), np.maximum(part - self._lowest, 0), 0)
-        return Deviations(*(values.astype(np.float32).ravel() for values in (left, gouged)), self)
+        return Deviations(left.astype(np.float32).ravel(), gouged.astype(np.float32).ravel(), self)
 
 
 def deviations(zbuffer: ZBuffer, model: Solid) -> Deviations:
