@@ -39,6 +39,22 @@ def test_the_lower_surface_of_a_tool(tool, heights):
     assert float(tool.height(3)) == pytest.approx(float(tool.height([3.0])[0]))
 
 
+def test_the_profile_of_a_tool_ends_at_its_rim():
+    for shape, rim in (
+        ("endmill", 0),
+        ("ballend", 5),
+        ("bullnose", 2),
+        ("vbit", 5 * sqrt(3)),
+        ("drill", 5 / tan(59 * pi / 180)),
+    ):
+        tool = Tool(shape, 10, corner_radius=2)
+        assert tool.profile(np.array([5, 5 + 1e-9, 7])) == pytest.approx([rim] * 3)
+    rng = np.random.default_rng(1)
+    for diameter, share in rng.uniform((0.1, 0), (30, 0.5), (200, 2)):  # of any radii, whatever rounding does
+        tool = Tool("bullnose", diameter, diameter * share)
+        assert tool.profile(np.array([diameter])) == pytest.approx([tool.rounding])
+
+
 def test_what_a_tool_is_made_of():
     for shape, rounding, steepness in (("endmill", 0, 0), ("ballend", 5, 0), ("bullnose", 2, 0), ("vbit", 0, sqrt(3)),
                                        ("drill", 0, 1 / tan(59 * pi / 180))):  # fmt: skip

@@ -102,10 +102,15 @@ class Tool:
             Heights of the shape of `r`, mm; infinite outside the tool.
         """
         r = np.asarray(r, float)
+        return np.where(r <= self.radius, self.profile(r), np.inf)
+
+    def profile(self, r: np.ndarray) -> np.ndarray:
+        """`height` at distances of which rounding may have made more than the radius: there it is that of the rim."""
         corner = self.rounding
-        beyond_flat = np.clip(r - (self.radius - corner), 0, corner)
-        rise = corner - np.sqrt(corner**2 - beyond_flat**2) + self.steepness * np.maximum(r - self.tip, 0)
-        return np.where(r <= self.radius, rise, np.inf)
+        flat, width = (self.radius - corner, corner) if corner else (self.tip, self.radius - self.tip)
+        beyond_flat = np.minimum(np.maximum(r - flat, 0.0), width)
+        rise: np.ndarray = corner - np.sqrt(corner**2 - beyond_flat**2) if corner else self.steepness * beyond_flat
+        return rise
 
 
 class Gaps(NamedTuple):

@@ -67,7 +67,7 @@ def lowest(
             along *= along
             along += aside2
             at *= slope
-            at += _profile(tool, along)
+            at += tool.profile(np.sqrt(along))
         else:
             at *= slope
     at += start[2]
@@ -103,18 +103,6 @@ def headings(move: np.ndarray) -> np.ndarray:
     safe_run = np.where(moving, run, 1.0)
     ux, uy = np.where(moving, move[0] / safe_run, 1.0), move[1] / safe_run
     return np.array([ux, uy, run, np.where(moving, move[2] / safe_run, 0.0)])
-
-
-def _profile(tool: Tool, r2: np.ndarray) -> np.ndarray:
-    """Tool.height at squared distances from the axis, without its end at the rim, where rounding would be infinite."""
-    corner = tool.rounding
-    rise: np.ndarray
-    if corner == 0:
-        rise = tool.steepness * np.maximum(np.sqrt(r2) - tool.tip, 0)
-    else:
-        beyond_flat = np.clip(np.sqrt(r2) - (tool.radius - corner), 0, corner)
-        rise = corner - np.sqrt(corner**2 - beyond_flat**2)
-    return rise
 
 
 def _lowest_position(

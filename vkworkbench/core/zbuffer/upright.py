@@ -171,7 +171,7 @@ def bounds(
     farthest2 *= farthest2
     farthest2 += outer2
     if slopes is None:
-        reaches, opens = depth - profile(tool, nearest2), depth - profile(tool, farthest2)
+        reaches, opens = depth - _profile(tool, nearest2), depth - _profile(tool, farthest2)
     else:
         reaches = _deepest(tool, along, extent, half_run, slopes, inner, inner2, nearest2)
         opens = _opened(tool, along, extent, half_run, slopes, outer, outer2)
@@ -258,7 +258,7 @@ def _deepest(
     first *= slope
     last *= slope
     lowest = np.minimum(first, last, out=first)
-    lowest += profile(tool, nearest2)
+    lowest += _profile(tool, nearest2)
     # The lowest place of the tool when its move has no ends: a bound too, better for long moves.
     if k == 0:
         endless = corner - _root(corner**2 - np.maximum(inner - flat, 0) ** 2) * slopes.secant
@@ -306,7 +306,7 @@ def _opened(
     at_low *= slope
     at_high *= slope
     highest = np.maximum(at_low, at_high, out=at_low)
-    highest += profile(tool, distance2)
+    highest += _profile(tool, distance2)
     opened: np.ndarray = np.negative(highest, out=highest)
     return opened
 
@@ -317,16 +317,6 @@ def _root(square: np.ndarray) -> np.ndarray:
     return root
 
 
-def profile(tool: Tool, distance2: np.ndarray) -> np.ndarray | float:
-    """`Tool.height` of a tool that is no ball at squared distances from the axis, its value at the rim beyond the rim."""
-    corner = tool.rounding
-    if corner == 0 and tool.steepness == 0:
-        return 0.0
-    rise: np.ndarray
-    distance = np.sqrt(np.minimum(distance2, tool.radius**2))
-    if corner == 0:
-        rise = tool.steepness * np.maximum(distance - tool.tip, 0)
-    else:
-        beyond_flat = np.maximum(distance - (tool.radius - corner), 0.0)
-        rise = corner - np.sqrt(np.maximum(corner**2 - beyond_flat**2, 0.0))
-    return rise
+def _profile(tool: Tool, distance2: np.ndarray) -> np.ndarray | float:
+    """`Tool.profile` at squared distances from the axis; of a flat end it takes no time."""
+    return tool.profile(np.sqrt(distance2)) if tool.rounding or tool.steepness else 0.0
