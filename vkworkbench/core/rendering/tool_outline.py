@@ -6,7 +6,7 @@ from __future__ import annotations
 import numpy as np
 
 from vkworkbench.core.rendering.camera import project
-from vkworkbench.core.solids import Frame, Tool
+from vkworkbench.core.solids import Frame, Tool, convex_hull
 
 _AROUND, _ALONG = 32, 7
 # The shank is drawn so many diameters long.
@@ -41,21 +41,5 @@ def tool_outline(tool: Tool, tip: np.ndarray, frame: Frame) -> np.ndarray:
         ),
         axis=-1,
     ).reshape(-1, 3)
-    return _hull(project(rings + np.asarray(tip, float), frame)[:, :2])
-
-
-def _hull(points: np.ndarray) -> np.ndarray:
-    """Convex hull in the plane (Andrew 1979)."""
-    ordered = sorted(set(map(tuple, points.round(6).tolist())))
-
-    def half(points: list[tuple[float, ...]]) -> list[tuple[float, ...]]:
-        chain: list[tuple[float, ...]] = []
-        for x, y in points:
-            while len(chain) > 1 and (chain[-1][0] - chain[-2][0]) * (y - chain[-2][1]) <= (
-                chain[-1][1] - chain[-2][1]
-            ) * (x - chain[-2][0]):
-                chain.pop()
-            chain.append((x, y))
-        return chain[:-1]
-
-    return np.array(half(ordered) + half(ordered[::-1])).reshape(-1, 2)
+    seen = project(rings + np.asarray(tip, float), frame)[:, :2]
+    return np.array(convex_hull(seen.round(6).tolist()))

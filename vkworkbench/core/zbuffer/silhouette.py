@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from vkworkbench.core.solids import Frame
+from vkworkbench.core.solids import Frame, convex_hull
 from vkworkbench.core.stocks import Mesh, Solid
 
 # Rows of rays by which the area of a mesh is counted, and rays of each.
@@ -40,7 +40,7 @@ def seen_areas(stock: Solid, frame: Frame, rng: np.random.Generator) -> tuple[fl
     if isinstance(stock, Mesh):
         return _mesh_areas(stock, frame, rng)
     points = (stock.corners - frame.centre) @ np.array([frame.right, frame.up]).T
-    outline = _convex_hull(points.tolist())
+    outline = convex_hull(points.tolist())
     for axis, pixels in enumerate((frame.width, frame.height)):
         for side in (-1, 1):
             outline = clip(outline, axis, side, pixels * frame.pixel / 2)
@@ -64,24 +64,6 @@ def _mesh_areas(mesh: Mesh, frame: Frame, rng: np.random.Generator) -> tuple[flo
 def polygon_area(outline: list[list[float]]) -> float:
     """Area of a polygon given by its corners, positive counter-clockwise (the shoelace formula)."""
     return sum(p[0] * q[1] - q[0] * p[1] for p, q in zip(outline, outline[1:] + outline[:1])) / 2
-
-
-def _convex_hull(points: list[list[float]]) -> list[list[float]]:
-    """Corners of the convex hull, counter-clockwise (Andrew's monotone chain)."""
-    points = sorted(points)
-    hull: list[list[float]] = []
-    for chain in (points, points[::-1]):
-        begin = len(hull)
-        for p in chain:
-            while len(hull) - begin >= 2 and _turn(hull[-2], hull[-1], p) <= 0:
-                hull.pop()
-            hull.append(p)
-        hull.pop()
-    return hull
-
-
-def _turn(a: list[float], b: list[float], c: list[float]) -> float:
-    return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
 
 
 def clip(outline: list[list[float]], axis: int, side: int, limit: float) -> list[list[float]]:
