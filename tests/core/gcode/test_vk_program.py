@@ -102,6 +102,55 @@ def test_a_cycle_repeated_and_a_cycle_kept_for_later():
     assert sorted(set(np.round(later.points[later.points[:, 2] < 0, 0], 6))) == [10, 20]
 
 
+@pytest.mark.parametrize(
+    ("text", "holes"),
+    [
+        ("G0 Z50\nG99 G81 X0 Y0 Z-10. R2. F100.\nG91 X10. K9\nG90 G80", {(10.0 * k, -10.0) for k in range(10)}),
+        ("G0 Z5\nG91 G99 G81 X10. Y0 Z-4. R-3. L4 F100\nG80", {(10.0 * k, -2.0) for k in range(1, 5)}),
+        ("G0 Z5\nG91 G99 G81 X10 Y0 Z-4 R-3 F100\nX10\nX10 R-2\nX10 Z-5\nG80", {(10, -2), (20, -2), (30, -1), (40, -2)}),
+        ("G0 Z5\nG91 G99 G81 X10 Y0 Z-4 R-3 F100\nG80\nG0 Z7\nG81 X10", {(10, -2), (20, 2)}),
+        ("G0 Z5\nG91 G99 G81 X10 Y0 Z-4 R-3 F100\nG0 Z7\nG81 X10", {(10, -2), (20, 2)}),
+        ("G0 Z5\nG90 G99 G81 X10 Y0 Z-4 R2 F100\nX20 R1\nX30 Z-5", {(10, -4), (20, -4), (30, -5)}),
+    ],
+)  # fmt: skip
+def test_the_holes_of_a_series_are_equally_deep(text, holes):
+    path = read_program(text).toolpath()
+    assert {(x, z) for x, _, z in np.round(path.points[1:][~path.rapid], 6)} == holes
+    assert path.problems == ()
+
+
+def test_g98_goes_back_to_where_the_series_began():
+    assert points("G0 Z50\nG99 G81 X0 Y0 Z-10 R2 F100\nX10\nG98 X20\nG80\nG0 X100")[-2:] == [[20, 0, 50], [100, 0, 50]]
+    assert points("G0 Z5\nG98 G81 X0 Y0 Z-4 R8 F100\nX10 R2\nG80")[-1] == [10, 0, 5]
+
+
+@pytest.mark.parametrize("inches", [False, True])
+def test_repeats_are_a_number_in_any_unit(inches):
+    program = read_program(f"{'G20' if inches else 'G21'}\nG0 X0 Y0 Z1\nG91 G81 X1 Z-2 R-.5 F9 K3\nG80")
+    drilled = program.toolpath()
+    assert len(np.unique(drilled.points[1:][~drilled.rapid, 0])) == 3 and drilled.problems == ()
+
+
+@pytest.mark.parametrize("letter", "KL")
+def test_repeats_that_are_not_made_are_told(letter):
+    assert said(f"G0 X0 Y0 Z5\nG81 X10 Z-4 R1 {letter}3 F100\nG80") == [
+        f"a cycle's repeats ({letter}) are not made (line 2)"
+    ]
+
+
+@pytest.mark.parametrize("code", ["G73", "G83"])
+def test_the_pecks_of_haas_are_no_repeats(code):
+    text = f"G20\nG0 X0 Y0 Z1.\nG99 {code} X1. Z-1. R.1 {{}} F8.\nX2.\nG80"
+    pecked = points(text.format("Q.3"))
+    for words, unread in (
+        ("I.3 J.05 K.1", "JK"), ("I.3", ""), ("I.3 K1", "K"), ("Q.3 I.5 J.1 K.2", "IJK"), ("Q.3 K.2", "K"), ("Q.3 J1", "J")
+    ):  # fmt: skip
+        assert points(text.format(words)) == pecked, words
+        assert said(text.format(words)) == [f"{letter} words are not read (line 3)" for letter in unread]
+    repeated = text.replace("X2.", "G91 X1. Z-1.1 R0 K2").format("I.3")
+    assert {x for x, *_ in points(repeated)} == {0, 25.4, 50.8, 76.2}
+
+
 def test_behind_g80_machines_go_on_with_rapids():
     assert points("G0 X0 Y0 Z5\nG81 X1 Y0 Z-1 R1 F60\nG80\nX5\nX9")[-2:] == [[5, 0, 5], [9, 0, 5]]
     path = read_program("G1 X0 Y0 Z5 F60\nG1 X1\nG80\nX5\nX9").toolpath()
@@ -136,6 +185,11 @@ def test_feeds_by_time_and_by_turn():
     assert by_turn.feed.tolist() == pytest.approx([2])
 
 
+def test_a_feed_by_turn_follows_the_spindle():
+    feeds = read_program("G95 F.1\nG0 X0 Y0 Z0\nS1200 M3\nG1 X10\nS2400\nX20\nG94 F600\nX30\nS100\nX40").toolpath().feed
+    assert feeds.tolist() == pytest.approx([2, 4, 10, 10])
+
+
 @pytest.mark.parametrize(
     ("text", "numbers"),
     [
@@ -161,7 +215,7 @@ def test_commands_keep_their_lines():
     ("line", "sentence"),
     [
         ("/G1 X5", "lines with a block delete (/) are read like the others (line 5)"),
-        ("#1=5", "variables and expressions are not read: the words with them are left out (line 5)"),
+        ("#1=5", "variables and expressions are not read: the lines with them are left out (line 5)"),
         ("G1 X#1 Y[2+#<d>]", "variables and expressions are not read: the words with them are left out (line 5)"),
         ("M98 P1000", "a subprogram or macro call is not read (line 5)"),
         ("G65 P9000 X5 Y6", "a subprogram or macro call is not read (line 5)"),
@@ -176,6 +230,32 @@ def test_commands_keep_their_lines():
         ("M30\nG1 X10", "what follows M2 or M30 is read as the same program (line 6)"),
         ("M30\nO2000\nG1 X99", "what follows the program's end is not read (line 7)"),
         ("M99\nG1 X99", "what follows the program's end is not read (line 6)"),
+        ("M99 P10\nG1 X9", "jumps, loops and calls are not followed (line 5)"),
+        ("N40 L10 P3", "a subprogram or macro call is not read (line 5)"),
+        ("L0105", "a subprogram or macro call is not read (line 5)"),
+        ("G70 I40. J0 L8", "the holes of a pattern (G70) are not made (line 5)"),
+        ("G71 I4. J0 K5. L8", "the holes of a pattern (G71) are not made (line 5)"),
+        ("G72 I4. J45 L8", "the holes of a pattern (G72) are not made (line 5)"),
+        ("G71 Z1.", "the unknown code 'G71' is ignored (line 5)"),
+        ("X10 ,R5.\nY9\nX0 ,R.5", ",R words are not read (2 times, first in line 5)"),
+        ("X10 , C2\nY9", ",C words are not read (line 5)"),
+        ("X10 ,A30", ",A words are not read (line 5)"),
+        ("G1 X99 #5=2", "variables and expressions are not read: the lines with them are left out (line 5)"),
+        ("G55 G0 X9", "coordinates that G55 changes are read as if it were not there (line 5)"),
+        ("G54\nG54 X9\nG55 X1", "coordinates that G55 changes are read as if it were not there (line 7)"),
+        ("G54.1 P2", "coordinates that G54.1 changes are read as if it were not there (line 5)"),
+        (
+            "G91 G28 Z0\nG90 X5",
+            "moves to positions of the machine (G28) are left out: a program does not say where they are (line 5)",
+        ),
+        (
+            "G30 P2 X0\nX5",
+            "moves to positions of the machine (G30) are left out: a program does not say where they are (line 5)",
+        ),
+        (
+            "G53 G0 Y0\nX5",
+            "moves to positions of the machine (G53) are left out: a program does not say where they are (line 5)",
+        ),
     ],
 )
 def test_what_is_not_read_is_said_with_its_line(line, sentence):
@@ -183,6 +263,62 @@ def test_what_is_not_read_is_said_with_its_line(line, sentence):
     assert said(text) == [sentence]
     assert points(text)[: len(POINTS)] == [list(p) for p in POINTS]
     assert all(x <= 10 for x, _, _ in points(text))
+
+
+def test_work_offsets_are_told_where_they_change_after_a_move():
+    changed = "coordinates that {} changes are read as if it were not there ({})"
+    assert said("G0 G17 G40 G80\nG55\n" + PLAIN + "G55\nX5") == []
+    assert said("G54.1 P1\n" + PLAIN + "G54.1 P1\nX5\nG54.1 P2\nX5") == [changed.format("G54.1", "line 8")]
+    assert said("G55 P1\n" + PLAIN + "G55\nG54\nX5\nG55\nX4\nG54") == [
+        changed.format("G54", "2 times, first in line 7"), changed.format("G55", "line 9")
+    ]  # fmt: skip
+    assert said("G0 G17 G40 G80\nG92 X0 Y0\n" + PLAIN) == []
+
+
+def test_machine_positions_before_the_first_and_behind_the_last_move_say_nothing_of_the_way():
+    assert said("G91 G28 Z0\nG90\n" + PLAIN + "G28\nX5\nG53 G0 Z0\nM30") == []
+
+
+def test_lines_with_a_block_delete_behind_their_number():
+    text = "N1 G21 G90\nN2 G0 X0 Y0 Z5\nN3 /G1 Z-1 F60\n/N4 G1 X10\nN5 /2 Y2\n/3 N6 X4"
+    assert points(text)[1:] == [[0, 0, -1], [10, 0, -1], [10, 2, -1], [4, 2, -1]]
+    assert said(text) == ["lines with a block delete (/) are read like the others (4 times, first in line 3)"]
+
+
+def test_corners_of_fanuc_leave_the_move():
+    assert points(PLAIN + "X10. ,R5.\nY9. ,C2.") == [list(p) for p in POINTS] + [[10, 9, -1]]
+
+
+def test_the_length_of_a_tool_in_axis_words_moves_nothing():
+    assert points(PLAIN + "G43.1 Z-2.5\nX5") == [list(p) for p in POINTS] + [[5, 2, -1]]
+    assert points(PLAIN + "G43.1 H1 Z7")[-1] == [10, 2, 7]
+
+
+@pytest.mark.parametrize("line", ["G70 I40. J0 L8", "G71 I4. J0 K5. L8", "G72 I4. J45 L8", "G71 Z1."])
+def test_hole_patterns_are_no_unit(line):
+    program = read_program("G0 X0 Y0 Z5\nG81 Z-1 R1 F60 L0\n" + line + "\nX10\nG80\n")
+    assert not program.unit_told and program.toolpath().points.max() == 10
+
+
+@pytest.mark.parametrize("call", ["M98 P1000", "M98 P31000 (three times)", "G65 P1000 A1", "N5 m98p1000"])
+def test_a_subprogram_that_stands_before_its_caller(call):
+    subprogram = "O1000 (HOLE)\nG91 G20 G55 G1 X99 F9\n/M99\nX99\n(P1000)\n{}\n"
+    for end in ("M99", "M99 P7", ""):
+        text = "%\n" + subprogram.format(end) + "%\nO0001\n" + PLAIN + call + "\nX5\nM30\n%\n"
+        assert points(text) == [list(p) for p in POINTS] + [[5, 2, -1]]
+        assert said(text) == ["a subprogram or macro call is not read (2 times, first in line 2)"]
+
+
+def test_a_program_that_is_not_called_ends_at_m99():
+    text = "O1000 (M98 P1000)\n" + PLAIN + "M99\nO2\nG1 X99\nM30"
+    assert points(text) == [list(p) for p in POINTS]
+    assert said(text) == ["what follows the program's end is not read (line 8)"]
+
+
+def test_a_return_that_may_be_skipped_ends_nothing():
+    text = PLAIN + "/M99\nX5\nM99 P10\nX6"
+    assert points(text)[-2:] == [[5, 2, -1], [6, 2, -1]]
+    assert said(text)[1:] == ["jumps, loops and calls are not followed (2 times, first in line 5)"]
 
 
 def test_a_subprogram_is_not_cut_where_it_is_defined():
@@ -193,7 +329,7 @@ def test_a_subprogram_is_not_cut_where_it_is_defined():
 
 def test_problems_count():
     assert said(PLAIN + "#1=1\n#2=2\n") == [
-        "variables and expressions are not read: the words with them are left out (2 times, first in line 5)"
+        "variables and expressions are not read: the lines with them are left out (2 times, first in line 5)"
     ]
 
 
@@ -203,6 +339,13 @@ def test_problems_count():
         ("0 BEGIN PGM PART MM\n1 BLK FORM 0.1 Z X+0\n2 TOOL CALL 1 Z S2000\n3 L X+10 Y+5 R0 FMAX\n", "Heidenhain controls (line 1)"),
         ("N10 G0 X0 Y0\nN20 CYCLE81(10,0,2,-5)\n", "Siemens controls (line 2)"),
         ("G0 X0\nG1 X=IC(5) F100\n", "Siemens controls (line 2)"),
+        ("G0 X0\nN50 G2 X15 Y40 CR=10\n", "Siemens controls (line 2)"),
+        ("G0 X0\nG1 X=R1 Y20\n", "Siemens controls (line 2)"),
+        ("G0 X0\nN20 R10=5\n", "Siemens controls (line 2)"),
+        ("G0 X0\nG3 Z-5 I5 J0 TURN=3\n", "Siemens controls (line 2)"),
+        ("G0 X0\nG1 X9 RND=2\n", "Siemens controls (line 2)"),
+        ("G0 X0\nX9 CHF = 2\n", "Siemens controls (line 2)"),
+        ("G0 X0\nG1 AP=30 RP=20\n", "Siemens controls (line 2)"),
         ("DEF REAL DEPTH\nG0 X0\n", "Siemens controls (line 1)"),
         ("solid cube\nfacet normal 0 0 1\nouter loop\n", "not an NC program: 3 of its 3 lines are not made of words"),
         ("Dear Sir,\nplease find enclosed\nthe drawing\n", "not an NC program"),
@@ -235,6 +378,11 @@ def test_a_text_is_a_program_while_half_of_its_lines_are_words():
         ("G7\nG0 X50 Z2\nG1 Z-20 F.2", "a program for a lathe (G7, line 1)"),
         ("G0 X50 Z2\nG8\nG1 Z-20 F.2", "a program for a lathe (G8, line 2)"),
         ("G0 X50 Z2\nG96 S200 M3\nG1 Z-20 F.2", "a program for a lathe (G96, line 2)"),
+        ("G21\nT0202\nG0 X50 Z2\nG1 Z-20 F100", "a program for a lathe (T0202, line 2)"),
+        ("G21 G97\nG0 X52 Z2\nG90 X48 Z-20 F0.2\nX44", "a program for a lathe (G90, line 3)"),
+        ("G20\nG0 X2 Z.1\nG90 X1.8 Z-1 F.008\nX1.6", "a program for a lathe (G90, line 3)"),
+        ("G0 X52 Z2 G99\nG1 X48\nF0.2\nZ-20", "a program for a lathe (G99, line 1)"),
+        ("G18 T1 M6\nG0 X50 Z2\nG1 Z-20 F.2", "a program for a lathe (G18, line 1)"),
         ("M104 S200\nG1 X5 Y5 Z.2 F600\nG1 X9 E1", "a program for a 3D printer (M104, line 1)"),
         ("G1 X0 Z0 F600\n" + "".join(f"X{i} E{i}\n" for i in range(1, 12)), "a program for a 3D printer (E, line 2)"),
         ("G1 X0 Y0 U0 V0 F100\nG1 X10 Y1 U10 V2", "a program for a wire cutter (U, V, line 1)"),
@@ -249,7 +397,25 @@ def test_a_milling_program_is_none_of_them(line):
     assert read_program(PLAIN + line).other is None
 
 
-@pytest.mark.parametrize("line", ["G61 P1", "G64 P.01 Q.01", "G9 X5", "".join(f"X{i} A{i}\n" for i in range(1, 13))])
+@pytest.mark.parametrize(
+    "line",
+    [
+        "G61 P1",
+        "G64 P.01 Q.01",
+        "G9 X5",
+        "".join(f"X{i} A{i}\n" for i in range(1, 13)),
+        "G43 H1 Z9\nG18 G2 X20 Z-1 R5",
+        "T101 M6",
+        "T1 M6\nT105",
+        "G99 G81 Z-1 R1 F1.5\nG80",
+        "G90 X48 Z-20 F20",
+        "G90 G1 X4 Z-2 F.2",
+        "G99\nG0 X9 F.2",
+        "G99\nG98 G1 X9 F.2",
+        "G95 G99 G1 X9 F.2",
+        "G90 X4 F.2",
+    ],
+)
 def test_nor_is_one_that_does_not_move_in_y(line):
     assert read_program("G0 X0 Z5\nG1 Z-1 F60\nX10\n" + line).other is None
 

@@ -141,8 +141,8 @@ def test_what_cannot_be_read_costs_only_itself(tmp_path):
     assert errors == {
         "a.nc": "not an NC program: it is not text",
         "c.nc": "a program in the language of Heidenhain controls (line 1): post it as G-code (ISO) to have it read",
-        "e.nc": "no cutting move in its toolpath; variables and expressions are not read: the words with them are left "
-        "out (2 times, first in line 2)",
+        "e.nc": "no cutting move in its toolpath; variables and expressions are not read: the lines with them are left "
+        "out (line 2); variables and expressions are not read: the words with them are left out (line 3)",
         "missing.nc": "the file cannot be read: No such file or directory",
     }
     # Of what cannot be read nothing is known; what has no cut is empty, and was read unless something in it was not.

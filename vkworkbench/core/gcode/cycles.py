@@ -3,11 +3,10 @@
 
 from __future__ import annotations
 
-from math import isnan
+from math import isnan, nan
 
 import numpy as np
 
-CODES = np.array([730, 740, 810, 820, 830, 840, 850, 860, 880, 890])
 CHIP_BREAK, PECK = 730, 830
 FEED_OUT = np.array([740, 840, 850, 880, 890])  # codes in tenths: tapping and boring leave the hole at feed rate
 CHIP_BREAK_RETRACT = 0.25  # mm, as LinuxCNC's G73
@@ -18,11 +17,15 @@ def heights(
     z: np.ndarray,
     relative: np.ndarray,
     rows: np.ndarray,
+    series: np.ndarray,
     retract: np.ndarray,
     bottom: np.ndarray,
     to_retract_plane: np.ndarray,
 ) -> tuple[np.ndarray, np.ndarray]:
     """Resolve Z along a program with cycles: each one starts where the last motion left the tool.
+
+    R and Z hold for the rest of a series. Relative ones (G91) count from the height where it began, and from R, so
+    that all its holes are equally deep.
 
     Parameters
     ----------
@@ -32,10 +35,12 @@ def heights(
         G91.
     rows : (m,) int
         Which commands are cycles.
+    series : (m,) int
+        The same number for cycles that no other motion and no G80 parts.
     retract, bottom : (m,) float64
-        Their R and Z words, sticky ones filled in, NaN where there is none.
+        Their own R and Z words, NaN where there is none.
     to_retract_plane : (m,) bool
-        G99: the cycle ends at R; else it ends where it began, or at R where that is higher (G98).
+        G99: the cycle ends at R; else where its series began, or at R where that is higher (G98).
 
     Returns
     -------
@@ -47,18 +52,26 @@ def heights(
     absolute = z.copy()
     resolved = np.empty((len(rows), 4))
     height: float | None = None
+    begin, level, depth, number = 0.0, 0.0, 0.0, -1
+    last_r = last_z = nan
     cycle_at = dict(zip(rows.tolist(), range(len(rows))))
     for row in np.flatnonzero(~np.isnan(z) | np.isin(np.arange(len(z)), rows)).tolist():
         i = cycle_at.get(row)
         if i is None:
             height = float(z[row]) + (height if relative[row] and height is not None else 0.0)
         else:
-            level, depth = float(retract[i]), float(bottom[i])
+            own_r, own_z = not isnan(retract[i]), not isnan(bottom[i])
+            last_r, last_z = float(retract[i]) if own_r else last_r, float(bottom[i]) if own_z else last_z
             if height is None:  # Z was never given: the hole starts at its R plane
-                height = 0.0 if isnan(level) else level
-            level = height if isnan(level) else level + (height if relative[row] else 0.0)
-            depth = level if isnan(depth) else depth + (level if relative[row] else 0.0)
-            after = level if to_retract_plane[i] else max(height, level)
+                height = 0.0 if isnan(last_r) else last_r
+            begins = series[i] != number
+            if begins:
+                begin, number = height, series[i]
+            if begins or own_r:
+                level = begin if isnan(last_r) else last_r + (begin if relative[row] else 0.0)
+            if begins or own_z or (own_r and relative[row]):
+                depth = level if isnan(last_z) else last_z + (level if relative[row] else 0.0)
+            after = level if to_retract_plane[i] else max(begin, level)
             resolved[i] = height, level, depth, after
             height = after
         absolute[row] = height

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import re
 
+from vkworkbench.core.gcode.words import CYCLES
 from vkworkbench.core.toolpath import Problem
 from vkworkbench.language import Message, Unusable
 
@@ -15,9 +16,17 @@ _SIEMENS = re.compile(
     r"\b(?:CYCLE\d+|POCKET\d|SLOT\d|HOLES\d|LONGHOLE)\s*\(|=\s*(?:AC|IC|DC|ACP|ACN)\b|\b(?:MCALL|EXTCALL|WORKPIECE|SUPA|STOPRE)\b"
     r"|^(?:N\d+\s*)?(?:DEF\s+(?:REAL|INT|BOOL|STRING)|PROC|A?TRANS|A?ROT|A?MIRROR)\b|\bT\s*=\s*\"|^;?\$PATH|^%_N_"
 )
+# Words with an equals sign: corners, radii, polar coordinates, turns of a helix, and R parameters. At the beginning of a
+# line the former may be variables of an Okuma.
+_SIEMENS_WORD = re.compile(
+    r"^[A-Z]\s*[-+]?[\d.].*[\d.\s](?:CR|AR|AP|RP|RND|RNDM|CHF|CHR|TURN)\s*="
+    r"|(?<![A-Z#<])[A-Z]\s*=\s*-?\s*R\d|^R\d+\s*="
+)
+_LINE_NUMBER = re.compile(r"^N\s*\d+\s*")
 _TURNING = frozenset([7, 8, 32, 96])
 _TURNING_CYCLES = frozenset([70, 71, 72, 76])
 _PRINTER = frozenset([104, 109, 140, 190])
+_SLOWEST_MILLING = 2.0  # mm/min
 _EXTRUSIONS = 10  # moves; fewer E words may be typing errors
 
 
@@ -26,10 +35,17 @@ def at_line(problem: Problem) -> Message:
     return Message("at-line", what=problem.what, line=problem.command, count=problem.count)
 
 
-def refuse(code: str, line: int) -> None:
-    """Raise Unusable where a line is in another control's language."""
+def refuse(text: str, code: str, line: int) -> None:
+    """Raise Unusable where a line is in another control's language.
+
+    Parameters
+    ----------
+    text, code : str
+        The line with and without its comments: parentheses are a comment, or hold the arguments of a cycle.
+    line : int
+    """
     for pattern, control in ((_HEIDENHAIN, "Heidenhain"), (_SIEMENS, "Siemens")):
-        if pattern.search(code):
+        if pattern.search(text) or (control == "Siemens" and _SIEMENS_WORD.search(_LINE_NUMBER.sub("", code))):
             raise Unusable(Message("other-control", name=control, line=line))
 
 
@@ -70,6 +86,11 @@ class Clues:
         self._turning: tuple[str, int] | None = None
         self._incremental: tuple[str, int] | None = None
         self._plane: tuple[str, int] | None = None
+        self._turret: tuple[str, int] | None = None
+        self._changer = False
+        self._mills = False
+        self._per_turn: int | None = None  # the line of a G99 that is no cycle's
+        self._slow: tuple[str, int] | None = None
         self._printer: tuple[str, int] | None = None
         self._extrusions: list[int] = []
         self._wire: list[int] = []
@@ -82,12 +103,44 @@ class Clues:
             self._turning = f"G{number}", line
         if number == 18 and self._plane is None:
             self._plane = "G18", line
+        self._mills |= number == 43 and "H" in letters
         return number in _TURNING or cycle
 
     def m_code(self, value: float, line: int) -> None:
         """Note an M-code that tells a machine."""
         if value in _PRINTER and self._printer is None:
             self._printer = f"M{value:g}", line
+        self._changer |= value == 6
+
+    def tool(self, number: int, line: int) -> None:
+        """Note a tool; T0101 is one in a turret, with its offset."""
+        if self._turret is None and 0 < number < 10_000 and number % 101 == 0:
+            self._turret = f"T{number:04}", line
+
+    def feed(self, codes: list[int], parameters: dict[str, float], mode: int, feed: float, line: int) -> None:
+        """Note the feed rate of a line: below 2 mm a minute it is one per turn, as G98 and G99 switch it on a lathe.
+
+        Parameters
+        ----------
+        codes : list of int
+            The line's G-codes, in tenths.
+        parameters : dict
+            Its words.
+        mode : int
+            The motion that is in force.
+        feed : float
+            Its feed rate, mm/min; 0 where there is none.
+        line : int
+        """
+        if mode in CYCLES:  # G98 and G99 tell how they end
+            return
+        if 980 in codes or 990 in codes:
+            self._per_turn = line if 990 in codes else None
+        if self._slow is None and 0 < feed < _SLOWEST_MILLING:
+            if codes == [900] and "X" in parameters and "Z" in parameters:  # a turning cycle
+                self._slow = "G90", line
+            elif self._per_turn is not None and mode > 0:
+                self._slow = "G99", self._per_turn
 
     def axes(self, parameters: dict[str, float], cuts: bool, line: int) -> None:
         """Note the words of a line that moves other axes than X, Y and Z."""
@@ -115,7 +168,8 @@ class Clues:
             return Message("printing", name=name, line=line)
         if self._wire:
             return Message("wire", name="U, V", line=self._wire[0])
-        turned = self._turning or self._plane or self._incremental
+        weak = None if self._mills else self._plane or self._slow or (None if self._changer else self._turret)
+        turned = self._turning or weak or self._incremental
         if not self._along_y and turned:
             name, line = turned
             return Message("lathe", name=name, line=line)

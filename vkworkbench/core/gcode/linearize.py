@@ -15,15 +15,23 @@ import numpy as np
 
 from vkworkbench.core.gcode import arcs, cycles
 from vkworkbench.core.gcode.unread import unread
-from vkworkbench.core.gcode.words import COMMENT, COORDINATE_LIMIT, MODAL, TOOL_CHANGE, UNKNOWN, Words
+from vkworkbench.core.gcode.words import (
+    COMMENT,
+    COORDINATE_LIMIT,
+    CYCLES,
+    MODAL,
+    MOTIONS,
+    TOOL_CHANGE,
+    UNKNOWN,
+    Words,
+)
 from vkworkbench.core.toolpath import Problem, Toolpath
 from vkworkbench.language import Message, Unusable
 
 MOST_TRAJECTORIES = 5_000_000  # 2 GB of memory
 SLOWEST_FEED = 1e-6  # mm/s, eleven days for a millimetre
 
-_RAPID, _LINE, _CW, _CCW, _CANCEL = 0, 10, 20, 30, 800
-_MOTION = np.concatenate([[_RAPID, _LINE, _CW, _CCW], cycles.CODES])
+_RAPID, _CW, _CCW, _CANCEL = 0, 20, 30, 800
 _PROBE = np.arange(382, 386)
 # Codes that set a state read below, or one that does not move the tool.
 _STATE = np.array([40, 70, 80, 150, 170, 180, 190, 200, 210, 400, 410, 411, 420, 421, 430, 431, 432, 490,
@@ -101,7 +109,7 @@ class _Program:
         _report_codes(words, problems)
 
         # A name that is empty continues the last motion, until G80 ends it.
-        is_motion = np.isin(codes, _MOTION)
+        is_motion = np.isin(codes, MOTIONS)
         self.motion = np.where(is_motion, codes, -1)
         modal = np.flatnonzero(codes == MODAL)
         if len(modal):
@@ -109,7 +117,7 @@ class _Program:
             inherited = np.where(setter >= 0, codes[setter], -1)
             self.motion[modal] = np.where(inherited == _CANCEL, -1, inherited)
             problems.add(modal[self.motion[modal] < 0], Message("words-without-motion"))
-        self.is_cycle = np.isin(self.motion, cycles.CODES)
+        self.is_cycle = np.isin(self.motion, CYCLES)
         for rows, what in unread(words, self.motion):
             problems.add(rows, what)
 
@@ -155,19 +163,19 @@ class _Program:
     def _cycle_heights(self, z: np.ndarray, problems: _Problems) -> tuple[np.ndarray, np.ndarray]:
         """Resolve the sticky words of the canned cycles; return Z as absolute values and no relative row."""
         rows = np.flatnonzero(self.is_cycle)
-        sticky = {"Z": z[rows]}
+        own = {"Z": z[rows]}
         for letter in "RQ":
-            sticky[letter], unusable = self.words.column(letter, rows)
+            own[letter], unusable = self.words.column(letter, rows)
             problems.add(rows[unusable], Message("unusable-word", letter=letter))
-        sticky = {letter: _held(values) for letter, values in sticky.items()}
-        problems.add(rows[np.isnan(sticky["Z"])], Message("cycle-without-depth"))
-        problems.add(rows[np.isnan(sticky["R"])], Message("cycle-without-retract"))
+        problems.add(rows[np.isnan(_held(own["Z"]))], Message("cycle-without-depth"))
+        problems.add(rows[np.isnan(_held(own["R"]))], Message("cycle-without-retract"))
         problems.add(rows[self.plane[rows] != 17], Message("cycle-outside-xy"))
+        parted = ((self.motion >= 0) & ~self.is_cycle) | (self.words.codes == _CANCEL)
         z[rows] = np.nan
         z, self.cycle_heights = cycles.heights(
-            z, self.relative, rows, sticky["R"], sticky["Z"], self.to_retract_plane[rows]
+            z, self.relative, rows, np.cumsum(parted)[rows], own["R"], own["Z"], self.to_retract_plane[rows]
         )
-        self.cycle_peck = sticky["Q"]
+        self.cycle_peck = _held(own["Q"])
         return z, np.zeros(len(z), bool)
 
 
@@ -254,7 +262,7 @@ def _expand_cycles(program: _Program, rows: np.ndarray) -> tuple[np.ndarray, np.
 
 
 def _report_codes(words: Words, problems: _Problems) -> None:
-    known = np.concatenate([_MOTION, _STATE, _PROBE])
+    known = np.concatenate([MOTIONS, _STATE, _PROBE])
     codes = words.codes
     by_name: dict[str, list[int]] = {}
     for row in np.flatnonzero((codes == UNKNOWN) | ((codes >= 0) & ~np.isin(codes, known))).tolist():

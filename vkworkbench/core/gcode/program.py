@@ -64,7 +64,6 @@ class Program:
             length = np.bincount(path.command, exact_lengths(path), len(self.commands))
             share = np.zeros(len(self.commands))
             share[list(self.inverse_time)] = list(self.inverse_time.values())
-            timed = (share[path.command] > 0) & ~path.rapid
-            feed = np.where(timed, (length * share)[path.command], feed)
+            feed = np.where(share[path.command] > 0, (length * share)[path.command], feed)
         problems = tuple(replace(problem, command=int(self.lines[problem.command])) for problem in path.problems)
         return replace(path, command=self.lines[path.command], feed=feed, problems=self.problems + problems)

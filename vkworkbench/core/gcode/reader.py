@@ -14,26 +14,29 @@ import numpy as np
 
 from vkworkbench.core.gcode import dialects
 from vkworkbench.core.gcode.blocks import split_comments, split_words
+from vkworkbench.core.gcode.cycles import CHIP_BREAK, PECK
 from vkworkbench.core.gcode.program import Program
 from vkworkbench.core.gcode.units import INCH
 from vkworkbench.core.gcode.unread import ROTARY
+from vkworkbench.core.gcode.words import CYCLES, MOTION_NAMES, MOTIONS, name_of
 from vkworkbench.core.toolpath import Problem
 from vkworkbench.language import Message
 
 # G-codes in tenths, as in words.py.
-_MOTION = frozenset([0, 10, 20, 30, 730, 740, 810, 820, 830, 840, 850, 860, 880, 890])
-_CYCLES = frozenset(code for code in _MOTION if code > 30)
 _STATE = frozenset([170, 180, 190, 800, 900, 901, 910, 911, 980, 990])
 # Codes whose axis words are no target in the program's coordinates: dwell, data, home, machine coordinates, probes.
 _APART = frozenset([100, 280, 281, 300, 301, 310, 382, 383, 384, 385, 530, 922, 923])
+_MACHINE = frozenset([280, 300, 530])  # those of them that move
 _HARMLESS = frozenset([
     80, 90, 110, 150, 200, 210, 400, 401, 410, 411, 412, 420, 421, 422, 430, 431, 432, 440, 490, 500, 501, 540, 541, 550,
     560, 570, 580, 590, 591, 592, 593, 600, 610, 611, 620, 630, 640, 670, 690, 700, 710, 921, 930, 940, 950, 960, 970, 1030, 1870,
 ])  # fmt: skip
 _CHANGES_COORDINATES = frozenset([71, 160, 434, 510, 520, 680, 682, 920])
-_DATA, _OFFSETS = 100, (2, 20)  # G10, and its L words that set the origin of the program's coordinates
+_DATA, _ORIGINS = 100, (2, 20)  # G10, and its L words that set the origin of the program's coordinates
+_OFFSETS = frozenset([540, 541, 550, 560, 570, 580, 590, 591, 592, 593])
+_UNITS, _PATTERNS = frozenset([200, 210, 700, 710]), frozenset([700, 710, 720])
 _MACRO_CALLS = frozenset([650, 660])
-_MOVES = frozenset(f"G{code // 10}" for code in _MOTION)
+_CALLS = frozenset([("M", 98.0), ("G", 65.0), ("G", 66.0)])  # of the program whose number is the P word
 _SPLINES = frozenset([50, 51])
 _DWELLS = frozenset([40])
 _COMPENSATION = frozenset([410, 411, 420, 421])
@@ -43,7 +46,11 @@ _KNOWN = _LENGTHS | {"F", "S", "P", "L", "H", "D"}
 _MOST_CODES, _MOST_TOOLS, _MOST_REPEATS = 1000, 99_999_999, 10_000
 
 _FLOW = re.compile(r"\b(IF|THEN|ELSE|WHILE|GOTO|DO\s*\d|END\s*\d|ENDIF|ENDWHILE|REPEAT)|^O\s*[\d<].*\b(SUB|CALL|DO)\b")
-_BLOCK_DELETE = re.compile(r"^(?:/\d?\s*)+")
+_BLOCK_DELETE = re.compile(r"^(N\s*\d+\s*)?(?:/\d?\s*)+")
+_NUMBER = re.compile(r"[O:]\s*(\d{1,8})\b(?!\s*[A-Z]{2})")
+_RETURN = re.compile(r"M\s*99(?!\d)")
+# By which Fanuc rounds or chamfers the corner behind a move, or tells its direction.
+_CORNER = re.compile(r",\s*([RCA])\s*[-+]?(?:\d+\.?\d*|\.\d+)")
 _SUB = re.compile(r"^\s*(?:N\s*\d+\s*)?O\s*(?:\d+|<[^>]*>|\[[^]]*\])\s*(SUB|ENDSUB)\b")
 # A word whose number is a variable or an expression: X#1, Z#<depth>, Y[1 + 2].
 _MACRO_WORD = re.compile(r"[A-Z]\s*[-+]?\s*(?:#+(?:\d+|<[^>]*>)|\[[^\[\]]*(?:\[[^\[\]]*\][^\[\]]*)*\])")
@@ -53,8 +60,8 @@ def read_program(text: str) -> Program:
     """Read the text of an NC program.
 
     Lines with a block delete (``/``) are read as those without. What follows M30 is read as part of the same program,
-    up to the number of another one. Variables, expressions and subprograms are not read; each of these is a
-    problem with its line.
+    up to the number of another one. Variables, expressions and subprograms, also those that stand before the program
+    which calls them, are not read; each of these is a problem with its line.
 
     Parameters
     ----------
@@ -66,8 +73,8 @@ def read_program(text: str) -> Program:
     Unusable
         If it is no NC program, or one of a control with a language of its own.
     """
-    reader = _Reader()
     lines = text.replace("\r\n", "\n").replace("\r", "\n").split("\n")
+    reader = _Reader(_called(lines))
     for number, line in enumerate(lines, 1):
         if reader.line(number, line):
             reader.after_end(lines, number)
@@ -75,10 +82,24 @@ def read_program(text: str) -> Program:
     return reader.program()
 
 
+def _called(lines: list[str]) -> set[int]:
+    """Return the numbers of the programs that are called as subprograms."""
+    called: set[int] = set()
+    for line in lines:
+        if "P" in line or "p" in line:
+            words, _ = split_words(split_comments(line)[0].upper())
+            number = dict(words).get("P")
+            if number is not None and not _CALLS.isdisjoint(words):
+                program = _whole(number, _MOST_TOOLS)
+                called |= {program, program % 10_000}  # P31000 is three times 1000
+    return called
+
+
 class _Reader:
     """The commands of the lines read so far, and the state in which these lines leave the machine."""
 
-    def __init__(self) -> None:
+    def __init__(self, called: set[int]) -> None:
+        self.called = called
         self.commands: list[tuple[str, dict[str, float]]] = []
         self.lines: list[int] = []
         self.comments: list[tuple[int, int, str]] = []
@@ -88,15 +109,21 @@ class _Reader:
         self.unit = 1.0
         self.first_unit: float | None = None
         self.motion = -1
+        self.moved = False
+        self.away: list[tuple[int, Message]] = []  # machine positions since the last move, which matter if one follows
+        self.offset = 540, 0.0  # G54.1 has a number in P
         self.relative = False
         self.feed_mode = 940
         self.spindle = 0.0
+        self.per_turn: float | None = None  # the F word under G95
         self.tool: int | None = None
         self.changes = False  # whether there is an M6; where there is none, T changes the tool
         self.seconds = 0.0  # that this line's move takes, where G93 says so
         self.later: dict[str, float] | None = None  # words of a cycle that drills nowhere yet (L0)
         self.angles: dict[str, float] = {}  # of the rotary axes
         self.in_subprogram = 0
+        self.in_called = False  # in a subprogram that stands before its caller
+        self.deleted = False  # whether this line has a block delete
         self.number = 0
         self.ended = False
         self.blocks = 0
@@ -109,17 +136,26 @@ class _Reader:
         code = code.strip().upper()
         if code[:1] == "%":
             return self.motion >= 0 and len(code) == 1
-        if code[:1] == "/":
-            code = _BLOCK_DELETE.sub("", code)
-            if code:
-                self._problem(Message("block-delete"))
+        self.deleted = "/" in code and _BLOCK_DELETE.match(code) is not None
+        if self.deleted:
+            code = _BLOCK_DELETE.sub(r"\1", code)
         if code[:4] == "M117":  # shows the rest of its line
             code, comments = "", [line.strip()[4:].strip()]
         if not code:
             self._keep(comments)
             return False
-        if self.ended and code[0] in "O:":
-            return True
+        if code[0] in "O:":
+            if self.ended:
+                return True
+            program = _NUMBER.match(code)
+            self.in_called = program is not None and int(program[1]) in self.called
+            if self.in_called:
+                self._problem(Message("subprogram-not-read"))
+        if self.in_called:
+            self.in_called = self.deleted or not _RETURN.search(code)
+            return False
+        if self.deleted:
+            self._problem(Message("block-delete"))
         self.blocks += 1
         plain, rest = split_words(code)
         words = self._strange(line, code, rest, plain) if rest or self.in_subprogram else plain
@@ -127,9 +163,11 @@ class _Reader:
             self._keep(comments)
             return False
         letters = {letter for letter, _ in words}
+        if "L" in letters and letters <= {"N", "L", "P"}:  # Siemens calls by L10 P3, Fadal by L0103
+            self._problem(Message("subprogram-not-read"))
         if letters.isdisjoint("XYZ") or not letters.isdisjoint("TMO"):
             self._keep(comments)
-        return self._block(words)
+        return self._block(words, letters)
 
     def _keep(self, comments: list[str]) -> None:
         self.comments += [(len(self.commands), self.number, text) for text in comments if text]
@@ -152,49 +190,65 @@ class _Reader:
             return None
         if self.in_subprogram > 0:
             return None
-        dialects.refuse(line.strip().upper(), self.number)
+        dialects.refuse(line.strip().upper(), code, self.number)
         if _FLOW.search(code):
             self._problem(Message("jumps-not-followed"))
             return None
+        if "," in rest:
+            for letter in _CORNER.findall(code):
+                self._problem(Message("word-not-read", letter=f",{letter}"))
+            code = _CORNER.sub(" ", code)
+            words, rest = split_words(code)
         if "#" in rest or "[" in rest or "=" in rest:
-            self._problem(Message("variables-not-read"))
             words, rest = split_words(_MACRO_WORD.sub(" ", code))
+            self._problem(Message("line-with-variables" if rest else "variables-not-read"))
             return None if rest else words
+        if not rest:
+            return words
         if code[0] == ":" and rest == ":":  # ISO's way to write a program's number
             return None
         self.strange.append(self.number)
         self._problem(Message("words-not-read"))
         return None
 
-    def _block(self, words: list[tuple[str, float]]) -> bool:
+    def _block(self, words: list[tuple[str, float]], letters: set[str]) -> bool:
         """Read the words of one line; return whether they end the program."""
         motion, apart, ended, change = None, False, False, False
+        codes: list[int] = []
         parameters: dict[str, float] = {}
         for letter, value in words:
             if letter == "G":
                 code = _whole(10 * value, 10 * _MOST_CODES)
-                if code in _MOTION:
+                codes.append(code)
+                if code in MOTIONS:
                     if motion not in (None, code):
                         self._problem(Message("two-motions"))
                     motion = code
                 elif code in _STATE:
                     self._state(code)
                 else:
-                    letters = {letter for letter, _ in words}
-                    if code == _DATA and dict(words).get("L") in _OFFSETS and self.motion >= 0:
-                        self._problem(Message("coordinates-not-changed", name=_name(code)))
+                    if code == _DATA and dict(words).get("L") in _ORIGINS and self.moved:
+                        self._problem(Message("coordinates-not-changed", name=name_of(code)))
+                    elif code in _OFFSETS:
+                        self._offset(code, dict(words).get("P", 0.0) if code == 541 else 0.0)
+                    elif code in _MACHINE and self.moved and not letters.isdisjoint("XYZ"):
+                        self.away.append((self.number, Message("machine-position", name=name_of(code))))
                     read_as = self._read_as(code, letters)
                     motion = motion if read_as is None else read_as
-                    apart |= read_as is None and (code in _APART or self._other(code, letters))
+                    apart |= read_as is None and (code in _APART or self._other(code, words))
             elif letter == "M":
                 change |= value == 6
-                ended |= value == 99
+                if value == 99 and (self.deleted or "P" in letters):
+                    self._problem(Message("jumps-not-followed"))
+                else:
+                    ended |= value == 99
                 self.ended |= value in (2, 30)
-                if value == 98 or (value == 97 and "P" in dict(words)):
+                if value == 98 or (value == 97 and "P" in letters):
                     self._problem(Message("subprogram-not-read"))
                 self.clues.m_code(value, self.number)
             elif letter == "T":
                 self.tool = _whole(value, _MOST_TOOLS)
+                self.clues.tool(self.tool, self.number)
                 if not self.changes:  # where there is no M6 at all it changes the tool
                     self._add(f"T{self.tool}", {})
             elif letter == "S":
@@ -206,57 +260,77 @@ class _Reader:
         if change:
             self.changes = True
             self._add("M6", {} if self.tool is None else {"T": self.tool})
+        if "S" in letters and self.per_turn is not None:  # another speed is another feed
+            parameters.setdefault("F", self.per_turn)
+        if codes or "F" in parameters:
+            feed = self.unit * parameters.get("F", 0.0) if self.feed_mode == 940 else 0.0
+            self.clues.feed(codes, parameters, self.motion if motion is None else motion, feed, self.number)
         self._move(motion, parameters, apart)
         return ended
+
+    def _offset(self, code: int, number: float) -> None:
+        """Take the work offset; nothing in the program tells how far one lies from another."""
+        if self.moved and self.offset != (code, number):
+            self._problem(Message("coordinates-not-changed", name=name_of(code)))
+        self.offset = code, number
 
     def _state(self, code: int) -> None:
         """Take a G-code that `linearize` knows."""
         if code in (900, 910):
             self.relative = code == 910
         elif code == 800:
-            self.motion, self.later = code, None
+            self.motion = code
         elif code == 180:
             self.clues.g_code(18, set(), self.number)
-        self._add(_name(code), {})
+        self._add(name_of(code), {})
 
     def _read_as(self, code: int, letters: set[str]) -> int | None:
         """Return the motion as which a G-code is read that `linearize` does not know; None where there is none."""
         if code in _SPLINES and not letters.isdisjoint("XYZ"):
-            self._problem(Message("spline-as-line", name=_name(code)))
+            self._problem(Message("spline-as-line", name=name_of(code)))
             return 10
         if code == 760 and "R" in letters and ("Y" in letters or "P" not in letters):
             return 860  # fine boring; a lathe's G76, which cuts threads, has other words
         return None
 
-    def _other(self, code: int, letters: set[str]) -> bool:
+    def _other(self, code: int, words: list[tuple[str, float]]) -> bool:
         """Take a G-code that `linearize` need not know; return whether the line's axis words belong to it."""
-        turning = code in (700, 710) and not letters.isdisjoint("PQUWR")
-        if code in (200, 210, 700, 710) and not turning:
+        letters = {letter for letter, _ in words}
+        turning = code in _PATTERNS and not letters.isdisjoint("PQUWR")
+        if code in _PATTERNS and not turning and not letters.isdisjoint("IJKL"):  # of Haas and Yasnac
+            self._problem(Message("hole-pattern-not-read", name=name_of(code)))
+            return True
+        if code == 710 and [letter for letter, _ in words if letter != "N"] == ["G", "Z"]:  # Okuma's return level
+            self._problem(Message("unknown-code", name=repr(name_of(code))))
+            return True
+        if code in _UNITS and not turning:
             self.unit = INCH if code in (200, 700) else 1.0
             if self.first_unit is None:
                 self.first_unit = self.unit
         elif code in (930, 940, 950):
-            self.feed_mode = code
+            self.feed_mode, self.per_turn = code, None
         elif code in _DWELLS:
             self._problem(Message("dwell-untimed"))
             return True
         elif code in _COMPENSATION:
-            self._problem(Message("compensation-not-read", name=_name(code)))
+            self._problem(Message("compensation-not-read", name=name_of(code)))
         elif code in _SPLINES:  # without a target they are modes
             return True
         elif code in _CHANGES_COORDINATES:
-            if code != 920 or (self.motion >= 0 and not letters.isdisjoint("XYZ")):  # before any move it moves nothing
-                self._problem(Message("coordinates-not-changed", name=_name(code)))
+            if code != 920 or (self.moved and not letters.isdisjoint("XYZ")):  # before any move it moves nothing
+                self._problem(Message("coordinates-not-changed", name=name_of(code)))
+            return True
+        elif code == 431 and "H" not in letters:  # the tool's length in axis words
             return True
         elif code in _MACRO_CALLS:
             self._problem(Message("subprogram-not-read"))
             return True
         elif self.clues.g_code(code // 10, letters, self.number):
             if code not in _HARMLESS:
-                self._problem(Message("unknown-code", name=repr(_name(code))))
+                self._problem(Message("unknown-code", name=repr(name_of(code))))
             return True
         elif code not in _HARMLESS:
-            self._problem(Message("unknown-code", name=repr(_name(code))))
+            self._problem(Message("unknown-code", name=repr(name_of(code))))
             return True
         return False
 
@@ -277,29 +351,51 @@ class _Reader:
             move["F"] = feed
         if apart or _AXES.isdisjoint(move):
             if motion is not None or feed is not None:  # not a line without a name: that would repeat a cycle
-                self._add("G94" if motion is None else _name(motion), {} if feed is None else {"F": feed})
+                self._add("G94" if motion is None else name_of(motion), {} if feed is None else {"F": feed})
             return
+        self.moved = True
+        for line, what in self.away:
+            self.problems.setdefault(what, []).append(line)
+        self.away.clear()
         if self.ended:
             self._problem(Message("goes-on"))
         if "Y" in move:
             self.clues.along_y()
         if mode in (20, 30) and parameters.get("P", 1.0) > 1:
             self._problem(Message("turns-not-read"))
-        if mode in _CYCLES and parameters.get("P", 0.0) > 0:
+        if mode in CYCLES and parameters.get("P", 0.0) > 0:
             self._problem(Message("dwell-untimed"))
-        name = "" if motion is None else _name(motion)
+        name = "" if motion is None else name_of(motion)
         repeats = 1
-        if mode in _CYCLES:
-            repeats = _whole(parameters.get("L", parameters.get("K", 1.0)), _MOST_REPEATS)
+        if mode in CYCLES:
+            repeats = self._repeats(mode, parameters, move)
             if repeats <= 0:
                 self.later = move
                 return
             if self.later is not None:
-                name, move, self.later = _name(mode), {**self.later, **move}, None
+                name, move, self.later = name_of(mode), {**self.later, **move}, None
         elif self.seconds and mode > 0:
             self.inverse_time[len(self.commands)] = 1 / self.seconds
         for _ in range(repeats if self.relative else 1):
             self._add(name, move)
+
+    def _repeats(self, mode: int, parameters: dict[str, float], move: dict[str, float]) -> int:
+        """Return how often a cycle is made, and leave to `move` the words that tell its holes."""
+        move.pop("K", None)
+        pecks = [letter for letter in "IJK" if letter in parameters]
+        letter = "L" if "L" in parameters else "K"
+        if mode in (CHIP_BREAK, PECK) and ("I" in pecks or "J" in pecks or parameters.get("K", 1.0) % 1):
+            # Haas and Yasnac: I first peck, J less with each, K at least.
+            if "I" in pecks and "Q" not in move:
+                move["Q"] = move["I"]
+                pecks.remove("I")
+            for one in pecks:
+                self._problem(Message("word-not-read", letter=one))
+            letter = "L"
+        repeats = _whole(parameters.get(letter, 1.0), _MOST_REPEATS)
+        if repeats > 1 and not self.relative:
+            self._problem(Message("repeats-not-read", letter=letter))
+        return repeats
 
     def _unread(self, letter: str, value: float) -> None:
         """Tell of a word that is none of a mill's three axes; a rotary axis stands at 0 before its first word."""
@@ -314,6 +410,7 @@ class _Reader:
         self.seconds = 60 / value if self.feed_mode == 930 and value and value > 0 else 0.0
         if value is None or self.feed_mode == 930:
             return None
+        self.per_turn = value if self.feed_mode == 950 else None
         return value * self.unit * (self.spindle if self.feed_mode == 950 else 1.0) / 60
 
     def after_end(self, lines: list[str], number: int) -> None:
@@ -328,7 +425,7 @@ class _Reader:
         commands = self.commands
         if not self.changes:
             commands = self._changed_by_t(commands)
-        moves = any((not name or name in _MOVES) and not _AXES.isdisjoint(words) for name, words in self.commands)
+        moves = any((not name or name in MOTION_NAMES) and not _AXES.isdisjoint(words) for name, words in self.commands)
         dialects.check(self.blocks, self.strange, moves, problems)
         return Program(
             commands, np.array(self.lines, np.int64), tuple(self.comments), self.inverse_time,
@@ -351,8 +448,3 @@ class _Reader:
 def _whole(value: float, most: int) -> int:
     """Return the nearest whole number, at least -1 and at most `most`."""
     return round(max(-1.0, min(value, most)))
-
-
-def _name(code: int) -> str:
-    """Return the name of a G-code in tenths, e.g. ``"G90.1"``."""
-    return f"G{code // 10}.{code % 10}" if code % 10 else f"G{code // 10}"

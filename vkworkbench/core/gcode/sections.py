@@ -11,11 +11,11 @@ from functools import lru_cache
 
 from vkworkbench.core.gcode.program import Program
 from vkworkbench.core.gcode.tool_table import number_named, tool_told
+from vkworkbench.core.gcode.words import MOTION_NAMES
 from vkworkbench.core.solids import Tool
 
 MANY_TITLES = 50  # titles of one form; a program with more numbers its passes, not its operations
 
-_MOTIONS = {"G0", "G1", "G2", "G3", "G73", "G74", "G81", "G82", "G83", "G84", "G85", "G86", "G88", "G89"}
 _AXES = frozenset("XYZ")
 
 # A title after the words that some post processors write before it.
@@ -135,7 +135,7 @@ def _groups(program: Program) -> list[_Group]:
     for at, (name, words) in enumerate(program.commands):
         if name == "M6":
             marks.append((at, int(program.lines[at]), words.get("T")))
-        motion = name if name in _MOTIONS else motion
+        motion = name if name in MOTION_NAMES else motion
         if name in ("", motion) and motion not in ("", "G0") and not _AXES.isdisjoint(words):
             cuts.append(at)
     marks.sort(key=lambda mark: mark[:2])

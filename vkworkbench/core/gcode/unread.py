@@ -8,8 +8,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from vkworkbench.core.gcode import cycles
-from vkworkbench.core.gcode.words import Words
+from vkworkbench.core.gcode.words import CYCLES, Words
 from vkworkbench.language import Message
 
 ROTARY = "ABC"
@@ -50,7 +49,7 @@ def unread(words: Words, motion: np.ndarray) -> Iterator[tuple[np.ndarray, Messa
             np.flatnonzero(np.isin(motion, _STRAIGHT) & _given(words, letter)),
             Message("word-not-read", letter=letter),
         )
-    in_cycle = np.isin(motion, cycles.CODES)
+    in_cycle = np.isin(motion, CYCLES)
     for letter in "KL" if in_cycle.any() else ():
         yield np.flatnonzero(in_cycle & (words.column(letter)[0] > 1)), Message("repeats-not-read", letter=letter)
     if "P" in words.letters:

@@ -15,6 +15,8 @@ COORDINATE_LIMIT = 1e6
 
 # G-codes are numbered in tenths (G90.1 is 901); what is not a G-code is negative.
 COMMENT, OTHER, TOOL_CHANGE, MODAL, UNKNOWN = -1, -2, -3, -4, -5
+CYCLES = (730, 740, 810, 820, 830, 840, 850, 860, 880, 890)  # drilling cycles
+MOTIONS = (0, 10, 20, 30, *CYCLES)
 
 _ABSENT = 1e300
 _PIECE = 50_000  # commands read at once: their parameters take half a kB each
@@ -42,6 +44,14 @@ def code_of(name: str) -> int:
     if letter == "M" and number == 6:
         return TOOL_CHANGE
     return OTHER if letter in "MTSNO" else UNKNOWN
+
+
+def name_of(code: int) -> str:
+    """Return the name of a G-code in tenths, e.g. ``"G90.1"``."""
+    return f"G{code // 10}.{code % 10}" if code % 10 else f"G{code // 10}"
+
+
+MOTION_NAMES = frozenset(map(name_of, MOTIONS))
 
 
 class Words:

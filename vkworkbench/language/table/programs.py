@@ -17,12 +17,19 @@ PROGRAMS: dict[str, str | tuple[str, str]] = {
     "variables-not-read": QT_TRANSLATE_NOOP(
         "Sentences", "variables and expressions are not read: the words with them are left out"
     ),
+    "line-with-variables": QT_TRANSLATE_NOOP(
+        "Sentences", "variables and expressions are not read: the lines with them are left out"
+    ),
     "words-not-read": QT_TRANSLATE_NOOP("Sentences", "lines that are not made of words like G1 X10 are left out"),
     "word-twice": QT_TRANSLATE_NOOP("Sentences", "a line with two {letter} words: the last one is read"),
     "two-motions": QT_TRANSLATE_NOOP("Sentences", "a line with two motions, such as G0 and G1: the last one is read"),
     "coordinates-not-changed": QT_TRANSLATE_NOOP(
         "Sentences", "coordinates that {name} changes are read as if it were not there"
     ),
+    "machine-position": QT_TRANSLATE_NOOP(
+        "Sentences", "moves to positions of the machine ({name}) are left out: a program does not say where they are"
+    ),
+    "hole-pattern-not-read": QT_TRANSLATE_NOOP("Sentences", "the holes of a pattern ({name}) are not made"),
     "spline-as-line": QT_TRANSLATE_NOOP("Sentences", "a spline ({name}) is read as a line"),
     "goes-on": QT_TRANSLATE_NOOP("Sentences", "what follows M2 or M30 is read as the same program"),
     "after-end": QT_TRANSLATE_NOOP("Sentences", "what follows the program's end is not read"),
