@@ -24,6 +24,7 @@ from vkworkbench.spreadsheet import as_cell
 HANGS = frozenset({"legacy-hangs"})
 SERIOUS = HANGS | {"long-play", "memory"}
 _CONTROL = re.compile(r"[\x00-\x1f\x7f-\x9f]+")
+_NO_UTF8 = "surrogateescape"  # the name of a file may hold bytes that are none
 
 
 class Cancelled(Exception):
@@ -369,7 +370,7 @@ class Report:
         """Write one line for each operation, with a header, in mm, s, rad and bytes; see `cells_of`."""
         rows = [cells_of(operation) for operation in self.operations]
         names = list(rows[0]) if rows else ["document", "name", "label", "strategy"]
-        with open(path, "w", newline="", encoding="utf-8") as file:
+        with open(path, "w", newline="", encoding="utf-8", errors=_NO_UTF8) as file:
             writer = csv.DictWriter(file, names, quoting=csv.QUOTE_NONNUMERIC)
             writer.writeheader()
             writer.writerows(rows)
@@ -380,7 +381,7 @@ class Report:
             "operations": [o.as_dict() for o in self.operations],
             "totals": [t.as_dict() for t in self.totals],
         }
-        with open(path, "w", encoding="utf-8") as file:
+        with open(path, "w", encoding="utf-8", errors=_NO_UTF8) as file:
             json.dump(data, file, indent=1, ensure_ascii=False)
 
 
