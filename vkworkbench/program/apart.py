@@ -36,7 +36,7 @@ def analyze_apart(path: Path, chosen: Preferences, patience: float) -> tuple[Ope
     begin = float("inf")
     try:
         worker = _worker()
-        timer = threading.Timer(patience, worker.kill)
+        timer = threading.Timer(min(patience, threading.TIMEOUT_MAX), worker.kill)
         begin = time.monotonic()
         timer.start()
         try:

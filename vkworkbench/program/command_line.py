@@ -111,9 +111,12 @@ def _run(asked: argparse.Namespace) -> int:
             results.close()
     progress.clear()
     before = f", {how_many(len(paths) - len(todo), 'file')} done before" if len(todo) < len(paths) else ""
+    unread_before = sum(str(path) in results.unread for path in paths) if results is not None else 0
+    if unread_before:
+        before += f", {unread_before} of them could not be read"
     not_read = f", {unread_files} could not be read" if unread_files else ""
     print(f"{how_many(operations, 'operation')} in {how_many(len(todo), 'file')}{not_read}{before}.", file=sys.stderr)
-    return _UNREAD if unread_files else 0
+    return _UNREAD if unread_files or unread_before else 0
 
 
 def _results(asked: argparse.Namespace) -> Results | None:

@@ -8,6 +8,7 @@ import gzip
 import lzma
 import os
 import re
+import zlib
 from collections.abc import Iterable, Iterator
 from pathlib import Path
 
@@ -49,7 +50,8 @@ _TEXT_CONTROLS = frozenset(b"\t\n\r\f\x0b")
 def find_programs(what: Iterable[str | os.PathLike]) -> Iterator[Path]:
     """Return the files named, and in folders, at any depth, those whose suffix is that of an NC program.
 
-    Each file comes once, those of a folder in the order of their names.
+    Each file comes once, those of a folder in the order of their names. Links to folders are followed, each folder once.
+    A folder that cannot be read comes itself, that it is told why.
 
     Raises
     ------
@@ -62,20 +64,34 @@ def find_programs(what: Iterable[str | os.PathLike]) -> Iterator[Path]:
     seen: set[Path] = set()
     for one in map(Path, what):
         for path in _in_folder(one) if one.is_dir() else [one]:
-            if path not in seen:
-                seen.add(path)
+            place = Path(os.path.realpath(path.parent), path.name)
+            if place not in seen:
+                seen.add(place)
                 yield path
 
 
 def _in_folder(folder: Path) -> Iterator[Path]:
-    for root, folders, names in os.walk(folder):
+    closed: list[OSError] = []
+    walked: set[str] = set()
+    for root, folders, names in os.walk(folder, onerror=closed.append, followlinks=True):
+        if os.path.realpath(root) in walked:  # a link that leads here again
+            folders.clear()
+            continue
+        walked.add(os.path.realpath(root))
         folders[:] = sorted(name for name in folders if not name.startswith("."))
         for name in sorted(names):
             suffixes = [suffix.lower() for suffix in Path(name).suffixes[-2:]]
             if suffixes and suffixes[-1] in _PACKED:
                 suffixes.pop()
-            if suffixes and suffixes[-1] in SUFFIXES:
+            if suffixes and suffixes[-1] in SUFFIXES and not _is_endless(os.path.join(root, name)):
                 yield Path(root, name)
+    for error in closed:
+        yield Path(error.filename)
+
+
+def _is_endless(path: str) -> bool:
+    """Whether it is a pipe or a device, whose end may never come."""
+    return os.path.exists(path) and not os.path.isfile(path)
 
 
 def read_bytes(path: Path) -> bytes:
@@ -89,7 +105,7 @@ def read_bytes(path: Path) -> bytes:
     try:
         with _PACKED.get(path.suffix.lower(), open)(path, "rb") as file:
             data = file.read(MOST_BYTES + 1)
-    except (OSError, EOFError, lzma.LZMAError) as error:
+    except (OSError, EOFError, lzma.LZMAError, zlib.error) as error:
         raise Unusable(Message("file-unreadable", name=getattr(error, "strerror", None) or str(error))) from None
     if len(data) > MOST_BYTES:
         raise Unusable(Message("file-too-large", size=MOST_BYTES))

@@ -34,9 +34,13 @@ class JsonLines:
     def line(self, row: OperationReport) -> bytes:
         return _bytes(json.dumps(row.as_dict(), ensure_ascii=False) + "\n")
 
-    def document(self, line: bytes) -> str:
-        """Return the file that a line is about. Raises ValueError, LookupError or TypeError for any other line."""
-        return json.loads(_text(line))["document"]
+    def document(self, line: bytes) -> tuple[str, bool]:
+        """Return the file that a line is about, and whether it was read.
+
+        Raises ValueError, LookupError or TypeError for any other line.
+        """
+        row = json.loads(_text(line))
+        return row["document"], row["counted"]
 
 
 class Csv:
@@ -45,18 +49,19 @@ class Csv:
     def __init__(self, names: Iterable[str]) -> None:
         self._names = list(names)
         self.header = self._written(self._names)
-        self._column = self._names.index("document")
+        self._columns = self._names.index("document"), self._names.index("counted")
 
     def line(self, row: OperationReport) -> bytes:
         cells = cells_of(row)
         return self._written(cells[name] for name in self._names)
 
-    def document(self, line: bytes) -> str:
-        """Return the file that a line is about. Raises ValueError for any other line."""
+    def document(self, line: bytes) -> tuple[str, bool]:
+        """Return the file that a line is about, and whether it was read. Raises ValueError for any other line."""
         (cells,) = csv.reader([_text(line)])
         if len(cells) != len(self._names):
             raise ValueError(line)
-        return cells[self._column]
+        document, counted = (cells[column] for column in self._columns)
+        return document, counted == str(True)
 
     @staticmethod
     def _written(cells: Iterable) -> bytes:
@@ -80,6 +85,8 @@ class Results:
     ----------
     done : set of str
         The programs whose rows are there already.
+    unread : set of str
+        Those of them that could not be read.
 
     Raises
     ------
@@ -92,6 +99,7 @@ class Results:
     def __init__(self, path: str, form: JsonLines | Csv, *, resume: bool = False) -> None:
         self._form = form
         self.done: set[str] = set()
+        self.unread: set[str] = set()
         self._file: BinaryIO
         if path == "-":
             self._file = sys.stdout.buffer
@@ -131,11 +139,14 @@ class Results:
                 begin = place
                 continue
             try:
-                document = self._form.document(line)
+                document, read = self._form.document(line)
             except (ValueError, LookupError, TypeError):
                 raise ValueError("a line of it is no result of this command") from None
             if document != last:
                 self.done.add(document)
+                if not read:
+                    self.unread.add(document)
                 begin, last = place - len(line), document
         self.done.discard(last)
+        self.unread.discard(last)
         return begin if self.done else 0

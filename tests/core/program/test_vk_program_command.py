@@ -131,10 +131,25 @@ def test_wrong_arguments_say_what_to_do(folder, tmp_path, inside):
     assert (folder / "a.nc").read_text() == PROGRAM
 
 
+@pytest.mark.parametrize("kind", ["--csv", "--json-lines"])
+def test_what_could_not_be_read_before_a_stop_still_counts(folder, tmp_path, kind, inside):
+    arguments = folder / "b.nc", folder / "a.nc", kind, tmp_path / "out", "--jobs", 1
+    assert inside(*arguments).returncode == 1
+    done = inside(*arguments, "--resume")
+    assert done.returncode == 1
+    assert done.stderr.splitlines()[-1] == "1 operation in 1 file, 1 file done before, 1 of them could not be read."
+    assert inside(folder / "a.nc", folder / "c.nc", *arguments[2:], "--resume").returncode == 0
+
+
+def test_a_time_longer_than_threads_can_wait(folder):
+    done = run(folder / "a.nc", "--timeout", "1e10")
+    assert done.returncode == 0 and "Traceback" not in done.stderr and "zigzag" in done.stdout
+
+
 @pytest.mark.long
 def test_a_program_that_never_ends_costs_only_itself(folder, tmp_path):
     os.mkfifo(folder / "endless.nc")  # a file whose end never comes
-    done = run(folder, "--csv", tmp_path / "out.csv", "--timeout", "5", "--jobs", 2)
+    done = run(folder, folder / "endless.nc", "--csv", tmp_path / "out.csv", "--timeout", "5", "--jobs", 2)
     errors = {Path(row["document"]).name: row["error"] for row in rows_of(tmp_path / "out.csv")}
     assert errors.pop("endless.nc") == "given up after 5.0 s"
     assert errors.pop("b.nc") and len(errors) == 5 and not any(errors.values())
@@ -169,7 +184,7 @@ def test_ctrl_c_ends_it_with_all_its_processes(folder, tmp_path):
     os.mkfifo(folder / "endless.nc")
     out = tmp_path / "out.csv"
     heard = ["env", "--default-signal=INT"]  # a shell's background jobs, and so these tests, may ignore it
-    started = [*heard, *command(folder, "--csv", out, "--jobs", 2)]
+    started = [*heard, *command(folder, folder / "endless.nc", "--csv", out, "--jobs", 2)]
     process = subprocess.Popen(started, cwd=ROOT, stderr=subprocess.PIPE, text=True)
     deadline = time.monotonic() + 60
     while (not out.exists() or out.read_bytes().count(b"\n") < 7) and time.monotonic() < deadline:
@@ -244,7 +259,7 @@ def test_the_same_on_a_dask_cluster(folder, tmp_path, inside, scheduler):
     here, there = tmp_path / "here.csv", tmp_path / "there.csv"
     inside(folder, "--csv", here)
     os.mkfifo(folder / "endless.nc")
-    done = run(folder, "--csv", there, "--timeout", "5", "--scheduler", address)
+    done = run(folder, folder / "endless.nc", "--csv", there, "--timeout", "5", "--scheduler", address)
     # Dask may tell of connections that it gives up behind the last line.
     assert done.returncode == 1 and "5 operations in 7 files, 2 could not be read." in done.stderr.splitlines()
     endless, found = [], []

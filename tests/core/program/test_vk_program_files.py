@@ -5,6 +5,7 @@ import csv
 import gzip
 import json
 import lzma
+import os
 import re
 import subprocess
 import sys
@@ -55,6 +56,43 @@ def test_packed_files(tmp_path):
         path.write_bytes(b"not packed")
         with pytest.raises(Unusable, match="cannot be read"):
             read_bytes(path)
+
+
+def test_a_packed_file_that_is_broken_inside(tmp_path):
+    packed = bytearray(gzip.compress(bytes(range(256)) * 40))
+    packed[40:60] = b"\xff" * 20
+    (tmp_path / "a.nc.gz").write_bytes(packed)
+    with pytest.raises(Unusable, match="cannot be read"):
+        read_bytes(tmp_path / "a.nc.gz")
+
+
+def test_folders_are_walked_once_whatever_leads_to_them(tmp_path):
+    for name in ("p/a.nc", "p/q/b.nc", "far/c.nc"):
+        (tmp_path / name).parent.mkdir(exist_ok=True)
+        (tmp_path / name).write_text("G1 X1")
+    (tmp_path / "p" / "linked").symlink_to(tmp_path / "far")
+    (tmp_path / "p" / "q" / "loop").symlink_to(tmp_path / "p")
+    (tmp_path / "p" / "z.nc").symlink_to(tmp_path / "gone.nc")
+    os.mkfifo(tmp_path / "p" / "pipe.nc")
+    p = tmp_path / "p"
+    found = list(find_programs([p, p / ".." / "p" / "a.nc", p / "q" / "loop" / "a.nc"]))
+    assert [str(path.relative_to(p)) for path in found] == ["a.nc", "z.nc", "linked/c.nc", "q/b.nc"]
+
+
+def test_a_folder_that_cannot_be_read_is_told(tmp_path, monkeypatch):
+    (tmp_path / "closed").mkdir()
+    (tmp_path / "a.nc").write_text(PROGRAM)
+    listed = os.scandir
+
+    def refuse(path):
+        if Path(path).name == "closed":
+            raise PermissionError(13, "Permission denied", str(path))
+        return listed(path)
+
+    monkeypatch.setattr(os, "scandir", refuse)
+    rows = vkworkbench.analyze(tmp_path).operations
+    assert [Path(row.document).name for row in rows] == ["a.nc", "a.nc", "closed"]
+    assert rows[-1].error.startswith("the file cannot be read: ") and not rows[-1].counted
 
 
 def test_folders_and_files(tmp_path):
@@ -190,6 +228,18 @@ def test_files_of_the_report(tmp_path):
     rows = list(csv.DictReader(open(tmp_path / "out.csv", newline="", encoding="utf-8")))
     assert [(row["label"], row["spans"]) for row in rows] == [("Face", "zigzag 8-48"), ("Holes", "drilling 52-56")]
     assert len(json.load(open(tmp_path / "out.json", encoding="utf-8"))["operations"]) == 2
+
+
+def test_names_that_are_no_utf8(tmp_path):
+    name = os.fsdecode(b"fr\xe4sen.nc")
+    (tmp_path / name).write_text(PROGRAM)
+    report = vkworkbench.analyze(tmp_path)
+    report.to_csv(tmp_path / "out.csv")
+    report.to_json(tmp_path / "out.json")
+    for out in ("out.csv", "out.json"):
+        assert b"/fr\xe4sen.nc" in (tmp_path / out).read_bytes()
+    data = json.loads((tmp_path / "out.json").read_text(encoding="utf-8", errors="surrogateescape"))
+    assert [Path(row["document"]).name for row in data["operations"]] == [name, name]
 
 
 def test_cancelled(tmp_path):
