@@ -52,6 +52,15 @@ def sections(text):
         ("T01 FRAISE 2T D10", 1, "endmill", 10),
         ('V-Bit {90 deg 0.5"}', None, "vbit", 12.7),
         ("Сверло 3мм", None, "drill", 3),
+        ("T4 10 X 72 ENDMILL", 4, "endmill", 10),
+        ("T4 10x72mm end mill", 4, "endmill", 10),
+        ("6MM X 20MM LOC ENDMILL", None, "endmill", 6),
+        ("6MM 25 LONG END MILL", None, "endmill", 6),
+        ("2X 6MM ENDMILL", None, "endmill", 6),
+        ("STOCK 100 X 50 X 20MM TOOL 10MM ENDMILL", None, "endmill", 10),
+        ("USE 6 INCH VISE AND 1/2 END MILL", None, "endmill", 12.7),
+        ("1/4 IN SHANK 1/8 FLAT END MILL", None, "endmill", 3.175),
+        ("T2 NO. 7 DRILL 5.1MM", 2, "drill", 5.1),
     ],
 )  # fmt: skip
 def test_tools_as_cam_systems_write_them(comment, number, shape, diameter):
@@ -73,6 +82,18 @@ def test_what_else_is_told_of_a_tool():
     assert tool_told("TOOL 2mm END MILL of 3 mm drill", inches=False).tool.diameter == 2
 
 
+def test_a_unit_is_that_of_its_size():
+    for comment in (
+        "6mm end mill",
+        "6mm x 20mm end mill",
+        "6x20mm end mill",
+        "6 x 20 mm carbide",
+        "stock 2 in, 6mm end mill",
+    ):
+        assert tool_told(comment, inches=True).tool.diameter == 6, comment
+    assert tool_told("1in face mill", inches=False).tool.diameter == 25.4
+
+
 @pytest.mark.parametrize(
     ("fractions", "diameter"), [("", 6.35), ("1/3", 6.35), ("0/0", 6.35), ("6 35/100", 6.35), ("127/20", 161.29)]
 )
@@ -92,6 +113,7 @@ def test_what_is_too_large_or_told_too_long_is_no_tool():
     "comment",
     ["2D Pocket3", "T1", "MANUAL TOOL CHANGE TO T5", "tool change at 0.0 0.0 17.0", "Drill 4 holes", "D=5", "",
      "Tool length 30 mm", "stock 20 mm x 30 mm", "T2 D=0 - flat end mill", "T2 D=9999 - end mill",
+     "T2 - NO. 7 DRILL", "T2 #7 DRILL", "Number 30 drill", "NR.7 BOHRER", "T3 LETTER F DRILL", "D DRILL",
      "Feed 500 mm/min", "a story of more than sixty characters about an end mill and a 20 mm plate"],
 )  # fmt: skip
 def test_comments_that_tell_no_tool(comment):

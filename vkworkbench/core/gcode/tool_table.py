@@ -41,7 +41,9 @@ _CAMBAM = re.compile(rf"T\d+\s*:\s*(?P<size>{_NUMBER})", re.IGNORECASE)
 _CUTVIEWER = re.compile(
     r"TOOL/(?P<kind>MILL|DRILL|CHAMFER)\s*,\s*(?P<size>[\d.]+)(?:\s*,\s*(?P<second>[\d.]+))?", re.IGNORECASE
 )
-_MEASURED = re.compile(rf"(?<![\d.,/]){_SIZE}\s*(?P<unit>mm\b|мм\b|inch(?:es)?\b|in\b|\")", re.IGNORECASE)
+# Diameter and length, 10 x 72: with as much room before the x as behind it, unlike 2x 6mm.
+_ACROSS = rf"(?:(?:mm|in)?(?:\s+[x×]\s+|[x×])(?:{_FRACTION}|{_NUMBER}))*"
+_MEASURED = re.compile(rf"(?<![\d.,/]){_SIZE}{_ACROSS}\s*(?P<unit>mm\b|мм\b|inch(?:es)?\b|in\b|\")", re.IGNORECASE)
 _SHORT = re.compile(rf"(?<![\w|])D(?P<size>{_NUMBER})(?![\w|])")  # D10; between bars it is an offset
 _FLUTES = re.compile(r"\b\d+\s*-?\s*fl(?:utes?)?\b", re.IGNORECASE)
 _LISTED = re.compile(r"\s*T\d+\s*[|:=]", re.IGNORECASE)
@@ -49,6 +51,11 @@ _LONGEST, _LONGEST_NAME = 200, 60  # characters; longer comments are prose that 
 _BARE = re.compile(
     rf"(?<![\w.,/#]){_SIZE}(?P<unit>)(?=(?:\s*(?:flat|square|long|stub|hss))*\s*(?:{_MILLING_WORD}))", re.IGNORECASE
 )
+# Directly before what the tool is: in a sentence about other things as well, this is its size.
+_ATTACHED = re.compile(
+    rf"(?<![\w.,/#]){_SIZE}{_ACROSS}{_UNIT}(?:\s*(?:flat|square|stub|hss))*(?=\s*(?:{_MILLING_WORD}))", re.IGNORECASE
+)
+_NUMBER_DRILL = re.compile(r"(?:#|\b(?:no|nr)\b\.?|\bnumber)\s*\d+(?![./\d])", re.IGNORECASE)  # a number of a table
 _IS_TOOL = re.compile(rf"(?<![a-zà-ÿа-я])(?:{_MILLING_WORD})", re.IGNORECASE)
 _CORNER = re.compile(rf"\b(?:CR|corner radius|torus_radius)\s*[=:]\s*(?P<size>{_NUMBER})", re.IGNORECASE)
 _TAPER = re.compile(rf"\bTAPER\s*=\s*(?P<size>{_NUMBER})\s*deg", re.IGNORECASE)
@@ -119,6 +126,10 @@ def _size(comment: str, number: re.Match[str] | None) -> re.Match[str] | None:
         return explicit
     if number is not None:  # "tool 1 1/4" is no tool of 1 1/4
         comment = f"{comment[: number.start()]}  {comment[number.end() :]}"
+    comment = _NUMBER_DRILL.sub("", comment)
+    attached = _ATTACHED.search(comment)
+    if attached:
+        return attached
     found = [match for match in (_MEASURED.search(comment), _BARE.search(comment)) if match]
     return min(found, key=re.Match.start, default=_SHORT.search(comment))
 
