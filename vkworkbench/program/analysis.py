@@ -23,7 +23,16 @@ from vkworkbench.core import (
     recognize,
     stock_around,
 )
-from vkworkbench.core.gcode import INCH, Program, Section, at_line, looks_like_inches, read_program, split_sections
+from vkworkbench.core.gcode import (
+    INCH,
+    Program,
+    Section,
+    at_line,
+    looks_like_increments,
+    looks_like_inches,
+    read_program,
+    split_sections,
+)
 from vkworkbench.core.recognition import recognize_inches, unknown
 from vkworkbench.core.simulators import Conditions, Task, predict
 from vkworkbench.language import Message, Unusable
@@ -137,6 +146,8 @@ def _rows(
         ]  # fmt: skip
     stock = _stock(toolpath, [section.tool for _, section in cutting])
     lost = [Message("inches-as-millimetres")] if not program.unit_told and looks_like_inches(toolpath) else []
+    if looks_like_increments(toolpath, inches=program.inches):
+        lost.append(Message("increments-as-units"))
     starts = [section.first for _, section in cutting]
     remarks: list[list[Message]] = [[] for _ in cutting]
     for problem in toolpath.problems:  # each is told with the operation in which it first occurs

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from vkworkbench.core import Strategy, linearize, recognize
-from vkworkbench.core.gcode import INCH, in_seconds, looks_like_inches, read_program
+from vkworkbench.core.gcode import INCH, in_seconds, looks_like_increments, looks_like_inches, read_program
 from vkworkbench.core.recognition import recognize_inches
 from vkworkbench.language import render
 
@@ -64,6 +64,37 @@ def test_what_speaks_against_it():
 def test_how_small_and_slow_a_toolpath_is_of_which_it_is_said(changed, imported, said):
     toolpath = zigzag(**{"width": 10.0, "rows": 4, "step": 0.5, "depth": -0.5, "lift": 2.0, "feed": 1.0, **changed})
     assert looks_like_inches(toolpath, imported=imported) == said
+
+
+@pytest.mark.parametrize("unit, scale", [("G21", 1), ("G20", INCH)])
+@pytest.mark.parametrize(
+    "text, said",
+    [
+        ("G0 X0 Y0 Z25000\nG1 Z-1000 F200\nX5000\nY5000\nG3 X0 Y5000 I-2500 J0", True),
+        ("G0 X0 Y0 Z25000\nG1 Z-1000 F200\nX5000\nY5000.5\nX0", False),
+        ("G0 X0 Y0 Z25\nG1 Z-1 F200\nX100\nY50\nX0", False),
+        ("G0 X0 Y0 Z5000\nX5000\nY50\nG1 Z-1 F200\nX5001", False),
+        ("G0 X0 Y0 Z25\nG99 G73 X5000 Z-30 R5 Q7 F100\nX0 Y5000", True),
+        ("G0 X0 Y0 Z5000\nX5000", False),
+    ],
+)
+def test_lengths_without_a_decimal_point(unit, scale, text, said):
+    path = read_program(f"{unit}\n{text}").toolpath()
+    assert looks_like_increments(path, inches=scale == INCH) == said
+    assert np.ptp(path.points[:, 0]) / scale == pytest.approx(
+        100 if "X100" in text else 5001 if "X5001" in text else 5000
+    )
+
+
+def test_whole_numbers_are_of_the_programs_unit():
+    path = read_program("G20\nG0 X0 Y0 Z1\nG1 X5001 Y7 F9").toolpath()
+    assert looks_like_increments(path, inches=True) and not looks_like_increments(path, inches=False)
+
+
+def test_how_long_a_toolpath_is_of_which_it_is_said():
+    for length, said in ((5000, True), (4999, False)):
+        path = read_program(f"G21\nG0 X0 Y0 Z5\nG1 Z-1 F9\nX{length}").toolpath()
+        assert looks_like_increments(path, inches=False) == said
 
 
 def test_feeds_of_a_minute_are_told_by_the_fastest():

@@ -257,6 +257,17 @@ def test_no_freecad_is_loaded(tmp_path):
     assert (done.stdout, done.stderr) == ("False\n", "")
 
 
+@pytest.mark.parametrize(("place", "said"), [("Y{}000", True), ("Y{}000.5", False)])
+def test_thousandths_without_a_decimal_point_are_noticed(tmp_path, place, said):
+    rows = "".join(f"G1 X{40000 * (k % 2)}\n{place.format(k + 1)}\n" for k in range(20))
+    path = tmp_path / "increments.nc"
+    path.write_text(f"G21\n(T1 D=6 - end mill)\nT1 M6\nG0 X0 Y0 Z5000\nG1 Z-1000 F600\n{rows}G0 Z5000\n")
+    (row,) = vkworkbench.analyze(path).operations
+    asked = "it spans meters in whole numbers: thousandths without a decimal point read as whole units?"
+    assert (asked in (row.error or "")) is said
+    assert row.length > 20 * 20_000
+
+
 @pytest.mark.parametrize(("unit", "said"), [("", True), ("G20\n", False), ("G21\n", False)])
 def test_inches_without_g20_are_noticed(tmp_path, unit, said):
     rows = "".join(f"G1 X{3 * (k % 2)}\nY{0.1 * (k + 1):.1f}\n" for k in range(20))

@@ -5,7 +5,8 @@ In: commands, as ``(name, parameters)`` pairs or FreeCAD's objects, in mm and mm
 Out: `Toolpath`, straight trajectories with their source commands, and the problems met on the way.
 `Words` is the same commands as columns, for readers of words that trajectories do not keep.
 The text of an NC program becomes such commands by `read_program`; `split_sections` finds its operations and tools.
-`looks_like_inches` tells whether inches were read as millimetres; `in_seconds` mends mm/min that were read as mm/s.
+`looks_like_inches` and `looks_like_increments` tell whether inches or thousandths were read as millimetres; `in_seconds`
+mends mm/min that were read as mm/s.
 """
 
 from vkworkbench.core.gcode.dialects import at_line
@@ -13,10 +14,10 @@ from vkworkbench.core.gcode.linearize import MOST_TRAJECTORIES, linearize
 from vkworkbench.core.gcode.program import Program
 from vkworkbench.core.gcode.reader import read_program
 from vkworkbench.core.gcode.sections import Section, split_sections
-from vkworkbench.core.gcode.units import INCH, in_seconds, looks_like_inches
+from vkworkbench.core.gcode.units import INCH, in_seconds, looks_like_increments, looks_like_inches
 from vkworkbench.core.gcode.words import COORDINATE_LIMIT, Words, used_up
 
 __all__ = [
     "COORDINATE_LIMIT", "INCH", "MOST_TRAJECTORIES", "Program", "Section", "Words", "at_line", "in_seconds", "linearize",
-    "looks_like_inches", "read_program", "split_sections", "used_up",
+    "looks_like_increments", "looks_like_inches", "read_program", "split_sections", "used_up",
 ]  # fmt: skip

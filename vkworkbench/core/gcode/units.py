@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Whether units were mistaken: inches read as millimetres, mm/min as mm/s, where nothing else says it."""
+"""Whether units were mistaken: inches or thousandths read as millimetres, mm/min as mm/s, where nothing else says it."""
 
 from __future__ import annotations
 
@@ -21,6 +21,9 @@ IMPORTED_SLOW = 300.0  # mm/s as FreeCAD imports: it takes the mm or inches a mi
 PER_MINUTE = (
     250.0  # mm/s, 15 m/min: faster mills exist, but a program whose fastest cut is slower than 250 mm/min is rarer
 )
+LONG = (
+    5000.0  # mm, longer side of what is cut; a part of 5 mm is small, a mill of 5 m that cuts in whole millimetres rare
+)
 TOOLS = 4.0  # tool diameters; something wider was made for this tool, so its size is right
 
 
@@ -38,7 +41,7 @@ def looks_like_inches(toolpath: Toolpath, *, tool_diameter: float | None = None,
     cuts = ~toolpath.rapid
     if not cuts.any():
         return False
-    points = np.concatenate((toolpath.points[:-1][cuts], toolpath.points[1:][cuts]))
+    points = _ends(toolpath)
     size = float(np.ptp(points[:, :2], axis=0).max())
     lift = float(toolpath.points[:, 2].max() - points[:, 2].min())
     if not (0 < size < SMALL and 0 < lift < LOW):  # a single hole, or a laser, has no size, or no lift
@@ -46,6 +49,29 @@ def looks_like_inches(toolpath: Toolpath, *, tool_diameter: float | None = None,
     if tool_diameter and size > TOOLS * tool_diameter:
         return False
     return float(np.median(toolpath.feed[cuts])) <= (IMPORTED_SLOW if imported else SLOW)
+
+
+def looks_like_increments(toolpath: Toolpath, *, inches: bool) -> bool:
+    """Return whether a toolpath looks as if its words had no decimal point.
+
+    Old controls count such words in least increments (0.001 mm, 0.0001 inches), new ones in whole units.
+
+    Parameters
+    ----------
+    toolpath : Toolpath
+    inches : bool
+        Whether its program is in inches.
+    """
+    if toolpath.rapid.all() or np.ptp(_ends(toolpath)[:, :2], axis=0).max() < LONG:
+        return False
+    programmed = toolpath.points[1:][(toolpath.sweep == 0) & ~toolpath.cycle] / (INCH if inches else 1.0)
+    return bool((np.abs(programmed - programmed.round()) < 1e-6).all())
+
+
+def _ends(toolpath: Toolpath) -> np.ndarray:
+    """Return where the cuts begin and end, (2c, 3) mm."""
+    cuts = ~toolpath.rapid
+    return np.concatenate((toolpath.points[:-1][cuts], toolpath.points[1:][cuts]))
 
 
 def in_seconds(toolpath: Toolpath) -> tuple[Toolpath, Message | None]:

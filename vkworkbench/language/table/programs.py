@@ -66,6 +66,9 @@ PROGRAMS: dict[str, str | tuple[str, str]] = {
     "inches-as-millimetres": QT_TRANSLATE_NOOP(
         "Sentences", "it looks 25.4 times too small: inches read as millimeters?"
     ),
+    "increments-as-units": QT_TRANSLATE_NOOP(
+        "Sentences", "it spans meters in whole numbers: thousandths without a decimal point read as whole units?"
+    ),
     "feeds-per-minute": QT_TRANSLATE_NOOP(
         "Sentences", "its feeds, up to {feed:g} mm/s, are taken for mm/min: FreeCAD's importer keeps them as mm/s"
     ),
