@@ -28,8 +28,8 @@ from vkworkbench.core.gcode import (
     Program,
     Section,
     at_line,
-    looks_like_increments,
     looks_like_inches,
+    looks_like_increments,
     read_program,
     split_sections,
 )

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from vkworkbench.core import Strategy, linearize, recognize
-from vkworkbench.core.gcode import INCH, in_seconds, looks_like_increments, looks_like_inches, read_program
+from vkworkbench.core.gcode import INCH, in_seconds, looks_like_inches, looks_like_increments, read_program
 from vkworkbench.core.recognition import recognize_inches
 from vkworkbench.language import render
 

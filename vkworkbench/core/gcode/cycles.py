@@ -66,7 +66,7 @@ def heights(
                 height = 0.0 if isnan(last_r) else last_r
             begins = series[i] != number
             if begins:
-                begin, number = height, series[i]
+                begin, number = height, int(series[i])
             if begins or own_r:
                 level = begin if isnan(last_r) else last_r + (begin if relative[row] else 0.0)
             if begins or own_z or (own_r and relative[row]):

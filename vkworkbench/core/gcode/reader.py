@@ -111,7 +111,7 @@ class _Reader:
         self.motion = -1
         self.moved = False
         self.away: list[tuple[int, Message]] = []  # machine positions since the last move, which matter if one follows
-        self.offset = 540, 0.0  # G54.1 has a number in P
+        self.offset = 540, 0.0
         self.relative = False
         self.feed_mode = 940
         self.spindle = 0.0
@@ -227,25 +227,16 @@ class _Reader:
                 elif code in _STATE:
                     self._state(code)
                 else:
-                    if code == _DATA and dict(words).get("L") in _ORIGINS and self.moved:
-                        self._problem(Message("coordinates-not-changed", name=name_of(code)))
-                    elif code in _OFFSETS:
-                        self._offset(code, dict(words).get("P", 0.0) if code == 541 else 0.0)
-                    elif code in _MACHINE and self.moved and not letters.isdisjoint("XYZ"):
-                        self.away.append((self.number, Message("machine-position", name=name_of(code))))
+                    if self.moved:
+                        self._displaced(code, words)
+                    if code in _OFFSETS:
+                        self.offset = _offset(code, words)
                     read_as = self._read_as(code, letters)
                     motion = motion if read_as is None else read_as
                     apart |= read_as is None and (code in _APART or self._other(code, words))
             elif letter == "M":
                 change |= value == 6
-                if value == 99 and (self.deleted or "P" in letters):
-                    self._problem(Message("jumps-not-followed"))
-                else:
-                    ended |= value == 99
-                self.ended |= value in (2, 30)
-                if value == 98 or (value == 97 and "P" in letters):
-                    self._problem(Message("subprogram-not-read"))
-                self.clues.m_code(value, self.number)
+                ended |= self._m_code(value, letters)
             elif letter == "T":
                 self.tool = _whole(value, _MOST_TOOLS)
                 self.clues.tool(self.tool, self.number)
@@ -268,11 +259,25 @@ class _Reader:
         self._move(motion, parameters, apart)
         return ended
 
-    def _offset(self, code: int, number: float) -> None:
-        """Take the work offset; nothing in the program tells how far one lies from another."""
-        if self.moved and self.offset != (code, number):
+    def _m_code(self, value: float, letters: set[str]) -> bool:
+        """Take an M-code; return whether it ends the program at once."""
+        self.ended |= value in (2, 30)
+        if value == 98 or (value == 97 and "P" in letters):
+            self._problem(Message("subprogram-not-read"))
+        self.clues.m_code(value, self.number)
+        if value == 99 and (self.deleted or "P" in letters):
+            self._problem(Message("jumps-not-followed"))
+            return False
+        return value == 99
+
+    def _displaced(self, code: int, words: list[tuple[str, float]]) -> None:
+        """Tell where a G-code leaves the coordinates of the moves before: nothing in the program tells how far."""
+        if (code == _DATA and dict(words).get("L") in _ORIGINS) or (
+            code in _OFFSETS and _offset(code, words) != self.offset
+        ):
             self._problem(Message("coordinates-not-changed", name=name_of(code)))
-        self.offset = code, number
+        elif code in _MACHINE and any(letter in "XYZ" for letter, _ in words):
+            self.away.append((self.number, Message("machine-position", name=name_of(code))))
 
     def _state(self, code: int) -> None:
         """Take a G-code that `linearize` knows."""
@@ -443,6 +448,11 @@ class _Reader:
                 tool = number
             changed.append((name, words))
         return changed
+
+
+def _offset(code: int, words: list[tuple[str, float]]) -> tuple[int, float]:
+    """Return which work offset a G-code names; G54.1 has its number in P."""
+    return code, dict(words).get("P", 0.0) if code == 541 else 0.0
 
 
 def _whole(value: float, most: int) -> int:
