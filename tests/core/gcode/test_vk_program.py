@@ -315,6 +315,50 @@ def test_a_program_that_is_not_called_ends_at_m99():
     assert said(text) == ["what follows the program's end is not read (line 8)"]
 
 
+HEIDENHAIN = (
+    "%PART G71 *\nN10 G30 G17 X+0 Y+0 Z-20 *\nN20 G31 G90 X+99 Y+99 Z+0 *\nN30 G99 T1 L+0 R+4 *\nN40 T1 G17 S5000 *\n"
+    "N50 G00 G40 G90 X+0 Y+50 Z+5 *\nN60 G01 Z-1 F60 *\n{}\nN90 G00 Z+5 M2 *\nN99999999 %PART G71 *\n"
+)
+
+
+def test_heidenhain_iso():
+    text = HEIDENHAIN.format("N70 X+50 M99 *")
+    assert points(text) == [[0, 50, 5], [0, 50, -1], [50, 50, -1], [50, 50, 5]] and said(text) == []
+    program = read_program(text)
+    assert program.unit_told and not program.inches
+    inches = read_program(text.replace("G71", "G70"))
+    assert inches.inches and inches.toolpath().points[-1].tolist() == [1270, 1270, 127]
+
+
+@pytest.mark.parametrize(
+    "arc",
+    [
+        "I+50 J+50 *\nG02 X+100 *",
+        "G02 I+50 J+50 X+100 *",
+        "I+50 *\nJ+50 *\nG01 X+0 *\nG02 X+100 Y+50 *",
+        "G02 X+100 R+50 *",
+    ],
+)
+def test_centres_of_heidenhain_are_coordinates_and_stay(arc):
+    path = read_program(HEIDENHAIN.format(arc + "\nG02 X0 R50 *")).toolpath()
+    assert path.sweep.sum() == pytest.approx(-2 * np.pi) and path.problems == ()
+    assert path.points[:, 1].max() == pytest.approx(100, abs=0.1)
+
+
+def test_what_is_not_read_of_heidenhain_is_told():
+    unknown = "the unknown code '{}' is ignored (line 8)"
+    for line, sentence in (
+        ("N70 G54 X+7 *", unknown.format("G54")), ("N70 G73 G90 H+20 *", unknown.format("G73")),
+        ("N70 G91 I+5 *", "I words are not read (line 8)"),
+    ):  # fmt: skip
+        text = HEIDENHAIN.format(line + "\nG90 X+0 *")
+        assert said(text) == [sentence] and len(points(text)) == 3
+
+
+def test_a_move_in_the_line_of_the_end_does_not_follow_it():
+    assert said(PLAIN + "G0 Z5 M30") == []
+
+
 def test_a_return_that_may_be_skipped_ends_nothing():
     text = PLAIN + "/M99\nX5\nM99 P10\nX6"
     assert points(text)[-2:] == [[5, 2, -1], [6, 2, -1]]

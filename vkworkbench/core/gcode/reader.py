@@ -2,7 +2,7 @@
 """The text of an NC program becomes commands, in mm and mm/s.
 
 The dialect is that of RS274/NGC (Kramer, Proctor and Messina, NISTIR 6556, 2000) with what Fanuc, Haas, Mach3, grbl
-and LinuxCNC add. Modal state that `linearize` knows stays in the commands: planes, G90/G91, the centres of arcs,
+and LinuxCNC add; of Heidenhain's DIN/ISO the moves are read. Modal state that `linearize` knows stays in the commands: planes, G90/G91, the centres of arcs,
 canned cycles. Units, feed rates, the order of words and comments are resolved here.
 """
 
@@ -39,6 +39,10 @@ _MACRO_CALLS = frozenset([650, 660])
 _CALLS = frozenset([("M", 98.0), ("G", 65.0), ("G", 66.0)])  # of the program whose number is the P word
 _SPLINES = frozenset([50, 51])
 _DWELLS = frozenset([40])
+# Heidenhain's DIN/ISO: the codes that mean what they mean elsewhere, and those of blank and tools, which move nothing.
+_HEIDENHAIN = frozenset([0, 10, 20, 30, 40, 170, 180, 190, 400, 410, 420, 700, 710, 900, 910])
+_HEIDENHAIN_DATA = frozenset([300, 310, 990])
+_HEIDENHAIN_NAME = re.compile(r"(?:N\s*\d+\s*)?%\s*\S+\s+G(7[01])$")  # a program's first line, and its last
 _COMPENSATION = frozenset([410, 411, 420, 421])
 _AXES = frozenset("XYZIJKR")
 _LENGTHS = frozenset("XYZIJKRQ")
@@ -124,6 +128,7 @@ class _Reader:
         self.in_subprogram = 0
         self.in_called = False  # in a subprogram that stands before its caller
         self.deleted = False  # whether this line has a block delete
+        self.pole: dict[str, float] | None = None  # Heidenhain's centre of the arcs to come
         self.number = 0
         self.ended = False
         self.blocks = 0
@@ -134,6 +139,11 @@ class _Reader:
         self.number = number
         code, comments = split_comments(line)
         code = code.strip().upper()
+        if code[-1:] == "*":  # the end of a block
+            code = code[:-1].rstrip()
+        name = _HEIDENHAIN_NAME.match(code) if "%" in code else None
+        if name:
+            return self._heidenhain(10 * int(name[1]))
         if code[:1] == "%":
             return self.motion >= 0 and len(code) == 1
         self.deleted = "/" in code and _BLOCK_DELETE.match(code) is not None
@@ -213,14 +223,18 @@ class _Reader:
 
     def _block(self, words: list[tuple[str, float]], letters: set[str]) -> bool:
         """Read the words of one line; return whether they end the program."""
-        motion, apart, ended, change = None, False, False, False
+        motion, apart, ended, last, change = None, False, False, False, False
         codes: list[int] = []
         parameters: dict[str, float] = {}
         for letter, value in words:
             if letter == "G":
                 code = _whole(10 * value, 10 * _MOST_CODES)
                 codes.append(code)
-                if code in MOTIONS:
+                if self.pole is not None and code not in _HEIDENHAIN:
+                    apart = True
+                    if code not in _HEIDENHAIN_DATA:
+                        self._problem(Message("unknown-code", name=repr(name_of(code))))
+                elif code in MOTIONS:
                     if motion not in (None, code):
                         self._problem(Message("two-motions"))
                     motion = code
@@ -237,6 +251,7 @@ class _Reader:
             elif letter == "M":
                 change |= value == 6
                 ended |= self._m_code(value, letters)
+                last |= value in (2, 30)
             elif letter == "T":
                 self.tool = _whole(value, _MOST_TOOLS)
                 self.clues.tool(self.tool, self.number)
@@ -257,14 +272,42 @@ class _Reader:
             feed = self.unit * parameters.get("F", 0.0) if self.feed_mode == 940 else 0.0
             self.clues.feed(codes, parameters, self.motion if motion is None else motion, feed, self.number)
         self._move(motion, parameters, apart)
+        self.ended |= last
         return ended
+
+    def _measure_in(self, code: int) -> None:
+        self.unit = INCH if code in (200, 700) else 1.0
+        if self.first_unit is None:
+            self.first_unit = self.unit
+
+    def _heidenhain(self, unit: int) -> bool:
+        """Begin to read Heidenhain's DIN/ISO, whose centres of arcs are coordinates; return whether it ends here."""
+        if self.pole is not None:
+            return True
+        self.pole = {}
+        self._measure_in(unit)
+        self._add("G90.1", {})
+        return False
+
+    def _centred(self, mode: int, move: dict[str, float]) -> dict[str, float]:
+        """Return a move of Heidenhain's with the centre of its arc, which stands in this line or an earlier one."""
+        centre = {letter: move.pop(letter) for letter in "IJK" if letter in move}
+        if centre and self.relative:  # it would count from the tool
+            self.pole = {}
+            for letter in centre:
+                self._problem(Message("word-not-read", letter=letter))
+        elif self.pole is not None:
+            self.pole.update(centre)
+        is_arc = mode in (20, 30) and "R" not in move and not {"X", "Y", "Z"}.isdisjoint(move)
+        return {**move, **(self.pole or {})} if is_arc else move
 
     def _m_code(self, value: float, letters: set[str]) -> bool:
         """Take an M-code; return whether it ends the program at once."""
-        self.ended |= value in (2, 30)
+        self.clues.m_code(value, self.number)
+        if self.pole is not None:  # where M97 to M99 are others
+            return False
         if value == 98 or (value == 97 and "P" in letters):
             self._problem(Message("subprogram-not-read"))
-        self.clues.m_code(value, self.number)
         if value == 99 and (self.deleted or "P" in letters):
             self._problem(Message("jumps-not-followed"))
             return False
@@ -309,9 +352,7 @@ class _Reader:
             self._problem(Message("unknown-code", name=repr(name_of(code))))
             return True
         if code in _UNITS and not turning:
-            self.unit = INCH if code in (200, 700) else 1.0
-            if self.first_unit is None:
-                self.first_unit = self.unit
+            self._measure_in(code)
         elif code in (930, 940, 950):
             self.feed_mode, self.per_turn = code, None
         elif code in _DWELLS:
@@ -348,6 +389,8 @@ class _Reader:
         mode = self.motion
         feed = self._feed(None if apart else parameters.get("F"))
         move = {letter: self.unit * value for letter, value in parameters.items() if letter in _LENGTHS}
+        if self.pole is not None and not apart:
+            move = self._centred(mode, move)
         if not apart and not _KNOWN.issuperset(parameters):
             self.clues.axes(parameters, mode > 0, self.number)
             for letter in sorted(set(parameters) - _KNOWN):
