@@ -340,6 +340,11 @@ def test_a_radius_shorter_than_half_the_chord_by_more_than_rounding_makes_a_line
     assert [problem.what.code for problem in short.problems] == ["arc-as-line"]
 
 
+def test_a_long_chord_rounds_its_radius_more():
+    toolpath = path(("G0", {"X": 0, "Y": 0, "Z": 0}), ("G2", {"X": 200, "R": 99.99}))
+    assert toolpath.sweep.sum() == pytest.approx(-np.pi) and toolpath.problems == ()
+
+
 def test_the_radius_of_an_arc_goes_evenly_to_that_of_its_end():
     spiral = path(START, ("G3", {"X": 9.0, "Y": 0.0, "I": 5.0, "J": 0.0}), tolerance=1e-5).points
     below = spiral[spiral[:, 1] < -1]  # half a turn, from radius 5 to 4

@@ -119,7 +119,9 @@ def test_the_holes_of_a_series_are_equally_deep(text, holes):
     assert path.problems == ()
 
 
-def test_g98_goes_back_to_where_the_series_began():
+def test_g99_goes_back_to_r_and_g98_to_where_the_series_began():
+    assert points("G0 Z50\nG99 G81 X0 Y0 Z-10. R2. F100.\nG91 X10. K9\nG90 G80")[-1] == [90, 0, 2]
+    assert points("G0 Z50\nG99 G81 X0 Y0 Z-10 R2 F100\nG80\nG98 G81 X10")[-1] == [10, 0, 2]
     assert points("G0 Z50\nG99 G81 X0 Y0 Z-10 R2 F100\nX10\nG98 X20\nG80\nG0 X100")[-2:] == [[20, 0, 50], [100, 0, 50]]
     assert points("G0 Z5\nG98 G81 X0 Y0 Z-4 R8 F100\nX10 R2\nG80")[-1] == [10, 0, 5]
 
@@ -188,6 +190,9 @@ def test_feeds_by_time_and_by_turn():
 def test_a_feed_by_turn_follows_the_spindle():
     feeds = read_program("G95 F.1\nG0 X0 Y0 Z0\nS1200 M3\nG1 X10\nS2400\nX20\nG94 F600\nX30\nS100\nX40").toolpath().feed
     assert feeds.tolist() == pytest.approx([2, 4, 10, 10])
+    assert read_program("G95 F.1 S1200\nG0 X0 Y0 Z0\nG1 X10\nG94 S60\nX20").toolpath().feed.tolist() == pytest.approx(
+        [2, 2]
+    )
 
 
 @pytest.mark.parametrize(
@@ -245,7 +250,7 @@ def test_commands_keep_their_lines():
         ("G54\nG54 X9\nG55 X1", "coordinates that G55 changes are read as if it were not there (line 7)"),
         ("G54.1 P2", "coordinates that G54.1 changes are read as if it were not there (line 5)"),
         (
-            "G91 G28 Z0\nG90 X5",
+            "G91 G28 Z0\nG90 X5\nX6",
             "moves to positions of the machine (G28) are left out: a program does not say where they are (line 5)",
         ),
         (
@@ -340,8 +345,8 @@ def test_heidenhain_iso():
     ],
 )
 def test_centres_of_heidenhain_are_coordinates_and_stay(arc):
-    path = read_program(HEIDENHAIN.format(arc + "\nG02 X0 R50 *")).toolpath()
-    assert path.sweep.sum() == pytest.approx(-2 * np.pi) and path.problems == ()
+    path = read_program(HEIDENHAIN.format(arc + "\nG02 X+0 R+80 *")).toolpath()
+    assert path.sweep.sum() == pytest.approx(-np.pi - 2 * np.arcsin(50 / 80)) and path.problems == ()
     assert path.points[:, 1].max() == pytest.approx(100, abs=0.1)
 
 
@@ -353,6 +358,8 @@ def test_what_is_not_read_of_heidenhain_is_told():
     ):  # fmt: skip
         text = HEIDENHAIN.format(line + "\nG90 X+0 *")
         assert said(text) == [sentence] and len(points(text)) == 3
+    path = read_program(HEIDENHAIN.format("I+50 J+50 *\nG91 I+5 *\nG90 G02 X+100 *")).toolpath()
+    assert [problem.what.code for problem in path.problems] == ["word-not-read", "arc-as-line"]
 
 
 def test_a_move_in_the_line_of_the_end_does_not_follow_it():

@@ -113,7 +113,7 @@ def test_what_is_too_large_or_told_too_long_is_no_tool():
     "comment",
     ["2D Pocket3", "T1", "MANUAL TOOL CHANGE TO T5", "tool change at 0.0 0.0 17.0", "Drill 4 holes", "D=5", "",
      "Tool length 30 mm", "stock 20 mm x 30 mm", "T2 D=0 - flat end mill", "T2 D=9999 - end mill",
-     "T2 - NO. 7 DRILL", "T2 #7 DRILL", "Number 30 drill", "NR.7 BOHRER", "T3 LETTER F DRILL", "D DRILL",
+     "T2 - NO. 7 DRILL", "T2 #7 DRILL", "2 0.209 #4 tap drill", "Number 30 drill", "NR.7 BOHRER", "T3 LETTER F DRILL", "D DRILL",
      "Feed 500 mm/min", "a story of more than sixty characters about an end mill and a 20 mm plate"],
 )  # fmt: skip
 def test_comments_that_tell_no_tool(comment):
@@ -159,6 +159,14 @@ def test_tools_told_without_a_number():
     ]  # fmt: skip
     assert sections(f"(Tool: D = 3.0 mm type END)\n{CUT}") == [("Tool: D = 3.0 mm type END", None, 3)]
     assert sections(f"(T6 D=4 - end mill)\n(Face)\n{CUT}") == [("Face", None, 4)]
+
+
+def test_a_title_behind_a_tool_leaves_it_the_tool():
+    assert sections(f"(END MILL 6MM)\n(POCKET)\n{CUT}") == [("POCKET", None, 6)]
+
+
+def test_a_tool_that_nothing_describes_is_not_the_one_before():
+    assert sections(f"T1 M6 (End mill 6mm)\n{CUT}T2 M6\n{CUT}") == [("End mill 6mm", 1, 6), ("", 2, None)]
 
 
 def test_remarks_and_passes_part_nothing():

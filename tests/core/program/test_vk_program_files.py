@@ -9,13 +9,16 @@ import os
 import re
 import subprocess
 import sys
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
 
 import vkworkbench
 from vkworkbench.language import Unusable
+from vkworkbench.preferences import Preferences
 from vkworkbench.program import is_path
+from vkworkbench.program.analysis import analyze_file
 from vkworkbench.program.files import find_programs, read_bytes, text_of
 
 ROWS = "".join(f"G1 X{40 * (k % 2)}\nY{k + 1}\n" for k in range(20))
@@ -255,6 +258,48 @@ def test_no_freecad_is_loaded(tmp_path):
         [sys.executable, "-c", code], capture_output=True, text=True, cwd=Path(vkworkbench.__file__).parents[1]
     )
     assert (done.stdout, done.stderr) == ("False\n", "")
+
+
+def test_the_tool_of_inches_without_g20_is_in_inches(tmp_path):
+    rings = "".join(f"G1 X{a} Y{a}\nX{4 - a}\nY{4 - a}\nX{a}\nY{a}\n" for a in (0.4, 0.1))
+    path = tmp_path / "inch.nc"
+    path.write_text(f"(T1 D=0.5 - end mill)\nT1 M6\nG0 X1 Y1 Z.5\nG1 Z-.1 F20\n{rings}G0 Z.5\n")
+    (row,) = vkworkbench.analyze(path).operations
+    assert str(row.strategy) == "contour-parallel"  # rings 0.3 inches apart, for a tool of half an inch
+
+
+def test_an_operation_whose_rotary_axis_turns_costs_only_itself(tmp_path):
+    path = tmp_path / "indexed.nc"
+    path.write_text(f"G21\nG0 X0 Y0 A0 Z5\n(Face)\nG1 Z-1 F600\n{ROWS}G0 Z5\n(Cam)\nG1 Z-1\nX9 A9\nX0 A18\nG0 Z5\n")
+    assert [str(row.strategy) for row in vkworkbench.analyze(path).operations] == ["zigzag", "unknown"]
+
+
+def test_only_a_program_that_nothing_divides_may_hold_several_operations(tmp_path):
+    rings = "".join(
+        f"G1 X{100 + s} Y{100 + s}\nX{140 - s}\nY{140 - s}\nX{100 + s}\nY{100 + s}\n" for s in range(0, 18, 2)
+    )
+    both = f"G0 X0 Y0 Z5\nG1 Z-1 F600\n{ROWS}G0 Z5\nG0 X100 Y100\nG1 Z-1\n{rings}G0 Z5\n"
+    path = tmp_path / "both.nc"
+    path.write_text(f"(T1 D=6 - end mill)\nG21\nT1 M6\n{both}")
+    (row,) = vkworkbench.analyze(path).operations
+    assert str(row.strategy) == "mixed"
+    path.write_text(f"(T1 D=6 - end mill)\nG21\nT1 M6\n(One)\n{both}(Two)\n{both}")
+    assert "mixed" not in [str(row.strategy) for row in vkworkbench.analyze(path).operations]
+
+
+def test_the_time_that_is_allowed_and_the_finest_passes_choose_the_image(tmp_path):
+    fine, coarse = (f"({title})\nG0 X0 Y0\nG1 Z-1 F600\n{rows}G0 Z5\n" for title, rows in (
+        ("Fine", ROWS), ("Coarse", "".join(f"G1 X{40 * (k % 2)}\nY{3 * k + 3}\n" for k in range(12)))
+    ))  # fmt: skip
+    path = tmp_path / "a.nc"
+    path.write_text(f"(T1 D=6 - end mill)\nG21\nT1 M6\nG0 X0 Y0 Z5\n{coarse}{fine}")
+    report = vkworkbench.analyze(path)
+    assert [row.stepover for row in report.operations] == [3, 1]
+    assert report.totals[0].advice["z-buffer"].why.arguments["passes"].arguments["step"] == 1
+    row = analyze_file(path, replace(Preferences(), time_budget=1e6))[0]
+    assert row.advice["z-buffer"].why.arguments["limit"].code == "limit-memory"
+    row = analyze_file(path, replace(Preferences(), time_budget=0.11))[0]
+    assert row.advice["z-buffer"].why.arguments["limit"].code == "limit-time"
 
 
 @pytest.mark.parametrize(("place", "said"), [("Y{}000", True), ("Y{}000.5", False)])

@@ -126,7 +126,7 @@ def _size(comment: str, number: re.Match[str] | None) -> re.Match[str] | None:
         return explicit
     if number is not None:  # "tool 1 1/4" is no tool of 1 1/4
         comment = f"{comment[: number.start()]}  {comment[number.end() :]}"
-    comment = _NUMBER_DRILL.sub("", comment)
+    comment = _NUMBER_DRILL.sub("#", comment)
     attached = _ATTACHED.search(comment)
     if attached:
         return attached
