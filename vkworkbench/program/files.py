@@ -63,7 +63,7 @@ def find_programs(what: Iterable[str | os.PathLike]) -> Iterator[Path]:
         raise ValueError("no file is named")
     seen: set[Path] = set()
     for one in map(Path, what):
-        for path in _in_folder(one) if one.is_dir() else [one]:
+        for path in _in_folder(one) if os.path.isdir(one) else [one]:
             place = Path(os.path.realpath(path.parent), path.name)
             if place not in seen:
                 seen.add(place)
