@@ -136,8 +136,10 @@ def _rows(
     parts = [toolpath.part(int(a), int(b)) for a, b in zip([0, *bounds], [*bounds, len(toolpath)])]
     cutting = [(part, section) for part, section in zip(parts, sections) if not part.rapid.all()]
     if not cutting:
-        row = unread(path, Message("no-cutting-move"))
+        row = unread(path, program.other or Message("no-cutting-move"))
         remarks = (*row.remarks, *map(at_line, toolpath.problems))
+        if program.other:
+            return [replace(row, counted=True, remarks=remarks)]
         found = recognize(toolpath)
         read = all(problem.of_time for problem in toolpath.problems)  # else what is not read may be what cuts
         return [

@@ -211,6 +211,7 @@ def test_a_program_of_rapids_cuts_nothing_and_takes_an_unknown_time(tmp_path):
         ("G0 X50 Z2\nG96 S200 M3\nG1 Z-20 F.2\n", "a program for a lathe (G96, line 2)"),
         ("G0 X0 Y0 A0 Z5\nG1 Z0 F100\nX9 A9\nX0 A18\n", "a rotary axis turns while the tool cuts (line 3)"),
         ("M104 S200\nG1 X5 Y5 E1 F600\nX9\n", "a program for a 3D printer (M104, line 1)"),
+        ("T0101\nG0 X52 Z2\nG90 X48 Z-20 F0.2\nX44\nG0 X99\n", "a program for a lathe (G90, line 3)"),
     ],
 )
 def test_what_is_no_milling_has_no_strategy(tmp_path, text, error):
