@@ -50,8 +50,8 @@ _TEXT_CONTROLS = frozenset(b"\t\n\r\f\x0b")
 def find_programs(what: Iterable[str | os.PathLike]) -> Iterator[Path]:
     """Return the files named, and in folders, at any depth, those whose suffix is that of an NC program.
 
-    Each file comes once, those of a folder in the order of their names. Links to folders are followed, each folder once.
-    A folder that cannot be read comes itself, that it is told why.
+    Each file comes once, those of a folder in the order of their names. Links to folders are followed. A folder that
+    cannot be read comes itself: what reads it tells why.
 
     Raises
     ------

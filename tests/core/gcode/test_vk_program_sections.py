@@ -113,7 +113,8 @@ def test_what_is_too_large_or_told_too_long_is_no_tool():
     "comment",
     ["2D Pocket3", "T1", "MANUAL TOOL CHANGE TO T5", "tool change at 0.0 0.0 17.0", "Drill 4 holes", "D=5", "",
      "Tool length 30 mm", "stock 20 mm x 30 mm", "T2 D=0 - flat end mill", "T2 D=9999 - end mill",
-     "T2 - NO. 7 DRILL", "T2 #7 DRILL", "2 0.209 #4 tap drill", "Number 30 drill", "NR.7 BOHRER", "T3 LETTER F DRILL", "D DRILL",
+     "T2 - NO. 7 DRILL", "T2 #7 DRILL", "2 0.209 #4 tap drill", "Number 30 drill", "NR.7 BOHRER", "T3 LETTER F DRILL",
+     "D DRILL",
      "Feed 500 mm/min", "a story of more than sixty characters about an end mill and a 20 mm plate"],
 )  # fmt: skip
 def test_comments_that_tell_no_tool(comment):

@@ -5,8 +5,8 @@ In: commands, as ``(name, parameters)`` pairs or FreeCAD's objects, in mm and mm
 Out: `Toolpath`, straight trajectories with their source commands, and the problems met on the way.
 `Words` is the same commands as columns, for readers of words that trajectories do not keep.
 The text of an NC program becomes such commands by `read_program`; `split_sections` finds its operations and tools.
-`looks_like_inches` and `looks_like_increments` tell whether inches or thousandths were read as millimetres; `in_seconds`
-mends mm/min that were read as mm/s.
+`looks_like_inches` and `looks_like_increments` tell whether inches or thousandths were read as millimetres;
+`in_seconds` mends mm/min that were read as mm/s.
 """
 
 from vkworkbench.core.gcode.dialects import at_line

@@ -2,8 +2,9 @@
 """The text of an NC program becomes commands, in mm and mm/s.
 
 The dialect is that of RS274/NGC (Kramer, Proctor and Messina, NISTIR 6556, 2000) with what Fanuc, Haas, Mach3, grbl
-and LinuxCNC add; of Heidenhain's DIN/ISO the moves are read. Modal state that `linearize` knows stays in the commands: planes, G90/G91, the centres of arcs,
-canned cycles. Units, feed rates, the order of words and comments are resolved here.
+and LinuxCNC add; of Heidenhain's DIN/ISO the moves are read. Modal state that `linearize` knows stays in the commands:
+planes, G90/G91, the centres of arcs, canned cycles. Units, feed rates, the order of words and comments are resolved
+here.
 """
 
 from __future__ import annotations
@@ -211,8 +212,11 @@ class _Reader:
             words, rest = split_words(code)
         if "#" in rest or "[" in rest or "=" in rest:
             words, rest = split_words(_MACRO_WORD.sub(" ", code))
-            self._problem(Message("line-with-variables" if rest else "variables-not-read"))
-            return None if rest else words
+            if rest:
+                self._problem(Message("line-with-variables"))
+                return None
+            self._problem(Message("variables-not-read"))
+            return words
         if not rest:
             return words
         if code[0] == ":" and rest == ":":  # ISO's way to write a program's number

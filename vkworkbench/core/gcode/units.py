@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Whether units were mistaken: inches or thousandths read as millimetres, mm/min as mm/s, where nothing else says it."""
+"""Whether units were mistaken: inches or thousandths read as mm, mm/min as mm/s, where nothing else says it."""
 
 from __future__ import annotations
 
