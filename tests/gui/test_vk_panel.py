@@ -316,6 +316,16 @@ def test_selecting_in_freecad_moves_the_row(panel, opened, window):
     assert Gui.Selection.getSelection() == []
 
 
+def test_a_jobs_row_is_another_than_its_first_operations(panel, opened, window):
+    """Both are row 0, of different parents."""
+    first = next(iter(labels(panel)[1:]))
+    for label in ("Job", first, "Job"):
+        Gui.Selection.clearSelection()
+        Gui.Selection.addSelection(labelled(opened, label))
+        window.wait(lambda label=label: selected(panel) == [label])
+        assert text_of(panel).startswith(f"{label}:")
+
+
 def test_what_it_is_called_against_what_it_does(panel, opened, window):
     face, pocket = labelled(opened, "Face"), labelled(opened, "Pocket around island")
     assert not any("called" in remark for remark in column(panel, "Warnings").values())

@@ -211,9 +211,7 @@ class ResultsDock(QDockWidget):
         chosen = [index for index, row in self._indexes() if row.name in names]
         model = self.tree.selectionModel()
         self._following = True
-        if {index.row() for index in chosen} != {i.row() for i in model.selectedRows()} or len(chosen) != len(
-            model.selectedRows()
-        ):
+        if len(chosen) != len(model.selectedRows()) or not all(map(model.isSelected, chosen)):
             model.clearSelection()
             for index in chosen:
                 model.select(index, QItemSelectionModel.Select | QItemSelectionModel.Rows)
