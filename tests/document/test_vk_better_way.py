@@ -8,7 +8,7 @@ import pytest
 from vkworkbench import freecad
 from vkworkbench.core import Stock, Strategy, Tool, linearize
 from vkworkbench.core.simulators import Caution, Task, legacy_costs, opengl_cost
-from vkworkbench.document.better_way import OURS, better_way
+from vkworkbench.document.better_way import OURS, better_way, too_long
 from vkworkbench.document.record import Record
 from vkworkbench.language import Message, render
 from vkworkbench.preferences import Preferences
@@ -97,6 +97,19 @@ def test_operations_together_take_longer_than_each():
     each = record(opengl=400.0, forward=1.0)
     assert better_way("OpenGL", [each], BUDGET) is None
     assert better_way("OpenGL", [each, each], BUDGET) is not None
+
+
+@pytest.mark.parametrize("simulator, times", [("legacy", {"forward": 601.0}), ("OpenGL", {"opengl": 601.0})])
+def test_a_mark_over_the_budget_says_the_way_that_its_start_offers(simulator, times):
+    chosen = replace(BUDGET, mark_simulator=simulator)
+    over = record(**times)
+    offered = better_way(simulator, [record(**{"play": 1e4, **times})], chosen)
+    assert too_long(record(), chosen) is None
+    assert render(too_long(over, chosen)) == (
+        f"The {simulator} simulator takes longer than the 10 min allowed. {render(offered.better)}"
+    )
+    least = render(too_long(replace(over, incomplete=True), chosen))
+    assert "about" not in least
 
 
 def test_an_operation_without_moves_is_no_gap():

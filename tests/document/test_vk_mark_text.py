@@ -45,12 +45,13 @@ def test_half_of_the_budget_is_near_it_and_all_of_it_is_within(seconds, expected
     [
         ({}, False),
         ({"remarks": (NOTHING,)}, True),
+        ({"called": "ZigZag"}, True),  # and does something else
         ({"cautions": (hangs("legacy"),)}, True),
         ({"cautions": (hangs("OpenGL"),)}, False),  # the other simulator is not the chosen one
         ({"cautions": (hangs("OpenGL"), hangs("legacy"))}, True),
         ({"cautions": (Caution("short-moves", hangs("legacy").what, None),)}, False),  # not serious
     ],
-    ids=["nothing", "remark", "hangs", "the other hangs", "both hang", "not serious"],
+    ids=["nothing", "remark", "called", "hangs", "the other hangs", "both hang", "not serious"],
 )
 def test_what_the_user_must_know_before_it_is_started_is_warned_of(rest, warned):
     assert is_warned(record(**rest), CHOSEN) is warned

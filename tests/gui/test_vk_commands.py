@@ -10,7 +10,6 @@ from vkworkbench import freecad
 from vkworkbench.document import marks
 from vkworkbench.gui import tree
 from vkworkbench.gui.latest import findings
-from vkworkbench.gui.notices import Level
 from vkworkbench.gui.panel_rows import rows_of
 
 CAM = "PathWorkbench" if freecad.version() < (1, 0) else "CAMWorkbench"
@@ -29,8 +28,9 @@ def test_the_first_click_marks_the_job_and_shows_the_column(opened, window):
     assert not window.tree.isColumnHidden(1) and window.tree.columnWidth(1) > 100
     # As many as have a sign in the results: for the time that the OpenGL simulator takes for arcs, for example.
     rows = [row for job in rows_of(findings(opened)) for row in job.rows]
-    told = sum(row.level is not None and row.level >= Level.WARNING for row in rows)
-    count = len(vkworkbench.analyze(opened).operations)
+    told = sum(row.is_warned for row in rows)
+    count = vkworkbench.analyze(opened).totals[0].operations
+    assert f"⟦{count} operations" in opened.getObject("Job").Label2
     warned = f", {told} has a warning" if told == 1 else f", {told} have warnings" if told else ""
     assert window.main.statusBar().currentMessage() == f"{count} operations analyzed{warned}"
     texts = window.dismiss()

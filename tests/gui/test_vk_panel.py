@@ -19,7 +19,7 @@ except ImportError:
 import vkworkbench
 from vkworkbench import freecad, preferences
 from vkworkbench.document import marks
-from vkworkbench.document.mark_text import time_of
+from vkworkbench.document.mark_text import is_warned, time_of
 from vkworkbench.gui import colors
 from vkworkbench.gui.gauss_theme import readable
 from vkworkbench.gui.mark_explanation import explanation
@@ -108,7 +108,13 @@ def text_of(panel):
     return panel.details.toPlainText()
 
 
-FIRST = ["Operation", "Strategy", "Machining time", "Simulation time", "State", "Warnings"]
+FIRST = [
+    "Operation",
+    "Strategy",
+    "Machining time",
+    "Simulation time",
+    "Warnings",
+]  # and the state, where one is outdated
 
 
 def test_jobs_are_branches_with_their_total(panel, opened, window):
@@ -127,6 +133,7 @@ def test_jobs_are_branches_with_their_total(panel, opened, window):
 def test_six_columns_at_first_and_all_others_in_a_menu(panel, opened, window):
     assert shown(panel) == FIRST
     named = [user().simulator(name) for name in ("z-buffer", "legacy", *(["OpenGL"] if OPENGL else []))]
+    assert titles(panel)[:6] == [*FIRST[:4], "State", "Warnings"]
     assert titles(panel)[6:] == [
         "Simulation time at most", "Sure", "Moves", "Length",
         *(f"{name} {what}" for name in named for what in ("time", "memory")),
@@ -158,7 +165,8 @@ def test_six_columns_at_first_and_all_others_in_a_menu(panel, opened, window):
 def test_what_only_hidden_columns_show_is_not_computed(panel):
     """The z-buffer's cost of a long toolpath would hold up the window."""
     (total,) = [row for _, row in panel._indexes() if row.is_total]
-    assert total.found.costs.computed() == (preferences.read().simulator,)
+    assert preferences.read().simulator in total.found.costs.computed()
+    assert "z-buffer" not in total.found.costs.computed()
     (number,) = [n for n, column in enumerate(panel.model.columns) if column.key == "z-buffer time"]
     panel.tree.setColumnHidden(number, False)
     panel._fit_columns()
@@ -249,8 +257,10 @@ def test_the_filter(panel, opened, window):
     window.screenshot("panel-filter")
     panel.filter.strategies.setCurrentIndex(0)
     panel.filter.warnings.setChecked(True)
-    warned = {label for label, text in column(panel, "Warnings").items() if text}
-    assert set(labels(panel)) - {"Job"} <= warned
+    signs = {
+        obj.Label for obj in opened.Objects if marks.is_marked(obj) and is_warned(marks.read(obj), preferences.read())
+    }
+    assert set(labels(panel)) == signs
     panel.filter.warnings.setChecked(False)
     assert labels(panel) == ["Job", *strategies]
 
@@ -341,6 +351,51 @@ def test_what_it_is_called_against_what_it_does(panel, opened, window):
     window.screenshot("panel-mismatch")
 
 
+def sign(panel, label):
+    """The icon beside a name, None without one."""
+    (index,) = [index for index in indexes(panel) if index.data() == label]
+    return index.data(QtCore.Qt.DecorationRole)
+
+
+def test_what_has_a_sign_in_the_tree_has_one_in_the_results(panel, opened, window):
+    """A time over the budget, with what is better; what is no warning there is none here."""
+    harmless = [label for label, text in column(panel, "Warnings").items() if text and not sign(panel, label)]
+    try:
+        preferences.write(time_budget=1e-3, mark_simulator="legacy")
+        window.wait(lambda: "1 ms allowed" in column(panel, "Warnings")["Job"])
+        window.idle()
+        for obj in filter(marks.is_marked, opened.Objects):
+            assert ("⚠" in obj.Label2) == bool(sign(panel, obj.Label)), obj.Label
+            told = column(panel, "Warnings")[obj.Label]
+            assert "takes longer than the 1 ms allowed. Simulate toolpaths shows" in told
+            assert told.split(";")[0] in explanation(marks.read(obj), preferences.read())
+        panel.filter.warnings.setChecked(True)
+        assert sign(panel, "Job") and "Job" in labels(panel)
+        window.screenshot("panel-over-the-budget")
+        panel.filter.warnings.setChecked(False)
+        preferences.write(time_budget=1e9)
+        window.wait(lambda: not sign(panel, "Job"))
+        for label in harmless:
+            assert not sign(panel, label)
+    finally:
+        preferences.write(time_budget=600.0, mark_simulator="own")
+        window.idle()
+
+
+def test_a_job_over_the_budget_is_among_the_warnings_alone(panel, opened, window):
+    one = marks.read(labelled(opened, "Adaptive pocket")).cost("legacy")[0]
+    total = marks.read(opened.getObject("Job")).cost("legacy")[0]
+    assert one < total
+    try:
+        preferences.write(time_budget=(one + total) / 2, mark_simulator="legacy")
+        window.wait(lambda: sign(panel, "Job"))
+        panel.filter.warnings.setChecked(True)
+        assert labels(panel) == ["Job"]
+    finally:
+        preferences.write(time_budget=600.0, mark_simulator="own")
+        window.idle()
+
+
 def test_what_is_wrong_is_said(panel, opened, window):
     bore = labelled(opened, "Bore")
     bore.ToolController = None
@@ -362,7 +417,9 @@ def test_rows_live_with_the_document(panel, opened, window):
     from vkworkbench.document import watcher
 
     watcher.check(opened)
+    assert shown(panel) == FIRST
     window.wait(lambda: column(panel, "State")["Top"] == "outdated" == column(panel, "State")["Job"])
+    assert shown(panel) == [*FIRST[:4], "State", "Warnings"]
     click_row(window, panel, "Top")
     assert "Outdated" in text_of(panel)
     opened.removeObject(top.Name)

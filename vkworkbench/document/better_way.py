@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What marks say where the user starts one of FreeCAD's simulators: that it hangs or takes long, and the better way."""
+"""What marks say of a simulation that hangs or takes long, and the better way: in the results, and where one is started."""
 
 from __future__ import annotations
 
@@ -8,6 +8,7 @@ from dataclasses import dataclass
 
 from vkworkbench import freecad
 from vkworkbench.core.simulators import LEGACY, SIMULATORS, Cost
+from vkworkbench.document.mark_text import Burden, burden
 from vkworkbench.document.record import Record
 from vkworkbench.language import Message
 from vkworkbench.preferences import Preferences
@@ -57,6 +58,14 @@ def better_way(simulator: str, records: Sequence[Record | None], chosen: Prefere
     return BetterWay(wrong, better, way)
 
 
+def too_long(record: Record, chosen: Preferences) -> Message | None:
+    """Return what to say where the time that a mark shows is over the budget, with the better way; None where it is not."""
+    if burden(record, chosen) is not Burden.OVER:
+        return None
+    _, better = _way(chosen.simulator, [record], 1, chosen)
+    return Message("over-budget", simulator=chosen.simulator, allowed=chosen.time_budget, better=better)
+
+
 def _hangs(simulator: str, fresh: list[Record]) -> Message | None:
     found = [
         (record, caution) for record in fresh for caution in record.cautions
@@ -92,7 +101,7 @@ def _together(simulator: str, fresh: list[Record], operations: int) -> tuple[Cos
     (entry,) = [entry for entry in SIMULATORS if entry.name == simulator]
     costs = [record.costs[simulator] for record in fresh if simulator in record.costs]
     without_moves = sum(record.trajectories == 0 for record in fresh)
-    complete = len(costs) + without_moves >= operations
+    complete = len(costs) + without_moves >= operations and not any(record.incomplete for record in fresh)
     return (entry.together(costs) if costs else None), Message("bound-about") if complete else Message("bound-least")
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from enum import IntEnum
 
+from vkworkbench.core.simulators import Caution
 from vkworkbench.document.record import Record
 from vkworkbench.language import ENGLISH, Reader, render
 from vkworkbench.preferences import Preferences
@@ -30,10 +31,15 @@ def burden(record: Record, chosen: Preferences) -> Burden:
     return Burden.OVER if share > 1 else Burden.NEAR if share > _NEAR else Burden.FINE
 
 
+def is_serious(caution: Caution, chosen: Preferences) -> bool:
+    """Whether that simulator hangs, or takes more than is allowed."""
+    return caution.code in SERIOUS and caution.what.arguments.get("simulator") == chosen.simulator
+
+
 def is_warned(record: Record, chosen: Preferences) -> bool:
-    """Whether the user must know something before starting that simulator."""
-    concerned = (c for c in record.cautions if c.what.arguments.get("simulator") == chosen.simulator)
-    return burden(record, chosen) is Burden.OVER or bool(record.remarks) or any(c.code in SERIOUS for c in concerned)
+    """Whether the user must know something before starting that simulator: what is a warning, in tree, tooltip and results."""
+    known = record.remarks or record.called or any(is_serious(caution, chosen) for caution in record.cautions)
+    return burden(record, chosen) is Burden.OVER or bool(known)
 
 
 def time_of(record: Record, chosen: Preferences, reader: Reader = ENGLISH) -> str:

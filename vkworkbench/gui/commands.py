@@ -7,9 +7,10 @@ import FreeCAD
 import FreeCADGui as Gui
 
 import vkworkbench
+from vkworkbench import preferences
+from vkworkbench.document.mark_text import is_warned
 from vkworkbench.document.simulated_faults import read_with_faults
 from vkworkbench.gui import panel_command, pills, progress, tree
-from vkworkbench.gui.notices import Level, notices_of
 from vkworkbench.gui.plain_text import tell
 from vkworkbench.gui.selection import selected_operations
 from vkworkbench.gui.sentences import plural
@@ -61,7 +62,8 @@ class AnalyzeCommand:
         one, more = (
             translate("Vk_Analyze", "{count} operation analyzed"), translate("Vk_Analyze", "{count} operations analyzed")
         )  # fmt: skip
-        text = plural(one, more, len(report.operations))
+        # As their job counts them: one that is switched off, or that a dress-up stands for, only where it is alone.
+        text = plural(one, more, sum(o.counted for o in report.operations) or len(report.operations))
         if warned:
             one, more = (
                 translate("Vk_Analyze", "{count} has a warning"), translate("Vk_Analyze", "{count} have warnings")
@@ -107,11 +109,11 @@ def mark(report) -> None:
 
 
 def _warned(report) -> int:
-    """Return how many of the operations just marked have a warning in the results."""
-    documents = FreeCAD.listDocuments()
+    """Return how many of the operations just marked have a warning sign."""
+    documents, chosen = FreeCAD.listDocuments(), preferences.read()
     objects = (documents[o.document].getObject(o.name) for o in report.operations if o.document in documents)
     marked = (read_with_faults(obj) for obj in objects if obj is not None)
-    return sum(any(n.level >= Level.WARNING for n in notices_of(record)) for record in marked if record is not None)
+    return sum(is_warned(record, chosen) for record in marked if record is not None)
 
 
 def _show_marks() -> None:

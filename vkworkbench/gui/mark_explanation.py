@@ -5,13 +5,12 @@ from __future__ import annotations
 
 from vkworkbench.document.record import Record
 from vkworkbench.gui.mark_layout import pill_text
-from vkworkbench.gui.notices import contradiction
+from vkworkbench.gui.notices import Level, Notice, notices_of
 from vkworkbench.gui.plain_text import lines
-from vkworkbench.gui.sentences import as_sentence, plainly, said, strategy_name, user
+from vkworkbench.gui.sentences import as_sentence, plainly, strategy_name, user
 from vkworkbench.gui.text import translate
 from vkworkbench.language import ROUGH
 from vkworkbench.preferences import Preferences
-from vkworkbench.report import SERIOUS
 
 
 def explanation(record: Record, chosen: Preferences) -> str:
@@ -21,9 +20,7 @@ def explanation(record: Record, chosen: Preferences) -> str:
     told.append(lines(_machining(record)))
     names = sorted(record.costs, key=lambda name: name != chosen.simulator)
     told += [lines(_simulation(record, name)) for name in names]
-    called = [contradiction(record)] if record.called else []
-    serious = [caution.what for caution in record.cautions if caution.code in SERIOUS]
-    told += [f"<b>⚠ {lines(text)}</b>" for text in (*map(said, record.remarks), *called, *map(said, serious))]
+    told += map(_notice, notices_of(record, chosen))
     if chosen.simulator not in record.costs and record.costs:
         text = translate("Pills", "The time in the {simulator} is not known: analyze it again.")
         told.append(f"<i>{lines(text.format(simulator=user().simulator(chosen.simulator)))}</i>")
@@ -31,6 +28,11 @@ def explanation(record: Record, chosen: Preferences) -> str:
         text = translate("Pills", "Outdated: toolpath, tool or stock have changed since. Analyze it again.")
         told.append(f"<i>{lines(text)}</i>")
     return "<br>".join(told)
+
+
+def _notice(notice: Notice) -> str:
+    text = lines(notice.text)
+    return text if notice.level is Level.NOTE else f"<b>⚠ {text}</b>"
 
 
 def _title(record: Record) -> str:

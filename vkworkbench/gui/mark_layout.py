@@ -141,8 +141,8 @@ def layouts(record: Record, words: str, chosen: Preferences, metrics, most_of_re
 
 
 def _is_error(record: Record) -> bool:
-    """Whether nothing is known of an operation's simulation; a job has its warning for that."""
-    return record.strategy is not None and bool(record.remarks) and level_of_remarks(record) is Level.ERROR
+    """Whether nothing is known of an operation's simulation."""
+    return bool(record.remarks) and level_of_remarks(record) is Level.ERROR
 
 
 def _add_pill(layout: Layout, record: Record, name: str) -> None:

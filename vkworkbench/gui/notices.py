@@ -7,9 +7,13 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from enum import IntEnum
 
+from vkworkbench.core.simulators import Caution
+from vkworkbench.document.better_way import too_long
+from vkworkbench.document.mark_text import is_serious
 from vkworkbench.document.record import Record
 from vkworkbench.gui.sentences import said, strategy_name
 from vkworkbench.gui.text import translate
+from vkworkbench.preferences import Preferences
 from vkworkbench.report import HANGS
 
 
@@ -29,23 +33,32 @@ class Notice:
     text: str
 
 
-def notices_of(record: Record) -> list[Notice]:
-    """Return what is to be known of an operation, the worst first."""
-    return sorted(_notices(record), key=lambda notice: -notice.level)
+def notices_of(record: Record, chosen: Preferences) -> list[Notice]:
+    """Return what is to be known of an operation or a job, the worst first; more than notes where the tree has a sign."""
+    return sorted(_notices(record, chosen), key=lambda notice: -notice.level)
 
 
 def level_of_remarks(record: Record) -> Level:
-    """Return how bad the remarks are: without a tool, a stock or a toolpath nothing is known of its simulation."""
-    return Level.WARNING if record.costs else Level.ERROR
+    """Return how bad the remarks are: without a tool, a stock or a toolpath nothing is known of an operation's simulation."""
+    return Level.WARNING if record.strategy is None or record.costs else Level.ERROR
 
 
-def _notices(record: Record) -> Iterator[Notice]:
+def _notices(record: Record, chosen: Preferences) -> Iterator[Notice]:
     for remark in record.remarks:
         yield Notice(level_of_remarks(record), said(remark))
     if record.called:
         yield Notice(Level.WARNING, contradiction(record))
+    longer = too_long(record, chosen)
+    if longer is not None:
+        yield Notice(Level.WARNING, said(longer))
     for caution in record.cautions:
-        yield Notice(Level.ERROR if caution.code in HANGS else Level.WARNING, said(caution.what))
+        serious = is_serious(caution, chosen)
+        if not (serious and caution.code == "long-play" and longer is not None):  # it would say the same once more
+            yield Notice(_level(caution) if serious else Level.NOTE, said(caution.what))
+
+
+def _level(caution: Caution) -> Level:
+    return Level.ERROR if caution.code in HANGS else Level.WARNING
 
 
 def contradiction(record: Record) -> str:

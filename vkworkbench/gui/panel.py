@@ -12,6 +12,7 @@ from vkworkbench.document.mark_properties import MARK
 from vkworkbench.gui import colors, docks, latest, progress
 from vkworkbench.gui.frozen_tree import FrozenTree
 from vkworkbench.gui.gauss_theme import readable
+from vkworkbench.gui.panel_columns import STATE
 from vkworkbench.gui.panel_details import GAUSS_MAP, page
 from vkworkbench.gui.panel_export import as_text, save
 from vkworkbench.gui.panel_filter import Filter
@@ -66,7 +67,9 @@ class ResultsDock(QDockWidget):
         self.csv = self._action(translate("Vk_Results", "Export &CSV…"), lambda: self._export("csv"))
         self.json = self._action(translate("Vk_Results", "Export &JSON…"), lambda: self._export("json"))
         self.copy = self._action(translate("Vk_Results", "C&opy to clipboard"), self._copy)
+        self._choices: list[QAction] = []  # for each column but the first whether it is chosen
         self.columns = self._columns_menu()
+        self._show_columns()
         self.export = QMenu(translate("Vk_Results", "E&xport"), self)
         for action in (self.csv, self.json, self.copy):
             self.export.addAction(action)
@@ -108,25 +111,31 @@ class ResultsDock(QDockWidget):
         """Return the menu in which the user chooses columns, and goes back to the order of posting."""
         menu = QMenu(translate("Vk_Results", "Col&umns"), self)
         chosen = preferences.read().result_columns.split(",")
-        for number, column in enumerate(self.model.columns[1:], 1):
+        for column in self.model.columns[1:]:
             action = menu.addAction(column.name)
             action.setCheckable(True)
             action.setToolTip(column.tooltip)
-            shown = (column in self.model.first) != (column.key in chosen)
-            action.setChecked(shown)
-            self.tree.setColumnHidden(number, not shown)
-            action.toggled.connect(lambda on, n=number: self._show_column(n, on))
+            action.setChecked((column in self.model.first) != (column.key in chosen))
+            action.toggled.connect(lambda on: self._keep_columns())
+            self._choices.append(action)
         menu.addSeparator()
         as_posted = menu.addAction(translate("Vk_Results", "Sort as &posted"))
         as_posted.triggered.connect(lambda checked=False: self.tree.sortByColumn(-1, Qt.AscendingOrder))
         return menu
 
-    def _show_column(self, number: int, shown: bool) -> None:
-        self.tree.setColumnHidden(number, not shown)
-        self._fit_columns()
-        model = self.model
-        changed = [c.key for n, c in enumerate(model.columns) if (c in model.first) == self.tree.isColumnHidden(n)]
+    def _keep_columns(self) -> None:
+        self._show_columns()
+        choices = zip(self.model.columns[1:], self._choices)
+        changed = [column.key for column, action in choices if (column in self.model.first) != action.isChecked()]
         preferences.write(result_columns=",".join(changed))
+
+    def _show_columns(self) -> None:
+        """Show the columns that are chosen; the state takes no room while nothing is outdated."""
+        outdated = any(row.outdated for job in self.model.rows for row in (job, *job.rows))
+        for number, action in enumerate(self._choices, 1):
+            shown = action.isChecked() and (outdated or self.model.columns[number].key != STATE)
+            self.tree.setColumnHidden(number, not shown)
+        self._fit_columns()
 
     def _fit_columns(self) -> None:
         for number, column in enumerate(self.model.columns):
@@ -182,7 +191,7 @@ class ResultsDock(QDockWidget):
             self.tree.setExpanded(index, row.name not in closed)
         self._following = False
         self.filter.offer({row.strategy for _, row in self._indexes() if row.strategy is not None})
-        self._fit_columns()
+        self._show_columns()
         for action in (self.csv, self.json, self.copy):
             action.setEnabled(bool(self._findings))
         self._follow()

@@ -63,7 +63,7 @@ class Column:
         value, factor = self.value(row), self.factor(row) if self.factor else 1.0
         if value is None or factor < ROUGH:
             return ""
-        text = translate("Vk_Results", "Between {} and {}: not measured on this computer yet")
+        text = translate("Vk_Results", "Between {} and {}, until this simulator has run a few times on this computer")
         return text.format(user().time(value / factor, factor), user().time(value * factor, factor))
 
 

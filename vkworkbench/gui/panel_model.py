@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from vkworkbench import freecad, preferences
 from vkworkbench.gui.notices import Level
-from vkworkbench.gui.panel_columns import STRATEGY, WARNINGS, columns
+from vkworkbench.gui.panel_columns import OPERATION, STRATEGY, WARNINGS, columns
 from vkworkbench.gui.panel_rows import Row
 from vkworkbench.gui.plain_text import as_html
 from vkworkbench.gui.qt import (
@@ -22,7 +22,6 @@ from vkworkbench.gui.qt import (
 VALUE = Qt.UserRole  # what a column is sorted by
 _LEFT, _RIGHT = 0x81, 0x82  # with Qt.AlignVCenter; as numbers, which every PySide takes
 _ICONS = {
-    Level.NOTE: QStyle.SP_MessageBoxInformation,
     Level.WARNING: QStyle.SP_MessageBoxWarning,
     Level.ERROR: QStyle.SP_MessageBoxCritical,
 }
@@ -90,7 +89,7 @@ class ResultsModel(QAbstractItemModel):
             return _LEFT if value is None or isinstance(value, str) else _RIGHT
         if role == Qt.DecorationRole and column.key == STRATEGY and row.strategy is not None:
             return QColor(row.strategy.color)
-        if role == Qt.DecorationRole and column.key == WARNINGS and row.level is not None:
+        if role == Qt.DecorationRole and column.key == OPERATION and row.is_warned:
             return QApplication.style().standardIcon(_ICONS[row.level])
         if role == Qt.FontRole and row.is_total:
             font = QFont()
@@ -124,14 +123,14 @@ class ResultsOrder(QSortFilterProxyModel):
     def filterAcceptsRow(self, number: int, parent) -> bool:
         model = self.sourceModel()
         row = model.row(model.index(number, 0, parent))
-        return any(map(self._accepts, row.rows)) if row.rows else self._accepts(row)
+        return self._accepts(row) or any(map(self._accepts, row.rows))
 
     def _accepts(self, row: Row) -> bool:
         words = " ".join([row.label, row.kind, *(notice.text for notice in row.notices)])
         return (
             self._text in words.casefold()
             and self._strategy in (None, row.strategy)
-            and (not self._warned or row.outdated or (row.level or Level.NOTE) > Level.NOTE)
+            and (not self._warned or row.outdated or row.is_warned)
         )
 
     def lessThan(self, left, right) -> bool:

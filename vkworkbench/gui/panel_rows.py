@@ -4,19 +4,19 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable
 from dataclasses import dataclass, replace
 
 from vkworkbench import preferences
 from vkworkbench.core import Strategy
 from vkworkbench.document import marks
 from vkworkbench.document.operations import find, fixtures_of
-from vkworkbench.document.record import Record
+from vkworkbench.document.record import Record, of_total
 from vkworkbench.gui.latest import Finding
 from vkworkbench.gui.notices import Level, Notice, notices_of
-from vkworkbench.gui.sentences import plural, said, strategy_name
+from vkworkbench.gui.sentences import plural, strategy_name
 from vkworkbench.gui.text import translate
-from vkworkbench.language import Message
+from vkworkbench.preferences import Preferences
 from vkworkbench.report import OperationReport, Total, total_of
 
 
@@ -70,8 +70,13 @@ class Row:
         return self.found.machining_complete if self.is_total else not self.found.left_out
 
     @property
-    def level(self) -> Level | None:
-        return max((notice.level for notice in self.notices), default=None)
+    def level(self) -> Level:
+        return max((notice.level for notice in self.notices), default=Level.NOTE)
+
+    @property
+    def is_warned(self) -> bool:
+        """Whether its mark has a sign in the tree."""
+        return self.level > Level.NOTE
 
 
 def rows_of(findings: Iterable[Finding]) -> list[Row]:
@@ -82,11 +87,13 @@ def rows_of(findings: Iterable[Finding]) -> list[Row]:
         if job is not None:
             jobs[job.Name] = job
         below.setdefault(job and job.Name, []).append(finding)
-    return [_job(job, below[name]) for name, job in jobs.items()] + list(map(_operation, below.get(None, [])))
+    chosen = preferences.read()
+    alone = [_operation(finding, chosen) for finding in below.get(None, [])]
+    return [_job(job, below[name], chosen) for name, job in jobs.items()] + alone
 
 
-def _operation(finding: Finding) -> Row:
-    obj, notices = finding.operation.object, notices_of(finding.mark)
+def _operation(finding: Finding, chosen: Preferences) -> Row:
+    obj, notices = finding.operation.object, notices_of(finding.mark, chosen)
     if not finding.operation.counted and finding.operation.job is not None:
         dressed = translate("Vk_Results", "not in the total: its dress-up is counted instead")
         inactive = translate("Vk_Results", "not in the total: it is switched off")
@@ -95,10 +102,10 @@ def _operation(finding: Finding) -> Row:
     return Row(found, obj.Name, obj.Label, tuple(notices), finding.mark.outdated, finding.mark)
 
 
-def _job(job, findings: list[Finding]) -> Row:
+def _job(job, findings: list[Finding], chosen: Preferences) -> Row:
     counted = [finding for finding in findings if finding.operation.counted]
     # What is advised needs all numbers, which a mark does not keep.
-    budget = None if any(finding.report is None for finding in counted) else preferences.read().budget
+    budget = None if any(finding.report is None for finding in counted) else chosen.budget
     numbers = [finding.report or finding.mark for finding in counted]
     total = total_of(job.Document.Name, job.Name, job.Label, numbers, budget, fixtures_of(job))
     posted = Counter(o.job.Name for o in find(job.Document) if o.counted and o.job is not None)[job.Name]
@@ -106,10 +113,14 @@ def _job(job, findings: list[Finding]) -> Row:
         mark = marks.read_total(job)  # it was written when more was known
         total = replace(total, costs={**total.costs, **mark.costs}) if mark else total
     outdated = any(finding.mark.outdated for finding in counted)
-    rows = tuple(map(_operation, findings))
-    row = Row(total, job.Name, job.Label, outdated=outdated, posted=posted, rows=rows)
-    unknown = [f.mark.label for f, found in zip(counted, numbers) if found.trajectories and not found.costs]
-    return replace(row, notices=tuple(_notices_of_total(row, unknown)))
+    # What its mark says, but without computing what it takes in simulators that nobody asks for.
+    told = replace(of_total(replace(total, costs={}), [f.mark for f in counted], ""), costs=total.costs)
+    notices = notices_of(told, chosen)
+    if total.operations < posted:
+        text = translate("Vk_Results", "the total of what was analyzed, not of the whole job")
+        notices.append(Notice(Level.NOTE, text))
+    rows = tuple(_operation(finding, chosen) for finding in findings)
+    return Row(total, job.Name, job.Label, tuple(notices), outdated, posted=posted, rows=rows)
 
 
 def in_total(row: Row) -> str:
@@ -118,11 +129,3 @@ def in_total(row: Row) -> str:
     if count < row.posted:
         return translate("Vk_Results", "{count} of {all} operations").format(count=count, all=row.posted)
     return plural(translate("Vk_Results", "{count} operation"), translate("Vk_Results", "{count} operations"), count)
-
-
-def _notices_of_total(row: Row, unknown: list[str]) -> Iterator[Notice]:
-    if unknown:  # in the words of the job's mark
-        yield Notice(Level.WARNING, said(Message("cost-unknown", labels=unknown)))
-    if row.found.operations < row.posted:
-        text = translate("Vk_Results", "the total of what was analyzed, not of the whole job")
-        yield Notice(Level.NOTE, text)

@@ -126,7 +126,8 @@ class PreferencesPage:
         text = translate(
             "VkPreferences",
             "Last calibrated on {date}: the {simulator} makes {moves} cuts a second, its times are right within "
-            "a factor of {factor}. Measured with FreeCAD {freecad} on {processor}, display {renderer}.",
+            "a factor of {factor}; the simulations that you run make that less. Measured with FreeCAD {freecad} on "
+            "{processor}, display {renderer}.",
         )
         self.form.calibrated.setText(text.format(
             date=_local_date(known.date), moves=user().count(round(1 / known.constants.call)),

@@ -81,6 +81,9 @@ SIMULATORS: dict[str, str | tuple[str, str]] = {
     "opengl-takes": QT_TRANSLATE_NOOP("Sentences", "The {simulator:simulator}: {bound} {time:s}."),
     "bound-about": QT_TRANSLATE_NOOP("Sentences", "about"),
     "bound-least": QT_TRANSLATE_NOOP("Sentences", "at least"),
+    "over-budget": QT_TRANSLATE_NOOP(
+        "Sentences", "The {simulator:simulator} takes longer than the {allowed:s} allowed. {better}"
+    ),
     "ours-instead": QT_TRANSLATE_NOOP(
         "Sentences", "Simulate toolpaths shows the finished part at once, coarse at first."
     ),
