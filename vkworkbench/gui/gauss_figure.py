@@ -166,19 +166,21 @@ class GaussFigure:
         return first + thinned(values[first:last], _COLUMNS)
 
     def _paint_thresholds(self, painter: QPainter, theme: Theme) -> None:
-        """Draw what phi is compared with, the paper's +-pi and +-2 pi; what decides here strongly, with its name."""
-        plot, text = self.graph, QFontMetrics(painter.font())
+        """Draw what phi is compared with, the paper's +-pi and +-2 pi; what decides here strongly."""
+        plot = self.graph
         plot.clipped(painter)
-        deciding, name = self._threshold()
-        strong = readable(QColor(self._strategy.color), QColor(theme.back))
+        deciding, _ = self._threshold()
+        strong = self._strong(theme)
         for turned, style in ((_HALF, Qt.DotLine), (_FULL, Qt.DashLine)):
             painter.setPen(_pen(strong, 2.2, style) if turned == deciding else _pen(theme.faint, 1.0, style))
             x = plot.window[0][0], plot.window[1][0]
             for sign in (1, -1):
                 ends = plot.pixels([(x[0], sign * turned), (x[1], sign * turned)])
                 painter.drawLine(QPointF(*ends[0]), QPointF(*ends[1]))
-            if turned == deciding:
-                painter.drawText(QPointF(plot.place.left() + 6, float(ends[0, 1]) - text.descent() - 3), name)
+
+    def _strong(self, theme: Theme) -> str:
+        """The colour of the bound that decides: the strategy's, as far as it can be read."""
+        return readable(QColor(self._strategy.color), QColor(theme.back))
 
     @property
     def _strategy(self) -> Strategy:
@@ -200,7 +202,7 @@ class GaussFigure:
         return None, ""
 
     def _paint_names(self, painter: QPainter, theme: Theme) -> None:
-        """Name the curves above the graph."""
+        """Name the curves above the graph, and above them the bound that decides."""
         text = QFontMetrics(painter.font())
         entries = [("2π n", theme.faint), ("θ + 2π n", theme.v), ("φ", theme.counter_clockwise)]
         if len(self.signature.unsigned):
@@ -210,6 +212,8 @@ class GaussFigure:
             painter.setPen(QColor(color))
             painter.drawText(QPointF(x, y + text.ascent()), name)
             x += text.boundingRect(name).width() + 22
+        painter.setPen(QColor(self._strong(theme)))
+        painter.drawText(QPointF(self.graph.place.left(), y - text.descent()), self._threshold()[1])
 
     # What moves with k.
 

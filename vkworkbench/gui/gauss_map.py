@@ -19,13 +19,14 @@ from vkworkbench.gui.gauss_canvas import GaussCanvas
 from vkworkbench.gui.gauss_figure import TRAIL, GaussFigure
 from vkworkbench.gui.gauss_reading import Reading, read
 from vkworkbench.gui.gauss_theme import Theme
-from vkworkbench.gui.plain_text import as_plain, warn
+from vkworkbench.gui.plain_text import WholeText, as_plain, warn
 from vkworkbench.gui.qt import (
     QColor,
     QComboBox,
     QDockWidget,
     QEvent,
     QFileDialog,
+    QFrame,
     QHBoxLayout,
     QImage,
     QLabel,
@@ -33,6 +34,7 @@ from vkworkbench.gui.qt import (
     QPoint,
     QPushButton,
     QRegion,
+    QScrollArea,
     QSlider,
     QSpinBox,
     Qt,
@@ -47,6 +49,7 @@ from vkworkbench.language import Message, Unusable
 from vkworkbench.report import Cancelled
 
 _LISTED = 50  # areas in the chooser, the longest ones
+_LEAST_LINES = 7  # of text, which the picture is high at least
 _AT_ONCE = 20_000  # trajectories of an area that are made a picture in some hundredths of a second
 _NOT_IN_NAMES = '\\/:*?"<>|'
 
@@ -73,6 +76,7 @@ class GaussMapDock(QDockWidget):
         for label in (self.title, self.values, self.legend):
             label.setWordWrap(True)  # a dock may be narrow
             label.setTextInteractionFlags(Qt.TextSelectableByMouse)
+        self._whole = [WholeText(label) for label in (self.title, self.values, self.legend)]
         self.legend.setAlignment(Qt.AlignRight)
         self.chooser = QComboBox()
         self.chooser.setSizeAdjustPolicy(QComboBox.AdjustToContents)
@@ -93,7 +97,7 @@ class GaussMapDock(QDockWidget):
         self.slider.valueChanged.connect(self._step)
 
         self.canvas = GaussCanvas()
-        self.canvas.setMinimumSize(300, 160)
+        self.canvas.setMinimumSize(300, _LEAST_LINES * self.canvas.fontMetrics().height())
         self.canvas.setToolTip(translate(
             "Vk_GaussMap",
             "<p>Left the toolpath with the vector V<sub>k</sub> from the area's first point. On the unit circle "
@@ -102,8 +106,18 @@ class GaussMapDock(QDockWidget):
             "angular function φ and the angle θ on level n: a contour-parallel path leaves the dashed lines "
             "±2π, a zigzag stays within.</p>",
         ) + translate("Vk_GaussMap", "<p>The wheel zooms, dragging moves, a double click shows all again.</p>"))  # fmt: skip
+        self.setWidget(self._laid_out())
+
+        Gui.Selection.addObserver(self)
+        FreeCAD.addDocumentObserver(self)
+        self.visibilityChanged.connect(lambda visible: self._later.start(0))
+
+    def _laid_out(self) -> QWidget:
+        """Return the dock's parts, to be scrolled: a window as high as a small screen has not the room for all of them."""
         self._body = QWidget()
         column = QVBoxLayout(self._body)
+        column.setContentsMargins(4, 2, 4, 2)
+        column.setSpacing(2)
         column.addLayout(_row(self.title))
         column.addWidget(self.busy)
         column.addWidget(self.canvas, 1)
@@ -111,11 +125,11 @@ class GaussMapDock(QDockWidget):
         below = _row(self.values, self.legend)
         below.setStretch(0, 2)
         column.addLayout(below)
-        self.setWidget(self._body)
-
-        Gui.Selection.addObserver(self)
-        FreeCAD.addDocumentObserver(self)
-        self.visibilityChanged.connect(lambda visible: self._later.start(0))
+        area = QScrollArea()
+        area.setFrameShape(QFrame.NoFrame)
+        area.setWidgetResizable(True)
+        area.setWidget(self._body)
+        return area
 
     # FreeCAD calls these when the selection changes.
 
@@ -132,6 +146,9 @@ class GaussMapDock(QDockWidget):
             self._shown = None
             self._later.start(0)
 
+    def slotActivateDocument(self, document) -> None:
+        self._later.start(0)
+
     def slotDeletedObject(self, obj) -> None:
         if self._shown == (obj.Document.Name, obj.Name):
             self._say_nothing()
@@ -141,12 +158,13 @@ class GaussMapDock(QDockWidget):
             self._say_nothing()
 
     def refresh(self) -> None:
-        """Show the selected operation; where none is selected, what is shown stays."""
+        """Show the selected operation; where none is selected, what is shown of the document stays."""
         if not self.isVisible():
             return
         chosen = [obj for obj in Gui.Selection.getSelection() if kind(obj) in ("operation", "dressup", "array")]
         if not chosen:
-            if self._shown is None:
+            document = FreeCAD.ActiveDocument
+            if self._shown is None or document is None or self._shown[0] != document.Name:
                 self._say_nothing()
             return
         obj = chosen[0]
@@ -204,13 +222,12 @@ class GaussMapDock(QDockWidget):
         signature = figure.signature
         self.canvas.set_background(self._behind())
         self.canvas.show_figure(figure)
-        self.title.setText("\n".join([
-            f"{self._label}: {self._verdict()}, {said(found.why)}",
-            _reached(found.phi_range, found.level, found.reversals),
-            translate("Vk_GaussMap", "This area: {}").format(
-                _reached(signature.phi_range, signature.top_level, len(signature.reversals))
-            ),
-        ]))  # fmt: skip
+        reached = _reached(found.phi_range, found.level, found.reversals)
+        here = _reached(signature.phi_range, signature.top_level, len(signature.reversals))
+        told = [f"{self._label}: {self._verdict()}, {said(found.why)}", reached]
+        if here != reached:
+            told.append(translate("Vk_GaussMap", "This area: {}").format(here))
+        self.title.setText("\n".join(told))
         self._show_notes()
         count = len(signature)
         for widget in (self.slider, self.number):
@@ -249,6 +266,11 @@ class GaussMapDock(QDockWidget):
                 _in_pi(figure.phi[-1]), figure.level[-1]
             )
         self.values.setText(text)
+        self._fit_texts()
+
+    def _fit_texts(self) -> None:
+        for text in self._whole:
+            text.fit()
 
     def _behind(self) -> QColor:
         """Return the colour that is seen behind the picture, whether a palette or a style sheet made it."""
@@ -278,6 +300,7 @@ class GaussMapDock(QDockWidget):
         self.title.setText(text)
         self._enable(False)
         self.values.clear()
+        self._fit_texts()
 
     def _enable(self, there_is_a_picture: bool) -> None:
         for widget in (self.chooser, self.saver, self.slider, self.number, self.legend, self.canvas):

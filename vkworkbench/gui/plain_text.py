@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from html import escape
 
-from vkworkbench.gui.qt import QLabel, QMessageBox, QPoint, Qt, QToolTip, QWidget
+from vkworkbench.gui.qt import QEvent, QLabel, QMessageBox, QObject, QPoint, Qt, QToolTip, QWidget
 
 
 def as_html(text: str) -> str:
@@ -30,6 +30,28 @@ def as_plain(label: QLabel) -> QLabel:
     """Make a label show every text as it is, and return it."""
     label.setTextFormat(Qt.PlainText)
     return label
+
+
+class WholeText(QObject):
+    """Keeps a label that wraps as high as its text is in its width.
+
+    A layout asks how high it is at least in a width of its own; where there is less, lines are cut off, or what stands
+    beside is squeezed.
+    """
+
+    def __init__(self, label: QLabel) -> None:
+        super().__init__(label)
+        self._label = label
+        label.installEventFilter(self)
+
+    def eventFilter(self, label, event) -> bool:
+        if event.type() in (QEvent.Resize, QEvent.FontChange):
+            self.fit()
+        return False
+
+    def fit(self) -> None:
+        """Follow another text."""
+        self._label.setMinimumHeight(self._label.heightForWidth(self._label.width()))
 
 
 def show_tooltip(where: QPoint, html: str, widget: QWidget) -> None:

@@ -60,6 +60,7 @@ from PySide.QtGui import (
     QProgressDialog,
     QPushButton,
     QRegion,
+    QScrollArea,
     QSizePolicy,
     QSlider,
     QSpinBox,
@@ -83,7 +84,7 @@ __all__ = [
     "QHeaderView", "QImage", "QItemSelectionModel", "QKeySequence", "QLabel", "QLineEdit", "QLineF", "QListWidget",
     "QLocale", "QMdiArea", "QMenu", "QMessageBox", "QModelIndex", "QObject", "QOffscreenSurface", "QOpenGLContext",
     "QPainter", "QPalette", "QPen", "QPixmap", "QPoint", "QPointF", "QPolygonF", "QProgressBar", "QProgressDialog",
-    "QPushButton", "QRectF", "QRegion", "QSize", "QSizePolicy", "QSlider", "QSortFilterProxyModel", "QSpinBox",
+    "QPushButton", "QRectF", "QRegion", "QScrollArea", "QSize", "QSizePolicy", "QSlider", "QSortFilterProxyModel", "QSpinBox",
     "QSplitter", "QStyle", "QStyleOptionViewItem", "QStyledItemDelegate", "QTabWidget", "QTextBrowser", "QTimer",
     "QToolButton",    "QToolTip", "QTreeView", "QVBoxLayout", "QWidget", "Qt", "Signal", "svg_generator",
 ]  # fmt: skip
