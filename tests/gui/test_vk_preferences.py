@@ -149,6 +149,33 @@ def test_calibrate(with_page, window):
     assert seen[2] == seen[1]
 
 
+@pytest.mark.parametrize("points", [0, 14])
+def test_no_field_is_squeezed_in_freecads_own_size(points, with_page, window):
+    """FreeCAD 1.x opens its dialog in 819 x 500, whatever the page needs."""
+    application = QtGui.QApplication.instance()
+    before, larger, squeezed = application.font(), QtGui.QFont(application.font()), []
+    larger.setPointSize(points or larger.pointSize())
+
+    def look(form):
+        window.click_on(form.calibrate)
+        window.wait(lambda: form.calibrated.text().startswith("Last calibrated on"))
+        form.window().resize(819, 500)
+        window.idle(0.3)
+        window.screenshot(f"preferences-819x500-{points}")
+        for widget in form.findChildren(QtGui.QWidget):
+            if widget.isVisible() and widget.objectName() in vars(Preferences()):
+                squeezed.extend([widget.objectName()] * (widget.height() < widget.sizeHint().height()))
+        label = form.calibrated
+        squeezed.extend(["calibrated"] * (label.height() < label.heightForWidth(label.width())))
+
+    application.setFont(larger)
+    try:
+        with_page(look, CANCEL)
+    finally:
+        application.setFont(before)
+    assert squeezed == []
+
+
 def test_a_failed_calibration_is_said(with_page, window, monkeypatch):
     def fail(renderer, going_on):
         raise OSError("the folder cannot be written")

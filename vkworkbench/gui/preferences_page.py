@@ -10,7 +10,7 @@ import FreeCAD
 import FreeCADGui as Gui
 
 from vkworkbench import freecad, preferences
-from vkworkbench.gui.plain_text import as_plain, warn
+from vkworkbench.gui.plain_text import WholeText, as_plain, warn
 from vkworkbench.gui.qt import QDate, QLocale, Qt
 from vkworkbench.gui.sentences import user
 from vkworkbench.gui.text import QT_TRANSLATE_NOOP, translate
@@ -32,6 +32,7 @@ class PreferencesPage:
                 widget.setProperty("maximum", limits["most"])
         self._offer_simulators()
         as_plain(self.form.calibrated)
+        self._whole = WholeText(self.form.calibrated)
         self.form.calibrate.clicked.connect(self._calibrate)
 
     def _offer_simulators(self) -> None:
@@ -113,27 +114,30 @@ class PreferencesPage:
         self._say_last_calibration()
 
     def _say_last_calibration(self) -> None:
+        self.form.calibrated.setText(self._last_calibration())
+        self._whole.fit()
+
+    def _last_calibration(self) -> str:
         from vkworkbench.core.simulators import LEGACY
         from vkworkbench.document import calibration
 
         known = calibration.load(preferences.read().renderer)
         if known is None:
-            self.form.calibrated.setText(translate(
+            return translate(
                 "VkPreferences",
                 "Never calibrated on this computer: times of FreeCAD's simulators are right within a factor of two.",
-            ))  # fmt: skip
-            return
+            )
         text = translate(
             "VkPreferences",
             "Last calibrated on {date}: the {simulator} makes {moves} cuts a second, its times are right within "
-            "a factor of {factor}; the simulations that you run make that less. Measured with FreeCAD {freecad} on "
+            "a factor of {factor}; the simulations that you run refine them. Measured with FreeCAD {freecad} on "
             "{processor}, display {renderer}.",
         )
-        self.form.calibrated.setText(text.format(
+        return text.format(
             date=_local_date(known.date), moves=user().count(round(1 / known.constants.call)),
             factor=user().number(known.constants.legacy_factor, 2),
             simulator=user().simulator(LEGACY.name), freecad=known.freecad, processor=known.processor, renderer=known.renderer or "?",
-        ))  # fmt: skip
+        )  # fmt: skip
 
 
 def _choices(name: str) -> tuple[str, ...]:
