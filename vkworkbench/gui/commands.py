@@ -8,6 +8,7 @@ import FreeCADGui as Gui
 
 import vkworkbench
 from vkworkbench import preferences
+from vkworkbench.document import marks
 from vkworkbench.document.mark_text import is_warned
 from vkworkbench.document.simulated_faults import read_with_faults
 from vkworkbench.gui import panel_command, pills, progress, tree
@@ -55,6 +56,8 @@ class AnalyzeCommand:
                 "There is no operation to analyze in this document. Create a job with operations, or import G-code.",
             ))  # fmt: skip
             return
+        for job in _unmarked_jobs(report):
+            tree.expand(job.Label, job.Document.Label)
         mark(report)
         _show_marks()
         panel_command.show()
@@ -96,6 +99,7 @@ class ClearCommand:
             return
         with tree.steady_columns():
             cleared = vkworkbench.clear(selected_operations() or FreeCAD.ActiveDocument)
+        pills.fit_columns()
         one, more = translate("Vk_Clear", "{count} mark removed"), translate("Vk_Clear", "{count} marks removed")
         _status(plural(one, more, cleared))
 
@@ -105,7 +109,14 @@ def mark(report) -> None:
     pills.show()
     with tree.steady_columns():
         vkworkbench.mark(report)
-    pills.fit_column()
+    pills.fit_columns()
+
+
+def _unmarked_jobs(report) -> list:
+    """Return the jobs of the report that have no mark yet: the user sees in the tree where marks stand, once."""
+    documents = FreeCAD.listDocuments()
+    jobs = [documents[document].getObject(name) for document, name in report.jobs if document in documents]
+    return [job for job in jobs if job is not None and not marks.is_marked(job)]
 
 
 def _warned(report) -> int:
@@ -128,7 +139,7 @@ def _show_description() -> None:
     if not remembered.GetBool("DescriptionShown", False):
         remembered.SetBool("DescriptionShown", True)
         was_hidden = tree.show_description()
-        pills.fit_column()
+        pills.fit_columns()
         if was_hidden:
             _tell(translate(
                 "Vk_Analyze",
