@@ -19,7 +19,7 @@ except ImportError:
 import vkworkbench
 from vkworkbench import freecad, preferences
 from vkworkbench.document import marks
-from vkworkbench.document.mark_text import is_warned, time_of
+from vkworkbench.document.mark_text import Burden, burden, is_warned, time_of
 from vkworkbench.gui import colors
 from vkworkbench.gui.gauss_theme import readable
 from vkworkbench.gui.mark_explanation import explanation
@@ -132,7 +132,7 @@ def test_jobs_are_branches_with_their_total(panel, opened, window):
 
 def test_six_columns_at_first_and_all_others_in_a_menu(panel, opened, window):
     assert shown(panel) == FIRST
-    named = [user().simulator(name) for name in ("z-buffer", "legacy", *(["OpenGL"] if OPENGL else []))]
+    named = ["Simulate toolpaths", *(user().simulator(name) for name in ("legacy", *(["OpenGL"] if OPENGL else [])))]
     assert titles(panel)[:6] == [*FIRST[:4], "State", "Warnings"]
     assert titles(panel)[6:] == [
         "Simulation time at most", "Sure", "Moves", "Length",
@@ -281,6 +281,9 @@ def test_plain_words_first_and_the_papers_terms_behind_why(panel, opened, window
     assert "Recommended" not in text_of(panel) and "cells of" not in text_of(panel)
     panel.details.anchorClicked.emit(QtCore.QUrl("numbers"))
     assert "Recommended image" in text_of(panel)
+    assert f"Recommended accuracy of the {user().simulator('legacy')}: position" in text_of(panel)
+    length = user().length(found.length)
+    assert f"Cutting {length}" in text_of(panel).replace("\n", " ") and text_of(panel).count(length) == 1
     window.see_all()
     window.screenshot("panel-why")
     panel.details.anchorClicked.emit(QtCore.QUrl("why"))
@@ -361,19 +364,20 @@ def test_what_has_a_sign_in_the_tree_has_one_in_the_results(panel, opened, windo
     """A time over the budget, with what is better; what is no warning there is none here."""
     harmless = [label for label, text in column(panel, "Warnings").items() if text and not sign(panel, label)]
     try:
-        preferences.write(time_budget=1e-3, mark_simulator="legacy")
-        window.wait(lambda: "1 ms allowed" in column(panel, "Warnings")["Job"])
+        preferences.write(time_budget=0.1, mark_simulator="legacy")
+        window.wait(lambda: "100 ms allowed" in (column(panel, "Warnings")["Job"] or ""))
         window.idle()
         for obj in filter(marks.is_marked, opened.Objects):
             assert ("⚠" in obj.Label2) == bool(sign(panel, obj.Label)), obj.Label
             told = column(panel, "Warnings")[obj.Label]
-            assert "takes longer than the 1 ms allowed. Simulate toolpaths shows" in told
-            assert told.split(";")[0] in explanation(marks.read(obj), preferences.read())
+            if burden(marks.read(obj), preferences.read()) is Burden.OVER:
+                assert "takes longer than the 100 ms allowed. Simulate toolpaths shows" in told
+                assert told.split(";")[0] in explanation(marks.read(obj), preferences.read())
         panel.filter.warnings.setChecked(True)
         assert sign(panel, "Job") and "Job" in labels(panel)
         window.screenshot("panel-over-the-budget")
         panel.filter.warnings.setChecked(False)
-        preferences.write(time_budget=1e9)
+        preferences.write(time_budget=1e6)
         window.wait(lambda: not sign(panel, "Job"))
         for label in harmless:
             assert not sign(panel, label)
@@ -608,7 +612,9 @@ def test_the_simulation_time_is_that_of_the_marks(panel, opened, window):
             preferences.write(mark_simulator=name)
             window.idle(0.3)
             shown = column(panel, "Simulation time")
-            assert shown == column(panel, f"{user().simulator(name)} time")
+            assert shown == column(
+                panel, f"{'Simulate toolpaths' if name == 'z-buffer' else user().simulator(name)} time"
+            )
             if name == "z-buffer" and marks.read(opened.getObject("Job")).cost(name) is None:
                 continue
             for obj in filter(marks.is_marked, opened.Objects):
@@ -632,7 +638,7 @@ def test_the_total_of_the_z_buffer_is_one_number(opened, window, tmp_path):
         assert total.seconds < sum(o.estimate.seconds for o in report.operations if o.counted)
         assert marks.read(opened.getObject("Job")).cost("z-buffer") == total.cost("z-buffer")
         click_row(window, results, "Job")
-        title = f"{user().simulator('z-buffer')} memory"
+        title = "Simulate toolpaths memory"
         memory = column(results, title)["Job"]
         assert column(results, "Simulation time")["Job"] == told and told in text_of(results)
         assert memory == user().memory(total.memory_bytes)
@@ -658,6 +664,10 @@ def test_what_is_cleared_is_not_shown(panel, opened, window):
     window.wait(lambda: labels(panel) == [])
     Gui.runCommand("Std_Undo")
     window.wait(lambda: len(labels(panel)) > 3)
+
+
+def test_many_millimetres_are_metres():
+    assert (user().length(9_999.0), user().length(318_629.67)) == ("9,999.00 mm", "319 m")
 
 
 def test_lengths_in_inches(panel, opened, window):

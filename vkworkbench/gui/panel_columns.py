@@ -9,13 +9,13 @@ from functools import partial
 
 import FreeCAD
 
-from vkworkbench.core.simulators import Simulator, available
+from vkworkbench.core.simulators import ZBUFFER, Simulator, available
 from vkworkbench.gui.panel_rows import Row
 from vkworkbench.gui.sentences import user
 from vkworkbench.gui.text import translate
 from vkworkbench.language import ROUGH
 
-OPERATION, STRATEGY, WARNINGS, STATE = "operation", "strategy", "warnings", "state"
+OPERATION, STRATEGY, WARNINGS, STATE, LENGTH = "operation", "strategy", "warnings", "state", "length"
 
 
 @dataclass(frozen=True)
@@ -111,7 +111,7 @@ def columns(version: tuple[int, ...], marked: str) -> tuple[list[Column], list[C
         Column("moves", translate("Vk_Results", "Moves"),
                translate("Vk_Results", "Number of straight moves; an arc counts as several"),
                lambda row: row.found.trajectories, _as("count")),
-        Column("length", translate("Vk_Results", "Length"), translate("Vk_Results", "Length of the cutting moves"),
+        Column(LENGTH, translate("Vk_Results", "Length"), translate("Vk_Results", "Length of the cutting moves"),
                lambda row: row.found.length, _as("length")),
         *(column for simulator in there_are for column in _of_simulator(simulator)),
         *(_of_advice(simulator) for simulator in there_are if simulator.advice),
@@ -150,7 +150,8 @@ def _is_bound(row: Row) -> bool:
 def _of_simulator(simulator: Simulator) -> tuple[Column, Column]:
     """Time and memory that a simulator takes for an operation, or for all of a job together."""
     name, text = simulator.name, partial(FreeCAD.Qt.translate, "Vk_Results")
-    called = user().simulator(name)
+    # The user knows the z-buffer as the command.
+    called = translate("Vk_Simulate", "Simulate toolpaths") if simulator is ZBUFFER else user().simulator(name)
     time, memory = translate("Vk_Results", "{simulator}\ntime"), translate("Vk_Results", "{simulator}\nmemory")
     return (
         Column(f"{name} time", time.format(simulator=called), text(simulator.time_tooltip),

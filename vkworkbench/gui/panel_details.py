@@ -8,7 +8,7 @@ import FreeCAD
 from vkworkbench.core.simulators import SIMULATORS
 from vkworkbench.gui import colors
 from vkworkbench.gui.notices import Level
-from vkworkbench.gui.panel_columns import OPERATION, STATE, STRATEGY, WARNINGS
+from vkworkbench.gui.panel_columns import LENGTH, OPERATION, STATE, STRATEGY, WARNINGS
 from vkworkbench.gui.panel_rows import Row
 from vkworkbench.gui.plain_text import lines
 from vkworkbench.gui.sentences import as_sentence, plainly, said, user
@@ -19,7 +19,7 @@ WHY, NUMBERS, GAUSS_MAP = "why", "numbers", "gauss-map"  # what the page's links
 _SIGNS = {
     Level.NOTE: ("i", colors.NOTE_SIGN), Level.WARNING: ("\u26a0", colors.WARNING_SIGN), Level.ERROR: ("\u2716", colors.ERROR_SIGN),
 }  # fmt: skip
-_APART = {OPERATION, STRATEGY, WARNINGS, STATE}  # columns that the page tells otherwise
+_APART = {OPERATION, STRATEGY, WARNINGS, STATE, LENGTH}  # columns that the page tells otherwise
 
 
 def page(row: Row, first: list, others: list, opened: set[str]) -> str:
@@ -41,10 +41,10 @@ def page(row: Row, first: list, others: list, opened: set[str]) -> str:
         text = translate("Vk_Results", "Outdated: toolpath, tool or stock have changed since. Analyze it again.")
         parts.append(f"<i>{lines(text)}</i>")
     html = "".join(f"<p>{part}</p>" for part in parts)
-    html += _table([(c.name, c.text(row), c.range(row)) for c in first if c.key not in _APART] + _machining(row))
+    html += _table(_cells(row, first) + _machining(row))
     if NUMBERS not in opened:
         return html + "<p>" + _link(NUMBERS, translate("Vk_Results", "All numbers")) + "</p>"
-    html += _table([(c.name, c.text(row), c.range(row)) for c in others])
+    html += _table(_cells(row, others))
     html += "".join(f"<p>{lines(sentence)}</p>" for sentence in _advice(row))
     return html + "<p>" + _link(NUMBERS, translate("Vk_Results", "Fewer numbers")) + "</p>"
 
@@ -72,6 +72,10 @@ def _notice(notice) -> str:
     return f"<b style='color: {color}'>{sign}</b> {lines(notice.text)}"
 
 
+def _cells(row: Row, columns: list) -> list[tuple[str, str, str]]:
+    return [(column.name, column.text(row), column.range(row)) for column in columns if column.key not in _APART]
+
+
 def _machining(row: Row) -> list[tuple[str, str, str]]:
     """Lengths, and what the machining time leaves out."""
     length = user().length
@@ -90,7 +94,8 @@ def _advice(row: Row):
     for simulator in SIMULATORS:
         chosen = row.found.advice.get(simulator.name)
         if chosen is not None:
-            yield FreeCAD.Qt.translate("Vk_Results", simulator.advice.sentence).format(said(chosen.why))
+            sentence = FreeCAD.Qt.translate("Vk_Results", simulator.advice.sentence)
+            yield sentence.format(said(chosen.why), simulator=user().simulator(simulator.name))
 
 
 def _table(cells: list[tuple[str, str, str]]) -> str:

@@ -36,7 +36,9 @@ class User(Reader):
         return factor, unit
 
     def length(self, millimetres: float) -> str:
-        """Return a length with the decimals of FreeCAD's preferences, e.g. ``"12.50 mm"`` or ``"0.49 in"``."""
+        """Return a length with the decimals of FreeCAD's preferences, e.g. ``"12.50 mm"`` or ``"0.49 in"``; m from 10 m on."""
+        if millimetres >= 10_000 and self.length_unit(millimetres)[1] == "mm":
+            return super().length(millimetres)
         text = _quantity(millimetres).UserString  # without separators of thousands
         return re.sub(r"^-?\d{4,}", lambda number: self.count(int(number.group())), text)
 

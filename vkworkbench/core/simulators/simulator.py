@@ -166,8 +166,8 @@ class Advice:
     column : str
         Name of its column in CSV and JSON.
     title, tooltip, sentence, none : str
-        Title and tooltip of its column in the panel, the sentence below the table, and the text where no setting helps.
-        Translated in the context "Vk_Results".
+        Title and tooltip of its column in the panel, the sentence below the table, which may name the ``{simulator}``, and
+        the text where no setting helps. Translated in the context "Vk_Results".
     """
 
     choose: Callable[..., Any]

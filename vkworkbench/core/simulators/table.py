@@ -87,7 +87,7 @@ LEGACY = Simulator(
             "The finest position of the legacy simulator's accuracy slider, 1 to 10, with which playing stays within "
             "the budgets of the preferences",
         ),
-        sentence=QT_TRANSLATE_NOOP("Vk_Results", "Recommended accuracy: {}"),
+        sentence=QT_TRANSLATE_NOOP("Vk_Results", "Recommended accuracy of the {simulator}: {}"),
         none=QT_TRANSLATE_NOOP("Vk_Results", "fast-forward"),
     ),
     lessons=legacy_panel.LESSONS,

@@ -44,7 +44,7 @@ SIMULATORS: dict[str, str | tuple[str, str]] = {
     ),
     "opengl-arcs": QT_TRANSLATE_NOOP(
         "Sentences",
-        "The {simulator:simulator} takes about {time:s} for every picture at the end, {percent:n} % of it for arcs: "
+        "The {simulator:simulator} takes about {time:s} for every picture at the end, {percent:n}% of it for arcs: "
         "simulate this operation alone.",
     ),
     "memory": QT_TRANSLATE_NOOP(
