@@ -51,7 +51,7 @@ class WholeText(QObject):
 
     def fit(self) -> None:
         """Follow another text."""
-        self._label.setMinimumHeight(self._label.heightForWidth(self._label.width()))
+        self._label.setMinimumHeight(max(0, self._label.heightForWidth(self._label.width())))  # -1 without a text
 
 
 def show_tooltip(where: QPoint, html: str, widget: QWidget) -> None:
