@@ -301,9 +301,10 @@ def test_an_operation_that_is_gone_before_it_is_copied_ends_the_copying(small):
 @pytest.mark.parametrize("comment", ["(a comment)", "(two\nlines)", "(ä, ö)"])
 def test_any_line_of_a_listing_is_its_commands_code(comment):
     lines = ["G0 X1 Y2", "G1 F3 Z-1.05", "G2 I0 J-10 X100.000001 Y0.5"]
+    shown = ["G0 X1 Y2", "G1 F180 Z-1.05", "G2 I0 J-10 X100 Y0.5"]
     path = Path.Path([Path.Command(line) for line in (comment, *lines)])
     listing = Listing(path.toGCode(), path.Commands)
-    expected = [path.Commands[0].toGCode().replace("\n", " "), *lines]
+    expected = [path.Commands[0].toGCode().replace("\n", " "), *shown]
     assert [listing[number] for number in range(len(listing))] == expected
     with pytest.raises(IndexError):
         listing[4]

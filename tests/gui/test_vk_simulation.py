@@ -117,9 +117,8 @@ def test_the_part_tells_what_made_a_surface(simulated, window):
 def code_of(op, command):
     """The G-code of a command as people write it."""
     command = op.Path.Commands[command]
-    return " ".join(
-        [command.Name, *(f"{letter}{round(value, 6):.10g}" for letter, value in command.Parameters.items())]
-    )
+    words = {letter: 60 * value if letter == "F" else value for letter, value in command.Parameters.items()}
+    return " ".join([command.Name, *(f"{letter}{round(value, 3) + 0.0:.10g}" for letter, value in words.items())])
 
 
 def test_turning_moving_and_zooming_with_the_mouse(simulated, window):

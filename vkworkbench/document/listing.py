@@ -9,7 +9,7 @@ from collections.abc import Sequence
 import numpy as np
 
 # FreeCAD writes six decimals of every number.
-_ZEROS = re.compile(r"\.0+(?!\d)|(?<=\.)(\d*[1-9])0+(?!\d)")
+_NUMBER = re.compile(r"([A-Z])(-?\d+\.\d+)")
 
 
 class Listing:
@@ -21,9 +21,15 @@ class Listing:
         A line for each command.
     commands : sequence of Command
         For a path in whose comments there are ends of lines.
+
+    Attributes
+    ----------
+    in_minutes : bool
+        Whether its feeds are mm/min, as programs have them; those of FreeCAD's own operations are mm/s.
     """
 
     def __init__(self, text: str, commands: Sequence = ()) -> None:
+        self.in_minutes = False
         self._set(text)
         if len(self) != len(commands):
             self._set("".join(command.toGCode().replace("\n", " ") + "\n" for command in commands))
@@ -36,7 +42,7 @@ class Listing:
         return len(self._ends)
 
     def __getitem__(self, command: int) -> str:
-        """The G-code of a command, without zeros that say nothing.
+        """The G-code of a command as programs have it: feeds in mm/min, three decimals at most.
 
         Raises
         ------
@@ -45,4 +51,11 @@ class Listing:
         """
         begin = self._ends[command - 1] + 1 if command else 0
         code = self._text[begin : self._ends[command]].decode()
-        return code if code.startswith("(") else _ZEROS.sub(r"\1", code)
+        return code if code.startswith("(") else _NUMBER.sub(self._word, code)
+
+    def _word(self, found: re.Match[str]) -> str:
+        letter, number = found[1], float(found[2])
+        if letter == "F" and not self.in_minutes:
+            number *= 60
+        shown = f"{number:.3f}".rstrip("0").rstrip(".")
+        return letter + ("0" if shown == "-0" else shown)

@@ -253,6 +253,7 @@ def _linearized(copied: _Copied, tolerance: float) -> ReadCut:
             told = [error.what]
         else:
             feeding, minutes = in_seconds(toolpath) if operation.imported else (toolpath, None)
+            listing.in_minutes = minutes is not None
             cut = Cut(feeding, copied.tool, copied.vertical_feed) if len(toolpath) else None
             told = [*told, minutes] if cut is not None else []
     remarks = tuple(Message("of", label=operation.label, sentence=remark) for remark in told if remark)
