@@ -54,32 +54,24 @@ def simulate(
     TypeError
         If `what` is something else.
     """
-    return simulate_read(read_job(what), view, memory_budget=memory_budget, going_on=going_on)
-
-
-def simulate_read(
-    job: SimulatedJob,
-    view: View | str | None = None,
-    *,
-    memory_budget: float | None = None,
-    going_on: Callable[[float], None] = lambda _: None,
-) -> Simulation:
-    """Simulate a job that was read; see :func:`simulate`. Any thread may do it."""
-    chosen = preferences.read()
+    job, chosen = read_job(what), preferences.read()
     if isinstance(view, str):
         if view not in preferences.DIRECTIONS:
             raise ValueError(f"there is no direction {view!r}: choose among {', '.join(preferences.DIRECTIONS)}")
         view = replace(chosen.view, direction=preferences.DIRECTIONS[view])
     elif not isinstance(view, (View, type(None))):
         raise TypeError(f"a view is a View or the name of a direction, not {type(view).__name__}")
-    zbuffer = simulate_job(
-        job.cuts,
-        stock=job.stock,
-        view=view or chosen.view,
-        memory_budget=chosen.memory_budget_bytes if memory_budget is None else memory_budget,
-        going_on=going_on,
+    budget = chosen.memory_budget_bytes if memory_budget is None else memory_budget
+    return simulate_read(job, view or chosen.view, budget, going_on)
+
+
+def simulate_read(
+    job: SimulatedJob, view: View, memory_budget: float, going_on: Callable[[float], None] = lambda _: None
+) -> Simulation:
+    """Simulate a job that was read; see :func:`simulate`. Any thread may do it: it asks FreeCAD for nothing."""
+    return Simulation(
+        job, simulate_job(job.cuts, stock=job.stock, view=view, memory_budget=memory_budget, going_on=going_on)
     )
-    return Simulation(job, zbuffer)
 
 
 @dataclass(frozen=True, eq=False)

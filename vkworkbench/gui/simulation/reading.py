@@ -51,6 +51,7 @@ class Reading(QWidget):
         self.copy = copy
         self.view: PartView | None = None
         self.seen: tuple[Scene, Frame] | None = None
+        self._budget = preferences.read().memory_budget_bytes
         self._cuts: list[ReadCut] = []
         self._steps = copy.copying()
         self._background = Background(self)
@@ -59,7 +60,7 @@ class Reading(QWidget):
         self._busy = Busy(self._background)
         self._layout.addWidget(self._busy)
         self._background.start(self._text(), self._work, self._take, self._ended)
-        self._copy_on()
+        QTimer.singleShot(0, self._copy_on)  # when somebody listens to what prevents it
 
     def end(self) -> None:
         """Give up."""
@@ -73,9 +74,9 @@ class Reading(QWidget):
             next(self._steps)
         except StopIteration:
             return
-        except ReferenceError as gone:
+        except Exception as error:
             self._background.give_up()
-            self.failed.emit(gone)
+            self.failed.emit(error)
         else:
             QTimer.singleShot(0, self._copy_on)
 
@@ -87,7 +88,7 @@ class Reading(QWidget):
             begin = time.perf_counter()
             if begin >= due and len(cuts) < len(self.copy.names):
                 with suppress(Unusable):  # nothing yet, or too much
-                    yield _glimpse(self.copy.job(cuts), going_on)
+                    yield _glimpse(self.copy.job(cuts), self._budget, going_on)
                 due = time.perf_counter() + _RARELY * (time.perf_counter() - begin)
 
     def _text(self) -> str:
@@ -119,11 +120,8 @@ class Reading(QWidget):
             self.read.emit(job)
 
 
-def _glimpse(job: SimulatedJob, going_on: Callable[[], None]) -> Simulation:
+def _glimpse(job: SimulatedJob, memory_budget: float, going_on: Callable[[], None]) -> Simulation:
     """Simulate a job coarsely, from above."""
-    done = simulate_read(
-        job, View(_ABOVE, _GLIMPSE, _GLIMPSE), memory_budget=preferences.read().memory_budget_bytes,
-        going_on=lambda _: going_on(),
-    )  # fmt: skip
+    done = simulate_read(job, View(_ABOVE, _GLIMPSE, _GLIMPSE), memory_budget, lambda _: going_on())
     done.zbuffer.picture  # noqa: B018 - here, not in the window
     return done

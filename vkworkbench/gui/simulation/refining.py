@@ -190,7 +190,7 @@ class Refining:
             self.share = done
             going_on()
 
-        done = simulate_read(self.job, view, memory_budget=self.memory_budget, going_on=told)
+        done = simulate_read(self.job, view, self.memory_budget, told)
         zbuffer = done.zbuffer
         zbuffer.surface.prepare()  # here, not in the window
         zbuffer.picture  # noqa: B018 - likewise
