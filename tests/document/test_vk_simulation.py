@@ -16,7 +16,8 @@ from vkworkbench import worker
 from vkworkbench.core import View
 from vkworkbench.core.zbuffer import OverBudget
 from vkworkbench.document.listing import Listing
-from vkworkbench.document.simulated_job import copy_job
+from vkworkbench.document.simulated_job import copy_job, read_job
+from vkworkbench.document.simulation import simulate_read
 from vkworkbench.language import Unusable
 from vkworkbench.report import Cancelled
 from vkworkbench.worker import Worker, WorkerDied
@@ -353,3 +354,128 @@ def test_a_long_simulation_of_freecad_is_shared_and_stays_the_same(small, monkey
     assert helped
     for part in ("index", "entry", "far", "owner"):
         assert np.array_equal(getattr(alone, part), getattr(shared, part))
+
+
+def holds(copy, changed=()):
+    """Whether a document still says what was copied."""
+    steps = copy.comparing(set(changed))
+    while True:
+        try:
+            next(steps)
+        except StopIteration as end:
+            return end.value
+
+
+def larger_stock(small):
+    small.job.Stock.ExtZpos = 5.0
+
+
+def without_stock(small):
+    small.job.Stock = None
+
+
+def larger_tool(small):
+    small.controller.Tool.Diameter = 6.0
+    small.document.recompute()
+
+
+def quicker_rapids(small):
+    small.job.SetupSheet.HorizRapid = "50 mm/s"
+    small.document.recompute()
+
+
+def moved(small):
+    small.document.getObjectsByLabel("First")[0].Placement.Base.y = 2.0
+
+
+def another_path(small):
+    small.document.getObjectsByLabel("First")[0].Path = Path.Path([Path.Command("G1 X5 Y5 Z5 F5")])
+
+
+def other_order(small):
+    small.job.Operations.Group = small.job.Operations.Group[::-1]
+
+
+def one_more(small):
+    small.add("Third", slot(30.0))
+
+
+def one_less(small):
+    small.document.removeObject(small.document.getObjectsByLabel("Second")[0].Name)
+
+
+def switched_off(small):
+    small.document.getObjectsByLabel("Second")[0].Active = False
+
+
+def another_model(small):
+    small.document.Block.Height = 21
+    small.document.recompute()
+
+
+CHANGES = [larger_stock, without_stock, larger_tool, quicker_rapids, moved, another_path, other_order, one_more, one_less,
+           switched_off, another_model]  # fmt: skip
+
+
+@pytest.mark.parametrize("change", CHANGES)
+def test_what_was_copied_is_told_from_what_the_document_says(small, change):
+    for label, y in (("First", 10.0), ("Second", 20.0)):
+        small.add(label, slot(y))
+    copy = copy_job(small.job)
+    for _ in copy.copying():
+        pass
+    job = copy.job(copy.read())
+    names = [obj.Name for obj in small.job.Operations.Group]
+    assert [operation.name for operation in job.operations] == names and holds(copy, names)
+    small.document.openTransaction("change")
+    change(small)
+    small.document.commitTransaction()
+    small.document.recompute()
+    assert not holds(copy, names)
+    small.document.undo()
+    assert holds(copy, names)
+
+
+def test_only_paths_that_may_have_changed_are_read_again(small):
+    op = small.add("First", slot(10.0))
+    copy = copy_job(small.job)
+    for _ in copy.copying():
+        pass
+    list(copy.read())
+    another_path(small)
+    assert holds(copy) and not holds(copy, [op.Name])
+
+
+def test_what_was_asked_for_is_simulated_again(small):
+    first, second = small.add("First", slot(10.0)), small.add("Second", slot(20.0))
+    one, job, all_of_it = copy_job([second]), copy_job(small.job), copy_job(small.document)
+    small.add("Third", slot(30.0))
+    for copy, expected in (
+        (one, ["Second"]),
+        (job, ["First", "Second", "Third"]),
+        (all_of_it, ["First", "Second", "Third"]),
+    ):
+        assert list(copy_job(copy.asked()).labels) == expected
+    small.document.removeObject(second.Name)
+    assert list(copy_job(one.asked()).labels) == ["First", "Third"] and first.Label == "First"
+
+
+def test_a_thread_that_simulates_asks_freecad_for_nothing(small, monkeypatch):
+    small.add("First", slot(10.0))
+    job = read_job(small.job)
+    monkeypatch.setattr(FreeCAD, "ParamGet", None)
+    assert simulate_read(job, VIEW, 1e8).trajectories == 3
+
+
+def test_a_listing_has_feeds_as_programs_do(small):
+    own = Path.Path(
+        [Path.Command(line) for line in ("(F20.000000)", "G1 F20 X133.388398 Y-0.0001", "G1 F3.3333333 Z0.001")]
+    )
+    listing = Listing(own.toGCode(), own.Commands)
+    assert [listing[k] for k in range(3)] == ["(F20.000000)", "G1 F1200 X133.388 Y0", "G1 F200 Z0.001"]
+    # What FreeCAD imported keeps the mm/min of its file; F20 it would be of an operation of its own.
+    small.add("Own", [("G1", {"X": 5.0, "Y": 5.0, "Z": 15.0}), ("G1", {"X": 55.0, "F": 20.0})])
+    small.add("Imported", [("G1", {"X": 5.0, "Y": 5.0, "Z": 15.0}), ("G1", {"X": 55.0, "F": 1200.0})])
+    job = read_job(small.job)
+    assert [listing[1] for listing in job.listings] == ["G1 F1200 X55"] * 2
+    assert [cut.toolpath.feed[-1] for cut in job.cuts] == pytest.approx([20.0, 20.0])

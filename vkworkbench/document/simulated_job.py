@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Container, Generator, Iterable, Iterator
 from dataclasses import dataclass, replace
 from functools import cached_property
 from queue import Empty, SimpleQueue
@@ -11,14 +11,31 @@ from queue import Empty, SimpleQueue
 import FreeCAD
 import numpy as np
 
-from vkworkbench import preferences
+from vkworkbench import freecad, preferences
 from vkworkbench.core import Cut, Solid, Stock, Strategy, Tool, Toolpath, linearize, trajectory_seconds
 from vkworkbench.core.gcode import in_seconds, used_up
-from vkworkbench.document.fingerprint import fingerprint_of, setting_fingerprint, text_fingerprint, text_of
+from vkworkbench.document.fingerprint import (
+    finding_path_fingerprint,
+    fingerprint_of,
+    path_and_setting,
+    path_fingerprint,
+    read_setting_fingerprints,
+    setting_fingerprint,
+    text_fingerprint,
+    text_of,
+)
 from vkworkbench.document.listing import Listing
-from vkworkbench.document.operations import Operation, find, is_imported
+from vkworkbench.document.operations import Operation, find, is_document, is_imported, is_object
 from vkworkbench.document.recognized import recognized
-from vkworkbench.document.setting import placed, rapid_feeds, read_stock, read_tool, tool_remark, vertical_feed
+from vkworkbench.document.setting import (
+    exact_box,
+    placed,
+    rapid_feeds,
+    read_stock,
+    read_tool,
+    tool_remark,
+    vertical_feed,
+)
 from vkworkbench.document.solids import form_of_stock, model_shapes, model_solid, stock_solid
 from vkworkbench.language import Message, Unusable
 
@@ -38,7 +55,7 @@ class SimulatedOperation:
     imported : bool
         Whether the toolpath may come from a file.
     fingerprint : str
-        Of path, tool and stock, as an analysis has it.
+        Of path, tool and stock, as an analysis has it; of the setting alone until the path was read.
     """
 
     document: str
@@ -144,7 +161,8 @@ class JobCopy:
         Internal names of the operations, and their labels.
     """
 
-    def __init__(self, objects: list, job) -> None:
+    def __init__(self, objects: list, job, asked: list) -> None:
+        self._asked = tuple(obj.Name for obj in asked if is_object(obj))
         self.document = objects[0].Document.Name
         self.names = tuple(obj.Name for obj in objects)
         self.labels = tuple(obj.Label for obj in objects)
@@ -153,6 +171,9 @@ class JobCopy:
         self._form = form_of_stock(job, self._box)
         self._stock, told = stock_solid(job, self._box)
         self._model_shapes = model_shapes(job)
+        self._model = _model(job)
+        self._settings: dict[str, str] = {}  # fingerprints, by the names of operations
+        self._paths: dict[str, str] = {}
         self._tolerance = preferences.read().tolerance
         self._remarks = (told,) if told else ()
         self._copied: SimpleQueue = SimpleQueue()
@@ -166,13 +187,50 @@ class JobCopy:
             Where an operation is gone meanwhile.
         """
         for obj in self._objects:
-            self._copied.put(_copied(obj, self._box, self._form))
+            copied = _copied(obj, self._box, self._form)
+            self._settings[obj.Name] = copied.operation.fingerprint
+            self._copied.put(copied)
             yield
 
     def read(self, going_on: Callable[[], None] = lambda: None) -> Iterator[ReadCut]:
         """Linearise one operation after the other, as they are copied; what `going_on` raises ends the work."""
-        for _ in self.names:
-            yield _linearized(self._next(going_on), self._tolerance)
+        for name in self.names:
+            read = _linearized(self._next(going_on), self._tolerance)
+            path, setting = path_and_setting(read.operation.fingerprint)
+            if setting:
+                self._paths[name] = path
+            yield read
+
+    def asked(self):
+        """Return what was to be simulated, as the document has it now; all of it where nothing of that is left."""
+        document = FreeCAD.getDocument(self.document)
+        return [obj for obj in map(document.getObject, self._asked) if obj is not None] or document
+
+    def comparing(self, changed: Container[str]) -> Generator[None, None, bool]:
+        """Find whether the document still says what was copied and read, in steps of milliseconds; return that.
+
+        Parameters
+        ----------
+        changed : container of str
+            Names of the operations whose path may be another one.
+        """
+        try:
+            objects, job = _posted(self.asked())
+            model = _model(job)
+            same = len(model) == len(self._model) and all(map(_alike, model, self._model))
+        except Unusable:  # operations of several jobs, a model without volume
+            return False
+        if not same or tuple(obj.Name for obj in objects) != self.names:
+            return False
+        for obj in objects:
+            if read_setting_fingerprints(obj, job)[0] != self._settings[obj.Name]:
+                return False
+            yield
+            if obj.Name in changed and obj.Name in self._paths:
+                yield from finding_path_fingerprint(obj)
+                if path_fingerprint(obj) != self._paths[obj.Name]:
+                    return False
+        return True
 
     def _next(self, going_on: Callable[[], None]) -> _Copied:
         while True:
@@ -221,10 +279,11 @@ def copy_job(what=None) -> JobCopy:
         what = FreeCAD.ActiveDocument
         if what is None:
             raise ValueError("no document is open: open one with a job or a toolpath")
-    operations = _chosen(find(what))
-    if not operations:
+    asked = [what] if is_object(what) or is_document(what) else list(what)
+    objects, job = _posted(asked)
+    if not objects:
         raise Unusable(Message("nothing-to-simulate"))
-    return JobCopy([operation.object for operation in operations], operations[0].job)
+    return JobCopy(objects, job, asked)
 
 
 def _copied(obj, box: Stock, form: tuple) -> _Copied:
@@ -258,6 +317,25 @@ def _linearized(copied: _Copied, tolerance: float) -> ReadCut:
             told = [*told, minutes] if cut is not None else []
     remarks = tuple(Message("of", label=operation.label, sentence=remark) for remark in told if remark)
     return ReadCut(operation, cut, toolpath, listing, remarks)
+
+
+def _posted(what) -> tuple[list, object]:
+    """Return the objects that are simulated, in the order of their job, and that; None without one."""
+    operations = _chosen(find(what))
+    return [operation.object for operation in operations], operations[0].job if operations else None
+
+
+def _model(job) -> list:
+    """The shapes of what the part is to be."""
+    shapes = (freecad.SHAPE.of(obj) for obj in freecad.GROUP.of(freecad.MODEL.of(job)) or ())
+    return [shape for shape in shapes if shape is not None and not shape.isNull()]
+
+
+def _alike(one, other) -> bool:
+    """Whether shapes are the same, or as large in the same place, as an undo brings a copy back."""
+    return one.isSame(other) or np.allclose(
+        *((shape.Volume, shape.Area, *np.ravel(exact_box(shape))) for shape in (one, other))
+    )
 
 
 def _chosen(found: list[Operation]) -> list[Operation]:

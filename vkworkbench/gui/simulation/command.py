@@ -63,11 +63,10 @@ def open_tab(what):
 
 
 def _again(tab) -> None:
-    """Simulate the operations of a tab as they are now, in a new tab in its place."""
-    document = FreeCAD.getDocument(tab.copy.document)
-    objects = list(map(document.getObject, tab.copy.names))
+    """Simulate what a tab was asked for as it is now, in a new tab in its place."""
+    asked = tab.copy.asked()
     tab.window_of().close()
-    open_tab([obj for obj in objects if obj is not None] or document)
+    open_tab(asked)
 
 
 def _title(copy: JobCopy) -> str:
