@@ -18,7 +18,7 @@ from vkworkbench.gui.simulation.clock import Clock
 from vkworkbench.gui.simulation.coloring import COLORINGS, Coloring, Entries, Job
 from vkworkbench.gui.simulation.controls import CHIPS, PART, SceneBar
 from vkworkbench.gui.simulation.moment import Moment
-from vkworkbench.gui.simulation.refining import Refined, Told
+from vkworkbench.gui.simulation.refining import Facts, Refined, Told
 
 
 class Drawing:
@@ -37,6 +37,8 @@ class Drawing:
         The finest one until now.
     told : Told or None
         What the latest one told.
+    facts : Facts or None
+        What is known of the trajectories, of images of the whole stock.
     strategies : tuple of Strategy
         Of the operations.
     seen : SeenModel or None
@@ -47,6 +49,7 @@ class Drawing:
         self.job, self.clock, self.bar = job, clock, bar
         self.simulation: Simulation | None = None
         self.told: Told | None = None
+        self.facts: Facts | None = None
         self.strategies = (Strategy.UNKNOWN,) * len(job.operations)
         self.seen: SeenModel | None = None
         self._coloring: Callable[[], Coloring] = _uncolored
@@ -55,21 +58,25 @@ class Drawing:
         """Take a finer simulation, or what it tells."""
         if isinstance(done, Refined):
             self.simulation, self.seen = done.simulation, done.seen
-        else:
+            return
+        # A coarse picture, of another view, does not take the place of a fine one.
+        if done.facts is not None and (self.facts is None or done.facts.is_as_fine(self.facts.pixel)):
+            self.facts = done.facts
+        if done.simulation is self.simulation:
             self.told = done
-            if done.simulation is self.simulation and done.seen is not None:
+            if done.seen is not None:
                 self.seen = done.seen
 
     def forget(self) -> None:
         """Know nothing of the picture any more."""
-        self.simulation = self.told = self.seen = None
+        self.simulation = self.told = self.facts = self.seen = None
         self._coloring = _uncolored
 
     def color(self) -> None:
         """Colour the surfaces anew."""
         if self.simulation is None:
             return
-        volumes = None if self.told is None else self.told.volumes
+        volumes = None if self.facts is None else self.facts.volumes
         job = Job(tuple(o.label for o in self.job.operations), self.strategies, self.clock, volumes, self.seen,
                   self._awaits_model, self.bar.tolerance_mm)  # fmt: skip
         make = COLORINGS[self.bar.colorings.currentIndex()][1]

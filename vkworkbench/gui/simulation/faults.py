@@ -3,10 +3,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 from vkworkbench.core.zbuffer import gouges, worst_places
-from vkworkbench.gui.simulation.refining import Told
+from vkworkbench.gui.simulation.refining import Facts, Told
 from vkworkbench.language import Message
 
 # What is no difference to the model, mm, until the user says otherwise.
@@ -44,6 +45,11 @@ class Fault:
         """Whether it is to be seen at the end, not when its trajectory is cut."""
         return self.what.code == "leaves-material"
 
+    @property
+    def gouged(self) -> float:
+        """How deep it cuts into the model, mm."""
+        return self.what.arguments["depth"] if self.what.code == "cuts-model" else 0.0
+
 
 @dataclass(frozen=True, eq=False)
 class Judged:
@@ -51,55 +57,57 @@ class Judged:
 
     Attributes
     ----------
-    told : Told
-        What it told.
+    facts : Facts or None
+        What is known of the trajectories.
     faults : list of Fault
         What is wrong, gouges beyond the tolerance.
-    differences : list of Fault
-        The worst differences to the model; empty where they were not asked for.
-    proved : list of Fault
-        What is wrong whatever tolerance one looks with; empty where the picture was too coarse to look at the model.
+    differences : list of Fault or None
+        The worst differences to the model; None where they were not asked for.
+    proved : list of Fault or None
+        What is wrong whatever tolerance one looks with; None where the picture was too coarse to look at the model.
     """
 
-    told: Told
+    facts: Facts | None
     faults: list[Fault]
-    differences: list[Fault]
-    proved: list[Fault]
+    differences: list[Fault] | None
+    proved: list[Fault] | None
 
 
-def judge(told: Told, tolerance: float, compares: bool) -> Judged:
+def judge(told: Told, facts: Facts | None, tolerance: float, before: Sequence[Fault], compares: bool) -> Judged:
     """Judge a simulation, in whatever thread: with many operations or pixels it takes a while.
 
     Parameters
     ----------
     told : Told
+    facts : Facts or None
+        What is known of the trajectories, of this or of an earlier image.
     tolerance : float
         What is no difference to the model yet, mm.
+    before : sequence of Fault
+        What was wrong in the image before: a gouge beside this one is there all the same.
     compares : bool
         Whether the worst differences are asked for, too.
     """
-    proved = [fault for fault in faults(told, TOLERANCE) if fault.serious] if told.judged else []
-    worst = differences(told, tolerance) if compares else []
-    return Judged(told, faults(told, tolerance), worst, proved)
+    crashed = [] if facts is None else [_fault(c, Message("rapid-cuts", volume=c.volume), True) for c in facts.crashes]
+    plunged = [] if facts is None else [
+        _fault(p, Message("plunges-fast", feed=60 * p.feed, allowed=60 * p.allowed), False) for p in facts.plunges
+    ]  # fmt: skip
+    gouged = _gouged(told, tolerance)
+    if told.facts is None:
+        beside = [fault for fault in before if fault.gouged > tolerance]
+        deepest = {fault.cut: fault for fault in sorted(gouged + beside, key=lambda fault: fault.gouged)}
+        gouged = sorted(deepest.values(), key=lambda fault: -fault.gouged)
+    proved = crashed + _gouged(told, TOLERANCE) if told.judged else None
+    worst = differences(told, tolerance) if compares else None
+    return Judged(facts, crashed + gouged + plunged, worst, proved)
 
 
-def faults(told: Told, tolerance: float) -> list[Fault]:
-    """Return what is wrong: rapid moves that cut, the worst gouge of each operation, fast plunges.
-
-    Parameters
-    ----------
-    told : Told
-    tolerance : float
-        What is no gouge yet, mm.
-    """
-    found = [_fault(c, Message("rapid-cuts", volume=c.volume), serious=True) for c in told.crashes]
-    if told.deviations is not None:
-        gouged = gouges(told.simulation.zbuffer, told.deviations, tolerance)
-        found += [_fault(g, Message("cuts-model", depth=g.depth), serious=True) for g in gouged]
-    return found + [
-        _fault(p, Message("plunges-fast", feed=60 * p.feed, allowed=60 * p.allowed), serious=False)
-        for p in told.plunges
-    ]
+def _gouged(told: Told, tolerance: float) -> list[Fault]:
+    """Return the worst gouge of each operation."""
+    if told.deviations is None:
+        return []
+    found = gouges(told.simulation.zbuffer, told.deviations, tolerance)
+    return [_fault(gouge, Message("cuts-model", depth=gouge.depth), True) for gouge in found]
 
 
 def differences(told: Told, tolerance: float) -> list[Fault]:

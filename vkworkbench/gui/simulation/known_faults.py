@@ -6,7 +6,7 @@ from __future__ import annotations
 from vkworkbench.document.simulated_faults import keep_faults
 from vkworkbench.document.simulated_job import SimulatedJob
 from vkworkbench.gui import docks, pills
-from vkworkbench.gui.sentences import said
+from vkworkbench.gui.sentences import said, user
 from vkworkbench.gui.simulation.clock import Clock
 from vkworkbench.gui.simulation.faults import Fault
 from vkworkbench.gui.simulation.time_line import Warned
@@ -28,6 +28,8 @@ class KnownFaults:
         self.job, self.clock = job, clock
         # Of all views: a gouge that one does not see is there all the same.
         self._proved: dict[tuple, Fault] = {}
+        self._judged = False  # whether a picture was fine enough to look for all of them
+        self._holds = False  # whether the document is known to say what was simulated
 
     def text(self, fault: Fault) -> str:
         """Return where and what a fault is."""
@@ -36,6 +38,12 @@ class KnownFaults:
         text = translate("Vk_Simulate", "{}, command {}: {} ({})")
         label, code = self.job.operations[fault.cut].label, self.job.listings[fault.cut][fault.command]
         return text.format(label, fault.command + 1, said(fault.what), code)
+
+    def text_with_place(self, fault: Fault) -> str:
+        """Return where and what a fault is, and at which point: one command, or the raw stock, may have several."""
+        factor, unit = user().length_unit(max(map(abs, fault.place)))
+        x, y, z = (user().number(round(value / factor, 3), 5) for value in fault.place)
+        return translate("Vk_Simulate", "{}, at X {} Y {} Z {} {}").format(self.text(fault), x, y, z, unit)
 
     def marks(self, found: list[Fault]) -> tuple[Warned, ...]:
         """Return faults as marks of the time line; what the raw stock lacks has no moment."""
@@ -50,9 +58,20 @@ class KnownFaults:
         )
 
     def keep(self, proved: list[Fault]) -> None:
-        """Let marks and results tell what a picture has shown."""
+        """Keep what a picture has shown, for marks and results to tell."""
         for fault in proved:
             self._proved.setdefault((fault.cut, fault.what.code, fault.command), fault)
+        self._judged = True
+        self._tell()
+
+    def follow(self, holds: bool) -> None:
+        """Let marks and results tell it for as long as the document says what was simulated."""
+        self._holds = holds
+        self._tell()
+
+    def _tell(self) -> None:
+        if not (self._holds and self._judged):
+            return
         wrong = sorted(self._proved.values(), key=lambda fault: fault.what.code != "rapid-cuts")
         changed = keep_faults({
             operation: [(fault.command, fault.what) for fault in wrong if fault.cut == number]

@@ -48,8 +48,10 @@ class Player(QWidget):
     ----------
     moment : Moment
         What is shown.
+    known : KnownFaults
+        What marks and results are told.
     faults : list of Fault
-        What is wrong, as far as the picture that is shown tells.
+        What is wrong, as far as it is known: gouges as the picture shows them, where they can lie in it.
     asked : Signal
         The user asked the part, or for what is wrong; the operation that made the place is selected.
     """
@@ -69,7 +71,7 @@ class Player(QWidget):
         self.time_line = TimeLine()
         self.scene_bar, self.play_bar, self.state = SceneBar(), PlayBar(), StateLine()
         self.drawing = Drawing(job, self.clock, self.scene_bar)
-        self._known = KnownFaults(job, self.clock)
+        self.known = KnownFaults(job, self.clock)
         self._refining: Refining | None = None
         self._work, self._recognizing, self._judging = Background(self), Background(self), Background(self)
         self.pictures = Pictures(self.drawing, self.moment, self.view, self)
@@ -89,8 +91,8 @@ class Player(QWidget):
     @property
     def volumes(self) -> np.ndarray:
         """What each trajectory removes, (n,) float64 mm^3; zeros until it is known."""
-        told = self.drawing.told
-        return np.zeros(len(self.clock.cuts)) if told is None else told.volumes
+        facts = self.drawing.facts
+        return np.zeros(len(self.clock.cuts)) if facts is None else facts.volumes
 
     def _lay_out(self) -> None:
         layout = QVBoxLayout(self)
@@ -138,14 +140,19 @@ class Player(QWidget):
     @property
     def is_busy(self) -> bool:
         """Whether a finer picture, the strategies, or what is wrong are still to come."""
-        return self._work.works or self._recognizing.works or self._judging.works
+        return self.refines or self._recognizing.works or self._judging.works
+
+    @property
+    def refines(self) -> bool:
+        """Whether a finer picture is still to come."""
+        return self._work.works
 
     def simulate(self) -> None:
         """Simulate what is looked at, coarsely first."""
         chosen = preferences.read()
         self._refining = Refining(
             self.job, self.view.view, chosen.memory_budget_bytes, chosen.time_budget, known_speed(),
-            glance=self.simulation is None, compare=self.scene_bar.compares,
+            glance=self.simulation is None, compare=self.scene_bar.compares, known=self.drawing.facts,
         )  # fmt: skip
         self._work.start("", self._refining, self._take, self._ended)
 
@@ -160,8 +167,8 @@ class Player(QWidget):
         self.drawing.forget()
 
     def _tick(self) -> None:
-        if self._work.works:
-            self.state.show_progress(self._refining)
+        if self.refines:
+            self.state.show_progress(self._refining.now)
         self.moment.go_on(self.play_bar.speed(self.clock.total))
         self.pictures.begin()
 
@@ -178,7 +185,7 @@ class Player(QWidget):
         if isinstance(done, Refined):
             self.state.show_refined(done)
         else:
-            self._judge()
+            self._judge(done)
         self._color()
 
     def _recognize(self) -> None:
@@ -195,20 +202,24 @@ class Player(QWidget):
         else:
             self.state.show_error(error)
 
-    def _judge(self) -> None:
-        """List what is wrong, and the worst differences to the model; both depend on the tolerance."""
-        if self.drawing.told is None:
+    def _judge(self, told: Told | None) -> None:
+        """List what is wrong, and the worst differences to the model in the picture; both depend on the tolerance."""
+        if told is None:
             return
-        work = partial(judge, self.drawing.told, self.scene_bar.tolerance_mm, self.scene_bar.compares)
+        compares = self.scene_bar.compares and told is self.drawing.told
+        work = partial(judge, told, self.drawing.facts, self.scene_bar.tolerance_mm, self.faults, compares)
         self._judging.start("", lambda _: [work()], self._list, self._tell_error)
 
     def _list(self, judged: Judged) -> None:
         self.faults = judged.faults
-        self.scene_bar.list_warnings(self.faults, self._known.text)
-        self.scene_bar.list_worst(judged.differences, self._known.text)
-        marks = self._known.marks(self.faults)
-        self.time_line.show_facts(self.clock.ends, judged.told.volumes, judged.told.air, marks)
-        self._known.keep(judged.proved)
+        self.scene_bar.list_warnings(self.faults, self.known.text)
+        if judged.differences is not None:
+            self.scene_bar.list_worst(judged.differences, self.known.text_with_place)
+        marks = self.known.marks(self.faults)
+        air = np.zeros(len(self.volumes), bool) if judged.facts is None else judged.facts.air
+        self.time_line.show_facts(self.clock.ends, self.volumes, air, marks)
+        if judged.proved is not None:
+            self.known.keep(judged.proved)
 
     def _tell_error(self, error: Exception | None) -> None:
         if error is not None:
@@ -226,7 +237,7 @@ class Player(QWidget):
         """Take another colouring or tolerance; the model is seen first, where that was not necessary until now."""
         if self.scene_bar.compares and self.drawing.seen is None and self.job.model_shapes:
             self.simulate()
-        self._judge()
+        self._judge(self.drawing.told)
         self._color()
 
     def _color(self) -> None:
@@ -245,7 +256,7 @@ class Player(QWidget):
             self._about(_clock(moment.seconds)), _clock(self.clock.total), self.job.operations[source.cut].label,
             source.command + 1, self.job.listings[source.cut][source.command],
         )  # fmt: skip
-        if self.drawing.told is None or moment.noticed is None:
+        if self.drawing.facts is None or moment.noticed is None:
             return text
         first, end = moment.of_command(moment.noticed)
         volume = float(self.volumes[first:end].sum())

@@ -7,11 +7,12 @@ import time
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 from functools import cached_property
+from itertools import product
 from math import sqrt
 
 import numpy as np
 
-from vkworkbench.core import View
+from vkworkbench.core import Frame, Solid, View
 from vkworkbench.core.zbuffer import (
     Crash,
     Deviations,
@@ -35,6 +36,10 @@ from vkworkbench.language import Message, Unusable
 # Of the image's side: the first picture is there at once, the next is good enough to look at, the last is the finest.
 _SHARES = (1 / 8, 1 / 3, 1.0)
 _FEWEST = 40  # pixels; a coarser picture shows nothing
+# Of a pixel; the image that just holds the stock is as large as it but for that.
+_ROUNDING = 1e-6
+# Pixels up to so many times as large tell as much: the next picture has thrice as many each way.
+_AS_FINE = 2.0
 # By how much a picture is made coarser that takes too much memory.
 _COARSER = 0.8
 
@@ -61,19 +66,42 @@ class Refined:
 
 
 @dataclass(frozen=True, eq=False)
+class Facts:
+    """What an image of the whole stock tells of the trajectories.
+
+    Attributes
+    ----------
+    pixel : float
+        Of that image, mm.
+    volumes : (n,) float64
+        What each removes, mm^3.
+    air : (n,) bool
+        Which feed moves remove nothing.
+    crashes : list of Crash
+    plunges : list of Plunge
+        Those that are too fast.
+    """
+
+    pixel: float
+    volumes: np.ndarray
+    air: np.ndarray
+    crashes: list[Crash]
+    plunges: list[Plunge]
+
+    def is_as_fine(self, pixel: float) -> bool:
+        """Whether it tells about as much as an image of such pixels does, from whatever side."""
+        return self.pixel <= _AS_FINE * pixel
+
+
+@dataclass(frozen=True, eq=False)
 class Told:
     """What a simulation tells.
 
     Attributes
     ----------
     simulation : Simulation
-    volumes : (n,) float64
-        What each trajectory removes, mm^3.
-    air : (n,) bool
-        Which feed moves remove nothing.
-    crashes : list of Crash
-    plunges : list of Plunge
-        Those that are too fast.
+    facts : Facts or None
+        None where some of the stock lies beside the image.
     seen : SeenModel or None
         What the part is to be; None where it is not known, or was not asked for.
     judged : bool
@@ -81,10 +109,7 @@ class Told:
     """
 
     simulation: Simulation
-    volumes: np.ndarray
-    air: np.ndarray
-    crashes: list[Crash]
-    plunges: list[Plunge]
+    facts: Facts | None
     seen: SeenModel | None
     judged: bool
 
@@ -110,6 +135,8 @@ class Refining:
         Whether to begin from straight above, which is the quickest, for something to be seen.
     compare : bool
         Whether each picture comes with what the part is to be, not only the finest.
+    known : Facts or None
+        What is known of the trajectories.
 
     Attributes
     ----------
@@ -119,14 +146,21 @@ class Refining:
 
     def __init__(
         self, job: SimulatedJob, view: View, memory_budget: float, time_budget: float, speed: Speed,
-        *, glance: bool, compare: bool,
+        *, glance: bool, compare: bool, known: Facts | None,
     ) -> None:  # fmt: skip
         self.job, self.view, self.speed, self.glance, self.compare = job, view, speed, glance, compare
+        self.known = known
+        self._after: Refining | None = None  # that of the whole stock
         self.memory_budget, self.time_budget = memory_budget, time_budget
         self.share = 0.0
         self._course: _Course | None = None  # of the pictures until now
         self._largest = 1.0  # share of the image's side that the time budget allows
         self._began = self._stage = time.perf_counter()
+
+    @property
+    def now(self) -> Refining:
+        """What is being done: this, or afterwards that of the whole stock."""
+        return self if self._after is None else self._after
 
     def left(self) -> tuple[float | None, float]:
         """Return how long the finest picture still takes, s, and its memory, bytes; None until that can be told."""
@@ -137,6 +171,8 @@ class Refining:
 
     def __call__(self, going_on: Callable[[], None]) -> Iterator[Estimate | Refined | Told]:
         """Yield what the finest picture will cost, where nothing is seen, the pictures, the coarsest first, and what each tells.
+
+        Where they show a part of the stock, and no such picture of all of it was simulated, what that tells comes last.
 
         Raises
         ------
@@ -164,8 +200,22 @@ class Refining:
                 share *= _COARSER
                 if share <= _SHARES[-2]:
                     raise Unusable(error.what) from None
+        yield from self._whole(going_on)
         if allowed < 1:
             raise Unusable(Message("picture-in-time", allowed=self.time_budget))
+
+    def _whole(self, going_on: Callable[[], None]) -> Iterator[Told]:
+        """Tell what only an image of the whole stock tells, unless one of about these pixels has: nobody sees it."""
+        view = replace(self.view, pixel=None, offset=(0.0, 0.0))
+        finest = view.frame(self.job.stock).pixel / max(self._largest, _SHARES[-2])
+        known = self.known is not None and self.known.is_as_fine(finest)
+        if known or holds(self.view.frame(self.job.stock), self.job.stock):
+            return
+        self._after = Refining(self.job, view, self.memory_budget, self.time_budget, self.speed,
+                            glance=False, compare=False, known=None)  # fmt: skip
+        for done in self._after(going_on):
+            if isinstance(done, Told):
+                yield done
 
     def _size(self, share: float) -> tuple[int, int]:
         return max(1, round(self.view.width * share)), max(1, round(self.view.height * share))
@@ -196,20 +246,30 @@ class Refining:
         zbuffer.picture  # noqa: B018 - likewise
         seen = self._seen(done, going_on) if self.compare else None
         yield Refined(done, seen, zbuffer.traces, time.perf_counter() - self._began)
-        facts = []
-        for tell in (removed_volumes, cuts_air, crashes, fast_plunges):
-            facts.append(tell(zbuffer))
-            going_on()
+        facts = None
+        if holds(zbuffer.frame, self.job.stock):
+            found = []
+            for tell in (removed_volumes, cuts_air, crashes, fast_plunges):
+                found.append(tell(zbuffer))
+                going_on()
+            facts = Facts(zbuffer.frame.pixel, *found)
         if finest and seen is None:
             seen = self._seen(done, going_on)
         judged = finest or seen is not None or not self.job.model_shapes
-        told_all = Told(done, *facts, seen, judged)
+        told_all = Told(done, facts, seen, judged)
         told_all.deviations  # noqa: B018 - likewise
         yield told_all
 
     def _seen(self, done: Simulation, going_on: Callable[[], None]) -> SeenModel | None:
         model = self.job.model
         return None if model is None else SeenModel(model, done.zbuffer.frame, going_on)
+
+
+def holds(frame: Frame, stock: Solid) -> bool:
+    """Return whether an image holds the whole stock: what trajectories do beside it, no ray tells."""
+    corners = np.array(list(product(*zip(stock.lower, stock.upper)))) - frame.centre
+    reach = np.abs(corners @ np.array([frame.right, frame.up]).T).max(axis=0)
+    return bool((reach <= frame.pixel / 2 * np.array([frame.width, frame.height]) + _ROUNDING * frame.pixel).all())
 
 
 class _Course:

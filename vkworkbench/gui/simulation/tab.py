@@ -3,10 +3,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 import FreeCAD
 import FreeCADGui as Gui
 
 from vkworkbench import freecad
+from vkworkbench.document import idle
 from vkworkbench.document.simulated_job import JobCopy, SimulatedJob
 from vkworkbench.gui import widgets
 from vkworkbench.gui.plain_text import tell
@@ -18,6 +21,9 @@ from vkworkbench.gui.simulation.reading import Reading
 from vkworkbench.gui.simulation.state_line import told
 from vkworkbench.gui.text import translate
 from vkworkbench.report import Cancelled
+
+_ON_OPERATION = freecad.names_in_fingerprint("path")
+_ON_SETTING = freecad.names_in_fingerprint("setting")
 
 
 class SimulationTab(KeyedWidget):
@@ -34,7 +40,7 @@ class SimulationTab(KeyedWidget):
     player : Player or None
         None while the job is being read.
     outdated : Signal
-        The toolpaths have changed, and the user wants them simulated again.
+        The toolpaths, or what they are simulated with, have changed, and the user wants them simulated again.
     """
 
     outdated = Signal()
@@ -44,12 +50,16 @@ class SimulationTab(KeyedWidget):
         self.copy = copy
         self.player: Player | None = None
         self._open = True
-        self.again = QPushButton(translate("Vk_Simulate", "The toolpaths have changed. Simulate again"))
+        self.again = QPushButton(translate("Vk_Simulate", "What is simulated has changed. Simulate again"))
         self.again.clicked.connect(lambda *_: self.outdated.emit())
         self.again.hide()
         self._layout = QVBoxLayout(self)
         self._layout.setContentsMargins(4, 4, 4, 4)
         self._layout.addWidget(self.again)
+        self._changed: set[str] = set()  # operations whose path may be another one since it was copied
+        self._soon = QTimer(self)
+        self._soon.setSingleShot(True)
+        self._soon.timeout.connect(lambda: idle.work(self._comparing()))
         self.keys = {int(Qt.Key_Escape): lambda: self.window_of().close()}
         FreeCAD.addDocumentObserver(self)
         self.reading = Reading(copy)
@@ -62,6 +72,7 @@ class SimulationTab(KeyedWidget):
     def _simulate(self, job: SimulatedJob) -> None:
         self.reading.hide()
         self._show(Player(job, self.reading.seen))
+        self._soon.start()
 
     def _not_read(self, error: Exception) -> None:
         if isinstance(error, ReferenceError):
@@ -75,12 +86,14 @@ class SimulationTab(KeyedWidget):
         self.player = player
         # FreeCAD 1.1 brings the 3D view to the front for a selection.
         player.asked.connect(lambda: QTimer.singleShot(0, self.come_to_front))
+        self.keys.update(player.time_line.keys)
         self.keys.update({
             int(Qt.Key_Space): player.moment.play,
             int(Qt.Key_Comma): lambda: player.moment.step(-1),
             int(Qt.Key_Period): lambda: player.moment.step(1),
         })  # fmt: skip
         self._layout.addWidget(player, 1)
+        self.setFocusProxy(player.time_line)
 
     # The tab
 
@@ -93,6 +106,16 @@ class SimulationTab(KeyedWidget):
         """Return the tab in FreeCAD's window."""
         return self.parentWidget() or self
 
+    def showEvent(self, event) -> None:
+        super().showEvent(event)
+        QTimer.singleShot(0, self._take_focus)
+
+    def _take_focus(self) -> None:
+        """Give the focus to the time line, where Qt has given it to the first button, whose keys are others."""
+        focused = self.focusWidget()
+        if focused is not None and focused.hasFocus():
+            self.setFocus()
+
     def closeEvent(self, event) -> None:
         self.end()
         super().closeEvent(event)
@@ -101,6 +124,7 @@ class SimulationTab(KeyedWidget):
         """Stop all work: the tab is closed."""
         if self._open:
             self._open = False
+            self._soon.stop()
             FreeCAD.removeDocumentObserver(self)
         self.reading.end()
         if self.player is not None:
@@ -109,17 +133,30 @@ class SimulationTab(KeyedWidget):
     # What happens to the document
 
     def slotChangedObject(self, obj, name: str) -> None:
-        if name in freecad.PATH.names and self._is_ours(obj):
-            self.again.show()
+        if name in _ON_OPERATION | _ON_SETTING and obj.Document.Name == self.copy.document:
+            if name in _ON_OPERATION:
+                self._changed.add(obj.Name)
+            self._compare()
 
     def slotDeletedObject(self, obj) -> None:
-        if self._is_ours(obj):
-            self.again.show()
+        if obj.Document.Name == self.copy.document:
+            self._compare()
 
     def slotDeletedDocument(self, document) -> None:
         if document.Name == self.copy.document:
             self.end()
             QTimer.singleShot(0, self.window_of().close)
 
-    def _is_ours(self, obj) -> bool:
-        return obj.Document.Name == self.copy.document and obj.Name in self.copy.names
+    def _compare(self) -> None:
+        """Look soon whether the document still says what is simulated; nobody else is told of its faults until then."""
+        if self.player is not None:  # else it is looked at when the job has been read
+            self.player.known.follow(False)
+            self._soon.start()
+
+    def _comparing(self) -> Iterator[None]:
+        if not self._open:
+            return
+        holds = yield from self.copy.comparing(self._changed)
+        if self._open and not self._soon.isActive():  # nothing has changed meanwhile
+            self.again.setVisible(not holds)
+            self.player.known.follow(holds)
