@@ -7,6 +7,7 @@ from collections.abc import Callable, Sequence
 
 from vkworkbench.gui.plain_text import as_html, as_plain
 from vkworkbench.gui.qt import (
+    QAction,
     QComboBox,
     QDoubleSpinBox,
     QHBoxLayout,
@@ -41,6 +42,8 @@ _VIEWS = (
     (QT_TRANSLATE_NOOP("Vk_Simulate", "As the 3D view"), None),
 )
 PART, CHIPS, BOTH = range(3)
+GAP = 4  # px between rows, and within them
+_SHORTEST = 4  # letters of a box that stay where there is little room
 _MOST = 30  # entries of a list
 _BORDERS = 60  # px beside an entry of a list
 
@@ -58,6 +61,8 @@ class SceneBar(QWidget):
         The user chose it in a list.
     saved : Signal of object
         What is shown is to be saved by this function of `exports`.
+    controls, differences : QWidget
+        The row that is always there; that of differences to the model, where surfaces are coloured by them.
     """
 
     looked, saved = Signal(object), Signal(object)
@@ -103,21 +108,23 @@ class SceneBar(QWidget):
         bold = self.warnings.font()
         bold.setBold(True)
         self.warnings.setFont(bold)
-        for button in (self.warnings, self.tolerance, self.worst):
-            button.hide()
+        self.warnings.hide()
         save = _menu(translate("Vk_Simulate", "Save"), translate("Vk_Simulate", "Save what is shown."))
-        for text, work in (
+        *_, self.rates = (self._saving(save.menu(), text, work) for text, work in (
             (translate("Vk_Simulate", "Picture…"), exports.save_picture),
             (translate("Vk_Simulate", "Pictures of the whole job…"), exports.save_frames),
             (translate("Vk_Simulate", "Removal rates…"), exports.save_rates),
-        ):
-            save.menu().addAction(text).triggered.connect(lambda *_, work=work: self.saved.emit(work))
-        controls = QWidget()
-        _fill(controls, self.views, self.colorings, self.tolerance, self.worst, None, self.warnings, self.chips, save)
+        ))  # fmt: skip
+        self.rates.setEnabled(False)
+        self.rates.setToolTip(translate("Vk_Simulate", "They are known when the finest picture is there."))
+        self.controls, self.differences = QWidget(), QWidget()
+        _fill(self.controls, self.views, self.colorings, None, self.warnings, self.chips, save)
+        _fill(self.differences, self.tolerance, self.worst, None)
         layout = QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
-        layout.addWidget(controls)
-        layout.addWidget(self.legend)
+        layout.setSpacing(GAP)
+        for widget in (self.controls, self.differences, self.legend):
+            layout.addWidget(widget)
 
     @property
     def compares(self) -> bool:
@@ -136,11 +143,14 @@ class SceneBar(QWidget):
         self.warnings.setVisible(bool(found))
 
     def list_worst(self, found: Sequence[Fault], text: Callable[[Fault], str]) -> None:
-        """List the worst differences to the model, where surfaces are coloured by them."""
+        """List the worst differences to the model."""
         self._list(self.worst, found, text)
-        self.tolerance.setVisible(self.compares)
-        self.worst.setVisible(self.compares)
         self.worst.setEnabled(bool(found))
+
+    def _saving(self, menu: QMenu, text: str, work: Callable) -> QAction:
+        action = menu.addAction(text)
+        action.triggered.connect(lambda *_: self.saved.emit(work))
+        return action
 
     def _list(self, button: QToolButton, found: Sequence[Fault], text: Callable[[Fault], str]) -> None:
         button.menu().clear()
@@ -163,6 +173,8 @@ class PlayBar(QWidget):
     stepped : Signal of int
         By a trajectory (1), a command (2) or an operation (3), back where negative.
     play_clicked : Signal
+    controls : QWidget
+        The row of buttons.
     """
 
     stepped, play_clicked = Signal(int), Signal()
@@ -188,12 +200,13 @@ class PlayBar(QWidget):
         self.text = as_plain(QLabel())
         self.text.setTextInteractionFlags(Qt.TextSelectableByMouse)
         self.text.setSizePolicy(QSizePolicy.Ignored, QSizePolicy.Preferred)
+        self.controls = QWidget()
         back, on = ([button for by, button in self.steps.items() if by * sign > 0] for sign in (-1, 1))
-        controls = QWidget()
-        _fill(controls, *back, self.play_button, *on, self.speeds, None)
+        _fill(self.controls, *back, self.play_button, *on, self.speeds, None)
         layout = QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
-        for widget in (controls, self.text):
+        layout.setSpacing(GAP)
+        for widget in (self.controls, self.text):
             layout.addWidget(widget)
 
     def speed(self, total: float) -> float:
@@ -225,12 +238,14 @@ def _combo(tooltip: str) -> QComboBox:
     box = QComboBox()
     box.setToolTip(tooltip)
     box.setFocusPolicy(Qt.StrongFocus)
+    box.setMinimumContentsLength(_SHORTEST)
     return box
 
 
 def _fill(bar: QWidget, *widgets: QWidget | None) -> QHBoxLayout:
     row = QHBoxLayout(bar)
     row.setContentsMargins(0, 0, 0, 0)
+    row.setSpacing(GAP)
     for widget in widgets:
         if widget is None:
             row.addStretch(1)

@@ -4,18 +4,25 @@
 from __future__ import annotations
 
 import csv
+from collections.abc import Callable
+from errno import EIO
+from itertools import chain, count
+from os import strerror
 from pathlib import Path
 
 import FreeCAD
+import FreeCADGui as Gui
 import numpy as np
 
 from vkworkbench.gui.plain_text import warn
-from vkworkbench.gui.qt import QApplication, QEventLoop, QFileDialog
+from vkworkbench.gui.qt import QApplication, QEventLoop, QFileDialog, QProgressDialog, Qt
 from vkworkbench.gui.saving import proposed, with_suffix
+from vkworkbench.gui.sentences import user
 from vkworkbench.gui.text import translate
 from vkworkbench.spreadsheet import as_cell
 
 _FRAMES = 120  # of the whole job
+_READ = 10_000  # ms for which the status bar says where they are
 _COLUMNS = ("operation", "trajectory", "command", "begin_s", "end_s", "volume_mm3", "rate_mm3_per_min")
 
 
@@ -29,24 +36,95 @@ def save_picture(player) -> None:
 
 
 def save_frames(player) -> None:
-    """Save pictures of the whole job, at equal distances in time, to a folder that the user chooses."""
-    folder = QFileDialog.getExistingDirectory(player, translate("Vk_Simulate", "Folder of the Pictures"))
-    if folder and player.simulation is not None:
-        write_frames(player, Path(folder))
+    """Save pictures of the whole job, at equal distances in time, in a new folder where the user chooses.
+
+    They are as fine as they can be: what is still being refined is waited for.
+    """
+    title = translate("Vk_Simulate", "Folder of the Pictures")
+    chosen = QFileDialog.getExistingDirectory(player, title, str(Path(_proposed(player, "")).parent))
+    if not chosen:
+        return
+    dialog = _progress(player, translate("Vk_Simulate", "Saving the pictures when the finest is there…"))
+
+    def going_on(done: int) -> bool:
+        dialog.setValue(done)
+        QApplication.processEvents()
+        return not dialog.wasCanceled() and player.simulation is not None
+
+    try:
+        while player.refines and going_on(0):
+            QApplication.processEvents(QEventLoop.WaitForMoreEvents)
+        if going_on(0):
+            folder = _new_folder(Path(chosen), _document(player).Name)
+            done = write_frames(player, folder, _FRAMES, going_on)
+            text = translate("Vk_Simulate", "{} of {} pictures are saved in {}.")
+            text = text.format(user().count(done), user().count(_FRAMES), folder)
+            Gui.getMainWindow().statusBar().showMessage(text, _READ)
+    except OSError as error:
+        _not_written(player, error.filename)
+    finally:
+        dialog.close()
+        dialog.deleteLater()
 
 
-def write_frames(player, folder: Path, count: int = _FRAMES) -> None:
-    """Write `count` pictures, numbered from 0000, from the stock to the part."""
-    before = player.moment.seconds
-    for number, seconds in enumerate(np.linspace(0, player.clock.total, count).tolist()):
-        player.moment.go_to(seconds)
-        player.pictures.show_now()
-        path = folder / f"{number:04d}.png"
-        if not player.view.grab().save(str(path), "PNG"):
-            _not_written(player, str(path))
-            break
-        QApplication.processEvents(QEventLoop.ExcludeUserInputEvents)
-    player.moment.go_to(before)
+def _progress(player, text: str) -> QProgressDialog:
+    dialog = QProgressDialog(text, translate("Vk_Analyze", "Cancel"), 0, _FRAMES, player)
+    dialog.setWindowTitle(translate("Vk_Simulate", "Simulate toolpaths"))
+    dialog.setWindowModality(Qt.WindowModal)
+    dialog.setMinimumDuration(0)  # no click is to reach the window meanwhile
+    dialog.rejected.connect(dialog.cancel)  # Esc, whichever part of the dialog takes it
+    return dialog
+
+
+def _new_folder(parent: Path, document: str) -> Path:
+    """Make a folder for the pictures of a document, numbered where there are some."""
+    name = translate("Vk_Simulate", "{} pictures").format(document)
+    numbered = chain([name], (f"{name} {number}" for number in count(2)))
+    folder = next(folder for folder in map(parent.joinpath, numbered) if not folder.exists())
+    folder.mkdir()
+    return folder
+
+
+def write_frames(player, folder: Path, number: int, going_on: Callable[[int], bool]) -> int:
+    """Write pictures, numbered from 0000, from the stock to the part, and go back to the moment that was shown.
+
+    Parameters
+    ----------
+    player : Player
+    folder : Path
+    number : int
+        How many pictures.
+    going_on : callable
+        Asked before each, with how many are written.
+
+    Returns
+    -------
+    int
+        How many were written.
+
+    Raises
+    ------
+    OSError
+        If one cannot be written.
+    """
+    moment = player.moment
+    before = moment.seconds, moment.noticed
+    written = 0
+    try:
+        for seconds in np.linspace(0, player.clock.total, number).tolist():
+            if not going_on(written):
+                break
+            moment.go_to(seconds)
+            player.pictures.show_now()
+            path = str(folder / f"{written:04d}.png")
+            if not player.view.grab().save(path, "PNG"):
+                raise OSError(EIO, strerror(EIO), path)
+            written += 1
+    finally:
+        if player.simulation is not None:
+            moment.go_to(*before)
+            player.pictures.show_now()
+    return written
 
 
 def save_rates(player) -> None:
@@ -77,8 +155,12 @@ def write_rates(player, path: Path) -> None:
                 number += 1
 
 
+def _document(player):
+    return FreeCAD.getDocument(player.job.operations[0].document)
+
+
 def _proposed(player, suffix: str) -> str:
-    document = FreeCAD.getDocument(player.job.operations[0].document)
+    document = _document(player)
     return proposed(document, document.Name + suffix)
 
 

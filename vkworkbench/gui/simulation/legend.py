@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from vkworkbench.gui.plain_text import as_html
-from vkworkbench.gui.qt import QColor, QPainter, QRectF, QSizePolicy, Qt, QWidget
+from vkworkbench.gui.qt import QColor, QPainter, QRectF, QSize, QSizePolicy, Qt, QWidget
 
 _GAP = 12  # px between two entries
 _BESIDE = 4  # px between a colour and its name
@@ -50,6 +50,9 @@ class Legend(QWidget):
             painter.setPen(self.palette().windowText().color())
             flags = int(Qt.AlignVCenter | Qt.AlignLeft | Qt.TextDontClip)
             painter.drawText(place.adjusted(side + _BESIDE, 0, 0, 0), flags, name)
+
+    def sizeHint(self) -> QSize:
+        return QSize(100, self.height())
 
     @property
     def _line(self) -> int:

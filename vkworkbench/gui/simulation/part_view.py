@@ -20,6 +20,7 @@ from vkworkbench.gui.qt import (
     QPointF,
     QPolygonF,
     QRectF,
+    QSize,
     QSizePolicy,
     Qt,
     QTimer,
@@ -69,7 +70,7 @@ class PartView(QWidget):
         self._rest.setSingleShot(True)
         self._rest.setInterval(_REST)
         self._rest.timeout.connect(self.view_rested)
-        self.setMinimumSize(160, 120)
+        self.setMinimumSize(160, 50)
         self.setSizePolicy(QSizePolicy.Expanding, QSizePolicy.Expanding)
         self.setFocusPolicy(Qt.StrongFocus)
         self.setBackgroundRole(QPalette.Base)  # which a theme's style sheet then sets
@@ -91,6 +92,9 @@ class PartView(QWidget):
         """Look in a direction at the whole stock."""
         self._direction, self._offset, self._zoom = direction, (0.0, 0.0), 1.0
         self._changed()
+
+    def sizeHint(self) -> QSize:
+        return QSize(400, 80)
 
     def show_scene(self, scene: Scene, frame: Frame) -> None:
         """Show a picture that was simulated with this frame."""

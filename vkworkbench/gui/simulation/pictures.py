@@ -30,7 +30,7 @@ class Pictures(QObject):
     Attributes
     ----------
     begun : Signal
-        A picture was begun.
+        A picture of another moment, or of this one anew, was begun.
     failed : Signal of Exception
     """
 
@@ -70,6 +70,7 @@ class Pictures(QObject):
         self._changed = False
         picture = self._drawing.picture(self._moment, self._view.background)
         self._show(self._moment.tool_tip(), picture.draw())
+        self.begun.emit()
 
     def end(self) -> None:
         """Draw no more."""

@@ -17,10 +17,10 @@ from vkworkbench.document.simulated_job import SimulatedJob
 from vkworkbench.document.simulation import Simulation
 from vkworkbench.gui.background import Background
 from vkworkbench.gui.plain_text import as_html
-from vkworkbench.gui.qt import QTimer, QVBoxLayout, QWidget, Signal
+from vkworkbench.gui.qt import QEvent, QTimer, QVBoxLayout, QWidget, Signal
 from vkworkbench.gui.sentences import strategy_name, user
 from vkworkbench.gui.simulation.clock import Clock
-from vkworkbench.gui.simulation.controls import PlayBar, SceneBar
+from vkworkbench.gui.simulation.controls import GAP, PlayBar, SceneBar
 from vkworkbench.gui.simulation.drawing import Drawing
 from vkworkbench.gui.simulation.faults import Fault, Judged, judge
 from vkworkbench.gui.simulation.known_faults import KnownFaults
@@ -32,6 +32,7 @@ from vkworkbench.gui.simulation.state_line import StateLine
 from vkworkbench.gui.simulation.time_line import Block, TimeLine
 from vkworkbench.gui.text import translate
 
+_PART = 120  # px in height that the part keeps before anything is told beside it
 _TICK = 20  # ms between two looks at the work, and two pictures of a play
 
 
@@ -97,10 +98,26 @@ class Player(QWidget):
     def _lay_out(self) -> None:
         layout = QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
+        layout.setSpacing(GAP)
         layout.addWidget(self.scene_bar)
         layout.addWidget(self.view, 1)
         for widget in (self.play_bar, self.time_line, self.state):
             layout.addWidget(widget)
+
+    def event(self, event) -> bool:
+        if event.type() in (QEvent.Resize, QEvent.LayoutRequest):
+            self._make_room()
+        return super().event(event)
+
+    def _make_room(self) -> None:
+        """Show beside the part what there is room for, the most needed first: FreeCAD's area keeps no minimum height."""
+        always = (self.scene_bar.controls, self.play_bar.controls, self.time_line)
+        left = self.height() - _PART - sum(widget.sizeHint().height() + GAP for widget in always)
+        for widget in (self.play_bar.text, self.scene_bar.differences, self.scene_bar.legend, self.state):
+            needed = widget.sizeHint().height() + GAP
+            wanted = widget is not self.scene_bar.differences or self.scene_bar.compares
+            widget.setVisible(wanted and needed <= left)
+            left -= needed if wanted and needed <= left else 0
 
     def _connect(self) -> None:
         self.view.view_rested.connect(self.simulate)
@@ -173,6 +190,7 @@ class Player(QWidget):
         self.pictures.begin()
 
     def _ended(self, error: Exception | None) -> None:
+        self.scene_bar.rates.setEnabled(self.drawing.facts is not None)
         self.state.show_end(self.job.remarks, error)
 
     def _take(self, done: Estimate | Refined | Told) -> None:
@@ -237,6 +255,7 @@ class Player(QWidget):
         """Take another colouring or tolerance; the model is seen first, where that was not necessary until now."""
         if self.scene_bar.compares and self.drawing.seen is None and self.job.model_shapes:
             self.simulate()
+        self._make_room()
         self._judge(self.drawing.told)
         self._color()
 

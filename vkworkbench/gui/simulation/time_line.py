@@ -29,7 +29,8 @@ from vkworkbench.gui.qt import (
 from vkworkbench.gui.simulation.keys import KeyedWidget
 from vkworkbench.gui.text import translate
 
-_CURVE, _AIR, _BLOCKS = 34, 4, 20  # px, from top to bottom
+_CURVE, _AIR, _BLOCKS, _BELOW = 34, 4, 20, 8  # px, from top to bottom; the curve is lower where there is little room
+_LOWEST = 12  # px of the curve
 _MARK = 5.0  # px; half a warning's width
 _APART = 5  # px between trajectories that are told apart
 _ZOOM = 1.4  # for each notch of the wheel
@@ -103,10 +104,10 @@ class TimeLine(KeyedWidget):
         self._blocks: tuple[Block, ...] = ()
         self._warned: tuple[Warned, ...] = ()
         self._ends = self._volumes = self._air = np.empty(0)
-        self._curve: tuple[int, QPolygonF, np.ndarray] | None = None  # for a width, px; and the share of air
+        self._curve: tuple[QSize, QPolygonF, np.ndarray] | None = None  # for a size, px; and the share of air
         self.keys = {key: partial(self._move_on, share) for key, share in _KEYS.items()}
-        self.setMinimumHeight(_CURVE + _AIR + _BLOCKS + 8)
-        self.setSizePolicy(QSizePolicy.Expanding, QSizePolicy.Fixed)
+        self.setMinimumHeight(_LOWEST + _AIR + _BLOCKS + _BELOW)
+        self.setSizePolicy(QSizePolicy.Expanding, QSizePolicy.Maximum)
         self.setFocusPolicy(Qt.StrongFocus)
         self.setBackgroundRole(QPalette.Base)  # which a theme's style sheet then sets
         self.setMouseTracking(True)
@@ -156,7 +157,11 @@ class TimeLine(KeyedWidget):
         self.update()
 
     def sizeHint(self) -> QSize:
-        return QSize(400, _CURVE + _AIR + _BLOCKS + 8)
+        return QSize(400, _CURVE + _AIR + _BLOCKS + _BELOW)
+
+    @property
+    def _curve_height(self) -> int:
+        return self.height() - _AIR - _BLOCKS - _BELOW
 
     def x_of(self, seconds: float) -> float:
         """Return where a moment is drawn, px."""
@@ -180,7 +185,7 @@ class TimeLine(KeyedWidget):
         painter.fillRect(self.rect(), palette.base())
         text = palette.text().color()
         self._paint_curve(painter, text)
-        top = _CURVE + _AIR
+        top = self._curve_height + _AIR
         for block in self._blocks:
             left, right = max(self.x_of(block.begin), 0.0), min(self.x_of(block.end), float(self.width()))
             if right < 0 or left > self.width():
@@ -210,9 +215,10 @@ class TimeLine(KeyedWidget):
         """The removal rate over time, and below it where a cutting move cuts air."""
         if not len(self._volumes) or not self.total:
             return
-        if self._curve is None or self._curve[0] != self.width():
+        height = self._curve_height
+        if self._curve is None or self._curve[0] != self.size():
             rate, air = self._by_column(self.width())
-            self._curve = self.width(), _area(rate), air
+            self._curve = self.size(), _area(rate, height), air
         _, curve, air = self._curve
         fill = QColor(text)
         fill.setAlpha(110)
@@ -224,11 +230,11 @@ class TimeLine(KeyedWidget):
         if last - first < self.width() / _APART:  # trajectories can be told apart
             painter.setPen(QPen(text, 1))
             for end in self._ends[first:last].tolist():
-                painter.drawLine(QPointF(self.x_of(end), _CURVE), QPointF(self.x_of(end), _CURVE + _AIR))
+                painter.drawLine(QPointF(self.x_of(end), height), QPointF(self.x_of(end), height + _AIR))
             painter.setPen(Qt.NoPen)
         for x in np.flatnonzero(air > 0.02).tolist():
             hatch.setAlphaF(min(1.0, 0.25 + float(air[x])))
-            painter.fillRect(QRectF(x, _CURVE, 1, _AIR), hatch)
+            painter.fillRect(QRectF(x, height, 1, _AIR), hatch)
 
     def _by_column(self, width: int) -> tuple[np.ndarray, np.ndarray]:
         """Volume removed, and share of the time in which a cutting move removes nothing, by columns of pixels."""
@@ -274,8 +280,8 @@ class TimeLine(KeyedWidget):
         self._see(at - (at - self._begin) / self._span * span if self._span else 0.0, span)
 
 
-def _area(rate: np.ndarray) -> QPolygonF:
-    """The area below a curve, one number for each column of pixels, as high as there is room."""
-    tops = _CURVE - rate / max(rate.max(initial=0.0), 1e-300) * (_CURVE - 4)
-    sides = QPointF(0, _CURVE), QPointF(len(tops), _CURVE)
+def _area(rate: np.ndarray, height: int) -> QPolygonF:
+    """The area below a curve of that height, one number for each column of pixels."""
+    tops = height - rate / max(rate.max(initial=0.0), 1e-300) * (height - 4)
+    sides = QPointF(0, height), QPointF(len(tops), height)
     return QPolygonF([sides[0], *(QPointF(x, y) for x, y in enumerate(tops.tolist())), sides[1]])
