@@ -255,7 +255,7 @@ def test_exports(simulated, window, tmp_path):
     QtCore.QTimer.singleShot(300, lambda: (window.screenshot("simulation-save"), save.menu().close()))
     window.click_on(save)
     simulated.moment.go_to(0.4 * simulated.clock.total)
-    exports.write_frames(simulated, tmp_path, 4)
+    exports.write_frames(simulated, tmp_path, 4, lambda _: True)
     frames = sorted(tmp_path.glob("*.png"))
     assert [f.name for f in frames] == ["0000.png", "0001.png", "0002.png", "0003.png"]
     assert QtGui.QImage(str(frames[0])) != QtGui.QImage(str(frames[3])) and not QtGui.QImage(str(frames[1])).isNull()
@@ -287,7 +287,7 @@ def test_it_says_that_a_toolpath_has_changed_and_simulates_it_again(simulated, o
     face = opened.getObjectsByLabel("Face")[0]
     assert not before.again.isVisible()
     face.Path = type(face.Path)(face.Path.Commands[:-20])
-    assert before.again.isVisible()
+    window.wait(before.again.isVisible)
     window.click_on(before.again)
     window.wait(lambda: tabs(window) and tabs(window) != [before])
     (tab,) = tabs(window)

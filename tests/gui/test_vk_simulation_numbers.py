@@ -1,0 +1,170 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Numbers that the simulation's tab shows and saves, of jobs of a few moves; most need no window."""
+
+from __future__ import annotations
+
+import csv
+from itertools import accumulate
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+
+from vkworkbench.core import Cut, Stock, Strategy, Tool, View, linearize
+from vkworkbench.core.zbuffer import Speed
+from vkworkbench.document.simulated_job import SimulatedJob, SimulatedOperation
+from vkworkbench.gui.simulation import coloring, exports
+from vkworkbench.gui.simulation.clock import Clock
+from vkworkbench.gui.simulation.drawing import Drawing
+from vkworkbench.gui.simulation.faults import Fault, judge
+from vkworkbench.gui.simulation.known_faults import KnownFaults
+from vkworkbench.gui.simulation.refining import Facts, Refined, Refining, Told, holds
+from vkworkbench.gui.simulation.time_line import TimeLine
+from vkworkbench.language import Message
+
+STOCK = Stock((0, 0, 0), (60, 40, 20))
+# Two slots; a feed of 10 mm/s, and one that nobody tells.
+SLOT = [("G0", {"X": 5.0, "Y": 10.0, "Z": 30.0}), ("G1", {"Z": 15.0, "F": 5.0}), ("G1", {"X": 55.0, "F": 10.0})]
+CRASH = [("G0", {"X": 5.0, "Y": 30.0, "Z": 30.0}), ("G0", {"Z": 15.0}), ("G0", {"X": 55.0})]
+
+
+def job_of(*paths):
+    operations = [SimulatedOperation("D", f"Op{k}", f"Op {k}", (50.0, 50.0), False, "") for k in range(len(paths))]
+    cuts = [Cut(linearize(path), Tool("endmill", 6.0)) for path in paths]
+    listings = [[name for name, _ in path] for path in paths]
+    toolpaths = [cut.toolpath for cut in cuts]
+    return SimulatedJob(tuple(operations), tuple(cuts), tuple(toolpaths), tuple(listings), STOCK, (), ())
+
+
+def refined(job, view, known=None):
+    """All that the refining of a view yields."""
+    work = Refining(job, view, 1e9, 1e3, Speed(), glance=False, compare=False, known=known)
+    return list(work(lambda: None))
+
+
+WHOLE = View((0, 0, -1), 240, 160)
+PART = View((0, 0, -1), 240, 160, pixel=0.02, offset=(0.0, -10.0))
+
+
+def test_only_an_image_that_holds_the_stock_tells_what_trajectories_remove():
+    job = job_of(SLOT, CRASH)
+    (*_, whole) = (done for done in refined(job, WHOLE) if isinstance(done, Told))
+    assert whole.facts.volumes.sum() == pytest.approx(2 * 5 * (6 * 50 + np.pi * 9), rel=0.03)
+    assert [crash.source.cut for crash in whole.facts.crashes] == [1, 1] and not whole.facts.air.any()
+    done = refined(job, PART, whole.facts)
+    assert not any(one.facts for one in done if isinstance(one, Told))
+    (*_, last) = (one for one in done if isinstance(one, Refined))
+    assert last.simulation.zbuffer.frame.pixel == 0.02  # the picture is the part's
+    # Where the whole was never simulated so finely, it comes last, and no picture of it.
+    for known in (None, whole.facts):
+        coarse = known and Facts(
+            8 * known.pixel, *[getattr(known, own) for own in ("volumes", "air", "crashes", "plunges")]
+        )
+        *before, own = refined(job, PART, coarse)
+        assert (own.facts.volumes == whole.facts.volumes).all() and own.facts.pixel == whole.facts.pixel
+        assert all(one.simulation.zbuffer.frame.pixel < 0.2 for one in before if isinstance(one, Refined))
+
+
+@pytest.mark.parametrize("direction", [(0, 0, -1), (-1, 1, -1), (0, 1, 0), (0.3, -0.2, 0.9)])
+def test_an_image_holds_the_stock_if_all_of_it_is_within(direction):
+    whole = View(direction, 300, 200)
+    pixel = whole.frame(STOCK).pixel
+    assert holds(whole.frame(STOCK), STOCK)
+    assert not holds(View(direction, 300, 200, pixel=0.99 * pixel).frame(STOCK), STOCK)
+    assert holds(View(direction, 300, 200, pixel=2 * pixel, offset=(40 * pixel, 0)).frame(STOCK), STOCK)
+    for offset in ((310 * pixel, 0), (0, 210 * pixel)):
+        assert not holds(View(direction, 300, 200, pixel=2 * pixel, offset=offset).frame(STOCK), STOCK)
+
+
+def test_what_a_fine_picture_of_the_whole_told_stays_until_another_one_tells_as_much():
+    job = job_of(SLOT)
+    drawing = Drawing(job, Clock(job), None)
+    fine, coarse, part, other = (
+        SimpleNamespace(
+            simulation=None, seen=None, facts=pixel and Facts(pixel, np.zeros(3), np.zeros(3, bool), [], [])
+        )
+        for pixel in (0.1, 0.8, None, 0.15)
+    )
+    for told, expected in ((coarse, coarse), (fine, fine), (coarse, fine), (part, fine), (other, other)):
+        drawing.take(told)
+        assert drawing.facts is expected.facts
+
+
+def gouge(cut, depth):
+    return Fault(cut, 0, 0, (0.0, 0.0, 0.0), Message("cuts-model", depth=depth), True)
+
+
+def test_a_gouge_beside_a_part_of_the_stock_is_there_all_the_same(monkeypatch):
+    facts = Facts(1.0, np.zeros(3), np.zeros(3, bool), [], [])
+    seen = [gouge(0, 0.4), gouge(2, 0.2)]
+    monkeypatch.setattr("vkworkbench.gui.simulation.faults._gouged", lambda told, tolerance: list(seen))
+    before = [gouge(0, 0.3), gouge(1, 0.5), gouge(2, 0.6), gouge(3, 0.1)]
+    depths = {}
+    for name, of_image in (("part", None), ("whole", facts)):
+        told = Told(None, of_image, None, judged=True)
+        depths[name] = [(f.cut, f.gouged) for f in judge(told, facts, 0.15, before, False).faults]
+    assert depths == {"part": [(2, 0.6), (1, 0.5), (0, 0.4)], "whole": [(0, 0.4), (2, 0.2)]}
+
+
+def test_places_that_differ_alike_are_told_apart():
+    job = job_of(SLOT)
+    known = KnownFaults(job, Clock(job))
+    left = [Fault(None, None, None, (x, 2.0, 19.25), Message("leaves-material", depth=1.0), False) for x in (1.5, 58.0)]
+    assert [known.text_with_place(fault) for fault in left] == [
+        "raw stock: 1 mm are left on the model, at X 1.5 Y 2 Z 19.25 mm",
+        "raw stock: 1 mm are left on the model, at X 58 Y 2 Z 19.25 mm",
+    ]
+
+
+def test_saved_rates_are_volumes_by_minutes(tmp_path):
+    job = job_of(SLOT, CRASH)
+    clock = Clock(job)
+    volumes = np.arange(1.0, len(clock.cuts) + 1)
+    player = SimpleNamespace(job=job, clock=clock, volumes=volumes)
+    exports.write_rates(player, tmp_path / "rates.csv")
+    rows = list(csv.DictReader((tmp_path / "rates.csv").open(encoding="utf-8")))
+    assert [row["operation"] for row in rows] == ["Op 0"] * 2 + ["Op 1"] * 2
+    # 15 mm at 5 mm/s, 50 mm at 10 mm/s; then rapids of 50 mm/s.
+    seconds = [3.0, 5.0, 0.3, 1.0]
+    ends = list(accumulate(seconds))
+    for row, volume, time, begin, end in zip(rows, volumes, seconds, [0.0, *ends], ends):
+        numbers = [float(row[name]) for name in ("begin_s", "end_s", "volume_mm3", "rate_mm3_per_min")]
+        assert numbers == pytest.approx([begin, end, volume, 60 * volume / time], rel=1e-5)
+
+
+def colored(make, volumes, ends):
+    clock = SimpleNamespace(ends=np.array(ends), total=ends[-1])
+    job = coloring.Job(("Op",), (Strategy.UNKNOWN,), clock, np.array(volumes), None, False, 0.1)
+    return make(None, job)
+
+
+def test_the_scale_of_removal_rates_ends_where_a_hundredth_is_faster():
+    # 69.5 mm³ in a minute, 30 mm³ in half a minute less; the fastest removes half a hundredth of all.
+    found = colored(coloring.by_removal_rate, [69.5, 30.0, 0.5], [0.0, 60.0, 75.0, 75.01])
+    assert [name for _, name in found.legend() if name] == ["0", "120 mm³/min"]
+
+
+def test_the_scale_of_times_begins_with_the_first_end():
+    last = colored(coloring.by_time, [1.0, 1.0], [0.0, 50.0, 100.0]).colors
+    alone = colored(coloring.by_time, [1.0], [0.0, 100.0]).colors
+    assert (last[2] == alone[1]).all() and not (last[1] == last[2]).all()  # the first is the stock's
+
+
+def test_a_speed_that_nobody_tells_is_the_middle_of_the_others():
+    words = [
+        {"X": 0.0, "Y": 0.0, "Z": 15.0},
+        {"X": 10.0},
+        *({"X": 10.0 * k, "F": f} for k, f in ((2, 1), (3, 2), (4, 50))),
+    ]
+    clock = Clock(job_of([("G1", own) for own in words]))
+    assert np.diff(clock.ends).tolist() == pytest.approx([5.0, 10.0, 5.0, 0.2]) and not clock.complete
+
+
+def test_the_time_line_tells_air_where_a_move_cuts_air():
+    line = TimeLine()
+    line.show_job((), 4.0)
+    line.show_facts(np.array([0.0, 1.0, 2.0, 4.0]), np.array([3.0, 0.0, 5.0]), np.array([False, True, False]), ())
+    removed, air = line._by_column(4)
+    assert removed.tolist() == pytest.approx([3.0, 0.0, 2.5, 2.5])
+    assert air.tolist() == pytest.approx([0.0, 1.0, 0.0, 0.0])
+    line.deleteLater()

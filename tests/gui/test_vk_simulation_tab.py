@@ -1,0 +1,403 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The simulation's tab while the view, the document or the room for it changes, and what it saves and keeps meanwhile."""
+
+from __future__ import annotations
+
+from itertools import combinations
+
+import FreeCAD
+import FreeCADGui as Gui
+import numpy as np
+import pytest
+from PySide import QtCore, QtGui
+from simulation_window import COMMAND, finest, shown, tabs
+
+import vkworkbench
+from vkworkbench.core.zbuffer import removed_volumes
+from vkworkbench.gui import widgets
+from vkworkbench.gui.simulation import exports
+from vkworkbench.gui.simulation.known_faults import KnownFaults
+
+
+@pytest.fixture
+def tab(opened, window, small):
+    """The tab of the example's job, simulated by a click, at its finest."""
+    Gui.Selection.clearSelection()
+    window.click(COMMAND)
+    window.wait(lambda: tabs(window))
+    (tab,) = tabs(window)
+    shown(tab, window)
+    yield tab
+    close(window)
+
+
+def close(window):
+    for tab in tabs(window):
+        window.press(tab, QtCore.Qt.Key_Escape)
+    window.wait(lambda: not tabs(window))
+
+
+def wheel(widget, where, notches):
+    place, none = QtCore.QPointF(where), QtCore.Qt.NoModifier
+    event = QtGui.QWheelEvent(place, QtCore.QPointF(widget.mapToGlobal(where)), QtCore.QPoint(),
+                              QtCore.QPoint(0, 120 * notches), QtCore.Qt.NoButton, none, QtCore.Qt.NoScrollPhase, False)  # fmt: skip
+    QtGui.QApplication.sendEvent(widget, event)
+
+
+# What the picture tells
+
+
+def test_a_part_of_the_stock_tells_nothing_of_what_is_beside_it(tab, window, tmp_path):
+    player = tab.player
+    before, air = player.volumes.copy(), player.time_line._air.copy()
+    moves = np.flatnonzero(before > 0)
+    player.moment.after(int(moves[0]))
+    window.wait(lambda: player.pictures.is_current)
+    said = player.play_bar.text.text()
+    wheel(player.view, player.view.rect().center(), 12)
+    finest(player, window)
+    pixel = player.simulation.zbuffer.frame.pixel
+    assert pixel < player.drawing.facts.pixel / 7  # the picture is the part's
+    assert (removed_volumes(player.simulation.zbuffer)[moves] == 0).mean() > 0.5
+    assert (player.volumes == before).all() and (player.time_line._air == air).all()
+    player.moment.after(int(moves[0]))
+    window.wait(lambda: player.pictures.is_current)
+    assert player.play_bar.text.text() == said and "removes nothing" not in said
+    exports.write_rates(player, tmp_path / "rates.csv")
+    volumes = [float(line.split(",")[5]) for line in (tmp_path / "rates.csv").read_text().splitlines()[1:]]
+    assert volumes == pytest.approx(before.tolist(), rel=1e-4)
+
+
+def test_what_is_shown_while_the_whole_is_still_simulated_is_made_up_for(opened, window, small):
+    window.click(COMMAND)
+    window.wait(lambda: tabs(window))
+    (tab,) = tabs(window)
+    window.wait(lambda: tab.player is not None and tab.player.simulation is not None, 60)
+    player = tab.player
+    wheel(player.view, player.view.rect().center(), 12)
+    assert not player.scene_bar.rates.isEnabled()  # of a coarse picture
+    finest(player, window)
+    assert player.scene_bar.rates.isEnabled()
+    assert player.simulation.zbuffer.frame.pixel < player.drawing.facts.pixel / 5
+    whole = player.view.view.pixel * 12  # zoomed in by 1.2 to the 12th, about 9
+    assert player.drawing.facts.pixel < whole
+    close(window)
+
+
+def test_a_command_of_several_moves_is_told_with_all_it_removes(tab, window):
+    player = tab.player
+    command = next(
+        (first, end)
+        for first in np.flatnonzero(player.volumes > 0)
+        for own, end in [player.moment.of_command(int(first))]
+        if own == first and (player.volumes[first:end] > 0).sum() > 3
+    )
+    first, end = map(int, command)
+    player.moment.after(end - 1)
+    window.wait(lambda: player.pictures.is_current)
+    volume = float(player.play_bar.text.text().split("removes ")[1].split()[0])
+    assert volume == pytest.approx(player.volumes[first:end].sum(), rel=0.06)
+    assert volume > 1.5 * player.volumes[first]
+
+
+def test_rates_are_not_saved_before_they_are_known(opened, window, small):
+    window.click(COMMAND)
+    window.wait(lambda: tabs(window))
+    (tab,) = tabs(window)
+    window.wait(lambda: tab.player is not None)
+    rates = tab.player.scene_bar.rates
+    assert not rates.isEnabled() and rates.toolTip()
+    finest(shown(tab, window), window)
+    assert rates.isEnabled() and tab.player.volumes.sum() > 0
+    close(window)
+
+
+# What happens to the document
+
+
+def cut_off(opened):
+    face = opened.getObjectsByLabel("Face")[0]
+    face.Path = type(face.Path)(face.Path.Commands[:-20])
+
+
+def larger_stock(opened):
+    opened.Job.Stock.ExtZpos = 3.0
+    opened.recompute()
+
+
+def moved(opened):
+    face = opened.getObjectsByLabel("Face")[0]
+    face.Placement = FreeCAD.Placement(FreeCAD.Vector(0, 0, 1), FreeCAD.Rotation())
+
+
+def another_operation(opened):
+    import Path
+
+    face = opened.getObjectsByLabel("Face")[0]
+    op = opened.addObject("Path::FeaturePython", "Added")
+    op.addProperty("App::PropertyLink", "ToolController", "Path").ToolController = face.ToolController
+    op.addProperty("App::PropertyBool", "Active", "Path").Active = True
+    op.Path = Path.Path([Path.Command(line) for line in ("G0 Z30", "G0 X40 Y50", "G1 Z15 F1", "G1 X60 F3", "G0 Z30")])
+    opened.Job.Operations.Group += [op]
+
+
+def other_order(opened):
+    opened.Job.Operations.Group = opened.Job.Operations.Group[::-1]
+
+
+def switched_off(opened):
+    opened.getObjectsByLabel("Face")[0].Active = False
+
+
+@pytest.mark.parametrize("change", [cut_off, larger_stock, moved, another_operation, other_order, switched_off])
+def test_a_change_is_said_and_taken_back_with_an_undo(tab, opened, window, change):
+    opened.UndoMode = 1
+    job = tab.player.job
+    opened.openTransaction("change")
+    change(opened)
+    opened.commitTransaction()
+    window.wait(tab.again.isVisible)
+    opened.undo()
+    opened.recompute()
+    window.wait(lambda: not tab.again.isVisible())
+    opened.redo()
+    window.wait(tab.again.isVisible)
+    window.click_on(tab.again)
+    window.wait(lambda: tabs(window) and tabs(window) != [tab])
+    (again,) = tabs(window)
+    now = shown(again, window).job
+    names, before = ([op.name for op in simulated.operations] for simulated in (now, job))
+    expected = {"another_operation": [*before, "Added"], "other_order": before[::-1], "switched_off": before[1:]}
+    assert names == expected.get(change.__name__, before)
+    if change is larger_stock:
+        assert now.stock.upper[2] > job.stock.upper[2] + 1
+    window.idle(0.5)
+    assert not again.again.isVisible()
+
+
+def test_a_change_of_nothing_that_is_simulated_is_no_change(tab, opened, window):
+    face = opened.getObjectsByLabel("Face")[0]
+    face.Path = type(face.Path)(face.Path.Commands)
+    face.Label = "Another name"
+    opened.addObject("Part::Box", "Beside")
+    opened.recompute()
+    window.idle(1.0)
+    assert not tab.again.isVisible()
+
+
+def crash(opened):
+    """Let the job begin with a rapid move through the stock, and return what that is named."""
+    another_operation(opened)
+    op = opened.Added
+    op.Path = type(op.Path)(
+        [type(op.Path.Commands[0])(line) for line in ("G0 X40 Y50 Z30", "G0 Z14", "G0 X60", "G0 Z30")]
+    )
+    opened.Job.Operations.Group = [op, *opened.Job.Operations.Group[:-1]]
+    return op
+
+
+def told(op):
+    (row,) = vkworkbench.analyze(op).operations
+    return [remark.code for remark in row.remarks if remark.code == "simulated"]
+
+
+def test_an_outdated_tab_tells_nobody_of_its_faults(opened, window, small):
+    opened.UndoMode = 1
+    op = crash(opened)
+    Gui.Selection.clearSelection()
+    window.click(COMMAND)
+    window.wait(lambda: tabs(window))
+    (tab,) = tabs(window)
+    player = shown(tab, window)
+    assert told(op) == ["simulated"]
+    opened.openTransaction("change")
+    cut_off(opened)
+    opened.commitTransaction()
+    assert told(op) == []
+    player.look("Top")
+    finest(player, window)
+    assert tab.again.isVisible() and player.faults and told(op) == []
+    opened.undo()
+    window.wait(lambda: not tab.again.isVisible())
+    assert told(op) == ["simulated"]  # of what the document says again
+    close(window)
+
+
+def test_a_change_while_the_job_is_read_is_noticed(opened, window, small, monkeypatch):
+    kept = []
+    monkeypatch.setattr(
+        KnownFaults, "_tell", lambda known, tell=KnownFaults._tell: kept.append(known._holds) or tell(known)
+    )
+    op = crash(opened)
+    window.click(COMMAND)
+    (tab,) = tabs(window)
+    window.wait(lambda: op.Name in tab.copy._settings)
+    assert tab.player is None
+    op.Path = type(op.Path)(op.Path.Commands[:1])
+    shown(tab, window)
+    window.wait(tab.again.isVisible)
+    assert tab.player.faults and kept and not any(kept) and told(op) == []
+    close(window)
+
+
+def test_an_error_while_the_job_is_copied_is_told(opened, window, small, monkeypatch):
+    def copied(*_):
+        raise RuntimeError("no path")
+
+    monkeypatch.setattr("vkworkbench.document.simulated_job._copied", copied)
+    window.click(COMMAND)
+    window.wait(window.boxes)
+    (text,) = window.dismiss()
+    assert "RuntimeError: no path" in text and not tabs(window)
+
+
+# The room for it
+
+
+def rows(player):
+    bar, play = player.scene_bar, player.play_bar
+    known = (
+        bar.controls,
+        bar.differences,
+        bar.legend,
+        player.view,
+        play.controls,
+        play.text,
+        player.time_line,
+        player.state,
+    )
+    return [row for row in known if row.isVisible()]
+
+
+def rect(widget, within):
+    return QtCore.QRect(widget.mapTo(within, QtCore.QPoint(0, 0)), widget.size())
+
+
+@pytest.mark.parametrize("height", [170, 200, 260, 330, 480])
+@pytest.mark.parametrize("points", [None, 14])
+def test_nothing_covers_anything_in_a_low_and_narrow_tab(tab, window, height, points):
+    player, bar = tab.player, tab.player.scene_bar
+    font = player.font()
+    if points:
+        font.setPointSize(points)
+        for widget in player.findChildren(QtGui.QWidget):
+            widget.setFont(font)
+    bar.colorings.setCurrentIndex(bar.colorings.count() - 1)
+    bar.warnings.setText("⚠ Warnings: 555")
+    player.setFixedSize(550, height)
+    window.idle(0.5)
+    finest(player, window)
+    bar.warnings.show()
+    window.idle(0.2)
+    seen = rows(player)
+    assert {player.view, player.time_line, bar.controls, player.play_bar.controls} <= set(seen)
+    assert (player.state in seen) == (height == 480)
+    for one, other in combinations(seen, 2):
+        assert not rect(one, player).intersects(rect(other, player)), (one, other)
+    assert all(player.rect().contains(rect(row, player)) for row in seen)
+    shown_buttons = [button for button in bar.findChildren(QtGui.QToolButton) if button.isVisible()]
+    assert len(shown_buttons) >= 3
+    assert all(button.width() >= button.sizeHint().width() for button in shown_buttons)
+    if bar.differences.isVisible():
+        assert bar.tolerance.width() >= bar.tolerance.sizeHint().width()
+    window.screenshot(f"simulation-low-{height}-{points or 'usual'}")
+
+
+def test_what_differences_need_is_seen_only_with_them(tab, window):
+    bar = tab.player.scene_bar
+    assert not bar.differences.isVisible()
+    bar.colorings.setCurrentIndex(bar.colorings.count() - 1)
+    assert bar.differences.isVisible()
+    finest(tab.player, window)
+    texts = [action.text() for action in bar.worst.menu().actions()]
+    assert texts and len(set(texts)) == len(texts)
+    bar.colorings.setCurrentIndex(0)
+    assert not bar.differences.isVisible()
+    finest(tab.player, window)
+
+
+# Keys
+
+
+def test_the_tab_takes_the_time_lines_keys(tab, window):
+    player = tab.player
+    focused = QtGui.QApplication.focusWidget()
+    assert focused == player.time_line
+    for widget in (tab, player.view):
+        widget.setFocus()
+        for key, share in ((QtCore.Qt.Key_Home, 0.0), (QtCore.Qt.Key_PageUp, 0.05), (QtCore.Qt.Key_Right, 0.055),
+                           (QtCore.Qt.Key_PageDown, 0.005), (QtCore.Qt.Key_Left, 0.0), (QtCore.Qt.Key_End, 1.0)):  # fmt: skip
+            window.press(QtGui.QApplication.focusWidget(), key)
+            assert player.moment.seconds == pytest.approx(share * player.clock.total, abs=1e-6)
+
+
+def test_who_comes_back_to_the_tab_plays_with_space(tab, window):
+    area = widgets.area_of_views()
+    other = next(sub for sub in area.subWindowList() if sub.windowTitle() != tab.windowTitle())
+    area.setActiveSubWindow(other)
+    window.idle(0.3)
+    assert not tab.player.time_line.hasFocus()
+    tab.come_to_front()
+    window.wait(tab.player.time_line.hasFocus)
+    window.press(QtGui.QApplication.focusWidget(), QtCore.Qt.Key_Space)
+    assert tab.player.moment.plays
+
+
+# Pictures of the whole job
+
+
+@pytest.fixture
+def folder(tmp_path, monkeypatch):
+    """The folder that the user chooses, for four pictures."""
+    monkeypatch.setattr(exports, "_FRAMES", 4)
+    monkeypatch.setattr(exports.QFileDialog, "getExistingDirectory", lambda *_: str(tmp_path))
+    return tmp_path
+
+
+def test_pictures_of_the_job_get_a_folder_of_their_own(tab, opened, window, folder):
+    player = tab.player
+    (folder / "0000.png").write_text("somebody's")
+    player.moment.go_to(0.4 * player.clock.total)
+    window.wait(lambda: player.pictures.is_current)
+    before, said = player.view.grab().toImage(), player.play_bar.text.text()
+    for name in (f"{opened.Name} pictures", f"{opened.Name} pictures 2"):
+        exports.save_frames(player)
+        assert sorted(path.name for path in (folder / name).iterdir()) == [f"000{k}.png" for k in range(4)]
+        status = window.main.statusBar().currentMessage()
+        assert status == f"4 of 4 pictures are saved in {folder / name}."
+    assert (folder / "0000.png").read_text() == "somebody's"
+    assert player.play_bar.text.text() == said and player.view.grab().toImage() == before
+    assert not [
+        w for w in QtGui.QApplication.topLevelWidgets() if isinstance(w, QtGui.QProgressDialog) and w.isVisible()
+    ]
+
+
+def test_pictures_wait_for_the_finest_and_are_given_up_by_esc(tab, opened, window, folder, monkeypatch):
+    player = tab.player
+    player.look("Top")
+    player.simulate()
+    assert player.refines
+    write, busy = exports.write_frames, []
+
+    def given_up(player, to, number, going_on):
+        def asked(done):
+            busy.append(player.refines)
+            if done == 2:
+                (dialog,) = [w for w in player.findChildren(QtGui.QProgressDialog) if w.isVisible()]
+                window.press(dialog, QtCore.Qt.Key_Escape)
+            return going_on(done)
+
+        return write(player, to, number, asked)
+
+    monkeypatch.setattr(exports, "write_frames", given_up)
+    exports.save_frames(player)
+    assert len(busy) == 3 and not any(busy)
+    assert len(list((folder / f"{opened.Name} pictures").iterdir())) == 2
+    assert window.main.statusBar().currentMessage().startswith("2 of 4 pictures")
+
+
+def test_a_folder_that_cannot_be_written_is_said(tab, window, folder, monkeypatch):
+    monkeypatch.setattr(exports.QFileDialog, "getExistingDirectory", lambda *_: str(folder / "nowhere"))
+    exports.save_frames(tab.player)
+    (text,) = window.dismiss()
+    assert text.startswith(str(folder / "nowhere")) and "cannot be written" in text
