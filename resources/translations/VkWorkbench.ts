@@ -666,10 +666,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The {simulator:simulator} takes about {time:s} for every picture at the end, {percent:n} % of it for arcs: simulate this operation alone.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>The {simulator:simulator} takes about {memory:bytes} for this operation, more than the {allowed:bytes} allowed: {instead}.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -965,6 +961,30 @@
         <source>{length:mm4} of rapids are not in the time because the operation has no tool controller: give it one with rapid speeds</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>variables and expressions are not read: the lines with them are left out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>moves to positions of the machine ({name}) are left out: a program does not say where they are</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the holes of a pattern ({name}) are not made</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it spans meters in whole numbers: thousandths without a decimal point read as whole units?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The {simulator:simulator} takes about {time:s} for every picture at the end, {percent:n}% of it for arcs: simulate this operation alone.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The {simulator:simulator} takes longer than the {allowed:s} allowed. {better}</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>
@@ -1161,10 +1181,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Last calibrated on {date}: the {simulator} makes {moves} cuts a second, its times are right within a factor of {factor}. Measured with FreeCAD {freecad} on {processor}, display {renderer}.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>That of FreeCAD&apos;s button: {simulator}</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1186,6 +1202,10 @@
     </message>
     <message>
         <source>Warn when a simulator is started that hangs or takes too long</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Last calibrated on {date}: the {simulator} makes {moves} cuts a second, its times are right within a factor of {factor}; the simulations that you run refine them. Measured with FreeCAD {freecad} on {processor}, display {renderer}.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1437,10 +1457,6 @@ image</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Recommended accuracy: {}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Machining
 time</source>
         <translation type="unfinished"></translation>
@@ -1460,10 +1476,6 @@ accuracy</source>
     </message>
     <message>
         <source>fast-forward</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Between {} and {}: not measured on this computer yet</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1645,6 +1657,14 @@ at most</source>
     </message>
     <message>
         <source>not in the total: it is switched off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Recommended accuracy of the {simulator}: {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Between {} and {}, until this simulator has run a few times on this computer</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1831,10 +1851,6 @@ at most</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The toolpaths have changed. Simulate again</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>about {}</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1932,6 +1948,30 @@ at most</source>
     </message>
     <message>
         <source>the model comes with the finest picture</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>They are known when the finest picture is there.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Saving the pictures when the finest is there…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{} of {} pictures are saved in {}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{} pictures</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{}, at X {} Y {} Z {} {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What is simulated has changed. Simulate again</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -666,10 +666,6 @@
         <translation>{count:n} Bewegungen sind kürzer als eine Zelle von {simulator:simulator} ({cell:mm2}), jede kostet Zeit und keine ist einzeln zu sehen: Eine gröbere Toleranz der Operation verliert dort nichts.</translation>
     </message>
     <message>
-        <source>The {simulator:simulator} takes about {time:s} for every picture at the end, {percent:n} % of it for arcs: simulate this operation alone.</source>
-        <translation>Der {simulator:simulator} braucht am Ende etwa {time:s} für jedes Bild, {percent:n} % davon für Bögen: Diese Operation allein simulieren.</translation>
-    </message>
-    <message>
         <source>The {simulator:simulator} takes about {memory:bytes} for this operation, more than the {allowed:bytes} allowed: {instead}.</source>
         <translation>Der {simulator:simulator} braucht für diese Operation etwa {memory:bytes}, mehr als die erlaubten {allowed:bytes}: {instead}.</translation>
     </message>
@@ -965,6 +961,30 @@
         <source>{length:mm4} of rapids are not in the time because the operation has no tool controller: give it one with rapid speeds</source>
         <translation>{length:mm4} Eilgänge fehlen in der Zeit, weil die Operation keinen Werkzeugcontroller hat: ihr einen mit Eilganggeschwindigkeiten geben</translation>
     </message>
+    <message>
+        <source>variables and expressions are not read: the lines with them are left out</source>
+        <translation>Variablen und Ausdrücke werden nicht gelesen: die Zeilen damit bleiben weg</translation>
+    </message>
+    <message>
+        <source>moves to positions of the machine ({name}) are left out: a program does not say where they are</source>
+        <translation>Bewegungen zu Maschinenpositionen ({name}) bleiben weg: ein Programm sagt nicht, wo sie sind</translation>
+    </message>
+    <message>
+        <source>the holes of a pattern ({name}) are not made</source>
+        <translation>die Löcher eines Lochbilds ({name}) werden nicht ausgeführt</translation>
+    </message>
+    <message>
+        <source>it spans meters in whole numbers: thousandths without a decimal point read as whole units?</source>
+        <translation>es ist meterlang, und das in ganzen Zahlen: Tausendstel ohne Dezimalpunkt als ganze Einheiten gelesen?</translation>
+    </message>
+    <message>
+        <source>The {simulator:simulator} takes about {time:s} for every picture at the end, {percent:n}% of it for arcs: simulate this operation alone.</source>
+        <translation>Der {simulator:simulator} braucht am Ende etwa {time:s} für jedes Bild, {percent:n} % davon für Bögen: Diese Operation allein simulieren.</translation>
+    </message>
+    <message>
+        <source>The {simulator:simulator} takes longer than the {allowed:s} allowed. {better}</source>
+        <translation>Der {simulator:simulator} braucht länger als die erlaubten {allowed:s}. {better}</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>
@@ -1161,10 +1181,6 @@
         <translation>Misst in etwa einer Sekunde, wie schnell die FreeCAD-Simulatoren auf diesem Computer sind, und merkt es sich.</translation>
     </message>
     <message>
-        <source>Last calibrated on {date}: the {simulator} makes {moves} cuts a second, its times are right within a factor of {factor}. Measured with FreeCAD {freecad} on {processor}, display {renderer}.</source>
-        <translation>Zuletzt kalibriert am {date}: Der {simulator} macht {moves} Schnitte pro Sekunde, seine Zeiten stimmen auf einen Faktor {factor} genau. Gemessen mit FreeCAD {freecad} auf {processor}, Anzeige {renderer}.</translation>
-    </message>
-    <message>
         <source>That of FreeCAD&apos;s button: {simulator}</source>
         <translation>Der von FreeCADs Knopf: {simulator}</translation>
     </message>
@@ -1187,6 +1203,10 @@
     <message>
         <source>Warn when a simulator is started that hangs or takes too long</source>
         <translation>Warnen, wenn ein gestarteter Simulator hängen bleibt oder zu lange braucht</translation>
+    </message>
+    <message>
+        <source>Last calibrated on {date}: the {simulator} makes {moves} cuts a second, its times are right within a factor of {factor}; the simulations that you run refine them. Measured with FreeCAD {freecad} on {processor}, display {renderer}.</source>
+        <translation>Zuletzt kalibriert am {date}: Der {simulator} macht {moves} Schnitte pro Sekunde, seine Zeiten stimmen auf einen Faktor {factor} genau; die Simulationen, die Sie ausführen, verfeinern sie. Gemessen mit FreeCAD {freecad} auf {processor}, Anzeige {renderer}.</translation>
     </message>
 </context>
 <context>
@@ -1438,10 +1458,6 @@ Bild</translation>
         <translation>keines</translation>
     </message>
     <message>
-        <source>Recommended accuracy: {}</source>
-        <translation>Empfohlene Genauigkeit: {}</translation>
-    </message>
-    <message>
         <source>Machining
 time</source>
         <translation>Bearbei-
@@ -1464,10 +1480,6 @@ Genauigkeit</translation>
     <message>
         <source>fast-forward</source>
         <translation>Vorlauf</translation>
-    </message>
-    <message>
-        <source>Between {} and {}: not measured on this computer yet</source>
-        <translation>Zwischen {} und {}: auf diesem Computer noch nicht gemessen</translation>
     </message>
     <message>
         <source>Export &amp;CSV…</source>
@@ -1654,6 +1666,14 @@ höchstens</translation>
         <source>not in the total: it is switched off</source>
         <translation>nicht in der Summe: Sie ist ausgeschaltet</translation>
     </message>
+    <message>
+        <source>Recommended accuracy of the {simulator}: {}</source>
+        <translation>Empfohlene Genauigkeit des {simulator}: {}</translation>
+    </message>
+    <message>
+        <source>Between {} and {}, until this simulator has run a few times on this computer</source>
+        <translation>Zwischen {} und {}, bis dieser Simulator einige Male auf diesem Computer gelaufen ist</translation>
+    </message>
 </context>
 <context>
     <name>Vk_Simulate</name>
@@ -1838,10 +1858,6 @@ höchstens</translation>
         <translation>An das Ende der Operation.</translation>
     </message>
     <message>
-        <source>The toolpaths have changed. Simulate again</source>
-        <translation>Die Werkzeugwege haben sich geändert. Neu simulieren</translation>
-    </message>
-    <message>
         <source>about {}</source>
         <translation>etwa {}</translation>
     </message>
@@ -1940,6 +1956,30 @@ höchstens</translation>
     <message>
         <source>the model comes with the finest picture</source>
         <translation>das Modell kommt mit dem feinsten Bild</translation>
+    </message>
+    <message>
+        <source>They are known when the finest picture is there.</source>
+        <translation>Sie sind bekannt, wenn das feinste Bild da ist.</translation>
+    </message>
+    <message>
+        <source>Saving the pictures when the finest is there…</source>
+        <translation>Die Bilder werden gespeichert, wenn das feinste da ist…</translation>
+    </message>
+    <message>
+        <source>{} of {} pictures are saved in {}.</source>
+        <translation>{} von {} Bildern sind in {} gespeichert.</translation>
+    </message>
+    <message>
+        <source>{} pictures</source>
+        <translation>{} Bilder</translation>
+    </message>
+    <message>
+        <source>{}, at X {} Y {} Z {} {}</source>
+        <translation>{}, bei X {} Y {} Z {} {}</translation>
+    </message>
+    <message>
+        <source>What is simulated has changed. Simulate again</source>
+        <translation>Was simuliert wird, hat sich geändert. Neu simulieren</translation>
     </message>
 </context>
 <context>

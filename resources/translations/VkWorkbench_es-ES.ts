@@ -666,10 +666,6 @@
         <translation>{count:n} movimientos son más cortos que una celda del {simulator:simulator} ({cell:mm2}), cada uno lleva su tiempo y ninguno se ve por sí solo: una tolerancia más gruesa de la operación no pierde nada ahí.</translation>
     </message>
     <message>
-        <source>The {simulator:simulator} takes about {time:s} for every picture at the end, {percent:n} % of it for arcs: simulate this operation alone.</source>
-        <translation>El {simulator:simulator} tarda al final unos {time:s} por imagen, el {percent:n} % en arcos: simule esta operación sola.</translation>
-    </message>
-    <message>
         <source>The {simulator:simulator} takes about {memory:bytes} for this operation, more than the {allowed:bytes} allowed: {instead}.</source>
         <translation>El {simulator:simulator} ocupa unos {memory:bytes} en esta operación, más de los {allowed:bytes} permitidos: {instead}.</translation>
     </message>
@@ -965,6 +961,30 @@
         <source>{length:mm4} of rapids are not in the time because the operation has no tool controller: give it one with rapid speeds</source>
         <translation>{length:mm4} de rápidos no están en el tiempo porque la operación no tiene controlador de herramienta: asígnele uno con velocidades rápidas</translation>
     </message>
+    <message>
+        <source>variables and expressions are not read: the lines with them are left out</source>
+        <translation>las variables y expresiones no se leen: se omiten las líneas que las contienen</translation>
+    </message>
+    <message>
+        <source>moves to positions of the machine ({name}) are left out: a program does not say where they are</source>
+        <translation>se omiten los movimientos a posiciones de la máquina ({name}): un programa no dice dónde están</translation>
+    </message>
+    <message>
+        <source>the holes of a pattern ({name}) are not made</source>
+        <translation>no se hacen los agujeros de un patrón ({name})</translation>
+    </message>
+    <message>
+        <source>it spans meters in whole numbers: thousandths without a decimal point read as whole units?</source>
+        <translation>abarca metros en números enteros: ¿milésimas sin punto decimal leídas como unidades enteras?</translation>
+    </message>
+    <message>
+        <source>The {simulator:simulator} takes about {time:s} for every picture at the end, {percent:n}% of it for arcs: simulate this operation alone.</source>
+        <translation>El {simulator:simulator} tarda al final unos {time:s} por imagen, el {percent:n} % en arcos: simule esta operación sola.</translation>
+    </message>
+    <message>
+        <source>The {simulator:simulator} takes longer than the {allowed:s} allowed. {better}</source>
+        <translation>El {simulator:simulator} tarda más de los {allowed:s} permitidos. {better}</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>
@@ -1161,10 +1181,6 @@
         <translation>Mide en un segundo aproximadamente lo rápidos que son los simuladores de FreeCAD en este equipo, y lo recuerda.</translation>
     </message>
     <message>
-        <source>Last calibrated on {date}: the {simulator} makes {moves} cuts a second, its times are right within a factor of {factor}. Measured with FreeCAD {freecad} on {processor}, display {renderer}.</source>
-        <translation>Última calibración el {date}: el {simulator} hace {moves} cortes por segundo, sus tiempos aciertan dentro de un factor {factor}. Medido con FreeCAD {freecad} en {processor}, pantalla {renderer}.</translation>
-    </message>
-    <message>
         <source>That of FreeCAD&apos;s button: {simulator}</source>
         <translation>El del botón de FreeCAD: {simulator}</translation>
     </message>
@@ -1187,6 +1203,10 @@
     <message>
         <source>Warn when a simulator is started that hangs or takes too long</source>
         <translation>Avisar al iniciar un simulador que se bloquea o tarda demasiado</translation>
+    </message>
+    <message>
+        <source>Last calibrated on {date}: the {simulator} makes {moves} cuts a second, its times are right within a factor of {factor}; the simulations that you run refine them. Measured with FreeCAD {freecad} on {processor}, display {renderer}.</source>
+        <translation>Última calibración el {date}: el {simulator} hace {moves} cortes por segundo, sus tiempos aciertan dentro de un factor {factor}; las simulaciones que ejecute los afinan. Medido con FreeCAD {freecad} en {processor}, pantalla {renderer}.</translation>
     </message>
 </context>
 <context>
@@ -1438,10 +1458,6 @@ recomendada</translation>
         <translation>ninguna</translation>
     </message>
     <message>
-        <source>Recommended accuracy: {}</source>
-        <translation>Precisión recomendada: {}</translation>
-    </message>
-    <message>
         <source>Machining
 time</source>
         <translation>Tiempo de
@@ -1464,10 +1480,6 @@ recomendada</translation>
     <message>
         <source>fast-forward</source>
         <translation>avance rápido</translation>
-    </message>
-    <message>
-        <source>Between {} and {}: not measured on this computer yet</source>
-        <translation>Entre {} y {}: aún no medido en este equipo</translation>
     </message>
     <message>
         <source>Export &amp;CSV…</source>
@@ -1654,6 +1666,14 @@ como mucho</translation>
         <source>not in the total: it is switched off</source>
         <translation>fuera del total: está desactivada</translation>
     </message>
+    <message>
+        <source>Recommended accuracy of the {simulator}: {}</source>
+        <translation>Precisión recomendada del {simulator}: {}</translation>
+    </message>
+    <message>
+        <source>Between {} and {}, until this simulator has run a few times on this computer</source>
+        <translation>Entre {} y {}, hasta que este simulador se haya ejecutado algunas veces en este equipo</translation>
+    </message>
 </context>
 <context>
     <name>Vk_Simulate</name>
@@ -1838,10 +1858,6 @@ como mucho</translation>
         <translation>Al final de la operación.</translation>
     </message>
     <message>
-        <source>The toolpaths have changed. Simulate again</source>
-        <translation>Las trayectorias han cambiado. Simular de nuevo</translation>
-    </message>
-    <message>
         <source>about {}</source>
         <translation>unos {}</translation>
     </message>
@@ -1940,6 +1956,30 @@ como mucho</translation>
     <message>
         <source>the model comes with the finest picture</source>
         <translation>el modelo llega con la imagen más fina</translation>
+    </message>
+    <message>
+        <source>They are known when the finest picture is there.</source>
+        <translation>Se conocen cuando está la imagen más fina.</translation>
+    </message>
+    <message>
+        <source>Saving the pictures when the finest is there…</source>
+        <translation>Las imágenes se guardan cuando está la más fina…</translation>
+    </message>
+    <message>
+        <source>{} of {} pictures are saved in {}.</source>
+        <translation>{} de {} imágenes están guardadas en {}.</translation>
+    </message>
+    <message>
+        <source>{} pictures</source>
+        <translation>{} imágenes</translation>
+    </message>
+    <message>
+        <source>{}, at X {} Y {} Z {} {}</source>
+        <translation>{}, en X {} Y {} Z {} {}</translation>
+    </message>
+    <message>
+        <source>What is simulated has changed. Simulate again</source>
+        <translation>Lo que se simula ha cambiado. Simular de nuevo</translation>
     </message>
 </context>
 <context>

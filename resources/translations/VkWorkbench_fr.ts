@@ -666,10 +666,6 @@
         <translation>{count:n} mouvements sont plus courts qu&apos;une cellule du {simulator:simulator} ({cell:mm2}), chacun prend du temps et aucun ne se voit seul : une tolérance plus grossière de l&apos;opération n&apos;y perd rien.</translation>
     </message>
     <message>
-        <source>The {simulator:simulator} takes about {time:s} for every picture at the end, {percent:n} % of it for arcs: simulate this operation alone.</source>
-        <translation>Le {simulator:simulator} prend à la fin environ {time:s} par image, dont {percent:n} % pour les arcs : simulez cette opération seule.</translation>
-    </message>
-    <message>
         <source>The {simulator:simulator} takes about {memory:bytes} for this operation, more than the {allowed:bytes} allowed: {instead}.</source>
         <translation>Le {simulator:simulator} prend environ {memory:bytes} pour cette opération, plus que les {allowed:bytes} permis : {instead}.</translation>
     </message>
@@ -965,6 +961,30 @@
         <source>{length:mm4} of rapids are not in the time because the operation has no tool controller: give it one with rapid speeds</source>
         <translation>{length:mm4} de déplacements rapides ne sont pas dans la durée, car l&apos;opération n&apos;a pas de contrôleur d&apos;outil : donnez-lui-en un avec des vitesses rapides</translation>
     </message>
+    <message>
+        <source>variables and expressions are not read: the lines with them are left out</source>
+        <translation>les variables et expressions ne sont pas lues : leurs lignes sont omises</translation>
+    </message>
+    <message>
+        <source>moves to positions of the machine ({name}) are left out: a program does not say where they are</source>
+        <translation>les déplacements vers des positions de la machine ({name}) sont omis : un programme ne dit pas où elles sont</translation>
+    </message>
+    <message>
+        <source>the holes of a pattern ({name}) are not made</source>
+        <translation>les trous d&apos;un motif ({name}) ne sont pas faits</translation>
+    </message>
+    <message>
+        <source>it spans meters in whole numbers: thousandths without a decimal point read as whole units?</source>
+        <translation>cela s’étend sur des mètres en nombres entiers : des millièmes sans point décimal lus comme des unités entières ?</translation>
+    </message>
+    <message>
+        <source>The {simulator:simulator} takes about {time:s} for every picture at the end, {percent:n}% of it for arcs: simulate this operation alone.</source>
+        <translation>Le {simulator:simulator} prend à la fin environ {time:s} par image, dont {percent:n} % pour les arcs : simulez cette opération seule.</translation>
+    </message>
+    <message>
+        <source>The {simulator:simulator} takes longer than the {allowed:s} allowed. {better}</source>
+        <translation>Le {simulator:simulator} prend plus que les {allowed:s} permis. {better}</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>
@@ -1161,10 +1181,6 @@
         <translation>Mesure en une seconde environ la vitesse des simulateurs de FreeCAD sur cet ordinateur, et la retient.</translation>
     </message>
     <message>
-        <source>Last calibrated on {date}: the {simulator} makes {moves} cuts a second, its times are right within a factor of {factor}. Measured with FreeCAD {freecad} on {processor}, display {renderer}.</source>
-        <translation>Dernier étalonnage le {date} : le {simulator} fait {moves} coupes par seconde, ses temps sont justes à un facteur {factor} près. Mesuré avec FreeCAD {freecad} sur {processor}, affichage {renderer}.</translation>
-    </message>
-    <message>
         <source>That of FreeCAD&apos;s button: {simulator}</source>
         <translation>Celui du bouton de FreeCAD : {simulator}</translation>
     </message>
@@ -1187,6 +1203,10 @@
     <message>
         <source>Warn when a simulator is started that hangs or takes too long</source>
         <translation>Avertir au lancement d&apos;un simulateur qui se bloque ou dure trop longtemps</translation>
+    </message>
+    <message>
+        <source>Last calibrated on {date}: the {simulator} makes {moves} cuts a second, its times are right within a factor of {factor}; the simulations that you run refine them. Measured with FreeCAD {freecad} on {processor}, display {renderer}.</source>
+        <translation>Dernier étalonnage le {date} : le {simulator} fait {moves} coupes par seconde, ses temps sont justes à un facteur {factor} près ; les simulations que vous lancez les affinent. Mesuré avec FreeCAD {freecad} sur {processor}, affichage {renderer}.</translation>
     </message>
 </context>
 <context>
@@ -1438,10 +1458,6 @@ recommandée</translation>
         <translation>aucune</translation>
     </message>
     <message>
-        <source>Recommended accuracy: {}</source>
-        <translation>Précision recommandée : {}</translation>
-    </message>
-    <message>
         <source>Machining
 time</source>
         <translation>Durée
@@ -1464,10 +1480,6 @@ recommandée</translation>
     <message>
         <source>fast-forward</source>
         <translation>avance rapide</translation>
-    </message>
-    <message>
-        <source>Between {} and {}: not measured on this computer yet</source>
-        <translation>Entre {} et {} : pas encore mesuré sur cet ordinateur</translation>
     </message>
     <message>
         <source>Export &amp;CSV…</source>
@@ -1654,6 +1666,14 @@ au plus</translation>
         <source>not in the total: it is switched off</source>
         <translation>hors du total : elle est désactivée</translation>
     </message>
+    <message>
+        <source>Recommended accuracy of the {simulator}: {}</source>
+        <translation>Précision recommandée du {simulator} : {}</translation>
+    </message>
+    <message>
+        <source>Between {} and {}, until this simulator has run a few times on this computer</source>
+        <translation>Entre {} et {}, tant que ce simulateur n&apos;a pas été lancé quelques fois sur cet ordinateur</translation>
+    </message>
 </context>
 <context>
     <name>Vk_Simulate</name>
@@ -1838,10 +1858,6 @@ au plus</translation>
         <translation>À la fin de l&apos;opération.</translation>
     </message>
     <message>
-        <source>The toolpaths have changed. Simulate again</source>
-        <translation>Les parcours d&apos;outil ont changé. Simuler à nouveau</translation>
-    </message>
-    <message>
         <source>about {}</source>
         <translation>environ {}</translation>
     </message>
@@ -1940,6 +1956,30 @@ au plus</translation>
     <message>
         <source>the model comes with the finest picture</source>
         <translation>le modèle vient avec l’image la plus fine</translation>
+    </message>
+    <message>
+        <source>They are known when the finest picture is there.</source>
+        <translation>Ils sont connus quand l&apos;image la plus fine est là.</translation>
+    </message>
+    <message>
+        <source>Saving the pictures when the finest is there…</source>
+        <translation>Les images sont enregistrées quand la plus fine est là…</translation>
+    </message>
+    <message>
+        <source>{} of {} pictures are saved in {}.</source>
+        <translation>{} images sur {} sont enregistrées dans {}.</translation>
+    </message>
+    <message>
+        <source>{} pictures</source>
+        <translation>{} images</translation>
+    </message>
+    <message>
+        <source>{}, at X {} Y {} Z {} {}</source>
+        <translation>{}, en X {} Y {} Z {} {}</translation>
+    </message>
+    <message>
+        <source>What is simulated has changed. Simulate again</source>
+        <translation>Ce qui est simulé a changé. Simuler à nouveau</translation>
     </message>
 </context>
 <context>

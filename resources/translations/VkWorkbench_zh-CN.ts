@@ -666,10 +666,6 @@
         <translation>{count:n} 次移动短于{simulator:simulator}的一个单元（{cell:mm2}），每次都耗时却无法单独看出：对操作使用更粗的公差在此毫无损失。</translation>
     </message>
     <message>
-        <source>The {simulator:simulator} takes about {time:s} for every picture at the end, {percent:n} % of it for arcs: simulate this operation alone.</source>
-        <translation>{simulator:simulator}最后每幅画面约需 {time:s}，其中 {percent:n} % 用于圆弧：请单独模拟此操作。</translation>
-    </message>
-    <message>
         <source>The {simulator:simulator} takes about {memory:bytes} for this operation, more than the {allowed:bytes} allowed: {instead}.</source>
         <translation>{simulator:simulator}此操作约需 {memory:bytes}，超过允许的 {allowed:bytes}：{instead}。</translation>
     </message>
@@ -965,6 +961,30 @@
         <source>{length:mm4} of rapids are not in the time because the operation has no tool controller: give it one with rapid speeds</source>
         <translation>操作没有刀具控制器，因此 {length:mm4} 快速移动未计入时间：请为其指定一个带有快速移动速度的刀具控制器</translation>
     </message>
+    <message>
+        <source>variables and expressions are not read: the lines with them are left out</source>
+        <translation>变量和表达式不读取：含有它们的行被略去</translation>
+    </message>
+    <message>
+        <source>moves to positions of the machine ({name}) are left out: a program does not say where they are</source>
+        <translation>略去到机床位置的移动（{name}）：程序未说明这些位置在何处</translation>
+    </message>
+    <message>
+        <source>the holes of a pattern ({name}) are not made</source>
+        <translation>不执行孔阵列的孔（{name}）</translation>
+    </message>
+    <message>
+        <source>it spans meters in whole numbers: thousandths without a decimal point read as whole units?</source>
+        <translation>全为整数且跨越数米：是否把没有小数点的千分之一读成了整单位？</translation>
+    </message>
+    <message>
+        <source>The {simulator:simulator} takes about {time:s} for every picture at the end, {percent:n}% of it for arcs: simulate this operation alone.</source>
+        <translation>{simulator:simulator}最后每幅画面约需 {time:s}，其中 {percent:n}% 用于圆弧：请单独模拟此操作。</translation>
+    </message>
+    <message>
+        <source>The {simulator:simulator} takes longer than the {allowed:s} allowed. {better}</source>
+        <translation>{simulator:simulator}所需时间超过允许的 {allowed:s}。{better}</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>
@@ -1161,10 +1181,6 @@
         <translation>用大约一秒测量 FreeCAD 模拟器在此计算机上的速度，并记住结果。</translation>
     </message>
     <message>
-        <source>Last calibrated on {date}: the {simulator} makes {moves} cuts a second, its times are right within a factor of {factor}. Measured with FreeCAD {freecad} on {processor}, display {renderer}.</source>
-        <translation>上次校准于 {date}：{simulator}每秒切削 {moves} 次，其时间误差在 {factor} 倍以内。测量环境：FreeCAD {freecad}，{processor}，显示 {renderer}。</translation>
-    </message>
-    <message>
         <source>That of FreeCAD&apos;s button: {simulator}</source>
         <translation>FreeCAD 按钮的模拟器：{simulator}</translation>
     </message>
@@ -1187,6 +1203,10 @@
     <message>
         <source>Warn when a simulator is started that hangs or takes too long</source>
         <translation>启动会卡死或耗时过长的模拟器时警告</translation>
+    </message>
+    <message>
+        <source>Last calibrated on {date}: the {simulator} makes {moves} cuts a second, its times are right within a factor of {factor}; the simulations that you run refine them. Measured with FreeCAD {freecad} on {processor}, display {renderer}.</source>
+        <translation>上次校准于 {date}：{simulator}每秒切削 {moves} 次，其时间误差在 {factor} 倍以内；您运行的模拟会使其更准确。测量环境：FreeCAD {freecad}，{processor}，显示 {renderer}。</translation>
     </message>
 </context>
 <context>
@@ -1438,10 +1458,6 @@ image</source>
         <translation>无</translation>
     </message>
     <message>
-        <source>Recommended accuracy: {}</source>
-        <translation>推荐精度：{}</translation>
-    </message>
-    <message>
         <source>Machining
 time</source>
         <translation>加工
@@ -1464,10 +1480,6 @@ accuracy</source>
     <message>
         <source>fast-forward</source>
         <translation>快进</translation>
-    </message>
-    <message>
-        <source>Between {} and {}: not measured on this computer yet</source>
-        <translation>介于 {} 和 {} 之间：尚未在此电脑上测量</translation>
     </message>
     <message>
         <source>Export &amp;CSV…</source>
@@ -1654,6 +1666,14 @@ at most</source>
         <source>not in the total: it is switched off</source>
         <translation>不计入总和：已停用</translation>
     </message>
+    <message>
+        <source>Recommended accuracy of the {simulator}: {}</source>
+        <translation>{simulator}的推荐精度：{}</translation>
+    </message>
+    <message>
+        <source>Between {} and {}, until this simulator has run a few times on this computer</source>
+        <translation>介于 {} 和 {} 之间，直到此模拟器在此电脑上运行过几次</translation>
+    </message>
 </context>
 <context>
     <name>Vk_Simulate</name>
@@ -1838,10 +1858,6 @@ at most</source>
         <translation>到操作末尾。</translation>
     </message>
     <message>
-        <source>The toolpaths have changed. Simulate again</source>
-        <translation>刀具路径已更改。重新仿真</translation>
-    </message>
-    <message>
         <source>about {}</source>
         <translation>约{}</translation>
     </message>
@@ -1940,6 +1956,30 @@ at most</source>
     <message>
         <source>the model comes with the finest picture</source>
         <translation>模型将随最精细的画面一起显示</translation>
+    </message>
+    <message>
+        <source>They are known when the finest picture is there.</source>
+        <translation>最精细的图片完成后才能得知。</translation>
+    </message>
+    <message>
+        <source>Saving the pictures when the finest is there…</source>
+        <translation>最精细的图片完成后保存图片…</translation>
+    </message>
+    <message>
+        <source>{} of {} pictures are saved in {}.</source>
+        <translation>{} / {} 张图片已保存到 {}。</translation>
+    </message>
+    <message>
+        <source>{} pictures</source>
+        <translation>{} 图片</translation>
+    </message>
+    <message>
+        <source>{}, at X {} Y {} Z {} {}</source>
+        <translation>{}，位于 X {} Y {} Z {} {}</translation>
+    </message>
+    <message>
+        <source>What is simulated has changed. Simulate again</source>
+        <translation>所仿真的内容已更改。重新仿真</translation>
     </message>
 </context>
 <context>
