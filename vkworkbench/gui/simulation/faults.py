@@ -114,8 +114,9 @@ def differences(told: Told, tolerance: float) -> list[Fault]:
     """Return the places where the finished part differs most from the model: gouges first, then material left."""
     if told.deviations is None:
         return []
-    gouged = worst_places(told.simulation.zbuffer, told.deviations.gouged, tolerance)
-    left = worst_places(told.simulation.zbuffer, told.deviations.left, tolerance)
+    found = told.deviations
+    gouged = worst_places(told.simulation.zbuffer, found.gouged, tolerance, model=found.model)
+    left = worst_places(told.simulation.zbuffer, found.left, tolerance)
     return [
         *(_fault(one, Message("cuts-model", depth=one.depth), serious=True) for one in gouged),
         *(_fault(one, Message("leaves-material", depth=one.depth), serious=False) for one in left),
