@@ -290,6 +290,16 @@ def test_lines_with_a_block_delete_behind_their_number():
     assert said(text) == ["lines with a block delete (/) are read like the others (4 times, first in line 3)"]
 
 
+def test_words_of_siemens_that_say_what_others_say():
+    contour = "G0 X0 Y0 Z0\nG1 X30 F100\nG2 X30 Y20 {}10\nG3 X30 Y0 {}-15\nG1 {} {}"
+    siemens, other = (
+        read_program(contour.format("CR=", "CR = ", "X=-7.5", "Y=.5")),
+        read_program(contour.format("R", "R", "X-7.5", "Y.5")),
+    )
+    assert siemens.toolpath().points.tolist() == other.toolpath().points.tolist()
+    assert siemens.problems == other.problems == ()
+
+
 def test_corners_of_fanuc_leave_the_move():
     assert points(PLAIN + "X10. ,R5.\nY9. ,C2.") == [list(p) for p in POINTS] + [[10, 9, -1]]
 
@@ -390,7 +400,7 @@ def test_problems_count():
         ("0 BEGIN PGM PART MM\n1 BLK FORM 0.1 Z X+0\n2 TOOL CALL 1 Z S2000\n3 L X+10 Y+5 R0 FMAX\n", "Heidenhain controls (line 1)"),
         ("N10 G0 X0 Y0\nN20 CYCLE81(10,0,2,-5)\n", "Siemens controls (line 2)"),
         ("G0 X0\nG1 X=IC(5) F100\n", "Siemens controls (line 2)"),
-        ("G0 X0\nN50 G2 X15 Y40 CR=10\n", "Siemens controls (line 2)"),
+        ("G0 X0\nN50 G2 X15 Y40 TURN=2\n", "Siemens controls (line 2)"),
         ("G0 X0\nG1 X=R1 Y20\n", "Siemens controls (line 2)"),
         ("G0 X0\nN20 R10=5\n", "Siemens controls (line 2)"),
         ("G0 X0\nG3 Z-5 I5 J0 TURN=3\n", "Siemens controls (line 2)"),

@@ -16,10 +16,10 @@ _SIEMENS = re.compile(
     r"\b(?:CYCLE\d+|POCKET\d|SLOT\d|HOLES\d|LONGHOLE)\s*\(|=\s*(?:AC|IC|DC|ACP|ACN)\b|\b(?:MCALL|EXTCALL|WORKPIECE|SUPA|STOPRE)\b"
     r"|^(?:N\d+\s*)?(?:DEF\s+(?:REAL|INT|BOOL|STRING)|PROC|A?TRANS|A?ROT|A?MIRROR)\b|\bT\s*=\s*\"|^;?\$PATH|^%_N_"
 )
-# Words with an equals sign: corners, radii, polar coordinates, turns of a helix, and R parameters. At the beginning of a
+# Words with an equals sign: corners, angles, polar coordinates, turns of a helix, and R parameters. At the beginning of a
 # line the former may be variables of an Okuma.
 _SIEMENS_WORD = re.compile(
-    r"^[A-Z]\s*[-+]?[\d.].*[\d.\s](?:CR|AR|AP|RP|RND|RNDM|CHF|CHR|TURN)\s*="
+    r"^[A-Z]\s*[-+]?[\d.].*[\d.\s](?:AR|AP|RP|RND|RNDM|CHF|CHR|TURN)\s*="
     r"|(?<![A-Z#<])[A-Z]\s*=\s*-?\s*R\d|^R\d+\s*="
 )
 _LINE_NUMBER = re.compile(r"^N\s*\d+\s*")

@@ -56,6 +56,8 @@ _NUMBER = re.compile(r"[O:]\s*(\d{1,8})\b(?!\s*[A-Z]{2})")
 _RETURN = re.compile(r"M\s*99(?!\d)")
 # By which Fanuc rounds or chamfers the corner behind a move, or tells its direction.
 _CORNER = re.compile(r",\s*([RCA])\s*[-+]?(?:\d+\.?\d*|\.\d+)")
+# Siemens' radius of an arc, CR=10, and its other way to write a word, X=10.
+_EQUALS = re.compile(r"(?<![A-Z])(?:CR|([A-Z]))\s*=\s*(?=[-+]?\.?\d)")
 _SUB = re.compile(r"^\s*(?:N\s*\d+\s*)?O\s*(?:\d+|<[^>]*>|\[[^]]*\])\s*(SUB|ENDSUB)\b")
 # A word whose number is a variable or an expression: X#1, Z#<depth>, Y[1 + 2].
 _MACRO_WORD = re.compile(r"[A-Z]\s*[-+]?\s*(?:#+(?:\d+|<[^>]*>)|\[[^\[\]]*(?:\[[^\[\]]*\][^\[\]]*)*\])")
@@ -209,6 +211,9 @@ class _Reader:
             for letter in _CORNER.findall(code):
                 self._problem(Message("word-not-read", letter=f",{letter}"))
             code = _CORNER.sub(" ", code)
+            words, rest = split_words(code)
+        if "=" in rest:
+            code = _EQUALS.sub(lambda word: word[1] or "R", code)
             words, rest = split_words(code)
         if "#" in rest or "[" in rest or "=" in rest:
             words, rest = split_words(_MACRO_WORD.sub(" ", code))
