@@ -74,7 +74,7 @@ def expand_tree():
 
 
 def take_picture(view):
-    pills.fit_columns()
+    pills.fit_column()
     picture = QPixmap(view.size())
     picture.fill(Qt.white)  # 1.1 draws a tree without its background
     view.render(picture, QPoint())

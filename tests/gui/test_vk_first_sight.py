@@ -122,58 +122,6 @@ def test_the_job_is_opened_once(untouched, opened, window):
     assert not window.tree.isExpanded(cell(window, "Face").parent())
 
 
-def test_long_names_leave_room_for_the_marks(untouched, opened, window):
-    for label in ("Face", "Adaptive pocket"):
-        opened.getObjectsByLabel(label)[0].Label += " of the outer contour" * 4
-    window.analyze(opened)
-    window.dismiss()
-    window.tree.expandAll()
-    view = window.tree
-    for label in ("Face", "Adaptive pocket"):
-        view.scrollTo(cell(window, label + " of the outer contour" * 4))
-        window.idle()
-        assert view.columnWidth(0) < 0.7 * view.viewport().width()
-    view.resize(view.width() + 200, view.height())
-    before = view.columnWidth(0)
-    window.wait(lambda: view.columnWidth(0) > before)
-    window.click("Clear analysis")
-    window.idle()
-    assert view.header().maximumSectionSize() > view.width()
-
-
-def test_names_are_whole_after_scrolling(untouched, opened, window):
-    drill = opened.getObjectsByLabel("Drill holes")[0]
-    drill.Label = "Drill the holes"
-    window.main.setGeometry(0, 0, 1024, 600)
-    window.idle()
-    window.analyze(opened)
-    window.dismiss()
-    window.tree.expandAll()
-    view = window.tree
-    view.scrollToTop()
-    window.idle()
-    view.verticalScrollBar().setValue(view.verticalScrollBar().maximum())
-    view.scrollTo(cell(window, "Drill the holes"))
-    name = cell(window, "Drill the holes")
-    name = name.sibling(name.row(), 0)
-    needed = view.indentation() + view.fontMetrics().horizontalAdvance(name.data()) + 24  # the icons
-    window.wait(lambda: view.visualRect(name).width() >= needed, 3)
-
-
-def test_a_width_that_the_user_gave_stays_when_he_scrolls(untouched, opened, window):
-    window.analyze(opened)
-    window.dismiss()
-    window.tree.expandAll()
-    view, fixed = window.tree, QtGui.QHeaderView.ResizeToContents
-    columns = [column for column in (0, 1) if view.header().sectionResizeMode(column) != fixed]
-    for column in columns:  # in 0.20 the Description, in 1.x where he asked FreeCAD for it
-        view.setColumnWidth(column, 140 + column)
-    for value in (0, view.verticalScrollBar().maximum()):
-        view.verticalScrollBar().setValue(value)
-        window.idle(0.3)
-    assert [view.columnWidth(column) for column in columns] == [140 + column for column in columns]
-
-
 def test_the_tree_of_a_tab_that_is_behind_is_brought_to_the_front(untouched, opened, window):
     tabs = [t for t in window.find(QtGui.QTabWidget) if t.isAncestorOf(window.tree)]
     if tabs:

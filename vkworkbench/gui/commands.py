@@ -99,7 +99,6 @@ class ClearCommand:
             return
         with tree.steady_columns():
             cleared = vkworkbench.clear(selected_operations() or FreeCAD.ActiveDocument)
-        pills.fit_columns()
         one, more = translate("Vk_Clear", "{count} mark removed"), translate("Vk_Clear", "{count} marks removed")
         _status(plural(one, more, cleared))
 
@@ -109,7 +108,7 @@ def mark(report) -> None:
     pills.show()
     with tree.steady_columns():
         vkworkbench.mark(report)
-    pills.fit_columns()
+    pills.fit_column()
 
 
 def _unmarked_jobs(report) -> list:
@@ -139,7 +138,7 @@ def _show_description() -> None:
     if not remembered.GetBool("DescriptionShown", False):
         remembered.SetBool("DescriptionShown", True)
         was_hidden = tree.show_description()
-        pills.fit_columns()
+        pills.fit_column()
         if was_hidden:
             _tell(translate(
                 "Vk_Analyze",

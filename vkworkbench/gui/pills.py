@@ -8,8 +8,6 @@ colour: themes know the colours of their text best.
 
 from __future__ import annotations
 
-from functools import partial
-
 import FreeCAD
 import FreeCADGui as Gui
 
@@ -195,20 +193,16 @@ def show() -> None:
         _changes.setSingleShot(True)
         _changes.timeout.connect(_follow_preferences)
         preferences.observe(lambda name: _changes.start(0))
-    tree.when_other_rows_are_seen(partial(fit_columns, again=True))
     for view in tree.trees():
         if (view.itemDelegateForColumn(tree.DESCRIPTION) is _delegate) != wanted:
             view.setItemDelegateForColumn(tree.DESCRIPTION, _delegate if wanted else None)
         view.viewport().update()
 
 
-def fit_columns(again: bool = False) -> None:
-    """Fit the tree's columns: also to strategy and time of operations that come to view when a branch is opened."""
+def fit_column() -> None:
+    """Fit the Description column: also to strategy and time of operations that come to view when a branch is opened."""
     document, chosen = FreeCAD.ActiveDocument, preferences.read()
     records = [read_with_faults(obj) for obj in document.Objects if may_have_mark(obj)] if document else []
     metrics = QFontMetrics(QApplication.font("QTreeView"))
     needed = [layouts(record, "", chosen, metrics, 0)[0].needed for record in records if record is not None]
-    if needed:
-        tree.fit_columns(max(needed) + _MARGINS, again)
-    else:
-        tree.free_columns()
+    tree.fit_description(max(needed, default=0) + _MARGINS)

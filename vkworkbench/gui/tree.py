@@ -18,9 +18,6 @@ _TREE_PREFERENCES = "User parameter:BaseApp/Preferences/TreeView"
 _DOCK_WIDTH = 500  # px; with FreeCAD's 260 the column would be out of sight
 _MOST_OF_WINDOW = 0.45  # the rest is the 3D view's
 
-_SETTLED = 100  # ms after the last step of scrolling
-_OTHER_ROWS, _FITTED = "VkOtherRows", "VkFitted{}"
-
 _trees: list[QTreeView] = []  # kept, and with them what they were asked for
 
 
@@ -103,75 +100,15 @@ def bring_to_view() -> None:
                         tabs.setCurrentWidget(pages[0])
 
 
-class _OtherRows(QObject):
-    """Does something when other rows of a tree come to view, or it gets another width."""
-
-    def __init__(self, view: QTreeView, work: Callable[[], object]) -> None:
-        super().__init__(view)
-        self.setObjectName(_OTHER_ROWS)
-        self._settled = QTimer(self)
-        self._settled.setSingleShot(True)
-        self._settled.timeout.connect(work)
-        view.verticalScrollBar().valueChanged.connect(lambda value: self._settled.start(_SETTLED))
-        view.installEventFilter(self)
-
-    def eventFilter(self, view, event) -> bool:
-        if event.type() == QEvent.Resize and event.size().width() != event.oldSize().width():
-            self._settled.start(_SETTLED)
-        return False
-
-
-def when_other_rows_are_seen(work: Callable[[], object]) -> None:
-    """Do something each time that trees have been scrolled or made wider or narrower; called again it does nothing."""
-    for view in trees():
-        if view.findChild(QObject, _OTHER_ROWS) is None:
-            _OtherRows(view, work)
-
-
-def fit_columns(least: int, again: bool = False) -> None:
-    """Fit the columns of the trees to the visible rows; long names leave the Description what it needs, half of the room at most.
-
-    Parameters
-    ----------
-    least : int
-        px that the Description has at least.
-    again : bool
-        Whether a width that the user gave a column since stays.
-    """
-    for view in trees():
-        header = view.header()
-        header.setResizeContentsPrecision(0)
-        names, description = (not (again and _is_the_users(view, column)) for column in (0, DESCRIPTION))
-        if names:
-            header.setMaximumSectionSize(-1)
-            view.resizeColumnToContents(0)
-            # Of a room that does not depend on whether there are scroll bars, which depends on the columns.
-            room = view.width() - view.verticalScrollBar().sizeHint().width()
-            most = max(room // 2, room - least)
-            if view.columnWidth(0) > most >= header.minimumSectionSize():
-                view.setColumnWidth(0, most)
-                if _is_automatic(view, 0):  # FreeCAD fits it after each change
-                    header.setMaximumSectionSize(most)
-            view.setProperty(_FITTED.format(0), view.columnWidth(0))
-        if description:
-            view.resizeColumnToContents(DESCRIPTION)
-            if not _is_automatic(view, DESCRIPTION) and view.columnWidth(DESCRIPTION) < least:
-                view.setColumnWidth(DESCRIPTION, least)
-            view.setProperty(_FITTED.format(DESCRIPTION), view.columnWidth(DESCRIPTION))
-
-
-def _is_automatic(view: QTreeView, column: int) -> bool:
-    return view.header().sectionResizeMode(column) == QHeaderView.ResizeToContents
-
-
-def _is_the_users(view: QTreeView, column: int) -> bool:
-    return not _is_automatic(view, column) and view.columnWidth(column) != view.property(_FITTED.format(column))
-
-
-def free_columns() -> None:
-    """Let FreeCAD give the names all the room they need again."""
-    for view in trees():
-        view.header().setMaximumSectionSize(-1)
+def fit_description(least: int) -> None:
+    """Fit the columns of the trees to the visible rows, the Description to at least so many px; 1.x does it by itself."""
+    for tree in trees():
+        tree.header().setResizeContentsPrecision(0)
+        for column in (0, DESCRIPTION):
+            if tree.header().sectionResizeMode(column) != QHeaderView.ResizeToContents:
+                tree.resizeColumnToContents(column)
+                if column == DESCRIPTION and tree.columnWidth(column) < least:
+                    tree.setColumnWidth(column, least)
 
 
 def expand(label: str, document: str) -> None:
