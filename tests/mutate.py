@@ -35,7 +35,7 @@ ROOMS = "core", "document"
 COPIED = "vkworkbench", "tests", "toolpaths", "examples", "resources", "docs", "benchmarks", "pyproject.toml"
 COPIED += "package.xml", "Init.py", "InitGui.py", "README.md"
 # Tests of the files that stand in no room.
-OF_ALL_ROOMS = {"solids": ["tests/core/zbuffer"], "stocks": ["tests/core/zbuffer"]}
+OF_ALL_ROOMS = {"hull": ["tests/core/zbuffer"], "solids": ["tests/core/zbuffer"], "stocks": ["tests/core/zbuffer"]}
 # Tests that start a FreeCAD of their own, in which no mutant is tried.
 ELSEWHERE = "test_vk_release.py", "test_vk_show_example.py"
 LEAST_SECONDS = 30

@@ -21,7 +21,7 @@ PACKAGE = "vkworkbench"
 FLOORS = (
     ("language",),
     ("worker",),
-    ("core.toolpath", "core.strategy", "core.solids", "core.stocks", "core.machining", "core.steady"),
+    ("core.toolpath", "core.strategy", "core.hull", "core.solids", "core.stocks", "core.machining", "core.steady"),
     ("core.gcode",),
     ("core.paper",),
     ("core.recognition",),

@@ -11,17 +11,10 @@ import programs
 import pytest
 
 from vkworkbench.core import ConvexStock, Stock, Tool, View, linearize
-from vkworkbench.core.solids import LARGEST, SMALLEST, convex_hull, stock_around
+from vkworkbench.core.solids import LARGEST, SMALLEST, stock_around
 from vkworkbench.language import Unusable
 
 DOWN = np.array([0.0, 0.0, -1.0])
-
-
-def test_a_convex_hull_has_the_corners_alone():
-    """Not what lies on a side, inside, or on a corner once more; counter-clockwise."""
-    corners = [[0, 0], [4, 0], [5, 2], [1, 3]]
-    others = [[2, 0], [2, 1], [4, 0], [3, 2.5], [0, 0], [4.5, 1]]
-    assert convex_hull(others + corners) == corners
 
 
 @pytest.mark.parametrize(

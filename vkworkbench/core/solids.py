@@ -398,24 +398,6 @@ class Frame:
         return x, y
 
 
-def convex_hull(points: list[list[float]]) -> list[list[float]]:
-    """Corners of the convex hull of points in the plane, counter-clockwise (Andrew 1979)."""
-    points = sorted(points)
-    hull: list[list[float]] = []
-    for chain in (points, points[::-1]):
-        begin = len(hull)
-        for p in chain:
-            while len(hull) - begin >= 2 and _turn(hull[-2], hull[-1], p) <= 0:
-                hull.pop()
-            hull.append(p)
-        hull.pop()
-    return hull
-
-
-def _turn(a: list[float], b: list[float], c: list[float]) -> float:
-    return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
-
-
 def stock_around(toolpath: Toolpath, tool: Tool) -> Stock:
     """Return the box around all cuts of a tool, up to the highest: a stand-in where the stock is unknown."""
     cuts = ~toolpath.rapid

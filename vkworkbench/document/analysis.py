@@ -184,6 +184,7 @@ def _read(operation: Operation) -> _Reading:
         tool, box = _or_remark(remarks, read_tool, obj), _or_remark(remarks, read_stock, job)
         stock, told = stock_solid(job, box) if box else (None, None)
         remarks += [remark for remark in (told, tool and tool_remark(obj)) if remark]
+        form, rapids = form_of_stock(job, box) if box else (), rapid_feeds(obj)
         return replace(
             reading,
             imported=is_imported(obj),
@@ -192,10 +193,8 @@ def _read(operation: Operation) -> _Reading:
             tool=tool,
             stock=stock,
             remarks=tuple(remarks),
-            rapid_feeds=rapid_feeds(obj),
-            setting_fingerprint=setting_fingerprint(
-                tool, box, form_of_stock(job, box) if box else (), rapid_feeds(obj)
-            ),
+            rapid_feeds=rapids,
+            setting_fingerprint=setting_fingerprint(tool, box, form, rapids),
         )
     except ReferenceError:  # deleted meanwhile
         raise

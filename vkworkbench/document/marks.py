@@ -139,7 +139,8 @@ def read_total(job) -> Record | None:
 
 
 def _total_fingerprint(job, parts: list[Record | None]) -> str:
-    often = [f"x{fixtures_of(job)}"] if fixtures_of(job) > 1 else []
+    fixtures = fixtures_of(job)
+    often = [f"x{fixtures}"] if fixtures > 1 else []
     return " ".join([part.fingerprint if part else "" for part in parts] + often)
 
 

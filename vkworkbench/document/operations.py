@@ -258,7 +258,9 @@ def is_active(obj, _above: tuple[str, ...] = ()) -> bool:
     if not freecad.ACTIVE.of(obj, True):
         return False
     of_bases = [is_active(base, (*_above, obj.Name)) for base in _bases(obj) if base.Name not in _above]
-    return any(of_bases) or not of_bases if kind(obj) == "array" else all(of_bases)
+    if of_bases and kind(obj) == "array":
+        return any(of_bases)
+    return all(of_bases)
 
 
 def is_imported(obj) -> bool:

@@ -11,7 +11,7 @@ from queue import Empty, SimpleQueue
 import FreeCAD
 import numpy as np
 
-from vkworkbench import freecad, preferences
+from vkworkbench import preferences
 from vkworkbench.core import Cut, Solid, Stock, Strategy, Tool, Toolpath, linearize, trajectory_seconds
 from vkworkbench.core.gcode import in_seconds, used_up
 from vkworkbench.document.fingerprint import (
@@ -36,7 +36,7 @@ from vkworkbench.document.setting import (
     tool_remark,
     vertical_feed,
 )
-from vkworkbench.document.solids import form_of_stock, model_shapes, model_solid, stock_solid
+from vkworkbench.document.solids import form_of_stock, model_shapes, model_solid, shapes_of_model, stock_solid
 from vkworkbench.language import Message, Unusable
 
 _PATIENCE = 0.05  # s between two looks whether an operation is still waited for
@@ -171,7 +171,7 @@ class JobCopy:
         self._form = form_of_stock(job, self._box)
         self._stock, told = stock_solid(job, self._box)
         self._model_shapes = model_shapes(job)
-        self._model = _model(job)
+        self._model = shapes_of_model(job)
         self._settings: dict[str, str] = {}  # fingerprints, by the names of operations
         self._paths: dict[str, str] = {}
         self._tolerance = preferences.read().tolerance
@@ -216,7 +216,7 @@ class JobCopy:
         """
         try:
             objects, job = _posted(self.asked())
-            model = _model(job)
+            model = shapes_of_model(job)
             same = len(model) == len(self._model) and all(map(_alike, model, self._model))
         except Unusable:  # operations of several jobs, a model without volume
             return False
@@ -323,12 +323,6 @@ def _posted(what) -> tuple[list, object]:
     """Return the objects that are simulated, in the order of their job, and that; None without one."""
     operations = _chosen(find(what))
     return [operation.object for operation in operations], operations[0].job if operations else None
-
-
-def _model(job) -> list:
-    """The shapes of what the part is to be."""
-    shapes = (freecad.SHAPE.of(obj) for obj in freecad.GROUP.of(freecad.MODEL.of(job)) or ())
-    return [shape for shape in shapes if shape is not None and not shape.isNull()]
 
 
 def _alike(one, other) -> bool:

@@ -71,11 +71,15 @@ def _form(shape, box: Stock) -> tuple:
     return ("Mesh", *(f"{_FACTOR * measure:.4e}" for measure in measures))
 
 
+def shapes_of_model(job) -> list:
+    """Return the shapes of a job's model, as the document has them."""
+    group = freecad.GROUP.of(freecad.MODEL.of(job)) or []
+    return [shape for shape in map(freecad.SHAPE.of, group) if shape is not None and not shape.isNull()]
+
+
 def model_shapes(job) -> tuple:
     """Return copies of the shapes of a job's model, which another thread may read."""
-    group = freecad.GROUP.of(freecad.MODEL.of(job)) or []
-    shapes = [shape for shape in map(freecad.SHAPE.of, group) if shape is not None and not shape.isNull()]
-    return tuple(shape.copy(True, False) for shape in shapes)
+    return tuple(shape.copy(True, False) for shape in shapes_of_model(job))
 
 
 def model_solid(shapes: tuple) -> Mesh | None:

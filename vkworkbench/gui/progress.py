@@ -51,20 +51,28 @@ def calibrate(parent: QWidget) -> None:
         progress.close()
 
 
+def dialog_of(title: str, text: str, parent: QWidget, delay: int) -> QProgressDialog:
+    """Return a dialog that keeps clicks from the window, is shown after so many ms, and that Esc cancels."""
+    dialog = QProgressDialog(parent)
+    dialog.setWindowTitle(title)
+    dialog.setWindowModality(Qt.WindowModal)
+    dialog.setMinimumDuration(delay)
+    as_plain(dialog.findChild(QLabel))
+    dialog.setLabelText(text)
+    dialog.setCancelButtonText(translate("Vk_Analyze", "Cancel"))
+    dialog.rejected.connect(dialog.cancel)  # whichever part of the dialog takes Esc
+    return dialog
+
+
 class _Progress:
     """A dialog that says that this computer is being measured, which comes first, then what is analysed."""
 
     def __init__(self, title: str, parent: QWidget) -> None:
-        self._dialog = QProgressDialog(parent)
-        self._dialog.setWindowTitle(title)
-        self._dialog.setWindowModality(Qt.WindowModal)
-        self._dialog.setMinimumDuration(_DELAY)
+        text = translate("Vk_Analyze", "Measuring how fast this computer simulates…")
+        self._dialog = dialog_of(title, text, parent, delay=_DELAY)
         self._dialog.setMinimumWidth(_WIDTH)
-        as_plain(self._dialog.findChild(QLabel))
-        self._dialog.setLabelText(translate("Vk_Analyze", "Measuring how fast this computer simulates…"))
         self._dialog.setMaximum(0)  # how long that takes is not known
         self._dialog.setValue(0)
-        self._dialog.rejected.connect(self._dialog.cancel)  # Esc, whichever part of the dialog takes it
 
     def close(self) -> None:
         self._dialog.close()

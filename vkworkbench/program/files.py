@@ -74,10 +74,11 @@ def _in_folder(folder: Path) -> Iterator[Path]:
     closed: list[OSError] = []
     walked: set[str] = set()
     for root, folders, names in os.walk(folder, onerror=closed.append, followlinks=True):
-        if os.path.realpath(root) in walked:  # a link that leads here again
+        place = os.path.realpath(root)
+        if place in walked:  # a link that leads here again
             folders.clear()
             continue
-        walked.add(os.path.realpath(root))
+        walked.add(place)
         folders[:] = sorted(name for name in folders if not name.startswith("."))
         for name in sorted(names):
             suffixes = [suffix.lower() for suffix in Path(name).suffixes[-2:]]

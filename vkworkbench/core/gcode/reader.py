@@ -380,13 +380,11 @@ class _Reader:
         elif code in _MACRO_CALLS:
             self._problem(Message("subprogram-not-read"))
             return True
-        elif self.clues.g_code(code // 10, letters, self.number):
+        else:
+            of_a_lathe = self.clues.g_code(code // 10, letters, self.number)
             if code not in _HARMLESS:
                 self._problem(Message("unknown-code", name=repr(name_of(code))))
-            return True
-        elif code not in _HARMLESS:
-            self._problem(Message("unknown-code", name=repr(name_of(code))))
-            return True
+            return of_a_lathe or code not in _HARMLESS
         return False
 
     def _move(self, motion: int | None, parameters: dict[str, float], apart: bool) -> None:

@@ -5,8 +5,9 @@ from __future__ import annotations
 
 import numpy as np
 
+from vkworkbench.core.hull import convex_hull
 from vkworkbench.core.rendering.camera import project
-from vkworkbench.core.solids import Frame, Tool, convex_hull
+from vkworkbench.core.solids import Frame, Tool
 
 _AROUND, _ALONG = 32, 7
 # The shank is drawn so many diameters long.

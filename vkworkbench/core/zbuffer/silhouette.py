@@ -5,7 +5,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from vkworkbench.core.solids import Frame, convex_hull
+from vkworkbench.core.hull import convex_hull
+from vkworkbench.core.solids import Frame
 from vkworkbench.core.stocks import Mesh, Solid
 
 # Rows of rays by which the area of a mesh is counted, and rays of each.

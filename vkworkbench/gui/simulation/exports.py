@@ -14,8 +14,9 @@ import FreeCAD
 import FreeCADGui as Gui
 import numpy as np
 
+from vkworkbench.gui import progress
 from vkworkbench.gui.plain_text import warn
-from vkworkbench.gui.qt import QApplication, QEventLoop, QFileDialog, QProgressDialog, Qt
+from vkworkbench.gui.qt import QApplication, QEventLoop, QFileDialog
 from vkworkbench.gui.saving import proposed, with_suffix
 from vkworkbench.gui.sentences import user
 from vkworkbench.gui.text import translate
@@ -44,7 +45,9 @@ def save_frames(player) -> None:
     chosen = QFileDialog.getExistingDirectory(player, title, str(Path(_proposed(player, "")).parent))
     if not chosen:
         return
-    dialog = _progress(player, translate("Vk_Simulate", "Saving the pictures when the finest is there…"))
+    text = translate("Vk_Simulate", "Saving the pictures when the finest is there…")
+    dialog = progress.dialog_of(translate("Vk_Simulate", "Simulate toolpaths"), text, player, delay=0)
+    dialog.setMaximum(_FRAMES)
 
     def going_on(done: int) -> bool:
         dialog.setValue(done)
@@ -65,15 +68,6 @@ def save_frames(player) -> None:
     finally:
         dialog.close()
         dialog.deleteLater()
-
-
-def _progress(player, text: str) -> QProgressDialog:
-    dialog = QProgressDialog(text, translate("Vk_Analyze", "Cancel"), 0, _FRAMES, player)
-    dialog.setWindowTitle(translate("Vk_Simulate", "Simulate toolpaths"))
-    dialog.setWindowModality(Qt.WindowModal)
-    dialog.setMinimumDuration(0)  # no click is to reach the window meanwhile
-    dialog.rejected.connect(dialog.cancel)  # Esc, whichever part of the dialog takes it
-    return dialog
 
 
 def _new_folder(parent: Path, document: str) -> Path:
