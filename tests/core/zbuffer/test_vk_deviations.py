@@ -9,7 +9,7 @@ from zbuffer_reference.paths import BOX, toolpath
 
 from vkworkbench.core import Cut, Cylinder, Stock, Tool, View
 from vkworkbench.core.solids import Gaps, Spans
-from vkworkbench.core.zbuffer import SeenModel, deviations, gouges, material_left, simulate_job, worst_places
+from vkworkbench.core.zbuffer import Deviations, SeenModel, deviations, gouges, material_left, simulate_job, worst_places
 from vkworkbench.core.zbuffer.deviations import _around
 
 FLAT = Tool("endmill", 6)
@@ -28,12 +28,15 @@ def simulated(*paths):
 UNCUT = simulated()
 
 
-def amounts(**patches):
-    """An image of nothing but rectangles of pixels: (first column, first row, columns, rows, mm)."""
+def left(most=10, tolerance=0.5, **patches):
+    """The worst places where rectangles of pixels are left: (first column, first row, columns, rows, mm)."""
     image = np.zeros((HEIGHT, WIDTH), np.float32)
     for column, row, columns, rows, amount in patches.values():
         image[row : row + rows, column : column + columns] = amount
-    return image.ravel()
+    nothing = np.zeros(image.size, np.float32)
+    gouged, places = worst_places(UNCUT, Deviations(image.ravel(), nothing, None), tolerance, most)
+    assert gouged == []
+    return places
 
 
 def middle(column, row):
@@ -51,8 +54,7 @@ def test_an_extreme_is_that_of_a_pixel_and_its_eight_neighbours():
 
 def test_the_worst_pixel_of_what_hangs_together_is_its_place():
     """Two rectangles, of which the second is deeper, with a deepest pixel in it."""
-    image = amounts(one=(20, 30, 10, 4, 1.0), two=(150, 90, 6, 6, 2.0), deepest=(153, 94, 1, 1, 2.5))
-    two, one = worst_places(UNCUT, image, 0.5)
+    two, one = left(one=(20, 30, 10, 4, 1.0), two=(150, 90, 6, 6, 2.0), deepest=(153, 94, 1, 1, 2.5))
     assert (one.depth, two.depth) == (1.0, 2.5)
     assert two.place[:2] == middle(153, 94) and one.place[:2] == middle(20, 30) and one.place[2] == pytest.approx(10)
     assert (one.area, two.area) == pytest.approx((40 * PIXEL**2, 36 * PIXEL**2))
@@ -74,30 +76,30 @@ def test_the_worst_pixel_of_what_hangs_together_is_its_place():
 )
 def test_tiles_of_three_pixels_hang_together_where_they_touch(other, places):
     """A fiftieth of 150 pixels is the side of a tile; the first lies at 30, 30."""
-    found = worst_places(UNCUT, amounts(one=(30, 30, 3, 3, 1.0), other=(*other, 1.0)), 0.5)
+    found = left(one=(30, 30, 3, 3, 1.0), other=(*other, 1.0))
     assert len(found) == places
     assert sum(place.area for place in found) == pytest.approx(18 * PIXEL**2)
 
 
 def test_a_long_winding_line_is_one_place():
     line = {f"step {k}": (12 + 3 * k, 12 + 3 * (k % 2), 3, 3, 1.0 + k / 100) for k in range(40)}
-    (one,) = worst_places(UNCUT, amounts(**line), 0.5)
+    (one,) = left(**line)
     assert one.depth == pytest.approx(1.39) and one.area == pytest.approx(360 * PIXEL**2)
 
 
 def test_places_at_the_edges_of_the_image():
     corners = {name: (x, y, 1, 1, depth) for name, x, y, depth in
                (("a", 0, 0, 4.0), ("b", 199, 0, 3.0), ("c", 0, 149, 2.0), ("d", 199, 149, 1.0))}  # fmt: skip
-    found = worst_places(UNCUT, amounts(**corners), 0.5)
+    found = left(**corners)
     assert [place.depth for place in found] == [4, 3, 2, 1]
     assert [place.place[:2] for place in found] == [middle(0, 0), middle(199, 0), middle(0, 149), middle(199, 149)]
-    assert len(worst_places(UNCUT, amounts(**corners), 0.5, most=3)) == 3
-    assert len(worst_places(UNCUT, amounts(**corners), 2.0)) == 2  # what is no more than the tolerance is none
+    assert len(left(most=3, **corners)) == 3
+    assert len(left(tolerance=2.0, **corners)) == 2  # what is no more than the tolerance is none
 
 
 def test_ten_places_are_told():
     patches = {str(k): (15 * k, 60, 3, 3, 1.0 + k) for k in range(12)}
-    assert [place.depth for place in worst_places(UNCUT, amounts(**patches), 0.5)] == [12.0 - k for k in range(10)]
+    assert [place.depth for place in left(**patches)] == [12.0 - k for k in range(10)]
 
 
 def test_what_is_left_above_a_model_is_told_by_pixel():
@@ -211,7 +213,7 @@ def test_only_what_cuts_into_the_model_is_guilty(guilty, direction, offset, pixe
     jobs.insert(guilty, CRASH)
     z = simulate_job([Cut(one, FLAT) for one in jobs], stock=ROUGH, view=View(direction, 300, 240, pixel, offset))
     found = deviations(z, PART)
-    told = [*gouges(z, found, 0.1), *worst_places(z, found.gouged, 0.1, model=found.model)]
+    told = [*gouges(z, found, 0.1), *worst_places(z, found, 0.1)[0]]
     assert len(told) > 1 and {one.source and one.source.cut for one in told} == {guilty}
     sure = sum(one.area for one in gouges(z, found, 0.1)) / pixel**2
     assert sure == pytest.approx(np.count_nonzero(found.gouged > 0.1), rel=0.05)

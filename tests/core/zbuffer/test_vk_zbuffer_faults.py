@@ -183,14 +183,14 @@ def test_worst_places_lie_apart_and_name_what_made_them():
     drilled = path([(10, 15, 12), (10, 15, 5), (10, 15, 12), (30, 15, 12), (30, 15, -1), (30, 15, 12)])
     z = simulate_job([Cut(SOUND, FLAT), Cut(drilled, FLAT)], stock=STOCK, view=View((0, 0, -1), 200, 150))
     found = deviations(z, MODEL)
-    through, blind = worst_places(z, found.gouged, 0.1, model=found.model)
+    (through, blind), _ = worst_places(z, found, 0.1)
     own = len(SOUND)
     assert (through.trajectory, blind.trajectory) == (own + 3, own)
     assert (through.depth, blind.depth) == pytest.approx((8, 3), abs=1e-4)
     assert through.place[:2] == pytest.approx((30, 15), abs=3) and blind.place[:2] == pytest.approx((10, 15), abs=3)
     assert {gouge.source.cut for gouge in gouges(z, found, 0.1)} == {1}
-    assert [place.depth for place in worst_places(z, found.gouged, 0.1, most=1)] == [through.depth]
-    assert worst_places(z, found.gouged, 9.0) == []
+    assert [place.depth for place in worst_places(z, found, 0.1, most=1)[0]] == [through.depth]
+    assert worst_places(z, found, 9.0)[0] == []
 
 
 def test_a_seen_model_is_compared_with_any_moment():

@@ -131,37 +131,41 @@ def gouges(zbuffer: ZBuffer, found: Deviations, tolerance: float) -> list[Deviat
     tolerance : float
         What is no gouge yet, mm.
     """
-    return _worst(zbuffer, found.gouged, tolerance, found.model)
+    return _worst(zbuffer, found.gouged, _makers(zbuffer, found.gouged, tolerance, found.model))
 
 
 def material_left(zbuffer: ZBuffer, found: Deviations, tolerance: float) -> list[Deviation]:
     """Return where each cut leaves most above the model, the most first; the arguments are those of `gouges`."""
-    return _worst(zbuffer, found.left, tolerance)
+    return _worst(zbuffer, found.left, _makers(zbuffer, found.left, tolerance))
 
 
 def worst_places(
-    zbuffer: ZBuffer, amount: np.ndarray, tolerance: float, most: int = 10, model: SeenModel | None = None
-) -> list[Deviation]:
-    """Return the places where most is gouged, or left, the worst first; what hangs together is one.
+    zbuffer: ZBuffer, found: Deviations, tolerance: float, most: int = 10
+) -> tuple[list[Deviation], list[Deviation]]:
+    """Return the places where most is gouged and those where most is left, the worst first; what hangs together is one.
 
     Parameters
     ----------
     zbuffer : ZBuffer
-        What `amount` is of.
-    amount : (pixels,) float32
-        `gouged` or `left` of its deviations, mm.
+        What `found` is of.
+    found : Deviations
     tolerance : float
         What is no deviation yet, mm.
     most : int
-        How many are returned at most.
-    model : SeenModel, optional
-        That of the deviations, where `amount` is gouged: where it begins decides who is guilty.
+        How many of either kind are returned at most.
     """
-    frame = zbuffer.frame
+    return (
+        _apart(zbuffer, found.gouged, _makers(zbuffer, found.gouged, tolerance, found.model), most),
+        _apart(zbuffer, found.left, _makers(zbuffer, found.left, tolerance), most),
+    )
+
+
+def _apart(zbuffer: ZBuffer, amount: np.ndarray, makers: tuple[np.ndarray, np.ndarray], most: int) -> list[Deviation]:
+    """The worst places by an amount (pixels,), of pixels that deviate and who made it."""
+    frame, (deviating, maker) = zbuffer.frame, makers
     side = max(1, round(_APART * min(frame.height, frame.width)))
     rows, columns = -(-frame.height // side), -(-frame.width // side)
     too_much = np.zeros((rows * side, columns * side), np.float32)
-    deviating, maker = _makers(zbuffer, amount, tolerance, model)
     too_much[np.divmod(deviating, frame.width)] = amount[deviating]
     tiles = too_much.reshape(rows, side, columns, side).swapaxes(1, 2)
     worst, counts = tiles.max(axis=(2, 3)), np.count_nonzero(tiles, axis=(2, 3))
@@ -189,8 +193,9 @@ def _take(worst: np.ndarray, counts: np.ndarray, row: int, column: int) -> int:
     return total
 
 
-def _worst(zbuffer: ZBuffer, amount: np.ndarray, tolerance: float, model: SeenModel | None = None) -> list[Deviation]:
-    pixels, maker = _makers(zbuffer, amount, tolerance, model)
+def _worst(zbuffer: ZBuffer, amount: np.ndarray, makers: tuple[np.ndarray, np.ndarray]) -> list[Deviation]:
+    """The worst place of each cut by an amount (pixels,), of pixels that deviate and who made it."""
+    pixels, maker = makers
     cut = _cuts(zbuffer, maker)
     worst = []
     for own in np.unique(cut):
@@ -201,7 +206,7 @@ def _worst(zbuffer: ZBuffer, amount: np.ndarray, tolerance: float, model: SeenMo
 
 
 def _makers(
-    zbuffer: ZBuffer, amount: np.ndarray, tolerance: float, model: SeenModel | None
+    zbuffer: ZBuffer, amount: np.ndarray, tolerance: float, model: SeenModel | None = None
 ) -> tuple[np.ndarray, np.ndarray]:
     """Pixels that deviate, ascending, and by which trajectory, `STOCK` where by none.
 

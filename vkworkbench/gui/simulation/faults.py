@@ -114,9 +114,7 @@ def differences(told: Told, tolerance: float) -> list[Fault]:
     """Return the places where the finished part differs most from the model: gouges first, then material left."""
     if told.deviations is None:
         return []
-    found = told.deviations
-    gouged = worst_places(told.simulation.zbuffer, found.gouged, tolerance, model=found.model)
-    left = worst_places(told.simulation.zbuffer, found.left, tolerance)
+    gouged, left = worst_places(told.simulation.zbuffer, told.deviations, tolerance)
     return [
         *(_fault(one, Message("cuts-model", depth=one.depth), serious=True) for one in gouged),
         *(_fault(one, Message("leaves-material", depth=one.depth), serious=False) for one in left),
