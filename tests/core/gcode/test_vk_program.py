@@ -200,6 +200,7 @@ def test_a_feed_by_turn_follows_the_spindle():
     [
         ("T1 M6", [1]), ("M6 T1", [1]), ("T1\nM6", [1]), ("M06T01", [1]), ("T5 D1\nG43 H5", [5]),
         ("T1 M6\nT2\nG1 X20\nM6", [1, 2]), ("T1\nG1 X20\nT1\nG1 X30\nT2", [1, 2]),
+        ("T01T02M06\nG1 X20\nM6", [1, 2]), ("M6 T3 T4", [3]),  # the second T gets the next tool ready
     ],
 )  # fmt: skip
 def test_tool_changes(text, numbers):

@@ -234,6 +234,7 @@ class _Reader:
         """Read the words of one line; return whether they end the program."""
         motion, apart, ended, last, change = None, False, False, False, False
         codes: list[int] = []
+        tools: list[int] = []
         parameters: dict[str, float] = {}
         for letter, value in words:
             if letter == "G":
@@ -262,10 +263,10 @@ class _Reader:
                 ended |= self._m_code(value, letters)
                 last |= value in (2, 30)
             elif letter == "T":
-                self.tool = _whole(value, _MOST_TOOLS)
-                self.clues.tool(self.tool, self.number)
+                tools.append(_whole(value, _MOST_TOOLS))
+                self.clues.tool(tools[-1], self.number)
                 if not self.changes:  # where there is no M6 at all it changes the tool
-                    self._add(f"T{self.tool}", {})
+                    self._add(f"T{tools[-1]}", {})
             elif letter == "S":
                 self.spindle = value
             elif letter not in "NO":
@@ -274,7 +275,9 @@ class _Reader:
                 parameters[letter] = value
         if change:
             self.changes = True
-            self._add("M6", {} if self.tool is None else {"T": self.tool})
+            tool = tools[0] if tools else self.tool  # a second T of the line gets the next one ready
+            self._add("M6", {} if tool is None else {"T": tool})
+        self.tool = tools[-1] if tools else self.tool
         if "S" in letters and self.per_turn is not None:  # another speed is another feed
             parameters.setdefault("F", self.per_turn)
         if codes or "F" in parameters:
