@@ -26,7 +26,7 @@ from vkworkbench.core import Strategy
 from vkworkbench.core.recognition import recognize
 from vkworkbench.document.intent import contradicts
 
-KINDS = ("Adaptive", "Deburr", "Drilling", "Engrave", "Helix", "Profile", "Tapping", "ThreadMilling", "Vcarve")
+KINDS = ("Adaptive", "Deburr", "Drilling", "Engrave", "Helix", "Profile", "Slot", "Tapping", "ThreadMilling", "Vcarve")
 
 
 def called(label: str) -> str | None:
@@ -34,7 +34,7 @@ def called(label: str) -> str | None:
     kind, *rest = label.replace("+", ":").split(":")
     if kind in KINDS:
         return kind
-    return rest[0] if rest and kind != "Slot" else None
+    return rest[0] if rest else None
 
 
 def main(files: list[str]) -> None:

@@ -13,9 +13,10 @@ from vkworkbench.document.intent import contradicted, contradicts
 from vkworkbench.language import Message
 
 FITS = [("helix", "Adaptive"), ("spiral", "Adaptive"), ("profile", "Offset"), ("contour-parallel", "Profile"), ("one-way", "ZigZag"),
-        ("engraving", "Profile"), ("zigzag", "ZigZagOffset"), ("drilling", "Tapping"), ("zigzag", None), ("zigzag", "Slot")]  # fmt: skip
+        ("engraving", "Profile"), ("zigzag", "ZigZagOffset"), ("drilling", "Tapping"), ("zigzag", None), ("zigzag", "Slot"),
+        ("profile", "Slot"), ("zigzag", "Engrave"), ("profile", "ZigZag")]  # fmt: skip
 CONTRADICTS = [("zigzag", "Offset"), ("contour-parallel", "ZigZag"), ("zigzag", "Profile"), ("drilling", "Helix"), ("helix", "Drilling"),
-               ("one-way", "Adaptive")]  # fmt: skip
+               ("one-way", "Adaptive"), ("drilling", "Slot"), ("drilling", "Engrave")]  # fmt: skip
 
 
 def done(strategy):
@@ -65,6 +66,15 @@ ROWS, ROWS_ONE_WAY, AROUND, MIXED = Strategy.ZIGZAG, Strategy.ONE_WAY, Strategy.
 )
 def test_a_sure_verdict_on_enough_passes_of_no_family_that_fits_contradicts(name, found, expected):
     assert contradicts(name, found) is expected
+
+
+def test_the_pattern_of_a_slot_is_how_its_one_line_is_cut(small):
+    """FreeCAD's Slot has a CutPattern, too, and it is none of a surface's."""
+    slot = small.add("Slot", programs.profile())
+    slot.addProperty("App::PropertyString", "CutPattern", "Path").CutPattern = "ZigZag"
+    slot.Proxy = type("ObjectSlot", (), {"__module__": "Path.Op.Slot"})()
+    (row,) = vkworkbench.analyze(slot).operations
+    assert row.strategy is Strategy.PROFILE and contradicted(slot, row.recognition) is None
 
 
 def test_a_dress_up_is_judged_by_itself(small, zigzag_commands):

@@ -4,22 +4,24 @@
 from __future__ import annotations
 
 from vkworkbench import freecad
-from vkworkbench.core import Family, Recognition
+from vkworkbench.core import Family, Recognition, Strategy
 from vkworkbench.document.operations import kind
 
 _ALONG = {Family.AROUND, Family.STROKES}  # a contour may be open, and cut in many parts
+_ANY_LINES = {Family.ROWS, *_ALONG}  # an engraving is what its drawing is; a slot is cut to and fro, one way, or again and again
 # The families that fit FreeCAD's kinds of operations without patterns. Names within a family do not contradict one
 # another: adaptive clearing of a round hole winds as a helix does, and a pocket of one ring is a profile.
 _KINDS = {
-    "Adaptive": _ALONG, "Deburr": _ALONG, "Drilling": {Family.HOLES}, "Engrave": _ALONG, "Helix": {Family.AROUND},
-    "Profile": _ALONG, "Tapping": {Family.HOLES}, "ThreadMilling": {Family.AROUND}, "Vcarve": _ALONG, "Waterline": _ALONG,
+    "Adaptive": _ALONG, "Deburr": _ALONG, "Drilling": {Family.HOLES}, "Engrave": _ANY_LINES, "Helix": {Family.AROUND},
+    "Profile": _ALONG, "Slot": _ANY_LINES, "Tapping": {Family.HOLES}, "ThreadMilling": {Family.AROUND},
+    "Vcarve": _ALONG, "Waterline": _ALONG,
 }  # fmt: skip
 # The families that fit the patterns of pockets, facing and surfaces.
 _PATTERNS = {
     "Circular": _ALONG, "CircularZigZag": {Family.ROWS}, "Grid": {Family.ROWS}, "Line": {Family.ROWS}, "Offset": _ALONG,
     "Spiral": _ALONG, "Triangle": {Family.ROWS}, "ZigZag": {Family.ROWS}, "ZigZagOffset": {Family.ROWS, Family.AROUND},
 }  # fmt: skip
-# Fewer rows or loops may be all there is room for: a slot as wide as the tool is one line or one loop, whatever the pattern.
+# Fewer rows or loops may be all there is room for: where the tool is as wide as the ground, every pattern is one line or one loop.
 ENOUGH = 3
 SURE = 0.8  # confidence; below it the recognition itself may be wrong
 
@@ -32,6 +34,8 @@ def contradicts(name: str | None, found: Recognition) -> bool:
     meant = _KINDS.get(name) or _PATTERNS.get(name)
     few = found.passes is not None and found.passes < ENOUGH
     if not meant or not found.strategy.is_answer or found.confidence < SURE or few:
+        return False
+    if name in _PATTERNS and found.strategy is Strategy.PROFILE:  # as few, of each of many narrow places
         return False
     done = {found.strategy.family, *(span.strategy.family for span in found.spans)} - {Family.NONE}
     return not done & meant
