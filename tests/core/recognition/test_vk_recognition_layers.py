@@ -111,6 +111,32 @@ def test_a_contour_around_the_rows_is_their_finishing_pass(last):
     assert alone.strategy is Strategy.ZIGZAG and not alone.finishing
 
 
+def box(left, bottom, right, top):
+    """A closed stroke along a rectangle, 4 mm deep."""
+    corners = ((left, bottom), (right, bottom), (right, top), (left, top), (left, bottom))
+    return [(x, y, -4.0) for x, y in corners]
+
+
+def between(left, right, bottom, top):
+    """Rows to and fro, 3 mm apart, in one stroke."""
+    ends = ((left, right), (right, left))
+    return [(x, y, -4.0) for row, y in enumerate(np.arange(bottom, top + 0.1, 3.0)) for x in ends[row % 2]]
+
+
+ROUND_ISLANDS = [box(14, 8, 26, 20), box(14, 30, 26, 42)]
+PARTS = [between(0, 40, 0, 6), between(0, 12, 8, 42), between(28, 40, 8, 42), between(14, 26, 22, 28), between(0, 40, 44, 50)]
+
+
+@pytest.mark.parametrize(
+    "strokes",
+    [[*PARTS, box(-1, -1, 41, 51), *ROUND_ISLANDS], [*PARTS, *ROUND_ISLANDS, box(-1, -1, 41, 51)], [*ROUND_ISLANDS, *PARTS]],
+    ids=["wall first", "islands first", "islands alone"],
+)
+def test_contours_around_islands_finish_the_rows_around_them(strokes):
+    found = recognize(linearize(programs.program(strokes)), tool_diameter=3.0)
+    assert found.strategy is Strategy.ZIGZAG and found.finishing, found.reason
+
+
 def areas(*strokes):
     return monotonous_areas(linearize(programs.program(strokes)))
 

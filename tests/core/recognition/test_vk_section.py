@@ -262,6 +262,10 @@ def test_letters_in_boxes_of_one_size_differ_by_their_lengths():
 FAR = polygon(40, x=300)
 
 
+def deeper(stroke, by=1.0):
+    return [(x, y, z - by) for x, y, z in stroke]
+
+
 @pytest.mark.parametrize(
     "strokes, share",
     [
@@ -271,8 +275,9 @@ FAR = polygon(40, x=300)
         ([FAR, FAR, rows(x=50, y=-50), polygon(60)], 1.0),
         ([polygon(60, z=-1.0), rows(x=50, y=-50, z=-1.0)], 1.0),
         ([polygon(60, z=-1.0), rows(x=50, y=-50)], 0.0),
-        ([polygon(60), FAR, FAR, rows(x=50, y=-50)], 0.0),
-        ([rows(x=50, y=-50), FAR, polygon(60)], 0.0),
+        ([polygon(60), FAR, FAR, rows(x=50, y=-50)], 1.0),
+        ([polygon(60), rows(x=50, y=-50), *(polygon(61 + k, x=300 + 80 * k) for k in range(7))], 1.0),
+        ([polygon(60), rows(x=50, y=-50), *(polygon(61 + k, x=300 + 80 * k) for k in range(8))], 0.0),
         ([polygon(60), rows(x=80, y=-50)], 0.0),
         ([polygon(60), rows(x=20, y=-50)], 0.0),
         ([polygon(60), rows(x=50, y=-20)], 0.0),
@@ -281,20 +286,37 @@ FAR = polygon(40, x=300)
         ([rows()], 0.0),
         ([polygon(60)], 0.0),
     ],
-    ids=["after", "before", "between, inside the first", "between, inside the second", "as deep", "deeper", "not last", "not next", "right", "left",
+    ids=["after", "before", "between, inside the first", "between, inside the second", "as deep", "deeper", "not last", "the eighth", "the ninth", "right", "left",
          "above", "below", "some", "no ring", "no rows"],
 )  # fmt: skip
-def test_rows_are_surrounded_by_the_ring_cut_before_or_after_them_at_their_depth(strokes, share):
+def test_rows_are_surrounded_by_one_of_the_largest_rings_at_their_depth(strokes, share):
     assert section(*strokes).surrounded() == pytest.approx(share)
+
+
+ISLAND = polygon(10, x=-5, y=-2)
+
+
+@pytest.mark.parametrize(
+    "strokes, share",
+    [
+        ([ISLAND, rows(x=50, y=-50)], 1.0),
+        ([rows(x=50, y=-50), FAR, ISLAND], 40 / 200),
+        ([deeper(ISLAND), rows(x=50, y=-50)], 0.0),
+        ([deeper(ISLAND), deeper(rows(x=50, y=-50))], 1.0),
+        ([polygon(10, x=-5, y=-10), rows(x=50, y=-50)], 0.0),
+        ([ISLAND, polygon(8, x=-5, y=-2), rows(x=50, y=-50)], 0.0),
+        ([ISLAND], 0.0),
+        ([rows()], 0.0),
+    ],
+    ids=["amid", "some", "deeper", "as deep", "across their edge", "offsets", "no rows", "no ring"],
+)
+def test_the_single_rings_amid_rows_go_around_islands(strokes, share):
+    assert section(*strokes).amid() == pytest.approx(share)
 
 
 crooked = [(x, -40 + math.sin(1.3 * i), 0.0) for i, x in enumerate(np.linspace(44, 96, 14))]
 there_and_back = crooked + [(x, y + 1, z) for x, y, z in crooked[::-1]]
 RING = polygon(60, ratio=0.2)
-
-
-def deeper(stroke, by=1.0):
-    return [(x, y, z - by) for x, y, z in stroke]
 
 
 @pytest.mark.parametrize(

@@ -27,6 +27,9 @@ from vkworkbench.core.recognition.thresholds import (
 )
 
 
+_LOW = np.array([1.0, 1.0, -1.0, -1.0])  # with it the lowest of boxes are their outermost sides
+
+
 class Section:
     """A stretch of moves that is judged as one operation, measured.
 
@@ -145,14 +148,32 @@ class Section:
         return bool(small and shallow and shapes >= LETTERS.COUNT and shapes > STROKES.DISTINCT * self.rings.distinct)
 
     def surrounded(self) -> float:
-        """Share of the rows' length inside a ring that was cut before or after them at the same depth."""
-        p, k = self.pieces, np.flatnonzero(self.row_pieces)
-        if not len(k) or not len(self.rings):
+        """Share of the rows' length inside a ring at the same depth: the contour of their walls."""
+        p, k, ring = self.pieces, np.flatnonzero(self.row_pieces), self.rings.index
+        if not len(k) or not len(ring):
             return 0.0
+        of_row, of_ring, depths = _depths(p.z[k], p.z[ring])
+        # The largest rings of each depth: the others go around islands, or lie in these.
+        order = np.lexsort((-np.hypot(*(p.box[ring, 2:] - p.box[ring, :2]).T), of_ring))
+        rank = np.arange(len(ring)) - np.searchsorted(of_ring[order], of_ring[order])
         inside = np.zeros(len(k), bool)
-        for _, gap, level in self._beside(k):
-            inside |= level & (gap >= -SAME.PLACE)
+        for place in range(min(int(rank.max()) + 1, RINGS.WALLS)):
+            wall, largest = np.full((depths, 4), np.nan), order[rank == place]
+            wall[of_ring[largest]] = p.box[ring[largest]]
+            inside |= _within(p.box[k], wall[of_row])
         return float(p.length[k[inside]].sum() / p.length[k].sum())
+
+    def amid(self) -> float:
+        """Share of the rings' length in single level rings amid rows at the same depth: the contours of islands."""
+        p, k, ring = self.pieces, np.flatnonzero(self.row_pieces), self.rings.index
+        if not len(k) or not len(ring):
+            return 0.0
+        of_row, of_ring, depths = _depths(p.z[k], p.z[ring])
+        rows = np.full((depths, 4), np.inf)
+        np.minimum.at(rows, of_row, p.box[k] * _LOW)
+        single = p.flat[ring] & ~self.rings.nested
+        amid = single & _within(p.box[ring], rows[of_ring] * _LOW)
+        return float(self.rings.length[amid].sum() / self.rings.length.sum())
 
     def _beside(self, k: np.ndarray) -> Iterator[tuple[np.ndarray, np.ndarray, np.ndarray]]:
         """Yield the rings cut after pieces k, (k,) int, and those cut before them, as pieces.
@@ -184,6 +205,21 @@ class Section:
             within = (gap >= -SAME.PLACE) & ((gap < NESTS.REACH * self.tool) | (self.tool == 0))
             inside |= level & within & (width[k] < POCKET.WIDTH * width[beside])
         return float(p.length[k[inside]].sum()) / self.length
+
+
+def _within(inner: np.ndarray, outer: np.ndarray) -> np.ndarray:
+    """Whether boxes (k, 4) lie within others (k, 4)."""
+    beyond: np.ndarray = ((inner - outer) * _LOW).min(axis=1) >= -SAME.PLACE
+    return beyond
+
+
+def _depths(*heights: np.ndarray) -> tuple[np.ndarray, np.ndarray, int]:
+    """Number the depths at which two kinds of pieces lie, (k,) and (r,) mm; return the numbers of either, and how many."""
+    z = np.concatenate(heights)
+    order = np.argsort(z)
+    number = np.empty(len(z), np.int64)
+    number[order] = np.append(0, np.cumsum(z[order][1:] - z[order][:-1] > SAME.HEIGHT))
+    return number[: len(heights[0])], number[len(heights[0]) :], int(number.max()) + 1
 
 
 def _absorbed(p: Pieces) -> np.ndarray:

@@ -211,6 +211,9 @@ class RINGS:
     ROWS_BESIDE = 0.15
     #: share of the length. Less in rings is none among rows. At 0 every closed link of a zigzag is a contour.
     AMONG_ROWS = 0.1
+    #: count. So many rings of a depth, the largest, may be the walls of its pockets. At 1 the pockets beside the largest
+    #: one are mixed; more take longer.
+    WALLS = 8
     #: share of the steps. Where more go inward, or outward, the nest is cut in that order and mills climb or
     #: conventional; otherwise neither is said. It changes no verdict.
     ONE_WAY = 0.75
