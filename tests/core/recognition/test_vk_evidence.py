@@ -56,6 +56,24 @@ def test_rows_have_a_direction_and_depths():
     assert "3 mm apart" in found.reason and "2 depths" in found.reason
 
 
+@pytest.mark.parametrize(("width", "depths"), [(5.0, 3), (10.4, 3), (10.6, 0), (15.0, 0)])
+def test_a_contour_with_tags_lies_where_three_quarters_of_it_are_level(width, depths):
+    """Squares with sides of 25 mm: two tags, which are two mm wider than their tops."""
+    strokes = []
+    for z in (-1.0, -2.0, -3.0):
+        tag = [(5.0, z), (6.0, z + 0.5), (6.0 + width, z + 0.5), (7.0 + width, z)]
+        bottom, top = [(x, 0.0, h) for x, h in tag], [(x, 25.0, h) for x, h in tag[::-1]]
+        strokes.append([(0, 0, z), *bottom, (25, 0, z), (25, 25, z), *top, (0, 25, z), (0, 0, z)])
+    found = found_in(programs.program(strokes))
+    assert found.strategy is Strategy.PROFILE and found.depths == depths
+
+
+def test_a_contour_that_is_ramped_into_lies_at_its_depth():
+    corners = [(25, 0), (25, 25), (0, 25), (0, 0), (25, 0)]
+    ramped = [(0, 0, 0.0), (10, 0, -1.0), *((x, y, -1.0) for x, y in corners)]
+    assert found_in(programs.program([ramped])).depths == 1
+
+
 def test_one_contour_at_several_depths_tells_these_and_no_step():
     found = found_in(programs.profile(depths=(0.0, -2.0, -4.0)))
     assert (found.strategy, found.stepover, found.depths, found.closed_loops) == (Strategy.PROFILE, None, 3, 3)

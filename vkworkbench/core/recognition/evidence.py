@@ -11,7 +11,7 @@ from vkworkbench.core.paper import farthest
 from vkworkbench.core.recognition.footprints import count_depths
 from vkworkbench.core.recognition.pieces import LOOP
 from vkworkbench.core.recognition.section import Section
-from vkworkbench.core.recognition.thresholds import ENOUGH, LITTLE, RINGS
+from vkworkbench.core.recognition.thresholds import ENOUGH, ENTRY, LITTLE, RINGS, SAME
 from vkworkbench.core.recognition.verdict import Verdict
 from vkworkbench.core.strategy import Family, Strategy
 from vkworkbench.language import ENGLISH, Message
@@ -53,7 +53,6 @@ def gather(s: Section, verdict: Verdict) -> Evidence:
         passes, stepover = sum(f.count for f in rows), main.period if len(rows) > 1 else main.step
     if verdict.step and not stepover:
         passes, stepover = verdict.count, verdict.step
-    flat = s.pieces.flat & (s.pieces.length > LITTLE.PIECE * s.pieces.length.max())
     return Evidence(
         level=s.areas.top_level,
         phi_range=s.areas.phi_range,
@@ -61,11 +60,30 @@ def gather(s: Section, verdict: Verdict) -> Evidence:
         sense=sense,
         stepover=stepover,
         passes=passes,
-        depths=count_depths(s.pieces.z[flat]),
+        depths=count_depths(_depths(s)),
         direction=main.axis if main and not around else None,
         closed_loops=int((s.pieces.kind == LOOP).sum()),
         milling=milling,
     )
+
+
+def _depths(s: Section) -> np.ndarray:
+    """Return the heights at which pieces lie, (k,) mm: where nearly all of one is level, however it is entered."""
+    p, m = s.pieces, s.moves
+    counts = p.length > LITTLE.PIECE * p.length.max()
+    if p.flat.all():
+        return p.z[counts]
+    # Of pieces that are ramped into, or lifted over tags, the level moves tell.
+    level = np.flatnonzero(np.repeat(counts & ~p.flat, p.end - p.start) & (np.abs(m.dz) < SAME.HEIGHT))
+    of = np.searchsorted(p.start, level, side="right") - 1
+    nearly = np.bincount(of, m.length[level], len(p)) > ENTRY.LEVEL * p.length
+    level = level[nearly[of]]
+    of, height = of[nearly[of]], np.rint(m.z[level] / SAME.HEIGHT)
+    order = np.lexsort((height, of))
+    level, of, height = level[order], of[order], height[order]
+    begin = np.flatnonzero(np.append(True, (of[1:] != of[:-1]) | (height[1:] != height[:-1]))[: len(of)])
+    lies = begin[np.add.reduceat(m.length[level], begin) > ENTRY.LEVEL * p.length[of[begin]]] if len(begin) else begin
+    return np.concatenate([p.z[counts & p.flat], m.z[level[lies]]])
 
 
 def sentence(s: Section, verdict: Verdict, e: Evidence) -> Message:
