@@ -39,7 +39,7 @@ COPIED += "package.xml", "Init.py", "InitGui.py", "README.md"
 OF_ALL_ROOMS = {"hull": ["tests/core/zbuffer"], "solids": ["tests/core/zbuffer"], "stocks": ["tests/core/zbuffer"]}
 OF_ALL_ROOMS["report"] = ["tests/core/program"]
 # What is tested inside FreeCAD.
-IN_FREECAD = "document", "preferences", "simulation_facts"
+IN_FREECAD = "document", "preferences"
 # Tests that start a FreeCAD of their own, in which no mutant is tried.
 ELSEWHERE = "test_vk_release.py", "test_vk_show_example.py"
 LEAST_SECONDS = 30
