@@ -36,8 +36,10 @@ DRAWN_FROM += "preferences.py", "report.py", "simulation_facts.py", "spreadsheet
 COPIED = "vkworkbench", "tests", "toolpaths", "examples", "resources", "docs", "benchmarks", "pyproject.toml"
 COPIED += "package.xml", "Init.py", "InitGui.py", "README.md"
 # Tests of the files that stand in no room, beside those of tests/core itself.
-OF_ALL_ROOMS = {"hull": ["tests/core/zbuffer"], "solids": ["tests/core/zbuffer"], "stocks": ["tests/core/zbuffer"]}
-OF_ALL_ROOMS["report"] = ["tests/core/program"]
+OF_ALL_ROOMS = {
+    "hull": ["tests/core/zbuffer"], "solids": ["tests/core/zbuffer"], "stocks": ["tests/core/zbuffer"],
+    "report": ["tests/core/program"],
+}  # fmt: skip
 # What is tested inside FreeCAD.
 IN_FREECAD = "document", "preferences"
 # Tests that start a FreeCAD of their own, in which no mutant is tried.
