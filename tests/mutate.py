@@ -3,8 +3,8 @@
 
     python3 tests/mutate.py [FILES] [--count 20] [--seed 0] [--jobs 2] [--tests TESTS ...]
 
-FILES are files and folders of vkworkbench/core or vkworkbench/document, by default both; of each file, COUNT mutants
-are drawn (all with --count 0). Rows of three numbers and more are left as they are: colours, tables of measured times.
+FILES are files and folders of vkworkbench, by default all but the window and freecad.py; of each file, COUNT mutants are
+drawn (all with --count 0). Rows of three numbers and more are left as they are: colours, tables of measured times.
 Tests of a file are those of its room: tests/core/ROOM, or tests/document inside the FreeCAD of this machine; --tests
 takes fewer, which is quicker while one writes them. Those that only start programs of their own are left out: no mutant
 is tried in these. A mutant is killed where a test fails, or takes far more of the processor than before. Prints the rate
@@ -31,11 +31,17 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 ROOT = Path(__file__).resolve().parents[1]
-ROOMS = "core", "document"
+DRAWN_FROM = "core", "document", "language", "program"
+DRAWN_FROM += "preferences.py", "report.py", "simulation_facts.py", "spreadsheet.py", "worker.py"
 COPIED = "vkworkbench", "tests", "toolpaths", "examples", "resources", "docs", "benchmarks", "pyproject.toml"
 COPIED += "package.xml", "Init.py", "InitGui.py", "README.md"
-# Tests of the files that stand in no room.
-OF_ALL_ROOMS = {"hull": ["tests/core/zbuffer"], "solids": ["tests/core/zbuffer"], "stocks": ["tests/core/zbuffer"]}
+# Tests of the files that stand in no room, beside those of tests/core itself.
+OF_ALL_ROOMS = {
+    "hull": ["tests/core/zbuffer"], "solids": ["tests/core/zbuffer"], "stocks": ["tests/core/zbuffer"],
+    "report": ["tests/core/program"],
+}  # fmt: skip
+# What is tested inside FreeCAD.
+IN_FREECAD = "document", "preferences"
 # Tests that start a FreeCAD of their own, in which no mutant is tried.
 ELSEWHERE = "test_vk_release.py", "test_vk_show_example.py"
 LEAST_SECONDS = 30
@@ -153,12 +159,14 @@ def _compiles(text: str) -> bool:
 
 def tests_of(file: Path) -> list[str]:
     """The tests of a file's room, as pytest takes them."""
-    parts = file.relative_to(ROOT / "vkworkbench").parts
-    if len(parts) == 3:
-        return [f"tests/core/{parts[1]}"]
-    own = sorted((ROOT / "tests" / parts[0]).glob("test_vk_*.py"))
+    parts = file.relative_to(ROOT / "vkworkbench").with_suffix("").parts
+    in_freecad = parts[0] in IN_FREECAD
+    rooms = [folder for folder in parts[:-1] if folder != "core"]
+    if rooms and not in_freecad:
+        return [f"tests/core/{rooms[0]}"]
+    own = sorted((ROOT / "tests" / ("document" if in_freecad else "core")).glob("test_vk_*.py"))
     here = [str(path.relative_to(ROOT)) for path in own if path.name not in ELSEWHERE]
-    return here if parts[0] == "document" else here + OF_ALL_ROOMS.get(file.stem, [])
+    return here if in_freecad else here + OF_ALL_ROOMS.get(file.stem, [])
 
 
 class Checkout:
@@ -271,7 +279,7 @@ def main() -> int:
     parser.add_argument("--jobs", type=int, default=2)
     parser.add_argument("--tests", nargs="+")
     chosen = parser.parse_args()
-    roots = [file.resolve() for file in chosen.files] or [ROOT / "vkworkbench" / room for room in ROOMS]
+    roots = [file.resolve() for file in chosen.files] or [ROOT / "vkworkbench" / one for one in DRAWN_FROM]
     files = [file for root in roots for file in (sorted(root.rglob("*.py")) if root.is_dir() else [root])]
     killed = total = 0
     print("| file | noticed | drawn |\n|---|---:|---:|")

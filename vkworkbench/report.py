@@ -244,12 +244,14 @@ class Total(Costs):
     @property
     def seconds(self) -> float:
         """Of the extended z-buffer, s; 0 where no operation's cost is known."""
-        return (self.cost(ZBUFFER.name) or (0, 0))[0]
+        cost = self.cost(ZBUFFER.name)
+        return cost[0] if cost else 0
 
     @property
     def memory_bytes(self) -> float:
         """Of the extended z-buffer, likewise."""
-        return (self.cost(ZBUFFER.name) or (0, 0))[1]
+        cost = self.cost(ZBUFFER.name)
+        return cost[1] if cost else 0
 
     def as_dict(self) -> dict[str, Any]:
         """Return the total as numbers and strings, in mm, s and bytes."""

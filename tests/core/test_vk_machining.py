@@ -10,7 +10,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from vkworkbench.core import exact_lengths, machining
+from vkworkbench.core import exact_lengths, machining, trajectory_seconds
 from vkworkbench.core.gcode import linearize
 
 
@@ -89,6 +89,18 @@ def test_unknown_rapid_speeds_are_named_and_left_out():
     assert none.notes == (
         "104 mm of rapids are not in the time because the operation has no tool controller: give it one with rapid speeds",
     )
+
+
+def test_a_slow_rapid_has_its_time():
+    path = linearize([("G0", {"X": 0.0, "Y": 0.0, "Z": 5.0}), ("G0", {"X": 10.0})])
+    assert machining(path, horizontal_rapid=0.5).rapid_seconds == pytest.approx(20)
+
+
+def test_the_time_of_a_move_is_no_number_where_its_speed_is_unknown():
+    commands = [("G0", {"X": 0.0, "Y": 0.0, "Z": 5.0}), ("G0", {"X": 10.0}), ("G0", {"Z": 0.0}), ("G1", {"X": 20.0})]
+    path = linearize([*commands, ("G1", {"X": 30.0, "F": 2.0})])
+    assert trajectory_seconds(path) == pytest.approx([math.nan, math.nan, math.nan, 5.0], nan_ok=True)
+    assert trajectory_seconds(path, horizontal_rapid=10.0, vertical_rapid=5.0)[:2] == pytest.approx([1.0, 1.0])
 
 
 def test_moves_without_a_feed_are_named_and_left_out():

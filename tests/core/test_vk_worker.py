@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import os
 import sys
 from pathlib import Path
 
@@ -34,6 +35,25 @@ def test_what_work_prints_does_not_come_between_answers():
     one = Worker(print)
     assert one("something") is None and one("else") is None
     one.end()
+
+
+def test_a_worker_finds_the_add_on_from_any_folder(monkeypatch, tmp_path):
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.delenv("PYTHONPATH", raising=False)
+    one = Worker(len)
+    assert one("abc") == 3
+    one.end()
+
+
+def test_as_many_processes_as_this_one_has_cores(monkeypatch):
+    mine = os.sched_getaffinity(0)
+    os.sched_setaffinity(0, {min(mine)})
+    try:
+        assert worker.processes() == 1
+    finally:
+        os.sched_setaffinity(0, mine)
+    monkeypatch.delattr(os, "sched_getaffinity")  # Windows and macOS do not tell
+    assert worker.processes() == os.cpu_count()
 
 
 def test_the_python_of_a_program_that_is_not_python(monkeypatch, tmp_path):

@@ -51,7 +51,15 @@ def test_defaults_and_their_parameters():
 
 def test_what_cannot_be_is_the_default():
     preferences.write(image_width=0, tolerance=-1.0, view_direction="Sideways", legacy_accuracy=float("nan"))
+    preferences.write(opengl_quality=11)  # a position that the slider does not have
     assert preferences.read() == Preferences()
+
+
+def test_the_simulators_that_are_seen_are_those_of_the_marks_and_of_the_chosen_columns():
+    preferences.write(mark_simulator=ZBUFFER.name)
+    assert preferences.read().simulators == (ZBUFFER.name,)
+    preferences.write(result_columns=f"confidence,{LEGACY.name} time,{LEGACY.name} memory,{ZBUFFER.name} time")
+    assert preferences.read().simulators == (ZBUFFER.name, LEGACY.name)
 
 
 def test_every_preference_is_documented():

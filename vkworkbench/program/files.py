@@ -81,7 +81,7 @@ def _in_folder(folder: Path) -> Iterator[Path]:
         walked.add(place)
         folders[:] = sorted(name for name in folders if not name.startswith("."))
         for name in sorted(names):
-            suffixes = [suffix.lower() for suffix in Path(name).suffixes[-2:]]
+            suffixes = [suffix.lower() for suffix in Path(name).suffixes]
             if suffixes and suffixes[-1] in _PACKED:
                 suffixes.pop()
             if suffixes and suffixes[-1] in SUFFIXES and not _is_endless(os.path.join(root, name)):

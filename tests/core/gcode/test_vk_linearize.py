@@ -42,6 +42,11 @@ def test_leading_zeros_lower_case_objects_and_modal_lines():
     assert linearize(iter(commands)).points.shape == (4, 3)
 
 
+def test_a_line_without_a_name_continues_a_rapid():
+    toolpath = path(START, ("", {"X": 2}), ("", {"Y": 1}))
+    assert ends(toolpath) == [[2, 0, 0], [2, 1, 0]] and toolpath.rapid.all() and not toolpath.problems
+
+
 def test_names_that_are_words():
     toolpath = path(
         START,

@@ -17,7 +17,7 @@ from readers import LANGUAGES, German, Inches, Translated
 
 from toolpaths import synthetic
 from vkworkbench.core import Strategy, linearize, recognize
-from vkworkbench.language import ENGLISH, Message, Unusable, render
+from vkworkbench.language import ENGLISH, Message, Reader, Unusable, render
 from vkworkbench.language.table import PLAIN, TABLE
 
 PACKAGE = Path(__file__).resolve().parents[3] / "vkworkbench"
@@ -136,17 +136,26 @@ def test_numbers_as_each_reads_them():
     assert (german.estimated_time(3.21, 2.5), german.estimated_time(3.21, 1.5)) == ("etwa 3 s", "3,2 s")
 
 
-@pytest.mark.parametrize("number, text", [
-    (ENGLISH.time(0.0123), "12 ms"), (ENGLISH.time(1.42), "1.4 s"), (ENGLISH.time(180), "3.0 min"),
-    (ENGLISH.time(9000), "2.5 h"), (ENGLISH.time(4e-5), "0.04 ms"), (ENGLISH.time(1e7), "2,778 h"),
-    (ENGLISH.memory(1.5e9), "1.5 GB"), (ENGLISH.memory(999.9e3), "1.0 MB"), (ENGLISH.memory(0), "0 kB"),
-    (ENGLISH.length(12.345), "12 mm"), (ENGLISH.length(12_345), "12 m"),
-    (ENGLISH.measure(0.0123456, 2), "0.012 mm"), (ENGLISH.measure(12345.6, 4), "12,346 mm"),
-    (ENGLISH.measure(1e-6), "1e-06 mm"), (ENGLISH.measure(float("nan")), "nan mm"),
-    (ENGLISH.turns(9.42478), "+1.50"), (ENGLISH.turns(-1e-9), "0"), (ENGLISH.share(0.005), "0%"),
+@pytest.mark.parametrize("kind, number, text", [
+    ("time", [0.0123], "12 ms"), ("time", [1.42], "1.4 s"), ("time", [180], "3.0 min"), ("time", [9000], "2.5 h"),
+    ("time", [4e-5], "0.04 ms"), ("time", [1e7], "2,778 h"),
+    ("memory", [1.5e9], "1.5 GB"), ("memory", [999.9e3], "1.0 MB"), ("memory", [0], "0 kB"),
+    ("length", [12.345], "12 mm"), ("length", [12_345], "12 m"),
+    ("measure", [0.0123456, 2], "0.012 mm"), ("measure", [12345.6, 4], "12,346 mm"),
+    ("measure", [1e-6], "1e-06 mm"), ("measure", [float("nan")], "nan mm"), ("measure", [10 / 3], "3.33333 mm"),
+    ("turns", [9.42478], "+1.50"), ("turns", [-1e-9], "0"), ("share", [0.005], "0%"),
 ])  # fmt: skip
-def test_numbers_have_two_or_three_digits_and_a_unit(number, text):
-    assert number == text
+def test_numbers_have_two_or_three_digits_and_a_unit(kind, number, text):
+    assert getattr(ENGLISH, kind)(*number) == text
+
+
+def test_a_volume_is_read_in_the_unit_of_its_side():
+    class Large(Reader):
+        def length_unit(self, millimetres):
+            return (1000.0, "m") if millimetres > 1000 else (1.0, "mm")
+
+    assert Large().volume(8e6) == "8,000,000 mm³"
+    assert Large().volume(8e9) == "8 m³"
 
 
 @pytest.mark.parametrize("seconds, two, one", [
@@ -212,6 +221,11 @@ def test_messages_are_values():
         Message("x", a=object())
 
 
+def test_the_codes_of_a_message_are_its_own_and_those_of_its_parts():
+    inner = Message("seen", parts=[Message("one"), "a text", Message("more")])
+    assert Message("all", a=inner, b=Message("last"), c=2).codes == ("all", "seen", "one", "more", "last")
+
+
 plain = st.none() | st.integers(-(2**60), 2**60) | st.floats() | st.text(max_size=9)
 messages = st.recursive(
     st.builds(lambda code, arguments: Message(code, **arguments), st.text(), st.dictionaries(st.text(), plain)),
@@ -251,3 +265,7 @@ def test_an_error_that_carries_its_message():
     error = Unusable(Message("tip-angle", angle=4.0))
     assert isinstance(error, ValueError) and error.what.code == "tip-angle"
     assert str(error) == "the tip angle must lie between 0 and pi, not be 4"
+
+
+def test_a_number_in_a_sentence_has_six_digits():
+    assert str(Unusable(Message("tip-angle", angle=10 / 3))).endswith("not be 3.33333")

@@ -39,10 +39,11 @@ def test_what_closes_does_so_wherever_it_lies(x, y):
     assert areas.total_turning[[0, 2]] == pytest.approx(2 * np.pi)
 
 
-def test_a_gap_counts_against_what_is_enclosed():
+@pytest.mark.parametrize("x", [50, 900, -900])
+def test_a_gap_counts_against_what_is_enclosed_wherever_it_lies(x):
     # 3 % of the side: 0.6 mm of these 20 mm.
     for gap, closed in ((0.5, True), (0.65, False)):
-        assert areas_of(at([*SQUARE[:-1], (0.0, gap)], 50, -30), at(ROW, 0, 0)).closed.tolist() == [closed, False]
+        assert areas_of(at([*SQUARE[:-1], (0.0, gap)], x, -30), at(ROW, 0, 0)).closed.tolist() == [closed, False]
 
 
 @pytest.mark.parametrize("gap, closed", [(0.02, True), (0.045, False)])

@@ -6,7 +6,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from vkworkbench.core.paper.directions import axis_of
+from vkworkbench.core.paper.directions import axis_of, farthest, level_of
 
 
 def axis(*moves):
@@ -26,3 +26,14 @@ def test_the_axis_of_two_directions_lies_between_them_towards_the_longer():
     assert axis((20, 5), (60, 5)) == pytest.approx(40)
     assert axis((20, 5), (240, 5)) == pytest.approx(40)
     assert 20 < axis((20, 9), (60, 1)) < 30
+
+
+@pytest.mark.parametrize("sign", [1, -1])
+def test_a_level_is_reached_but_for_rounding(sign):
+    turn = 2 * np.pi
+    assert [level_of(sign * phi) for phi in (turn - 1e-5, turn - 1e-7, turn, 2.9 * turn)] == [0, sign, sign, 2 * sign]
+
+
+def test_of_two_ends_as_far_from_zero_but_for_rounding_the_upper_one_is_the_farther():
+    assert farthest((-3.0 - 1e-9, 3.0)) == 3.0
+    assert farthest((-3.1, 3.0)) == -3.1 and farthest((-3.0, 3.1)) == 3.1

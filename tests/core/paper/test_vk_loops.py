@@ -78,6 +78,17 @@ def test_the_contour_that_leads_through_the_start_of_its_zigzag_is_the_loop(coun
     assert loops_of(polygon(40), path) == [(0, 4), (4 + rows, around)]
 
 
+def test_little_loops_within_the_zigzag_do_not_hide_the_contour():
+    path, rows, around = contoured(10)
+
+    def little(x, y, up):
+        return [(x, y, 0.0), (x + 4, y, 0.0), (x + 4, y + up, 0.0), (x, y + up, 0.0), (x, y, 0.0)]
+
+    # In two rows to the right one loop to either side, so that in all the zigzag turns by as much as before.
+    first, second = ([*little(20.0, y, 1.0), *little(30.0, y, -1.0)] for y in (6.0, 12.0))
+    assert loops_of([*path[:5], *first, *path[5:9], *second, *path[9:]]) == [(rows + 20, around)]
+
+
 def test_two_rows_turn_no_more_than_a_loop():
     path, rows, _ = contoured(2)
     assert loops_of(path) == [(0, rows + 2)]

@@ -63,6 +63,18 @@ def test_a_slope_cuts_along_the_plane_and_a_plunge_aside_does_not(drop, cuts):
     assert len(areas_of(*feed((0, 0, 0), (12, 16, drop)))) == cuts  # 20 mm along the plane, five times as deep at most
 
 
+def test_a_plunge_aside_between_level_cuts_is_left_out():
+    areas = areas_of(*feed((0, 0, 0), *[(20, 0, 0), (20, 1, -6), (0, 1, -6)]))
+    assert areas.index.tolist() == [1, 3]
+
+
+def test_each_cut_begins_where_the_one_before_ends():
+    # With what is left out, and where all of the path is a cut.
+    for path in (areas_of(*feed((0, 0, -1), *ROW)), monotonous_areas(linearize(feed((0, 0, -1), *ROW)))):
+        assert path.x.tolist() == [40, 60, 60] and path.y.tolist() == [30, 30, 32] and path.z.tolist() == [-1] * 3
+        assert (path.x + path.dx).tolist() == [60, 60, 40]
+
+
 @pytest.mark.parametrize("beside, kept", [(0.3, True), (20.0, False)])
 def test_a_move_of_rounding_beside_a_long_one_has_no_direction(beside, kept):
     areas = areas_of(*feed((0, 0, -1), (beside, 0, -1), (beside, 0.015, -1), (2 * beside, 0.015, -1)))
@@ -120,6 +132,11 @@ def test_a_plateau_between_walls_is_cut():
     aslant = [(0, 0, -1), (20, 0, -1), (20, 0, 4), (40, 20, 4), (40, 20, -1), (60, 20, -1)]
     assert sizes(areas_of(*feed(*aslant))) == [1, 1]
     lifted = [*feed((0, 0, -1), (20, 0, -1)), rapid(20, 0, 4), *feed((40, 0, 4)), rapid(40, 0, -1), *feed((60, 0, -1))]
+    # It need go on in the direction of one pass beside it only, the one before or the one behind.
+    into = [*feed((0, 0, -1), (0, 20, -1), (0, 20, 4), (20, 20, 4)), rapid(20, 20, -1), *feed((40, 20, -1))]
+    assert sizes(areas_of(*into)) == [1, 1, 1]
+    out = [*feed((0, 0, -1), (20, 0, -1)), rapid(20, 0, 4), *feed((40, 0, 4), (40, 0, -1), (40, 20, -1))]
+    assert sizes(areas_of(*out)) == [1, 1, 1]
     before = [rapid(0, 40, 5), *feed((0, 40, -1), (0, 60, -1), (20, 60, -1)), rapid(20, 60, 5), rapid(0, 0, 5)]
     assert sizes(areas_of(*before, *lifted)) == [2, 1, 1, 1]
 

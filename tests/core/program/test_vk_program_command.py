@@ -2,6 +2,7 @@
 """The command line as a user runs it: real processes, real files, real signals."""
 
 import csv
+import io
 import json
 import os
 import signal
@@ -10,6 +11,7 @@ import subprocess
 import sys
 import threading
 import time
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 import pytest
@@ -141,9 +143,59 @@ def test_what_could_not_be_read_before_a_stop_still_counts(folder, tmp_path, kin
     assert inside(folder / "a.nc", folder / "c.nc", *arguments[2:], "--resume").returncode == 0
 
 
+def apart_in_a_thread(*asked):
+    """The rows of programs that one thread analyses, as the command's threads do."""
+    with ThreadPoolExecutor(1) as executor:
+        try:
+            return [
+                row
+                for path, patience in asked
+                for row in executor.submit(apart.analyze_apart, path, Preferences(), patience).result()
+            ]
+        finally:
+            apart.end_workers()
+
+
 def test_a_time_longer_than_threads_can_wait(folder):
-    done = run(folder / "a.nc", "--timeout", "1e10")
-    assert done.returncode == 0 and "Traceback" not in done.stderr and "zigzag" in done.stdout
+    (row,) = apart_in_a_thread((folder / "a.nc", 1e10))
+    assert str(row.strategy) == "zigzag"
+
+
+def test_after_a_program_that_is_given_up_the_next_is_read(folder):
+    os.mkfifo(folder / "endless.nc")
+    endless, other = apart_in_a_thread((folder / "endless.nc", 0.5), (folder / "a.nc", 60.0))
+    assert endless.error == "given up after 500 ms" and not endless.counted
+    assert str(other.strategy) == "zigzag"
+
+
+def test_an_analysis_that_fails_costs_only_its_program(folder, inside, monkeypatch):
+    def fails(path, chosen, _patience):
+        if path.name == "a.nc":
+            raise MemoryError("none left")
+        return analyze_file(path, chosen)
+
+    monkeypatch.setattr(command_line, "analyze_apart", fails)
+    done = inside(folder)
+    assert "could not be analyzed, please report it with the file: MemoryError: none left\n" in done.stdout
+    assert done.stderr.splitlines()[-1] == "4 operations in 6 files, 2 could not be read."
+
+
+def test_a_table_is_seen_when_its_program_is_read(tmp_path, monkeypatch):
+    for name in "ab":
+        (tmp_path / f"{name}.nc").write_text(PROGRAM)
+    written, seen = io.BytesIO(), []
+
+    def read(path, chosen, _patience):
+        deadline = time.monotonic() + 10
+        while path.name == "b.nc" and not written.getvalue() and time.monotonic() < deadline:
+            time.sleep(0.01)
+        seen.append(written.getvalue())
+        return analyze_file(path, chosen)
+
+    monkeypatch.setattr(command_line, "analyze_apart", read)
+    monkeypatch.setattr(sys, "stdout", io.TextIOWrapper(written))  # as a pipe: it keeps what is not flushed
+    assert main([str(tmp_path), "--jobs", "1"]) == 0
+    assert b"zigzag" in seen[1]
 
 
 @pytest.mark.long
@@ -214,7 +266,8 @@ def test_names_that_are_no_utf8(tmp_path, inside):
     assert run(tmp_path, "--jobs", 1).returncode == 0
     for one in (run, inside):
         assert one(tmp_path, "--json-lines", tmp_path / "out.jsonl", "--resume").returncode == 0
-        assert (tmp_path / "out.jsonl").read_bytes().count(b"\n") == 1
+        data = (tmp_path / "out.jsonl").read_bytes()
+        assert data.count(b"\n") == 1 and b"/fr\xe4sen.nc" in data
 
 
 @pytest.fixture

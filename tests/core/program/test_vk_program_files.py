@@ -17,7 +17,7 @@ import pytest
 import vkworkbench
 from vkworkbench.language import Unusable
 from vkworkbench.preferences import Preferences
-from vkworkbench.program import is_path
+from vkworkbench.program import files, is_path
 from vkworkbench.program.analysis import analyze_file
 from vkworkbench.program.files import find_programs, read_bytes, text_of
 
@@ -39,6 +39,7 @@ PROGRAM = (
         (b"\xfe\xff" + "G1 X1".encode("utf-16-be"), "G1 X1"),
         (b"\xef\xbb\xbfG1", "G1"),
         (b"\0\0\0\0%\r\nG1\r\n%\r\n\x1a", "%\r\nG1\r\n%\r\n"),
+        (b"G1 X1\n" * 50 + b"\x07", "G1 X1\n" * 50 + "\x07"),  # a stray control character
     ],
 )
 def test_encodings(data, text):
@@ -67,6 +68,16 @@ def test_a_packed_file_that_is_broken_inside(tmp_path):
     (tmp_path / "a.nc.gz").write_bytes(packed)
     with pytest.raises(Unusable, match="cannot be read"):
         read_bytes(tmp_path / "a.nc.gz")
+
+
+def test_a_file_larger_than_any_toolpath_is_refused(tmp_path, monkeypatch):
+    monkeypatch.setattr(files, "MOST_BYTES", 6)
+    path = tmp_path / "a.nc"
+    path.write_bytes(b"G1 X10")
+    assert read_bytes(path) == b"G1 X10"
+    path.write_bytes(b"G1 X100")
+    with pytest.raises(Unusable, match="the file is larger than"):
+        read_bytes(path)
 
 
 def test_folders_are_walked_once_whatever_leads_to_them(tmp_path):
@@ -154,6 +165,16 @@ def test_one_operation_is_no_operations(tmp_path):
     path = tmp_path / "face.nc"
     path.write_text(PROGRAM.split("(Holes)", maxsplit=1)[0])
     assert "face.nc: 1 operation " in str(vkworkbench.analyze(str(path)))
+
+
+def test_the_stock_of_a_program_holds_what_its_largest_tool_cuts(tmp_path):
+    path = tmp_path / "two.nc"
+    cut = "G0 X0 Y0 Z5\nG1 Z-1 F600\nX40\nG0 Z5\n"
+    path.write_text(f"G21\n(T1 D=6 - end mill)\n(T2 D=20 - end mill)\nT1 M6\n{cut}T2 M6\n{cut}")
+    stocks = [row.estimate.stock for row in vkworkbench.analyze(path).operations]
+    assert len(stocks) == 2
+    for stock in stocks:
+        assert (stock.lower[0], stock.upper[0]) == (-10, 50) and (stock.lower[1], stock.upper[1]) == (-10, 10)
 
 
 def test_inches_and_millimetres_are_one_part(tmp_path):

@@ -80,6 +80,12 @@ def test_rings_at_two_depths():
     holds(found, NO_STROKES)
 
 
+def test_one_ring():
+    found = told(programs.program([polygon(40)]))
+    holds(found, {"rings": log1p(1), "distinct": 1, "ring_length": 160 / hypot(40, 40), "drift": 0, "sense_keeps": 1})
+    holds(found, {**NO_ROWS, **NO_STROKES})
+
+
 def test_round_rings_that_move_on():
     """Circles of 10 mm in a row, 2 mm apart: the way from the first to the last is straight."""
     found = told(programs.program([polygon(20, x=2.0 * k, corners=48) for k in range(12)]))
@@ -113,6 +119,12 @@ def test_turns_to_either_side_cancel_in_one_sense_only():
     """Two strokes, one bent to the left and one to the right."""
     found = told(programs.program([[(0, 0, 0), (10, 0, 0), (10, 10, 0)], [(50, 0, 0), (60, 0, 0), (60, -10, 0)]]))
     holds(found, {"net_turn": 1, "one_sense": 0, "sense_keeps": 0, "short_arcs": 1, "turned": log1p(0.5)})
+
+
+@pytest.mark.parametrize("aside, keeps", [(20, 1), (-20, 0)])
+def test_two_turns_are_of_one_sense_or_not(aside, keeps):
+    found = told(programs.program([[(0, 0, 0), (20, 0, 0), (20, 20, 0), (20 - aside, 20, 0)]]))
+    holds(found, {"sense_keeps": keeps})
 
 
 def test_surprise_is_the_entropy_of_the_turns():

@@ -453,6 +453,24 @@ def test_half_the_size_at_half_the_cell_makes_as_many_triangles():
     assert half == pytest.approx(whole)
 
 
+def test_a_part_and_its_mirror_image_make_as_many_triangles():
+    """A step beside one of less than half its height is a wall, whichever side the lower one is on."""
+    heights = np.tile(np.cumsum([0.0, 0.0, 1.2, 3.0, 0.0, 0.0, 0.7, 0.7])[:, None], 6)
+    there, back = (
+        mesh_facets(one, 4.0, [0.5], floor=np.ones((1, 1), bool), floor_size=4.0) for one in (heights, heights[::-1])
+    )
+    assert there == pytest.approx(back)
+
+
+def test_each_rectangle_of_a_lower_face_that_is_cut_through_is_two_triangles():
+    heights, floor = np.full((8, 8), 20.0), np.ones((8, 8), bool)
+    floor[2:4, 3:5] = floor[6, 6] = False
+    (whole,), (cut,) = (
+        mesh_facets(heights, 1.0, [1.0], floor=one, floor_size=1.0) for one in (np.ones((8, 8), bool), floor)
+    )
+    assert cut - whole == pytest.approx(2 * (bottom_rectangles(floor) - 1), rel=0.1)
+
+
 def test_a_path_looked_at_in_parts_leaves_what_it_leaves_at_once():
     path = linearize(surface())
     ball = Tool("ballend", 6.0)

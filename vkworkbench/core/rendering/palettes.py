@@ -99,6 +99,6 @@ def difference_colors(left: np.ndarray, gouged: np.ndarray, model: np.ndarray, t
 
 
 def _between(stations: np.ndarray, shares: np.ndarray) -> np.ndarray:
-    """Colours between stations, at shares from 0 to 1 of the way."""
-    at, numbers = np.clip(shares, 0, 1) * (len(stations) - 1), np.arange(len(stations))
+    """Colours between stations, at shares from 0 to 1 of the way; beyond, those at the ends."""
+    at, numbers = shares * (len(stations) - 1), np.arange(len(stations))
     return np.stack([np.interp(at, numbers, stations[:, channel]) for channel in range(3)], axis=-1).astype(np.uint8)

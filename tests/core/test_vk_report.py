@@ -1,0 +1,72 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A report of whatever operations: what they take together, and the table of them."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import pytest
+
+from vkworkbench.core import Machining
+from vkworkbench.language import Message
+from vkworkbench.report import Report, without_results
+
+KNOWN = Machining(100.0, 20.0, -1.0, 1.0, 10.0, 2.0, ())
+PARTLY = replace(KNOWN, rapid_seconds=None, left_out=(Message("rapids-not-told", length=20.0),))
+JOB = "Doc", "Job"
+
+
+def operation(label, machining=KNOWN, **other):
+    """An operation with a machining time, without a strategy or a cost."""
+    document, job = JOB
+    row = without_results(
+        Message("no-tool"), document=document, name=label, label=label, job=job, counted=True, fingerprint=""
+    )
+    return replace(row, trajectories=5, machining=machining, **other)
+
+
+def report(*operations, **other):
+    return Report(operations, {JOB: "Part"}, {"memory_bytes": 1e9, "seconds": 600.0}, **other)
+
+
+def lines(shown):
+    """The lines of a table between its rules: header, operations, totals."""
+    return [line for line in str(shown).splitlines() if not line.startswith("---")]
+
+
+def test_a_total_is_the_sum_of_what_is_counted():
+    (total,) = report(operation("One"), operation("Two"), operation("Dressed", counted=False)).totals
+    assert (total.operations, total.trajectories, total.length, total.machining_seconds) == (2, 10, 200.0, 24.0)
+
+
+@pytest.mark.parametrize("second, complete", [(KNOWN, True), (PARTLY, False)])
+def test_a_total_time_is_complete_if_that_of_each_operation_is(second, complete):
+    told = report(operation("One"), operation("Two", second))
+    (total,) = told.totals
+    assert total.machining_complete is complete
+    assert (" >= " in lines(told)[-1]) is not complete
+    assert " >= " not in lines(told)[1]
+
+
+def test_a_job_that_is_posted_for_several_fixtures_takes_so_many_times_longer():
+    once, thrice = report(operation("One")), report(operation("One"), fixtures={JOB: 3})
+    assert (once.totals[0].machining_seconds, thrice.totals[0].machining_seconds) == (12.0, 36.0)
+    assert once.totals[0].length == thrice.totals[0].length
+
+
+def test_a_total_without_any_cost_takes_nothing_that_is_known():
+    told = report(operation("One"))
+    (total,) = told.totals
+    assert (total.seconds, total.memory_bytes, total.incomplete) == (0, 0, True)
+    assert lines(told)[-1].split()[-2:] == ["?", "?"]
+
+
+def test_the_table_of_one_document_does_not_name_it():
+    assert lines(report(operation("One")))[0].split()[0] == "operation"
+    told = report(operation("One"), operation("Two", document="Other"))
+    assert [line.split()[0] for line in lines(told)] == ["document", "Doc", "Other", "Doc"]
+
+
+def test_what_is_not_counted_stands_in_brackets():
+    told = report(operation("One"), operation("Dressed", counted=False), operation("Imported", counted=False, job=None))
+    assert [line.split()[0] for line in lines(told)[1:4]] == ["One", "(Dressed)", "Imported"]

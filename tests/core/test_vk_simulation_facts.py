@@ -1,0 +1,81 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What a simulation told, as a table and in files: operations without and with faults."""
+
+from __future__ import annotations
+
+import csv
+import json
+from dataclasses import replace
+from types import SimpleNamespace
+
+import numpy as np
+
+from vkworkbench.core.zbuffer import CutFacts
+from vkworkbench.simulation_facts import SimulationFacts
+
+
+def fault(command=None, **numbers):
+    """A place where something is wrong, by a command or by none."""
+    return SimpleNamespace(source=command and SimpleNamespace(command=command), place=(1.0, 2.0, 3.0), **numbers)
+
+
+CLEAN = CutFacts(
+    removed_volume=12_340.0, cutting_length=400.0, cutting_seconds=40.0, air_length=100.0, air_seconds=10.0,
+    mean_rate=18_510.0, peak_rate=30_000.0, depth_of_cut=2.0, width_of_cut=3.0, tool_diameter=6.0,
+    crashes=(), fast_plunges=(), gouges=(), left=(),
+)  # fmt: skip
+FAULTY = replace(
+    CLEAN,
+    crashes=(fault(3, depth=2.0, volume=50.0), fault(6, depth=1.0, volume=9.0)),
+    fast_plunges=(fault(4, feed=5.0, allowed=2.0),),
+    gouges=(fault(5, depth=0.25, area=1.0), fault(7, depth=0.75, area=1.0)),
+    left=(fault(depth=1.5, area=1.0), fault(depth=0.5, area=1.0)),
+)
+FOUND = SimulationFacts(
+    (("Fräsen", CLEAN), ("=Pocket", FAULTY)),
+    FAULTY,
+    (("Doc", "Face"), ("Doc", "Pocket")),
+    {"cut": np.array([0, 1, 1]), "command": np.array([2, 7, 8]), "removed_volume": np.array([1.5, 2.5, 0.0])},
+)
+
+
+def read(path):
+    with open(path, newline="", encoding="utf-8") as file:
+        return list(csv.DictReader(file))
+
+
+def test_the_table_has_a_line_for_each_operation_and_one_for_all():
+    header, clean, faulty, job = str(FOUND).splitlines()
+    assert header.split()[0] == "operation"
+    assert clean.split() == ["Fräsen", "12.34", "18.51", "30.00", "25%"]  # nothing is wrong with it
+    assert faulty.split() == ["=Pocket", "12.34", "18.51", "30.00", "25%", "2", "1", "0.8", "mm", "1.5", "mm"]
+    assert job.split() == ["job", *faulty.split()[1:]]
+
+
+def test_the_columns_of_the_table_are_as_wide_as_their_widest_cell():
+    found = replace(FOUND, operations=(("A long label " * 3, CLEAN), ("x" * 70, CLEAN)))
+    header, long, longest, job = str(found).splitlines()
+    assert longest.startswith("x" * 60 + "  ") and long.startswith("A long label")
+    assert header.index("removed, cm3") == 60 + 2
+    for line in (long, longest, job):  # numbers end below the end of their title
+        assert line[: header.index("cm3") + 3].endswith("12.34")
+
+
+def test_files_of_the_facts(tmp_path):
+    FOUND.to_csv(tmp_path / "facts.csv")
+    FOUND.to_json(tmp_path / "facts.json")
+    clean, faulty = read(tmp_path / "facts.csv")
+    assert (clean["label"], clean["crashes"], clean["first_crash_command"]) == ("Fräsen", "0", "")
+    assert (faulty["label"], faulty["crashes"], faulty["first_crash_command"]) == ("'=Pocket", "2", "3")
+    assert (faulty["deepest_gouge"], faulty["most_left"]) == ("0.75", "1.5")
+    text = (tmp_path / "facts.json").read_text(encoding="utf-8")
+    assert json.loads(text) == FOUND.as_dict() and "Fräsen" in text
+    assert [one["label"] for one in FOUND.as_dict()["operations"]] == ["Fräsen", "=Pocket"]
+
+
+def test_a_file_of_trajectories_names_the_operation_of_each(tmp_path):
+    FOUND.trajectories_to_csv(tmp_path / "trajectories.csv")
+    rows = read(tmp_path / "trajectories.csv")
+    assert [row["label"] for row in rows] == ["Fräsen", "'=Pocket", "'=Pocket"]
+    assert [row["command"] for row in rows] == ["2", "7", "8"] and "cut" not in rows[0]
+    assert [float(row["removed_volume"]) for row in rows] == [1.5, 2.5, 0.0]
