@@ -36,10 +36,10 @@ PATTERNS = ("ZigZag", "Offset", "ZigZagOffset", "Line", "Grid")
 PATIENCE = 30  # s; some operations never end
 SCULPTURED = ("saddle", "ripple", "ball", "twisted")
 
-# What counts as right, the strategy itself first. FreeCAD's Line goes back and forth; narrow areas leave Offset a
-# single loop; outside, where the stock is thin, Adaptive is a contour.
+# What counts as right, the strategy itself first. FreeCAD's Line goes back and forth; ZigZagOffset is a zigzag whose walls
+# a contour finishes; narrow areas leave Offset a single loop; outside, where the stock is thin, Adaptive is a contour.
 TRUTH = {
-    "ZigZag": "zigzag", "Line": "zigzag", "Offset": "contour-parallel profile", "ZigZagOffset": "mixed zigzag",
+    "ZigZag": "zigzag", "Line": "zigzag", "Offset": "contour-parallel profile", "ZigZagOffset": "zigzag",
     "Grid": "zigzag one-way mixed",
     "Profile": "profile", "Profile:Passes": "profile contour-parallel", "Adaptive:Inside": "adaptive",
     "Adaptive:Outside": "adaptive profile", "Helix": "helix", "ThreadMilling": "helix", "Drilling": "drilling",

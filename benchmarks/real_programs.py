@@ -5,8 +5,8 @@
     python3 benchmarks/real_programs.py FOLDER [--from https://raw.githubusercontent.com]
 
 real_programs.csv names public repositories, the lines of their programs that are one operation, and the strategies that
-count as right, labelled from titles and plots by somebody who saw no verdict. Nothing was learned from them but the
-constant of the confidence (learn_verdicts.py --unseen). The programs are theirs and stay in FOLDER, with
+count as right, labelled from titles and plots by people who saw no verdict. Nothing was learned from them but, from some,
+the constant of the confidence (learn_verdicts.py --unseen). The programs are theirs and stay in FOLDER, with
 operations.jsonl.gz and programs.jsonl.gz. What cannot be fetched, or is another text, is left out and named.
 """
 
@@ -66,7 +66,7 @@ def main() -> None:
     count = 0
     into = [options.folder / f"{name}.jsonl.gz" for name in ("operations", "programs")]
     with gzip.open(into[0], "wt") as operations, gzip.open(into[1], "wt") as programs:
-        for _, of_program in itertools.groupby(rows, key=lambda row: (row["repository"], row["path"])):
+        for _, of_program in itertools.groupby(rows, key=lambda row: (row["repository"], row["path"], row["commit"])):
             these = list(of_program)
             name = f"{these[0]['repository'].replace('/', '_')}__{these[0]['path']}"
             try:
