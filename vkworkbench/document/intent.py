@@ -8,7 +8,8 @@ from vkworkbench.core import Family, Recognition, Strategy
 from vkworkbench.document.operations import kind
 
 _ALONG = {Family.AROUND, Family.STROKES}  # a contour may be open, and cut in many parts
-_ANY_LINES = {Family.ROWS, *_ALONG}  # an engraving is what its drawing is; a slot is cut to and fro, one way, or again and again
+# An engraving is what its drawing is; a slot is cut to and fro, one way, or again and again.
+_ANY_LINES = {Family.ROWS, *_ALONG}
 # The families that fit FreeCAD's kinds of operations without patterns. Names within a family do not contradict one
 # another: adaptive clearing of a round hole winds as a helix does, and a pocket of one ring is a profile.
 _KINDS = {

@@ -124,12 +124,22 @@ def between(left, right, bottom, top):
 
 
 ROUND_ISLANDS = [box(14, 8, 26, 20), box(14, 30, 26, 42)]
-PARTS = [between(0, 40, 0, 6), between(0, 12, 8, 42), between(28, 40, 8, 42), between(14, 26, 22, 28), between(0, 40, 44, 50)]
+PARTS = [
+    between(0, 40, 0, 6),
+    between(0, 12, 8, 42),
+    between(28, 40, 8, 42),
+    between(14, 26, 22, 28),
+    between(0, 40, 44, 50),
+]
 
 
 @pytest.mark.parametrize(
     "strokes",
-    [[*PARTS, box(-1, -1, 41, 51), *ROUND_ISLANDS], [*PARTS, *ROUND_ISLANDS, box(-1, -1, 41, 51)], [*ROUND_ISLANDS, *PARTS]],
+    [
+        [*PARTS, box(-1, -1, 41, 51), *ROUND_ISLANDS],
+        [*PARTS, *ROUND_ISLANDS, box(-1, -1, 41, 51)],
+        [*ROUND_ISLANDS, *PARTS],
+    ],
     ids=["wall first", "islands first", "islands alone"],
 )
 def test_contours_around_islands_finish_the_rows_around_them(strokes):

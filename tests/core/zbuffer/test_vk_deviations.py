@@ -9,7 +9,15 @@ from zbuffer_reference.paths import BOX, toolpath
 
 from vkworkbench.core import Cut, Cylinder, Stock, Tool, View
 from vkworkbench.core.solids import Gaps, Spans
-from vkworkbench.core.zbuffer import Deviations, SeenModel, deviations, gouges, material_left, simulate_job, worst_places
+from vkworkbench.core.zbuffer import (
+    Deviations,
+    SeenModel,
+    deviations,
+    gouges,
+    material_left,
+    simulate_job,
+    worst_places,
+)
 from vkworkbench.core.zbuffer.deviations import _around
 
 FLAT = Tool("endmill", 6)

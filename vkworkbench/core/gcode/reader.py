@@ -234,7 +234,6 @@ class _Reader:
         """Read the words of one line; return whether they end the program."""
         motion, apart, ended, last, change = None, False, False, False, False
         codes: list[int] = []
-        tools: list[int] = []
         parameters: dict[str, float] = {}
         for letter, value in words:
             if letter == "G":
@@ -262,22 +261,13 @@ class _Reader:
                 change |= value == 6
                 ended |= self._m_code(value, letters)
                 last |= value in (2, 30)
-            elif letter == "T":
-                tools.append(_whole(value, _MOST_TOOLS))
-                self.clues.tool(tools[-1], self.number)
-                if not self.changes:  # where there is no M6 at all it changes the tool
-                    self._add(f"T{tools[-1]}", {})
             elif letter == "S":
                 self.spindle = value
-            elif letter not in "NO":
+            elif letter not in "NOT":
                 if letter in parameters:
                     self._problem(Message("word-twice", letter=letter))
                 parameters[letter] = value
-        if change:
-            self.changes = True
-            tool = tools[0] if tools else self.tool  # a second T of the line gets the next one ready
-            self._add("M6", {} if tool is None else {"T": tool})
-        self.tool = tools[-1] if tools else self.tool
+        self._take_tools([_whole(value, _MOST_TOOLS) for letter, value in words if letter == "T"], change)
         if "S" in letters and self.per_turn is not None:  # another speed is another feed
             parameters.setdefault("F", self.per_turn)
         if codes or "F" in parameters:
@@ -286,6 +276,18 @@ class _Reader:
         self._move(motion, parameters, apart)
         self.ended |= last
         return ended
+
+    def _take_tools(self, tools: list[int], change: bool) -> None:
+        """Take the tools that a line names; the change is of the first, a second one it gets ready."""
+        for named in tools:
+            self.clues.tool(named, self.number)
+            if not self.changes:  # where there is no M6 at all it changes the tool
+                self._add(f"T{named}", {})
+        if change:
+            self.changes = True
+            tool = tools[0] if tools else self.tool
+            self._add("M6", {} if tool is None else {"T": tool})
+        self.tool = tools[-1] if tools else self.tool
 
     def _measure_in(self, code: int) -> None:
         self.unit = INCH if code in (200, 700) else 1.0

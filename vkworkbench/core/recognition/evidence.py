@@ -71,8 +71,9 @@ def _depths(s: Section) -> np.ndarray:
     """Return the heights at which pieces lie, (k,) mm: where nearly all of one is level, however it is entered."""
     p, m = s.pieces, s.moves
     counts = p.length > LITTLE.PIECE * p.length.max()
+    flat: np.ndarray = p.z[counts & p.flat]
     if p.flat.all():
-        return p.z[counts]
+        return flat
     # Of pieces that are ramped into, or lifted over tags, the level moves tell.
     level = np.flatnonzero(np.repeat(counts & ~p.flat, p.end - p.start) & (np.abs(m.dz) < SAME.HEIGHT))
     of = np.searchsorted(p.start, level, side="right") - 1
@@ -83,7 +84,7 @@ def _depths(s: Section) -> np.ndarray:
     level, of, height = level[order], of[order], height[order]
     begin = np.flatnonzero(np.append(True, (of[1:] != of[:-1]) | (height[1:] != height[:-1]))[: len(of)])
     lies = begin[np.add.reduceat(m.length[level], begin) > ENTRY.LEVEL * p.length[of[begin]]] if len(begin) else begin
-    return np.concatenate([p.z[counts & p.flat], m.z[level[lies]]])
+    return np.concatenate([flat, m.z[level[lies]]])
 
 
 def sentence(s: Section, verdict: Verdict, e: Evidence) -> Message:

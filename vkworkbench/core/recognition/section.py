@@ -26,7 +26,6 @@ from vkworkbench.core.recognition.thresholds import (
     WINDINGS,
 )
 
-
 _LOW = np.array([1.0, 1.0, -1.0, -1.0])  # with it the lowest of boxes are their outermost sides
 
 
