@@ -985,6 +985,10 @@
         <source>The {simulator:simulator} takes longer than the {allowed:s} allowed. {better}</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>the centers of arcs are read as positions (as by G90.1): only so the arcs end on their circles</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

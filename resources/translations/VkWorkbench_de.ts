@@ -985,6 +985,10 @@
         <source>The {simulator:simulator} takes longer than the {allowed:s} allowed. {better}</source>
         <translation>Der {simulator:simulator} braucht länger als die erlaubten {allowed:s}. {better}</translation>
     </message>
+    <message>
+        <source>the centers of arcs are read as positions (as by G90.1): only so the arcs end on their circles</source>
+        <translation>die Mittelpunkte von Kreisbögen werden als Positionen gelesen (wie bei G90.1): nur so enden die Bögen auf ihren Kreisen</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

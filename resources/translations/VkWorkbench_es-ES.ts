@@ -985,6 +985,10 @@
         <source>The {simulator:simulator} takes longer than the {allowed:s} allowed. {better}</source>
         <translation>El {simulator:simulator} tarda más de los {allowed:s} permitidos. {better}</translation>
     </message>
+    <message>
+        <source>the centers of arcs are read as positions (as by G90.1): only so the arcs end on their circles</source>
+        <translation>los centros de los arcos se leen como posiciones (como con G90.1): solo así los arcos terminan en sus círculos</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

@@ -985,6 +985,10 @@
         <source>The {simulator:simulator} takes longer than the {allowed:s} allowed. {better}</source>
         <translation>Le {simulator:simulator} prend plus que les {allowed:s} permis. {better}</translation>
     </message>
+    <message>
+        <source>the centers of arcs are read as positions (as by G90.1): only so the arcs end on their circles</source>
+        <translation>les centres des arcs sont lus comme des positions (comme avec G90.1) : ce n&apos;est qu&apos;ainsi que les arcs finissent sur leurs cercles</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

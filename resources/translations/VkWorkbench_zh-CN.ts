@@ -985,6 +985,10 @@
         <source>The {simulator:simulator} takes longer than the {allowed:s} allowed. {better}</source>
         <translation>{simulator:simulator}所需时间超过允许的 {allowed:s}。{better}</translation>
     </message>
+    <message>
+        <source>the centers of arcs are read as positions (as by G90.1): only so the arcs end on their circles</source>
+        <translation>圆弧的圆心按坐标读取（同 G90.1）：只有这样圆弧的终点才在其圆上</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 
 from vkworkbench.core.gcode.dialects import at_line
 from vkworkbench.core.gcode.reader import read_program
-from vkworkbench.language import Unusable, render
+from vkworkbench.language import Message, Unusable, render
 
 PLAIN = "G21 G90\nG0 X0 Y0 Z5\nG1 Z-1 F60\nG1 X10 Y2\n"
 POINTS = [(0, 0, 5), (0, 0, -1), (10, 2, -1)]
@@ -524,3 +524,38 @@ def test_long_lines_take_no_long_time():
     ):
         with suppress(ValueError):
             read_program(PLAIN + line)
+
+
+# A square with round corners around (200, 200), and where the centres of its corners are.
+CORNERS = [(220, 210, 210, 210), (210, 220, 210, 210), (190, 220, 190, 210), (180, 210, 190, 210)]
+
+
+def rounded(absolute, said=""):
+    """The program of half a square with round corners: lines, and arcs with the centre words as a control wants them."""
+    (x, y, _, _), *_ = CORNERS
+    lines = [f"G90 {said}", f"G0 X{x} Y{y} Z0", "F600"]
+    for (a, b, i, j), (x, y, _, _) in zip(CORNERS[::2], CORNERS[1::2]):
+        i, j = (i, j) if absolute else (i - a, j - b)
+        lines += [f"G1 X{a} Y{b}", f"G3 X{x} Y{y} I{i} J{j}"]
+    return read_program("\n".join(lines)).toolpath()
+
+
+def test_centres_that_only_as_coordinates_fit_are_read_so_and_it_is_told():
+    offsets, coordinates = rounded(absolute=False), rounded(absolute=True)
+    assert np.allclose(offsets.points, coordinates.points) and not offsets.problems
+    (problem,) = coordinates.problems
+    assert (problem.what, problem.command) == (Message("absolute-centres"), 5)
+
+
+@pytest.mark.parametrize(("absolute", "said"), [(True, "G91.1"), (False, "G90.1")])
+def test_what_a_program_says_of_its_centres_counts(absolute, said):
+    assert [problem.what.code for problem in rounded(absolute, said).problems] == ["arc-of-changing-radius"]
+    assert not rounded(not absolute, said).problems
+
+
+def test_one_bad_arc_among_good_ones_is_no_reason_to_read_all_centres_as_coordinates():
+    good = "G2 X20 Y0 I10 J0\nG2 X0 Y0 I-10 J0\n"
+    path = read_program(f"G0 X0 Y0 Z0\nF600\n{good}G2 X10 Y10 I10 J0\nG0 X0 Y0\n{good}").toolpath()
+    assert not path.problems
+    path = read_program(f"G0 X0 Y0 Z0\nF600\n{good}G2 X7 Y3 I7 J1\nG0 X0 Y0\n{good}").toolpath()
+    assert [problem.what.code for problem in path.problems] == ["arc-of-changing-radius"]

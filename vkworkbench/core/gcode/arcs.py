@@ -38,6 +38,12 @@ class Arcs:
     radius: np.ndarray
     degenerate: np.ndarray
 
+    @property
+    def gap(self) -> np.ndarray:
+        """How far the arcs end from the circles on which they begin, (m,) mm."""
+        gap: np.ndarray = np.abs(self.radius[:, 1] - self.radius[:, 0])
+        return gap
+
 
 def resolve(
     start: np.ndarray,

@@ -38,9 +38,10 @@ _STATE = np.array([40, 70, 80, 150, 170, 180, 190, 200, 210, 400, 410, 411, 420,
                    500, 540, 550, 560, 570, 580, 590, 591, 592, 593, 610, 611, 640, 690, 800, 900, 901, 910,
                    911, 921, 922, 930, 940, 950, 960, 970, 980, 990])  # fmt: skip
 _ZERO_LENGTH = 1e-9  # mm
+_OFF_CIRCLE = 0.05  # mm; an arc that ends farther from its circle has another centre
 
 
-def linearize(commands: Iterable[Any] | Words, *, tolerance: float = 0.01) -> Toolpath:
+def linearize(commands: Iterable[Any] | Words, *, tolerance: float = 0.01, told_centres: bool = True) -> Toolpath:
     """Resolve the commands of one operation into straight trajectories.
 
     The paper assumes that "all the trajectories are linearized and defined by the Cartesian co-ordinates of
@@ -53,6 +54,9 @@ def linearize(commands: Iterable[Any] | Words, *, tolerance: float = 0.01) -> To
         (mm, mm/s). Names as they come: ``G1``, ``G01``, ``(comment)``, or empty for a modal line.
     tolerance : float
         Largest distance between an arc and its chords, mm.
+    told_centres : bool
+        Whether the centre words of arcs are offsets where no G90.1 says that they are coordinates. Controls may be set to
+        take them as coordinates: if False, they are where most arcs end on their circles only then.
 
     Returns
     -------
@@ -71,7 +75,7 @@ def linearize(commands: Iterable[Any] | Words, *, tolerance: float = 0.01) -> To
         raise ValueError(f"the tolerance must be a positive number of mm, not {tolerance}")
     words = commands if isinstance(commands, Words) else Words(commands)
     problems = _Problems()
-    program = _Program(words, problems)
+    program = _Program(words, problems, told_centres)
     points, rapid, command, sweep, is_cycle = _moves(program, float(tolerance), problems)
 
     moved = _moved(points)
@@ -103,7 +107,7 @@ class _Problems(List[Problem]):
 class _Program:
     """The modal state at every command: motion, position, plane, modes and feed."""
 
-    def __init__(self, words: Words, problems: _Problems) -> None:
+    def __init__(self, words: Words, problems: _Problems, told_centres: bool) -> None:
         self.words = words
         codes = words.codes
         _report_codes(words, problems)
@@ -124,6 +128,7 @@ class _Program:
         self.plane = _mode(codes, {170: 17, 180: 18, 190: 19}, 17)
         self.relative = _mode(codes, {900: 0, 910: 1}, 0) == 1
         self.absolute_centre = _mode(codes, {901: 1, 911: 0}, 0) == 1
+        self.told_centres = told_centres or bool(np.isin(codes, (901, 911)).any())
         self.to_retract_plane = _mode(codes, {980: 0, 990: 1}, 0) == 1
         self.feed = self._feed(problems)
         self.position, self.known = self._positions(problems)
@@ -239,15 +244,21 @@ def _resolve_arcs(
     radius, unusable = words.column("R", rows)
     problems.add(rows[unusable], Message("unusable-word", letter="R"))
     clockwise = program.motion[rows] == _CW
-    resolved = arcs.resolve(start[:, :2], end[:, :2], clockwise, offset, radius, program.absolute_centre[rows])
+    ends = start[:, :2], end[:, :2], clockwise, offset, radius
+    resolved = arcs.resolve(*ends, program.absolute_centre[rows])
+    if not program.told_centres:
+        off = resolved.gap > _OFF_CIRCLE
+        absolute = arcs.resolve(*ends, np.ones(len(rows), bool))
+        if 2 * off.sum() > len(rows) and 2 * (absolute.gap > _OFF_CIRCLE).sum() < off.sum():
+            resolved = absolute
+            problems.add(rows[:1], Message("absolute-centres"))
 
     known = np.take_along_axis(program.known[np.maximum(rows - 1, 0)] & (rows > 0)[:, None], axes[:, :2], 1)
     unknown_start = ~known.all(axis=1)
     problems.add(rows[unknown_start], Message("arc-before-start"))
     bad = resolved.degenerate & ~unknown_start
     problems.add(rows[bad], Message("arc-as-line"))
-    gap = np.abs(resolved.radius[:, 1] - resolved.radius[:, 0])
-    uneven = (gap > np.maximum(0.1, 0.01 * resolved.radius[:, 0])) & (resolved.sweep != 0) & ~unknown_start
+    uneven = (resolved.gap > np.maximum(0.1, 0.01 * resolved.radius[:, 0])) & (resolved.sweep != 0) & ~unknown_start
     problems.add(rows[uneven], Message("arc-of-changing-radius"))
     resolved.sweep[unknown_start] = 0.0  # an unknown start is set to the end, so a line has no length
     return resolved

@@ -23,6 +23,9 @@ COMMANDS: dict[str, str | tuple[str, str]] = {
     "arc-of-changing-radius": QT_TRANSLATE_NOOP(
         "Sentences", "an arc whose end is not on its circle is read with a changing radius"
     ),
+    "absolute-centres": QT_TRANSLATE_NOOP(
+        "Sentences", "the centers of arcs are read as positions (as by G90.1): only so the arcs end on their circles"
+    ),
     "unknown-code": QT_TRANSLATE_NOOP("Sentences", "the unknown code {name} is ignored"),
     "more-unknown-codes": (
         QT_TRANSLATE_NOOP("Sentences", "1 more unknown code is ignored"),
