@@ -188,7 +188,8 @@ def _analyzed(
                 pending[executor.submit(analyze_apart, path, chosen, patience)] = path
             if not pending:
                 return
-            for future in wait(pending, return_when=FIRST_COMPLETED).done:
+            ready = wait(pending, return_when=FIRST_COMPLETED).done
+            for future in [future for future in pending if future in ready]:  # of several that are, in their order
                 path = pending.pop(future)
                 yield path, _rows(path, future)
     finally:

@@ -11,7 +11,7 @@ import subprocess
 import sys
 import threading
 import time
-from concurrent.futures import ThreadPoolExecutor
+from concurrent.futures import Executor, Future, ThreadPoolExecutor
 from pathlib import Path
 
 import pytest
@@ -141,6 +141,20 @@ def test_what_could_not_be_read_before_a_stop_still_counts(folder, tmp_path, kin
     assert done.returncode == 1
     assert done.stderr.splitlines()[-1] == "1 operation in 1 file, 1 file done before, 1 of them could not be read."
     assert inside(folder / "a.nc", folder / "c.nc", *arguments[2:], "--resume").returncode == 0
+
+
+class AtOnce(Executor):
+    """Is ready with everything before it is asked."""
+
+    def submit(self, function, /, *arguments):
+        future = Future()
+        future.set_result(())
+        return future
+
+
+def test_of_what_is_ready_at_once_each_program_comes_in_its_order():
+    paths = [Path(f"{k}.nc") for k in range(50)]
+    assert [path for path, _ in command_line._analyzed(paths, AtOnce(), len(paths), 1.0)] == paths
 
 
 def apart_in_a_thread(*asked):
