@@ -526,17 +526,15 @@ def test_long_lines_take_no_long_time():
             read_program(PLAIN + line)
 
 
-# A square with round corners around (200, 200), and where the centres of its corners are.
-CORNERS = [(220, 210, 210, 210), (210, 220, 210, 210), (190, 220, 190, 210), (180, 210, 190, 210)]
+# Two round corners of a square around (200, 200): from where, to where, around what.
+CORNERS = [((220, 210), (210, 220), (210, 210)), ((190, 220), (180, 210), (190, 210))]
 
 
 def rounded(absolute, said=""):
-    """The program of half a square with round corners: lines, and arcs with the centre words as a control wants them."""
-    (x, y, _, _), *_ = CORNERS
-    lines = [f"G90 {said}", f"G0 X{x} Y{y} Z0", "F600"]
-    for (a, b, i, j), (x, y, _, _) in zip(CORNERS[::2], CORNERS[1::2]):
-        i, j = (i, j) if absolute else (i - a, j - b)
-        lines += [f"G1 X{a} Y{b}", f"G3 X{x} Y{y} I{i} J{j}"]
+    """A program of round corners, whose centre words are coordinates or offsets; it may say which."""
+    lines = [f"G90 {said}", "G0 X220 Y200 Z0", "F600"]
+    for (x, y), (to_x, to_y), (i, j) in CORNERS:
+        lines += [f"G1 X{x} Y{y}", f"G3 X{to_x} Y{to_y} " + (f"I{i} J{j}" if absolute else f"I{i - x} J{j - y}")]
     return read_program("\n".join(lines)).toolpath()
 
 

@@ -10,7 +10,7 @@ from drawings import polygon
 
 from vkworkbench.core import linearize
 from vkworkbench.core.paper import monotonous_areas
-from vkworkbench.core.recognition.footprints import come_again, count_depths, footprints
+from vkworkbench.core.recognition.footprints import come_again, count_depths, footprints, number_depths
 from vkworkbench.core.recognition.pieces import cut_pieces
 
 SQUARE = {"side": 20.0}
@@ -59,4 +59,6 @@ def test_at_one_depth_nothing_comes_again():
 
 
 def test_different_heights_are_counted():
-    assert [count_depths(np.array(z)) for z in ([], [3.0], [3.0, 3.01], [-1.0, 0.0, -1.01, -2.0])] == [0, 1, 1, 3]
+    heights = [np.array(z) for z in ([], [3.0], [3.0, 3.01], [-1.0, 0.0, -1.01, -2.0])]
+    assert [count_depths(z) for z in heights] == [0, 1, 1, 3]
+    assert [number_depths(z).tolist() for z in heights] == [[], [0], [0, 0], [1, 2, 1, 0]]

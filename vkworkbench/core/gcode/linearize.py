@@ -41,7 +41,7 @@ _ZERO_LENGTH = 1e-9  # mm
 _OFF_CIRCLE = 0.05  # mm; an arc that ends farther from its circle has another centre
 
 
-def linearize(commands: Iterable[Any] | Words, *, tolerance: float = 0.01, told_centres: bool = True) -> Toolpath:
+def linearize(commands: Iterable[Any] | Words, *, tolerance: float = 0.01, infer_centres: bool = False) -> Toolpath:
     """Resolve the commands of one operation into straight trajectories.
 
     The paper assumes that "all the trajectories are linearized and defined by the Cartesian co-ordinates of
@@ -54,9 +54,9 @@ def linearize(commands: Iterable[Any] | Words, *, tolerance: float = 0.01, told_
         (mm, mm/s). Names as they come: ``G1``, ``G01``, ``(comment)``, or empty for a modal line.
     tolerance : float
         Largest distance between an arc and its chords, mm.
-    told_centres : bool
-        Whether the centre words of arcs are offsets where no G90.1 says that they are coordinates. Controls may be set to
-        take them as coordinates: if False, they are where most arcs end on their circles only then.
+    infer_centres : bool
+        Whether the centre words of arcs are read as coordinates also where neither G90.1 nor G91.1 tells, but most arcs end
+        on their circles only then: controls may be set so.
 
     Returns
     -------
@@ -75,7 +75,7 @@ def linearize(commands: Iterable[Any] | Words, *, tolerance: float = 0.01, told_
         raise ValueError(f"the tolerance must be a positive number of mm, not {tolerance}")
     words = commands if isinstance(commands, Words) else Words(commands)
     problems = _Problems()
-    program = _Program(words, problems, told_centres)
+    program = _Program(words, problems, infer_centres)
     points, rapid, command, sweep, is_cycle = _moves(program, float(tolerance), problems)
 
     moved = _moved(points)
@@ -107,7 +107,7 @@ class _Problems(List[Problem]):
 class _Program:
     """The modal state at every command: motion, position, plane, modes and feed."""
 
-    def __init__(self, words: Words, problems: _Problems, told_centres: bool) -> None:
+    def __init__(self, words: Words, problems: _Problems, infer_centres: bool) -> None:
         self.words = words
         codes = words.codes
         _report_codes(words, problems)
@@ -128,7 +128,7 @@ class _Program:
         self.plane = _mode(codes, {170: 17, 180: 18, 190: 19}, 17)
         self.relative = _mode(codes, {900: 0, 910: 1}, 0) == 1
         self.absolute_centre = _mode(codes, {901: 1, 911: 0}, 0) == 1
-        self.told_centres = told_centres or bool(np.isin(codes, (901, 911)).any())
+        self.infer_centres = infer_centres and not np.isin(codes, (901, 911)).any()
         self.to_retract_plane = _mode(codes, {980: 0, 990: 1}, 0) == 1
         self.feed = self._feed(problems)
         self.position, self.known = self._positions(problems)
@@ -246,10 +246,10 @@ def _resolve_arcs(
     clockwise = program.motion[rows] == _CW
     ends = start[:, :2], end[:, :2], clockwise, offset, radius
     resolved = arcs.resolve(*ends, program.absolute_centre[rows])
-    if not program.told_centres:
-        off = resolved.gap > _OFF_CIRCLE
+    off = np.count_nonzero(resolved.gap > _OFF_CIRCLE)
+    if program.infer_centres and 2 * off > len(rows):
         absolute = arcs.resolve(*ends, np.ones(len(rows), bool))
-        if 2 * off.sum() > len(rows) and 2 * (absolute.gap > _OFF_CIRCLE).sum() < off.sum():
+        if 2 * np.count_nonzero(absolute.gap > _OFF_CIRCLE) < off:
             resolved = absolute
             problems.add(rows[:1], Message("absolute-centres"))
 

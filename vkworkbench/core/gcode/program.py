@@ -58,7 +58,7 @@ class Program:
         ValueError
             As `linearize`.
         """
-        path = linearize(self.commands, tolerance=tolerance, told_centres=False)
+        path = linearize(self.commands, tolerance=tolerance, infer_centres=True)
         feed = path.feed
         if self.inverse_time:
             length = np.bincount(path.command, exact_lengths(path), len(self.commands))

@@ -60,14 +60,14 @@ def gather(s: Section, verdict: Verdict) -> Evidence:
         sense=sense,
         stepover=stepover,
         passes=passes,
-        depths=count_depths(_depths(s)),
+        depths=count_depths(_heights(s)),
         direction=main.axis if main and not around else None,
         closed_loops=int((s.pieces.kind == LOOP).sum()),
         milling=milling,
     )
 
 
-def _depths(s: Section) -> np.ndarray:
+def _heights(s: Section) -> np.ndarray:
     """Return the heights at which pieces lie, (k,) mm: where nearly all of one is level, however it is entered."""
     p, m = s.pieces, s.moves
     counts = p.length > LITTLE.PIECE * p.length.max()

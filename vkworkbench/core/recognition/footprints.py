@@ -57,3 +57,11 @@ def count_depths(z: np.ndarray) -> int:
         return 1
     z = np.sort(z)
     return 1 + int((z[1:] - z[:-1] > SAME.HEIGHT).sum())
+
+
+def number_depths(z: np.ndarray) -> np.ndarray:
+    """Number the different heights in z (k,), mm, from the lowest: (k,) int."""
+    order = np.argsort(z)
+    number = np.zeros(len(z), np.int64)
+    number[order[1:]] = np.cumsum(z[order][1:] - z[order][:-1] > SAME.HEIGHT)
+    return number

@@ -9,6 +9,7 @@ import numpy as np
 
 from vkworkbench.core.paper import TURN, Areas
 from vkworkbench.core.recognition.entries import without_entries
+from vkworkbench.core.recognition.footprints import number_depths
 from vkworkbench.core.recognition.pieces import LOOP, STROKE, WINDING, ZIGZAG, Pieces, cut_pieces
 from vkworkbench.core.recognition.rings import Rings, relate_rings
 from vkworkbench.core.recognition.rows import Rows, filling, find_rows
@@ -146,12 +147,21 @@ class Section:
         shallow = self.rings.depths <= LETTERS.DEPTHS
         return bool(small and shallow and shapes >= LETTERS.COUNT and shapes > STROKES.DISTINCT * self.rings.distinct)
 
-    def surrounded(self) -> float:
-        """Share of the rows' length inside a ring at the same depth: the contour of their walls."""
+    def bordered(self) -> tuple[float, float]:
+        """Tell how far rows and rings at their depth belong together.
+
+        Returns
+        -------
+        float
+            Share of the rows' length inside a ring: the contour of their walls.
+        float
+            Share of the rings' length in single level ones amid rows: the contours of islands.
+        """
         p, k, ring = self.pieces, np.flatnonzero(self.row_pieces), self.rings.index
         if not len(k) or not len(ring):
-            return 0.0
-        of_row, of_ring, depths = _depths(p.z[k], p.z[ring])
+            return 0.0, 0.0
+        depth = number_depths(np.concatenate([p.z[k], p.z[ring]]))
+        of_row, of_ring, depths = depth[: len(k)], depth[len(k) :], int(depth.max()) + 1
         # The largest rings of each depth: the others go around islands, or lie in these.
         order = np.lexsort((-np.hypot(*(p.box[ring, 2:] - p.box[ring, :2]).T), of_ring))
         rank = np.arange(len(ring)) - np.searchsorted(of_ring[order], of_ring[order])
@@ -159,20 +169,12 @@ class Section:
         for place in range(min(int(rank.max()) + 1, RINGS.WALLS)):
             wall, largest = np.full((depths, 4), np.nan), order[rank == place]
             wall[of_ring[largest]] = p.box[ring[largest]]
-            inside |= _within(p.box[k], wall[of_row])
-        return float(p.length[k[inside]].sum() / p.length[k].sum())
-
-    def amid(self) -> float:
-        """Share of the rings' length in single level rings amid rows at the same depth: the contours of islands."""
-        p, k, ring = self.pieces, np.flatnonzero(self.row_pieces), self.rings.index
-        if not len(k) or not len(ring):
-            return 0.0
-        of_row, of_ring, depths = _depths(p.z[k], p.z[ring])
+            inside |= _inward(p.box[k], wall[of_row]) >= -SAME.PLACE
         rows = np.full((depths, 4), np.inf)
         np.minimum.at(rows, of_row, p.box[k] * _LOW)
-        single = p.flat[ring] & ~self.rings.nested
-        amid = single & _within(p.box[ring], rows[of_ring] * _LOW)
-        return float(self.rings.length[amid].sum() / self.rings.length.sum())
+        amid = p.flat[ring] & ~self.rings.nested & (_inward(p.box[ring], rows[of_ring] * _LOW) >= -SAME.PLACE)
+        of_rows = float(p.length[k[inside]].sum() / p.length[k].sum())
+        return of_rows, float(self.rings.length[amid].sum() / self.rings.length.sum())
 
     def _beside(self, k: np.ndarray) -> Iterator[tuple[np.ndarray, np.ndarray, np.ndarray]]:
         """Yield the rings cut after pieces k, (k,) int, and those cut before them, as pieces.
@@ -182,9 +184,7 @@ class Section:
         p, ring = self.pieces, self.rings.index
         after = np.clip(np.searchsorted(ring, k), 0, len(ring) - 1)
         for beside in (ring[after], ring[np.maximum(after - 1, 0)]):
-            box = p.box[beside]
-            gap = np.column_stack([p.box[k, :2] - box[:, :2], box[:, 2:] - p.box[k, 2:]]).min(axis=1)
-            yield beside, gap, np.abs(p.z[k] - p.z[beside]) < SAME.HEIGHT
+            yield beside, _inward(p.box[k], p.box[beside]), np.abs(p.z[k] - p.z[beside]) < SAME.HEIGHT
 
     def filled(self) -> float:
         """Share of the cutting length in open strokes that clear the inside of a ring.
@@ -206,19 +206,10 @@ class Section:
         return float(p.length[k[inside]].sum()) / self.length
 
 
-def _within(inner: np.ndarray, outer: np.ndarray) -> np.ndarray:
-    """Whether boxes (k, 4) lie within others (k, 4)."""
-    beyond: np.ndarray = ((inner - outer) * _LOW).min(axis=1) >= -SAME.PLACE
-    return beyond
-
-
-def _depths(*heights: np.ndarray) -> tuple[np.ndarray, np.ndarray, int]:
-    """Number the depths at which two kinds of pieces lie, (k,) and (r,) mm; return the numbers of either, and how many."""
-    z = np.concatenate(heights)
-    order = np.argsort(z)
-    number = np.empty(len(z), np.int64)
-    number[order] = np.append(0, np.cumsum(z[order][1:] - z[order][:-1] > SAME.HEIGHT))
-    return number[: len(heights[0])], number[len(heights[0]) :], int(number.max()) + 1
+def _inward(inner: np.ndarray, outer: np.ndarray) -> np.ndarray:
+    """How far boxes (k, 4) lie inside others (k, 4), (k,) mm: at the side where it is least."""
+    least: np.ndarray = ((inner - outer) * _LOW).min(axis=1)
+    return least
 
 
 def _absorbed(p: Pieces) -> np.ndarray:

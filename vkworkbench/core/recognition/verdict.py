@@ -85,7 +85,7 @@ def judge(s: Section) -> Verdict:
         return _judge_strokes(s)
     if not both:
         return of_rows
-    if max(s.surrounded(), s.amid()) > ENOUGH.SHARE:
+    if max(s.bordered()) > ENOUGH.SHARE:
         return replace(of_rows, finished=True)
     of_rings = _judge_rings(s, rings)
     seen = Message("rows-and-loops", rows=rowlike, loops=rings)

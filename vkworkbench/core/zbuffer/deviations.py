@@ -131,12 +131,12 @@ def gouges(zbuffer: ZBuffer, found: Deviations, tolerance: float) -> list[Deviat
     tolerance : float
         What is no gouge yet, mm.
     """
-    return _worst(zbuffer, found.gouged, _makers(zbuffer, found.gouged, tolerance, found.model))
+    return _worst(zbuffer, found.gouged, tolerance, found.model)
 
 
 def material_left(zbuffer: ZBuffer, found: Deviations, tolerance: float) -> list[Deviation]:
     """Return where each cut leaves most above the model, the most first; the arguments are those of `gouges`."""
-    return _worst(zbuffer, found.left, _makers(zbuffer, found.left, tolerance))
+    return _worst(zbuffer, found.left, tolerance)
 
 
 def worst_places(
@@ -155,14 +155,16 @@ def worst_places(
         How many of either kind are returned at most.
     """
     return (
-        _apart(zbuffer, found.gouged, _makers(zbuffer, found.gouged, tolerance, found.model), most),
-        _apart(zbuffer, found.left, _makers(zbuffer, found.left, tolerance), most),
+        _apart(zbuffer, found.gouged, tolerance, most, found.model),
+        _apart(zbuffer, found.left, tolerance, most),
     )
 
 
-def _apart(zbuffer: ZBuffer, amount: np.ndarray, makers: tuple[np.ndarray, np.ndarray], most: int) -> list[Deviation]:
-    """The worst places by an amount (pixels,), of pixels that deviate and who made it."""
-    frame, (deviating, maker) = zbuffer.frame, makers
+def _apart(
+    zbuffer: ZBuffer, amount: np.ndarray, tolerance: float, most: int, model: SeenModel | None = None
+) -> list[Deviation]:
+    """The worst places by an amount (pixels,); the model is that of what is gouged."""
+    frame, (deviating, maker) = zbuffer.frame, _makers(zbuffer, amount, tolerance, model)
     side = max(1, round(_APART * min(frame.height, frame.width)))
     rows, columns = -(-frame.height // side), -(-frame.width // side)
     too_much = np.zeros((rows * side, columns * side), np.float32)
@@ -193,9 +195,9 @@ def _take(worst: np.ndarray, counts: np.ndarray, row: int, column: int) -> int:
     return total
 
 
-def _worst(zbuffer: ZBuffer, amount: np.ndarray, makers: tuple[np.ndarray, np.ndarray]) -> list[Deviation]:
-    """The worst place of each cut by an amount (pixels,), of pixels that deviate and who made it."""
-    pixels, maker = makers
+def _worst(zbuffer: ZBuffer, amount: np.ndarray, tolerance: float, model: SeenModel | None = None) -> list[Deviation]:
+    """The worst place of each cut, likewise."""
+    pixels, maker = _makers(zbuffer, amount, tolerance, model)
     cut = _cuts(zbuffer, maker)
     worst = []
     for own in np.unique(cut):
@@ -206,7 +208,7 @@ def _worst(zbuffer: ZBuffer, amount: np.ndarray, makers: tuple[np.ndarray, np.nd
 
 
 def _makers(
-    zbuffer: ZBuffer, amount: np.ndarray, tolerance: float, model: SeenModel | None = None
+    zbuffer: ZBuffer, amount: np.ndarray, tolerance: float, model: SeenModel | None
 ) -> tuple[np.ndarray, np.ndarray]:
     """Pixels that deviate, ascending, and by which trajectory, `STOCK` where by none.
 
