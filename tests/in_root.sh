@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # in_root.sh ROOT USER COMMAND...: run COMMAND in this checkout as USER (uid:gid), but in the Debian root ROOT. Needs root.
 # The checkout is read-only there but for build/. Processes, mounts and /tmp end with the command; there is no network.
-# Where mounts of one's own are not allowed, as in most containers, COMMAND gets a copy of the checkout, and its build/ is
-# brought back. Exits with 125 where not even that can be done, after one line that says why.
+# Where mounts of one's own are not allowed, as in most containers, COMMAND gets a copy of the checkout, and what it leaves in
+# build/, whose folders are there, is brought back. Exits with 125 where not even that can be done, after one line that says why.
 set -euo pipefail
 
 cd "$(dirname "$0")/.."
@@ -17,8 +17,7 @@ if [ "$1" != --inside ]; then
     flock 9 # there is one place for the copy
     find "$root/mnt" -mindepth 1 -delete
     tar -c --exclude=./build --exclude=./.git . | tar -x -C "$root/mnt"
-    mkdir -p "$root/mnt/build"
-    cp -a build/. "$root/mnt/build"
+    find build -maxdepth 2 -type d -exec mkdir -p "$root/mnt/{}" \; # others may be writing files there
     chown -R "$user" "$root/mnt/build"
     if [ ! -e "$root/proc/self/exe" ]; then
         mount -t proc proc "$root/proc" 2> /dev/null || { # FreeCAD asks it where it is

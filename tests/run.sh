@@ -39,6 +39,24 @@ prepare() {
     return 1
 }
 
+# run SUITE PYTEST ARGUMENTS...: run the layers on the FreeCAD of SUITE, and note the reason where it cannot be run.
+run() {
+    local suite=$1 root=$cache/roots/$1 folder=$results/$1 status=0
+    shift
+    if [ "$suite" = "$own" ]; then
+        tests/run_layers.sh "$folder" "$layers" "$@"
+        return
+    fi
+    tests/as_root.sh tests/in_root.sh "$root" "$user" tests/run_layers.sh "$folder" "$layers" "$@" \
+        2> "$folder/root.log" || status=$?
+    if [ "$status" = 125 ]; then
+        mv "$folder/root.log" "$folder/not-tested"
+    elif [ "$status" != 0 ]; then
+        cat "$folder/root.log"
+        return "$status"
+    fi
+}
+
 mkdir -p build
 exec 9> build/tests.lock
 flock --nonblock 9 || { echo "Waiting for another run of the tests in this checkout"; flock 9; }
@@ -47,30 +65,31 @@ rm -rf "$results"
 case " $layers " in *" tools "*) tests/tools.sh "$results" "$cache" ;; esac
 layers=${layers#tools}
 [ -n "$layers" ] || suites=""
-[ -z "$suites" ] || echo "Preparing the FreeCADs of: $suites. One that is missing takes some minutes and 2 GB; its tests about ten minutes"
+[ -z "$suites" ] || echo "Preparing the FreeCADs of: $suites. One that is missing takes some minutes and 2 GB." \
+    "All their tests take about three quarters of an hour on two processors"
 # Whatever its own release, the machine makes the roots.
 [ -z "$suites" ] || prepare "own" tests/install.sh || echo "This machine lacks packages: $(cat "$results/own/not-tested")"
+
+# Side by side: a window waits as long as it works.
+running=()
+trap 'for each in "${running[@]}"; do kill -- "-$each" || true; done 2> /dev/null; exit 130' INT TERM
 for suite in $suites; do
     if [ "$suite" = "$own" ]; then
         mv "$results/own" "$results/$suite"
         [ -e "$results/$suite/not-tested" ] && continue
-        echo "$suite, this machine"
-        tests/run_layers.sh "$results/$suite" "$layers" "$@"
     else
-        root=$cache/roots/$suite
-        prepare "$suite" tests/as_root.sh tests/make_root.sh "$suite" "$root" || continue
-        echo "$suite, $root"
-        status=0
-        tests/as_root.sh tests/in_root.sh "$root" "$user" tests/run_layers.sh "$results/$suite" "$layers" "$@" \
-            2> "$results/$suite/root.log" || status=$?
-        if [ "$status" = 125 ]; then
-            mv "$results/$suite/root.log" "$results/$suite/not-tested"
-        elif [ "$status" != 0 ]; then
-            cat "$results/$suite/root.log"
-            exit "$status"
-        fi
+        prepare "$suite" tests/as_root.sh tests/make_root.sh "$suite" "$cache/roots/$suite" || continue
     fi
+    set -m # a group of processes of its own, which an interruption ends whole
+    run "$suite" "$@" &
+    set +m
+    running+=($!)
 done
+failed=0
+for each in "${running[@]}"; do
+    wait "$each" || failed=$?
+done
+[ "$failed" = 0 ] || exit "$failed"
 rm -rf "$results/own"
 # shellcheck disable=SC2086
 /usr/bin/python3 tests/summary.py "$results" $suites

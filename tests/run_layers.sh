@@ -16,10 +16,10 @@ print(f"Python {platform.python_version()}, numpy {numpy.__version__}")')" > "$r
 
 scale=${VKWORKBENCH_SCALE:-1} # pixels of the screen for each of a window's own, as on a fine screen
 for layer in $layers; do
-    echo "    $layer"
+    echo "    ${results##*/} $layer"
     home=$(mktemp -d)
     tests/make_home.sh "$home"
-    limit=(timeout --foreground -k 10 1800) # s; in the foreground, so that Ctrl-C reaches the tests
+    limit=(timeout --foreground -k 10 5000) # s; in the foreground, so that Ctrl-C reaches the tests
     case $layer in
         core) command=("${limit[@]}" /usr/bin/python3 -m pytest -n "$(nproc)") ;;
         document) command=("${limit[@]}" freecadcmd "$PWD/tests/in_freecad.py") ;;

@@ -60,8 +60,8 @@ class Window:
         self.main = Gui.getMainWindow()
         self.main.setGeometry(0, 0, 1280, 1000)
 
-    def wait(self, until, seconds=20.0):
-        """Let FreeCAD work until a condition holds."""
+    def wait(self, until, seconds=120.0):
+        """Let FreeCAD work until a condition holds: the windows of three FreeCADs may share two processors."""
         end = time.monotonic() + seconds
         while not until():
             assert time.monotonic() < end, f"waited {seconds} s in vain"

@@ -47,7 +47,7 @@ def test_what_a_recompute_made_outdated_is_analysed_again(again, window, command
     steps, before = list(again.UndoNames), marks.read(op).trajectories
     change(op, commands)
     again.recompute()
-    window.wait(lambda: is_idle() and marks.read(op).trajectories != before, 60)
+    window.wait(lambda: is_idle() and marks.read(op).trajectories != before)
     assert marks.read(op).trajectories == commands + 1 and not marks.is_outdated(op)
     assert list(again.UndoNames) == steps
 
@@ -80,6 +80,6 @@ def test_esc_leaves_it_outdated(again, window, monkeypatch):
     change(op, 10)
     again.recompute()
     assert not analyzed  # not while FreeCAD recomputes
-    window.wait(lambda: analyzed and is_idle(), 60)
+    window.wait(lambda: analyzed and is_idle())
     timer.stop()
     assert analyzed == [["Given"]] and marks.is_outdated(op)

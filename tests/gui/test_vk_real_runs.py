@@ -62,7 +62,7 @@ def test_runs_of_the_legacy_simulator_teach(calibrated, undisturbed, window):
     for name, taught in (("toolButtonFF", "fast-forward"), ("toolButtonPlay", "play")):
         window.click_on(button(name))
         assert not button(name).isEnabled()
-        window.wait(lambda: button(name).isEnabled(), 120)
+        window.wait(lambda: button(name).isEnabled())
         window.wait(lambda: len(runs().get(taught, ())) == before.get(taught, 0) + 1)
     assert len(runs()["fast-forward"][-1]) == 3
     shown, drawn, display_seconds, seconds = runs()["play"][-1]
@@ -75,7 +75,7 @@ def test_a_run_that_was_disturbed_teaches_nothing(calibrated, window, monkeypatc
     before = runs()
     button = simulator(window, "legacy", "Bore")
     window.click_on(button("toolButtonFF"))
-    window.wait(lambda: button("toolButtonFF").isEnabled(), 60)
+    window.wait(lambda: button("toolButtonFF").isEnabled())
     window.idle(0.5)
     assert runs() == before
 
@@ -88,7 +88,7 @@ def test_a_run_that_was_paused_teaches_nothing(calibrated, window):
     window.click_on(button("toolButtonPause"))
     window.idle(0.3)
     window.click_on(button("toolButtonFF"))
-    window.wait(lambda: button("toolButtonFF").isEnabled(), 60)
+    window.wait(lambda: button("toolButtonFF").isEnabled())
     window.idle(0.5)
     assert runs() == before
 
@@ -111,7 +111,7 @@ def test_a_run_of_the_opengl_simulator_teaches(calibrated, undisturbed, window):
         click(simulation, *where)
         window.idle(0.3)
     watch = simulation.findChild(OpenGLRun)
-    window.wait(lambda: len(watch._times) > 150, 120)  # twice as many frames as it has to play
+    window.wait(lambda: len(watch._times) > 150)  # twice as many frames as it has to play
     simulation.close()
     window.wait(lambda: len(runs().get("draw", ())) == before + 1)
     known = calibration.load(preferences.read().renderer).constants

@@ -88,7 +88,7 @@ def test_steps_go_to_commands_and_operations(simulated, window):
 def test_a_play_shows_the_machines_time(simulated, window):
     simulated.play_bar.speeds.setCurrentIndex(3)  # a thousand times
     window.click_on(simulated.play_bar.play_button)
-    window.wait(lambda: simulated.moment.seconds > 0.2 * simulated.clock.total, 60)
+    window.wait(lambda: simulated.moment.seconds > 0.2 * simulated.clock.total)
     window.click_on(simulated.play_bar.play_button)
     paused = simulated.moment.seconds
     window.idle(0.3)
@@ -302,7 +302,7 @@ def test_closing_ends_the_work(opened, window):
     (tab,) = tabs(window)
     window.wait(lambda: tab.player is not None and tab.player._work.works and "_run" in working())
     window.press(tab, QtCore.Qt.Key_Escape)
-    window.wait(lambda: not tabs(window) and "_run" not in working(), 5)
+    window.wait(lambda: not tabs(window) and "_run" not in working())
 
 
 def test_closing_the_document_closes_the_tab(window, example_path):
@@ -567,7 +567,7 @@ def test_no_gouge_is_forgotten_while_one_looks_from_where_it_is_not_seen(opened,
     assert {fault.what.code for fault in player.faults} == {"rapid-cuts", "cuts-model"} and faults() == [2]
     judged = player.drawing.told
     player.look("Bottom")
-    window.wait(lambda: player.drawing.told is not judged, 60)
+    window.wait(lambda: player.drawing.told is not judged)
     assert faults() == [2]  # a coarse picture does not look for gouges
     finest(player, window)
     assert player.drawing.told.judged and {fault.what.code for fault in player.faults} == {"rapid-cuts"}

@@ -34,7 +34,7 @@ def nothing_swallowed(monkeypatch):
 
 def close(tab, window):
     window.press(tab, QtCore.Qt.Key_Escape)
-    window.wait(lambda: not tabs(window) and "_run" not in working(), 90)
+    window.wait(lambda: not tabs(window) and "_run" not in working())
 
 
 PHASES = {
@@ -55,12 +55,12 @@ def test_it_is_closed_in_every_phase(example_path, window, small, monkeypatch, p
     window.click(COMMAND)
     window.wait(lambda: tabs(window))
     (tab,) = tabs(window)
-    window.wait(lambda: PHASES[phase](tab), 60)
+    window.wait(lambda: PHASES[phase](tab))
     if how == "key":
         window.press(tab, QtCore.Qt.Key_Escape)
     else:
         FreeCAD.closeDocument(document.Name)
-    window.wait(lambda: not tabs(window) and "_run" not in working(), 90)
+    window.wait(lambda: not tabs(window) and "_run" not in working())
     window.idle(0.3)
     if how == "key":
         FreeCAD.closeDocument(document.Name)
@@ -84,7 +84,7 @@ def test_an_operation_is_deleted_or_changed_while_it_is_open(opened, window, sma
     window.wait(lambda: tabs(window))
     (tab,) = tabs(window)
     if moment != "before":
-        window.wait(lambda: tab.player is not None and tab.player.simulation is not None, 60)
+        window.wait(lambda: tab.player is not None and tab.player.simulation is not None)
     if moment == "after":
         shown(tab, window)
     opened.removeObject(opened.Job.Operations.Group[0].Name)
@@ -116,7 +116,7 @@ def test_every_navigation_style_turns_and_moves(opened, window, small, style):
         window.click(COMMAND)
         window.wait(lambda: tabs(window))
         (tab,) = tabs(window)
-        window.wait(lambda: tab.player is not None and tab.player.simulation is not None, 60)
+        window.wait(lambda: tab.player is not None and tab.player.simulation is not None)
         view, middle = tab.player.view, tab.player.view.rect().center()
         for what, button in buttons.items():
             looked = view.view
@@ -282,12 +282,12 @@ def test_odd_jobs_are_shown(opened, window, small, odd):
         assert len(text) > 20 and "Error" not in text
         return
     (tab,) = tabs(window)
-    window.wait(lambda: tab.player is not None or window.boxes(), 60)
+    window.wait(lambda: tab.player is not None or window.boxes())
     if tab.player is None:
         (text,) = window.dismiss()
         assert len(text) > 20 and "Error" not in text
         return
-    window.wait(lambda: not tab.player.is_busy and tab.player.pictures.is_current, 120)
+    window.wait(lambda: not tab.player.is_busy and tab.player.pictures.is_current)
     finest(tab.player, window)
     assert "Error" not in tab.player.state.text()
     player = tab.player
@@ -326,14 +326,14 @@ def test_it_is_closed_while_it_plays(example_path, window, small, how):
     window.click(COMMAND)
     window.wait(lambda: tabs(window))
     (tab,) = tabs(window)
-    window.wait(lambda: tab.player is not None and tab.player.simulation is not None, 60)
+    window.wait(lambda: tab.player is not None and tab.player.simulation is not None)
     tab.player.moment.play()
-    window.wait(lambda: tab.player.moment.seconds > 0.02 * tab.player.clock.total, 30)
+    window.wait(lambda: tab.player.moment.seconds > 0.02 * tab.player.clock.total)
     if how == "key":
         window.press(tab, QtCore.Qt.Key_Escape)
     else:
         FreeCAD.closeDocument(document.Name)
-    window.wait(lambda: not tabs(window) and "_run" not in working(), 90)
+    window.wait(lambda: not tabs(window) and "_run" not in working())
     window.idle(0.3)
     if how == "key":
         FreeCAD.closeDocument(document.Name)

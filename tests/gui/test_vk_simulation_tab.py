@@ -72,7 +72,7 @@ def test_what_is_shown_while_the_whole_is_still_simulated_is_made_up_for(opened,
     window.click(COMMAND)
     window.wait(lambda: tabs(window))
     (tab,) = tabs(window)
-    window.wait(lambda: tab.player is not None and tab.player.simulation is not None, 60)
+    window.wait(lambda: tab.player is not None and tab.player.simulation is not None)
     player = tab.player
     wheel(player.view, player.view.rect().center(), 12)
     assert not player.scene_bar.rates.isEnabled()  # of a coarse picture

@@ -110,7 +110,7 @@ def test_a_long_play_is_told_with_fast_forward(marked, window):
     button = simulator_panel(window).findChild(QtGui.QToolButton, "toolButtonFF")
     window.click_on(line.way)
     assert lines(window) == [] and not button.isEnabled()  # it runs
-    window.wait(button.isEnabled, 120)
+    window.wait(button.isEnabled)
 
 
 def test_it_goes_with_the_panel_with_what_is_unticked_and_when_it_is_closed(marked, window):

@@ -159,27 +159,27 @@ def test_strangers_in_the_3d_view(example_path, window, tmp_path, strange, when)
     window.idle(0.2)
     window.click(SWITCH)
     if when == "behind":
-        window.wait(lambda: drawn(document), 60)
+        window.wait(lambda: drawn(document))
     strange(document, window)
-    window.wait(lambda: not strategy_view.is_drawing(), 60)
+    window.wait(lambda: not strategy_view.is_drawing())
     window.idle(0.1)
     assert window.button(SWITCH).isChecked() == strategy_view.is_shown(document)
     if not strategy_view.is_shown(document):  # FreeCAD reads a file again as another document
         assert strange is read_again
         window.click(SWITCH)
-        window.wait(lambda: drawn(document), 60)
+        window.wait(lambda: drawn(document))
     Gui.updateGui()
     document.recompute()
     Gui.Selection.clearSelection()
     for operation in find(document):
         Gui.Selection.addSelection(operation.object)
-    window.wait(lambda: drawn(document), 60)
+    window.wait(lambda: drawn(document))
     if Gui.activeDocument().ActiveView is not None:
         Gui.activeDocument().ActiveView.saveImage(str(tmp_path / "view.png"), 100, 100)
     window.click(SWITCH)  # off
     window.wait(lambda: not strategy_view.is_shown(document))
     window.click(SWITCH)  # and on
-    window.wait(lambda: drawn(document), 60)
+    window.wait(lambda: drawn(document))
     FreeCAD.closeDocument(document.Name)
     window.idle(0.1)
     for name in list(FreeCAD.listDocuments()):
@@ -307,7 +307,7 @@ def test_no_text_of_a_document_is_html_in_the_simulation(html, window, small, tr
         found += seen_as_html(ours(window), trap)
     window.screenshot("html-everywhere")
     window.press(tab, QtCore.Qt.Key_Escape)
-    window.wait(lambda: not tabs(window), 60)
+    window.wait(lambda: not tabs(window))
     assert found == [] and not trap.sprung()
 
 
@@ -330,7 +330,7 @@ def test_few_commands_that_are_a_great_many_moves(opened, window, text, trajecto
     Gui.Selection.clearSelection()
     Gui.Selection.addSelection(op)
     window.click("Analyze toolpaths")
-    window.wait(lambda: marks.is_marked(op), 120)
+    window.wait(lambda: marks.is_marked(op))
     window.dismiss()
     known = marks.read(op)
     if trajectories is None:
@@ -339,9 +339,9 @@ def test_few_commands_that_are_a_great_many_moves(opened, window, text, trajecto
         assert known.trajectories > trajectories
     window.click("Gauss map")
     title = window.first(QtGui.QDockWidget, "VkGaussMap").title
-    window.wait(lambda: "Few" in title.text() and "Reading" not in title.text(), 120)
+    window.wait(lambda: "Few" in title.text() and "Reading" not in title.text())
     window.click("Gauss map")
     window.click(SWITCH)
-    window.wait(lambda: drawn(opened), 120)
+    window.wait(lambda: drawn(opened))
     window.click(SWITCH)
     vkworkbench.clear(opened)
