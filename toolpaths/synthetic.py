@@ -399,13 +399,16 @@ def winding(rng, *, corrects=False):
     return p.commands
 
 
-def entered_pocket(rng):
-    """A pocket cleared outward from a helix of any length."""
+def entered_pocket(rng, *, even=False):
+    """A round pocket cleared outward from a helix of any length: evenly, or at one engagement, which lets steps grow."""
     p, side = Program(rng), np.pi / 18
     entry, step, turns = rng.uniform(1.5, 4), rng.uniform(0.5, 2), rng.integers(3, 40)
     a, b = np.arange(0, turns * 2 * np.pi, side), np.arange(0, rng.uniform(7, 15) * 2 * np.pi, side)
     p.cut(np.column_stack([entry * np.cos(a), entry * np.sin(a), -0.5 * a / (2 * np.pi)]), 0.0)
-    r = entry + step * b / (2 * np.pi)
+    wound = b / (2 * np.pi)
+    if not even:
+        wound -= 0.8 * (1 - np.exp(-wound / 2.5))  # as FreeCAD's and Fusion's do: from two thirds to the whole step
+    r = entry + step * wound
     p.cut(np.column_stack([r * np.cos(b), r * np.sin(b)]), p.last[2], linked=True)
     return p.commands
 
@@ -658,7 +661,8 @@ SAMPLES = (
     ("trochoid", {"adaptive"}, trochoid),
     ("trochoid of chords", {"adaptive"}, trochoid_of_chords),
     ("winding that corrects itself", {"adaptive"}, lambda r: winding(r, corrects=True)),
-    ("pocket entered by a helix", {"adaptive"}, entered_pocket),
+    ("pocket entered by a helix", {"adaptive", "spiral"}, entered_pocket),  # where no tool is known
+    ("spiral entered by a helix", {"spiral"}, lambda rng: entered_pocket(rng, even=True)),
     ("adaptive", {"adaptive"}, adaptive),
     ("adaptive without rapids", {"adaptive"}, lambda r: adaptive(r, rapid_back=False)),
     ("adaptive not lifted", {"adaptive"}, lambda r: adaptive(r, lift=0.0, rapid_back=False)),

@@ -110,6 +110,7 @@ def test_a_long_play_is_told_with_fast_forward(marked, window):
     button = simulator_panel(window).findChild(QtGui.QToolButton, "toolButtonFF")
     window.click_on(line.way)
     assert lines(window) == [] and not button.isEnabled()  # it runs
+    window.click_on(simulator_panel(window).findChild(QtGui.QToolButton, "toolButtonPause"))
     window.wait(button.isEnabled)
 
 

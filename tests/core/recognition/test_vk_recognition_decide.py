@@ -121,9 +121,13 @@ def test_the_rules_lose_against_more_votes_than_theirs(tool):
         assert STRATEGIES[elect(votes, proposed_by(Strategy.ZIGZAG, tool=tool))] is said
 
 
-@pytest.mark.parametrize("seen", [Strategy.HELIX, Strategy.ADAPTIVE])
-def test_what_the_rules_see_without_a_tool_counts_more(seen):
-    theirs = VOTES.RULES_THAT_NEED_NO_TOOL + VOTES.CLASS * VOTES.RULES_OF_CLASS
+@pytest.mark.parametrize(
+    ("seen", "rules"),
+    [(Strategy.HELIX, VOTES.RULES_THAT_NEED_NO_TOOL), (Strategy.ADAPTIVE, VOTES.RULES_THAT_NEED_NO_TOOL),
+     (Strategy.SPIRAL, VOTES.RULES)],
+)  # fmt: skip
+def test_what_the_rules_see_without_a_tool_counts_more(seen, rules):
+    theirs = rules + VOTES.CLASS * VOTES.RULES_OF_CLASS
     votes = np.zeros(len(STRATEGIES))
     votes[STRATEGIES.index(Strategy.ENGRAVING)] = (theirs - 0.01) / (1 + VOTES.CLASS)
     assert STRATEGIES[elect(votes, proposed_by(seen))] is seen
@@ -176,7 +180,7 @@ def test_grounds_are_six_numbers():
     second = max(VOTES.CLASS * (0.7 + VOTES.RULES_OF_CLASS), (1 + VOTES.CLASS) * 0.3)
     proposed = proposed_by(Strategy.ZIGZAG, Family.ROWS, tool=True)
     assert grounds(votes, proposed) == pytest.approx([1, odds, 1, 1, ahead - second, 1])
-    told = grounds(votes, proposed_by(Strategy.SPIRAL, Family.AROUND))
+    told = grounds(votes, proposed_by(Strategy.WATERLINE, Family.AROUND))
     assert told[[0, 2, 3, 5]].tolist() == [1, 0, 0, 0] and told[1] == pytest.approx(odds)
 
 

@@ -62,7 +62,13 @@ CASES = {
     "a spiral": ([winding(2, 26, 8)], "spiral", "endless-winding", 9),
     "a helix": ([winding(10, 10, 8, drop=8)], "helix", "constant-radius", 8),
     "a helix that clears at its ground": (
-        [winding(10, 10, 20, drop=12) + winding(10, 19, 3, z=-12)[1:]], "adaptive", "winding-with-entry", 3),
+        [winding(10, 10, 20, drop=12) + winding(10, 12, 1, z=-12)[1:] + winding(12, 15, 1, z=-12)[1:]
+         + winding(15, 19, 1, z=-12)[1:]], "adaptive", "winding-with-entry", 3),
+    "a helix that leads into a spiral": (
+        [winding(10, 10, 20, drop=12) + winding(10, 19, 3, z=-12)[1:]], "spiral", "endless-winding", 3),
+    "a spiral entered by a helix": ([winding(2, 2, 2, drop=2) + winding(2, 26, 8, z=-2)[1:]], "spiral", "endless-winding", 9),
+    "a spiral of three turns and a half with a circle around it": (
+        [winding(2, 9, 3.5), polygon(18, x=70 - 9, y=-40 - 9, corners=36)], "spiral", "endless-winding", 5),
     "a square ramped as helices are": (
         [[(x, y, -2.0 * (k + i / 4)) for k in range(5) for i, (x, y, _) in enumerate(polygon(40)[:-1])]],
         "profile", "not-nested", 4),

@@ -27,12 +27,12 @@ OF_THE_RULES = np.array([s in (Strategy.MIXED, Strategy.DRILLING, Strategy.UNKNO
 CLASS = np.array([-1 if s is Strategy.ADAPTIVE else list(Family).index(s.family) for s in STRATEGIES])
 ALIKE = np.array(CLASS[:, None] == CLASS, float)
 # What the rules count where no tool is known, for each strategy that they propose.
-NO_TOOL = np.array([
-    VOTES.RULES_THAT_NEED_NO_TOOL
-    if s in (Strategy.HELIX, Strategy.SPIRAL, Strategy.ADAPTIVE)
-    else VOTES.RULES_WITHOUT_TOOL
-    for s in STRATEGIES
-])  # fmt: skip
+_SEEN_WITHOUT = {
+    Strategy.SPIRAL: VOTES.RULES,
+    Strategy.HELIX: VOTES.RULES_THAT_NEED_NO_TOOL,
+    Strategy.ADAPTIVE: VOTES.RULES_THAT_NEED_NO_TOOL,
+}
+NO_TOOL = np.array([_SEEN_WITHOUT.get(s, VOTES.RULES_WITHOUT_TOOL) for s in STRATEGIES])
 # What the paper's rule to the letter speaks for: nothing where it is open.
 LETTER = {Strategy.ZIGZAG: Family.ROWS, Strategy.CONTOUR_PARALLEL: Family.AROUND}
 NO_LETTER = -2

@@ -84,10 +84,13 @@ def reach(
         signed = np.copysign(step, mean)
         chain = even[lag:] & even[:-lag] & (np.abs(signed[lag:] - signed[:-lag]) < NESTS.SIMILAR_STEP * step[lag:])
         # At another depth a wall that slopes a little moves the ring by less than any step.
-        found.append(step[even & ((drop < SAME.HEIGHT) | ~flat[lag:] | ~flat[:-lag])])
+        true = even & ((drop < SAME.HEIGHT) | ~flat[lag:] | ~flat[:-lag])
         if chain.any():
             chained = True
-            break  # the next ring of the nest is the one `lag` rings on
+            # The next ring of the nest is the one `lag` rings on. The step from a way in, or to a wall, is another.
+            found.append(step[true & (np.append(chain, [False] * lag) | np.append([False] * lag, chain))])
+            break
+        found.append(step[true])
     every = np.concatenate(found) if any(map(len, found)) else steps
     if not len(every):
         return NESTS.REACH * tool, steps, drops

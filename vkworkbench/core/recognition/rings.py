@@ -12,7 +12,7 @@ from vkworkbench.core.paper import TURN
 from vkworkbench.core.recognition.footprints import come_again, count_depths
 from vkworkbench.core.recognition.nesting import Inward, evenness, middle, reach
 from vkworkbench.core.recognition.pieces import WINDING, Pieces
-from vkworkbench.core.recognition.thresholds import NESTS, RINGS, SAME, TROCHOIDS, WATERLINES, WINDINGS
+from vkworkbench.core.recognition.thresholds import ENOUGH, NESTS, RINGS, SAME, TROCHOIDS, WATERLINES, WINDINGS
 
 
 @dataclass(frozen=True)
@@ -50,6 +50,8 @@ class Rings:
         Distance from a nested ring to the nearest other one (median), mm; nan where none are nested.
     growing : float
         Share of the steps that go outward; nan where none are nested.
+    equidistant : bool
+        Whether the level turns of windings, three at least, lie at one distance from the next, from the first on.
     distinct, depths : int
         Number of different rings seen from above, and of depths.
     depth_range : float
@@ -75,6 +77,7 @@ class Rings:
     back: np.ndarray
     step: float
     growing: float
+    equidistant: bool
     distinct: int
     depths: int
     depth_range: float
@@ -102,6 +105,7 @@ def relate_rings(pieces: Pieces, index: np.ndarray, tool: float) -> Rings:
     limit, next_step, next_drop = reach(inward, shapes.size, shapes.z, shapes.flat, tool)
     names = ("nested", "opposite", "deeper", "repeated", "moved", "crossing")
     flags = {name: np.zeros(k, bool) for name in names}
+    next_turn = np.zeros(0)
     all_steps, nearest = [], np.full(k, np.inf)  # the next but one is two steps away
     for lag in range(1, min(NESTS.NEXT, k - 1) + 1):
         a, b = slice(None, -lag), slice(lag, None)
@@ -110,6 +114,8 @@ def relate_rings(pieces: Pieces, index: np.ndarray, tool: float) -> Rings:
             flags[name][a] |= flag
             flags[name][b] |= flag
         mean, step = inward[lag][2:]
+        if lag == 1:
+            next_turn = step[found["nested"] & shapes.turn[a] & shapes.turn[b]]
         all_steps.append(mean[found["nested"]])
         apart = np.where(found["nested"], step, np.inf)
         nearest[a], nearest[b] = np.minimum(nearest[a], apart), np.minimum(nearest[b], apart)
@@ -134,6 +140,7 @@ def relate_rings(pieces: Pieces, index: np.ndarray, tool: float) -> Rings:
         back=pieces.back[index],
         step=middle(nearest[flags["nested"]]) if len(steps) else np.nan,
         growing=np.count_nonzero(steps < 0) / len(steps) if len(steps) else np.nan,
+        equidistant=_equal(next_turn),
         distinct=distinct,
         depths=depths,
         depth_range=float(np.ptp(shapes.z)) if k else 0.0,
@@ -143,7 +150,11 @@ def relate_rings(pieces: Pieces, index: np.ndarray, tool: float) -> Rings:
 
 
 class _Shapes(NamedTuple):
-    """What k rings are compared by, (k,) each: sides (4, k) and slack as of :class:`Inward`, size the longer side."""
+    """What k rings are compared by, (k,) each.
+
+    Sides (4, k) and slack as of :class:`Inward`, size the longer side; turn tells the whole level turns of windings, rest
+    what is left of a winding behind its last turn.
+    """
 
     sides: np.ndarray
     size: np.ndarray
@@ -154,11 +165,14 @@ class _Shapes(NamedTuple):
     sense: np.ndarray
     wavy: np.ndarray
     slack: np.ndarray
+    turn: np.ndarray
+    rest: np.ndarray
 
 
 def _shapes(pieces: Pieces, index: np.ndarray) -> _Shapes:
     sides, winding = pieces.box.T.take(index, axis=1), pieces.kind[index] == WINDING
     size = np.maximum(*(sides[2:] - sides[:2]))
+    whole = np.abs(pieces.net[index]) > WINDINGS.WHOLE * TURN
     sides[2:] *= -1
     return _Shapes(
         sides=sides,
@@ -170,6 +184,8 @@ def _shapes(pieces: Pieces, index: np.ndarray) -> _Shapes:
         sense=np.sign(pieces.net[index]),
         wavy=pieces.wavy[index] | (winding & (pieces.back[index] > WINDINGS.WAVERING * TURN)),
         slack=np.where(winding, 2.0, 1.0),
+        turn=winding & whole & pieces.flat[index],
+        rest=winding & ~whole,
     )
 
 
@@ -188,7 +204,7 @@ def _compare(r: _Shapes, inward: Inward, limit: float, lag: int) -> dict[str, np
     # The sides of an offset move all by the same. Passes of a lattice that wind by chance seldom lie so.
     alike = high - low <= NESTS.EQUAL_SIDES * np.abs(mean) + SAME.PLACE
     even &= ~(r.wavy[a] & r.wavy[b]) | alike
-    moved = beside & ~same_box & (low < 0) & (high > 0)
+    moved = beside & ~same_box & (low < 0) & (high > 0) & ~r.rest[a] & ~r.rest[b]
     if moved.any():
         # Trochoids bite into one another; ribs in a row, and the loops around them, stay apart.
         centre, width = (r.sides[:2] - r.sides[2:]) / 2, _widths(r.length, r.enclosed, r.slack)
@@ -206,6 +222,14 @@ def _compare(r: _Shapes, inward: Inward, limit: float, lag: int) -> dict[str, np
         # The loops of one pattern keep their shape; a boundary and an island between its offsets do not.
         found["opposite"] = _go_on(even & alike & (r.sense[a] != r.sense[b]), mean)
     return found
+
+
+def _equal(steps: np.ndarray) -> bool:
+    """Tell whether the first and most of the steps (s,), two at least, are as long as the usual one."""
+    if len(steps) < 2:
+        return False
+    equal = np.abs(steps / middle(steps) - 1) < WINDINGS.EQUAL
+    return bool(equal[0] and np.count_nonzero(equal) > ENOUGH.SHARE * len(equal))
 
 
 def _widths(length: np.ndarray, enclosed: np.ndarray, slack: np.ndarray) -> np.ndarray:

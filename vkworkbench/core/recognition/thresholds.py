@@ -97,6 +97,13 @@ class WINDINGS:
 
     #: turns. A stretch with a larger net turn is a winding. Less: letters are; with no limit, spirals are profiles.
     TURN = 1.2
+    #: turns. What is left of a winding behind its last turn is no ring where it turns by less. At 0 round pockets cut in a
+    #: spiral of few turns are adaptive; at 1 nothing in windings moves along.
+    WHOLE = 0.75
+    #: share of the step. Turns at distances that differ by less are at one distance, as those of a spiral; to keep its
+    #: engagement, a tool steps more the wider it winds. At 0 spirals that a helix leads into are adaptive; larger: adaptive
+    #: clearing of round pockets is a spiral.
+    EQUAL = 0.05
     #: turns. A winding that turns back by more in all is wavy, a stroke that does is no bite. At 0 smoothly linked
     #: offsets and sampled spirals are profiles.
     WAVERING = 0.5
@@ -506,8 +513,8 @@ class VOTES:
     #: share of the votes. Where no tool is known, many of the rules have nothing to measure by. As much as with a tool:
     #: real code that names none is judged by rules that guess.
     RULES_WITHOUT_TOOL = 0.1
-    #: share of the votes. As much, for the strategies that the rules find without a tool: a helix by its one pitch, a spiral,
-    #: adaptive clearing by its bites. At 0.1 bores of few turns are profiles; at 1 whatever descends evenly is a bore.
+    #: share of the votes. As much, for strategies that the rules find without a tool: a helix by its one pitch, adaptive
+    #: clearing by its bites. A spiral, which only itself looks like, counts as with a tool. At 0.1 bores of few turns are profiles; at 1 whatever descends evenly is a bore.
     RULES_THAT_NEED_NO_TOOL = 0.25
     #: ratio. So much counts the share of the whole class, rows or around, beside that of the strategy. At 0 a class can
     #: lose whose votes are split among its strategies; larger: the class decides alone.

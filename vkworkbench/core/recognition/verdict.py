@@ -100,6 +100,8 @@ def _judge_rings(s: Section, rings: float) -> Verdict:
         # A flat winding that goes on outward clears a pocket, however long the helix that leads into it.
         clears = r.nested & r.winding & ~r.sloped & ~r.stacked
         if (clears[1:] & clears[:-1]).sum() >= 2:
+            if _is_even_spiral(s, rings):
+                return Verdict(Strategy.SPIRAL, len(r), Message("endless-winding"))
             return Verdict(Strategy.ADAPTIVE, len(r), ENTERED)
         return Verdict(Strategy.HELIX, len(r), Message("constant-radius"))
     if s.share(r.opposite) > ENOUGH.SHARE * rings:
@@ -117,7 +119,8 @@ def _judge_rings(s: Section, rings: float) -> Verdict:
         if winding > ENOUGH.SHARE * rings and linked < ENOUGH.SHARE * winding:
             # A spiral leaves nothing to bites and strokes; one that the boundary cuts open is judged by its arcs.
             bitten = s.part(s.strokes.bite) > ADAPTIVE.BITES and s.strokes.bite.sum() >= ENOUGH.TIMES
-            if bitten or helix + s.wound > ADAPTIVE.ENTRY or s.strokes.length.sum() > ADAPTIVE.STROKES * s.length:
+            entered = helix + s.wound > ADAPTIVE.ENTRY and not _is_even_spiral(s, rings)
+            if bitten or entered or s.strokes.length.sum() > ADAPTIVE.STROKES * s.length:
                 return Verdict(Strategy.ADAPTIVE, len(r), ENTERED)
             if s.cornered() < ENOUGH.SHARE:
                 return Verdict(Strategy.SPIRAL, len(r), Message("endless-winding"))
@@ -130,6 +133,11 @@ def _judge_rings(s: Section, rings: float) -> Verdict:
         return Verdict(Strategy.ENGRAVING, len(r), Message("many-shapes"))
     # A loop that comes again is a contour. So are loops that have nothing to do with one another.
     return Verdict(Strategy.PROFILE, len(r), Message("not-nested"))
+
+
+def _is_even_spiral(s: Section, rings: float) -> bool:
+    """Tell whether all rings are round and their turns at one distance: to keep its engagement, a tool steps unevenly."""
+    return s.rings.equidistant and s.share(s.rings.round) > RINGS.ALL_ROUND * rings
 
 
 def _judge_rows(s: Section, rowlike: float) -> Verdict:
