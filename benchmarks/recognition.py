@@ -247,7 +247,8 @@ if __name__ == "__main__":
     accuracy(options.files)
     if options.programs:
         whole_programs.report_programs(options.programs)
-    whole_programs.report_joined(options.files)
+    if options.files:
+        whole_programs.report_joined(options.files)
     whole_programs.report_nonsense()
     print()
     speed()

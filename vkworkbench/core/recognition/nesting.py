@@ -88,7 +88,10 @@ def reach(
         if chain.any():
             chained = True
             # The next ring of the nest is the one `lag` rings on. The step from a way in, or to a wall, is another.
-            found.append(step[true & (np.append(chain, [False] * lag) | np.append([False] * lag, chain))])
+            linked = np.zeros(len(step), bool)
+            linked[lag:] = chain
+            linked[:-lag] |= chain
+            found.append(step[true & linked])
             break
         found.append(step[true])
     every = np.concatenate(found) if any(map(len, found)) else steps

@@ -114,7 +114,7 @@ def relate_rings(pieces: Pieces, index: np.ndarray, tool: float) -> Rings:
             flags[name][a] |= flag
             flags[name][b] |= flag
         mean, step = inward[lag][2:]
-        if lag == 1:
+        if lag == 1 and shapes.turn.any():
             next_turn = step[found["nested"] & shapes.turn[a] & shapes.turn[b]]
         all_steps.append(mean[found["nested"]])
         apart = np.where(found["nested"], step, np.inf)
@@ -204,13 +204,13 @@ def _compare(r: _Shapes, inward: Inward, limit: float, lag: int) -> dict[str, np
     # The sides of an offset move all by the same. Passes of a lattice that wind by chance seldom lie so.
     alike = high - low <= NESTS.EQUAL_SIDES * np.abs(mean) + SAME.PLACE
     even &= ~(r.wavy[a] & r.wavy[b]) | alike
-    moved = beside & ~same_box & (low < 0) & (high > 0) & ~r.rest[a] & ~r.rest[b]
+    moved = beside & ~same_box & (low < 0) & (high > 0)
     if moved.any():
         # Trochoids bite into one another; ribs in a row, and the loops around them, stay apart.
         centre, width = (r.sides[:2] - r.sides[2:]) / 2, _widths(r.length, r.enclosed, r.slack)
         moved &= np.hypot(*(centre[:, b] - centre[:, a])) < np.minimum(width[a], width[b])
         moved &= (np.abs(mean) < TROCHOIDS.SWAY * (high - low)) & (high - low < TROCHOIDS.STEP * smaller)
-        moved &= smaller > TROCHOIDS.SIZE * larger
+        moved &= (smaller > TROCHOIDS.SIZE * larger) & ~(r.rest[a] | r.rest[b])
     found = {
         "nested": even & beside,
         "deeper": ~same_box & ~beside & (low > -smaller),
