@@ -56,9 +56,9 @@ def test_rows_have_a_direction_and_depths():
     assert "3 mm apart" in found.reason and "2 depths" in found.reason
 
 
-@pytest.mark.parametrize(("width", "depths"), [(5.0, 3), (10.4, 3), (10.6, 0), (15.0, 0)])
+@pytest.mark.parametrize(("width", "depths"), [(5.0, 3), (10.4, 3), (10.6, 0), (14.6, 0), (15.4, 6)])
 def test_a_contour_with_tags_lies_where_three_quarters_of_it_are_level(width, depths):
-    """Squares with sides of 25 mm: two tags, which are two mm wider than their tops."""
+    """Squares with sides of 25 mm: two tags, which are two mm wider than their tops; three tenths up there are a depth, too."""
     strokes = []
     for z in (-1.0, -2.0, -3.0):
         tag = [(5.0, z), (6.0, z + 0.5), (6.0 + width, z + 0.5), (7.0 + width, z)]
@@ -170,3 +170,14 @@ def test_the_sentence_is_that_of_what_was_counted(strokes, strategy, code, count
     message = sentence(found, verdict, gather(found, verdict))
     assert (message.code, message.arguments.get("count")) == (code, count)
     assert message.arguments["strategy"] == strategy
+
+
+@pytest.mark.parametrize(("heights", "depths"), [((-1.0,), 1), ((-1.0, -3.0), 2), ((-1.0, -3.0, -5.0), 3)])
+def test_rows_that_are_ramped_into_at_several_depths_in_one_stroke(heights, depths):
+    """From the last row of a depth the tool ramps along that row, and cuts the rows again on its way back."""
+    stroke, up = [], True
+    for z in heights:
+        around = [(x, 3.0 * row, z) for row in range(10) for x in ((0, 50) if row % 2 == 0 else (50, 0))]
+        stroke += around if up else around[::-1]
+        up = not up
+    assert found_in(programs.program([stroke])).depths == depths

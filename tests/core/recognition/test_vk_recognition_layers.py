@@ -12,7 +12,7 @@ import pytest
 from vkworkbench.core import Strategy
 from vkworkbench.core.gcode import linearize
 from vkworkbench.core.paper import TURN, monotonous_areas
-from vkworkbench.core.recognition.entries import _run, find_entry, without_entries
+from vkworkbench.core.recognition.entries import _first, _way_out, find_entry, without_entries
 from vkworkbench.core.recognition.recognize import recognize
 
 ABOVE = [("G0", {"X": 0.0, "Y": 0.0, "Z": 2.0})]
@@ -231,7 +231,35 @@ def test_of_several_areas_only_the_ways_in_and_out_are_gone():
     ],
 )
 def test_how_many_moves_come_before_the_first_and_after_the_last_of_some_kind(other, before, after):
-    moves = areas(*([(10.0 * k, 0, 0) for k in range(count + 1)] for count in (3, 2, 4)))
-    chosen = np.array([one == "x" for one in other.replace(" ", "")])
-    assert _run(moves, chosen).tolist() == before
-    assert _run(moves, chosen, backward=True).tolist() == after
+    level = [[one == "x" for one in area] for area in other.split()]
+    moves = areas(*([(10.0 * k, 5.0 * (k % 2), k - sum(area[:k])) for k in range(len(area) + 1)] for area in level))
+    assert (_first(moves.start, moves.end, np.concatenate(level)) - moves.start).tolist() == before
+    assert _way_out(moves).tolist() == after
+
+
+def out_and(*points):
+    """A way that goes out level, around a bend, in the air, then along these points, and 40 mm on at the last one's height."""
+    x, y, z = points[-1]
+    return areas([(0, 0, 0), (6, 0, 0), (6, 8, 0), *points, (x, y - 40, z), (x + 5, y - 40, z)])
+
+
+@pytest.mark.parametrize(
+    ("points", "entry", "left"),
+    [
+        ([(6, 0, -1), (0, 0, -2)], "ramp", 2),  # back where it began
+        ([(6, 0, -1), (1, 0, -2)], "plunge", 6),  # not quite back: who knows what it leaves
+        ([(0, 0, -2)], "plunge", 5),  # back on another way
+        ([(6, 0, 0), (0, 0, 0)], "plunge", 6),  # level all the way
+    ],
+)
+def test_a_ramp_may_first_go_out_level_on_the_way_it_comes_back(points, entry, left):
+    moves = out_and(*points)
+    assert find_entry(moves) == entry
+    assert len(without_entries(moves)[0]) == left
+
+
+def test_of_a_ramp_back_behind_other_areas_only_its_own_way_is_gone():
+    first = [(100, 0, -1), (140, 0, -1), (140, 5, -1)]
+    out = [(0, 0, 0), (20, 0, 0), (0, 0, -1), (0, 40, -1), (5, 40, -1)]
+    pattern, _ = without_entries(areas(first, out, first))
+    assert np.diff(pattern.start, append=len(pattern)).tolist() == [2, 2, 2]

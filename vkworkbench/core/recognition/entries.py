@@ -16,8 +16,8 @@ ENTRIES = ("plunge", "ramp", "zigzag ramp", "helix")
 def find_entry(moves: Areas) -> str | None:
     """Return how most of the depth is entered: one of `ENTRIES`; None where nothing level follows.
 
-    An entry is what descends at the start of an area, before the first level move: it winds (helix), goes to and fro
-    (zigzag ramp), or does neither (ramp). Areas that begin level were plunged into. Where most of what follows
+    An entry is what descends at the start of an area, before the first level move, or behind a level way out on which it comes
+    back: it winds (helix), goes to and fro (zigzag ramp), or does neither (ramp). Other areas that begin level were plunged into. Where most of what follows
     goes on descending, that is the operation, and no entry: a helical bore, a surface.
 
     Parameters
@@ -27,13 +27,13 @@ def find_entry(moves: Areas) -> str | None:
     """
     if not moves.climbs:
         return ENTRIES[0]
-    begin, first = moves.start, moves.start + _run(moves, moves.dz >= -LEVEL)
-    after = np.arange(len(moves)) >= np.repeat(first, moves.end - begin)
+    begin, first = _ways_in(moves)
+    after = np.arange(len(moves)) >= np.repeat(first, moves.end - moves.start)
     level = np.where(after & (np.abs(moves.dz) < LEVEL), moves.length, 0.0)
     following = np.where(after, moves.length, 0.0).sum()
     if level.sum() <= ENOUGH.SHARE * following or following <= 0:
         return None
-    followed = np.add.reduceat(level, begin) > 0
+    followed = np.add.reduceat(level, moves.start) > 0
     entry = followed & (first > begin)
     if not entry.any():
         return ENTRIES[0]
@@ -68,7 +68,7 @@ def without_entries(moves: Areas) -> tuple[Areas, float]:
     """
     if not moves.climbs:
         return moves, 0.0
-    down, up = _run(moves, moves.dz >= -LEVEL), _run(moves, moves.dz <= LEVEL, backward=True)
+    down, up = _ways_in(moves)[1] - moves.start, _way_out(moves)
     chosen = np.flatnonzero((down + up > 0) & (down + up < moves.end - moves.start))
     if not len(chosen):
         return moves, 0.0
@@ -94,16 +94,35 @@ def without_entries(moves: Areas) -> tuple[Areas, float]:
     return (moves if kept.all() else some_moves(moves, kept)), wound
 
 
-def _run(moves: Areas, other: np.ndarray, backward: bool = False) -> np.ndarray:
-    """Return how many moves at the start of each area, or at its end, come before the first of the others, (a,)."""
-    at = np.flatnonzero(other)
-    if backward:
-        at = np.append(-1, at)
-        after: np.ndarray = moves.end - 1 - np.maximum(at[np.searchsorted(at, moves.end) - 1], moves.start - 1)
-        return after
-    at = np.append(at, len(moves))
-    before: np.ndarray = np.minimum(at[np.searchsorted(at, moves.start)], moves.end) - moves.start
-    return before
+def _ways_in(moves: Areas) -> tuple[np.ndarray, np.ndarray]:
+    """Return where the descent at the start of each area begins and where it has ended, (a,) moves; twice one where none is.
+
+    Some ramps first go out level, at the height from which they come back on the same way to where they began.
+    """
+    x, y, dx, dy, length = moves.x, moves.y, moves.dx, moves.dy, moves.length
+    begin = _first(moves.start, moves.end, np.abs(moves.dz) >= LEVEL)
+    end = _first(begin, moves.end, moves.dz >= -LEVEL)
+    turns = np.minimum(begin, len(moves) - 1)
+    ahead = dx[turns] * dx[turns - 1] + dy[turns] * dy[turns - 1]
+    back = (begin > moves.start) & (end > begin) & (ahead < -ENTRY.BACK * length[turns] * length[turns - 1])
+    gap_x, gap_y = x[end - 1] + dx[end - 1] - x[moves.start], y[end - 1] + dy[end - 1] - y[moves.start]
+    back &= np.hypot(gap_x, gap_y) < SAME.PLACE
+    at_once = _first(moves.start, moves.end, moves.dz >= -LEVEL)
+    return np.where(back, begin, moves.start), np.where(back, end, at_once)
+
+
+def _first(start: np.ndarray, end: np.ndarray, which: np.ndarray) -> np.ndarray:
+    """Return the first of these moves in each stretch start[i] .. end[i] - 1, end[i] where there is none, (a,)."""
+    at = np.append(np.flatnonzero(which), len(which))
+    first: np.ndarray = np.minimum(at[np.searchsorted(at, start)], end)
+    return first
+
+
+def _way_out(moves: Areas) -> np.ndarray:
+    """Return how many moves at the end of each area climb, (a,)."""
+    at = np.append(-1, np.flatnonzero(moves.dz <= LEVEL))
+    climbing: np.ndarray = moves.end - 1 - np.maximum(at[np.searchsorted(at, moves.end) - 1], moves.start - 1)
+    return climbing
 
 
 def _boxes(moves: Areas, first: np.ndarray, end: np.ndarray) -> np.ndarray:

@@ -68,7 +68,10 @@ def gather(s: Section, verdict: Verdict) -> Evidence:
 
 
 def _heights(s: Section) -> np.ndarray:
-    """Return the heights at which pieces lie, (k,) mm: where nearly all of one is level, however it is entered."""
+    """Return the heights at which pieces lie, (k,) mm: where nearly all of one is level, however it is entered.
+
+    A zigzag that is ramped into without a lift at several depths is one piece.
+    """
     p, m = s.pieces, s.moves
     counts = p.length > LITTLE.PIECE * p.length.max()
     flat: np.ndarray = p.z[counts & p.flat]
@@ -83,8 +86,12 @@ def _heights(s: Section) -> np.ndarray:
     order = np.lexsort((height, of))
     level, of, height = level[order], of[order], height[order]
     begin = np.flatnonzero(np.append(True, (of[1:] != of[:-1]) | (height[1:] != height[:-1]))[: len(of)])
-    lies = begin[np.add.reduceat(m.length[level], begin) > ENTRY.LEVEL * p.length[of[begin]]] if len(begin) else begin
-    return np.concatenate([flat, m.z[level[lies]]])
+    if not len(begin):
+        return flat
+    share = np.add.reduceat(m.length[level], begin) / p.length[of[begin]]
+    share[share < ENTRY.ONE_OF_SEVERAL] = 0.0  # plateaus
+    lies = (share > 0) & (np.bincount(of[begin], share, len(p))[of[begin]] > ENTRY.LEVEL)
+    return np.concatenate([flat, m.z[level[begin[lies]]]])
 
 
 def sentence(s: Section, verdict: Verdict, e: Evidence) -> Message:

@@ -60,12 +60,18 @@ class ENTRY:
 
     #: turns. A ramp that winds more is a helix. At 0 every ramp is, larger: helices of one turn are ramps.
     WINDS = 0.75
+    #: cosine. A ramp whose way turns about by more comes back on it. At 1 none does; at 0 it changes nothing where it ends at
+    #: its begin.
+    BACK = 0.95
     #: share of its size. What follows leads so much farther, or the way down is a part of the pattern. At 0 helices that
     #: end by a flat turn are profiles; larger: helices before clearing are the operation.
     LEADS = 0.25
     #: share of a piece. At the height where so much of it is level it lies, and the rest leads there or over tags. Less:
     #: rows on surfaces lie at plateaus; at 1 ramped contours lie nowhere. It changes no verdict.
     LEVEL = 0.75
+    #: share of a piece. A height with less of it is no depth of a piece that lies at several. At 0 every plateau is one; at 1
+    #: rows that are ramped into at several depths in one stroke lie nowhere.
+    ONE_OF_SEVERAL = 0.3
 
 
 class PIECES:
