@@ -85,6 +85,13 @@ def test_arcs(arc, expected, inches):
     assert path.lengths.sum() == pytest.approx(np.pi * 10 * unit, rel=1e-3)
 
 
+def test_arcs_are_told_to_a_hundredth_of_a_millimetre_unless_asked_otherwise():
+    program = read_program("G21 G0 X0 Y0 Z0\nG2 X40 Y0 I20 J0 F100")
+    usual, coarse = program.toolpath(), program.toolpath(tolerance=0.02)
+    assert usual.points.tolist() == program.toolpath(tolerance=0.01).points.tolist()
+    assert len(coarse) < len(usual)
+
+
 def test_drilling_cycles():
     text = "G21\nG0 Z20\nG99 G83 X0 Y0 Z-10 R2 Q4 F100\nX10\nF200\nX20 Z-5\nG80\nZ30\nX0"
     path = read_program(text).toolpath()

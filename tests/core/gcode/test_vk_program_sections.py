@@ -71,6 +71,8 @@ def test_tools_as_cam_systems_write_them(comment, number, shape, diameter):
 
 def test_what_else_is_told_of_a_tool():
     assert tool_told("T3 D=.5 CR=.06 - bullnose end mill", inches=True).tool.corner_radius == pytest.approx(1.524)
+    mill = tool_told("TOOL/MILL,.5,.06,2.0,0", inches=True).tool
+    assert (mill.shape, mill.diameter, mill.corner_radius) == ("bullnose", pytest.approx(12.7), pytest.approx(1.524))
     assert tool_told("T3 D=.5 - flat end mill", inches=True).tool.diameter == pytest.approx(12.7)
     assert tool_told("T3 D=12mm - flat end mill", inches=True).tool.diameter == 12
     assert tool_told("T4 D=12 TAPER=45deg - chamfer mill", inches=False).tool.tip_angle == pytest.approx(math.pi / 2)

@@ -8,13 +8,13 @@ import math
 import numpy as np
 import programs
 import pytest
-from drawings import polygon
+from drawings import polygon, winding
 
 from vkworkbench.core import linearize
 from vkworkbench.core.paper import monotonous_areas
 from vkworkbench.core.recognition.nesting import evenness
 from vkworkbench.core.recognition.pieces import LOOP, STROKE, WINDING, ZIGZAG, cut_pieces
-from vkworkbench.core.recognition.rings import relate_rings
+from vkworkbench.core.recognition.rings import _equal, _shapes, relate_rings
 
 TOOL = 6.0
 RELATIONS = ("nested", "deeper", "repeated", "moved", "crossing")
@@ -213,6 +213,48 @@ def test_the_turns_of_a_spiral_are_nested_windings():
     rings = rings_of([[(0.5 * a * math.cos(a), 0.5 * a * math.sin(a), 0.0) for a in np.arange(3, 50, 0.2)]])
     assert rings.winding.all() and rings.nested[:-1].all() and not rings.sloped.any()  # the last is a part of a turn
     assert rings.step == pytest.approx(math.pi, rel=0.15) and rings.growing == 1.0
+
+
+@pytest.mark.parametrize(
+    ("steps", "equal"),
+    [
+        ([], False),
+        ([2.0], False),
+        ([2.0, 2.0], True),
+        ([1.92, 2.0], True),
+        ([1.88, 2.0], False),
+        ([1.6, 2.0, 2.0, 2.0], False),  # at one engagement the first is shorter
+        ([2.0, 2.0, 2.0, 0.4], True),  # the last may be to the wall
+        ([2.0, 2.0, 1.6, 2.4], False),  # no more than half
+        ([2.2, 2.0, 2.0], False),
+    ],
+)
+def test_turns_at_one_distance_begin_with_it(steps, equal):
+    assert _equal(np.array(steps)) is equal
+
+
+def shapes_of(*strokes):
+    pieces = cut_pieces(monotonous_areas(linearize(programs.program(strokes))))
+    return _shapes(pieces, np.arange(len(pieces)))
+
+
+@pytest.mark.parametrize(("turns", "rests"), [(3.0, 0), (3.5, 1), (3.7, 1), (3.8, 0)])
+def test_what_three_quarters_of_a_turn_leave_is_no_turn(turns, rests):
+    found = shapes_of(winding(5, 25, turns))
+    assert np.count_nonzero(found.rest) == rests and not (found.rest & found.turn).any()
+    assert np.count_nonzero(found.turn) >= 3
+    assert not shapes_of(winding(9, 9, turns, drop=6)).turn.any()  # no level ones
+
+
+def test_a_rest_of_a_winding_does_not_move_along():
+    rings = rings_of([winding(2, 9, 3.5)])
+    assert not rings.moved.any() and rings.equidistant
+
+
+def test_loops_and_windings_may_be_wavy():
+    comb = [(x, y, 0.0) for k in range(12) for x, y in ((6 * k, 2), (6 * k + 3, 2), (6 * k + 3, 40), (6 * k + 6, 40))]
+    wavy = [(0, 0, 0), *comb, (90, 40, 0), (90, 0, 0), (0, 0, 0)]
+    assert shapes_of(wavy, polygon(40)).wavy.tolist() == [True, False]
 
 
 def test_no_rings():
