@@ -7,7 +7,7 @@ from dataclasses import replace
 
 import pytest
 
-from vkworkbench.core import Machining
+from vkworkbench.core import Machining, Span, Strategy
 from vkworkbench.language import Message
 from vkworkbench.report import Report, without_results
 
@@ -70,3 +70,38 @@ def test_the_table_of_one_document_does_not_name_it():
 def test_what_is_not_counted_stands_in_brackets():
     told = report(operation("One"), operation("Dressed", counted=False), operation("Imported", counted=False, job=None))
     assert [line.split()[0] for line in lines(told)[1:4]] == ["One", "(Dressed)", "Imported"]
+
+
+def test_the_numbers_of_a_total():
+    (total,) = report(operation("One"), operation("Two", PARTLY), fixtures={JOB: 2}).totals
+    told = total.as_dict()
+    assert {key: told[key] for key in ("document", "job", "label", "operations", "trajectories", "length", "fixtures")} == {
+        "document": "Doc", "job": "Job", "label": "Part", "operations": 2, "trajectories": 10, "length": 200.0, "fixtures": 2,
+    }  # fmt: skip
+    assert (told["machining_seconds"], told["machining_complete"]) == (total.machining_seconds, False)
+    assert (told["seconds"], told["memory_bytes"], told["incomplete"], told["simulated"]) == (0, 0, True, None)
+
+
+def test_the_shares_of_sections_have_four_decimals():
+    row = operation("One")
+    span = Span(0, 9, 0, 9, Strategy.ZIGZAG, 0.123456789)
+    told = replace(row, recognition=replace(row.recognition, spans=(span,))).as_dict()["spans"]
+    assert told == [{"strategy": "zigzag", "first_command": 0, "last_command": 9, "share": 0.1235}]
+
+
+@pytest.mark.parametrize(("length", "shown"), [(60, 60 * "x"), (61, 59 * "x" + "…")])
+def test_a_label_of_more_than_sixty_characters_is_cut(length, shown):
+    assert lines(report(operation(length * "x")))[1].split()[0] == shown
+
+
+def test_words_begin_and_numbers_end_in_one_column():
+    rows = (
+        operation("One"),
+        operation("Two", replace(KNOWN, cutting_length=123456.0), remarks=(Message("no-cutting-move"),)),
+    )
+    head, *shown = lines(report(*rows))[:3]
+    assert {line.index("unknown") for line in shown} == {head.index("strategy")}
+    assert {line.index(row.error) for line, row in zip(shown, rows)} == {len(head) + 2}
+    for line, length in zip(shown, ("100 mm", "123 m")):
+        assert line.index(length) + len(length) == head.index("cutting") + len("cutting")
+        assert line[len(head) - 1] == "?"

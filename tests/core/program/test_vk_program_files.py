@@ -19,6 +19,7 @@ from vkworkbench.language import Unusable
 from vkworkbench.preferences import Preferences
 from vkworkbench.program import files, is_path
 from vkworkbench.program.analysis import analyze_file
+from vkworkbench.program import analysis
 from vkworkbench.program.files import find_programs, read_bytes, text_of
 
 ROWS = "".join(f"G1 X{40 * (k % 2)}\nY{k + 1}\n" for k in range(20))
@@ -282,12 +283,17 @@ def test_no_freecad_is_loaded(tmp_path):
     assert (done.stdout, done.stderr) == ("False\n", "")
 
 
-def test_the_tool_of_inches_without_g20_is_in_inches(tmp_path):
+def test_the_tool_of_inches_without_g20_is_in_inches(tmp_path, monkeypatch):
+    told, recognize = [], analysis.recognize_inches
+    monkeypatch.setattr(
+        analysis, "recognize_inches", lambda *a, **k: told.append(k["tool_diameter"]) or recognize(*a, **k)
+    )
     rings = "".join(f"G1 X{a} Y{a}\nX{4 - a}\nY{4 - a}\nX{a}\nY{a}\n" for a in (0.4, 0.1))
     path = tmp_path / "inch.nc"
     path.write_text(f"(T1 D=0.5 - end mill)\nT1 M6\nG0 X1 Y1 Z.5\nG1 Z-.1 F20\n{rings}G0 Z.5\n")
     (row,) = vkworkbench.analyze(path).operations
     assert str(row.strategy) == "contour-parallel"  # rings 0.3 inches apart, for a tool of half an inch
+    assert told == [pytest.approx(12.7)]
 
 
 def test_an_operation_whose_rotary_axis_turns_costs_only_itself(tmp_path):
