@@ -17,9 +17,8 @@ import pytest
 import vkworkbench
 from vkworkbench.language import Unusable
 from vkworkbench.preferences import Preferences
-from vkworkbench.program import files, is_path
+from vkworkbench.program import analysis, files, is_path
 from vkworkbench.program.analysis import analyze_file
-from vkworkbench.program import analysis
 from vkworkbench.program.files import find_programs, read_bytes, text_of
 
 ROWS = "".join(f"G1 X{40 * (k % 2)}\nY{k + 1}\n" for k in range(20))
