@@ -68,7 +68,7 @@ def main() -> None:
     with gzip.open(into[0], "wt") as operations, gzip.open(into[1], "wt") as programs:
         for _, of_program in itertools.groupby(rows, key=lambda row: (row["repository"], row["path"], row["commit"])):
             these = list(of_program)
-            name = f"{these[0]['repository'].replace('/', '_')}__{these[0]['path']}"
+            name = f"{these[0]['repository'].replace('/', '_')}__{these[0]['commit'][:7]}/{these[0]['path']}"
             try:
                 path, sections = read_program(fetch(these[0], options.folder, options.host)).toolpath(), []
             except (OSError, Unusable) as error:
