@@ -6,7 +6,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from vkworkbench.core import linearize
+from vkworkbench.core import Toolpath, linearize
 from vkworkbench.core.toolpath import Problem
 from vkworkbench.language import Message
 
@@ -21,6 +21,12 @@ def test_a_toolpath_has_its_lengths():
     path = linearize(COMMANDS)
     assert len(path) == 4 and path.lengths == pytest.approx([5, 12, 5, 10])
     assert len(linearize([])) == 0 and linearize([]).lengths.shape == (0,)
+
+
+def test_a_toolpath_of_points_alone_comes_from_no_commands():
+    path = linearize(COMMANDS)
+    alone = Toolpath(path.points, path.rapid, path.command, path.feed, path.sweep, path.plane, path.cycle)
+    assert (alone.commands, len(alone.tool_changes), alone.comments, alone.problems) == (0, 0, (), ())
 
 
 def test_a_part_holds_what_lies_between_its_ends_and_no_problems():

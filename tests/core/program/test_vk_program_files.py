@@ -123,7 +123,7 @@ def test_folders_and_files(tmp_path):
 def test_what_names_files():
     with pytest.raises(ValueError, match="no file"):
         vkworkbench.analyze("")
-    assert is_path("a.nc") and is_path(Path("a")) and is_path(["a", Path("b")])
+    assert is_path("a.nc") and is_path(Path("a")) and is_path(["a", Path("b")]) and is_path(("a.nc",))
     assert not is_path(None) and not is_path([]) and not is_path([object()]) and not is_path(object())
 
 

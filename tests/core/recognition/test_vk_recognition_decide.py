@@ -6,6 +6,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 import numpy as np
+import programs
 import pytest
 
 from toolpaths import nonsense, synthetic
@@ -27,6 +28,7 @@ from vkworkbench.core.recognition.decide import (
 from vkworkbench.core.recognition.measures import measures
 from vkworkbench.core.recognition.section import Section
 from vkworkbench.core.recognition.thresholds import VOTES
+from vkworkbench.core.recognition.unknown import unknown
 from vkworkbench.core.recognition.verdict import Verdict
 from vkworkbench.language import Message
 
@@ -71,6 +73,13 @@ def test_what_machines_nothing_is_unknown():
     }
     unknown = [strategy is Strategy.UNKNOWN for strategies in found.values() for strategy in strategies]
     assert np.mean(unknown) > 0.8, found
+
+
+def test_what_is_unknown_is_so_from_the_first_to_the_last_command():
+    path = linearize(programs.zigzag())
+    (span,) = unknown(path, Message("rest")).spans
+    assert (span.first, span.last, span.share) == (0, len(path) - 1, 1.0)
+    assert (span.first_command, span.last_command) == (path.command[0], path.command[-1])
 
 
 def test_a_few_holes_do_not_speak_for_a_path_that_machines_nothing():
