@@ -302,7 +302,7 @@ def test_closing_ends_the_work(opened, window):
     (tab,) = tabs(window)
     window.wait(lambda: tab.player is not None and tab.player._work.works and "_run" in working())
     window.press(tab, QtCore.Qt.Key_Escape)
-    window.wait(lambda: not tabs(window) and "_run" not in working())
+    window.wait(lambda: not tabs(window) and "_run" not in working(), 5)
 
 
 def test_closing_the_document_closes_the_tab(window, example_path):

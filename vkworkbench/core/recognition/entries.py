@@ -16,9 +16,10 @@ ENTRIES = ("plunge", "ramp", "zigzag ramp", "helix")
 def find_entry(moves: Areas) -> str | None:
     """Return how most of the depth is entered: one of `ENTRIES`; None where nothing level follows.
 
-    An entry is what descends at the start of an area, before the first level move, or behind a level way out on which it comes
-    back: it winds (helix), goes to and fro (zigzag ramp), or does neither (ramp). Other areas that begin level were plunged into. Where most of what follows
-    goes on descending, that is the operation, and no entry: a helical bore, a surface.
+    An entry is what descends at the start of an area, before the first level move, or behind a level way out on which it
+    comes back: it winds (helix), goes to and fro (zigzag ramp), or does neither (ramp). Other areas that begin level were
+    plunged into. Where most of what follows goes on descending, that is the operation, and no entry: a helical bore, a
+    surface.
 
     Parameters
     ----------
@@ -95,7 +96,7 @@ def without_entries(moves: Areas) -> tuple[Areas, float]:
 
 
 def _ways_in(moves: Areas) -> tuple[np.ndarray, np.ndarray]:
-    """Return where the descent at the start of each area begins and where it has ended, (a,) moves; twice one where none is.
+    """Return where the descent at the start of each area begins and where it has ended, (a,) moves; its start twice where none is.
 
     Some ramps first go out level, at the height from which they come back on the same way to where they began.
     """
@@ -107,8 +108,7 @@ def _ways_in(moves: Areas) -> tuple[np.ndarray, np.ndarray]:
     back = (begin > moves.start) & (end > begin) & (ahead < -ENTRY.BACK * length[turns] * length[turns - 1])
     gap_x, gap_y = x[end - 1] + dx[end - 1] - x[moves.start], y[end - 1] + dy[end - 1] - y[moves.start]
     back &= np.hypot(gap_x, gap_y) < SAME.PLACE
-    at_once = _first(moves.start, moves.end, moves.dz >= -LEVEL)
-    return np.where(back, begin, moves.start), np.where(back, end, at_once)
+    return np.where(back, begin, moves.start), np.where(back | (begin == moves.start), end, moves.start)
 
 
 def _first(start: np.ndarray, end: np.ndarray, which: np.ndarray) -> np.ndarray:

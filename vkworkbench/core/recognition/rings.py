@@ -206,7 +206,7 @@ def _compare(r: _Shapes, inward: Inward, limit: float, lag: int) -> dict[str, np
     even &= ~(r.wavy[a] & r.wavy[b]) | alike
     moved = beside & ~same_box & (low < 0) & (high > 0)
     if moved.any():
-        # Trochoids bite into one another; ribs in a row, and the loops around them, stay apart.
+        # Trochoids bite into one another; ribs in a row, and the loops around them, stay apart. A part of a turn has no place.
         centre, width = (r.sides[:2] - r.sides[2:]) / 2, _widths(r.length, r.enclosed, r.slack)
         moved &= np.hypot(*(centre[:, b] - centre[:, a])) < np.minimum(width[a], width[b])
         moved &= (np.abs(mean) < TROCHOIDS.SWAY * (high - low)) & (high - low < TROCHOIDS.STEP * smaller)

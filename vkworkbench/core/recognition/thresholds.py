@@ -60,8 +60,8 @@ class ENTRY:
 
     #: turns. A ramp that winds more is a helix. At 0 every ramp is, larger: helices of one turn are ramps.
     WINDS = 0.75
-    #: cosine. A ramp whose way turns about by more comes back on it. At 1 none does; at 0 it changes nothing where it ends at
-    #: its begin.
+    #: cosine. A ramp that turns about by more comes back on the level way before it. At 1 none does; at 0 a ramp that goes
+    #: on around a corner does, too, if it ends where that way began.
     BACK = 0.95
     #: share of its size. What follows leads so much farther, or the way down is a part of the pattern. At 0 helices that
     #: end by a flat turn are profiles; larger: helices before clearing are the operation.
@@ -519,8 +519,9 @@ class VOTES:
     #: share of the votes. Where no tool is known, many of the rules have nothing to measure by. As much as with a tool:
     #: real code that names none is judged by rules that guess.
     RULES_WITHOUT_TOOL = 0.1
-    #: share of the votes. As much, for strategies that the rules find without a tool: a helix by its one pitch, adaptive
-    #: clearing by its bites. A spiral, which only itself looks like, counts as with a tool. At 0.1 bores of few turns are profiles; at 1 whatever descends evenly is a bore.
+    #: share of the votes. As much, for a helix, which the rules find without a tool by its one pitch, and adaptive clearing,
+    #: by its bites; a spiral, which only itself looks like, counts as with a tool. At 0.1 bores of few turns are profiles; at
+    #: 1 whatever descends evenly is a bore.
     RULES_THAT_NEED_NO_TOOL = 0.25
     #: ratio. So much counts the share of the whole class, rows or around, beside that of the strategy. At 0 a class can
     #: lose whose votes are split among its strategies; larger: the class decides alone.
