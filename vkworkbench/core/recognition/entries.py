@@ -95,6 +95,20 @@ def without_entries(moves: Areas) -> tuple[Areas, float]:
     return (moves if kept.all() else some_moves(moves, kept)), wound
 
 
+def share_rising(moves: Areas) -> float:
+    """Return the share of the length along which areas climb to their ends, as the strokes of V-carving do in corners.
+
+    Parameters
+    ----------
+    moves : Areas
+        At least one move.
+    """
+    if not moves.climbs:
+        return 0.0
+    way = np.append(0.0, np.cumsum(moves.length))
+    return float((way[moves.end] - way[moves.end - _way_out(moves)]).sum() / way[-1])
+
+
 def _ways_in(moves: Areas) -> tuple[np.ndarray, np.ndarray]:
     """Return where the descent at the start of each area begins and where it has ended, (a,) moves; its start twice where none is.
 

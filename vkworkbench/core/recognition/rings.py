@@ -47,7 +47,7 @@ class Rings:
     back : (k,) float
         Turning that undid itself, rad.
     step : float
-        Distance from a nested ring to the nearest other one (median), mm; nan where none are nested.
+        Distance from a ring to the next one nested in it (median), mm; nan where none are nested.
     growing : float
         Share of the steps that go outward; nan where none are nested.
     equidistant : bool
@@ -106,7 +106,7 @@ def relate_rings(pieces: Pieces, index: np.ndarray, tool: float) -> Rings:
     names = ("nested", "opposite", "deeper", "repeated", "moved", "crossing")
     flags = {name: np.zeros(k, bool) for name in names}
     next_turn = np.zeros(0)
-    all_steps, nearest = [], np.full(k, np.inf)  # the next but one is two steps away
+    all_steps, inner = [], np.full(k, np.inf)  # how far the next ring inside is; the next but one is two steps away
     for lag in range(1, min(NESTS.NEXT, k - 1) + 1):
         a, b = slice(None, -lag), slice(lag, None)
         found = _compare(shapes, inward, limit, lag)
@@ -117,8 +117,9 @@ def relate_rings(pieces: Pieces, index: np.ndarray, tool: float) -> Rings:
         if lag == 1 and shapes.turn.any():
             next_turn = step[found["nested"] & shapes.turn[a] & shapes.turn[b]]
         all_steps.append(mean[found["nested"]])
-        apart = np.where(found["nested"], step, np.inf)
-        nearest[a], nearest[b] = np.minimum(nearest[a], apart), np.minimum(nearest[b], apart)
+        # Both views may be of the same rings: one after the other.
+        np.minimum(inner[a], np.where(found["nested"] & (mean > 0), step, np.inf), out=inner[a])
+        np.minimum(inner[b], np.where(found["nested"] & (mean < 0), step, np.inf), out=inner[b])
         if flags["nested"].all():
             break
     depths = count_depths(shapes.z)
@@ -138,7 +139,7 @@ def relate_rings(pieces: Pieces, index: np.ndarray, tool: float) -> Rings:
         round=4 * np.pi * shapes.enclosed > RINGS.ROUND * shapes.length**2,
         sloped=_sloped(pieces, index),
         back=pieces.back[index],
-        step=middle(nearest[flags["nested"]]) if len(steps) else np.nan,
+        step=middle(inner[np.isfinite(inner)]) if len(steps) else np.nan,
         growing=np.count_nonzero(steps < 0) / len(steps) if len(steps) else np.nan,
         equidistant=_equal(next_turn),
         distinct=distinct,

@@ -8,7 +8,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from vkworkbench.core.paper import TURN, Areas
-from vkworkbench.core.recognition.entries import without_entries
+from vkworkbench.core.recognition.entries import share_rising, without_entries
 from vkworkbench.core.recognition.footprints import number_depths
 from vkworkbench.core.recognition.pieces import LOOP, STROKE, WINDING, ZIGZAG, Pieces, cut_pieces
 from vkworkbench.core.recognition.rings import Rings, relate_rings
@@ -48,6 +48,8 @@ class Section:
         The pattern: without the ways in and out, and without spurs.
     wound : float
         Share of the length in helical ways in, which are not in `moves`.
+    rising : float
+        Share of the length along which areas climb to their ends.
     tool : float
         As given.
     pieces : Pieces
@@ -74,6 +76,7 @@ class Section:
 
     def __init__(self, moves: Areas, tool: float) -> None:
         self.areas = moves
+        self.rising = share_rising(moves)
         moves, self.wound = without_entries(moves)
         self.moves, self.tool = (moves := without_spurs(moves)), tool
         self.pieces = p = cut_pieces(moves)

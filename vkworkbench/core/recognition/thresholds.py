@@ -148,6 +148,9 @@ class STROKES:
     #: share of width and height of the part together. Strokes that are usually longer are contours. At 0 carved ones
     #: are; larger: the outlines that adaptive clearing leaves on thin stock are engravings.
     LONG = 0.35
+    #: share of the length. Strokes along which more climbs to their ends are carved by a V-bit, which rises in corners. At 0
+    #: contours that are left on a ramp are; at 1 long carved strokes are contours.
+    RISING = 0.05
 
 
 class LETTERS:

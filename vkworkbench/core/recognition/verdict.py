@@ -178,6 +178,8 @@ def _judge_strokes(s: Section) -> Verdict:
     long = k.typical > STROKES.LONG * extent.sum()
     # Letters may be carved at several depths as contours are, but there are more of them, and they are short.
     contours = k.distinct < STROKES.DISTINCT * number and (long or k.distinct <= ENOUGH.TIMES)
+    if s.rising > STROKES.RISING and sloped < ENOUGH.SHARE and s.retraced < ENOUGH.SHARE:
+        return Verdict(Strategy.ENGRAVING, number, Message("rising-strokes"))
     if k.distinct <= 1 or contours or s.retraced > ENOUGH.SHARE:
         seen = Message("one-open-contour") if number == 1 else Message("open-contour-again")
         return Verdict(Strategy.PROFILE, number, seen)

@@ -113,6 +113,7 @@ RECOGNITION: dict[str, str | tuple[str, str]] = {
     "open-passes": QT_TRANSLATE_NOOP("Sentences", "open strokes side by side, from one wall to the other"),
     "many-shapes": QT_TRANSLATE_NOOP("Sentences", "many small contours of different shapes"),
     "long-strokes": QT_TRANSLATE_NOOP("Sentences", "open strokes as long as the part"),
+    "rising-strokes": QT_TRANSLATE_NOOP("Sentences", "strokes that rise to their ends, as V-carving does"),
     "short-strokes": QT_TRANSLATE_NOOP("Sentences", "short strokes that fill nothing"),
     # What the votes of learned trees say against the rules.
     "like-others": QT_TRANSLATE_NOOP("Sentences", "which lie like those of known toolpaths ({share:%} of the votes)"),
