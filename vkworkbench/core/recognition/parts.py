@@ -10,10 +10,11 @@ from dataclasses import replace
 import numpy as np
 
 from vkworkbench.core.paper import Areas, monotonous_areas
+from vkworkbench.core.recognition.finishing import Cut, within_operations
 from vkworkbench.core.recognition.footprints import count_depths
 from vkworkbench.core.recognition.operation import cutting_length, recognize_one, spans_of
 from vkworkbench.core.recognition.recognition import Recognition
-from vkworkbench.core.recognition.thresholds import ENOUGH, PARTS, ROWS, SAME, VISITS
+from vkworkbench.core.recognition.thresholds import ENOUGH, PARTS, ROWS, VISITS
 from vkworkbench.core.strategy import Family, Strategy
 from vkworkbench.core.toolpath import Toolpath
 from vkworkbench.language import Message
@@ -61,13 +62,13 @@ class Sections:
         self._cutting = np.flatnonzero(~toolpath.rapid)
         self._known: dict[tuple[int, int], Recognition] = {}
 
-    def between(self, borders: Iterable[int]) -> Iterator[tuple[int, int, Recognition]]:
-        """Yield the border before each section, the one behind it, and what it is; nothing where nothing is cut."""
+    def between(self, borders: Iterable[int]) -> Iterator[Cut]:
+        """Yield the sections between some borders; none where nothing is cut."""
         at = sorted({0, *borders, len(self.toolpath)})
         ends = zip(at, at[1:], np.searchsorted(self._cutting, at), np.searchsorted(self._cutting, at[1:]))
         for a, b, begin, end in ends:
             if begin < end:
-                yield a, b, self._recognized(int(self._cutting[begin]), int(self._cutting[end - 1]))
+                yield Cut(a, b, self._recognized(int(self._cutting[begin]), int(self._cutting[end - 1])))
 
     def _recognized(self, first: int, last: int) -> Recognition:
         if (first, last) not in self._known:
@@ -90,29 +91,21 @@ def told_apart(sections: Sections, borders: Collection[int], begun: dict[int, fl
     """
     if not begun:
         return []
-    pairs = _beside(sections, borders, begun)
+    cut = list(sections.between((*borders, *begun)))
+    pairs = {two.begin: (one, two) for one, two in zip(cut, cut[1:]) if one.end == two.begin and two.begin in begun}
     names = {
-        at: frozenset(one.strategy for one in pair)
+        at: frozenset(section.found.strategy for section in pair)
         for at, pair in pairs.items()
-        if begun[at] <= VISITS.BORDER and _odds(begun[at]) * _differing(*pair) > VISITS.DIFFER
+        if begun[at] <= VISITS.BORDER
+        and _odds(begun[at]) * _differing(*(section.found for section in pair)) > VISITS.DIFFER
     }
     times = Counter(names.values())
     # Two patterns that take turns are one operation, depth after depth or place after place.
     told = {at for at, pair in names.items() if times[pair] < PARTS.TURNS}
     told |= {at for at, share in begun.items() if share > VISITS.BORDER}
-    # So are a pattern and the contour that finishes its walls.
-    told -= {at for at, pair in pairs.items() if begun[at] < VISITS.SURE and _finished(sections.toolpath, *pair)}
+    # So are a pattern and the contours that finish its walls.
+    told -= within_operations(sections.toolpath, cut, {at for at in begun if begun[at] < VISITS.SURE})
     return [at for at in begun if at in told]
-
-
-def _beside(
-    sections: Sections, borders: Collection[int], begun: Collection[int]
-) -> dict[int, tuple[Recognition, Recognition]]:
-    """Recognise what lies before and behind each retract, up to the next retract or border."""
-    before, behind = {}, {}
-    for a, b, one in sections.between((*borders, *begun)):
-        behind[a], before[b] = one, one
-    return {at: (before[at], behind[at]) for at in begun if at in before and at in behind}
 
 
 def _differing(one: Recognition, other: Recognition) -> float:
@@ -120,26 +113,6 @@ def _differing(one: Recognition, other: Recognition) -> float:
     if not (one.strategy.is_answer and other.strategy.is_answer):
         return 0.0
     return 0.0 if one.strategy is other.strategy else _odds(one.confidence * other.confidence)
-
-
-def _finished(toolpath: Toolpath, one: Recognition, other: Recognition) -> bool:
-    """Whether one clears an area, and the other goes once around the same ground, as deep: it finishes the walls."""
-    for clearing, around in ((one, other), (other, one)):
-        clears = clearing.strategy.family is Family.ROWS or clearing.strategy is Strategy.ADAPTIVE
-        if clears and around.strategy is Strategy.PROFILE:
-            ground, walls = _ground(toolpath, clearing), _ground(toolpath, around)
-            apart = np.abs(ground - walls).max(axis=0)
-            size = float(np.hypot(*(ground[1] - ground[0])[:2]))
-            return bool(apart[:2].max() < PARTS.AROUND * size and abs(ground[0, 2] - walls[0, 2]) < SAME.HEIGHT)
-    return False
-
-
-def _ground(toolpath: Toolpath, one: Recognition) -> np.ndarray:
-    """Return the box of what a section cuts, (2, 3): its lowest and its highest corner, mm."""
-    first, last = one.spans[0].first, one.spans[-1].last
-    cut = np.flatnonzero(~toolpath.rapid[first : last + 1]) + first
-    points = toolpath.points[np.union1d(cut, cut + 1)]
-    return np.array([points.min(axis=0), points.max(axis=0)])
 
 
 def _odds(share: float) -> float:

@@ -420,6 +420,9 @@ class PARTS:
     #: share of the size. A contour whose box differs by less on every side from that of what is cleared finishes its
     #: walls. At 0 none does, and rows with a contour around them are mixed; larger: by real code, nothing changes.
     AROUND = 0.05
+    #: count. So many loops in one another may be two walls that are finished. At 0 only those that are none in one another
+    #: are; larger: pockets cut behind another clearing are its finishing pass.
+    WALLS = 2
 
 
 class VISITS:

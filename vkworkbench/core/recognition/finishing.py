@@ -1,0 +1,100 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Finishing passes: contours that go around what was cleared, and belong to the operation that cleared it."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator, Sequence
+from typing import NamedTuple
+
+import numpy as np
+
+from vkworkbench.core.recognition.recognition import Recognition
+from vkworkbench.core.recognition.thresholds import PARTS, SAME
+from vkworkbench.core.strategy import Family, Strategy
+from vkworkbench.core.toolpath import Toolpath
+
+
+class Cut(NamedTuple):
+    """What is cut between two borders: the trajectories with which it and the next begin, and what it is."""
+
+    begin: int
+    end: int
+    found: Recognition
+
+
+class _Run(NamedTuple):
+    """Consecutive sections that all clear, or all go around, to one depth; box (k, 2, 3): what each cuts, mm."""
+
+    sections: list[Cut]
+    clears: bool
+    box: np.ndarray
+
+
+def within_operations(toolpath: Toolpath, cut: Sequence[Cut], doubtful: Collection[int]) -> set[int]:
+    """Return the borders in doubt between what clears an area and the contours that finish its walls, and among both.
+
+    The contours go around all that was cleared, as deep as it was. They may be several: one around each island.
+
+    Parameters
+    ----------
+    toolpath : Toolpath
+    cut : sequence of Cut
+        The sections of the program.
+    doubtful : collection of int
+        The borders at which an operation may go on.
+    """
+    found: set[int] = set()
+    runs = list(_runs(toolpath, cut, doubtful))
+    for one, two in zip(runs, runs[1:]):
+        if one.clears is two.clears or not _meet(one.sections[-1], two.sections[0], doubtful):
+            continue
+        area, walls = (one, two) if one.clears else (two, one)
+        low, high = area.box[:, 0].min(axis=0), area.box[:, 1].max(axis=0)
+        if abs(low[2] - walls.box[0, 0, 2]) > SAME.HEIGHT:
+            continue
+        # The contours next to what was cleared, as many as go around it: others may be another operation.
+        outward = slice(None) if area is one else slice(None, None, -1)
+        least = np.minimum.accumulate(walls.box[outward, 0, :2])
+        most = np.maximum.accumulate(walls.box[outward, 1, :2])
+        apart = np.maximum(np.abs(least - low[:2]), np.abs(most - high[:2])).max(axis=1)
+        around = np.flatnonzero(apart < PARTS.AROUND * np.hypot(*(high - low)[:2]))
+        if len(around):
+            count = int(around[-1]) + 1
+            members = [*one.sections, *two.sections[:count]] if area is one else [*one.sections[-count:], *two.sections]
+            found.update(section.begin for section in members[1:])
+    return found
+
+
+def _runs(toolpath: Toolpath, cut: Sequence[Cut], doubtful: Collection[int]) -> Iterator[_Run]:
+    """Yield the sections that clear and those that go around, as many at once as follow one another."""
+    run: _Run | None = None
+    for section in cut:
+        strategy = section.found.strategy
+        clears = strategy.family is Family.ROWS or strategy is Strategy.ADAPTIVE
+        # Two walls may lie in one another as two offsets do.
+        around = strategy is Strategy.PROFILE or (
+            strategy is Strategy.CONTOUR_PARALLEL and (section.found.passes or 0) <= PARTS.WALLS
+        )
+        box = _ground(toolpath, section.found)[None] if clears or around else None
+        if run and box is not None and run.clears is clears and _meet(run.sections[-1], section, doubtful):
+            if abs(run.box[-1, 0, 2] - box[0, 0, 2]) < SAME.HEIGHT:
+                run = _Run([*run.sections, section], clears, np.concatenate([run.box, box]))
+                continue
+        if run:
+            yield run
+        run = None if box is None else _Run([section], clears, box)
+    if run:
+        yield run
+
+
+def _meet(one: Cut, two: Cut, doubtful: Collection[int]) -> bool:
+    """Whether the second section may go on with the operation of the first."""
+    return one.end == two.begin and two.begin in doubtful
+
+
+def _ground(toolpath: Toolpath, one: Recognition) -> np.ndarray:
+    """Return the box of what a section cuts, (2, 3): its lowest and its highest corner, mm."""
+    first, last = one.spans[0].first, one.spans[-1].last
+    cut = np.flatnonzero(~toolpath.rapid[first : last + 1]) + first
+    points = toolpath.points[np.union1d(cut, cut + 1)]
+    return np.array([points.min(axis=0), points.max(axis=0)])
