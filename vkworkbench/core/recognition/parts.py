@@ -109,10 +109,13 @@ def told_apart(sections: Sections, borders: Collection[int], begun: dict[int, fl
 
 
 def _differing(one: Recognition, other: Recognition) -> float:
-    """Return the odds that two sections are different operations, told by their verdicts; 0 where those are equal."""
+    """Return the odds that two sections are different operations, told by their verdicts; 0 where those may be one."""
     if not (one.strategy.is_answer and other.strategy.is_answer):
         return 0.0
-    return 0.0 if one.strategy is other.strategy else _odds(one.confidence * other.confidence)
+    # Adaptive clearing winds where its place is round.
+    if one.strategy is other.strategy or {one.strategy, other.strategy} == {Strategy.ADAPTIVE, Strategy.SPIRAL}:
+        return 0.0
+    return _odds(one.confidence * other.confidence)
 
 
 def _odds(share: float) -> float:
