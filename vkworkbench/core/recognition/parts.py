@@ -14,7 +14,7 @@ from vkworkbench.core.recognition.finishing import Cut, within_operations
 from vkworkbench.core.recognition.footprints import count_depths
 from vkworkbench.core.recognition.operation import cutting_length, recognize_one, spans_of
 from vkworkbench.core.recognition.recognition import Recognition
-from vkworkbench.core.recognition.thresholds import ENOUGH, PARTS, ROWS, VISITS
+from vkworkbench.core.recognition.thresholds import ENOUGH, PARTS, ROWS, SAME, VISITS
 from vkworkbench.core.strategy import Family, Strategy
 from vkworkbench.core.toolpath import Toolpath
 from vkworkbench.language import Message
@@ -29,7 +29,7 @@ def find_borders(toolpath: Toolpath, moves: Areas) -> dict[int, bool]:
     borders = dict.fromkeys(comments, False) if len(comments) <= PARTS.BORDERS else {}
     borders.update((int(at), True) for at in toolpath.tool_changes)
     holes = moves.holes
-    if len(holes) < PARTS.DRILLED * len(moves.start) or _sculptured(moves):
+    if len(holes) < PARTS.DRILLED * len(moves.start) or _sculptured(moves) or _in_layers(toolpath, moves):
         holes = holes[toolpath.cycle[holes]]  # a canned cycle drills, whatever there is beside it
     if len(moves) and len(holes):
         # Holes with no milling between them are one run.
@@ -44,6 +44,17 @@ def find_borders(toolpath: Toolpath, moves: Areas) -> dict[int, bool]:
 def _sculptured(moves: Areas) -> bool:
     """Whether there are too many heights for depths: then plunges are passes of a raster, clipped to a point."""
     return count_depths(moves.z[:: len(moves) // ROWS.SAMPLE + 1]) > PARTS.DEPTHS
+
+
+def _in_layers(toolpath: Toolpath, moves: Areas) -> bool:
+    """Whether most plunge elsewhere, to several depths of the milling: contours of a surface, clipped to a point."""
+    if not len(moves) or not len(moves.holes):
+        return False
+    bottom = toolpath.points[moves.holes + 1]
+    depths, milled = (np.unique(np.rint(z / SAME.HEIGHT)) for z in (bottom[:, 2], moves.z[moves.start]))
+    places = np.unique(np.rint(bottom[:, :2] / SAME.PLACE), axis=0)
+    layered = len(depths) >= PARTS.LAYERS and bool(np.isin(depths, milled).all())
+    return layered and len(places) > ENOUGH.SHARE * len(bottom)
 
 
 class Sections:

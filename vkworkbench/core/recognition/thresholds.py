@@ -406,6 +406,9 @@ class PARTS:
     DRILLED = 0.25
     #: depths. Where there are more, heights are those of a surface. Less: boards engraved at a few depths are.
     DEPTHS = 10
+    #: depths. Plunges to so many depths, all of which are milled, too, are what is left of contours. At 1 holes drilled as
+    #: deep as a pocket are; larger: waterlines on gentle slopes are mixed.
+    LAYERS = 2
     #: share of the length. Sections that differ and are less do not make it mixed, unless another tool cuts them. At 0
     #: rasters on surfaces and circuits with a hole are.
     ASIDE = 0.05
