@@ -989,6 +989,14 @@
         <source>the centers of arcs are read as positions (as by G90.1): only so the arcs end on their circles</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>strokes that rise to their ends, as V-carving does</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>lifted over tags</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

@@ -989,6 +989,14 @@
         <source>the centers of arcs are read as positions (as by G90.1): only so the arcs end on their circles</source>
         <translation>die Mittelpunkte von Kreisbögen werden als Positionen gelesen (wie bei G90.1): nur so enden die Bögen auf ihren Kreisen</translation>
     </message>
+    <message>
+        <source>strokes that rise to their ends, as V-carving does</source>
+        <translation>Züge, die zu ihren Enden hin ansteigen, wie beim V-Carving</translation>
+    </message>
+    <message>
+        <source>lifted over tags</source>
+        <translation>über Haltestege gehoben</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

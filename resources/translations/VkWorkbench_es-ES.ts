@@ -989,6 +989,14 @@
         <source>the centers of arcs are read as positions (as by G90.1): only so the arcs end on their circles</source>
         <translation>los centros de los arcos se leen como posiciones (como con G90.1): solo así los arcos terminan en sus círculos</translation>
     </message>
+    <message>
+        <source>strokes that rise to their ends, as V-carving does</source>
+        <translation>trazos que suben hacia sus extremos, como en el tallado en V</translation>
+    </message>
+    <message>
+        <source>lifted over tags</source>
+        <translation>levantados sobre las pestañas</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

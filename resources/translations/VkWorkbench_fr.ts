@@ -989,6 +989,14 @@
         <source>the centers of arcs are read as positions (as by G90.1): only so the arcs end on their circles</source>
         <translation>les centres des arcs sont lus comme des positions (comme avec G90.1) : ce n&apos;est qu&apos;ainsi que les arcs finissent sur leurs cercles</translation>
     </message>
+    <message>
+        <source>strokes that rise to their ends, as V-carving does</source>
+        <translation>des traits qui remontent vers leurs extrémités, comme en gravure en V</translation>
+    </message>
+    <message>
+        <source>lifted over tags</source>
+        <translation>relevées au-dessus des attaches</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

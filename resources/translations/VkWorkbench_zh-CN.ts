@@ -989,6 +989,14 @@
         <source>the centers of arcs are read as positions (as by G90.1): only so the arcs end on their circles</source>
         <translation>圆弧的圆心按坐标读取（同 G90.1）：只有这样圆弧的终点才在其圆上</translation>
     </message>
+    <message>
+        <source>strokes that rise to their ends, as V-carving does</source>
+        <translation>笔画在末端抬升，如同 V 形雕刻</translation>
+    </message>
+    <message>
+        <source>lifted over tags</source>
+        <translation>在固定桥处抬刀</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

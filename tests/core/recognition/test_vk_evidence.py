@@ -48,6 +48,14 @@ def test_where_some_loops_grow_and_some_shrink_there_is_no_milling():
     assert found.sense == "ccw" and found.milling is None
 
 
+def test_a_profile_has_no_stepover_where_two_of_its_contours_lie_in_one_another():
+    """Of a narrow slot, whose walls move inward at the lowest depth alone."""
+    strokes = [polygon(60, z=-float(k)) for k in range(5)] + [polygon(58, z=-4.0)]
+    found = found_in(programs.program(strokes))
+    assert found.strategy is Strategy.PROFILE and found.stepover is None and "apart" not in found.reason
+    assert found.sense == "ccw" and found.milling is None
+
+
 def test_rows_have_a_direction_and_depths():
     found = found_in(programs.zigzag(10, 50.0, 3.0, depths=(0.0, -2.0)))
     assert (found.strategy, found.passes, found.depths) == (Strategy.ZIGZAG, 20, 2)

@@ -19,7 +19,6 @@ from vkworkbench.core.recognition.parts import (
     _agree,
     _differing,
     _differs,
-    _finished,
     _joined,
     _one_span,
     _short,
@@ -173,6 +172,26 @@ def test_plunges_are_borders_where_there_is_one_for_four_passes():
         assert sorted(find_borders(path, moves)) == ([last + 1, len(path) - 1] if borders else [])
 
 
+@pytest.mark.parametrize(
+    "places, borders",
+    [
+        ([(0, -2.0), (10, -2.0), (20, -1.0)], False),  # what is left of a waterline's contours on a gentle slope
+        ([(0, -2.0), (10, -2.0), (20, -2.0)], True),  # holes as deep as the pocket
+        ([(0, -2.0), (10, -2.5), (20, -1.0)], True),
+        ([(0, -1.0), (0, -2.0), (0, -1.0)], True),  # pecks
+    ],
+)
+def test_plunges_to_several_layers_of_the_milling_are_contours_clipped_to_a_point(places, borders):
+    plunges = [
+        command
+        for x, z in places
+        for command in (("G0", {"X": 300.0 + x, "Y": 0.0}), ("G1", {"Z": z, "F": 5.0}), ("G0", {"Z": 5.0}))
+    ]
+    milling = programs.profile(depths=(-1.0, -2.0, -3.0))
+    path = replace(linearize([*milling, *plunges]), comments=())
+    assert bool(find_borders(path, monotonous_areas(path))) == borders
+
+
 def test_moves_that_are_no_cutting_are_unknown_from_the_first_to_the_last():
     path = linearize(
         [("G0", {"X": 0.0, "Y": 0.0, "Z": 5.0}), ("G0", {"X": 5.0}), ("(turn)", {}), ("G0", {"Y": 5.0, "Z": 9.0})]
@@ -266,36 +285,15 @@ def test_stretches_of_loops_and_of_rows_lie_one_behind_the_other():
     assert _runs(section, verdict, 2, 25) == [(2, 7, rings), (10, 15, rows), (20, 25, rings)]
 
 
-@pytest.mark.parametrize("where", [0.0, 1000.0])
-def test_only_a_contour_as_deep_around_rows_or_adaptive_clearing_finishes_walls(where):
-    """An area of 30 x 40 mm, and a contour 2 mm, then 3 mm outside: up to a twentieth of its diagonal, 50 mm."""
-
-    def path(out, depth=-1.0):
-        corners = [[-out, -out], [30 + out, 40 + out], [0, 0], [30, 40]]
-        points = np.column_stack((np.add(corners, where), [depth, depth, -1, -1]))
-        moves = linearize([("G0", {"Z": 5.0}), *[("G1", dict(zip("XYZ", map(float, at)))) for at in points]])
-        assert np.allclose(moves.points[-4:], points)
-        return moves, len(moves) - 4
-
-    def finished(clearing, around=Strategy.PROFILE, out=2.0, **depth):
-        moves, at = path(out, **depth)
-        pair = told(clearing, (at + 3, at + 3, clearing, 1.0)), told(around, (at + 1, at + 1, around, 1.0))
-        found = _finished(moves, *pair)
-        assert _finished(moves, *pair[::-1]) == found
-        return found
-
-    assert finished(Strategy.ZIGZAG) and finished(Strategy.ONE_WAY) and finished(Strategy.ADAPTIVE)
-    assert not finished(Strategy.ZIGZAG, out=3.0) and not finished(Strategy.ZIGZAG, depth=-2.0)
-    assert not finished(Strategy.CONTOUR_PARALLEL) and not finished(Strategy.PROFILE)
-    assert not finished(Strategy.ZIGZAG, Strategy.ADAPTIVE) and not finished(Strategy.ZIGZAG, Strategy.WATERLINE)
-
-
 def test_two_verdicts_are_as_likely_different_as_both_are_right():
     zigzag, helix = told(Strategy.ZIGZAG, confidence=0.8), told(Strategy.HELIX, confidence=0.5)
     assert _differing(zigzag, helix) == pytest.approx(0.4 / 0.6) == _differing(helix, zigzag)
     assert _differing(zigzag, told(Strategy.ZIGZAG)) == 0
     for other in (told(Strategy.UNKNOWN), told(Strategy.EMPTY)):
         assert _differing(zigzag, other) == 0 == _differing(other, zigzag)
+    # What adaptive clearing winds in a round place is a spiral.
+    spiral, adaptive = told(Strategy.SPIRAL), told(Strategy.ADAPTIVE)
+    assert _differing(spiral, adaptive) == 0 == _differing(adaptive, spiral) and _differing(spiral, zigzag) > 0
 
 
 def test_an_operation_of_a_program_is_one_span_named_by_its_rows_where_they_are_most():

@@ -15,6 +15,7 @@ from drawings import arc, polygon, winding
 
 from vkworkbench.core import linearize
 from vkworkbench.core.paper import monotonous_areas
+from vkworkbench.core.recognition.entries import share_rising
 from vkworkbench.core.recognition.section import Section
 from vkworkbench.core.recognition.verdict import judge
 
@@ -43,6 +44,11 @@ def letters(count, z=0.0):
     return [
         [(12.0 * i + a, b, z) for a, b in ((0, 0), (3 + 0.3 * i, 6), (5, 1 + 0.4 * i), (1, 4))] for i in range(count)
     ]
+
+
+def carved(y, rises=8.0):
+    """A stroke of 160 mm as a V-bit carves a groove: level, and up where the groove ends in a corner."""
+    return [(500, y, -4.0), (600, y + 3, -4.0), (660 - rises, y, -4.0), (660, y + rises, -4.0 + rises / 2)]
 
 
 squares = [polygon(side) for side in (48, 44, 40, 36, 32)]
@@ -104,6 +110,10 @@ CASES = {
         [arc(x, radius=5, z=-2.0 * i) for i in range(3) for x in (0, 100)], "profile", "open-contour-again", 6),
     "a few long strokes": (
         [[(500, 0, 0), (560, 10, 0), (590, 0, 0)], [(500, 40, 0), (550, 60, 0), (595, 45, 0)]], "profile", "long-strokes", 2),
+    "long strokes that rise to their ends": ([carved(0), carved(40)], "engraving", "rising-strokes", 2),
+    "one stroke that rises to its end": ([carved(0)], "engraving", "rising-strokes", 1),
+    "long strokes with a short way out": (
+        [carved(0, rises=2.0), carved(40, rises=2.0)], "profile", "long-strokes", 2),
     "letters": (letters(12), "engraving", "short-strokes", 12),
     "letters at two depths": (letters(12) + letters(12, z=-1.0), "engraving", "short-strokes", 24),
     "closed letters": (
@@ -120,6 +130,13 @@ def proposed(strokes, tool=TOOL):
 def test_a_rule_proposes_what_was_drawn_for_it(strokes, strategy, seen, count):
     found = proposed(strokes)
     assert (found.strategy, found.seen.code, found.count) == (strategy, seen, count)
+
+
+def test_only_what_climbs_to_the_end_of_a_stroke_rises_to_it():
+    over_tags = [(500, 0, -4.0), (540, 0, -4.0), (546, 0, -2.0), (552, 0, -4.0), (560, 0, -4.0)]
+    for strokes, share in (([carved(0)], 11.3), ([over_tags], 0.0), ([carved(0)[::-1]], 0.0), ([arc(radius=30)], 0.0)):
+        moves = monotonous_areas(linearize(programs.program(strokes)))
+        assert share_rising(moves) * moves.length.sum() == pytest.approx(share, abs=0.1)
 
 
 def test_a_mixture_tells_the_shares_and_the_verdicts_of_its_parts():

@@ -114,16 +114,7 @@ def cutting_moves(toolpath: Toolpath, first: int = 0, last: int | None = None) -
         x, y, z = x[:-1], y[:-1], z[1:]
     alpha, turning, phi = block[7:MEASURES, : len(index)]
     directions(dx, dy, out=alpha)
-    scratch = phi[1:]
-    turns(alpha, out=turning[1:], scratch=scratch)
-    turning[start] = 0.0
-    # A turn of pi has no sign: it is listed in `unsigned`, and phi has only what it is off pi.
-    unsigned = np.flatnonzero(np.abs(turning[1:], out=scratch) > np.pi - TURNS.UNSIGNED) + 1
-    reversals = unsigned[phi[unsigned] > np.pi - TURNS.EXACT]
-    turning[unsigned] -= np.copysign(np.pi, turning[unsigned])
-    np.cumsum(turning, out=phi)
-    if len(start) > 1:
-        phi -= np.repeat(phi[start], np.diff(start, append=len(phi)))
+    unsigned, reversals = turned(alpha, start, turning, phi)
     return Moves(
         index=index + first if first else index,
         x=x,
@@ -141,6 +132,36 @@ def cutting_moves(toolpath: Toolpath, first: int = 0, last: int | None = None) -
         reversals=reversals,
         holes=holes + first,
     )
+
+
+def turned(alpha: np.ndarray, start: np.ndarray, turning: np.ndarray, phi: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Put the turns between moves into `turning`, and phi of every area into `phi`; both as in :class:`Moves`.
+
+    Parameters
+    ----------
+    alpha : (m,) float
+        Directions of the moves, rad.
+    start : (a,) int
+        First move of each area.
+    turning, phi : (m,) float
+        Where to put them.
+
+    Returns
+    -------
+    unsigned, reversals : (u,) and (r,) int
+        As in :class:`Moves`.
+    """
+    scratch = phi[1:]
+    turns(alpha, out=turning[1:], scratch=scratch)
+    turning[start] = 0.0
+    # A turn of pi has no sign: it is listed in `unsigned`, and phi has only what it is off pi.
+    unsigned = np.flatnonzero(np.abs(turning[1:], out=scratch) > np.pi - TURNS.UNSIGNED) + 1
+    reversals = unsigned[phi[unsigned] > np.pi - TURNS.EXACT]
+    turning[unsigned] -= np.copysign(np.pi, turning[unsigned])
+    np.cumsum(turning, out=phi)
+    if len(start) > 1:
+        phi -= np.repeat(phi[start], np.diff(start, append=len(phi)))
+    return unsigned, reversals
 
 
 def _drop_noise(planar: np.ndarray, length: np.ndarray) -> None:

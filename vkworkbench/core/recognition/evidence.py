@@ -43,7 +43,7 @@ def gather(s: Section, verdict: Verdict) -> Evidence:
         turned = float((np.sign(s.pieces.net[rings.index]) * rings.length).sum() / rings.length.sum())
         sense = "ccw" if turned > ENOUGH.SHARE else "cw" if turned < -ENOUGH.SHARE else None
         passes = len(rings)
-        if np.isfinite(rings.step):
+        if np.isfinite(rings.step) and verdict.strategy is not Strategy.PROFILE:
             stepover = rings.step
             if sense and max(rings.growing, 1 - rings.growing) > RINGS.ONE_WAY:
                 # What is left to cut lies on the right of a climbing tool: outward of a growing ccw loop.

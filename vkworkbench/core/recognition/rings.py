@@ -121,7 +121,9 @@ def relate_rings(pieces: Pieces, index: np.ndarray, tool: float) -> Rings:
         np.minimum(inner[a], np.where(found["nested"] & (mean > 0), step, np.inf), out=inner[a])
         np.minimum(inner[b], np.where(found["nested"] & (mean < 0), step, np.inf), out=inner[b])
         if flags["nested"].all():
-            break
+            inside = inner[np.isfinite(inner)]
+            if inside.max() < 2 * inside.min():  # no room for another ring between two
+                break
     depths = count_depths(shapes.z)
     again, distinct = come_again(pieces, index) if depths > 1 else (np.zeros(k, bool), k)
     flags["stacked"] = flags["repeated"].copy()

@@ -15,6 +15,7 @@ from vkworkbench.core.recognition.rings import Rings, relate_rings
 from vkworkbench.core.recognition.rows import Rows, filling, find_rows
 from vkworkbench.core.recognition.spurs import without_spurs
 from vkworkbench.core.recognition.strokes import relate_strokes
+from vkworkbench.core.recognition.tags import joined_over_tags
 from vkworkbench.core.recognition.thresholds import (
     ENOUGH,
     LETTERS,
@@ -45,11 +46,13 @@ class Section:
     areas : Areas
         The moves as given.
     moves : Areas
-        The pattern: without the ways in and out, and without spurs.
+        The pattern: without the ways in and out, contours over tags as one, and without spurs.
     wound : float
         Share of the length in helical ways in, which are not in `moves`.
     rising : float
         Share of the length along which areas climb to their ends.
+    over_tags : bool
+        Whether contours are lifted over tags.
     tool : float
         As given.
     pieces : Pieces
@@ -78,7 +81,9 @@ class Section:
         self.areas = moves
         self.rising = share_rising(moves)
         moves, self.wound = without_entries(moves)
-        self.moves, self.tool = (moves := without_spurs(moves)), tool
+        contours = joined_over_tags(moves)
+        self.over_tags = contours is not moves
+        self.moves, self.tool = (moves := without_spurs(contours)), tool
         self.pieces = p = cut_pieces(moves)
         self.length = float(p.length.sum())
         kind = _absorbed(p)

@@ -1,0 +1,98 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Which contours finish the walls of what is cleared before or behind them."""
+
+from __future__ import annotations
+
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+
+from vkworkbench.core import Strategy
+from vkworkbench.core.recognition.finishing import Cut, within_operations
+
+CLEARED = (0.0, 0.0, 30.0, 40.0)  # its diagonal is 50 mm
+AROUND = (-2.0, -2.0, 32.0, 42.0)
+ZIGZAG, ADAPTIVE, PROFILE, OFFSETS = Strategy.ZIGZAG, Strategy.ADAPTIVE, Strategy.PROFILE, Strategy.CONTOUR_PARALLEL
+
+
+def found_in(*sections, where=0.0, doubtful=None):
+    """Return the numbers of the sections that go on with the operation before them; each is (strategy, box[, depth[, passes]])."""
+    points, rapid, cut = [(where, where, 5.0)], [], []
+    for strategy, (x, y, u, v), *more in sections:
+        depth, passes = (*more, *(-1.0, None)[len(more) :])
+        points += [(where + x, where + y, depth), (where + u, where + v, depth)]
+        rapid += [True, False]
+        last = len(rapid) - 1
+        one = SimpleNamespace(strategy=strategy, passes=passes, spans=(SimpleNamespace(first=last, last=last),))
+        cut.append(Cut(last - 1, last + 1, one))
+    path = SimpleNamespace(points=np.array(points), rapid=np.array(rapid))
+    begins = [section.begin for section in cut]
+    doubts = set(begins) if doubtful is None else {begins[k] for k in doubtful}
+    return [begins.index(at) for at in sorted(within_operations(path, cut, doubts))]
+
+
+@pytest.mark.parametrize("where", [0.0, 1000.0])
+@pytest.mark.parametrize("clearing", [ZIGZAG, Strategy.ONE_WAY, ADAPTIVE])
+def test_a_contour_around_what_is_cleared_finishes_it_whichever_comes_first(clearing, where):
+    assert found_in((clearing, CLEARED), (PROFILE, AROUND), where=where) == [1]
+    assert found_in((PROFILE, AROUND), (clearing, CLEARED), where=where) == [1]
+
+
+@pytest.mark.parametrize(
+    "sections",
+    [
+        [(ADAPTIVE, CLEARED), (PROFILE, (-3.0, -2.0, 32.0, 42.0))],  # over a twentieth of the diagonal outside
+        [(ADAPTIVE, CLEARED), (PROFILE, (0.0, 0.0, 30.0, 36.0))],
+        [(ADAPTIVE, CLEARED), (PROFILE, AROUND, -2.0)],
+        [(OFFSETS, CLEARED, -1.0, 6), (PROFILE, AROUND)],
+        [(PROFILE, CLEARED), (PROFILE, AROUND)],
+        [(ZIGZAG, CLEARED), (ADAPTIVE, AROUND)],
+        [(ZIGZAG, CLEARED), (Strategy.WATERLINE, AROUND)],
+        [(ZIGZAG, CLEARED), (Strategy.DRILLING, CLEARED), (PROFILE, AROUND)],
+        [(ADAPTIVE, CLEARED), (OFFSETS, AROUND, -1.0, 3)],
+    ],
+)
+def test_other_contours_are_operations_of_their_own(sections):
+    assert found_in(*sections) == []
+
+
+def test_two_walls_may_lie_in_one_another_as_offsets_do():
+    assert found_in((ADAPTIVE, CLEARED), (OFFSETS, AROUND, -1.0, 2)) == [1]
+
+
+def test_the_walls_may_be_several_contours_and_what_is_cleared_several_places():
+    island, wall = (10.0, 10.0, 20.0, 20.0), (-1.0, -1.0, 31.0, 41.0)
+    assert found_in((ADAPTIVE, CLEARED), (PROFILE, island), (PROFILE, wall)) == [1, 2]
+    assert found_in((PROFILE, wall), (PROFILE, island), (ADAPTIVE, CLEARED)) == [1, 2]
+    lower, upper = (0.0, 0.0, 30.0, 15.0), (0.0, 20.0, 30.0, 40.0)
+    assert found_in((ADAPTIVE, lower), (ADAPTIVE, upper), (PROFILE, island), (PROFILE, wall)) == [1, 2, 3]
+    assert found_in((ADAPTIVE, lower), (ADAPTIVE, upper), (PROFILE, lower)) == []
+
+
+def test_contours_farther_out_or_at_another_depth_begin_something_else():
+    out = (-20.0, -20.0, 50.0, 60.0)
+    assert found_in((ADAPTIVE, CLEARED), (PROFILE, AROUND), (PROFILE, out)) == [1]
+    assert found_in((PROFILE, out), (PROFILE, AROUND), (ADAPTIVE, CLEARED)) == [2]
+    assert found_in((ADAPTIVE, CLEARED), (PROFILE, AROUND), (PROFILE, AROUND, -3.0)) == [1]
+    assert found_in((ADAPTIVE, CLEARED), (PROFILE, AROUND), (ADAPTIVE, CLEARED, -3.0), (PROFILE, AROUND, -3.0)) == [
+        1,
+        3,
+    ]
+
+
+def test_certain_borders_stay():
+    sections = (ADAPTIVE, CLEARED), (PROFILE, AROUND), (PROFILE, AROUND)
+    assert found_in(*sections, doubtful=[2]) == []
+    assert found_in(*sections, doubtful=[1]) == [1]
+
+
+def test_what_cuts_nothing_between_two_sections_parts_them():
+    points = np.array([(0.0, 0.0, 5.0), (0.0, 0.0, -1.0), (30.0, 40.0, -1.0), (0.0, 0.0, -1.0)])
+    path = SimpleNamespace(points=points, rapid=np.array([True, False, False]))
+    one, two = (
+        SimpleNamespace(strategy=strategy, passes=None, spans=(SimpleNamespace(first=k, last=k),))
+        for k, strategy in ((1, ADAPTIVE), (2, PROFILE))
+    )
+    assert within_operations(path, [Cut(0, 2, one), Cut(2, 3, two)], {2}) == {2}
+    assert within_operations(path, [Cut(0, 1, one), Cut(2, 3, two)], {2}) == set()

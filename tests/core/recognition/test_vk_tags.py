@@ -1,0 +1,135 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Contours that are lifted over what holds the part."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import programs
+import pytest
+
+from vkworkbench.core import Strategy, linearize, recognize
+from vkworkbench.core.paper import TURN, monotonous_areas
+from vkworkbench.core.recognition.tags import joined_over_tags
+
+CORNERS = [(0.0, 0.0), (120.0, 0.0), (120.0, 80.0), (0.0, 80.0)]
+TAG = 6.0
+
+
+def parts_of_sides(z=-3.0, tags=2, begin=0.0):
+    """The strokes around a rectangle, lifted over tags; `begin` mm behind a corner."""
+    strokes, stroke = [], [(begin, 0.0, z)]
+    for (x, y), (u, v) in zip(CORNERS, CORNERS[1:] + CORNERS[:1]):
+        length = math.dist((x, y), (u, v))
+        along = (u - x) / length, (v - y) / length
+        for k in range(tags):
+            middle = length * (k + 1) / (tags + 1)
+            before, behind = ((x + a * along[0], y + a * along[1], z) for a in (middle - TAG / 2, middle + TAG / 2))
+            strokes.append([*stroke, before])
+            stroke = [behind]
+        stroke.append((u, v, z))
+    return [*strokes, stroke + [(begin, 0.0, z)] * (begin > 0)]
+
+
+def areas(strokes):
+    return monotonous_areas(linearize(programs.program(strokes)))
+
+
+def joined(strokes):
+    return joined_over_tags(areas(strokes))
+
+
+@pytest.mark.parametrize("tags", [1, 2, 3])
+@pytest.mark.parametrize("begin", [0.0, 20.0])
+def test_the_strokes_around_a_part_are_one_closed_contour(tags, begin):
+    parts = parts_of_sides(tags=tags, begin=begin)
+    assert len(areas(parts).start) == 4 * tags + 1
+    around = joined(parts)
+    assert len(around.start) == 1 and around.closed.all() and len(around) == len(areas(parts))
+    assert around.area_length == pytest.approx([400.0])
+    # Where it begins at a corner, the closing turn is not in phi.
+    assert around.phi[-1] == pytest.approx(TURN if begin else TURN * 3 / 4)
+    assert around.phi.max() - around.phi.min() == pytest.approx(around.phi[-1])
+
+
+def test_a_contour_may_begin_and_end_at_a_tag():
+    parts = parts_of_sides()
+    parts = [*parts[1:-1], [*parts[-1], *parts[0][1:]]]
+    around = joined(parts)
+    assert len(around.start) == 1 and around.closed.all() and around.area_length == pytest.approx([400.0])
+
+
+@pytest.mark.parametrize("chords", [12, 90])
+def test_a_circle_over_tags_is_one_contour(chords):
+    """Three tags of 17 degrees."""
+    ends = [(k * 120.0 + 17, (k + 1) * 120.0) for k in range(3)]
+    arcs = [
+        [(30 * math.cos(a), 30 * math.sin(a), -2.0) for a in np.radians(np.linspace(*end, chords // 3 + 1))]
+        for end in ends
+    ]
+    around = joined(arcs)
+    assert len(around.start) == 1 and around.closed.all()
+    assert recognize(linearize(programs.program(arcs))).strategy is Strategy.PROFILE
+
+
+def test_what_cuts_over_the_tags_is_a_part_of_the_contour():
+    """Estlcam goes over them in a stroke of its own, and down behind."""
+    parts = parts_of_sides(tags=1)
+    strokes = []
+    for stroke, following in zip(parts, [*parts[1:], None]):
+        strokes.append(stroke)
+        if following:
+            strokes.append([(*stroke[-1][:2], 0.0), (*following[0][:2], 0.0)])
+    around = joined(strokes)
+    assert len(around.start) == 1 and around.closed.all() and around.area_length == pytest.approx([400.0])
+
+
+def test_a_contour_over_tags_at_each_depth_comes_again():
+    strokes = [stroke for z in (-1.0, -2.0, -3.0) for stroke in parts_of_sides(z)]
+    for tool in (None, 6.0):
+        found = recognize(linearize(programs.program(strokes)), tool_diameter=tool)
+        assert (found.strategy, found.depths) == (Strategy.PROFILE, 3), found.reason
+
+
+@pytest.mark.parametrize("tags", [1, 2, 3])
+@pytest.mark.parametrize("tool", [None, 6.0])
+def test_a_contour_over_tags_is_a_profile(tags, tool):
+    found = recognize(linearize(programs.program(parts_of_sides(tags=tags))), tool_diameter=tool)
+    assert found.strategy is Strategy.PROFILE and found.confidence > 0.9, found.reason
+    assert "over one loop, lifted over tags: profile" in found.reason
+
+
+def unchanged(strokes):
+    moves = areas(strokes)
+    return joined_over_tags(moves) is moves
+
+
+def test_rows_over_an_island_and_dashes_are_none():
+    rows = [[(a, 3.0 * y, 0.0), (b, 3.0 * y, 0.0)] for y in range(8) for a, b in ((0.0, 40.0), (60.0, 100.0))]
+    assert unchanged(rows)
+    assert unchanged([stroke[::-1] if k // 2 % 2 else stroke for k, stroke in enumerate(rows)])
+
+
+def test_strokes_to_and_fro_on_one_line_are_none():
+    """Their ends meet, but at half turns, whose sign rounding decides."""
+    for angle in np.linspace(0, 3, 7):
+        end = 40 * math.cos(angle), 40 * math.sin(angle)
+        there = [(0.0, 0.0, -1.0), (*end, -1.0)]
+        assert unchanged([there, there[::-1]]) and unchanged([there, there[::-1], there, there[::-1]])
+
+
+def test_what_does_not_go_on_ahead_or_leaves_more_than_half_is_none():
+    assert not unchanged(parts_of_sides())
+    assert unchanged(parts_of_sides()[::-1])
+    assert unchanged(parts_of_sides()[:-1])
+    aside = [[(x, y + 5.0 * (k % 2), z) for x, y, z in part] for k, part in enumerate(parts_of_sides())]
+    assert unchanged(aside)
+    corners = [[(x + 40 * a, y + 40 * b, 0.0) for a, b in ((0, 0.1), (0, 0), (0.1, 0))] for x, y in ((0, 0),)]
+    assert unchanged(corners)
+
+
+def test_closed_contours_are_joined_with_nothing():
+    """Two contours that share a corner: each is one already."""
+    one = [(0.0, 0.0, 0.0), (30.0, 0.0, 0.0), (30.0, 30.0, 0.0), (0.0, 30.0, 0.0), (0.0, 0.0, 0.0)]
+    assert unchanged([one, [(-x, -y, z) for x, y, z in one]]) and unchanged([one])

@@ -1,0 +1,80 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Tags: what holds a part in the stock. A contour that is lifted over them is one contour all the same."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+
+from vkworkbench.core.paper import TURN, Areas, directions, turned, wrap
+from vkworkbench.core.recognition.thresholds import ENOUGH, SAME, TAGS
+
+
+def joined_over_tags(moves: Areas) -> Areas:
+    """Return the areas, those that follow one another around a closed contour as one.
+
+    Between them the tool is lifted and goes on where it was, or ahead; the moves before such gaps are made longer to bridge
+    them. What cuts over a tag is a part of the contour. Rows that are lifted over an island go on ahead, too, but around
+    nothing.
+
+    Parameters
+    ----------
+    moves : Areas
+        At least one move.
+    """
+    count = len(moves.start)
+    if count < 2:
+        return moves
+    area = np.arange(count)
+    onward = _goes_on(moves, area[:-1], area[1:]) & ~(moves.closed[:-1] | moves.closed[1:])
+    first = np.flatnonzero(np.append(True, ~onward))
+    last = np.append(first[1:], count) - 1
+    behind = np.append(area[1:], 0)
+    behind[last] = first
+    gap_x, gap_y = _gap(moves, area, behind)
+    bridged = np.add.reduceat(np.hypot(gap_x, gap_y), first) / np.add.reduceat(moves.area_length, first)
+    turned_by = np.add.reduceat(moves.phi[moves.end - 1] + _turn(moves, area, behind), first)
+    contour = (last > first) & (bridged < ENOUGH.SHARE) & (np.abs(turned_by) > TURN / 2) & _goes_on(moves, last, first)
+    if not contour.any():
+        return moves
+    of_contour = np.repeat(contour, last - first + 1)
+    longer = moves.end[of_contour] - 1
+    dx, dy = moves.dx.copy(), moves.dy.copy()
+    dx[longer] += gap_x[of_contour]
+    dy[longer] += gap_y[of_contour]
+    begins = ~of_contour
+    begins[first] = True
+    start, alpha = moves.start[begins], directions(dx, dy)
+    turning, phi = np.zeros(len(moves)), np.empty(len(moves))
+    unsigned, reversals = turned(alpha, start, turning, phi)
+    return replace(
+        moves, dx=dx, dy=dy, length=np.hypot(dx, dy), alpha=alpha, turning=turning, phi=phi,
+        start=start, unsigned=unsigned, reversals=reversals,
+    )  # fmt: skip
+
+
+def _gap(moves: Areas, one: np.ndarray, two: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Return the way from the ends of some areas to the starts of others, (k,) mm in x and in y."""
+    end, start = moves.end[one] - 1, moves.start[two]
+    return moves.x[start] - moves.x[end] - moves.dx[end], moves.y[start] - moves.y[end] - moves.dy[end]
+
+
+def _turn(moves: Areas, one: np.ndarray, two: np.ndarray) -> np.ndarray:
+    """Return the turns from the ends of some areas to the starts of others, (k,) rad."""
+    result: np.ndarray = wrap(moves.alpha[moves.start[two]] - moves.alpha[moves.end[one] - 1])
+    return result
+
+
+def _goes_on(moves: Areas, one: np.ndarray, two: np.ndarray) -> np.ndarray:
+    """Tell where areas `two` begin where areas `one` end, or ahead of it, and do not turn back, (k,) bool."""
+    end, start = moves.end[one] - 1, moves.start[two]
+    x, y = _gap(moves, one, two)
+    gap = np.hypot(x, y)
+    before = (moves.dx[end] * x + moves.dy[end] * y) / moves.length[end]
+    after = (moves.dx[start] * x + moves.dy[start] * y) / moves.length[start]
+    ahead = np.minimum(before, after) > TAGS.AHEAD * gap
+    near = gap < np.maximum(moves.area_length[one], moves.area_length[two])
+    back = np.abs(_turn(moves, one, two)) > np.pi - TAGS.BACK
+    result: np.ndarray = ((gap < SAME.PLACE) | (ahead & near)) & ~back
+    return result
