@@ -994,7 +994,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>lifted over tags</source>
+        <source>cut in strokes, as between tags</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

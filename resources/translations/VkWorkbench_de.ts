@@ -994,8 +994,8 @@
         <translation>Züge, die zu ihren Enden hin ansteigen, wie beim V-Carving</translation>
     </message>
     <message>
-        <source>lifted over tags</source>
-        <translation>über Haltestege gehoben</translation>
+        <source>cut in strokes, as between tags</source>
+        <translation>in Zügen geschnitten, wie zwischen Haltestegen</translation>
     </message>
 </context>
 <context>

@@ -994,8 +994,8 @@
         <translation>trazos que suben hacia sus extremos, como en el tallado en V</translation>
     </message>
     <message>
-        <source>lifted over tags</source>
-        <translation>levantados sobre las pestañas</translation>
+        <source>cut in strokes, as between tags</source>
+        <translation>cortados en trazos, como entre pestañas</translation>
     </message>
 </context>
 <context>

@@ -994,8 +994,8 @@
         <translation>des traits qui remontent vers leurs extrémités, comme en gravure en V</translation>
     </message>
     <message>
-        <source>lifted over tags</source>
-        <translation>relevées au-dessus des attaches</translation>
+        <source>cut in strokes, as between tags</source>
+        <translation>usinées en traits, comme entre des attaches</translation>
     </message>
 </context>
 <context>

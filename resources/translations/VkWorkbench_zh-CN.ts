@@ -994,8 +994,8 @@
         <translation>笔画在末端抬升，如同 V 形雕刻</translation>
     </message>
     <message>
-        <source>lifted over tags</source>
-        <translation>在固定桥处抬刀</translation>
+        <source>cut in strokes, as between tags</source>
+        <translation>分段切削，如同固定桥之间</translation>
     </message>
 </context>
 <context>

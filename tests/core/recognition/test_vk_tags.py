@@ -37,7 +37,7 @@ def areas(strokes):
 
 
 def joined(strokes):
-    return joined_over_tags(areas(strokes))
+    return joined_over_tags(areas(strokes))[0]
 
 
 @pytest.mark.parametrize("tags", [1, 2, 3])
@@ -97,12 +97,14 @@ def test_a_contour_over_tags_at_each_depth_comes_again():
 def test_a_contour_over_tags_is_a_profile(tags, tool):
     found = recognize(linearize(programs.program(parts_of_sides(tags=tags))), tool_diameter=tool)
     assert found.strategy is Strategy.PROFILE and found.confidence > 0.9, found.reason
-    assert "over one loop, lifted over tags: profile" in found.reason
+    assert "over one loop, cut in strokes, as between tags: profile" in found.reason
 
 
 def unchanged(strokes):
     moves = areas(strokes)
-    return joined_over_tags(moves) is moves
+    found, share = joined_over_tags(moves)
+    assert (share == 0.0) == (found is moves)
+    return found is moves
 
 
 def test_rows_over_an_island_and_dashes_are_none():
@@ -133,3 +135,14 @@ def test_closed_contours_are_joined_with_nothing():
     """Two contours that share a corner: each is one already."""
     one = [(0.0, 0.0, 0.0), (30.0, 0.0, 0.0), (30.0, 30.0, 0.0), (0.0, 30.0, 0.0), (0.0, 0.0, 0.0)]
     assert unchanged([one, [(-x, -y, z) for x, y, z in one]]) and unchanged([one])
+
+
+def test_the_share_that_is_cut_in_strokes_decides_what_the_reason_says():
+    hole = [(300.0, 0.0, -3.0), (330.0, 0.0, -3.0), (330.0, 30.0, -3.0), (300.0, 30.0, -3.0), (300.0, 0.0, -3.0)]
+    parts = parts_of_sides()
+    length = 400.0 - 8 * TAG
+    assert joined_over_tags(areas([*parts, hole]))[1] == pytest.approx(length / (length + 120))
+    for holes, seen in ((1, "cut in strokes, as between tags"), (4, "no nested offsets")):
+        others = [[(x + 40.0 * k, y, z) for x, y, z in hole] for k in range(holes)]
+        found = recognize(linearize(programs.program([*parts, *others])), tool_diameter=6.0)
+        assert found.strategy is Strategy.PROFILE and seen in found.reason, found.reason

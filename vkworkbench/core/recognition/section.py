@@ -51,8 +51,8 @@ class Section:
         Share of the length in helical ways in, which are not in `moves`.
     rising : float
         Share of the length along which areas climb to their ends.
-    over_tags : bool
-        Whether contours are lifted over tags.
+    in_strokes : float
+        Share of the length in contours that are cut in strokes, lifted between them.
     tool : float
         As given.
     pieces : Pieces
@@ -81,9 +81,8 @@ class Section:
         self.areas = moves
         self.rising = share_rising(moves)
         moves, self.wound = without_entries(moves)
-        contours = joined_over_tags(moves)
-        self.over_tags = contours is not moves
-        self.moves, self.tool = (moves := without_spurs(contours)), tool
+        moves, self.in_strokes = joined_over_tags(moves)
+        self.moves, self.tool = (moves := without_spurs(moves)), tool
         self.pieces = p = cut_pieces(moves)
         self.length = float(p.length.sum())
         kind = _absorbed(p)

@@ -11,8 +11,8 @@ from vkworkbench.core.paper import TURN, Areas, directions, turned, wrap
 from vkworkbench.core.recognition.thresholds import ENOUGH, SAME, TAGS
 
 
-def joined_over_tags(moves: Areas) -> Areas:
-    """Return the areas, those that follow one another around a closed contour as one.
+def joined_over_tags(moves: Areas) -> tuple[Areas, float]:
+    """Join areas that follow one another around a closed contour.
 
     Between them the tool is lifted and goes on where it was, or ahead; the moves before such gaps are made longer to bridge
     them. What cuts over a tag is a part of the contour. Rows that are lifted over an island go on ahead, too, but around
@@ -22,10 +22,17 @@ def joined_over_tags(moves: Areas) -> Areas:
     ----------
     moves : Areas
         At least one move.
+
+    Returns
+    -------
+    Areas
+        Each such contour is one.
+    float
+        Share of the length in these contours.
     """
     count = len(moves.start)
     if count < 2:
-        return moves
+        return moves, 0.0
     area = np.arange(count)
     onward = _goes_on(moves, area[:-1], area[1:]) & ~(moves.closed[:-1] | moves.closed[1:])
     first = np.flatnonzero(np.append(True, ~onward))
@@ -37,7 +44,7 @@ def joined_over_tags(moves: Areas) -> Areas:
     turned_by = np.add.reduceat(moves.phi[moves.end - 1] + _turn(moves, area, behind), first)
     contour = (last > first) & (bridged < ENOUGH.SHARE) & (np.abs(turned_by) > TURN / 2) & _goes_on(moves, last, first)
     if not contour.any():
-        return moves
+        return moves, 0.0
     of_contour = np.repeat(contour, last - first + 1)
     longer = moves.end[of_contour] - 1
     dx, dy = moves.dx.copy(), moves.dy.copy()
@@ -48,10 +55,11 @@ def joined_over_tags(moves: Areas) -> Areas:
     start, alpha = moves.start[begins], directions(dx, dy)
     turning, phi = np.zeros(len(moves)), np.empty(len(moves))
     unsigned, reversals = turned(alpha, start, turning, phi)
-    return replace(
+    joined = replace(
         moves, dx=dx, dy=dy, length=np.hypot(dx, dy), alpha=alpha, turning=turning, phi=phi,
         start=start, unsigned=unsigned, reversals=reversals,
     )  # fmt: skip
+    return joined, float(moves.area_length[of_contour].sum() / moves.length.sum())
 
 
 def _gap(moves: Areas, one: np.ndarray, two: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

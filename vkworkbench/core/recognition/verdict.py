@@ -132,7 +132,8 @@ def _judge_rings(s: Section, rings: float) -> Verdict:
     if s.letters():
         return Verdict(Strategy.ENGRAVING, len(r), Message("many-shapes"))
     # A loop that comes again is a contour. So are loops that have nothing to do with one another.
-    return Verdict(Strategy.PROFILE, len(r), Message("over-tags") if s.over_tags else Message("not-nested"))
+    seen = Message("in-strokes") if s.in_strokes > ENOUGH.SHARE else Message("not-nested")
+    return Verdict(Strategy.PROFILE, len(r), seen)
 
 
 def _is_even_spiral(s: Section, rings: float) -> bool:

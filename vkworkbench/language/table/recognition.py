@@ -102,7 +102,7 @@ RECOGNITION: dict[str, str | tuple[str, str]] = {
     "endless-winding": QT_TRANSLATE_NOOP("Sentences", "one winding that never closes"),
     "nested": QT_TRANSLATE_NOOP("Sentences", "nested"),
     "not-nested": QT_TRANSLATE_NOOP("Sentences", "no nested offsets"),
-    "over-tags": QT_TRANSLATE_NOOP("Sentences", "lifted over tags"),
+    "in-strokes": QT_TRANSLATE_NOOP("Sentences", "cut in strokes, as between tags"),
     "loops-move": QT_TRANSLATE_NOOP("Sentences", "small loops move along"),
     "pass-inside": QT_TRANSLATE_NOOP("Sentences", "an open pass lies inside a contour"),
     "half-turns-alternate": QT_TRANSLATE_NOOP("Sentences", "half-turns alternate in sign"),
