@@ -80,8 +80,8 @@ class Section:
     def __init__(self, moves: Areas, tool: float) -> None:
         self.areas = moves
         self.rising = share_rising(moves)
-        moves, self.wound = without_entries(moves)
         moves, self.in_strokes = joined_over_tags(moves)
+        moves, self.wound = without_entries(moves)
         self.moves, self.tool = (moves := without_spurs(moves)), tool
         self.pieces = p = cut_pieces(moves)
         self.length = float(p.length.sum())
