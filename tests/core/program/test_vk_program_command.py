@@ -111,6 +111,23 @@ def test_it_goes_on_where_it_was_stopped(folder, tmp_path, kind, inside):
         assert again == 6 - max(complete - 1, 0)  # the last one may have more rows
 
 
+@pytest.mark.parametrize("kind", ["--csv", "--json-lines"])
+def test_results_that_are_there_are_written_anew_unless_they_are_resumed(folder, tmp_path, kind, inside):
+    out, other = tmp_path / "out", tmp_path / "other"
+    for path in (out, other):
+        inside(folder / "a.nc", folder / "c.nc", kind, path)
+    inside(folder / "a.nc", kind, out)
+    inside(folder / "a.nc", kind, other, "--resume")
+    assert out.read_bytes() != other.read_bytes()
+    assert b"c.nc" not in out.read_bytes() and b"c.nc" in other.read_bytes()
+
+
+def test_numbers_of_the_command_line_arrive():
+    chosen = command_line._parser().parse_args(["a.nc", "--jobs", "3", "--timeout", "2.5"])
+    assert (chosen.jobs, chosen.timeout) == (3, 2.5)
+    assert command_line._parser().parse_args(["a.nc"]).timeout == 600.0
+
+
 def test_wrong_arguments_say_what_to_do(folder, tmp_path, inside):
     other = tmp_path / "other.csv"
     other.write_text("a,b\n1,2\n")
