@@ -11,7 +11,7 @@ import pytest
 
 from vkworkbench.core import Strategy, linearize, recognize
 from vkworkbench.core.paper import TURN, monotonous_areas
-from vkworkbench.core.recognition.tags import joined_over_tags
+from vkworkbench.core.recognition.tags import _goes_on, joined_over_tags
 
 CORNERS = [(0.0, 0.0), (120.0, 0.0), (120.0, 80.0), (0.0, 80.0)]
 TAG = 6.0
@@ -146,3 +146,41 @@ def test_the_share_that_is_cut_in_strokes_decides_what_the_reason_says():
         others = [[(x + 40.0 * k, y, z) for x, y, z in hole] for k in range(holes)]
         found = recognize(linearize(programs.program([*parts, *others])), tool_diameter=6.0)
         assert found.strategy is Strategy.PROFILE and seen in found.reason, found.reason
+
+
+@pytest.mark.parametrize(
+    ("one", "two", "onward"),
+    [
+        ([(0, 0), (40, 0)], [(46, 0), (90, 0)], True),
+        ([(0, 0), (40, 0)], [(40, 0), (40, 50)], True),  # where it was: a corner
+        ([(0, 0), (40, 0)], [(46, 2.5), (90, 2.5)], True),  # a tag on a bend
+        ([(0, 0), (40, 0)], [(46, 3.5), (90, 3.5)], False),
+        ([(0, -40), (40, 0)], [(46, 0), (90, 0)], False),  # only the one behind the gap lies in its direction
+        ([(0, 0), (40, 0)], [(46, 0), (90, 40)], False),  # only the one before it
+        ([(0, 0), (40, 0)], [(34, 0), (90, 0)], False),  # back, and over it again
+        ([(0, 0), (40, 0)], [(40, 0), (0, 0)], False),
+        ([(0, 0), (40, 0)], [(40.01, 0), (0, 0.001)], False),  # half a turn but for rounding
+        ([(0, 0), (40, 0)], [(79, 0), (89, 0)], True),  # no farther than the longer one
+        ([(0, 0), (10, 0)], [(49, 0), (89, 0)], True),
+        ([(0, 0), (40, 0)], [(81, 0), (91, 0)], False),
+    ],
+)
+def test_where_a_stroke_goes_on_from_another(one, two, onward):
+    moves = areas([[(x + 5.0, y + 5.0, 0.0) for x, y in stroke] for stroke in (one, two)])
+    assert len(moves.start) == 2
+    assert _goes_on(moves, np.array([0]), np.array([1])).tolist() == [onward]
+
+
+def test_contours_beside_one_that_is_cut_in_strokes_stay_as_they_are():
+    hole = [(300.0, 0.0, -3.0), (330.0, 0.0, -3.0), (330.0, 30.0, -3.0), (300.0, 30.0, -3.0), (300.0, 0.0, -3.0)]
+    row = [(0.0, 200.0, -3.0), (50.0, 200.0, -3.0)]
+    for strokes, starts in (
+        ([hole, *parts_of_sides(), row], [0, 4, 16]),
+        ([row, *parts_of_sides(), *parts_of_sides(z=-4.0), hole], [0, 1, 25]),  # two windings of one path
+    ):
+        moves = areas(strokes)
+        around = joined_over_tags(moves)[0]
+        assert around.start.tolist() == starts and len(around) == len(moves)
+        for k in np.flatnonzero(np.isin(moves.area_length, (120.0, 50.0))):
+            at = slice(moves.start[k], moves.end[k])
+            assert np.array_equal(around.dx[at], moves.dx[at]) and np.array_equal(around.phi[at], moves.phi[at])
