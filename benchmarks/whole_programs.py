@@ -33,14 +33,19 @@ class Borders:
 
 
 def covered(record: Record, found: Recognition, reached: np.ndarray) -> list[float]:
-    """Share of each section's cutting length that lies in spans with a right name; `reached` is the length before a move."""
+    """Share of each section's cutting length that lies in spans with a right name; `reached` is the length before a move.
+
+    A span has one strategy: what is labelled as mixed is so where its spans have several.
+    """
     shares = []
     for s in record.sections:
         length = reached[s.last + 1] - reached[s.first]
+        within = [span for span in found.spans if span.first <= s.last and span.last >= s.first]
+        several = "mixed" in s.accepted and len({span.strategy for span in within}) > 1
         named = sum(
             max(0.0, reached[min(s.last, span.last) + 1] - reached[max(s.first, span.first)])
-            for span in found.spans
-            if span.strategy.value in s.accepted and span.first <= s.last and span.last >= s.first
+            for span in within
+            if several or span.strategy.value in s.accepted
         )
         shares.append(named / length if length else 0.0)
     return shares
