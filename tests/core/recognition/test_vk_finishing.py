@@ -24,7 +24,7 @@ def found_in(*sections, where=0.0, doubtful=None):
         points += [(where + x, where + y, depth), (where + u, where + v, depth)]
         rapid += [True, False]
         last = len(rapid) - 1
-        one = SimpleNamespace(strategy=strategy, passes=passes, spans=(SimpleNamespace(first=last, last=last),))
+        one = SimpleNamespace(strategy=strategy, passes=passes, stepover=None, spans=(SimpleNamespace(first=last, last=last),))
         cut.append(Cut(last - 1, last + 1, one))
     path = SimpleNamespace(points=np.array(points), rapid=np.array(rapid))
     begins = [section.begin for section in cut]
@@ -91,7 +91,7 @@ def test_what_cuts_nothing_between_two_sections_parts_them():
     points = np.array([(0.0, 0.0, 5.0), (0.0, 0.0, -1.0), (30.0, 40.0, -1.0), (0.0, 0.0, -1.0)])
     path = SimpleNamespace(points=points, rapid=np.array([True, False, False]))
     one, two = (
-        SimpleNamespace(strategy=strategy, passes=None, spans=(SimpleNamespace(first=k, last=k),))
+        SimpleNamespace(strategy=strategy, passes=None, stepover=None, spans=(SimpleNamespace(first=k, last=k),))
         for k, strategy in ((1, ADAPTIVE), (2, PROFILE))
     )
     assert within_operations(path, [Cut(0, 2, one), Cut(2, 3, two)], {2}) == {2}

@@ -57,7 +57,8 @@ def within_operations(toolpath: Toolpath, cut: Sequence[Cut], doubtful: Collecti
         least = np.minimum.accumulate(walls.box[outward, 0, :2])
         most = np.maximum.accumulate(walls.box[outward, 1, :2])
         apart = np.maximum(np.abs(least - low[:2]), np.abs(most - high[:2])).max(axis=1)
-        around = np.flatnonzero(apart < PARTS.AROUND * np.hypot(*(high - low)[:2]))
+        stepover = max(section.found.stepover or 0.0 for section in area.sections)
+        around = np.flatnonzero(apart < max(PARTS.AROUND * np.hypot(*(high - low)[:2]), stepover))
         if len(around):
             count = int(around[-1]) + 1
             members = [*one.sections, *two.sections[:count]] if area is one else [*one.sections[-count:], *two.sections]
