@@ -12,10 +12,10 @@ AROUND = {s.value for s in Strategy if s.family is Family.AROUND} - {"adaptive"}
 
 
 def two_class(strategy: str, accepted: set[str], got: str) -> bool | None:
-    """Return whether an answer is of the right class, back-and-forth or around; None where the truth is neither."""
+    """Return whether an answer is accepted or of the right class, back-and-forth or around; None where the truth is neither."""
     if not (accepted <= BACK_AND_FORTH or strategy in {"contour-parallel", "spiral", "waterline"}):
         return None
-    return got in (BACK_AND_FORTH if strategy in BACK_AND_FORTH else AROUND)
+    return got in accepted or got in (BACK_AND_FORTH if strategy in BACK_AND_FORTH else AROUND)
 
 
 def calibration_error(confidence: np.ndarray, right: np.ndarray, bins: int = 10) -> float:

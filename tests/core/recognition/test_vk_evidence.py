@@ -138,6 +138,20 @@ def test_the_step_of_one_family_is_from_row_to_row_and_that_of_a_grid_its_period
     assert (one.stepover, two.stepover) == pytest.approx((6, 3))
 
 
+@pytest.mark.parametrize(("downward", "stepover"), [(70.0, 3.0), (50.0, 0.6)])
+def test_the_step_of_a_grid_of_which_one_family_alone_looks_like_rows(downward, stepover):
+    """Two lines in every 3 mm, as a ball on a billiard table runs, and across them no line is followed by its neighbour."""
+    across = [(0.0, 60.0)[:: -1 if k % 2 else 1] for k in range(40)]
+    across = [
+        [(x, 3.0 * (k // 2) + 0.6 * (k % 2), 0), (u, 3.0 * (k // 2) + 0.6 * (k % 2), 0)]
+        for k, (x, u) in enumerate(across)
+    ]
+    down = [[(3.0 * (7 * k % 20), 0, 0), (3.0 * (7 * k % 20), downward, 0)] for k in range(20)]
+    found = section(*across, *down)
+    assert (len(found.families), len(found.rows)) == (2, 1)
+    assert gather(found, said(Strategy.ZIGZAG)).stepover == pytest.approx(stepover)
+
+
 def test_a_step_that_the_verdict_tells_is_taken_where_there_is_no_other():
     strokes = section(*([(60.0 * k, 0, 0), (60.0 * k + 30, 9.0 * k, 0)] for k in range(4)))
     e = gather(strokes, said(Strategy.CONTOUR_PARALLEL, 7, step=2.5))

@@ -24,7 +24,9 @@ def found_in(*sections, where=0.0, doubtful=None):
         points += [(where + x, where + y, depth), (where + u, where + v, depth)]
         rapid += [True, False]
         last = len(rapid) - 1
-        one = SimpleNamespace(strategy=strategy, passes=passes, stepover=None, spans=(SimpleNamespace(first=last, last=last),))
+        one = SimpleNamespace(
+            strategy=strategy, passes=passes, stepover=None, spans=(SimpleNamespace(first=last, last=last),)
+        )
         cut.append(Cut(last - 1, last + 1, one))
     path = SimpleNamespace(points=np.array(points), rapid=np.array(rapid))
     begins = [section.begin for section in cut]

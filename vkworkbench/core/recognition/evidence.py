@@ -49,8 +49,11 @@ def gather(s: Section, verdict: Verdict) -> Evidence:
                 # What is left to cut lies on the right of a climbing tool: outward of a growing ccw loop.
                 milling = "climb" if (rings.growing > 0.5) == (sense == "ccw") else "conventional"
     elif main:
-        # Grids are not cut row by row.
-        passes, stepover = sum(f.count for f in rows), main.period if len(rows) > 1 else main.step
+        # Grids are not cut row by row, also where only one family of their rows looks as if it were.
+        passes, stepover = sum(f.count for f in rows), main.step
+        longest = max(s.families, key=lambda f: f.length)
+        if len(rows) > 1 or sum(f.length for f in s.families) > (1 + ENOUGH.SHARE) * longest.length:
+            stepover = longest.period
     if verdict.step and not stepover:
         passes, stepover = verdict.count, verdict.step
     return Evidence(

@@ -67,8 +67,10 @@ class Section:
     lattice : (k,) bool
         Rings that may be rows: passes that run from wall to wall and wind by chance.
     strokes : Strokes
+    families : list of Rows
+        Families of parallel passes, two at most.
     rows : list of Rows
-        Those families of rows that fill an area.
+        Those families that fill an area.
     zigzag : float
         Share of the length in pieces that go back and forth.
     retraced : float
@@ -107,6 +109,7 @@ class Section:
         rowlike = (kind == ZIGZAG) | (kind == STROKE)
         rowlike[r.index[self.lattice]] = True
         self.zigzag = float(p.length[kind == ZIGZAG].sum()) / self.length
+        self.families: list[Rows] = []
         self.rows = self._rows(rowlike, rowlike & (kind == LOOP))
         self.ring_pieces = np.zeros(len(p), bool)
         self.ring_pieces[r.index] = True
@@ -124,7 +127,8 @@ class Section:
         if not rowlike.all():
             chosen = np.flatnonzero(np.repeat(rowlike, p.end - p.start))
         contour = p.length[closed].sum() > ENOUGH.SHARE * length
-        return filling(find_rows(self.moves, chosen), self.tool, length=length, contour=contour)
+        self.families = find_rows(self.moves, chosen)
+        return filling(self.families, self.tool, length=length, contour=contour)
 
     def share(self, rings: np.ndarray) -> float:
         """Share of the cutting length in these rings."""
