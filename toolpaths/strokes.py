@@ -10,7 +10,7 @@ import math
 
 import numpy as np
 
-from toolpaths.synthetic import Program, circle, closed, depths, letters
+from toolpaths.synthetic import Program, circle, closed, dense, depths, letters, outline
 
 
 def turned(points: np.ndarray, angle: float) -> np.ndarray:
@@ -193,6 +193,33 @@ def entered(rng, *, turns=10, loops=3):
     return p.commands
 
 
+def over_tags(rng, *, down="plunge"):
+    """A contour that is lifted over its tags at every depth; down behind them by a plunge, a ramp, or from just above."""
+    p = Program(rng)
+    way = dense(closed(outline(rng)), 1.0)
+    along = np.append(0.0, np.cumsum(np.linalg.norm(np.diff(way, axis=0), axis=1)))
+    heading = np.unwrap(np.arctan2(*np.diff(way, axis=0).T[::-1]))
+    tag, number = rng.uniform(3, 6), int(rng.integers(2, 7))
+    # Where the way is straight enough for a tag.
+    middles = np.linspace(0, along[-1], number + 2)[1:-1] + rng.uniform(-3, 3, number)
+    begin, end = (np.interp(middles + d, along[1:], heading) for d in (-tag, tag))
+    middles = middles[np.abs(end - begin) < 0.5]
+    ends = np.concatenate([[0.0], np.sort(np.concatenate([middles - tag / 2, middles + tag / 2])), along[-1:]])
+    for z in depths(rng):
+        for a, b in ends.reshape(-1, 2):
+            at = np.concatenate([[a], along[(along > a) & (along < b)], [b]])
+            stroke = np.column_stack([np.interp(at, along, way[:, k]) for k in (0, 1)])
+            if down == "plunge" or p.last is None:
+                p.cut(stroke, z)
+            elif down == "ramp":
+                p.cut(np.column_stack([stroke, np.maximum(z, z + 1.5 - 0.25 * (at - a))]), z)
+            else:
+                p.go(*p.last[:2], z + 2)
+                p.go(*stroke[0], z + 2)
+                p.cut(stroke, z, linked=True)
+    return p.commands
+
+
 SAMPLES = (
     ("open offsets", {"contour-parallel"}, open_offsets),
     ("open offsets both ways", {"contour-parallel", "zigzag"}, lambda r: open_offsets(r, both_ways=True)),
@@ -202,6 +229,9 @@ SAMPLES = (
     ("v-carving in steps", {"engraving"}, carved_in_steps),
     ("letters in steps", {"engraving"}, letters_in_steps),
     ("dogbones", {"profile"}, dogbones),
+    ("profile lifted over tags", {"profile"}, over_tags),
+    ("profile ramped behind tags", {"profile"}, lambda r: over_tags(r, down="ramp")),
+    ("profile at feed over tags", {"profile"}, lambda r: over_tags(r, down="above")),
     ("long pocket", {"contour-parallel"}, long_pocket),
     ("long pocket linked", {"contour-parallel"}, lambda r: long_pocket(r, linked=True)),
     ("slot entered by ramps", {"profile"}, ramps),
