@@ -103,12 +103,12 @@ def told_apart(sections: Sections, borders: Collection[int], begun: dict[int, fl
     if not begun:
         return []
     cut = list(sections.between((*borders, *begun)))
-    pairs = {two.begin: (one, two) for one, two in zip(cut, cut[1:]) if one.end == two.begin and two.begin in begun}
+    beside = [(one, two) for one, two in zip(cut, cut[1:]) if one.end == two.begin and two.begin in begun]
+    pairs = {two.begin: (one.found, two.found) for one, two in beside}
     names = {
-        at: frozenset(section.found.strategy for section in pair)
+        at: frozenset(one.strategy for one in pair)
         for at, pair in pairs.items()
-        if begun[at] <= VISITS.BORDER
-        and _odds(begun[at]) * _differing(*(section.found for section in pair)) > VISITS.DIFFER
+        if begun[at] <= VISITS.BORDER and _odds(begun[at]) * _differing(*pair) > VISITS.DIFFER
     }
     times = Counter(names.values())
     # Two patterns that take turns are one operation, depth after depth or place after place.
