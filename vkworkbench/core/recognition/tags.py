@@ -34,7 +34,10 @@ def joined_over_tags(moves: Areas) -> tuple[Areas, float]:
     if count < 2:
         return moves, 0.0
     area = np.arange(count)
-    onward = _goes_on(moves, area[:-1], area[1:]) & ~(moves.closed[:-1] | moves.closed[1:])
+    onward = _goes_on(moves, area[:-1], area[1:])
+    if not onward.any():
+        return moves, 0.0
+    onward &= ~(moves.closed[:-1] | moves.closed[1:])
     first = np.flatnonzero(np.append(True, ~onward))
     last = np.append(first[1:], count) - 1
     behind = np.append(area[1:], 0)
