@@ -115,6 +115,20 @@ def test_links_in_the_air_at_feed_are_left_out():
     assert areas.index.tolist() == [2, 3]
 
 
+@pytest.mark.parametrize(("height", "air"), [(20, True), (19, False)])
+def test_a_fast_feed_at_the_top_beside_a_rapid_is_a_link(height, air):
+    """As Fusion's posts write rapids for those who do not pay; lower down it may cut."""
+    cut = feed((0, 0, -1), *ROW)
+    above = [rapid(0, 2, 20), rapid(20, 2, 20), rapid(20, 2, height)][: 2 if air else 3]
+    down = [rapid(40, 2, 5), *feed((40, 2, -1), (40, 20, -1))]
+    assert sizes(areas_of(*cut, *above, *feed((40, 2, height)), *down)) == ([3, 1] if air else [3, 1, 1])
+    up = [rapid(0, 2, height), *feed((20, 2, height)), rapid(40, 2, height), rapid(40, 2, 20)]
+    assert sizes(areas_of(*cut, *up)) == ([3] if air else [3, 1])
+    # With no way up or down beside it, it is a stroke of a plotter.
+    flat = [rapid(0, 2, 20), rapid(20, 2, 20), *feed((40, 2, 20)), rapid(60, 2, 20), rapid(60, 2, 5)]
+    assert sizes(areas_of(*cut, *flat)) == [3, 1]
+
+
 def test_what_goes_round_a_corner_or_slopes_is_no_link():
     bent = [(0, 2, 5), (20, 20, 5), (40, 2, 5), (40, 2, -1)]
     assert sizes(areas_of(*feed((0, 0, -1), *ROW, *bent, (60, 2, -1)))) == [3, 2, 1]

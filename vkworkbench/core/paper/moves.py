@@ -105,7 +105,7 @@ def cutting_moves(toolpath: Toolpath, first: int = 0, last: int | None = None) -
         planar &= ~rapid
     _drop_noise(planar, length)
     index, start = _split(planar, rapid, z, dx, dy, dz, length)
-    index, start = _without_air(planar, index, start, z, dx, dy, dz, length)
+    index, start = _without_air(planar, rapid, index, start, z, dx, dy, dz, length)
     holes = index[:0]
     if len(index) < len(dx):
         holes = _holes(points, rapid, dz, length, planar)
@@ -206,6 +206,7 @@ def _split(
 
 def _without_air(
     planar: np.ndarray,
+    rapid: np.ndarray,
     index: np.ndarray,
     start: np.ndarray,
     z: np.ndarray,
@@ -217,7 +218,7 @@ def _without_air(
     """Leave out the links in the air of programs that lift, traverse and plunge at feed instead of rapid.
 
     Such a link is straight and horizontal, begins by a lift and ends by a plunge; at the ends of a program one of
-    the two is enough.
+    the two is enough, and beside a rapid at the top height, where some posts write rapids as fast feeds.
     """
     if not len(start) or len(index) == len(planar):
         return index, start
@@ -227,7 +228,9 @@ def _without_air(
     straight = dx[a] * dx[b] + dy[a] * dy[b] > MOVES.ONWARD * length[a] * length[b]
     steep = np.where(length > MOVES.STILL, 0.0, dz)  # moves straight up or down, rapid or at feed
     rises, falls = np.append(0.0, steep)[a] > MOVES.STILL, np.append(steep, 0.0)[b + 1] < -MOVES.STILL
-    lifted, plunges = rises | (a == 0), falls | (b == len(dz) - 1)
+    top = z[a] >= z.max() - MOVES.STILL
+    lifted = rises | (a == 0) | (top & np.append(False, rapid)[a])
+    plunges = falls | (b == len(dz) - 1) | (top & np.append(rapid, False)[b + 1])
     air = horizontal & straight & lifted & plunges
     if len(start) > 1:
         # A plateau between walls is no link: it goes on in the direction of the lower pass beside it.
