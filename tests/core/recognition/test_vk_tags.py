@@ -121,6 +121,14 @@ def test_strokes_to_and_fro_on_one_line_are_none():
         assert unchanged([there, there[::-1]]) and unchanged([there, there[::-1], there, there[::-1]])
 
 
+def test_a_gap_of_rounding_does_not_take_a_short_move_away():
+    """It is as long as the way back from it to where the next stroke begins."""
+    sides = [[(0.0, 0.0, -1.0), (40.0, 0.0, -1.0)], [(40.0, 30.0, -1.0), (0.0, 30.0, -1.0), (0.0, 0.0, -1.0)]]
+    short, up = [(40.0, 0.0, -1.0), (40.0, 0.015, -1.0)], [(40.0, 0.0, -1.0), (40.0, 30.0, -1.0)]
+    around = joined([sides[0], short, up, sides[1]])
+    assert len(around.start) == 1 and around.length.min() == pytest.approx(0.015)
+
+
 def test_what_does_not_go_on_ahead_or_leaves_more_than_half_is_none():
     assert not unchanged(parts_of_sides())
     assert unchanged(parts_of_sides()[::-1])

@@ -49,10 +49,10 @@ def joined_over_tags(moves: Areas) -> tuple[Areas, float]:
     if not contour.any():
         return moves, 0.0
     of_contour = np.repeat(contour, last - first + 1)
-    longer = moves.end[of_contour] - 1
-    dx, dy = moves.dx.copy(), moves.dy.copy()
-    dx[longer] += gap_x[of_contour]
-    dy[longer] += gap_y[of_contour]
+    dx, dy, end = moves.dx.copy(), moves.dy.copy(), moves.end - 1
+    ahead = of_contour & (dx[end] * gap_x + dy[end] * gap_y > 0)  # the others are as good as none
+    dx[end[ahead]] += gap_x[ahead]
+    dy[end[ahead]] += gap_y[ahead]
     begins = ~of_contour
     begins[first] = True
     start, alpha = moves.start[begins], directions(dx, dy)
