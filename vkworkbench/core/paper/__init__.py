@@ -8,16 +8,18 @@ levels, V_k and Gauss map; `PaperVerdict`, the paper's rule to the letter; what 
 
 from vkworkbench.core.paper.areas import Areas, monotonous_areas
 from vkworkbench.core.paper.complexity import Complexity, complexity
-from vkworkbench.core.paper.directions import TURN, axis_of, directions, farthest, level_of, wrap
+from vkworkbench.core.paper.directions import TURN, axis_of, directions, farthest, level_of
 from vkworkbench.core.paper.literal import PaperVerdict, paper_verdict
 from vkworkbench.core.paper.loops import OFF_ROUND, closing_turns, is_closed, is_one_turn, winding_turns
 from vkworkbench.core.paper.moves import turned
 from vkworkbench.core.paper.picture import distinct, image_arcs, links, outline, overlapping, proof, thinned, turns_of
 from vkworkbench.core.paper.signature import Signature, signature
+from vkworkbench.core.paper.thresholds import TURNS
 
 __all__ = [
     "OFF_ROUND",
     "TURN",
+    "TURNS",
     "Areas",
     "Complexity",
     "PaperVerdict",
@@ -43,5 +45,4 @@ __all__ = [
     "turned",
     "turns_of",
     "winding_turns",
-    "wrap",
 ]  # fmt: skip

@@ -229,8 +229,8 @@ def _without_air(
     steep = np.where(length > MOVES.STILL, 0.0, dz)  # moves straight up or down, rapid or at feed
     rises, falls = np.append(0.0, steep)[a] > MOVES.STILL, np.append(steep, 0.0)[b + 1] < -MOVES.STILL
     top = z[a] >= z.max() - MOVES.STILL
-    lifted = rises | (a == 0) | (top & np.append(False, rapid)[a])
-    plunges = falls | (b == len(dz) - 1) | (top & np.append(rapid, False)[b + 1])
+    lifted = rises | (a == 0) | (top & rapid[a - 1])
+    plunges = falls | (b == len(dz) - 1) | (top & rapid[np.minimum(b + 1, len(rapid) - 1)])
     air = horizontal & straight & lifted & plunges
     if len(start) > 1:
         # A plateau between walls is no link: it goes on in the direction of the lower pass beside it.

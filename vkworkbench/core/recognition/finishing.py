@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Sequence
+from collections.abc import Collection, Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -23,11 +23,11 @@ class Cut(NamedTuple):
 
 
 class _Run(NamedTuple):
-    """Consecutive sections that all clear, or all go around, to one depth; box (k, 2, 3): what each cuts, mm."""
+    """Consecutive sections that all clear, or all go around, to one depth; boxes: what each of them cuts, (2, 3) mm."""
 
     sections: list[Cut]
     clears: bool
-    box: np.ndarray
+    boxes: list[np.ndarray]
 
 
 def within_operations(toolpath: Toolpath, cut: Sequence[Cut], doubtful: Collection[int]) -> set[int]:
@@ -44,18 +44,18 @@ def within_operations(toolpath: Toolpath, cut: Sequence[Cut], doubtful: Collecti
         The borders at which an operation may go on.
     """
     found: set[int] = set()
-    runs = list(_runs(toolpath, cut, doubtful))
+    runs = _runs(toolpath, cut, doubtful)
     for one, two in zip(runs, runs[1:]):
         if one.clears is two.clears or not _meet(one.sections[-1], two.sections[0], doubtful):
             continue
         area, walls = (one, two) if one.clears else (two, one)
-        low, high = area.box[:, 0].min(axis=0), area.box[:, 1].max(axis=0)
-        if abs(low[2] - walls.box[0, 0, 2]) > SAME.HEIGHT:
-            continue
+        low, high = np.min(area.boxes, axis=(0, 1)), np.max(area.boxes, axis=(0, 1))
         # The contours next to what was cleared, as many as go around it: others may be another operation.
-        outward = slice(None) if area is one else slice(None, None, -1)
-        least = np.minimum.accumulate(walls.box[outward, 0, :2])
-        most = np.maximum.accumulate(walls.box[outward, 1, :2])
+        outward = np.array(walls.boxes if area is one else walls.boxes[::-1])
+        if abs(low[2] - outward[0, 0, 2]) > SAME.HEIGHT:
+            continue
+        least = np.minimum.accumulate(outward[:, 0, :2])
+        most = np.maximum.accumulate(outward[:, 1, :2])
         apart = np.maximum(np.abs(least - low[:2]), np.abs(most - high[:2])).max(axis=1)
         stepover = max(section.found.stepover or 0.0 for section in area.sections)
         around = np.flatnonzero(apart < max(PARTS.AROUND * np.hypot(*(high - low)[:2]), stepover))
@@ -66,26 +66,24 @@ def within_operations(toolpath: Toolpath, cut: Sequence[Cut], doubtful: Collecti
     return found
 
 
-def _runs(toolpath: Toolpath, cut: Sequence[Cut], doubtful: Collection[int]) -> Iterator[_Run]:
-    """Yield the sections that clear and those that go around, as many at once as follow one another."""
-    run: _Run | None = None
+def _runs(toolpath: Toolpath, cut: Sequence[Cut], doubtful: Collection[int]) -> list[_Run]:
+    """Return the sections that clear and those that go around, as many at once as follow one another."""
+    runs: list[_Run] = []
     for section in cut:
         strategy = section.found.strategy
         clears = strategy.family is Family.ROWS or strategy is Strategy.ADAPTIVE
         # Two walls may lie in one another as two offsets do.
-        around = strategy is Strategy.PROFILE or (
-            strategy is Strategy.CONTOUR_PARALLEL and (section.found.passes or 0) <= PARTS.WALLS
-        )
-        box = _ground(toolpath, section.found)[None] if clears or around else None
-        if run and box is not None and run.clears is clears and _meet(run.sections[-1], section, doubtful):
-            if abs(run.box[-1, 0, 2] - box[0, 0, 2]) < SAME.HEIGHT:
-                run = _Run([*run.sections, section], clears, np.concatenate([run.box, box]))
-                continue
-        if run:
-            yield run
-        run = None if box is None else _Run([section], clears, box)
-    if run:
-        yield run
+        offsets = strategy is Strategy.CONTOUR_PARALLEL and (section.found.passes or 0) <= PARTS.WALLS
+        if not (clears or offsets or strategy is Strategy.PROFILE):
+            continue
+        box, last = _ground(toolpath, section.found), runs[-1] if runs else None
+        follows = last and last.clears is clears and _meet(last.sections[-1], section, doubtful)
+        if last and follows and abs(last.boxes[-1][0, 2] - box[0, 2]) < SAME.HEIGHT:
+            last.sections.append(section)
+            last.boxes.append(box)
+        else:
+            runs.append(_Run([section], clears, [box]))
+    return runs
 
 
 def _meet(one: Cut, two: Cut, doubtful: Collection[int]) -> bool:

@@ -11,7 +11,7 @@ import numpy as np
 
 from vkworkbench.core.paper import Areas, monotonous_areas
 from vkworkbench.core.recognition.finishing import Cut, within_operations
-from vkworkbench.core.recognition.footprints import count_depths
+from vkworkbench.core.recognition.footprints import count_depths, number_depths
 from vkworkbench.core.recognition.operation import cutting_length, recognize_one, spans_of
 from vkworkbench.core.recognition.recognition import Recognition
 from vkworkbench.core.recognition.thresholds import ENOUGH, PARTS, ROWS, SAME, VISITS
@@ -48,13 +48,13 @@ def _sculptured(moves: Areas) -> bool:
 
 def _in_layers(toolpath: Toolpath, moves: Areas) -> bool:
     """Whether most plunge elsewhere, to several depths of the milling: contours of a surface, clipped to a point."""
-    if not len(moves) or not len(moves.holes):
-        return False
     bottom = toolpath.points[moves.holes + 1]
-    depths, milled = (np.unique(np.rint(z / SAME.HEIGHT)) for z in (bottom[:, 2], moves.z[moves.start]))
+    depth = number_depths(np.concatenate([bottom[:, 2], moves.z[moves.start]]))
+    drilled, milled = set(depth[: len(bottom)].tolist()), set(depth[len(bottom) :].tolist())
+    if len(drilled) < PARTS.LAYERS or not drilled <= milled:
+        return False
     places = np.unique(np.rint(bottom[:, :2] / SAME.PLACE), axis=0)
-    layered = len(depths) >= PARTS.LAYERS and bool(np.isin(depths, milled).all())
-    return layered and len(places) > ENOUGH.SHARE * len(bottom)
+    return len(places) > ENOUGH.SHARE * len(bottom)
 
 
 class Sections:

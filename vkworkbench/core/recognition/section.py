@@ -8,7 +8,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from vkworkbench.core.paper import TURN, Areas
-from vkworkbench.core.recognition.entries import share_rising, without_entries
+from vkworkbench.core.recognition.entries import without_entries
 from vkworkbench.core.recognition.footprints import number_depths
 from vkworkbench.core.recognition.pieces import LOOP, STROKE, WINDING, ZIGZAG, Pieces, cut_pieces
 from vkworkbench.core.recognition.rings import Rings, relate_rings
@@ -49,8 +49,6 @@ class Section:
         The pattern: without the ways in and out, contours over tags as one, and without spurs.
     wound : float
         Share of the length in helical ways in, which are not in `moves`.
-    rising : float
-        Share of the length along which areas climb to their ends.
     in_strokes : float
         Share of the length in contours that are cut in strokes, lifted between them.
     tool : float
@@ -81,7 +79,6 @@ class Section:
 
     def __init__(self, moves: Areas, tool: float) -> None:
         self.areas = moves
-        self.rising = share_rising(moves)
         moves, self.in_strokes = joined_over_tags(moves)
         moves, self.wound = without_entries(moves)
         self.moves, self.tool = (moves := without_spurs(moves)), tool
@@ -109,26 +106,25 @@ class Section:
         rowlike = (kind == ZIGZAG) | (kind == STROKE)
         rowlike[r.index[self.lattice]] = True
         self.zigzag = float(p.length[kind == ZIGZAG].sum()) / self.length
-        self.families: list[Rows] = []
-        self.rows = self._rows(rowlike, rowlike & (kind == LOOP))
+        self.families, self.rows = self._rows(rowlike, rowlike & (kind == LOOP))
         self.ring_pieces = np.zeros(len(p), bool)
         self.ring_pieces[r.index] = True
         if self.rows:
             self.ring_pieces[r.index[self.lattice]] = False
         self.row_pieces = rowlike & ~self.ring_pieces
 
-    def _rows(self, rowlike: np.ndarray, closed: np.ndarray) -> list[Rows]:
-        """Return the rows in the pieces that may hold some; `closed` tells which of them are loops."""
+    def _rows(self, rowlike: np.ndarray, closed: np.ndarray) -> tuple[list[Rows], list[Rows]]:
+        """Return `families` and `rows` of the pieces that may hold some; `closed` tells which of them are loops."""
         p = self.pieces
         length = float(p.length[rowlike].sum())
         if length <= LITTLE.ROWS * self.length:
-            return []  # the links between loops
+            return [], []  # the links between loops
         chosen = np.arange(len(self.moves))
         if not rowlike.all():
             chosen = np.flatnonzero(np.repeat(rowlike, p.end - p.start))
         contour = p.length[closed].sum() > ENOUGH.SHARE * length
-        self.families = find_rows(self.moves, chosen)
-        return filling(self.families, self.tool, length=length, contour=contour)
+        families = find_rows(self.moves, chosen)
+        return families, filling(families, self.tool, length=length, contour=contour)
 
     def share(self, rings: np.ndarray) -> float:
         """Share of the cutting length in these rings."""

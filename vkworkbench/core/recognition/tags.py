@@ -7,7 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from vkworkbench.core.paper import TURN, Areas, directions, turned, wrap
+from vkworkbench.core.paper import TURN, TURNS, Areas, closing_turns, directions, turned
 from vkworkbench.core.recognition.thresholds import ENOUGH, SAME, TAGS
 
 
@@ -44,7 +44,9 @@ def joined_over_tags(moves: Areas) -> tuple[Areas, float]:
     behind[last] = first
     gap_x, gap_y = _gap(moves, area, behind)
     bridged = np.add.reduceat(np.hypot(gap_x, gap_y), first) / np.add.reduceat(moves.area_length, first)
-    turned_by = np.add.reduceat(moves.phi[moves.end - 1] + _turn(moves, area, behind), first)
+    turned_by = np.add.reduceat(
+        moves.phi[moves.end - 1] + closing_turns(moves.alpha, moves.start[behind], moves.end), first
+    )
     contour = (last > first) & (bridged < ENOUGH.SHARE) & (np.abs(turned_by) > TURN / 2) & _goes_on(moves, last, first)
     if not contour.any():
         return moves, 0.0
@@ -71,12 +73,6 @@ def _gap(moves: Areas, one: np.ndarray, two: np.ndarray) -> tuple[np.ndarray, np
     return moves.x[start] - moves.x[end] - moves.dx[end], moves.y[start] - moves.y[end] - moves.dy[end]
 
 
-def _turn(moves: Areas, one: np.ndarray, two: np.ndarray) -> np.ndarray:
-    """Return the turns from the ends of some areas to the starts of others, (k,) rad."""
-    result: np.ndarray = wrap(moves.alpha[moves.start[two]] - moves.alpha[moves.end[one] - 1])
-    return result
-
-
 def _goes_on(moves: Areas, one: np.ndarray, two: np.ndarray) -> np.ndarray:
     """Tell where areas `two` begin where areas `one` end, or ahead of it, and do not turn back, (k,) bool."""
     end, start = moves.end[one] - 1, moves.start[two]
@@ -86,6 +82,6 @@ def _goes_on(moves: Areas, one: np.ndarray, two: np.ndarray) -> np.ndarray:
     after = (moves.dx[start] * x + moves.dy[start] * y) / moves.length[start]
     ahead = np.minimum(before, after) > TAGS.AHEAD * gap
     near = gap < np.maximum(moves.area_length[one], moves.area_length[two])
-    back = np.abs(_turn(moves, one, two)) > np.pi - TAGS.BACK
+    back = np.abs(closing_turns(moves.alpha, start, end + 1)) > np.pi - TURNS.UNSIGNED
     result: np.ndarray = ((gap < SAME.PLACE) | (ahead & near)) & ~back
     return result

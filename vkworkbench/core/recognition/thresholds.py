@@ -145,8 +145,6 @@ class TAGS:
     #: cosine. Behind a gap a contour goes on ahead by this. At 1 circles with tags are strokes; at 0 what is cut around a
     #: corner goes on, too, if all that is cut so closes a contour.
     AHEAD = 0.9
-    #: rad. What turns back by less than half a turn by this is no contour. At 0 rounding decides whether strokes to and fro are.
-    BACK = 0.01
 
 
 class STROKES:

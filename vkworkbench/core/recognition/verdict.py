@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from vkworkbench.core.recognition.concentric import find_arcs
+from vkworkbench.core.recognition.entries import share_rising
 from vkworkbench.core.recognition.neighbours import find_neighbours
 from vkworkbench.core.recognition.section import Section
 from vkworkbench.core.recognition.thresholds import (
@@ -179,7 +180,7 @@ def _judge_strokes(s: Section) -> Verdict:
     long = k.typical > STROKES.LONG * extent.sum()
     # Letters may be carved at several depths as contours are, but there are more of them, and they are short.
     contours = k.distinct < STROKES.DISTINCT * number and (long or k.distinct <= ENOUGH.TIMES)
-    if s.rising > STROKES.RISING and sloped < ENOUGH.SHARE and s.retraced < ENOUGH.SHARE:
+    if max(sloped, s.retraced) < ENOUGH.SHARE and share_rising(s.areas) > STROKES.RISING:
         return Verdict(Strategy.ENGRAVING, number, Message("rising-strokes"))
     if k.distinct <= 1 or contours or s.retraced > ENOUGH.SHARE:
         seen = Message("one-open-contour") if number == 1 else Message("open-contour-again")
