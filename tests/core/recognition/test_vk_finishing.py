@@ -17,15 +17,15 @@ ZIGZAG, ADAPTIVE, PROFILE, OFFSETS = Strategy.ZIGZAG, Strategy.ADAPTIVE, Strateg
 
 
 def found_in(*sections, where=0.0, doubtful=None):
-    """Return the numbers of the sections that go on with the operation before them; each is (strategy, box[, depth[, passes]])."""
+    """Return the numbers of the sections that go on with the operation before them; each is (strategy, box[, depth[, passes[, stepover]]])."""
     points, rapid, cut = [(where, where, 5.0)], [], []
     for strategy, (x, y, u, v), *more in sections:
-        depth, passes = (*more, *(-1.0, None)[len(more) :])
+        depth, passes, stepover = (*more, *(-1.0, None, None)[len(more) :])
         points += [(where + x, where + y, depth), (where + u, where + v, depth)]
         rapid += [True, False]
         last = len(rapid) - 1
         one = SimpleNamespace(
-            strategy=strategy, passes=passes, stepover=None, spans=(SimpleNamespace(first=last, last=last),)
+            strategy=strategy, passes=passes, stepover=stepover, spans=(SimpleNamespace(first=last, last=last),)
         )
         cut.append(Cut(last - 1, last + 1, one))
     path = SimpleNamespace(points=np.array(points), rapid=np.array(rapid))
@@ -61,6 +61,14 @@ def test_other_contours_are_operations_of_their_own(sections):
 
 def test_two_walls_may_lie_in_one_another_as_offsets_do():
     assert found_in((ADAPTIVE, CLEARED), (OFFSETS, AROUND, -1.0, 2)) == [1]
+
+
+def test_a_contour_no_farther_than_a_stepover_outside_rows_finishes_them():
+    out = (-3.5, -3.5, 33.5, 43.5)  # over a twentieth of the diagonal
+    lower, upper = (0.0, 0.0, 30.0, 15.0), (0.0, 20.0, 30.0, 40.0)
+    assert found_in((ZIGZAG, CLEARED, -1.0, 9, 4.0), (PROFILE, out)) == [1]
+    assert found_in((ZIGZAG, CLEARED, -1.0, 9, 3.0), (PROFILE, out)) == []
+    assert found_in((ZIGZAG, lower, -1.0, 9, 4.0), (ADAPTIVE, upper, -1.0, 9), (PROFILE, out)) == [1, 2]
 
 
 def test_the_walls_may_be_several_contours_and_what_is_cleared_several_places():
