@@ -35,6 +35,8 @@ class Column:
         For a time that is estimated: the true one is between it divided and multiplied by this factor of the row.
     least : callable
         Whether the value of a row is a lower bound.
+    learns : bool
+        Whether runs of the simulator make the factor smaller.
     """
 
     key: str
@@ -44,6 +46,7 @@ class Column:
     shown: Callable[[object], str] = str
     factor: Callable[[Row], float] | None = None
     least: Callable[[Row], bool] = lambda row: False
+    learns: bool = False
 
     @property
     def name(self) -> str:
@@ -63,8 +66,11 @@ class Column:
         value, factor = self.value(row), self.factor(row) if self.factor else 1.0
         if value is None or factor < ROUGH:
             return ""
-        text = translate("Vk_Results", "Between {} and {}, until this simulator has run a few times on this computer")
-        return text.format(user().time(value / factor, factor), user().time(value * factor, factor))
+        low, high = user().time(value / factor, factor), user().time(value * factor, factor)
+        if self.learns:
+            text = translate("Vk_Results", "Between {} and {}, until this simulator has run a few times on this computer")
+            return text.format(low, high)
+        return user().between(low, high)
 
 
 def columns(version: tuple[int, ...], marked: str) -> tuple[list[Column], list[Column]]:
@@ -91,7 +97,7 @@ def columns(version: tuple[int, ...], marked: str) -> tuple[list[Column], list[C
                lambda row: row.found.machining_seconds, _as("time"), least=lambda row: not row.machining_complete),
         Column("simulation_time", translate("Vk_Results", "Simulation\ntime"),
                time.format(simulator=user().simulator(marked)),
-               partial(_seconds, marked), factor=partial(_factor, simulator), least=_is_bound),
+               partial(_seconds, marked), factor=partial(_factor, marked), least=_is_bound, learns=bool(simulator.lessons)),
         Column(STATE, translate("Vk_Results", "State"),
                translate("Vk_Results", "Outdated: toolpath, tool or stock have changed since; analyze it again"),
                lambda row: translate("Vk_Results", "outdated") if row.outdated else None),
@@ -139,8 +145,8 @@ def _bytes(simulator: str, row: Row) -> float | None:
     return cost and cost[1]
 
 
-def _factor(simulator: Simulator, row: Row) -> float:
-    return row.found.factor(simulator.name) if simulator.lessons else 1.0  # else no run makes it surer
+def _factor(simulator: str, row: Row) -> float:
+    return row.found.factor(simulator)
 
 
 def _is_bound(row: Row) -> bool:
@@ -155,7 +161,7 @@ def _of_simulator(simulator: Simulator) -> tuple[Column, Column]:
     time, memory = translate("Vk_Results", "{simulator}\ntime"), translate("Vk_Results", "{simulator}\nmemory")
     return (
         Column(f"{name} time", time.format(simulator=called), text(simulator.time_tooltip),
-               partial(_seconds, name), factor=partial(_factor, simulator), least=_is_bound),
+               partial(_seconds, name), factor=partial(_factor, name), least=_is_bound, learns=bool(simulator.lessons)),
         Column(f"{name} memory", memory.format(simulator=called), text(simulator.memory_tooltip),
                partial(_bytes, name), _as("memory")),
     )  # fmt: skip

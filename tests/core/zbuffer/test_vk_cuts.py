@@ -9,7 +9,8 @@ import numpy as np
 import pytest
 from zbuffer_reference.paths import toolpath
 
-from vkworkbench.core import Cut, Tool
+from vkworkbench.core import Cut, Tool, linearize
+from vkworkbench.core.machining import machining
 from vkworkbench.core.zbuffer.cuts import Cuts, Source
 
 ONE = toolpath(np.array([(0, 0, 0), (3, 4, 0), (3, 4, 12)], float))
@@ -41,6 +42,16 @@ def test_what_has_a_feed_takes_its_time():
     assert CUTS.seconds == pytest.approx([0.5, 1.2, 0, 2, 0])
     slow = replace(ONE, feed=np.array([0.5, 0.25]))
     assert Cuts([Cut(slow, TOOL)]).seconds == pytest.approx([10, 48])
+
+
+def test_lengths_and_times_are_those_of_arcs():
+    """As the report tells them, not those of their chords: two turns of a bore of 1 mm, 0.5 mm deep each."""
+    turn = ("G2", {"X": 1, "Y": 0, "Z": -0.5, "I": -1, "J": 0, "F": 5})
+    bore = linearize([("G0", {"X": 1, "Y": 0, "Z": 0}), turn, ("G2", {**turn[1], "Z": -1.0})], tolerance=0.05)
+    cuts = Cuts([Cut(bore, TOOL)])
+    assert cuts.lengths.sum() == pytest.approx(2 * np.hypot(2 * np.pi, 0.5))
+    assert cuts.seconds.sum() == pytest.approx(machining(bore).cutting_seconds)
+    assert bore.lengths.sum() < 0.995 * cuts.lengths.sum()
 
 
 @pytest.mark.parametrize("number", [-1, 5, 6])

@@ -55,6 +55,23 @@ def test_each_second_has_the_rate_of_its_moves_and_the_last_is_as_long():
     )
 
 
+def test_the_highest_rate_is_that_of_all_seconds():
+    """Of feeds that change within a second, and over many seconds."""
+    rng = np.random.default_rng(3)
+    points = np.column_stack((rng.uniform(0, 40, 60), rng.uniform(0, 30, 60), rng.uniform(4, 11, 60)))
+    z = simulated(path(points, rng.choice([0, 0.4, 7, 90, 400], 59)))
+    begin, rate = removal_over_time(z)
+    assert len(begin) > 200
+    assert facts(z).job.peak_rate == pytest.approx(rate.max(), rel=1e-9)
+
+
+def test_years_of_machining_take_no_memory():
+    """A millimetre in eleven days: each second of 35 years would have a number."""
+    found = facts(simulated(path([(-10, 15, 7), (50, 15, 7)], [1e-6]), path([(-10, 5, 7), (990, 5, 7)], [1e-6]))).job
+    assert found.cutting_seconds == pytest.approx(1.06e9)
+    assert found.peak_rate == pytest.approx(60e-6 * SLOT * 40 / 60, rel=0.01)  # 40 of 60 mm are in the block
+
+
 def test_less_than_a_second_counts_as_one():
     begin, rate = removal_over_time(simulated(path([(10, 15, 7), (15, 15, 7)], [10])))
     assert (begin.tolist(), rate.tolist()) == ([0.0], [pytest.approx(60 * (5 * SLOT + ROUND), rel=5e-3)])

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import subprocess
 import sys
+import threading
 import time
 from dataclasses import replace
 from pathlib import Path
@@ -111,6 +112,22 @@ def test_as_many_help_as_there_are_other_cores(workers, monkeypatch):
     monkeypatch.setattr(worker, "processes", lambda: 1)
     simulate(path, **solids)
     assert len(workers) == 1
+
+
+def test_what_a_process_has_no_memory_to_take_is_done_by_this_one(monkeypatch):
+    """Once where the records come in, as a worker tells of it, and once where its thread knows of nothing."""
+
+    def no_memory(*_):
+        raise MemoryError
+
+    path, solids = case()
+    monkeypatch.setattr(sharing, "_ALONE", -1.0)
+    alone = simulate(path, **solids, processes=1)
+    for of, name in ((worker.pickle, "load"), (sharing.Worker, "__call__")):
+        with monkeypatch.context() as patched:
+            patched.setattr(of, name, no_memory)
+            patched.setattr(threading, "excepthook", lambda _: None)
+            assert same(alone, simulate(path, **solids, processes=3))
 
 
 @pytest.mark.parametrize("regions", [0, 2])

@@ -9,6 +9,7 @@ from functools import cached_property
 
 import numpy as np
 
+from vkworkbench.core.machining import exact_lengths
 from vkworkbench.core.solids import Tool
 from vkworkbench.core.toolpath import Toolpath
 
@@ -94,8 +95,8 @@ class Cuts:
 
     @cached_property
     def lengths(self) -> np.ndarray:
-        """Chord lengths, (n,) mm."""
-        return self._column("lengths", float)
+        """Lengths, along the arc where a trajectory is a chord of one, (n,) mm."""
+        return np.concatenate((np.empty(0), *(exact_lengths(cut.toolpath) for cut in self.cuts)))
 
     @cached_property
     def seconds(self) -> np.ndarray:

@@ -144,7 +144,8 @@ def removal_over_time(zbuffer: ZBuffer, window: float = _WINDOW) -> tuple[np.nda
         mm^3/min.
     """
     seconds, volumes = zbuffer.cuts.seconds, removed_volumes(zbuffer)
-    return _rates(seconds, np.where(seconds > 0, volumes, 0.0), window)
+    begin = np.arange(0.0, max(float(seconds.sum()), window), window)
+    return begin, _rates(begin, seconds, np.where(seconds > 0, volumes, 0.0), window)
 
 
 def facts(zbuffer: ZBuffer, *, model: Solid | None = None, tolerance: float = 0.1) -> JobFacts:
@@ -185,7 +186,7 @@ def facts(zbuffer: ZBuffer, *, model: Solid | None = None, tolerance: float = 0.
             air_length=float(length[air[moves]].sum()),
             air_seconds=float(seconds[air[moves]].sum()),
             mean_rate=60 * float(in_time.sum()) / total if total else 0.0,
-            peak_rate=float(_rates(seconds, in_time, _WINDOW)[1].max(initial=0.0)),
+            peak_rate=_peak_rate(seconds, in_time),
             depth_of_cut=float(depth[moves].max(initial=0.0)),
             width_of_cut=float((width[moves] * engaged).sum() / engaged.sum()) if engaged.any() else 0.0,
             tool_diameter=max((cuts.cuts[k].tool.diameter for k in these), default=0.0),
@@ -200,9 +201,20 @@ def facts(zbuffer: ZBuffer, *, model: Solid | None = None, tolerance: float = 0.
     )
 
 
-def _rates(seconds: np.ndarray, volumes: np.ndarray, window: float) -> tuple[np.ndarray, np.ndarray]:
-    """Begin of each window of time, and the rate in it; the last one is as long as the others."""
+def _peak_rate(seconds: np.ndarray, volumes: np.ndarray) -> float:
+    """Highest of the rates over time.
+
+    Between two ends of trajectories the rate stays: the windows in which one ends, and those behind these, tell all. So a
+    machining time of years takes no more memory than its trajectories do.
+    """
     ends = np.append(0.0, np.cumsum(seconds))
-    begin = np.arange(0.0, max(ends[-1], window), window)
-    removed = np.interp(np.append(begin, begin[-1] + window), ends, np.append(0.0, np.cumsum(volumes)))
-    return begin, np.diff(removed) * 60 / window
+    window = np.floor(ends / _WINDOW)
+    begin = np.unique(np.append(window, window + 1)) * _WINDOW
+    begin = begin[begin < max(ends[-1], _WINDOW)]
+    return float(_rates(begin, seconds, volumes, _WINDOW).max(initial=0.0))
+
+
+def _rates(begin: np.ndarray, seconds: np.ndarray, volumes: np.ndarray, window: float) -> np.ndarray:
+    """Rate in each window of time; all are equally long."""
+    ends, removed = np.append(0.0, np.cumsum(seconds)), np.append(0.0, np.cumsum(volumes))
+    return (np.interp(begin + window, ends, removed) - np.interp(begin, ends, removed)) * 60 / window

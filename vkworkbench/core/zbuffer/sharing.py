@@ -11,6 +11,7 @@ import threading
 import time
 from collections import deque
 from collections.abc import Callable, Generator
+from contextlib import suppress
 
 from vkworkbench.core.zbuffer.culling import TILE, Region
 from vkworkbench.core.zbuffer.cut_image import CutImage
@@ -172,14 +173,15 @@ class _Crew:
 
 
 def _have_cut(worker: Worker, shared: _Shared) -> None:
-    """Have regions cut until there are none."""
-    region = None
+    """Have regions cut until there are none. One that is taken and not found would be waited for without end."""
     try:
-        worker.get_ready()
-        while (region := shared.take()) is not None:
-            shared.give(region, worker(region))
-    except WorkerDied:
-        if region is not None:
-            shared.give_back(region)
+        with suppress(WorkerDied):
+            worker.get_ready()
+            while (region := shared.take()) is not None:
+                try:
+                    shared.give(region, worker(region))
+                except BaseException:
+                    shared.give_back(region)
+                    raise
     finally:
         worker.end()
