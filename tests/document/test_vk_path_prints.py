@@ -73,3 +73,4 @@ def test_what_was_found_of_the_shapes_asked_for_last_is_kept():
     assert [of(0), of(1), of(0), of(1)] == [0, 1, 0, 1] and made == [0, 1]
     assert [of(2), of(1)] == [2, 1] and made == [0, 1, 2]
     assert of(0) == 0 and made == [0, 1, 2, 0]
+    assert [of(1), of(2), of(1)] == [1, 2, 1] and made == [0, 1, 2, 0, 2]  # 1 was asked for after 0

@@ -87,7 +87,7 @@ class Mesh:
     Parameters
     ----------
     triangles : (t, 3, 3) array_like
-        Their corners, mm; corners closer than 1e-6 mm are one.
+        Their corners, mm, rounded to 1e-6 mm where it is asked which are one.
 
     Attributes
     ----------

@@ -24,10 +24,12 @@ class OfShapes:
 
     def of(self, shape, find: Callable):
         """Return the result for a shape; `find` finds it the first time."""
-        for kept, result in self._found:
+        for at, (kept, _) in enumerate(self._found):
             if kept.isSame(shape):
-                return result
-        result = find()
-        self._found[: 1 - self._most] = []
-        self._found.append((shape, result))
-        return result
+                self._found.append(self._found.pop(at))
+                break
+        else:
+            found = find()
+            self._found[: 1 - self._most] = []
+            self._found.append((shape, found))
+        return self._found[-1][1]

@@ -139,7 +139,7 @@ class GaussFigure:
             painter.setPen(pen)
             plot.polyline(painter, points)
         painter.setPen(_pen(theme.text, 1.2))
-        arrivals = signature.unsigned + 1
+        arrivals = signature.reversals + 1
         if len(arrivals) > _MARKERS:
             arrivals = arrivals[np.linspace(0, len(arrivals) - 1, _MARKERS).astype(int)]
         plot.crosses(painter, np.column_stack([arrivals + 1, signature.phi[arrivals]]), 3)
@@ -205,7 +205,7 @@ class GaussFigure:
         """Name the curves above the graph, and above them the bound that decides."""
         text = QFontMetrics(painter.font())
         entries = [("2π n", theme.faint), ("θ + 2π n", theme.v), ("φ", theme.counter_clockwise)]
-        if len(self.signature.unsigned):
+        if len(self.signature.reversals):
             entries.append(("× Δφ = ±π", theme.text))
         x, y = self.graph.place.left(), self.graph.place.top() - text.height() - 4
         for name, color in entries:

@@ -68,7 +68,9 @@ class Column:
             return ""
         low, high = user().time(value / factor, factor), user().time(value * factor, factor)
         if self.learns:
-            text = translate("Vk_Results", "Between {} and {}, until this simulator has run a few times on this computer")
+            text = translate(
+                "Vk_Results", "Between {} and {}, until this simulator has run a few times on this computer"
+            )
             return text.format(low, high)
         return user().between(low, high)
 

@@ -202,6 +202,22 @@ def test_a_feed_by_turn_follows_the_spindle():
     )
 
 
+def test_a_feed_by_turn_of_a_spindle_that_stands_is_unknown():
+    """And not the one of before."""
+    path = read_program("G0 X0 Y0 Z0\nG1 X10 F600\nG95 F.1\nX20\nS1200 M3\nX30\nG94 F300\nX40").toolpath()
+    assert path.feed.tolist() == pytest.approx([10, 0, 2, 5])
+    assert [problem.what.code for problem in path.problems] == ["feed-mode-not-read"]
+    assert path.command.tolist() == [2, 4, 6, 8]
+    told = read_program("G0 X0 Y0 Z0\nG95 F.1\nX5\nS1200\nG1 X10").toolpath()  # before anything is cut
+    assert told.feed.tolist() == pytest.approx([0, 2]) and not told.problems
+
+
+def test_there_are_as_many_commands_as_numbers_of_lines():
+    """What is found for each command of a toolpath finds those of a program, too."""
+    path = read_program("%\n\nG0 X0 Y0 Z0\n\nG1 X10 F600\n\n(end)\n").toolpath()
+    assert path.command.tolist() == [5] and path.commands == 6
+
+
 @pytest.mark.parametrize(
     ("text", "numbers"),
     [

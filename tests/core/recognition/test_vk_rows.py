@@ -15,6 +15,9 @@ from vkworkbench.core.paper import monotonous_areas
 from vkworkbench.core.recognition.rows import Rows, filling, find_rows, weighted_median
 
 
+ZIGZAG = [(x, 3.0 * row) for row in range(6) for x in ((0.0, 50.0), (50.0, 0.0))[row % 2]]
+
+
 def rows_of(commands):
     """The families of rows among all moves."""
     moves = monotonous_areas(linearize(commands))
@@ -36,6 +39,14 @@ def test_a_zigzag_is_one_family(quarter):
     assert (rows.count, rows.lines, rows.step, rows.pitch, rows.period) == pytest.approx((10, 10, 3, 3, 3))
     assert (rows.length, rows.once, rows.typical) == pytest.approx((500, 500, 50))
     assert (rows.opposite, rows.same, rows.even) == pytest.approx((450, 0, 1))
+
+
+@pytest.mark.parametrize("degrees", [0, 180, 360])
+def test_rows_along_x_are_at_0_whatever_rounding_makes_of_it(degrees):
+    angle = math.radians(degrees)
+    ways = [(x * math.cos(angle) - y * math.sin(angle), x * math.sin(angle) + y * math.cos(angle)) for x, y in ZIGZAG]
+    (rows,) = rows_of([("G1", {"X": x, "Y": y, "Z": 0.0}) for x, y in ways])
+    assert 0 <= rows.axis < 1e-9
 
 
 def test_one_way_rows_have_neighbours_the_same_way():

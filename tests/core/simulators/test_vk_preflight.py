@@ -3,8 +3,10 @@
 
 from __future__ import annotations
 
+import importlib
 import math
 import re
+from dataclasses import replace
 from types import SimpleNamespace
 
 import numpy as np
@@ -17,9 +19,12 @@ from vkworkbench.core.simulators.constants import Constants
 from vkworkbench.core.simulators.legacy import legacy_costs
 from vkworkbench.core.simulators.opengl import opengl_cost
 from vkworkbench.core.simulators.preflight import preflight
-from vkworkbench.core.simulators.simulator import Conditions, Task
-from vkworkbench.core.simulators.table import predict
+from vkworkbench.core.simulators.simulator import Caution, Conditions, Task
+from vkworkbench.core.simulators.table import available, predict
 from vkworkbench.core.zbuffer import estimate
+from vkworkbench.language import Message
+
+PREFLIGHT = importlib.import_module("vkworkbench.core.simulators.preflight")  # of that name is the function, too
 
 START = ("G0", {"X": 10.0, "Y": 0.0, "Z": 5.0})
 HALF = {"X": -10.0, "Y": 0.0, "Z": 5.0, "I": -10.0, "J": 0.0}
@@ -164,3 +169,16 @@ def test_memory_beyond_the_budget():
         ("memory", "OpenGL"),
     ]
     assert check(commands, **costs, memory_budget=1e8) == ()
+
+
+def test_the_worst_is_told_first(monkeypatch):
+    """Whichever simulator it is of."""
+    told = [Caution(code, Message("no-moves")) for code in ("short-moves", "legacy-ramp", "long-play", "legacy-hangs")]
+    simulators = [
+        replace(s, cautions=lambda *_, own=own: own) for s, own in zip(available((1, 1)), (told[:2], told[2:]))
+    ]
+    simulators[1] = replace(simulators[1], most_bytes=None)
+    monkeypatch.setattr(PREFLIGHT, "available", lambda _: simulators)
+    costs = {simulators[1].name: SimpleNamespace(memory_bytes=2e9)}
+    found = preflight(Task(linearize([])), costs, Conditions(version=(1, 1), memory_budget=1e9))
+    assert [caution.code for caution in found] == ["legacy-hangs", "memory", "long-play", "legacy-ramp", "short-moves"]

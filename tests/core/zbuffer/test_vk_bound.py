@@ -115,4 +115,5 @@ def test_what_may_cut():
         ((24.9, 0, 0), (30, 9, 2), True), ((25, 0, 0), (30, 9, 2), False), ((-30, 0, 0), (-5, 9, 2), False),
     ):  # fmt: skip
         assert may_cut(path, tool, Stock(lower, upper)) is may, (lower, upper)
+        assert not may_cut(linearize([]), tool, Stock(lower, upper))
         assert may or simulate(path, tool=tool, stock=Stock(lower, upper), view=View((0, 0, -1), 40, 40)).traces == 0

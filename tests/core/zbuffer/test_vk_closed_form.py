@@ -113,6 +113,11 @@ def test_nothing_below_the_top_is_nothing():
     assert area(path([(10, 30, 25), (50, 30, 21)]), Strategy.ZIGZAG) == 0
 
 
+def test_rows_beside_the_stock_are_nothing():
+    beside = path([(100, 10, 15), (150, 10, 15), (150, 13, 15), (100, 13, 15)])
+    assert area(beside, Strategy.ZIGZAG, stepover=3.0) == 0
+
+
 def test_rows_are_as_wide_as_their_step_and_the_first_as_the_tool():
     """Rows of 60 mm, 4 mm apart: 60 by 6 + 4 n - 4 mm and at each end a stripe of the tool's circle."""
     assert area(along_x(20, 24), Strategy.ZIGZAG) == pytest.approx(60 * 10 + 2 * stripe(4))

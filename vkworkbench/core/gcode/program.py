@@ -53,6 +53,8 @@ class Program:
     def toolpath(self, *, tolerance: float = 0.01) -> Toolpath:
         """Return the whole program's trajectories, with its problems; `command` is a line of the text in all of them.
 
+        Their `commands` are as many as these numbers need.
+
         Raises
         ------
         ValueError
@@ -66,4 +68,10 @@ class Program:
             share[list(self.inverse_time)] = list(self.inverse_time.values())
             feed = np.where(share[path.command] > 0, (length * share)[path.command], feed)
         problems = tuple(replace(problem, command=int(self.lines[problem.command])) for problem in path.problems)
-        return replace(path, command=self.lines[path.command], feed=feed, problems=self.problems + problems)
+        return replace(
+            path,
+            command=self.lines[path.command],
+            commands=int(self.lines.max(initial=-1)) + 1,
+            feed=feed,
+            problems=self.problems + problems,
+        )

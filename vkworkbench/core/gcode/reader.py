@@ -123,6 +123,7 @@ class _Reader:
         self.feed_mode = 940
         self.spindle = 0.0
         self.per_turn: float | None = None  # the F word under G95
+        self.stands = False  # whether the last move was fed per turn of a spindle that nobody had told to turn
         self.tool: int | None = None
         self.changes = False  # whether there is an M6; where there is none, T changes the tool
         self.seconds = 0.0  # that this line's move takes, where G93 says so
@@ -436,6 +437,10 @@ class _Reader:
                 name, move, self.later = name_of(mode), {**self.later, **move}, None
         elif self.seconds and mode > 0:
             self.inverse_time[len(self.commands)] = 1 / self.seconds
+        stands = self.per_turn is not None and not self.spindle  # the feed per turn is none, and the one before is over
+        if mode > 0 and stands != self.stands:
+            self._add("G95" if stands else "G94", {})
+            self.stands = stands
         for _ in range(repeats if self.relative else 1):
             self._add(name, move)
 

@@ -41,7 +41,7 @@ class Recognition:
     ----------
     strategy : Strategy
     confidence : float
-        How often verdicts with the same support are right, 0..1.
+        How often such verdicts are right, 0..1.
     why : Message
         In the paper's terms with the numbers.
     spans : tuple of Span

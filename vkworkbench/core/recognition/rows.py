@@ -11,6 +11,9 @@ from vkworkbench.core.paper import Areas, axis_of
 from vkworkbench.core.recognition.thresholds import ENOUGH, LITTLE, NESTS, ROWS, SAME
 
 
+_ROUNDING = 1e-9  # rad; by less than this an axis below 0 is 0, and not pi
+
+
 @dataclass(frozen=True)
 class Rows:
     """Parallel passes of one axis.
@@ -139,6 +142,8 @@ def _densest(moves: Areas, chosen: np.ndarray) -> Rows | None:
     shorter = np.minimum(passed[1:], passed[:-1])
     aside = lateral > SAME.PLACE
     axis, total = axis % np.pi, float(passed.sum())
+    if np.pi - axis < _ROUNDING:
+        axis = 0.0
     if not aside.any():
         return Rows(axis, total, passed[0], typical, 1, 1, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, on)
     step = weighted_median(lateral[aside], shorter[aside])

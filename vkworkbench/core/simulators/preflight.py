@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from vkworkbench.core.simulators.simulator import Caution, Conditions, Cost, Simulator, Task
+from vkworkbench.core.simulators.simulator import WORST_FIRST, Caution, Conditions, Cost, Simulator, Task
 from vkworkbench.core.simulators.table import available
 from vkworkbench.language import Message
 
@@ -38,7 +38,8 @@ def preflight(task: Task, costs: Mapping[str, Cost], conditions: Conditions) -> 
                 instead=simulator.less_memory,
             )  # fmt: skip
             found.append(Caution("memory", what))
-    return tuple(found)
+    rank = {code: k for k, code in enumerate(WORST_FIRST)}
+    return tuple(sorted(found, key=lambda caution: rank.get(caution.code, len(rank))))
 
 
 def _surely_fits(simulator: Simulator, task: Task, conditions: Conditions) -> bool:

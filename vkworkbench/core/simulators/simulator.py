@@ -122,6 +122,10 @@ class Cost(Protocol):
         """How far the time may be off."""
 
 
+# The codes of cautions: what never ends, what is too much, what is wrong, what is only slow.
+WORST_FIRST = "legacy-hangs", "memory", "long-play", "legacy-ramp", "arcs", "short-moves"
+
+
 @dataclass(frozen=True)
 class Caution:
     """Something to know before a simulation is started.
@@ -129,8 +133,7 @@ class Caution:
     Attributes
     ----------
     code : str
-        What it is, for programs: ``"legacy-hangs"``, ``"legacy-ramp"``, ``"long-play"``, ``"memory"``,
-        ``"arcs"`` or ``"short-moves"``.
+        What it is, for programs: one of `WORST_FIRST`, or one that a further simulator adds, which comes behind.
     what : Message
         What happens and what to do.
     command : int or None
@@ -195,7 +198,7 @@ class Simulator:
     together : callable
         ``together(costs)`` is the Cost of several operations, one after another.
     cautions : callable or None
-        ``cautions(task, cost, conditions)`` are the Cautions for one operation, the worst first; the cost may be None.
+        ``cautions(task, cost, conditions)`` are the Cautions for one operation; the cost may be None.
         None where nothing goes wrong in it.
     less_memory : Message
         What helps where it takes too much memory.

@@ -27,6 +27,8 @@ def cuts_surely(toolpath: Toolpath, stock: Solid) -> bool:
 def may_cut(toolpath: Toolpath, tool: Tool, stock: Solid) -> bool:
     """Whether the box around all that the tool passes reaches into the box around the stock; else it cuts nothing."""
     points = toolpath.points
+    if not len(points):
+        return False
     lower, upper = points[:, :2].min(axis=0) - tool.radius, points[:, :2].max(axis=0) + tool.radius
     beside = (lower >= stock.upper[:2]).any() or (upper <= stock.lower[:2]).any()
     return not beside and bool(points[:, 2].min() < stock.upper[2])

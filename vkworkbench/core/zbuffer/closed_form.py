@@ -171,6 +171,8 @@ def _levels(t: _Trajectories, recognition: Recognition, tool: Tool, stock: Solid
         length = float(weight.sum())
         points = np.concatenate((t.start[here], t.end[here]))[:, :2]
         room, outline = _grown_hull(points, radius, stock)
+        if room <= 0:
+            continue  # beside the stock
         if recognition.strategy in _ROWS:
             # Rows of several directions cross without regard to each other.
             shares = [_rows_area(t, rows, tool, stepover) / room for rows in _row_families(t, here)]
