@@ -10,7 +10,6 @@ import numpy as np
 from vkworkbench.core.paper import Areas, axis_of
 from vkworkbench.core.recognition.thresholds import ENOUGH, LITTLE, NESTS, ROWS, SAME
 
-
 _ROUNDING = 1e-9  # rad; by less than this an axis below 0 is 0, and not pi
 
 

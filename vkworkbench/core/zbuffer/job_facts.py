@@ -217,4 +217,5 @@ def _peak_rate(seconds: np.ndarray, volumes: np.ndarray) -> float:
 def _rates(begin: np.ndarray, seconds: np.ndarray, volumes: np.ndarray, window: float) -> np.ndarray:
     """Rate in each window of time; all are equally long."""
     ends, removed = np.append(0.0, np.cumsum(seconds)), np.append(0.0, np.cumsum(volumes))
-    return (np.interp(begin + window, ends, removed) - np.interp(begin, ends, removed)) * 60 / window
+    rates: np.ndarray = (np.interp(begin + window, ends, removed) - np.interp(begin, ends, removed)) * 60 / window
+    return rates
