@@ -140,6 +140,7 @@ PATH = Property("Path", fingerprint="path")
 PLACEMENT = Property("Placement", fingerprint="path")
 BASE = Property("Base")
 COPIES = Property("Copies")
+CLEARANCE_HEIGHT = Property("ClearanceHeight")  # every operation of FreeCAD's that follows a shape has one
 ACTIVE = Property("Active", fingerprint="setting")
 CONTROLLER = Property("ToolController", fingerprint="setting")
 POCKET_PATTERN = Property("ClearingPattern", since=(1, 1), before=("OffsetPattern",))
@@ -180,8 +181,13 @@ def names_in_fingerprint(part: str) -> frozenset[str]:
 
 
 def is_imported(obj) -> bool:
-    """Whether a toolpath may come from a file: a custom operation, or an object that no operation of FreeCAD's makes."""
-    return GCODE.is_in(obj) or getattr(obj, "Proxy", None) is None
+    """Whether a toolpath may come from a file: a custom operation, or an object that no operation of FreeCAD's makes.
+
+    What another version has made has no proxy, but the properties of an operation, or of what dresses one up.
+    """
+    if GCODE.is_in(obj):
+        return True
+    return getattr(obj, "Proxy", None) is None and not (CLEARANCE_HEIGHT.is_in(obj) or BASE.is_in(obj))
 
 
 def operation_name(obj) -> str:

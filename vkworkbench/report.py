@@ -303,17 +303,24 @@ class Report:
     def with_facts(self, facts: SimulationFacts) -> Report:
         """Return the report with what a simulation told of its operations, and of the job if all of it was simulated.
 
+        Of what has another toolpath, tool or stock now than it had in the simulation nothing is told.
+
         Parameters
         ----------
         facts : SimulationFacts
             ``vkworkbench.simulate(job).facts()``.
         """
-        told = dict(zip(facts.names, (of_one for _, of_one in facts.operations)))
-        operations = tuple(replace(o, simulated=told.get((o.document, o.name), o.simulated)) for o in self.operations)
+        told = {
+            (*names, fingerprint): of_one
+            for names, fingerprint, (_, of_one) in zip(facts.names, facts.fingerprints, facts.operations)
+        }
+        operations = tuple(
+            replace(o, simulated=told.get((o.document, o.name, o.fingerprint), o.simulated)) for o in self.operations
+        )
         jobs = {}
         for key in self.jobs:
             cutting = {
-                (o.document, o.name)
+                (o.document, o.name, o.fingerprint)
                 for o in self.operations
                 if o.counted and (o.document, o.job) == key and o.trajectories
             }
@@ -421,7 +428,7 @@ def total_of(
         fixtures=fixtures,
         machining_seconds=fixtures * sum(o.machining_seconds or 0.0 for o in counted),
         machining_complete=not any(o.left_out for o in counted),
-        incomplete=len(known) < sum(o.trajectories > 0 for o in counted),
+        incomplete=len(known) < sum(o.trajectories > 0 and o.strategy is not Strategy.EMPTY for o in counted),
         costs=costs,
         advice=advice,
     )  # fmt: skip

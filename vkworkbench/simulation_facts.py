@@ -28,6 +28,8 @@ class SimulationFacts:
         All together.
     names : tuple of (str, str)
         Internal names of each operation's document and object.
+    fingerprints : tuple of str
+        Of each operation's toolpath, tool and stock, as they were simulated.
     trajectories : mapping of str to ndarray
         What each trajectory does, by columns; see `core.zbuffer.trajectory_table`.
     """
@@ -35,6 +37,7 @@ class SimulationFacts:
     operations: tuple[tuple[str, CutFacts], ...]
     job: CutFacts
     names: tuple[tuple[str, str], ...]
+    fingerprints: tuple[str, ...]
     trajectories: Mapping[str, np.ndarray]
 
     def as_dict(self) -> dict[str, Any]:

@@ -137,3 +137,14 @@ def test_the_lowest_point_is_that_of_what_is_cut_whichever_way():
     assert (work.lowest, work.depth) == (-2, 3)
     again = machining(linearize([*rising, ("G1", {"X": 0.0}), ("G1", {"Z": 4.0})]), top=1.0)
     assert (again.lowest, again.depth) == (-2, 3)
+
+
+def test_what_is_not_read_and_takes_time_makes_a_time_the_least():
+    start, cut = ("G0", {"X": 0.0, "Y": 0.0, "Z": 5.0}), ("G1", {"X": 50.0, "F": 10.0})
+    for command, code in (
+        (("G1", {"X": 60.0, "A": 90.0}), "rotary-cuts"), (("G0", {"A": 45.0}), "rotary-not-read"),
+        (("G38.2", {"Z": -4.0, "F": 1.0}), "probing-untimed"), (("G4", {"P": 2.0}), "dwell-untimed"),
+    ):  # fmt: skip
+        found = machining(linearize([start, cut, command]), horizontal_rapid=50.0, vertical_rapid=50.0)
+        assert [told.arguments["sentence"].code for told in found.left_out] == [code] and not found.complete
+    assert machining(linearize([start, cut, ("G999", {})]), horizontal_rapid=50.0, vertical_rapid=50.0).complete

@@ -35,6 +35,7 @@ FOUND = SimulationFacts(
     (("Fräsen", CLEAN), ("=Pocket", FAULTY)),
     FAULTY,
     (("Doc", "Face"), ("Doc", "Pocket")),
+    ("f", "g"),
     {"cut": np.array([0, 1, 1]), "command": np.array([2, 7, 8]), "removed_volume": np.array([1.5, 2.5, 0.0])},
 )
 

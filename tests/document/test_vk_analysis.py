@@ -224,6 +224,26 @@ def test_what_is_in_no_group_of_a_job_is_not_posted(small, zigzag_commands):
     assert [o.label for o in vkworkbench.simulate(small.document).job.operations] == ["Array"]
 
 
+def test_a_job_has_what_an_array_has_taken_out_of_its_group(small, zigzag_commands):
+    """As FreeCAD 1.1's does it: its mark is cleared with the job's."""
+    base = small.add("Base", zigzag_commands)
+    small.job.Operations.Group = [array_of(small, zigzag_commands, base)]
+    report = vkworkbench.analyze(small.job)
+    assert {row.label: row.counted for row in report.operations} == {"Array": True, "Base": False}
+    vkworkbench.mark(report)
+    assert base.Label2
+    vkworkbench.clear(small.job)
+    assert not base.Label2
+
+
+def test_a_copy_leaves_what_it_copies_in_the_job(small, zigzag_commands, monkeypatch):
+    base, copy = small.add("Base", zigzag_commands), small.add("Copy", zigzag_commands)
+    copy.addProperty("App::PropertyLink", "Base", "Path").Base = base
+    assert [row.counted for row in vkworkbench.analyze(small.job).operations] == [False, True]  # one that dresses it up
+    copy.Proxy = type("ObjectPathCopy", (), {"__module__": "Path.Op.Gui.Copy"})()
+    assert [row.counted for row in vkworkbench.analyze(small.job).operations] == [True, True]
+
+
 def test_an_array_is_posted_as_long_as_one_of_its_bases_is_active(small, zigzag_commands):
     first, second = small.add("First", zigzag_commands), small.add("Second", zigzag_commands)
     array_of(small, zigzag_commands, first, second)

@@ -55,6 +55,15 @@ def test_imported_inches_of_two_operations_are_told_apart(small, tmp_path):
     assert [str(span.strategy) for span in row.recognition.spans] == ["zigzag", "profile"]
 
 
+@pytest.mark.parametrize("name", ["ClearanceHeight", "Base"])
+def test_what_another_freecad_has_made_is_no_imported_program(small, name):
+    """It has no proxy, but an operation's heights or what it dresses up. Its feeds are mm/s, however fast."""
+    operation = small.add("Fast", [("G0", {"X": 5.0, "Y": 5.0, "Z": 30.0}), ("G1", {"Z": 15.0, "F": 300.0}), ("G1", {"X": 55.0})])
+    assert vkworkbench.analyze(operation).operations[0].machining_seconds == pytest.approx(65 / 5)
+    operation.addProperty("App::PropertyFloat" if name == "ClearanceHeight" else "App::PropertyLink", name, "Path")
+    assert vkworkbench.analyze(operation).operations[0].machining_seconds == pytest.approx(65 / 300)
+
+
 def test_imported_millimetres_are_not_doubted(small, tmp_path):
     FreeCAD.setActiveDocument(small.name)
     lines = ROWS.replace("G1 X2.1000", "G1 X50.1000").replace("Y0.", "Y").replace("Y1.", "Y1")

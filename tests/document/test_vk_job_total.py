@@ -120,6 +120,16 @@ def test_a_total_of_other_operations_is_not_read(twice):
     assert marks.read_total(twice.job) is None
 
 
+def test_what_cuts_nothing_is_no_unknown_cost(twice):
+    """A tool that is driven away has moves, and costs no simulator anything."""
+    twice.add("Away", [("G0", {"Z": 50.0}), ("G0", {"X": 0.0, "Y": 0.0}), ("G0", {"Z": 80.0})])
+    report = vkworkbench.analyze(twice.job)
+    (total,) = report.totals
+    assert report.operations[-1].trajectories and not total.incomplete
+    vkworkbench.mark(report)
+    assert "≥" not in twice.job.Label2 and "Away" not in twice.job.Label2
+
+
 def test_a_closed_document_is_forgotten(twice):
     vkworkbench.mark(vkworkbench.analyze(twice.document))
     name = twice.document.Name

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import FreeCAD
+import Path
 import pytest
 
 import vkworkbench
@@ -50,6 +51,18 @@ def odd_row(small, op):
     row = rows["Odd"]
     assert "please report" not in (row.error or ""), row.error
     return row
+
+
+def test_a_comment_of_a_job_is_no_operation_without_a_toolpath(sound):
+    """Nobody needs to recompute it."""
+    comment = bare(sound, "Comment")
+    comment.Path = Path.Path([Path.Command("(flip the part)")])
+    sound.job.Operations.Group += [comment]
+    rows = {row.name: row for row in vkworkbench.analyze(sound.job).operations}
+    assert [remark.code for remark in rows["Comment"].remarks] == ["no-cutting-move"]
+    comment.Path = Path.Path()
+    rows = {row.name: row for row in vkworkbench.analyze(sound.job).operations}
+    assert [remark.code for remark in rows["Comment"].remarks] == ["no-toolpath"]
 
 
 @pytest.fixture

@@ -9,7 +9,7 @@ import Part
 import pytest
 
 from vkworkbench.document.fingerprint import AT_ONCE, Settings, text_of
-from vkworkbench.document.setting import exact_box, rapid_feeds, vertical_feed
+from vkworkbench.document.setting import exact_box, rapid_feeds, tool_remark, vertical_feed
 
 
 def operation(**controller):
@@ -33,6 +33,16 @@ def test_rapid_speeds_are_positive_numbers_or_none(across, down, feeds):
 def test_the_feed_downwards(feed, told):
     assert vertical_feed(operation(VertFeed=feed)) == told
     assert vertical_feed(operation()) == 0
+
+
+@pytest.mark.parametrize(
+    ("name", "instead"), [("endmill", None), ("tap", "as-drill"), ("probe", "as-end-mill"), ("my_ball_6", "as-end-mill")]
+)
+def test_a_tool_of_another_shape_is_said_to_be_an_end_mill(name, instead):
+    bit = SimpleNamespace(ShapeName=name, ShapeType=name, Diameter=6.0)
+    remark = tool_remark(operation(Label="Tool", Tool=bit))
+    assert (remark and remark.arguments["instead"].code) == instead
+    assert tool_remark(operation()) is None
 
 
 def test_a_coarse_mesh_does_not_change_the_box():

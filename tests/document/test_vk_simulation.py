@@ -18,7 +18,7 @@ from vkworkbench.core.zbuffer import OverBudget
 from vkworkbench.document.listing import Listing
 from vkworkbench.document.simulated_job import copy_job, read_job
 from vkworkbench.document.simulation import simulate_read
-from vkworkbench.language import Unusable
+from vkworkbench.language import Unusable, render
 from vkworkbench.report import Cancelled
 from vkworkbench.worker import Worker, WorkerDied
 
@@ -219,6 +219,28 @@ def test_every_move_takes_its_time_by_feed_or_rapid(small):
         ("G0", {"Z": 30.0}), ("G0", {"Y": 15.0}),
     ])  # fmt: skip
     assert vkworkbench.simulate(small.job, view=VIEW).job.seconds == pytest.approx([3.0, 6.0, 0.5, 0.3])
+
+
+def test_what_is_not_read_of_a_toolpath_is_told(small):
+    """Of what turns nobody knows what is cut."""
+    small.add("Odd", [*slot(10.0), ("G999", {})])
+    small.add("Turned", [("G0", {"X": 5.0, "Y": 20.0, "Z": 30.0}), ("G1", {"Z": 10.0}), ("G1", {"X": 50.0, "A": 90.0})])
+    done = vkworkbench.simulate(small.job, view=VIEW)
+    assert [operation.label for operation in done.job.operations] == ["Odd"]
+    odd, turned = map(render, done.job.remarks)
+    assert odd.startswith("Odd: ") and "G999" in odd
+    assert turned.startswith("Turned: ") and "the path of the tool cannot be told" in turned
+
+
+def test_what_a_simulation_found_is_not_told_of_another_toolpath(small):
+    first, second = small.add("First", slot(10.0)), small.add("Second", slot(20.0))
+    found = vkworkbench.simulate(small.job, view=VIEW).facts()
+    (total,) = vkworkbench.analyze(small.job).with_facts(found).totals
+    assert total.simulated is found.job
+    first.Path = second.Path
+    report = vkworkbench.analyze(small.job).with_facts(found)
+    assert [row.simulated is None for row in report.operations] == [True, False]
+    assert report.totals[0].simulated is None
 
 
 def test_a_report_tells_what_a_simulation_found(small, tmp_path):

@@ -189,7 +189,7 @@ def machining(
         if not timed.any():
             rapid_seconds = None
 
-    left_out += [problem.remark for problem in toolpath.problems if problem.of_time]
+    left_out += [problem.remark for problem in toolpath.problems if problem.takes_time]
     lowest = depth = None
     if (~rapid).any():
         heights = toolpath.points[:, 2]

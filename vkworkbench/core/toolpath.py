@@ -10,6 +10,10 @@ import numpy as np
 from vkworkbench.language import Message, render
 
 
+_OF_TIME = "dwell-untimed", "probing-untimed"
+_TAKES_TIME = "rotary-cuts", "rotary-not-read"
+
+
 @dataclass(frozen=True)
 class Problem:
     """Something in the commands that could not be used.
@@ -36,7 +40,12 @@ class Problem:
     @property
     def of_time(self) -> bool:
         """Whether only the machining time lacks it: nothing is wrong with the tool's way."""
-        return self.what.code == "dwell-untimed"
+        return self.what.code in _OF_TIME
+
+    @property
+    def takes_time(self) -> bool:
+        """Whether the machining time lacks it."""
+        return self.of_time or self.what.code in _TAKES_TIME
 
     @property
     def remark(self) -> Message:

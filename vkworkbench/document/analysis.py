@@ -27,7 +27,7 @@ from vkworkbench.document.fingerprint import (
     text_of,
 )
 from vkworkbench.document.known import KNOWN, key_of
-from vkworkbench.document.operations import Operation, find, fixtures_of, is_imported, is_there
+from vkworkbench.document.operations import Operation, find, fixtures_of, has_controller, is_imported, is_there
 from vkworkbench.document.path_prints import PATH_PRINTS
 from vkworkbench.document.recognized import recognized
 from vkworkbench.document.setting import NO_CONTROLLER, placed, rapid_feeds, read_stock, read_tool, tool_remark
@@ -148,6 +148,7 @@ class _Reading:
     counted: bool
     active: bool
     imported: bool = False
+    says_only: bool = False
     path: object = None
     placement: object = None
     tool: Tool | None = None
@@ -188,6 +189,7 @@ def _read(operation: Operation) -> _Reading:
         return replace(
             reading,
             imported=is_imported(obj),
+            says_only=not has_controller(obj),
             path=obj.Path,
             placement=obj.Placement,
             tool=tool,
@@ -277,8 +279,9 @@ def _analysed(
     found, inches = recognized(toolpath, tool and tool.diameter, reading.imported)
     if inches:
         remarks.append(Message("inches-as-millimetres"))
-    if found.strategy is Strategy.EMPTY and not toolpath.commands <= len(toolpath.comments):
-        remarks = [Message("no-cutting-move")]  # a stop or a fixture needs neither tool nor stock
+    silent = toolpath.commands <= len(toolpath.comments)
+    if found.strategy is Strategy.EMPTY and (not silent or (reading.says_only and toolpath.comments)):
+        remarks = [Message("no-cutting-move")]  # a stop, a comment or a fixture needs neither tool nor stock
     elif found.strategy is Strategy.EMPTY:
         # Where there is no toolpath, remarks on tool and stock would miss the point.
         remarks = [Message("no-toolpath") if reading.active else Message("inactive")]

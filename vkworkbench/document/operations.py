@@ -48,7 +48,8 @@ def kind(obj) -> str | None:
     if freecad.TOOL_NUMBER.is_in(obj) and freecad.SPINDLE_SPEED.is_in(obj):
         return "controller"
     if _bases(obj):
-        return "array" if freecad.COPIES.is_in(obj) else "dressup"
+        beside = freecad.COPIES.is_in(obj) or freecad.operation_name(obj) == "Copy"  # its base is posted, too
+        return "array" if beside else "dressup"
     return "operation"
 
 
@@ -179,12 +180,17 @@ def _find(what, jobs: dict) -> Iterator[Operation]:
 
 
 def _of_job(job) -> Iterator[Operation]:
+    """Find what is in the group of a job, and what that is made from."""
     posted = list(members(freecad.OPERATIONS.of(job)))
     # A file made without a window lists a dress-up and its base side by side.
     dressed = {base.Name for obj in posted if kind(obj) == "dressup" for base in _dressed(obj)}
     for obj in posted:
         if kind(obj) in ("operation", "dressup", "array"):
             yield from _with_bases(obj, job, counted=obj.Name not in dressed)
+    for obj in posted:
+        if kind(obj) == "array":  # one that dresses up has taken what it copies out of the group
+            for base in _bases(obj):
+                yield from _with_bases(base, job, counted=False)
 
 
 def _with_bases(obj, job, counted: bool) -> Iterator[Operation]:
@@ -251,6 +257,11 @@ def through_bases(obj, wanted: freecad.Property):
         if value is not None:
             return value
     return None
+
+
+def has_controller(obj) -> bool:
+    """Whether an operation, or what it dresses up, is one that a tool follows, be its controller set or not."""
+    return any(map(freecad.CONTROLLER.is_in, (obj, *_all_bases(obj))))
 
 
 def is_active(obj, _above: tuple[str, ...] = ()) -> bool:

@@ -6,7 +6,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from vkworkbench import preferences
-from vkworkbench.core import Recognition, Toolpath, recognize
+from vkworkbench.core import Problem, Recognition, Toolpath, recognize
 from vkworkbench.core.gcode import looks_like_inches
 from vkworkbench.core.recognition import recognize_inches, unknown
 from vkworkbench.document.operations import is_imported
@@ -45,6 +45,12 @@ def source_of(obj) -> Source:
     return Source(obj.Path, obj.Placement, diameter, is_imported(obj), preferences.read().tolerance)
 
 
+def turns(toolpath: Toolpath) -> Problem | None:
+    """Return that a rotary axis turns while the tool cuts, where one does: nobody knows what is cut then."""
+    turning = (problem for problem in toolpath.problems if problem.what.code == "rotary-cuts")
+    return next(turning, None) if len(toolpath) else None
+
+
 def recognized(toolpath: Toolpath, tool_diameter: float | None, imported: bool) -> tuple[Recognition, bool]:
     """Return what a toolpath of a document does, and whether its inches were read as millimetres.
 
@@ -57,8 +63,8 @@ def recognized(toolpath: Toolpath, tool_diameter: float | None, imported: bool) 
     imported : bool
         Whether it may come from a file: FreeCAD's importer drops G20.
     """
-    turning = next((problem for problem in toolpath.problems if problem.what.code == "rotary-cuts"), None)
-    if turning and len(toolpath):
+    turning = turns(toolpath)
+    if turning:
         return unknown(toolpath, turning.remark), False
     if imported and looks_like_inches(toolpath, tool_diameter=tool_diameter, imported=True):
         return recognize_inches(toolpath, tool_diameter=tool_diameter, program=True), True

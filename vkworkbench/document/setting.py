@@ -23,7 +23,7 @@ _SHAPES = {
     "countersink": "vbit", "tap": "drill", "reamer": "endmill", "threadmill": "endmill", "slittingsaw": "endmill",
     "slotcutter": "endmill", "dovetail": "endmill", "radius": "endmill",
 }  # fmt: skip
-# Those of them that these only stand for: what is not convex is simulated by its hull, a taper above a ball is left out.
+# Those of them that these only stand for, as an end mill does for all others: what is not convex is simulated by its hull, a taper above a ball is left out.
 _AS_END_MILL, _AS_BALL_END, _AS_DRILL = Message("as-end-mill"), Message("as-ball-end"), Message("as-drill")
 _SIMPLIFIED = {
     "taperedballnose": _AS_BALL_END, "tap": _AS_DRILL, "threadmill": _AS_END_MILL, "slittingsaw": _AS_END_MILL,
@@ -62,7 +62,8 @@ def tool_remark(operation) -> Message | None:
     """Return what of its tool is not simulated; None where all of it is, and where it has none."""
     controller = through_bases(operation, freecad.CONTROLLER)
     bit = freecad.TOOL.of(controller) if hasattr(controller, "Label") else None
-    instead = bit and _SIMPLIFIED.get(_shape_name(bit))
+    name = _shape_name(bit) if bit else "endmill"
+    instead = _SIMPLIFIED.get(name) if name in _SHAPES else _AS_END_MILL
     return Message("tool-simplified", label=controller.Label, instead=instead) if instead else None
 
 

@@ -26,7 +26,7 @@ from vkworkbench.document.fingerprint import (
 )
 from vkworkbench.document.listing import Listing
 from vkworkbench.document.operations import Operation, find, is_document, is_imported, is_object
-from vkworkbench.document.recognized import recognized
+from vkworkbench.document.recognized import recognized, turns
 from vkworkbench.document.setting import (
     exact_box,
     placed,
@@ -313,8 +313,14 @@ def _linearized(copied: _Copied, tolerance: float) -> ReadCut:
         else:
             feeding, minutes = in_seconds(toolpath) if operation.imported else (toolpath, None)
             listing.in_minutes = minutes is not None
-            cut = Cut(feeding, copied.tool, copied.vertical_feed) if len(toolpath) else None
-            told = [*told, minutes] if cut is not None else []
+            unread = [problem.remark for problem in toolpath.problems if not problem.of_time]
+            if turns(toolpath):
+                told = unread
+            elif len(toolpath):
+                cut = Cut(feeding, copied.tool, copied.vertical_feed)
+                told = [*told, minutes, *unread]
+            else:
+                told = []
     remarks = tuple(Message("of", label=operation.label, sentence=remark) for remark in told if remark)
     return ReadCut(operation, cut, toolpath, listing, remarks)
 

@@ -138,7 +138,10 @@ class Simulation:
         names = tuple((operation.document, operation.name) for operation in self.job.operations)
         zbuffer = self.at(self.trajectories).zbuffer
         found = facts(zbuffer, model=self.job.model, tolerance=tolerance)
-        return SimulationFacts(tuple(zip(labels, found.cuts)), found.job, names, trajectory_table(zbuffer))
+        fingerprints = tuple(operation.fingerprint for operation in self.job.operations)
+        return SimulationFacts(
+            tuple(zip(labels, found.cuts)), found.job, names, fingerprints, trajectory_table(zbuffer)
+        )
 
     def source(self, trajectory: int) -> tuple[SimulatedOperation, int]:
         """Return the operation of a trajectory and the index of its command in the operation's Path."""

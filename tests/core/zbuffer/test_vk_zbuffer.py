@@ -179,6 +179,8 @@ def test_moments_outside_the_simulation_are_refused():
     for step in (-1, 2):
         with pytest.raises(ValueError, match="moments 0 to 1"):
             z.at(step)
+    with pytest.raises(TypeError, match="integer"):  # between two moments is none
+        z.at(0.5)
 
 
 def test_rapids_cut_what_they_meet():

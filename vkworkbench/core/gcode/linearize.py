@@ -14,7 +14,7 @@ from typing import Any, List
 import numpy as np
 
 from vkworkbench.core.gcode import arcs, cycles
-from vkworkbench.core.gcode.unread import unread
+from vkworkbench.core.gcode.unread import PROBES, unread
 from vkworkbench.core.gcode.words import (
     COMMENT,
     COORDINATE_LIMIT,
@@ -32,7 +32,6 @@ MOST_TRAJECTORIES = 5_000_000  # 2 GB of memory
 SLOWEST_FEED = 1e-6  # mm/s, eleven days for a millimetre
 
 _RAPID, _CW, _CCW, _CANCEL = 0, 20, 30, 800
-_PROBE = np.arange(382, 386)
 # Codes that set a state read below, or one that does not move the tool.
 _STATE = np.array([40, 70, 80, 150, 170, 180, 190, 200, 210, 400, 410, 411, 420, 421, 430, 431, 432, 490,
                    500, 540, 550, 560, 570, 580, 590, 591, 592, 593, 610, 611, 640, 690, 800, 900, 901, 910,
@@ -273,7 +272,7 @@ def _expand_cycles(program: _Program, rows: np.ndarray) -> tuple[np.ndarray, np.
 
 
 def _report_codes(words: Words, problems: _Problems) -> None:
-    known = np.concatenate([MOTIONS, _STATE, _PROBE])
+    known = np.concatenate([MOTIONS, _STATE, PROBES])
     codes = words.codes
     by_name: dict[str, list[int]] = {}
     for row in np.flatnonzero((codes == UNKNOWN) | ((codes >= 0) & ~np.isin(codes, known))).tolist():

@@ -14,6 +14,7 @@ from vkworkbench.language import Message
 ROTARY = "ABC"
 # Words that moves and cycles are read from, and those that say nothing about the way of the tool.
 _READ = frozenset("XYZIJKRQF" + "GMNSTDH" + "LP")
+PROBES = 382, 383, 384, 385
 _INCHES, _DWELL, _STRAIGHT, _ARCS = 200, 40, (0, 10), (20, 30)
 _CORNERS = frozenset("IJKR")  # by which some controls round or chamfer the corner behind a straight move
 _COMPENSATION = {410: "G41", 411: "G41.1", 420: "G42", 421: "G42.1"}
@@ -57,6 +58,7 @@ def unread(words: Words, motion: np.ndarray) -> Iterator[tuple[np.ndarray, Messa
         yield np.flatnonzero(np.isin(motion, _ARCS) & (p > 1)), Message("turns-not-read")
         yield np.flatnonzero(in_cycle & (p > 0)), Message("dwell-untimed")
     yield np.flatnonzero(codes == _DWELL), Message("dwell-untimed")
+    yield np.flatnonzero(np.isin(codes, PROBES)), Message("probing-untimed")
     yield np.flatnonzero(codes == _INCHES), Message("inches-not-read")
     for code, name in _COMPENSATION.items():
         yield np.flatnonzero(codes == code), Message("compensation-not-read", name=name)

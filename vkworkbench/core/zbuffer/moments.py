@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 from functools import cached_property
+from operator import index
 
 import numpy as np
 
@@ -129,7 +130,10 @@ class ZBuffer:
         ------
         ValueError
             Where there is no such moment.
+        TypeError
+            Where it is no whole number.
         """
+        step = index(step)
         if not 0 <= step <= self.trajectories:
             raise ValueError(f"the simulation has the moments 0 to {self.trajectories}, not {step}")
         return replace(self, step=step)

@@ -45,6 +45,7 @@ COMMANDS: dict[str, str | tuple[str, str]] = {
     ),
     "feed-mode-not-read": QT_TRANSLATE_NOOP("Sentences", "feeds after {name} are not read"),
     "dwell-untimed": QT_TRANSLATE_NOOP("Sentences", "dwells are not in the time"),
+    "probing-untimed": QT_TRANSLATE_NOOP("Sentences", "probing moves are not in the time"),
     "too-many-moves": QT_TRANSLATE_NOOP(
         "Sentences",
         "the arcs and cycles would need {moves:n} moves at a tolerance of {tolerance:mm}; use a larger tolerance",
