@@ -68,7 +68,7 @@ def test_a_time_with_a_dwell_is_the_least():
     ("G1 X1 Y2 X3", ("word-twice", "X")), ("G1 X1 F100 F200", ("word-twice", "F")), ("G0 G1 X3", ("two-motions",)),
     ("G10 L2 P1 X5", ("coordinates-not-changed", "G10")), ("G10 L20 P1 X0", ("coordinates-not-changed", "G10")),
     ("G7.1 C20", ("coordinates-not-changed", "G7.1")), ("G7", ("unknown-code", "'G7'")),
-    ("G76 P1 Z-2 Q1", ("unknown-code", "'G76'")),
+    ("G76 P1 Z-2 Q1", ("unknown-code-with-words", "Z", "'G76'")),
 ])  # fmt: skip
 def test_programs(line, problem):
     program = read_program(f"G21 G90\nG0 X0 Y0 Z5\nG1 Z-1 F100\n{line}\nX10 Y3")

@@ -28,14 +28,21 @@ _STATE = frozenset([170, 180, 190, 800, 900, 901, 910, 911, 980, 990])
 # Codes whose axis words are no target in the program's coordinates: dwell, data, home, machine coordinates, probes.
 _APART = frozenset([100, 280, 281, 300, 301, 310, 382, 383, 384, 385, 530, 922, 923])
 _MACHINE = frozenset([280, 300, 530])  # those of them that move
-_HARMLESS = frozenset([
-    80, 90, 110, 150, 200, 210, 400, 401, 410, 411, 412, 420, 421, 422, 430, 431, 432, 440, 490, 500, 501, 540, 541, 550,
-    560, 570, 580, 590, 591, 592, 593, 600, 610, 611, 620, 630, 640, 670, 690, 700, 710, 921, 930, 940, 950, 960, 970, 1030, 1870,
+_NUMBERED_OFFSETS = frozenset([541, 1540])  # by the P word
+_OFFSETS = _NUMBERED_OFFSETS | frozenset([
+    540, 550, 560, 570, 580, 590, 591, 592, 593,
+    *range(1100, 1300, 10),  # of Haas
+    5000, *range(5050, 6000, 10),  # of Siemens
 ])  # fmt: skip
-_CHANGES_COORDINATES = frozenset([71, 160, 434, 510, 520, 680, 682, 920])
+_HARMLESS = _OFFSETS | frozenset([
+    80, 90, 110, 150, 200, 210, 400, 401, 410, 411, 412, 420, 421, 422, 430, 431, 432, 434, 435, 440, 490, 500, 501, 600,
+    610, 611, 620, 630, 640, 670, 690, 700, 710, 921, 930, 940, 950, 960, 970, 1030, 1870,
+    4500, 4510, 6010, 6020, 6030, 6410, 6420, 6430, 6440, 6450,  # how a Siemens goes around corners
+])  # fmt: skip
+_CHANGES_COORDINATES = frozenset([71, 160, 510, 520, 680, 682, 920])
 _DATA, _ORIGINS = 100, (2, 20)  # G10, and its L words that set the origin of the program's coordinates
-_OFFSETS = frozenset([540, 541, 550, 560, 570, 580, 590, 591, 592, 593])
-_UNITS, _PATTERNS = frozenset([200, 210, 700, 710]), frozenset([700, 710, 720])
+_INCHES = frozenset([200, 700, 7000])
+_UNITS, _PATTERNS = _INCHES | frozenset([210, 710, 7100]), frozenset([700, 710, 720])
 _MACRO_CALLS = frozenset([650, 660])
 _CALLS = frozenset([("M", 98.0), ("G", 65.0), ("G", 66.0)])  # of the program whose number is the P word
 _SPLINES = frozenset([50, 51])
@@ -243,7 +250,7 @@ class _Reader:
                 if self.pole is not None and code not in _HEIDENHAIN:
                     apart = True
                     if code not in _HEIDENHAIN_DATA:
-                        self._problem(Message("unknown-code", name=repr(name_of(code))))
+                        self._unknown(code, letters)
                 elif code in MOTIONS:
                     if motion not in (None, code):
                         self._problem(Message("two-motions"))
@@ -291,7 +298,7 @@ class _Reader:
         self.tool = tools[-1] if tools else self.tool
 
     def _measure_in(self, code: int) -> None:
-        self.unit = INCH if code in (200, 700) else 1.0
+        self.unit = INCH if code in _INCHES else 1.0
         if self.first_unit is None:
             self.first_unit = self.unit
 
@@ -389,9 +396,17 @@ class _Reader:
         else:
             of_a_lathe = self.clues.g_code(code // 10, letters, self.number)
             if code not in _HARMLESS:
-                self._problem(Message("unknown-code", name=repr(name_of(code))))
+                self._unknown(code, letters)
             return of_a_lathe or code not in _HARMLESS
         return False
+
+    def _unknown(self, code: int, letters: set[str]) -> None:
+        """Tell of a G-code that is not known, and of the line's axis words, which may be its parameters."""
+        name, left_out = repr(name_of(code)), ", ".join(sorted(letters & {"X", "Y", "Z"}))
+        if left_out:
+            self._problem(Message("unknown-code-with-words", name=name, letters=left_out))
+        else:
+            self._problem(Message("unknown-code", name=name))
 
     def _move(self, motion: int | None, parameters: dict[str, float], apart: bool) -> None:
         """Add the command of a line's motion, or of its feed rate alone."""
@@ -511,8 +526,8 @@ class _Reader:
 
 
 def _offset(code: int, words: list[tuple[str, float]]) -> tuple[int, float]:
-    """Return which work offset a G-code names; G54.1 has its number in P."""
-    return code, dict(words).get("P", 0.0) if code == 541 else 0.0
+    """Return which work offset a G-code names; G54.1 and G154 have its number in P."""
+    return code, dict(words).get("P", 0.0) if code in _NUMBERED_OFFSETS else 0.0
 
 
 def _whole(value: float, most: int) -> int:

@@ -1,0 +1,56 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What controls say each in their own way, and what only looks like another control or another machine."""
+
+import pytest
+
+from vkworkbench.core.gcode.dialects import at_line
+from vkworkbench.core.gcode.reader import read_program
+from vkworkbench.language import render
+
+PLAIN = "G21 G90\nG0 X0 Y0 Z5\nG1 Z-1 F60\nG1 X10 Y2\n"
+
+
+def last(text):
+    return tuple(read_program(PLAIN + text).toolpath().points[-1].round(6))
+
+
+def said(text):
+    return [render(at_line(problem)) for problem in read_program(text).problems]
+
+
+@pytest.mark.parametrize("code", ["G154 P7", "G110", "G129", "G500", "G505", "G599"])
+def test_work_offsets_of_haas_and_siemens(code):
+    assert said(f"G0 {code} X1 Y2\nZ5\n{code}\nG1 Z-1 F60\nG0 Z5") == []
+    assert last(f"G0 {code} X7 Y8") == (7, 8, -1)
+    name = code.split(maxsplit=1)[0]
+    assert said(PLAIN + code) == [f"coordinates that {name} changes are read as if it were not there (line 5)"]
+
+
+def test_the_offsets_of_haas_have_numbers():
+    assert said("G154 P1\n" + PLAIN + "G154 P1\nX5\nG154 P2\nX6") == [
+        "coordinates that G154 changes are read as if it were not there (line 8)"
+    ]
+
+
+@pytest.mark.parametrize(
+    "code", ["G450", "G451", "G601", "G602", "G603", "G641", "G642", "G643", "G644", "G645", "G43.4 H11", "G43.5 H11"]
+)
+def test_codes_that_leave_the_words_of_their_line(code):
+    assert last(f"{code} X5 Y6 Z-2") == (5, 6, -2)
+    assert said(f"{PLAIN}{code} X5 Y6 Z-2") == []
+
+
+def test_units_of_siemens():
+    inches, millimetres = read_program("G700 G0 X1 Y0 Z0\nG1 X2 F60"), read_program("G710 G0 X1 Y0 Z0\nG1 X2 F60")
+    assert (inches.unit_told, inches.inches, millimetres.unit_told, millimetres.inches) == (True, True, True, False)
+    assert inches.toolpath().points[-1, 0] == 50.8 and millimetres.toolpath().points[-1, 0] == 2
+    assert inches.toolpath().feed[-1] == pytest.approx(25.4)
+
+
+def test_words_that_go_with_an_unknown_code_are_told():
+    assert last("G777 X5 Z-9") == (10, 2, -1)
+    assert said(PLAIN + "G777 Z-9 X5 F90\nX6\nG777 P1\nG777 Y5") == [
+        "the unknown code 'G777' is ignored, and with it the X, Z words of its line (line 5)",
+        "the unknown code 'G777' is ignored (line 7)",
+        "the unknown code 'G777' is ignored, and with it the Y words of its line (line 8)",
+    ]
