@@ -54,3 +54,11 @@ def test_words_that_go_with_an_unknown_code_are_told():
         "the unknown code 'G777' is ignored (line 7)",
         "the unknown code 'G777' is ignored, and with it the Y words of its line (line 8)",
     ]
+
+
+def test_axes_of_a_mirror_are_no_targets():
+    assert last("G50.1 X0. Y0.") == last("G51.1 X0.") == (10, 2, -1)
+    assert said("G50.1 X0. Y0.\n" + PLAIN + "G50.1 X0.\nX5") == []
+    mirrored = "coordinates that G51.1 changes are read as if it were not there (line {})"
+    assert said(PLAIN + "G51.1 X0.\nX5\nG50.1 X0.\nX6") == [mirrored.format(5)]
+    assert said("G51.1 X0.\n" + PLAIN + "G50.1 X0.") == [mirrored.format(1)]

@@ -25,8 +25,9 @@ from vkworkbench.language import Message
 
 # G-codes in tenths, as in words.py.
 _STATE = frozenset([170, 180, 190, 800, 900, 901, 910, 911, 980, 990])
-# Codes whose axis words are no target in the program's coordinates: dwell, data, home, machine coordinates, probes.
-_APART = frozenset([100, 280, 281, 300, 301, 310, 382, 383, 384, 385, 530, 922, 923])
+# Codes whose axis words are no target in the program's coordinates: dwell, data, home, machine coordinates, probes, the
+# end of a mirror (G50.1), of which its beginning (G51.1) tells.
+_APART = frozenset([100, 280, 281, 300, 301, 310, 382, 383, 384, 385, 501, 530, 922, 923])
 _MACHINE = frozenset([280, 300, 530])  # those of them that move
 _NUMBERED_OFFSETS = frozenset([541, 1540])  # by the P word
 _OFFSETS = _NUMBERED_OFFSETS | frozenset([
@@ -35,11 +36,11 @@ _OFFSETS = _NUMBERED_OFFSETS | frozenset([
     5000, *range(5050, 6000, 10),  # of Siemens
 ])  # fmt: skip
 _HARMLESS = _OFFSETS | frozenset([
-    80, 90, 110, 150, 200, 210, 400, 401, 410, 411, 412, 420, 421, 422, 430, 431, 432, 434, 435, 440, 490, 500, 501, 600,
+    80, 90, 110, 150, 200, 210, 400, 401, 410, 411, 412, 420, 421, 422, 430, 431, 432, 434, 435, 440, 490, 500, 600,
     610, 611, 620, 630, 640, 670, 690, 700, 710, 921, 930, 940, 950, 960, 970, 1030, 1870,
     4500, 4510, 6010, 6020, 6030, 6410, 6420, 6430, 6440, 6450,  # how a Siemens goes around corners
 ])  # fmt: skip
-_CHANGES_COORDINATES = frozenset([71, 160, 510, 520, 680, 682, 920])
+_CHANGES_COORDINATES = frozenset([71, 160, 510, 511, 520, 680, 682, 920])
 _DATA, _ORIGINS = 100, (2, 20)  # G10, and its L words that set the origin of the program's coordinates
 _INCHES = frozenset([200, 700, 7000])
 _UNITS, _PATTERNS = _INCHES | frozenset([210, 710, 7100]), frozenset([700, 710, 720])
