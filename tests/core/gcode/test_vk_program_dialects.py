@@ -62,3 +62,16 @@ def test_axes_of_a_mirror_are_no_targets():
     mirrored = "coordinates that G51.1 changes are read as if it were not there (line {})"
     assert said(PLAIN + "G51.1 X0.\nX5\nG50.1 X0.\nX6") == [mirrored.format(5)]
     assert said("G51.1 X0.\n" + PLAIN + "G50.1 X0.") == [mirrored.format(1)]
+
+
+def test_a_program_is_not_its_own_subprogram():
+    called = "a subprogram or macro call is not read (line 6)"
+    for call in ("M98 P10500", "M98 P500", "G65 P500 A1"):
+        text = "O00500\n" + PLAIN + call + "\nX5\nM30"
+        assert said(text) == [called] and read_program(text).toolpath().points[-1, 0] == 5
+
+
+@pytest.mark.parametrize(("other", "calls_500"), [("10500", False), ("9", True)])
+def test_p10500_is_once_500_where_there_is_no_10500(other, calls_500):
+    text = f"O500\n{PLAIN}M99\n%\nO{other}\nG1 X77\nM99\n%\nO1\nM98 P10500\nG0 X3\nM30"
+    assert (read_program(text).problems[0].what.code == "subprogram-not-read") == calls_500

@@ -46,6 +46,7 @@ _INCHES = frozenset([200, 700, 7000])
 _UNITS, _PATTERNS = _INCHES | frozenset([210, 710, 7100]), frozenset([700, 710, 720])
 _MACRO_CALLS = frozenset([650, 660])
 _CALLS = frozenset([("M", 98.0), ("G", 65.0), ("G", 66.0)])  # of the program whose number is the P word
+_CALL_LETTERS = frozenset("PpOo:")  # of calls, and of the programs in which they stand
 _SPLINES = frozenset([50, 51])
 _DWELLS = frozenset([40])
 # Heidenhain's DIN/ISO: the codes that mean what they mean elsewhere, and those of blank and tools, which move nothing.
@@ -98,16 +99,25 @@ def read_program(text: str) -> Program:
 
 
 def _called(lines: list[str]) -> set[int]:
-    """Return the numbers of the programs that are called as subprograms."""
-    called: set[int] = set()
+    """Return the numbers of the programs that others call as subprograms."""
+    caller = -1
+    programs: set[int] = set()
+    calls: list[tuple[int, int]] = []
     for line in lines:
-        if "P" in line or "p" in line:
-            words, _ = split_words(split_comments(line)[0].upper())
-            number = dict(words).get("P")
-            if number is not None and not _CALLS.isdisjoint(words):
-                program = _whole(number, _MOST_TOOLS)
-                called |= {program, program % 10_000}  # P31000 is three times 1000
-    return called
+        if _CALL_LETTERS.isdisjoint(line):
+            continue
+        code = split_comments(line)[0].strip().upper()
+        program = _NUMBER.match(code)
+        if program:
+            caller = int(program[1])
+            programs.add(caller)
+        words, _ = split_words(code)
+        number = dict(words).get("P")
+        if number is not None and not _CALLS.isdisjoint(words):
+            calls.append((caller, _whole(number, _MOST_TOOLS)))
+    # P31000 is three times 1000 where there is no 31000.
+    called = ((caller, number if number in programs else number % 10_000) for caller, number in calls)
+    return {number for caller, number in called if number != caller}
 
 
 class _Reader:
