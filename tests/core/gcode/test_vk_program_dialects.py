@@ -75,3 +75,9 @@ def test_a_program_is_not_its_own_subprogram():
 def test_p10500_is_once_500_where_there_is_no_10500(other, calls_500):
     text = f"O500\n{PLAIN}M99\n%\nO{other}\nG1 X77\nM99\n%\nO1\nM98 P10500\nG0 X3\nM30"
     assert (read_program(text).problems[0].what.code == "subprogram-not-read") == calls_500
+
+
+def test_a_call_of_a_program_on_the_data_server():
+    assert said(PLAIN + "M198 P1234\nX5\nM198") == ["a subprogram or macro call is not read (line 5)"]
+    kept = read_program("O1234\nG1 X99\nM99\nO1\n" + PLAIN + "M198 P1234").toolpath()
+    assert kept.points[0].tolist() == [0, 0, 5]

@@ -39,7 +39,7 @@ def told(commands):
     ([("G42", {"D": 1.0}), ("G41.1", {})], [("compensation-not-read", "G41.1", 3, 1), ("compensation-not-read", "G42", 2, 1)]),
     ([("G41", {"D": 1.0}), ("G42.1", {})], [("compensation-not-read", "G41", 2, 1), ("compensation-not-read", "G42.1", 3, 1)]),
     ([("G93", {}), ("G95", {})], [("feed-mode-not-read", "G93", 2, 1), ("feed-mode-not-read", "G95", 3, 1)]),
-    ([("M98", {"P": 100.0}), ("m098", {}), ("M97", {"P": 5.0})], [("subprogram-not-read", 2, 3)]),
+    ([("M98", {"P": 100.0}), ("m098", {}), ("M97", {"P": 5.0}), ("M198", {"P": 5.0})], [("subprogram-not-read", 2, 4)]),
     ([("G1", {"X": 5.0, "R": 2.0}), ("G0", {"Y": 5.0, "I": 1.0})], [("word-not-read", "I", 3, 1), ("word-not-read", "R", 2, 1)]),
     ([("G1", {"X": 5.0, "F": -3.0}), ("G1", {"X": 6.0, "F": 0.0})], [("unusable-feed", 2, 1)]),
     ([("M30", {})], []),

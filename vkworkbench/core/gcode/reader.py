@@ -45,7 +45,7 @@ _DATA, _ORIGINS = 100, (2, 20)  # G10, and its L words that set the origin of th
 _INCHES = frozenset([200, 700, 7000])
 _UNITS, _PATTERNS = _INCHES | frozenset([210, 710, 7100]), frozenset([700, 710, 720])
 _MACRO_CALLS = frozenset([650, 660])
-_CALLS = frozenset([("M", 98.0), ("G", 65.0), ("G", 66.0)])  # of the program whose number is the P word
+_CALLS = frozenset([("M", 98.0), ("M", 198.0), ("G", 65.0), ("G", 66.0)])  # of the program whose number is the P word
 _CALL_LETTERS = frozenset("PpOo:")  # of calls, and of the programs in which they stand
 _SPLINES = frozenset([50, 51])
 _DWELLS = frozenset([40])
@@ -339,7 +339,7 @@ class _Reader:
         self.clues.m_code(value, self.number)
         if self.pole is not None:  # where M97 to M99 are others
             return False
-        if value == 98 or (value == 97 and "P" in letters):
+        if value == 98 or (value in (97, 198) and "P" in letters):
             self._problem(Message("subprogram-not-read"))
         if value == 99 and (self.deleted or "P" in letters):
             self._problem(Message("jumps-not-followed"))
