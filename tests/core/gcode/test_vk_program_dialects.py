@@ -5,7 +5,7 @@ import pytest
 
 from vkworkbench.core.gcode.dialects import at_line
 from vkworkbench.core.gcode.reader import read_program
-from vkworkbench.language import render
+from vkworkbench.language import Unusable, render
 
 PLAIN = "G21 G90\nG0 X0 Y0 Z5\nG1 Z-1 F60\nG1 X10 Y2\n"
 
@@ -81,3 +81,27 @@ def test_a_call_of_a_program_on_the_data_server():
     assert said(PLAIN + "M198 P1234\nX5\nM198") == ["a subprogram or macro call is not read (line 5)"]
     kept = read_program("O1234\nG1 X99\nM99\nO1\n" + PLAIN + "M198 P1234").toolpath()
     assert kept.points[0].tolist() == [0, 0, 5]
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        "#500=25.4 (WORKPIECE LENGTH)", "N10 #3000=1 (WORKPIECE NOT CLAMPED)", "#1=5 (POCKET1 (DEEP))", "#1=5 (MCALL)",
+        "#<workpiece>=5", "G1 X#<workpiece>", "N5 IF[#<supa> EQ 1] GOTO 9", 'X#1 (X=AC(5), T="MILL")', "#1=5 ;STOPRE",
+        "X[1] (SLOT1 (LEFT))",
+    ],
+)  # fmt: skip
+def test_names_and_comments_are_no_words_of_siemens(line):
+    assert last(line) == (10, 2, -1)
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        "CYCLE81(10,0,2,-5)", "N20 MCALL CYCLE83(10,0,2,-5)", "/N20 POCKET1(5)", "N 20 HOLES2 (5)", "MCALL", "SUPA G0 Z500",
+        "N10 G0 SUPA Z500", "STOPRE", "N10 TRANS X50", 'T="MILL"', "N10 G1 X=AC(5)", 'WORKPIECE(,,,"BOX")',
+    ],
+)  # fmt: skip
+def test_words_of_siemens(line):
+    with pytest.raises(Unusable, match="Siemens"):
+        read_program(PLAIN + line)

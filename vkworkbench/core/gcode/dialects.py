@@ -13,8 +13,8 @@ _HEIDENHAIN = re.compile(
     r"^(?:\d+\s*)?(?:(?:BEGIN|END) PGM\b|BLK FORM\b|TOOL (?:CALL|DEF)\b|CYCL DEF\b|(?:L|CC|LN)\s+I?[XYZ][-+]?\d|C\s+I?X.*\bDR[-+])"
 )
 _SIEMENS = re.compile(
-    r"\b(?:CYCLE\d+|POCKET\d|SLOT\d|HOLES\d|LONGHOLE)\s*\(|=\s*(?:AC|IC|DC|ACP|ACN)\b|\b(?:MCALL|EXTCALL|WORKPIECE|SUPA|STOPRE)\b"
-    r"|^(?:N\d+\s*)?(?:DEF\s+(?:REAL|INT|BOOL|STRING)|PROC|A?TRANS|A?ROT|A?MIRROR)\b|\bT\s*=\s*\"|^;?\$PATH|^%_N_"
+    r"=\s*(?:AC|IC|DC|ACP|ACN)\b|(?<![\w<])(?:MCALL|EXTCALL|WORKPIECE|SUPA|STOPRE)\b|\bT\s*=\s*\"|^\$PATH"
+    r"|^(?:DEF\s+(?:REAL|INT|BOOL|STRING)|PROC|A?TRANS|A?ROT|A?MIRROR)\b"
 )
 # Words with an equals sign: corners, angles, polar coordinates, turns of a helix, and R parameters. At the beginning of a
 # line the former may be variables of an Okuma.
@@ -22,7 +22,9 @@ _SIEMENS_WORD = re.compile(
     r"^[A-Z]\s*[-+]?[\d.].*[\d.\s](?:AR|AP|RP|RND|RNDM|CHF|CHR|TURN)\s*="
     r"|(?<![A-Z#<])[A-Z]\s*=\s*-?\s*R\d|^R\d+\s*="
 )
+_SIEMENS_CYCLE = re.compile(r"^(?:/\d?\s*)?(?:N\s*\d+\s*)?(?:CYCLE\d+|POCKET\d|SLOT\d|HOLES\d|LONGHOLE)\s*\(")
 _LINE_NUMBER = re.compile(r"^N\s*\d+\s*")
+_VARIABLES = re.compile(r"#|IF|GOTO")  # lines in which any name may stand, of a Fanuc or a LinuxCNC
 _TURNING = frozenset([7, 8, 32, 96])
 _TURNING_CYCLES = frozenset([70, 71, 72, 76])
 _PRINTER = frozenset([104, 109, 140, 190])
@@ -44,8 +46,12 @@ def refuse(text: str, code: str, line: int) -> None:
         The line with and without its comments: parentheses are a comment, or hold the arguments of a cycle.
     line : int
     """
-    for pattern, control in ((_HEIDENHAIN, "Heidenhain"), (_SIEMENS, "Siemens")):
-        if pattern.search(text) or (control == "Siemens" and _SIEMENS_WORD.search(_LINE_NUMBER.sub("", code))):
+    code = _LINE_NUMBER.sub("", code)
+    if _VARIABLES.match(code):
+        return
+    siemens = _SIEMENS.search(code) or _SIEMENS_WORD.search(code) or _SIEMENS_CYCLE.search(text)
+    for control, found in (("Heidenhain", _HEIDENHAIN.search(text)), ("Siemens", siemens)):
+        if found:
             raise Unusable(Message("other-control", name=control, line=line))
 
 
