@@ -105,3 +105,13 @@ def test_names_and_comments_are_no_words_of_siemens(line):
 def test_words_of_siemens(line):
     with pytest.raises(Unusable, match="Siemens"):
         read_program(PLAIN + line)
+
+
+@pytest.mark.parametrize("line", ["M109 P501", "M140", "T1 M6\nM104 S1", "G43 H1 Z9\nM190 R1", "M109 S1\nM6 T2"])
+def test_mills_heat_no_bed(line):
+    assert read_program(PLAIN + line).other is None
+
+
+@pytest.mark.parametrize("code", ["M104 S200", "M109 R200", "M140 S60", "M190 S60 (bed)", "M140\nM190 S60"])
+def test_printers_heat(code):
+    assert read_program(code + "\n" + PLAIN).other.code == "printing"

@@ -112,9 +112,9 @@ class Clues:
         self._mills |= number == 43 and "H" in letters
         return number in _TURNING or cycle
 
-    def m_code(self, value: float, line: int) -> None:
-        """Note an M-code that tells a machine."""
-        if value in _PRINTER and self._printer is None:
+    def m_code(self, value: float, letters: set[str], line: int) -> None:
+        """Note an M-code that tells a machine; those of a printer set a temperature, on a mill they are anything."""
+        if value in _PRINTER and self._printer is None and not letters.isdisjoint("SR"):
             self._printer = f"M{value:g}", line
         self._changer |= value == 6
 
@@ -169,8 +169,9 @@ class Clues:
 
     def other_machine(self) -> Message | None:
         """Return the other machine that the program is for, with the sign of it; None for a mill."""
-        if self._printer or len(self._extrusions) > _EXTRUSIONS:
-            name, line = self._printer or ("E", self._extrusions[0])
+        heats = None if self._mills or self._changer else self._printer
+        if heats or len(self._extrusions) > _EXTRUSIONS:
+            name, line = heats or ("E", self._extrusions[0])
             return Message("printing", name=name, line=line)
         if self._wire:
             return Message("wire", name="U, V", line=self._wire[0])

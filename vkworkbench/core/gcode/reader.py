@@ -336,7 +336,7 @@ class _Reader:
 
     def _m_code(self, value: float, letters: set[str]) -> bool:
         """Take an M-code; return whether it ends the program at once."""
-        self.clues.m_code(value, self.number)
+        self.clues.m_code(value, letters, self.number)
         if self.pole is not None:  # where M97 to M99 are others
             return False
         if value == 98 or (value in (97, 198) and "P" in letters):
