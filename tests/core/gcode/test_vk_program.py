@@ -385,9 +385,9 @@ def test_centres_of_heidenhain_are_coordinates_and_stay(arc):
 
 
 def test_what_is_not_read_of_heidenhain_is_told():
-    unknown = "the unknown code '{}' is ignored (line 8)"
+    shifted = "the unknown code 'G54' is ignored, and with it the X words of its line (line 8)"
     for line, sentence in (
-        ("N70 G54 X+7 *", unknown.format("G54")), ("N70 G73 G90 H+20 *", unknown.format("G73")),
+        ("N70 G54 X+7 *", shifted), ("N70 G73 G90 H+20 *", "the unknown code 'G73' is ignored (line 8)"),
         ("N70 G91 I+5 *", "I words are not read (line 8)"),
     ):  # fmt: skip
         text = HEIDENHAIN.format(line + "\nG90 X+0 *")

@@ -39,7 +39,7 @@ def told(commands):
     ([("G42", {"D": 1.0}), ("G41.1", {})], [("compensation-not-read", "G41.1", 3, 1), ("compensation-not-read", "G42", 2, 1)]),
     ([("G41", {"D": 1.0}), ("G42.1", {})], [("compensation-not-read", "G41", 2, 1), ("compensation-not-read", "G42.1", 3, 1)]),
     ([("G93", {}), ("G95", {})], [("feed-mode-not-read", "G93", 2, 1), ("feed-mode-not-read", "G95", 3, 1)]),
-    ([("M98", {"P": 100.0}), ("m098", {}), ("M97", {"P": 5.0})], [("subprogram-not-read", 2, 3)]),
+    ([("M98", {"P": 100.0}), ("m098", {}), ("M97", {"P": 5.0}), ("M198", {"P": 5.0})], [("subprogram-not-read", 2, 4)]),
     ([("G1", {"X": 5.0, "R": 2.0}), ("G0", {"Y": 5.0, "I": 1.0})], [("word-not-read", "I", 3, 1), ("word-not-read", "R", 2, 1)]),
     ([("G1", {"X": 5.0, "F": -3.0}), ("G1", {"X": 6.0, "F": 0.0})], [("unusable-feed", 2, 1)]),
     ([("M30", {})], []),
@@ -68,7 +68,7 @@ def test_a_time_with_a_dwell_is_the_least():
     ("G1 X1 Y2 X3", ("word-twice", "X")), ("G1 X1 F100 F200", ("word-twice", "F")), ("G0 G1 X3", ("two-motions",)),
     ("G10 L2 P1 X5", ("coordinates-not-changed", "G10")), ("G10 L20 P1 X0", ("coordinates-not-changed", "G10")),
     ("G7.1 C20", ("coordinates-not-changed", "G7.1")), ("G7", ("unknown-code", "'G7'")),
-    ("G76 P1 Z-2 Q1", ("unknown-code", "'G76'")),
+    ("G76 P1 Z-2 Q1", ("unknown-code-with-words", "Z", "'G76'")),
 ])  # fmt: skip
 def test_programs(line, problem):
     program = read_program(f"G21 G90\nG0 X0 Y0 Z5\nG1 Z-1 F100\n{line}\nX10 Y3")

@@ -13,8 +13,8 @@ _HEIDENHAIN = re.compile(
     r"^(?:\d+\s*)?(?:(?:BEGIN|END) PGM\b|BLK FORM\b|TOOL (?:CALL|DEF)\b|CYCL DEF\b|(?:L|CC|LN)\s+I?[XYZ][-+]?\d|C\s+I?X.*\bDR[-+])"
 )
 _SIEMENS = re.compile(
-    r"\b(?:CYCLE\d+|POCKET\d|SLOT\d|HOLES\d|LONGHOLE)\s*\(|=\s*(?:AC|IC|DC|ACP|ACN)\b|\b(?:MCALL|EXTCALL|WORKPIECE|SUPA|STOPRE)\b"
-    r"|^(?:N\d+\s*)?(?:DEF\s+(?:REAL|INT|BOOL|STRING)|PROC|A?TRANS|A?ROT|A?MIRROR)\b|\bT\s*=\s*\"|^;?\$PATH|^%_N_"
+    r"=\s*(?:AC|IC|DC|ACP|ACN)\b|(?<![\w<])(?:MCALL|EXTCALL|WORKPIECE|SUPA|STOPRE)\b|\bT\s*=\s*\"|^\$PATH"
+    r"|^(?:DEF\s+(?:REAL|INT|BOOL|STRING)|PROC|A?TRANS|A?ROT|A?MIRROR)\b"
 )
 # Words with an equals sign: corners, angles, polar coordinates, turns of a helix, and R parameters. At the beginning of a
 # line the former may be variables of an Okuma.
@@ -22,7 +22,9 @@ _SIEMENS_WORD = re.compile(
     r"^[A-Z]\s*[-+]?[\d.].*[\d.\s](?:AR|AP|RP|RND|RNDM|CHF|CHR|TURN)\s*="
     r"|(?<![A-Z#<])[A-Z]\s*=\s*-?\s*R\d|^R\d+\s*="
 )
+_SIEMENS_CYCLE = re.compile(r"^(?:/\d?\s*)?(?:N\s*\d+\s*)?(?:CYCLE\d+|POCKET\d|SLOT\d|HOLES\d|LONGHOLE)\s*\(")
 _LINE_NUMBER = re.compile(r"^N\s*\d+\s*")
+_VARIABLES = re.compile(r"#|IF|GOTO")  # lines in which any name may stand, of a Fanuc or a LinuxCNC
 _TURNING = frozenset([7, 8, 32, 96])
 _TURNING_CYCLES = frozenset([70, 71, 72, 76])
 _PRINTER = frozenset([104, 109, 140, 190])
@@ -44,8 +46,12 @@ def refuse(text: str, code: str, line: int) -> None:
         The line with and without its comments: parentheses are a comment, or hold the arguments of a cycle.
     line : int
     """
-    for pattern, control in ((_HEIDENHAIN, "Heidenhain"), (_SIEMENS, "Siemens")):
-        if pattern.search(text) or (control == "Siemens" and _SIEMENS_WORD.search(_LINE_NUMBER.sub("", code))):
+    code = _LINE_NUMBER.sub("", code)
+    if _VARIABLES.match(code):
+        return
+    siemens = _SIEMENS.search(code) or _SIEMENS_WORD.search(code) or _SIEMENS_CYCLE.search(text)
+    for control, found in (("Heidenhain", _HEIDENHAIN.search(text)), ("Siemens", siemens)):
+        if found:
             raise Unusable(Message("other-control", name=control, line=line))
 
 
@@ -106,9 +112,9 @@ class Clues:
         self._mills |= number == 43 and "H" in letters
         return number in _TURNING or cycle
 
-    def m_code(self, value: float, line: int) -> None:
-        """Note an M-code that tells a machine."""
-        if value in _PRINTER and self._printer is None:
+    def m_code(self, value: float, letters: set[str], line: int) -> None:
+        """Note an M-code that tells a machine; those of a printer set a temperature, on a mill they are anything."""
+        if value in _PRINTER and self._printer is None and not letters.isdisjoint("SR"):
             self._printer = f"M{value:g}", line
         self._changer |= value == 6
 
@@ -163,8 +169,9 @@ class Clues:
 
     def other_machine(self) -> Message | None:
         """Return the other machine that the program is for, with the sign of it; None for a mill."""
-        if self._printer or len(self._extrusions) > _EXTRUSIONS:
-            name, line = self._printer or ("E", self._extrusions[0])
+        heats = None if self._mills or self._changer else self._printer
+        if heats or len(self._extrusions) > _EXTRUSIONS:
+            name, line = heats or ("E", self._extrusions[0])
             return Message("printing", name=name, line=line)
         if self._wire:
             return Message("wire", name="U, V", line=self._wire[0])

@@ -25,19 +25,28 @@ from vkworkbench.language import Message
 
 # G-codes in tenths, as in words.py.
 _STATE = frozenset([170, 180, 190, 800, 900, 901, 910, 911, 980, 990])
-# Codes whose axis words are no target in the program's coordinates: dwell, data, home, machine coordinates, probes.
-_APART = frozenset([100, 280, 281, 300, 301, 310, 382, 383, 384, 385, 530, 922, 923])
+# Codes whose axis words are no target in the program's coordinates: dwell, data, home, machine coordinates, probes, the
+# end of a mirror (G50.1), of which its beginning (G51.1) tells.
+_APART = frozenset([100, 280, 281, 300, 301, 310, 382, 383, 384, 385, 501, 530, 922, 923])
 _MACHINE = frozenset([280, 300, 530])  # those of them that move
-_HARMLESS = frozenset([
-    80, 90, 110, 150, 200, 210, 400, 401, 410, 411, 412, 420, 421, 422, 430, 431, 432, 440, 490, 500, 501, 540, 541, 550,
-    560, 570, 580, 590, 591, 592, 593, 600, 610, 611, 620, 630, 640, 670, 690, 700, 710, 921, 930, 940, 950, 960, 970, 1030, 1870,
+_NUMBERED_OFFSETS = frozenset([541, 1540])  # by the P word
+_OFFSETS = _NUMBERED_OFFSETS | frozenset([
+    540, 550, 560, 570, 580, 590, 591, 592, 593,
+    *range(1100, 1300, 10),  # of Haas
+    5000, *range(5050, 6000, 10),  # of Siemens
 ])  # fmt: skip
-_CHANGES_COORDINATES = frozenset([71, 160, 434, 510, 520, 680, 682, 920])
+_HARMLESS = _OFFSETS | frozenset([
+    80, 90, 110, 150, 200, 210, 400, 401, 410, 411, 412, 420, 421, 422, 430, 431, 432, 434, 435, 440, 490, 500, 600,
+    610, 611, 620, 630, 640, 670, 690, 700, 710, 921, 930, 940, 950, 960, 970, 1030, 1870,
+    4500, 4510, 6010, 6020, 6030, 6410, 6420, 6430, 6440, 6450,  # how a Siemens goes around corners
+])  # fmt: skip
+_CHANGES_COORDINATES = frozenset([71, 160, 510, 511, 520, 680, 682, 920])
 _DATA, _ORIGINS = 100, (2, 20)  # G10, and its L words that set the origin of the program's coordinates
-_OFFSETS = frozenset([540, 541, 550, 560, 570, 580, 590, 591, 592, 593])
-_UNITS, _PATTERNS = frozenset([200, 210, 700, 710]), frozenset([700, 710, 720])
+_INCHES = frozenset([200, 700, 7000])
+_UNITS, _PATTERNS = _INCHES | frozenset([210, 710, 7100]), frozenset([700, 710, 720])
 _MACRO_CALLS = frozenset([650, 660])
-_CALLS = frozenset([("M", 98.0), ("G", 65.0), ("G", 66.0)])  # of the program whose number is the P word
+_CALLS = frozenset([("M", 98.0), ("M", 198.0), ("G", 65.0), ("G", 66.0)])  # of the program whose number is the P word
+_CALL_LETTERS = frozenset("PpOo:")  # of calls, and of the programs in which they stand
 _SPLINES = frozenset([50, 51])
 _DWELLS = frozenset([40])
 # Heidenhain's DIN/ISO: the codes that mean what they mean elsewhere, and those of blank and tools, which move nothing.
@@ -90,16 +99,25 @@ def read_program(text: str) -> Program:
 
 
 def _called(lines: list[str]) -> set[int]:
-    """Return the numbers of the programs that are called as subprograms."""
-    called: set[int] = set()
+    """Return the numbers of the programs that others call as subprograms."""
+    caller = -1
+    programs: set[int] = set()
+    calls: list[tuple[int, int]] = []
     for line in lines:
-        if "P" in line or "p" in line:
-            words, _ = split_words(split_comments(line)[0].upper())
-            number = dict(words).get("P")
-            if number is not None and not _CALLS.isdisjoint(words):
-                program = _whole(number, _MOST_TOOLS)
-                called |= {program, program % 10_000}  # P31000 is three times 1000
-    return called
+        if _CALL_LETTERS.isdisjoint(line):
+            continue
+        code = split_comments(line)[0].strip().upper()
+        program = _NUMBER.match(code)
+        if program:
+            caller = int(program[1])
+            programs.add(caller)
+        words, _ = split_words(code)
+        number = dict(words).get("P")
+        if number is not None and not _CALLS.isdisjoint(words):
+            calls.append((caller, _whole(number, _MOST_TOOLS)))
+    # P31000 is three times 1000 where there is no 31000.
+    called = ((caller, number if number in programs else number % 10_000) for caller, number in calls)
+    return {number for caller, number in called if number != caller}
 
 
 class _Reader:
@@ -243,7 +261,7 @@ class _Reader:
                 if self.pole is not None and code not in _HEIDENHAIN:
                     apart = True
                     if code not in _HEIDENHAIN_DATA:
-                        self._problem(Message("unknown-code", name=repr(name_of(code))))
+                        self._unknown(code, letters)
                 elif code in MOTIONS:
                     if motion not in (None, code):
                         self._problem(Message("two-motions"))
@@ -291,7 +309,7 @@ class _Reader:
         self.tool = tools[-1] if tools else self.tool
 
     def _measure_in(self, code: int) -> None:
-        self.unit = INCH if code in (200, 700) else 1.0
+        self.unit = INCH if code in _INCHES else 1.0
         if self.first_unit is None:
             self.first_unit = self.unit
 
@@ -318,10 +336,10 @@ class _Reader:
 
     def _m_code(self, value: float, letters: set[str]) -> bool:
         """Take an M-code; return whether it ends the program at once."""
-        self.clues.m_code(value, self.number)
+        self.clues.m_code(value, letters, self.number)
         if self.pole is not None:  # where M97 to M99 are others
             return False
-        if value == 98 or (value == 97 and "P" in letters):
+        if value == 98 or (value in (97, 198) and "P" in letters):
             self._problem(Message("subprogram-not-read"))
         if value == 99 and (self.deleted or "P" in letters):
             self._problem(Message("jumps-not-followed"))
@@ -389,9 +407,17 @@ class _Reader:
         else:
             of_a_lathe = self.clues.g_code(code // 10, letters, self.number)
             if code not in _HARMLESS:
-                self._problem(Message("unknown-code", name=repr(name_of(code))))
+                self._unknown(code, letters)
             return of_a_lathe or code not in _HARMLESS
         return False
+
+    def _unknown(self, code: int, letters: set[str]) -> None:
+        """Tell of a G-code that is not known, and of the line's axis words, which may be its parameters."""
+        name, left_out = repr(name_of(code)), ", ".join(sorted(letters & {"X", "Y", "Z"}))
+        if left_out:
+            self._problem(Message("unknown-code-with-words", name=name, letters=left_out))
+        else:
+            self._problem(Message("unknown-code", name=name))
 
     def _move(self, motion: int | None, parameters: dict[str, float], apart: bool) -> None:
         """Add the command of a line's motion, or of its feed rate alone."""
@@ -511,8 +537,8 @@ class _Reader:
 
 
 def _offset(code: int, words: list[tuple[str, float]]) -> tuple[int, float]:
-    """Return which work offset a G-code names; G54.1 has its number in P."""
-    return code, dict(words).get("P", 0.0) if code == 541 else 0.0
+    """Return which work offset a G-code names; G54.1 and G154 have its number in P."""
+    return code, dict(words).get("P", 0.0) if code in _NUMBERED_OFFSETS else 0.0
 
 
 def _whole(value: float, most: int) -> int:

@@ -19,7 +19,7 @@ _INCHES, _DWELL, _STRAIGHT, _ARCS = 200, 40, (0, 10), (20, 30)
 _CORNERS = frozenset("IJKR")  # by which some controls round or chamfer the corner behind a straight move
 _COMPENSATION = {410: "G41", 411: "G41.1", 420: "G42", 421: "G42.1"}
 _FEED_MODES = {930: "G93", 950: "G95"}
-_M_CODE = re.compile(r"\s*[Mm]0*(2|30|97|98)(?:\.0*)?\s*", re.ASCII)
+_M_CODE = re.compile(r"\s*[Mm]0*(2|30|97|98|198)(?:\.0*)?\s*", re.ASCII)
 
 
 def unread(words: Words, motion: np.ndarray) -> Iterator[tuple[np.ndarray, Message]]:
@@ -67,7 +67,7 @@ def unread(words: Words, motion: np.ndarray) -> Iterator[tuple[np.ndarray, Messa
     m_codes = {name: match[1] for name in set(words.names) if (match := _M_CODE.fullmatch(name))}
     if m_codes:
         called = np.array([m_codes.get(name, "") for name in words.names])
-        yield np.flatnonzero((called == "97") | (called == "98")), Message("subprogram-not-read")
+        yield np.flatnonzero(np.isin(called, ("97", "98", "198"))), Message("subprogram-not-read")
         ends = np.flatnonzero((called == "2") | (called == "30"))
         if len(ends):
             yield ends[0] + np.flatnonzero(moves[ends[0] :]), Message("goes-on")

@@ -27,6 +27,9 @@ COMMANDS: dict[str, str | tuple[str, str]] = {
         "Sentences", "the centers of arcs are read as positions (as by G90.1): only so the arcs end on their circles"
     ),
     "unknown-code": QT_TRANSLATE_NOOP("Sentences", "the unknown code {name} is ignored"),
+    "unknown-code-with-words": QT_TRANSLATE_NOOP(
+        "Sentences", "the unknown code {name} is ignored, and with it the {letters} words of its line"
+    ),
     "more-unknown-codes": (
         QT_TRANSLATE_NOOP("Sentences", "1 more unknown code is ignored"),
         QT_TRANSLATE_NOOP("Sentences", "{count:n} more unknown codes are ignored"),

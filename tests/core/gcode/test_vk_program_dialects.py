@@ -1,0 +1,117 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What controls say each in their own way, and what only looks like another control or another machine."""
+
+import pytest
+
+from vkworkbench.core.gcode.dialects import at_line
+from vkworkbench.core.gcode.reader import read_program
+from vkworkbench.language import Unusable, render
+
+PLAIN = "G21 G90\nG0 X0 Y0 Z5\nG1 Z-1 F60\nG1 X10 Y2\n"
+
+
+def last(text):
+    return tuple(read_program(PLAIN + text).toolpath().points[-1].round(6))
+
+
+def said(text):
+    return [render(at_line(problem)) for problem in read_program(text).problems]
+
+
+@pytest.mark.parametrize("code", ["G154 P7", "G110", "G129", "G500", "G505", "G599"])
+def test_work_offsets_of_haas_and_siemens(code):
+    assert said(f"G0 {code} X1 Y2\nZ5\n{code}\nG1 Z-1 F60\nG0 Z5") == []
+    assert last(f"G0 {code} X7 Y8") == (7, 8, -1)
+    name = code.split(maxsplit=1)[0]
+    assert said(PLAIN + code) == [f"coordinates that {name} changes are read as if it were not there (line 5)"]
+
+
+def test_the_offsets_of_haas_have_numbers():
+    assert said("G154 P1\n" + PLAIN + "G154 P1\nX5\nG154 P2\nX6") == [
+        "coordinates that G154 changes are read as if it were not there (line 8)"
+    ]
+
+
+@pytest.mark.parametrize(
+    "code", ["G450", "G451", "G601", "G602", "G603", "G641", "G642", "G643", "G644", "G645", "G43.4 H11", "G43.5 H11"]
+)
+def test_codes_that_leave_the_words_of_their_line(code):
+    assert last(f"{code} X5 Y6 Z-2") == (5, 6, -2)
+    assert said(f"{PLAIN}{code} X5 Y6 Z-2") == []
+
+
+def test_units_of_siemens():
+    inches, millimetres = read_program("G700 G0 X1 Y0 Z0\nG1 X2 F60"), read_program("G710 G0 X1 Y0 Z0\nG1 X2 F60")
+    assert (inches.unit_told, inches.inches, millimetres.unit_told, millimetres.inches) == (True, True, True, False)
+    assert inches.toolpath().points[-1, 0] == 50.8 and millimetres.toolpath().points[-1, 0] == 2
+    assert inches.toolpath().feed[-1] == pytest.approx(25.4)
+
+
+def test_words_that_go_with_an_unknown_code_are_told():
+    assert last("G777 X5 Z-9") == (10, 2, -1)
+    assert said(PLAIN + "G777 Z-9 X5 F90\nX6\nG777 P1\nG777 Y5") == [
+        "the unknown code 'G777' is ignored, and with it the X, Z words of its line (line 5)",
+        "the unknown code 'G777' is ignored (line 7)",
+        "the unknown code 'G777' is ignored, and with it the Y words of its line (line 8)",
+    ]
+
+
+def test_axes_of_a_mirror_are_no_targets():
+    assert last("G50.1 X0. Y0.") == last("G51.1 X0.") == (10, 2, -1)
+    assert said("G50.1 X0. Y0.\n" + PLAIN + "G50.1 X0.\nX5") == []
+    mirrored = "coordinates that G51.1 changes are read as if it were not there (line {})"
+    assert said(PLAIN + "G51.1 X0.\nX5\nG50.1 X0.\nX6") == [mirrored.format(5)]
+    assert said("G51.1 X0.\n" + PLAIN + "G50.1 X0.") == [mirrored.format(1)]
+
+
+def test_a_program_is_not_its_own_subprogram():
+    called = "a subprogram or macro call is not read (line 6)"
+    for call in ("M98 P10500", "M98 P500", "G65 P500 A1"):
+        text = "O00500\n" + PLAIN + call + "\nX5\nM30"
+        assert said(text) == [called] and read_program(text).toolpath().points[-1, 0] == 5
+
+
+@pytest.mark.parametrize(("other", "calls_500"), [("10500", False), ("9", True)])
+def test_p10500_is_once_500_where_there_is_no_10500(other, calls_500):
+    text = f"O500\n{PLAIN}M99\n%\nO{other}\nG1 X77\nM99\n%\nO1\nM98 P10500\nG0 X3\nM30"
+    assert (read_program(text).problems[0].what.code == "subprogram-not-read") == calls_500
+
+
+def test_a_call_of_a_program_on_the_data_server():
+    assert said(PLAIN + "M198 P1234\nX5\nM198") == ["a subprogram or macro call is not read (line 5)"]
+    kept = read_program("O1234\nG1 X99\nM99\nO1\n" + PLAIN + "M198 P1234").toolpath()
+    assert kept.points[0].tolist() == [0, 0, 5]
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        "#500=25.4 (WORKPIECE LENGTH)", "N10 #3000=1 (WORKPIECE NOT CLAMPED)", "#1=5 (POCKET1 (DEEP))", "#1=5 (MCALL)",
+        "#<workpiece>=5", "G1 X#<workpiece>", "N5 IF[#<supa> EQ 1] GOTO 9", 'X#1 (X=AC(5), T="MILL")', "#1=5 ;STOPRE",
+        "X[1] (SLOT1 (LEFT))",
+    ],
+)  # fmt: skip
+def test_names_and_comments_are_no_words_of_siemens(line):
+    assert last(line) == (10, 2, -1)
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        "CYCLE81(10,0,2,-5)", "N20 MCALL CYCLE83(10,0,2,-5)", "/N20 POCKET1(5)", "N 20 HOLES2 (5)", "MCALL", "SUPA G0 Z500",
+        "N10 G0 SUPA Z500", "STOPRE", "N10 TRANS X50", 'T="MILL"', "N10 G1 X=AC(5)", 'WORKPIECE(,,,"BOX")',
+    ],
+)  # fmt: skip
+def test_words_of_siemens(line):
+    with pytest.raises(Unusable, match="Siemens"):
+        read_program(PLAIN + line)
+
+
+@pytest.mark.parametrize("line", ["M109 P501", "M140", "T1 M6\nM104 S1", "G43 H1 Z9\nM190 R1", "M109 S1\nM6 T2"])
+def test_mills_heat_no_bed(line):
+    assert read_program(PLAIN + line).other is None
+
+
+@pytest.mark.parametrize("code", ["M104 S200", "M109 R200", "M140 S60", "M190 S60 (bed)", "M140\nM190 S60"])
+def test_printers_heat(code):
+    assert read_program(code + "\n" + PLAIN).other.code == "printing"
