@@ -104,7 +104,8 @@ def test_the_part_tells_what_made_a_surface(simulated, window):
     QtGui.QCursor.setPos(view.mapToGlobal(view.rect().center()))
     window.click_at(view, view.rect().center())
     window.idle()
-    window.wait(simulated.isVisible)  # FreeCAD 1.1 brings the 3D view to the front
+    window.idle(1.0)  # FreeCAD 1.1 brings the 3D view to the front a quarter of a second later
+    window.wait(lambda: not simulated.visibleRegion().isEmpty())
     (chosen,) = Gui.Selection.getSelection()
     operation, command = simulated.simulation.source(simulated.moment.done - 1)
     assert chosen.Name == operation.name

@@ -90,11 +90,12 @@ def test_what_a_fine_picture_of_the_whole_told_stays_until_another_one_tells_as_
         assert drawing.facts is expected.facts
 
 
-def gouge(cut, depth):
-    return Fault(cut, 0, 0, (0.0, 0.0, 0.0), Message("cuts-model", depth=depth), True)
+def gouge(cut, depth, command=0):
+    return Fault(cut, command, 0, (0.0, 0.0, 0.0), Message("cuts-model", depth=depth), True)
 
 
-def test_a_gouge_beside_a_part_of_the_stock_is_there_all_the_same(monkeypatch):
+def test_a_gouge_that_is_not_seen_is_there_all_the_same(monkeypatch):
+    """Beside a part of the stock, which is a finer image; or from another view, where it may be deeper along that view."""
     facts = Facts(1.0, np.zeros(3), np.zeros(3, bool), [], [])
     seen = [gouge(0, 0.4), gouge(2, 0.2)]
     monkeypatch.setattr("vkworkbench.gui.simulation.faults._gouged", lambda told, tolerance: list(seen))
@@ -103,7 +104,22 @@ def test_a_gouge_beside_a_part_of_the_stock_is_there_all_the_same(monkeypatch):
     for name, of_image in (("part", None), ("whole", facts)):
         told = Told(None, of_image, None, judged=True)
         depths[name] = [(f.cut, f.gouged) for f in judge(told, facts, 0.15, before, False).faults]
-    assert depths == {"part": [(2, 0.6), (1, 0.5), (0, 0.4)], "whole": [(0, 0.4), (2, 0.2)]}
+    assert depths == {"part": [(2, 0.6), (1, 0.5), (0, 0.4)], "whole": [(1, 0.5), (0, 0.3), (2, 0.2)]}
+
+
+def test_the_newest_crash_and_the_shallowest_view_of_a_gouge_are_known():
+    job = job_of(SLOT)
+    known = KnownFaults(job, Clock(job))
+    crashes = [Fault(0, 7, 0, (0.0, 0.0, 0.0), Message("rapid-cuts", volume=volume), True) for volume in (51.35, 50.69)]
+    known.keep([crashes[0], gouge(0, 20.0), gouge(0, 0.3, command=2)])
+    known.keep([crashes[1], gouge(0, 0.2), gouge(0, 0.6, command=2)])
+    assert [(found.command, found.gouged) for found in known.gouges] == [(0, 0.2), (2, 0.3)]
+    told = []
+    with pytest.MonkeyPatch.context() as patched:
+        patched.setattr("vkworkbench.gui.simulation.known_faults.keep_faults", told.append)
+        known.follow(True)
+    ((_, wrong),) = told[0].items()
+    assert wrong[0] == (7, crashes[1].what) and len(wrong) == 3
 
 
 def test_places_that_differ_alike_are_told_apart():

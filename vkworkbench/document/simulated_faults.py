@@ -45,7 +45,8 @@ def keep_faults(faults: Mapping[SimulatedOperation, list[tuple[int, Message]]]) 
         before = known.pop(operation.name, None)
         if wrong:
             command, fault = wrong[0]
-            told = Message("simulated", count=len(wrong), command=command + 1, fault=fault)
+            count = len({command for command, _ in wrong})
+            told = Message("simulated", count=count, command=command + 1, fault=fault)
             known[operation.name] = operation.fingerprint, told
         changed |= known.get(operation.name) != before
     return changed

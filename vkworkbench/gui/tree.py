@@ -103,10 +103,15 @@ def bring_to_view() -> None:
 def fit_description(least: int) -> None:
     """Fit the columns of the trees to the visible rows, the Description to at least so many px; 1.x does it by itself."""
     for tree in trees():
-        tree.header().setResizeContentsPrecision(0)
+        header = tree.header()
+        precision = header.resizeContentsPrecision()
         for column in (0, DESCRIPTION):
-            if tree.header().sectionResizeMode(column) != QHeaderView.ResizeToContents:
+            if header.sectionResizeMode(column) != QHeaderView.ResizeToContents:
+                # Only for now: columns that follow their contents would follow the visible rows then, which change with the
+                # scroll bar that they need or not, without end.
+                header.setResizeContentsPrecision(0)
                 tree.resizeColumnToContents(column)
+                header.setResizeContentsPrecision(precision)
                 if column == DESCRIPTION and tree.columnWidth(column) < least:
                     tree.setColumnWidth(column, least)
 

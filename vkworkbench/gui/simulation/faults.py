@@ -84,7 +84,7 @@ def judge(told: Told, facts: Facts | None, tolerance: float, before: Sequence[Fa
     tolerance : float
         What is no difference to the model yet, mm.
     before : sequence of Fault
-        What was wrong in the image before: a gouge beside this one is there all the same.
+        What other images showed: a gouge that is beside this one, or that one does not see from here, is there all the same.
     compares : bool
         Whether the worst differences are asked for, too.
     """
@@ -92,11 +92,14 @@ def judge(told: Told, facts: Facts | None, tolerance: float, before: Sequence[Fa
     plunged = [] if facts is None else [
         _fault(p, Message("plunges-fast", feed=60 * p.feed, allowed=60 * p.allowed), False) for p in facts.plunges
     ]  # fmt: skip
-    gouged = _gouged(told, tolerance)
-    if told.facts is None:
-        beside = [fault for fault in before if fault.gouged > tolerance]
-        deepest = {fault.cut: fault for fault in sorted(gouged + beside, key=lambda fault: fault.gouged)}
-        gouged = sorted(deepest.values(), key=lambda fault: -fault.gouged)
+    # A part is a finer image of the same view, which finds what is deeper; another view may have looked less along a gouge.
+    rank = -1 if told.facts is None else 1
+    gouged = _gouged(told, tolerance) + [fault for fault in before if fault.gouged > tolerance]
+    of_commands: dict[tuple, Fault] = {}
+    for fault in sorted(gouged, key=lambda fault: rank * fault.gouged):
+        of_commands.setdefault((fault.cut, fault.command), fault)
+    deepest = {fault.cut: fault for fault in sorted(of_commands.values(), key=lambda fault: fault.gouged)}
+    gouged = sorted(deepest.values(), key=lambda fault: -fault.gouged)
     proved = crashed + _gouged(told, TOLERANCE) if told.judged else None
     worst = differences(told, tolerance) if compares else None
     return Judged(facts, crashed + gouged + plunged, worst, proved)

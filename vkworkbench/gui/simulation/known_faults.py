@@ -57,10 +57,18 @@ class KnownFaults:
             if fault.trajectory is not None
         )
 
+    @property
+    def gouges(self) -> list[Fault]:
+        """What is known to cut into the model."""
+        return [fault for fault in self._proved.values() if fault.gouged]
+
     def keep(self, proved: list[Fault]) -> None:
         """Keep what a picture has shown, for marks and results to tell."""
         for fault in proved:
-            self._proved.setdefault((fault.cut, fault.what.code, fault.command), fault)
+            key = fault.cut, fault.what.code, fault.command
+            # The newest facts, and how deep it is where one looks least along it.
+            if key not in self._proved or fault.gouged <= self._proved[key].gouged:
+                self._proved[key] = fault
         self._judged = True
         self._tell()
 

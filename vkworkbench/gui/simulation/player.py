@@ -225,7 +225,8 @@ class Player(QWidget):
         if told is None:
             return
         compares = self.scene_bar.compares and told is self.drawing.told
-        work = partial(judge, told, self.drawing.facts, self.scene_bar.tolerance_mm, self.faults, compares)
+        before = self.faults if told.facts is None else self.known.gouges
+        work = partial(judge, told, self.drawing.facts, self.scene_bar.tolerance_mm, before, compares)
         self._judging.start("", lambda _: [work()], self._list, self._tell_error)
 
     def _list(self, judged: Judged) -> None:

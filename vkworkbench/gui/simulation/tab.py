@@ -24,6 +24,7 @@ from vkworkbench.report import Cancelled
 
 _ON_OPERATION = freecad.names_in_fingerprint("path")
 _ON_SETTING = freecad.names_in_fingerprint("setting")
+_SELECTED = 1000  # ms within which FreeCAD follows a selection
 
 
 class SimulationTab(KeyedWidget):
@@ -60,6 +61,9 @@ class SimulationTab(KeyedWidget):
         self._soon = QTimer(self)
         self._soon.setSingleShot(True)
         self._soon.timeout.connect(lambda: idle.work(self._comparing()))
+        self._asked = QTimer(self)
+        self._asked.setSingleShot(True)
+        self._asked.setInterval(_SELECTED)
         self.keys = {int(Qt.Key_Escape): lambda: self.window_of().close()}
         FreeCAD.addDocumentObserver(self)
         self.reading = Reading(copy)
@@ -84,8 +88,8 @@ class SimulationTab(KeyedWidget):
 
     def _show(self, player: Player) -> None:
         self.player = player
-        # FreeCAD 1.1 brings the 3D view to the front for a selection.
-        player.asked.connect(lambda: QTimer.singleShot(0, self.come_to_front))
+        player.asked.connect(lambda *_: self._asked.start())
+        widgets.area_of_views().subWindowActivated.connect(self._stay_in_front)
         self.keys.update(player.time_line.keys)
         self.keys.update({
             int(Qt.Key_Space): player.moment.play,
@@ -101,6 +105,11 @@ class SimulationTab(KeyedWidget):
         """Show the tab before the other ones of FreeCAD's window."""
         # Not by the sub-window's mdiArea(): PySide6 then deletes FreeCAD's area together with the sub-window.
         widgets.area_of_views().setActiveSubWindow(self.window_of())
+
+    def _stay_in_front(self) -> None:
+        """Come back where FreeCAD 1.1 brings the 3D view to the front for a selection, which the user made here."""
+        if self._asked.isActive():
+            QTimer.singleShot(0, self.come_to_front)
 
     def window_of(self) -> QWidget:
         """Return the tab in FreeCAD's window."""
@@ -125,6 +134,7 @@ class SimulationTab(KeyedWidget):
         if self._open:
             self._open = False
             self._soon.stop()
+            self._asked.stop()
             FreeCAD.removeDocumentObserver(self)
         self.reading.end()
         if self.player is not None:

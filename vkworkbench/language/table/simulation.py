@@ -7,7 +7,7 @@ from vkworkbench.language.marking import QT_TRANSLATE_NOOP
 
 SIMULATION: dict[str, str | tuple[str, str]] = {
     "rapid-cuts": QT_TRANSLATE_NOOP("Sentences", "a rapid move removes {volume:mm³2}"),
-    "cuts-model": QT_TRANSLATE_NOOP("Sentences", "cuts {depth:mm2} into the model"),
+    "cuts-model": QT_TRANSLATE_NOOP("Sentences", "cuts into the model, {depth:mm2} along the view"),
     "plunges-fast": QT_TRANSLATE_NOOP(
         "Sentences", "plunges into full material at {feed:mm/min3}, where its tool may plunge at {allowed:mm/min3}"
     ),
@@ -18,6 +18,6 @@ SIMULATION: dict[str, str | tuple[str, str]] = {
     # Of an operation, in the results.
     "simulated": (
         QT_TRANSLATE_NOOP("Sentences", "as simulated, command {command:#} is wrong: {fault}"),
-        QT_TRANSLATE_NOOP("Sentences", "as simulated, {count:n} commands are wrong, the first is {command:#}: {fault}"),
+        QT_TRANSLATE_NOOP("Sentences", "as simulated, {count:n} commands are wrong, among them {command:#}: {fault}"),
     ),
 }
