@@ -16,7 +16,7 @@ from vkworkbench import preferences
 from vkworkbench.language import Message
 from vkworkbench.program.analysis import report_of, unread
 from vkworkbench.program.apart import analyze_apart, end_workers
-from vkworkbench.program.files import SUFFIXES, find_programs
+from vkworkbench.program.files import find_programs, is_called_a_program
 from vkworkbench.program.progress import Progress
 from vkworkbench.program.results import Csv, JsonLines, Results
 from vkworkbench.report import OperationReport, cells_of, how_many
@@ -81,10 +81,10 @@ def _positive(kind):
 
 
 def _run(asked: argparse.Namespace) -> int:
-    results = _results(asked)
     paths = [Path(os.path.abspath(path)) for path in find_programs(asked.what)]
     if not paths:
         raise _Wrong(f"no NC programs in {', '.join(asked.what)}")
+    results = _results(asked, paths)
     todo = [path for path in paths if results is None or str(path) not in results.done]
     progress = Progress(todo, sys.stderr)
     operations, unread_files = 0, 0
@@ -119,15 +119,17 @@ def _run(asked: argparse.Namespace) -> int:
     return _UNREAD if unread_files or unread_before else 0
 
 
-def _results(asked: argparse.Namespace) -> Results | None:
-    """Return where the rows go, None for a table."""
+def _results(asked: argparse.Namespace, programs: list[Path]) -> Results | None:
+    """Return where the rows of some programs go, None for a table."""
     path = asked.csv or asked.json_lines
     if asked.resume and path in (None, "-"):
         raise _Wrong("--resume needs the results' file: --csv PATH or --json-lines PATH")
     if path is None:
         return None
-    if Path(path).suffix.lower() in SUFFIXES:  # "--csv bracket.nc old-programs/" would lose a program
+    if is_called_a_program(path):  # "--csv bracket.nc old-programs/" would lose a program
         raise _Wrong(f"{path} is called as an NC program is: give the results' file another name")
+    if any(_is_same_file(path, program) for program in programs):
+        raise _Wrong(f"{path} is one of the programs: give the results' file another name")
     any_row = unread(Path(), Message("moves-nothing"))
     form = Csv(cells_of(any_row)) if asked.csv else JsonLines()
     try:
@@ -136,6 +138,12 @@ def _results(asked: argparse.Namespace) -> Results | None:
         raise _Wrong(f"cannot go on with {path}: {error}") from None
     except OSError as error:
         raise _Wrong(f"cannot write {path}: {error.strerror}") from None
+
+
+def _is_same_file(one: str, other: Path) -> bool:
+    with suppress(OSError):
+        return os.path.samefile(one, other)
+    return False
 
 
 @contextmanager

@@ -15,7 +15,7 @@ from pathlib import Path
 from vkworkbench.language import Message, Unusable
 
 # Suffixes of NC programs. In a folder other files are left out; a file that is named itself is read in any case.
-SUFFIXES = frozenset(
+_SUFFIXES = frozenset(
     [
         ".nc",
         ".ngc",
@@ -81,13 +81,18 @@ def _in_folder(folder: Path) -> Iterator[Path]:
         walked.add(place)
         folders[:] = sorted(name for name in folders if not name.startswith("."))
         for name in sorted(names):
-            suffixes = [suffix.lower() for suffix in Path(name).suffixes]
-            if suffixes and suffixes[-1] in _PACKED:
-                suffixes.pop()
-            if suffixes and suffixes[-1] in SUFFIXES and not _is_endless(os.path.join(root, name)):
+            if is_called_a_program(name) and not _is_endless(os.path.join(root, name)):
                 yield Path(root, name)
     for error in closed:
         yield Path(error.filename)
+
+
+def is_called_a_program(name: str) -> bool:
+    """Whether a file has the suffix of an NC program, packed or not."""
+    suffixes = [suffix.lower() for suffix in Path(name).suffixes]
+    if suffixes and suffixes[-1] in _PACKED:
+        suffixes.pop()
+    return bool(suffixes) and suffixes[-1] in _SUFFIXES
 
 
 def _is_endless(path: str) -> bool:

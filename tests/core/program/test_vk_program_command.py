@@ -138,6 +138,7 @@ def test_wrong_arguments_say_what_to_do(folder, tmp_path, inside):
         ((folder, "--csv", tmp_path / "no" / "x.csv"), "cannot write"),
         ((folder, "--csv", folder / "a.nc"), f"{folder / 'a.nc'} is called as an NC program is"),
         ((folder, "--json-lines", folder / "a.nc"), "give the results' file another name"),
+        ((folder, "--csv", folder / "a.nc.gz"), f"{folder / 'a.nc.gz'} is called as an NC program is"),
         ((folder, "--jobs", "0"), "invalid value '0': it takes a whole number above 0"),
         ((folder, "--timeout", "soon"), "invalid value 'soon': it takes a number above 0"),
         ((), "required: FILE|FOLDER"),
@@ -146,6 +147,29 @@ def test_wrong_arguments_say_what_to_do(folder, tmp_path, inside):
         assert (done.returncode, done.stdout) == (2, "") and words in done.stderr and "Traceback" not in done.stderr
     assert other.read_text() == "a,b\n1,2\n"
     assert (folder / "a.nc").read_text() == PROGRAM
+
+
+@pytest.mark.parametrize("kind", ["--csv", "--json-lines"])
+def test_no_program_becomes_its_results(tmp_path, kind, inside):
+    program, link, other_name = tmp_path / "prog.txt", tmp_path / "link", tmp_path / "." / "sub" / ".." / "prog.txt"
+    program.write_text(PROGRAM)
+    link.symlink_to(program)
+    (tmp_path / "sub").mkdir()
+    for results in (program, link, other_name):
+        for resumed in ((), ("--resume",)):
+            done = inside(program, kind, results, *resumed)
+            assert done.returncode == 2 and f"{results} is one of the programs" in done.stderr
+            assert program.read_text() == PROGRAM
+
+
+@pytest.mark.parametrize("kind", ["--csv", "--json-lines"])
+def test_results_stay_where_there_are_no_programs(folder, tmp_path, kind, inside):
+    (tmp_path / "empty").mkdir()
+    out = tmp_path / "out"
+    inside(folder, kind, out)
+    before = out.read_bytes()
+    assert inside(tmp_path / "empty", kind, out).returncode == 2
+    assert out.read_bytes() == before
 
 
 @pytest.mark.parametrize("kind", ["--csv", "--json-lines"])
