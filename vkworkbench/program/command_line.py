@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import argparse
 import os
+import re
 import sys
 from collections.abc import Iterable, Iterator
 from concurrent.futures import FIRST_COMPLETED, Executor, Future, ThreadPoolExecutor, wait
@@ -25,6 +26,8 @@ from vkworkbench.worker import processes
 _WRONG, _UNREAD, _STOPPED = 2, 1, 130  # exit statuses
 _CONNECT = 30  # s
 _AHEAD = 4  # files handed out for each one that is worked on
+# What only this process could read: the programs are read in others. <(...) of a shell is such a file, too.
+_STANDARD_INPUT = re.compile(r"-|/dev/stdin|/(?:dev|proc/self)/fd/\d+")
 
 
 class _Wrong(Exception):
@@ -81,6 +84,8 @@ def _positive(kind):
 
 
 def _run(asked: argparse.Namespace) -> int:
+    if any(map(_STANDARD_INPUT.fullmatch, asked.what)):
+        raise _Wrong("standard input is not read: give a file")
     paths = [Path(os.path.abspath(path)) for path in find_programs(asked.what)]
     if not paths:
         raise _Wrong(f"no NC programs in {', '.join(asked.what)}")

@@ -133,6 +133,10 @@ def test_wrong_arguments_say_what_to_do(folder, tmp_path, inside):
     empty.mkdir()
     for arguments, words in (
         ((empty,), f"no NC programs in {empty}"),
+        (("-",), "standard input is not read: give a file"),
+        ((folder, "/dev/stdin"), "standard input is not read: give a file"),
+        (("/dev/fd/63",), "standard input is not read: give a file"),
+        (("/proc/self/fd/0",), "standard input is not read: give a file"),
         ((folder, "--resume"), "--resume needs the results' file"),
         ((folder, "--csv", other, "--resume"), f"cannot go on with {other}: its columns are others"),
         ((folder, "--csv", tmp_path / "no" / "x.csv"), "cannot write"),
