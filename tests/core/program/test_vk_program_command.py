@@ -5,6 +5,7 @@ import csv
 import io
 import json
 import os
+import resource
 import signal
 import socket
 import subprocess
@@ -315,6 +316,33 @@ def test_a_reader_that_goes_away_is_no_error(folder):
     process.stdout.close()
     assert "Traceback" not in process.stderr.read()
     process.wait(60)
+
+
+@pytest.mark.parametrize("kind", [(), ("--csv", "-"), ("--json-lines", "-")])
+def test_an_output_that_is_full_is_told_in_one_line(folder, kind):
+    with open("/dev/full", "wb") as full:
+        done = subprocess.run(command(folder / "a.nc", *kind), cwd=ROOT, stdout=full, stderr=subprocess.PIPE, text=True)
+    assert done.returncode == 2
+    assert done.stderr == "vkworkbench: cannot write the standard output: No space left on device\n"
+
+
+@pytest.mark.parametrize("kind", ["--csv", "--json-lines"])
+def test_a_disk_that_is_full_is_told_in_one_line_and_resumed(folder, tmp_path, kind, inside):
+    whole, out = tmp_path / "whole", tmp_path / "out"
+    inside(folder, kind, whole)
+    size = len(whole.read_bytes())
+    for most in (size - 20, 10):  # the last line does not find room, the first one does not
+
+        def leave_room(most=most):
+            resource.setrlimit(resource.RLIMIT_FSIZE, (most, most))
+
+        done = run(folder, kind, out, preexec_fn=leave_room)
+        then = "" if kind == "--csv" and most == 10 else "; --resume goes on"
+        assert done.returncode == 2 and done.stderr == f"vkworkbench: cannot write {out}: File too large{then}\n"
+        assert len(out.read_bytes()) == most
+        assert inside(folder, kind, out, "--resume").returncode == 1
+        assert sorted(out.read_bytes().splitlines()) == sorted(whole.read_bytes().splitlines())
+        out.unlink()
 
 
 def test_names_that_are_no_utf8(tmp_path, inside):
