@@ -40,13 +40,21 @@ PROGRAM = (
         (b"\xef\xbb\xbfG1", "G1"),
         (b"\0\0\0\0%\r\nG1\r\n%\r\n\x1a", "%\r\nG1\r\n%\r\n"),
         (b"G1 X1\n" * 50 + b"\x07", "G1 X1\n" * 50 + "\x07"),  # a stray control character
+        (b"\x12%\r\n\0\0\0G1 X1\0\r\n\x13\x11G1\r\n%\r\n\x14", "%\r\nG1 X1\r\nG1\r\n%\r\n"),  # captured
+        (101 * b"\0" + 30 * b"\x7f" + b"G1", "G1"),
+        ("G1 X1 (ü)\r\n".encode("utf-16-le"), "G1 X1 (ü)\r\n"),
+        ("G1 X1 (ü)\r\n".encode("utf-16-be"), "G1 X1 (ü)\r\n"),
+        ("G1 X1 (Контур)".encode("utf-16-le"), "G1 X1 (Контур)"),
+        ("G1 X1".encode("utf-16-le") + b"\x1a", "G1 X1"),
     ],
 )
 def test_encodings(data, text):
     assert text_of(data) == text
 
 
-@pytest.mark.parametrize("data", [b"\x7fELF\x02\0\0\0G1 X1", bytes(range(256)) * 4, b"\x89PNG\r\n\x1a\n\0\0\0\rIHDR"])
+@pytest.mark.parametrize(
+    "data", [b"\x7fELF\x02\0\0\0G1 X1", bytes(range(256)) * 4, b"\x89PNG\r\n\x1a\n\0\0\0\rIHDR", b"\0\1" * 99]
+)
 def test_no_text(data):
     with pytest.raises(Unusable, match="it is not text"):
         text_of(data)
