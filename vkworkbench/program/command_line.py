@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import argparse
 import os
+import re
 import sys
 from collections.abc import Iterable, Iterator
 from concurrent.futures import FIRST_COMPLETED, Executor, Future, ThreadPoolExecutor, wait
@@ -16,7 +17,7 @@ from vkworkbench import preferences
 from vkworkbench.language import Message
 from vkworkbench.program.analysis import report_of, unread
 from vkworkbench.program.apart import analyze_apart, end_workers
-from vkworkbench.program.files import SUFFIXES, find_programs
+from vkworkbench.program.files import find_programs, is_called_a_program
 from vkworkbench.program.progress import Progress
 from vkworkbench.program.results import Csv, JsonLines, Results
 from vkworkbench.report import OperationReport, cells_of, how_many
@@ -25,16 +26,20 @@ from vkworkbench.worker import processes
 _WRONG, _UNREAD, _STOPPED = 2, 1, 130  # exit statuses
 _CONNECT = 30  # s
 _AHEAD = 4  # files handed out for each one that is worked on
+_STANDARD_OUTPUT = "-"
+# What only this process could read: the programs are read in others. <(...) of a shell is such a file, too.
+_STANDARD_INPUT = re.compile(r"-|/dev/stdin|/(?:dev|proc/self)/fd/\d+")
 
 
 class _Wrong(Exception):
-    """What was asked for cannot be done."""
+    """What was asked for cannot be done, or not to its end."""
 
 
 def main(arguments: list[str] | None = None) -> int:
     """Run the command, and return its exit status.
 
-    0: all programs were read; 1: some could not be; 2: nothing could be done; 130: stopped with Ctrl-C.
+    0: all programs were read; 1: some could not be; 2: nothing could be done, or not be written; 130: stopped with
+    Ctrl-C.
     """
     asked = _parser().parse_args(arguments)
     for stream in (sys.stdout, sys.stderr):
@@ -45,15 +50,25 @@ def main(arguments: list[str] | None = None) -> int:
         print(f"vkworkbench: {error}", file=sys.stderr)
         return _WRONG
     except BrokenPipeError:  # the reader of the output has gone, as with "| head"
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return _STOPPED
+    finally:
+        _drop_unwritten()
+
+
+def _drop_unwritten() -> None:
+    """Drop what the standard output does not take: Python would try it once more at its end, and complain."""
+    try:
+        sys.stdout.flush()
+    except OSError:
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 
 
 def _parser() -> argparse.ArgumentParser:
     parser = argparse.ArgumentParser(
         "python3 -m vkworkbench",
         description="Tell the machining strategy of each operation in NC programs (G-code), and what simulating it costs.",
-        epilog="Exit status: 0 all programs were read, 1 some could not be, 2 nothing could be done, 130 stopped.",
+        epilog="Exit status: 0 all programs were read, 1 some could not be, 2 nothing could be done or not be written, "
+        "130 stopped.",
     )
     parser.add_argument("what", nargs="+", metavar="FILE|FOLDER", help="NC programs, and folders of them")
     output = parser.add_mutually_exclusive_group()
@@ -81,35 +96,41 @@ def _positive(kind):
 
 
 def _run(asked: argparse.Namespace) -> int:
-    results = _results(asked)
+    if any(map(_STANDARD_INPUT.fullmatch, asked.what)):
+        raise _Wrong("standard input is not read: give a file")
     paths = [Path(os.path.abspath(path)) for path in find_programs(asked.what)]
     if not paths:
         raise _Wrong(f"no NC programs in {', '.join(asked.what)}")
+    results = _results(asked, paths)
+    place = asked.csv or asked.json_lines or _STANDARD_OUTPUT
+    goes_on = "" if place == _STANDARD_OUTPUT else "; --resume goes on"
     todo = [path for path in paths if results is None or str(path) not in results.done]
     progress = Progress(todo, sys.stderr)
-    operations, unread_files = 0, 0
+    operations, unread_files, stopped = 0, 0, False
     try:
         with _executor(asked) as (executor, ahead), closing(
             _analyzed(todo, executor, ahead, asked.timeout)
         ) as analyzed:
             for path, rows in analyzed:
                 progress.add(path)
-                if results is None:
-                    progress.clear()
-                    _show(path, rows)
-                else:
-                    results.add(rows)
+                with _writing(place, goes_on):
+                    if results is None:
+                        progress.clear()
+                        _show(path, rows)
+                    else:
+                        results.add(rows)
                 operations += sum(row.counted for row in rows)
                 unread_files += not any(row.counted for row in rows)
     except KeyboardInterrupt:
+        stopped = True
+    finally:
         progress.clear()
-        goes_on = "; --resume goes on" if results is not None else ""
+        if results is not None:
+            with _writing(place, goes_on):
+                results.close()
+    if stopped:
         print(f"Stopped after {progress.files} of {len(todo)} files{goes_on}.", file=sys.stderr)
         return _STOPPED
-    finally:
-        if results is not None:
-            results.close()
-    progress.clear()
     before = f", {how_many(len(paths) - len(todo), 'file')} done before" if len(todo) < len(paths) else ""
     unread_before = sum(str(path) in results.unread for path in paths) if results is not None else 0
     if unread_before:
@@ -119,23 +140,42 @@ def _run(asked: argparse.Namespace) -> int:
     return _UNREAD if unread_files or unread_before else 0
 
 
-def _results(asked: argparse.Namespace) -> Results | None:
-    """Return where the rows go, None for a table."""
+def _results(asked: argparse.Namespace, programs: list[Path]) -> Results | None:
+    """Return where the rows of some programs go, None for a table."""
     path = asked.csv or asked.json_lines
-    if asked.resume and path in (None, "-"):
+    if asked.resume and path in (None, _STANDARD_OUTPUT):
         raise _Wrong("--resume needs the results' file: --csv PATH or --json-lines PATH")
     if path is None:
         return None
-    if Path(path).suffix.lower() in SUFFIXES:  # "--csv bracket.nc old-programs/" would lose a program
+    if is_called_a_program(path):  # "--csv bracket.nc old-programs/" would lose a program
         raise _Wrong(f"{path} is called as an NC program is: give the results' file another name")
+    if any(_is_same_file(path, program) for program in programs):
+        raise _Wrong(f"{path} is one of the programs: give the results' file another name")
     any_row = unread(Path(), Message("moves-nothing"))
     form = Csv(cells_of(any_row)) if asked.csv else JsonLines()
     try:
-        return Results(path, form, resume=asked.resume)
+        with _writing(path):
+            return Results(path, form, resume=asked.resume)
     except ValueError as error:
         raise _Wrong(f"cannot go on with {path}: {error}") from None
+
+
+@contextmanager
+def _writing(path: str, goes_on: str = "") -> Iterator[None]:
+    """Tell what cannot be written, and how to go on."""
+    try:
+        yield
+    except BrokenPipeError:
+        raise
     except OSError as error:
-        raise _Wrong(f"cannot write {path}: {error.strerror}") from None
+        name = "the standard output" if path == _STANDARD_OUTPUT else path
+        raise _Wrong(f"cannot write {name}: {error.strerror}{goes_on}") from None
+
+
+def _is_same_file(one: str, other: Path) -> bool:
+    with suppress(OSError):
+        return os.path.samefile(one, other)
+    return False
 
 
 @contextmanager

@@ -15,7 +15,7 @@ from pathlib import Path
 from vkworkbench.language import Message, Unusable
 
 # Suffixes of NC programs. In a folder other files are left out; a file that is named itself is read in any case.
-SUFFIXES = frozenset(
+_SUFFIXES = frozenset(
     [
         ".nc",
         ".ngc",
@@ -44,6 +44,8 @@ _PACKED = {".xz": lzma.open, ".gz": gzip.open}
 _MARKS = ((codecs.BOM_UTF8, "utf-8-sig"), (codecs.BOM_UTF16_LE, "utf-16"), (codecs.BOM_UTF16_BE, "utf-16"))
 # Three letters beyond ASCII side by side are Cyrillic: Western languages have them one at a time.
 _CYRILLIC = re.compile(rb"[\xc0-\xff]{3}")
+# What a serial line carries beside a text: the leader of a punched tape, and DC1 to DC4, which start and stop a device.
+_OF_THE_LINE = b"\0\x11\x12\x13\x14"
 _TEXT_CONTROLS = frozenset(b"\t\n\r\f\x0b")
 
 
@@ -81,13 +83,18 @@ def _in_folder(folder: Path) -> Iterator[Path]:
         walked.add(place)
         folders[:] = sorted(name for name in folders if not name.startswith("."))
         for name in sorted(names):
-            suffixes = [suffix.lower() for suffix in Path(name).suffixes]
-            if suffixes and suffixes[-1] in _PACKED:
-                suffixes.pop()
-            if suffixes and suffixes[-1] in SUFFIXES and not _is_endless(os.path.join(root, name)):
+            if is_called_a_program(name) and not _is_endless(os.path.join(root, name)):
                 yield Path(root, name)
     for error in closed:
         yield Path(error.filename)
+
+
+def is_called_a_program(name: str) -> bool:
+    """Whether a file has the suffix of an NC program, packed or not."""
+    suffixes = [suffix.lower() for suffix in Path(name).suffixes]
+    if suffixes and suffixes[-1] in _PACKED:
+        suffixes.pop()
+    return bool(suffixes) and suffixes[-1] in _SUFFIXES
 
 
 def _is_endless(path: str) -> bool:
@@ -124,11 +131,22 @@ def text_of(data: bytes) -> str:
     for mark, encoding in _MARKS:
         if data.startswith(mark):
             return data.decode(encoding, "replace")
-    data = data.strip(b"\0\x1a\x7f")  # the leader of a punched tape, and the mark with which DOS ends a text
+    encoding = _unmarked_utf16(data)
+    if encoding:
+        data = data.decode(encoding, "ignore").encode()
+    data = data.translate(None, _OF_THE_LINE).strip(b"\x1a\x7f")  # tapes begin with DEL, too; DOS ends a text with SUB
     controls = sum(data.count(code) for code in range(32) if code not in _TEXT_CONTROLS)
-    if b"\0" in data or controls > 0.01 * len(data):
+    if controls > 0.01 * len(data):
         raise Unusable(Message("no-text"))
     try:
         return data.decode("utf-8")
     except UnicodeDecodeError:
         return data.decode("cp1251" if _CYRILLIC.search(data) else "cp1252", "replace")
+
+
+def _unmarked_utf16(data: bytes) -> str | None:
+    """Return the kind of UTF-16 in which every other byte of a text is 0, as it is of Latin letters; None for none."""
+    zeros = [data[first::2].count(0) for first in (0, 1)]
+    if min(zeros) > 0.01 * max(zeros) or 4 * max(zeros) <= len(data):
+        return None
+    return "utf-16-be" if zeros[0] > zeros[1] else "utf-16-le"

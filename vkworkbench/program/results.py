@@ -100,15 +100,17 @@ class Results:
         self._form = form
         self.done: set[str] = set()
         self.unread: set[str] = set()
-        self._file: BinaryIO
+        self._file: BinaryIO | io.FileIO  # files without a buffer: what a full disk does not take is not tried again
         if path == "-":
             self._file = sys.stdout.buffer
         elif resume and Path(path).exists():
-            self._file = open(path, "r+b")
-            self._file.seek(self._keep())
-            self._file.truncate()
+            with open(path, "rb") as file:
+                kept = self._keep(file)
+            self._file = open(path, "r+b", buffering=0)
+            self._file.truncate(kept)
+            self._file.seek(kept)
         else:
-            self._file = open(path, "wb")
+            self._file = open(path, "wb", buffering=0)
         if not self.done:
             self._write(form.header)
 
@@ -121,14 +123,15 @@ class Results:
             self._file.close()
 
     def _write(self, data: bytes) -> None:
-        self._file.write(data)
+        while data:
+            data = data[self._file.write(data) :]
         self._file.flush()
 
-    def _keep(self) -> int:
-        """Fill `done`, and return how many bytes of the file stay."""
+    def _keep(self, file: BinaryIO) -> int:
+        """Fill `done`, and return how many bytes of a file stay."""
         place, begin, last = 0, 0, None
         header = self._form.header
-        for line in self._file:
+        for line in file:
             place += len(line)
             if not line.endswith(b"\n"):
                 break  # the run was stopped while it wrote this line

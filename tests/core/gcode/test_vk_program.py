@@ -183,6 +183,15 @@ def test_fine_boring_goes_to_its_depth_and_up():
     assert [point for point in bored if point[2] < 0] == [[5, 5, -3], [9, 5, -3]] and bored[-1] == [9, 5, 5]
 
 
+@pytest.mark.parametrize("code", ["G74", "G84", "G85", "G88", "G89"])
+def test_tapping_and_boring_feed_out_to_r_and_rise_at_rapid(code):
+    text = f"G20\nT2 M6\nG0 G90 G54 X.5 Y.5 S500 M3\nG43 H2 Z2.\n{{}} {code} Z-.6 R.1 F25.\nX1.5\nG80\nM30"
+    for level in ("G98", "G99"):
+        path = read_program(text.format(level)).toolpath()
+        assert path.lengths[~path.rapid].sum() == pytest.approx(2 * 2 * 0.7 * 25.4) and path.lengths.all()
+        assert path.points[-1, 2] == pytest.approx((2.0 if level == "G98" else 0.1) * 25.4)
+
+
 def test_feeds_by_time_and_by_turn():
     by_time = read_program("G0 X0 Y0 Z0\nG93\nG1 X10 F2\nG1 X40 F3\nG94\nG1 X0 F600").toolpath()
     assert by_time.feed.tolist() == pytest.approx([20 / 60, 90 / 60, 10])

@@ -7,7 +7,7 @@ import pytest
 
 from vkworkbench.core.gcode.reader import read_program
 from vkworkbench.core.gcode.sections import split_sections, title_of
-from vkworkbench.core.gcode.tool_table import tool_told
+from vkworkbench.core.gcode.tool_table import number_named, tool_told
 
 CUT = "G0 X0 Y0 Z5\nG1 Z-1 F100\nX10\nG0 Z5\n"
 
@@ -61,6 +61,32 @@ def sections(text):
         ("USE 6 INCH VISE AND 1/2 END MILL", None, "endmill", 12.7),
         ("1/4 IN SHANK 1/8 FLAT END MILL", None, "endmill", 3.175),
         ("T2 NO. 7 DRILL 5.1MM", 2, "drill", 5.1),
+        ("WERKZEUG 3 FRAESER 12MM", 3, "endmill", 12),
+        ("WERKZEUG 3 FRAESER D12 R1", 3, "endmill", 12),
+        ("Werkzeug: 12 mm Fräser", None, "endmill", 12),
+        ("WKZ 3 FRAESER D12", 3, "endmill", 12),
+        ("Wkz.-Nr. 3 Fräser 12 mm", 3, "endmill", 12),
+        ("OUTIL 3 FRAISE D12", 3, "endmill", 12),
+        ("HERRAMIENTA 3 FRESA D12", 3, "endmill", 12),
+        ("UTENSILE 3 FRESA D12", 3, "endmill", 12),
+        ("NARZĘDZIE 3 FREZ D12 END MILL", 3, "endmill", 12),
+        ("OP 3 ENDMILL D12", None, "endmill", 12),
+        ("STATION 3 ENDMILL 12MM", None, "endmill", 12),
+        ("STATION 3 ENDMILL D12", None, "endmill", 12),
+        ("12 ENDMILL 50MM LONG", None, "endmill", 12),
+        ("0.5 ENDMILL 2IN LOC", None, "endmill", 0.5),
+        ("T3 10 ENDMILL 25MM", 3, "endmill", 10),
+        ("T3 D3 H3 FACE MILL D50", 3, "endmill", 50),
+        ("T5 H25 D25 12MM ENDMILL", 5, "endmill", 12),
+        ("T6 D=6 H6 - flat end mill", 6, "endmill", 6),
+        ("T1 5/16-18 TAP", 1, "endmill", 7.9375),
+        ("1/4-20 TAP", None, "endmill", 6.35),
+        ("TOOL 2 1 1/4 - 7 UNC TAP", 2, "endmill", 31.75),
+        ("1/2 TAP", None, "endmill", 12.7),
+        ("TOOL 4 = M8 X 1.25 TAP", 4, "endmill", 8),
+        ("M8-1.25 TAP", None, "endmill", 8),
+        ("M8 TAP", None, "endmill", 8),
+        ("T4 10MM TAP 1.5MM PITCH", 4, "endmill", 10),
     ],
 )  # fmt: skip
 def test_tools_as_cam_systems_write_them(comment, number, shape, diameter):
@@ -94,6 +120,8 @@ def test_a_unit_is_that_of_its_size():
     ):
         assert tool_told(comment, inches=True).tool.diameter == 6, comment
     assert tool_told("1in face mill", inches=False).tool.diameter == 25.4
+    assert tool_told("M8 X 1.25 TAP", inches=True).tool.diameter == 8
+    assert tool_told("T1 5/16-18 TAP", inches=True).tool.diameter == pytest.approx(7.9375)
 
 
 @pytest.mark.parametrize(
@@ -116,7 +144,8 @@ def test_what_is_too_large_or_told_too_long_is_no_tool():
     ["2D Pocket3", "T1", "MANUAL TOOL CHANGE TO T5", "tool change at 0.0 0.0 17.0", "Drill 4 holes", "D=5", "",
      "Tool length 30 mm", "stock 20 mm x 30 mm", "T2 D=0 - flat end mill", "T2 D=9999 - end mill",
      "T2 - NO. 7 DRILL", "T2 #7 DRILL", "2 0.209 #4 tap drill", "Number 30 drill", "NR.7 BOHRER", "T3 LETTER F DRILL",
-     "D DRILL",
+     "D DRILL", "T3 D3 H3 FACE MILL", "T11 H11 D11 ENDMILL", "H07 ENDMILL D7", "WERKZEUG 3 FRAESER", "OP 3 ENDMILL",
+     "#10-24 TAP", "10-32 TAP", "T5 1/4-18 NPT TAP", "T5 10-32 TAP 50MM LONG", "TAP PULLEY 1/4-20",
      "Feed 500 mm/min", "a story of more than sixty characters about an end mill and a 20 mm plate"],
 )  # fmt: skip
 def test_comments_that_tell_no_tool(comment):
@@ -164,6 +193,17 @@ def test_tools_told_without_a_number():
     assert sections(f"(T6 D=4 - end mill)\n(Face)\n{CUT}") == [("Face", None, 4)]
 
 
+def test_the_tool_that_the_line_of_its_change_tells_stays():
+    next_one = "T2 (NEXT TOOL: 5MM DRILL)\n"
+    assert sections(f"T1 M6 (10MM ENDMILL)\n{next_one}{CUT}") == [("10MM ENDMILL", 1, 10)]
+    assert sections(f"(20MM FACE MILL)\nT1 M6 (10MM ENDMILL)\n{next_one}{CUT}") == [("10MM ENDMILL", 1, 10)]
+    # The last of several changes counts, and with a comment of its own behind it where its line has none.
+    assert sections(f"T1 M6 (10MM ENDMILL)\nT2 M6 (5MM DRILL)\n{CUT}") == [("5MM DRILL", 2, 5)]
+    assert sections(f"T1 M6 (10MM ENDMILL)\nT2 M6\n(5MM DRILL)\n{CUT}") == [("5MM DRILL", 2, 5)]
+    assert sections(f"(10MM ENDMILL)\nT1 M6\n(5MM DRILL)\n{CUT}") == [("5MM DRILL", 1, 5)]
+    assert sections(f"(10MM ENDMILL)\n(5MM DRILL)\nT1 M6\n{CUT}") == [("10MM ENDMILL", 1, 10)]
+
+
 def test_a_title_behind_a_tool_leaves_it_the_tool():
     assert sections(f"(END MILL 6MM)\n(POCKET)\n{CUT}") == [("POCKET", None, 6)]
 
@@ -202,6 +242,13 @@ def test_titles_at_tool_changes_are_no_passes():
 def test_a_title_that_names_a_tool_of_before_has_that_tool():
     listed = "(T1 D=6 CR=0 - flat end mill)\n(T2 D=3 CR=0 - flat end mill)\n"
     assert sections(f"{listed}(T2 : rest)\n{CUT}")[0][2] == 3
+
+
+def test_a_toolpath_is_no_tool():
+    listed = "(T1 D=6 CR=0 - flat end mill)\n(T2 D=3 CR=0 - flat end mill)\nT1 M6\n"
+    for title in ("Percurso da ferramenta 2", "Trayectoria de herramienta 2", "Trajectoire d'outil 2"):
+        assert sections(f"{listed}({title})\n{CUT}") == [(title, 1, 6)]
+        assert number_named(title) is None
 
 
 def test_long_comments_take_no_long_time():

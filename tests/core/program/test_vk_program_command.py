@@ -5,6 +5,7 @@ import csv
 import io
 import json
 import os
+import resource
 import signal
 import socket
 import subprocess
@@ -133,11 +134,16 @@ def test_wrong_arguments_say_what_to_do(folder, tmp_path, inside):
     empty.mkdir()
     for arguments, words in (
         ((empty,), f"no NC programs in {empty}"),
+        (("-",), "standard input is not read: give a file"),
+        ((folder, "/dev/stdin"), "standard input is not read: give a file"),
+        (("/dev/fd/63",), "standard input is not read: give a file"),
+        (("/proc/self/fd/0",), "standard input is not read: give a file"),
         ((folder, "--resume"), "--resume needs the results' file"),
         ((folder, "--csv", other, "--resume"), f"cannot go on with {other}: its columns are others"),
         ((folder, "--csv", tmp_path / "no" / "x.csv"), "cannot write"),
         ((folder, "--csv", folder / "a.nc"), f"{folder / 'a.nc'} is called as an NC program is"),
         ((folder, "--json-lines", folder / "a.nc"), "give the results' file another name"),
+        ((folder, "--csv", folder / "a.nc.gz"), f"{folder / 'a.nc.gz'} is called as an NC program is"),
         ((folder, "--jobs", "0"), "invalid value '0': it takes a whole number above 0"),
         ((folder, "--timeout", "soon"), "invalid value 'soon': it takes a number above 0"),
         ((), "required: FILE|FOLDER"),
@@ -146,6 +152,29 @@ def test_wrong_arguments_say_what_to_do(folder, tmp_path, inside):
         assert (done.returncode, done.stdout) == (2, "") and words in done.stderr and "Traceback" not in done.stderr
     assert other.read_text() == "a,b\n1,2\n"
     assert (folder / "a.nc").read_text() == PROGRAM
+
+
+@pytest.mark.parametrize("kind", ["--csv", "--json-lines"])
+def test_no_program_becomes_its_results(tmp_path, kind, inside):
+    program, link, other_name = tmp_path / "prog.txt", tmp_path / "link", tmp_path / "." / "sub" / ".." / "prog.txt"
+    program.write_text(PROGRAM)
+    link.symlink_to(program)
+    (tmp_path / "sub").mkdir()
+    for results in (program, link, other_name):
+        for resumed in ((), ("--resume",)):
+            done = inside(program, kind, results, *resumed)
+            assert done.returncode == 2 and f"{results} is one of the programs" in done.stderr
+            assert program.read_text() == PROGRAM
+
+
+@pytest.mark.parametrize("kind", ["--csv", "--json-lines"])
+def test_results_stay_where_there_are_no_programs(folder, tmp_path, kind, inside):
+    (tmp_path / "empty").mkdir()
+    out = tmp_path / "out"
+    inside(folder, kind, out)
+    before = out.read_bytes()
+    assert inside(tmp_path / "empty", kind, out).returncode == 2
+    assert out.read_bytes() == before
 
 
 @pytest.mark.parametrize("kind", ["--csv", "--json-lines"])
@@ -287,6 +316,33 @@ def test_a_reader_that_goes_away_is_no_error(folder):
     process.stdout.close()
     assert "Traceback" not in process.stderr.read()
     process.wait(60)
+
+
+@pytest.mark.parametrize("kind", [(), ("--csv", "-"), ("--json-lines", "-")])
+def test_an_output_that_is_full_is_told_in_one_line(folder, kind):
+    with open("/dev/full", "wb") as full:
+        done = subprocess.run(command(folder / "a.nc", *kind), cwd=ROOT, stdout=full, stderr=subprocess.PIPE, text=True)
+    assert done.returncode == 2
+    assert done.stderr == "vkworkbench: cannot write the standard output: No space left on device\n"
+
+
+@pytest.mark.parametrize("kind", ["--csv", "--json-lines"])
+def test_a_disk_that_is_full_is_told_in_one_line_and_resumed(folder, tmp_path, kind, inside):
+    whole, out = tmp_path / "whole", tmp_path / "out"
+    inside(folder, kind, whole)
+    size = len(whole.read_bytes())
+    for most in (size - 20, 10):  # the last line does not find room, the first one does not
+
+        def leave_room(most=most):
+            resource.setrlimit(resource.RLIMIT_FSIZE, (most, most))
+
+        done = run(folder, kind, out, preexec_fn=leave_room)
+        then = "" if kind == "--csv" and most == 10 else "; --resume goes on"
+        assert done.returncode == 2 and done.stderr == f"vkworkbench: cannot write {out}: File too large{then}\n"
+        assert len(out.read_bytes()) == most
+        assert inside(folder, kind, out, "--resume").returncode == 1
+        assert sorted(out.read_bytes().splitlines()) == sorted(whole.read_bytes().splitlines())
+        out.unlink()
 
 
 def test_names_that_are_no_utf8(tmp_path, inside):

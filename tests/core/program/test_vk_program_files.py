@@ -40,13 +40,21 @@ PROGRAM = (
         (b"\xef\xbb\xbfG1", "G1"),
         (b"\0\0\0\0%\r\nG1\r\n%\r\n\x1a", "%\r\nG1\r\n%\r\n"),
         (b"G1 X1\n" * 50 + b"\x07", "G1 X1\n" * 50 + "\x07"),  # a stray control character
+        (b"\x12%\r\n\0\0\0G1 X1\0\r\n\x13\x11G1\r\n%\r\n\x14", "%\r\nG1 X1\r\nG1\r\n%\r\n"),  # captured
+        (101 * b"\0" + 30 * b"\x7f" + b"G1", "G1"),
+        ("G1 X1 (ü)\r\n".encode("utf-16-le"), "G1 X1 (ü)\r\n"),
+        ("G1 X1 (ü)\r\n".encode("utf-16-be"), "G1 X1 (ü)\r\n"),
+        ("G1 X1 (Контур)".encode("utf-16-le"), "G1 X1 (Контур)"),
+        ("G1 X1".encode("utf-16-le") + b"\x1a", "G1 X1"),
     ],
 )
 def test_encodings(data, text):
     assert text_of(data) == text
 
 
-@pytest.mark.parametrize("data", [b"\x7fELF\x02\0\0\0G1 X1", bytes(range(256)) * 4, b"\x89PNG\r\n\x1a\n\0\0\0\rIHDR"])
+@pytest.mark.parametrize(
+    "data", [b"\x7fELF\x02\0\0\0G1 X1", bytes(range(256)) * 4, b"\x89PNG\r\n\x1a\n\0\0\0\rIHDR", b"\0\1" * 99]
+)
 def test_no_text(data):
     with pytest.raises(Unusable, match="it is not text"):
         text_of(data)
@@ -125,6 +133,33 @@ def test_what_names_files():
         vkworkbench.analyze("")
     assert is_path("a.nc") and is_path(Path("a")) and is_path(["a", Path("b")]) and is_path(("a.nc",))
     assert not is_path(None) and not is_path([]) and not is_path([object()]) and not is_path(object())
+
+
+class NoFreeCAD:
+    """Finds no FreeCAD, also where there is one."""
+
+    @staticmethod
+    def find_spec(name, *_):
+        if name == "FreeCAD":
+            raise ModuleNotFoundError(name=name)
+
+
+@pytest.fixture
+def without_freecad(monkeypatch):
+    for name in ("FreeCAD", "vkworkbench.document.analysis"):
+        monkeypatch.delitem(sys.modules, name, raising=False)
+    monkeypatch.setattr(sys, "meta_path", [NoFreeCAD, *sys.meta_path])
+
+
+def test_no_files_are_an_empty_report(without_freecad):
+    for nothing in ([], (), iter([])):
+        assert vkworkbench.analyze(nothing).operations == ()
+
+
+@pytest.mark.parametrize("what", [b"x", b"", 3, None, [3], ["a.nc", None]])
+def test_what_names_no_files_is_refused_without_freecad(without_freecad, what):
+    with pytest.raises(TypeError, match="without FreeCAD only NC programs .*: a file, a folder, or a list of them"):
+        vkworkbench.analyze(what)
 
 
 def test_one_row_for_each_operation(tmp_path):

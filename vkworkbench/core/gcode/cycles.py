@@ -8,7 +8,7 @@ from math import isnan, nan
 import numpy as np
 
 CHIP_BREAK, PECK = 730, 830
-FEED_OUT = np.array([740, 840, 850, 880, 890])  # codes in tenths: tapping and boring leave the hole at feed rate
+FEED_OUT = np.array([740, 840, 850, 880, 890])  # codes in tenths: tapping and boring feed out of the hole, up to R
 CHIP_BREAK_RETRACT = 0.25  # mm, as LinuxCNC's G73
 MOST_PECKS = 10_000  # more is a Q word gone wrong, and would fill the memory
 
@@ -83,8 +83,8 @@ def move_counts(code: np.ndarray, heights: np.ndarray, peck: np.ndarray) -> np.n
     depth = np.maximum(heights[:, 1] - heights[:, 2], 0.0)
     pecking = ((code == PECK) | (code == CHIP_BREAK)) & (peck * MOST_PECKS > depth)
     pecks = np.where(pecking, np.ceil(depth / np.where(pecking, peck, 1.0) - 1e-9), 1.0)
-    # Approach (3 moves), then for each peck but the last feed, out, back; then feed to the bottom, leave.
-    return 3 + 3 * (np.maximum(pecks, 1.0).astype(np.int64) - 1) + 2
+    # Approach (3 moves), for each peck but the last feed, out, back; then to the bottom, with some out at feed, leave.
+    return 3 + 3 * (np.maximum(pecks, 1.0).astype(np.int64) - 1) + 2 + np.isin(code, FEED_OUT)
 
 
 def moves(
@@ -129,8 +129,13 @@ def moves(
     points[first + 2, 2] = retract
     rapid[first] = rapid[first + 1] = rapid[first + 2] = True
     last = first + counts - 1
-    points[last - 1, 2] = bottom
-    rapid[last - 1] = False
+    feeds_out = np.isin(code, FEED_OUT)
+    out_of_hole = last[feeds_out] - 1
+    points[out_of_hole, 2] = retract[feeds_out]
+    rapid[out_of_hole] = False
+    deepest = last - 1 - feeds_out
+    points[deepest, 2] = bottom
+    rapid[deepest] = False
     points[last, 2] = after
-    rapid[last] = ~np.isin(code, FEED_OUT)
+    rapid[last] = True
     return points, rapid

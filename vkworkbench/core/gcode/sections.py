@@ -79,10 +79,10 @@ class _Group:
         Title in the last comment that is no remark.
     headings
         All comments that are no remarks, with the numbers that post processors write before the titles.
-    changes, number
-        Whether the tool changes, and to which number.
-    tool, tool_name
-        The tool that is described without a number, or with the number that is changed to, and that comment.
+    change, number
+        Line of the last tool change, None where there is none, and the number of its tool.
+    tool, tool_name, told
+        The tool that is described without a number, or with the number that is changed to, that comment, and its line.
     known : dict
         The tools described so far, by their numbers.
     """
@@ -90,10 +90,11 @@ class _Group:
     line: int
     title: str = ""
     headings: tuple[str, ...] = ()
-    changes: bool = False
+    change: int | None = None
     number: int | None = None
     tool: Tool | None = None
     tool_name: str = ""
+    told: int | None = None
     known: dict[int, Tool] = field(default_factory=dict)
 
 
@@ -106,14 +107,14 @@ def split_sections(program: Program) -> tuple[Section, ...]:
         At least one; every line with a command is in one of them.
     """
     groups = _groups(program)
-    forms = Counter(_form(group.title) for group in groups if group.title and not group.changes)
+    forms = Counter(_form(group.title) for group in groups if group.title and group.change is None)
     passes = {form for form, times in forms.items() if times > MANY_TITLES}
     sections: list[Section] = []
     number = tool = headings = None
     everything = groups[-1].known
     for group in groups:
         title = "" if _form(group.title) in passes else group.title
-        if group.changes:
+        if group.change is not None:
             number, tool = group.number, None
         elif sections and (not title or group.headings == headings):
             continue
@@ -139,6 +140,7 @@ def _groups(program: Program) -> list[_Group]:
         if name in ("", motion) and motion not in ("", "G0") and not _AXES.isdisjoint(words):
             cuts.append(at)
     marks.sort(key=lambda mark: mark[:2])
+    changes = {line for _, line, what in marks if not isinstance(what, str)}
     groups = [_Group(min([int(program.lines[0]), *(line for _, line, _ in marks[:1])]))]
     place, known = 0, groups[0].known
     for at, line, what in marks:
@@ -147,11 +149,12 @@ def _groups(program: Program) -> list[_Group]:
             groups.append(_Group(line, known=known))
         group = groups[-1]
         if not isinstance(what, str):
-            group.changes, group.number = True, None if what is None else int(what)
+            group.change, group.number = line, None if what is None else int(what)
             continue
         told = tool_told(what, inches=program.inches)
+        change = line if line in changes else group.change
         if told is None:
-            if not group.changes:
+            if group.change is None:
                 number = number_named(what)
                 group.tool = (None if number is None else known.get(number)) or group.tool
             title = title_of(what)
@@ -160,8 +163,8 @@ def _groups(program: Program) -> list[_Group]:
         elif told.number is not None:
             group.known = known = {**known, told.number: told.tool}
             group.tool_name = what if told.number == group.number else group.tool_name
-        elif group.changes or group.tool is None:
-            group.tool, group.tool_name = told.tool, what
+        elif group.tool is None or change not in (None, group.told):  # what the line of a change tells stays
+            group.tool, group.tool_name, group.told = told.tool, what, line
     return groups
 
 

@@ -21,15 +21,20 @@ _LARGEST = 500.0  # mm
 _NUMBER = r"(?:\d+(?:[.,]\d*)?|[.,]\d+)"
 _FRACTION = r"(?:\d+[ -])?\d+/\d+"
 _SIZE = rf"(?P<size>{_FRACTION}|{_NUMBER})"
-_METRIC = ("mm", "мм")
+_METRIC = ("mm", "мм", "m")  # M8: a metric thread
 _UNIT = r"\s*(?P<unit>mm\b|мм\b|inch(?:es)?\b|in\b\.?|\"|'')?"
 _MILLING_WORD = (
     r"end ?mills?(?![a-z])|mill\b|em\b|face ?mill|slot ?(?:cutter|drill)|cutter\b|ball ?(?:nose|end)|bull ?(?:nose|end)|v[- ]?bit|"
     r"engrav\w*|chamfer\w*|router|bit\b|drills?\b|spot ?drill|reamer|tap\b|crb\b|carbide|"
     r"\w*fr(?:ä|ae|.)ser\b|bohrer|gravier\w*|freza|sverlo|fresa|broca|fraise|foret|frees|фреза|сверло|гравер"
 )
+# Of other languages' words for a tool only the first of a comment names one: "trajectoire d'outil 3" is a toolpath.
 _NUMBERED = re.compile(
-    r"\b(?:T|tool\s*(?:no\.?|nr\.?|number)?)\s*[-#:=]?\s*(?P<number>\d{1,8})\b(?![./]\d)", re.IGNORECASE
+    r"(?:\b(?:T|tool(?:\s*(?:no\.?|nr\.?|number))?)"
+    r"|^\W*(?:werkzeug|wkz\.?|wz\.?|outil|herramienta|ferramenta|utensile|narz[eę]dzie|n[aá]stroj|gereedschap|инструмент)"
+    r"(?:[\s-]*(?:nr\.?|n[°º]|nummer))?)"
+    r"\s*(?:[-#:=]\s*)?(?P<number>\d{1,8})\b(?![./]\d)(?!\s*(?:mm|мм)\b)",
+    re.IGNORECASE,
 )
 _LETTER = re.compile(rf"(?<![A-Za-z])D\s*=\s*{_SIZE}{_UNIT}", re.IGNORECASE)
 _WORD = re.compile(
@@ -43,19 +48,37 @@ _CUTVIEWER = re.compile(
 )
 # Diameter and length, 10 x 72: with as much room before the x as behind it, unlike 2x 6mm.
 _ACROSS = rf"(?:(?:mm|in)?(?:\s+[x×]\s+|[x×])(?:{_FRACTION}|{_NUMBER}))*"
-_MEASURED = re.compile(rf"(?<![\d.,/]){_SIZE}{_ACROSS}\s*(?P<unit>mm\b|мм\b|inch(?:es)?\b|in\b|\")", re.IGNORECASE)
+_WITH_UNIT = rf"(?<![\d.,/]){_SIZE}{_ACROSS}\s*(?P<unit>mm\b|мм\b|inch(?:es)?\b|in\b|\")"
+_MEASURED = re.compile(_WITH_UNIT, re.IGNORECASE)
+# What is measured behind the tool word may be its length as well.
+_NO_LENGTH = re.compile(
+    rf"{_WITH_UNIT}(?!\s*(?:loc\b|lo?ng|length|lang|lg\b|oal\b|deep|depth|shank|stick|holder|corner|rad|cr?\b|pitch))",
+    re.IGNORECASE,
+)
 _SHORT = re.compile(rf"(?<![\w|])D(?P<size>{_NUMBER})(?![\w|])")  # D10; between bars it is an offset
+_LENGTH_OFFSET = re.compile(r"(?<!\w)H(\d{1,8})\b")
 _FLUTES = re.compile(r"\b\d+\s*-?\s*fl(?:utes?)?\b", re.IGNORECASE)
 _LISTED = re.compile(r"\s*T\d+\s*[|:=]", re.IGNORECASE)
 _LONGEST, _LONGEST_NAME = 200, 60  # characters; longer comments are prose that mentions a size in passing
 _BARE = re.compile(
-    rf"(?<![\w.,/#]){_SIZE}(?P<unit>)(?=(?:\s*(?:flat|square|long|stub|hss))*\s*(?:{_MILLING_WORD}))", re.IGNORECASE
+    rf"(?<![\w.,/#]){_SIZE}(?P<across>)(?P<unit>)(?=(?:\s*(?:flat|square|long|stub|hss))*\s*(?:{_MILLING_WORD}))",
+    re.IGNORECASE,
 )
 # Directly before what the tool is: in a sentence about other things as well, this is its size.
 _ATTACHED = re.compile(
-    rf"(?<![\w.,/#]){_SIZE}{_ACROSS}{_UNIT}(?:\s*(?:flat|square|stub|hss))*(?=\s*(?:{_MILLING_WORD}))", re.IGNORECASE
+    rf"(?<![\w.,/#]){_SIZE}(?P<across>{_ACROSS}){_UNIT}(?:\s*(?:flat|square|stub|hss))*(?=\s*(?:{_MILLING_WORD}))",
+    re.IGNORECASE,
 )
-_NUMBER_DRILL = re.compile(r"(?:#|\b(?:no|nr)\b\.?|\bnumber)\s*\d+(?![./\d])", re.IGNORECASE)  # a number of a table
+# A number in a table of drills, and that of an operation.
+_OTHER_NUMBER = re.compile(r"(?:#|\b(?:no|nr|op)\b\.?|\bnumber)\s*\d+(?![./\d])", re.IGNORECASE)
+# M8 X 1.25, 1/4-20: a thread's diameter, and its pitch or turns per inch. Of a pipe's thread the inches are no measure.
+_TAP = re.compile(r"\btap\b(?!\s*drill)", re.IGNORECASE)
+_METRIC_THREAD = re.compile(
+    rf"(?<![A-Za-z\d])(?P<unit>M)(?P<size>{_NUMBER})(?=\s*[-x×]\s*[\d.,].*\btap\b|\s*tap\b)", re.IGNORECASE
+)
+_INCH_THREAD = re.compile(
+    rf"(?<![\d.,/])(?P<size>{_FRACTION})(?=\s*-\s*\d+(?!.*(?:npt|bsp|pipe)).*\btap\b|\s*tap\b)", re.IGNORECASE
+)
 _IS_TOOL = re.compile(rf"(?<![a-zà-ÿа-я])(?:{_MILLING_WORD})", re.IGNORECASE)
 _CORNER = re.compile(rf"\b(?:CR|corner radius|torus_radius)\s*[=:]\s*(?P<size>{_NUMBER})", re.IGNORECASE)
 _TAPER = re.compile(rf"\bTAPER\s*=\s*(?P<size>{_NUMBER})\s*deg", re.IGNORECASE)
@@ -126,12 +149,25 @@ def _size(comment: str, number: re.Match[str] | None) -> re.Match[str] | None:
         return explicit
     if number is not None:  # "tool 1 1/4" is no tool of 1 1/4
         comment = f"{comment[: number.start()]}  {comment[number.end() :]}"
-    comment = _NUMBER_DRILL.sub("#", comment)
-    attached = _ATTACHED.search(comment)
-    if attached:
-        return attached
+    comment = _without_offsets(_OTHER_NUMBER.sub("#", comment), number)
+    if _TAP.search(comment):
+        return _METRIC_THREAD.search(comment) or _INCH_THREAD.search(comment) or _NO_LENGTH.search(comment)
     found = [match for match in (_MEASURED.search(comment), _BARE.search(comment)) if match]
-    return min(found, key=re.Match.start, default=_SHORT.search(comment))
+    size = _ATTACHED.search(comment) or min(found, key=re.Match.start, default=None)
+    if size is None or (number is None and _is_bare(size)):  # the tool's number may stand before the tool word, too
+        return _NO_LENGTH.search(comment) or _SHORT.search(comment) or size
+    return size
+
+
+def _without_offsets(comment: str, number: re.Match[str] | None) -> str:
+    """Return a comment without offsets: D words with the number of the tool, or of an H word."""
+    own = {int(offset) for offset in _LENGTH_OFFSET.findall(comment)} | ({int(number["number"])} if number else set())
+    return _SHORT.sub(lambda word: "" if word["size"].isdigit() and int(word["size"]) in own else word[0], comment)
+
+
+def _is_bare(size: re.Match[str]) -> bool:
+    """Whether a size is a whole number alone."""
+    return size["size"].isdigit() and not size["unit"] and not size["across"]
 
 
 def _also_a_fraction(comment: str, size: re.Match[str]) -> bool:
