@@ -910,10 +910,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>cuts {depth:mm2} into the model</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>plunges into full material at {feed:mm/min3}, where its tool may plunge at {allowed:mm/min3}</source>
         <translation type="unfinished"></translation>
     </message>
@@ -927,10 +923,6 @@
     </message>
     <message>
         <source>as simulated, command {command:#} is wrong: {fault}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>as simulated, {count:n} commands are wrong, the first is {command:#}: {fault}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -995,6 +987,22 @@
     </message>
     <message>
         <source>cut in strokes, as between tags</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the unknown code {name} is ignored, and with it the {letters} words of its line</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>probing moves are not in the time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cuts into the model, {depth:mm2} along the view</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>as simulated, {count:n} commands are wrong, among them {command:#}: {fault}</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -910,10 +910,6 @@
         <translation>ein Eilgang trägt {volume:mm³2} ab</translation>
     </message>
     <message>
-        <source>cuts {depth:mm2} into the model</source>
-        <translation>schneidet {depth:mm2} tief in das Modell</translation>
-    </message>
-    <message>
         <source>plunges into full material at {feed:mm/min3}, where its tool may plunge at {allowed:mm/min3}</source>
         <translation>taucht mit {feed:mm/min3} ins volle Material ein, ihr Werkzeug darf {allowed:mm/min3}</translation>
     </message>
@@ -928,10 +924,6 @@
     <message>
         <source>as simulated, command {command:#} is wrong: {fault}</source>
         <translation>laut Simulation ist Befehl {command:#} falsch: {fault}</translation>
-    </message>
-    <message>
-        <source>as simulated, {count:n} commands are wrong, the first is {command:#}: {fault}</source>
-        <translation>laut Simulation sind {count:n} Befehle falsch, der erste ist {command:#}: {fault}</translation>
     </message>
     <message>
         <source>moves in X and Z only, with passes along Z at many X, as a lathe makes them: {strategy:strategy}</source>
@@ -996,6 +988,22 @@
     <message>
         <source>cut in strokes, as between tags</source>
         <translation>in Zügen geschnitten, wie zwischen Haltestegen</translation>
+    </message>
+    <message>
+        <source>the unknown code {name} is ignored, and with it the {letters} words of its line</source>
+        <translation>unbekannter Code {name} übergangen, und mit ihm die Wörter {letters} seiner Zeile</translation>
+    </message>
+    <message>
+        <source>probing moves are not in the time</source>
+        <translation>Antastbewegungen sind nicht in der Zeit enthalten</translation>
+    </message>
+    <message>
+        <source>cuts into the model, {depth:mm2} along the view</source>
+        <translation>schneidet in das Modell, {depth:mm2} tief in Blickrichtung</translation>
+    </message>
+    <message>
+        <source>as simulated, {count:n} commands are wrong, among them {command:#}: {fault}</source>
+        <translation>laut Simulation sind {count:n} Befehle falsch, darunter {command:#}: {fault}</translation>
     </message>
 </context>
 <context>
@@ -1680,7 +1688,7 @@ höchstens</translation>
     </message>
     <message>
         <source>Recommended accuracy of the {simulator}: {}</source>
-        <translation>Empfohlene Genauigkeit des {simulator}: {}</translation>
+        <translation>Empfohlene Genauigkeit im {simulator}: {}</translation>
     </message>
     <message>
         <source>Between {} and {}, until this simulator has run a few times on this computer</source>

@@ -910,10 +910,6 @@
         <translation>un movimiento rápido quita {volume:mm³2}</translation>
     </message>
     <message>
-        <source>cuts {depth:mm2} into the model</source>
-        <translation>corta {depth:mm2} dentro del modelo</translation>
-    </message>
-    <message>
         <source>plunges into full material at {feed:mm/min3}, where its tool may plunge at {allowed:mm/min3}</source>
         <translation>entra en pleno material a {feed:mm/min3}, su herramienta puede entrar a {allowed:mm/min3}</translation>
     </message>
@@ -928,10 +924,6 @@
     <message>
         <source>as simulated, command {command:#} is wrong: {fault}</source>
         <translation>según la simulación, la orden {command:#} está mal: {fault}</translation>
-    </message>
-    <message>
-        <source>as simulated, {count:n} commands are wrong, the first is {command:#}: {fault}</source>
-        <translation>según la simulación, {count:n} órdenes están mal, la primera es la {command:#}: {fault}</translation>
     </message>
     <message>
         <source>moves in X and Z only, with passes along Z at many X, as a lathe makes them: {strategy:strategy}</source>
@@ -996,6 +988,22 @@
     <message>
         <source>cut in strokes, as between tags</source>
         <translation>cortados en trazos, como entre pestañas</translation>
+    </message>
+    <message>
+        <source>the unknown code {name} is ignored, and with it the {letters} words of its line</source>
+        <translation>código desconocido {name} ignorado, y con él las palabras {letters} de su línea</translation>
+    </message>
+    <message>
+        <source>probing moves are not in the time</source>
+        <translation>los movimientos de palpado no están incluidos en el tiempo</translation>
+    </message>
+    <message>
+        <source>cuts into the model, {depth:mm2} along the view</source>
+        <translation>corta dentro del modelo, {depth:mm2} en la dirección de la vista</translation>
+    </message>
+    <message>
+        <source>as simulated, {count:n} commands are wrong, among them {command:#}: {fault}</source>
+        <translation>según la simulación, {count:n} órdenes están mal, entre ellas la {command:#}: {fault}</translation>
     </message>
 </context>
 <context>

@@ -57,7 +57,7 @@
     </message>
     <message>
         <source>The time in the {simulator} is not known: analyze it again.</source>
-        <translation>Le temps dans le {simulator} n&apos;est pas connu : analysez-le à nouveau.</translation>
+        <translation>Le temps dans « {simulator} » n&apos;est pas connu : analysez-le à nouveau.</translation>
     </message>
     <message>
         <source>{strategy}, {share} sure</source>
@@ -77,15 +77,15 @@
     </message>
     <message>
         <source>Simulating it in the {simulator}: {time}, {memory}</source>
-        <translation>Simulation dans le {simulator} : {time}, {memory}</translation>
+        <translation>Simulation dans « {simulator} » : {time}, {memory}</translation>
     </message>
     <message>
         <source>Simulating it in the {simulator}: at least {time}, {memory}</source>
-        <translation>Simulation dans le {simulator} : au moins {time}, {memory}</translation>
+        <translation>Simulation dans « {simulator} » : au moins {time}, {memory}</translation>
     </message>
     <message>
         <source>Simulating it alone in the {simulator}: {time}, {memory}</source>
-        <translation>Simulation de l&apos;opération seule dans le {simulator} : {time}, {memory}</translation>
+        <translation>Simulation de l&apos;opération seule dans « {simulator} » : {time}, {memory}</translation>
     </message>
 </context>
 <context>
@@ -643,35 +643,35 @@
     </message>
     <message>
         <source>The {simulator:simulator} hangs on an arc {reason} (command {command:#}{others}): {instead}.</source>
-        <translation>Le {simulator:simulator} se bloque sur un arc {reason} (commande {command:#}{others}) : {instead}.</translation>
+        <translation>« {simulator:simulator} » se bloque sur un arc {reason} (commande {command:#}{others}) : {instead}.</translation>
     </message>
     <message>
         <source>The {simulator:simulator} cuts {count:n} ramp at a wrong depth, up to {error:mm2} {way} (command {command:#}): do not judge depths by it.</source>
-        <translation>Le {simulator:simulator} usine {count:n} rampe à une profondeur fausse, jusqu&apos;à {error:mm2} {way} (commande {command:#}) : ne jugez pas les profondeurs d&apos;après lui.</translation>
+        <translation>« {simulator:simulator} » usine {count:n} rampe à une profondeur fausse, jusqu&apos;à {error:mm2} {way} (commande {command:#}) : ne jugez pas les profondeurs d&apos;après lui.</translation>
     </message>
     <message>
         <source>The {simulator:simulator} cuts {count:n} ramps at a wrong depth, up to {error:mm2} {way} (command {command:#}): do not judge depths by it.</source>
-        <translation>Le {simulator:simulator} usine {count:n} rampes à une profondeur fausse, jusqu&apos;à {error:mm2} {way} (commande {command:#}) : ne jugez pas les profondeurs d&apos;après lui.</translation>
+        <translation>« {simulator:simulator} » usine {count:n} rampes à une profondeur fausse, jusqu&apos;à {error:mm2} {way} (commande {command:#}) : ne jugez pas les profondeurs d&apos;après lui.</translation>
     </message>
     <message>
         <source>Playing takes about {longer:s} in the {simulator:simulator}: fast-forward takes about {time:s}.</source>
-        <translation>La lecture prend environ {longer:s} dans le {simulator:simulator} : l&apos;avance rapide prend environ {time:s}.</translation>
+        <translation>La lecture prend environ {longer:s} dans « {simulator:simulator} » : l&apos;avance rapide prend environ {time:s}.</translation>
     </message>
     <message>
         <source>Playing takes about {time:s} in the {simulator:simulator} at its fastest: simulate fewer operations at a time.</source>
-        <translation>La lecture prend environ {time:s} dans le {simulator:simulator} au plus vite : simulez moins d&apos;opérations à la fois.</translation>
+        <translation>La lecture prend environ {time:s} dans « {simulator:simulator} » au plus vite : simulez moins d&apos;opérations à la fois.</translation>
     </message>
     <message>
         <source>{count:n} moves are shorter than a cell of the {simulator:simulator} ({cell:mm2}), each takes its time and none is seen by itself: a coarser tolerance of the operation loses nothing there.</source>
-        <translation>{count:n} mouvements sont plus courts qu&apos;une cellule du {simulator:simulator} ({cell:mm2}), chacun prend du temps et aucun ne se voit seul : une tolérance plus grossière de l&apos;opération n&apos;y perd rien.</translation>
+        <translation>{count:n} mouvements sont plus courts qu&apos;une cellule de « {simulator:simulator} » ({cell:mm2}), chacun prend du temps et aucun ne se voit seul : une tolérance plus grossière de l&apos;opération n&apos;y perd rien.</translation>
     </message>
     <message>
         <source>The {simulator:simulator} takes about {memory:bytes} for this operation, more than the {allowed:bytes} allowed: {instead}.</source>
-        <translation>Le {simulator:simulator} prend environ {memory:bytes} pour cette opération, plus que les {allowed:bytes} permis : {instead}.</translation>
+        <translation>« {simulator:simulator} » prend environ {memory:bytes} pour cette opération, plus que les {allowed:bytes} permis : {instead}.</translation>
     </message>
     <message>
         <source>use the {simulator:simulator} for this operation</source>
-        <translation>utilisez le {simulator:simulator} pour cette opération</translation>
+        <translation>utilisez « {simulator:simulator} » pour cette opération</translation>
     </message>
     <message>
         <source>the tool&apos;s diameter must be a positive number of at most a kilometer, not {diameter:mm}</source>
@@ -839,7 +839,7 @@
     </message>
     <message>
         <source>One move is shorter than a cell of the {simulator:simulator} ({cell:mm2}), takes its time and is not seen by itself: a coarser tolerance of the operation loses nothing there.</source>
-        <translation>Un déplacement est plus court qu&apos;une cellule du {simulator:simulator} ({cell:mm2}), prend son temps et ne se voit pas : une tolérance plus grossière de l&apos;opération n&apos;y perd rien.</translation>
+        <translation>Un déplacement est plus court qu&apos;une cellule de « {simulator:simulator} » ({cell:mm2}), prend son temps et ne se voit pas : une tolérance plus grossière de l&apos;opération n&apos;y perd rien.</translation>
     </message>
     <message>
         <source>which lie like those of known toolpaths ({share:%} of the votes)</source>
@@ -910,10 +910,6 @@
         <translation>un déplacement rapide enlève {volume:mm³2}</translation>
     </message>
     <message>
-        <source>cuts {depth:mm2} into the model</source>
-        <translation>coupe {depth:mm2} dans le modèle</translation>
-    </message>
-    <message>
         <source>plunges into full material at {feed:mm/min3}, where its tool may plunge at {allowed:mm/min3}</source>
         <translation>plonge en pleine matière à {feed:mm/min3}, son outil ne peut plonger qu’à {allowed:mm/min3}</translation>
     </message>
@@ -928,10 +924,6 @@
     <message>
         <source>as simulated, command {command:#} is wrong: {fault}</source>
         <translation>d’après la simulation, la commande {command:#} est fausse : {fault}</translation>
-    </message>
-    <message>
-        <source>as simulated, {count:n} commands are wrong, the first is {command:#}: {fault}</source>
-        <translation>d’après la simulation, {count:n} commandes sont fausses, la première est la {command:#} : {fault}</translation>
     </message>
     <message>
         <source>moves in X and Z only, with passes along Z at many X, as a lathe makes them: {strategy:strategy}</source>
@@ -979,11 +971,11 @@
     </message>
     <message>
         <source>The {simulator:simulator} takes about {time:s} for every picture at the end, {percent:n}% of it for arcs: simulate this operation alone.</source>
-        <translation>Le {simulator:simulator} prend à la fin environ {time:s} par image, dont {percent:n} % pour les arcs : simulez cette opération seule.</translation>
+        <translation>« {simulator:simulator} » prend à la fin environ {time:s} par image, dont {percent:n} % pour les arcs : simulez cette opération seule.</translation>
     </message>
     <message>
         <source>The {simulator:simulator} takes longer than the {allowed:s} allowed. {better}</source>
-        <translation>Le {simulator:simulator} prend plus que les {allowed:s} permis. {better}</translation>
+        <translation>« {simulator:simulator} » prend plus que les {allowed:s} permis. {better}</translation>
     </message>
     <message>
         <source>the centers of arcs are read as positions (as by G90.1): only so the arcs end on their circles</source>
@@ -996,6 +988,22 @@
     <message>
         <source>cut in strokes, as between tags</source>
         <translation>usinées en traits, comme entre des attaches</translation>
+    </message>
+    <message>
+        <source>the unknown code {name} is ignored, and with it the {letters} words of its line</source>
+        <translation>code inconnu {name} ignoré, et avec lui les mots {letters} de sa ligne</translation>
+    </message>
+    <message>
+        <source>probing moves are not in the time</source>
+        <translation>les mouvements de palpage ne sont pas comptés dans le temps</translation>
+    </message>
+    <message>
+        <source>cuts into the model, {depth:mm2} along the view</source>
+        <translation>coupe dans le modèle, {depth:mm2} dans la direction du regard</translation>
+    </message>
+    <message>
+        <source>as simulated, {count:n} commands are wrong, among them {command:#}: {fault}</source>
+        <translation>d’après la simulation, {count:n} commandes sont fausses, dont la {command:#} : {fault}</translation>
     </message>
 </context>
 <context>
@@ -1218,7 +1226,7 @@
     </message>
     <message>
         <source>Last calibrated on {date}: the {simulator} makes {moves} cuts a second, its times are right within a factor of {factor}; the simulations that you run refine them. Measured with FreeCAD {freecad} on {processor}, display {renderer}.</source>
-        <translation>Dernier étalonnage le {date} : le {simulator} fait {moves} coupes par seconde, ses temps sont justes à un facteur {factor} près ; les simulations que vous lancez les affinent. Mesuré avec FreeCAD {freecad} sur {processor}, affichage {renderer}.</translation>
+        <translation>Dernier étalonnage le {date} : « {simulator} » fait {moves} coupes par seconde, ses temps sont justes à un facteur {factor} près ; les simulations que vous lancez les affinent. Mesuré avec FreeCAD {freecad} sur {processor}, affichage {renderer}.</translation>
     </message>
 </context>
 <context>
@@ -1680,7 +1688,7 @@ au plus</translation>
     </message>
     <message>
         <source>Recommended accuracy of the {simulator}: {}</source>
-        <translation>Précision recommandée du {simulator} : {}</translation>
+        <translation>Précision recommandée de « {simulator} » : {}</translation>
     </message>
     <message>
         <source>Between {} and {}, until this simulator has run a few times on this computer</source>

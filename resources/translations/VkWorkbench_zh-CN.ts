@@ -910,10 +910,6 @@
         <translation>快速移动去除了 {volume:mm³2} 材料</translation>
     </message>
     <message>
-        <source>cuts {depth:mm2} into the model</source>
-        <translation>切入模型 {depth:mm2}</translation>
-    </message>
-    <message>
         <source>plunges into full material at {feed:mm/min3}, where its tool may plunge at {allowed:mm/min3}</source>
         <translation>以 {feed:mm/min3} 向实体材料下刀，其刀具允许 {allowed:mm/min3}</translation>
     </message>
@@ -928,10 +924,6 @@
     <message>
         <source>as simulated, command {command:#} is wrong: {fault}</source>
         <translation>仿真显示命令 {command:#} 有误：{fault}</translation>
-    </message>
-    <message>
-        <source>as simulated, {count:n} commands are wrong, the first is {command:#}: {fault}</source>
-        <translation>仿真显示 {count:n} 条命令有误，首条是 {command:#}：{fault}</translation>
     </message>
     <message>
         <source>moves in X and Z only, with passes along Z at many X, as a lathe makes them: {strategy:strategy}</source>
@@ -996,6 +988,22 @@
     <message>
         <source>cut in strokes, as between tags</source>
         <translation>分段切削，如同固定桥之间</translation>
+    </message>
+    <message>
+        <source>the unknown code {name} is ignored, and with it the {letters} words of its line</source>
+        <translation>忽略了未知代码 {name}，以及该行的 {letters} 字</translation>
+    </message>
+    <message>
+        <source>probing moves are not in the time</source>
+        <translation>时间不包括探测移动</translation>
+    </message>
+    <message>
+        <source>cuts into the model, {depth:mm2} along the view</source>
+        <translation>切入模型，沿视线方向 {depth:mm2}</translation>
+    </message>
+    <message>
+        <source>as simulated, {count:n} commands are wrong, among them {command:#}: {fault}</source>
+        <translation>仿真显示 {count:n} 条命令有误，其中有 {command:#}：{fault}</translation>
     </message>
 </context>
 <context>

@@ -58,7 +58,9 @@ def test_imported_inches_of_two_operations_are_told_apart(small, tmp_path):
 @pytest.mark.parametrize("name", ["ClearanceHeight", "Base"])
 def test_what_another_freecad_has_made_is_no_imported_program(small, name):
     """It has no proxy, but an operation's heights or what it dresses up. Its feeds are mm/s, however fast."""
-    operation = small.add("Fast", [("G0", {"X": 5.0, "Y": 5.0, "Z": 30.0}), ("G1", {"Z": 15.0, "F": 300.0}), ("G1", {"X": 55.0})])
+    operation = small.add(
+        "Fast", [("G0", {"X": 5.0, "Y": 5.0, "Z": 30.0}), ("G1", {"Z": 15.0, "F": 300.0}), ("G1", {"X": 55.0})]
+    )
     assert vkworkbench.analyze(operation).operations[0].machining_seconds == pytest.approx(65 / 5)
     operation.addProperty("App::PropertyFloat" if name == "ClearanceHeight" else "App::PropertyLink", name, "Path")
     assert vkworkbench.analyze(operation).operations[0].machining_seconds == pytest.approx(65 / 300)

@@ -36,7 +36,8 @@ def test_the_feed_downwards(feed, told):
 
 
 @pytest.mark.parametrize(
-    ("name", "instead"), [("endmill", None), ("tap", "as-drill"), ("probe", "as-end-mill"), ("my_ball_6", "as-end-mill")]
+    ("name", "instead"),
+    [("endmill", None), ("tap", "as-drill"), ("probe", "as-end-mill"), ("my_ball_6", "as-end-mill")],
 )
 def test_a_tool_of_another_shape_is_said_to_be_an_end_mill(name, instead):
     bit = SimpleNamespace(ShapeName=name, ShapeType=name, Diameter=6.0)

@@ -23,7 +23,8 @@ from vkworkbench.document.mark_text import Burden, burden, is_warned, time_of
 from vkworkbench.gui import colors
 from vkworkbench.gui.gauss_theme import readable
 from vkworkbench.gui.mark_explanation import explanation
-from vkworkbench.gui.sentences import user
+from vkworkbench.gui.panel_columns import Column
+from vkworkbench.gui.sentences import as_sentence, user
 
 OPENGL = freecad.version() >= (1, 0)
 
@@ -687,3 +688,15 @@ def test_lengths_in_inches(panel, opened, window):
         units.SetInt("UserSchema", schema)
         for link in links:
             panel.details.anchorClicked.emit(QtCore.QUrl(link))
+
+
+@pytest.mark.parametrize(
+    ("title", "name", "told", "sentence"),
+    [
+        ("Machi-\nning\ntime", "Machining time", "rows", "Rows."),
+        ("加工\n时间", "加工时间", "一圈套一圈", "一圈套一圈。"),
+    ],
+)
+def test_titles_and_sentences_in_one_line(title, name, told, sentence):
+    assert Column("key", title, "", None).name == name
+    assert as_sentence(told) == sentence == as_sentence(sentence)

@@ -115,7 +115,9 @@ def _computed(costs: Mapping[str, Cost]) -> Iterable[str]:
 
 def of_total(total: Total, parts: list[Record], fingerprint: str) -> Record:
     """Return what is kept of a job's total, which was made of these parts."""
-    unknown = [part.label for part in parts if part.trajectories and part.strategy is not Strategy.EMPTY and not part.costs]
+    unknown = [
+        part.label for part in parts if part.trajectories and part.strategy is not Strategy.EMPTY and not part.costs
+    ]
     return Record(
         strategy=None,
         remarks=(Message("cost-unknown", labels=unknown),) if unknown else (),

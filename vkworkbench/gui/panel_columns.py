@@ -11,7 +11,7 @@ import FreeCAD
 
 from vkworkbench.core.simulators import ZBUFFER, Simulator, available
 from vkworkbench.gui.panel_rows import Row
-from vkworkbench.gui.sentences import user
+from vkworkbench.gui.sentences import is_chinese, user
 from vkworkbench.gui.text import translate
 from vkworkbench.language import ROUGH
 
@@ -50,8 +50,10 @@ class Column:
 
     @property
     def name(self) -> str:
-        """The title in one line, without the hyphen at the end of its first."""
-        return self.title.replace("-\n", "").replace("\n", " ")
+        """The title in one line, without the hyphen at the end of its first; Chinese has no spaces, either."""
+        first, _, second = self.title.replace("-\n", "").partition("\n")
+        together = not second or (is_chinese(first[-1:]) and is_chinese(second[:1]))
+        return first + second if together else f"{first} {second}"
 
     def text(self, row: Row) -> str:
         """Return what the user reads in a row, empty where there is nothing."""

@@ -63,7 +63,16 @@ def plainly(message: Message) -> str:
 
 def as_sentence(text: str) -> str:
     """Return what is told with a capital and a full stop; several sentences have both already."""
-    return f"{text[:1].upper()}{text[1:]}" + ("" if text.endswith((".", "。")) else ".")
+    if text.endswith((".", "。")):
+        stop = ""
+    else:
+        stop = "。" if is_chinese(text[-1:]) else "."
+    return f"{text[:1].upper()}{text[1:]}{stop}"
+
+
+def is_chinese(text: str) -> bool:
+    """Whether it is one Chinese character, beside which there are no spaces."""
+    return "\u4e00" <= text <= "\u9fff"
 
 
 def plural(one: str, more: str, count: int) -> str:
