@@ -9,7 +9,6 @@ import numpy as np
 
 from vkworkbench.language import Message, render
 
-
 _OF_TIME = "dwell-untimed", "probing-untimed"
 _TAKES_TIME = "rotary-cuts", "rotary-not-read"
 

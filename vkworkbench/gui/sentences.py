@@ -63,11 +63,8 @@ def plainly(message: Message) -> str:
 
 def as_sentence(text: str) -> str:
     """Return what is told with a capital and a full stop; several sentences have both already."""
-    if text.endswith((".", "。")):
-        stop = ""
-    else:
-        stop = "。" if is_chinese(text[-1:]) else "."
-    return f"{text[:1].upper()}{text[1:]}{stop}"
+    full_stop = "。" if is_chinese(text[-1:]) else "."
+    return f"{text[:1].upper()}{text[1:]}" + ("" if text.endswith((".", "。")) else full_stop)
 
 
 def is_chinese(text: str) -> bool:
