@@ -50,6 +50,14 @@ def assert_marks_are_seen(window, document):
         assert columns[-1] < image.width() - 30, label  # beside the pill there is room for the time
 
 
+def test_columns_that_follow_their_contents_follow_all_of_them(untouched, opened, window):
+    """With the visible rows alone FreeCAD 1.0's tree lays itself out without end in a small window."""
+    before = window.tree.header().resizeContentsPrecision()
+    window.analyze(opened)
+    window.dismiss()
+    assert window.tree.header().resizeContentsPrecision() == before != 0
+
+
 def test_in_a_narrow_dock(untouched, opened, window):
     assert untouched.width() < 300
     window.analyze(opened)
