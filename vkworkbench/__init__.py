@@ -52,15 +52,25 @@ def analyze(what=None, *, progress=None, cancelled=None):
     ValueError
         If `what` is None and no document is open, or an empty name.
     TypeError
-        If `what` is something else.
+        If `what` is something else; without FreeCAD files and folders are all there is.
     Cancelled
         If `cancelled` returned True.
     """
     from vkworkbench import program
 
-    if isinstance(what, Iterable) and not isinstance(what, str):
+    if isinstance(what, Iterable) and not isinstance(what, (str, bytes)):
         what = list(what)  # a generator can be looked at once
-    home = program if program.is_path(what) else import_module("vkworkbench.document.analysis")
+    home = program
+    if not program.is_path(what):
+        try:
+            home = import_module("vkworkbench.document.analysis")
+        except ModuleNotFoundError as error:
+            if error.name != "FreeCAD":
+                raise
+            if what != []:
+                raise TypeError(
+                    "without FreeCAD only NC programs are analyzed: a file, a folder, or a list of them"
+                ) from None
     return home.analyze(what, progress=progress, cancelled=cancelled)
 
 

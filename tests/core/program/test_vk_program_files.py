@@ -135,6 +135,33 @@ def test_what_names_files():
     assert not is_path(None) and not is_path([]) and not is_path([object()]) and not is_path(object())
 
 
+class NoFreeCAD:
+    """Finds no FreeCAD, also where there is one."""
+
+    @staticmethod
+    def find_spec(name, *_):
+        if name == "FreeCAD":
+            raise ModuleNotFoundError(name=name)
+
+
+@pytest.fixture
+def without_freecad(monkeypatch):
+    for name in ("FreeCAD", "vkworkbench.document.analysis"):
+        monkeypatch.delitem(sys.modules, name, raising=False)
+    monkeypatch.setattr(sys, "meta_path", [NoFreeCAD, *sys.meta_path])
+
+
+def test_no_files_are_an_empty_report(without_freecad):
+    for nothing in ([], (), iter([])):
+        assert vkworkbench.analyze(nothing).operations == ()
+
+
+@pytest.mark.parametrize("what", [b"x", b"", 3, None, [3], ["a.nc", None]])
+def test_what_names_no_files_is_refused_without_freecad(without_freecad, what):
+    with pytest.raises(TypeError, match=r"^without FreeCAD only NC programs .*: a file, a folder, or a list of them"):
+        vkworkbench.analyze(what)
+
+
 def test_one_row_for_each_operation(tmp_path):
     path = tmp_path / "bracket.nc"
     path.write_text(PROGRAM)
