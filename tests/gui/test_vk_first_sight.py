@@ -67,6 +67,27 @@ def test_in_a_narrow_dock(untouched, opened, window):
     window.screenshot("first-narrow-dock")
 
 
+def test_in_large_letters(untouched, opened, window):
+    window.main.setGeometry(0, 0, 1700, 1000)  # wide enough for the tree and the 3D view
+    view, usual = window.tree, window.tree.font()
+    large = QtGui.QFont(usual)
+    large.setPointSizeF(1.5 * usual.pointSizeF())
+    view.setFont(large)
+    window.idle(0.3)
+    try:
+        window.analyze(opened)
+        window.dismiss()
+        view.expandAll()
+        window.idle()
+        for label in ("Face", "Adaptive pocket"):
+            index = cell(window, label)
+            needed = view.visualRect(index).left() + view.sizeHintForIndex(index).width()
+            assert needed <= view.viewport().width(), label  # with its time
+        window.screenshot("first-large-letters")
+    finally:
+        view.setFont(usual)
+
+
 def test_in_a_combo_view_that_was_hidden(untouched, opened, window):
     untouched.hide()
     window.idle()

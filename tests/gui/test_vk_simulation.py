@@ -551,6 +551,8 @@ def test_the_legend_is_whole_in_a_narrow_tab(simulated, window, width):
         assert all(inside.contains(place) for _, place, _ in places), (entries, legend.size())
         for number, (_, one, _) in enumerate(places):
             assert not any(one.adjusted(0.5, 0.5, -0.5, -0.5).intersects(other) for _, other, _ in places[:number])
+        for (_, name), (_, one, _), (_, after, _) in zip(entries, places, places[1:]):
+            assert name or (one.right(), one.top()) == (after.left(), after.top())  # a scale is not torn
     legend.deleteLater()
 
 

@@ -15,7 +15,7 @@ from vkworkbench.gui.qt import QEvent, QHeaderView, QObject, Qt, QTabWidget, QTi
 
 DESCRIPTION = 1
 _TREE_PREFERENCES = "User parameter:BaseApp/Preferences/TreeView"
-_DOCK_WIDTH = 500  # px; with FreeCAD's 260 the column would be out of sight
+_DOCK_WIDTH = 36  # lines of the tree's letters, 500 px of the usual ones; in FreeCAD's 260 the column is out of sight
 _MOST_OF_WINDOW = 0.45  # the rest is the 3D view's
 
 _trees: list[QTreeView] = []  # kept, and with them what they were asked for
@@ -76,7 +76,8 @@ def show_description() -> bool:
         tree.setColumnHidden(DESCRIPTION, False)
         tree.header().setVisible(True)
     window = Gui.getMainWindow()
-    width = min(_DOCK_WIDTH, int(_MOST_OF_WINDOW * window.width()))
+    line = max((tree.fontMetrics().lineSpacing() for tree in trees()), default=0)
+    width = min(_DOCK_WIDTH * line, int(_MOST_OF_WINDOW * window.width()))
     for dock in widgets.docks():
         if dock.objectName() in freecad.TREE_DOCKS and dock.isVisible() and dock.width() < width:
             if dock.isFloating():

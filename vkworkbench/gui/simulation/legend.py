@@ -17,7 +17,8 @@ class Legend(QWidget):
     Attributes
     ----------
     entries : tuple of (str, str)
-        Colours and what they stand for; those of a scale have no names but at its ends, and stand close together.
+        Colours and what they stand for; those of a scale have no names but at its ends, and stand close together, in
+        the line of the name that ends them.
     """
 
     def __init__(self, parent: QWidget | None = None) -> None:
@@ -71,15 +72,19 @@ class Legend(QWidget):
         """Each colour with its place and the name that fits."""
         metrics, side = self.fontMetrics(), self._side
         height, width = self._line, max(self.width(), 4 * side)
-        places, x, y, named = [], 0.0, 0.0, 0
+        places, nameless, x, y, named = [], 0, 0.0, 0.0, 0
         for color, name in self.entries:
             named += bool(name)
             if named > _MOST:
                 break
-            shown = metrics.elidedText(name, Qt.ElideRight, width - side - _BESIDE)
+            before = nameless * side
+            shown = metrics.elidedText(name, Qt.ElideRight, width - before - side - _BESIDE)
             wide = side + (_BESIDE + metrics.horizontalAdvance(shown) if shown else 0)
-            if x and x + wide > width:
-                x, y = 0.0, y + height
+            if x > before and x + wide > width:
+                for _, place, _ in places[len(places) - nameless :]:  # with their name to the next line
+                    place.translate(before - x, height)
+                x, y = before, y + height
             places.append((color, QRectF(x, y, wide, height), shown))
             x += wide + (_GAP if name else 0)
+            nameless = 0 if name else nameless + 1
         return places
