@@ -15,7 +15,7 @@ from simulation_window import COMMAND, drag, finest, shown, tabs, working
 
 import vkworkbench
 from vkworkbench.core import linearize
-from vkworkbench.gui.simulation import exports, refining
+from vkworkbench.gui.simulation import controls, exports, refining
 from vkworkbench.gui.simulation import player as playing
 from vkworkbench.gui.simulation.drawing import Drawing, Picture
 from vkworkbench.gui.simulation.faults import differences
@@ -554,6 +554,27 @@ def test_the_legend_is_whole_in_a_narrow_tab(simulated, window, width):
         for (_, name), (_, one, _), (_, after, _) in zip(entries, places, places[1:]):
             assert name or (one.right(), one.top()) == (after.left(), after.top())  # a scale is not torn
     legend.deleteLater()
+
+
+@pytest.mark.parametrize("wide", [True, False])
+def test_a_choice_is_whole_or_ends_in_an_ellipsis(window, wide):
+    box, text = controls._combo(""), "Difference to the model"
+    box.setParent(window.main)
+    box.addItem(text)
+    box.show()
+    box.resize(box.sizeHint().width() - (0 if wide else 40), box.sizeHint().height())
+    window.idle()
+    option = QtGui.QStyleOptionComboBox()
+    box.initStyleOption(option)
+    style = box.style()
+    field = style.subControlRect(QtGui.QStyle.CC_ComboBox, option, QtGui.QStyle.SC_ComboBoxEditField, box)
+    seen, found = box.grab(field).toImage(), []
+    for words in (text, *(f"{text[:length]}…" for length in range(len(text)))):
+        box.setItemText(0, words)
+        if box.fontMetrics().horizontalAdvance(words) <= field.width() and box.grab(field).toImage() == seen:
+            found.append(words)
+    assert found and (text in found) == wide
+    box.deleteLater()
 
 
 def test_no_gouge_is_forgotten_while_one_looks_from_where_it_is_not_seen(opened, window, small):

@@ -67,7 +67,9 @@ from PySide.QtGui import (
     QSplitter,
     QStyle,
     QStyledItemDelegate,
+    QStyleOptionComboBox,
     QStyleOptionViewItem,
+    QStylePainter,
     QTabWidget,
     QTextBrowser,
     QToolButton,
@@ -85,8 +87,8 @@ __all__ = [
     "QLocale", "QMdiArea", "QMenu", "QMessageBox", "QModelIndex", "QObject", "QOffscreenSurface", "QOpenGLContext",
     "QPainter", "QPalette", "QPen", "QPixmap", "QPoint", "QPointF", "QPolygonF", "QProgressBar", "QProgressDialog",
     "QPushButton", "QRectF", "QRegion", "QScrollArea", "QSize", "QSizePolicy", "QSlider", "QSortFilterProxyModel", "QSpinBox",
-    "QSplitter", "QStyle", "QStyleOptionViewItem", "QStyledItemDelegate", "QTabWidget", "QTextBrowser", "QTimer",
-    "QToolButton",    "QToolTip", "QTreeView", "QVBoxLayout", "QWidget", "Qt", "Signal", "svg_generator",
+    "QSplitter", "QStyle", "QStyleOptionComboBox", "QStyleOptionViewItem", "QStylePainter", "QStyledItemDelegate",
+    "QTabWidget", "QTextBrowser", "QTimer", "QToolButton", "QToolTip", "QTreeView", "QVBoxLayout", "QWidget", "Qt", "Signal", "svg_generator",
 ]  # fmt: skip
 
 

@@ -14,6 +14,9 @@ from vkworkbench.gui.qt import (
     QLabel,
     QMenu,
     QSizePolicy,
+    QStyle,
+    QStyleOptionComboBox,
+    QStylePainter,
     Qt,
     QToolButton,
     QVBoxLayout,
@@ -224,6 +227,18 @@ class PlayBar(QWidget):
         return button
 
 
+class _Combo(QComboBox):
+    """A list whose choice is shortened where there is little room; Qt's own is cut off."""
+
+    def paintEvent(self, event) -> None:
+        painter, option = QStylePainter(self), QStyleOptionComboBox()
+        self.initStyleOption(option)
+        field = self.style().subControlRect(QStyle.CC_ComboBox, option, QStyle.SC_ComboBoxEditField, self)
+        option.currentText = option.fontMetrics.elidedText(option.currentText, Qt.ElideRight, field.width())
+        painter.drawComplexControl(QStyle.CC_ComboBox, option)
+        painter.drawControl(QStyle.CE_ComboBoxLabel, option)
+
+
 def _menu(text: str, tooltip: str) -> QToolButton:
     button = QToolButton()
     button.setText(text)
@@ -235,7 +250,7 @@ def _menu(text: str, tooltip: str) -> QToolButton:
 
 
 def _combo(tooltip: str) -> QComboBox:
-    box = QComboBox()
+    box = _Combo()
     box.setToolTip(tooltip)
     box.setFocusPolicy(Qt.StrongFocus)
     box.setMinimumContentsLength(_SHORTEST)
