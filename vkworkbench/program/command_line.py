@@ -96,11 +96,22 @@ def _positive(kind):
 
 
 def _run(asked: argparse.Namespace) -> int:
+    if "" in asked.what:
+        raise _Wrong("no file is named")
     if any(map(_STANDARD_INPUT.fullmatch, asked.what)):
         raise _Wrong("standard input is not read: give a file")
     paths = [Path(os.path.abspath(path)) for path in find_programs(asked.what)]
     if not paths:
         raise _Wrong(f"no NC programs in {', '.join(asked.what)}")
+    with _executor(asked) as (
+        executor,
+        ahead,
+    ):  # before any results: an earlier file of them is not lost for want of it
+        return _work(asked, paths, executor, ahead)
+
+
+def _work(asked: argparse.Namespace, paths: list[Path], executor: Executor, ahead: int) -> int:
+    """Analyze the programs, write the results, and return the exit status."""
     results = _results(asked, paths)
     place = asked.csv or asked.json_lines or _STANDARD_OUTPUT
     goes_on = "" if place == _STANDARD_OUTPUT else "; --resume goes on"
@@ -108,9 +119,7 @@ def _run(asked: argparse.Namespace) -> int:
     progress = Progress(todo, sys.stderr)
     operations, unread_files, stopped = 0, 0, False
     try:
-        with _executor(asked) as (executor, ahead), closing(
-            _analyzed(todo, executor, ahead, asked.timeout)
-        ) as analyzed:
+        with closing(_analyzed(todo, executor, ahead, asked.timeout)) as analyzed:
             for path, rows in analyzed:
                 progress.add(path)
                 with _writing(place, goes_on):

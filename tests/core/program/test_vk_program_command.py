@@ -127,6 +127,15 @@ def test_numbers_of_the_command_line_arrive():
     assert command_line._parser().parse_args(["a.nc"]).timeout == 600.0
 
 
+def test_results_stay_where_there_is_no_scheduler(folder, tmp_path, inside, monkeypatch):
+    monkeypatch.setitem(sys.modules, "distributed", None)
+    results = tmp_path / "results.csv"
+    results.write_text("a,b\n1,2\n")
+    done = inside(folder, "--csv", results, "--scheduler", "tcp://127.0.0.1:1")
+    assert done.returncode == 2 and "--scheduler needs Dask" in done.stderr
+    assert results.read_text() == "a,b\n1,2\n"
+
+
 def test_wrong_arguments_say_what_to_do(folder, tmp_path, inside):
     other = tmp_path / "other.csv"
     other.write_text("a,b\n1,2\n")
@@ -134,6 +143,7 @@ def test_wrong_arguments_say_what_to_do(folder, tmp_path, inside):
     empty.mkdir()
     for arguments, words in (
         ((empty,), f"no NC programs in {empty}"),
+        (("",), "no file is named"),
         (("-",), "standard input is not read: give a file"),
         ((folder, "/dev/stdin"), "standard input is not read: give a file"),
         (("/dev/fd/63",), "standard input is not read: give a file"),
