@@ -635,7 +635,7 @@ def test_the_total_of_the_z_buffer_is_one_number(opened, window, tmp_path):
         results = dock(window)
         report = vkworkbench.analyze(opened)
         (total,) = report.totals
-        told = user().time(total.seconds)
+        told = user().estimated_time(total.seconds, total.factor("z-buffer"))
         assert total.seconds < sum(o.estimate.seconds for o in report.operations if o.counted)
         assert marks.read(opened.getObject("Job")).cost("z-buffer") == total.cost("z-buffer")
         click_row(window, results, "Job")
