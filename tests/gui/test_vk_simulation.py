@@ -588,9 +588,7 @@ def test_no_gouge_is_forgotten_while_one_looks_from_where_it_is_not_seen(opened,
     window.wait(lambda: tabs(window))
     (tab,) = tabs(window)
     player = shown(tab, window)
-    assert {fault.what.code for fault in player.faults} == {"rapid-cuts", "cuts-model"} and faults() == [
-        1
-    ]  # of one command
+    assert {fault.what.code for fault in player.faults} == {"rapid-cuts", "cuts-model"} and faults() == [2]
     judged = player.drawing.told
     player.look("Bottom")
     window.wait(lambda: player.drawing.told is not judged)
