@@ -428,10 +428,15 @@ def total_of(
         fixtures=fixtures,
         machining_seconds=fixtures * sum(o.machining_seconds or 0.0 for o in counted),
         machining_complete=not any(o.left_out for o in counted),
-        incomplete=len(known) < sum(o.trajectories > 0 and o.strategy is not Strategy.EMPTY for o in counted),
+        incomplete=any(map(has_unknown_cost, counted)),
         costs=costs,
         advice=advice,
     )  # fmt: skip
+
+
+def has_unknown_cost(operation: Any) -> bool:
+    """Whether an OperationReport or Record is of what cuts, and its cost is not known: its job takes more than is told."""
+    return operation.trajectories > 0 and operation.strategy is not Strategy.EMPTY and not operation.costs
 
 
 def cells_of(operation: OperationReport) -> dict[str, Any]:

@@ -112,13 +112,8 @@ class Worker:
     def _answer(self) -> Any:
         try:
             return pickle.load(self._process.stdout)  # type: ignore[arg-type] # of this package's own process
-        except (
-            EOFError,
-            OSError,
-            ValueError,
-            MemoryError,
-            pickle.UnpicklingError,
-        ):  # no answer, or none that this one can hold
+        # No answer, or none that this process can hold.
+        except (EOFError, OSError, ValueError, MemoryError, pickle.UnpicklingError):
             self.end()
             raise WorkerDied from None
 

@@ -13,7 +13,7 @@ from vkworkbench import freecad
 from vkworkbench.core import Strategy
 from vkworkbench.core.simulators import Caution, Cost, Costs, available, cost_as_data, cost_from_data
 from vkworkbench.language import Message, render
-from vkworkbench.report import HANGS, SERIOUS, OperationReport, Total
+from vkworkbench.report import HANGS, SERIOUS, OperationReport, Total, has_unknown_cost
 
 _FORMAT = 2  # 1 was twelve properties
 _LARGEST = 1e15  # of what an analysis finds, in any unit
@@ -115,9 +115,7 @@ def _computed(costs: Mapping[str, Cost]) -> Iterable[str]:
 
 def of_total(total: Total, parts: list[Record], fingerprint: str) -> Record:
     """Return what is kept of a job's total, which was made of these parts."""
-    unknown = [
-        part.label for part in parts if part.trajectories and part.strategy is not Strategy.EMPTY and not part.costs
-    ]
+    unknown = [part.label for part in parts if has_unknown_cost(part)]
     return Record(
         strategy=None,
         remarks=(Message("cost-unknown", labels=unknown),) if unknown else (),

@@ -23,7 +23,8 @@ _SHAPES = {
     "countersink": "vbit", "tap": "drill", "reamer": "endmill", "threadmill": "endmill", "slittingsaw": "endmill",
     "slotcutter": "endmill", "dovetail": "endmill", "radius": "endmill",
 }  # fmt: skip
-# Those of them that these only stand for, as an end mill does for all others: what is not convex is simulated by its hull, a taper above a ball is left out.
+# Those of them that these only stand for, as an end mill does for all others: what is not convex is simulated by its hull, a
+# taper above a ball is left out.
 _AS_END_MILL, _AS_BALL_END, _AS_DRILL = Message("as-end-mill"), Message("as-ball-end"), Message("as-drill")
 _SIMPLIFIED = {
     "taperedballnose": _AS_BALL_END, "tap": _AS_DRILL, "threadmill": _AS_END_MILL, "slittingsaw": _AS_END_MILL,

@@ -88,7 +88,8 @@ __all__ = [
     "QPainter", "QPalette", "QPen", "QPixmap", "QPoint", "QPointF", "QPolygonF", "QProgressBar", "QProgressDialog",
     "QPushButton", "QRectF", "QRegion", "QScrollArea", "QSize", "QSizePolicy", "QSlider", "QSortFilterProxyModel", "QSpinBox",
     "QSplitter", "QStyle", "QStyleOptionComboBox", "QStyleOptionViewItem", "QStylePainter", "QStyledItemDelegate",
-    "QTabWidget", "QTextBrowser", "QTimer", "QToolButton", "QToolTip", "QTreeView", "QVBoxLayout", "QWidget", "Qt", "Signal", "svg_generator",
+    "QTabWidget", "QTextBrowser", "QTimer", "QToolButton", "QToolTip", "QTreeView", "QVBoxLayout", "QWidget", "Qt", "Signal",
+    "svg_generator",
 ]  # fmt: skip
 
 

@@ -96,17 +96,16 @@ def _positive(kind):
 
 
 def _run(asked: argparse.Namespace) -> int:
-    if "" in asked.what:
-        raise _Wrong("no file is named")
     if any(map(_STANDARD_INPUT.fullmatch, asked.what)):
         raise _Wrong("standard input is not read: give a file")
-    paths = [Path(os.path.abspath(path)) for path in find_programs(asked.what)]
+    try:
+        paths = [Path(os.path.abspath(path)) for path in find_programs(asked.what)]
+    except ValueError as error:
+        raise _Wrong(str(error)) from None
     if not paths:
         raise _Wrong(f"no NC programs in {', '.join(asked.what)}")
-    with _executor(asked) as (
-        executor,
-        ahead,
-    ):  # before any results: an earlier file of them is not lost for want of it
+    # Before any results: an earlier file of them is not lost for want of it.
+    with _executor(asked) as (executor, ahead):
         return _work(asked, paths, executor, ahead)
 
 
