@@ -998,7 +998,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>cuts into the model, {depth:mm2} along the view</source>
+        <source>cuts {depth:mm2} into the model</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

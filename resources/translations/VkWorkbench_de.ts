@@ -998,8 +998,8 @@
         <translation>Antastbewegungen sind nicht in der Zeit enthalten</translation>
     </message>
     <message>
-        <source>cuts into the model, {depth:mm2} along the view</source>
-        <translation>schneidet in das Modell, {depth:mm2} tief in Blickrichtung</translation>
+        <source>cuts {depth:mm2} into the model</source>
+        <translation>schneidet {depth:mm2} tief in das Modell</translation>
     </message>
     <message>
         <source>as simulated, {count:n} commands are wrong, among them {command:#}: {fault}</source>

@@ -998,8 +998,8 @@
         <translation>los movimientos de palpado no están incluidos en el tiempo</translation>
     </message>
     <message>
-        <source>cuts into the model, {depth:mm2} along the view</source>
-        <translation>corta dentro del modelo, {depth:mm2} en la dirección de la vista</translation>
+        <source>cuts {depth:mm2} into the model</source>
+        <translation>corta {depth:mm2} dentro del modelo</translation>
     </message>
     <message>
         <source>as simulated, {count:n} commands are wrong, among them {command:#}: {fault}</source>

@@ -998,8 +998,8 @@
         <translation>les mouvements de palpage ne sont pas comptés dans le temps</translation>
     </message>
     <message>
-        <source>cuts into the model, {depth:mm2} along the view</source>
-        <translation>coupe dans le modèle, {depth:mm2} dans la direction du regard</translation>
+        <source>cuts {depth:mm2} into the model</source>
+        <translation>coupe de {depth:mm2} dans le modèle</translation>
     </message>
     <message>
         <source>as simulated, {count:n} commands are wrong, among them {command:#}: {fault}</source>

@@ -998,8 +998,8 @@
         <translation>时间不包括探测移动</translation>
     </message>
     <message>
-        <source>cuts into the model, {depth:mm2} along the view</source>
-        <translation>切入模型，沿视线方向 {depth:mm2}</translation>
+        <source>cuts {depth:mm2} into the model</source>
+        <translation>切入模型 {depth:mm2}</translation>
     </message>
     <message>
         <source>as simulated, {count:n} commands are wrong, among them {command:#}: {fault}</source>

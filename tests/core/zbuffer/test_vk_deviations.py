@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+from types import SimpleNamespace
+
 import numpy as np
 import pytest
 from zbuffer_reference.paths import BOX, toolpath
@@ -41,8 +43,9 @@ def left(most=10, tolerance=0.5, **patches):
     image = np.zeros((HEIGHT, WIDTH), np.float32)
     for column, row, columns, rows, amount in patches.values():
         image[row : row + rows, column : column + columns] = amount
-    nothing = np.zeros(image.size, np.float32)
-    gouged, places = worst_places(UNCUT, Deviations(image.ravel(), nothing, None), tolerance, most)
+    part, nothing = UNCUT.picture.depth.reshape(image.shape), np.zeros(image.size, np.float32)
+    model = SimpleNamespace(near=part, surface=part + image)
+    gouged, places = worst_places(UNCUT, Deviations(image.ravel(), nothing, part, model), tolerance, most)
     assert gouged == []
     return places
 
@@ -253,3 +256,35 @@ def test_who_is_guilty_of_what_lies_behind_a_gap_of_the_stock():
     # Before it was cut, nobody is guilty of it.
     (early,) = gouges(z.at(1), deviations(z.at(1), model), 0.1)
     assert early.depth == pytest.approx(4) and early.trajectory is None
+
+
+@pytest.mark.parametrize("direction, seen", list(zip(VIEWS, (1, 1, 1, 0.7, 1))))
+def test_a_wall_that_is_cut_too_far_is_gouged_by_that_and_not_by_its_height(direction, seen):
+    """A step of 8 mm, whose wall is cut 1 mm too far. From behind only the missing edge is seen, across its width."""
+    step = Milled(Stock((0, 0, 0), (40, 30, 10)), Stock((-1, -1, 2), (20, 31, 20)))
+    z = simulate_job([Cut(path((18, -5, 2), (18, 35, 2)), FLAT)], stock=BOX, view=View(direction, 800, 600))
+    (gouge,) = gouges(z, deviations(z, step), 0.1)
+    assert gouge.depth == pytest.approx(seen, abs=0.01)
+
+
+def test_what_is_left_in_a_corner_is_what_the_tool_does_not_reach_and_not_its_height():
+    """In the square corner of a pocket 8 mm deep a tool of 6 mm leaves (sqrt(2) - 1) times its radius."""
+    square = Milled(Stock((0, 0, 0), (40, 30, 10)), Stock((10, 10, 2), (30, 20, 20)))
+    around = [(13, 13), (27, 13), (27, 17), (13, 17), (13, 13)]
+    cut = Cut(path((13, 13, 12), *((x, y, 2) for x, y in around)), FLAT)
+    z = simulate_job([cut], stock=BOX, view=View((0, 0, -1), 1600, 1200))
+    found = deviations(z, square)
+    (left,) = material_left(z, found, 0.1)
+    assert left.depth == pytest.approx(3 * (np.sqrt(2) - 1), abs=0.1) and gouges(z, found, 0.1) == []
+    corners = worst_places(z, found, 0.1)[1]
+    assert [one.depth for one in corners] == pytest.approx([left.depth] * 4, abs=0.05)
+
+
+def test_what_is_missing_altogether_has_its_height_and_its_depth():
+    """A rib 2 mm wide and 5 mm high that was cut away; a hole of 4 mm that was not drilled, 6 mm deep."""
+    ribbed = Milled(Stock((0, 0, 0), (40, 30, 10)), Stock((-1, -1, 5), (19, 31, 20)), Stock((21, -1, 5), (41, 31, 20)))
+    rows = [(x, y, 5) for k, x in enumerate(range(0, 41, 5)) for y in ((-5, 35) if k % 2 == 0 else (35, -5))]
+    z = simulated(path(*rows))
+    assert [gouge.depth for gouge in gouges(z, deviations(z, ribbed), 0.1)] == pytest.approx([5])
+    drilled = Milled(BOX, Cylinder((20, 15, 4), 2, 20))
+    assert [left.depth for left in material_left(UNCUT, deviations(UNCUT, drilled), 0.1)] == pytest.approx([6])

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 
@@ -14,6 +15,7 @@ from vkworkbench.core.zbuffer.cuts import Source
 from vkworkbench.core.zbuffer.moments import ZBuffer
 from vkworkbench.core.zbuffer.records import GAP, first_not_below
 from vkworkbench.core.zbuffer.surface import STOCK
+from vkworkbench.core.zbuffer.surface_distance import farthest
 
 _ROWS_AT_ONCE = 64
 # Of the image's shorter side: worst places closer to each other hang together.
@@ -29,12 +31,15 @@ class Deviations:
     left, gouged : (pixels,) float32
         How much is left above all of the model around the pixel, and how much is cut below all of it, along the view, mm,
         at least 0. A wall that passes through a pixel is neither.
+    part : (height, width) float32
+        Depth of the part's surface, mm; where all of it is gone that of the model's end, infinite where there was no model.
     model : SeenModel
         What the part was compared with.
     """
 
     left: np.ndarray
     gouged: np.ndarray
+    part: np.ndarray
     model: SeenModel
 
 
@@ -52,9 +57,9 @@ class Deviation:
     place : (3,) tuple of float
         On the part's surface, mm.
     depth : float
-        How deep it is, or how much is left, mm.
+        How deep it is, or how much is left, mm: the distance of the part's surface and the model's, see `farthest`.
     area : float
-        Of the image in which the same cut, or what hangs together, exceeds the tolerance, mm^2.
+        Of the image in which the same cut, or what hangs together, exceeds the tolerance along the view, mm^2.
     """
 
     trajectory: int | None
@@ -80,6 +85,8 @@ class SeenModel:
     frame : Frame
     near, far : (height, width) float32
         Where each ray enters the model and leaves it at last, mm; not a number where it misses.
+    surface : (height, width) float32
+        Where each ray enters the model, infinite where it misses, mm.
     """
 
     def __init__(self, model: Solid, frame: Frame, going_on: Callable[[], None] = lambda: None) -> None:
@@ -94,8 +101,8 @@ class SeenModel:
             met = spans.far > spans.near
             near[row[met], column[met]], far[row[met], column[met]] = spans.near[met], spans.far[met]
         self.near, self.far = near, far
-        there = np.where(np.isnan(near), np.float32(np.inf), near)
-        self._highest, self._lowest = _around(there, np.minimum), _around(there, np.maximum)
+        self.surface = np.where(np.isnan(near), np.float32(np.inf), near)
+        self._highest, self._lowest = _around(self.surface, np.minimum), _around(self.surface, np.maximum)
 
     def against(self, zbuffer: ZBuffer) -> Deviations:
         """Compare the part at its moment, simulated in the same image, with the model, pixel by pixel."""
@@ -105,7 +112,12 @@ class SeenModel:
         part = np.where(np.isnan(part) & seen, self.far, part)
         left = np.where(seen, np.maximum(self._highest - part, 0), 0)
         gouged = np.where(seen & np.isfinite(self._lowest), np.maximum(part - self._lowest, 0), 0)
-        return Deviations(left.astype(np.float32).ravel(), gouged.astype(np.float32).ravel(), self)
+        return Deviations(
+            left.astype(np.float32).ravel(),
+            gouged.astype(np.float32).ravel(),
+            np.where(np.isnan(part), np.float32(np.inf), part),
+            self,
+        )
 
 
 def deviations(zbuffer: ZBuffer, model: Solid) -> Deviations:
@@ -131,12 +143,12 @@ def gouges(zbuffer: ZBuffer, found: Deviations, tolerance: float) -> list[Deviat
     tolerance : float
         What is no gouge yet, mm.
     """
-    return _worst(zbuffer, found.gouged, tolerance, found.model)
+    return _worst(zbuffer, _gouged(found), tolerance)
 
 
 def material_left(zbuffer: ZBuffer, found: Deviations, tolerance: float) -> list[Deviation]:
     """Return where each cut leaves most above the model, the most first; the arguments are those of `gouges`."""
-    return _worst(zbuffer, found.left, tolerance)
+    return _worst(zbuffer, _left(found), tolerance)
 
 
 def worst_places(
@@ -154,68 +166,86 @@ def worst_places(
     most : int
         How many of either kind are returned at most.
     """
-    return (
-        _apart(zbuffer, found.gouged, tolerance, most, found.model),
-        _apart(zbuffer, found.left, tolerance, most),
-    )
+    return _apart(zbuffer, _gouged(found), tolerance, most), _apart(zbuffer, _left(found), tolerance, most)
 
 
-def _apart(
-    zbuffer: ZBuffer, amount: np.ndarray, tolerance: float, most: int, model: SeenModel | None = None
-) -> list[Deviation]:
-    """The worst places by an amount (pixels,); the model is that of what is gouged."""
-    frame, (deviating, maker) = zbuffer.frame, _makers(zbuffer, amount, tolerance, model)
+class _Gap(NamedTuple):
+    """Between two surfaces, of which one lies `along` (pixels,) behind the other; the model is that of what is gouged."""
+
+    front: np.ndarray
+    behind: np.ndarray
+    along: np.ndarray
+    model: SeenModel | None
+
+
+def _gouged(found: Deviations) -> _Gap:
+    return _Gap(found.model.surface, found.part, found.gouged, found.model)
+
+
+def _left(found: Deviations) -> _Gap:
+    return _Gap(found.part, found.model.surface, found.left, None)
+
+
+def _apart(zbuffer: ZBuffer, gap: _Gap, tolerance: float, most: int) -> list[Deviation]:
+    """The worst places of what hangs together."""
+    frame, (deviating, maker) = zbuffer.frame, _makers(zbuffer, gap, tolerance)
     side = max(1, round(_APART * min(frame.height, frame.width)))
-    rows, columns = -(-frame.height // side), -(-frame.width // side)
-    too_much = np.zeros((rows * side, columns * side), np.float32)
-    too_much[np.divmod(deviating, frame.width)] = amount[deviating]
-    tiles = too_much.reshape(rows, side, columns, side).swapaxes(1, 2)
-    worst, counts = tiles.max(axis=(2, 3)), np.count_nonzero(tiles, axis=(2, 3))
+    row, column = np.divmod(deviating, frame.width)
+    columns = -(-frame.width // side)
+    tile = row // side * columns + column // side
+    worst = np.zeros((-(-frame.height // side), columns), np.float32)
+    np.maximum.at(worst.ravel(), tile, gap.along[deviating])
+    by_tile = np.argsort(tile, kind="stable")
+    ends = np.searchsorted(tile[by_tile], np.arange(worst.size + 1))
     places: list[Deviation] = []
-    while len(places) < most and worst.any():
-        row, column = (int(at) for at in np.unravel_index(int(worst.argmax()), worst.shape))
-        own_row, own_column = np.unravel_index(int(tiles[row, column].argmax()), (side, side))
-        pixel = (row * side + int(own_row)) * frame.width + column * side + int(own_column)
-        own = int(maker[np.searchsorted(deviating, pixel)])
-        places.append(_place(zbuffer, amount, pixel, _take(worst, counts, row, column), own))
+    least = tolerance
+    # Along the view nothing is nearer than in space.
+    while worst.max(initial=0) > least:
+        tiles = _take(worst, *divmod(int(worst.argmax()), columns))
+        its = np.sort(np.concatenate([by_tile[ends[one] : ends[one + 1]] for one in tiles]))
+        places += _place(zbuffer, gap, deviating[its], maker[its], least)
+        places = sorted(places, key=_depth)[:most]
+        if len(places) == most:
+            least = places[-1].depth
     return places
 
 
-def _take(worst: np.ndarray, counts: np.ndarray, row: int, column: int) -> int:
-    """Clear all tiles that hang together with one; return how many pixels of theirs deviate."""
-    pending, total = [(row, column)], 0
+def _take(worst: np.ndarray, row: int, column: int) -> list[int]:
+    """Clear all tiles that hang together with one; return their numbers."""
+    pending, taken = [(row, column)], []
     worst[row, column] = 0
     while pending:
         row, column = pending.pop()
-        total += int(counts[row, column])
+        taken.append(row * worst.shape[1] + column)
         top, left = max(row - 1, 0), max(column - 1, 0)
         around = np.argwhere(worst[top : row + 2, left : column + 2] > 0) + (top, left)
         worst[around[:, 0], around[:, 1]] = 0
         pending += map(tuple, around.tolist())
-    return total
+    return taken
 
 
-def _worst(zbuffer: ZBuffer, amount: np.ndarray, tolerance: float, model: SeenModel | None = None) -> list[Deviation]:
-    """The worst place of each cut, likewise."""
-    pixels, maker = _makers(zbuffer, amount, tolerance, model)
+def _worst(zbuffer: ZBuffer, gap: _Gap, tolerance: float) -> list[Deviation]:
+    """The worst place of each cut."""
+    pixels, maker = _makers(zbuffer, gap, tolerance)
     cut = _cuts(zbuffer, maker)
-    worst = []
+    worst: list[Deviation] = []
     for own in np.unique(cut):
         its = np.flatnonzero(cut == own)
-        most = its[np.argmax(amount[pixels[its]])]
-        worst.append(_place(zbuffer, amount, int(pixels[most]), len(its), int(maker[most])))
-    return sorted(worst, key=lambda one: -one.depth)
+        worst += _place(zbuffer, gap, pixels[its], maker[its], tolerance)
+    return sorted(worst, key=_depth)
 
 
-def _makers(
-    zbuffer: ZBuffer, amount: np.ndarray, tolerance: float, model: SeenModel | None
-) -> tuple[np.ndarray, np.ndarray]:
+def _depth(one: Deviation) -> float:
+    return -one.depth
+
+
+def _makers(zbuffer: ZBuffer, gap: _Gap, tolerance: float) -> tuple[np.ndarray, np.ndarray]:
     """Pixels that deviate, ascending, and by which trajectory, `STOCK` where by none.
 
     Material left is theirs whose surface is seen. Through what was cut away by mistake one sees what others cut rightly: a
     gouge is theirs who removed the material at the model's surface.
     """
-    pixels = np.flatnonzero(amount > tolerance)
+    pixels, model = np.flatnonzero(gap.along > tolerance), gap.model
     if model is None:
         return pixels, zbuffer.picture.owner[pixels]
     # Within the tolerance nobody is guilty; farther behind its surface than a pixel the model may be over, at a rim.
@@ -255,16 +285,21 @@ def _cuts(zbuffer: ZBuffer, owner: np.ndarray) -> np.ndarray:
     return cut
 
 
-def _place(zbuffer: ZBuffer, amount: np.ndarray, pixel: int, count: int, maker: int) -> Deviation:
-    """What deviates at a pixel, and at so many in all."""
+def _place(zbuffer: ZBuffer, gap: _Gap, pixels: np.ndarray, maker: np.ndarray, tolerance: float) -> list[Deviation]:
+    """The worst place of pixels (k,) and what made each, if it exceeds the tolerance."""
     frame, picture = zbuffer.frame, zbuffer.picture
+    found = farthest(gap.front, gap.behind, pixels, frame.pixel, tolerance)
+    if found is None:
+        return []
+    pixel, depth = found
     row, column = divmod(pixel, frame.width)
     x, y = frame.pixel_centres(np.array([column]), np.array([row]))
     at = float(np.nan_to_num(picture.depth[pixel]))
     place = (frame.origins(x, y)[0] + at * frame.direction).tolist()
-    trajectory = None if maker == STOCK else maker
+    own = int(maker[np.searchsorted(pixels, pixel)])
+    trajectory = None if own == STOCK else own
     source = None if trajectory is None else zbuffer.cuts.source(trajectory)
-    return Deviation(trajectory, source, tuple(place), float(amount[pixel]), count * frame.pixel**2)
+    return [Deviation(trajectory, source, tuple(place), depth, len(pixels) * frame.pixel**2)]
 
 
 def _around(values: np.ndarray, extreme: np.ufunc) -> np.ndarray:

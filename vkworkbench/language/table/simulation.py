@@ -7,7 +7,7 @@ from vkworkbench.language.marking import QT_TRANSLATE_NOOP
 
 SIMULATION: dict[str, str | tuple[str, str]] = {
     "rapid-cuts": QT_TRANSLATE_NOOP("Sentences", "a rapid move removes {volume:mm³2}"),
-    "cuts-model": QT_TRANSLATE_NOOP("Sentences", "cuts into the model, {depth:mm2} along the view"),
+    "cuts-model": QT_TRANSLATE_NOOP("Sentences", "cuts {depth:mm2} into the model"),
     "plunges-fast": QT_TRANSLATE_NOOP(
         "Sentences", "plunges into full material at {feed:mm/min3}, where its tool may plunge at {allowed:mm/min3}"
     ),

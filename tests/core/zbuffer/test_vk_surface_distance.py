@@ -1,0 +1,83 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""How far two surfaces of an image are from each other, against every pair of their pixels."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from vkworkbench.core.zbuffer.surface_distance import farthest
+
+
+def every_pair(front, behind, pixel):
+    """The distance at every pixel, by its definition."""
+    row, column = np.indices(front.shape).reshape(2, -1)
+    across = pixel * np.hypot(row[:, None] - row, column[:, None] - column)
+    front, behind = front.ravel(), behind.ravel()
+    to_front = np.hypot(across, np.maximum(behind[:, None] - front, 0)).min(axis=1)
+    to_behind = np.hypot(across, np.maximum(behind - front[:, None], 0)).min(axis=1)
+    return np.maximum(to_front, to_behind)
+
+
+def smooth(rng, height, width):
+    values = rng.normal(size=(height, width)) * 4
+    for _ in range(4):
+        values = (values + sum(np.roll(values, by, axis) for axis in (0, 1) for by in (-1, 1))) / 5
+    return values
+
+
+def terraces(rng, height, width):
+    values = np.zeros((height, width))
+    for row, column in zip(rng.integers(0, height, 6), rng.integers(0, width, 6)):
+        values[row : row + rng.integers(2, 25), column : column + rng.integers(2, 25)] = rng.uniform(-5, 5)
+    return values
+
+
+def spikes(rng, height, width):
+    return np.where(rng.random((height, width)) < 0.05, rng.uniform(0, 5, (height, width)), 0)
+
+
+def plane(rng, height, width):
+    return np.add.outer(np.arange(height) * rng.uniform(-1, 1), np.arange(width) * rng.uniform(-1, 1))
+
+
+@pytest.mark.parametrize("surface", [smooth, terraces, spikes, plane])
+@pytest.mark.parametrize("seed", range(8))
+def test_the_farthest_of_random_surfaces(surface, seed):
+    rng = np.random.default_rng(seed)
+    size, pixel = rng.integers(15, 45, 2), float(rng.choice([0.05, 0.2, 0.5]))
+    front, behind = (surface(rng, *size).astype(np.float32) for _ in range(2))
+    behind += 2
+    pixels = np.flatnonzero((behind > front).ravel())
+    wanted = every_pair(front, behind, pixel)
+    at, distance = farthest(front, behind, pixels, pixel, 0.0)
+    assert distance == pytest.approx(wanted[at], rel=1e-5)
+    assert distance == pytest.approx(wanted[pixels].max(), abs=0.1 * pixel + 1e-5)
+    # Of some pixels only the farthest of these.
+    some = pixels[wanted[pixels] < 0.7 * distance]
+    if len(some):
+        assert farthest(front, behind, some, pixel, 0.0)[1] == pytest.approx(wanted[some].max(), abs=0.1 * pixel + 1e-5)
+    assert farthest(front, behind, pixels, pixel, 1.0001 * wanted[pixels].max()) is None
+
+
+def test_where_a_surface_ends_all_lies_before_it():
+    """A plate 20 mm above another, of which a strip is missing 3 pixels beside the one that is asked for."""
+    front, behind = np.zeros((30, 40), np.float32), np.full((30, 40), 20, np.float32)
+    front[:, 25:] = np.inf
+    pixel = 12 * 40 + 22
+    assert farthest(front, behind, np.array([pixel]), 0.5, 0.1) == (pixel, 20)  # of the other nothing is near
+    behind[:, 26:] = 0
+    assert farthest(front, behind, np.array([pixel]), 0.5, 0.1) == (pixel, 2)
+
+
+def test_the_farthest_corner_of_an_image_is_looked_at():
+    front, behind = np.zeros((30, 40), np.float32), np.full((30, 40), 90, np.float32)
+    front[-1, -1] = 90
+    behind[-1, -1] = 0
+    assert farthest(front, behind, np.array([0]), 1.0, 0.1) == (0, pytest.approx(np.hypot(29, 39)))
+
+
+def test_nothing_to_look_at():
+    flat = np.zeros((3, 4), np.float32)
+    assert farthest(flat, flat + 1, np.array([], int), 0.1, 0.1) is None
+    assert farthest(flat, flat + 1, np.arange(12), 0.1, 1.0) is None
