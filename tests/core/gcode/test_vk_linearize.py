@@ -236,6 +236,21 @@ def test_other_cycles_reach_their_depth_once(name):
     assert [problem.what.code for problem in toolpath.problems] == ["dwell-untimed"]
 
 
+@pytest.mark.parametrize("code", ["G84", "G74"])
+@pytest.mark.parametrize(
+    "words, feed",
+    [
+        ({"F": 0.8, "S": 500}, 0.8 * 500 / 60),  # FreeCAD 1.1's own: the pitch
+        ({"F": 400, "S": 500}, 400),  # as FreeCAD imports mm/min
+        ({"F": 6.5}, 6.5),
+        ({"F": 0.8, "S": 0}, 0.8),
+    ],
+)
+def test_a_tap_is_fed_by_its_pitch_where_its_speed_stands_beside(code, words, feed):
+    tapped = linearize([("G0", {"X": 10, "Y": 5, "Z": 10}), (code, {"X": 10, "Y": 5, "Z": 0, "R": 4, **words})])
+    assert tapped.feed[~tapped.rapid] == pytest.approx([feed, feed])  # in, and out
+
+
 @pytest.mark.parametrize("feed", [-3.0, 0.0, 1e-7, float("nan"), float("inf")])
 def test_a_feed_that_no_machine_has_is_not_taken(feed):
     toolpath = path(START, ("G1", {"X": 1, "F": 5}), ("G1", {"X": 2, "F": feed}))

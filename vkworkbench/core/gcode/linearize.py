@@ -30,6 +30,8 @@ from vkworkbench.language import Message, Unusable
 
 MOST_TRAJECTORIES = 5_000_000  # 2 GB of memory
 SLOWEST_FEED = 1e-6  # mm/s, eleven days for a millimetre
+_TAPPING = (740, 840)
+_COARSEST_PITCH = 10.0  # mm; a tap's feed per minute is a larger number
 
 _RAPID, _CW, _CCW, _CANCEL = 0, 20, 30, 800
 # Codes that set a state read below, or one that does not move the tool.
@@ -141,6 +143,10 @@ class _Program:
         values, unusable = self.words.column("F")
         unusable |= (values != 0) & (values < SLOWEST_FEED)
         problems.add(np.flatnonzero(unusable), Message("unusable-feed"))
+        tapping = np.flatnonzero(np.isin(self.motion, _TAPPING) & (values <= _COARSEST_PITCH))
+        if len(tapping):  # FreeCAD's own taps tell the pitch and the speed, which its posts multiply
+            speed = self.words.column("S", tapping)[0]  # turns/min
+            values[tapping] *= np.where(speed > 0, speed / 60, 1)
         setter = _last(values >= SLOWEST_FEED)
         per_minute = _mode(self.words.codes, {930: 0, 940: 1, 950: 0}, 1) == 1
         return np.where((setter >= 0) & per_minute, values[setter], 0.0)
