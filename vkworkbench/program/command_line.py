@@ -42,8 +42,10 @@ def main(arguments: list[str] | None = None) -> int:
     Ctrl-C.
     """
     asked = _parser().parse_args(arguments)
-    for stream in (sys.stdout, sys.stderr):
-        stream.reconfigure(errors="backslashreplace")
+    for name in ("stdout", "stderr"):
+        if getattr(sys, name) is None:  # closed, as by ">&-" or without a console
+            setattr(sys, name, open(os.devnull, "w", encoding="utf-8"))
+        getattr(sys, name).reconfigure(errors="backslashreplace")
     try:
         return _run(asked)
     except _Wrong as error:

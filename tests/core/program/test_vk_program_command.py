@@ -6,6 +6,7 @@ import io
 import json
 import os
 import resource
+import shlex
 import signal
 import socket
 import subprocess
@@ -326,6 +327,14 @@ def test_a_reader_that_goes_away_is_no_error(folder):
     process.stdout.close()
     assert "Traceback" not in process.stderr.read()
     process.wait(60)
+
+
+@pytest.mark.parametrize("closed", [">&-", "2>&-", ">&- 2>&-"])
+def test_a_closed_output_costs_nothing_else(folder, tmp_path, closed):
+    asked = shlex.join([*command(folder / "a.nc"), "--csv", str(tmp_path / "a.csv")])
+    done = subprocess.run(["sh", "-c", f"{asked} {closed}"], capture_output=True, text=True, cwd=ROOT, timeout=120)
+    assert done.returncode == 0 and "Traceback" not in done.stderr
+    assert len((tmp_path / "a.csv").read_text().splitlines()) == 2
 
 
 @pytest.mark.parametrize("kind", [(), ("--csv", "-"), ("--json-lines", "-")])
