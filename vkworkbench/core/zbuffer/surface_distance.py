@@ -10,6 +10,8 @@ import numpy as np
 
 # Pixels that are searched around at once, at most: the first one tells which of the others need no search.
 _AT_ONCE = 256
+# Of these with pixels around them at once: 50 bytes each.
+_PAIRS = 500_000
 # The first look around a pixel: so many directions, and the next circle so many times as large.
 _DIRECTIONS, _WIDER = 16, 1.2
 # Then all around it, ring by ring.
@@ -66,17 +68,19 @@ def _distances(front: np.ndarray, behind: np.ndarray, pixels: np.ndarray, pixel:
     least = np.repeat((beyond - ahead)[None], 2, axis=0)
     for radius, steps in _around(ceil(hypot(height, width))):
         # Nothing that is farther away is nearer, and what is near enough is not looked for.
-        (open_,) = np.nonzero(least.max(axis=0) > max(floor, radius * pixel))
-        if not len(open_):
+        (searched,) = np.nonzero(least.max(axis=0) > max(floor, radius * pixel))
+        if not len(searched):
             break
-        rows, columns = row[open_, None] + steps[:, 0], column[open_, None] + steps[:, 1]
-        beside = (rows < 0) | (rows >= height) | (columns < 0) | (columns >= width)
-        rows, columns = np.clip(rows, 0, height - 1), np.clip(columns, 0, width - 1)
-        across = np.where(beside, np.inf, np.hypot(steps[:, 0], steps[:, 1]) * pixel)
-        for side, gap in enumerate(
-            (beyond[open_, None] - front[rows, columns], behind[rows, columns] - ahead[open_, None])
-        ):
-            least[side, open_] = np.minimum(least[side, open_], np.hypot(across, np.maximum(gap, 0)).min(axis=1))
+        for some in np.array_split(steps, ceil(len(searched) * len(steps) / _PAIRS)):
+            rows, columns = row[searched, None] + some[:, 0], column[searched, None] + some[:, 1]
+            beside = (rows < 0) | (rows >= height) | (columns < 0) | (columns >= width)
+            rows, columns = np.clip(rows, 0, height - 1), np.clip(columns, 0, width - 1)
+            across = np.where(beside, np.inf, np.hypot(*some.T) * pixel)
+            to_front = beyond[searched, None] - front[rows, columns]
+            to_behind = behind[rows, columns] - ahead[searched, None]
+            for side, gap in enumerate((to_front, to_behind)):
+                away = np.hypot(across, np.maximum(gap, 0)).min(axis=1)
+                least[side, searched] = np.minimum(least[side, searched], away)
     distances: np.ndarray = least.max(axis=0)
     return distances
 
