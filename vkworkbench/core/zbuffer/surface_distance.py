@@ -8,14 +8,16 @@ from math import ceil, hypot
 
 import numpy as np
 
-# Pixels that are searched around at once, at most: the first one tells which of the others need no search.
-_AT_ONCE = 256
-# Of these with pixels around them at once: 50 bytes each.
-_PAIRS = 500_000
-# The first look around a pixel: so many directions, and the next circle so many times as large.
-_DIRECTIONS, _WIDER = 16, 1.2
-# Then all around it, ring by ring.
-_RING = 1.05
+# What is farther by less than this share, or than a pixel, is not told apart.
+_ALIKE = 0.02
+# Pixels are looked at on ever finer grids, pixels: few of the coarse ones tell which of the others need no search.
+_GRIDS = (64, 16, 4, 1)
+# So many at once, at most, with so many pairs of these and of pixels around them: 50 bytes each.
+_AT_ONCE, _PAIRS = 256, 500_000
+# The first looks around a pixel: in so many directions, the next circle so many times as large.
+_LOOKS = ((8, 2.0), (16, 1.2))
+# Then all around it, ring by ring, each so much wider; one pixel in so many of the radius is enough.
+_WIDTH, _FINE = 1.05, 64
 
 
 def farthest(
@@ -34,7 +36,7 @@ def farthest(
     pixels : (k,) int
         Where to look, numbers in the flat image.
     pixel : float
-        Side of a pixel, mm; the distance is exact to within one.
+        Side of a pixel, mm; the distance is exact to within one, or a fiftieth.
     floor : float
         mm; what is no farther is not looked for.
 
@@ -43,20 +45,41 @@ def farthest(
     tuple of int and float, or None
         Its number, and mm. None where they are nowhere farther than `floor`.
     """
+    row, column = np.divmod(pixels, front.shape[1])
     along = behind.ravel()[pixels] - front.ravel()[pixels]
     order = np.argsort(-along, kind="stable")
+    unseen = np.zeros(front.shape, bool)
+    unseen.ravel()[pixels[along > floor]] = True
     found = None
-    first, count = 0, 1
-    while first < len(order) and along[order[first]] > floor:
-        some = order[first : first + count]
-        first, count = first + count, min(2 * count, _AT_ONCE)
-        distances = _distances(front, behind, pixels[some], pixel, floor)
-        most = int(distances.argmax())
-        if distances[most] > floor:
-            # What exceeds it by less than a tenth of a pixel is not told apart.
-            floor = float(distances[most]) + pixel / 10
-            found = int(pixels[some[most]]), float(distances[most])
+    for grid in (0, *_GRIDS):  # first the pixel that is farthest along the view
+        on_grid = order[(row[order] % grid == 0) & (column[order] % grid == 0)] if grid else order[:1]
+        while len(on_grid := on_grid[unseen[row[on_grid], column[on_grid]] & (along[on_grid] > floor)]):
+            some, on_grid = on_grid[:_AT_ONCE], on_grid[_AT_ONCE:]
+            distances = _distances(front, behind, pixels[some], pixel, floor)
+            most = int(distances.argmax())
+            if distances[most] > floor:
+                found = int(pixels[some[most]]), float(distances[most])
+                floor = found[1] + max(pixel, _ALIKE * found[1])
+            unseen[row[some], column[some]] = False
+            reach = floor - distances
+            for i in np.flatnonzero(reach >= 2 * pixel):
+                _leave_out(unseen, front, behind, int(row[some[i]]), int(column[some[i]]), float(reach[i]), pixel)
     return found
+
+
+def _leave_out(
+    unseen: np.ndarray, front: np.ndarray, behind: np.ndarray, row: int, column: int, reach: float, pixel: float
+) -> None:
+    """Leave out the pixels whose surfaces lie within the reach, mm, of those of one: so much their distances differ at most."""
+    size = int(reach / pixel)
+    rows = slice(max(row - size, 0), min(row + size + 1, len(front)))
+    columns = slice(max(column - size, 0), min(column + size + 1, front.shape[1]))
+    away_row, away_column = np.ogrid[rows, columns]
+    across = pixel**2 * ((away_row - row) ** 2 + (away_column - column) ** 2)
+    near = np.ones(across.shape, bool)
+    for surface in (front, behind):
+        near &= across + (surface[rows, columns] - surface[row, column]) ** 2 <= reach**2
+    unseen[rows, columns] &= ~near
 
 
 def _distances(front: np.ndarray, behind: np.ndarray, pixels: np.ndarray, pixel: float, floor: float) -> np.ndarray:
@@ -87,16 +110,18 @@ def _distances(front: np.ndarray, behind: np.ndarray, pixels: np.ndarray, pixel:
 
 def _around(size: int) -> Iterator[tuple[float, np.ndarray]]:
     """Steps (n, 2) in pixels to rows and columns around a pixel, and the radius up to which all were taken before."""
-    angle = 2 * np.pi * np.arange(_DIRECTIONS) / _DIRECTIONS
-    directions = np.stack((np.sin(angle), np.cos(angle)), axis=1)
-    radius = 1.0
-    while radius < size:
-        yield 0.0, np.unique(np.rint(radius * directions).astype(int), axis=0)
-        radius *= _WIDER
+    for directions, wider in _LOOKS:
+        angle = 2 * np.pi * np.arange(directions) / directions
+        radius = 1.0
+        while radius < size:
+            steps = np.rint(radius * np.stack((np.sin(angle), np.cos(angle)), axis=1))
+            yield 0.0, np.unique(steps.astype(int), axis=0)
+            radius *= wider
     inner = 0
     while inner < size:
-        outer = ceil(inner * _RING) + 1
-        reach = np.arange(-outer, outer + 1)
+        step = max(1, inner // _FINE)
+        outer = step * (ceil(inner * _WIDTH / step) + 1)
+        reach = np.arange(-outer, outer + 1, step)
         away = np.hypot(reach[:, None], reach)
-        yield float(inner), np.argwhere((away > inner) & (away <= outer)) - outer
+        yield float(inner), step * np.argwhere((away > inner) & (away <= outer)) - outer
         inner = outer
