@@ -53,8 +53,11 @@ def farthest(
     found = None
     for grid in (0, *_GRIDS):  # first the pixel that is farthest along the view
         on_grid = order[(row[order] % grid == 0) & (column[order] % grid == 0)] if grid else order[:1]
-        while len(on_grid := on_grid[unseen[row[on_grid], column[on_grid]] & (along[on_grid] > floor)]):
-            some, on_grid = on_grid[:_AT_ONCE], on_grid[_AT_ONCE:]
+        for first in range(0, len(on_grid), _AT_ONCE):
+            some = on_grid[first : first + _AT_ONCE]
+            some = some[unseen[row[some], column[some]] & (along[some] > floor)]
+            if not len(some):
+                continue
             distances = _distances(front, behind, pixels[some], pixel, floor)
             most = int(distances.argmax())
             if distances[most] > floor:
