@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from functools import lru_cache
 from math import ceil, hypot
 
 import numpy as np
@@ -14,8 +15,10 @@ _ALIKE = 0.02
 _GRIDS = (64, 16, 4, 1)
 # So many at once, at most, with so many pairs of these and of pixels around them: 50 bytes each.
 _AT_ONCE, _PAIRS = 256, 500_000
-# The first looks around a pixel: in so many directions, the next circle so many times as large.
-_LOOKS = ((8, 2.0), (16, 1.2))
+# The first looks around a pixel: in so many directions, the next circle so many times as large. The last look does not step
+# over what tells that a pixel is not farther than what was found.
+_LOOKS = ((8, 2.0), (16, 1.2), (16, 1 + _ALIKE))
+_TOGETHER = (8, 64, 256)  # circles up to these radii are looked at together
 # Then all around it, ring by ring, each so much wider; one pixel in so many of the radius is enough.
 _WIDTH, _FINE = 1.05, 64
 
@@ -114,12 +117,8 @@ def _distances(front: np.ndarray, behind: np.ndarray, pixels: np.ndarray, pixel:
 def _around(size: int) -> Iterator[tuple[float, np.ndarray]]:
     """Steps (n, 2) in pixels to rows and columns around a pixel, and the radius up to which all were taken before."""
     for directions, wider in _LOOKS:
-        angle = 2 * np.pi * np.arange(directions) / directions
-        radius = 1.0
-        while radius < size:
-            steps = np.rint(radius * np.stack((np.sin(angle), np.cos(angle)), axis=1))
-            yield 0.0, np.unique(steps.astype(int), axis=0)
-            radius *= wider
+        for circles in _circles(size, directions, wider):
+            yield 0.0, circles
     inner = 0
     while inner < size:
         step = max(1, inner // _FINE)
@@ -128,3 +127,14 @@ def _around(size: int) -> Iterator[tuple[float, np.ndarray]]:
         away = np.hypot(reach[:, None], reach)
         yield float(inner), step * np.argwhere((away > inner) & (away <= outer)) - outer
         inner = outer
+
+
+@lru_cache(maxsize=len(_LOOKS))
+def _circles(size: int, directions: int, wider: float) -> list[np.ndarray]:
+    """Steps of circles, some circles at once: near ones spare what is near the far ones."""
+    radii = [1.0]
+    while radii[-1] * wider < size:
+        radii.append(max(radii[-1] * wider, radii[-1] + 1))
+    angle = 2 * np.pi * np.arange(directions) / directions
+    steps = np.rint(np.multiply.outer(radii, np.stack((np.sin(angle), np.cos(angle)), axis=1))).astype(int)
+    return [np.concatenate(some) for some in np.split(steps, np.searchsorted(radii, _TOGETHER)) if len(some)]
