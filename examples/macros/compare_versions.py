@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Compare two versions of a job, open as two documents: which operations came, went or do something else now.
 
-Run it as a macro with two documents open: the one that was opened first is the old version.
+Run it as a macro with the two documents open and the new version in front.
 """
 
 from __future__ import annotations
@@ -34,10 +34,16 @@ def differences(one, other):
             yield f"{name.replace('_seconds', ' time')} {a:.1f} {unit} became {b:.1f} {unit}"
 
 
+def old_and_new():
+    """The two documents that are open, the one in front last: FreeCAD lists them in the order of their names."""
+    return sorted(FreeCAD.listDocuments().values(), key=lambda document: document.Name == FreeCAD.ActiveDocument.Name)
+
+
 if __name__ == "__main__":
-    documents = list(FreeCAD.listDocuments().values())
-    if len(documents) != 2:
+    if len(FreeCAD.listDocuments()) != 2:
         FreeCAD.Console.PrintError("Open the two versions of the job, and no other document\n")
     else:
-        for line in compare(*documents) or ["no difference"]:
+        old, new = old_and_new()
+        FreeCAD.Console.PrintMessage(f"From {old.Label} to {new.Label}:\n")
+        for line in compare(old, new) or ["no difference"]:
             FreeCAD.Console.PrintMessage(f"{line}\n")

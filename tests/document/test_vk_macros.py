@@ -8,7 +8,7 @@ import FreeCAD
 import Path as CAM
 import pytest
 from macros.color_by_strategy import color_by_strategy
-from macros.compare_versions import compare
+from macros.compare_versions import compare, old_and_new
 from macros.export_for_spreadsheet import export
 from macros.folder_to_csv import folder_to_csv
 from macros.stop_heavy_job import too_heavy
@@ -90,6 +90,18 @@ def test_two_versions_are_compared(example, example_path, tmp_path):
         assert state(old) == before
     finally:
         FreeCAD.closeDocument(old.Name)
+
+
+@pytest.mark.parametrize("names", ["ab", "ba"])
+def test_the_version_in_front_is_the_new_one_whatever_it_is_called(names):
+    opened = [FreeCAD.newDocument(name) for name in names]
+    try:
+        assert [document.Name for document in old_and_new()][-1] == opened[1].Name
+        FreeCAD.setActiveDocument(opened[0].Name)
+        assert [document.Name for document in old_and_new()][-1] == opened[0].Name
+    finally:
+        for document in opened:
+            FreeCAD.closeDocument(document.Name)
 
 
 @pytest.mark.parametrize(("point", "parted"), [(".", ","), (",", ";")])
