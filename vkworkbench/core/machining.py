@@ -104,8 +104,14 @@ def trajectory_seconds(toolpath: Toolpath, *, horizontal_rapid: float = 0.0, ver
     horizontal_rapid, vertical_rapid : float
         As for :func:`machining`.
     """
-    speed = np.where(toolpath.rapid, np.where(_upright(toolpath), vertical_rapid, horizontal_rapid), toolpath.feed)
+    speed = _speeds(toolpath, horizontal_rapid, vertical_rapid)
     return exact_lengths(toolpath) / np.where(speed > 0, speed, np.nan)
+
+
+def _speeds(toolpath: Toolpath, horizontal_rapid: float, vertical_rapid: float) -> np.ndarray:
+    """Speed of every trajectory, (n,) mm/s; 0 where it is unknown."""
+    rapid: np.ndarray = np.where(_upright(toolpath), vertical_rapid, horizontal_rapid)
+    return np.where(toolpath.rapid, rapid, toolpath.feed)
 
 
 def _upright(toolpath: Toolpath) -> np.ndarray:
@@ -152,26 +158,26 @@ def machining(
         if not (np.isfinite(given) and given >= 0):
             raise ValueError(f"a rapid speed must be a number of mm/s, at least 0, not {given}")
     lengths = exact_lengths(toolpath)
+    speed = _speeds(toolpath, horizontal_rapid, vertical_rapid)
     rapid = toolpath.rapid
     left_out = []
 
     cutting_length = float(lengths[~rapid].sum())
-    fed = ~rapid & (toolpath.feed > 0)
+    fed = ~rapid & (speed > 0)
     unfed = cutting_length - float(lengths[fed].sum())
     missing = int((~rapid & ~fed).sum())
-    cutting_seconds: float | None = float((lengths[fed] / toolpath.feed[fed]).sum())
+    cutting_seconds: float | None = float((lengths[fed] / speed[fed]).sum())
     if missing:
         left_out.append(Message("cutting-untimed", length=unfed, count=missing))
         if not fed.any():
             cutting_seconds = None
 
-    upright = _upright(toolpath)
-    speed = np.where(upright, vertical_rapid, horizontal_rapid)
     timed = rapid & (speed > 0)
     rapid_length = float(lengths[rapid].sum())
     untimed = rapid_length - float(lengths[timed].sum())
     rapid_seconds: float | None = float((lengths[timed] / speed[timed]).sum())
     if (rapid & ~timed).any():
+        upright = _upright(toolpath)
         names = [
             name
             for name, given, kind in (
