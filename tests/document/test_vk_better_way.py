@@ -28,7 +28,7 @@ def record(label="Pocket", *, forward=5.0, play=60.0, opengl=60.0, **rest):
     """A mark with these times, s."""
     (legacy,) = legacy_costs(TASK)
     drawn = opengl_cost(TASK)
-    longer = opengl / drawn.fastest_seconds
+    longer = opengl / drawn.seconds
     costs = {
         "legacy": replace(legacy, fast_forward_seconds=forward, play_seconds=play),
         "OpenGL": replace(drawn, play_seconds={s: longer * t for s, t in drawn.play_seconds.items()}),

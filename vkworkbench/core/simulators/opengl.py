@@ -171,7 +171,7 @@ class OpenGLCost:
     @property
     def seconds(self) -> float:
         """float : the time shown for this simulator, that of playing at the highest speed, s."""
-        return self.fastest_seconds
+        return self.play_seconds[max(self.play_seconds)]
 
     @property
     def factor(self) -> float:
@@ -182,11 +182,6 @@ class OpenGLCost:
     def frame_seconds(self) -> float:
         """float : one frame at the end, s; the display is that slow whenever the part is turned."""
         return max(self.constants.refresh, self.constants.frame + self.drawing_seconds)
-
-    @property
-    def fastest_seconds(self) -> float:
-        """float : time of playing at the highest speed, s."""
-        return self.play_seconds[max(self.play_seconds)]
 
 
 def predict(task: Task, conditions: Conditions) -> OpenGLCost:
@@ -285,8 +280,8 @@ def opengl_together(costs: Sequence[OpenGLCost]) -> OpenGLCost:
 def cautions(task: Task, cost: OpenGLCost | None, conditions: Conditions) -> list[Caution]:
     """Find what takes long in it."""
     found = []
-    if cost is not None and cost.fastest_seconds > conditions.time_budget:
-        found.append(Caution("long-play", Message("opengl-long-play", simulator=NAME, time=cost.fastest_seconds)))
+    if cost is not None and cost.seconds > conditions.time_budget:
+        found.append(Caution("long-play", Message("opengl-long-play", simulator=NAME, time=cost.seconds)))
     if cost is not None and cost.frame_seconds > SLOWEST_FRAME and 2 * cost.arc_draws > cost.draws:
         percent = round(100 * cost.arc_draws / cost.draws)
         found.append(Caution("arcs", Message("opengl-arcs", simulator=NAME, time=cost.frame_seconds, percent=percent)))
