@@ -32,7 +32,7 @@ from typing import Any, NamedTuple
 
 ROOT = Path(__file__).resolve().parents[1]
 DRAWN_FROM = "core", "document", "language", "program"
-DRAWN_FROM += "preferences.py", "report.py", "simulation_facts.py", "spreadsheet.py", "worker.py"
+DRAWN_FROM += "preferences.py", "report.py", "simulation_facts.py", "spreadsheet.py", "text_table.py", "worker.py"
 COPIED = "vkworkbench", "tests", "toolpaths", "examples", "resources", "docs", "benchmarks", "pyproject.toml"
 COPIED += "package.xml", "Init.py", "InitGui.py", "README.md"
 # Tests of the files that stand in no room, beside those of tests/core itself.

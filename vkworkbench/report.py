@@ -5,7 +5,6 @@ from __future__ import annotations
 
 import csv
 import json
-import re
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import zip_longest
@@ -19,11 +18,11 @@ from vkworkbench.core.zbuffer import FACT_COLUMNS, CutFacts
 from vkworkbench.language import ENGLISH, Message, render
 from vkworkbench.simulation_facts import SimulationFacts
 from vkworkbench.spreadsheet import as_cell
+from vkworkbench.text_table import line, printable, widths_of
 
 # Cautions on what hangs a simulator, or takes longer or more memory than the user allows.
 HANGS = frozenset({"legacy-hangs"})
 SERIOUS = HANGS | {"long-play", "memory"}
-_CONTROL = re.compile(r"[\x00-\x1f\x7f-\x9f]+")
 _NO_UTF8 = "surrogateescape"  # the name of a file may hold bytes that are none
 
 
@@ -358,7 +357,7 @@ class Report:
         )
         rows = [header, *(_row(o, of) for o in self.operations)]
         totals: list[tuple[str, ...]] = [
-            (f"{_cell(t.label)}: {how_many(t.operations, 'operation')}", "", "", ENGLISH.count(t.trajectories),
+            (f"{printable(t.label)}: {how_many(t.operations, 'operation')}", "", "", ENGLISH.count(t.trajectories),
              *_machining(t.length, t.machining_seconds, t.machining_complete,
                          all(map(_is_measured, self._counted(t.document, t.job)))),
              *_cost(t, of, t.incomplete), "")
@@ -368,11 +367,13 @@ class Report:
         if len(names) > 1:  # each has a "Job"
             rows = [("document", *header), *((names[o.document], *row) for o, row in zip(self.operations, rows[1:]))]
             totals = [(names[t.document], *row) for t, row in zip(self.totals, totals)]
-        widths = [max(len(row[i]) for row in rows + totals) for i in range(len(rows[0]))]
+        widths = widths_of([*rows, *totals])
+        left = {*range(len(widths) - 7), len(widths) - 1}  # the six between them are numbers
         rule = "  ".join("-" * width for width in widths[:-1])
-        lines = [_line(rows[0], widths), rule, *(_line(row, widths) for row in rows[1:])]
+        title, *shown = (line(row, widths, left) for row in rows)
+        lines = [title, rule, *shown]
         if totals:
-            lines += [rule, *(_line(row, widths) for row in totals)]
+            lines += [rule, *(line(row, widths, left) for row in totals)]
         return "\n".join(lines)
 
     def to_csv(self, path: str) -> None:
@@ -463,18 +464,18 @@ def _told_apart(documents: Iterable[str]) -> dict[str, str]:
     """Return what documents are called in a table: programs, whose names are paths, without the folder of them all."""
     parts = {name: PurePath(name).parts for name in documents}
     shared = next((depth for depth, names in enumerate(zip_longest(*parts.values())) if len(set(names)) > 1), 0)
-    return {name: _cell(str(PurePath(*of_name[shared:])), 200) for name, of_name in parts.items()}
+    return {name: printable(str(PurePath(*of_name[shared:])), 200) for name, of_name in parts.items()}
 
 
 def _row(o: OperationReport, simulator: str) -> tuple[str, ...]:
     return (
-        _cell(o.label) if o.counted or o.job is None else f"({_cell(o.label)})",
+        printable(o.label) if o.counted or o.job is None else f"({printable(o.label)})",
         o.strategy.value,
         f"{o.confidence:.0%}",
         ENGLISH.count(o.trajectories),
         *_machining(o.length, o.machining_seconds or 0.0, not o.left_out, _is_measured(o)),
         *_cost(o, simulator, least=False),
-        _cell(o.error or "", 200),
+        printable(o.error or "", 200),
     )
 
 
@@ -518,15 +519,3 @@ def _cost(of: Costs, simulator: str, least: bool) -> tuple[str, str]:
         return "?", "?"
     time, memory = ENGLISH.estimated_time(cost[0], of.factor(simulator)), ENGLISH.memory(cost[1])
     return (f">= {time}", f">= {memory}") if least else (time, memory)
-
-
-def _cell(text: str, longest: int = 60) -> str:
-    """Return a text that fits into its cell; control characters would break the table or steer the terminal."""
-    text = _CONTROL.sub(" ", text)
-    return text if len(text) <= longest else text[: longest - 1] + "…"
-
-
-def _line(row: tuple[str, ...], widths: list[int]) -> str:
-    left = {*range(len(row) - 7), len(row) - 1}  # the six between them are numbers
-    cells = (cell.ljust(w) if i in left else cell.rjust(w) for i, (cell, w) in enumerate(zip(row, widths)))
-    return "  ".join(cells).rstrip()

@@ -14,6 +14,7 @@ import numpy as np
 from vkworkbench.core.zbuffer import FACT_COLUMNS, CutFacts
 from vkworkbench.language import ENGLISH
 from vkworkbench.spreadsheet import as_cell
+from vkworkbench.text_table import line, printable, widths_of
 
 
 @dataclass(frozen=True)
@@ -82,19 +83,15 @@ class SimulationFacts:
             "gouged",
             "left",
         )
-        rows = [_row(label, facts) for label, facts in (*self.operations, ("job", self.job))]
-        widths = [max(len(row[i]) for row in (header, *rows)) for i in range(len(header))]
-        lines = [
-            "  ".join(cell.ljust(w) if i == 0 else cell.rjust(w) for i, (cell, w) in enumerate(zip(row, widths)))
-            for row in (header, *rows)
-        ]
-        return "\n".join(line.rstrip() for line in lines)
+        rows = [header, *(_row(label, facts) for label, facts in (*self.operations, ("job", self.job)))]
+        widths = widths_of(rows)
+        return "\n".join(line(row, widths, left={0}) for row in rows)
 
 
 def _row(label: str, facts: CutFacts) -> tuple[str, ...]:
     gouged, left = (max((one.depth for one in found), default=0.0) for found in (facts.gouges, facts.left))
     return (
-        label[:60],
+        printable(label),
         f"{facts.removed_volume / 1e3:.2f}",
         f"{facts.mean_rate / 1e3:.2f}",
         f"{facts.peak_rate / 1e3:.2f}",

@@ -29,7 +29,7 @@ FLOORS = (
     ("core.rendering",),
     ("core.simulators",),
     ("core",),
-    ("spreadsheet",),
+    ("spreadsheet", "text_table"),
     ("simulation_facts",),
     ("report",),
     ("freecad",),

@@ -10,8 +10,9 @@ from pathlib import Path
 
 import pytest
 
-from vkworkbench import report
+
 from vkworkbench.report import Report
+from vkworkbench.text_table import printable
 
 ROOT = Path(__file__).parents[2]
 SOURCES = [*(ROOT / "vkworkbench").rglob("*.py"), ROOT / "Init.py", ROOT / "InitGui.py"]
@@ -89,8 +90,8 @@ def test_cells_that_begin_like_a_formula_become_text(text, tmp_path):
 
 
 def test_cells_of_the_table_stay_on_their_line():
-    assert report._cell("a\nb\r\x1b[31mc\u202e🙂") == "a b [31mc\u202e🙂"
-    assert len(report._cell("x" * 5000)) == 60
+    assert printable("a\nb\r\x1b[31mc\u202e🙂") == "a b [31mc\u202e🙂"
+    assert len(printable("x" * 5000)) == 60
 
 
 def test_boxes_and_tooltips_of_the_window_are_made_in_one_place():

@@ -56,10 +56,14 @@ def test_the_table_has_a_line_for_each_operation_and_one_for_all():
 def test_the_columns_of_the_table_are_as_wide_as_their_widest_cell():
     found = replace(FOUND, operations=(("A long label " * 3, CLEAN), ("x" * 70, CLEAN)))
     header, long, longest, job = str(found).splitlines()
-    assert longest.startswith("x" * 60 + "  ") and long.startswith("A long label")
+    assert longest.startswith("x" * 59 + "…  ") and long.startswith("A long label")
     assert header.index("removed, cm3") == 60 + 2
     for line in (long, longest, job):  # numbers end below the end of their title
         assert line[: header.index("cm3") + 3].endswith("12.34")
+
+
+def test_no_label_breaks_the_table_or_steers_the_terminal():
+    assert str(replace(FOUND, operations=(("Top\n\x1b[2Jface", CLEAN),))).splitlines()[1].startswith("Top [2Jface  ")
 
 
 def test_files_of_the_facts(tmp_path):
