@@ -55,7 +55,7 @@ class OperationReport(Costs):
     remarks : tuple of Message
         What is wrong with it or unknown about it.
     fingerprint : str
-        Of the path, tool and stock that were analysed.
+        Of the path, tool and stock that were analysed; empty for a program.
     document_id : str
         Tells the document from another one of the same name; empty for a program.
     simulated : CutFacts or None

@@ -10,7 +10,6 @@ from pathlib import Path
 
 import pytest
 
-
 from vkworkbench.report import Report
 from vkworkbench.text_table import printable
 

@@ -3,9 +3,7 @@
 
 from __future__ import annotations
 
-import hashlib
 import os
-import sys
 from bisect import bisect_right
 from collections.abc import Callable, Iterable
 from dataclasses import replace
@@ -39,9 +37,6 @@ from vkworkbench.language import Message, Unusable
 from vkworkbench.preferences import Preferences
 from vkworkbench.program.files import find_programs, read_bytes, text_of
 from vkworkbench.report import Cancelled, OperationReport, Report, without_results
-
-# A computer that allows no SHA-1 for secrets allows it here; Python 3.8 does not know the difference.
-_NO_SECRET = {"usedforsecurity": False} if sys.version_info >= (3, 9) else {}
 
 
 def is_path(what) -> bool:
@@ -111,15 +106,14 @@ def analyze_file(path: Path, chosen: Preferences) -> tuple[OperationReport, ...]
         so has a file that cannot be read, which is not counted, with the reason among its remarks.
     """
     try:
-        data = read_bytes(path)
-        program = read_program(text_of(data))
-        rows = _rows(path, program, program.toolpath(tolerance=chosen.tolerance), split_sections(program), chosen)
+        program = read_program(text_of(read_bytes(path)))
+        return tuple(
+            _rows(path, program, program.toolpath(tolerance=chosen.tolerance), split_sections(program), chosen)
+        )
     except Unusable as error:
         return (unread(path, error.what),)
     except Exception as error:  # an error of this add-on costs this file only
         return (unread(path, Message("not-analysed", error=f"{type(error).__name__}: {error}")),)
-    fingerprint = hashlib.sha1(data, **_NO_SECRET).hexdigest()[:16]
-    return tuple(replace(row, fingerprint=fingerprint) for row in rows)
 
 
 def unread(path: Path, why: Message) -> OperationReport:
