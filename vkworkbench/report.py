@@ -340,6 +340,10 @@ class Report:
         total = total_of(document, job, label, counted, self.budget, self.fixtures.get((document, job), 1))
         return replace(total, simulated=self.simulated.get((document, job)))
 
+    def __repr__(self) -> str:
+        """Return what stands in a console where somebody asks for the report itself: printed it is the table."""
+        return f"<Report of {how_many(len(self.operations), 'operation')}>"
+
     def __str__(self) -> str:
         if not self.operations:
             return "No operations found."

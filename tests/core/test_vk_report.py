@@ -34,6 +34,10 @@ def lines(shown):
     return [line for line in str(shown).splitlines() if not line.startswith("---")]
 
 
+def test_a_console_shows_a_report_in_a_line():
+    assert repr(report(operation("One"), operation("Two"))) == "<Report of 2 operations>"
+
+
 def test_a_total_is_the_sum_of_what_is_counted():
     (total,) = report(operation("One"), operation("Two"), operation("Dressed", counted=False)).totals
     assert (total.operations, total.trajectories, total.length, total.machining_seconds) == (2, 10, 200.0, 24.0)

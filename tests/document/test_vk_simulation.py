@@ -50,6 +50,11 @@ def test_a_job_is_simulated_in_its_order(small):
     assert [o.label for o in vkworkbench.simulate(second, view=VIEW).job.operations] == ["Second"]
 
 
+def test_a_console_shows_a_simulation_in_a_line(small):
+    small.add("First", slot(10.0))
+    assert repr(vkworkbench.simulate(view=VIEW).at(1)) == "<Simulation of 1 operation, 1 of 3 trajectories>"
+
+
 def test_it_writes_nothing_in_the_document(small):
     small.add("First", slot(10.0))
     before = [(obj.Name, sorted(obj.PropertiesList), list(obj.State)) for obj in small.document.Objects]

@@ -15,6 +15,7 @@ from vkworkbench.core import View, ZBuffer, simulate_job
 from vkworkbench.core.rendering import CUT, colors_of, palette, png, shade
 from vkworkbench.core.zbuffer import facts, trajectory_table
 from vkworkbench.document.simulated_job import SimulatedJob, SimulatedOperation, read_job
+from vkworkbench.report import how_many
 from vkworkbench.simulation_facts import SimulationFacts
 
 
@@ -87,6 +88,9 @@ class Simulation:
 
     job: SimulatedJob
     zbuffer: ZBuffer
+
+    def __repr__(self) -> str:
+        return f"<Simulation of {how_many(len(self.job.operations), 'operation')}, {self.step} of {self.trajectories} trajectories>"
 
     @property
     def step(self) -> int:
