@@ -149,7 +149,8 @@ def test_saved_rates_are_volumes_by_minutes(tmp_path):
 
 
 def colored(make, volumes, ends):
-    clock = SimpleNamespace(ends=np.array(ends), total=ends[-1])
+    clock = Clock.__new__(Clock)  # of no job
+    clock.ends, clock.cuts = np.array(ends), volumes
     job = coloring.Job(("Op",), (Strategy.UNKNOWN,), clock, np.array(volumes), None, False, 0.1)
     return make(None, job)
 

@@ -49,6 +49,12 @@ class Clock:
         """Time of the whole job, s."""
         return float(self.ends[-1])
 
+    def rates(self, volumes: np.ndarray) -> np.ndarray:
+        """Return how fast each trajectory removes its volume, (n,) mm^3, in mm^3/min; 0 where it takes no time."""
+        seconds = np.diff(self.ends)
+        rates: np.ndarray = 60 * volumes / np.where(seconds > 0, seconds, np.inf)
+        return rates
+
     def step(self, seconds: float) -> int:
         """Return how many trajectories have been cut by then."""
         return int(np.searchsorted(self.ends, seconds, side="right")) - 1

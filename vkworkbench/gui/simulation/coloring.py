@@ -104,9 +104,8 @@ def by_time(zbuffer: ZBuffer, job: Job) -> Coloring:
 
 def by_removal_rate(zbuffer: ZBuffer, job: Job) -> Coloring:
     """From nothing to the rate that only a hundredth of the volume is removed faster than."""
-    seconds = np.diff(job.clock.ends)
-    volumes = np.zeros(len(seconds)) if job.volumes is None else job.volumes
-    rates = 60 * volumes / np.where(seconds > 0, seconds, np.inf)
+    volumes = np.zeros(len(job.clock.cuts)) if job.volumes is None else job.volumes
+    rates = job.clock.rates(volumes)
     order = np.argsort(rates)
     volume = np.cumsum(volumes[order])
     most = float(rates[order][np.searchsorted(volume, 0.99 * volume[-1])]) if len(volume) and volume[-1] > 0 else 1.0

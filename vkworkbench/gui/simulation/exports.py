@@ -135,9 +135,7 @@ def save_rates(player) -> None:
 
 def write_rates(player, path: Path) -> None:
     """Write one line for each trajectory; operations' trajectories and commands are counted from 1, as in the window."""
-    ends = player.clock.ends
-    seconds = np.diff(ends)
-    rates = 60 * player.volumes / np.where(seconds > 0, seconds, np.inf)
+    ends, rates = player.clock.ends, player.clock.rates(player.volumes)
     with path.open("w", newline="", encoding="utf-8") as file:
         writer = csv.writer(file)
         writer.writerow(_COLUMNS)
