@@ -13,7 +13,7 @@ import numpy as np
 from vkworkbench import preferences
 from vkworkbench.core import View, ZBuffer, simulate_job
 from vkworkbench.core.rendering import CUT, colors_of, palette, png, shade
-from vkworkbench.core.zbuffer import facts, trajectory_table
+from vkworkbench.core.zbuffer import TOLERANCE, facts, trajectory_table
 from vkworkbench.document.simulated_job import SimulatedJob, SimulatedOperation, read_job
 from vkworkbench.report import how_many
 from vkworkbench.simulation_facts import SimulationFacts
@@ -128,7 +128,7 @@ class Simulation:
         """
         Path(path).write_bytes(png(self.image()))
 
-    def facts(self, *, tolerance: float = 0.1) -> SimulationFacts:
+    def facts(self, *, tolerance: float = TOLERANCE) -> SimulationFacts:
         """Tell what each operation and the job remove, where they cut air, crash, plunge too fast, gouge or leave material.
 
         Passes closer than a pixel are not told apart; what has walls is best seen from above.

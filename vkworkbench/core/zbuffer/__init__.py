@@ -11,6 +11,7 @@ from vkworkbench.core.zbuffer.bound import cuts_surely, may_cut, most_bytes
 from vkworkbench.core.zbuffer.closed_form import cauchy_crofton, closed_form, swept
 from vkworkbench.core.zbuffer.cuts import Cut, Cuts, Source
 from vkworkbench.core.zbuffer.deviations import (
+    TOLERANCE,
     Deviation,
     Deviations,
     SeenModel,
@@ -43,7 +44,7 @@ from vkworkbench.core.zbuffer.simulate import simulate, simulate_job
 from vkworkbench.core.zbuffer.speed import fit_speed, measure_speed
 
 __all__ = [
-    "DEXEL", "FACT_COLUMNS", "RECORD_BYTES", "TRACE", "WORK_UNITS", "Crash", "Cut", "CutFacts", "Cuts", "Deviation",
+    "DEXEL", "FACT_COLUMNS", "RECORD_BYTES", "TOLERANCE", "TRACE", "WORK_UNITS", "Crash", "Cut", "CutFacts", "Cuts", "Deviation",
     "Deviations", "Estimate", "JobFacts", "OverBudget", "Plunge", "Resolution", "SeenModel",
     "Source", "Speed", "ZBuffer", "air_share", "best_resolution", "cauchy_crofton", "check_budget",
     "closed_form", "crashes", "cuts_air", "cuts_surely", "deviations", "engagement", "estimate", "estimate_job",

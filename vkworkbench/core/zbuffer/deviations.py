@@ -17,6 +17,9 @@ from vkworkbench.core.zbuffer.records import GAP, first_not_below
 from vkworkbench.core.zbuffer.surface import STOCK
 from vkworkbench.core.zbuffer.surface_distance import farthest
 
+# What is no difference to the model, mm, until somebody says otherwise.
+TOLERANCE = 0.1
+
 _ROWS_AT_ONCE = 64
 # Of the image's shorter side: worst places closer to each other hang together.
 _APART = 0.02

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from vkworkbench.core.stocks import Solid
-from vkworkbench.core.zbuffer.deviations import Deviation, deviations, gouges, material_left
+from vkworkbench.core.zbuffer.deviations import TOLERANCE, Deviation, deviations, gouges, material_left
 from vkworkbench.core.zbuffer.facts import Crash, Plunge, crashes, cuts_air, engagement, fast_plunges, removed_volumes
 from vkworkbench.core.zbuffer.moments import ZBuffer
 
@@ -148,7 +148,7 @@ def removal_over_time(zbuffer: ZBuffer, window: float = _WINDOW) -> tuple[np.nda
     return begin, _rates(begin, seconds, np.where(seconds > 0, volumes, 0.0), window)
 
 
-def facts(zbuffer: ZBuffer, *, model: Solid | None = None, tolerance: float = 0.1) -> JobFacts:
+def facts(zbuffer: ZBuffer, *, model: Solid | None = None, tolerance: float = TOLERANCE) -> JobFacts:
     """Tell what the traces, and the model, say of every operation.
 
     Parameters

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 
+from vkworkbench.core.zbuffer import TOLERANCE
 from vkworkbench.gui.plain_text import as_html, as_plain
 from vkworkbench.gui.qt import (
     QAction,
@@ -26,7 +27,7 @@ from vkworkbench.gui.qt import (
 from vkworkbench.gui.sentences import user
 from vkworkbench.gui.simulation import exports
 from vkworkbench.gui.simulation.coloring import COLORINGS, by_difference
-from vkworkbench.gui.simulation.faults import TOLERANCE, Fault
+from vkworkbench.gui.simulation.faults import Fault
 from vkworkbench.gui.simulation.legend import Legend
 from vkworkbench.gui.simulation.symbols import PAUSE, PLAY, SymbolButton
 from vkworkbench.gui.text import QT_TRANSLATE_NOOP, translate

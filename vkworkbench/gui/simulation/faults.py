@@ -6,12 +6,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from vkworkbench.core.zbuffer import gouges, worst_places
+from vkworkbench.core.zbuffer import TOLERANCE, gouges, worst_places
 from vkworkbench.gui.simulation.refining import Facts, Told
 from vkworkbench.language import Message
-
-# What is no difference to the model, mm, until the user says otherwise.
-TOLERANCE = 0.1
 
 
 @dataclass(frozen=True)
