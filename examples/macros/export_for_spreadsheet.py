@@ -10,6 +10,7 @@ from pathlib import Path
 import FreeCAD
 
 import vkworkbench
+from vkworkbench.spreadsheet import as_cell
 
 COLUMNS = {
     "Job": lambda o: o.job,
@@ -38,8 +39,7 @@ def written(value, decimal_point):
     """A value as a cell; a text never begins a formula."""
     if isinstance(value, float):
         return f"{value:.3f}".replace(".", decimal_point)
-    text = "" if value is None else str(value)
-    return f"'{text}" if text[:1] in ("=", "+", "-", "@") else text
+    return "" if value is None else as_cell(str(value))
 
 
 if __name__ == "__main__":

@@ -107,12 +107,12 @@ def test_the_version_in_front_is_the_new_one_whatever_it_is_called(names):
 @pytest.mark.parametrize(("point", "parted"), [(".", ","), (",", ";")])
 def test_a_spreadsheet_reads_the_export(example, tmp_path, point, parted):
     operation = example.getObject("Job").Operations.Group[0]
-    operation.Label = "=1+1"
+    operation.Label = "\t=1+1"
     count = export(example, tmp_path / "sheet.csv", point)
     with open(tmp_path / "sheet.csv", newline="", encoding="utf-8-sig") as file:
         rows = list(csv.DictReader(file, delimiter=parted))
     report = vkworkbench.analyze(example)
-    assert len(rows) == count == len(report.operations) and rows[0]["Operation"] == "'=1+1"
+    assert len(rows) == count == len(report.operations) and rows[0]["Operation"] == "'\t=1+1"
     for row, o in zip(rows, report.operations):
         assert float(row["Cutting length (m)"].replace(point, ".")) == pytest.approx(o.length / 1000, abs=1e-3)
         assert row["Strategy"] == str(o.strategy)
