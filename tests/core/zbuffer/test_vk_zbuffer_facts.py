@@ -13,10 +13,10 @@ from zbuffer_reference.paths import DIRECTIONS, helix, toolpath
 
 from vkworkbench.core import Cut, Stock, Tool, View
 from vkworkbench.core.zbuffer import (
-    air_share,
     crashes,
     cuts_air,
     engagement,
+    facts,
     fast_plunges,
     records,
     removal_rates,
@@ -64,9 +64,9 @@ def test_rates_follow_the_feed():
 
 def test_air_is_what_removes_nothing():
     z = cut([(10, 15, 6), (30, 15, 6), (10, 15, 6), (10, 15, 40), (10, 20, 40)], rapid=[2])
-    assert air_share(z) == pytest.approx(25 / 45)
+    assert facts(z).job.air_length_share == pytest.approx(25 / 45)
     nothing = cut([(10, 15, 20)])
-    assert air_share(nothing) == 0
+    assert facts(nothing).job.air_length_share == 0
 
 
 @pytest.mark.parametrize("direction", DIRECTIONS)
@@ -125,8 +125,6 @@ def test_short_moves_are_air_with_their_neighbours(lengths, rapid, removed, air)
     traced = SimpleNamespace(lengths=np.isin(np.arange(len(lengths)), removed) * 0.25)
     z = SimpleNamespace(cuts=Cuts([Cut(path, FLAT)]), records=traced, frame=SimpleNamespace(pixel=1.0))
     assert np.flatnonzero(cuts_air(z)).tolist() == air
-    total = sum(length for k, length in enumerate(lengths) if k not in rapid)
-    assert air_share(z) == pytest.approx(sum(lengths[k] for k in air) / total)
     # Another cut begins a new stretch, too.
     two = SimpleNamespace(cuts=Cuts([Cut(path, FLAT)] * 2), frame=z.frame,
                           records=SimpleNamespace(lengths=np.append(traced.lengths, 0 * traced.lengths)))  # fmt: skip

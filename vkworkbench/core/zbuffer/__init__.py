@@ -25,7 +25,6 @@ from vkworkbench.core.zbuffer.estimate import Estimate, Speed, estimate, estimat
 from vkworkbench.core.zbuffer.facts import (
     Crash,
     Plunge,
-    air_share,
     crashes,
     cuts_air,
     engagement,
@@ -46,7 +45,7 @@ from vkworkbench.core.zbuffer.speed import fit_speed, measure_speed
 __all__ = [
     "DEXEL", "FACT_COLUMNS", "RECORD_BYTES", "TOLERANCE", "TRACE", "WORK_UNITS", "Crash", "Cut", "CutFacts", "Cuts", "Deviation",
     "Deviations", "Estimate", "JobFacts", "OverBudget", "Plunge", "Resolution", "SeenModel",
-    "Source", "Speed", "ZBuffer", "air_share", "best_resolution", "cauchy_crofton", "check_budget",
+    "Source", "Speed", "ZBuffer", "best_resolution", "cauchy_crofton", "check_budget",
     "closed_form", "crashes", "cuts_air", "cuts_surely", "deviations", "engagement", "estimate", "estimate_job",
     "facts", "fast_plunges", "fit_speed", "gouges", "heaviest", "material_left", "may_cut", "measure_speed",
     "memory_needed", "most_bytes", "passes_apart", "removal_over_time", "removal_rates", "removed_volumes",

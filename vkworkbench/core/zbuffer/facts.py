@@ -64,18 +64,6 @@ def cuts_air(zbuffer: ZBuffer) -> np.ndarray:
     return result
 
 
-def air_share(zbuffer: ZBuffer) -> float:
-    """Share of the length of the feed moves that removes nothing, 0 to 1; 0 where there is none.
-
-    Parameters
-    ----------
-    zbuffer : ZBuffer
-    """
-    length = np.where(zbuffer.cuts.rapid, 0.0, zbuffer.cuts.lengths)
-    total = float(length.sum())
-    return float(length[cuts_air(zbuffer)].sum()) / total if total else 0.0
-
-
 def engagement(zbuffer: ZBuffer) -> tuple[np.ndarray, np.ndarray]:
     """Depth and width of cut of each trajectory, two arrays (n,) float64 mm, 0 where it removes nothing.
 
