@@ -50,7 +50,7 @@ def analyze(what=None, *, progress=None, cancelled=None):
     Raises
     ------
     ValueError
-        If `what` is None and no document is open, or an empty name.
+        If `what` is None and no document is open, or if a file's name is empty.
     TypeError
         If `what` is something else; without FreeCAD files and folders are all there is.
     Cancelled
