@@ -109,7 +109,7 @@ def test_it_refuses_what_cannot_be(small):
     op = small.add("First", slot(10.0))
     with pytest.raises(OverBudget, match="smaller image"):
         vkworkbench.simulate(op, memory_budget=1e6)
-    with pytest.raises(TypeError):
+    with pytest.raises(TypeError, match="only a document, a job or operations have toolpaths, not int"):
         vkworkbench.simulate(7)
     small.job.Stock = None
     with pytest.raises(Unusable, match="no stock"):

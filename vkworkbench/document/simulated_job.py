@@ -25,7 +25,7 @@ from vkworkbench.document.fingerprint import (
     text_of,
 )
 from vkworkbench.document.listing import Listing
-from vkworkbench.document.operations import Operation, find, is_document, is_imported, is_object
+from vkworkbench.document.operations import Operation, find, is_imported, is_object
 from vkworkbench.document.recognized import recognized, turns
 from vkworkbench.document.setting import (
     exact_box,
@@ -279,7 +279,7 @@ def copy_job(what=None) -> JobCopy:
         what = FreeCAD.ActiveDocument
         if what is None:
             raise ValueError("no document is open: open one with a job or a toolpath")
-    asked = [what] if is_object(what) or is_document(what) else list(what)
+    asked = list(what) if isinstance(what, Iterable) else [what]
     objects, job = _posted(asked)
     if not objects:
         raise Unusable(Message("nothing-to-simulate"))
