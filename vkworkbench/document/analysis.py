@@ -27,7 +27,15 @@ from vkworkbench.document.fingerprint import (
     text_of,
 )
 from vkworkbench.document.known import KNOWN, key_of
-from vkworkbench.document.operations import Operation, find, fixtures_of, has_controller, is_imported, is_there
+from vkworkbench.document.operations import (
+    Operation,
+    find,
+    fixtures_of,
+    has_controller,
+    is_imported,
+    is_there,
+    or_active_document,
+)
 from vkworkbench.document.path_prints import PATH_PRINTS
 from vkworkbench.document.recognized import recognized
 from vkworkbench.document.setting import NO_CONTROLLER, placed, rapid_feeds, read_stock, read_tool, tool_remark
@@ -77,16 +85,12 @@ def analyze(
     Cancelled
         If `cancelled` returned True.
     """
-    if what is None:
-        what = FreeCAD.ActiveDocument
-        if what is None:
-            raise ValueError("no document is open: open one with a job or a toolpath")
 
     def going_on() -> None:
         if cancelled is not None and cancelled():
             raise Cancelled("the analysis was cancelled; nothing has been changed")
 
-    operations = find(what)
+    operations = find(or_active_document(what))
     chosen = preferences.read()
     of_jobs = {(o.job.Document.Name, o.job.Name): o.job for o in operations if o.job is not None}
     jobs = {key: job.Label for key, job in of_jobs.items()}

@@ -11,7 +11,7 @@ import FreeCAD
 from vkworkbench import preferences
 from vkworkbench.document import marks, session
 from vkworkbench.document.fingerprint import Settings, path_and_setting, path_fingerprint
-from vkworkbench.document.operations import find, is_document, is_group, is_object, kind, members
+from vkworkbench.document.operations import find, is_document, is_group, is_object, kind, members, or_active_document
 from vkworkbench.report import OperationReport, Report
 
 
@@ -87,12 +87,8 @@ def clear(what=None) -> int:
     TypeError
         If `what` is something else.
     """
-    if what is None:
-        what = FreeCAD.ActiveDocument
-        if what is None:
-            raise ValueError("no document is open")
     marked: dict[str, dict] = {}
-    for obj in _with_jobs(what):
+    for obj in _with_jobs(or_active_document(what)):
         if marks.is_marked(obj):
             marked.setdefault(obj.Document.Name, {})[obj.Name] = obj
     for name, objects in marked.items():

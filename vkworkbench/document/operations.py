@@ -9,6 +9,8 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
 
+import FreeCAD
+
 from vkworkbench import freecad
 
 
@@ -111,6 +113,21 @@ def _listed(group) -> list:
 def is_group(obj) -> bool:
     """Whether it only holds other objects together: a folder of the tree, a part, or a compound of toolpaths."""
     return any(map(obj.isDerivedFrom, ("App::DocumentObjectGroup", "App::Part"))) or kind(obj) == "group"
+
+
+def or_active_document(what):
+    """Return what somebody asked for, the active document where that is None.
+
+    Raises
+    ------
+    ValueError
+        Where no document is open.
+    """
+    if what is None:
+        what = FreeCAD.ActiveDocument
+    if what is None:
+        raise ValueError("no document is open: open one with a job or a toolpath")
+    return what
 
 
 def find(what) -> list[Operation]:

@@ -25,7 +25,7 @@ from vkworkbench.document.fingerprint import (
     text_of,
 )
 from vkworkbench.document.listing import Listing
-from vkworkbench.document.operations import Operation, find, is_imported, is_object
+from vkworkbench.document.operations import Operation, find, is_imported, is_object, or_active_document
 from vkworkbench.document.recognized import recognized, turns
 from vkworkbench.document.setting import (
     exact_box,
@@ -275,10 +275,7 @@ def read_job(what=None) -> SimulatedJob:
 
 def copy_job(what=None) -> JobCopy:
     """Find what is to be simulated, to be copied; see :func:`vkworkbench.simulate`."""
-    if what is None:
-        what = FreeCAD.ActiveDocument
-        if what is None:
-            raise ValueError("no document is open: open one with a job or a toolpath")
+    what = or_active_document(what)
     asked = list(what) if isinstance(what, Iterable) else [what]
     objects, job = _posted(asked)
     if not objects:
