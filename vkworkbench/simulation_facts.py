@@ -19,7 +19,7 @@ from vkworkbench.text_table import line, printable, widths_of
 
 @dataclass(frozen=True)
 class SimulationFacts:
-    """What a simulation told.
+    """What a simulation told. Commands are counted from 0, as in ``Path.Commands``.
 
     Attributes
     ----------
