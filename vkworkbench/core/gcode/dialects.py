@@ -100,7 +100,7 @@ class Clues:
         self._printer: tuple[str, int] | None = None
         self._extrusions: list[int] = []
         self._wire: list[int] = []
-        self._along_y = False
+        self._names_y = self._along_y = False
 
     def g_code(self, number: int, letters: set[str], line: int) -> bool:
         """Note a G-code that tells a machine; return whether it is a lathe's."""
@@ -163,9 +163,10 @@ class Clues:
         if cuts and "U" in parameters and "V" in parameters:
             self._wire.append(line)
 
-    def along_y(self) -> None:
-        """Note that the program moves in Y, as no lathe does."""
-        self._along_y = True
+    def y(self, moves: bool) -> None:
+        """Note a Y word, and whether it moves the tool, as on no lathe: those for turning and milling name Y0 as well."""
+        self._names_y = True
+        self._along_y |= moves
 
     def other_machine(self) -> Message | None:
         """Return the other machine that the program is for, with the sign of it; None for a mill."""
@@ -175,7 +176,8 @@ class Clues:
             return Message("printing", name=name, line=line)
         if self._wire:
             return Message("wire", name="U, V", line=self._wire[0])
-        weak = None if self._mills else self._plane or self._slow or (None if self._changer else self._turret)
+        plane = None if self._names_y else self._plane
+        weak = None if self._mills else plane or self._slow or (None if self._changer else self._turret)
         turned = self._turning or weak or self._incremental
         if not self._along_y and turned:
             name, line = turned

@@ -135,6 +135,7 @@ class _Reader:
         self.first_unit: float | None = None
         self.motion = -1
         self.moved = False
+        self.y: float | None = None  # the last absolute one
         self.away: list[tuple[int, Message]] = []  # machine positions since the last move, which matter if one follows
         self.offset = 540, 0.0
         self.relative = False
@@ -447,7 +448,7 @@ class _Reader:
         if self.ended:
             self._problem(Message("goes-on"))
         if "Y" in move:
-            self.clues.along_y()
+            self._note_y(move["Y"])
         if mode in (20, 30) and parameters.get("P", 1.0) > 1:
             self._problem(Message("turns-not-read"))
         if mode in CYCLES and parameters.get("P", 0.0) > 0:
@@ -469,6 +470,13 @@ class _Reader:
             self.stands = stands
         for _ in range(repeats if self.relative else 1):
             self._add(name, move)
+
+    def _note_y(self, y: float) -> None:
+        if self.relative:
+            self.clues.y(y != 0)
+        else:
+            self.clues.y(self.y not in (None, y))
+            self.y = y
 
     def _repeats(self, mode: int, parameters: dict[str, float], move: dict[str, float]) -> int:
         """Return how often a cycle is made, and leave to `move` the words that tell its holes."""
