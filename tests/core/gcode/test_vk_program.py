@@ -479,6 +479,8 @@ def test_a_text_is_a_program_while_half_of_its_lines_are_words():
         ("G0 X52 Z2 G99\nG1 X48\nF0.2\nZ-20", "a program for a lathe (G99, line 1)"),
         ("G18 T1 M6\nG0 X50 Z2\nG1 Z-20 F.2", "a program for a lathe (G18, line 1)"),
         ("G99 G18\nG50 S4000\nG0 X50 Y0 Z2\nG96 S200 M3\nG1 Z-20 F.2\nG91 Y0", "a program for a lathe (G96, line 4)"),
+        ("G0 X50 Z1\nG1 Z0 F.1\nG3 X52 Z-1 I0 K-1", "a program for a lathe (K, line 3)"),
+        ("G0 X50 Z1\nG1 Z0 F.1\nG3 X52 Z-1 R1", "a program for a lathe (R, line 3)"),
         ("M104 S200\nG1 X5 Y5 Z.2 F600\nG1 X9 E1", "a program for a 3D printer (M104, line 1)"),
         ("G1 X0 Z0 F600\n" + "".join(f"X{i} E{i}\n" for i in range(1, 12)), "a program for a 3D printer (E, line 2)"),
         ("G1 X0 Y0 U0 V0 F100\nG1 X10 Y1 U10 V2", "a program for a wire cutter (U, V, line 1)"),
@@ -511,6 +513,8 @@ def test_a_milling_program_is_none_of_them(line):
         "G95 G99 G1 X9 F.2",
         "G90 X4 F.2",
         "Y0\nG18 G2 X20 Z-1 R5",
+        "Y0\nG3 I5 Z-3 K1",
+        "G3 I5 Z-3",
     ],
 )
 def test_nor_is_one_that_does_not_move_in_y(line):

@@ -163,6 +163,14 @@ class Clues:
         if cuts and "U" in parameters and "V" in parameters:
             self._wire.append(line)
 
+    def arc(self, letters: set[str], line: int) -> None:
+        """Note an arc in X and Z: a mill needs a G18 before it, a lathe knows no other plane."""
+        if self._plane is None and "Z" in letters and letters.isdisjoint("YJ"):
+            if "K" in letters:
+                self._plane = "K", line
+            elif {"X", "R"} <= letters:
+                self._plane = "R", line
+
     def y(self, moves: bool) -> None:
         """Note a Y word, and whether it moves the tool, as on no lathe: those for turning and milling name Y0 as well."""
         self._names_y = True

@@ -449,8 +449,10 @@ class _Reader:
             self._problem(Message("goes-on"))
         if "Y" in move:
             self._note_y(move["Y"])
-        if mode in (20, 30) and parameters.get("P", 1.0) > 1:
-            self._problem(Message("turns-not-read"))
+        if mode in (20, 30):
+            self.clues.arc(set(parameters), self.number)
+            if parameters.get("P", 1.0) > 1:
+                self._problem(Message("turns-not-read"))
         if mode in CYCLES and parameters.get("P", 0.0) > 0:
             self._problem(Message("dwell-untimed"))
         name = "" if motion is None else name_of(motion)
