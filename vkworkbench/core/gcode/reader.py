@@ -18,7 +18,7 @@ from vkworkbench.core.gcode.blocks import split_comments, split_words
 from vkworkbench.core.gcode.cycles import CHIP_BREAK, PECK
 from vkworkbench.core.gcode.program import Program
 from vkworkbench.core.gcode.units import INCH
-from vkworkbench.core.gcode.unread import ROTARY
+from vkworkbench.core.gcode.unread import PROBES, ROTARY
 from vkworkbench.core.gcode.words import CYCLES, MOTION_NAMES, MOTIONS, name_of
 from vkworkbench.core.toolpath import Problem
 from vkworkbench.language import Message
@@ -29,6 +29,7 @@ _STATE = frozenset([170, 180, 190, 800, 900, 901, 910, 911, 980, 990])
 # end of a mirror (G50.1), of which its beginning (G51.1) tells.
 _APART = frozenset([100, 280, 281, 300, 301, 310, 382, 383, 384, 385, 501, 530, 922, 923])
 _MACHINE = frozenset([280, 300, 530])  # those of them that move
+_PROBES = frozenset([310, *PROBES])
 _NUMBERED_OFFSETS = frozenset([541, 1540])  # by the P word
 _OFFSETS = _NUMBERED_OFFSETS | frozenset([
     540, 550, 560, 570, 580, 590, 591, 592, 593,
@@ -274,6 +275,8 @@ class _Reader:
                         self._displaced(code, words)
                     if code in _OFFSETS:
                         self.offset = _offset(code, words)
+                    if code in _PROBES and not letters.isdisjoint("XYZ"):
+                        self._problem(Message("probing-untimed"))
                     read_as = self._read_as(code, letters)
                     motion = motion if read_as is None else read_as
                     apart |= read_as is None and (code in _APART or self._other(code, words))
