@@ -47,6 +47,7 @@ _INCHES = frozenset([200, 700, 7000])
 _UNITS, _PATTERNS = _INCHES | frozenset([210, 710, 7100]), frozenset([700, 710, 720])
 _MACRO_CALLS = frozenset([650, 660])
 _CALLS = frozenset([("M", 98.0), ("M", 198.0), ("G", 65.0), ("G", 66.0)])  # of the program whose number is the P word
+_OUTPUTS = frozenset([67, 68])  # LinuxCNC's M-codes whose E and Q words are an analog output, as of a laser
 _CALL_LETTERS = frozenset("PpOo:")  # of calls, and of the programs in which they stand
 _SPLINES = frozenset([50, 51])
 _DWELLS = frozenset([40])
@@ -253,7 +254,7 @@ class _Reader:
 
     def _block(self, words: list[tuple[str, float]], letters: set[str]) -> bool:
         """Read the words of one line; return whether they end the program."""
-        motion, apart, ended, last, change = None, False, False, False, False
+        motion, apart, ended, last, change, output = None, False, False, False, False, False
         codes: list[int] = []
         parameters: dict[str, float] = {}
         for letter, value in words:
@@ -283,6 +284,7 @@ class _Reader:
             elif letter == "M":
                 change |= value == 6
                 ended |= self._m_code(value, letters)
+                output |= value in _OUTPUTS
                 last |= value in (2, 30)
             elif letter == "S":
                 self.spindle = value
@@ -290,6 +292,8 @@ class _Reader:
                 if letter in parameters:
                     self._problem(Message("word-twice", letter=letter))
                 parameters[letter] = value
+        if output:
+            parameters = {letter: value for letter, value in parameters.items() if letter not in "EQ"}
         self._take_tools([_whole(value, _MOST_TOOLS) for letter, value in words if letter == "T"], change)
         if "S" in letters and self.per_turn is not None:  # another speed is another feed
             parameters.setdefault("F", self.per_turn)
