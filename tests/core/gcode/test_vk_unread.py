@@ -89,6 +89,9 @@ def test_programs(line, problem):
         "G10 L1 P1 Z5",
         "M97",
         "M68 E0 Q100",
+        "M203 X200 Y200 Z5 E25",
+        "M204 P500 T1000",
+        "M2000 W1 P100",
         "G1 X5 M67 E2 Q25\n" * 12,
         "G90 G54 G0 X1",
         "G80 G0 X1",
@@ -98,6 +101,7 @@ def test_programs(line, problem):
 def test_words_that_say_nothing_of_the_way(line):
     program = read_program(f"G21 G90\nG0 X0 Y0 Z5\nG1 Z-1 F100\n{line}\nX10 Y3")
     assert program.problems == () and program.other is None
+    assert program.toolpath().points.max() <= 10
 
 
 def test_a_program_that_turns_says_so():

@@ -48,6 +48,8 @@ _UNITS, _PATTERNS = _INCHES | frozenset([210, 710, 7100]), frozenset([700, 710, 
 _MACRO_CALLS = frozenset([650, 660])
 _CALLS = frozenset([("M", 98.0), ("M", 198.0), ("G", 65.0), ("G", 66.0)])  # of the program whose number is the P word
 _OUTPUTS = frozenset([67, 68])  # LinuxCNC's M-codes whose E and Q words are an analog output, as of a laser
+_SETTINGS = frozenset([92, 201, 203, 204, 205, 206])  # of Marlin: its steps, speeds and accelerations are no targets
+_OTHERS_M_CODE = 1000  # from here on they are a vendor's own, as Snapmaker's M2000
 _CALL_LETTERS = frozenset("PpOo:")  # of calls, and of the programs in which they stand
 _SPLINES = frozenset([50, 51])
 _DWELLS = frozenset([40])
@@ -254,7 +256,8 @@ class _Reader:
 
     def _block(self, words: list[tuple[str, float]], letters: set[str]) -> bool:
         """Read the words of one line; return whether they end the program."""
-        motion, apart, ended, last, change, output = None, False, False, False, False, False
+        motion, apart, ended, last, change = None, False, False, False, False
+        taken: frozenset[str] = frozenset()  # letters of words that belong to an M-code
         codes: list[int] = []
         parameters: dict[str, float] = {}
         for letter, value in words:
@@ -284,7 +287,7 @@ class _Reader:
             elif letter == "M":
                 change |= value == 6
                 ended |= self._m_code(value, letters)
-                output |= value in _OUTPUTS
+                taken |= _words_of(value)
                 last |= value in (2, 30)
             elif letter == "S":
                 self.spindle = value
@@ -292,8 +295,9 @@ class _Reader:
                 if letter in parameters:
                     self._problem(Message("word-twice", letter=letter))
                 parameters[letter] = value
-        if output:
-            parameters = {letter: value for letter, value in parameters.items() if letter not in "EQ"}
+        if taken:
+            words = [(letter, value) for letter, value in words if letter not in taken]
+            parameters = {letter: value for letter, value in parameters.items() if letter not in taken}
         self._take_tools([_whole(value, _MOST_TOOLS) for letter, value in words if letter == "T"], change)
         if "S" in letters and self.per_turn is not None:  # another speed is another feed
             parameters.setdefault("F", self.per_turn)
@@ -556,6 +560,15 @@ class _Reader:
 def _offset(code: int, words: list[tuple[str, float]]) -> tuple[int, float]:
     """Return which work offset a G-code names; G54.1 and G154 have its number in P."""
     return code, dict(words).get("P", 0.0) if code in _NUMBERED_OFFSETS else 0.0
+
+
+def _words_of(m_code: float) -> frozenset[str]:
+    """Return the letters of the words that belong to an M-code, as far as they would be others without it."""
+    if m_code in _OUTPUTS:
+        return frozenset("EQ")
+    if m_code in _SETTINGS or m_code >= _OTHERS_M_CODE:
+        return frozenset("ABCEFIJKPQRTUVWXYZ")
+    return frozenset()
 
 
 def _whole(value: float, most: int) -> int:
