@@ -34,6 +34,7 @@ def sections(text):
         ('End mill 1/8"', None, "endmill", 3.175),
         ("1 1/4 FACE MILL", None, "endmill", 31.75),
         ("Fräser 3mm", None, "endmill", 3),
+        ("tool_radius = 1.5", None, "endmill", 3),
         ("6MM CRB 2FL 19 LOC", None, "endmill", 6),
         ("T4 | 3/8 FLAT ENDMILL | H4", 4, "endmill", 9.525),
         ('T01 = 1/2"  END MILL    03-0086', 1, "endmill", 12.7),
@@ -205,6 +206,14 @@ def test_the_tool_that_the_line_of_its_change_tells_stays():
     assert sections(f"T1 M6 (10MM ENDMILL)\nT2 M6\n(5MM DRILL)\n{CUT}") == [("5MM DRILL", 2, 5)]
     assert sections(f"(10MM ENDMILL)\nT1 M6\n(5MM DRILL)\n{CUT}") == [("5MM DRILL", 1, 5)]
     assert sections(f"(10MM ENDMILL)\n(5MM DRILL)\nT1 M6\n{CUT}") == [("10MM ENDMILL", 1, 10)]
+
+
+def test_at_its_change_a_diameter_alone_is_the_tools():
+    assert sections(f"T1 M6 (D26)\n{CUT}") == [("D26", 1, 26)]
+    assert sections(f"N1 T2 M6 (ID=002 - DIA 0.5)\n{CUT}") == [("ID=002 - DIA 0.5", 2, 0.5)]
+    assert sections(f"T1 M6 (D1)\n{CUT}") == [("D1", 1, None)]  # an offset
+    assert sections(f"T1 M6 (D26 X 50)\n{CUT}") == [("D26 X 50", 1, None)]
+    assert sections(f"T1 M6\n(D26)\n{CUT}")[0][2] is None
 
 
 def test_a_title_behind_a_tool_leaves_it_the_tool():

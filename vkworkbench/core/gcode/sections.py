@@ -142,7 +142,7 @@ def _groups(program: Program) -> list[_Group]:
         if name in ("", motion) and motion not in ("", "G0") and not _AXES.isdisjoint(words):
             cuts.append(at)
     marks.sort(key=lambda mark: mark[:2])
-    changes = {line for _, line, what in marks if not isinstance(what, str)}
+    changes = {line: None if what is None else int(what) for _, line, what in marks if not isinstance(what, str)}
     groups = [_Group(min([int(program.lines[0]), *(line for _, line, _ in marks[:1])]))]
     place, known = 0, groups[0].known
     for at, line, what in marks:
@@ -153,7 +153,7 @@ def _groups(program: Program) -> list[_Group]:
         if not isinstance(what, str):
             group.change, group.number = line, None if what is None else int(what)
             continue
-        told = tool_told(what, inches=program.inches)
+        told = tool_told(what, inches=program.inches, of=changes.get(line))
         change = line if line in changes else group.change
         if told is None:
             if group.change is None:

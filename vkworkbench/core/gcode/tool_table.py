@@ -3,7 +3,8 @@
 
 Fusion and HSMWorks write ``T1 D=6.35 CR=0. - ZMIN=-3. - flat end mill``, CamBam ``T6 : 6.0`` and
 ``TOOL/MILL,6.0,0.0,20.0,0``, Vectric and Estlcam ``End Mill {1/4 inch}`` and ``End mill 3mm``, Mastercam and CAMWorks
-``T4 | 3/8 FLAT ENDMILL`` and ``6MM CRB 2FL``, Fabex ``Tool: D = 3.0 mm type END``, FreeCAD ``TC: 5mm Endmill``.
+``T4 | 3/8 FLAT ENDMILL`` and ``6MM CRB 2FL``, Fabex ``Tool: D = 3.0 mm type END``, FreeCAD ``TC: 5mm Endmill``, PyCAM
+``tool_radius = 1.5``.
 """
 
 from __future__ import annotations
@@ -42,6 +43,7 @@ _WORD = re.compile(
     re.IGNORECASE,
 )
 _BEFORE = re.compile(rf"(?<![\d.,/]){_SIZE}{_UNIT}\s*\bdia(?:meter|m)?\b", re.IGNORECASE)
+_RADIUS = re.compile(rf"\btool radius\s*[:=]\s*{_SIZE}{_UNIT}", re.IGNORECASE)
 _CAMBAM = re.compile(rf"T\d+\s*:\s*(?P<size>{_NUMBER})", re.IGNORECASE)
 _CUTVIEWER = re.compile(
     r"TOOL/(?P<kind>MILL|DRILL|CHAMFER)\s*,\s*(?P<size>[\d.]+)(?:\s*,\s*(?P<second>[\d.]+))?", re.IGNORECASE
@@ -107,7 +109,7 @@ class ToldTool:
 
 
 @lru_cache(maxsize=1000)
-def tool_told(comment: str, *, inches: bool) -> ToldTool | None:
+def tool_told(comment: str, *, inches: bool, of: int | None = None) -> ToldTool | None:
     """Return the tool that a comment describes, None where it names no diameter.
 
     Parameters
@@ -116,15 +118,19 @@ def tool_told(comment: str, *, inches: bool) -> ToldTool | None:
         Without its parentheses.
     inches : bool
         Whether lengths without a unit are inches, as G20 says. A fraction (1/4) is always one of an inch.
+    of : int, optional
+        The tool to which the comment's line changes: there a diameter is the tool's without a word that says so.
     """
     if len(comment) > _LONGEST:
         return None
     comment = _FLUTES.sub("", comment.replace("_", " "))
     number = _NUMBERED.search(comment)
-    size = _size(comment, number)
+    size = _size(comment, number) or (None if of is None else _size_alone(comment, of))
     if size is None:
         return None
     diameter = _millimetres(size, inches or _also_a_fraction(comment, size))
+    if size.re is _RADIUS:
+        diameter *= 2
     if not 0 < diameter <= _LARGEST:
         return None
     return ToldTool(number_named(comment), _tool(comment, size, diameter, inches))
@@ -144,7 +150,7 @@ def _size(comment: str, number: re.Match[str] | None) -> re.Match[str] | None:
     is_tool = _IS_TOOL.search(comment) is not None
     if number is None and not is_tool and not re.search(r"\btool", comment, re.IGNORECASE):
         return None
-    explicit = _LETTER.search(comment) or _WORD.search(comment) or _BEFORE.search(comment)
+    explicit = _LETTER.search(comment) or _WORD.search(comment) or _BEFORE.search(comment) or _RADIUS.search(comment)
     if explicit or not (is_tool or _LISTED.match(comment)) or len(comment) > _LONGEST_NAME:
         return explicit
     if number is not None:  # "tool 1 1/4" is no tool of 1 1/4
@@ -157,6 +163,12 @@ def _size(comment: str, number: re.Match[str] | None) -> re.Match[str] | None:
     if size is None or (number is None and _is_bare(size)):  # the tool's number may stand before the tool word, too
         return _NO_LENGTH.search(comment) or _SHORT.search(comment) or size
     return size
+
+
+def _size_alone(comment: str, tool: int) -> re.Match[str] | None:
+    """Return the diameter in a comment that need not say that it is about a tool; D with that tool's number is an offset."""
+    size = _WORD.search(comment) or _SHORT.fullmatch(comment.strip())
+    return None if size is None or size["size"] == str(tool) else size
 
 
 def _without_offsets(comment: str, number: re.Match[str] | None) -> str:
