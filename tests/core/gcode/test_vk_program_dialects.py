@@ -32,6 +32,13 @@ def test_the_offsets_of_haas_have_numbers():
     ]
 
 
+def test_the_offsets_of_an_okuma():
+    begin = "G15 H1\nG21 G90\nG0 X0 Y0\nG56 HA Z5\nG1 Z-1 F60\nG41 DA X10 Y2\nG40\nG55 H2 Z7\nG15 H1\n"
+    assert said(begin) == ["cutter compensation (G41) is not followed: the path is the programmed one (line 6)"]
+    assert read_program(begin).toolpath().points[:, 2].tolist() == [5, -1, -1, 7]
+    assert said(begin + "G15 H2\nX5")[-1] == "coordinates that G15 changes are read as if it were not there (line 10)"
+
+
 @pytest.mark.parametrize(
     "code", ["G450", "G451", "G601", "G602", "G603", "G641", "G642", "G643", "G644", "G645", "G43.4 H11", "G43.5 H11"]
 )

@@ -36,6 +36,8 @@ _OFFSETS = _NUMBERED_OFFSETS | frozenset([
     *range(1100, 1300, 10),  # of Haas
     5000, *range(5050, 6000, 10),  # of Siemens
 ])  # fmt: skip
+_OKUMA_OFFSET = 150  # G15 with an H word; its G54 to G56 H are lengths of tools, also HA to HC, which have no number
+_OKUMA_LETTERS = re.compile(r"(?<![A-Z])([HD])[ABC](?![A-Z\d=])")
 _HARMLESS = _OFFSETS | frozenset([
     80, 90, 110, 150, 200, 210, 400, 401, 410, 411, 412, 420, 421, 422, 430, 431, 432, 434, 435, 440, 490, 500, 600,
     610, 611, 620, 630, 640, 670, 690, 700, 710, 921, 930, 940, 950, 960, 970, 1030, 1870,
@@ -51,6 +53,7 @@ _OUTPUTS = frozenset([67, 68])  # LinuxCNC's M-codes whose E and Q words are an 
 _SETTINGS = frozenset([92, 201, 203, 204, 205, 206])  # of Marlin: its steps, speeds and accelerations are no targets
 _OTHERS_M_CODE = 1000  # from here on they are a vendor's own, as Snapmaker's M2000
 _CALL_LETTERS = frozenset("PpOo:")  # of calls, and of the programs in which they stand
+_BORING = 860  # as which G76 is read, whose I and J move the tool aside before it is lifted
 _SPLINES = frozenset([50, 51])
 _DWELLS = frozenset([40])
 # Heidenhain's DIN/ISO: the codes that mean what they mean elsewhere, and those of blank and tools, which move nothing.
@@ -142,6 +145,7 @@ class _Reader:
         self.y: float | None = None  # the last absolute one
         self.away: list[tuple[int, Message]] = []  # machine positions since the last move, which matter if one follows
         self.offset = 540, 0.0
+        self.okuma = False
         self.relative = False
         self.feed_mode = 940
         self.spindle = 0.0
@@ -236,6 +240,9 @@ class _Reader:
                 self._problem(Message("word-not-read", letter=f",{letter}"))
             code = _CORNER.sub(" ", code)
             words, rest = split_words(code)
+        if "H" in rest or "D" in rest:
+            code = _OKUMA_LETTERS.sub(r"\g<1>0", code)
+            words, rest = split_words(code)
         if "=" in rest:
             code = _EQUALS.sub(lambda word: word[1] or "R", code)
             words, rest = split_words(code)
@@ -275,10 +282,7 @@ class _Reader:
                 elif code in _STATE:
                     self._state(code)
                 else:
-                    if self.moved:
-                        self._displaced(code, words)
-                    if code in _OFFSETS:
-                        self.offset = _offset(code, words)
+                    self._displaced(code, words, letters)
                     if code in _PROBES and not letters.isdisjoint("XYZ"):
                         self._problem(Message("probing-untimed"))
                     read_as = self._read_as(code, letters)
@@ -358,13 +362,16 @@ class _Reader:
             return False
         return value == 99
 
-    def _displaced(self, code: int, words: list[tuple[str, float]]) -> None:
+    def _displaced(self, code: int, words: list[tuple[str, float]], letters: set[str]) -> None:
         """Tell where a G-code leaves the coordinates of the moves before: nothing in the program tells how far."""
-        if (code == _DATA and dict(words).get("L") in _ORIGINS) or (
-            code in _OFFSETS and _offset(code, words) != self.offset
-        ):
+        self.okuma |= code == _OKUMA_OFFSET and "H" in letters
+        offset, before = _offset(code, words, self.okuma), self.offset
+        self.offset = offset or before
+        if not self.moved:
+            return
+        if (code == _DATA and dict(words).get("L") in _ORIGINS) or offset not in (None, before):
             self._problem(Message("coordinates-not-changed", name=name_of(code)))
-        elif code in _MACHINE and any(letter in "XYZ" for letter, _ in words):
+        elif code in _MACHINE and not letters.isdisjoint("XYZ"):
             self.away.append((self.number, Message("machine-position", name=name_of(code))))
 
     def _state(self, code: int) -> None:
@@ -383,7 +390,7 @@ class _Reader:
             self._problem(Message("spline-as-line", name=name_of(code)))
             return 10
         if code == 760 and "R" in letters and ("Y" in letters or "P" not in letters):
-            return 860  # fine boring; a lathe's G76, which cuts threads, has other words
+            return _BORING  # a lathe's G76, which cuts threads, has other words
         return None
 
     def _other(self, code: int, words: list[tuple[str, float]]) -> bool:
@@ -504,6 +511,9 @@ class _Reader:
             for one in pecks:
                 self._problem(Message("word-not-read", letter=one))
             letter = "L"
+        elif mode not in (CHIP_BREAK, PECK, _BORING):  # a Fagor's depth is I, and its Z the level before it
+            for one in sorted({"I", "J"} & parameters.keys()):
+                self._problem(Message("word-not-read", letter=one))
         repeats = _whole(parameters.get(letter, 1.0), _MOST_REPEATS)
         if repeats > 1 and not self.relative:
             self._problem(Message("repeats-not-read", letter=letter))
@@ -557,8 +567,12 @@ class _Reader:
         return changed
 
 
-def _offset(code: int, words: list[tuple[str, float]]) -> tuple[int, float]:
-    """Return which work offset a G-code names; G54.1 and G154 have its number in P."""
+def _offset(code: int, words: list[tuple[str, float]], okuma: bool) -> tuple[int, float] | None:
+    """Return which work offset a G-code names, None where it names none; G54.1 and G154 have its number in P."""
+    if okuma:
+        return (code, dict(words).get("H", 0.0)) if code == _OKUMA_OFFSET else None
+    if code not in _OFFSETS:
+        return None
     return code, dict(words).get("P", 0.0) if code in _NUMBERED_OFFSETS else 0.0
 
 
