@@ -70,7 +70,7 @@ def test_a_time_with_a_dwell_is_the_least():
     ("G10 L2 P1 X5", ("coordinates-not-changed", "G10")), ("G10 L20 P1 X0", ("coordinates-not-changed", "G10")),
     ("G7.1 C20", ("coordinates-not-changed", "G7.1")), ("G7", ("unknown-code", "'G7'")),
     ("G76 P1 Z-2 Q1", ("unknown-code-with-words", "Z", "'G76'")),
-    ("G81 R2 Z-2 I-20\nG80", ("word-not-read", "I")), ("G15 H1", ("coordinates-not-changed", "G15")),
+    ("$H", ("words-not-read",)), ("G81 R2 Z-2 I-20\nG80", ("word-not-read", "I")), ("G15 H1", ("coordinates-not-changed", "G15")),
 ])  # fmt: skip
 def test_programs(line, problem):
     program = read_program(f"G21 G90\nG0 X0 Y0 Z5\nG1 Z-1 F100\n{line}\nX10 Y3")
@@ -90,6 +90,8 @@ def test_programs(line, problem):
         "G10 L1 P1 Z5",
         "M97",
         "G76 Y1 Z-2 R1 I1\nG80",
+        "$X",
+        "$$\n$G\n?",
         "M68 E0 Q100",
         "M203 X200 Y200 Z5 E25",
         "M204 P500 T1000",

@@ -69,6 +69,7 @@ _MOST_CODES, _MOST_TOOLS, _MOST_REPEATS = 1000, 99_999_999, 10_000
 _FLOW = re.compile(r"\b(IF|THEN|ELSE|WHILE|GOTO|DO\s*\d|END\s*\d|ENDIF|ENDWHILE|REPEAT)|^O\s*[\d<].*\b(SUB|CALL|DO)\b")
 _BLOCK_DELETE = re.compile(r"^(N\s*\d+\s*)?(?:/\d?\s*)+")
 _NUMBER = re.compile(r"[O:]\s*(\d{1,8})\b(?!\s*[A-Z]{2})")
+_QUERY = re.compile(r"\?|\$[$#GINXC]?")  # of grbl: they ask or unlock it, and move nothing
 _RETURN = re.compile(r"M\s*99(?!\d)")
 # By which Fanuc rounds or chamfers the corner behind a move, or tells its direction.
 _CORNER = re.compile(r",\s*([RCA])\s*[-+]?(?:\d+\.?\d*|\.\d+)")
@@ -184,6 +185,8 @@ class _Reader:
             code, comments = "", [line.strip()[4:].strip()]
         if not code:
             self._keep(comments)
+            return False
+        if code[0] in "$?" and _QUERY.fullmatch(code):
             return False
         if code[0] in "O:":
             if self.ended:
