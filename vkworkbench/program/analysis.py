@@ -33,6 +33,7 @@ from vkworkbench.core.gcode import (
 )
 from vkworkbench.core.recognition import recognize_inches, unknown
 from vkworkbench.core.simulators import Conditions, Task, predict
+from vkworkbench.core.toolpath import Problem
 from vkworkbench.language import Message, Unusable
 from vkworkbench.preferences import Preferences
 from vkworkbench.program.files import find_programs, read_bytes, text_of
@@ -137,29 +138,30 @@ def _rows(
         found = recognize(toolpath)
         read = all(problem.of_time for problem in toolpath.problems)  # else what is not read may be what cuts
         return [
-            replace(row, counted=read, recognition=found, trajectories=len(toolpath), machining=_machining(toolpath),
-                    remarks=remarks)
+            replace(row, counted=read, recognition=found, trajectories=len(toolpath),
+                    machining=_machining(toolpath, toolpath.problems), remarks=remarks)
         ]  # fmt: skip
     stock = _stock(toolpath, [section.tool for _, section in cutting])
     lost = [Message("inches-as-millimetres")] if not program.unit_told and looks_like_inches(toolpath) else []
     if looks_like_increments(toolpath, inches=program.inches):
         lost.append(Message("increments-as-units"))
     starts = [section.first for _, section in cutting]
-    remarks: list[list[Message]] = [[] for _ in cutting]
+    problems: list[list[Problem]] = [[] for _ in cutting]
     for problem in toolpath.problems:  # each is told with the operation in which it first occurs
-        remarks[max(bisect_right(starts, problem.command) - 1, 0)].append(at_line(problem))
+        problems[max(bisect_right(starts, problem.command) - 1, 0)].append(problem)
     undivided = len(cutting) == 1  # no title and no tool change tells whether it is one operation
     return [
-        _row(path, program, part, section, stock, chosen, [*lost, *said], undivided)
-        for (part, section), said in zip(cutting, remarks)
+        _row(path, program, part, section, stock, chosen, lost, its_own, undivided)
+        for (part, section), its_own in zip(cutting, problems)
     ]
 
 
 def _row(
     path: Path, program: Program, part: Toolpath, section: Section, stock: Stock | None, chosen: Preferences,
-    remarks: list[Message], undivided: bool,
+    lost: list[Message], problems: list[Problem], undivided: bool,
 ) -> OperationReport:  # fmt: skip
     """Return the row of one operation."""
+    remarks = [*lost, *map(at_line, problems)]
     unlike_milling = program.other or _turned(program, section)
     row = replace(
         unread(path, unlike_milling or Message("no-cutting-move")),
@@ -184,7 +186,7 @@ def _row(
     else:
         remarks = [*remarks, Message("tool-not-told")]
     return replace(
-        row, recognition=found, machining=_machining(part), costs=costs, advice=advice, remarks=tuple(remarks)
+        row, recognition=found, machining=_machining(part, problems), costs=costs, advice=advice, remarks=tuple(remarks)
     )
 
 
@@ -194,12 +196,13 @@ def _turned(program: Program, section: Section) -> Message | None:
     return None if line is None else Message("rotary", line=line)
 
 
-def _machining(part: Toolpath) -> Machining:
+def _machining(part: Toolpath, problems: Iterable[Problem]) -> Machining:
     """Return lengths and times; a program has no tool controller that could say how fast rapids are."""
     found = machining(part)
     left_out = [message for message in found.left_out if message.code == "cutting-untimed"]
     if found.rapid_length:
         left_out.append(Message("rapids-not-told", length=found.rapid_length))
+    left_out += [at_line(problem) for problem in problems if problem.takes_time]
     return replace(found, left_out=tuple(left_out))
 
 

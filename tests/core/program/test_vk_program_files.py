@@ -202,6 +202,15 @@ def test_one_operation_is_no_operations(tmp_path):
     assert "face.nc: 1 operation " in str(vkworkbench.analyze(str(path)))
 
 
+def test_a_time_without_a_dwell_is_the_least(tmp_path):
+    path = tmp_path / "laser.nc"
+    path.write_text("G21 G90\nF600\n(A)\nG1 X0 Y0 Z0\nX50\nG4 P600\nX0\n(B)\nX9\n")
+    first, second = vkworkbench.analyze(path).operations
+    assert (first.machining.seconds, first.machining.complete, second.machining.complete) == (10, False, True)
+    path.write_text("G21 G90\nF600\nG1 X0 Y0 Z0\nG38.2 Z-5\nX50\n")
+    assert not vkworkbench.analyze(path).operations[0].machining.complete
+
+
 def test_the_stock_of_a_program_holds_what_its_largest_tool_cuts(tmp_path):
     path = tmp_path / "two.nc"
     cut = "G0 X0 Y0 Z5\nG1 Z-1 F600\nX40\nG0 Z5\n"
