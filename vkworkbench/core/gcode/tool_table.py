@@ -71,6 +71,10 @@ _ATTACHED = re.compile(
     rf"(?<![\w.,/#]){_SIZE}(?P<across>{_ACROSS}){_UNIT}(?:\s*(?:flat|square|stub|hss))*(?=\s*(?:{_MILLING_WORD}))",
     re.IGNORECASE,
 )
+# DRILL 8.5; a whole number there may be anything, and behind a pointed tool it is an angle.
+_BEHIND = re.compile(
+    rf"(?<![a-zà-ÿа-я])(?:{_MILLING_WORD})\s*(?P<size>{_FRACTION}|\d+[.,]\d*|[.,]\d+)(?P<unit>)$", re.IGNORECASE
+)
 # A number in a table of drills, and that of an operation.
 _OTHER_NUMBER = re.compile(r"(?:#|\b(?:no|nr|op)\b\.?|\bnumber)\s*\d+(?![./\d])", re.IGNORECASE)
 # M8 X 1.25, 1/4-20: a thread's diameter, and its pitch or turns per inch. Of a pipe's thread the inches are no measure.
@@ -89,7 +93,7 @@ _SHAPES = (
     ("ballend", r"ball|kugel|radiusfr|esf.rica|h.misph|сферич"),
     ("bullnose", r"bull|torus|corner"),
     ("vbit", r"v[- ]?bit|v-?carv|chamfer|engrav|conical|gravier|fase|center|spot|countersink|гравер|senker|chafl"),
-    ("drill", r"drill|bohrer|broca|foret|сверло"),
+    ("drill", r"drill|bohrer|broca|foret|sverlo|сверло"),
 )
 
 
@@ -168,6 +172,8 @@ def _size(comment: str, number: re.Match[str] | None) -> re.Match[str] | None:
 def _size_alone(comment: str, tool: int) -> re.Match[str] | None:
     """Return the diameter in a comment that need not say that it is about a tool; D with that tool's number is an offset."""
     size = _WORD.search(comment) or _SHORT.fullmatch(comment.strip())
+    if size is None and not _TAP.search(comment) and _shape(comment) != "vbit":
+        size = _BEHIND.search(comment.strip())
     return None if size is None or size["size"] == str(tool) else size
 
 
@@ -208,7 +214,7 @@ def _tool(comment: str, size: re.Match[str], diameter: float, inches: bool) -> T
     """Return the tool; impossible measures are not used."""
     unit = INCH if inches else 1.0
     kind = size.groupdict().get("kind")
-    shape = next((shape for shape, words in _SHAPES if re.search(words, comment, re.IGNORECASE)), "endmill")
+    shape = _shape(comment)
     corner = _CORNER.search(comment)
     rounding = float(corner["size"].replace(",", ".")) * unit if corner else 0.0
     if kind and size["second"] and kind.upper() == "MILL":
@@ -221,6 +227,10 @@ def _tool(comment: str, size: re.Match[str], diameter: float, inches: bool) -> T
     if shape in ("vbit", "drill"):
         return Tool(shape, diameter, tip_angle=_tip_angle(comment))
     return Tool("endmill" if shape == "bullnose" else shape, diameter)
+
+
+def _shape(comment: str) -> str:
+    return next((shape for shape, words in _SHAPES if re.search(words, comment, re.IGNORECASE)), "endmill")
 
 
 def _tip_angle(comment: str) -> float | None:
