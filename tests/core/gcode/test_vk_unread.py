@@ -91,6 +91,7 @@ def test_programs(line, problem):
         "M97",
         "G76 Y1 Z-2 R1 I1\nG80",
         "$X",
+        "POPEN\nDPRNT[TIME*(HHMMSS):*#3021[60]]\nPCLOS",
         "$$\n$G\n?",
         "M68 E0 Q100",
         "M203 X200 Y200 Z5 E25",
@@ -105,7 +106,7 @@ def test_programs(line, problem):
 def test_words_that_say_nothing_of_the_way(line):
     program = read_program(f"G21 G90\nG0 X0 Y0 Z5\nG1 Z-1 F100\n{line}\nX10 Y3")
     assert program.problems == () and program.other is None
-    assert program.toolpath().points.max() <= 10
+    assert program.toolpath().points.max() <= 10 and not program.comments
 
 
 def test_a_program_that_turns_says_so():

@@ -69,7 +69,8 @@ _MOST_CODES, _MOST_TOOLS, _MOST_REPEATS = 1000, 99_999_999, 10_000
 _FLOW = re.compile(r"\b(IF|THEN|ELSE|WHILE|GOTO|DO\s*\d|END\s*\d|ENDIF|ENDWHILE|REPEAT)|^O\s*[\d<].*\b(SUB|CALL|DO)\b")
 _BLOCK_DELETE = re.compile(r"^(N\s*\d+\s*)?(?:/\d?\s*)+")
 _NUMBER = re.compile(r"[O:]\s*(\d{1,8})\b(?!\s*[A-Z]{2})")
-_QUERY = re.compile(r"\?|\$[$#GINXC]?")  # of grbl: they ask or unlock it, and move nothing
+# What asks or unlocks a grbl, and what a Fanuc or Haas prints: nothing of it moves.
+_SAYS = re.compile(r"\?|\$[$#GINXC]?|POPEN|PCLOS|[BD]PRNT\s*\[.*")
 _RETURN = re.compile(r"M\s*99(?!\d)")
 # By which Fanuc rounds or chamfers the corner behind a move, or tells its direction.
 _CORNER = re.compile(r",\s*([RCA])\s*[-+]?(?:\d+\.?\d*|\.\d+)")
@@ -186,7 +187,7 @@ class _Reader:
         if not code:
             self._keep(comments)
             return False
-        if code[0] in "$?" and _QUERY.fullmatch(code):
+        if code[0] in "$?PBD" and _SAYS.fullmatch(code):
             return False
         if code[0] in "O:":
             if self.ended:
