@@ -222,6 +222,16 @@ def test_a_shallow_ball_reaches_as_wide_as_its_chord():
     assert area(z) == pytest.approx(2 * half_width * hypot(20, 10) + pi * half_width**2, rel=0.01)
 
 
+@pytest.mark.parametrize("rise", [4, -4])
+def test_rays_just_above_the_path_of_a_bull_nose_that_climbs_or_falls(rise):
+    """Half the tool is before its axis and half behind it: its lowest point is neither the middle of these nor above it."""
+    z = cut([(-5, 15, 4 - rise), (45, 15, 4 + rise)], TOOLS[2], width=401, height=301)
+    slope = abs(rise) / 25
+    expected = 4 - 2 * slope + 1 - hypot(1, slope)  # 2 mm are flat, a corner has 1 mm
+    assert z.frame.origins(*z.frame.pixel_centres(np.array([200]), np.array([150])))[0].tolist() == [20, 15, 5]
+    assert 5 - z.picture.depth.reshape(301, 401)[149:152, 200] == pytest.approx(expected, abs=1e-2)
+
+
 @pytest.mark.parametrize(
     "arguments, words",
     [

@@ -138,8 +138,8 @@ def _bisected(
         middle = (low + high) / 2
         r = np.sqrt(aside2 + middle**2)
         beyond = np.clip(r - flat, 0, tool.rounding)
-        # d/dv of the profile, multiplied by its positive denominator.
-        rising = beyond * middle + slope * r * np.sqrt(tool.rounding**2 - beyond**2) > 0
+        # d/dv of the profile, multiplied by its positive denominator; on the flat, and on its axis, any will do.
+        rising = beyond * middle + slope * np.maximum(r, flat) * np.sqrt(tool.rounding**2 - beyond**2) > 0
         high = np.where(rising, middle, high)
         low = np.where(rising, low, middle)
     result: np.ndarray = (low + high) / 2
