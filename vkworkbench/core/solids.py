@@ -16,6 +16,9 @@ from vkworkbench.language import Message, Unusable
 
 SHAPES = ("endmill", "ballend", "bullnose", "vbit", "drill")
 LARGEST, SMALLEST = 1e6, 1e-6  # mm; no machine has more, no document keeps less
+# A view tilted by less than this, rad, is vertical: it shows nothing else, a camera's rounding would tell which side of the
+# image is up, and rays so steep pass the walls of tools where rounding decides.
+VERTICAL = 1e-5
 _DEFAULT_TIP_ANGLE = {"vbit": pi / 3, "drill": 118 * pi / 180}
 
 
@@ -348,7 +351,7 @@ class View:
         """Return the image's axes, centre and pixel for this stock."""
         direction = np.array(self.direction) / np.linalg.norm(self.direction)
         sine = np.hypot(direction[0], direction[1])
-        if sine < 1e-9:
+        if sine < VERTICAL:
             direction = np.array([0.0, 0.0, np.sign(direction[2])])
             right = np.array([1.0, 0.0, 0.0])
         else:

@@ -50,6 +50,9 @@ def test_the_part_follows_the_hand():
 def test_turning_from_straight_above_keeps_the_image_upright():
     a, b = View((0, 0, -1)).frame(STOCK), View(turned((0, 0, -1), 0, 0)).frame(STOCK)
     assert b.right == pytest.approx(a.right, abs=2e-3) and b.up == pytest.approx(a.up, abs=2e-3)
+    assert turned(direction_of((3e-8, -4e-8, 0, 1)), 0, 0) == pytest.approx(
+        turned((0, 0, -1), 0, 0)
+    )  # a camera's rounding
     steep = turned((0, 0, -1), 0, -9.0)
     assert steep[2] > -1 and np.isfinite(View(steep).frame(STOCK).right).all()
     over = turned((0, 1, -1), 0, -9.0)  # it stops before the part would stand on its head

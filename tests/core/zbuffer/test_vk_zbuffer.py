@@ -232,6 +232,15 @@ def test_rays_just_above_the_path_of_a_bull_nose_that_climbs_or_falls(rise):
     assert 5 - z.picture.depth.reshape(301, 401)[149:152, 200] == pytest.approx(expected, abs=1e-2)
 
 
+@pytest.mark.parametrize("down", [-1, 1])
+@pytest.mark.parametrize("tilt", [3e-8, 3e-6])
+def test_a_view_that_is_vertical_but_for_the_rounding_of_a_camera_is_vertical(tilt, down):
+    points = [(5, 5, 12), (33.2, 17.3, 4), (30, 20, 9), (3, 21, -2), (28, 4, 3)]
+    ours, exact = (cut(points, TOOLS[4], direction=(x, x / 3, down), width=80, height=60).records for x in (tilt, 0))
+    for column in ("index", "entry", "far", "owner"):
+        assert np.array_equal(getattr(ours, column), getattr(exact, column))
+
+
 @pytest.mark.parametrize(
     "arguments, words",
     [

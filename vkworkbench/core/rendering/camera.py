@@ -7,7 +7,7 @@ from math import atan2, cos, hypot, pi, sin
 
 import numpy as np
 
-from vkworkbench.core.solids import Frame
+from vkworkbench.core.solids import VERTICAL, Frame
 
 # As near to the vertical as turning comes: there the image would have no upright.
 _STEEPEST = pi / 2 - 1e-3
@@ -31,7 +31,7 @@ def turned(direction: tuple[float, float, float], across: float, up: float) -> t
     x, y, z = direction
     level = hypot(x, y)
     # From straight above or below the image stands upright with Y up: the eye looks along Y.
-    azimuth = atan2(y, x) if level > 1e-9 * abs(z) else pi / 2
+    azimuth = atan2(y, x) if level > VERTICAL * abs(z) else pi / 2
     height = min(max(atan2(z, level) + up, -_STEEPEST), _STEEPEST)
     azimuth -= across
     return cos(height) * cos(azimuth), cos(height) * sin(azimuth), sin(height)
