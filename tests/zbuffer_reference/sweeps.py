@@ -176,20 +176,18 @@ def _straight_chord(
 
 def _cone_chord(k: float, tangent: float, x: np.ndarray, level: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Interval of y with ``k * hypot(x, y) <= level - tangent * y``."""
-    if abs(k - abs(tangent)) < 1e-7:
-        # A ray parallel to the cone: the quadratic loses its square.
-        k = abs(tangent) + 1e-7
-    square = k**2 - tangent**2
-    root2 = level**2 - square * x**2
-    root = k * np.sqrt(np.maximum(root2, 0))
-    if square > 0:
-        inside = (root2 >= 0) & (level >= 0)
-        low = np.where(inside, (-level * tangent - root) / square, np.inf)
-        return low, (-level * tangent + root) / square
+    # a y^2 + 2 b y + c = 0, solved without a difference of what is about equal.
+    a, b, c = (k - abs(tangent)) * (k + abs(tangent)) or 1e-300, level * tangent, k**2 * x**2 - level**2
+    q = -b - np.copysign(k * np.sqrt(np.maximum(level**2 - a * x**2, 0)), b)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        ends = q / a, np.where(q != 0, c / q, 0.0)
+    low, high = np.minimum(*ends), np.maximum(*ends)
+    if a > 0:
+        inside = (level**2 >= a * x**2) & (level >= 0)
+        return np.where(inside, low, np.inf), high
     # The ray is steeper than the cone: it stays inside once inside, on the side where it goes up.
-    if tangent > 0:
-        return np.full_like(x, -np.inf), (-level * tangent + root) / square
-    return (-level * tangent - root) / square, np.full_like(x, np.inf)
+    endless = np.full_like(x, np.inf)
+    return (-endless, low) if tangent > 0 else (high, endless)
 
 
 def _straight_sides(

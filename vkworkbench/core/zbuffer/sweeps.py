@@ -250,20 +250,21 @@ def _straight_chord(
 
 def _cone_chord(k: float, tangent: float, x: np.ndarray, level: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Interval of y with ``k * hypot(x, y) <= level - tangent * y``."""
-    if abs(k - abs(tangent)) < 1e-7:
-        # A ray parallel to the cone: the quadratic loses its square.
-        k = abs(tangent) + 1e-7
-    square = k**2 - tangent**2
+    steep = abs(tangent)
+    square = (k - steep) * (k + steep)
     root2 = level**2 - square * x**2
     root = k * np.sqrt(np.maximum(root2, 0))
+    # Of the two solutions that on the side where the ray goes down, from their product: where the ray is about parallel to
+    # the cone, the other one is far away, and a difference would leave rounding alone.
+    reach = level * steep + root
+    down = divide((level - k * np.abs(x)) * (level + k * np.abs(x)), reach)
     if square > 0:
-        inside = (root2 >= 0) & (level >= 0)
-        low = np.where(inside, (-level * tangent - root) / square, np.inf)
-        return low, (-level * tangent + root) / square
-    # The ray is steeper than the cone: it stays inside once inside, on the side where it goes up.
-    if tangent > 0:
-        return np.full_like(x, -np.inf), (-level * tangent + root) / square
-    return (-level * tangent - root) / square, np.full_like(x, np.inf)
+        up = np.where((root2 >= 0) & (level >= 0), reach / square, -np.inf)
+    else:  # the ray stays inside once inside, on the side where it goes up
+        up = np.full_like(x, np.inf)
+        below = (root - level * steep) / square if square else -np.inf
+        down = np.where(level >= 0, down, below)
+    return (-up, down) if tangent >= 0 else (-down, up)
 
 
 def _straight_sides(

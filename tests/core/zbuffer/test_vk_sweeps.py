@@ -1,0 +1,33 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Where rays pass what tools sweep, in views in which a quadratic loses its square."""
+
+from __future__ import annotations
+
+from math import atan, atan2, cos, sin
+
+import numpy as np
+import pytest
+
+from vkworkbench.core import Tool
+from vkworkbench.core.zbuffer.sweeps import intervals
+
+RAYS, FAR = 2000, 30.0
+
+
+def lengths(tool, moves, tilt):
+    """How long rays are within the sweeps, (RAYS,) mm; those steeper than a cone are so without end."""
+    near, far = intervals(tool, *moves, sin(tilt), cos(tilt))
+    inside = np.clip(far, -FAR, FAR) - np.clip(near, -FAR, FAR)
+    return np.where(inside > 0, inside, 0)
+
+
+@pytest.mark.parametrize("steepness", [0.5, 1, 2])
+@pytest.mark.parametrize("side", [1, -1])
+def test_a_ray_parallel_to_a_cone_passes_as_much_of_it_as_one_that_is_hardly_steeper_or_less_steep(steepness, side):
+    """A V-bit of 90 degrees seen at 45 degrees, from above and from below."""
+    tool = Tool("vbit", 6, tip_angle=2 * atan(1 / steepness))
+    moves = np.random.default_rng(1).uniform(-4, 4, (3, 3, RAYS))
+    tilt = atan2(1, side * steepness)
+    exact, steeper, flatter = (lengths(tool, moves, tilt + by) for by in (0, 1e-6, -1e-6))
+    assert (exact > 0).sum() > RAYS / 10
+    assert (exact > np.minimum(steeper, flatter) - 1e-3).all() and (exact < np.maximum(steeper, flatter) + 1e-3).all()
