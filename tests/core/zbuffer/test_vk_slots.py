@@ -85,3 +85,18 @@ def test_a_flat_end_on_any_move(move, tilt):
 @pytest.mark.parametrize("move", LEVEL + SLOPED + UPRIGHT, ids=str)
 def test_a_ball_end(move, tilt):
     check(ball_slot, [standing, in_ball], move, tilt)
+
+
+@pytest.mark.parametrize("radius, aside", [(3.0, 3.625), (1.0, 1.25), (2.0, 2.25), (3.0, 3.3)])
+def test_a_ray_that_passes_the_very_side_of_the_rim_on_its_way_passes_as_those_beside_it(radius, aside):
+    """There is a place of the tool whose chord of the ray has no length: rounding may put it beside the tool."""
+    there, back = np.array([1.0, 0.0, 2.0])[:, None], np.array([-1.0, 0.0, -2.0])[:, None]
+    share = (aside - radius) + np.array([0.0, 1e-6, -1e-6])  # of the move, where the rim is passed
+    x, y = np.full(3, aside), np.zeros(3)
+    for sine, cosine in ((0.6, 0.8), (0.6, -0.8)):
+        # The ray passes the place on the tool's side at the height of its floor.
+        z = 2 * share - 1e-9
+        one = sloped_slot(radius, (x, y, z), np.repeat(there, 3, axis=1), sine, cosine)
+        other = sloped_slot(radius, (x - 1, y, z - 2), np.repeat(back, 3, axis=1), sine, cosine)
+        for ends in (*one, *other):
+            assert np.isfinite(ends).all() and np.ptp(ends) < 1e-2

@@ -197,7 +197,7 @@ class _Walls:
         half = t * self.ux
         np.subtract(self.x, half, out=half)
         half *= half
-        np.sqrt(np.subtract(self.radius**2, half, out=half), out=half)  # beside the tool not a number
+        np.sqrt(np.subtract(self.radius**2 + _RIM, half, out=half), out=half)  # beside the tool not a number
         half *= sign
         half += t * self.uy
         return half
