@@ -4,14 +4,14 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from math import pi, sqrt
+from math import cos, pi, sin, sqrt
 from types import SimpleNamespace
 
 import numpy as np
 import pytest
 from zbuffer_reference.paths import DIRECTIONS, helix, toolpath
 
-from vkworkbench.core import Cut, Stock, Tool, View
+from vkworkbench.core import Cut, Stock, Tool, View, linearize
 from vkworkbench.core.zbuffer import (
     crashes,
     cuts_air,
@@ -182,6 +182,32 @@ def test_a_crash_is_shown_where_it_is_deepest():
     points = [*rows, (rows[-1][0], 30, 20), (-5, 15, 20), (-5, 15, 5), (45, 15, 5)]
     (crash,) = crashes(cut(points, rapid=[len(points) - 2]))
     assert crash.depth == pytest.approx(5) and crash.place[0] > 20 and crash.place[2] == pytest.approx(7.5)
+
+
+@pytest.mark.parametrize("tool", [FLAT, Tool("bullnose", 6, corner_radius=1)], ids=str)
+def test_a_rapid_down_into_a_round_slot_only_touches_what_chords_left_of_its_walls(tool):
+    """It goes down where no chord of the circle ends, and its side passes up to 0.01 mm of the outer wall."""
+    circle = [
+        ("G0", {"X": 10, "Y": 0, "Z": 5}),
+        ("G1", {"Z": -2, "F": 10}),
+        ("G3", {"I": -10, "J": 0}),
+        ("G0", {"Z": 5}),
+    ]
+    x, y = 10 * cos(2.4), 10 * sin(2.4)
+    stock, view = Stock((-15, -15, -5), (15, 15, 0)), View((0, 0, -1), 150, 150, pixel=0.025, offset=(1.3 * x, 1.3 * y))
+
+    def crashed(x, y, z):
+        path = linearize([*circle, ("G0", {"X": x, "Y": y}), ("G0", {"Z": z}), ("G0", {"Z": 5})])
+        return [crash.trajectory for crash in crashes(simulate(path, tool=tool, stock=stock, view=view))]
+
+    assert crashed(x, y, -1.9) == []
+    down = len(linearize(circle)) + 1
+    assert crashed(x, y, -2.005) == crashed(1.005 * x, 1.005 * y, -1.9) == [down]
+
+
+def test_a_rapid_over_the_top_that_cuts_a_scratch_is_a_crash():
+    (crash,) = crashes(cut([(-5, 15, 9.995), (45, 15, 9.995)], rapid=[0]))
+    assert crash.depth == pytest.approx(0.005, abs=1e-5)
 
 
 def plunges(points, feed=6.0, allowed=2.0, tool=FLAT, stock=STOCK, view=None):

@@ -3,13 +3,14 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
-from vkworkbench.core.solids import Tool
-from vkworkbench.core.zbuffer.cuts import Source
+from vkworkbench.core.solids import SMALLEST, Tool
+from vkworkbench.core.zbuffer.cuts import Cuts, Source
 from vkworkbench.core.zbuffer.moments import ZBuffer
+from vkworkbench.core.zbuffer.sweeps import headings, lowest
 
 # Views less steep than this cosine do not see how high a piece is.
 _FROM_THE_SIDE = 0.3
@@ -17,6 +18,9 @@ _FROM_THE_SIDE = 0.3
 _PLUNGE, _FULL = 5.0, 0.5
 # What a feed may exceed another by: FreeCAD rounds them.
 _FASTER = 1.01
+# A rapid whose side cuts no deeper than this, mm, only touches what chords of arcs, or rounded coordinates, left of a wall.
+# Under its tip any depth counts, but for rounding.
+_TOUCHES, _ROUNDED = 0.02, 1e-3
 # Rings of equal width by which the volume of a tool is summed up.
 _RINGS = 64
 
@@ -148,7 +152,7 @@ class Crash:
 
 
 def crashes(zbuffer: ZBuffer) -> list[Crash]:
-    """Rapids that remove material, in their order.
+    """Rapids that remove material, and do not only touch a wall with their side, in their order.
 
     Parameters
     ----------
@@ -165,6 +169,7 @@ def crashes(zbuffer: ZBuffer) -> list[Crash]:
     # The longest piece of each rapid comes last of its own.
     order = np.lexsort((far - near, owner))
     last = order[np.append(owner[order][1:] != owner[order][:-1], True)]
+    deep = np.unique(owner[_inside(zbuffer.cuts, owner, middle)])
     return [
         Crash(
             int(owner[i]),
@@ -173,8 +178,29 @@ def crashes(zbuffer: ZBuffer) -> list[Crash]:
             float(far[i] - near[i]),
             float(volumes[owner[i]]),
         )
-        for i in last
+        for i in last[np.isin(owner[last], deep)]
     ]
+
+
+def _inside(cuts: Cuts, trajectory: np.ndarray, points: np.ndarray) -> np.ndarray:
+    """Which points (k, 3) that trajectories (k,) remove their tools would remove as well if they were a little narrower."""
+    start, end = (ends[trajectory].T for ends in cuts.ends)
+    # As they are cut: a vertical move stands at its lowest point.
+    move = np.where(np.hypot(*(end - start)[:2]) < SMALLEST, 0.0, end - start)
+    start = np.where(move.any(axis=0), start, np.where(start[2] < end[2], start, end))
+    inside = np.zeros(len(trajectory), bool)
+    for number in np.unique(cuts.cut[trajectory]):
+        own, tool = cuts.cut[trajectory] == number, cuts.cuts[number].tool
+        diameter = max(tool.diameter - 2 * _TOUCHES, tool.diameter / 2)
+        narrower = replace(
+            tool,
+            diameter=diameter,
+            corner_radius=min(tool.corner_radius, diameter / 2),
+            tip_diameter=min(tool.tip_diameter, diameter),
+        )
+        floor, _ = lowest(narrower, start[:, own], headings(move[:, own]), *points[own, :2].T)
+        inside[own] = points[own, 2] > floor - _ROUNDED
+    return inside
 
 
 @dataclass(frozen=True)
