@@ -88,6 +88,11 @@ def swept(move, frame):
     return (points - frame.centre) @ np.array([frame.right, frame.up]).T
 
 
+def test_rounding_makes_no_slope():
+    level, up = ready((FLAT, [(5, 5, 0.1 + 0.2), (15, 5, 0.3), (25, 5, 0.3 + 2e-9)])).kind.tolist()
+    assert level != up and ready((FLAT, [(5, 5, 0.1 + 0.2), (15, 5, 0.3)])).kinds == (Kind(FLAT, True),)
+
+
 @pytest.mark.parametrize("direction", DIRECTIONS)
 @pytest.mark.parametrize("number", range(len(MOVES)))
 def test_boxes_and_strips_hold_what_moves_sweep_and_level_ones_fill_them(number, direction):
