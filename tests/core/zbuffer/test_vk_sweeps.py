@@ -31,3 +31,13 @@ def test_a_ray_parallel_to_a_cone_passes_as_much_of_it_as_one_that_is_hardly_ste
     exact, steeper, flatter = (lengths(tool, moves, tilt + by) for by in (0, 1e-6, -1e-6))
     assert (exact > 0).sum() > RAYS / 10
     assert (exact > np.minimum(steeper, flatter) - 1e-3).all() and (exact < np.maximum(steeper, flatter) + 1e-3).all()
+
+
+def test_a_ray_that_passes_the_very_side_of_a_cones_rim_on_its_way_passes_as_those_beside_it():
+    """There the tool's chord of the ray has no length: rounding may put the tool beside it."""
+    tool = Tool("drill", 8, tip_angle=2 * atan(2))
+    start, move = (np.repeat([[x], [y], [z]], RAYS, axis=1) for x, y, z in ((2.0, 12.0, 10.0), (-12.0, -16.0, -12.0)))
+    along = np.linspace(-3, 3, RAYS)  # the same ray, from many points of it
+    point = np.array([np.full(RAYS, 1.5), 5.75191847 + 0.6 * along, 7.83077538 - 0.8 * along])
+    exact, beside = (intervals(tool, start, move, (point[0] + by, *point[1:]), 0.6, 0.8) for by in (0, 1e-7))
+    assert np.abs(np.subtract(exact, beside)).max() < 1e-2

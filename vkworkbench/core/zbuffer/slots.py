@@ -25,7 +25,7 @@ _TINY = 1e-300
 # Stands for a depth or a place without end.
 _ENDLESS = 1e30
 # What rounding may make of a squared half chord on the rim, mm^2.
-_RIM = 1e-12
+RIM = 1e-12
 
 
 def level_slot(
@@ -151,7 +151,7 @@ def ball_slot(
             lens *= lens
             half2 -= lens
             np.maximum(half2, 0, out=lens)
-            np.copyto(lens, np.nan, where=half2 <= -_RIM)
+            np.copyto(lens, np.nan, where=half2 <= -RIM)
             np.sqrt(lens, out=lens)
             lens *= sign
             lens -= forward
@@ -197,7 +197,7 @@ class _Walls:
         half = t * self.ux
         np.subtract(self.x, half, out=half)
         half *= half
-        np.sqrt(np.subtract(self.radius**2 + _RIM, half, out=half), out=half)  # beside the tool not a number
+        np.sqrt(np.subtract(self.radius**2 + RIM, half, out=half), out=half)  # beside the tool not a number
         half *= sign
         half += t * self.uy
         return half

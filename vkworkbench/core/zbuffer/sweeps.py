@@ -19,7 +19,7 @@ import numpy as np
 
 from vkworkbench.core.solids import Tool
 from vkworkbench.core.zbuffer.rounded import divide, rounded_chord, rounded_sides
-from vkworkbench.core.zbuffer.slots import FROM_THE_SIDE, ROUNDING, ball_slot, level_slot, sloped_slot
+from vkworkbench.core.zbuffer.slots import FROM_THE_SIDE, RIM, ROUNDING, ball_slot, level_slot, sloped_slot
 
 
 def lowest(
@@ -228,8 +228,9 @@ def _straight_chord(
     """Depths at which a ray passes a standing cylinder that starts at height `base` or ends in a cone."""
     x, y, z = at
     tangent = cosine / sine if abs(cosine) > 1e-9 else 0.0
-    half = np.sqrt(np.maximum(tool.radius**2 - x**2, 0))
-    low = np.where(np.abs(x) <= tool.radius, -half, np.inf)
+    half2 = tool.radius**2 - x**2
+    half = np.sqrt(np.maximum(half2, 0))
+    low = np.where(half2 >= -RIM, -half, np.inf)
     # Along the ray height = level - tangent * y, y measured from the tool's axis.
     level = z + tangent * y - base + ROUNDING
     if tool.steepness > 0:
