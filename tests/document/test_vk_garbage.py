@@ -4,8 +4,11 @@
 from __future__ import annotations
 
 import gc
+import platform
 import sys
+import threading
 import weakref
+from pathlib import Path
 
 import pytest
 
@@ -87,3 +90,26 @@ def test_nothing_is_collected_where_the_user_has_turned_it_off(collector):
     garbage.collect()
     assert ring() is not None and len(more) == 10
     garbage.release()
+
+
+def resident():
+    """Bytes of this process in memory."""
+    (line,) = [line for line in Path("/proc/self/status").read_text().splitlines() if line.startswith("VmRSS:")]
+    return 1024 * int(line.split()[1])
+
+
+@pytest.mark.skipif(platform.libc_ver()[0] != "glibc", reason="another C library")
+def test_what_a_thread_has_freed_is_given_back(collector):
+    kept = []
+
+    def work():
+        blocks = [bytes([1]) * 60_000 for _ in range(2_000)]
+        kept.append(bytes([1]) * 60_000)  # behind them: what is free before it stays with the process
+        blocks.clear()
+
+    thread = threading.Thread(target=work)
+    thread.start()
+    thread.join()
+    before = resident()
+    garbage.give_back()
+    assert before - resident() > 100e6

@@ -78,6 +78,18 @@ def test_a_closed_tab_takes_no_memory_any_more(opened, window, small):
     assert zbuffer() is None
 
 
+def test_a_closed_tab_gives_its_memory_back_to_the_system(opened, window, small, monkeypatch):
+    given = []
+    monkeypatch.setattr("vkworkbench.document.garbage.give_back", lambda: given.append(True))
+    window.click(COMMAND)
+    window.wait(lambda: tabs(window))
+    (tab,) = tabs(window)
+    shown(tab, window)
+    assert given == []
+    close(tab, window)
+    window.wait(lambda: given == [True])
+
+
 @pytest.mark.parametrize("moment", ["before", "during", "after"])
 def test_an_operation_is_deleted_or_changed_while_it_is_open(opened, window, small, moment):
     window.click(COMMAND)

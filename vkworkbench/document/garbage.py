@@ -8,7 +8,9 @@ thread.
 
 from __future__ import annotations
 
+import ctypes
 import gc
+from contextlib import suppress
 
 _holders = 0
 _was_on = False
@@ -35,3 +37,14 @@ def collect() -> None:
     """Collect what is young, if it is time; what is old, which takes longer, waits for the end."""
     if _was_on and gc.get_count()[0] > gc.get_threshold()[0]:
         gc.collect(1)
+
+
+def give_back() -> None:
+    """Give the system the memory that is free in this process.
+
+    What a thread has freed, Linux's C library keeps for other threads: ten simulations of 100,000 moves, closed one after the
+    other, kept 750 MB, two thirds of which were free.
+    """
+    gc.collect()
+    with suppress(OSError, AttributeError, TypeError):  # another C library
+        ctypes.CDLL(None).malloc_trim(0)

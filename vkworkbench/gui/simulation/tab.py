@@ -9,7 +9,7 @@ import FreeCAD
 import FreeCADGui as Gui
 
 from vkworkbench import freecad
-from vkworkbench.document import idle
+from vkworkbench.document import garbage, idle
 from vkworkbench.document.simulated_job import JobCopy, SimulatedJob
 from vkworkbench.gui import widgets
 from vkworkbench.gui.plain_text import tell
@@ -25,6 +25,7 @@ from vkworkbench.report import Cancelled
 _ON_OPERATION = freecad.names_in_fingerprint("path")
 _ON_SETTING = freecad.names_in_fingerprint("setting")
 _SELECTED = 1000  # ms within which FreeCAD follows a selection
+_ENDED = 1000  # ms within which the threads of a closed tab have ended, mostly
 
 
 class SimulationTab(KeyedWidget):
@@ -136,6 +137,7 @@ class SimulationTab(KeyedWidget):
             self._soon.stop()
             self._asked.stop()
             FreeCAD.removeDocumentObserver(self)
+            QTimer.singleShot(_ENDED, garbage.give_back)
         self.reading.end()
         if self.player is not None:
             self.player.end()
