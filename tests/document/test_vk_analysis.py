@@ -19,7 +19,7 @@ import pytest
 import vkworkbench
 from vkworkbench import core, freecad, preferences
 from vkworkbench.core.zbuffer import estimate_job
-from vkworkbench.document import analysis
+from vkworkbench.document import analysis, marking
 from vkworkbench.document.known import KNOWN
 from vkworkbench.document.setting import read_tool
 from vkworkbench.language import Message, render
@@ -439,6 +439,26 @@ def test_an_error_of_our_own_costs_one_row_only(small, zigzag_commands, monkeypa
     report = vkworkbench.analyze(small.document)
     rows = rows_of_a_failure(report)
     assert "please report" in rows[0].error and rows[1].error is None
+
+
+def test_an_operation_for_which_memory_does_not_suffice_costs_no_other_mark(small, zigzag_commands, monkeypatch):
+    first, second = small.add("First", zigzag_commands), small.add("Second", zigzag_commands[:-4])
+    text_of, path_fingerprint = analysis.text_of, marking.path_fingerprint
+
+    def text(path, *rest):
+        if path.Size == first.Path.Size:
+            raise MemoryError("no memory")
+        return text_of(path, *rest)
+
+    def fingerprint(obj):
+        if obj.Name == first.Name:
+            raise MemoryError("no memory")
+        return path_fingerprint(obj)
+
+    monkeypatch.setattr(analysis, "text_of", text)
+    monkeypatch.setattr(marking, "path_fingerprint", fingerprint)
+    vkworkbench.mark(vkworkbench.analyze(small.document))
+    assert "MemoryError" in first.Label2 and "zigzag" in second.Label2
 
 
 def test_everything_is_read_and_made_once(small, zigzag_commands):

@@ -59,7 +59,8 @@ def _mark(document, operations: list[OperationReport]) -> int:
         obj = document.getObject(operation.name)
         if obj is not None:
             path, setting = path_and_setting(operation.fingerprint)
-            fits = setting in settings.of(obj) and path in ("", path_fingerprint(obj))  # "" where it could not be read
+            # A path that could not be read, as one for which memory does not suffice, is not read here.
+            fits = setting in settings.of(obj) and (not path or path_fingerprint(obj) == path)
             marks.write(obj, operation, chosen, outdated=not fits)
             marked.add(obj.Name)
     for job in _jobs(document):
