@@ -450,3 +450,19 @@ def test_half_a_million_trajectories_stay_usable(view, opened, window):
     print(f"a step takes {min(taken) * 1e3:.0f} ms; while it was read, the window lived {len(beats)} times, the longest "
           f"pause {max(b - a for a, b in zip([0.0, *beats], beats)):.3f} s")  # fmt: skip
     assert len(beats) > 5
+
+
+@pytest.mark.parametrize("label", ["Face", "Pocket around island"])
+def test_nothing_is_cut_off_in_a_narrow_dock(opened, view, label):
+    select(labelled(opened, label))
+    view.picture()
+    canvas, width = view.canvas, 420  # of a dock beside the 3D view
+    image = QtGui.QImage(width + 200, 120, QtGui.QImage.Format_RGB32)
+    image.fill(QtGui.QColor(canvas.theme.back))
+    painter = QtGui.QPainter(image)
+    painter.setFont(canvas.font())
+    canvas.figure.lay_out(width, image.height(), QtGui.QFontMetrics(canvas.font()))
+    canvas.figure.paint_still(painter, canvas.theme)
+    painter.end()
+    drawn = (pixels(image) != pixels(image)[0, -1]).any(axis=(0, 2))
+    assert drawn.nonzero()[0].max() < width

@@ -62,6 +62,7 @@ class GaussFigure:
 
     def lay_out(self, width: float, height: float, text: QFontMetrics, top: float = 0.0) -> None:
         """Put the plots side by side, or the graph below the others where there is no room."""
+        self._width = width
         line = text.height()
         left, right, below = 62.0, 36.0, line + 6.0
         above = 2 * line + 4.0  # the graph's legend
@@ -202,18 +203,21 @@ class GaussFigure:
         return None, ""
 
     def _paint_names(self, painter: QPainter, theme: Theme) -> None:
-        """Name the curves above the graph, and above them the bound that decides."""
+        """Name the curves above the graph, and above them the bound that decides; in a narrow picture they begin before it."""
         text = QFontMetrics(painter.font())
         entries = [("2π n", theme.faint), ("θ + 2π n", theme.v), ("φ", theme.counter_clockwise)]
         if len(self.signature.reversals):
             entries.append(("× Δφ = ±π", theme.text))
-        x, y = self.graph.place.left(), self.graph.place.top() - text.height() - 4
-        for name, color in entries:
+        bound, gap = self._threshold()[1], 22
+        widths = [text.horizontalAdvance(name) for name, _ in entries]
+        left, y = self.graph.place.left(), self.graph.place.top() - text.height() - 4
+        x = min(left, self._width - sum(widths) - gap * (len(widths) - 1))
+        for (name, color), width in zip(entries, widths):
             painter.setPen(QColor(color))
             painter.drawText(QPointF(x, y + text.ascent()), name)
-            x += text.boundingRect(name).width() + 22
+            x += width + gap
         painter.setPen(QColor(self._strong(theme)))
-        painter.drawText(QPointF(self.graph.place.left(), y - text.descent()), self._threshold()[1])
+        painter.drawText(QPointF(min(left, self._width - text.horizontalAdvance(bound)), y - text.descent()), bound)
 
     # What moves with k.
 
