@@ -3,6 +3,7 @@
 
 import csv
 import pathlib
+import threading
 import time
 from contextlib import contextmanager
 from xml.etree import ElementTree
@@ -16,6 +17,7 @@ from PySide import QtCore, QtGui
 
 import vkworkbench
 from vkworkbench import freecad
+from vkworkbench.gui import gauss_map
 from vkworkbench.gui.gauss_theme import contrast
 from vkworkbench.language import ENGLISH
 
@@ -466,3 +468,34 @@ def test_nothing_is_cut_off_in_a_narrow_dock(opened, view, label):
     painter.end()
     drawn = (pixels(image) != pixels(image)[0, -1]).any(axis=(0, 2))
     assert drawn.nonzero()[0].max() < width
+
+
+def test_the_picture_of_the_operation_before_is_not_saved_as_that_of_the_one_being_read(
+    opened, view, window, monkeypatch
+):
+    go_on, drawn = threading.Event(), gauss_map._drawn
+
+    def slowly(*what):
+        go_on.wait(60)
+        yield from drawn(*what)
+
+    monkeypatch.setattr(gauss_map, "_drawn", slowly)
+    assert view.dock.saver.isEnabled()
+    select(labelled(opened, "Bore"))
+    window.wait(lambda: view.dock._background.works)
+    assert not view.dock.saver.isEnabled()
+    go_on.set()
+    window.wait(lambda: view.title.text().startswith("Bore"))
+    assert view.dock.saver.isEnabled()
+
+
+def test_before_the_first_picture_there_is_nothing_to_step_through_or_to_save(window):
+    dock = gauss_map.GaussMapDock(None)
+    dock.setObjectName("")  # it is not the one of the window
+    try:
+        assert all(widget.isHidden() for widget in (dock.slider, dock.number, dock.saver, dock.chooser))
+    finally:
+        Gui.Selection.removeObserver(dock)
+        FreeCAD.removeDocumentObserver(dock)
+        dock.deleteLater()
+        QtCore.QCoreApplication.sendPostedEvents(dock, QtCore.QEvent.DeferredDelete)

@@ -107,6 +107,7 @@ class GaussMapDock(QDockWidget):
             "±2π, a zigzag stays within.</p>",
         ) + translate("Vk_GaussMap", "<p>The wheel zooms, dragging moves, a double click shows all again.</p>"))  # fmt: skip
         self.setWidget(self._laid_out())
+        self._enable(False)
 
         Gui.Selection.addObserver(self)
         FreeCAD.addDocumentObserver(self)
@@ -172,7 +173,8 @@ class GaussMapDock(QDockWidget):
             return
         self._shown = (obj.Document.Name, obj.Name)
         self._label, self._active = obj.Label, is_active(obj)
-        self.chooser.setEnabled(False)  # its areas are those of the operation before
+        self.chooser.setEnabled(False)  # its areas are those of the operation before, and so is the picture
+        self.saver.setEnabled(False)
         source = source_of(obj)
         text = translate("Vk_GaussMap", "Reading {}…").format(obj.Label)
         self._background.start(text, lambda going_on: _drawn(source, going_on), self._show, self._ended)
@@ -306,6 +308,7 @@ class GaussMapDock(QDockWidget):
         for widget in (self.chooser, self.saver, self.slider, self.number, self.legend, self.canvas):
             widget.setVisible(there_is_a_picture)
         self.chooser.setEnabled(True)
+        self.saver.setEnabled(True)
 
     def _save(self) -> None:
         document = FreeCAD.listDocuments()[self._shown[0]]
