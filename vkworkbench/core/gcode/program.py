@@ -20,7 +20,8 @@ class Program:
     Attributes
     ----------
     commands : list of (str, dict)
-        What `linearize` takes, in mm and mm/s; every tool change is an ``M6`` with its number as ``T``.
+        What `linearize` takes, in mm and mm/s; every tool change is an ``M6`` with its number as ``T``. Where there are
+        M6 words, a tool that is named is a ``T1`` without words.
     lines : (n,) int64
         Line of the text in which each command stands, counted from 1.
     comments : tuple of (int, int, str)

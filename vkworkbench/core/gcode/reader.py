@@ -320,8 +320,7 @@ class _Reader:
         """Take the tools that a line names; the change is of the first, a second one it gets ready."""
         for named in tools:
             self.clues.tool(named, self.number)
-            if not self.changes:  # where there is no M6 at all it changes the tool
-                self._add(f"T{named}", {})
+            self._add(f"T{named}", {})  # where there is no M6 at all it changes the tool
         if change:
             self.changes = True
             tool = tools[0] if tools else self.tool
