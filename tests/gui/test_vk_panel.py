@@ -24,6 +24,7 @@ from vkworkbench.gui import colors
 from vkworkbench.gui.gauss_theme import readable
 from vkworkbench.gui.mark_explanation import explanation
 from vkworkbench.gui.panel_columns import Column
+from vkworkbench.gui.saving import with_suffix
 from vkworkbench.gui.sentences import as_sentence, user
 
 OPENGL = freecad.version() >= (1, 0)
@@ -483,6 +484,20 @@ def test_exports_hold_the_numbers(panel, opened, window, tmp_path):
     data = json.loads((tmp_path / "results.json").read_text(encoding="utf-8"))
     assert [row["label"] for row in rows] == [o.label for o in operations]
     assert [o["seconds"] for o in data["operations"]] == [o.estimate.seconds for o in operations]
+
+
+@pytest.mark.parametrize(
+    "chosen, saved",
+    [
+        ("job", "job.csv"),
+        ("job.csv", "job.csv"),
+        ("job.TXT", "job.TXT"),
+        ("Bracket V1.2", "Bracket V1.2.csv"),
+        ("", ""),
+    ],
+)
+def test_a_name_without_a_suffix_gets_one(chosen, saved):
+    assert with_suffix(chosen, ".csv") == saved
 
 
 def test_an_export_that_fails_is_said(panel, window, tmp_path):

@@ -12,5 +12,8 @@ def proposed(document, name: str) -> str:
 
 
 def with_suffix(path: str, suffix: str) -> str:
-    """Return the path that the user chose, with this suffix if he left it out; a cancelled dialog's is empty."""
-    return path if not path or Path(path).suffix else path + suffix
+    """Return the path that the user chose, with this suffix if he left it out; a cancelled dialog's is empty.
+
+    A name may have dots of its own: the ``.2`` of "Bracket V1.2" is no suffix.
+    """
+    return path if not path or Path(path).suffix[1:].isalpha() else path + suffix
