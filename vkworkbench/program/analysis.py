@@ -14,6 +14,7 @@ import numpy as np
 from vkworkbench import preferences
 from vkworkbench.core import (
     Machining,
+    Problem,
     Stock,
     Tool,
     Toolpath,
@@ -33,7 +34,6 @@ from vkworkbench.core.gcode import (
 )
 from vkworkbench.core.recognition import recognize_inches, unknown
 from vkworkbench.core.simulators import Conditions, Task, predict
-from vkworkbench.core.toolpath import Problem
 from vkworkbench.language import Message, Unusable
 from vkworkbench.preferences import Preferences
 from vkworkbench.program.files import find_programs, read_bytes, text_of

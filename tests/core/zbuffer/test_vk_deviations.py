@@ -20,7 +20,7 @@ from vkworkbench.core.zbuffer import (
     simulate_job,
     worst_places,
 )
-from vkworkbench.core.zbuffer.deviations import _around
+from vkworkbench.core.zbuffer.seen_model import _open, around
 
 FLAT = Tool("endmill", 6)
 WIDTH, HEIGHT, PIXEL = 200, 150, 0.2
@@ -44,7 +44,7 @@ def left(most=10, tolerance=0.5, **patches):
     for column, row, columns, rows, amount in patches.values():
         image[row : row + rows, column : column + columns] = amount
     part, nothing = UNCUT.picture.depth.reshape(image.shape), np.zeros(image.size, np.float32)
-    model = SimpleNamespace(near=part, surface=part + image)
+    model = SimpleNamespace(near=part, surface=part + image, floor=part + image)
     gouged, places = worst_places(UNCUT, Deviations(image.ravel(), nothing, part, model), tolerance, most)
     assert gouged == []
     return places
@@ -57,9 +57,9 @@ def middle(column, row):
 
 def test_an_extreme_is_that_of_a_pixel_and_its_eight_neighbours():
     values = np.arange(20.0).reshape(4, 5)
-    assert _around(values, np.maximum).tolist() == [
+    assert around(values, np.maximum).tolist() == [
         [6, 7, 8, 9, 9], [11, 12, 13, 14, 14], [16, 17, 18, 19, 19], [16, 17, 18, 19, 19]]  # fmt: skip
-    assert _around(values, np.minimum).tolist() == [
+    assert around(values, np.minimum).tolist() == [
         [0, 0, 1, 2, 3], [0, 0, 1, 2, 3], [5, 5, 6, 7, 8], [10, 10, 11, 12, 13]]  # fmt: skip
 
 
@@ -288,3 +288,58 @@ def test_what_is_missing_altogether_has_its_height_and_its_depth():
     assert [gouge.depth for gouge in gouges(z, deviations(z, ribbed), 0.1)] == pytest.approx([5])
     drilled = Milled(BOX, Cylinder((20, 15, 4), 2, 20))
     assert [left.depth for left in material_left(UNCUT, deviations(UNCUT, drilled), 0.1)] == pytest.approx([6])
+
+
+THROUGH = Milled(BOX, Cylinder((20, 15, -1), 4, 20))
+DRILL = Tool("endmill", 8)
+
+
+@pytest.mark.parametrize("direction", VIEWS)
+@pytest.mark.parametrize("forgotten", [True, False])
+def test_a_hole_through_the_model_that_was_not_drilled_is_left(direction, forgotten):
+    drilled = [] if forgotten else [Cut(path((20, 15, 12), (20, 15, -1)), DRILL)]
+    z = simulate_job(drilled, stock=BOX, view=View(direction, 600, 480))
+    found = deviations(z, THROUGH)
+    assert bool(material_left(z, found, 0.1)) == forgotten and gouges(z, found, 0.1) == []
+    if forgotten and direction == (0, 0, -1):
+        assert worst_places(z, found, 0.1)[1][0].depth == pytest.approx(10)
+
+
+def test_what_is_left_in_holes_through_the_model():
+    def left(*cuts, stock=BOX, model=THROUGH):
+        z = simulate_job(cuts, stock=stock, view=View((0, 0, -1), 600, 450))
+        found = deviations(z, model)
+        assert gouges(z, found, 0.1) == []
+        return [one.depth for one in worst_places(z, found, 0.1)[1]]
+
+    # 2 mm too short; with a drill of 7 mm.
+    assert left(Cut(path((20, 15, 12), (20, 15, 2)), DRILL)) == pytest.approx([2])
+    assert left(Cut(path((20, 15, 12), (20, 15, -1)), Tool("endmill", 7))) == pytest.approx([0.5], abs=0.15)
+    # Through the model, and into what lies below it.
+    spare = Stock((0, 0, -3), (40, 30, 10))
+    assert left(Cut(path((20, 15, 12), (20, 15, -1)), DRILL), stock=spare) == []
+    # A window that is cut out along its wall, and what then falls out of it; one that opens to the side is none.
+    window = Milled(BOX, Stock((10, 8, -1), (30, 22, 20)))
+    around = Cut(
+        path((11, 9, 12), *((x, y, -1) for x, y in ((11, 9), (29, 9), (29, 21), (11, 21), (11, 9)))), Tool("endmill", 2)
+    )
+    assert max(left(around, model=window), default=0) < 0.45  # in its corners
+    assert left(model=window) == pytest.approx([10])
+    assert left(model=Milled(BOX, Stock((10, 8, -1), (30, 40, 20)))) == []
+
+
+@pytest.mark.parametrize("seed", range(20))
+def test_what_is_open_to_the_edge_of_an_image(seed):
+    """Against pixels that are reached one after the other."""
+    rng = np.random.default_rng(seed)
+    free = rng.random(rng.integers(3, 30, 2)) < 0.6
+    reached = {(r, c) for r, c in np.argwhere(free).tolist() if r in (0, len(free) - 1) or c in (0, free.shape[1] - 1)}
+    pending = list(reached)
+    while pending:
+        r, c = pending.pop()
+        for place in ((r + 1, c), (r - 1, c), (r, c + 1), (r, c - 1)):
+            inside = 0 <= place[0] < free.shape[0] and 0 <= place[1] < free.shape[1]
+            if inside and free[place] and place not in reached:
+                reached.add(place)
+                pending.append(place)
+    assert set(map(tuple, np.argwhere(_open(free)).tolist())) == reached

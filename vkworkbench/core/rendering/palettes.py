@@ -87,13 +87,13 @@ def difference_colors(left: np.ndarray, gouged: np.ndarray, model: np.ndarray, t
     left, gouged : ndarray
         How much is left above the model and cut below it, mm, at least 0.
     model : ndarray of bool
-        Where the model is seen.
+        Where the model is seen; elsewhere, what is left is that of its holes.
     tolerance : float
         What is no deviation yet, mm; `DEEPEST` times as much has the darkest colour.
     """
     colors = np.where(model[..., None], np.array(MET, np.uint8), np.array(NO_MODEL, np.uint8))
     for amount, stations in ((left, LEFT), (gouged, GOUGED)):
-        where = model & (amount > tolerance)
+        where = amount > tolerance
         colors[where] = _between(stations, (amount[where] / tolerance - 1) / (DEEPEST - 1))
     return colors
 

@@ -13,9 +13,6 @@ from vkworkbench.core.zbuffer.cuts import Cut, Cuts, Source
 from vkworkbench.core.zbuffer.deviations import (
     TOLERANCE,
     Deviation,
-    Deviations,
-    SeenModel,
-    deviations,
     gouges,
     material_left,
     worst_places,
@@ -38,6 +35,7 @@ from vkworkbench.core.zbuffer.memory import OverBudget, memory_needed
 from vkworkbench.core.zbuffer.moments import ZBuffer
 from vkworkbench.core.zbuffer.records import DEXEL, RECORD_BYTES, TRACE
 from vkworkbench.core.zbuffer.resolution import Resolution, best_resolution, check_budget, heaviest, passes_apart
+from vkworkbench.core.zbuffer.seen_model import Deviations, SeenModel, deviations
 from vkworkbench.core.zbuffer.sharing import shared_seconds, unshared_seconds
 from vkworkbench.core.zbuffer.simulate import simulate, simulate_job
 from vkworkbench.core.zbuffer.speed import fit_speed, measure_speed

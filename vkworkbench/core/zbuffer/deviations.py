@@ -1,49 +1,25 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What a simulated part has too much, and too little, against its model: both seen in one view."""
+"""The places where a simulated part has most too much, or too little, against its model, and what made them."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
 
-from vkworkbench.core.solids import Frame
-from vkworkbench.core.stocks import Solid
 from vkworkbench.core.zbuffer.cuts import Source
 from vkworkbench.core.zbuffer.moments import ZBuffer
 from vkworkbench.core.zbuffer.records import GAP, first_not_below
+from vkworkbench.core.zbuffer.seen_model import Deviations, SeenModel, around
 from vkworkbench.core.zbuffer.surface import STOCK
 from vkworkbench.core.zbuffer.surface_distance import farthest
 
 # What is no difference to the model, mm, until somebody says otherwise.
 TOLERANCE = 0.1
 
-_ROWS_AT_ONCE = 64
 # Of the image's shorter side: worst places closer to each other hang together.
 _APART = 0.02
-
-
-@dataclass(frozen=True, eq=False)
-class Deviations:
-    """The surface that is seen against the model's.
-
-    Attributes
-    ----------
-    left, gouged : (pixels,) float32
-        How much is left above all of the model around the pixel, and how much is cut below all of it, along the view, mm,
-        at least 0. A wall that passes through a pixel is neither.
-    part : (height, width) float32
-        Depth of the part's surface, mm; where all of it is gone that of the model's end, infinite where there was no model.
-    model : SeenModel
-        What the part was compared with.
-    """
-
-    left: np.ndarray
-    gouged: np.ndarray
-    part: np.ndarray
-    model: SeenModel
 
 
 @dataclass(frozen=True)
@@ -60,7 +36,7 @@ class Deviation:
     place : (3,) tuple of float
         On the part's surface, mm.
     depth : float
-        How deep it is, or how much is left, mm: the distance of the part's surface and the model's, see `farthest`.
+        How deep it is, or how much is left, mm: the distance of the part's surface and the model's, see `surface_distance.farthest`.
     area : float
         Of the image in which the same cut, or what hangs together, exceeds the tolerance along the view, mm^2.
     """
@@ -70,69 +46,6 @@ class Deviation:
     place: tuple[float, float, float]
     depth: float
     area: float
-
-
-class SeenModel:
-    """A model as an image sees it, with which the part is compared at any moment.
-
-    Parameters
-    ----------
-    model : Solid
-        In the same place as the stock.
-    frame : Frame
-    going_on : callable, optional
-        Called with every strip of the image; what it raises ends the work.
-
-    Attributes
-    ----------
-    frame : Frame
-    near, far : (height, width) float32
-        Where each ray enters the model and leaves it at last, mm; not a number where it misses.
-    surface : (height, width) float32
-        Where each ray enters the model, infinite where it misses, mm.
-    """
-
-    def __init__(self, model: Solid, frame: Frame, going_on: Callable[[], None] = lambda: None) -> None:
-        self.frame = frame
-        size = frame.height, frame.width
-        near, far = np.full((2, *size), np.nan, np.float32)
-        for bottom in range(0, frame.height, _ROWS_AT_ONCE):
-            going_on()
-            rows = np.arange(bottom, min(bottom + _ROWS_AT_ONCE, frame.height))
-            row, column = (index.ravel() for index in np.meshgrid(rows, np.arange(frame.width), indexing="ij"))
-            spans = model.spans(frame, *frame.pixel_centres(column, row))
-            met = spans.far > spans.near
-            near[row[met], column[met]], far[row[met], column[met]] = spans.near[met], spans.far[met]
-        self.near, self.far = near, far
-        self.surface = np.where(np.isnan(near), np.float32(np.inf), near)
-        self._highest, self._lowest = _around(self.surface, np.minimum), _around(self.surface, np.maximum)
-
-    def against(self, zbuffer: ZBuffer) -> Deviations:
-        """Compare the part at its moment, simulated in the same image, with the model, pixel by pixel."""
-        part = zbuffer.picture.depth.reshape(self.near.shape)
-        seen = ~np.isnan(self.near)
-        # Where all of the part is gone, its surface is behind the model.
-        part = np.where(np.isnan(part) & seen, self.far, part)
-        left = np.where(seen, np.maximum(self._highest - part, 0), 0)
-        gouged = np.where(seen & np.isfinite(self._lowest), np.maximum(part - self._lowest, 0), 0)
-        return Deviations(
-            left.astype(np.float32).ravel(),
-            gouged.astype(np.float32).ravel(),
-            np.where(np.isnan(part), np.float32(np.inf), part),
-            self,
-        )
-
-
-def deviations(zbuffer: ZBuffer, model: Solid) -> Deviations:
-    """Compare the part at this moment with its model, pixel by pixel.
-
-    Parameters
-    ----------
-    zbuffer : ZBuffer
-    model : Solid
-        In the same place as the stock.
-    """
-    return SeenModel(model, zbuffer.frame).against(zbuffer)
 
 
 def gouges(zbuffer: ZBuffer, found: Deviations, tolerance: float) -> list[Deviation]:
@@ -186,7 +99,7 @@ def _gouged(found: Deviations) -> _Gap:
 
 
 def _left(found: Deviations) -> _Gap:
-    return _Gap(found.part, found.model.surface, found.left, None)
+    return _Gap(found.part, found.model.floor, found.left, None)
 
 
 def _apart(zbuffer: ZBuffer, gap: _Gap, tolerance: float, most: int) -> list[Deviation]:
@@ -221,9 +134,9 @@ def _take(worst: np.ndarray, row: int, column: int) -> list[int]:
         row, column = pending.pop()
         taken.append(row * worst.shape[1] + column)
         top, left = max(row - 1, 0), max(column - 1, 0)
-        around = np.argwhere(worst[top : row + 2, left : column + 2] > 0) + (top, left)
-        worst[around[:, 0], around[:, 1]] = 0
-        pending += map(tuple, around.tolist())
+        beside = np.argwhere(worst[top : row + 2, left : column + 2] > 0) + (top, left)
+        worst[beside[:, 0], beside[:, 1]] = 0
+        pending += map(tuple, beside.tolist())
     return taken
 
 
@@ -255,13 +168,13 @@ def _makers(zbuffer: ZBuffer, gap: _Gap, tolerance: float) -> tuple[np.ndarray, 
     maker = _removers(zbuffer, pixels, model.near.ravel()[pixels] + min(tolerance, zbuffer.frame.pixel))
     cut = _cuts(zbuffer, maker)
 
-    def around(extreme: np.ufunc, nobody: int) -> np.ndarray:
+    def said_around(extreme: np.ufunc, nobody: int) -> np.ndarray:
         image = np.full(model.near.shape, nobody)
         image.ravel()[pixels] = cut
-        return _around(image, extreme).ravel()[pixels]
+        return around(image, extreme).ravel()[pixels]
 
     # At a rim or a wall a pixel may see past the model: those around it must say the same.
-    sure = around(np.minimum, len(zbuffer.cuts.cuts)) == around(np.maximum, -1)
+    sure = said_around(np.minimum, len(zbuffer.cuts.cuts)) == said_around(np.maximum, -1)
     return pixels[sure], maker[sure]
 
 
@@ -303,13 +216,3 @@ def _place(zbuffer: ZBuffer, gap: _Gap, pixels: np.ndarray, maker: np.ndarray, t
     trajectory = None if own == STOCK else own
     source = None if trajectory is None else zbuffer.cuts.source(trajectory)
     return [Deviation(trajectory, source, tuple(place), depth, len(pixels) * frame.pixel**2)]
-
-
-def _around(values: np.ndarray, extreme: np.ufunc) -> np.ndarray:
-    """The extreme of every pixel and its eight neighbours; beside the image it goes on as its edge."""
-    for axis in (0, 1):
-        length = values.shape[axis]
-        padded = np.pad(values, [(1, 1) if own == axis else (0, 0) for own in (0, 1)], mode="edge")
-        shifted = [np.take(padded, np.arange(k, k + length), axis) for k in range(3)]
-        values = extreme.reduce(shifted)
-    return values

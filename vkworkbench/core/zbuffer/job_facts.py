@@ -9,9 +9,10 @@ from typing import Any
 import numpy as np
 
 from vkworkbench.core.stocks import Solid
-from vkworkbench.core.zbuffer.deviations import TOLERANCE, Deviation, deviations, gouges, material_left
+from vkworkbench.core.zbuffer.deviations import TOLERANCE, Deviation, gouges, material_left
 from vkworkbench.core.zbuffer.facts import Crash, Plunge, crashes, cuts_air, engagement, fast_plunges, removed_volumes
 from vkworkbench.core.zbuffer.moments import ZBuffer
+from vkworkbench.core.zbuffer.seen_model import deviations
 
 # Rates are means over so much machining time, s: shorter ones are those of single pixels.
 _WINDOW = 1.0

@@ -123,8 +123,7 @@ def by_difference(zbuffer: ZBuffer, job: Job) -> Coloring:
 
     def colors(at: ZBuffer) -> np.ndarray:
         found, size = seen.against(at), seen.near.shape
-        met = ~np.isnan(seen.near)
-        return difference_colors(found.left.reshape(size), found.gouged.reshape(size), met, tolerance)
+        return difference_colors(found.left.reshape(size), found.gouged.reshape(size), seen.seen, tolerance)
 
     def legend() -> Entries:
         least, most = user().measure(tolerance, 2), user().measure(DEEPEST * tolerance, 2)

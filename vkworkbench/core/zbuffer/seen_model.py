@@ -1,0 +1,151 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A model as an image sees it, and how a simulated part differs from it, pixel by pixel."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+
+from vkworkbench.core.solids import Frame
+from vkworkbench.core.stocks import Solid
+from vkworkbench.core.zbuffer.moments import ZBuffer
+
+_ROWS_AT_ONCE = 64
+# So many pixels beside the wall of a hole through the model belong to it; the next one may be cut by a rounded wall.
+_BESIDE = 3
+
+
+@dataclass(frozen=True, eq=False)
+class Deviations:
+    """The surface that is seen against the model's.
+
+    Attributes
+    ----------
+    left, gouged : (pixels,) float32
+        How much is left above all of the model around the pixel, and how much is cut below all of it, along the view, mm,
+        at least 0. A wall that passes through a pixel is neither.
+    part : (height, width) float32
+        Depth of the part's surface, mm; where all of it is gone that of the model's end, infinite where there was no model.
+    model : SeenModel
+        What the part was compared with.
+    """
+
+    left: np.ndarray
+    gouged: np.ndarray
+    part: np.ndarray
+    model: SeenModel
+
+
+class SeenModel:
+    """A model as an image sees it, with which the part is compared at any moment.
+
+    Parameters
+    ----------
+    model : Solid
+        In the same place as the stock.
+    frame : Frame
+    going_on : callable, optional
+        Called with every strip of the image; what it raises ends the work.
+
+    Attributes
+    ----------
+    frame : Frame
+    seen : (height, width) bool
+        Where a ray meets the model.
+    near, far : (height, width) float32
+        Where each ray enters the model and leaves it at last, mm; not a number where it misses.
+    surface : (height, width) float32
+        Where each ray enters the model, mm; infinite where it misses.
+    floor : (height, width) float32
+        The same, but beside the walls of holes through the model where it ends: material before it is left. In the middle of
+        a hole that was cut out lies what falls out of it.
+    """
+
+    def __init__(self, model: Solid, frame: Frame, going_on: Callable[[], None] = lambda: None) -> None:
+        self.frame = frame
+        size = frame.height, frame.width
+        near, far = np.full((2, *size), np.nan, np.float32)
+        for bottom in range(0, frame.height, _ROWS_AT_ONCE):
+            going_on()
+            rows = np.arange(bottom, min(bottom + _ROWS_AT_ONCE, frame.height))
+            row, column = (index.ravel() for index in np.meshgrid(rows, np.arange(frame.width), indexing="ij"))
+            spans = model.spans(frame, *frame.pixel_centres(column, row))
+            met = spans.far > spans.near
+            near[row[met], column[met]], far[row[met], column[met]] = spans.near[met], spans.far[met]
+        self.near, self.far = near, far
+        self.surface = np.where(np.isnan(near), np.float32(np.inf), near)
+        highest, self._lowest = around(self.surface, np.minimum), around(self.surface, np.maximum)
+        self.seen = ~np.isnan(near)
+        beside, end = _beside_walls(~self.seen), np.where(self.seen, far, np.float32(-np.inf))
+        for _ in range(_BESIDE):
+            end = around(end, np.maximum)
+        self.floor, self._highest = np.where(beside, end, self.surface), np.where(beside, end, highest)
+        self._compared = self.seen | beside
+
+    def against(self, zbuffer: ZBuffer) -> Deviations:
+        """Compare the part at its moment, simulated in the same image, with the model, pixel by pixel."""
+        part = zbuffer.picture.depth.reshape(self.near.shape)
+        # Where all of the part is gone, its surface is behind the model.
+        part = np.where(np.isnan(part) & self.seen, self.far, part)
+        left = np.where(self._compared, np.fmax(self._highest - part, 0), 0)
+        gouged = np.where(self.seen & np.isfinite(self._lowest), np.maximum(part - self._lowest, 0), 0)
+        return Deviations(
+            left.astype(np.float32).ravel(),
+            gouged.astype(np.float32).ravel(),
+            np.where(np.isnan(part), np.float32(np.inf), part),
+            self,
+        )
+
+
+def deviations(zbuffer: ZBuffer, model: Solid) -> Deviations:
+    """Compare the part at this moment with its model, pixel by pixel.
+
+    Parameters
+    ----------
+    zbuffer : ZBuffer
+    model : Solid
+        In the same place as the stock.
+    """
+    return SeenModel(model, zbuffer.frame).against(zbuffer)
+
+
+def _beside_walls(missing: np.ndarray) -> np.ndarray:
+    """Which pixels lie in holes of what is not missing, two pixels and up to `_BESIDE` from their walls."""
+    within = around(missing, np.minimum)
+    far_from = within
+    for _ in range(_BESIDE - 1):
+        far_from = around(far_from, np.minimum)
+    beside: np.ndarray = within & ~far_from & ~_open(missing)
+    return beside
+
+
+def _open(free: np.ndarray) -> np.ndarray:
+    """Which of the free pixels hang together, along rows and columns, with the edge of the image."""
+    found = free.copy()
+    found[1:-1, 1:-1] = False
+    before = -1
+    while before != np.count_nonzero(found):
+        before = int(np.count_nonzero(found))
+        found = _along_rows(free, _along_rows(free.T, found.T).T)
+    return found
+
+
+def _along_rows(free: np.ndarray, found: np.ndarray) -> np.ndarray:
+    """All free pixels of the runs in which some are found."""
+    # A run has one number; between two lines there is none.
+    run = np.cumsum(np.pad(~free, ((0, 0), (0, 1)), constant_values=True).ravel()).reshape(len(free), -1)[:, :-1]
+    reached = np.bincount(run[found], minlength=int(run.max(initial=0)) + 1) > 0
+    extended: np.ndarray = free & reached[run]
+    return extended
+
+
+def around(values: np.ndarray, extreme: np.ufunc) -> np.ndarray:
+    """The extreme of every pixel and its eight neighbours; beside the image it goes on as its edge."""
+    for axis in (0, 1):
+        length = values.shape[axis]
+        padded = np.pad(values, [(1, 1) if own == axis else (0, 0) for own in (0, 1)], mode="edge")
+        shifted = [np.take(padded, np.arange(k, k + length), axis) for k in range(3)]
+        values = extreme.reduce(shifted)
+    return values
