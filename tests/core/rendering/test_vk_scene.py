@@ -75,11 +75,11 @@ def test_what_is_to_be_noticed_is_lit_on_either_kind_of_colours():
 
 
 def test_differences_have_colours_from_the_tolerance_to_ten_times_as_much():
-    left, gouged = np.array([0, 0.1, 0.11, 5.0, 0, 0, 9.0]), np.array([0, 0, 0, 0, 0.11, 5.0, 0])
-    model = np.array([True] * 6 + [False])
+    left, gouged = np.array([0, 0.1, 0.11, 5.0, 0, 0, 0, 9.0]), np.array([0, 0, 0, 0, 0.11, 5.0, 0, 0])
+    model = np.array([True] * 6 + [False] * 2)  # the last is left in a hole
     colors = difference_colors(left, gouged, model, 0.1)
     assert (colors[[0, 1]] == MET).all() and (colors[6] == NO_MODEL).all()
-    assert (colors[3] == LEFT[-1]).all() and (colors[5] == GOUGED[-1]).all()
+    assert (colors[[3, 7]] == LEFT[-1]).all() and (colors[5] == GOUGED[-1]).all()
     assert np.abs(colors[2].astype(int) - LEFT[0]).max() < 5 and np.abs(colors[4].astype(int) - GOUGED[0]).max() < 5
     assert (difference_colors(np.array([1.0, 0.9]), np.zeros(2), model[:2], 0.1)[0] == LEFT[-1]).all() and DEEPEST == 10
     middle = difference_colors(np.array([0.1 * (1 + DEEPEST) / 2]), np.zeros(1), np.array([True]), 0.1)
