@@ -19,8 +19,8 @@ CALLS = {"eval", "exec", "compile", "__import__", "system", "popen", "urlopen", 
 MODULES = {"socket", "ssl", "http", "urllib", "ftplib", "smtplib", "requests", "asyncio", "subprocess",
            "ctypes", "pickle", "marshal", "shelve", "xmlrpc", "telnetlib", "webbrowser", "QtNetwork",
            "QtWebEngineWidgets"}  # fmt: skip
-# Work is done in processes of this add-on's own; only what these send is unpickled.
-ALLOWED = {"vkworkbench/worker.py": {"pickle", "subprocess"}}
+# Work is done in processes of this add-on's own; only what these send is unpickled. Only the C library gives memory back.
+ALLOWED = {"vkworkbench/worker.py": {"pickle", "subprocess"}, "vkworkbench/document/garbage.py": {"ctypes"}}
 
 
 def named(tree):

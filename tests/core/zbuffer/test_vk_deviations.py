@@ -264,7 +264,7 @@ def test_a_wall_that_is_cut_too_far_is_gouged_by_that_and_not_by_its_height(dire
     step = Milled(Stock((0, 0, 0), (40, 30, 10)), Stock((-1, -1, 2), (20, 31, 20)))
     z = simulate_job([Cut(path((18, -5, 2), (18, 35, 2)), FLAT)], stock=BOX, view=View(direction, 800, 600))
     (gouge,) = gouges(z, deviations(z, step), 0.1)
-    assert gouge.depth == pytest.approx(seen, abs=0.01)
+    assert gouge.depth == pytest.approx(seen, abs=z.frame.pixel)
 
 
 def test_what_is_left_in_a_corner_is_what_the_tool_does_not_reach_and_not_its_height():
