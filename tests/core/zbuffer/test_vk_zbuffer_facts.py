@@ -205,6 +205,15 @@ def test_a_rapid_down_into_a_round_slot_only_touches_what_chords_left_of_its_wal
     assert crashed(x, y, -2.005) == crashed(1.005 * x, 1.005 * y, -1.9) == [down]
 
 
+def test_a_rapid_that_touches_a_wall_and_goes_too_deep_crashes_as_deep_as_that():
+    """On its way along the wall, 8 mm high, its side takes 0.018 mm; then it goes 1 mm below the floor."""
+    slot = [(-5, 15, 20), (-5, 15, 2), (35, 15, 2), (5, 15, 2), (5, 15.018, 2), (34, 15.018, 1)]
+    path = replace(toolpath(np.array(slot, float)), rapid=np.arange(5) == 4)
+    view = View((0, 0, -1), 100, 100, pixel=0.01, offset=(14, 3))
+    (crash,) = crashes(simulate(path, tool=FLAT, stock=STOCK, view=view))
+    assert crash.depth == pytest.approx(1, abs=0.05)
+
+
 def test_a_rapid_over_the_top_that_cuts_a_scratch_is_a_crash():
     (crash,) = crashes(cut([(-5, 15, 9.995), (45, 15, 9.995)], rapid=[0]))
     assert crash.depth == pytest.approx(0.005, abs=1e-5)

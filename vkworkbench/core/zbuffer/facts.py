@@ -166,10 +166,10 @@ def crashes(zbuffer: ZBuffer) -> list[Crash]:
     row, column = np.divmod(pixel, frame.width)
     middle = frame.origins(*frame.pixel_centres(column, row)) + ((near + far) / 2)[:, None] * frame.direction
     volumes = removed_volumes(zbuffer)
-    # The longest piece of each rapid comes last of its own.
-    order = np.lexsort((far - near, owner))
-    last = order[np.append(owner[order][1:] != owner[order][:-1], True)]
-    deep = np.unique(owner[_inside(zbuffer.cuts, owner, middle)])
+    # The longest piece of each rapid comes last of its own; where a wall is only touched it is as high as the wall.
+    deep = np.flatnonzero(_inside(zbuffer.cuts, owner, middle))
+    order = deep[np.lexsort((far[deep] - near[deep], owner[deep]))]
+    last = order[np.diff(owner[order], append=-1) != 0]
     return [
         Crash(
             int(owner[i]),
@@ -178,7 +178,7 @@ def crashes(zbuffer: ZBuffer) -> list[Crash]:
             float(far[i] - near[i]),
             float(volumes[owner[i]]),
         )
-        for i in last[np.isin(owner[last], deep)]
+        for i in last
     ]
 
 
