@@ -328,6 +328,27 @@ def test_what_is_left_in_holes_through_the_model():
     assert left(model=Milled(BOX, Stock((10, 8, -1), (30, 40, 20)))) == []
 
 
+@pytest.mark.parametrize("pixels", [450, 600, 900])
+@pytest.mark.parametrize("diameter", [1.5, 3.175])
+def test_what_falls_out_of_a_sheet_is_not_left_where_a_pixel_is_as_wide_as_the_slot_around_it(diameter, pixels):
+    sheet, low, high = Stock((0, 0, 0), (600, 400, 6)), (100.13, 80.27), (500.13, 320.27)
+    (left, front), (right, back) = np.array(low) + diameter / 2, np.array(high) - diameter / 2
+    corners = (left, front), (right, front), (right, back), (left, back), (left, front)
+    slot = Cut(path((left, front, 12), *((x, y, -1) for x, y in corners)), Tool("endmill", diameter))
+    z = simulate_job([slot], stock=sheet, view=View((0, 0, -1), pixels, pixels * 2 // 3))
+    assert material_left(z, deviations(z, Milled(sheet, Stock((*low, -1), (*high, 20)))), 0.1) == []
+
+
+def test_obliquely_what_falls_out_is_not_compared_with_the_end_of_the_hole():
+    """Beyond a slot as wide as the sheet is high one sees what falls out before the end of the wall behind it."""
+    sheet = Stock((0, 0, 0), (120, 80, 6))
+    corners = (23, 23), (97, 23), (97, 57), (23, 57), (23, 23)
+    slot = Cut(path((23, 23, 12), *((x, y, -1) for x, y in corners)), Tool("endmill", 6))
+    z = simulate_job([slot], stock=sheet, view=View((0, 1, -1), 900, 600))
+    window = Milled(sheet, Stock((20, 20, -1), (100, 60, 20)))
+    assert max(one.depth for one in material_left(z, deviations(z, window), 0.1)) < 2
+
+
 @pytest.mark.parametrize("seed", range(20))
 def test_what_is_open_to_the_edge_of_an_image(seed):
     """Against pixels that are reached one after the other."""

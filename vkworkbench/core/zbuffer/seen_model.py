@@ -60,7 +60,8 @@ class SeenModel:
         Where each ray enters the model, mm; infinite where it misses.
     floor : (height, width) float32
         The same, but beside the walls of holes through the model where it ends: material before it is left. In the middle of
-        a hole that was cut out lies what falls out of it.
+        a hole that was cut out lies what falls out of it. Obliquely, where what falls out hides the walls, holes are not
+        compared.
     """
 
     def __init__(self, model: Solid, frame: Frame, going_on: Callable[[], None] = lambda: None) -> None:
@@ -78,18 +79,20 @@ class SeenModel:
         self.surface = np.where(np.isnan(near), np.float32(np.inf), near)
         highest, self._lowest = around(self.surface, np.minimum), around(self.surface, np.maximum)
         self.seen = ~np.isnan(near)
-        beside, end = _beside_walls(~self.seen), np.where(self.seen, far, np.float32(-np.inf))
+        upright = not frame.direction[:2].any()
+        self._walls, self._beside = _beside_walls(~self.seen & ~_open(~self.seen) & upright)
+        end = np.where(self.seen, far, np.float32(-np.inf))
         for _ in range(_BESIDE):
             end = around(end, np.maximum)
-        self.floor, self._highest = np.where(beside, end, self.surface), np.where(beside, end, highest)
-        self._compared = self.seen | beside
+        self.floor = np.where(self._walls | self._beside, end, self.surface)
+        self._highest = np.where(self._beside, end, highest)
 
     def against(self, zbuffer: ZBuffer) -> Deviations:
         """Compare the part at its moment, simulated in the same image, with the model, pixel by pixel."""
         part = zbuffer.picture.depth.reshape(self.near.shape)
         # Where all of the part is gone, its surface is behind the model.
         part = np.where(np.isnan(part) & self.seen, self.far, part)
-        left = np.where(self._compared, np.fmax(self._highest - part, 0), 0)
+        left = np.where(self.seen | (self._beside & ~self._loose(part)), np.fmax(self._highest - part, 0), 0)
         gouged = np.where(self.seen & np.isfinite(self._lowest), np.maximum(part - self._lowest, 0), 0)
         return Deviations(
             left.astype(np.float32).ravel(),
@@ -97,6 +100,13 @@ class SeenModel:
             np.where(np.isnan(part), np.float32(np.inf), part),
             self,
         )
+
+    def _loose(self, part: np.ndarray) -> np.ndarray:
+        """Where nothing is left between what is in a hole and its wall, which may be a slot narrower than `_BESIDE` pixels."""
+        loose: np.ndarray = self._walls & (np.fmin(part, np.inf) >= self.floor)
+        for _ in range(_BESIDE - 1):
+            loose = around(loose, np.maximum)
+        return loose
 
 
 def deviations(zbuffer: ZBuffer, model: Solid) -> Deviations:
@@ -111,14 +121,13 @@ def deviations(zbuffer: ZBuffer, model: Solid) -> Deviations:
     return SeenModel(model, zbuffer.frame).against(zbuffer)
 
 
-def _beside_walls(missing: np.ndarray) -> np.ndarray:
-    """Which pixels lie in holes of what is not missing, two pixels and up to `_BESIDE` from their walls."""
-    within = around(missing, np.minimum)
+def _beside_walls(holes: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Which pixels of holes lie at their walls, and which two pixels and up to `_BESIDE` from them."""
+    within = around(holes, np.minimum)
     far_from = within
     for _ in range(_BESIDE - 1):
         far_from = around(far_from, np.minimum)
-    beside: np.ndarray = within & ~far_from & ~_open(missing)
-    return beside
+    return holes & ~within, within & ~far_from
 
 
 def _open(free: np.ndarray) -> np.ndarray:
