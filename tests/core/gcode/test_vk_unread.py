@@ -109,6 +109,12 @@ def test_words_that_say_nothing_of_the_way(line):
     assert program.toolpath().points.max() <= 10 and not program.comments
 
 
+@pytest.mark.parametrize("line", ["G1 X50 Y20 M203", "X50 Y20 M1000", "M206 G1 X50 Y20"])
+def test_machines_own_m_codes_take_no_target(line):
+    path = read_program(f"G21 G90\nG0 X0 Y0 Z5\nG1 Z-1 F100\n{line}\nX10 Y3").toolpath()
+    assert [50, 20, -1] in path.points.tolist()
+
+
 def test_a_program_that_turns_says_so():
     assert read_program("G0 X0 Y0 Z5\nG1 Z-1 F100\nG1 A360\nA0").rotary == (3, 4)
     other = read_program("G0 X20 Z5\nG1 X10 F100\nW-5\nU2 W-1").other

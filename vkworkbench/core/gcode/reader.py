@@ -295,7 +295,7 @@ class _Reader:
             elif letter == "M":
                 change |= value == 6
                 ended |= self._m_code(value, letters)
-                taken |= _words_of(value)
+                taken |= _words_of(value, first=not parameters and "G" not in letters)
                 last |= value in (2, 30)
             elif letter == "S":
                 self.spindle = value
@@ -579,11 +579,14 @@ def _offset(code: int, words: list[tuple[str, float]], okuma: bool) -> tuple[int
     return code, dict(words).get("P", 0.0) if code in _NUMBERED_OFFSETS else 0.0
 
 
-def _words_of(m_code: float) -> frozenset[str]:
-    """Return the letters of the words that belong to an M-code, as far as they would be others without it."""
+def _words_of(m_code: float, *, first: bool) -> frozenset[str]:
+    """Return the letters of the words that belong to an M-code, as far as they would be others without it.
+
+    In a line that moves, as G1 X5 M203, a machine's own M-code has none: these are Marlin's where they come first.
+    """
     if m_code in _OUTPUTS:
         return frozenset("EQ")
-    if m_code in _SETTINGS or m_code >= _OTHERS_M_CODE:
+    if first and (m_code in _SETTINGS or m_code >= _OTHERS_M_CODE):
         return frozenset("ABCEFIJKPQRTUVWXYZ")
     return frozenset()
 
