@@ -92,6 +92,7 @@ def test_programs(line, problem):
         "G76 Y1 Z-2 R1 I1\nG80",
         "$X",
         "POPEN\nDPRNT[TIME*(HHMMSS):*#3021[60]]\nPCLOS",
+        "N10 POPEN\nN20 DPRNT[X#100[33]]\nN30 PCLOS",
         "$$\n$G\n?",
         "M68 E0 Q100",
         "M203 X200 Y200 Z5 E25",

@@ -70,7 +70,7 @@ _FLOW = re.compile(r"\b(IF|THEN|ELSE|WHILE|GOTO|DO\s*\d|END\s*\d|ENDIF|ENDWHILE|
 _BLOCK_DELETE = re.compile(r"^(N\s*\d+\s*)?(?:/\d?\s*)+")
 _NUMBER = re.compile(r"[O:]\s*(\d{1,8})\b(?!\s*[A-Z]{2})")
 # What asks or unlocks a grbl, and what a Fanuc or Haas prints: nothing of it moves.
-_SAYS = re.compile(r"\?|\$[$#GINXC]?|POPEN|PCLOS|[BD]PRNT\s*\[.*")
+_SAYS = re.compile(r"\?|\$[$#GINXC]?|(?:N\s*\d+\s*)?(?:POPEN|PCLOS|[BD]PRNT\s*\[.*)")
 _RETURN = re.compile(r"M\s*99(?!\d)")
 # By which Fanuc rounds or chamfers the corner behind a move, or tells its direction.
 _CORNER = re.compile(r",\s*([RCA])\s*[-+]?(?:\d+\.?\d*|\.\d+)")
@@ -187,7 +187,7 @@ class _Reader:
         if not code:
             self._keep(comments)
             return False
-        if code[0] in "$?PBD" and _SAYS.fullmatch(code):
+        if code[0] in "$?NPBD" and _SAYS.fullmatch(code):
             return False
         if code[0] in "O:":
             if self.ended:
