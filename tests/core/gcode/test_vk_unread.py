@@ -93,6 +93,7 @@ def test_programs(line, problem):
         "$X",
         "POPEN\nDPRNT[TIME*(HHMMSS):*#3021[60]]\nPCLOS",
         "N10 POPEN\nN20 DPRNT[X#100[33]]\nN30 PCLOS",
+        "G15 G43 H2",
         "$$\n$G\n?",
         "M68 E0 Q100",
         "M203 X200 Y200 Z5 E25",

@@ -367,7 +367,7 @@ class _Reader:
 
     def _displaced(self, code: int, words: list[tuple[str, float]], letters: set[str]) -> None:
         """Tell where a G-code leaves the coordinates of the moves before: nothing in the program tells how far."""
-        self.okuma |= code == _OKUMA_OFFSET and "H" in letters
+        self.okuma |= code == _OKUMA_OFFSET and "H" in letters and ("G", 43.0) not in words  # whose H would be a length
         offset, before = _offset(code, words, self.okuma), self.offset
         self.offset = offset or before
         if not self.moved:
