@@ -213,9 +213,12 @@ def test_at_its_change_a_diameter_alone_is_the_tools():
     assert sections(f"N1 T2 M6 (ID=002 - DIA 0.5)\n{CUT}") == [("ID=002 - DIA 0.5", 2, 0.5)]
     assert sections(f"T1 M6 (DRILL 8.5)\n{CUT}") == [("DRILL 8.5", 1, 8.5)]
     assert sections(f"T1 M6 (BALL ENDMILL 1/4)\n{CUT}")[0][2] == 6.35
-    for other in ("DRILL 8", "V-BIT 22.5", "TAP 1/4", "ENDMILL 8.5 LOC"):
+    assert sections(f"T6 M6 (DIA 6)\n{CUT}") == [("DIA 6", 6, 6)]
+    others = "DRILL 8", "V-BIT 22.5", "TAP 1/4", "ENDMILL 8.5 LOC", "THREAD MILL 1.5", "BORE DIA 40", "4 HOLES DIA 8.5"
+    for other in others:
         assert sections(f"T1 M6 ({other})\n{CUT}")[0][2] is None, other
-    assert sections(f"T1 M6 (D1)\n{CUT}") == [("D1", 1, None)]  # an offset
+    for offset in ("D1", "D01"):
+        assert sections(f"T1 M6 ({offset})\n{CUT}") == [(offset, 1, None)]
     assert sections(f"T1 M6 (D26 X 50)\n{CUT}") == [("D26 X 50", 1, None)]
     assert sections(f"T1 M6\n(D26)\n{CUT}")[0][2] is None
 

@@ -75,6 +75,9 @@ _ATTACHED = re.compile(
 _BEHIND = re.compile(
     rf"(?<![a-zà-ÿа-я])(?:{_MILLING_WORD})\s*(?P<size>{_FRACTION}|\d+[.,]\d*|[.,]\d+)(?P<unit>)$", re.IGNORECASE
 )
+# Behind a tool for threads it is their pitch; and the part has diameters, too.
+_THREAD = re.compile(r"thread|gewinde|rosca|filet", re.IGNORECASE)
+_OF_PART = re.compile(r"\b(?:bore|boss|circle|hole|pocket)s?\b|bohrung|tasche", re.IGNORECASE)
 # A number in a table of drills, and that of an operation.
 _OTHER_NUMBER = re.compile(r"(?:#|\b(?:no|nr|op)\b\.?|\bnumber)\s*\d+(?![./\d])", re.IGNORECASE)
 # M8 X 1.25, 1/4-20: a thread's diameter, and its pitch or turns per inch. Of a pipe's thread the inches are no measure.
@@ -171,10 +174,14 @@ def _size(comment: str, number: re.Match[str] | None) -> re.Match[str] | None:
 
 def _size_alone(comment: str, tool: int) -> re.Match[str] | None:
     """Return the diameter in a comment that need not say that it is about a tool; D with that tool's number is an offset."""
-    size = _WORD.search(comment) or _SHORT.fullmatch(comment.strip())
-    if size is None and not _TAP.search(comment) and _shape(comment) != "vbit":
-        size = _BEHIND.search(comment.strip())
-    return None if size is None or size["size"] == str(tool) else size
+    comment = comment.strip()
+    short = _SHORT.fullmatch(comment)
+    if short:
+        return None if short["size"].isdigit() and int(short["size"]) == tool else short
+    size = None if _OF_PART.search(comment) else _WORD.search(comment)
+    if size is None and not (_TAP.search(comment) or _THREAD.search(comment)) and _shape(comment) != "vbit":
+        size = _BEHIND.search(comment)
+    return size
 
 
 def _without_offsets(comment: str, number: re.Match[str] | None) -> str:
