@@ -225,7 +225,7 @@ def test_at_its_change_a_diameter_alone_is_the_tools():
 
 def test_the_tool_that_is_got_ready_is_not_in_the_spindle():
     assert sections(f"T1 M6\n(10MM ENDMILL)\nT2 (5MM DRILL)\n{CUT}") == [("10MM ENDMILL", 1, 10)]
-    assert sections(f"T1 M6\nT2 (5MM DRILL)\n{CUT}M6\n{CUT}") == [("", 1, None), ("", 2, None)]
+    assert sections(f"T1 M6\nT2 (5MM DRILL)\n{CUT}M6\n{CUT}") == [("", 1, None), ("", 2, 5)]
     assert sections(f"T1 M6\nT1 (10MM ENDMILL)\n{CUT}") == [("10MM ENDMILL", 1, 10)]
     assert sections(f"T1 M6 (10MM ENDMILL)\n{CUT}T2 (5MM DRILL)\nM6\n{CUT}") == [
         ("10MM ENDMILL", 1, 10), ("5MM DRILL", 2, 5)

@@ -135,12 +135,12 @@ def _groups(program: Program) -> list[_Group]:
     """Return the comments and tool changes between the cuts, one group for the program's beginning at least."""
     marks: list[tuple[int, int, str | float | None]] = list(program.comments)
     cuts, motion = [], ""
-    named: dict[int, set[int]] = {}  # tools by the lines of their T words
+    named: dict[int, int] = {}  # tools by the lines of their T words
     for at, (name, words) in enumerate(program.commands):
         if name == "M6":
             marks.append((at, int(program.lines[at]), words.get("T")))
         elif name[:1] == "T":
-            named.setdefault(int(program.lines[at]), set()).add(int(name[1:]))
+            named[int(program.lines[at])] = int(name[1:])
         motion = name if name in MOTION_NAMES else motion
         if name in ("", motion) and motion not in ("", "G0") and not _AXES.isdisjoint(words):
             cuts.append(at)
@@ -165,11 +165,13 @@ def _groups(program: Program) -> list[_Group]:
             title = title_of(what)
             if title:
                 group.title, group.headings = title, (*group.headings, what)
-        elif told.number is not None:
-            group.known = known = {**known, told.number: told.tool}
-            group.tool_name = what if told.number == group.number else group.tool_name
-        elif change is not None and line not in changes and group.number not in named.get(line, {group.number}):
-            continue  # of a tool that is got ready
+            continue
+        number = told.number
+        if number is None and change is not None and line not in changes:
+            number = named.get(line)  # behind a change it is got ready
+        if number is not None:
+            group.known = known = {**known, number: told.tool}
+            group.tool_name = what if number == group.number else group.tool_name
         elif group.tool is None or change not in (None, group.told):  # what the line of a change tells stays
             group.tool, group.tool_name, group.told = told.tool, what, line
     return groups
