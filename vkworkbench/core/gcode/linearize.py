@@ -52,7 +52,8 @@ def linearize(commands: Iterable[Any] | Words, *, tolerance: float = 0.01, infer
     ----------
     commands : iterable or Words
         ``(name, parameters)`` pairs, or objects with ``.Name`` and ``.Parameters``, in FreeCAD's units
-        (mm, mm/s). Names as they come: ``G1``, ``G01``, ``(comment)``, or empty for a modal line.
+        (mm, mm/s). Names as they come: ``G1``, ``G01``, ``(comment)``, or empty for a modal line. Beside an S word (turns a
+        minute) the F word of a tap (G84, G74) is its pitch, mm, unless it is more than 10.
     tolerance : float
         Largest distance between an arc and its chords, mm.
     infer_centres : bool
