@@ -104,8 +104,9 @@ class SeenModel:
     def _loose(self, part: np.ndarray) -> np.ndarray:
         """Where nothing is left between what is in a hole and its wall, which may be a slot narrower than `_BESIDE` pixels."""
         loose: np.ndarray = self._walls & (np.fmin(part, np.inf) >= self.floor)
-        for _ in range(_BESIDE - 1):
-            loose = around(loose, np.maximum)
+        if loose.any():  # mostly there are no holes
+            for _ in range(_BESIDE - 1):
+                loose = around(loose, np.maximum)
         return loose
 
 
