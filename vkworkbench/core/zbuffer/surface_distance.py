@@ -94,7 +94,7 @@ def _distances(front: np.ndarray, behind: np.ndarray, pixels: np.ndarray, pixel:
     row, column = np.divmod(pixels, width)
     ahead, beyond = front[row, column], behind[row, column]
     # To what lies before the front, and to what lies behind the surface behind.
-    least = np.repeat((beyond - ahead)[None], 2, axis=0)
+    least = np.repeat((beyond - ahead)[None].astype(float), 2, axis=0)
     for radius, steps in _around(ceil(hypot(height, width))):
         # Nothing that is farther away is nearer, and what is near enough is not looked for.
         (searched,) = np.nonzero(least.max(axis=0) > max(floor, radius * pixel))
