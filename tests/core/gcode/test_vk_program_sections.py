@@ -163,7 +163,7 @@ def test_comments_that_tell_no_tool(comment):
         ("MOVEMENT_LEAD_IN", ""), ("retract", ""), ("Machine", ""), ("1001", ""), ("Z=-1.5", ""), ("", ""),
         ("Header End", ""), ("pen up", ""), ("Pen up to the wall", "Pen up to the wall"), ("origin: center", ""),
         ("power(%): 65", ""), ("max_x(mm): 293.457", ""), ("is_rotate: false", ""),
-        ("OP_10: POCKET", "OP_10: POCKET"), ("Front_face: Roughing", "Front_face: Roughing"),
+        ("PYCAM_TOOLPATH_SETTINGS: END", ""), ("OP_10: POCKET", "OP_10: POCKET"), ("Front_face: Roughing", "Front_face: Roughing"),
         ("select the xy plane", ""), ("Plasma cutting", ""), ("THROUGH CUTTING", ""), ("RUN POINT-PIERCE COMMAND HERE", ""),
         ("Exported by FreeCAD", ""), ("Output Time:2020-01-01 12:30", ""), ("M6 T1", ""), ("-----", ""),
         ("MATERIAL - ALUMINUM MM - 2024", ""), ("Werkstoff: EN AW-6061", ""), ("Material removal 2", "Material removal 2"),

@@ -29,7 +29,7 @@ _REMARK = re.compile(
     \W*$ | [-+.\d\s/:*x%]+$ | .{80} | .*(?:https?://|\.(?:cps|pp|ulp|h|stl|svg|brd|tpl|gmax|txt|nc|ngc|tap)\b)
     | [A-Z0-9]+_[A-Z0-9_]+$ | \*{2,} | -{2,} | ={2,} | .*\b\d{1,2}:\d{2}\b | [MGTNS]\d+\b | \[ | .*\|
     | .*=\s*[-+]?[\d.]+\s*\w*$ | (?:\w+\s+){0,3}\w+(?:\(\S+\))?\s*:\s*[-+]?[\d.,]+(?:\s*(?:mm|in|%|rpm|seconds|s)?\b.*)?$ | [XYZ]\s?(?:min|max|:)
-    | .*\bdepth:\s*[-+]?[\d.]+$ | helix\ cut\ operation$ | (?:turn|wait)\b | header\b | origin: | (?-i:[a-z]\w*_\w+)(?:\(\S+\))?\s*[:=] | pen\ (?:up|down)$
+    | .*\bdepth:\s*[-+]?[\d.]+$ | helix\ cut\ operation$ | (?:turn|wait)\b | header\b | origin: | pycam_ | (?-i:[a-z]\w*_\w+)(?:\(\S+\))?\s*[:=] | pen\ (?:up|down)$
     | select\b.*\bplane$
     | (?:laser|plasma|waterjet|through|etch|vaporize)\ cutting\.?$ | run\ point-pierce\b
     | (?:msg|debug|print|id)\b\s*[,=]? | (?:material|werkstoff)\s*[-:=]
