@@ -33,8 +33,8 @@ AROUND = {
 
 
 def phi_to_the_letter(alpha):
-    """The cumulative angular function as section 3.2 writes it: rounding gives half turns a sign."""
-    turn = np.diff(alpha)
+    """The cumulative angular function as sections 3.1 and 3.2 write it: rounding gives half turns a sign."""
+    turn = np.diff(alpha % TURN)
     turn = np.where(turn > np.pi, turn - TURN, np.where(turn < -np.pi, turn + TURN, turn))
     return np.append(0.0, np.cumsum(turn))
 
@@ -55,12 +55,13 @@ def answers(toolpath):
     own = areas.signature(int(np.argmax(areas.area_length)))
     phi = phi_to_the_letter(own.alpha)
     yield "its longest monotonous area", told(phi.min(), phi.max())
-    level = np.floor(phi / TURN)
-    yield "n rounded down instead of truncated", "around" if level.any() else "rows"
+    yield "by its level n, truncated", "around" if np.trunc(phi / TURN).any() else "rows"
+    yield "by its level n, rounded down", "around" if np.floor(phi / TURN).any() else "rows"
     verdict = paper_verdict(areas)
     yield "half turns without a sign", told(*verdict.phi_range)
     low, high = own.phi_range
-    yield "with the closing turn", "around" if level_of(max(high, -low)) else told(low, high)
+    yield "with the closing turn", told(low, high)
+    yield "a contour from 2 pi on, not beyond", "around" if level_of(max(high, -low)) else told(low, high)
     yield "phi's range, not its bounds", "around" if high - low > TURN - 1e-6 else "rows"
     family = recognize(toolpath).strategy.family
     yield "the recognition", {Family.ROWS: "rows", Family.AROUND: "around"}.get(family, "")
