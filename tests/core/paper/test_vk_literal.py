@@ -38,6 +38,15 @@ def test_a_closed_contour_ends_where_it_began():
     assert verdict(SQUARE[:3]).v == (30, 30) and verdict(SQUARE[:3]).image == pytest.approx((0.5**0.5, 0.5**0.5))
 
 
+def test_where_rounding_leaves_a_closed_contour_open_its_v_has_no_direction():
+    turned = [(3.3 + 0.8 * x - 0.6 * y, 0.7 + 0.6 * x + 0.8 * y) for x, y in [*SQUARE, SQUARE[0]]]
+    commands = [("G0", {"X": turned[0][0], "Y": turned[0][1], "Z": 5.0}), ("G1", {"Z": -1.0, "F": 5.0})]
+    commands += [("G1", {"X": x, "Y": y}) for x, y in turned[1:]]
+    found = paper_verdict(monotonous_areas(linearize(commands)))
+    assert found.v != (0, 0) and found.v == pytest.approx((0, 0), abs=1e-12)
+    assert found.image == (0, 0)
+
+
 def test_the_image_of_a_contour_goes_around_in_one_sense():
     assert (verdict(SQUARE).sense, verdict(SQUARE, -1).sense) == ("ccw", "cw")
     assert verdict([(0, 0), (10, 0), (20, 0)]).sense is None  # it does not move

@@ -9,6 +9,7 @@ import numpy as np
 
 from vkworkbench.core.paper.areas import Areas
 from vkworkbench.core.paper.directions import TURN, farthest, top_level, turns
+from vkworkbench.core.paper.signature import NO_LENGTH
 from vkworkbench.core.paper.thresholds import TURNS
 from vkworkbench.core.strategy import Strategy
 
@@ -49,7 +50,7 @@ class PaperVerdict:
     def image(self) -> tuple[float, float]:
         """The Gaussian image of V_k on the unit circle; the origin where V_k is 0."""
         length = float(np.hypot(*self.v))
-        return (self.v[0] / length, self.v[1] / length) if length else (0.0, 0.0)
+        return (self.v[0] / length, self.v[1] / length) if length >= NO_LENGTH else (0.0, 0.0)
 
 
 def paper_verdict(areas: Areas) -> PaperVerdict | None:
