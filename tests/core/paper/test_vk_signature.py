@@ -56,6 +56,25 @@ def test_nested_squares_climb_one_level_each():
     assert signature(spiral * [1, -1]).level.min() == -3
 
 
+def test_theta_on_its_level_falls_back_where_v_goes_on():
+    """A square spiral from its middle: n counts the turns of phi, and theta jumps from pi to -pi."""
+    spiral = [(0, 0), (1, 0), (1, 1), (-1, 1), (-1, -1), (2, -1), (2, 2), (-2, 2), (-2, -2)]
+    result = signature(spiral)
+    image = np.arctan2(-1, 2) / PI  # of (2, -1)
+    assert result.phi / PI == pytest.approx(np.arange(8) / 2)
+    assert result.level.tolist() == [0] * 4 + [1] * 4
+    assert result.theta / PI == pytest.approx([0, 0.25, 0.75, -0.75, image, 0.25, 0.75, -0.75])
+    assert result.theta_level / PI == pytest.approx([0, 0.25, 0.75, -0.75, image + 2, 2.25, 2.75, 1.25])
+
+
+@pytest.mark.parametrize("first, extent", [(0, 2), (1, 2), (2, 2.5), (3, 2.5), (4, 2), (5, 2)])
+def test_the_range_of_phi_around_an_l_depends_on_where_it_begins(first, extent):
+    corners = np.array([(0, 0), (2, 0), (2, 1), (1, 1), (1, 2), (0, 2)], float)
+    result = signature(np.roll(corners, -first, axis=0)[[*range(6), 0]])
+    assert np.ptp(result.phi_range) == pytest.approx(extent * PI)
+    assert result.total_turning == pytest.approx(2 * PI)
+
+
 def test_clockwise_zigzag_stays_on_level_zero():
     result = signature(chain(*[(40, 0), (2, -PI / 2), (40, PI), (2, -PI / 2)] * 5))
     assert result.phi.min() == pytest.approx(-PI)
