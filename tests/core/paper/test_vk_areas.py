@@ -7,7 +7,7 @@ import numpy as np
 import programs
 import pytest
 
-from vkworkbench.core import linearize
+from vkworkbench.core import linearize, signature
 from vkworkbench.core.paper import monotonous_areas
 
 SLOT = [(0.0, 0.0), (30.0, 0.0), (0.0, 0.0), (30.0, 0.0), (30.0, 5.0)]  # there and back on one line: no signs
@@ -37,6 +37,32 @@ def test_what_closes_does_so_wherever_it_lies(x, y):
     areas = areas_of(at(SQUARE, x, y), at(ROW, x, y), at(SQUARE, 2 * x, y), at(SLOT, x, 2 * y))
     assert areas.closed.tolist() == [True, False, True, False]
     assert areas.total_turning[[0, 2]] == pytest.approx(2 * np.pi)
+
+
+IN_AND_OUT = [(0, 0), (9, 0), (0, 0), (9, 0), (0, 0)]
+AROUND = [(20, 0), (20, 20), (-20, 20), (-20, -20), (20, -20), (20, 0)]
+
+
+@pytest.mark.parametrize("degrees", range(0, 360, 15))
+@pytest.mark.parametrize(
+    ("stroke", "turns"),
+    [
+        (IN_AND_OUT, 0),
+        (IN_AND_OUT[:3], 0),
+        ([(30, 0), *AROUND, (30, 0)], 1),  # a lead from outside, travelled in and out
+        ([(10, 0), *AROUND, (10, 0)], 1),  # one from inside
+        ([(10, 0), *AROUND, *AROUND[1:], (10, 0)], 2),
+    ],
+)
+def test_a_closing_turn_of_half_a_turn_has_the_sign_that_adds_nothing_up(stroke, turns, degrees):
+    """Whichever way the path points, and whether it is alone, after others, or given by its points."""
+    angle = np.radians(degrees)
+    turned = np.array(stroke, float) @ [[np.cos(angle), np.sin(angle)], [-np.sin(angle), np.cos(angle)]]
+    for path, sense in ((turned, 1), (turned[::-1], -1)):
+        assert signature(path).total_turning == pytest.approx(sense * turns * 2 * np.pi, abs=1e-9)
+        if len(path) > 3:
+            areas = areas_of(SLOT, path.tolist(), SQUARE, path.tolist())
+            assert areas.total_turning[[1, 3]] == pytest.approx(sense * turns * 2 * np.pi, abs=1e-9)
 
 
 @pytest.mark.parametrize("x", [50, 900, -900])

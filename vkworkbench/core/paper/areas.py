@@ -7,11 +7,11 @@ from functools import cached_property
 
 import numpy as np
 
-from vkworkbench.core.paper.directions import signs_of_reversals, top_level
+from vkworkbench.core.paper.directions import signs_of_reversals, top_level, total_turns
 from vkworkbench.core.paper.loops import closed_loops, closing_turns, is_closed, may_be_closed
 from vkworkbench.core.paper.moves import Moves, cutting_moves
 from vkworkbench.core.paper.signature import Signature
-from vkworkbench.core.paper.thresholds import LOOPS
+from vkworkbench.core.paper.thresholds import LOOPS, TURNS
 from vkworkbench.core.toolpath import Toolpath
 
 
@@ -116,8 +116,19 @@ class Areas(Moves):
             final = np.append(area[1:] > area[:-1], True) & looped[area] & ~self.closed[area]
             begin[area[final]], end[area[final]] = first[final], loop_end[final]
             closes[area[final]] = True
-        result: np.ndarray = self.signed[1][end - 1] + np.where(closes, closing_turns(self.alpha, begin, end), 0.0)
+        phi, closing = self.signed[1][end - 1], closing_turns(self.alpha, begin, end)
+        total = np.where(self.closed, total_turns(phi, closing, self._last_signs, TURNS.UNSIGNED), phi + closing)
+        result: np.ndarray = np.where(closes, total, phi)
         return result
+
+    @cached_property
+    def _last_signs(self) -> np.ndarray:
+        """Sign that the last turn without a sign was given in each area, (a,); 0 where there is none."""
+        signs = np.zeros(len(self.start))
+        if len(self.unsigned):
+            area = np.searchsorted(self.start, self.unsigned, side="right") - 1
+            signs[area] = np.sign(self.signed[0][self.unsigned])  # of several the last one stays
+        return signs
 
     @cached_property
     def phi_ranges(self) -> np.ndarray:

@@ -73,6 +73,27 @@ def signs_of_reversals(phi: np.ndarray, area: np.ndarray) -> np.ndarray:
     return result
 
 
+def total_turns(phi: np.ndarray, closing: np.ndarray, last: np.ndarray, half: float) -> np.ndarray:
+    """Return phi after the closing turn of closed paths, (k,) rad.
+
+    A closing turn of half a turn has no sign either. It goes on with the alternating signs of those before it. Where it
+    is the only one, at the tip of a lead that is travelled in and out, phi comes as close to one turn as it can.
+
+    Parameters
+    ----------
+    phi, closing : (k,) float
+        Phi of the last move, and the turn from it into the first, rad.
+    last : (k,) float
+        Sign of the last turn without a sign; 0 where there is none.
+    half : float
+        A closing turn this close to half a turn has no sign, rad.
+    """
+    sign = np.where(last, -last, np.where(np.abs(phi) > TURN, -1.0, 1.0) * np.copysign(1.0, phi))
+    turned = np.where(np.abs(closing) > np.pi - half, closing + np.pi * (sign - np.copysign(1.0, closing)), closing)
+    result: np.ndarray = phi + turned
+    return result
+
+
 @overload
 def level_of(phi: float) -> int: ...
 @overload

@@ -14,6 +14,7 @@ from vkworkbench.core.paper.directions import (
     level_of,
     signs_of_reversals,
     top_level,
+    total_turns,
     turns,
     wrap,
 )
@@ -73,7 +74,10 @@ def signature(points: np.ndarray) -> Signature:
     np.cumsum(turning, out=phi[1:])
     gap = np.hypot(x[-1] - x[0], y[-1] - y[0]) if len(alpha) else np.inf
     closed = bool(gap <= TURNS.EXACT * max(np.ptp(x), np.ptp(y))) if len(alpha) else False
-    total = float(phi[-1] + (wrap(alpha[0] - alpha[-1]) if closed else 0.0)) if len(alpha) else 0.0
+    total = float(phi[-1]) if len(alpha) else 0.0
+    if closed:
+        last = np.sign(turning[reversals[-1:]]).sum(keepdims=True)
+        total = float(total_turns(phi[-1:], wrap(alpha[:1] - alpha[-1:]), last, TURNS.EXACT)[0])
     return Signature(x[:-1], y[:-1], dx, dy, alpha, turning, phi, reversals, reversals, closed, total)
 
 
