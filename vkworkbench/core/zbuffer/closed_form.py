@@ -81,6 +81,7 @@ def cauchy_crofton(toolpath: Toolpath, *, stock: Solid, view: View, direction: f
     Parameters
     ----------
     toolpath : Toolpath
+        Its trajectories that go below the top of the stock are counted, whole, also beside the stock.
     stock : Solid
     view : View
         Its pixel is epsilon.
@@ -90,7 +91,7 @@ def cauchy_crofton(toolpath: Toolpath, *, stock: Solid, view: View, direction: f
     Returns
     -------
     float
-        For that direction; without one the mean over all of them, 2 / pi of the length in the image.
+        For that direction; without one the mean over all of them, 2 / pi of the length in the image by epsilon.
     """
     frame = view.frame(stock)
     move = np.diff(toolpath.points, axis=0)
