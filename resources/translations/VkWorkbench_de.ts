@@ -1375,16 +1375,16 @@
         <translation>Die Bereiche, die das Werkzeug ohne Eilgang oder Eintauchen schneidet: zuerst der, der die Strategie am besten zeigt, dann die längsten.</translation>
     </message>
     <message>
-        <source>&lt;p&gt;Left the toolpath with the vector V&lt;sub&gt;k&lt;/sub&gt; from the area&apos;s first point. On the unit circle the images of the trajectory v&lt;sub&gt;k&lt;/sub&gt; and of V&lt;sub&gt;k&lt;/sub&gt;; the arcs show how they moved. A zigzag goes to and fro on a part of the circle, a contour goes all around. Right the cumulative angular function φ and the angle θ on level n: a contour-parallel path leaves the dashed lines ±2π, a zigzag stays within.&lt;/p&gt;</source>
-        <translation>&lt;p&gt;Links der Werkzeugweg mit dem Vektor V&lt;sub&gt;k&lt;/sub&gt; vom ersten Punkt des Bereichs aus. Auf dem Einheitskreis die Bilder der Bewegung v&lt;sub&gt;k&lt;/sub&gt; und von V&lt;sub&gt;k&lt;/sub&gt;; die Bögen zeigen, wie sie gewandert sind. Ein Zickzack geht auf einem Teil des Kreises hin und her, eine Kontur ganz herum. Rechts die kumulierte Winkelfunktion φ und der Winkel θ auf Stufe n: Ein konturparalleler Weg verlässt die gestrichelten Linien ±2π, ein Zickzack bleibt dazwischen.&lt;/p&gt;</translation>
-    </message>
-    <message>
         <source>&lt;p&gt;The wheel zooms, dragging moves, a double click shows all again.&lt;/p&gt;</source>
         <translation>&lt;p&gt;Das Mausrad vergrößert, Ziehen verschiebt, ein Doppelklick zeigt wieder alles.&lt;/p&gt;</translation>
     </message>
     <message>
         <source>{}: no move cuts sideways, so there is no direction to show</source>
         <translation>{}: Keine Bewegung schneidet zur Seite, daher ist keine Richtung zu zeigen</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;Left the toolpath with the vector V&lt;sub&gt;k&lt;/sub&gt; from the area&apos;s first point. On the unit circle the images of the trajectory v&lt;sub&gt;k&lt;/sub&gt; and of V&lt;sub&gt;k&lt;/sub&gt;; the arcs show how they moved. That of v&lt;sub&gt;k&lt;/sub&gt; goes to and fro on a part of the circle in a zigzag, and all around in a contour; that of V&lt;sub&gt;k&lt;/sub&gt; goes all around only where the path begins inside the contour. Right the cumulative angular function φ and the angle θ on level n: a contour-parallel path reaches the dashed lines ±2π, a zigzag stays between them.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;Links der Werkzeugweg mit dem Vektor V&lt;sub&gt;k&lt;/sub&gt; vom ersten Punkt des Bereichs aus. Auf dem Einheitskreis die Bilder der Bewegung v&lt;sub&gt;k&lt;/sub&gt; und von V&lt;sub&gt;k&lt;/sub&gt;; die Bögen zeigen, wie sie gewandert sind. Das von v&lt;sub&gt;k&lt;/sub&gt; geht bei einem Zickzack auf einem Teil des Kreises hin und her, bei einer Kontur ganz herum; das von V&lt;sub&gt;k&lt;/sub&gt; geht nur dann ganz herum, wenn der Weg innerhalb der Kontur beginnt. Rechts die kumulierte Winkelfunktion φ und der Winkel θ auf Stufe n: Ein konturparalleler Weg erreicht die gestrichelten Linien ±2π, ein Zickzack bleibt dazwischen.&lt;/p&gt;</translation>
     </message>
 </context>
 <context>

@@ -1375,16 +1375,16 @@
         <translation>Las áreas que la herramienta corta sin movimiento rápido ni entrada: primero la que mejor muestra la estrategia, después las más largas.</translation>
     </message>
     <message>
-        <source>&lt;p&gt;Left the toolpath with the vector V&lt;sub&gt;k&lt;/sub&gt; from the area&apos;s first point. On the unit circle the images of the trajectory v&lt;sub&gt;k&lt;/sub&gt; and of V&lt;sub&gt;k&lt;/sub&gt;; the arcs show how they moved. A zigzag goes to and fro on a part of the circle, a contour goes all around. Right the cumulative angular function φ and the angle θ on level n: a contour-parallel path leaves the dashed lines ±2π, a zigzag stays within.&lt;/p&gt;</source>
-        <translation>&lt;p&gt;A la izquierda, la trayectoria de la herramienta con el vector V&lt;sub&gt;k&lt;/sub&gt; desde el primer punto de la zona. En el círculo unidad, las imágenes del tramo v&lt;sub&gt;k&lt;/sub&gt; y de V&lt;sub&gt;k&lt;/sub&gt;; los arcos muestran cómo se han movido. Un zigzag va y viene por una parte del círculo, un contorno da la vuelta entera. A la derecha, la función angular acumulada φ y el ángulo θ en el nivel n: una trayectoria de contornos paralelos sale de las líneas discontinuas ±2π, un zigzag queda dentro.&lt;/p&gt;</translation>
-    </message>
-    <message>
         <source>&lt;p&gt;The wheel zooms, dragging moves, a double click shows all again.&lt;/p&gt;</source>
         <translation>&lt;p&gt;La rueda amplía, arrastrar desplaza, un doble clic muestra todo de nuevo.&lt;/p&gt;</translation>
     </message>
     <message>
         <source>{}: no move cuts sideways, so there is no direction to show</source>
         <translation>{}: ningún movimiento corta hacia los lados, así que no hay dirección que mostrar</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;Left the toolpath with the vector V&lt;sub&gt;k&lt;/sub&gt; from the area&apos;s first point. On the unit circle the images of the trajectory v&lt;sub&gt;k&lt;/sub&gt; and of V&lt;sub&gt;k&lt;/sub&gt;; the arcs show how they moved. That of v&lt;sub&gt;k&lt;/sub&gt; goes to and fro on a part of the circle in a zigzag, and all around in a contour; that of V&lt;sub&gt;k&lt;/sub&gt; goes all around only where the path begins inside the contour. Right the cumulative angular function φ and the angle θ on level n: a contour-parallel path reaches the dashed lines ±2π, a zigzag stays between them.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;A la izquierda, la trayectoria de la herramienta con el vector V&lt;sub&gt;k&lt;/sub&gt; desde el primer punto de la zona. En el círculo unidad, las imágenes del tramo v&lt;sub&gt;k&lt;/sub&gt; y de V&lt;sub&gt;k&lt;/sub&gt;; los arcos muestran cómo se han movido. La de v&lt;sub&gt;k&lt;/sub&gt; va y viene por una parte del círculo en un zigzag y da la vuelta entera en un contorno; la de V&lt;sub&gt;k&lt;/sub&gt; solo da la vuelta entera si la trayectoria empieza dentro del contorno. A la derecha, la función angular acumulada φ y el ángulo θ en el nivel n: una trayectoria de contornos paralelos alcanza las líneas discontinuas ±2π, un zigzag queda entre ellas.&lt;/p&gt;</translation>
     </message>
 </context>
 <context>

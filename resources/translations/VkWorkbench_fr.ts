@@ -1375,16 +1375,16 @@
         <translation>Les zones que l’outil usine sans déplacement rapide ni plongée : d’abord celle qui montre le mieux la stratégie, puis les plus longues.</translation>
     </message>
     <message>
-        <source>&lt;p&gt;Left the toolpath with the vector V&lt;sub&gt;k&lt;/sub&gt; from the area&apos;s first point. On the unit circle the images of the trajectory v&lt;sub&gt;k&lt;/sub&gt; and of V&lt;sub&gt;k&lt;/sub&gt;; the arcs show how they moved. A zigzag goes to and fro on a part of the circle, a contour goes all around. Right the cumulative angular function φ and the angle θ on level n: a contour-parallel path leaves the dashed lines ±2π, a zigzag stays within.&lt;/p&gt;</source>
-        <translation>&lt;p&gt;À gauche, le parcours d&apos;outil avec le vecteur V&lt;sub&gt;k&lt;/sub&gt; issu du premier point de la zone. Sur le cercle unité, les images de la trajectoire v&lt;sub&gt;k&lt;/sub&gt; et de V&lt;sub&gt;k&lt;/sub&gt; ; les arcs montrent leur mouvement. Un zigzag va et vient sur une partie du cercle, un contour en fait le tour. À droite, la fonction angulaire cumulée φ et l&apos;angle θ au niveau n : un parcours à contours parallèles sort des lignes tiretées ±2π, un zigzag reste entre elles.&lt;/p&gt;</translation>
-    </message>
-    <message>
         <source>&lt;p&gt;The wheel zooms, dragging moves, a double click shows all again.&lt;/p&gt;</source>
         <translation>&lt;p&gt;La molette agrandit, glisser déplace, un double-clic montre de nouveau tout.&lt;/p&gt;</translation>
     </message>
     <message>
         <source>{}: no move cuts sideways, so there is no direction to show</source>
         <translation>{} : aucun déplacement ne coupe latéralement, il n&apos;y a donc pas de direction à montrer</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;Left the toolpath with the vector V&lt;sub&gt;k&lt;/sub&gt; from the area&apos;s first point. On the unit circle the images of the trajectory v&lt;sub&gt;k&lt;/sub&gt; and of V&lt;sub&gt;k&lt;/sub&gt;; the arcs show how they moved. That of v&lt;sub&gt;k&lt;/sub&gt; goes to and fro on a part of the circle in a zigzag, and all around in a contour; that of V&lt;sub&gt;k&lt;/sub&gt; goes all around only where the path begins inside the contour. Right the cumulative angular function φ and the angle θ on level n: a contour-parallel path reaches the dashed lines ±2π, a zigzag stays between them.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;À gauche, le parcours d&apos;outil avec le vecteur V&lt;sub&gt;k&lt;/sub&gt; issu du premier point de la zone. Sur le cercle unité, les images de la trajectoire v&lt;sub&gt;k&lt;/sub&gt; et de V&lt;sub&gt;k&lt;/sub&gt; ; les arcs montrent leur mouvement. Celle de v&lt;sub&gt;k&lt;/sub&gt; va et vient sur une partie du cercle pour un zigzag et en fait le tour pour un contour ; celle de V&lt;sub&gt;k&lt;/sub&gt; n&apos;en fait le tour que si le parcours commence à l&apos;intérieur du contour. À droite, la fonction angulaire cumulée φ et l&apos;angle θ au niveau n : un parcours à contours parallèles atteint les lignes tiretées ±2π, un zigzag reste entre elles.&lt;/p&gt;</translation>
     </message>
 </context>
 <context>

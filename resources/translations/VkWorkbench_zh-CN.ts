@@ -1375,16 +1375,16 @@
         <translation>刀具在没有快速移动或下刀的情况下切削的区域：首先是最能体现策略的区域，然后是最长的区域。</translation>
     </message>
     <message>
-        <source>&lt;p&gt;Left the toolpath with the vector V&lt;sub&gt;k&lt;/sub&gt; from the area&apos;s first point. On the unit circle the images of the trajectory v&lt;sub&gt;k&lt;/sub&gt; and of V&lt;sub&gt;k&lt;/sub&gt;; the arcs show how they moved. A zigzag goes to and fro on a part of the circle, a contour goes all around. Right the cumulative angular function φ and the angle θ on level n: a contour-parallel path leaves the dashed lines ±2π, a zigzag stays within.&lt;/p&gt;</source>
-        <translation>&lt;p&gt;左侧是刀具路径以及从区域起点出发的向量 V&lt;sub&gt;k&lt;/sub&gt;。单位圆上是轨迹 v&lt;sub&gt;k&lt;/sub&gt; 和 V&lt;sub&gt;k&lt;/sub&gt; 的像；圆弧显示它们如何移动。往复路径在圆的一部分上来回，轮廓路径绕圆一周。右侧是累积角函数 φ 和层级 n 上的角 θ：环切路径越出虚线 ±2π，往复路径保持在其间。&lt;/p&gt;</translation>
-    </message>
-    <message>
         <source>&lt;p&gt;The wheel zooms, dragging moves, a double click shows all again.&lt;/p&gt;</source>
         <translation>&lt;p&gt;滚轮缩放，拖动平移，双击恢复全部显示。&lt;/p&gt;</translation>
     </message>
     <message>
         <source>{}: no move cuts sideways, so there is no direction to show</source>
         <translation>{}：没有横向切削的移动，因此没有方向可显示</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;Left the toolpath with the vector V&lt;sub&gt;k&lt;/sub&gt; from the area&apos;s first point. On the unit circle the images of the trajectory v&lt;sub&gt;k&lt;/sub&gt; and of V&lt;sub&gt;k&lt;/sub&gt;; the arcs show how they moved. That of v&lt;sub&gt;k&lt;/sub&gt; goes to and fro on a part of the circle in a zigzag, and all around in a contour; that of V&lt;sub&gt;k&lt;/sub&gt; goes all around only where the path begins inside the contour. Right the cumulative angular function φ and the angle θ on level n: a contour-parallel path reaches the dashed lines ±2π, a zigzag stays between them.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;左侧是刀具路径以及从区域起点出发的向量 V&lt;sub&gt;k&lt;/sub&gt;。单位圆上是轨迹 v&lt;sub&gt;k&lt;/sub&gt; 和 V&lt;sub&gt;k&lt;/sub&gt; 的像；圆弧显示它们如何移动。v&lt;sub&gt;k&lt;/sub&gt; 的像在往复路径中于圆的一部分上来回，在轮廓路径中绕圆一周；V&lt;sub&gt;k&lt;/sub&gt; 的像只有当路径从轮廓内部开始时才绕圆一周。右侧是累积角函数 φ 和层级 n 上的角 θ：环切路径达到虚线 ±2π，往复路径保持在其间。&lt;/p&gt;</translation>
     </message>
 </context>
 <context>

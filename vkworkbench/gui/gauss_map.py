@@ -101,10 +101,11 @@ class GaussMapDock(QDockWidget):
         self.canvas.setToolTip(translate(
             "Vk_GaussMap",
             "<p>Left the toolpath with the vector V<sub>k</sub> from the area's first point. On the unit circle "
-            "the images of the trajectory v<sub>k</sub> and of V<sub>k</sub>; the arcs show how they moved. A "
-            "zigzag goes to and fro on a part of the circle, a contour goes all around. Right the cumulative "
-            "angular function φ and the angle θ on level n: a contour-parallel path leaves the dashed lines "
-            "±2π, a zigzag stays within.</p>",
+            "the images of the trajectory v<sub>k</sub> and of V<sub>k</sub>; the arcs show how they moved. That of "
+            "v<sub>k</sub> goes to and fro on a part of the circle in a zigzag, and all around in a contour; that of "
+            "V<sub>k</sub> goes all around only where the path begins inside the contour. Right the cumulative "
+            "angular function φ and the angle θ on level n: a contour-parallel path reaches the dashed lines "
+            "±2π, a zigzag stays between them.</p>",
         ) + translate("Vk_GaussMap", "<p>The wheel zooms, dragging moves, a double click shows all again.</p>"))  # fmt: skip
         self.setWidget(self._laid_out())
         self._enable(False)

@@ -53,6 +53,17 @@ def test_the_image_of_a_contour_goes_around_in_one_sense():
     assert verdict([(0, 0), (30, 0), (30, 2), (0, 2), (0, 4), (30, 4)]).sense is None  # to and fro
 
 
+def test_the_image_goes_around_only_where_the_path_begins_inside_the_contour():
+    """Loops from the outermost one inward are a contour, and V_k goes to and fro as in a zigzag."""
+    loops = [[(s * x, s * y) for x, y in [(-1, -1), (1, -1), (1, 1), (-1, 1), (-1, -1)]] for s in (40, 36, 32)]
+    for order, goes_around, sense in ((loops, False, None), (loops[::-1], True, "ccw")):
+        points = [(x - order[0][0][0], y - order[0][0][1]) for loop in order for x, y in loop]
+        found = verdict(points)
+        assert found.strategy is Strategy.CONTOUR_PARALLEL and found.sense == sense
+        swept = np.ptp(found.theta_range)
+        assert swept > 2 * np.pi if goes_around else swept == pytest.approx(np.pi / 2)
+
+
 def test_the_image_is_told_from_where_it_begins():
     """V_k points up at first, and then less and less so, to the left."""
     assert np.degrees(verdict([(0, 0), (0, 30), (-30, 30)]).theta_range) == pytest.approx((90, 135))
