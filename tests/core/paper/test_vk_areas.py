@@ -7,8 +7,8 @@ import numpy as np
 import programs
 import pytest
 
-from vkworkbench.core import linearize, signature
-from vkworkbench.core.paper import monotonous_areas
+from vkworkbench.core import Strategy, linearize, signature
+from vkworkbench.core.paper import monotonous_areas, paper_verdict
 
 SLOT = [(0.0, 0.0), (30.0, 0.0), (0.0, 0.0), (30.0, 0.0), (30.0, 5.0)]  # there and back on one line: no signs
 SQUARE = [(0.0, 0.0), (20.0, 0.0), (20.0, 20.0), (0.0, 20.0), (0.0, 0.4)]  # closed but for 0.4 mm, as a lead leaves it
@@ -40,6 +40,8 @@ def test_what_closes_does_so_wherever_it_lies(x, y):
 
 
 IN_AND_OUT = [(0, 0), (9, 0), (0, 0), (9, 0), (0, 0)]
+CORNERS = [(20, 20), (-20, 20), (-20, -20), (20, -20)]
+RELIEVED = [(20, 0), *((f * x, f * y) for x, y in CORNERS for f in (1.0, 1.1, 1.0)), (20, 0)]
 AROUND = [(20, 0), (20, 20), (-20, 20), (-20, -20), (20, -20), (20, 0)]
 
 
@@ -52,6 +54,7 @@ AROUND = [(20, 0), (20, 20), (-20, 20), (-20, -20), (20, -20), (20, 0)]
         ([(30, 0), *AROUND, (30, 0)], 1),  # a lead from outside, travelled in and out
         ([(10, 0), *AROUND, (10, 0)], 1),  # one from inside
         ([(10, 0), *AROUND, *AROUND[1:], (10, 0)], 2),
+        ([(30, 0), *RELIEVED, (30, 0)], 1),
     ],
 )
 def test_a_closing_turn_of_half_a_turn_has_the_sign_that_adds_nothing_up(stroke, turns, degrees):
@@ -63,6 +66,25 @@ def test_a_closing_turn_of_half_a_turn_has_the_sign_that_adds_nothing_up(stroke,
         if len(path) > 3:
             areas = areas_of(SLOT, path.tolist(), SQUARE, path.tolist())
             assert areas.total_turning[[1, 3]] == pytest.approx(sense * turns * 2 * np.pi, abs=1e-9)
+
+
+def test_reliefs_in_the_corners_leave_a_contour_its_turn():
+    """A dogbone is a way out and back: the corner turns by what it would without it, a quarter."""
+    for path, sense in ((RELIEVED, 1), (RELIEVED[::-1], -1)):
+        assert signature(path).total_turning == pytest.approx(sense * 2 * np.pi)
+        areas = areas_of(SLOT, path, RELIEVED)
+        assert areas.total_turning[1:] == pytest.approx([sense * 2 * np.pi, 2 * np.pi])
+        corners = areas.signature(1).phi[[0, 3, 6, 9, 12]]
+        assert corners == pytest.approx(sense * np.pi / 2 * np.arange(5))
+
+
+@pytest.mark.parametrize("links", [1, -1])
+def test_rows_that_are_cut_there_and_back_stay_on_their_level(links):
+    rows = [(x, 3 * links * i) for i in range(12) for x in (0, 40, 0)]
+    areas = areas_of(rows)
+    assert len(areas.unsigned) == 12 and areas.top_level == 0
+    assert [np.ptp(areas.phi_range), np.ptp(signature(rows).phi_range)] == pytest.approx([np.pi, np.pi])
+    assert paper_verdict(areas).strategy is Strategy.ZIGZAG
 
 
 @pytest.mark.parametrize("x", [50, 900, -900])

@@ -61,12 +61,16 @@ class Areas(Moves):
         return closed_loops(self)
 
     @cached_property
+    def _signs(self) -> tuple[np.ndarray, np.ndarray]:
+        """The signs of the turns without one, and the last that alternates in each area: see :func:`signs_of_reversals`."""
+        return signs_of_reversals(self.turning, self.unsigned, self.start, TURNS.UNSIGNED)
+
+    @cached_property
     def signed(self) -> tuple[np.ndarray, np.ndarray]:
         """Turning and phi after every turn without a sign was given one, both (m,) rad, as in :class:`Signature`."""
         if not len(self.unsigned):
             return self.turning, self.phi
-        area = np.searchsorted(self.start, self.unsigned, side="right") - 1
-        signs = signs_of_reversals(self.phi[self.unsigned], area)
+        signs = self._signs[0]
         turning = self.turning.copy()
         turning[self.unsigned] += np.pi * signs
         half_turns = np.zeros(len(self), np.int64)
@@ -117,18 +121,9 @@ class Areas(Moves):
             begin[area[final]], end[area[final]] = first[final], loop_end[final]
             closes[area[final]] = True
         phi, closing = self.signed[1][end - 1], closing_turns(self.alpha, begin, end)
-        total = np.where(self.closed, total_turns(phi, closing, self._last_signs, TURNS.UNSIGNED), phi + closing)
+        total = np.where(self.closed, total_turns(phi, closing, self._signs[1], TURNS.UNSIGNED), phi + closing)
         result: np.ndarray = np.where(closes, total, phi)
         return result
-
-    @cached_property
-    def _last_signs(self) -> np.ndarray:
-        """Sign that the last turn without a sign was given in each area, (a,); 0 where there is none."""
-        signs = np.zeros(len(self.start))
-        if len(self.unsigned):
-            area = np.searchsorted(self.start, self.unsigned, side="right") - 1
-            signs[area] = np.sign(self.signed[0][self.unsigned])  # of several the last one stays
-        return signs
 
     @cached_property
     def phi_ranges(self) -> np.ndarray:

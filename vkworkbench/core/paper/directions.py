@@ -50,41 +50,67 @@ def turns(alpha: np.ndarray, out: np.ndarray | None = None, scratch: np.ndarray 
     return turning
 
 
-def signs_of_reversals(phi: np.ndarray, area: np.ndarray) -> np.ndarray:
-    """Give half turns, which have no sign of their own, alternating signs, so that going back and forth never adds up.
+def signs_of_reversals(
+    turning: np.ndarray, at: np.ndarray, start: np.ndarray, half: float
+) -> tuple[np.ndarray, np.ndarray]:
+    """Give half turns, which have no sign of their own, the signs by which going back and forth never adds up.
+
+    Where the tool goes out and back and turns on, the three turns come to the one that it would have turned without
+    that way: at reliefs in corners, and where rows are cut there and back. The signs of all others alternate.
 
     Parameters
     ----------
-    phi : (r,) float64
-        Phi before each half turn, in which no half turn is counted, rad.
-    area : (r,) int
-        The monotonous area of each, ascending.
+    turning : (m,) float
+        Turn at the start of each move, 0 at the start of an area, without the half turns, rad.
+    at : (r,) int
+        The moves that begin with a half turn, ascending.
+    start : (a,) int
+        First move of each area.
+    half : float
+        A turn this close to half a turn has no sign, rad.
 
     Returns
     -------
-    (r,) int64
-        +1 or -1; the first of an area brings phi back toward zero.
+    signs : (r,) int64
+        +1 or -1.
+    last : (a,) int64
+        Of the signs that alternate the last of each area, 0 where there is none. The first brings phi back toward zero.
     """
-    first = np.flatnonzero(np.append(True, area[1:] != area[:-1]))[: len(area)]
-    size = np.diff(np.append(first, len(area)))
-    rank = np.arange(len(area)) - np.repeat(first, size)
-    begin = np.repeat(np.where(phi[first] > TURNS.EXACT, -1, 1), size)
-    result: np.ndarray = begin * (1 - 2 * (rank & 1))
-    return result
+    last = np.zeros(len(start), np.int64)
+    if not len(at):
+        return at, last
+    area = np.searchsorted(start, at, side="right") - 1
+    beside = turning[at - 1] + np.append(turning, 0.0)[at + 1]
+    apart = np.diff(at) > 1
+    alone = np.append(True, apart) & np.append(apart, True)
+    signs = np.where(alone & (np.abs(beside) > half), -np.sign(beside), 0.0).astype(np.int64)
+    others = np.flatnonzero(signs == 0)
+    if len(others):
+        turned = turning.copy()
+        turned[at] += np.pi * signs
+        phi = np.cumsum(turned)
+        area, phi = area[others], phi[at[others]] - phi[start[area[others]]]
+        first = np.flatnonzero(np.append(True, area[1:] != area[:-1]))
+        size = np.diff(np.append(first, len(area)))
+        rank = np.arange(len(area)) - np.repeat(first, size)
+        begin = np.repeat(np.where(phi[first] > TURNS.EXACT, -1, 1), size)
+        signs[others] = begin * (1 - 2 * (rank & 1))
+        last[area] = signs[others]  # of several in an area the last one stays
+    return signs, last
 
 
 def total_turns(phi: np.ndarray, closing: np.ndarray, last: np.ndarray, half: float) -> np.ndarray:
     """Return phi after the closing turn of closed paths, (k,) rad.
 
-    A closing turn of half a turn has no sign either. It goes on with the alternating signs of those before it. Where it
-    is the only one, at the tip of a lead that is travelled in and out, phi comes as close to one turn as it can.
+    A closing turn of half a turn has no sign either. It goes on where signs alternate. Where none do, at the tip of a
+    lead that is travelled in and out, phi comes as close to one turn as it can.
 
     Parameters
     ----------
     phi, closing : (k,) float
         Phi of the last move, and the turn from it into the first, rad.
-    last : (k,) float
-        Sign of the last turn without a sign; 0 where there is none.
+    last : (k,) int
+        As of :func:`signs_of_reversals`.
     half : float
         A closing turn this close to half a turn has no sign, rad.
     """

@@ -64,11 +64,12 @@ def signature(points: np.ndarray) -> Signature:
     scratch = squares[1:]
     turning = turns(alpha, scratch=scratch)
     np.abs(turning, out=scratch)
-    reversals = np.empty(0, np.int64)
+    reversals, last = np.empty(0, np.int64), np.zeros(1, np.int64)
     if scratch.max(initial=0.0) > np.pi - TURNS.EXACT:
         reversals = np.flatnonzero(scratch > np.pi - TURNS.EXACT)
         turning[reversals] = 0.0
-        signs = signs_of_reversals(np.cumsum(turning)[reversals], np.zeros_like(reversals))
+        before = np.append(0.0, turning)
+        signs, last = signs_of_reversals(before, reversals + 1, np.zeros(1, np.int64), TURNS.EXACT)
         turning[reversals] = np.pi * signs
     phi = np.zeros(len(alpha))
     np.cumsum(turning, out=phi[1:])
@@ -76,7 +77,6 @@ def signature(points: np.ndarray) -> Signature:
     closed = bool(gap <= TURNS.EXACT * max(np.ptp(x), np.ptp(y))) if len(alpha) else False
     total = float(phi[-1]) if len(alpha) else 0.0
     if closed:
-        last = np.sign(turning[reversals[-1:]]).sum(keepdims=True)
         total = float(total_turns(phi[-1:], wrap(alpha[:1] - alpha[-1:]), last, TURNS.EXACT)[0])
     return Signature(x[:-1], y[:-1], dx, dy, alpha, turning, phi, reversals, reversals, closed, total)
 
@@ -95,7 +95,8 @@ class Signature:
         Direction of trajectory v_i, rad in [-pi, pi]; one without length keeps the direction before it.
     turning : (n-1,) float64
         Angle delta phi between successive trajectories, wrapped to [-pi, pi] (section 3.2). An exact reversal
-        has no sign of its own: the signs alternate, so that going back and forth never adds up.
+        has no sign of its own: it gets one by which going back and forth never adds up, see
+        :func:`signs_of_reversals`.
     phi : (n,) float64
         Cumulative angular function, rad; phi[0] = 0.
     unsigned, reversals : (u,) and (r,) int64
