@@ -19,7 +19,7 @@ class Complexity:
     ----------
     total_turning : float
         Sum of the turns, each without its sign, rad: 2 pi for a convex contour, more for every dent. It is the total
-        curvature of the polyline (Milnor 1950).
+        curvature of the polyline (Milnor 1950), and not `Signature.total_turning`, which is the net turning.
     net_turning : float
         Sum of the turns with their signs, rad: the cumulative angular function phi at the end.
     windings : float
@@ -47,7 +47,8 @@ def complexity(points: np.ndarray) -> Complexity:
     -------
     Complexity
         It does not depend on the polyline's place, rotation, and size, as long as its trajectories are longer than a
-        millionth of a micrometre; traversed the other way round, the net turning and the windings change their signs.
+        millionth of a micrometre; traversed the other way round, the net turning and the windings change their signs,
+        but for half turns, which have none.
 
     Raises
     ------
