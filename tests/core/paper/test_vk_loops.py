@@ -43,6 +43,17 @@ def test_a_contour_that_is_cut_twice_in_one_go_is_two_loops():
     assert loops_of(polygon(40) + polygon(40)[1:]) == [(0, 4), (4, 4)]
 
 
+@pytest.mark.parametrize("degrees", range(0, 360, 15))
+@pytest.mark.parametrize("tip", [30, 10])
+def test_so_it_is_with_a_lead_that_is_travelled_in_and_out(tip, degrees):
+    """At its tip the path turns by half a turn, whose sign would tell one loop from two, whichever way it points."""
+    around = [(20, 20), (-20, 20), (-20, -20), (20, -20), (20, 0)]
+    path = np.array([(tip, 0), (20, 0), *around, *around, (tip, 0)])
+    angle = np.radians(degrees)
+    path = path @ [[np.cos(angle), np.sin(angle)], [-np.sin(angle), np.cos(angle)]]
+    assert loops_of([(x, y, 0.0) for x, y in path.tolist()]) == [(1, 5), (6, 5)]
+
+
 def test_what_comes_back_without_a_full_turn_is_no_loop():
     eight = [
         (0, 0, 0),

@@ -160,8 +160,9 @@ def _returns(
     first, end = at[one[near]], at[two[near]]
     long = end - first > 2
     first, end = first[long], end[long]
-    net = moves.phi[end - 1] - moves.phi[first] + closing_turns(moves.alpha, first, end)
-    once = is_one_turn(net)
+    closing = closing_turns(moves.alpha, first, end)
+    # Half a turn has no sign: from the tip of a lead that is travelled in and out one loop or two would be one turn.
+    once = is_one_turn(moves.phi[end - 1] - moves.phi[first] + closing) & (np.abs(closing) < np.pi - TURNS.UNSIGNED)
     return first[once], end[once]
 
 
