@@ -482,11 +482,10 @@ def test_the_picture_of_the_operation_before_is_not_saved_as_that_of_the_one_bei
     monkeypatch.setattr(gauss_map, "_drawn", slowly)
     assert view.dock.saver.isEnabled()
     select(labelled(opened, "Bore"))
-    window.wait(lambda: view.dock._background.works)
-    assert not view.dock.saver.isEnabled()
+    window.wait(lambda: not view.dock.saver.isEnabled())
+    assert view.dock._background.works
     go_on.set()
-    window.wait(lambda: view.title.text().startswith("Bore"))
-    assert view.dock.saver.isEnabled()
+    window.wait(lambda: view.title.text().startswith("Bore") and view.dock.saver.isEnabled())
 
 
 def test_before_the_first_picture_there_is_nothing_to_step_through_or_to_save(window):
