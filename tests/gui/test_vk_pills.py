@@ -16,7 +16,7 @@ from vkworkbench import freecad
 from vkworkbench.core import Strategy
 from vkworkbench.document import marks
 from vkworkbench.document.record import Record, as_json
-from vkworkbench.gui import colors, pills
+from vkworkbench.gui import colors, pills, tree
 from vkworkbench.gui.mark_layout import layouts
 from vkworkbench.gui.sentences import plainly, said, user
 from vkworkbench.language import Message
@@ -151,6 +151,7 @@ def test_a_total_and_an_outdated_mark():
     "label2", ["⟦⟧", "⟦3 operations foo⟧", "⟦sculpting 9%⟧", "zigzag 97% ⟦zigzag 97%⟧", "⟦zigzag · ▶ 3 s⟧"]
 )
 def test_what_no_property_says_to_be_ours_is_shown_as_it_is(opened, window, label2):
+    tree.show_description()  # FreeCAD 1.x hides it
     pills.show()
     labelled(opened, "Face").Label2 = label2
     window.idle()
