@@ -448,9 +448,9 @@ def cells_of(operation: OperationReport) -> dict[str, Any]:
     """Return an operation's report as the cells of one line of a table.
 
     What a simulation told has the columns ``simulated_...``, empty where there was none, with commands counted from 0;
-    ``codes`` has the codes of its messages, each followed by those of the messages in it. ``spans`` has
-    the first and last command of each strategy as `Span` has them: indices into ``Path.Commands``, counted from 0, or lines
-    of a program, counted from 1. Sentences count both from 1.
+    ``codes`` has the codes of its messages, each followed by those of the messages in it. ``spans`` has the first and last
+    command of each strategy as `Span` has them: indices into ``Path.Commands``, counted from 0, or lines of a program,
+    counted from 1. Sentences count both from 1.
     A text cell that a spreadsheet would take for a formula gets an apostrophe in front.
     """
     row = operation.as_dict()

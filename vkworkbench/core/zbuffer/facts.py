@@ -7,10 +7,11 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from vkworkbench.core.solids import SMALLEST, Tool
+from vkworkbench.core.solids import Tool
 from vkworkbench.core.zbuffer.cuts import Cuts, Source
 from vkworkbench.core.zbuffer.moments import ZBuffer
 from vkworkbench.core.zbuffer.sweeps import headings, lowest
+from vkworkbench.core.zbuffer.trajectories import as_cut
 
 # Views less steep than this cosine do not see how high a piece is.
 _FROM_THE_SIDE = 0.3
@@ -184,10 +185,8 @@ def crashes(zbuffer: ZBuffer) -> list[Crash]:
 
 def _inside(cuts: Cuts, trajectory: np.ndarray, points: np.ndarray) -> np.ndarray:
     """Which points (k, 3) that trajectories (k,) remove their tools would remove as well if they were a little narrower."""
-    start, end = (ends[trajectory].T for ends in cuts.ends)
-    # As they are cut: a vertical move stands at its lowest point.
-    move = np.where(np.hypot(*(end - start)[:2]) < SMALLEST, 0.0, end - start)
-    start = np.where(move.any(axis=0), start, np.where(start[2] < end[2], start, end))
+    start, end = (ends.T for ends in as_cut(*(ends[trajectory] for ends in cuts.ends)))
+    move = end - start
     inside = np.zeros(len(trajectory), bool)
     for number in np.unique(cuts.cut[trajectory]):
         own, tool = cuts.cut[trajectory] == number, cuts.cuts[number].tool

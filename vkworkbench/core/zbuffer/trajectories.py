@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vkworkbench.core.solids import Frame, Tool
+from vkworkbench.core.solids import SMALLEST, Frame, Tool
 from vkworkbench.core.stocks import Solid
 from vkworkbench.core.zbuffer.cuts import Cuts
 from vkworkbench.core.zbuffer.sweeps import headings, intervals, lowest
@@ -71,12 +71,7 @@ class Trajectories:
             (low - reach < stock.upper).all(axis=1) & (high[:, :2] + reach[:, :2] > stock.lower[:2]).all(axis=1)
         )
         start, end, self.radius = start[self.index], end[self.index], radius[self.index]
-        # The tool is unbounded upwards: a vertical move removes what it removes at its lowest point.
-        vertical = np.hypot(*(end - start)[:, :2].T) < 1e-6
-        bottom = np.where((start[:, 2] < end[:, 2])[:, None], start, end)
-        start, end = np.where(vertical[:, None], bottom, start), np.where(vertical[:, None], bottom, end)
-        # Rounding is no slope: what is level takes a tenth of the time.
-        end[:, 2] = np.where(np.abs(end[:, 2] - start[:, 2]) < _LEVEL, start[:, 2], end[:, 2])
+        start, end = as_cut(start, end)
         axes = np.array([frame.right, [-frame.right[1], frame.right[0], 0], [0, 0, 1]])
         self.start = axes @ (start - frame.centre).T
         self.move = axes @ (end - start).T
@@ -224,6 +219,17 @@ class Trajectories:
         return intervals(
             tool, start, self.move.take(item, axis=1), (x, self.cosine * y, self.sine * y), self.sine, self.cosine
         )
+
+
+def as_cut(start: np.ndarray, end: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Return the ends (n, 3) of the moves by which trajectories from `start` to `end` (n, 3) are cut, mm."""
+    # The tool is unbounded upwards: a vertical move removes what it removes at its lowest point.
+    vertical = np.hypot(*(end - start)[:, :2].T) < SMALLEST
+    bottom = np.where((start[:, 2] < end[:, 2])[:, None], start, end)
+    start, end = np.where(vertical[:, None], bottom, start), np.where(vertical[:, None], bottom, end)
+    # Rounding is no slope: what is level takes a tenth of the time.
+    end[:, 2] = np.where(np.abs(end[:, 2] - start[:, 2]) < _LEVEL, start[:, 2], end[:, 2])
+    return start, end
 
 
 def _divided(group: np.ndarray, groups: int, item: np.ndarray) -> Iterator[tuple[int, slice | np.ndarray]]:
