@@ -103,6 +103,12 @@ def test_the_time_of_a_move_is_no_number_where_its_speed_is_unknown():
     assert trajectory_seconds(path, horizontal_rapid=10.0, vertical_rapid=5.0)[:2] == pytest.approx([1.0, 1.0])
 
 
+def test_a_feed_below_one_mm_per_second_is_one_and_none_has_no_time():
+    path = linearize([("G0", {"X": 0.0, "Y": 0.0, "Z": 0.0}), ("G1", {"X": 30.0}), ("G1", {"X": 80.0, "F": 0.5})])
+    assert trajectory_seconds(path)[-2:] == pytest.approx([math.nan, 100.0], nan_ok=True)
+    assert machining(path).cutting_seconds == pytest.approx(100.0)
+
+
 def test_moves_without_a_feed_are_named_and_left_out():
     commands = [("G0", {"X": 0.0, "Y": 0.0, "Z": 0.0}), ("G1", {"X": 30.0}), ("G1", {"X": 80.0, "F": 5.0})]
     some = machining(linearize(commands))

@@ -9,7 +9,16 @@ import pytest
 
 from vkworkbench.core import linearize
 from vkworkbench.core.paper import monotonous_areas
-from vkworkbench.core.paper.picture import distinct, image_arcs, proof
+from vkworkbench.core.paper.picture import distinct, image_arcs, links, outline, proof
+
+
+def test_strokes_are_drawn_to_their_ends_and_what_links_them_from_there():
+    strokes = [[(0.0, 0.0, -1.0), (30.0, 10.0, -1.0)], [(5.0, 50.0, -1.0), (5.0, 60.0, -1.0), (45.0, 40.0, -1.0)]]
+    areas = monotonous_areas(linearize(programs.program(strokes)))
+    gap = (np.nan, np.nan)
+    first, second = ([point[:2] for point in stroke] for stroke in strokes)
+    assert np.array_equal(outline(areas), [*first, gap, *second, gap], equal_nan=True)
+    assert np.array_equal(links(areas), [first[-1], second[0], gap], equal_nan=True)
 
 
 def test_an_arc_is_drawn_in_chords_of_four_degrees_at_most():

@@ -35,6 +35,10 @@ def test_passes_and_plunges_of_a_slot_lie_in_the_horizontal_plane():
     assert plane([(0, 7, 0), (0.001, 7, -1), (40, 7, -1.001), (40, 7, -2), (0, 7, -2)]) == XY
 
 
+def test_one_slope_between_level_moves_is_enough_to_lie_in_a_vertical_plane():
+    assert plane([(0, 7, 0), (40, 7, 0), (50, 7, -5), (90, 7, -5)]) == ZX
+
+
 def test_where_rapids_go_does_not_matter():
     points = np.vstack([[(0, 50, 30), (0, 7, 30)], waves(200), [(600, 7, 30), (600, 50, 30)]])
     assert plane(points, rapid=(0, 1, 202, 203)) == ZX
