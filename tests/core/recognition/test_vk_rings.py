@@ -40,6 +40,13 @@ def test_offsets_are_nested_a_stepover_apart(sides, growing):
     assert (rings.depths, rings.distinct, rings.depth_range) == (1, len(sides), 0.0)
 
 
+@pytest.mark.parametrize("side", [60, 600])
+def test_offsets_of_a_large_part_are_as_far_apart_as_those_of_a_small_one(side):
+    """A fifth of the tool, which is a thousandth of the larger part's size."""
+    rings = rings_of([polygon(side - 2.4 * i) for i in range(5)])
+    assert related(rings) == [{"nested"}] * 5 and rings.step == pytest.approx(1.2)
+
+
 @pytest.mark.parametrize("nests", [1, 2, 3])
 def test_rings_of_islands_may_be_cut_between_those_of_the_boundary(nests):
     strokes = [polygon(side, x=100 * nest) for side in (40, 36, 32, 28) for nest in range(nests)]

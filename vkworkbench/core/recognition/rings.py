@@ -203,7 +203,8 @@ def _compare(r: _Shapes, inward: Inward, limit: float, lag: int) -> dict[str, np
     same_side = np.minimum(SAME.RING + SAME.RING_OF_SIZE * larger, max(SAME.RING_OF_REACH * limit, SAME.RING))
     same_box = np.maximum(-low, high) < same_side
     same_area = np.abs(r.enclosed[a] - r.enclosed[b]) < SAME.AREA * np.maximum(r.enclosed[a], r.enclosed[b])
-    even = ~same_box & (step > NESTS.APART) & (step <= limit)
+    # However large rings are: what has moved in on all sides by as much as the distance is no rounding at the same height.
+    even = (~same_box | (same_height & (step > SAME.RING))) & (step > NESTS.APART) & (step <= limit)
     # The sides of an offset move all by the same. Passes of a lattice that wind by chance seldom lie so.
     alike = high - low <= NESTS.EQUAL_SIDES * np.abs(mean) + SAME.PLACE
     even &= ~(r.wavy[a] & r.wavy[b]) | alike
