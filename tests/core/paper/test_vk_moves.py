@@ -115,6 +115,16 @@ def test_links_in_the_air_at_feed_are_left_out():
     assert areas.index.tolist() == [2, 3]
 
 
+def test_the_last_link_may_end_by_the_lift_to_the_height_of_the_programs_end():
+    """Of drilling at feed it would else be all that cuts, and the program a profile."""
+    holes = [(x, 0, z) for x in (0, 20, 40) for z in (1, -2, 1)]
+    drilled = areas_of(*feed(*holes, (-30, -20, 1), (-30, -20, 20), (-30, -20, 30)))
+    assert len(drilled) == 0 and len(drilled.holes) == 3
+    # With a cut behind it, it is no last one; and who lifts at rapid, links at rapid.
+    assert sizes(areas_of(*feed(*holes, (-30, -20, 1)), rapid(-30, -20, 20))) == [1]
+    assert sizes(areas_of(*feed(*holes, (-30, -20, 1), (-30, -20, 20), (0, -20, -1)))) == [1, 1]
+
+
 @pytest.mark.parametrize(("height", "air"), [(20, True), (19, False)])
 def test_a_fast_feed_at_the_top_beside_a_rapid_is_a_link(height, air):
     """As Fusion's posts write rapids for those who do not pay; lower down it may cut."""

@@ -218,20 +218,24 @@ def _without_air(
     """Leave out the links in the air of programs that lift, traverse and plunge at feed instead of rapid.
 
     Such a link is straight and horizontal, begins by a lift and ends by a plunge; at the ends of a program one of
-    the two is enough, and beside a rapid at the top height, where some posts write rapids as fast feeds.
+    the two is enough, also where the tool is lifted at feed behind the last one, and beside a rapid at the top height,
+    where some posts write rapids as fast feeds.
     """
     if not len(start) or len(index) == len(planar):
         return index, start
     last = np.append(start[1:], len(index)) - 1
     a, b = index[start], index[last]
     horizontal = np.abs(z[b + 1] - z[a]) < MOVES.STILL
-    straight = dx[a] * dx[b] + dy[a] * dy[b] > MOVES.ONWARD * length[a] * length[b]
+    parallel = dx[a] * dx[b] + dy[a] * dy[b] > MOVES.ONWARD * length[a] * length[b]
     steep = np.where(length > MOVES.STILL, 0.0, dz)  # moves straight up or down, rapid or at feed
     rises, falls = np.append(0.0, steep)[a] > MOVES.STILL, np.append(steep, 0.0)[b + 1] < -MOVES.STILL
     top = z[a] >= z.max() - MOVES.STILL
+    end = len(dz)
+    while end and steep[end - 1] > MOVES.STILL and not rapid[end - 1]:
+        end -= 1
     lifted = rises | (a == 0) | (top & rapid[a - 1])
-    plunges = falls | (b == len(dz) - 1) | (top & rapid[np.minimum(b + 1, len(rapid) - 1)])
-    air = horizontal & straight & lifted & plunges
+    plunges = falls | (b == end - 1) | (top & rapid[np.minimum(b + 1, len(rapid) - 1)])
+    air = horizontal & parallel & lifted & plunges
     if len(start) > 1:
         # A plateau between walls is no link: it goes on in the direction of the lower pass beside it.
         before, after = b[:-1], a[1:]
