@@ -125,6 +125,15 @@ def test_the_last_link_may_end_by_the_lift_to_the_height_of_the_programs_end():
     assert sizes(areas_of(*feed(*holes, (-30, -20, 1), (-30, -20, 20), (0, -20, -1)))) == [1, 1]
 
 
+def test_rows_that_begin_and_end_by_parallel_moves_are_no_link():
+    """A terrace, reached by a lift at feed and left by a plunge; or any rows where Z counts downward."""
+    rows = [(x, y, 1) for y in range(2, 12, 2) for x in ((0, 20) if y % 4 else (20, 0))]
+    assert sizes(areas_of(*feed((0, 0, -1), (0, 2, -1), *rows, (20, 10, -1), (20, 30, -1)))) == [1, 9, 1]
+    # What lies in one line is one, in however many moves.
+    straight = [(x, 2, 5) for x in range(0, 45, 5)]
+    assert sizes(areas_of(*feed((0, 0, -1), (0, 2, -1), *straight, (40, 2, -1), (40, 30, -1)))) == [1, 1]
+
+
 @pytest.mark.parametrize(("height", "air"), [(20, True), (19, False)])
 def test_a_fast_feed_at_the_top_beside_a_rapid_is_a_link(height, air):
     """As Fusion's posts write rapids for those who do not pay; lower down it may cut."""

@@ -243,6 +243,11 @@ def _without_air(
         air[1:] &= ~(onward & (z[before + 1] < z[after] - MOVES.STILL))
         air[:-1] &= ~(onward & (z[after] < z[before + 1] - MOVES.STILL))
     air &= rises | falls
+    several = np.flatnonzero(air & (last > start))
+    if len(several):  # rows begin and end by parallel moves, too
+        ways = np.column_stack([a[several], b[several] + 1]).ravel()
+        x, y, way = (np.add.reduceat(v, ways[ways < len(v)])[::2] for v in (dx, dy, length))
+        air[several] = np.hypot(x, y) > MOVES.ONWARD * way
     if not air.any():
         return index, start
     keep = ~np.repeat(air, last + 1 - start)
