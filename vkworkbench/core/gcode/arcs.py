@@ -15,6 +15,7 @@ LARGEST_CIRCLE = 1e4  # mm; a larger arc of more than half a turn has a centre t
 LARGEST_STEP = np.pi / 4  # a chord never spans more, so that tiny circles keep their directions
 SMALLEST_STEP = 1e-9  # rad; finer chords would not fit into memory
 SAME_POINT = 1e-6  # mm; FreeCAD saves 6 decimals
+SAME_DIRECTION = 5e-7  # rad; to Grbl an arc of less is a full circle
 
 
 @dataclass(frozen=True)
@@ -88,7 +89,9 @@ def resolve(
     angle = np.arctan2(arm_end[:, 1], arm_end[:, 0]) - np.arctan2(arm[:, 1], arm[:, 0])
     turn = 2 * np.pi
     sweep = np.where(clockwise, -((-angle) % turn), angle % turn)
-    sweep = np.where(distance <= SAME_POINT, np.where(clockwise, -turn, turn), sweep)
+    # The end of a circle may be rounded otherwise than where it begins: an arc of no length nobody writes.
+    whole = (distance <= SAME_POINT) | (by_centre & (np.abs(sweep) <= SAME_DIRECTION))
+    sweep = np.where(whole, np.where(clockwise, -turn, turn), sweep)
 
     degenerate = ~(by_centre | by_radius) | ~(radius[:, 0] > SAME_POINT)
     flat = (radius[:, 0] >= KILOMETRE) | ((radius[:, 0] > LARGEST_CIRCLE) & (np.abs(sweep) > np.pi))
