@@ -233,6 +233,15 @@ def test_the_tool_that_is_got_ready_is_not_in_the_spindle():
     ]  # fmt: skip
 
 
+def test_a_tool_for_cutviewer_is_the_tool_from_there_on():
+    """MeshCAM writes one of its own before that of the program; a list of what is needed names the first tool first."""
+    assert sections(f"(TOOL/MILL,0.1,0.05,0,0)\n(TOOL/MILL,6,0,20,0)\nT1 M6\n{CUT}") == [("TOOL/MILL,6,0,20,0", 1, 6)]
+    assert sections(f"(TOOL/MILL,0.1,0.05,0,0)\nT1 M6\n(TOOL/MILL,6,0,20,0)\n{CUT}(TOOL/MILL,3,0,9,0)\nT1 M6\n{CUT}") == [
+        ("TOOL/MILL,6,0,20,0", 1, 6), ("TOOL/MILL,3,0,9,0", 1, 3)
+    ]  # fmt: skip
+    assert sections(f"(End mill 6mm)\n(End mill 3mm)\nT1 M6\n{CUT}") == [("End mill 6mm", 1, 6)]
+
+
 def test_a_title_behind_a_tool_leaves_it_the_tool():
     assert sections(f"(END MILL 6MM)\n(POCKET)\n{CUT}") == [("POCKET", None, 6)]
 

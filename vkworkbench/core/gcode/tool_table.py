@@ -109,10 +109,13 @@ class ToldTool:
     number : int or None
         Its number in the program, where the comment names it.
     tool : Tool
+    from_here : bool
+        Whether it is the tool of all that follows, as CutViewer's comments say; others may list what the program needs.
     """
 
     number: int | None
     tool: Tool
+    from_here: bool = False
 
 
 @lru_cache(maxsize=1000)
@@ -140,7 +143,7 @@ def tool_told(comment: str, *, inches: bool, of: int | None = None) -> ToldTool 
         diameter *= 2
     if not 0 < diameter <= _LARGEST:
         return None
-    return ToldTool(number_named(comment), _tool(comment, size, diameter, inches))
+    return ToldTool(number_named(comment), _tool(comment, size, diameter, inches), size.re is _CUTVIEWER)
 
 
 def number_named(comment: str) -> int | None:
