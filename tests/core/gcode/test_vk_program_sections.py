@@ -250,6 +250,16 @@ def test_a_tool_that_nothing_describes_is_not_the_one_before():
     assert sections(f"T1 M6 (End mill 6mm)\n{CUT}T2 M6\n{CUT}") == [("End mill 6mm", 1, 6), ("", 2, None)]
 
 
+def test_a_title_between_a_plunge_and_its_cut_parts_nothing():
+    """As in programs that are written by hand; the plunge alone would be drilling."""
+    assert [title for title, _, _ in sections(f"(Sides)\nG0 X0 Y0\nG1 Z1 F9\nZ-2\n(Rough)\nX10\nY5\n(Wall)\n{CUT}")] == [
+        "Rough", "Wall"
+    ]  # fmt: skip
+    # A hole is a cut, also where the title stands before the tool is lifted.
+    for hole in ("G1 Z-2 F9\n(Second)\nG0 Z5\n", "G1 Z-2 F9\n(Second)\nG1 Z5\n", "G1 Z-2 F9\nG0 Z5\n(Second)\n"):
+        assert len(sections(f"(First)\nG0 X0 Y0\n{hole}X5\nG1 Z-2\n")) == 2
+
+
 def test_remarks_and_passes_part_nothing():
     passes = "".join(f"(Pass {k})\n{CUT}(level {k} of 60)\n{CUT}" for k in range(60))
     assert len(sections(f"(Pocket)\n{passes}")) == 1

@@ -134,16 +134,13 @@ def split_sections(program: Program) -> tuple[Section, ...]:
 def _groups(program: Program) -> list[_Group]:
     """Return the comments and tool changes between the cuts, one group for the program's beginning at least."""
     marks: list[tuple[int, int, str | float | None]] = list(program.comments)
-    cuts, motion = [], ""
     named: dict[int, int] = {}  # tools by the lines of their T words
     for at, (name, words) in enumerate(program.commands):
         if name == "M6":
             marks.append((at, int(program.lines[at]), words.get("T")))
         elif name[:1] == "T":
             named[int(program.lines[at])] = int(name[1:])
-        motion = name if name in MOTION_NAMES else motion
-        if name in ("", motion) and motion not in ("", "G0") and not _AXES.isdisjoint(words):
-            cuts.append(at)
+    cuts = _cuts(program)
     marks.sort(key=lambda mark: mark[:2])
     changes = {line: None if what is None else int(what) for _, line, what in marks if not isinstance(what, str)}
     groups = [_Group(min([int(program.lines[0]), *(line for _, line, _ in marks[:1])]))]
@@ -177,6 +174,30 @@ def _groups(program: Program) -> list[_Group]:
         ):  # what the line of a change tells stays
             group.tool, group.tool_name, group.told = told.tool, what, line
     return groups
+
+
+def _cuts(program: Program) -> list[int]:
+    """Return the commands that cut; of a plunge and what is cut from where it leads along the plane, not the plunge."""
+    cuts: list[int] = []
+    plunge: int | None = None  # where the tool began to go down to where it has not cut yet
+    motion, depth = "", 0.0
+    for at, (name, words) in enumerate(program.commands):
+        motion = name if name in MOTION_NAMES else motion
+        if name not in ("", motion) or not motion or _AXES.isdisjoint(words):
+            continue
+        vertical = _AXES.isdisjoint(words.keys() - {"Z"})
+        if plunge is not None:
+            if motion == "G1" and vertical and words["Z"] < depth:
+                depth = words["Z"]
+                continue
+            if motion == "G0" or vertical:
+                cuts.append(plunge)  # a hole
+            plunge = None
+        if motion == "G1" and vertical:
+            plunge, depth = at, words["Z"]
+        elif motion != "G0":
+            cuts.append(at)
+    return cuts if plunge is None else [*cuts, plunge]
 
 
 @lru_cache(maxsize=1000)
