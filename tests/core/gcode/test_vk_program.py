@@ -364,6 +364,15 @@ def test_a_program_that_is_not_called_ends_at_m99():
     assert said(text) == ["what follows the program's end is not read (line 8)"]
 
 
+def test_a_block_that_is_called_is_not_cut_behind_the_end():
+    text = PLAIN + "M97 P1000 L3\nX5\nM97 P2000\nM30\n(HOLE)\nN1000 G91\nG1 X99 F9\nM99\nN2000 X99\nM99"
+    assert points(text) == [list(p) for p in POINTS] + [[5, 2, -1]]
+    assert said(text) == [
+        "a subprogram or macro call is not read (2 times, first in line 5)",
+        "what follows the program's end is not read (line 11)",
+    ]
+
+
 HEIDENHAIN = (
     "%PART G71 *\nN10 G30 G17 X+0 Y+0 Z-20 *\nN20 G31 G90 X+99 Y+99 Z+0 *\nN30 G99 T1 L+0 R+4 *\nN40 T1 G17 S5000 *\n"
     "N50 G00 G40 G90 X+0 Y+50 Z+5 *\nN60 G01 Z-1 F60 *\n{}\nN90 G00 Z+5 M2 *\nN99999999 %PART G71 *\n"

@@ -85,8 +85,9 @@ def read_program(text: str) -> Program:
     """Read the text of an NC program.
 
     Lines with a block delete (``/``) are read as those without. What follows M30 is read as part of the same program,
-    up to the number of another one. Variables, expressions and subprograms, also those that stand before the program
-    which calls them, are not read; each of these is a problem with its line.
+    up to the number of another one; where a block is called (M97), it is a subprogram. Variables, expressions and
+    subprograms, also those that stand before the program which calls them, are not read; each of these is a problem with
+    its line.
 
     Parameters
     ----------
@@ -160,6 +161,7 @@ class _Reader:
         self.angles: dict[str, float] = {}  # of the rotary axes
         self.in_subprogram = 0
         self.in_called = False  # in a subprogram that stands before its caller
+        self.calls_blocks = False  # whether what stands behind the end is called from within: Haas' subprograms
         self.deleted = False  # whether this line has a block delete
         self.pole: dict[str, float] | None = None  # Heidenhain's centre of the arcs to come
         self.number = 0
@@ -189,9 +191,9 @@ class _Reader:
             return False
         if code[0] in "$?NPBD" and _SAYS.fullmatch(code):
             return False
+        if self.ended and (code[0] in "O:" or self.calls_blocks):
+            return True
         if code[0] in "O:":
-            if self.ended:
-                return True
             program = _NUMBER.match(code)
             self.in_called = program is not None and int(program[1]) in self.called
             if self.in_called:
@@ -360,6 +362,7 @@ class _Reader:
             return False
         if value == 98 or (value in (97, 198) and "P" in letters):
             self._problem(Message("subprogram-not-read"))
+            self.calls_blocks |= value == 97
         if value == 99 and (self.deleted or "P" in letters):
             self._problem(Message("jumps-not-followed"))
             return False
