@@ -31,6 +31,7 @@ from vkworkbench.core.gcode import (
     looks_like_increments,
     read_program,
     split_sections,
+    tells_inches,
 )
 from vkworkbench.core.recognition import recognize_inches, unknown
 from vkworkbench.core.simulators import Conditions, Task, predict
@@ -127,6 +128,11 @@ def unread(path: Path, why: Message) -> OperationReport:
 def _rows(
     path: Path, program: Program, toolpath: Toolpath, sections: tuple[Section, ...], chosen: Preferences
 ) -> list[OperationReport]:
+    inches = not program.unit_told and (
+        looks_like_inches(toolpath) or any(tells_inches(text) for _, _, text in program.comments)
+    )
+    if inches:  # the sizes of some tools are told with their unit
+        sections = tuple(map(_as_read, split_sections(replace(program, inches=True))))
     bounds = np.searchsorted(toolpath.command, [section.first for section in sections[1:]])
     parts = [toolpath.part(int(a), int(b)) for a, b in zip([0, *bounds], [*bounds, len(toolpath)])]
     cutting = [(part, section) for part, section in zip(parts, sections) if not part.rapid.all()]
@@ -142,7 +148,7 @@ def _rows(
                     machining=_machining(toolpath, toolpath.problems), remarks=remarks)
         ]  # fmt: skip
     stock = _stock(toolpath, [section.tool for _, section in cutting])
-    lost = [Message("inches-as-millimetres")] if not program.unit_told and looks_like_inches(toolpath) else []
+    lost = [Message("inches-as-millimetres")] if inches else []
     if looks_like_increments(toolpath, inches=program.inches):
         lost.append(Message("increments-as-units"))
     starts = [section.first for _, section in cutting]
@@ -173,7 +179,7 @@ def _row(
     if unlike_milling:
         return replace(row, recognition=unknown(part, unlike_milling), remarks=(*row.remarks, *remarks))
     tool = section.tool
-    if Message("inches-as-millimetres") in remarks:  # the tool's size in the comments was read in mm as well
+    if Message("inches-as-millimetres") in remarks:
         found = recognize_inches(part, tool_diameter=tool and INCH * tool.diameter, program=undivided)
     else:
         found = recognize(part, tool_diameter=tool and tool.diameter, program=undivided)
@@ -188,6 +194,15 @@ def _row(
     return replace(
         row, recognition=found, machining=_machining(part, problems), costs=costs, advice=advice, remarks=tuple(remarks)
     )
+
+
+def _as_read(section: Section) -> Section:
+    """Return an operation of inches that are read as millimetres with its tool in that size."""
+    tool = section.tool
+    if tool is None:
+        return section
+    small = replace(tool, diameter=tool.diameter / INCH, corner_radius=tool.corner_radius / INCH)
+    return replace(section, tool=small)
 
 
 def _turned(program: Program, section: Section) -> Message | None:

@@ -392,3 +392,25 @@ def test_inches_without_g20_are_noticed(tmp_path, unit, said):
     (row,) = vkworkbench.analyze(path).operations
     assert str(row.strategy) == "zigzag"
     assert (row.error == "it looks 25.4 times too small: inches read as millimeters?") is said
+
+
+@pytest.mark.parametrize("tool", ["T1 1/4 END MILL", "T1 6.35mm END MILL"])
+def test_a_tool_told_with_its_unit_is_as_small_as_the_inches_that_are_read_as_millimetres(tmp_path, tool):
+    rows = "".join(f"G1 X{3 * (k % 2)}\nY{0.1 * (k + 1):.1f}\n" for k in range(20))
+    found = []
+    for comment in (tool, "T1 0.25 END MILL"):
+        path = tmp_path / "inch.nc"
+        path.write_text(f"({comment})\nT1 M6\nG0 X0 Y0 Z.5\nG1 Z-.1 F20\n{rows}G0 Z.5\n")
+        (row,) = vkworkbench.analyze(path).operations
+        found.append((row.strategy, row.confidence, round(row.costs["z-buffer"].dexels)))
+    assert found[0] == found[1]
+
+
+@pytest.mark.parametrize(
+    ("tool", "said"), [("T1 DIA-0.5000  1/2 ENDMILL", True), ("T1 DIA-0.5 - OP 3/4", False), ("T1 1/2 ENDMILL", False)]
+)
+def test_a_program_that_measures_its_tools_in_inches_is_one_of_inches_at_any_size(tmp_path, tool, said):
+    path = tmp_path / "inch.nc"
+    path.write_text(f"({tool})\nT1 M6\nG0 X0 Y0 Z3\nG1 Z-.1 F20\nX36\nY4\nX0\nY0\nG0 Z3\n")
+    (row,) = vkworkbench.analyze(path).operations
+    assert (row.error == "it looks 25.4 times too small: inches read as millimeters?") is said

@@ -198,6 +198,15 @@ def _is_bare(size: re.Match[str]) -> bool:
     return size["size"].isdigit() and not size["unit"] and not size["across"]
 
 
+def tells_inches(comment: str) -> bool:
+    """Whether a comment names a tool's diameter as a plain number and as the same fraction of an inch: DIA 0.5, 1/2 ENDMILL."""
+    if "/" not in comment or len(comment) > _LONGEST:
+        return False
+    comment = _FLUTES.sub("", comment.replace("_", " "))
+    size = _size(comment, _NUMBERED.search(comment))
+    return size is not None and not size.groupdict().get("unit") and _also_a_fraction(comment, size)
+
+
 def _also_a_fraction(comment: str, size: re.Match[str]) -> bool:
     """Whether a comment names the same size as a fraction of an inch, too."""
     if "/" in size["size"]:
