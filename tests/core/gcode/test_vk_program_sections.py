@@ -146,7 +146,7 @@ def test_what_is_too_large_or_told_too_long_is_no_tool():
      "Tool length 30 mm", "stock 20 mm x 30 mm", "T2 D=0 - flat end mill", "T2 D=9999 - end mill",
      "T2 - NO. 7 DRILL", "T2 #7 DRILL", "2 0.209 #4 tap drill", "Number 30 drill", "NR.7 BOHRER", "T3 LETTER F DRILL",
      "D DRILL", "T3 D3 H3 FACE MILL", "T11 H11 D11 ENDMILL", "H07 ENDMILL D7", "WERKZEUG 3 FRAESER", "OP 3 ENDMILL",
-     "#10-24 TAP", "10-32 TAP", "T5 1/4-18 NPT TAP", "T5 10-32 TAP 50MM LONG", "TAP PULLEY 1/4-20",
+     "This file uses 4 drill bit sizes.", "#10-24 TAP", "10-32 TAP", "T5 1/4-18 NPT TAP", "T5 10-32 TAP 50MM LONG", "TAP PULLEY 1/4-20",
      "Feed 500 mm/min", "a story of more than sixty characters about an end mill and a 20 mm plate"],
 )  # fmt: skip
 def test_comments_that_tell_no_tool(comment):

@@ -78,8 +78,10 @@ _BEHIND = re.compile(
 # Behind a tool for threads it is their pitch; and the part has diameters, too.
 _THREAD = re.compile(r"thread|gewinde|rosca|filet", re.IGNORECASE)
 _OF_PART = re.compile(r"\b(?:bore|boss|circle|hole|pocket)s?\b|bohrung|tasche", re.IGNORECASE)
-# A number in a table of drills, and that of an operation.
-_OTHER_NUMBER = re.compile(r"(?:#|\b(?:no|nr|op)\b\.?|\bnumber)\s*\d+(?![./\d])", re.IGNORECASE)
+# A number in a table of drills, that of an operation, and of how many sizes there are.
+_OTHER_NUMBER = re.compile(
+    r"(?:#|\b(?:no|nr|op)\b\.?|\bnumber)\s*\d+(?![./\d])|(?<![\d./])\d+(?=(?:\s+\w+){0,2}\s+sizes\b)", re.IGNORECASE
+)
 # M8 X 1.25, 1/4-20: a thread's diameter, and its pitch or turns per inch. Of a pipe's thread the inches are no measure.
 _TAP = re.compile(r"\btap\b(?!\s*drill)", re.IGNORECASE)
 _METRIC_THREAD = re.compile(
