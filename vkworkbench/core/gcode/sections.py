@@ -20,7 +20,7 @@ _AXES = frozenset("XYZ")
 
 # A title after the words that some post processors write before it.
 _TITLED = re.compile(
-    r"(?:begin operation|path|toolpath(?: name)?|operation(?: name)?|op(?:eration)? ?\d+|name|type|no\.? ?\d+|nr\.? ?\d+)\s*[:=]\s*(\S.*)",
+    r"(?:begin operation|start cutting path id|path|toolpath(?: name)?|operation(?: name)?|op(?:eration)? ?\d+|name|type|no\.? ?\d+|nr\.? ?\d+)\s*[:=]\s*(\S.*)",
     re.IGNORECASE,
 )
 # Comments that are no titles: what post processors say of themselves, the machine, modes, and moves in an operation.
@@ -28,13 +28,14 @@ _REMARK = re.compile(
     r"""
     \W*$ | [-+.\d\s/:*x%]+$ | .{80} | .*(?:https?://|\.(?:cps|pp|ulp|h|stl|svg|brd|tpl|gmax|txt|nc|ngc|tap)\b)
     | [A-Z0-9]+_[A-Z0-9_]+$ | \*{2,} | -{2,} | ={2,} | .*\b\d{1,2}:\d{2}\b | [MGTNS]\d+\b | \[ | .*\|
-    | .*=\s*[-+]?[\d.]+\s*\w*$ | (?:\w+\s+){0,3}\w+(?:\(\S+\))?\s*:\s*[-+]?[\d.,]+(?:\s*(?:mm|in|%|rpm|seconds|s)?\b.*)?$ | [XYZ]\s?(?:min|max|:)
-    | .*\bdepth:\s*[-+]?[\d.]+$ | helix\ cut\ operation$ | (?:turn|wait)\b | header\b | origin: | pycam_ | (?-i:[a-z]\w*_\w+)(?:\(\S+\))?\s*[:=] | pen\ (?:up|down)$
-    | select\b.*\bplane$
+    | .*=\s*[-+]?[\d.]+\s*\w*$ | (?:\w+\s+){0,3}\w+(?:\(\S+\))?\s*:\s*[-+]?[\d.,]+(?:\s*(?:mm|in|%|rpm|seconds|s)?\b.*)?$ | [XYZ]\s?(?:min|max|:) | [XYZ](?:,Y)?\ (?:start|end):
+    | .*\bdepth:\s*[-+]?[\d.]+$ | helix\ cut\ operation$ | (?:turn|wait)\b | header\b | origin: | pycam[-_] | (?-i:[a-z]\w*_\w+)(?:\(\S+\))?\s*[:=] | pen\ (?:up|down)$
+    | pcb2gcode\b | high\s+up\s+down\b | (?:generator|shape)\s*= | end\ cutting\ path\b | it\ is\b
+    | select\b.*\b(?:plane|coordinate\ system(?:\ \d+)?)$
     | (?:laser|plasma|waterjet|through|etch|vaporize)\ cutting\.?$ | run\ point-pierce\b
     | (?:msg|debug|print|id)\b\s*[,=]? | (?:material|werkstoff)\s*[-:=]
     | .*\b(?:personal\ use|rapid|feed\s?rates?|unrestricted|subscription|machining\ time|copyright|licens\w*|gcode|g-code
-        |generated|created|erstellt|exported|made\ using|post\ ?processor|posts?\ processor|preamble|postamble|output
+        |generated|created|erstellt|exported|made\ using|post\ ?processor|posts?\ processor|preprocessor|preamble|postamble|output
         |vendor|model|description|hersteller|proveedor|machine|maschine|bearbeiten|spindle|coolant|retract\w*|plunge
         |units?|millimeters?|millimetres?|inch(?:es)?|metric|absolute|incremental|clearance|safe\w*|attention|compensat\w*
         |program|filename|file|settings|stock|home|dwell|laufzeit|werkzeuge|required|tools?|toolchange|mode|end\ of|return|postprocessor
