@@ -1005,10 +1005,6 @@
         <source>as simulated, {count:n} commands are wrong, among them {command:#}: {fault}</source>
         <translation type="unfinished"></translation>
     </message>
-    <message>
-        <source>a program for a laser, a torch, a jet or a pen ({name}, line {line:#}): milling strategies say nothing about it</source>
-        <translation type="unfinished"></translation>
-    </message>
 </context>
 <context>
     <name>Strategy</name>

@@ -1005,10 +1005,6 @@
         <source>as simulated, {count:n} commands are wrong, among them {command:#}: {fault}</source>
         <translation>laut Simulation sind {count:n} Befehle falsch, darunter {command:#}: {fault}</translation>
     </message>
-    <message>
-        <source>a program for a laser, a torch, a jet or a pen ({name}, line {line:#}): milling strategies say nothing about it</source>
-        <translation>ein Programm für einen Laser, einen Brenner, einen Strahl oder einen Stift ({name}, Zeile {line:#}): Frässtrategien sagen darüber nichts</translation>
-    </message>
 </context>
 <context>
     <name>Strategy</name>

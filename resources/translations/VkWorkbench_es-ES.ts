@@ -1005,10 +1005,6 @@
         <source>as simulated, {count:n} commands are wrong, among them {command:#}: {fault}</source>
         <translation>según la simulación, {count:n} órdenes están mal, entre ellas la {command:#}: {fault}</translation>
     </message>
-    <message>
-        <source>a program for a laser, a torch, a jet or a pen ({name}, line {line:#}): milling strategies say nothing about it</source>
-        <translation>un programa para un láser, un soplete, un chorro o un lápiz ({name}, línea {line:#}): las estrategias de fresado no dicen nada de él</translation>
-    </message>
 </context>
 <context>
     <name>Strategy</name>

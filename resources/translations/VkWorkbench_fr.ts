@@ -1005,10 +1005,6 @@
         <source>as simulated, {count:n} commands are wrong, among them {command:#}: {fault}</source>
         <translation>d’après la simulation, {count:n} commandes sont fausses, dont la {command:#} : {fault}</translation>
     </message>
-    <message>
-        <source>a program for a laser, a torch, a jet or a pen ({name}, line {line:#}): milling strategies say nothing about it</source>
-        <translation>un programme pour un laser, un chalumeau, un jet ou un stylo ({name}, ligne {line:#}) : les stratégies de fraisage n’en disent rien</translation>
-    </message>
 </context>
 <context>
     <name>Strategy</name>

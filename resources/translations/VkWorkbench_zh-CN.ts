@@ -1005,10 +1005,6 @@
         <source>as simulated, {count:n} commands are wrong, among them {command:#}: {fault}</source>
         <translation>仿真显示 {count:n} 条命令有误，其中有 {command:#}：{fault}</translation>
     </message>
-    <message>
-        <source>a program for a laser, a torch, a jet or a pen ({name}, line {line:#}): milling strategies say nothing about it</source>
-        <translation>激光、割炬、射流或绘图笔程序（{name}，第 {line:#} 行）：铣削策略对它不适用</translation>
-    </message>
 </context>
 <context>
     <name>Strategy</name>

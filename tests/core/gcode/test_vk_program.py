@@ -493,18 +493,8 @@ def test_a_text_is_a_program_while_half_of_its_lines_are_words():
         ("M104 S200\nG1 X5 Y5 Z.2 F600\nG1 X9 E1", "a program for a 3D printer (M104, line 1)"),
         ("G1 X0 Z0 F600\n" + "".join(f"X{i} E{i}\n" for i in range(1, 12)), "a program for a 3D printer (E, line 2)"),
         ("G1 X0 Y0 U0 V0 F100\nG1 X10 Y1 U10 V2", "a program for a wire cutter (U, V, line 1)"),
-        ("G92 X0 Y0\nM60\nG41 D1 G1 X5 F2\nY5\nM50\nM2", "a program for a wire cutter (M60, M50, line 5)"),
-        ("(PUNCH - WIRE EDM)\nG92 X0 Y0\nG1 X5 F2\nY5", "a program for a wire cutter (WIRE EDM, line 1)"),
-        ("; LightBurn 1.2\nM4\nG0 X5 Y5 Z0\nG1 X9 S300 F900", "a program for a laser, a torch, a jet or a pen (LightBurn, line 1)"),
-        (PLAIN + "(Plasma cutting)\nG1 X9", "a program for a laser, a torch, a jet or a pen (Plasma cutting, line 5)"),
-        (PLAIN + "(Offset, T2: Plasma, 1 mm kerf)", "a program for a laser, a torch, a jet or a pen (T2: Plasma, 1 mm kerf, line 5)"),
-        ("(PLASMA)\nM3\nG0 X0 Y0\nG1 X5 F100\nM5", "a program for a laser, a torch, a jet or a pen (PLASMA, line 1)"),
-        ("G0 X0 Y0\n" + 3 * "M3\nG1 X5 F9\nM5\nG0 X0\n", "a program for a laser, a torch, a jet or a pen (M5, line 12)"),
-        ("M4 S0\nG1 F9\n" + 3 * "X5 S90\nX0 S0\n", "a program for a laser, a torch, a jet or a pen (S0, line 8)"),
-        ("G0 X0 Z9\n" + 3 * "Z9 M3\nG1 X5 F9\nX0 M5\n", "a program for a laser, a torch, a jet or a pen (M5, line 10)"),
-        (3 * "G0 Z5\nM3 (TORCH ON)\nG1 Z1 F9\nX5\nM5\n", "a program for a laser, a torch, a jet or a pen (TORCH, line 2)"),
     ],
-)  # fmt: skip
+)
 def test_other_machines_say_so(text, sentence):
     assert render(read_program(text).other).startswith(sentence)
 
@@ -512,22 +502,6 @@ def test_other_machines_say_so(text, sentence):
 @pytest.mark.parametrize("line", ["G18 G2 X5 Z0 R10", "G96 S100", "G8 P1", "G76 X5 Y5 Z-3 R1 Q.1", "E5 (a slip)"])
 def test_a_milling_program_is_none_of_them(line):
     assert read_program(PLAIN + line).other is None
-
-
-@pytest.mark.parametrize(
-    "text",
-    [
-        PLAIN + "(BRACKET OF A LASER, TORCH HOLDER)\n(T5: LASER PROBE)\n(LEAVE 0.2 FOR WIRE EDM)\nM60\nX5\nM50",
-        "G0 X0 Y0\n" + 2 * "M3\nG1 X5 F9\nM5\nG0 X0\n",
-        "G0 X0 Y0\n" + 9 * "M3\nG1 X5 F9\nM5\nM0\nG0 X0\n",
-        99 * "G0 Z5\nM3\nG1 Z1 F9\nX5\nX0\nM5\n",
-        "G0 X0 Y0\n" + 9 * "M3\nG1 Z#1 F9\nX5\nM5\n",
-        "".join(f"T{i} M6\nM3\nG0 Z5\nG1 Z1 F9\nX5\nX0\nG0 Z5\nM5\n" for i in range(20)),
-        "G0 Z5\n" + 20 * "(TORCH)\nX1\nM3 S50\nG1 Z-5 F50\nM5\nM4\nZ5\nM5\nG0 X0\n",
-    ],
-)  # fmt: skip
-def test_a_mill_stops_its_spindle_for_a_tool_and_cuts_along_z(text):
-    assert read_program(text).other is None
 
 
 @pytest.mark.parametrize(

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Signs that a text is no milling program in G-code: another control's language, or another machine's."""
+"""Signs that a text is no milling program in G-code: another control's language, a lathe's, a 3D printer's."""
 
 from __future__ import annotations
 
@@ -30,20 +30,6 @@ _TURNING_CYCLES = frozenset([70, 71, 72, 76])
 _PRINTER = frozenset([104, 109, 140, 190])
 _SLOWEST_MILLING = 2.0  # mm/min
 _EXTRUSIONS = 10  # moves; fewer E words may be typing errors
-_ON, _OFF = frozenset([3, 4, 106]), frozenset([5, 107])  # of a spindle, and of a fan's output to which a laser is wired
-_PAUSES = frozenset([0, 1, 6, 60])  # in which a mill's spindle stands: a tool is changed, or a part turned over
-_STROKES = 3  # from one pause to the next; scripts stop a spindle between two cuts, too
-_THREAD_WIRE, _CUT_WIRE = 60, 50
-# What the comments of a program for a laser and its like say; and words that tell either the machine or the part.
-_COMMENTS = {
-    sign: re.compile(words, re.IGNORECASE)
-    for sign, words in {
-        "beam": r"^LightBurn\b|^header_?type: ?laser\b|^(?:laser|plasma|water ?jet) cutting\.?$"
-        r"|\bT\d+: (?:laser|plasma|water ?jet)\b.*\bkerf$",
-        "beam or part": r"\b(?:laser|plasma|torch|water ?jet)\b",
-        "wire or part": r"\bwire[ -]?(?:edm|cut)",
-    }.items()
-}
 
 
 def at_line(problem: Problem) -> Message:
@@ -98,8 +84,6 @@ class Clues:
     ----------
     rotary : list of int
         Lines in which a rotary axis turns while the tool cuts.
-    with_z, level : int
-        Lines with a Z, and those of them of which it is known that they leave the height as it is.
     """
 
     def __init__(self) -> None:
@@ -116,11 +100,6 @@ class Clues:
         self._printer: tuple[str, int] | None = None
         self._extrusions: list[int] = []
         self._wire: list[int] = []
-        self.with_z = self.level = 0
-        self._signs: dict[str, tuple[str, int]] = {}  # of lasers and wire cutters, the first of each kind
-        self._on = self._cut = self._threaded = False
-        self._speed: float | None = None
-        self._strokes = 0
         self._names_y = self._along_y = False
 
     def g_code(self, number: int, letters: set[str], line: int) -> bool:
@@ -139,46 +118,8 @@ class Clues:
             self._printer = f"M{value:g}", line
         self._changer |= value == 6
 
-    def comment(self, text: str, line: int) -> None:
-        """Note a comment that names another machine."""
-        for sign, words in _COMMENTS.items():
-            found = words.search(text)
-            if found:
-                self._signs.setdefault(sign, (found[0], line))
-
-    def switch(self, m_codes: list[float], speed: float | None, line: int) -> None:
-        """Note where what cuts is switched off after a cut: a spindle turns until the tool is changed.
-
-        Parameters
-        ----------
-        m_codes : list of float
-            The line's M-codes.
-        speed : float or None
-            Its S word; without one it stays as it is.
-        line : int
-        """
-        for code in m_codes:
-            if code in _PAUSES:
-                self._strokes = 0
-            if code in _ON or code in _OFF:
-                self._on = code in _ON
-            if code == _CUT_WIRE and self._threaded:
-                self._signs.setdefault("wire or part", ("M60, M50", line))
-            self._threaded |= code == _THREAD_WIRE
-        self._speed = self._speed if speed is None else speed
-        if self._cut and not (self._on and self._speed != 0):
-            self._cut = False
-            self._strokes += 1
-            if self._strokes == _STROKES:
-                self._signs.setdefault("strokes", ("S0" if self._on else "M5", line))
-
-    def cut(self) -> None:
-        """Note a cut in X or Y, which is a stroke where the spindle, or what stands in its place, is on."""
-        self._cut |= self._on and self._speed != 0
-
     def tool(self, number: int, line: int) -> None:
         """Note a tool; T0101 is one in a turret, with its offset."""
-        self._strokes = 0
         if self._turret is None and 0 < number < 10_000 and number % 101 == 0:
             self._turret = f"T{number:04}", line
 
@@ -241,22 +182,12 @@ class Clues:
         if heats or len(self._extrusions) > _EXTRUSIONS:
             name, line = heats or ("E", self._extrusions[0])
             return Message("printing", name=name, line=line)
-        wire = ("U, V", self._wire[0]) if self._wire else None if self.with_z else self._signs.get("wire or part")
-        if wire:
-            name, line = wire
-            return Message("wire", name=name, line=line)
+        if self._wire:
+            return Message("wire", name="U, V", line=self._wire[0])
         plane = None if self._names_y else self._plane
         weak = None if self._mills else plane or self._slow or (None if self._changer else self._turret)
         turned = self._turning or weak or self._incremental
         if not self._along_y and turned:
             name, line = turned
             return Message("lathe", name=name, line=line)
-        telling = {"beam"}
-        if self.with_z == self.level:
-            telling.add("strokes")
-        if not self.with_z or "strokes" in self._signs:
-            telling.add("beam or part")
-        for sign, (name, line) in self._signs.items():
-            if sign in telling:
-                return Message("beam", name=name, line=line)
         return None

@@ -56,7 +56,6 @@ _CALL_LETTERS = frozenset("PpOo:")  # of calls, and of the programs in which the
 _BORING = 860  # as which G76 is read, whose I and J move the tool aside before it is lifted
 _SPLINES = frozenset([50, 51])
 _DWELLS = frozenset([40])
-_MOVES = frozenset([0, 10, 20, 30])
 # Heidenhain's DIN/ISO: the codes that mean what they mean elsewhere, and those of blank and tools, which move nothing.
 _HEIDENHAIN = frozenset([0, 10, 20, 30, 40, 170, 180, 190, 400, 410, 420, 700, 710, 900, 910])
 _HEIDENHAIN_DATA = frozenset([300, 310, 990])
@@ -147,7 +146,6 @@ class _Reader:
         self.motion = -1
         self.moved = False
         self.y: float | None = None  # the last absolute one
-        self.z: float | None = None  # likewise
         self.away: list[tuple[int, Message]] = []  # machine positions since the last move, which matter if one follows
         self.offset = 540, 0.0
         self.okuma = False
@@ -191,7 +189,6 @@ class _Reader:
         if not code:
             self._keep(comments)
             return False
-        self.clues.with_z += "Z" in code
         if code[0] in "$?NPBD" and _SAYS.fullmatch(code):
             return False
         if self.ended and (code[0] in "O:" or self.calls_blocks):
@@ -220,10 +217,7 @@ class _Reader:
         return self._block(words, letters)
 
     def _keep(self, comments: list[str]) -> None:
-        for text in comments:
-            if text:
-                self.comments.append((len(self.commands), self.number, text))
-                self.clues.comment(text, self.number)
+        self.comments += [(len(self.commands), self.number, text) for text in comments if text]
 
     def _problem(self, what: Message) -> None:
         self.problems.setdefault(what, []).append(self.number)
@@ -315,9 +309,6 @@ class _Reader:
             words = [(letter, value) for letter, value in words if letter not in taken]
             parameters = {letter: value for letter, value in parameters.items() if letter not in taken}
         self._take_tools([_whole(value, _MOST_TOOLS) for letter, value in words if letter == "T"], change)
-        if "M" in letters or "S" in letters:
-            m_codes = [value for letter, value in words if letter == "M"]
-            self.clues.switch(m_codes, self.spindle if "S" in letters else None, self.number)
         if "S" in letters and self.per_turn is not None:  # another speed is another feed
             parameters.setdefault("F", self.per_turn)
         if codes or "F" in parameters:
@@ -482,10 +473,6 @@ class _Reader:
             self._problem(Message("goes-on"))
         if "Y" in move:
             self._note_y(move["Y"])
-        if "Z" in move and mode in _MOVES:
-            self._note_z(move["Z"])
-        if mode in _MOVES and mode and ("X" in move or "Y" in move):
-            self.clues.cut()
         if mode in (20, 30):
             self.clues.arc(set(parameters), self.number)
             if parameters.get("P", 1.0) > 1:
@@ -516,13 +503,6 @@ class _Reader:
         else:
             self.clues.y(self.y not in (None, y))
             self.y = y
-
-    def _note_z(self, z: float) -> None:
-        if self.relative:
-            self.clues.level += not z
-        else:
-            self.clues.level += self.z in (None, z)
-            self.z = z
 
     def _repeats(self, mode: int, parameters: dict[str, float], move: dict[str, float]) -> int:
         """Return how often a cycle is made, and leave to `move` the words that tell its holes."""

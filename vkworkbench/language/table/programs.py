@@ -54,10 +54,6 @@ PROGRAMS: dict[str, str | tuple[str, str]] = {
     "wire": QT_TRANSLATE_NOOP(
         "Sentences", "a program for a wire cutter ({name}, line {line:#}): milling strategies say nothing about it"
     ),
-    "beam": QT_TRANSLATE_NOOP(
-        "Sentences",
-        "a program for a laser, a torch, a jet or a pen ({name}, line {line:#}): milling strategies say nothing about it",
-    ),
     "rotary": QT_TRANSLATE_NOOP(
         "Sentences", "a rotary axis turns while the tool cuts (line {line:#}): the path of the tool cannot be told"
     ),
