@@ -51,6 +51,8 @@ def analyze(what=None, *, progress=None, cancelled=None):
     ------
     ValueError
         If `what` is None and no document is open, or if a file's name is empty.
+    ReferenceError
+        If an object of it was deleted, or its document closed.
     TypeError
         If `what` is something else; without FreeCAD files and folders are all there is.
     Cancelled

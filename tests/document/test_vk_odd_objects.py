@@ -158,6 +158,23 @@ def test_what_is_no_document_is_told_in_a_sentence(small, what):
             vkworkbench.analyze(what)
 
 
+@pytest.mark.parametrize("do", ["analyze", "clear", "simulate"])
+def test_what_is_gone_is_told_in_a_sentence(small, zigzag_commands, do):
+    do = getattr(vkworkbench, do)
+    deleted, op = small.add("Deleted", zigzag_commands), small.add("Zigzag", zigzag_commands)
+    small.document.openTransaction("Delete")
+    small.document.removeObject(deleted.Name)
+    small.document.commitTransaction()
+    for what in (deleted, [op, deleted]):
+        with pytest.raises(ReferenceError, match="was deleted, or its document closed"):
+            do(what)
+    document, job = small.document, small.job
+    FreeCAD.closeDocument(document.Name)
+    for what in (document, job, op, [op]):
+        with pytest.raises(ReferenceError, match="was deleted, or its document closed"):
+            do(what)
+
+
 @pytest.mark.parametrize("what", [None, "x", 5, []])
 def test_mark_takes_a_report(small, what):
     with pytest.raises(TypeError, match="mark takes the Report that analyze returns"):

@@ -80,6 +80,8 @@ def analyze(
     ------
     ValueError
         If `what` is None and no document is open.
+    ReferenceError
+        If an object of it was deleted, or its document closed.
     TypeError
         If `what` is something else.
     Cancelled

@@ -85,6 +85,8 @@ def clear(what=None) -> int:
     ------
     ValueError
         If `what` is None and no document is open.
+    ReferenceError
+        If an object of it was deleted, or its document closed.
     TypeError
         If `what` is something else.
     """

@@ -73,6 +73,14 @@ def is_there(obj) -> bool:
         return False
 
 
+def _is_gone(what) -> bool:
+    """Whether it is a document that was closed, or an object that was deleted, which a macro may still hold."""
+    try:
+        return not is_document(what) and is_object(what) and not is_there(what)
+    except ReferenceError:  # FreeCAD tells nothing of it any more
+        return True
+
+
 def is_document(what) -> bool:
     """Whether it is a document."""
     return hasattr(what, "Objects") and hasattr(what, "getObject")
@@ -146,6 +154,8 @@ def find(what) -> list[Operation]:
 
     Raises
     ------
+    ReferenceError
+        If one of them was deleted, or its document closed.
     TypeError
         If something else is given.
     """
@@ -166,6 +176,8 @@ def _key(obj) -> tuple[str, str]:
 
 def _find(what, jobs: dict) -> Iterator[Operation]:
     """Find the operations; `jobs` keeps those of each job, so that a selection searches no job twice."""
+    if _is_gone(what):
+        raise ReferenceError("what is asked for was deleted, or its document closed: take it from the document again")
     if is_document(what):
         for obj in what.Objects:
             if kind(obj) == "job":

@@ -52,6 +52,8 @@ def simulate(
         If it would take more memory; nothing was simulated.
     ValueError
         If `what` is None and no document is open, or there is no such direction.
+    ReferenceError
+        If an object of it was deleted, or its document closed.
     TypeError
         If `what` is something else.
     """
