@@ -282,3 +282,16 @@ def test_a_stock_around_cuts_is_never_beyond_what_a_stock_may_be():
         box = stock_around(replace(path, points=path.points + move), Tool("endmill", 6))
         assert np.abs([box.lower, box.upper]).max() <= LARGEST and (box.upper - box.lower >= SMALLEST).all()
     assert hypot(*stock_around(path, Tool("endmill", 6)).lower[:2]) == pytest.approx(hypot(3, 3))
+
+
+def test_the_size_of_an_image_is_whole_pixels():
+    assert View(width=np.int64(8)).width == 8
+    for size in (160 / 0.5, "8", None):
+        with pytest.raises(TypeError, match="the image's height is a whole number of pixels"):
+            View(height=size)
+
+
+def test_where_nothing_cuts_no_stock_is_around_it():
+    for commands in ([], [("G0", {"X": 0}), ("G0", {"X": 5})]):
+        with pytest.raises(ValueError, match="a toolpath without any"):
+            stock_around(linearize(commands), Tool("endmill", 6))

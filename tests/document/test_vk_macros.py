@@ -14,6 +14,7 @@ from macros.folder_to_csv import folder_to_csv
 from macros.stop_heavy_job import too_heavy
 
 import vkworkbench
+from vkworkbench import core
 
 
 def state(document):
@@ -116,3 +117,21 @@ def test_a_spreadsheet_reads_the_export(example, tmp_path, point, parted):
     for row, o in zip(rows, report.operations):
         assert float(row["Cutting length (m)"].replace(point, ".")) == pytest.approx(o.length / 1000, abs=1e-3)
         assert row["Strategy"] == str(o.strategy)
+
+
+def test_the_core_takes_sizes_as_freecad_has_them(small, zigzag_commands):
+    op = small.add("Zigzag", zigzag_commands)
+    bit, box = small.controller.Tool, small.job.Stock.Shape.BoundBox
+    path = core.linearize(op.Path.Commands, tolerance=FreeCAD.Units.Quantity("0.01 mm"))
+    tool, stock = (
+        core.Tool("endmill", bit.Diameter),
+        core.Stock((box.XMin, box.YMin, box.ZMin), (box.XMax, box.YMax, box.ZMax)),
+    )
+    assert core.recognize(path, tool_diameter=bit.Diameter) == core.recognize(path, tool_diameter=5)
+    assert tool == core.Tool("endmill", 5)
+    assert core.simulate(path, tool=tool, stock=stock, view=core.View(width=40, height=30)).traces > 0
+    speeds = {"horizontal_rapid": FreeCAD.Units.Quantity("100 mm/s"), "vertical_rapid": small.controller.VertRapid}
+    found = core.machining(path, **speeds, top=FreeCAD.Units.Quantity("20 mm"))
+    assert found == core.machining(path, horizontal_rapid=100, top=20)
+    with pytest.raises(TypeError, match="not Path"):
+        core.linearize(op.Path)

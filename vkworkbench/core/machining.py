@@ -154,6 +154,7 @@ def machining(
     ValueError
         For a negative or non-finite rapid speed.
     """
+    horizontal_rapid, vertical_rapid = float(horizontal_rapid), float(vertical_rapid)  # also FreeCAD's quantities
     for given in (horizontal_rapid, vertical_rapid):
         if not (np.isfinite(given) and given >= 0):
             raise ValueError(f"a rapid speed must be a number of mm/s, at least 0, not {given}")
@@ -201,5 +202,5 @@ def machining(
         heights = toolpath.points[:, 2]
         lowest = float(np.minimum(heights[:-1], heights[1:])[~rapid].min())
         if top is not None:
-            depth = max(0.0, top - lowest)
+            depth = max(0.0, float(top) - lowest)
     return Machining(cutting_length, rapid_length, lowest, depth, cutting_seconds, rapid_seconds, tuple(left_out))

@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import combinations, product
 from math import isfinite, pi, tan
+from operator import index
 from typing import NamedTuple, Protocol
 
 import numpy as np
@@ -47,7 +48,9 @@ class Tool:
         For a diameter that is not a positive number of at most a kilometre, a corner radius above half the diameter,
         a tip angle outside ]0, pi], or a tip that is wider than the tool.
     ValueError
-        For an unknown shape.
+        For an unknown shape, or a text that is no number.
+    TypeError
+        Where a size is nothing like a number. (FreeCAD's quantities are numbers, in mm.)
     """
 
     shape: str
@@ -59,6 +62,10 @@ class Tool:
     def __post_init__(self) -> None:
         if self.shape not in SHAPES:
             raise ValueError(f"unknown tool shape {self.shape!r}; known are {', '.join(SHAPES)}")
+        for name in ("diameter", "corner_radius", "tip_angle", "tip_diameter"):
+            given = getattr(self, name)
+            if given is not None or name != "tip_angle":
+                object.__setattr__(self, name, float(given))  # a quantity of FreeCAD's cannot be reckoned with
         if not 0 < self.diameter <= LARGEST:
             raise Unusable(Message("tool-diameter", diameter=self.diameter))
         if self.shape == "bullnose" and not 0 <= self.corner_radius <= self.radius:
@@ -208,7 +215,7 @@ class Stock(Convex):
     Parameters
     ----------
     lower, upper : (3,) array_like
-        Two opposite corners, mm.
+        Its lowest and its highest corner, mm.
 
     Raises
     ------
@@ -329,6 +336,8 @@ class View:
     ------
     ValueError
         If the direction has no length, the image no pixels or a pixel no side.
+    TypeError
+        If width or height is no whole number, as ``160 / 0.5`` is none.
     """
 
     direction: tuple[float, float, float] = (0.0, 0.0, -1.0)
@@ -342,6 +351,13 @@ class View:
         if direction.shape != (3,) or not np.isfinite(direction).all() or not direction.any():
             raise ValueError("the view's direction must be three finite numbers, not all zero")
         object.__setattr__(self, "direction", tuple(float(x) for x in direction))
+        for name in ("width", "height"):
+            try:
+                object.__setattr__(self, name, index(getattr(self, name)))
+            except TypeError:
+                raise TypeError(
+                    f"the image's {name} is a whole number of pixels, not {getattr(self, name)!r}"
+                ) from None
         if self.width < 1 or self.height < 1:
             raise ValueError("the image needs at least one pixel each way")
         if self.pixel is not None and not (isfinite(self.pixel) and self.pixel > 0):
@@ -402,8 +418,16 @@ class Frame:
 
 
 def stock_around(toolpath: Toolpath, tool: Tool) -> Stock:
-    """Return the box around all cuts of a tool, up to the highest: a stand-in where the stock is unknown."""
+    """Return the box around all cuts of a tool, up to the highest: a stand-in where the stock is unknown.
+
+    Raises
+    ------
+    ValueError
+        Where nothing cuts.
+    """
     cuts = ~toolpath.rapid
+    if not cuts.any():
+        raise ValueError("there is no box around the cuts of a toolpath without any")
     points = np.concatenate((toolpath.points[:-1][cuts], toolpath.points[1:][cuts]))
     lower, upper = points.min(axis=0) - tool.radius, points.max(axis=0) + tool.radius
     upper[2] = max(upper[2] - tool.radius, lower[2] + tool.diameter)

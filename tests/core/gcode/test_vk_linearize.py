@@ -382,3 +382,26 @@ def test_the_radius_of_an_arc_goes_evenly_to_that_of_its_end():
     below = spiral[spiral[:, 1] < -1]  # half a turn, from radius 5 to 4
     middle = below[np.argmin(np.abs(below[:, 0] - 5))]
     assert np.hypot(middle[0] - 5, middle[1]) == pytest.approx(4.5, abs=0.002)
+
+
+@pytest.mark.parametrize(
+    "commands",
+    [
+        None,
+        5,
+        "G1 X5",
+        ["G1 X5"],
+        [None],
+        [5],
+        [("G1", "X5")],
+        [("G1", [5])],
+        [({"X": 5}, "G1")],
+        [(None, {"X": 5})],
+        {"G1": {}},
+    ],
+)
+def test_what_is_no_command_is_told_in_a_sentence(commands):
+    with pytest.raises(
+        TypeError, match=r"commands are \(name, parameters\) pairs, or objects with Name and Parameters"
+    ):
+        linearize(commands)

@@ -70,15 +70,18 @@ def linearize(commands: Iterable[Any] | Words, *, tolerance: float = 0.01, infer
     ------
     ValueError
         If `tolerance` is not a positive number.
+    TypeError
+        If `commands` is something else, as a FreeCAD Path itself or the text of a program.
     Unusable
         If arcs and cycles would need more than 5 million moves.
     """
+    tolerance = float(tolerance)
     if not (np.isfinite(tolerance) and tolerance > 0):
         raise ValueError(f"the tolerance must be a positive number of mm, not {tolerance}")
     words = commands if isinstance(commands, Words) else Words(commands)
     problems = _Problems()
     program = _Program(words, problems, infer_centres)
-    points, rapid, command, sweep, is_cycle = _moves(program, float(tolerance), problems)
+    points, rapid, command, sweep, is_cycle = _moves(program, tolerance, problems)
 
     moved = _moved(points)
     while not moved.all():  # again: leaving out short moves may shorten the next one

@@ -61,18 +61,22 @@ class Words:
     ----------
     commands : iterable
         ``(name, parameters)`` pairs, or objects with ``.Name`` and ``.Parameters`` as FreeCAD's.
+
+    Raises
+    ------
+    TypeError
+        If it is something else.
     """
 
     def __init__(self, commands: Iterable[Any]) -> None:
         self.names: list[str] = []
         known: dict[str, str] = {}
         tables: list[tuple[np.ndarray, str, np.ndarray]] = []
+        if not isinstance(commands, Iterable) or isinstance(commands, str):
+            raise _no_commands(commands)
         source = iter(commands)
         while (piece := list(islice(source, _PIECE))) or not tables:
-            if piece and hasattr(piece[0], "Parameters"):
-                names, parameters = [c.Name for c in piece], [c.Parameters for c in piece]
-            else:
-                names, parameters = [c[0] for c in piece], [c[1] for c in piece]
+            names, parameters = _columns(piece)
             _read_word_names(names, parameters)
             self.names += [known.setdefault(name, name) for name in names]
             tables.append(_table_of(parameters))
@@ -115,6 +119,32 @@ class Words:
         values[row] = np.where(usable, value, np.nan)
         unusable[row] = ~usable
         return (values, unusable) if rows is None else (values[rows], unusable[rows])
+
+
+def _columns(piece: list[Any]) -> tuple[list[str], list[Any]]:
+    """Return the names and the parameters of commands."""
+    if piece and isinstance(piece[0], str):  # a line of a program: its letters would be taken for a name and parameters
+        raise _no_commands(piece)
+    try:
+        if piece and hasattr(piece[0], "Parameters"):
+            names, parameters = [c.Name for c in piece], [c.Parameters for c in piece]
+        else:
+            names, parameters = [c[0] for c in piece], [c[1] for c in piece]
+        different = set(names)
+    except (AttributeError, IndexError, KeyError, TypeError):
+        raise _no_commands(piece) from None
+    if not all(isinstance(name, str) for name in different):
+        raise _no_commands(piece)
+    return names, parameters
+
+
+def _no_commands(given: Any) -> TypeError:
+    """Return the error that says what commands are, and what was given."""
+    first = given[0] if isinstance(given, list) else given
+    return TypeError(
+        "commands are (name, parameters) pairs, or objects with Name and Parameters as in a Path's Commands, "
+        f"not {first!r:.60}"
+    )
 
 
 def used_up(commands: list[Any]) -> Iterator[Any]:
@@ -168,6 +198,8 @@ def _table(parameters: list[dict[str, Any]]) -> tuple[np.ndarray, str, np.ndarra
 
 def _numbers(parameters: Mapping[Any, Any] | None) -> dict[str, float]:
     """Return the parameters that a letter names, NaN where they are no number."""
+    if parameters is not None and not isinstance(parameters, Mapping):
+        raise _no_commands(parameters)
     words = parameters.items() if parameters else ()
     return {letter: _number(value) for letter, value in words if isinstance(letter, str) and len(letter) == 1}
 

@@ -41,7 +41,8 @@ def recognize(toolpath: Toolpath, *, tool_diameter: float | None = None, program
         return Recognition(Strategy.EMPTY, 1.0, Message("only-rapids") if len(toolpath) else Message("no-moves"))
     if is_turned(toolpath):
         return unknown(toolpath, Message("like-a-lathe", strategy=Strategy.UNKNOWN))
-    tool = float(tool_diameter) if tool_diameter and np.isfinite(tool_diameter) and tool_diameter > 0 else 0.0
+    tool = float(tool_diameter or 0.0)  # a quantity of FreeCAD's is a number, too
+    tool = tool if 0 < tool < np.inf else 0.0
     moves = monotonous_areas(toolpath)
     first, last = int(np.argmin(rapid)), len(rapid) - 1 - int(np.argmin(rapid[::-1]))
     whole = recognize_one(toolpath, moves, first, last, tool)
