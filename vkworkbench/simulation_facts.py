@@ -7,6 +7,7 @@ import csv
 import json
 from collections.abc import Mapping
 from dataclasses import dataclass
+from math import isnan
 from typing import Any
 
 import numpy as np
@@ -62,14 +63,17 @@ class SimulationFacts:
             json.dump(self.as_dict(), file, indent=1, ensure_ascii=False)
 
     def trajectories_to_csv(self, path: str) -> None:
-        """Write one line for each trajectory, with a header: its operation, command, and what it removes."""
+        """Write one line for each trajectory, with a header: its operation, command, and what it removes.
+
+        A rate that nobody knows is an empty cell.
+        """
         table = dict(self.trajectories)
         labels = [as_cell(label) for label, _ in self.operations]
         table = {"label": np.array(labels, object)[table.pop("cut")], **table}
         with open(path, "w", newline="", encoding="utf-8") as file:
             writer = csv.writer(file)
             writer.writerow(table)
-            writer.writerows(zip(*(column.tolist() for column in table.values())))
+            writer.writerows(zip(*map(_cells, table.values())))
 
     def __str__(self) -> str:
         header = (
@@ -86,6 +90,11 @@ class SimulationFacts:
         rows = [header, *(_row(label, facts) for label, facts in (*self.operations, ("job", self.job)))]
         widths = widths_of(rows)
         return "\n".join(line(row, widths, left={0}) for row in rows)
+
+
+def _cells(column: np.ndarray) -> list[Any]:
+    """Return the cells of a column: empty ones for what is not a number, which a spreadsheet would take for a word."""
+    return [None if isinstance(value, float) and isnan(value) else value for value in column.tolist()]
 
 
 def _row(label: str, facts: CutFacts) -> tuple[str, ...]:

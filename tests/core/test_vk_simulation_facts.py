@@ -36,7 +36,12 @@ FOUND = SimulationFacts(
     FAULTY,
     (("Doc", "Face"), ("Doc", "Pocket")),
     ("f", "g"),
-    {"cut": np.array([0, 1, 1]), "command": np.array([2, 7, 8]), "removed_volume": np.array([1.5, 2.5, 0.0])},
+    {
+        "cut": np.array([0, 1, 1]),
+        "command": np.array([2, 7, 8]),
+        "removed_volume": np.array([1.5, 2.5, 0.0]),
+        "rate": np.array([90.0, np.nan, 0.0]),
+    },
 )
 
 
@@ -84,3 +89,4 @@ def test_a_file_of_trajectories_names_the_operation_of_each(tmp_path):
     assert [row["label"] for row in rows] == ["Fräsen", "'=Pocket", "'=Pocket"]
     assert [row["command"] for row in rows] == ["2", "7", "8"] and "cut" not in rows[0]
     assert [float(row["removed_volume"]) for row in rows] == [1.5, 2.5, 0.0]
+    assert [row["rate"] for row in rows] == ["90.0", "", "0.0"]  # "nan" would make words of the column

@@ -227,14 +227,19 @@ def test_every_move_takes_its_time_by_feed_or_rapid(small):
 
 
 def test_what_is_not_read_of_a_toolpath_is_told(small):
-    """Of what turns nobody knows what is cut."""
+    """Of what turns nobody knows what is cut; that words which are no numbers leave nothing is told, too."""
     small.add("Odd", [*slot(10.0), ("G999", {})])
     small.add("Turned", [("G0", {"X": 5.0, "Y": 20.0, "Z": 30.0}), ("G1", {"Z": 10.0}), ("G1", {"X": 50.0, "A": 90.0})])
+    lost = small.add("Lost", [("G1", {"X": float("nan")}), ("G1", {"X": 1e30})])
+    small.add("Silent", [("(nothing)", {})])
     done = vkworkbench.simulate(small.job, view=VIEW)
     assert [operation.label for operation in done.job.operations] == ["Odd"]
-    odd, turned = map(render, done.job.remarks)
+    odd, turned, nowhere = map(render, done.job.remarks)
     assert odd.startswith("Odd: ") and "G999" in odd
     assert turned.startswith("Turned: ") and "the path of the tool cannot be told" in turned
+    assert nowhere.startswith("Lost: ") and "X words that are not usable numbers" in nowhere
+    with pytest.raises(Unusable, match="Lost: X words that are not usable numbers"):
+        vkworkbench.simulate(lost)
 
 
 def test_what_a_simulation_found_is_not_told_of_another_toolpath(small):

@@ -311,13 +311,11 @@ def _linearized(copied: _Copied, tolerance: float) -> ReadCut:
             feeding, minutes = in_seconds(toolpath) if operation.imported else (toolpath, None)
             listing.in_minutes = minutes is not None
             unread = [problem.remark for problem in toolpath.problems if not problem.of_time]
-            if turns(toolpath):
+            if turns(toolpath) or not len(toolpath):
                 told = unread
-            elif len(toolpath):
+            else:
                 cut = Cut(feeding, copied.tool, copied.vertical_feed)
                 told = [*told, minutes, *unread]
-            else:
-                told = []
     remarks = tuple(Message("of", label=operation.label, sentence=remark) for remark in told if remark)
     return ReadCut(operation, cut, toolpath, listing, remarks)
 

@@ -111,6 +111,8 @@ class Simulation:
         ------
         ValueError
             Where there is no such moment.
+        TypeError
+            Where it is no whole number.
         """
         return replace(self, zbuffer=self.zbuffer.at(step))
 
@@ -139,6 +141,11 @@ class Simulation:
         ----------
         tolerance : float
             Deviations from the job's model up to this, mm, are none.
+
+        Raises
+        ------
+        ValueError
+            If the tolerance is no number of at least 0.
         """
         labels = [operation.label for operation in self.job.operations]
         names = tuple((operation.document, operation.name) for operation in self.job.operations)
@@ -150,6 +157,12 @@ class Simulation:
         )
 
     def source(self, trajectory: int) -> tuple[SimulatedOperation, int]:
-        """Return the operation of a trajectory and the index of its command in the operation's Path."""
+        """Return the operation of a trajectory and the index of its command in the operation's Path.
+
+        Raises
+        ------
+        IndexError
+            Where there is no such trajectory.
+        """
         source = self.zbuffer.cuts.source(trajectory)
         return self.job.operations[source.cut], source.command

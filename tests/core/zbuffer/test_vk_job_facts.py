@@ -153,3 +153,9 @@ def test_the_worst_of_several_places_is_told_and_what_no_cut_made_only_of_the_jo
 def test_up_to_a_tenth_of_a_millimetre_is_no_deviation(height, told):
     found = facts(simulated(rows([0, 5, 10, 15, 20, 25, 30], height)), model=MODEL).job
     assert bool(found.left) is told
+
+
+@pytest.mark.parametrize("tolerance", [-0.1, float("nan")])
+def test_a_tolerance_is_a_length(tolerance):
+    with pytest.raises(ValueError, match="the tolerance of deviations is a length of at least 0 mm"):
+        facts(simulated(THERE_AGAIN), model=MODEL, tolerance=tolerance)

@@ -160,7 +160,14 @@ def facts(zbuffer: ZBuffer, *, model: Solid | None = None, tolerance: float = TO
         What the part is to be.
     tolerance : float
         Deviations from the model up to this, mm, are none.
+
+    Raises
+    ------
+    ValueError
+        If the tolerance is no number of at least 0.
     """
+    if not tolerance >= 0:
+        raise ValueError(f"the tolerance of deviations is a length of at least 0 mm, not {tolerance}")
     cuts = zbuffer.cuts
     volumes, air, (depth, width) = removed_volumes(zbuffer), cuts_air(zbuffer), engagement(zbuffer)
     crashed, plunged = crashes(zbuffer), fast_plunges(zbuffer)
