@@ -14,6 +14,7 @@ Importing this package is cheap; what the functions need is loaded when they are
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Iterable
 from importlib import import_module
 
@@ -77,7 +78,9 @@ def analyze(what=None, *, progress=None, cancelled=None):
 
 
 def __dir__() -> list[str]:
-    return sorted({*globals(), *_HOMES})
+    """Return what there is, without FreeCAD what needs none: ``help`` and completion load all that is named here."""
+    homes = _HOMES.items()
+    return sorted({*globals(), *(name for name, home in homes if "FreeCAD" in sys.modules or "document" not in home)})
 
 
 def __getattr__(name: str):

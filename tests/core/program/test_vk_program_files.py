@@ -6,6 +6,7 @@ import gzip
 import json
 import lzma
 import os
+import pydoc
 import re
 import subprocess
 import sys
@@ -160,6 +161,11 @@ def test_no_files_are_an_empty_report(without_freecad):
 def test_what_names_no_files_is_refused_without_freecad(without_freecad, what):
     with pytest.raises(TypeError, match=r"^without FreeCAD only NC programs .*: a file, a folder, or a list of them"):
         vkworkbench.analyze(what)
+
+
+def test_help_needs_no_freecad(without_freecad):
+    assert "analyze(what=None" in pydoc.plain(pydoc.render_doc(vkworkbench))
+    assert {"analyze", "Report", "Cancelled"} <= set(dir(vkworkbench))
 
 
 def test_one_row_for_each_operation(tmp_path):
