@@ -58,6 +58,8 @@ class OperationReport(Costs):
         Of the path, tool and stock that were analysed; empty for a program.
     document_id : str
         Tells the document from another one of the same name; empty for a program.
+    called : str or None
+        FreeCAD's name of its kind or its pattern where its toolpath surely does something else, e.g. ``"Offset"`` of a zigzag.
     simulated : CutFacts or None
         What a simulation told of it; None where none was asked: see `Report.with_facts`.
     """
@@ -76,6 +78,7 @@ class OperationReport(Costs):
     remarks: tuple[Message, ...]
     fingerprint: str
     document_id: str = ""
+    called: str | None = None
     simulated: CutFacts | None = None
 
     @property
@@ -144,6 +147,7 @@ class OperationReport(Costs):
             "job": self.job,
             "counted": self.counted,
             "strategy": self.strategy.value,
+            "called": self.called,
             "confidence": round(self.confidence, 4),
             "reason": self.reason,
             "level": found.level,

@@ -17,7 +17,6 @@ from counting import steps
 
 import vkworkbench
 from vkworkbench.document import marks, upkeep, watcher
-from vkworkbench.document.intent import contradicted
 from vkworkbench.document.operations import find
 
 LABELS = [
@@ -67,7 +66,7 @@ def test_operations_that_dress_up_each_other(small, zigzag_commands):
         op.addProperty("App::PropertyLink", "Base", "Path").Base = other  # a file can say so
     rows = analyze_mark_clear(small.document).operations
     assert sorted(o.label for o in rows) == ["First", "Second"]
-    assert [contradicted(op, row.recognition) for op, row in zip((first, second), rows)] == [None, None]
+    assert [row.called for row in rows] == [None, None]
 
 
 @pytest.mark.parametrize("lost, words", [

@@ -3,13 +3,16 @@
 
 from __future__ import annotations
 
+import csv
+
 import programs
 import pytest
 
 import vkworkbench
 from vkworkbench.core import Strategy, linearize, recognize
 from vkworkbench.core.recognition import Recognition, Span
-from vkworkbench.document.intent import contradicted, contradicts
+from vkworkbench.document import marks
+from vkworkbench.document.intent import contradicts
 from vkworkbench.language import Message
 
 FITS = [("helix", "Adaptive"), ("spiral", "Adaptive"), ("profile", "Offset"), ("contour-parallel", "Profile"), ("one-way", "ZigZag"),
@@ -74,7 +77,7 @@ def test_the_pattern_of_a_slot_is_how_its_one_line_is_cut(small):
     slot.addProperty("App::PropertyString", "CutPattern", "Path").CutPattern = "ZigZag"
     slot.Proxy = type("ObjectSlot", (), {"__module__": "Path.Op.Slot"})()
     (row,) = vkworkbench.analyze(slot).operations
-    assert row.strategy is Strategy.PROFILE and contradicted(slot, row.recognition) is None
+    assert row.strategy is Strategy.PROFILE and row.called is None
 
 
 def test_a_dress_up_is_judged_by_itself(small, zigzag_commands):
@@ -82,6 +85,21 @@ def test_a_dress_up_is_judged_by_itself(small, zigzag_commands):
     for op, pattern in ((base, "ZigZag"), (dressup, "Offset")):
         op.addProperty("App::PropertyString", "OffsetPattern", "Path").OffsetPattern = pattern
     dressup.addProperty("App::PropertyLink", "Base", "Path").Base = base
-    found = {row.label: row.recognition for row in vkworkbench.analyze(small.document).operations}
-    assert contradicted(base, found["Base"]) == "ZigZag"
-    assert contradicted(dressup, found["Dress-up"]) is None
+    report = vkworkbench.analyze(small.document)
+    assert {row.label: row.called for row in report.operations} == {"Base": "ZigZag", "Dress-up": None}
+    vkworkbench.mark(report)
+    assert marks.read(base).called == "ZigZag" and marks.read(dressup).called is None
+
+
+def test_a_file_of_results_names_what_contradicts(small, zigzag_commands, tmp_path):
+    """As the mark and the panel do: who reads a hundred jobs looks for it there."""
+    op = small.add("2D Pocket3", zigzag_commands)
+    op.addProperty("App::PropertyString", "OffsetPattern", "Path").OffsetPattern = "Offset"
+    report = vkworkbench.analyze(small.document)
+    report.to_csv(tmp_path / "job.csv")
+    with open(tmp_path / "job.csv", newline="", encoding="utf-8") as file:
+        (row,) = csv.DictReader(file)
+    assert (row["label"], row["strategy"], row["called"]) == ("2D Pocket3", "zigzag", "Offset")
+    op.OffsetPattern = "ZigZag"  # is seen without a recompute
+    (again,) = vkworkbench.analyze(small.document).operations
+    assert again.called is None

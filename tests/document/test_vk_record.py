@@ -86,11 +86,11 @@ def test_of_an_operation_the_costs_that_are_shown_or_computed_already_are_kept(m
     report = SimpleNamespace(
         costs=costs, recognition=SimpleNamespace(why=Message("not-nested")),
         **{name: getattr(WHOLE, name) for name in ("strategy", "confidence", "remarks", "cautions", "trajectories",
-           "length", "machining_seconds", "left_out", "stepover", "fingerprint")},
+           "length", "machining_seconds", "left_out", "stepover", "called", "fingerprint")},
     )  # fmt: skip
     kept = of_operation(report, "chosen")
     assert kept.costs == {"chosen": 1, "legacy": 2, "computed": 3} and "other" not in costs.asked
-    expected = replace(WHOLE, costs=kept.costs, called=None, incomplete=False, outdated=False, text="")
+    expected = replace(WHOLE, costs=kept.costs, incomplete=False, outdated=False, text="")
     assert kept == expected
     report.costs = {"legacy": 2}
     assert of_operation(report, "chosen").costs == {"legacy": 2}

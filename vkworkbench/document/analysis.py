@@ -26,6 +26,7 @@ from vkworkbench.document.fingerprint import (
     text_fingerprint,
     text_of,
 )
+from vkworkbench.document.intent import contradicts, name_of_intent
 from vkworkbench.document.known import KNOWN, key_of
 from vkworkbench.document.operations import (
     Operation,
@@ -153,6 +154,7 @@ class _Reading:
     job: str | None
     counted: bool
     active: bool
+    intent: str | None = None
     imported: bool = False
     says_only: bool = False
     path: object = None
@@ -194,6 +196,7 @@ def _read(operation: Operation) -> _Reading:
         form, rapids = form_of_stock(job, box) if box else (), rapid_feeds(obj)
         return replace(
             reading,
+            intent=name_of_intent(obj),
             imported=is_imported(obj),
             says_only=not has_controller(obj),
             path=obj.Path,
@@ -321,6 +324,7 @@ def _analysed(
         cautions=preflight(task, costs, conditions),
         remarks=tuple(remarks),
         fingerprint=fingerprint_of("", reading.setting_fingerprint),
+        called=reading.intent if contradicts(reading.intent, found) else None,
     )  # fmt: skip
 
 

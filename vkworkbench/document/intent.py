@@ -42,24 +42,11 @@ def contradicts(name: str | None, found: Recognition) -> bool:
     return not done & meant
 
 
-def contradicted(obj, found: Recognition) -> str | None:
-    """Return the kind or the pattern of an operation if its toolpath does something else.
-
-    Parameters
-    ----------
-    obj : DocumentObject
-        The operation, or a dress-up of it.
-    found : Recognition
-        What its toolpath does.
-
-    Returns
-    -------
-    str or None
-        FreeCAD's own name of its kind or its pattern; None where they agree, or where neither says anything.
-    """
+def name_of_intent(obj) -> str | None:
+    """Return FreeCAD's own name of an operation's kind or its pattern, whichever says more; None where neither says anything."""
     if kind(obj) in ("dressup", "array"):  # they have no pattern of their own
         return None
     name = freecad.operation_name(obj)
     if name not in _KINDS:
         name = freecad.POCKET_PATTERN.of(obj) or freecad.SURFACE_PATTERN.of(obj)
-    return name if contradicts(name, found) else None
+    return name

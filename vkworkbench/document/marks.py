@@ -16,7 +16,6 @@ from vkworkbench.core import Strategy
 from vkworkbench.core.simulators import SIMULATORS, ZBUFFER, cost_from_data
 from vkworkbench.document import mark_properties, record, session
 from vkworkbench.document.fingerprint import path_and_setting, path_fingerprint
-from vkworkbench.document.intent import contradicted
 from vkworkbench.document.mark_text import CLOSING, OPENING, OUTDATED, PLAY, SEPARATOR, text_of
 from vkworkbench.document.operations import find, fixtures_of
 from vkworkbench.document.record import Record
@@ -108,7 +107,7 @@ def _of_the_version_before(obj) -> Record | None:
 def write(obj, report: OperationReport, chosen: Preferences, *, outdated: bool = False) -> None:
     """Write what was found on an operation, and say of it what the preferences ask for."""
     made = record.of_operation(report, chosen.simulator)
-    _keep(obj, replace(made, called=contradicted(obj, report.recognition), outdated=outdated), chosen, anew=True)
+    _keep(obj, replace(made, outdated=outdated), chosen, anew=True)
 
 
 def write_total(job, chosen: Preferences) -> None:

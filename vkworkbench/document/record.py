@@ -104,6 +104,7 @@ def of_operation(report: OperationReport, simulator: str) -> Record:
         machining_seconds=report.machining_seconds,
         left_out=report.left_out,
         stepover=report.stepover,
+        called=report.called,
         costs=costs,
         fingerprint=report.fingerprint,
     )
