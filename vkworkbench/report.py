@@ -165,6 +165,8 @@ class OperationReport(Costs):
             "trajectories": self.trajectories,
             "length": self.length,
             "rapid_length": self.machining.rapid_length,
+            "shortest_move": self.machining.shortest,
+            "median_move": self.machining.median,
             "depth": self.machining.depth,
             "machining_seconds": self.machining.seconds,
             "machining_complete": self.machining.complete,

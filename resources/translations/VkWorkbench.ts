@@ -1687,6 +1687,14 @@ at most</source>
         <source>Between {} and {}, until this simulator has run a few times on this computer</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Shortest move at feed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Median move at feed</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Vk_Simulate</name>

@@ -1694,6 +1694,14 @@ höchstens</translation>
         <source>Between {} and {}, until this simulator has run a few times on this computer</source>
         <translation>Zwischen {} und {}, bis dieser Simulator einige Male auf diesem Computer gelaufen ist</translation>
     </message>
+    <message>
+        <source>Shortest move at feed</source>
+        <translation>Kürzeste Bewegung im Vorschub</translation>
+    </message>
+    <message>
+        <source>Median move at feed</source>
+        <translation>Median der Bewegungen im Vorschub</translation>
+    </message>
 </context>
 <context>
     <name>Vk_Simulate</name>

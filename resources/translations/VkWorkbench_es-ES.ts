@@ -1694,6 +1694,14 @@ como mucho</translation>
         <source>Between {} and {}, until this simulator has run a few times on this computer</source>
         <translation>Entre {} y {}, hasta que este simulador se haya ejecutado algunas veces en este equipo</translation>
     </message>
+    <message>
+        <source>Shortest move at feed</source>
+        <translation>Movimiento más corto en avance de trabajo</translation>
+    </message>
+    <message>
+        <source>Median move at feed</source>
+        <translation>Movimiento mediano en avance de trabajo</translation>
+    </message>
 </context>
 <context>
     <name>Vk_Simulate</name>

@@ -1694,6 +1694,14 @@ au plus</translation>
         <source>Between {} and {}, until this simulator has run a few times on this computer</source>
         <translation>Entre {} et {}, tant que ce simulateur n&apos;a pas été lancé quelques fois sur cet ordinateur</translation>
     </message>
+    <message>
+        <source>Shortest move at feed</source>
+        <translation>Déplacement le plus court en avance de travail</translation>
+    </message>
+    <message>
+        <source>Median move at feed</source>
+        <translation>Déplacement médian en avance de travail</translation>
+    </message>
 </context>
 <context>
     <name>Vk_Simulate</name>

@@ -1694,6 +1694,14 @@ at most</source>
         <source>Between {} and {}, until this simulator has run a few times on this computer</source>
         <translation>介于 {} 和 {} 之间，直到此模拟器在此电脑上运行过几次</translation>
     </message>
+    <message>
+        <source>Shortest move at feed</source>
+        <translation>最短的进给移动</translation>
+    </message>
+    <message>
+        <source>Median move at feed</source>
+        <translation>进给移动的中位长度</translation>
+    </message>
 </context>
 <context>
     <name>Vk_Simulate</name>

@@ -31,6 +31,25 @@ def test_feeds_rapids_and_depth_add_up():
     assert work.lowest == 15 and work.depth == 5 and work.notes == ()
 
 
+def test_the_shortest_and_the_median_way_are_those_of_commands():
+    """An arc is one whatever its chords, a rapid none, and a drilling cycle what it feeds."""
+    path = linearize(
+        [
+            ("G0", {"X": 0.0, "Y": 0.0, "Z": 0.0}),
+            ("G1", {"X": 7.0, "F": 10.0}),
+            ("G0", {"Y": 0.001}),
+            ("G2", {"X": 3.0, "I": -2.0, "J": 0.0}),
+            ("G81", {"X": 20.0, "Z": -3.0, "R": 2.0}),
+            ("G80", {}),
+        ],
+        tolerance=1e-3,
+    )
+    work = machining(path)
+    assert len(path) > 20 and work.shortest == pytest.approx(5) and work.median == pytest.approx(2 * math.pi, rel=1e-5)
+    rapids = machining(linearize([("G0", {"X": 0.0}), ("G0", {"X": 5.0})]))
+    assert rapids.shortest is None and rapids.median is None
+
+
 @pytest.mark.parametrize(
     "end, sweep", [((-10.0, 0.0), math.pi), ((0.0, -10.0), 1.5 * math.pi), ((10.0, 0.0), 2 * math.pi)]
 )

@@ -286,6 +286,8 @@ def test_plain_words_first_and_the_papers_terms_behind_why(panel, opened, window
     assert f"Recommended accuracy of the {user().simulator('legacy')}: position" in text_of(panel)
     length = user().length(found.length)
     assert f"Cutting {length}" in text_of(panel).replace("\n", " ") and text_of(panel).count(length) == 1
+    shortest = user().measure(found.machining.shortest, 3)
+    assert f"Shortest move at feed {shortest}" in text_of(panel).replace("\n", " ")
     window.see_all()
     window.screenshot("panel-why")
     panel.details.anchorClicked.emit(QtCore.QUrl("why"))

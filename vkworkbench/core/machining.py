@@ -35,6 +35,9 @@ class Machining:
         no acceleration, no dwell, no tool change.
     left_out : tuple of Message
         What the times leave out; empty when they are complete.
+    shortest, median : float or None
+        Way of the tool tip at feed during one command, mm, the shortest and the median: tiny ones tell of a program that is
+        chopped into too many lines. None where nothing cuts.
     """
 
     cutting_length: float
@@ -44,6 +47,8 @@ class Machining:
     cutting_seconds: float | None
     rapid_seconds: float | None
     left_out: tuple[Message, ...]
+    shortest: float | None = None
+    median: float | None = None
 
     @property
     def complete(self) -> bool:
@@ -197,10 +202,15 @@ def machining(
             rapid_seconds = None
 
     left_out += [problem.remark for problem in toolpath.problems if problem.takes_time]
-    lowest = depth = None
+    lowest = depth = shortest = median = None
     if (~rapid).any():
+        begin = np.flatnonzero(np.diff(toolpath.command[~rapid], prepend=-1))
+        ways = np.add.reduceat(lengths[~rapid], begin)
+        shortest, median = float(ways.min()), float(np.median(ways))
         heights = toolpath.points[:, 2]
         lowest = float(np.minimum(heights[:-1], heights[1:])[~rapid].min())
         if top is not None:
             depth = max(0.0, float(top) - lowest)
-    return Machining(cutting_length, rapid_length, lowest, depth, cutting_seconds, rapid_seconds, tuple(left_out))
+    return Machining(
+        cutting_length, rapid_length, lowest, depth, cutting_seconds, rapid_seconds, tuple(left_out), shortest, median
+    )

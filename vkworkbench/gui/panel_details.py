@@ -44,7 +44,7 @@ def page(row: Row, first: list, others: list, opened: set[str]) -> str:
     html += _table(_cells(row, first) + _machining(row))
     if NUMBERS not in opened:
         return html + "<p>" + _link(NUMBERS, translate("Vk_Results", "All numbers")) + "</p>"
-    html += _table(_cells(row, others))
+    html += _table(_cells(row, others) + _moves(row))
     html += "".join(f"<p>{lines(sentence)}</p>" for sentence in _advice(row))
     return html + "<p>" + _link(NUMBERS, translate("Vk_Results", "Fewer numbers")) + "</p>"
 
@@ -88,6 +88,17 @@ def _machining(row: Row) -> list[tuple[str, str, str]]:
         if machining.depth is not None:
             told.append((translate("Vk_Results", "Depth"), length(machining.depth), ""))
     return told + [("", said(message), "") for message in row.found.left_out]
+
+
+def _moves(row: Row) -> list[tuple[str, str, str]]:
+    """How long the moves at feed are, by the program's lines: thousands of tiny ones tell why all takes long."""
+    if row.is_total or not isinstance(row.found, OperationReport) or row.found.machining.median is None:
+        return []
+    machining, measure = row.found.machining, user().measure
+    return [
+        (translate("Vk_Results", "Shortest move at feed"), measure(machining.shortest, 3), ""),
+        (translate("Vk_Results", "Median move at feed"), measure(machining.median, 3), ""),
+    ]
 
 
 def _advice(row: Row):
