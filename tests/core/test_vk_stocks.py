@@ -75,7 +75,7 @@ def test_cylinders_that_cannot_be():
         (((0, 0, 0), 0, 1), "stock-without-volume"), (((0, 0, 0), 1, 0), "stock-without-volume"),
         (((0, 0, 0), -1, 1), "stock-without-volume"), (((0, 0, 0), 1, -1), "stock-without-volume"),
         (((0, 0, np.inf), 1, 1), "stock-not-finite"), (((0, 0, 0), np.inf, 1), "stock-not-finite"),
-        (((0, 0, 0), 1, np.nan), "stock-not-finite"),
+        (((0, 0, 0), 1, np.nan), "stock-not-finite"), (((0, 0, 0), 1.001e6, 1), "stock-not-finite"),
     ):  # fmt: skip
         with pytest.raises(Unusable) as refused:
             Cylinder(*arguments)

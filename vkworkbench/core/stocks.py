@@ -8,7 +8,7 @@ from typing import Union
 
 import numpy as np
 
-from vkworkbench.core.solids import Convex, Frame, Gaps, Spans
+from vkworkbench.core.solids import Convex, Frame, Gaps, Spans, Stock
 from vkworkbench.language import Message, Unusable
 
 # Corners of a mesh this close, mm, are one.
@@ -36,19 +36,14 @@ class Cylinder(Convex):
     Raises
     ------
     Unusable
-        If it has no volume.
+        If a number is not finite, it reaches beyond a kilometre, or it has no volume.
     """
 
     def __init__(self, base: np.ndarray, radius: float, height: float) -> None:
-        base = np.array(base, float).reshape(3)
-        if not (np.isfinite(base).all() and np.isfinite((radius, height)).all()):
-            raise Unusable(Message("stock-not-finite"))
-        if not (radius > 0 and height > 0):
-            raise Unusable(Message("stock-without-volume"))
-        self.base, self.radius, self.height = base, float(radius), float(height)
-        self.lower, self.upper = base - [radius, radius, 0], base + [radius, radius, height]
-        self.normals = np.vstack((np.eye(3), -np.eye(3)))
-        self.offsets = np.concatenate((self.upper, -self.lower))
+        base, radius, height = np.array(base, float).reshape(3), float(radius), float(height)
+        box = Stock(base - [radius, radius, 0], base + [radius, radius, height])
+        self.base, self.radius, self.height = base, radius, height
+        self.lower, self.upper, self.normals, self.offsets = box.lower, box.upper, box.normals, box.offsets
         angle = 2 * pi * np.arange(_AROUND) / _AROUND
         rim = base + radius * np.column_stack((np.cos(angle), np.sin(angle), np.zeros(_AROUND)))
         self.corners = np.concatenate((rim, rim + [0, 0, height]))
@@ -101,7 +96,7 @@ class Mesh:
     Raises
     ------
     Unusable
-        If the triangles do not close, or a coordinate is not finite.
+        If a coordinate is not finite, the triangles do not close, or all of them are lines and points.
     """
 
     def __init__(self, triangles: np.ndarray) -> None:
