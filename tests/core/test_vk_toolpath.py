@@ -6,7 +6,18 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from vkworkbench.core import Toolpath, linearize
+from vkworkbench.core import (
+    Stock,
+    Tool,
+    Toolpath,
+    View,
+    estimate,
+    linearize,
+    machining,
+    recognize,
+    simulate,
+    simulate_job,
+)
 from vkworkbench.core.toolpath import Problem
 from vkworkbench.language import Message
 
@@ -52,3 +63,21 @@ def test_a_problem_is_told_with_its_first_command_and_how_many_there_are():
     assert str(problem) == "the unknown code 'G999' is ignored (2 times, first at command 11)"  # counted from 1
     assert str(Problem(4, problem.what)) == "the unknown code 'G999' is ignored (command 5)"
     assert Problem(4, Message("dwell-untimed")).of_time
+
+
+def test_what_is_no_toolpath_is_told_in_a_sentence():
+    commands, tool = [("G1", {"X": 0.0}), ("G1", {"X": 5.0})], Tool("endmill", 6)
+    stock, view = Stock((0, 0, 0), (9, 9, 9)), View(width=8, height=6)
+    for use in (
+        recognize,
+        machining,
+        lambda given: simulate(given, tool=tool, stock=stock, view=view),
+        lambda given: estimate(given, None, tool=tool, stock=stock, view=view),
+    ):
+        with pytest.raises(TypeError, match="a toolpath is the Toolpath that linearize makes of commands, not list"):
+            use(commands)
+    path = linearize(commands)
+    with pytest.raises(TypeError, match=r"a tool is a Tool\(shape, diameter, ...\), not int"):
+        simulate(path, tool=6, stock=stock, view=view)
+    with pytest.raises(TypeError, match=r"a job is made of Cut\(toolpath, tool\), not tuple"):
+        simulate_job([(path, tool)], stock=stock, view=view)

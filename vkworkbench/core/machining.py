@@ -11,7 +11,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from vkworkbench.core.toolpath import Toolpath
+from vkworkbench.core.toolpath import Toolpath, check_toolpath
 from vkworkbench.language import Message, render
 
 # Axis normal to each working plane (G17 XY, G18 ZX, G19 YZ).
@@ -158,7 +158,10 @@ def machining(
     ------
     ValueError
         For a negative or non-finite rapid speed.
+    TypeError
+        If `toolpath` is something else.
     """
+    check_toolpath(toolpath)
     horizontal_rapid, vertical_rapid = float(horizontal_rapid), float(vertical_rapid)  # also FreeCAD's quantities
     for given in (horizontal_rapid, vertical_rapid):
         if not (np.isfinite(given) and given >= 0):

@@ -126,3 +126,14 @@ class Toolpath:
         """Chord length of every trajectory, (n,) mm."""
         result: np.ndarray = np.sqrt((np.diff(self.points, axis=0) ** 2).sum(axis=1))
         return result
+
+
+def check_toolpath(given: object) -> None:
+    """Say what a toolpath is where something else is given, as commands are.
+
+    Raises
+    ------
+    TypeError
+    """
+    if not isinstance(given, Toolpath):
+        raise TypeError(f"a toolpath is the Toolpath that linearize makes of commands, not {type(given).__name__}")

@@ -14,7 +14,7 @@ from vkworkbench.core.recognition.turned import is_turned
 from vkworkbench.core.recognition.unknown import unknown
 from vkworkbench.core.recognition.visits import begun
 from vkworkbench.core.strategy import Strategy
-from vkworkbench.core.toolpath import Toolpath
+from vkworkbench.core.toolpath import Toolpath, check_toolpath
 from vkworkbench.language import Message
 
 
@@ -35,7 +35,15 @@ def recognize(toolpath: Toolpath, *, tool_diameter: float | None = None, program
     -------
     Recognition
         With Strategy.EMPTY where nothing cuts. No toolpath raises.
+
+    Raises
+    ------
+    TypeError
+        If `toolpath` is something else, as commands are, or the diameter is nothing like a number.
+    ValueError
+        If the diameter is a text that is no number.
     """
+    check_toolpath(toolpath)
     rapid = toolpath.rapid
     if rapid.all():
         return Recognition(Strategy.EMPTY, 1.0, Message("only-rapids") if len(toolpath) else Message("no-moves"))

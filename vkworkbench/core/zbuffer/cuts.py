@@ -11,7 +11,7 @@ import numpy as np
 
 from vkworkbench.core.machining import exact_lengths
 from vkworkbench.core.solids import Tool
-from vkworkbench.core.toolpath import Toolpath
+from vkworkbench.core.toolpath import Toolpath, check_toolpath
 
 
 @dataclass(frozen=True, eq=False)
@@ -24,11 +24,21 @@ class Cut:
     tool : Tool
     vertical_feed : float
         How fast the tool may plunge, mm/s; 0 where nobody says.
+
+    Raises
+    ------
+    TypeError
+        If they are something else, as an operation's Path and tool are.
     """
 
     toolpath: Toolpath
     tool: Tool
     vertical_feed: float = 0.0
+
+    def __post_init__(self) -> None:
+        check_toolpath(self.toolpath)
+        if not isinstance(self.tool, Tool):
+            raise TypeError(f"a tool is a Tool(shape, diameter, ...), not {type(self.tool).__name__}")
 
 
 @dataclass(frozen=True)
@@ -60,10 +70,18 @@ class Cuts:
     cuts : tuple of Cut
     first : (c + 1,) int64
         Number of each cut's first trajectory; behind the last cut, how many there are.
+
+    Raises
+    ------
+    TypeError
+        If one is no Cut.
     """
 
     def __init__(self, cuts: Iterable[Cut]) -> None:
         self.cuts = tuple(cuts)
+        for cut in self.cuts:
+            if not isinstance(cut, Cut):
+                raise TypeError(f"a job is made of Cut(toolpath, tool), not {type(cut).__name__}")
         self.first = np.append(0, np.cumsum([len(cut.toolpath) for cut in self.cuts])).astype(np.int64)
 
     def __len__(self) -> int:
