@@ -314,7 +314,14 @@ class Report:
         ----------
         facts : SimulationFacts
             ``vkworkbench.simulate(job).facts()``.
+
+        Raises
+        ------
+        TypeError
+            If `facts` is something else, as the simulation itself is.
         """
+        if not isinstance(facts, SimulationFacts):
+            raise TypeError(f"with_facts takes what a simulation's facts() returns, not {type(facts).__name__}")
         told = {
             (*names, fingerprint): of_one
             for names, fingerprint, (_, of_one) in zip(facts.names, facts.fingerprints, facts.operations)

@@ -265,6 +265,8 @@ def test_a_report_tells_what_a_simulation_found(small, tmp_path):
     part = vkworkbench.simulate(slot, view=View((0, 0, -1), 150, 100)).facts()
     partly = before.with_facts(part)
     assert [o.simulated is None for o in partly.operations] == [False, True] and partly.totals[0].simulated is None
+    with pytest.raises(TypeError, match=r"what a simulation's facts\(\) returns, not Simulation"):
+        before.with_facts(vkworkbench.simulate(slot, view=View((0, 0, -1), 15, 10)))
 
     lines = {}
     for name, one in (("before", before), ("after", report)):

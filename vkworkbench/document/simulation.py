@@ -163,6 +163,8 @@ class Simulation:
         ------
         IndexError
             Where there is no such trajectory.
+        TypeError
+            Where it is no whole number.
         """
         source = self.zbuffer.cuts.source(trajectory)
         return self.job.operations[source.cut], source.command

@@ -60,6 +60,12 @@ def test_there_is_no_other_trajectory(number):
         CUTS.source(number)
 
 
+@pytest.mark.parametrize("number", [1.5, None, "1"])
+def test_a_trajectory_is_a_whole_number(number):
+    with pytest.raises(TypeError, match="cannot be interpreted as an integer"):
+        CUTS.source(number)
+
+
 def test_no_cuts_are_no_trajectories():
     nothing = Cuts([])
     assert len(nothing) == 0 and nothing.cut.tolist() == nothing.seconds.tolist() == []

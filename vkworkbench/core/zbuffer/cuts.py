@@ -6,6 +6,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass
 from functools import cached_property
+from operator import index
 
 import numpy as np
 
@@ -133,7 +134,10 @@ class Cuts:
         ------
         IndexError
             Where there is no such trajectory.
+        TypeError
+            Where it is no whole number.
         """
+        trajectory = index(trajectory)
         if not 0 <= trajectory < len(self):
             raise IndexError(f"there are the trajectories 0 to {len(self) - 1}, not {trajectory}")
         cut = int(np.searchsorted(self.first, trajectory, side="right")) - 1
