@@ -205,6 +205,42 @@ def test_a_rapid_down_into_a_round_slot_only_touches_what_chords_left_of_its_wal
     assert crashed(x, y, -2.005) == crashed(1.005 * x, 1.005 * y, -1.9) == [down]
 
 
+@pytest.mark.parametrize(
+    "tool",
+    [
+        Tool("ballend", 6),
+        Tool("bullnose", 6, corner_radius=2.9),
+        Tool("vbit", 6, tip_angle=pi / 3),
+        Tool("vbit", 6, tip_angle=pi / 2, tip_diameter=0.5),
+    ],
+    ids=["ball", "bull nose", "v", "chamfer"],
+)
+@pytest.mark.parametrize("direction", [(0, 0, -1), (1, 1, -1)])
+@pytest.mark.parametrize("tolerance", [0.01, 0.1])
+def test_a_rapid_along_a_round_groove_only_touches_what_chords_left_of_its_flanks(tool, direction, tolerance):
+    """It goes along the same circle, from where no chord ends: what it cuts is as thick as arcs rise above their chords."""
+
+    def arc(radius, height, start, chords):
+        x, y = radius * cos(start), radius * sin(start)
+        down = [("G0", {"X": x, "Y": y}), ("G1", {"Z": height, "F": 10})]
+        path = linearize([("G0", {"Z": 5}), *down, ("G3", {"I": -x, "J": -y})], tolerance=tolerance)
+        return path.part(0, 2 + chords)
+
+    groove, stock = arc(10, -2, 0.0, 4), Stock((-15, -15, -5), (15, 15, 0))
+    place = np.array([10 * cos(0.2), 10 * sin(0.2), 1.5])  # from the stock's middle
+    axes = View(direction).frame(stock)
+    view = View(direction, 200, 150, pixel=0.05, offset=(place @ axes.right, place @ axes.up))
+
+    def crashes_along(radius, height):
+        rapid = arc(radius, height, 0.05, 3)
+        rapid = replace(rapid, rapid=np.ones(len(rapid), bool))
+        return len(crashes(simulate_job([Cut(groove, tool), Cut(rapid, tool)], stock=stock, view=view)))
+
+    assert crashes_along(10, -2) == 0
+    aside = 4 * tolerance
+    assert min(crashes_along(10 + aside, -2), crashes_along(10 - aside, -2), crashes_along(10, -2 - aside)) > 0
+
+
 def test_a_rapid_that_touches_a_wall_and_goes_too_deep_crashes_as_deep_as_that():
     """On its way along the wall, 8 mm high, its side takes 0.018 mm; then it goes 1 mm below the floor."""
     slot = [(-5, 15, 20), (-5, 15, 2), (35, 15, 2), (5, 15, 2), (5, 15.018, 2), (34, 15.018, 1)]

@@ -3,11 +3,13 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
+from math import cos, pi, sin
 
 import numpy as np
 
 from vkworkbench.core.solids import Tool
+from vkworkbench.core.toolpath import Toolpath
 from vkworkbench.core.zbuffer.cuts import Cuts, Source
 from vkworkbench.core.zbuffer.moments import ZBuffer
 from vkworkbench.core.zbuffer.sweeps import headings, lowest
@@ -19,9 +21,13 @@ _FROM_THE_SIDE = 0.3
 _PLUNGE, _FULL = 5.0, 0.5
 # What a feed may exceed another by: FreeCAD rounds them.
 _FASTER = 1.01
-# A rapid whose side cuts no deeper than this, mm, only touches what chords of arcs, or rounded coordinates, left of a wall.
-# Under its tip any depth counts, but for rounding.
-_TOUCHES, _ROUNDED = 0.02, 1e-3
+# A rapid that would cut nothing if it lay so much aside, mm, only touches what chords of arcs, or rounded coordinates, left
+# of a wall or a flank. Chords of one arc are no farther from each other than it rises above them: twice that is enough.
+_TOUCHES, _OF_RISE = 0.02, 2.0
+_SIDES = np.arange(8) * pi / 4
+# Under its tip any depth counts, but for rounding, mm.
+_ROUNDED = 1e-3
+_PIECES_AT_ONCE = 1 << 14
 # Rings of equal width by which the volume of a tool is summed up.
 _RINGS = 64
 
@@ -153,7 +159,7 @@ class Crash:
 
 
 def crashes(zbuffer: ZBuffer) -> list[Crash]:
-    """Rapids that remove material, and do not only touch a wall with their side, in their order.
+    """Rapids that remove material, and do not only touch a wall or a flank with their side, in their order.
 
     Parameters
     ----------
@@ -164,42 +170,58 @@ def crashes(zbuffer: ZBuffer) -> list[Crash]:
     if len(pieces) == 0:
         return []
     owner, near, far = records.owner[pieces], near.astype(float), records.far[pieces].astype(float)
-    row, column = np.divmod(pixel, frame.width)
-    middle = frame.origins(*frame.pixel_centres(column, row)) + ((near + far) / 2)[:, None] * frame.direction
-    volumes = removed_volumes(zbuffer)
-    # The longest piece of each rapid comes last of its own; where a wall is only touched it is as high as the wall.
-    deep = np.flatnonzero(_inside(zbuffer.cuts, owner, middle))
-    order = deep[np.lexsort((far[deep] - near[deep], owner[deep]))]
-    last = order[np.diff(owner[order], append=-1) != 0]
+    upper, middle = (near if frame.direction[2] < 0 else far), (near + far) / 2
+
+    def place(piece: np.ndarray, depth: np.ndarray) -> np.ndarray:
+        row, column = np.divmod(pixel[piece], frame.width)
+        points: np.ndarray = frame.origins(*frame.pixel_centres(column, row)) + depth[piece, None] * frame.direction
+        return points
+
+    cuts, volumes = zbuffer.cuts, removed_volumes(zbuffer)
+    touches = max(_TOUCHES, _OF_RISE * max(_rise(cut.toolpath) for cut in cuts.cuts))
+    # The longest pieces first: where a wall is only touched they are as high as the wall.
+    order = np.argsort(near - far, kind="stable")
+    longest = np.full(zbuffer.trajectories, -1)
+    for first in range(0, len(order), _PIECES_AT_ONCE):
+        some = order[first : first + _PIECES_AT_ONCE]
+        some = some[longest[owner[some]] < 0]
+        if len(some):
+            upper_in, middle_in = (_inside(cuts, owner[some], place(some, depth), touches) for depth in (upper, middle))
+            some = some[upper_in | middle_in]
+            crashed, its_first = np.unique(owner[some], return_index=True)
+            longest[crashed] = some[its_first]
+    crashed = np.flatnonzero(longest >= 0)
+    longest = longest[crashed]
     return [
-        Crash(
-            int(owner[i]),
-            zbuffer.cuts.source(int(owner[i])),
-            tuple(middle[i].tolist()),
-            float(far[i] - near[i]),
-            float(volumes[owner[i]]),
+        Crash(trajectory, cuts.source(trajectory), tuple(at), depth, float(volumes[trajectory]))
+        for trajectory, at, depth in zip(
+            crashed.tolist(), place(longest, middle).tolist(), (far - near)[longest].tolist()
         )
-        for i in last
     ]
 
 
-def _inside(cuts: Cuts, trajectory: np.ndarray, points: np.ndarray) -> np.ndarray:
-    """Which points (k, 3) that trajectories (k,) remove their tools would remove as well if they were a little narrower."""
+def _inside(cuts: Cuts, trajectory: np.ndarray, points: np.ndarray, touches: float) -> np.ndarray:
+    """Which points (k, 3) trajectories (k,) remove, and would remove as well if they lay a little to any side."""
     start, end = (ends.T for ends in as_cut(*(ends[trajectory] for ends in cuts.ends)))
-    move = end - start
-    inside = np.zeros(len(trajectory), bool)
+    heading = headings(end - start)
+    inside = np.ones(len(trajectory), bool)
     for number in np.unique(cuts.cut[trajectory]):
-        own, tool = cuts.cut[trajectory] == number, cuts.cuts[number].tool
-        diameter = max(tool.diameter - 2 * _TOUCHES, tool.diameter / 2)
-        narrower = replace(
-            tool,
-            diameter=diameter,
-            corner_radius=min(tool.corner_radius, diameter / 2),
-            tip_diameter=min(tool.tip_diameter, diameter),
-        )
-        floor, _ = lowest(narrower, start[:, own], headings(move[:, own]), *points[own, :2].T)
-        inside[own] = points[own, 2] > floor - _ROUNDED
+        tool = cuts.cuts[number].tool
+        aside = min(touches, tool.radius / 2)
+        for angle in _SIDES:  # from the direction of the move
+            own = np.flatnonzero(inside & (cuts.cut[trajectory] == number))
+            (ux, uy), (x, y, z) = heading[:2, own], points[own].T
+            x = x + aside * (cos(angle) * ux - sin(angle) * uy)
+            y = y + aside * (cos(angle) * uy + sin(angle) * ux)
+            floor, _ = lowest(tool, start[:, own], heading[:, own], x, y)
+            inside[own] = z > floor + _ROUNDED
     return inside
+
+
+def _rise(toolpath: Toolpath) -> float:
+    """How far arcs rise at most above the chords that stand for them, seen from above, mm."""
+    chords = np.hypot(*np.diff(toolpath.points, axis=0)[:, :2].T)
+    return float((chords / 2 * np.tan(np.abs(toolpath.sweep) / 4)).max(initial=0.0))
 
 
 @dataclass(frozen=True)
