@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from functools import partial
 from math import pi
 from typing import Union
 
@@ -121,7 +123,23 @@ class Mesh:
 
     def spans(self, frame: Frame, x: np.ndarray, y: np.ndarray) -> Spans:
         """See `Convex.spans`."""
-        ray, depth = self._crossings(frame, x, y)
+        return _SeenMesh(self, frame).spans(x, y)
+
+
+class _SeenMesh:
+    """A mesh as an image sees it: each triangle's corners sorted from the lowest in the image to the highest."""
+
+    def __init__(self, mesh: Mesh, frame: Frame) -> None:
+        axes = np.array([frame.right, frame.up, frame.direction])
+        self.points = (mesh.corners - frame.centre) @ axes.T
+        rank = np.empty(len(self.points), np.int64)
+        rank[np.lexsort((self.points[:, 0], self.points[:, 1]))] = np.arange(len(self.points))
+        self.triangles = np.take_along_axis(mesh.triangles, np.argsort(rank[mesh.triangles], axis=1), axis=1)
+        self.bottom, self.top = (self.points[self.triangles[:, k], 1] for k in (0, 2))
+
+    def spans(self, x: np.ndarray, y: np.ndarray) -> Spans:
+        """See `Convex.spans`."""
+        ray, depth = self._crossings(x, y)
         order = np.lexsort((depth, ray))
         ray, depth = ray[order], depth[order]
         near, far = np.zeros((2, len(x)))
@@ -133,7 +151,7 @@ class Mesh:
         outside = np.flatnonzero((number[:-1] % 2 == 1) & (ray[1:] == ray[:-1]))
         return Spans(near, far, Gaps(ray[outside], depth[outside], depth[outside + 1]))
 
-    def _crossings(self, frame: Frame, x: np.ndarray, y: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    def _crossings(self, x: np.ndarray, y: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Rays and the depths at which they cross triangles, in no order.
 
         Row by row of rays: where two edges of a triangle cross the row, the rays from the one to the other cross the
@@ -144,12 +162,8 @@ class Mesh:
         order = np.lexsort((x, y))
         rows, first = np.unique(y[order], return_index=True)
         row_of_ray = np.repeat(np.arange(len(rows)), np.diff(first, append=len(y)))
-        axes = np.array([frame.right, frame.up, frame.direction])
-        points = (self.corners - frame.centre) @ axes.T
-        rank = np.empty(len(points), np.int64)
-        rank[np.lexsort((points[:, 0], points[:, 1]))] = np.arange(len(points))
-        triangles = np.take_along_axis(self.triangles, np.argsort(rank[self.triangles], axis=1), axis=1)
-        a, b, c = (points[triangles[:, k]].T for k in range(3))  # from the lowest corner to the highest
+        met = np.flatnonzero((self.bottom <= rows[-1]) & (self.top > rows[0]))
+        a, b, c = (self.points[self.triangles[met, k]].T for k in range(3))
 
         begin, end = np.searchsorted(rows, a[1]), np.searchsorted(rows, c[1])
         triangle = np.repeat(np.arange(len(begin)), end - begin)
@@ -190,6 +204,11 @@ def _crossed(lower: np.ndarray, upper: np.ndarray, at: np.ndarray) -> np.ndarray
 
 # What a stock or a model may be.
 Solid = Union[Convex, Mesh]
+
+
+def spans_in(solid: Solid, frame: Frame) -> Callable[[np.ndarray, np.ndarray], Spans]:
+    """Return `solid.spans` for many calls of one frame: the triangles of a mesh are sorted for all of them."""
+    return _SeenMesh(solid, frame).spans if isinstance(solid, Mesh) else partial(solid.spans, frame)
 
 
 def is_same(one: Solid, other: Solid) -> bool:

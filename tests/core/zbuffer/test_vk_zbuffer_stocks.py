@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+import gc
+import weakref
 from math import pi, sqrt
 
 import numpy as np
@@ -11,8 +13,8 @@ from zbuffer_reference.compare import close
 from zbuffer_reference.dexels import Pieces, first_cuts
 from zbuffer_reference.paths import BOX, DIRECTIONS, PATHS, TOOLS, toolpath
 
-from vkworkbench.core import ConvexStock, Cylinder, Mesh, Tool, View, estimate
-from vkworkbench.core.zbuffer import OverBudget, memory_needed
+from vkworkbench.core import ConvexStock, Cylinder, Mesh, Tool, View, estimate, stocks
+from vkworkbench.core.zbuffer import OverBudget, deviations, memory_needed
 from vkworkbench.core.zbuffer.cuts import Cut, Cuts
 from vkworkbench.core.zbuffer.facts import removed_volumes
 from vkworkbench.core.zbuffer.records import GAP
@@ -135,6 +137,25 @@ def test_no_ray_slips_through_between_triangles():
             assert (spans.far >= spans.near).all() and (spans.gaps.leave >= spans.gaps.enter).all()
             volume = (spans.far - spans.near).sum() - (spans.gaps.leave - spans.gaps.enter).sum()
             assert volume * 0.125**2 == pytest.approx(prism_volume(corners, height, squares), rel=0.02)
+
+
+def test_the_triangles_of_a_mesh_are_sorted_once_for_an_image_and_not_kept(monkeypatch):
+    """Of half a million it takes as long as all the rest. For the stock's silhouette, for the part and for the model."""
+    seen = []
+
+    class Counted(stocks._SeenMesh):
+        def __init__(self, mesh, frame):
+            super().__init__(mesh, frame)
+            seen.append(weakref.ref(self))
+
+    monkeypatch.setattr(stocks, "_SeenMesh", Counted)
+    mesh = Mesh(HOLLOW)
+    z = simulate(
+        toolpath(PATHS[0](np.random.default_rng(3), 30)), tool=TOOLS[0], stock=mesh, view=View(width=90, height=90)
+    )
+    found = deviations(z, mesh)
+    gc.collect()
+    assert [own() for own in seen] == [None] * 3 and found.model.frame is z.frame
 
 
 def prism_volume(corners, height, triangles):

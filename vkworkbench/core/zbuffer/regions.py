@@ -76,7 +76,7 @@ class _Rays:
         frame, self.width = trajectories.frame, region.right - region.left
         row, column = np.divmod(np.arange(self.width * (region.top - region.bottom)), self.width)
         centres = frame.pixel_centres(region.left + column, region.bottom + row)
-        self.near, self.far, self.gaps = trajectories.stock.spans(frame, *centres)
+        self.near, self.far, self.gaps = trajectories.spans(*centres)
         self.inside = self.far - self.near > THINNEST
         # Where a stock has gaps, they are pieces of rays that nothing cuts, too.
         self.pending = np.zeros(len(row), bool)

@@ -39,7 +39,7 @@ class Removal(Trajectories):
         passes : (k,) int64
             How many trajectories each ray was examined with.
         """
-        near, far, gaps = self.stock.spans(self.frame, x, y)
+        near, far, gaps = self.spans(x, y)
         # Beside the stock there is nothing to cut.
         inside = np.flatnonzero(far - near > THINNEST)
         passes = np.zeros(len(x), np.int64)

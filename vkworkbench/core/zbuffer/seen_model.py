@@ -9,7 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from vkworkbench.core.solids import Frame
-from vkworkbench.core.stocks import Solid
+from vkworkbench.core.stocks import Solid, spans_in
 from vkworkbench.core.zbuffer.moments import ZBuffer
 
 _ROWS_AT_ONCE = 64
@@ -68,11 +68,12 @@ class SeenModel:
         self.frame = frame
         size = frame.height, frame.width
         near, far = np.full((2, *size), np.nan, np.float32)
+        spans_of = spans_in(model, frame)
         for bottom in range(0, frame.height, _ROWS_AT_ONCE):
             going_on()
             rows = np.arange(bottom, min(bottom + _ROWS_AT_ONCE, frame.height))
             row, column = (index.ravel() for index in np.meshgrid(rows, np.arange(frame.width), indexing="ij"))
-            spans = model.spans(frame, *frame.pixel_centres(column, row))
+            spans = spans_of(*frame.pixel_centres(column, row))
             met = spans.far > spans.near
             near[row[met], column[met]], far[row[met], column[met]] = spans.near[met], spans.far[met]
         self.near, self.far = near, far

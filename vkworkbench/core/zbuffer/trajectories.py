@@ -3,13 +3,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
+from functools import cached_property
 from typing import NamedTuple
 
 import numpy as np
 
-from vkworkbench.core.solids import SMALLEST, Frame, Tool
-from vkworkbench.core.stocks import Solid
+from vkworkbench.core.solids import SMALLEST, Frame, Spans, Tool
+from vkworkbench.core.stocks import Solid, spans_in
 from vkworkbench.core.zbuffer.cuts import Cuts
 from vkworkbench.core.zbuffer.sweeps import headings, intervals, lowest
 
@@ -89,6 +90,11 @@ class Trajectories:
         number = 2 * of_cut[cuts.cut[self.index]] + (self.move[2] == 0)
         found, kind = np.unique(number, return_inverse=True)
         return tuple(Kind(tools[n // 2], bool(n % 2)) for n in found), kind
+
+    @cached_property
+    def spans(self) -> Callable[[np.ndarray, np.ndarray], Spans]:
+        """Where rays of image coordinates (k,) and (k,) are inside the stock."""
+        return spans_in(self.stock, self.frame)
 
     def by_kind(self, item: np.ndarray) -> Iterator[tuple[int, slice | np.ndarray]]:
         """Divide positions in `index` (k,) by their kinds: numbers of kinds, and which of the positions."""
