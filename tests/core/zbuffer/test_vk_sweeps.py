@@ -3,12 +3,14 @@
 
 from __future__ import annotations
 
-from math import atan, atan2, cos, sin
+from math import atan, atan2, cos, pi, sin
 
 import numpy as np
 import pytest
 
 from vkworkbench.core import Tool
+from vkworkbench.core.zbuffer import sweeps
+from vkworkbench.core.zbuffer.rounded import rounded_sides
 from vkworkbench.core.zbuffer.sweeps import intervals
 
 RAYS, FAR = 2000, 30.0
@@ -41,3 +43,40 @@ def test_a_ray_that_passes_the_very_side_of_a_cones_rim_on_its_way_passes_as_tho
     point = np.array([np.full(RAYS, 1.5), 5.75191847 + 0.6 * along, 7.83077538 - 0.8 * along])
     exact, beside = (intervals(tool, start, move, (point[0] + by, *point[1:]), 0.6, 0.8) for by in (0, 1e-7))
     assert np.abs(np.subtract(exact, beside)).max() < 1e-2
+
+
+BULL_NOSE = Tool("bullnose", 6, corner_radius=1)
+
+
+@pytest.mark.parametrize("tilt", [0.7, pi / 2, 2.5])
+def test_of_short_moves_the_ends_tell_where_most_rays_pass_a_bull_nose(tilt, monkeypatch):
+    """Between the ends it takes several times as long to find out."""
+    searched = []
+
+    def counted(tool, offset, *others):
+        searched.append(offset.shape[1])
+        return rounded_sides(tool, offset, *others)
+
+    monkeypatch.setattr(sweeps, "rounded_sides", counted)
+    moves = np.random.default_rng(2).uniform(-2, 2, (3, 3, RAYS))
+    moves[1] *= 0.05
+    found = lengths(BULL_NOSE, moves, tilt)
+    assert (found > 0).sum() > 0.4 * RAYS and sum(searched) < 0.6 * RAYS
+    # As two moves, one after the other: no less, and nothing more.
+    halves = [(moves[0] + part * moves[1], moves[1] / 2, moves[2]) for part in (0, 0.5)]
+    near, far = zip(*(intervals(BULL_NOSE, *half, sin(tilt), cos(tilt)) for half in halves))
+    missed = [~(one <= other) for one, other in zip(near, far)]
+    near, far = np.where(missed, np.inf, near).min(axis=0), np.where(missed, -np.inf, far).max(axis=0)
+    whole = np.array(intervals(BULL_NOSE, *moves, sin(tilt), cos(tilt)))
+    both = (whole[0] <= whole[1]) & (near <= far)
+    assert np.abs(whole[:, both] - (near[both], far[both])).max() < 1e-4
+
+
+def test_a_ray_along_the_very_side_of_a_bull_nose_is_as_long_as_those_beside_it():
+    """It touches the tool wherever that stands, and nowhere for long."""
+    start, move = np.zeros((3, 5)), np.repeat([[0.0], [20.0], [5.0]], 5, axis=1)
+    height = np.linspace(1.5, 5.5, 5)
+    exact, beside = (
+        intervals(BULL_NOSE, start, move, (np.full(5, x), np.zeros(5), height), 1.0, 0.0) for x in (3.0, 3.0 - 1e-7)
+    )
+    assert np.abs(np.subtract(exact, beside)).max() < 0.02 and (np.subtract(*exact[::-1]) > 1).all()

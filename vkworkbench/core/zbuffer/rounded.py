@@ -9,6 +9,7 @@ from __future__ import annotations
 import numpy as np
 
 from vkworkbench.core.solids import Tool
+from vkworkbench.core.zbuffer.slots import FROM_THE_SIDE, RIM, ROUNDING
 
 # Newton's method stops this close to the surface, mm.
 _CLOSE = 1e-10
@@ -23,23 +24,40 @@ def _ball_chord(tool: Tool, at: np.ndarray, sine: float, cosine: float) -> tuple
     return np.where(half2 >= 0, middle - half, np.inf), middle + half
 
 
-def rounded_chord(tool: Tool, at: np.ndarray, sine: float, cosine: float) -> tuple[np.ndarray, np.ndarray]:
+def _box_chord(tool: Tool, at: np.ndarray, sine: float, cosine: float) -> tuple[np.ndarray, np.ndarray]:
+    """Depths at which a ray passes the upright cylinder around a standing thickened disc."""
+    x, y, z = at
+    half2 = tool.radius**2 - x**2
+    half = np.sqrt(np.maximum(half2, 0))
+    near, far = np.where(half2 >= -RIM, (-half - y) / sine, np.inf), (half - y) / sine
+    if abs(cosine) > FROM_THE_SIDE:
+        face = np.copysign(tool.rounding, cosine)
+        return np.maximum(near, (z - face) / cosine), np.minimum(far, (z + face) / cosine)
+    return np.where(np.abs(z) <= tool.rounding, near, np.inf), far
+
+
+def rounded_chord(
+    tool: Tool, at: np.ndarray, sine: float, cosine: float, known_near: np.ndarray, known_far: np.ndarray
+) -> tuple[np.ndarray, np.ndarray]:
     """Depths at which a ray passes a standing disc thickened by the corner radius.
 
     Newton's method on the distance to the disc, a convex function of the depth, runs monotonously to the ends
-    of the interval from the ends of the ball around it.
+    of the interval from the ends of the ball around it. What cannot be before `known_near`, or behind `known_far`, is not
+    looked for: beside the upright cylinder around the disc there is nothing.
     """
+    first, last = _box_chord(tool, at, sine, cosine)
     near, far = _ball_chord(tool, at, sine, cosine)
-    met = near <= far
-    for ahead, depths in ((1.0, near), (-1.0, far)):
-        active = np.flatnonzero(met)
+    met = (first <= last + ROUNDING) & (near <= far)
+    for ahead, depths, bound, wanted in ((1.0, near, first, first < known_near), (-1.0, far, last, last > known_far)):
+        depths[~wanted] = bound[~wanted]
+        active = np.flatnonzero(met & wanted)
         for _ in range(40):
             x, y, z = at[:, active]
             s = depths[active]
             y, z = y + s * sine, z - s * cosine
-            r = np.hypot(x, y)
+            r = np.sqrt(x * x + y * y)  # hypot takes several times as long
             beyond = np.maximum(r - (tool.radius - tool.rounding), 0)
-            distance = np.hypot(beyond, z)
+            distance = np.sqrt(beyond * beyond + z * z)
             fall = -ahead * (sine * y * divide(beyond, r) - cosine * z)
             outside = distance > tool.rounding + _CLOSE
             # Still outside although the distance grows inwards: there is nothing to enter.

@@ -5,15 +5,16 @@ A tool (a convex solid of revolution, unbounded upwards) moved along a straight 
 so a ray meets it in one interval. Everything here is in ray coordinates: x to the right of the image, y the
 horizontal direction the rays go, z up; a ray at (x, y, z) runs along (0, sine, -cosine) of the view's tilt.
 
-For flat and ball ends the interval has a closed form, see slots.py. For the others its ends are extremes over the move's parameter t of the tool's own interval at the position t. The
-extremes lie at an end of the move, or where the ray touches a side face of the swept volume, or on the edge
-between two faces; these few t are known in closed form (bull-nose: by bisection of a monotone function) and
-the tool's interval is taken at each of them.
+For flat and ball ends the interval has a closed form, see slots.py. For the others its ends are extremes over the move's
+parameter t of the tool's own interval at the position t. The extremes lie at an end of the move, or where the ray touches a
+side face of the swept volume, or on the edge between two faces; these few t are known in closed form (bull-nose: by
+bisection of a monotone function) and the tool's interval is taken at each of them. Of short moves most extremes lie at an
+end, which the surface of a bull-nose tells there.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 
 import numpy as np
 
@@ -185,54 +186,79 @@ def _general(
     tool: Tool, offset: np.ndarray, move: np.ndarray, sine: float, cosine: float
 ) -> tuple[np.ndarray, np.ndarray]:
     """`intervals` of any tool, for offsets and moves (3, k)."""
-    corner = tool.rounding
-    near, far = _extremes(
-        _straight_sides(tool, corner, offset, move, sine, cosine),
-        offset,
-        move,
-        lambda at: _straight_chord(tool, corner, at, sine, cosine),
-    )
-    if corner > 0:
-        raised = offset - np.array([[0.0], [0.0], [corner]])
-        near2, far2 = _extremes(
-            rounded_sides(tool, raised, move, sine, cosine),
-            raised,
-            move,
-            lambda at: rounded_chord(tool, at, sine, cosine),
-        )
-        near, far = np.minimum(near, near2), np.maximum(far, far2)
+    nothing = np.full(offset.shape[1], np.inf)
+    near, far = nothing, -nothing
+    between = np.ones((2, len(near)), bool)
+    for at, away in ((offset, move), (offset - move, -move)):
+        enter, leave = _chord(tool, at, sine, cosine)
+        near, far = _joined(near, far, enter, leave)
+        if tool.rounding:
+            # A bull nose has no edges: where its surface does not face the way it goes from this end of the move, the ray
+            # enters it first, or leaves it last, here. Where the ray only touches it, rounding would decide.
+            touched = ~(leave - enter > ROUNDING)
+            if abs(cosine) <= FROM_THE_SIDE:
+                touched |= np.abs(at[2]) < ROUNDING  # the floor
+            for entered_or_left, depth in zip(between, (enter, leave)):
+                depth = np.where(touched, 0, depth)
+                entered_or_left &= touched | (_facing(tool, at, depth, away, sine, cosine) > 0)
+    some = np.flatnonzero(between.any(axis=0))
+    if tool.rounding and abs(cosine) > FROM_THE_SIDE:
+        # Most of them miss the flat end around it, too.
+        enter, leave = sloped_slot(tool.radius + ROUNDING, tuple(offset[:, some]), move[:, some], sine, cosine)
+        some = some[enter <= leave + ROUNDING]
+    offset, move, first, last = offset[:, some], move[:, some], near[some], far[some]
+    for t in _straight_sides(tool, offset, move, sine, cosine):
+        chord = _straight_chord(tool, offset - np.clip(t, 0, 1) * move, sine, cosine)
+        first, last = _joined(first, last, *chord)
+    if tool.rounding:
+        offset = _from_corner(tool, offset)
+        for t in rounded_sides(tool, offset, move, sine, cosine):
+            chord = rounded_chord(tool, offset - np.clip(t, 0, 1) * move, sine, cosine, first, last)
+            first, last = _joined(first, last, *chord)
+    near[some], far[some] = first, last
     return near, far
 
 
-def _extremes(
-    parameters: list[np.ndarray],
-    offset: np.ndarray,
-    move: np.ndarray,
-    chord: Callable[[np.ndarray], tuple[np.ndarray, np.ndarray]],
-) -> tuple[np.ndarray, np.ndarray]:
-    """First entry and last exit of the tool standing at the ends of its move and at the given parameters."""
-    near = np.full(offset.shape[1], np.inf)
-    far = -near
-    places = [offset, offset - move] + [offset - np.clip(t, 0, 1) * move for t in parameters]
-    for at in places:
-        enter, leave = chord(at)
-        hit = enter <= leave + ROUNDING
-        near = np.where(hit, np.minimum(near, enter), near)
-        far = np.where(hit, np.maximum(far, leave), far)
-    return near, far
+def _joined(near: np.ndarray, far: np.ndarray, enter: np.ndarray, leave: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """First entries and last exits: of intervals that may be none, and of others where they are some."""
+    hit = enter <= leave + ROUNDING
+    return np.where(hit, np.minimum(near, enter), near), np.where(hit, np.maximum(far, leave), far)
 
 
-def _straight_chord(
-    tool: Tool, base: float, at: np.ndarray, sine: float, cosine: float
-) -> tuple[np.ndarray, np.ndarray]:
-    """Depths at which a ray passes a standing cylinder that starts at height `base` or ends in a cone."""
+def _chord(tool: Tool, at: np.ndarray, sine: float, cosine: float) -> tuple[np.ndarray, np.ndarray]:
+    """Depths at which a ray passes a standing tool."""
+    near, far = _straight_chord(tool, at, sine, cosine)
+    if not tool.rounding:
+        return near, far
+    near, far = _joined(np.full(len(near), np.inf), np.full(len(far), -np.inf), near, far)
+    return _joined(near, far, *rounded_chord(tool, _from_corner(tool, at), sine, cosine, near, far))
+
+
+def _facing(tool: Tool, at: np.ndarray, depth: np.ndarray, move: np.ndarray, sine: float, cosine: float) -> np.ndarray:
+    """Whether the surface of a standing bull nose, where a ray meets it at a depth, faces a move: positive where it does."""
+    x, y, z = _from_corner(tool, at)
+    y, z = y + depth * sine, z - depth * cosine
+    r = np.sqrt(x * x + y * y)
+    outwards = divide(np.maximum(r - (tool.radius - tool.rounding), 0), r)
+    facing: np.ndarray = outwards * (x * move[0] + y * move[1]) + np.minimum(z, 0) * move[2]
+    return facing
+
+
+def _from_corner(tool: Tool, offset: np.ndarray) -> np.ndarray:
+    """Offsets from the centre of the rounding."""
+    moved: np.ndarray = offset - np.array([[0.0], [0.0], [tool.rounding]])
+    return moved
+
+
+def _straight_chord(tool: Tool, at: np.ndarray, sine: float, cosine: float) -> tuple[np.ndarray, np.ndarray]:
+    """Depths at which a ray passes a standing cylinder that starts above the rounding or ends in a cone."""
     x, y, z = at
     tangent = cosine / sine if abs(cosine) > 1e-9 else 0.0
     half2 = tool.radius**2 - x**2
     half = np.sqrt(np.maximum(half2, 0))
     low = np.where(half2 >= -RIM, -half, np.inf)
     # Along the ray height = level - tangent * y, y measured from the tool's axis.
-    level = z + tangent * y - base + ROUNDING
+    level = z + tangent * y - tool.rounding + ROUNDING
     if tool.steepness > 0:
         # The cone's apex lies below a flat tip.
         cone_low, cone_high = _cone_chord(tool.steepness, tangent, x, level + tool.steepness * tool.tip)
@@ -268,9 +294,7 @@ def _cone_chord(k: float, tangent: float, x: np.ndarray, level: np.ndarray) -> t
     return (-up, down) if tangent >= 0 else (-down, up)
 
 
-def _straight_sides(
-    tool: Tool, base: float, offset: np.ndarray, move: np.ndarray, sine: float, cosine: float
-) -> list[np.ndarray]:
+def _straight_sides(tool: Tool, offset: np.ndarray, move: np.ndarray, sine: float, cosine: float) -> list[np.ndarray]:
     """Parameters at which a ray may enter or leave a swept cylinder or cone between the move's ends."""
     x, y, z = offset
     ux, uy, uz = move
@@ -284,7 +308,7 @@ def _straight_sides(
     tilted_move = cosine * uy + sine * uz
     square = (cosine * ux) ** 2 + tilted_move**2
     for radius, height in ((tool.radius, k * (tool.radius - tool.tip)), (tool.tip, 0.0))[: 2 if tool.tip else 1]:
-        tilted = cosine * y + sine * (z - base - height)
+        tilted = cosine * y + sine * (z - tool.rounding - height)
         middle = cosine**2 * x * ux + tilted * tilted_move
         rest = cosine**2 * (x**2 - radius**2) + tilted**2
         root = np.sqrt(np.maximum(middle**2 - square * rest, 0))
