@@ -7,6 +7,7 @@ import Path
 import pytest
 
 import vkworkbench
+from vkworkbench import preferences
 from vkworkbench.document import idle, marks, upkeep, watcher
 from vkworkbench.document.fingerprint import setting_fingerprint
 from vkworkbench.document.setting import read_stock
@@ -126,13 +127,16 @@ def test_tool_and_stock_matter_too(watched, change):
     assert descriptions(document) == fresh
 
 
-def test_more_fixtures_outdate_the_total_alone(watched):
+def test_the_total_follows_the_fixtures(watched):
+    once = marks.read(watched.job).machining_seconds
     watched.job.Fixtures = ["G54", "G55"]
     watched.document.recompute()
-    assert outdated(watched.document) == [watched.job.Label]
+    assert outdated(watched.document) == []
+    assert marks.read(watched.job).machining_seconds == pytest.approx(2 * once)
     watched.job.Fixtures = ["G54"]
     watched.document.recompute()
     assert outdated(watched.document) == []
+    assert marks.read(watched.job).machining_seconds == pytest.approx(once)
 
 
 def test_what_does_not_matter_keeps_marks_fresh(watched):
@@ -144,7 +148,7 @@ def test_what_does_not_matter_keeps_marks_fresh(watched):
     assert outdated(watched.document) == []
 
 
-def test_an_operation_that_comes_or_goes_outdates_the_total(watched, zigzag_commands):
+def test_an_operation_without_a_mark_outdates_the_total(watched, zigzag_commands):
     document = watched.document
     third = watched.add("Third", zigzag_commands)
     document.recompute()
@@ -152,9 +156,24 @@ def test_an_operation_that_comes_or_goes_outdates_the_total(watched, zigzag_comm
     document.removeObject(third.Name)
     document.recompute()
     assert outdated(document) == []
+
+
+def test_the_total_is_that_of_the_operations_that_are_left(watched):
+    document, before = watched.document, watched.job.Label2
+    document.openTransaction("Delete")
+    document.removeObject(watched.second.Name)
+    document.commitTransaction()
+    assert outdated(document) == [] and watched.job.Label2.startswith("⟦1 operation · ")
+    (only,) = vkworkbench.analyze(document).totals
+    told = marks.read(watched.job)
+    assert told.machining_seconds == pytest.approx(only.machining_seconds)
+    assert told.cost(preferences.read().simulator) == pytest.approx(only.cost(preferences.read().simulator))
+    document.undo()
+    assert outdated(document) == [] and watched.job.Label2 == before
+    edit_path(watched)
     document.removeObject(watched.second.Name)
     document.recompute()
-    assert outdated(document) == [watched.job.Label]
+    assert outdated(document) == [watched.job.Label, "First"] and marks.read(watched.job).operations == 1
 
 
 @pytest.fixture

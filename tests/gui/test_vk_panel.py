@@ -440,6 +440,33 @@ def test_rows_live_with_the_document(panel, opened, window):
     window.wait(lambda: len(labels(panel)) > 3)
 
 
+def test_the_jobs_row_says_what_its_mark_says(panel, opened, window):
+    job, chosen = opened.getObject("Job"), preferences.read()
+
+    def said(operations, state):
+        mark = marks.read(job)
+        time = column(panel, titles(panel)[3])["Job"]
+        return (
+            column(panel, "Strategy")["Job"].startswith(f"{operations} ")
+            and mark.operations == operations
+            and time == time_of(mark, chosen, user())
+            and (column(panel, "State")["Job"] == "outdated") == mark.outdated == state
+        )
+
+    count = marks.read(job).operations
+    opened.openTransaction("Delete")
+    opened.removeObject(labelled(opened, "Face").Name)
+    opened.commitTransaction()
+    window.wait(lambda: said(count - 1, False))
+    opened.undo()
+    window.wait(lambda: said(count, False))
+    copy = opened.copyObject(labelled(opened, "Face"), False)
+    vkworkbench.clear(copy)
+    job.Operations.Group += [copy]
+    opened.recompute()
+    window.wait(lambda: said(count, True))
+
+
 def test_one_operation_analyzed_again_keeps_the_others(panel, opened, window):
     count = len(labels(panel))
     Gui.Selection.addSelection(labelled(opened, "Face"))

@@ -10,6 +10,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterator
 from dataclasses import replace
+from typing import Any
 
 from vkworkbench import preferences
 from vkworkbench.core import Strategy
@@ -112,16 +113,30 @@ def write(obj, report: OperationReport, chosen: Preferences, *, outdated: bool =
 
 def write_total(job, chosen: Preferences) -> None:
     """Mark a job with the total of its operations' marks; a job with an unmarked operation has none."""
-    operations = [o.object for o in find(job) if o.counted]
-    parts = [read(obj) for obj in operations]
-    if not parts or None in parts:
+    parts = _parts(job)
+    if not parts or None in parts.values():
         if is_marked(job):
             erase(job)
         return
-    known = list(map(_with_estimate, operations, parts))
+    _keep(job, _total(job, parts), chosen, anew=True)
+
+
+def _parts(job) -> dict[Any, Record | None]:
+    """What is marked on the operations that a job posts, by these."""
+    return {o.object: read(o.object) for o in find(job) if o.counted}
+
+
+def _total(job, parts: dict[Any, Record | None]) -> Record:
+    """Return the total of what is marked; it is outdated where that is, or where a part has no mark."""
+    marked = {obj: part for obj, part in parts.items() if part is not None}
+    known = [_with_estimate(obj, part) for obj, part in marked.items()]
     total = total_of(job.Document.Name, job.Name, job.Label, known, None, fixtures_of(job))
-    made = record.of_total(total, parts, _total_fingerprint(job, parts))
-    _keep(job, replace(made, outdated=any(part.outdated for part in parts)), chosen, anew=True)
+    made = record.of_total(total, list(marked.values()), _total_fingerprint(job, parts))
+    return replace(made, outdated=_is_outdated(parts))
+
+
+def _is_outdated(parts: dict[Any, Record | None]) -> bool:
+    return any(part is None or part.outdated for part in parts.values())
 
 
 def _with_estimate(obj, part: Record) -> Record:
@@ -133,14 +148,13 @@ def _with_estimate(obj, part: Record) -> Record:
 def read_total(job) -> Record | None:
     """Return what a job's mark says of the operations that it has now; None where it speaks of others."""
     known = read(job)
-    parts = [read(o.object) for o in find(job) if o.counted] if known else []
-    return known if known and known.fingerprint == _total_fingerprint(job, parts) else None
+    return known if known and known.fingerprint == _total_fingerprint(job, _parts(job)) else None
 
 
-def _total_fingerprint(job, parts: list[Record | None]) -> str:
+def _total_fingerprint(job, parts: dict[Any, Record | None]) -> str:
     fixtures = fixtures_of(job)
     often = [f"x{fixtures}"] if fixtures > 1 else []
-    return " ".join([part.fingerprint if part else "" for part in parts] + often)
+    return " ".join([part.fingerprint if part else "" for part in parts.values()] + often)
 
 
 def refresh(obj, settings_of: Callable, *, path_changed: bool, setting_changed: bool) -> bool:
@@ -173,14 +187,14 @@ def refresh(obj, settings_of: Callable, *, path_changed: bool, setting_changed: 
 
 
 def refresh_total(job) -> None:
-    """Say "outdated" in a job's mark while an operation's mark says it, or while the job has other operations."""
-    known = read(job)
+    """Let a job's mark be the total of what it has now, and say "outdated" while an operation's mark says it or is missing."""
+    known, parts = read(job), _parts(job)
     if known is None:
         return
-    parts = [read(o.object) for o in find(job) if o.counted]
-    outdated = known.fingerprint != _total_fingerprint(job, parts) or any(part and part.outdated for part in parts)
-    if outdated != known.outdated:
-        _keep(job, replace(known, outdated=outdated), preferences.read())
+    if known.fingerprint != _total_fingerprint(job, parts):
+        _keep(job, _total(job, parts), preferences.read())
+    elif known.outdated != _is_outdated(parts):
+        _keep(job, replace(known, outdated=not known.outdated), preferences.read())
 
 
 def follow(obj, chosen: Preferences) -> None:

@@ -112,7 +112,7 @@ def _job(job, findings: list[Finding], chosen: Preferences) -> Row:
     if budget is None and len(counted) == posted:
         mark = marks.read_total(job)  # it was written when more was known
         total = replace(total, costs={**total.costs, **mark.costs}) if mark else total
-    outdated = any(finding.mark.outdated for finding in counted)
+    outdated = marks.is_outdated(job) or any(finding.mark.outdated for finding in counted)
     # What its mark says, but without computing what it takes in simulators that nobody asks for.
     told = replace(of_total(replace(total, costs={}), [f.mark for f in counted], ""), costs=total.costs)
     notices = notices_of(told, chosen)
