@@ -488,6 +488,25 @@ def test_the_picture_of_the_operation_before_is_not_saved_as_that_of_the_one_bei
     window.wait(lambda: view.title.text().startswith("Bore") and view.dock.saver.isEnabled())
 
 
+def test_the_picture_of_the_area_before_is_not_saved_as_that_of_the_one_being_read(opened, view, window, monkeypatch):
+    go_on, figure = threading.Event(), gauss_map.GaussFigure
+
+    def slowly(*what):
+        go_on.wait(60)
+        return figure(*what)
+
+    select(labelled(opened, "Pocket around island"))
+    window.wait(lambda: view.title.text().startswith("Pocket around island") and view.dock.saver.isEnabled())
+    monkeypatch.setattr(gauss_map, "GaussFigure", slowly)
+    monkeypatch.setattr(gauss_map, "_AT_ONCE", 0)
+    before = view.canvas.figure
+    view.chooser.setCurrentIndex(1)
+    assert view.dock._background.works and not view.dock.saver.isEnabled() and view.chooser.isEnabled()
+    go_on.set()
+    window.wait(view.dock.saver.isEnabled)
+    assert view.canvas.figure is not before
+
+
 def test_before_the_first_picture_there_is_nothing_to_step_through_or_to_save(window):
     dock = gauss_map.GaussMapDock(None)
     dock.setObjectName("")  # it is not the one of the window

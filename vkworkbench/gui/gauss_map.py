@@ -217,6 +217,7 @@ class GaussMapDock(QDockWidget):
         if reading.areas.end[area] - reading.areas.start[area] < _AT_ONCE:
             self._show_figure(GaussFigure(reading, area))
             return
+        self.saver.setEnabled(False)  # the picture is that of the area before
         text = translate("Vk_GaussMap", "Reading {}…").format(self._label)
         self._background.start(text, lambda going_on: [GaussFigure(reading, area)], self._show_figure, self._ended)
 
