@@ -3,7 +3,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from collections.abc import Sequence
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
@@ -25,11 +26,27 @@ class Problem:
         What could not be used, and what was done instead.
     count : int
         How many commands are concerned.
+    commands : (count,) int64
+        All of them, where it is one of time; else empty.
     """
 
     command: int
     what: Message
     count: int = 1
+    commands: np.ndarray = field(default_factory=lambda: np.empty(0, np.int64), compare=False, repr=False)
+
+    @classmethod
+    def at(cls, commands: Sequence[int] | np.ndarray, what: Message) -> Problem:
+        """Return the problem of these commands, one at least, in their order."""
+        problem = cls(int(commands[0]), what, len(commands))
+        return replace(problem, commands=np.asarray(commands, np.int64)) if problem.takes_time else problem
+
+    def within(self, first: float, end: float) -> Problem | None:
+        """Return what commands first .. end - 1 have of it, None where they have nothing; all of it is its first command's but for time."""
+        if not self.takes_time:
+            return self if first <= self.command < end else None
+        commands = self.commands[(first <= self.commands) & (self.commands < end)]
+        return Problem.at(commands, self.what) if len(commands) else None
 
     @property
     def message(self) -> str:

@@ -3,8 +3,8 @@
 
 from __future__ import annotations
 
+import math
 import os
-from bisect import bisect_right
 from collections.abc import Callable, Iterable
 from dataclasses import replace
 from pathlib import Path
@@ -151,10 +151,11 @@ def _rows(
     lost = [Message("inches-as-millimetres")] if inches else []
     if looks_like_increments(toolpath, inches=program.inches):
         lost.append(Message("increments-as-units"))
-    starts = [section.first for _, section in cutting]
-    problems: list[list[Problem]] = [[] for _ in cutting]
-    for problem in toolpath.problems:  # each is told with the operation in which it first occurs
-        problems[max(bisect_right(starts, problem.command) - 1, 0)].append(problem)
+    starts = [0.0, *(section.first for _, section in cutting[1:]), math.inf]
+    problems = [
+        [part for problem in toolpath.problems if (part := problem.within(first, end))]
+        for first, end in zip(starts, starts[1:])
+    ]
     undivided = len(cutting) == 1  # no title and no tool change tells whether it is one operation
     return [
         _row(path, program, part, section, stock, chosen, lost, its_own, undivided)

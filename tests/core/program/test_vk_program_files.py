@@ -217,6 +217,23 @@ def test_a_time_without_a_dwell_is_the_least(tmp_path):
     assert not vkworkbench.analyze(path).operations[0].machining.complete
 
 
+def test_each_operation_with_a_dwell_says_so(tmp_path):
+    """Another remark is told once, with the operation in which it first occurs."""
+    path = tmp_path / "router.nc"
+    cut = "G0 Z5\nG4 P1\nG1 Z-1 F600\nX40\nX0\n"
+    path.write_text(f"G21\nG0 X0 Y0\nG4 P2\n(A)\n{cut}G999\n(B)\nG0 Z5\nG1 Z-2\nX9\n(C)\n{cut}G999\nG4 P3\nG4 P4\n")
+    rows = vkworkbench.analyze(path).operations
+
+    def told(messages):
+        return [
+            (at["what"].code, at["line"], at["count"]) for at in (m.arguments for m in messages) if "what" in at
+        ]  # fmt: skip
+
+    dwells = [[("dwell-untimed", 3, 2)], [], [("dwell-untimed", 17, 3)]]
+    assert [told(row.machining.left_out) for row in rows] == dwells
+    assert [sorted(told(row.remarks)) for row in rows] == [[*dwells[0], ("unknown-code", 10, 2)], *dwells[1:]]
+
+
 def test_the_stock_of_a_program_holds_what_its_largest_tool_cuts(tmp_path):
     path = tmp_path / "two.nc"
     cut = "G0 X0 Y0 Z5\nG1 Z-1 F600\nX40\nG0 Z5\n"

@@ -106,7 +106,7 @@ class _Problems(List[Problem]):
 
     def add(self, rows: np.ndarray, what: Message) -> None:
         if len(rows):
-            self.append(Problem(int(rows[0]), what, len(rows)))
+            self.append(Problem.at(rows, what))
 
 
 class _Program:

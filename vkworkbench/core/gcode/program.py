@@ -68,7 +68,10 @@ class Program:
             share = np.zeros(len(self.commands))
             share[list(self.inverse_time)] = list(self.inverse_time.values())
             feed = np.where(share[path.command] > 0, (length * share)[path.command], feed)
-        problems = tuple(replace(problem, command=int(self.lines[problem.command])) for problem in path.problems)
+        problems = tuple(
+            replace(problem, command=int(self.lines[problem.command]), commands=self.lines[problem.commands])
+            for problem in path.problems
+        )
         return replace(
             path,
             command=self.lines[path.command],

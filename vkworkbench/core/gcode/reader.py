@@ -549,7 +549,7 @@ class _Reader:
                 return
 
     def program(self) -> Program:
-        problems = tuple(Problem(lines[0], what, len(lines)) for what, lines in self.problems.items())
+        problems = tuple(Problem.at(lines, what) for what, lines in self.problems.items())
         commands = self.commands
         if not self.changes:
             commands = self._changed_by_t(commands)
