@@ -107,6 +107,7 @@ def test_a_long_play_is_told_with_fast_forward(marked, window):
     window.screenshot("warning-play")
     assert line.text.text().startswith("Playing this takes about ") and line.way.text() == "Fast-forward"
     assert not line.isModal() and not window.boxes()
+    assert line.text.height() >= line.text.heightForWidth(line.text.width())
     button = simulator_panel(window).findChild(QtGui.QToolButton, "toolButtonFF")
     window.click_on(line.way)
     assert lines(window) == [] and not button.isEnabled()  # it runs

@@ -74,7 +74,7 @@ class Line(QFrame):
         """Put it across the top of the views, as high as its text needs."""
         area = self.parentWidget()
         width = area.width() - 2 * _MARGIN
-        self.setGeometry(_MARGIN, area.viewport().y() + _MARGIN, width, self.layout().heightForWidth(width))
+        self.setGeometry(_MARGIN, area.viewport().y() + _MARGIN, width, self.heightForWidth(width))
         self.raise_()
 
     def end(self) -> None:
