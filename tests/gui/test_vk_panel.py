@@ -232,6 +232,11 @@ def test_it_is_readable_in_freecads_own_themes(panel, window, shipped):
     assert max(contrast(background, color) for color, _ in others) > 4.5
 
 
+def test_it_makes_no_window_higher_than_a_low_screen(panel):
+    least = panel.filter.minimumSizeHint().height() + 4 * panel.fontMetrics().height()
+    assert panel.widget().minimumSizeHint().height() <= least
+
+
 def test_a_click_on_a_title_sorts_within_the_job(panel, opened, window):
     operations = vkworkbench.analyze(opened).operations
     rising = [o.label for o in sorted(operations, key=lambda o: o.machining.seconds)]

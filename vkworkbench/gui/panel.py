@@ -38,6 +38,8 @@ from vkworkbench.report import Cancelled
 
 _WIDEST = {"operation": 260, "warnings": 420}  # px; the tooltip shows the end of a longer text
 
+_LEAST_LINES = 3  # of text, which the tree and the page are high at least
+
 
 class ResultsDock(QDockWidget):
     """Shows what was found in the active document; a selection in its tree is one in FreeCAD, and the reverse."""
@@ -77,8 +79,10 @@ class ResultsDock(QDockWidget):
         self.filter = Filter([self.columns, self.export])
         self.filter.changed = self._filter
         self._parts = QSplitter(Qt.Horizontal)
-        self._parts.addWidget(self.tree)
-        self._parts.addWidget(self.details)
+        for part in (self.tree, self.details):
+            # Qt's own minimum would make the window higher than a low screen.
+            part.setMinimumHeight(_LEAST_LINES * part.fontMetrics().height())
+            self._parts.addWidget(part)
         self._parts.setStretchFactor(0, 3)
         self._parts.setStretchFactor(1, 2)
         body = QWidget()
