@@ -9,7 +9,14 @@ import FreeCAD
 import pytest
 
 from vkworkbench.core import Stock, Tool
-from vkworkbench.document.fingerprint import fingerprint_of, path_and_setting, setting_fingerprint, text_fingerprint
+from vkworkbench.document.fingerprint import (
+    finding_path_fingerprint,
+    fingerprint_of,
+    path_and_setting,
+    setting_fingerprint,
+    text_fingerprint,
+)
+from vkworkbench.document.path_prints import PATH_PRINTS
 
 NOWHERE = FreeCAD.Placement()
 TEXT = "G0 X0.000000 Y1.000000\nG1 X5.000000\n"
@@ -123,3 +130,12 @@ def test_the_point_of_a_tool_counts():
     assert setting_fingerprint(Tool("vbit", 6.0, tip_angle=1.00001), None) == setting_fingerprint(pointed, None)
     blunt = [Tool("vbit", 6.0, tip_angle=1.0, tip_diameter=diameter) for diameter in (1.0, 1.00003)]
     assert len({setting_fingerprint(tool, None) for tool in blunt}) == 1
+
+
+def test_what_an_analysis_has_found_meanwhile_is_not_looked_for_any_longer(small, zigzag_commands):
+    op = small.add("One", zigzag_commands)
+    steps = finding_path_fingerprint(op)
+    next(steps)
+    next(steps)
+    PATH_PRINTS.end((small.name, op.Name), PATH_PRINTS.begin(op), "found")
+    assert next(steps, "over") == "over" and PATH_PRINTS.of(op) == "found"

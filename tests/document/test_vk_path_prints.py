@@ -46,9 +46,19 @@ def test_what_changes_while_it_is_being_found_has_none(small, zigzag_commands, p
         op.Path = Path.Path(op.Path.Commands[:-1])
 
     assert found(prints, op, meanwhile=edit) is None
-    assert found(prints, op, meanwhile=lambda: prints.begin(op)) is None  # somebody else has begun anew
     assert found(prints, op, "") is None  # it could not be found
     assert found(prints, op, "g") == "g"
+
+
+def test_what_two_look_for_the_first_finds_for_both(small, zigzag_commands, prints):
+    """Else an analysis and the comparison of its mark take the fingerprint from each other, again and again."""
+    op = small.add("One", zigzag_commands)
+    whose, first, second = (op.Document.Name, op.Name), prints.begin(op), prints.begin(op)
+    prints.end(whose, first, "f")
+    assert prints.of(op) == "f"
+    prints.end(whose, second, "f")
+    prints.begin(op)
+    assert prints.of(op) == "f"
 
 
 def test_a_document_that_is_closed_is_forgotten(small, zigzag_commands, prints):

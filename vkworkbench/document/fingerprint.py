@@ -14,6 +14,7 @@ from itertools import islice
 
 from vkworkbench import freecad
 from vkworkbench.core import Stock, Tool
+from vkworkbench.core.gcode import used_up
 from vkworkbench.document.operations import job_of, through_bases
 from vkworkbench.document.path_prints import PATH_PRINTS
 from vkworkbench.document.setting import rapid_feeds, read_stock, read_tool
@@ -48,6 +49,8 @@ def finding_path_fingerprint(obj) -> Iterator[None]:
         for text in _texts(path, None):
             digest.update(_without_comments(text).encode())
             yield
+            if PATH_PRINTS.of(obj) is not None:
+                return
         digest.update(_place(placement).encode())
         PATH_PRINTS.end(whose, token, digest.hexdigest()[:16])
 
@@ -62,7 +65,7 @@ def _texts(path, commands: list | None) -> Iterator[str]:
     if path.Size <= AT_ONCE:
         yield path.toGCode()
         return
-    lines = (f"{command.toGCode()}\n" for command in (path.Commands if commands is None else commands))
+    lines = (f"{command.toGCode()}\n" for command in (used_up(path.Commands) if commands is None else commands))
     while piece := "".join(islice(lines, _PIECE)):
         yield piece
 

@@ -28,13 +28,14 @@ class PathPrints:
         return kept if isinstance(kept, str) else None
 
     def begin(self, obj) -> object:
-        """Return the token of a fingerprint that is to be found of an object's path as it is now."""
+        """Return the token of a fingerprint that is to be found of an object's path as it is now.
+
+        Several may look for the same one: the first that has it finds it for all.
+        """
         if not self._watches:
             FreeCAD.addDocumentObserver(self)
             self._watches = True
-        token = object()
-        self._kept.setdefault(obj.Document.Name, {})[obj.Name] = token
-        return token
+        return self._kept.setdefault(obj.Document.Name, {}).setdefault(obj.Name, object())
 
     def end(self, whose: tuple[str, str], token: object, fingerprint: str) -> None:
         """Keep a fingerprint, unless none was found or the path has changed since `begin`."""
