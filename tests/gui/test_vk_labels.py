@@ -97,3 +97,28 @@ def test_the_preferences_show_a_calibration_as_text(window, trap, monkeypatch):
     label = page.form.calibrated
     assert trap in label.text() and label.textFormat() == QtCore.Qt.PlainText
     page.form.deleteLater()
+
+
+def test_a_label_that_is_whole_is_no_higher_than_its_text(window):
+    box = QtGui.QWidget()
+    column = QtGui.QVBoxLayout(box)
+    label = QtGui.QLabel("What it says takes several lines where there is little room. " * 4)
+    label.setWordWrap(True)
+    whole = plain_text.WholeText(label)
+    column.addWidget(label)
+    column.addStretch(1)
+    try:
+        heights = []
+        for width in (160, 900):
+            box.resize(width, 600)
+            box.show()
+            window.idle(0.3)
+            heights.append(label.height())
+            assert label.height() >= label.heightForWidth(label.width())
+        label.setText("Short.")
+        whole.fit()
+        window.idle(0.3)
+        line = label.fontMetrics().lineSpacing()
+        assert heights[0] > 3 * line and heights[1] < heights[0] / 2 and label.height() < 2 * line
+    finally:
+        box.deleteLater()

@@ -51,6 +51,7 @@ class WholeText(QObject):
 
     def fit(self) -> None:
         """Follow another text."""
+        self._label.setMinimumHeight(0)  # else a label tells no less than it had
         self._label.setMinimumHeight(max(0, self._label.heightForWidth(self._label.width())))  # -1 without a text
 
 
