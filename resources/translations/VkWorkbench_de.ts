@@ -57,7 +57,7 @@
     </message>
     <message>
         <source>The time in the {simulator} is not known: analyze it again.</source>
-        <translation>Die Zeit im {simulator} ist nicht bekannt: Noch einmal analysieren.</translation>
+        <translation>Die Zeit mit „{simulator}“ ist nicht bekannt: Noch einmal analysieren.</translation>
     </message>
     <message>
         <source>{strategy}, {share} sure</source>
@@ -643,35 +643,35 @@
     </message>
     <message>
         <source>The {simulator:simulator} hangs on an arc {reason} (command {command:#}{others}): {instead}.</source>
-        <translation>Der {simulator:simulator} hängt bei einem Bogen, {reason} (Befehl {command:#}{others}): {instead}.</translation>
+        <translation>„{simulator:simulator}“ hängt bei einem Bogen, {reason} (Befehl {command:#}{others}): {instead}.</translation>
     </message>
     <message>
         <source>The {simulator:simulator} cuts {count:n} ramp at a wrong depth, up to {error:mm2} {way} (command {command:#}): do not judge depths by it.</source>
-        <translation>Der {simulator:simulator} schneidet {count:n} Rampe in falscher Tiefe, bis zu {error:mm2} {way} (Befehl {command:#}): Tiefen nicht danach beurteilen.</translation>
+        <translation>„{simulator:simulator}“ schneidet {count:n} Rampe in falscher Tiefe, bis zu {error:mm2} {way} (Befehl {command:#}): Tiefen nicht danach beurteilen.</translation>
     </message>
     <message>
         <source>The {simulator:simulator} cuts {count:n} ramps at a wrong depth, up to {error:mm2} {way} (command {command:#}): do not judge depths by it.</source>
-        <translation>Der {simulator:simulator} schneidet {count:n} Rampen in falscher Tiefe, bis zu {error:mm2} {way} (Befehl {command:#}): Tiefen nicht danach beurteilen.</translation>
+        <translation>„{simulator:simulator}“ schneidet {count:n} Rampen in falscher Tiefe, bis zu {error:mm2} {way} (Befehl {command:#}): Tiefen nicht danach beurteilen.</translation>
     </message>
     <message>
         <source>Playing takes about {longer:s} in the {simulator:simulator}: fast-forward takes about {time:s}.</source>
-        <translation>Das Abspielen dauert im {simulator:simulator} etwa {longer:s}: Der schnelle Vorlauf dauert etwa {time:s}.</translation>
+        <translation>Das Abspielen dauert mit „{simulator:simulator}“ etwa {longer:s}: Der schnelle Vorlauf dauert etwa {time:s}.</translation>
     </message>
     <message>
         <source>Playing takes about {time:s} in the {simulator:simulator} at its fastest: simulate fewer operations at a time.</source>
-        <translation>Das Abspielen dauert im {simulator:simulator} auch am schnellsten etwa {time:s}: Weniger Operationen auf einmal simulieren.</translation>
+        <translation>Das Abspielen dauert mit „{simulator:simulator}“ auch am schnellsten etwa {time:s}: Weniger Operationen auf einmal simulieren.</translation>
     </message>
     <message>
         <source>{count:n} moves are shorter than a cell of the {simulator:simulator} ({cell:mm2}), each takes its time and none is seen by itself: a coarser tolerance of the operation loses nothing there.</source>
-        <translation>{count:n} Bewegungen sind kürzer als eine Zelle von {simulator:simulator} ({cell:mm2}), jede kostet Zeit und keine ist einzeln zu sehen: Eine gröbere Toleranz der Operation verliert dort nichts.</translation>
+        <translation>{count:n} Bewegungen sind kürzer als eine Zelle von „{simulator:simulator}“ ({cell:mm2}), jede kostet Zeit und keine ist einzeln zu sehen: Eine gröbere Toleranz der Operation verliert dort nichts.</translation>
     </message>
     <message>
         <source>The {simulator:simulator} takes about {memory:bytes} for this operation, more than the {allowed:bytes} allowed: {instead}.</source>
-        <translation>Der {simulator:simulator} braucht für diese Operation etwa {memory:bytes}, mehr als die erlaubten {allowed:bytes}: {instead}.</translation>
+        <translation>„{simulator:simulator}“ braucht für diese Operation etwa {memory:bytes}, mehr als die erlaubten {allowed:bytes}: {instead}.</translation>
     </message>
     <message>
         <source>use the {simulator:simulator} for this operation</source>
-        <translation>für diese Operation den {simulator:simulator} benutzen</translation>
+        <translation>für diese Operation „{simulator:simulator}“ benutzen</translation>
     </message>
     <message>
         <source>the tool&apos;s diameter must be a positive number of at most a kilometer, not {diameter:mm}</source>
@@ -839,7 +839,7 @@
     </message>
     <message>
         <source>One move is shorter than a cell of the {simulator:simulator} ({cell:mm2}), takes its time and is not seen by itself: a coarser tolerance of the operation loses nothing there.</source>
-        <translation>Eine Bewegung ist kürzer als eine Zelle von {simulator:simulator} ({cell:mm2}), braucht ihre Zeit und ist für sich nicht zu sehen: eine gröbere Toleranz der Operation verliert dort nichts.</translation>
+        <translation>Eine Bewegung ist kürzer als eine Zelle von „{simulator:simulator}“ ({cell:mm2}), braucht ihre Zeit und ist für sich nicht zu sehen: eine gröbere Toleranz der Operation verliert dort nichts.</translation>
     </message>
     <message>
         <source>which lie like those of known toolpaths ({share:%} of the votes)</source>
@@ -971,11 +971,11 @@
     </message>
     <message>
         <source>The {simulator:simulator} takes about {time:s} for every picture at the end, {percent:n}% of it for arcs: simulate this operation alone.</source>
-        <translation>Der {simulator:simulator} braucht am Ende etwa {time:s} für jedes Bild, {percent:n} % davon für Bögen: Diese Operation allein simulieren.</translation>
+        <translation>„{simulator:simulator}“ braucht am Ende etwa {time:s} für jedes Bild, {percent:n} % davon für Bögen: Diese Operation allein simulieren.</translation>
     </message>
     <message>
         <source>The {simulator:simulator} takes longer than the {allowed:s} allowed. {better}</source>
-        <translation>Der {simulator:simulator} braucht länger als die erlaubten {allowed:s}. {better}</translation>
+        <translation>„{simulator:simulator}“ braucht länger als die erlaubten {allowed:s}. {better}</translation>
     </message>
     <message>
         <source>the centers of arcs are read as positions (as by G90.1): only so the arcs end on their circles</source>
@@ -1226,7 +1226,7 @@
     </message>
     <message>
         <source>Last calibrated on {date}: the {simulator} makes {moves} cuts a second, its times are right within a factor of {factor}; the simulations that you run refine them. Measured with FreeCAD {freecad} on {processor}, display {renderer}.</source>
-        <translation>Zuletzt kalibriert am {date}: Der {simulator} macht {moves} Schnitte pro Sekunde, seine Zeiten stimmen auf einen Faktor {factor} genau; die Simulationen, die Sie ausführen, verfeinern sie. Gemessen mit FreeCAD {freecad} auf {processor}, Anzeige {renderer}.</translation>
+        <translation>Zuletzt kalibriert am {date}: „{simulator}“ macht {moves} Schnitte pro Sekunde, seine Zeiten stimmen auf einen Faktor {factor} genau; die Simulationen, die Sie ausführen, verfeinern sie. Gemessen mit FreeCAD {freecad} auf {processor}, Anzeige {renderer}.</translation>
     </message>
 </context>
 <context>
@@ -1688,7 +1688,7 @@ höchstens</translation>
     </message>
     <message>
         <source>Recommended accuracy of the {simulator}: {}</source>
-        <translation>Empfohlene Genauigkeit im {simulator}: {}</translation>
+        <translation>Empfohlene Genauigkeit für „{simulator}“: {}</translation>
     </message>
     <message>
         <source>Between {} and {}, until this simulator has run a few times on this computer</source>
