@@ -34,7 +34,7 @@ class GaussFigure:
     """The three plots of one area, to be painted in any size."""
 
     def __init__(self, reading: Reading, area: int) -> None:
-        self.reading = reading
+        self.reading, self.area = reading, area
         self.signature = signature = reading.areas.signature(area)
         self.vertices = signature.vertices
         self._own = Polyline(self.vertices)

@@ -219,7 +219,16 @@ class GaussMapDock(QDockWidget):
             return
         self.saver.setEnabled(False)  # the picture is that of the area before
         text = translate("Vk_GaussMap", "Reading {}…").format(self._label)
-        self._background.start(text, lambda going_on: [GaussFigure(reading, area)], self._show_figure, self._ended)
+        self._background.start(text, lambda going_on: [GaussFigure(reading, area)], self._show_figure, self._chosen)
+
+    def _chosen(self, error: Exception | None) -> None:
+        if not isinstance(error, Cancelled):
+            self._ended(error)
+            return
+        self.chooser.blockSignals(True)
+        self.chooser.setCurrentIndex(self.chooser.findData(self.canvas.figure.area))  # it is still shown
+        self.chooser.blockSignals(False)
+        self.saver.setEnabled(True)
 
     def _show_figure(self, figure: GaussFigure) -> None:
         found = self._reading.recognition
