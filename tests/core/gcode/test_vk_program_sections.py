@@ -285,6 +285,13 @@ def test_a_line_of_words_alone_cuts_where_it_goes_on_with_a_feed():
     assert [title for title, _, _ in sections(f"(One)\nG0 X5 Y5\nX6\nF100\n(Two)\nG1 {cut}")] == ["Two"]
 
 
+def test_what_stands_beside_a_coolant_is_no_title():
+    text = "(FACE TOP)\nM08 (Collant On)\nG0 X0 Y0 Z5\nG1 Z-1 F100\nX50\nG0 Z5\nM9 (dry now)\n"
+    assert [section.title for section in split_sections(read_program(text))] == ["FACE TOP"]
+    told = split_sections(read_program("T2 M6 M8 (6 mm end mill)\n" + text))
+    assert [section.tool.diameter for section in told] == [6]
+
+
 def test_titles_at_tool_changes_are_no_passes():
     """Sixty numbered titles are passes of one operation, but not where the tool is changed at each."""
     changed = "".join(f"(Hole {k})\nT{k} M6\n{CUT}" for k in range(1, 61))

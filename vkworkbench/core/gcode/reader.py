@@ -56,6 +56,7 @@ _CALL_LETTERS = frozenset("PpOo:")  # of calls, and of the programs in which the
 _BORING = 860  # as which G76 is read, whose I and J move the tool aside before it is lifted
 _SPLINES = frozenset([50, 51])
 _DWELLS = frozenset([40])
+_COOLANT = frozenset([("M", 7.0), ("M", 8.0), ("M", 9.0)])
 # Heidenhain's DIN/ISO: the codes that mean what they mean elsewhere, and those of blank and tools, which move nothing.
 _HEIDENHAIN = frozenset([0, 10, 20, 30, 40, 170, 180, 190, 400, 410, 420, 700, 710, 900, 910])
 _HEIDENHAIN_DATA = frozenset([300, 310, 990])
@@ -213,7 +214,8 @@ class _Reader:
         if "L" in letters and letters <= {"N", "L", "P"}:  # Siemens calls by L10 P3, Fadal by L0103
             self._problem(Message("subprogram-not-read"))
         if letters.isdisjoint("XYZ") or not letters.isdisjoint("TMO"):
-            self._keep(comments)
+            if _COOLANT.isdisjoint(words) or not letters.isdisjoint("TO"):  # else it says what coolant that is
+                self._keep(comments)
         return self._block(words, letters)
 
     def _keep(self, comments: list[str]) -> None:
