@@ -29,7 +29,7 @@ def of_kind(**amounts):
 
 # Two levels of tiles of 64 and 32 pixels, four times as many pairs on the second; pixels of tiles of 16, twice as many pairs.
 WORK = Work(
-    trajectories=10, pixels=1000, first=50, pairs=(of_kind(kind_0=1e5), of_kind(kind_1=4e5)),
+    trajectories=10, pixels=1000, first=50, pairs=(of_kind(kind_0=1e5), of_kind(kind_3=4e5)),
     cells=of_kind(kind_2=2 * 16**2 * 4e5), unconnected=0.25, records=(3, 2), bands=2, kinds=1.5,
 )  # fmt: skip
 
@@ -37,7 +37,7 @@ WORK = Work(
 def test_the_amounts_of_a_simulation():
     trajectories, pixels, first, blocks, tests, cells, records = WORK.amounts()
     assert (trajectories, pixels, first) == (10, 1000, 50)
-    assert tests == pytest.approx(4 * (1e5 * TESTS[0] + 4e5 * TESTS[1]))
+    assert tests == pytest.approx(4 * (1e5 * TESTS[0] + 4e5 * TESTS[3]))
     assert cells == pytest.approx(2 * 16**2 * 4e5 * (CELLS[2] + 0.25 * SORTED))
     assert records == pytest.approx(3 * RECORDS[0] + 2 * RECORDS[1])
     # No level has fewer blocks than bands, or than the level before it.

@@ -115,13 +115,13 @@ class Speed:
         How many cut at once: all else is what one of them takes.
     """
 
-    trajectory: float = 7.5e-07
-    pixel: float = 3.4e-08
-    meeting: float = 5.1e-09
-    block: float = 0.0003
-    test: float = 4.7e-07
-    cell: float = 1.4e-06
-    record: float = 2.5e-08
+    trajectory: float = 8.84e-07
+    pixel: float = 5.35e-08
+    meeting: float = 5.27e-09
+    block: float = 0.00054
+    test: float = 5.69e-07
+    cell: float = 7.91e-07
+    record: float = 2.56e-08
     factor: float = 3.0
     processes: int = 1
 

@@ -201,11 +201,14 @@ def _general(
             for entered_or_left, depth in zip(between, (enter, leave)):
                 depth = np.where(touched, 0, depth)
                 entered_or_left &= touched | (_facing(tool, at, depth, away, sine, cosine) > 0)
-    some = np.flatnonzero(between.any(axis=0))
-    if tool.rounding and abs(cosine) > FROM_THE_SIDE:
-        # Most of them miss the flat end around it, too.
-        enter, leave = sloped_slot(tool.radius + ROUNDING, tuple(offset[:, some]), move[:, some], sine, cosine)
-        some = some[enter <= leave + ROUNDING]
+    some: np.ndarray | slice = slice(None)
+    if tool.rounding:
+        rays = np.flatnonzero(between.any(axis=0))
+        if abs(cosine) > FROM_THE_SIDE:
+            # Most of them miss the flat end around it, too.
+            enter, leave = sloped_slot(tool.radius + ROUNDING, tuple(offset[:, rays]), move[:, rays], sine, cosine)
+            rays = rays[enter <= leave + ROUNDING]
+        some = rays
     offset, move, first, last = offset[:, some], move[:, some], near[some], far[some]
     for t in _straight_sides(tool, offset, move, sine, cosine):
         chord = _straight_chord(tool, offset - np.clip(t, 0, 1) * move, sine, cosine)
