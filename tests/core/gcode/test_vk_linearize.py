@@ -219,6 +219,11 @@ def test_a_depth_of_whole_pecks_has_no_peck_of_rounding():
     assert at_retract.sum() == 1 + 10  # on the way in, and between the pecks
 
 
+def test_a_shallow_hole_is_pecked_to_its_bottom_and_no_farther():
+    toolpath = path(("G0", {"X": 0, "Y": 0, "Z": 3}), ("G83", {"X": 1, "Y": 2, "Z": -0.5, "R": 0, "Q": 0.25}))
+    assert toolpath.points[1:][~toolpath.rapid][:, 2].tolist() == [-0.25, -0.5]
+
+
 @pytest.mark.parametrize("peck", [0.0, -1.0, 1e-5])
 def test_pecks_that_would_never_end_are_one(peck):
     toolpath = path(("G0", {"X": 0, "Y": 0, "Z": 3}), ("G83", {"X": 0, "Y": 0, "Z": -4, "R": 0, "Q": peck}))

@@ -142,8 +142,9 @@ def test_repeats_are_a_number_in_any_unit(inches):
 
 
 @pytest.mark.parametrize("letter", "KL")
-def test_repeats_that_are_not_made_are_told(letter):
-    assert said(f"G0 X0 Y0 Z5\nG81 X10 Z-4 R1 {letter}3 F100\nG80") == [
+@pytest.mark.parametrize("times", [2, 3])
+def test_repeats_that_are_not_made_are_told(letter, times):
+    assert said(f"G0 X0 Y0 Z5\nG81 X10 Z-4 R1 {letter}{times} F100\nG80") == [
         f"a cycle's repeats ({letter}) are not made (line 2)"
     ]
 

@@ -43,6 +43,13 @@ def test_a_contour_that_is_cut_twice_in_one_go_is_two_loops():
     assert loops_of(polygon(40) + polygon(40)[1:]) == [(0, 4), (4, 4)]
 
 
+@pytest.mark.parametrize("right", np.arange(0, 0.1, 0.01))
+def test_beside_a_closed_loop_one_that_ends_a_hundredth_short_of_its_start_is_found_wherever_it_lies(right):
+    around = polygon(40, x=100 + right)
+    left = (around[-1][0] - 0.01, *around[-1][1:])
+    assert loops_of(linked(polygon(40), [*around[:-1], left])) == [(0, 4), (5, 4)]
+
+
 @pytest.mark.parametrize("degrees", range(0, 360, 15))
 @pytest.mark.parametrize("tip", [30, 10])
 def test_so_it_is_with_a_lead_that_is_travelled_in_and_out(tip, degrees):

@@ -72,7 +72,7 @@ def test_each_cut_begins_where_the_one_before_ends():
     # With what is left out, and where all of the path is a cut.
     for path in (areas_of(*feed((0, 0, -1), *ROW)), monotonous_areas(linearize(feed((0, 0, -1), *ROW)))):
         assert path.x.tolist() == [40, 60, 60] and path.y.tolist() == [30, 30, 32] and path.z.tolist() == [-1] * 3
-        assert (path.x + path.dx).tolist() == [60, 60, 40]
+        assert (path.x + path.dx).tolist() == [60, 60, 40] and path.length.tolist() == [20, 2, 20]
 
 
 @pytest.mark.parametrize("beside, kept", [(0.3, True), (20.0, False)])

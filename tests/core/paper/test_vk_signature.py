@@ -91,6 +91,13 @@ def test_exact_reversals_are_events_and_never_add_up():
     assert (low[1:] <= result.phi[1:]).all() and (result.phi[1:] <= high[1:]).all()
 
 
+@pytest.mark.parametrize("sense", [1, -1])
+def test_an_exact_reversal_brings_phi_back_toward_zero(sense):
+    """A quarter turn, straight on, and back on the same line: phi ends a quarter turn to the other side."""
+    there_and_back = np.array([(0, 0), (10, 0), (10, 10), (10, 20), (10, 10), (10, 0)], float)
+    assert signature(there_and_back * [1, sense]).phi / PI == pytest.approx(sense * np.array([0, 0.5, 0.5, -0.5, -0.5]))
+
+
 def test_trajectories_without_length_do_not_turn():
     points = np.array([(0, 0), (0, 0), (1, 0), (1, 0), (1, -0.0), (1, 1), (1, 1)], float)
     result = signature(points)
