@@ -32,7 +32,7 @@ def find_entry(moves: Areas) -> str | None:
     after = np.arange(len(moves)) >= np.repeat(first, moves.end - moves.start)
     level = np.where(after & (np.abs(moves.dz) < LEVEL), moves.length, 0.0)
     following = np.where(after, moves.length, 0.0).sum()
-    if level.sum() <= ENOUGH.SHARE * following or following <= 0:
+    if level.sum() <= ENOUGH.SHARE * following:
         return None
     followed = np.add.reduceat(level, moves.start) > 0
     entry = followed & (first > begin)
@@ -70,7 +70,7 @@ def without_entries(moves: Areas) -> tuple[Areas, float]:
     if not moves.climbs:
         return moves, 0.0
     down, up = _ways_in(moves)[1] - moves.start, _way_out(moves)
-    chosen = np.flatnonzero((down + up > 0) & (down + up < moves.end - moves.start))
+    chosen = np.flatnonzero(down + up > 0)
     if not len(chosen):
         return moves, 0.0
     start, end = moves.start[chosen], moves.end[chosen]
