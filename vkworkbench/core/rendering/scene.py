@@ -75,7 +75,7 @@ def scene(
             depth, owner = np.where(in_front, depth, seen.depth), np.where(in_front, owner, seen.owner)
     depth, owner = depth.reshape(size), owner.reshape(size)
     shown = colors_of(owner, by_owner)
-    if of_pixels is not None and (part or chips is None):
+    if of_pixels is not None:
         shown = np.where(in_front.reshape(*size, 1), shown, of_pixels)
     if lit is not None:
         shown[(owner >= lit[0]) & (owner < lit[1])] = LIT

@@ -67,8 +67,8 @@ def together(costs: Sequence[Estimate | ZBufferCost]) -> Estimate | ZBufferCost:
 
 def _common_stock(estimates: Sequence[Estimate]) -> Solid | None:
     """Return the stock of all of them; None where they have not all the same one, in the same image."""
-    first = estimates[0]
-    for other in estimates:
+    first, *others = estimates
+    for other in others:
         if first.stock is None or other.stock is None or not is_same(first.stock, other.stock):
             return None
         if (first.view, first.speed) != (other.view, other.speed):
