@@ -17,12 +17,16 @@ from vkworkbench.core.recognition.thresholds import VOTES
 QUARTER, CHORDS = np.pi / 2, 60
 
 
-def found(radii, *, way=lambda k: 1, climb=0.0, turned=0.0, centre=(33.0, -21.0)):
-    """The arcs in quarter circles of these radii; `way` runs each backwards or not, `climb` mm wider at its end, each `turned` further."""
+def found(radii, *, way=lambda k: 1, climb=0.0, turned=0.0, centre=(33.0, -21.0), aside=()):
+    """The arcs in quarter circles of these radii; `way` runs each backwards or not, `climb` mm wider at its end, each `turned` further.
+
+    Behind its end each goes on to so much wider radii, straight from the centre.
+    """
     commands = []
     for k, radius in enumerate(radii):
         share = np.linspace(0, 1, CHORDS + 1)[:: way(k)]
         r, angle = radius + climb * share, QUARTER * share - 0.3 + turned * k
+        r, angle = np.append(r, r[-1] + np.array(aside)), np.append(angle, np.full(len(aside), angle[-1]))
         points = np.column_stack((centre[0] + r * np.cos(angle), centre[1] + r * np.sin(angle)))
         commands += [("G0", {"Z": 5.0}), ("G0", dict(zip("XY", points[0].tolist()))), ("G1", {"Z": -1.0, "F": 5.0})]
         commands += [("G1", {"X": x, "Y": y}) for x, y in points[1:].tolist()]
@@ -67,6 +71,14 @@ def test_an_arc_that_widens_by_a_third_of_a_step_in_a_turn_is_part_of_a_spiral(c
     """By 0.1 and 0.2 mm in a quarter turn: 0.4 and 0.8 mm in a turn, where steps are 2 mm."""
     arcs = found([10, 12, 14, 16], climb=climb, turned=QUARTER)  # all around, or another centre would fit
     assert arcs.spiral == pytest.approx(arcs.length if spirals else 0)
+
+
+def test_what_leads_aside_leaves_arcs_their_centre():
+    """Arcs of 16 to 25 mm, each with a way of 0.6 mm out and back, in small steps."""
+    out = np.linspace(0, 0.6, 13)
+    arcs = found([10, 12, 14, 16], aside=[*out[1:], *out[-2::-1]])
+    assert (arcs.count, arcs.spiral, arcs.opposite) == (4, 0, 0)
+    assert arcs.length == pytest.approx(QUARTER * 52 + 4 * 1.2, rel=1e-3) and arcs.step == pytest.approx(2, rel=1e-2)
 
 
 def test_rows_have_no_centre():

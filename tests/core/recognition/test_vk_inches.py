@@ -57,6 +57,13 @@ def test_reasons_within_a_reason_are_of_the_size_that_was_read():
     assert true.strategy is Strategy.MIXED and found.why == true.why
 
 
+def test_one_operation_is_not_divided_where_it_retracts():
+    own = replace(linearize([*PROGRAMS["zigzag"], *PROGRAMS["profile"]]), comments=())
+    small = replace(own, points=own.points / INCH)
+    true, found = recognize(own, tool_diameter=TOOL), recognize_inches(small, tool_diameter=TOOL)
+    assert found.spans == true.spans != recognize_inches(small, tool_diameter=TOOL, program=True).spans
+
+
 def test_what_has_no_area_has_no_paper():
     drilled = linearize(programs.drilling())
     found = recognize_inches(replace(drilled, points=drilled.points / INCH))

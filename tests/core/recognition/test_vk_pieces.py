@@ -57,9 +57,10 @@ def test_the_turns_of_a_winding_are_pieces_with_what_the_winding_is():
 
 
 @pytest.mark.parametrize("corners", [4, 48])
-def test_a_box_holds_all_of_a_piece(corners):
-    """Of few points and of many, which are found in another way."""
-    drawn = polygon(20, x=100, y=50, corners=corners)
+@pytest.mark.parametrize("turned", [0.25, 12.25])
+def test_a_box_holds_all_of_a_piece(corners, turned):
+    """Of few points and of many, which are found in another way; it begins at its right side, or at its top."""
+    drawn = polygon(20, x=100, y=50, corners=corners, turned=turned)
     low, high = np.min(drawn, axis=0)[:2], np.max(drawn, axis=0)[:2]
     (box,) = pieces_of(drawn).box
     assert box == pytest.approx([*low, *high])

@@ -210,12 +210,12 @@ def test_what_is_unknown_has_no_numbers():
 
 
 def test_the_span_of_an_operation_reaches_from_its_first_cut_to_its_last():
-    path = linearize(
-        [("G0", {"Z": 5.0}), ("G0", {"X": 9.0}), *programs.profile(depths=(-1.0,)), ("G0", {"X": 0.0, "Y": 0.0})]
-    )
+    way = [("G0", {"Z": 5.0}), *(("G0", {"X": x}) for x in (9.0, 19.0, 29.0))]
+    path = linearize([*way, *programs.profile(depths=(-1.0,)), ("G0", {"X": 0.0, "Y": 0.0})])
     cuts = np.flatnonzero(~path.rapid)
     (span,) = recognize(path).spans
-    assert (span.first, span.last) == (cuts[0], cuts[-1]) and cuts[0] > 0 and cuts[-1] < len(path) - 2
+    before, behind = cuts[0], len(path) - 1 - cuts[-1]
+    assert (span.first, span.last) == (cuts[0], cuts[-1]) and before > behind > 1
     assert (span.first_command, span.last_command, span.share) == (*path.command[cuts[[0, -1]]], 1.0)
 
 

@@ -8,6 +8,7 @@ from dataclasses import replace
 import numpy as np
 import programs
 import pytest
+from drawings import winding
 
 from vkworkbench.core import Strategy
 from vkworkbench.core.gcode import linearize
@@ -178,6 +179,7 @@ DOWN_ALL_ALONG = [(200 + x, y, 2 * z) for x, y, z in HELIX]
         ([way_down(*TO_AND_FRO, x=100), way_down(*RAMP)], "ramp"),
         ([way_down(*SINGLE), way_down(*SINGLE, x=100), way_down(*HELIX, x=200)], "ramp"),  # 6 mm and 5 mm
         ([way_down(*SINGLE), way_down(*TO_AND_FRO, x=100), way_down(*HELIX, x=200)], "helix"),
+        ([way_down((0, 0, 0), (20, 0, -0.01)), way_down(*SINGLE, x=100)], "ramp"),
         ([way_down(*RAMP), DOWN_ALL_ALONG], "ramp"),  # nothing level follows the helix
         ([DOWN_ALL_ALONG], None),
         ([[*way_down((0, 0, -1)), (50, 0, -1.5)]], "plunge"),  # it begins level
@@ -210,6 +212,14 @@ def test_sharp_turns_behind_a_straight_way_in_do_not_make_it_wind():
     moves = areas([(0, 0, 0), (20, 0, -1), *(np.array((20, 0, -1)) + np.cumsum(steps, axis=0)).tolist()])
     pattern, wound = without_entries(moves)
     assert len(pattern) == len(moves) - 1 and wound == 0.0
+
+
+@pytest.mark.parametrize("wider, leads", [(2.0, False), (4.0, True)])
+def test_a_helix_is_a_way_in_where_what_follows_leads_a_quarter_of_its_size_farther(wider, leads):
+    """On a radius of 4 mm, in a box whose diagonal is 11.3 mm; a spiral at its ground."""
+    moves = areas(winding(4, 4, 2, drop=2) + winding(4, 4 + wider, 3, z=-2)[1:])
+    pattern, wound = without_entries(moves)
+    assert len(moves) - len(pattern) == (72 if leads else 0) and bool(wound) is leads
 
 
 def test_of_several_areas_only_the_ways_in_and_out_are_gone():

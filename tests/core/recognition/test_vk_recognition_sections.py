@@ -192,6 +192,16 @@ def test_plunges_to_several_layers_of_the_milling_are_contours_clipped_to_a_poin
     assert bool(find_borders(path, monotonous_areas(path))) == borders
 
 
+@pytest.mark.parametrize("heights, borders", [(10, True), (11, False)])
+def test_plunges_beside_cuts_at_more_than_ten_heights_are_passes_of_a_surface_clipped_to_a_point(heights, borders):
+    strokes = [[(0.0, 3.0 * k, -0.7 * k), (40.0, 3.0 * k, -0.7 * k)] for k in range(heights)]
+    plunges = [[(100.0 + 9 * k, 0.0, -20.3 - k)] for k in range(4)]
+    path = linearize(programs.program([*strokes, *plunges]))
+    moves = monotonous_areas(path)
+    assert (len(moves.start), len(moves.holes)) == (heights, 4)
+    assert bool(find_borders(path, moves)) is borders
+
+
 def test_moves_that_are_no_cutting_are_unknown_from_the_first_to_the_last():
     path = linearize(
         [("G0", {"X": 0.0, "Y": 0.0, "Z": 5.0}), ("G0", {"X": 5.0}), ("(turn)", {}), ("G0", {"Y": 5.0, "Z": 9.0})]

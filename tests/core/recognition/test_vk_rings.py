@@ -166,6 +166,13 @@ def test_loops_around_ribs_in_a_row_stay_apart():
         assert rings.moved.tolist() == [moves] * 6
 
 
+@pytest.mark.parametrize("width, moves", [(4, False), (8, True)])
+def test_a_slot_beside_a_circle_of_its_length_is_no_trochoid_of_it(width, moves):
+    """The circle is 16 mm wide, and the middle of the slot 7 mm aside."""
+    rings = rings_of([polygon(16, corners=24), polygon(width, x=7, ratio=16 / width)])
+    assert rings.moved.tolist() == [moves] * 2
+
+
 @pytest.mark.parametrize("z, relation", [(0.0, {"crossing"}), (-2.0, set())])
 def test_a_ring_of_another_shape_that_touches_the_same_walls_crosses(z, relation):
     diamond = [(90.0, -40.0, z), (70.0, -20.0, z), (50.0, -40.0, z), (70.0, -60.0, z), (90.0, -40.0, z)]

@@ -72,6 +72,11 @@ CASES = {
          + winding(15, 19, 1, z=-12)[1:]], "adaptive", "winding-with-entry", 3),
     "a helix that leads into a spiral": (
         [winding(10, 10, 20, drop=12) + winding(10, 19, 3, z=-12)[1:]], "spiral", "endless-winding", 3),
+    "a helix, and a spiral at its ground after a lift": (
+        [winding(10, 10, 20, drop=12), winding(10, 19, 3, z=-12)], "spiral", "endless-winding", 23),
+    "a helix, and windings that step wider after a lift": (
+        [winding(10, 10, 20, drop=12), winding(10, 12, 1, z=-12) + winding(12, 15, 1, z=-12)[1:]
+         + winding(15, 19, 1, z=-12)[1:]], "adaptive", "winding-with-entry", 23),
     "a spiral entered by a helix": ([winding(2, 2, 2, drop=2) + winding(2, 26, 8, z=-2)[1:]], "spiral", "endless-winding", 9),
     "a spiral of three turns and a half with a circle around it": (
         [winding(2, 9, 3.5), polygon(18, x=70 - 9, y=-40 - 9, corners=36)], "spiral", "endless-winding", 5),
@@ -134,7 +139,10 @@ def test_a_rule_proposes_what_was_drawn_for_it(strokes, strategy, seen, count):
 
 def test_only_what_climbs_to_the_end_of_a_stroke_rises_to_it():
     over_tags = [(500, 0, -4.0), (540, 0, -4.0), (546, 0, -2.0), (552, 0, -4.0), (560, 0, -4.0)]
-    for strokes, share in (([carved(0)], 11.3), ([over_tags], 0.0), ([carved(0)[::-1]], 0.0), ([arc(radius=30)], 0.0)):
+    upward = [(500, 0, -4.0), (530, 40, 0.0), (560, 0, 4.0)]
+    for strokes, share in (
+        ([carved(0)], 11.3), ([over_tags], 0.0), ([carved(0)[::-1]], 0.0), ([arc(radius=30)], 0.0), ([upward], 100.0)
+    ):  # fmt: skip
         moves = monotonous_areas(linearize(programs.program(strokes)))
         assert share_rising(moves) * moves.length.sum() == pytest.approx(share, abs=0.1)
 

@@ -70,7 +70,9 @@ def test_a_piece_is_of_the_rings_or_of_the_rows():
 @pytest.mark.parametrize("side, rings", [(1.0, [0]), (1.5, [0, 1])])
 def test_rings_shorter_than_a_fiftieth_of_the_longest_are_leads(side, rings):
     """Beside one of 240 mm, of which 4.8 mm are a fiftieth: 4 mm, or 6 mm."""
-    assert section(polygon(60), polygon(side, x=100)).rings.index.tolist() == rings
+    found = section(polygon(60), polygon(side, x=100))
+    assert found.rings.index.tolist() == rings == np.flatnonzero(found.ring_pieces).tolist()
+    assert not found.row_pieces.any()
 
 
 def test_a_zigzag_that_ends_where_it_began_is_rows_and_no_ring():
@@ -278,6 +280,9 @@ def deeper(stroke, by=1.0):
         ([polygon(60), FAR, FAR, rows(x=50, y=-50)], 1.0),
         ([polygon(60), rows(x=50, y=-50), *(polygon(61 + k, x=300 + 80 * k) for k in range(7))], 1.0),
         ([polygon(60), rows(x=50, y=-50), *(polygon(61 + k, x=300 + 80 * k) for k in range(8))], 0.0),
+        ([polygon(60), rows(x=50, y=-50), *(polygon(20, x=300 + 80 * k) for k in range(8))], 1.0),
+        ([*(polygon(20, x=300 + 80 * k, z=z) for k in range(5) for z in (0.0, -2.0)),
+          polygon(60, z=-1.0), rows(x=50, y=-50, z=-1.0)], 1.0),
         ([polygon(60), rows(x=80, y=-50)], 0.0),
         ([polygon(60), rows(x=20, y=-50)], 0.0),
         ([polygon(60), rows(x=50, y=-20)], 0.0),
@@ -286,8 +291,8 @@ def deeper(stroke, by=1.0):
         ([rows()], 0.0),
         ([polygon(60)], 0.0),
     ],
-    ids=["after", "before", "between, inside the first", "between, inside the second", "as deep", "deeper", "not last", "the eighth", "the ninth", "right", "left",
-         "above", "below", "some", "no ring", "no rows"],
+    ids=["after", "before", "between, inside the first", "between, inside the second", "as deep", "deeper", "not last", "the eighth", "the ninth", "the largest of nine",
+         "five at other depths", "right", "left", "above", "below", "some", "no ring", "no rows"],
 )  # fmt: skip
 def test_rows_are_surrounded_by_one_of_the_largest_rings_at_their_depth(strokes, share):
     assert section(*strokes).bordered()[0] == pytest.approx(share)
