@@ -563,7 +563,7 @@ def test_draw_calls_of_lines_plunges_and_arcs():
     half = opengl_cost(Task(linearize(arcs(1, 5.0)), TOOL, STOCK))
     assert (half.steps, half.draws, half.arc_draws) == (33, 297, 297)
     # Within the tool's radius an arc is drawn with the tool every 22.5 degrees.
-    assert opengl_cost(Task(linearize(arcs(1, 2.0)), TOOL, STOCK)).draws == 9 * 9
+    assert [opengl_cost(Task(linearize(arcs(1, r)), TOOL, STOCK)).draws for r in (2.0, 0.5)] == [9 * 9] * 2
     assert opengl_cost(Task(linearize(arcs(1, 2.0)), TOOL, STOCK), quality=1).draws == 9 * 3
 
 

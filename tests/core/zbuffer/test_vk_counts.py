@@ -54,3 +54,12 @@ def test_what_is_sorted_is_a_share_of_what_passes(depths, share):
     )
     removal = Removal(cuts, BOX, View((1, 0, 0), 80, 40).frame(BOX))
     assert counts.count(removal).unconnected == pytest.approx(share, abs=0.03)
+
+
+@pytest.mark.parametrize(("rows", "share"), [(96, 1.0), (128, 0.5), (192, 1.0)])
+def test_the_fullest_band_is_one_of_64_rows_from_below(rows, share):
+    """A slot along the middle leaves each of its pixels a dexel and a trace; it lies in the first band, in both, in the second."""
+    slot = Cut(toolpath(np.array([(-20.0, 15.0, 8.0), (60.0, 15.0, 8.0)])), Tool("endmill", 6))
+    removal = Removal(Cuts([slot]), BOX, View((0, 0, -1), 4 * rows // 3, rows).frame(BOX))
+    counted = counts.count(removal)
+    assert counted.band == pytest.approx(2 * share * counted.touched, rel=0.1)

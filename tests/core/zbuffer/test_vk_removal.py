@@ -51,20 +51,39 @@ def test_a_ray_is_cut_as_if_it_were_alone(count, direction, monkeypatch):
     assert again.tolist() == passes.tolist()
 
 
-def test_a_ray_is_examined_with_what_passes_it_and_one_beside_the_stock_with_nothing():
+@pytest.fixture
+def slots():
     """Slots of 6 mm along X at y = 5 and 25, cut at two heights each; image coordinates count from the block's middle."""
     points = [(5, 5, 8), (35, 5, 8), (35, 5, 20), (5, 5, 20), (5, 5, 4), (35, 5, 4)]
     points += [(35, 5, 20), (5, 25, 20), (5, 25, 6), (35, 25, 6)]
-    slots = toolpath(np.array(points, float))
-    removal = Removal(Cuts([Cut(slots, Tool("endmill", 6))]), BOX, View((0, 0, -1), 80, 60).frame(BOX))
+    path = toolpath(np.array(points, float))
+    return Removal(Cuts([Cut(path, Tool("endmill", 6))]), BOX, View((0, 0, -1), 80, 60).frame(BOX))
+
+
+def test_a_ray_is_examined_with_what_passes_it_and_one_beside_the_stock_with_nothing(slots):
     x, y = np.array([0.0, 0.0, 0.0, 30.0]), np.array([-10.0, 0.0, 10.0, 0.0])
-    pieces, passes = removal.cut(x, y)
+    pieces, passes = slots.cut(x, y)
     # By the move at each height; the plunges at the ends are beside it.
     assert passes.tolist() == [2, 0, 1, 0]
     assert told(pieces, 0) == [[0, 4, UNCUT], pytest.approx([-5, -3, 1]), pytest.approx([-3, 1, 5])]
     assert told(pieces, 1) == [[UNCUT], [-5], [5]]
     assert told(pieces, 2) == [[8, UNCUT], pytest.approx([-5, -1]), pytest.approx([-1, 5])]
     assert told(pieces, 3) == [[], [], []]
+
+
+@pytest.mark.parametrize("at", range(GROUP))
+def test_a_ray_is_cut_though_no_neighbour_is(slots, at):
+    passes = slots.cut(np.zeros(GROUP), np.where(np.arange(GROUP) == at, -10.0, 0.0))[1]
+    assert np.flatnonzero(passes).tolist() == [at]
+
+
+def test_of_seventy_thousand_rays_each_is_cut_as_it_is_among_fewer(slots):
+    x, y = np.random.default_rng(7).uniform((-19, -14), (19, 14), (70_000, 2)).T
+    pieces, passes = slots.cut(x, y)
+    first, second = (slots.cut(x[some], y[some]) for some in (slice(40_000), slice(40_000, None)))
+    assert passes.tolist() == [*first[1], *second[1]]
+    assert pieces.owner.tolist() == [*first[0].owner, *second[0].owner]
+    assert pieces.near == pytest.approx(np.concatenate((first[0].near, second[0].near)))
 
 
 def test_only_selected_trajectories_cut():
