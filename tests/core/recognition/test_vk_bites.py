@@ -71,7 +71,18 @@ def test_the_sense_is_that_of_the_longer_strokes():
     )
 
 
-def test_a_stroke_that_turns_back_is_no_bite():
+def led_out(x):
+    """An arc that leaves the wall on a bend of 40 degrees the other way."""
+    points = arc(x)
+    heading = math.atan2(points[-1][1] - points[-2][1], points[-1][0] - points[-2][0])
+    for _ in range(4):
+        heading -= math.radians(10)
+        points.append((points[-1][0] + math.cos(heading), points[-1][1] + math.sin(heading), 0.0))
+    return points
+
+
+def test_a_stroke_that_turns_back_by_more_than_half_a_turn_is_no_bite():
+    assert bites(led_out(0.0), led_out(1.0)) == "bb"
     assert bites(wavy(0.0), wavy(1.0)) == "--"
 
 

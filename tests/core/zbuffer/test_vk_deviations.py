@@ -87,9 +87,22 @@ def test_the_worst_pixel_of_what_hangs_together_is_its_place():
 )
 def test_tiles_of_three_pixels_hang_together_where_they_touch(other, places):
     """A fiftieth of 150 pixels is the side of a tile; the first lies at 30, 30."""
-    found = left(one=(30, 30, 3, 3, 1.0), other=(*other, 1.0))
-    assert len(found) == places
-    assert sum(place.area for place in found) == pytest.approx(18 * PIXEL**2)
+    for depth in (0.9, 1.1):  # the deeper one is taken first
+        found = left(one=(30, 30, 3, 3, 1.0), other=(*other, depth))
+        assert len(found) == places
+        assert sum(place.area for place in found) == pytest.approx(18 * PIXEL**2)
+
+
+@pytest.mark.parametrize(("tolerance", "depths"), [(0.5, []), (0.1, [PIXEL])])
+def test_a_wall_is_as_far_from_its_place_as_it_lies_beside_it(tolerance, depths):
+    """3 mm high, one pixel beside: along the view the pixel between lies 3 mm above the model."""
+    part, model = (
+        UNCUT.picture.depth.reshape(HEIGHT, WIDTH) + np.float32(3) * (np.arange(WIDTH) >= edge) for edge in (101, 100)
+    )
+    seen = SimpleNamespace(near=model, surface=model, floor=model)
+    found = Deviations((model - part).ravel(), np.zeros(part.size, np.float32), part, seen)
+    told = [material_left(UNCUT, found, tolerance), worst_places(UNCUT, found, tolerance)[1]]
+    assert [[one.depth for one in places] for places in told] == [pytest.approx(depths)] * 2
 
 
 def test_a_long_winding_line_is_one_place():
