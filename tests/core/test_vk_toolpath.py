@@ -62,7 +62,7 @@ def test_a_problem_is_told_with_its_first_command_and_how_many_there_are():
     assert problem.remark == Message("in-commands", sentence=problem.what, count=2, command=11)
     assert str(problem) == "the unknown code 'G999' is ignored (2 times, first at command 11)"  # counted from 1
     assert str(Problem(4, problem.what)) == "the unknown code 'G999' is ignored (command 5)"
-    assert Problem(4, Message("dwell-untimed")).of_time
+    assert not problem.takes_time
 
 
 def test_what_is_no_toolpath_is_told_in_a_sentence():
@@ -81,3 +81,9 @@ def test_what_is_no_toolpath_is_told_in_a_sentence():
         simulate(path, tool=6, stock=stock, view=view)
     with pytest.raises(TypeError, match=r"a job is made of Cut\(toolpath, tool\), not tuple"):
         simulate_job([(path, tool)], stock=stock, view=view)
+
+
+def test_a_dwell_is_missing_in_the_time_alone_and_a_turned_axis_in_the_way_too():
+    dwell, turned = Problem(4, Message("dwell-untimed")), Problem(4, Message("rotary-not-read", letter="A"))
+    assert dwell.of_time and dwell.takes_time
+    assert turned.takes_time and not turned.of_time
