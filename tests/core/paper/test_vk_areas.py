@@ -32,11 +32,22 @@ def test_an_area_after_others_is_told_as_if_it_were_alone(strokes):
     assert last.closed == alone.closed and last.total_turning == alone.total_turning
 
 
+@pytest.mark.parametrize("sense", [1, -1])
+def test_a_reversal_turns_back_what_its_own_area_has_turned(sense):
+    """A quarter turn, straight on, and back, behind a contour that turned by more, the one way and the other."""
+    late = [(0, 0), (30, 0), (30, 30 * sense), (30, 60 * sense), (30, 30 * sense), (30, 0)]
+    for before in (SQUARE, SQUARE[::-1]):
+        phi = areas_of(before, late).signature(1).phi / np.pi
+        assert phi == pytest.approx(sense * np.array([0, 0.5, 0.5, -0.5, -0.5]))
+
+
 @pytest.mark.parametrize("x, y", [(0, 0), (500, -300), (-200, 700)])
 def test_what_closes_does_so_wherever_it_lies(x, y):
-    areas = areas_of(at(SQUARE, x, y), at(ROW, x, y), at(SQUARE, 2 * x, y), at(SLOT, x, 2 * y))
+    strokes = at(SQUARE, x, y), at(ROW, x, y), at(SQUARE, 2 * x, y), at(SLOT, x, 2 * y)
+    areas = areas_of(*strokes)
     assert areas.closed.tolist() == [True, False, True, False]
     assert areas.total_turning[[0, 2]] == pytest.approx(2 * np.pi)
+    assert areas_of(*strokes[::-1]).closed.tolist() == [False, True, False, True]
 
 
 IN_AND_OUT = [(0, 0), (9, 0), (0, 0), (9, 0), (0, 0)]
@@ -76,6 +87,17 @@ def test_reliefs_in_the_corners_leave_a_contour_its_turn():
         assert areas.total_turning[1:] == pytest.approx([sense * 2 * np.pi, 2 * np.pi])
         corners = areas.signature(1).phi[[0, 3, 6, 9, 12]]
         assert corners == pytest.approx(sense * np.pi / 2 * np.arange(5))
+
+
+@pytest.mark.parametrize("before", [-150, 0, 150])
+@pytest.mark.parametrize("behind", [-150, 0, 150])
+@pytest.mark.parametrize("sense", [1, -1])
+def test_a_way_aside_and_back_adds_nothing_to_the_turns_beside_it(before, behind, sense):
+    """Out by 120 degrees, back on the same line, and on by 60 as the way went before."""
+    heading = sense * np.radians(np.cumsum([0, before, 120, 180, 60, behind]))
+    path = np.cumsum(np.vstack(([0, 0], 10 * np.column_stack((np.cos(heading), np.sin(heading))))), axis=0)
+    areas = areas_of(SLOT, path.tolist())
+    assert areas.signature(1).phi[-1] == pytest.approx(sense * np.radians(before + behind))
 
 
 @pytest.mark.parametrize("links", [1, -1])

@@ -84,3 +84,8 @@ def test_no_two_pairs_of_cells_are_taken_for_one():
     points = np.array([point for pair in pairs + pairs for point in pair], float)
     found = distinct(points, 2 * np.arange(2 * len(pairs)), cells=4, most=len(pairs))
     assert found.tolist() == (2 * np.arange(len(pairs))).tolist()
+
+
+def test_one_area_has_no_links():
+    for strokes in ([], [[(0, 0, 0), (9, 0, 0)]]):
+        assert links(monotonous_areas(linearize(programs.program(strokes)))).shape == (0, 2)
