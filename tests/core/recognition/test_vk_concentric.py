@@ -4,8 +4,8 @@
 from __future__ import annotations
 
 import numpy as np
+import programs
 import pytest
-from zbuffer_reference.paths import toolpath
 
 from vkworkbench.core import Family, Strategy, linearize
 from vkworkbench.core.paper import monotonous_areas
@@ -81,11 +81,19 @@ def test_what_leads_aside_leaves_arcs_their_centre():
     assert arcs.length == pytest.approx(QUARTER * 52 + 4 * 1.2, rel=1e-3) and arcs.step == pytest.approx(2, rel=1e-2)
 
 
-def test_rows_have_no_centre():
-    rows = np.array([(x, 2.0 * k, -1) for k in range(8) for x in ((0, 50) if k % 2 == 0 else (50, 0))])
-    moves = monotonous_areas(toolpath(rows.astype(float)))
+@pytest.mark.parametrize("degrees", [0, 45, 90])
+@pytest.mark.parametrize("lean", [0.0, 2.0])
+def test_rows_have_no_centre(degrees, lean):
+    """Whichever way they lie, and though they lean by 2 mm on 50 mm to either side in turn."""
+    rows = np.array(
+        [(x, 6.0 * k + lean * (x > 0) * (-1) ** k) for k in range(8) for x in ((0, 50) if k % 2 == 0 else (50, 0))]
+    )
+    angle = np.radians(degrees)
+    rows = rows @ [[np.cos(angle), np.sin(angle)], [-np.sin(angle), np.cos(angle)]]
+    strokes = [[(*point, -1.0) for point in row] for row in rows.reshape(8, 2, 2).tolist()]
+    moves = monotonous_areas(linearize(programs.program(strokes)))
     pieces = cut_pieces(moves)
-    assert find_arcs(moves, pieces, np.arange(len(pieces))) is None
+    assert len(pieces) == 8 and find_arcs(moves, pieces, np.arange(len(pieces))) is None
 
 
 def test_what_makes_an_elected_strategy_sure():
