@@ -152,11 +152,12 @@ def test_full_circle_with_equal_end_points():
 
 
 @pytest.mark.parametrize(("code", "sense"), [("G2", -1), ("G3", 1)])
-@pytest.mark.parametrize(("x", "y"), [(2.4e-6, 0), (-2.4e-6, 0), (0, 0)])
+@pytest.mark.parametrize(("x", "y"), [(2.4e-6, 0), (-2.4e-6, 0), (0.01, 0), (0, 0)])
 def test_a_circle_whose_end_is_rounded_otherwise_than_its_start_is_whole(code, sense, x, y):
     toolpath = path(("G0", {"X": 1, "Y": 2, "Z": 3}), (code, {"X": 1 + x, "Y": 2 + y, "I": -1.5, "J": 0}))
     assert toolpath.sweep.sum() == pytest.approx(sense * 2 * np.pi)
-    # What goes on is as short as it says, and a radius makes no whole circle.
+    # What ends farther from the centre sweeps nothing; what goes on is as short as it says, a radius makes no whole circle.
+    assert path(("G0", {"X": 1, "Y": 2, "Z": 3}), (code, {"X": 1.5, "Y": 2, "I": -1.5, "J": 0})).sweep.sum() == 0
     for more in ({"I": -1.5, "J": 0}, {"R": 1.5}):
         on = path(("G0", {"X": 1, "Y": 2, "Z": 3}), (code, {"X": 1, "Y": 2 + sense * 1e-3, **more}))
         assert abs(on.sweep.sum()) == pytest.approx(1e-3 / 1.5, rel=1e-3)

@@ -16,6 +16,7 @@ LARGEST_STEP = np.pi / 4  # a chord never spans more, so that tiny circles keep 
 SMALLEST_STEP = 1e-9  # rad; finer chords would not fit into memory
 SAME_POINT = 1e-6  # mm; FreeCAD saves 6 decimals
 SAME_DIRECTION = 5e-7  # rad; to Grbl an arc of less is a full circle
+ROUNDED = 0.02  # mm; a program of inches may have three decimals
 
 
 @dataclass(frozen=True)
@@ -90,7 +91,8 @@ def resolve(
     turn = 2 * np.pi
     sweep = np.where(clockwise, -((-angle) % turn), angle % turn)
     # The end of a circle may be rounded otherwise than where it begins: an arc of no length nobody writes.
-    whole = (distance <= SAME_POINT) | (by_centre & (np.abs(sweep) <= SAME_DIRECTION))
+    radial = by_centre & (np.abs(sweep) <= SAME_DIRECTION)
+    whole = (distance <= SAME_POINT) | (radial & (distance <= ROUNDED))
     sweep = np.where(whole, np.where(clockwise, -turn, turn), sweep)
 
     degenerate = ~(by_centre | by_radius) | ~(radius[:, 0] > SAME_POINT)
