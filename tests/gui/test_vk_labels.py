@@ -121,4 +121,5 @@ def test_a_label_that_is_whole_is_no_higher_than_its_text(window):
         line = label.fontMetrics().lineSpacing()
         assert heights[0] > 3 * line and heights[1] < heights[0] / 2 and label.height() < 2 * line
     finally:
+        box.hide()  # deleted only later, it would stand before the window that other tests show
         box.deleteLater()

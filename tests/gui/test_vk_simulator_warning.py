@@ -104,6 +104,8 @@ def test_nothing_is_said_within_the_budget(marked, window):
 def test_a_long_play_is_told_with_fast_forward(marked, window):
     budget_between(marked, lambda c: c["legacy"].seconds, lambda c: c["legacy"].play_seconds)
     line = warned(window, "legacy")
+    Gui.activeView().viewIsometric()
+    Gui.SendMsgToActiveView("ViewFit")
     window.screenshot("warning-play")
     assert line.text.text().startswith("Playing this takes about ") and line.way.text() == "Fast-forward"
     assert not line.isModal() and not window.boxes()
