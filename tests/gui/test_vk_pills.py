@@ -42,6 +42,7 @@ def picture(window, label):
     view.scrollTo(cell(window, label))
     window.idle(0.2)
     area = view.visualRect(cell(window, label)) & view.viewport().rect()
+    area.setWidth(min(area.width(), 240))  # shares are those of the column's usual width, also behind a long label
     corner = view.viewport().mapToGlobal(area.topLeft())
     screen = QtGui.QApplication.primaryScreen()
     return screen.grabWindow(0, corner.x(), corner.y(), area.width(), area.height()).toImage()
