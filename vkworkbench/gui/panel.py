@@ -79,10 +79,10 @@ class ResultsDock(QDockWidget):
         self.filter = Filter([self.columns, self.export])
         self.filter.changed = self._filter
         self._parts = QSplitter(Qt.Horizontal)
-        for part in (self.tree, self.details):
-            # Qt's own minimum would make the window higher than a low screen.
-            part.setMinimumHeight(_LEAST_LINES * part.fontMetrics().height())
-            self._parts.addWidget(part)
+        self._parts.addWidget(self.tree)
+        self._parts.addWidget(self.details)
+        # Qt's own minimum would make the window higher than a low screen. Of the parts a theme's style sheet takes it away.
+        self._parts.setMinimumHeight(_LEAST_LINES * self.tree.fontMetrics().height())
         self._parts.setStretchFactor(0, 3)
         self._parts.setStretchFactor(1, 2)
         body = QWidget()
