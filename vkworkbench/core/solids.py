@@ -416,6 +416,12 @@ class Frame:
         y = (np.asarray(rows) + 0.5 - self.height / 2) * self.pixel
         return x, y
 
+    def points(self, columns: np.ndarray, rows: np.ndarray, depth: np.ndarray) -> np.ndarray:
+        """Return the points (k, 3) at a depth (k,) along the ray of each pixel."""
+        centres = self.origins(*self.pixel_centres(columns, rows))
+        result: np.ndarray = centres + np.multiply.outer(depth, self.direction)
+        return result
+
 
 def stock_around(toolpath: Toolpath, tool: Tool) -> Stock:
     """Return the box around all cuts of a tool, up to the highest: a stand-in where the stock is unknown.

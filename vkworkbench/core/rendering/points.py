@@ -34,8 +34,7 @@ class Points:
         rows, columns = rows.ravel(), columns.ravel()
         seen = ~np.isnan(depth[rows, columns])
         rows, columns = rows[seen], columns[seen]
-        x, y = frame.pixel_centres(columns, rows)
-        self._points = frame.origins(x, y) + depth[rows, columns][:, None].astype(float) * frame.direction
+        self._points = frame.points(columns, rows, depth[rows, columns].astype(float))
         self._colors = image[::-1][rows, columns]
         self._side = every * frame.pixel
 

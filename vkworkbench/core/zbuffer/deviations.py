@@ -208,10 +208,8 @@ def _place(zbuffer: ZBuffer, gap: _Gap, pixels: np.ndarray, maker: np.ndarray, t
     if found is None:
         return []
     pixel, depth = found
-    row, column = divmod(pixel, frame.width)
-    x, y = frame.pixel_centres(np.array([column]), np.array([row]))
-    at = float(np.nan_to_num(picture.depth[pixel]))
-    place = (frame.origins(x, y)[0] + at * frame.direction).tolist()
+    row, column = np.divmod([pixel], frame.width)
+    (place,) = frame.points(column, row, np.nan_to_num(picture.depth[[pixel]]).astype(float)).tolist()
     own = int(maker[np.searchsorted(pixels, pixel)])
     trajectory = None if own == STOCK else own
     source = None if trajectory is None else zbuffer.cuts.source(trajectory)

@@ -8,7 +8,7 @@ from math import cos, pi, sin
 
 import numpy as np
 
-from vkworkbench.core.solids import Tool
+from vkworkbench.core.solids import Frame, Tool
 from vkworkbench.core.toolpath import Toolpath
 from vkworkbench.core.zbuffer.cuts import Cuts, Source
 from vkworkbench.core.zbuffer.moments import ZBuffer
@@ -170,12 +170,11 @@ def crashes(zbuffer: ZBuffer) -> list[Crash]:
     if len(pieces) == 0:
         return []
     owner, near, far = records.owner[pieces], near.astype(float), records.far[pieces].astype(float)
-    upper, middle = (near if frame.direction[2] < 0 else far), (near + far) / 2
+    upper, middle = _upper(frame, near, far), (near + far) / 2
 
     def place(piece: np.ndarray, depth: np.ndarray) -> np.ndarray:
         row, column = np.divmod(pixel[piece], frame.width)
-        points: np.ndarray = frame.origins(*frame.pixel_centres(column, row)) + depth[piece, None] * frame.direction
-        return points
+        return frame.points(column, row, depth[piece])
 
     cuts, volumes = zbuffer.cuts, removed_volumes(zbuffer)
     touches = max(_TOUCHES, _OF_RISE * max(_rise(cut.toolpath) for cut in cuts.cuts))
@@ -198,6 +197,11 @@ def crashes(zbuffer: ZBuffer) -> list[Crash]:
             crashed.tolist(), place(longest, middle).tolist(), (far - near)[longest].tolist()
         )
     ]
+
+
+def _upper(frame: Frame, near: np.ndarray, far: np.ndarray) -> np.ndarray:
+    """Which end of pieces of rays is the higher one."""
+    return near if frame.direction[2] < 0 else far
 
 
 def _inside(cuts: Cuts, trajectory: np.ndarray, points: np.ndarray, touches: float) -> np.ndarray:
@@ -280,8 +284,7 @@ def _tops(zbuffer: ZBuffer, owners: np.ndarray) -> np.ndarray:
     records, frame = zbuffer.records, zbuffer.frame
     pieces, pixel, near = records.pieces_of(owners)
     row, column = np.divmod(pixel, frame.width)
-    upper = near if frame.direction[2] < 0 else records.far[pieces]
-    height = frame.origins(*frame.pixel_centres(column, row))[:, 2] + upper * frame.direction[2]
+    height = frame.points(column, row, _upper(frame, near, records.far[pieces]))[:, 2]
     tops = np.full(zbuffer.trajectories, -np.inf)
     np.maximum.at(tops, records.owner[pieces], height)
     return tops
