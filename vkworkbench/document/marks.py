@@ -188,9 +188,10 @@ def refresh(obj, settings_of: Callable, *, path_changed: bool, setting_changed: 
 
 def refresh_total(job) -> None:
     """Let a job's mark be the total of what it has now, and say "outdated" while an operation's mark says it or is missing."""
-    known, parts = read(job), _parts(job)
+    known = read(job)
     if known is None:
         return
+    parts = _parts(job)
     if known.fingerprint != _total_fingerprint(job, parts):
         _keep(job, _total(job, parts), preferences.read())
     elif known.outdated != _is_outdated(parts):
