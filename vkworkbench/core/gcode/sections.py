@@ -170,9 +170,8 @@ def _groups(program: Program) -> list[_Group]:
         if number is not None:
             group.known = known = {**known, number: told.tool}
             group.tool_name = what if number == group.number else group.tool_name
-        elif (
-            told.from_here or group.tool is None or change not in (None, group.told)
-        ):  # what the line of a change tells stays
+        elif told.from_here or group.tool is None or change not in (None, group.told):
+            # What the line of a change tells stays, unless another tool is told to be the one from here on.
             group.tool, group.tool_name, group.told = told.tool, what, line
     return groups
 
