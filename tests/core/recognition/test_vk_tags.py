@@ -92,6 +92,32 @@ def test_a_contour_over_tags_at_each_depth_comes_again():
         assert (found.strategy, found.depths) == (Strategy.PROFILE, 3), found.reason
 
 
+@pytest.mark.parametrize("to_and_fro", [False, True])
+@pytest.mark.parametrize("tool", [None, 6.0])
+def test_strokes_that_are_cut_to_full_depth_one_after_the_other_are_the_contour_at_each_depth(to_and_fro, tool):
+    """So board programs cut out: each stroke between two bridges at all depths, then the next one."""
+    depths = (-1.0, -2.0, -3.0)
+    turns = [parts_of_sides(z, tags=1) for z in depths]
+    strokes = [part[::-1] if to_and_fro and k % 2 else part for stroke in zip(*turns) for k, part in enumerate(stroke)]
+    row = [(0.0, 200.0, -3.0), (50.0, 200.0, -3.0)]
+    moves, around = areas([*strokes, row]), joined([*strokes, row])
+    by_depth = joined([*(part for turn in turns for part in turn), row])
+    for name in ("x", "y", "z", "dx", "dy", "dz", "phi", "start"):
+        assert getattr(around, name) == pytest.approx(getattr(by_depth, name)), name
+    assert np.array_equal(around.index, moves.index)
+    found = recognize(linearize(programs.program(strokes)), tool_diameter=tool)
+    assert (found.strategy, found.depths) == (Strategy.PROFILE, 3), found.reason
+    assert "over 3 loops at 3 depths, cut in strokes, as between tags" in found.reason
+
+
+def test_strokes_with_unlike_passes_and_rows_cut_to_full_depth_are_no_contour():
+    sides = parts_of_sides(tags=1)
+    deeper = [[(x, y, z - 1.0) for x, y, z in part] for part in sides]
+    assert unchanged([part for k, two in enumerate(zip(sides, deeper)) for part in two[: 1 + k % 2]])
+    rows = [[(0.0, 3.0 * y, z), (40.0, 3.0 * y, z)] for y in range(8) for z in (-1.0, -2.0)]
+    assert unchanged(rows) and unchanged([row[::-1] if k % 2 else row for k, row in enumerate(rows)])
+
+
 @pytest.mark.parametrize("tags", [1, 2, 3])
 @pytest.mark.parametrize("tool", [None, 6.0])
 def test_a_contour_over_tags_is_a_profile(tags, tool):

@@ -16,7 +16,7 @@ def joined_over_tags(moves: Areas) -> tuple[Areas, float]:
 
     Between them the tool is lifted and goes on where it was, or ahead; the moves before such gaps are made longer to bridge
     them. What cuts over a tag is a part of the contour. Rows that are lifted over an island go on ahead, too, but around
-    nothing.
+    nothing. Where each area is cut to its full depth before the next, the contour has as many turns as an area has passes.
 
     Parameters
     ----------
@@ -33,10 +33,11 @@ def joined_over_tags(moves: Areas) -> tuple[Areas, float]:
     count = len(moves.start)
     if count < 2:
         return moves, 0.0
+    strokes, moves = moves, _pass_by_pass(moves)
     area = np.arange(count)
     onward = _goes_on(moves, area[:-1], area[1:])
     if not onward.any():
-        return moves, 0.0
+        return strokes, 0.0
     onward &= ~(moves.closed[:-1] | moves.closed[1:])
     first = np.flatnonzero(np.append(True, ~onward))
     last = np.append(first[1:], count) - 1
@@ -49,7 +50,7 @@ def joined_over_tags(moves: Areas) -> tuple[Areas, float]:
     )
     contour = (last > first) & (bridged < ENOUGH.SHARE) & (np.abs(turned_by) > TURN / 2) & _goes_on(moves, last, first)
     if not contour.any():
-        return moves, 0.0
+        return strokes, 0.0
     of_contour = np.repeat(contour, last - first + 1)
     dx, dy, end = moves.dx.copy(), moves.dy.copy(), moves.end - 1
     ahead = of_contour & (dx[end] * gap_x + dy[end] * gap_y > 0)  # the others are as good as none
@@ -57,14 +58,58 @@ def joined_over_tags(moves: Areas) -> tuple[Areas, float]:
     dy[end[ahead]] += gap_y[ahead]
     begins = ~of_contour
     begins[first] = True
-    start, alpha = moves.start[begins], directions(dx, dy)
-    turning, phi = np.zeros(len(moves)), np.empty(len(moves))
-    unsigned, reversals = turned(alpha, start, turning, phi)
-    joined = replace(
-        moves, dx=dx, dy=dy, length=np.hypot(dx, dy), alpha=alpha, turning=turning, phi=phi,
-        start=start, unsigned=unsigned, reversals=reversals,
-    )  # fmt: skip
+    joined = _measured(moves, dx=dx, dy=dy, start=moves.start[begins])
     return joined, float(moves.area_length[of_contour].sum() / moves.length.sum())
+
+
+def _pass_by_pass(moves: Areas) -> Areas:
+    """Return the areas in the order in which they go around, where each is cut to its full depth before the next.
+
+    What goes to and fro between their ends goes one way then.
+    """
+    count, first, last = len(moves.start), moves.start, moves.end - 1
+    end_x, end_y = moves.x[last] + moves.dx[last], moves.y[last] + moves.dy[last]
+    ends = np.array([moves.x[first], moves.y[first], end_x, end_y])
+    there = (np.abs(ends[:, 1:] - ends[:, :-1]) < SAME.PLACE).all(axis=0)
+    back = (np.abs(ends[:, 1:] - ends[[2, 3, 0, 1], :-1]) < SAME.PLACE).all(axis=0)
+    again = (there | back) & ~moves.closed[1:]
+    again &= np.abs(np.diff(moves.area_length)) < SAME.PLACE
+    stroke = np.flatnonzero(np.append(True, ~again))
+    passes = np.diff(stroke, append=count)
+    onward = (passes[1:] == passes[:-1]) & (passes[1:] > 1) & _goes_on(moves, stroke[:-1], stroke[1:])
+    if not onward.any():
+        return moves
+    contour = np.cumsum(np.append(True, ~onward))
+    of_stroke = np.repeat(np.arange(len(stroke)), passes)
+    turn = np.arange(count) - stroke[of_stroke]
+    order = np.lexsort((of_stroke, turn, contour[of_stroke]))
+    backward = np.append(0, np.cumsum(back & again))
+    backward = (backward - backward[stroke[of_stroke]]) % 2 == 1
+    return _rearranged(moves, order, backward[order])
+
+
+def _rearranged(moves: Areas, order: np.ndarray, backward: np.ndarray) -> Areas:
+    """Return the areas in another order, and some of them the other way round, between the same trajectories as before."""
+    size = (moves.end - moves.start)[order]
+    start = np.cumsum(size) - size
+    place = np.arange(len(moves)) - np.repeat(start, size)
+    back, first, last = (np.repeat(of, size) for of in (backward, moves.start[order], moves.end[order] - 1))
+    at = np.where(back, last - place, first + place)
+    dx, dy, dz = moves.dx[at], moves.dy[at], moves.dz[at]
+    x, y, z = moves.x[at] + back * dx, moves.y[at] + back * dy, moves.z[at] - back * dz
+    way = np.where(back, -1.0, 1.0)
+    return _measured(moves, x=x, y=y, z=z, dx=way * dx, dy=way * dy, dz=way * dz, start=start)
+
+
+def _measured(moves: Areas, **changed: np.ndarray) -> Areas:
+    """Return the moves with some of them changed, and measured again."""
+    moves = replace(moves, **changed)
+    alpha = directions(moves.dx, moves.dy)
+    turning, phi = np.zeros(len(moves)), np.empty(len(moves))
+    unsigned, reversals = turned(alpha, moves.start, turning, phi)
+    return replace(
+        moves, length=np.hypot(moves.dx, moves.dy), alpha=alpha, turning=turning, phi=phi, unsigned=unsigned, reversals=reversals
+    )  # fmt: skip
 
 
 def _gap(moves: Areas, one: np.ndarray, two: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
