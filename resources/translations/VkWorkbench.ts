@@ -974,7 +974,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The {simulator:simulator} takes longer than the {allowed:s} allowed. {better}</source>
+        <source>The {simulator:simulator} takes {bound} {time:s}, longer than the {allowed:s} allowed. {better}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

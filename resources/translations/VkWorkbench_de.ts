@@ -974,8 +974,8 @@
         <translation>„{simulator:simulator}“ braucht am Ende etwa {time:s} für jedes Bild, {percent:n} % davon für Bögen: Diese Operation allein simulieren.</translation>
     </message>
     <message>
-        <source>The {simulator:simulator} takes longer than the {allowed:s} allowed. {better}</source>
-        <translation>„{simulator:simulator}“ braucht länger als die erlaubten {allowed:s}. {better}</translation>
+        <source>The {simulator:simulator} takes {bound} {time:s}, longer than the {allowed:s} allowed. {better}</source>
+        <translation>„{simulator:simulator}“ braucht {bound} {time:s}, länger als die erlaubten {allowed:s}. {better}</translation>
     </message>
     <message>
         <source>the centers of arcs are read as positions (as by G90.1): only so the arcs end on their circles</source>

@@ -974,8 +974,8 @@
         <translation>El {simulator:simulator} tarda al final unos {time:s} por imagen, el {percent:n} % en arcos: simule esta operación sola.</translation>
     </message>
     <message>
-        <source>The {simulator:simulator} takes longer than the {allowed:s} allowed. {better}</source>
-        <translation>El {simulator:simulator} tarda más de los {allowed:s} permitidos. {better}</translation>
+        <source>The {simulator:simulator} takes {bound} {time:s}, longer than the {allowed:s} allowed. {better}</source>
+        <translation>El {simulator:simulator} tarda {bound} {time:s}, más de los {allowed:s} permitidos. {better}</translation>
     </message>
     <message>
         <source>the centers of arcs are read as positions (as by G90.1): only so the arcs end on their circles</source>

@@ -974,8 +974,8 @@
         <translation>« {simulator:simulator} » prend à la fin environ {time:s} par image, dont {percent:n} % pour les arcs : simulez cette opération seule.</translation>
     </message>
     <message>
-        <source>The {simulator:simulator} takes longer than the {allowed:s} allowed. {better}</source>
-        <translation>« {simulator:simulator} » prend plus que les {allowed:s} permis. {better}</translation>
+        <source>The {simulator:simulator} takes {bound} {time:s}, longer than the {allowed:s} allowed. {better}</source>
+        <translation>« {simulator:simulator} » prend {bound} {time:s}, plus que les {allowed:s} permis. {better}</translation>
     </message>
     <message>
         <source>the centers of arcs are read as positions (as by G90.1): only so the arcs end on their circles</source>

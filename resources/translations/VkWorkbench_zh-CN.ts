@@ -974,8 +974,8 @@
         <translation>{simulator:simulator}最后每幅画面约需 {time:s}，其中 {percent:n}% 用于圆弧：请单独模拟此操作。</translation>
     </message>
     <message>
-        <source>The {simulator:simulator} takes longer than the {allowed:s} allowed. {better}</source>
-        <translation>{simulator:simulator}所需时间超过允许的 {allowed:s}。{better}</translation>
+        <source>The {simulator:simulator} takes {bound} {time:s}, longer than the {allowed:s} allowed. {better}</source>
+        <translation>{simulator:simulator}需要{bound} {time:s}，超过允许的 {allowed:s}。{better}</translation>
     </message>
     <message>
         <source>the centers of arcs are read as positions (as by G90.1): only so the arcs end on their circles</source>

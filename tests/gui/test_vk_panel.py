@@ -382,7 +382,7 @@ def test_what_has_a_sign_in_the_tree_has_one_in_the_results(panel, opened, windo
             assert ("⚠" in obj.Label2) == bool(sign(panel, obj.Label)), obj.Label
             told = column(panel, "Warnings")[obj.Label]
             if burden(marks.read(obj), preferences.read()) is Burden.OVER:
-                assert "takes longer than the 100 ms allowed. Simulate toolpaths shows" in told
+                assert ", longer than the 100 ms allowed. Simulate toolpaths shows" in told
                 assert told.split(";")[0] in explanation(marks.read(obj), preferences.read())
         panel.filter.warnings.setChecked(True)
         assert sign(panel, "Job") and "Job" in labels(panel)

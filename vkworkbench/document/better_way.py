@@ -62,8 +62,12 @@ def too_long(record: Record, chosen: Preferences) -> Message | None:
     """Return what to say where the time that a mark shows is over the budget, with the better way; None where it is not."""
     if burden(record, chosen) is not Burden.OVER:
         return None
+    seconds, _ = record.cost(chosen.simulator)
+    _, bound = _together(chosen.simulator, [record], 1)
     _, better = _way(chosen.simulator, [record], 1, chosen)
-    return Message("over-budget", simulator=chosen.simulator, allowed=chosen.time_budget, better=better)
+    return Message(
+        "over-budget", simulator=chosen.simulator, bound=bound, time=seconds, allowed=chosen.time_budget, better=better
+    )
 
 
 def _hangs(simulator: str, fresh: list[Record]) -> Message | None:

@@ -93,7 +93,7 @@ class Reader:
         turns = round(angle / tau, 2)
         return self.separated(f"{turns:+.2f}") if turns else "0"
 
-    def time(self, seconds: float, factor: float = 1.0) -> str:
+    def time(self, seconds: float, factor: float = 1.0, finer: int = 0) -> str:
         """Return a duration, e.g. ``"12 ms"``, ``"1.4 s"``, ``"3.0 min"``, ``"2.5 h"``.
 
         Parameters
@@ -101,28 +101,30 @@ class Reader:
         seconds : float
         factor : float
             The true time is between this one divided and multiplied by this; it has as many digits as that allows.
+        finer : int
+            How many digits more an exact one has than usual.
         """
         if factor > ESTIMATED and 0 < seconds < inf:
             return self._rounded_time(seconds, 1 if factor >= ROUGH else 2)
         if seconds < 0.9995:
-            return f"{self._digits(seconds * 1e3)} ms"
+            return f"{self._digits(seconds * 1e3, finer)} ms"
         if seconds < 60:
-            return f"{self._digits(seconds)} s"
+            return f"{self._digits(seconds, finer)} s"
         if seconds < 3600:
-            return f"{self._digits(seconds / 60)} min"
-        return f"{self._digits(seconds / 3600)} h"
+            return f"{self._digits(seconds / 60, finer)} min"
+        return f"{self._digits(seconds / 3600, finer)} h"
 
     def estimated_time(self, seconds: float, factor: float) -> str:
         """Return a duration, see :meth:`time`, with "about" before it where the true one may be half or twice of it."""
         text = self.time(seconds, factor)
         return self.translate("Sentences", ABOUT).replace("{number}", text) if factor >= ROUGH else text
 
-    def memory(self, size: float) -> str:
-        """Return a memory size in bytes as kB, MB or GB (powers of 1000)."""
+    def memory(self, size: float, finer: int = 0) -> str:
+        """Return a memory size in bytes as kB, MB or GB (powers of 1000), with so many digits more than usual."""
         for unit, factor in (("GB", 1e9), ("MB", 1e6)):
             if size >= 0.9995 * factor:
-                return f"{self._digits(size / factor)} {unit}"
-        return f"{self._digits(size / 1e3)} kB"
+                return f"{self._digits(size / factor, finer)} {unit}"
+        return f"{self._digits(size / 1e3, finer)} kB"
 
     def between(self, low: str, high: str) -> str:
         """Return two numbers between which the true one is."""
@@ -139,10 +141,10 @@ class Reader:
             seconds = max(seconds, most)  # 59.7 s are a minute
         return text
 
-    def _digits(self, value: float) -> str:
+    def _digits(self, value: float, finer: int = 0) -> str:
         if value >= 9.95 or value == 0:
-            return self.separated(f"{value:,.0f}")
-        return self.separated(f"{value:.1f}" if value >= 0.095 else f"{value:.2g}")
+            return self.separated(f"{value:,.{finer}f}")
+        return self.separated(f"{value:.{1 + finer}f}" if value >= 0.095 else f"{value:.{2 + finer}g}")
 
     def separated(self, english: str) -> str:
         """Return an English number, alone or in a text without other points and commas, with the reader's separators."""

@@ -5,6 +5,9 @@ A place of a template is ``{name}`` or ``{name:quantity}``. Without a quantity s
 message. A quantity says what a number is: ``n`` how many, ``#`` the number of a line or command, counted from 1, ``g`` a number,
 ``mm`` a length, ``mm³`` a volume, ``mm/min`` a speed (these with the significant digits behind them, e.g. ``mm3``), ``s`` a duration in s, ``bytes``,
 ``%`` a share of 1, ``turns`` an angle in rad, ``strategy`` a strategy and ``simulator`` a simulator by its name.
+
+Durations and sizes have few digits, and where two of a sentence would read the same though they are not, more of them:
+"more than the 2.0 GB allowed" is not said of 2.0 GB.
 """
 
 from __future__ import annotations
@@ -28,13 +31,15 @@ _QUANTITIES: dict[str, Callable[[Reader, Any, int], str]] = {
     "mm": lambda reader, value, digits: reader.measure(float(value), digits),
     "mm³": lambda reader, value, digits: reader.volume(float(value), digits),
     "mm/min": lambda reader, value, digits: f"{reader.measure(float(value), digits)}/min",
-    "s": lambda reader, value, digits: reader.time(value),
-    "bytes": lambda reader, value, digits: reader.memory(value),
+    "s": lambda reader, value, finer: reader.time(value, finer=finer),
+    "bytes": lambda reader, value, finer: reader.memory(value, finer),
     "%": lambda reader, value, digits: reader.share(value),
     "turns": lambda reader, value, digits: reader.turns(value),
     "simulator": lambda reader, value, digits: reader.simulator(value),
     "strategy": lambda reader, value, digits: reader.translate("Strategy", value),
 }
+_ROUNDED = ("s", "bytes")  # they take how many digits more than usual are read
+_FINEST = 6
 
 
 def render(message: Message, reader: Reader = ENGLISH, *, plain: bool = False) -> str:
@@ -53,12 +58,22 @@ def render(message: Message, reader: Reader = ENGLISH, *, plain: bool = False) -
         If the table has no such message: another version may have written it.
     """
     arguments = message.arguments
+    template = reader.translate("Sentences", _template(message, reader, plain))
+    finer = {quantity: _told_apart(template, arguments, quantity, reader) for quantity in _ROUNDED}
 
     def filled(place: re.Match[str]) -> str:
         name, quantity, digits = place.groups()
-        return _shown(arguments[name], quantity, int(digits or 6), reader, plain)
+        return _shown(arguments[name], quantity, finer.get(quantity, int(digits or 6)), reader, plain)
 
-    return _PLACE.sub(filled, reader.translate("Sentences", _template(message, reader, plain)))
+    return _PLACE.sub(filled, template)
+
+
+def _told_apart(template: str, arguments: dict[str, Argument], quantity: str, reader: Reader) -> int:
+    """With how many digits more than usual no two different numbers of this quantity read the same."""
+    numbers = {arguments[place[1]] for place in _PLACE.finditer(template) if place[2] == quantity}
+    read = _QUANTITIES[quantity]
+    enough = (finer for finer in range(_FINEST) if len({read(reader, one, finer) for one in numbers}) == len(numbers))
+    return next(enough, _FINEST)
 
 
 def _template(message: Message, reader: Reader, plain: bool) -> str:

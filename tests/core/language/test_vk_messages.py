@@ -149,6 +149,23 @@ def test_numbers_have_two_or_three_digits_and_a_unit(kind, number, text):
     assert getattr(ENGLISH, kind)(*number) == text
 
 
+@pytest.mark.parametrize("memory, needed, allowed", [
+    (3.1e9, "3.1 GB", "2.0 GB"), (2.04e9, "2.04 GB", "2.00 GB"), (2.0004e9, "2.0004 GB", "2.0000 GB"), (2e9, "2.0 GB", "2.0 GB"),
+])  # fmt: skip
+def test_what_is_more_than_another_reads_so(memory, needed, allowed):
+    """Rounded it took "about 2.0 GB, more than the 2.0 GB allowed"."""
+    told = render(Message("memory", simulator="legacy", memory=memory, allowed=2e9, instead=Message("smaller-image")))
+    assert f"takes about {needed} for this operation, more than the {allowed} allowed" in told
+
+
+def test_times_that_differ_read_differently():
+    close = Message("legacy-long-play", simulator="legacy", longer=602.0, time=598.0)
+    assert "10.03 min in the legacy simulator: fast-forward takes about 9.97 min" in render(close)
+    assert "10,03 min" in render(close, German()) and "9,97 min" in render(close, German())
+    assert (ENGLISH.time(0.0501, finer=2), ENGLISH.memory(50.25, 2)) == ("50.10 ms", "0.05025 kB")
+    assert (ENGLISH.time(2.0, finer=2), ENGLISH.time(36_000.0, finer=1)) == ("2.000 s", "10.0 h")
+
+
 def test_a_volume_is_read_in_the_unit_of_its_side():
     class Large(Reader):
         def length_unit(self, millimetres):

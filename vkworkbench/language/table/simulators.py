@@ -82,7 +82,8 @@ SIMULATORS: dict[str, str | tuple[str, str]] = {
     "bound-about": QT_TRANSLATE_NOOP("Sentences", "about"),
     "bound-least": QT_TRANSLATE_NOOP("Sentences", "at least"),
     "over-budget": QT_TRANSLATE_NOOP(
-        "Sentences", "The {simulator:simulator} takes longer than the {allowed:s} allowed. {better}"
+        "Sentences",
+        "The {simulator:simulator} takes {bound} {time:s}, longer than the {allowed:s} allowed. {better}",
     ),
     "ours-instead": QT_TRANSLATE_NOOP(
         "Sentences", "Simulate toolpaths shows the finished part at once, coarse at first."
