@@ -457,6 +457,11 @@ def has_unknown_cost(operation: Any) -> bool:
     return operation.trajectories > 0 and operation.strategy is not Strategy.EMPTY and not operation.costs
 
 
+def contradiction(found: Any) -> Message | None:
+    """Return what an OperationReport or Record says of its name, where its toolpath surely does something else; else None."""
+    return Message("called", name=found.called, strategy=found.strategy) if found.called else None
+
+
 def cells_of(operation: OperationReport) -> dict[str, Any]:
     """Return an operation's report as the cells of one line of a table.
 
@@ -486,6 +491,8 @@ def _told_apart(documents: Iterable[str]) -> dict[str, str]:
 
 
 def _row(o: OperationReport, simulator: str) -> tuple[str, ...]:
+    wrong = contradiction(o)
+    told = o.remarks if wrong is None else (wrong, *o.remarks)
     return (
         printable(o.label) if o.counted or o.job is None else f"({printable(o.label)})",
         o.strategy.value,
@@ -493,7 +500,7 @@ def _row(o: OperationReport, simulator: str) -> tuple[str, ...]:
         ENGLISH.count(o.trajectories),
         *_machining(o.length, o.machining_seconds or 0.0, not o.left_out, _is_measured(o)),
         *_cost(o, simulator, least=False),
-        printable(o.error or "", 200),
+        printable("; ".join(map(render, told)), 200),
     )
 
 

@@ -1005,6 +1005,10 @@
         <source>as simulated, {count:n} commands are wrong, among them {command:#}: {fault}</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>called {name}, but its toolpath is {strategy:strategy}</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>
@@ -1403,10 +1407,6 @@
     </message>
     <message>
         <source>Export JSON</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>called {name}, but its toolpath is {strategy}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

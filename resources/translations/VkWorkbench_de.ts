@@ -1005,6 +1005,10 @@
         <source>as simulated, {count:n} commands are wrong, among them {command:#}: {fault}</source>
         <translation>laut Simulation sind {count:n} Befehle falsch, darunter {command:#}: {fault}</translation>
     </message>
+    <message>
+        <source>called {name}, but its toolpath is {strategy:strategy}</source>
+        <translation>heißt {name}, doch ihr Werkzeugweg ist: {strategy:strategy}</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>
@@ -1404,10 +1408,6 @@
     <message>
         <source>Export JSON</source>
         <translation>JSON exportieren</translation>
-    </message>
-    <message>
-        <source>called {name}, but its toolpath is {strategy}</source>
-        <translation>heißt {name}, doch ihr Werkzeugweg ist: {strategy}</translation>
     </message>
     <message>
         <source>Operation</source>

@@ -1005,6 +1005,10 @@
         <source>as simulated, {count:n} commands are wrong, among them {command:#}: {fault}</source>
         <translation>según la simulación, {count:n} órdenes están mal, entre ellas la {command:#}: {fault}</translation>
     </message>
+    <message>
+        <source>called {name}, but its toolpath is {strategy:strategy}</source>
+        <translation>se llama {name}, pero su trayectoria es: {strategy:strategy}</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>
@@ -1404,10 +1408,6 @@
     <message>
         <source>Export JSON</source>
         <translation>Exportar JSON</translation>
-    </message>
-    <message>
-        <source>called {name}, but its toolpath is {strategy}</source>
-        <translation>se llama {name}, pero su trayectoria es: {strategy}</translation>
     </message>
     <message>
         <source>Operation</source>

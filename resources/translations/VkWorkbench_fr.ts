@@ -1005,6 +1005,10 @@
         <source>as simulated, {count:n} commands are wrong, among them {command:#}: {fault}</source>
         <translation>d’après la simulation, {count:n} commandes sont fausses, dont la {command:#} : {fault}</translation>
     </message>
+    <message>
+        <source>called {name}, but its toolpath is {strategy:strategy}</source>
+        <translation>appelée {name}, mais son parcours est : {strategy:strategy}</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>
@@ -1404,10 +1408,6 @@
     <message>
         <source>Export JSON</source>
         <translation>Exporter en JSON</translation>
-    </message>
-    <message>
-        <source>called {name}, but its toolpath is {strategy}</source>
-        <translation>appelée {name}, mais son parcours est : {strategy}</translation>
     </message>
     <message>
         <source>Operation</source>

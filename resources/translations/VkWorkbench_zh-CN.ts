@@ -1005,6 +1005,10 @@
         <source>as simulated, {count:n} commands are wrong, among them {command:#}: {fault}</source>
         <translation>仿真显示 {count:n} 条命令有误，其中有 {command:#}：{fault}</translation>
     </message>
+    <message>
+        <source>called {name}, but its toolpath is {strategy:strategy}</source>
+        <translation>名为 {name}，但其刀具路径是：{strategy:strategy}</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>
@@ -1404,10 +1408,6 @@
     <message>
         <source>Export JSON</source>
         <translation>导出 JSON</translation>
-    </message>
-    <message>
-        <source>called {name}, but its toolpath is {strategy}</source>
-        <translation>名为 {name}，但其刀具路径是：{strategy}</translation>
     </message>
     <message>
         <source>Operation</source>

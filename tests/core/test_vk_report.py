@@ -71,6 +71,13 @@ def test_the_table_of_one_document_does_not_name_it():
     assert [line.split()[0] for line in lines(told)] == ["document", "Doc", "Other", "Doc"]
 
 
+def test_the_table_tells_what_an_operation_is_not_before_what_else_is_wrong():
+    rows = replace(operation("One").recognition, strategy=Strategy.ZIGZAG)
+    _, one, two, _ = lines(report(operation("One", called="Offset", recognition=rows), operation("Two")))
+    assert "  called Offset, but its toolpath is zigzag; no tool: give" in one
+    assert "called" not in two and "  no tool: give" in two
+
+
 def test_what_is_not_counted_stands_in_brackets():
     told = report(operation("One"), operation("Dressed", counted=False), operation("Imported", counted=False, job=None))
     assert [line.split()[0] for line in lines(told)[1:4]] == ["One", "(Dressed)", "Imported"]

@@ -11,10 +11,9 @@ from vkworkbench.core.simulators import Caution
 from vkworkbench.document.better_way import too_long
 from vkworkbench.document.mark_text import is_serious
 from vkworkbench.document.record import Record
-from vkworkbench.gui.sentences import said, strategy_name
-from vkworkbench.gui.text import translate
+from vkworkbench.gui.sentences import said
 from vkworkbench.preferences import Preferences
-from vkworkbench.report import HANGS
+from vkworkbench.report import HANGS, contradiction
 
 
 class Level(IntEnum):
@@ -46,8 +45,9 @@ def level_of_remarks(record: Record) -> Level:
 def _notices(record: Record, chosen: Preferences) -> Iterator[Notice]:
     for remark in record.remarks:
         yield Notice(level_of_remarks(record), said(remark))
-    if record.called:
-        yield Notice(Level.WARNING, contradiction(record))
+    wrong = contradiction(record)
+    if wrong is not None:
+        yield Notice(Level.WARNING, said(wrong))
     longer = too_long(record, chosen)
     if longer is not None:
         yield Notice(Level.WARNING, said(longer))
@@ -59,9 +59,3 @@ def _notices(record: Record, chosen: Preferences) -> Iterator[Notice]:
 
 def _level(caution: Caution) -> Level:
     return Level.ERROR if caution.code in HANGS else Level.WARNING
-
-
-def contradiction(record: Record) -> str:
-    """Return what an operation is called against what it does."""
-    text = translate("Vk_Results", "called {name}, but its toolpath is {strategy}")
-    return text.format(name=record.called, strategy=strategy_name(record.strategy))

@@ -12,6 +12,7 @@ OPERATIONS: dict[str, str | tuple[str, str]] = {
     "no-toolpath": QT_TRANSLATE_NOOP("Sentences", "no toolpath: recompute the operation and see FreeCAD's report view"),
     "no-cutting-move": QT_TRANSLATE_NOOP("Sentences", "no cutting move in its toolpath"),
     "not-analysed": QT_TRANSLATE_NOOP("Sentences", "could not be analyzed, please report it with the file: {error}"),
+    "called": QT_TRANSLATE_NOOP("Sentences", "called {name}, but its toolpath is {strategy:strategy}"),
     "no-tool": QT_TRANSLATE_NOOP("Sentences", "no tool: give the operation a tool controller"),
     "no-tool-bit": QT_TRANSLATE_NOOP("Sentences", "no tool in {label}: choose a tool bit for it"),
     "no-diameter": QT_TRANSLATE_NOOP("Sentences", "the tool in {label} has no diameter"),
