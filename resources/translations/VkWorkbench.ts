@@ -1009,6 +1009,14 @@
         <source>called {name}, but its toolpath is {strategy:strategy}</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>not an NC program, but a zip archive: unpack it first</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not an NC program, but a FreeCAD document: analyze it in FreeCAD, a folder of them with the macro examples/macros/folder_to_csv.py</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

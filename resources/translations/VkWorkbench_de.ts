@@ -1009,6 +1009,14 @@
         <source>called {name}, but its toolpath is {strategy:strategy}</source>
         <translation>heißt {name}, doch ihr Werkzeugweg ist: {strategy:strategy}</translation>
     </message>
+    <message>
+        <source>not an NC program, but a zip archive: unpack it first</source>
+        <translation>kein NC-Programm, sondern ein ZIP-Archiv: zuerst entpacken</translation>
+    </message>
+    <message>
+        <source>not an NC program, but a FreeCAD document: analyze it in FreeCAD, a folder of them with the macro examples/macros/folder_to_csv.py</source>
+        <translation>kein NC-Programm, sondern ein FreeCAD-Dokument: in FreeCAD analysieren, einen ganzen Ordner mit dem Makro examples/macros/folder_to_csv.py</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

@@ -1009,6 +1009,14 @@
         <source>called {name}, but its toolpath is {strategy:strategy}</source>
         <translation>se llama {name}, pero su trayectoria es: {strategy:strategy}</translation>
     </message>
+    <message>
+        <source>not an NC program, but a zip archive: unpack it first</source>
+        <translation>no es un programa CN, sino un archivo zip: descomprímalo primero</translation>
+    </message>
+    <message>
+        <source>not an NC program, but a FreeCAD document: analyze it in FreeCAD, a folder of them with the macro examples/macros/folder_to_csv.py</source>
+        <translation>no es un programa CN, sino un documento de FreeCAD: analícelo en FreeCAD, una carpeta de ellos con la macro examples/macros/folder_to_csv.py</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

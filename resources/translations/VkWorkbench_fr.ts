@@ -1009,6 +1009,14 @@
         <source>called {name}, but its toolpath is {strategy:strategy}</source>
         <translation>appelée {name}, mais son parcours est : {strategy:strategy}</translation>
     </message>
+    <message>
+        <source>not an NC program, but a zip archive: unpack it first</source>
+        <translation>pas un programme CN, mais une archive zip : la décompresser d’abord</translation>
+    </message>
+    <message>
+        <source>not an NC program, but a FreeCAD document: analyze it in FreeCAD, a folder of them with the macro examples/macros/folder_to_csv.py</source>
+        <translation>pas un programme CN, mais un document FreeCAD : l’analyser dans FreeCAD, un dossier entier avec la macro examples/macros/folder_to_csv.py</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

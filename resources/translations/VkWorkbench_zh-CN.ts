@@ -1009,6 +1009,14 @@
         <source>called {name}, but its toolpath is {strategy:strategy}</source>
         <translation>名为 {name}，但其刀具路径是：{strategy:strategy}</translation>
     </message>
+    <message>
+        <source>not an NC program, but a zip archive: unpack it first</source>
+        <translation>不是 NC 程序，而是 zip 压缩包：请先解压</translation>
+    </message>
+    <message>
+        <source>not an NC program, but a FreeCAD document: analyze it in FreeCAD, a folder of them with the macro examples/macros/folder_to_csv.py</source>
+        <translation>不是 NC 程序，而是 FreeCAD 文档：请在 FreeCAD 中分析；整个文件夹可用宏 examples/macros/folder_to_csv.py</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

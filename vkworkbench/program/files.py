@@ -47,6 +47,7 @@ _CYRILLIC = re.compile(rb"[\xc0-\xff]{3}")
 # What a serial line carries beside a text: the leader of a punched tape, and DC1 to DC4, which start and stop a device.
 _OF_THE_LINE = b"\0\x11\x12\x13\x14"
 _TEXT_CONTROLS = frozenset(b"\t\n\r\f\x0b")
+_ZIP, _FIRST_NAME = b"PK\3\4", 30  # how an archive begins, and from which byte on the name of its first file stands
 
 
 def find_programs(what: Iterable[str | os.PathLike]) -> Iterator[Path]:
@@ -128,6 +129,9 @@ def text_of(data: bytes) -> str:
     Unusable
         If it is no text.
     """
+    if data.startswith(_ZIP):
+        of_freecad = data.startswith(b"Document.xml", _FIRST_NAME)
+        raise Unusable(Message("freecad-document") if of_freecad else Message("archive"))
     for mark, encoding in _MARKS:
         if data.startswith(mark):
             return data.decode(encoding, "replace")

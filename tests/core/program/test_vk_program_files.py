@@ -10,6 +10,7 @@ import pydoc
 import re
 import subprocess
 import sys
+import zipfile
 from dataclasses import replace
 from pathlib import Path
 
@@ -59,6 +60,24 @@ def test_encodings(data, text):
 def test_no_text(data):
     with pytest.raises(Unusable, match="it is not text"):
         text_of(data)
+
+
+@pytest.mark.parametrize("first, told", [
+    ("Document.xml", "a FreeCAD document: analyze it in FreeCAD"), ("bracket.nc", "a zip archive: unpack it first"),
+])  # fmt: skip
+def test_what_is_packed_says_what_to_do(tmp_path, first, told):
+    path = tmp_path / "part.FCStd"
+    with zipfile.ZipFile(path, "w") as archive:
+        archive.writestr(first, PROGRAM)
+    (row,) = vkworkbench.analyze(path).operations
+    assert row.error.startswith(f"not an NC program, but {told}")
+
+
+def test_a_drawing_is_no_program_with_variables(tmp_path):
+    path = tmp_path / "logo.svg"
+    path.write_text('<?xml version="1.0"?>\n<svg width="10">\n<path d="M0 0L9 9"/>\n</svg>\n')
+    (row,) = vkworkbench.analyze(path).operations
+    assert row.error.startswith("not an NC program: 4 of its 4 lines are not made of words")
 
 
 def test_packed_files(tmp_path):

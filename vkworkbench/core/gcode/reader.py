@@ -239,6 +239,9 @@ class _Reader:
             return None
         if self.in_subprogram > 0:
             return None
+        if code[0] == "<":  # of a drawing or a web page, whose equals signs tell no variables
+            self._no_words()
+            return None
         dialects.refuse(line.strip().upper(), code, self.number)
         if _FLOW.search(code):
             self._problem(Message("jumps-not-followed"))
@@ -265,9 +268,12 @@ class _Reader:
             return words
         if code[0] == ":" and rest == ":":  # ISO's way to write a program's number
             return None
+        self._no_words()
+        return None
+
+    def _no_words(self) -> None:
         self.strange.append(self.number)
         self._problem(Message("words-not-read"))
-        return None
 
     def _block(self, words: list[tuple[str, float]], letters: set[str]) -> bool:
         """Read the words of one line; return whether they end the program."""

@@ -45,6 +45,12 @@ PROGRAMS: dict[str, str | tuple[str, str]] = {
     "moves-nothing": QT_TRANSLATE_NOOP("Sentences", "not an NC program: no line of it moves a tool"),
     "no-moves-read": QT_TRANSLATE_NOOP("Sentences", "none of its moves can be read: {problems}"),
     "no-text": QT_TRANSLATE_NOOP("Sentences", "not an NC program: it is not text"),
+    "archive": QT_TRANSLATE_NOOP("Sentences", "not an NC program, but a zip archive: unpack it first"),
+    "freecad-document": QT_TRANSLATE_NOOP(
+        "Sentences",
+        "not an NC program, but a FreeCAD document: analyze it in FreeCAD, a folder of them with the macro "
+        "examples/macros/folder_to_csv.py",
+    ),
     "lathe": QT_TRANSLATE_NOOP(
         "Sentences", "a program for a lathe ({name}, line {line:#}): milling strategies say nothing about it"
     ),
