@@ -88,6 +88,13 @@ def sections(text):
         ("M8-1.25 TAP", None, "endmill", 8),
         ("M8 TAP", None, "endmill", 8),
         ("T4 10MM TAP 1.5MM PITCH", 4, "endmill", 10),
+        ("T01  1.118mm 0.0440in 0.0000in 0.0000in", 1, "endmill", 1.118),
+        ("Tool Size: 0.1778", None, "endmill", 0.1778),
+        ("T5 10 SPOT DRILL", 5, "vbit", 10),
+        ("T2 6MM CENTRE DRILL", 2, "vbit", 6),
+        ("T2 D=4 - center drill", 2, "vbit", 4),
+        ("T3 12MM CENTER CUTTING ENDMILL", 3, "endmill", 12),
+        ("1/2 90 SPOT DRILL", None, "vbit", 12.7),
     ],
 )  # fmt: skip
 def test_tools_as_cam_systems_write_them(comment, number, shape, diameter):
@@ -106,6 +113,7 @@ def test_what_else_is_told_of_a_tool():
     assert tool_told("T7 D=5 TAPER=118deg - drill", inches=False).tool.tip_angle == pytest.approx(math.radians(118))
     assert tool_told("V-Bit 60° 12mm", inches=False).tool.tip_angle == pytest.approx(math.pi / 3)
     assert tool_told("V-Bit 12mm", inches=False).tool.tip_angle is None
+    assert tool_told("1/4 60 V-BIT", inches=False).tool.tip_angle == pytest.approx(math.pi / 3)
     assert tool_told("V-Bit 180.5 deg 12mm", inches=False).tool.tip_angle is None
     assert tool_told("T1 3/8 FLAT ENDMILL 2in LOC", inches=False).tool.diameter == pytest.approx(9.525)
     assert tool_told("TOOL 2mm END MILL of 3 mm drill", inches=False).tool.diameter == 2
@@ -146,7 +154,7 @@ def test_what_is_too_large_or_told_too_long_is_no_tool():
      "Tool length 30 mm", "stock 20 mm x 30 mm", "T2 D=0 - flat end mill", "T2 D=9999 - end mill",
      "T2 - NO. 7 DRILL", "T2 #7 DRILL", "2 0.209 #4 tap drill", "Number 30 drill", "NR.7 BOHRER", "T3 LETTER F DRILL",
      "D DRILL", "T3 D3 H3 FACE MILL", "T11 H11 D11 ENDMILL", "H07 ENDMILL D7", "WERKZEUG 3 FRAESER", "OP 3 ENDMILL",
-     "This file uses 4 drill bit sizes.", "#10-24 TAP", "10-32 TAP", "T5 1/4-18 NPT TAP", "T5 10-32 TAP 50MM LONG", "TAP PULLEY 1/4-20",
+     "This file uses 4 drill bit sizes.", "T8 90 SPOT DRILL", "#10-24 TAP", "10-32 TAP", "T5 1/4-18 NPT TAP", "T5 10-32 TAP 50MM LONG", "TAP PULLEY 1/4-20",
      "Feed 500 mm/min", "a story of more than sixty characters about an end mill and a 20 mm plate"],
 )  # fmt: skip
 def test_comments_that_tell_no_tool(comment):
@@ -171,6 +179,12 @@ def test_comments_that_tell_no_tool(comment):
         ("select the xy plane", ""), ("Plasma cutting", ""), ("THROUGH CUTTING", ""), ("RUN POINT-PIERCE COMMAND HERE", ""),
         ("Exported by FreeCAD", ""), ("Output Time:2020-01-01 12:30", ""), ("M6 T1", ""), ("-----", ""),
         ("MATERIAL - ALUMINUM MM - 2024", ""), ("Werkstoff: EN AW-6061", ""), ("Material removal 2", "Material removal 2"),
+        ("Footer", ""), ("HEIGHT OFFSET ON", ""), ("compressor off", ""), ("CUT OFF", "CUT OFF"), ("color: #130df2", "color: #130df2"),
+        ("#130df2", ""), ("Facade", "Facade"), ("Block-color: #000000", ""), ("Block-enable: 1", ""), ("Block-name: Keys", "Keys"),
+        ("Block-name: Header", ""), ("R2.5400  P1.000000", ""), ("Optional stop, check the bore", ""), ("AXIS,stop", ""),
+        ("fim do programa", ""), ("_gc_nextgen_svg_id:null", ""), ("Select work offset #1", ""), ("SECTION begin", ""), ("Begin Drilling", ""),
+        ("Type: G-code from Geometry", ""), ("Start generation of : 1__FINISH SIDE", "1__FINISH SIDE"),
+        ("Operation 9 of 13 : 2D Contour4", "2D Contour4"),
     ],
 )  # fmt: skip
 def test_titles_and_remarks(comment, title):
@@ -239,11 +253,18 @@ def test_the_tool_that_is_got_ready_is_not_in_the_spindle():
 
 def test_a_tool_for_cutviewer_is_the_tool_from_there_on():
     """MeshCAM writes one of its own before that of the program; a list of what is needed names the first tool first."""
-    assert sections(f"(TOOL/MILL,0.1,0.05,0,0)\n(TOOL/MILL,6,0,20,0)\nT1 M6\n{CUT}") == [("TOOL/MILL,6,0,20,0", 1, 6)]
+    assert sections(f"(TOOL/MILL,0.1,0.05,0,0)\n(TOOL/MILL,6,0,20,0)\nT1 M6\n{CUT}") == [("", 1, 6)]
     assert sections(f"(TOOL/MILL,0.1,0.05,0,0)\nT1 M6\n(TOOL/MILL,6,0,20,0)\n{CUT}(TOOL/MILL,3,0,9,0)\nT1 M6\n{CUT}") == [
-        ("TOOL/MILL,6,0,20,0", 1, 6), ("TOOL/MILL,3,0,9,0", 1, 3)
+        ("", 1, 6), ("", 1, 3)
     ]  # fmt: skip
     assert sections(f"(End mill 6mm)\n(End mill 3mm)\nT1 M6\n{CUT}") == [("End mill 6mm", 1, 6)]
+
+
+def test_a_tool_size_and_its_number_in_two_comments():
+    """pcb-gcode heads the number; such a description is the tool, but no name of an operation."""
+    assert sections(f"(  Tool Size)\n(0.1778 )\n(spindle speed = 12000)\n{CUT}") == [("", None, 0.1778)]
+    assert sections(f"(0.1778)\n{CUT}") == [("", None, None)]
+    assert sections(f"(tool_radius = 1.5)\n{CUT}") == [("", None, 3)]
 
 
 def test_a_title_behind_a_tool_leaves_it_the_tool():

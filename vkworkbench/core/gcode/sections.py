@@ -6,6 +6,7 @@ from __future__ import annotations
 import re
 from bisect import bisect_left
 from collections import Counter
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field, replace
 from functools import lru_cache
 
@@ -17,10 +18,15 @@ from vkworkbench.core.solids import Tool
 MANY_TITLES = 50  # titles of one form; a program with more numbers its passes, not its operations
 
 _AXES = frozenset("XYZ")
+# What pcb-gcode writes in a comment of its own before the one with the number; and descriptions that name no tool.
+_TOOL_SIZE = re.compile(r"\s*tool size\s*", re.IGNORECASE)
+_NO_NAME = re.compile(r"\s*(?:TOOL/|tool_radius\b|tool size\b)", re.IGNORECASE)
 
 # A title after the words that some post processors write before it.
 _TITLED = re.compile(
-    r"(?:begin operation|start cutting path id|path|toolpath(?: name)?|operation(?: name)?|op(?:eration)? ?\d+|name|type|no\.? ?\d+|nr\.? ?\d+)\s*[:=]\s*(\S.*)",
+    r"(?:begin operation|start cutting path id|start generation of|path|toolpath(?: name)?|operation(?: name)?"
+    r"|op(?:eration)? ?\d+(?: of \d+)?|block-name|name|type|no\.? ?\d+|nr\.? ?\d+)"
+    r"\s*[:=]\s*(?!g-code from|(?:block|header|footer|[GM]\d+)$)(\S.*)",
     re.IGNORECASE,
 )
 # Comments that are no titles: what post processors say of themselves, the machine, modes, and moves in an operation.
@@ -29,19 +35,22 @@ _REMARK = re.compile(
     \W*$ | [-+.\d\s/:*x%]+$ | .{80} | .*(?:https?://|\.(?:cps|pp|ulp|h|stl|svg|brd|tpl|gmax|txt|nc|ngc|tap)\b)
     | [A-Z0-9]+_[A-Z0-9_]+$ | \*{2,} | -{2,} | ={2,} | .*\b\d{1,2}:\d{2}\b | [MGTNS]\d+\b | \[ | .*\|
     | .*=\s*[-+]?[\d.]+\s*\w*$ | (?:\w+\s+){0,3}\w+(?:\(\S+\))?\s*:\s*[-+]?[\d.,]+(?:\s*(?:mm|in|%|rpm|seconds|s)?\b.*)?$ | [XYZ]\s?(?:min|max|:) | [XYZ](?:,Y)?\ (?:start|end):
-    | .*\bdepth:\s*[-+]?[\d.]+$ | helix\ cut\ operation$ | (?:turn|wait)\b | header\b | origin: | pycam[-_] | (?-i:[a-z]\w*_\w+)(?:\(\S+\))?\s*[:=] | pen\ (?:up|down)$
+    | .*\bdepth:\s*[-+]?[\d.]+$ | helix\ cut\ operation$ | (?:turn|wait)\b | (?:header|footer)\b | origin: | pycam[-_] | (?-i:[a-z_]\w*_\w+)(?:\(\S+\))?\s*[:=] | pen\ (?:up|down)$
     | pcb2gcode\b | high\s+up\s+down\b | (?:generator|shape)\s*= | end\ cutting\ path\b | it\ is\b
-    | select\b.*\b(?:plane|coordinate\ system(?:\ \d+)?)$
+    | select\b.*\b(?:plane|coordinate\ system|work\ offset)\b
+    | block-\w+\s*: | (?=.*\d)[0-9a-f]{6}$ | [\w\ ]*(?:height\ offset|comp|css|compressor)\ o(?:n|ff)$
+    | begin\ drilling$ | (?:section|start|stop|job|operation|epilogue)\ (?:begin|end)$ | optional\ stop\b | axis,
+    | (?:[A-Z][-+]?\d*\.\d*\s+)+[A-Z][-+]?\d*\.\d*$
     | (?:laser|plasma|waterjet|through|etch|vaporize)\ cutting\.?$ | run\ point-pierce\b
     | (?:msg|debug|print|id)\b\s*[,=]? | (?:material|werkstoff)\s*[-:=]
     | .*\b(?:personal\ use|rapid|feed\s?rates?|unrestricted|subscription|machining\ time|copyright|licens\w*|gcode|g-code
         |generated|created|erstellt|exported|made\ using|post\ ?processor|posts?\ processor|preprocessor|preamble|postamble|output
         |vendor|model|description|hersteller|proveedor|machine|maschine|bearbeiten|spindle|coolant|retract\w*|plunge
         |units?|millimeters?|millimetres?|inch(?:es)?|metric|absolute|incremental|clearance|safe\w*|attention|compensat\w*
-        |program|filename|file|settings|stock|home|dwell|laufzeit|werkzeuge|required|tools?|toolchange|mode|end\ of|return|postprocessor
+        |programa?|filename|file|settings|stock|home|dwell|laufzeit|werkzeuge|required|tools?|toolchange|mode|end\ of|return|postprocessor
         |direction|cut\ depth|pass\ depth|paths|lead|penetrate|cancel|set|use)\b
     | (?:finish|end|stop|start|begin|path|ramp|cut|cutting|lift|air|move\w*|link|layer|pass|depth|level|loop|z|step|line|segment|slice)
-        \b\s*[#:=]?\s*(?:operation.*|section.*|block.*|path.*|of.*|[-+\d.,/\s]*(?:of\s*\d+)?(?:mm)?)$
+        \b\s*[#:=]?\s*(?:operation.*|section.*|block.*|path.*|of\b.*|[-+\d.,/\s]*(?:of\s*\d+)?(?:mm)?)$
     """,
     re.IGNORECASE | re.VERBOSE,
 )  # fmt: skip
@@ -134,7 +143,7 @@ def split_sections(program: Program) -> tuple[Section, ...]:
 
 def _groups(program: Program) -> list[_Group]:
     """Return the comments and tool changes between the cuts, one group for the program's beginning at least."""
-    marks: list[tuple[int, int, str | float | None]] = list(program.comments)
+    marks: list[tuple[int, int, str | float | None]] = list(_with_sizes(program.comments))
     named: dict[int, int] = {}  # tools by the lines of their T words
     for at, (name, words) in enumerate(program.commands):
         if name == "M6":
@@ -164,16 +173,25 @@ def _groups(program: Program) -> list[_Group]:
             if title:
                 group.title, group.headings = title, (*group.headings, what)
             continue
+        name = "" if _NO_NAME.match(what) else what
         number = told.number
         if number is None and change is not None and line not in changes:
             number = named.get(line)  # behind a change it is got ready
         if number is not None:
             group.known = known = {**known, number: told.tool}
-            group.tool_name = what if number == group.number else group.tool_name
+            group.tool_name = name if number == group.number else group.tool_name
         elif told.from_here or group.tool is None or change not in (None, group.told):
             # What the line of a change tells stays, unless another tool is told to be the one from here on.
-            group.tool, group.tool_name, group.told = told.tool, what, line
+            group.tool, group.tool_name, group.told = told.tool, name, line
     return groups
+
+
+def _with_sizes(comments: Iterable[tuple[int, int, str]]) -> Iterator[tuple[int, int, str]]:
+    """Give comments, the number of a tool's size together with the comment before it, which says what it is."""
+    before = ""
+    for at, line, text in comments:
+        yield at, line, f"{before}: {text}" if before else text
+        before = text if _TOOL_SIZE.fullmatch(text) else ""
 
 
 def _cuts(program: Program) -> list[int]:

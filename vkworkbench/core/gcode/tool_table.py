@@ -4,7 +4,7 @@
 Fusion and HSMWorks write ``T1 D=6.35 CR=0. - ZMIN=-3. - flat end mill``, CamBam ``T6 : 6.0`` and
 ``TOOL/MILL,6.0,0.0,20.0,0``, Vectric and Estlcam ``End Mill {1/4 inch}`` and ``End mill 3mm``, Mastercam and CAMWorks
 ``T4 | 3/8 FLAT ENDMILL`` and ``6MM CRB 2FL``, Fabex ``Tool: D = 3.0 mm type END``, FreeCAD ``TC: 5mm Endmill``, PyCAM
-``tool_radius = 1.5``.
+``tool_radius = 1.5``, pcb-gcode ``Tool Size`` with the number in the next comment, and ``T01  1.000mm 0.0394in``.
 """
 
 from __future__ import annotations
@@ -39,7 +39,7 @@ _NUMBERED = re.compile(
 )
 _LETTER = re.compile(rf"(?<![A-Za-z])D\s*=\s*{_SIZE}{_UNIT}", re.IGNORECASE)
 _WORD = re.compile(
-    rf"(?:\bdia(?:meter|m)?\b\.?|\bdiametro\b|\bdiámetro\b|\bdiamètre\b|\bdurchmesser\b|[øØ⌀]|\bдиаметр)\s*[:=.\-]*\s*{_SIZE}{_UNIT}",
+    rf"(?:\bdia(?:meter|m)?\b\.?|\bdiametro\b|\bdiámetro\b|\bdiamètre\b|\bdurchmesser\b|[øØ⌀]|\bдиаметр|\btool size)\s*[:=.\-]*\s*{_SIZE}{_UNIT}",
     re.IGNORECASE,
 )
 _BEFORE = re.compile(rf"(?<![\d.,/]){_SIZE}{_UNIT}\s*\bdia(?:meter|m)?\b", re.IGNORECASE)
@@ -60,7 +60,7 @@ _NO_LENGTH = re.compile(
 _SHORT = re.compile(rf"(?<![\w|])D(?P<size>{_NUMBER})(?![\w|])")  # D10; between bars it is an offset
 _LENGTH_OFFSET = re.compile(r"(?<!\w)H(\d{1,8})\b")
 _FLUTES = re.compile(r"\b\d+\s*-?\s*fl(?:utes?)?\b", re.IGNORECASE)
-_LISTED = re.compile(r"\s*T\d+\s*[|:=]", re.IGNORECASE)
+_LISTED = re.compile(r"\s*T\d+\s*(?:[|:=]|[\d.]+mm\s+[\d.]+in\b)", re.IGNORECASE)
 _LONGEST, _LONGEST_NAME = 200, 60  # characters; longer comments are prose that mentions a size in passing
 _BARE = re.compile(
     rf"(?<![\w.,/#]){_SIZE}(?P<across>)(?P<unit>)(?=(?:\s*(?:flat|square|long|stub|hss))*\s*(?:{_MILLING_WORD}))",
@@ -94,10 +94,18 @@ _IS_TOOL = re.compile(rf"(?<![a-zà-ÿа-я])(?:{_MILLING_WORD})", re.IGNORECASE
 _CORNER = re.compile(rf"\b(?:CR|corner radius|torus_radius)\s*[=:]\s*(?P<size>{_NUMBER})", re.IGNORECASE)
 _TAPER = re.compile(rf"\bTAPER\s*=\s*(?P<size>{_NUMBER})\s*deg", re.IGNORECASE)
 _ANGLE = re.compile(rf"(?<![\d.,]){_SIZE}\s*(?:°|deg(?:ree)?s?\b)", re.IGNORECASE)
+# Directly before a pointed tool such a whole number is its angle, no size of 90 mm.
+_BARE_ANGLE = re.compile(
+    r"(?<![\w.,/#-])(?P<size>60|82|90|100|118|120|1[34]\d)(?=\s+(?:spot|cent(?:er|re)[- ]?drill|chamfer|countersink|engrav|v[- ]?bit))",
+    re.IGNORECASE,
+)
 _SHAPES = (
     ("ballend", r"ball|kugel|radiusfr|esf.rica|h.misph|сферич"),
     ("bullnose", r"bull|torus|corner"),
-    ("vbit", r"v[- ]?bit|v-?carv|chamfer|engrav|conical|gravier|fase|center|spot|countersink|гравер|senker|chafl"),
+    (
+        "vbit",
+        r"v[- ]?bit|v-?carv|chamfer|engrav|conical|gravier|fase|cent(?:er|re)[- ]?drill|spot|countersink|гравер|senker|chafl",
+    ),
     ("drill", r"drill|bohrer|broca|foret|sverlo|сверло"),
 )
 
@@ -167,7 +175,7 @@ def _size(comment: str, number: re.Match[str] | None) -> re.Match[str] | None:
         return explicit
     if number is not None:  # "tool 1 1/4" is no tool of 1 1/4
         comment = f"{comment[: number.start()]}  {comment[number.end() :]}"
-    comment = _without_offsets(_OTHER_NUMBER.sub("#", comment), number)
+    comment = _without_offsets(_OTHER_NUMBER.sub("#", _BARE_ANGLE.sub("", comment)), number)
     if _TAP.search(comment):
         return _METRIC_THREAD.search(comment) or _INCH_THREAD.search(comment) or _NO_LENGTH.search(comment)
     found = [match for match in (_MEASURED.search(comment), _BARE.search(comment)) if match]
@@ -261,6 +269,6 @@ def _tip_angle(comment: str) -> float | None:
         half = re.search(r"chamfer|fase|engrav|gravier|v-?bit", comment, re.IGNORECASE)
         degrees = (2 if half else 1) * float(taper["size"].replace(",", "."))
     else:
-        angle = _ANGLE.search(comment)
+        angle = _ANGLE.search(comment) or _BARE_ANGLE.search(comment)
         degrees = float(angle["size"].replace(",", ".")) if angle and "/" not in angle["size"] else 0.0
     return math.radians(degrees) if 0 < degrees <= 180 else None
