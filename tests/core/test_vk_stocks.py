@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from vkworkbench.core import Cylinder, Mesh, Stock, View
-from vkworkbench.core.stocks import is_same
+from vkworkbench.core.stocks import _distinct, is_same
 from vkworkbench.language import Unusable
 
 
@@ -171,3 +171,11 @@ def test_solids_are_the_same_to_the_last_bit():
         assert is_same(one, one) and is_same(one, make(0)) and not is_same(one, make(1e-15 * 2))
     assert not is_same(Stock((0, 0, 0), (1, 1, 1)), Mesh(box((0, 0, 0), (1, 1, 1))))
     assert not is_same(Mesh(box((0, 0, 0), (1, 1, 1))), Stock((0, 0, 0), (1, 1, 1)))
+
+
+@pytest.mark.parametrize("count", [0, 1, 500])
+def test_different_rows_are_found_as_numpy_finds_them(count):
+    rows = np.random.default_rng(3).integers(-2, 3, (count, 3))
+    first, number = _distinct(rows)
+    _, its_first, its_number = np.unique(rows, axis=0, return_index=True, return_inverse=True)
+    assert first.tolist() == its_first.tolist() and number.tolist() == its_number.ravel().tolist()

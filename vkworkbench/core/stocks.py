@@ -105,16 +105,14 @@ class Mesh:
         points = np.array(triangles, float).reshape(-1, 3)
         if not np.isfinite(points).all():
             raise Unusable(Message("stock-not-finite"))
-        _, first, corner = np.unique(
-            np.rint(points / _SAME).astype(np.int64), axis=0, return_index=True, return_inverse=True
-        )
+        first, corner = _distinct(np.rint(points / _SAME).astype(np.int64))
         self.corners, corner = points[first], corner.reshape(-1, 3)
         proper = (corner[:, 0] != corner[:, 1]) & (corner[:, 1] != corner[:, 2]) & (corner[:, 2] != corner[:, 0])
         self.triangles = corner[proper]
         if len(self.triangles) == 0:
             raise Unusable(Message("stock-without-volume"))
         edges = np.sort(np.concatenate([self.triangles[:, [a, b]] for a, b in ((0, 1), (1, 2), (2, 0))]), axis=1)
-        _, count = np.unique(edges, axis=0, return_counts=True)
+        _, count = np.unique(edges[:, 0] * len(self.corners) + edges[:, 1], return_counts=True)
         if (count % 2).any():
             raise Unusable(Message("solid-not-closed"))
         self.lower, self.upper = self.corners.min(axis=0), self.corners.max(axis=0)
@@ -124,6 +122,19 @@ class Mesh:
     def spans(self, frame: Frame, x: np.ndarray, y: np.ndarray) -> Spans:
         """See `Convex.spans`."""
         return _SeenMesh(self, frame).spans(x, y)
+
+
+def _distinct(rows: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Where each different row of whole numbers stands first, in their order, and the number of each row among them.
+
+    As `np.unique` of rows tells it, which takes several times as long.
+    """
+    order = np.lexsort(rows.T[::-1])
+    new = np.ones(len(rows), bool)
+    new[1:] = (np.diff(rows[order], axis=0) != 0).any(axis=1)
+    number = np.empty(len(rows), np.int64)
+    number[order] = np.cumsum(new) - 1
+    return order[new], number
 
 
 class _SeenMesh:
