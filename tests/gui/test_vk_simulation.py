@@ -15,6 +15,7 @@ from simulation_window import COMMAND, drag, finest, shown, tabs, working
 
 import vkworkbench
 from vkworkbench.core import linearize
+from vkworkbench.gui.plain_text import OneLine
 from vkworkbench.gui.simulation import controls, exports, refining
 from vkworkbench.gui.simulation import player as playing
 from vkworkbench.gui.simulation.drawing import Drawing, Picture
@@ -576,6 +577,28 @@ def test_a_choice_is_whole_or_ends_in_an_ellipsis(window, wide):
     assert found and (text in found) == wide
     box.hide()  # until it is deleted it would be in the pictures of others
     box.deleteLater()
+
+
+@pytest.mark.parametrize("wide", [True, False])
+def test_a_line_is_whole_or_ends_in_an_ellipsis(window, wide):
+    line, text = OneLine(window.main), "1,024 × 768 pixels of 0.1 mm, 90,000 traces <b>"
+    line.show_text(text)
+    whole = line.sizeHint()
+    line.resize(whole.width() - (0 if wide else 90), whole.height())
+    line.show()
+    window.idle()
+    seen, found = line.grab().toImage(), []
+    for words in (text, *(f"{text[:length]}…" for length in range(len(text)))):
+        line.show_text(words)
+        if line.sizeHint().width() <= line.width() and line.grab().toImage() == seen:
+            found.append(words)
+    assert found and (text in found) == wide
+    line.show_text(text)
+    line.setTextInteractionFlags(QtCore.Qt.TextSelectableByMouse)
+    line.setSelection(0, len(text))
+    assert line.selectedText() == text  # all of it is copied
+    line.hide()  # until it is deleted it would be in the pictures of others
+    line.deleteLater()
 
 
 def test_no_gouge_is_forgotten_while_one_looks_from_where_it_is_not_seen(opened, window, small):

@@ -8,7 +8,18 @@ from __future__ import annotations
 
 from html import escape
 
-from vkworkbench.gui.qt import QEvent, QLabel, QMessageBox, QObject, QPoint, Qt, QToolTip, QWidget
+from vkworkbench.gui.qt import (
+    QEvent,
+    QLabel,
+    QMessageBox,
+    QObject,
+    QPoint,
+    QSizePolicy,
+    QStylePainter,
+    Qt,
+    QToolTip,
+    QWidget,
+)  # fmt: skip
 
 
 def as_html(text: str) -> str:
@@ -30,6 +41,29 @@ def as_plain(label: QLabel) -> QLabel:
     """Make a label show every text as it is, and return it."""
     label.setTextFormat(Qt.PlainText)
     return label
+
+
+class OneLine(QLabel):
+    """A text as it is, in a line as wide as there is room: what is too long ends with "…", and is whole in the tooltip."""
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        as_plain(self).setSizePolicy(QSizePolicy.Ignored, QSizePolicy.Preferred)
+
+    def show_text(self, text: str) -> None:
+        if text != self.text():
+            self.setText(text)
+            self.setToolTip(as_html(text))
+
+    def paintEvent(self, event) -> None:
+        place = self.contentsRect()
+        shown = self.fontMetrics().elidedText(self.text(), Qt.ElideRight, place.width())
+        if shown == self.text() or self.hasSelectedText():  # what is selected Qt's own shows, without the dots
+            super().paintEvent(event)
+            return
+        painter = QStylePainter(self)
+        flags = int(Qt.AlignLeft | Qt.AlignVCenter)
+        painter.drawItemText(place, flags, self.palette(), self.isEnabled(), shown, self.foregroundRole())
 
 
 class WholeText(QObject):

@@ -6,15 +6,13 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 
 from vkworkbench.core.zbuffer import TOLERANCE
-from vkworkbench.gui.plain_text import as_html, as_plain
+from vkworkbench.gui.plain_text import OneLine, as_html
 from vkworkbench.gui.qt import (
     QAction,
     QComboBox,
     QDoubleSpinBox,
     QHBoxLayout,
-    QLabel,
     QMenu,
-    QSizePolicy,
     QStyle,
     QStyleOptionComboBox,
     QStylePainter,
@@ -201,9 +199,8 @@ class PlayBar(QWidget):
             (2, translate("Vk_Simulate", "Forward by one command of the program.")),
             (3, translate("Vk_Simulate", "To the end of the operation.")),
         )}  # fmt: skip
-        self.text = as_plain(QLabel())
+        self.text = OneLine()
         self.text.setTextInteractionFlags(Qt.TextSelectableByMouse)
-        self.text.setSizePolicy(QSizePolicy.Ignored, QSizePolicy.Preferred)
         self.controls = QWidget()
         back, on = ([button for by, button in self.steps.items() if by * sign > 0] for sign in (-1, 1))
         _fill(self.controls, *back, self.play_button, *on, self.speeds, None)

@@ -16,7 +16,6 @@ from vkworkbench.document.calibration import known_speed
 from vkworkbench.document.simulated_job import SimulatedJob
 from vkworkbench.document.simulation import Simulation
 from vkworkbench.gui.background import Background
-from vkworkbench.gui.plain_text import as_html
 from vkworkbench.gui.qt import QEvent, QTimer, QVBoxLayout, QWidget, Signal
 from vkworkbench.gui.sentences import strategy_name, user
 from vkworkbench.gui.simulation.clock import Clock
@@ -265,9 +264,7 @@ class Player(QWidget):
         self.pictures.draw()
 
     def _tell_moment(self) -> None:
-        text = self._moment_text()
-        self.play_bar.text.setText(text)
-        self.play_bar.text.setToolTip(as_html(text))
+        self.play_bar.text.show_text(self._moment_text())
 
     def _moment_text(self) -> str:
         """When the moment is, what is cut then, and what that removes."""
@@ -309,7 +306,7 @@ class Player(QWidget):
         if self.simulation is None:  # what is seen was simulated while the job was read
             return
         if trajectory < 0:
-            self.play_bar.text.setText(translate("Vk_Simulate", "This surface is the raw stock's."))
+            self.play_bar.text.show_text(translate("Vk_Simulate", "This surface is the raw stock's."))
             return
         self.moment.after(trajectory)
         self._select(self.clock.cuts.source(trajectory).cut)

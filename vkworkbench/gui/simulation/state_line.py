@@ -8,21 +8,19 @@ import traceback
 import FreeCAD
 
 from vkworkbench.core.zbuffer import Estimate
-from vkworkbench.gui.plain_text import as_html
-from vkworkbench.gui.qt import QLabel, QSizePolicy, Qt, QWidget
+from vkworkbench.gui.plain_text import OneLine
+from vkworkbench.gui.qt import QWidget
 from vkworkbench.gui.sentences import said, user
 from vkworkbench.gui.simulation.refining import Refined, Refining
 from vkworkbench.gui.text import translate
 from vkworkbench.language import Message, Unusable
 
 
-class StateLine(QLabel):
-    """Says in a line what the simulation costs, and in its tooltip all of it where the line is too short."""
+class StateLine(OneLine):
+    """Says in a line what the simulation costs."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self.setTextFormat(Qt.PlainText)
-        self.setSizePolicy(QSizePolicy.Ignored, QSizePolicy.Preferred)
         self._shown = self._expected = ""
 
     def show_expected(self, cost: Estimate) -> None:
@@ -60,10 +58,7 @@ class StateLine(QLabel):
         self._say(self._shown, told(error))
 
     def _say(self, *texts: str) -> None:
-        text = "   ".join(filter(None, texts))
-        if text != self.text():
-            self.setText(text)
-            self.setToolTip(as_html(text))
+        self.show_text("   ".join(filter(None, texts)))
 
 
 def told(error: Exception) -> str:
