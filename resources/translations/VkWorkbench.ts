@@ -1233,7 +1233,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Warn when a simulator is started that hangs or takes too long</source>
+        <source>Warn of simulators that hang or take too long</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

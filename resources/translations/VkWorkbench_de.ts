@@ -1233,8 +1233,8 @@
         <translation>Sagt über der Ansicht, wenn einer der Simulatoren von FreeCAD gestartet wird, dass er hängen bliebe oder länger als das Budget brauchte, und bietet den besseren Weg an.</translation>
     </message>
     <message>
-        <source>Warn when a simulator is started that hangs or takes too long</source>
-        <translation>Warnen, wenn ein gestarteter Simulator hängen bleibt oder zu lange braucht</translation>
+        <source>Warn of simulators that hang or take too long</source>
+        <translation>Vor hängenden oder langsamen Simulatoren warnen</translation>
     </message>
     <message>
         <source>Last calibrated on {date}: the {simulator} makes {moves} cuts a second, its times are right within a factor of {factor}; the simulations that you run refine them. Measured with FreeCAD {freecad} on {processor}, display {renderer}.</source>

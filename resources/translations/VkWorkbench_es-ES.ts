@@ -1233,8 +1233,8 @@
         <translation>Avisa sobre la vista, al iniciar un simulador de FreeCAD, de que se bloquearía o tardaría más que el presupuesto, y ofrece un camino mejor.</translation>
     </message>
     <message>
-        <source>Warn when a simulator is started that hangs or takes too long</source>
-        <translation>Avisar al iniciar un simulador que se bloquea o tarda demasiado</translation>
+        <source>Warn of simulators that hang or take too long</source>
+        <translation>Avisar si un simulador se bloquea o tarda mucho</translation>
     </message>
     <message>
         <source>Last calibrated on {date}: the {simulator} makes {moves} cuts a second, its times are right within a factor of {factor}; the simulations that you run refine them. Measured with FreeCAD {freecad} on {processor}, display {renderer}.</source>

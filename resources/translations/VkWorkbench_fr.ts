@@ -1233,8 +1233,8 @@
         <translation>Signale au-dessus de la vue, au lancement d&apos;un simulateur de FreeCAD, qu&apos;il se bloquerait ou dépasserait le budget, et propose une meilleure solution.</translation>
     </message>
     <message>
-        <source>Warn when a simulator is started that hangs or takes too long</source>
-        <translation>Avertir au lancement d&apos;un simulateur qui se bloque ou dure trop longtemps</translation>
+        <source>Warn of simulators that hang or take too long</source>
+        <translation>Avertir des simulateurs bloqués ou trop longs</translation>
     </message>
     <message>
         <source>Last calibrated on {date}: the {simulator} makes {moves} cuts a second, its times are right within a factor of {factor}; the simulations that you run refine them. Measured with FreeCAD {freecad} on {processor}, display {renderer}.</source>

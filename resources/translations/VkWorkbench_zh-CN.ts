@@ -1233,8 +1233,8 @@
         <translation>启动 FreeCAD 的模拟器时，若会卡死或超出限额，则在视图上方提示，并提供更好的方式。</translation>
     </message>
     <message>
-        <source>Warn when a simulator is started that hangs or takes too long</source>
-        <translation>启动会卡死或耗时过长的模拟器时警告</translation>
+        <source>Warn of simulators that hang or take too long</source>
+        <translation>模拟器会卡死或耗时过长时警告</translation>
     </message>
     <message>
         <source>Last calibrated on {date}: the {simulator} makes {moves} cuts a second, its times are right within a factor of {factor}; the simulations that you run refine them. Measured with FreeCAD {freecad} on {processor}, display {renderer}.</source>
