@@ -42,6 +42,12 @@ def test_leading_zeros_lower_case_objects_and_modal_lines():
     assert linearize(iter(commands)).points.shape == (4, 3)
 
 
+def test_small_letters_are_the_same_words():
+    large = path(START, ("G1", {"X": 2, "F": 5}), ("G2", {"X": 4, "I": 1}))
+    small = path(("g0", {"x": 0, "y": 0, "z": 0}), ("g1", {"x": 2, "f": 5}), ("g2", {"x": 4, "i": 1}))
+    assert ends(small) == ends(large) and small.feed.tolist() == large.feed.tolist() and not small.problems
+
+
 def test_a_line_without_a_name_continues_a_rapid():
     toolpath = path(START, ("", {"X": 2}), ("", {"Y": 1}))
     assert ends(toolpath) == [[2, 0, 0], [2, 1, 0]] and toolpath.rapid.all() and not toolpath.problems

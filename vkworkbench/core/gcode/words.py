@@ -84,7 +84,8 @@ class Words:
         count, self._values = np.concatenate(counts), np.concatenate(values)
         table = {name: code_of(name) for name in known}
         self.codes = np.fromiter(map(table.__getitem__, self.names), np.int64, len(self.names))
-        self._letters = np.frombuffer("".join(letters).encode("ascii", "replace"), np.uint8)
+        # Small letters are the same words; FreeCAD's own are all large.
+        self._letters = np.frombuffer("".join(letters).encode("ascii", "replace").upper(), np.uint8)
         self._rows = np.repeat(np.arange(len(count), dtype=np.int32), count)
 
     def __len__(self) -> int:
