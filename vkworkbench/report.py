@@ -81,6 +81,10 @@ class OperationReport(Costs):
     called: str | None = None
     simulated: CutFacts | None = None
 
+    def __repr__(self) -> str:
+        """Return a line: all that is known of it fills pages of a console."""
+        return f"<OperationReport of {printable(self.label)}: {self.strategy}>"
+
     @property
     def strategy(self) -> Strategy:
         """The strategy that was recognised."""
@@ -245,6 +249,9 @@ class Total(Costs):
     costs: Mapping[str, Any]
     advice: Mapping[str, Any]
     simulated: CutFacts | None = None
+
+    def __repr__(self) -> str:
+        return f"<Total of {printable(self.label)}: {how_many(self.operations, 'operation')}>"
 
     @property
     def seconds(self) -> float:

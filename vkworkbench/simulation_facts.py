@@ -42,6 +42,10 @@ class SimulationFacts:
     fingerprints: tuple[str, ...]
     trajectories: Mapping[str, np.ndarray]
 
+    def __repr__(self) -> str:
+        """Return what stands in a console where somebody asks for them themselves: printed they are the table."""
+        return f"<SimulationFacts of {len(self.operations)} operation{'s' * (len(self.operations) != 1)}>"
+
     def as_dict(self) -> dict[str, Any]:
         """Return it as numbers, strings and lists, in mm, s, mm^3 and mm^3/min."""
         return {

@@ -35,7 +35,10 @@ def lines(shown):
 
 
 def test_a_console_shows_a_report_in_a_line():
-    assert repr(report(operation("One"), operation("Two"))) == "<Report of 2 operations>"
+    told = report(operation("One"), operation("Two\n3"))
+    assert repr(told) == "<Report of 2 operations>"
+    assert repr(told.operations[1]) == str(told.operations[1]) == "<OperationReport of Two 3: unknown>"
+    assert repr(told.totals[0]) == "<Total of Part: 2 operations>"
 
 
 def test_a_total_is_the_sum_of_what_is_counted():

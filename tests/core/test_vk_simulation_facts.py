@@ -58,6 +58,11 @@ def test_the_table_has_a_line_for_each_operation_and_one_for_all():
     assert job.split() == ["job", *faulty.split()[1:]]
 
 
+def test_a_console_shows_facts_in_a_line():
+    assert repr(FOUND) == f"<SimulationFacts of {len(FOUND.operations)} operations>"
+    assert repr(replace(FOUND, operations=FOUND.operations[:1])) == "<SimulationFacts of 1 operation>"
+
+
 def test_the_columns_of_the_table_are_as_wide_as_their_widest_cell():
     found = replace(FOUND, operations=(("A long label " * 3, CLEAN), ("x" * 70, CLEAN)))
     header, long, longest, job = str(found).splitlines()
