@@ -261,6 +261,14 @@ def test_two_families_without_neighbours_are_a_grid_where_they_are_nearly_everyt
     assert filling(families[:1], TOOL, length=500.0, contour=False) == []
 
 
+@pytest.mark.parametrize("tool, grid", [(0.0, True), (2.6, True), (2.4, False)])
+def test_rows_further_apart_than_the_tool_is_wide_are_no_grid(tool, grid):
+    """Outlines of small parts all over a sheet have their sides along two axes; 1.2 diameters are 3.1 and 2.9 mm."""
+    alone = {"opposite": 0.0}
+    families = [replace(GOOD, **alone), replace(GOOD, axis=1.5, **alone)]
+    assert filling(families, tool, length=1000.0, contour=False) == (families if grid else [])
+
+
 def test_of_two_families_that_which_fills_is_left():
     across = replace(GOOD, axis=1.5, opposite=0.0)
     assert filling([GOOD, across], TOOL, length=1000.0, contour=False) == [GOOD]

@@ -232,7 +232,7 @@ def filling(families: list[Rows], tool: float, *, length: float, contour: bool) 
         Whether they are closed loops, which may be contours.
     """
     good = [f for f in families if _fills(f, tool) and not (contour and _walls(f))]
-    if good or len(families) < 2:
+    if good or len(families) < 2 or (tool and max(f.period for f in families) > NESTS.REACH * tool):
         return good
     # The tool cuts a grid as a ball runs on a billiard table, and no row is followed by its neighbour. Two families of
     # many long rows that are nearly everything fill the area all the same.
