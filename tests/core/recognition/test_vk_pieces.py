@@ -37,6 +37,36 @@ def test_a_loop_a_zigzag_and_a_stroke():
     assert pieces.flat.all()
 
 
+def to_and_fro(xy, times=5, down=1.0):
+    """A pass along the points that comes again and again without a lift, and goes down all the while."""
+    points = [point for k in range(times) for point in list(xy)[:: (-1) ** k][k > 0 :]]
+    return [(x, y, -down * times * k / (len(points) - 1)) for k, (x, y) in enumerate(points)]
+
+
+def wave(turns=1.0, count=60):
+    return [(100 * t, 15 * math.sin(turns * TURN * t)) for t in np.linspace(0, 1, count)]
+
+
+@pytest.mark.parametrize("xy", [[(0, 0), (60, 0), (60, 40)], wave(), wave(3.0)], ids=["corner", "s", "waves"])
+def test_a_bent_pass_that_comes_back_on_a_ramp_is_a_piece_each_time(xy):
+    """It wavers as a zigzag does where it comes again, and is none."""
+    pieces = pieces_of(to_and_fro(xy))
+    assert pieces.kind.tolist() == [STROKE] * 5 and pieces.area.tolist() == [0] * 5
+    assert pieces.length == pytest.approx([pieces.length[0]] * 5) and not pieces.wavy.any()
+    assert pieces.box == pytest.approx(np.tile(pieces.box[0], (5, 1)))
+
+
+@pytest.mark.parametrize("aside", [0.0, 0.01])
+def test_a_straight_pass_that_comes_back_on_a_ramp_is_one_piece(aside):
+    """It may be how the tool gets into the material, with what rounding leaves beside its line."""
+    assert len(pieces_of([(0, 0, 0), (60, 0, -1), (0, aside, -2), (60, 0, -3), (0, 0, -4)])) == 1
+
+
+def test_a_bent_pass_that_comes_back_elsewhere_is_no_piece_of_its_own():
+    there = [(0, 0, 0), (60, 0, 0), (60, 40, 0)]
+    assert len(pieces_of([*there, (60, -10, 0), (0, -10, 0)])) == 1
+
+
 def test_a_loop_with_a_tail_is_two_pieces_of_one_area():
     square = [(0, 0, 0), (20, 0, 0), (20, 20, 0), (0, 20, 0), (0, 0, 0)]
     pieces = pieces_of([*square, (-15, -5, 0), (-30, 0, 0)])

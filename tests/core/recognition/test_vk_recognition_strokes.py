@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import replace
 
 import numpy as np
@@ -82,3 +83,14 @@ def test_the_entry_is_told_beside_the_strategy():
     assert told(programs.drilling())[1] is None
     for seed in range(SEEDS):  # ten turns of ramp before three offsets make no profile
         assert told(entered(np.random.default_rng(seed))) == ("contour-parallel", "helix")
+
+
+@pytest.mark.parametrize("tool", [3.0, None])
+@pytest.mark.parametrize("share", [0.25, 0.5, 0.7])
+def test_an_open_contour_to_and_fro_on_a_ramp_is_a_profile(share, tool):
+    """An arc of 40 mm radius, cut five times without a lift."""
+    there = [(40 * math.cos(a), 40 * math.sin(a)) for a in np.linspace(0, share * TURN, 60)]
+    points = [point for k in range(5) for point in there[:: (-1) ** k][k > 0 :]]
+    stroke = [(x, y, -5 * k / (len(points) - 1)) for k, (x, y) in enumerate(points)]
+    found = recognize(linearize(programs.program([stroke])), tool_diameter=tool)
+    assert found.strategy == Strategy.PROFILE and found.confidence > 0.7

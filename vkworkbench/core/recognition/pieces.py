@@ -86,6 +86,9 @@ def cut_pieces(moves: Areas) -> Pieces:
     cut = loop.copy()
     cut[moves.start] = True
     cut[end] = True
+    again = np.zeros(len(cut), bool)
+    again[_comes_back(moves, cut)] = True
+    cut |= again
     start = np.flatnonzero(cut[:-1])
     parts = _Stretches(moves, start)
     net, closed = parts.net()
@@ -98,7 +101,7 @@ def cut_pieces(moves: Areas) -> Pieces:
     opened = kind != LOOP
     waves = (alternating > PASSES.ALTERNATING * parts.length) & (alternating > PASSES.MORE * constant)
     winding = opened & (np.abs(net) > WINDINGS.TURN * TURN)
-    zigzag = opened & ~winding & waves
+    zigzag = opened & ~winding & waves & ~again[start] & ~again[parts.end]
     kind[winding], kind[zigzag] = WINDING, ZIGZAG
     wavy = (winding & waves) | ((kind == LOOP) & (alternating > PASSES.ALTERNATING_LOOP * parts.length))
     if winding.any():
@@ -110,6 +113,39 @@ def cut_pieces(moves: Areas) -> Pieces:
         net, _ = parts.net()
     area = np.searchsorted(moves.start, start, side="right") - 1
     return parts.measure(kind, area, net, passes, wavy)
+
+
+def _comes_back(moves: Areas, cut: np.ndarray) -> np.ndarray:
+    """Return the exact reversals between a bent pass and the same one back: a contour that comes again on a ramp.
+
+    Where the tool goes down between the passes, an area ends there. A straight pass to and fro is left in one piece: it
+    may lead into the material, or be a row of a zigzag.
+
+    Parameters
+    ----------
+    moves : Areas
+    cut : (m + 1,) bool
+        The moves before which something begins anyway.
+    """
+    back: np.ndarray = moves.reversals[~cut[moves.reversals]]
+    if len(back):
+        start = np.union1d(np.flatnonzero(cut[:-1]), back)
+        parts = _Stretches(moves, start)
+        k = np.searchsorted(start, back)
+        ground = np.column_stack([parts.boxes(), parts.length / 4])
+        same = np.flatnonzero(np.abs(ground[k] - ground[k - 1]).max(axis=1) < SAME.GROUND)
+        bent = [off_line(moves, parts.start[of], parts.end[of]) > SAME.GROUND for of in k[same].tolist()]
+        back = back[same[np.array(bent, bool)]]
+    return back
+
+
+def off_line(moves: Areas, start: int, end: int) -> float:
+    """Return how far some moves lie from the line of the longest, mm."""
+    of = slice(start, end)
+    longest = start + int(np.argmax(moves.length[of]))
+    across = (moves.y[of] + moves.dy[of] - moves.y[start]) * moves.dx[longest]
+    across -= (moves.x[of] + moves.dx[of] - moves.x[start]) * moves.dy[longest]
+    return float(np.abs(across).max() / moves.length[longest])
 
 
 class _Stretches:

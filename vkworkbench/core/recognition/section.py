@@ -10,7 +10,7 @@ import numpy as np
 from vkworkbench.core.paper import TURN, Areas
 from vkworkbench.core.recognition.entries import without_entries
 from vkworkbench.core.recognition.footprints import number_depths
-from vkworkbench.core.recognition.pieces import LOOP, STROKE, WINDING, ZIGZAG, Pieces, cut_pieces
+from vkworkbench.core.recognition.pieces import LOOP, STROKE, WINDING, ZIGZAG, Pieces, cut_pieces, off_line
 from vkworkbench.core.recognition.rings import Rings, relate_rings
 from vkworkbench.core.recognition.rows import Rows, filling, find_rows
 from vkworkbench.core.recognition.spurs import without_spurs
@@ -244,16 +244,7 @@ def _retraced(moves: Areas, p: Pieces) -> np.ndarray:
     index = np.flatnonzero(p.kind == ZIGZAG)
     # Those lie between their ends, or go over them again: nothing is enclosed.
     index = index[np.abs(p.enclosed[index]) < SAME.PLACE * p.length[index]]
-    return np.array([i for i in index.tolist() if _off_line(moves, p.start[i], p.end[i]) < SAME.PLACE], np.int64)
-
-
-def _off_line(moves: Areas, start: int, end: int) -> float:
-    """Return how far some moves lie from the line of the longest, mm."""
-    of = slice(start, end)
-    longest = start + int(np.argmax(moves.length[of]))
-    across = (moves.y[of] + moves.dy[of] - moves.y[start]) * moves.dx[longest]
-    across -= (moves.x[of] + moves.dx[of] - moves.x[start]) * moves.dy[longest]
-    return float(np.abs(across).max() / moves.length[longest])
+    return np.array([i for i in index.tolist() if off_line(moves, p.start[i], p.end[i]) < SAME.PLACE], np.int64)
 
 
 def _long(p: Pieces, which: np.ndarray) -> np.ndarray:
