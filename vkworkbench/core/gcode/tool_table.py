@@ -59,6 +59,7 @@ _NO_LENGTH = re.compile(
 )
 _SHORT = re.compile(rf"(?<![\w|])D(?P<size>{_NUMBER})(?![\w|])")  # D10; between bars it is an offset
 _LENGTH_OFFSET = re.compile(r"(?<!\w)H(\d{1,8})\b")
+_TOGETHER = re.compile(r"(?<=\btool)(?=Dia|Radius)")  # toolDiam: 0.125
 _FLUTES = re.compile(r"\b\d+\s*-?\s*fl(?:utes?)?\b", re.IGNORECASE)
 _LISTED = re.compile(r"\s*T\d+\s*(?:[|:=]|[\d.]+mm\s+[\d.]+in\b)", re.IGNORECASE)
 _LONGEST, _LONGEST_NAME = 200, 60  # characters; longer comments are prose that mentions a size in passing
@@ -143,7 +144,7 @@ def tool_told(comment: str, *, inches: bool, of: int | None = None) -> ToldTool 
     """
     if len(comment) > _LONGEST:
         return None
-    comment = _FLUTES.sub("", comment.replace("_", " "))
+    comment = _spaced(comment)
     number = _NUMBERED.search(comment)
     size = _size(comment, number) or (None if of is None else _size_alone(comment, of))
     if size is None:
@@ -160,6 +161,11 @@ def number_named(comment: str) -> int | None:
     """Return the number of the tool that a comment names, with or without its measures."""
     number = _NUMBERED.search(comment)
     return int(number["number"]) if number else None
+
+
+def _spaced(comment: str) -> str:
+    """Return a comment with its words apart, without the numbers of flutes."""
+    return _FLUTES.sub("", _TOGETHER.sub(" ", comment.replace("_", " ")))
 
 
 def _size(comment: str, number: re.Match[str] | None) -> re.Match[str] | None:
@@ -212,7 +218,7 @@ def tells_inches(comment: str) -> bool:
     """Whether a comment names a tool's diameter as a plain number and as the same fraction of an inch: DIA 0.5, 1/2 ENDMILL."""
     if "/" not in comment or len(comment) > _LONGEST:
         return False
-    comment = _FLUTES.sub("", comment.replace("_", " "))
+    comment = _spaced(comment)
     size = _size(comment, _NUMBERED.search(comment))
     return size is not None and not size.groupdict().get("unit") and _also_a_fraction(comment, size)
 
