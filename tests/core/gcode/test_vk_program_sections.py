@@ -173,6 +173,7 @@ def test_comments_that_tell_no_tool(comment):
         ("finish operation: Face", ""), ("Plunge rate: 127", ""), ("Layer 3 of 12", ""), ("Path 7", ""),
         ("MOVEMENT_LEAD_IN", ""), ("retract", ""), ("Machine", ""), ("1001", ""), ("Z=-1.5", ""), ("", ""),
         ("Header End", ""), ("pen up", ""), ("Pen up to the wall", "Pen up to the wall"), ("origin: center", ""),
+        ("Dia.: 24.15 Rad.: 3.00", ""), ("No.: pocket 3", "No.: pocket 3"),
         ("power(%): 65", ""), ("max_x(mm): 293.457", ""), ("is_rotate: false", ""),
         ("pcb2gcode 1.2.1", ""), ("High     Up        Down     Drill", ""), ("Preprocessor Geometry: default", ""),
         ("generator = PushCutter", ""), ("shape = CylindricalCutter", ""), ("X,Y End: None mm", ""), ("Z Start: None mm", ""),
