@@ -149,6 +149,28 @@ def test_runs_of_holes_are_borders_at_their_first_and_behind_their_last():
     assert find_borders(around, monotonous_areas(around)) == {4: True, 10: True, 16: True}
 
 
+def test_what_is_left_at_feed_goes_on_to_the_rapid():
+    """A steep lift behind what is milled, and the way out of a tapped hole, are no operations of their own."""
+    milled = [
+        ("G0", {"X": 0.0, "Y": 0.0, "Z": 5.0}),
+        ("G1", {"Z": -1.0, "F": 5.0}),
+        ("G1", {"X": 60.0}),
+        ("G1", {"Y": 40.0}),
+    ]
+    lifted = [("G1", {"Y": 40.1, "Z": 1.0}), ("G0", {"Z": 5.0})]
+    tapped = [
+        command
+        for x in (10.0, 30.0, 50.0)
+        for command in (("G0", {"X": x, "Y": 20.0}), ("G1", {"Z": -9.0}), ("G1", {"Z": 2.0}), ("G0", {"Z": 5.0}))
+    ]
+    path = linearize([*milled, *lifted, *tapped, *milled, ("G0", {"Z": 5.0})])
+    borders = find_borders(path, monotonous_areas(path))
+    assert len(borders) == 2
+    assert path.rapid[list(borders)].all()
+    found = recognize(path, program=True)
+    assert [str(span.strategy) for span in found.spans] == ["profile", "drilling", "profile"]
+
+
 def test_canned_cycles_are_borders_however_few_they_are():
     milling = programs.one_way(40)
     drilled = [("G0", {"X": 300.0, "Y": 0.0, "Z": 5.0}), ("G81", {"X": 300.0, "Y": 0.0, "Z": -9.0, "R": 2.0, "F": 5.0})]

@@ -35,9 +35,11 @@ def find_borders(toolpath: Toolpath, moves: Areas) -> dict[int, bool]:
         # Holes with no milling between them are one run.
         place = np.searchsorted(moves.index, holes)
         begin = np.flatnonzero(np.append(True, place[1:] != place[:-1]))
-        before = np.append(-1, moves.index)[place[begin]] + 1
-        after = np.append(holes[begin[1:] - 1], holes[-1]) + 1
-        borders.update(dict.fromkeys(np.concatenate([before, after]).tolist(), True))
+        # They part at a rapid: a steep lift behind what is milled, or out of a tapped hole, goes on with it.
+        milled = moves.index[place[begin[place[begin] > 0]] - 1]
+        rapids = np.append(np.flatnonzero(toolpath.rapid), len(toolpath))
+        parted = rapids[np.searchsorted(rapids, np.concatenate([milled, holes[begin[1:] - 1], holes[-1:]]))]
+        borders.update(dict.fromkeys(parted.tolist(), True))
     return {at: certain for at, certain in borders.items() if 0 < at < len(toolpath)}
 
 
