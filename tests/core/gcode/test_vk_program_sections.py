@@ -133,6 +133,8 @@ def test_a_unit_is_that_of_its_size():
         assert tool_told(comment, inches=True).tool.diameter == 6, comment
     assert tool_told("1in face mill", inches=False).tool.diameter == 25.4
     assert tool_told("M8 X 1.25 TAP", inches=True).tool.diameter == 8
+    # FreeCAD converts the moves of its programs to inches, not what it says of the tool.
+    assert tool_told("Compensated Tool Path. Diameter: 4.7498", inches=True).tool.diameter == 4.7498
     assert tool_told("T1 5/16-18 TAP", inches=True).tool.diameter == pytest.approx(7.9375)
 
 
@@ -182,6 +184,9 @@ def test_comments_that_tell_no_tool(comment):
         ("PYCAM_TOOLPATH_SETTINGS: END", ""), ("OP_10: POCKET", "OP_10: POCKET"), ("Front_face: Roughing", "Front_face: Roughing"),
         ("select the xy plane", ""), ("Plasma cutting", ""), ("THROUGH CUTTING", ""), ("RUN POINT-PIERCE COMMAND HERE", ""),
         ("Exported by FreeCAD", ""), ("Output Time:2020-01-01 12:30", ""), ("M6 T1", ""), ("-----", ""),
+        ("Begin Drilling", ""), ("BEGIN CUTTING", ""), ("End cut", ""), ("Finish cut", "Finish cut"), ("Drilling", "Drilling"),
+        ("Optional stop, check center", ""), ("Block-name: holes", "holes"), ("Block-enable: 1", ""), ("Block-color: #00ff00", ""),
+        ("Type: G-code from Geometry", ""), ("Name: board_drl", "board_drl"), ("Type: Groove", "Groove"),
         ("MATERIAL - ALUMINUM MM - 2024", ""), ("Werkstoff: EN AW-6061", ""), ("Material removal 2", "Material removal 2"),
         ("Footer", ""), ("HEIGHT OFFSET ON", ""), ("compressor off", ""), ("CUT OFF", "CUT OFF"), ("color: #130df2", "color: #130df2"),
         ("#130df2", ""), ("Facade", "Facade"), ("Block-color: #000000", ""), ("Block-enable: 1", ""), ("Block-name: Keys", "Keys"),
@@ -193,6 +198,12 @@ def test_comments_that_tell_no_tool(comment):
 )  # fmt: skip
 def test_titles_and_remarks(comment, title):
     assert title_of(comment) == title
+
+
+def test_the_names_that_freecad_and_flatcam_give_stay():
+    drilled = "(begin operation: Bolts)\n(Path: Bolts)\n(Bolts)\n(Begin Drilling)\nG81 X5 Y5 Z-3 R2 F9\nG80\n(finish operation: Bolts)\n"
+    assert sections(f"{CUT}{drilled}") == [("", None, None), ("Bolts", None, None)]
+    assert sections(f"(Name: board_cutout)\n(Type: G-code from Geometry)\n{CUT}") == [("board_cutout", None, None)]
 
 
 def test_titles_and_tool_changes_part_a_program():

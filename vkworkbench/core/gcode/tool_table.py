@@ -58,6 +58,8 @@ _NO_LENGTH = re.compile(
     re.IGNORECASE,
 )
 _SHORT = re.compile(rf"(?<![\w|])D(?P<size>{_NUMBER})(?![\w|])")  # D10; between bars it is an offset
+# FreeCAD converts the moves of a program to inches, and no comment.
+_IN_MM = re.compile(r"\W*compensated tool path\. diameter", re.IGNORECASE)
 _LENGTH_OFFSET = re.compile(r"(?<!\w)H(\d{1,8})\b")
 _TOGETHER = re.compile(r"(?<=\btool)(?=Dia|Radius)")  # toolDiam: 0.125
 _FLUTES = re.compile(r"\b\d+\s*-?\s*fl(?:utes?)?\b", re.IGNORECASE)
@@ -145,6 +147,7 @@ def tool_told(comment: str, *, inches: bool, of: int | None = None) -> ToldTool 
     if len(comment) > _LONGEST:
         return None
     comment = _spaced(comment)
+    inches = inches and not _IN_MM.match(comment)
     number = _NUMBERED.search(comment)
     size = _size(comment, number) or (None if of is None else _size_alone(comment, of))
     if size is None:
