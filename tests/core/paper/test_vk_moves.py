@@ -172,6 +172,9 @@ def test_a_plateau_between_walls_is_cut():
     assert sizes(areas_of(*out)) == [1, 1, 1]
     before = [rapid(0, 40, 5), *feed((0, 40, -1), (0, 60, -1), (20, 60, -1)), rapid(20, 60, 5), rapid(0, 0, 5)]
     assert sizes(areas_of(*before, *lifted)) == [2, 1, 1, 1]
+    # Between two rapids at the top it is a rapid that a post has written as a feed, in whatever direction it leads.
+    linked = [*feed((0, 0, -1), (20, 0, -1)), rapid(20, 0, 9), *feed((40, 0, 9)), rapid(40, 0, -1), *feed((60, 0, -1))]
+    assert sizes(areas_of(*linked)) == [1, 1]
 
 
 def test_a_hole_is_a_plunge_where_nothing_is_milled():

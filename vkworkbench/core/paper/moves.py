@@ -240,8 +240,10 @@ def _without_air(
         # A plateau between walls is no link: it goes on in the direction of the lower pass beside it.
         before, after = b[:-1], a[1:]
         onward = dx[after] * dx[before] + dy[after] * dy[before] > MOVES.ONWARD * length[after] * length[before]
-        air[1:] &= ~(onward & (z[before + 1] < z[after] - MOVES.STILL))
-        air[:-1] &= ~(onward & (z[after] < z[before + 1] - MOVES.STILL))
+        # At the top between two rapids there is none: a post has written a rapid as a feed, wherever it leads.
+        fast = top & (a > 0) & rapid[a - 1] & rapid[np.minimum(b + 1, len(rapid) - 1)]
+        air[1:] &= fast[1:] | ~(onward & (z[before + 1] < z[after] - MOVES.STILL))
+        air[:-1] &= fast[:-1] | ~(onward & (z[after] < z[before + 1] - MOVES.STILL))
     air &= rises | falls
     several = np.flatnonzero(air & (last > start))
     if len(several):  # rows begin and end by parallel moves, too
