@@ -241,6 +241,31 @@ def test_a_rapid_along_a_round_groove_only_touches_what_chords_left_of_its_flank
     assert min(crashes_along(10 + aside, -2), crashes_along(10 - aside, -2), crashes_along(10, -2 - aside)) > 0
 
 
+@pytest.mark.parametrize("tool", [FLAT, Tool("ballend", 6)], ids=["flat", "ball"])
+@pytest.mark.parametrize("plane, axis, centre", [("G18", "X", "I"), ("G19", "Y", "J")])
+@pytest.mark.parametrize("direction", [(0, 0, -1), (-1, 1, -1)])
+@pytest.mark.parametrize("tolerance", [0.01, 0.05])
+def test_a_rapid_down_into_a_trough_only_touches_what_chords_left_of_it(
+    tool, plane, axis, centre, direction, tolerance
+):
+    """No chord of the arc, in a vertical plane, ends where the rapid goes down to it: at its lowest point, and on its flank."""
+    arc = ("G2" if plane == "G18" else "G3", {axis: 9, "Z": 0, centre: 9, "K": 0})
+    trough = [("G0", {axis: -9, "Z": 5}), ("G1", {"Z": 0, "F": 10}), (plane, {}), arc, ("G0", {"Z": 5})]
+    down, stock = len(linearize(trough, tolerance=tolerance)) + 1, Stock((-15, -15, -15), (15, 15, 0))
+
+    def crashed(angle, deeper):
+        at = {axis: 9 * sin(angle)}, {"Z": -9 * cos(angle) - deeper}
+        path = linearize([*trough, *(("G0", words) for words in (*at, {"Z": 5}))], tolerance=tolerance)
+        return [
+            one.trajectory for one in crashes(simulate(path, tool=tool, stock=stock, view=View(direction, 240, 240)))
+        ]
+
+    for angle in (0.0, 0.1, 1.1):
+        assert crashed(angle, 0.0) == []
+        assert crashed(angle, 0.5) == [down]
+    assert crashed(0.0, 4 * tolerance) == [down]
+
+
 def test_a_rapid_that_touches_a_wall_and_goes_too_deep_crashes_as_deep_as_that():
     """On its way along the wall, 8 mm high, its side takes 0.018 mm; then it goes 1 mm below the floor."""
     slot = [(-5, 15, 20), (-5, 15, 2), (35, 15, 2), (5, 15, 2), (5, 15.018, 2), (34, 15.018, 1)]

@@ -25,7 +25,7 @@ _FASTER = 1.01
 # of a wall or a flank. Chords of one arc are no farther from each other than it rises above them: twice that is enough.
 _TOUCHES, _OF_RISE = 0.02, 2.0
 _SIDES = np.arange(8) * pi / 4
-# Under its tip any depth counts, but for rounding, mm.
+# Under its tip any depth counts, but for rounding, mm, and for what chords of arcs in vertical planes left.
 _ROUNDED = 1e-3
 _PIECES_AT_ONCE = 1 << 14
 # Rings of equal width by which the volume of a tool is summed up.
@@ -177,7 +177,8 @@ def crashes(zbuffer: ZBuffer) -> list[Crash]:
         return frame.points(column, row, depth[piece])
 
     cuts, volumes = zbuffer.cuts, removed_volumes(zbuffer)
-    touches = max(_TOUCHES, _OF_RISE * max(_rise(cut.toolpath) for cut in cuts.cuts))
+    rises = np.max([_rises(cut.toolpath) for cut in cuts.cuts], axis=0)
+    touches = np.maximum((_TOUCHES, _ROUNDED), _OF_RISE * rises)
     # The longest pieces first: where a wall is only touched they are as high as the wall.
     order = np.argsort(near - far, kind="stable")
     longest = np.full(zbuffer.trajectories, -1)
@@ -204,28 +205,34 @@ def _upper(frame: Frame, near: np.ndarray, far: np.ndarray) -> np.ndarray:
     return near if frame.direction[2] < 0 else far
 
 
-def _inside(cuts: Cuts, trajectory: np.ndarray, points: np.ndarray, touches: float) -> np.ndarray:
-    """Which points (k, 3) trajectories (k,) remove, and would remove as well if they lay a little to any side."""
+def _inside(cuts: Cuts, trajectory: np.ndarray, points: np.ndarray, touches: np.ndarray) -> np.ndarray:
+    """Which points (k, 3) trajectories (k,) remove, and would remove as well if they lay so much, mm, to any side and higher."""
     start, end = (ends.T for ends in as_cut(*(ends[trajectory] for ends in cuts.ends)))
     heading = headings(end - start)
     inside = np.ones(len(trajectory), bool)
     for number in np.unique(cuts.cut[trajectory]):
         tool = cuts.cuts[number].tool
-        aside = min(touches, tool.radius / 2)
+        aside = min(touches[0], tool.radius / 2)
         for angle in _SIDES:  # from the direction of the move
             own = np.flatnonzero(inside & (cuts.cut[trajectory] == number))
             (ux, uy), (x, y, z) = heading[:2, own], points[own].T
             x = x + aside * (cos(angle) * ux - sin(angle) * uy)
             y = y + aside * (cos(angle) * uy + sin(angle) * ux)
             floor, _ = lowest(tool, start[:, own], heading[:, own], x, y)
-            inside[own] = z > floor + _ROUNDED
+            inside[own] = z > floor + touches[1]
     return inside
 
 
-def _rise(toolpath: Toolpath) -> float:
-    """How far arcs rise at most above the chords that stand for them, seen from above, mm."""
-    chords = np.hypot(*np.diff(toolpath.points, axis=0)[:, :2].T)
-    return float((chords / 2 * np.tan(np.abs(toolpath.sweep) / 4)).max(initial=0.0))
+def _rises(toolpath: Toolpath) -> tuple[float, float]:
+    """How far arcs rise at most above the chords that stand for them, aside and in height, mm."""
+    chords = np.abs(np.diff(toolpath.points, axis=0))
+    upright = toolpath.plane != 17
+    run = np.hypot(*chords[:, :2].T)
+    # An arc rises at right angles to its chord.
+    aside, up = (
+        np.where(upright, (chords[:, 2], run), (run, np.zeros_like(run))) / 2 * np.tan(np.abs(toolpath.sweep) / 4)
+    )
+    return float(aside.max(initial=0.0)), float(up.max(initial=0.0))
 
 
 @dataclass(frozen=True)
