@@ -115,6 +115,15 @@ def test_a_gouge_is_found():
     assert abs(one.place[1] - 15) <= 3 and one.place[2] == pytest.approx(6.5)
 
 
+@pytest.mark.parametrize("direction", [(0, 0, -1), (0, 0, 1)])
+def test_a_gouge_through_all_of_the_part_is_told_at_the_end_of_the_model(direction):
+    """There is no surface of the part; the middle of the stock is no place of it."""
+    through = path([(10, 15, 12), (10, 15, -1), (30, 15, -1), (30, 15, 12)], rapid=[2])
+    (one,) = told(SOUND, through, view=View(direction, 420, 320)).job.gouges
+    assert one.source.cut == 1 and abs(one.place[1] - 15) <= 3
+    assert one.place[2] == pytest.approx(0 if direction[2] < 0 else 8)
+
+
 def test_material_left_is_found():
     found = told(path(facing([y for y in ROWS if y not in (10, 15)])))
     assert faults(found.job) == {"left"}

@@ -34,7 +34,7 @@ class Deviation:
     source : Source or None
         Its cut and command.
     place : (3,) tuple of float
-        On the part's surface, mm.
+        On the part's surface, mm; at the end of the model where all of the part is gone.
     depth : float
         How deep it is, or how much is left, mm: the distance of the part's surface and the model's, see `surface_distance.farthest`.
     area : float
@@ -203,13 +203,14 @@ def _cuts(zbuffer: ZBuffer, owner: np.ndarray) -> np.ndarray:
 
 def _place(zbuffer: ZBuffer, gap: _Gap, pixels: np.ndarray, maker: np.ndarray, tolerance: float) -> list[Deviation]:
     """The worst place of pixels (k,) and what made each, if it exceeds the tolerance."""
-    frame, picture = zbuffer.frame, zbuffer.picture
+    frame = zbuffer.frame
     found = farthest(gap.front, gap.behind, pixels, frame.pixel, tolerance)
     if found is None:
         return []
     pixel, depth = found
     row, column = np.divmod([pixel], frame.width)
-    (place,) = frame.points(column, row, np.nan_to_num(picture.depth[[pixel]]).astype(float)).tolist()
+    part = gap.front if gap.model is None else gap.behind
+    (place,) = frame.points(column, row, part.ravel()[[pixel]].astype(float)).tolist()
     own = int(maker[np.searchsorted(pixels, pixel)])
     trajectory = None if own == STOCK else own
     source = None if trajectory is None else zbuffer.cuts.source(trajectory)
