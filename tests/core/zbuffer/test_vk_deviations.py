@@ -44,7 +44,7 @@ def left(most=10, tolerance=0.5, **patches):
     for column, row, columns, rows, amount in patches.values():
         image[row : row + rows, column : column + columns] = amount
     part, nothing = UNCUT.picture.depth.reshape(image.shape), np.zeros(image.size, np.float32)
-    model = SimpleNamespace(near=part, surface=part + image, floor=part + image)
+    model = SimpleNamespace(near=part, behind=part, surface=part + image, floor=part + image)
     gouged, places = worst_places(UNCUT, Deviations(image.ravel(), nothing, part, model), tolerance, most)
     assert gouged == []
     return places
@@ -99,7 +99,7 @@ def test_a_wall_is_as_far_from_its_place_as_it_lies_beside_it(tolerance, depths)
     part, model = (
         UNCUT.picture.depth.reshape(HEIGHT, WIDTH) + np.float32(3) * (np.arange(WIDTH) >= edge) for edge in (101, 100)
     )
-    seen = SimpleNamespace(near=model, surface=model, floor=model)
+    seen = SimpleNamespace(near=model, behind=model, surface=model, floor=model)
     found = Deviations((model - part).ravel(), np.zeros(part.size, np.float32), part, seen)
     told = [material_left(UNCUT, found, tolerance), worst_places(UNCUT, found, tolerance)[1]]
     assert [[one.depth for one in places] for places in told] == [pytest.approx(depths)] * 2

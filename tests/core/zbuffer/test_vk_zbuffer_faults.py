@@ -124,6 +124,20 @@ def test_a_gouge_through_all_of_the_part_is_told_at_the_end_of_the_model(directi
     assert one.place[2] == pytest.approx(0 if direction[2] < 0 else 8)
 
 
+@pytest.mark.parametrize("aside", [0, 1, -1])
+def test_what_the_raw_stock_lacks_is_no_gouge_of_what_is_cut_rightly_behind_it(aside):
+    """The stock is 2 mm too low; obliquely one sees through the missing rim of the model into a slot beside it."""
+    low = Stock((-12, -1, 0), (41, 31, 6))
+    slot = path([(-4, -5, 12), (-4, -5, 1), (-4, 35, 1), (-4, 35, 12)], rapid=[2])
+    view = View((-1, aside, -1), 420, 320)
+    found = facts(simulate_job([Cut(slot, FLAT)], stock=low, view=view), model=MODEL)
+    (one,) = found.job.gouges
+    assert one.source is None and one.depth == pytest.approx(2, abs=0.3)
+    deep = path([(2, -5, 12), (2, -5, 1), (2, 35, 1), (2, 35, 12)], rapid=[2])
+    found = facts(simulate_job([Cut(slot, FLAT), Cut(deep, FLAT)], stock=low, view=view), model=MODEL)
+    assert {one.source and one.source.cut for one in found.job.gouges} == {None, 1}
+
+
 def test_material_left_is_found():
     found = told(path(facing([y for y in ROWS if y not in (10, 15)])))
     assert faults(found.job) == {"left"}

@@ -165,7 +165,8 @@ def _makers(zbuffer: ZBuffer, gap: _Gap, tolerance: float) -> tuple[np.ndarray, 
     if model is None:
         return pixels, zbuffer.picture.owner[pixels]
     # Within the tolerance nobody is guilty; farther behind its surface than a pixel the model may be over, at a rim.
-    maker = _removers(zbuffer, pixels, model.near.ravel()[pixels] + min(tolerance, zbuffer.frame.pixel))
+    depth = model.near.ravel()[pixels] + min(tolerance, zbuffer.frame.pixel)
+    maker = _removers(zbuffer, pixels, depth, model.behind.ravel()[pixels])
     cut = _cuts(zbuffer, maker)
 
     def said_around(extreme: np.ufunc, nobody: int) -> np.ndarray:
@@ -178,17 +179,23 @@ def _makers(zbuffer: ZBuffer, gap: _Gap, tolerance: float) -> tuple[np.ndarray, 
     return pixels[sure], maker[sure]
 
 
-def _removers(zbuffer: ZBuffer, pixels: np.ndarray, depth: np.ndarray) -> np.ndarray:
-    """What removed the material at depths (k,) of the rays of pixels (k,), or first behind it; `STOCK` where none did."""
+def _removers(zbuffer: ZBuffer, pixels: np.ndarray, depth: np.ndarray, behind: np.ndarray) -> np.ndarray:
+    """What removed the material at depths (k,) of the rays of pixels (k,), or first behind it; `STOCK` where none did.
+
+    Where there was none before depths (k,) `behind`, the stock lacks it, whatever is cut behind these.
+    """
     records = zbuffer.records
     end = records.index[pixels + 1].astype(np.int64)
     piece = first_not_below(records.far, records.index[pixels].astype(np.int64), end, depth)
     found = np.flatnonzero(piece < end)
-    piece, end = piece[found], end[found]
+    piece, end, depth, behind = piece[found], end[found], depth[found], behind[found]
     # In a gap of the stock nothing was; what is missing there begins behind it.
-    piece = np.minimum(piece + (records.owner[piece] == GAP), end - 1)
+    gap = records.owner[piece] == GAP
+    begin = np.where(gap, records.far[piece], np.maximum(depth, records.entry[pixels[found]]))
+    lacking = (begin > depth) & (begin >= behind)
+    piece = np.minimum(piece + gap, end - 1)
     removers = np.full(len(pixels), STOCK, np.int32)
-    removers[found] = records.owner[piece]
+    removers[found] = np.where(lacking, STOCK, records.owner[piece])
     removers[removers >= zbuffer.step] = STOCK
     return removers
 

@@ -56,6 +56,8 @@ class SeenModel:
         Where a ray meets the model.
     near, far : (height, width) float32
         Where each ray enters the model and leaves it at last, mm; not a number where it misses.
+    behind : (height, width) float32
+        Where each ray leaves the model first.
     surface : (height, width) float32
         Where each ray enters the model, mm; infinite where it misses.
     floor : (height, width) float32
@@ -67,7 +69,7 @@ class SeenModel:
     def __init__(self, model: Solid, frame: Frame, going_on: Callable[[], None] = lambda: None) -> None:
         self.frame = frame
         size = frame.height, frame.width
-        near, far = np.full((2, *size), np.nan, np.float32)
+        near, far, behind = np.full((3, *size), np.nan, np.float32)
         spans_of = spans_in(model, frame)
         for bottom in range(0, frame.height, _ROWS_AT_ONCE):
             going_on()
@@ -76,7 +78,10 @@ class SeenModel:
             spans = spans_of(*frame.pixel_centres(column, row))
             met = spans.far > spans.near
             near[row[met], column[met]], far[row[met], column[met]] = spans.near[met], spans.far[met]
-        self.near, self.far = near, far
+            behind[row[met], column[met]] = spans.far[met]
+            ray, gap = np.unique(spans.gaps.ray, return_index=True)
+            behind[row[ray], column[ray]] = spans.gaps.enter[gap]
+        self.near, self.far, self.behind = near, far, behind
         self.surface = np.where(np.isnan(near), np.float32(np.inf), near)
         highest, self._lowest = around(self.surface, np.minimum), around(self.surface, np.maximum)
         self.seen = ~np.isnan(near)
