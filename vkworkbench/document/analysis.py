@@ -35,6 +35,8 @@ from vkworkbench.document.operations import (
     has_controller,
     is_imported,
     is_there,
+    jobs_of,
+    names_of,
     or_active_document,
 )
 from vkworkbench.document.path_prints import PATH_PRINTS
@@ -95,10 +97,10 @@ def analyze(
 
     operations = find(or_active_document(what))
     chosen = preferences.read()
-    of_jobs = {(o.job.Document.Name, o.job.Name): o.job for o in operations if o.job is not None}
-    jobs = {key: job.Label for key, job in of_jobs.items()}
-    fixtures = {key: fixtures_of(job) for key, job in of_jobs.items()}
-    posted = [[(o.object.Document.Name, o.object.Name) for o in find(job) if o.counted] for job in of_jobs.values()]
+    jobs = jobs_of(operations)
+    job_labels = {key: job.Label for key, job in jobs.items()}
+    fixtures = {key: fixtures_of(job) for key, job in jobs.items()}
+    posted = [[names_of(o.object) for o in find(job) if o.counted] for job in jobs.values()]
     labels = [o.object.Label for o in operations]
     conditions = Conditions(
         version=freecad.version(),
@@ -127,7 +129,7 @@ def analyze(
     known = session.rows_with(reports)
     wholes = [[known[key] for key in of_job if key in known] for of_job in posted]
     _patiently(lambda going_on: _estimate_shown(reports, wholes, chosen.simulators, going_on), cancelled)
-    return Report(tuple(reports), jobs, chosen.budget, fixtures, simulator=chosen.simulator)
+    return Report(tuple(reports), job_labels, chosen.budget, fixtures, simulator=chosen.simulator)
 
 
 def _estimate_shown(

@@ -15,7 +15,7 @@ from itertools import islice
 from vkworkbench import freecad
 from vkworkbench.core import Stock, Tool
 from vkworkbench.core.gcode import used_up
-from vkworkbench.document.operations import job_of, through_bases
+from vkworkbench.document.operations import job_of, names_of, through_bases
 from vkworkbench.document.path_prints import PATH_PRINTS
 from vkworkbench.document.setting import rapid_feeds, read_stock, read_tool
 from vkworkbench.document.solids import form_of_stock
@@ -43,7 +43,7 @@ def finding_path_fingerprint(obj) -> Iterator[None]:
     """Find the fingerprint of an object's path in steps of milliseconds; only a copy of the path takes longer."""
     while PATH_PRINTS.of(obj) is None:  # found by an analysis, or changed while it was being found
         token = PATH_PRINTS.begin(obj)
-        path, placement, whose = obj.Path, obj.Placement, (obj.Document.Name, obj.Name)
+        path, placement, whose = obj.Path, obj.Placement, names_of(obj)
         yield
         digest = hashlib.sha1(**_NO_SECRET)
         for text in _texts(path, None):

@@ -55,6 +55,16 @@ def kind(obj) -> str | None:
     return "operation"
 
 
+def is_operation(obj) -> bool:
+    """Whether it is an operation, or what stands for one: a dress-up or an array."""
+    return kind(obj) in ("operation", "dressup", "array")
+
+
+def names_of(obj) -> tuple[str, str]:
+    """Return the internal names of an object's document and of the object, by which it is found again."""
+    return obj.Document.Name, obj.Name
+
+
 def has_toolpath(obj) -> bool:
     """Whether it is an object with a toolpath: an operation, a dress-up, a job."""
     return obj.isDerivedFrom(freecad.TOOLPATH)
@@ -163,15 +173,11 @@ def find(what) -> list[Operation]:
 
 
 def _once(operations: Iterable[Operation]) -> dict[tuple[str, str], Operation]:
-    """Return the first operation of each object, by the names of its document and of the object."""
+    """Return the first operation of each object, by its names."""
     found: dict[tuple[str, str], Operation] = {}
     for operation in operations:
-        found.setdefault(_key(operation.object), operation)
+        found.setdefault(names_of(operation.object), operation)
     return found
-
-
-def _key(obj) -> tuple[str, str]:
-    return obj.Document.Name, obj.Name
 
 
 def _find(what, jobs: dict) -> Iterator[Operation]:
@@ -183,18 +189,17 @@ def _find(what, jobs: dict) -> Iterator[Operation]:
             if kind(obj) == "job":
                 yield from _of_job(obj)
         for obj in what.Objects:
-            if kind(obj) in ("operation", "dressup", "array"):
+            if is_operation(obj):
                 job = job_of(obj)
                 yield from _with_bases(obj, job, counted=job is None)  # a job posts what is in its group
     elif is_object(what):
-        sort = kind(what)
-        if sort == "job":
+        if kind(what) == "job":
             yield from _of_job(what)
-        elif sort in ("operation", "dressup", "array"):
+        elif is_operation(what):
             job = job_of(what)
-            if job is not None and _key(job) not in jobs:
-                jobs[_key(job)] = _once(_of_job(job))
-            listed = jobs[_key(job)].get(_key(what)) if job is not None else None
+            if job is not None and names_of(job) not in jobs:
+                jobs[names_of(job)] = _once(_of_job(job))
+            listed = jobs[names_of(job)].get(names_of(what)) if job is not None else None
             yield listed or next(_with_bases(what, job, counted=job is None))
         elif is_job_group(what):
             yield from _of_job(job_of(what))
@@ -214,7 +219,7 @@ def _of_job(job) -> Iterator[Operation]:
     # A file made without a window lists a dress-up and its base side by side.
     dressed = {base.Name for obj in posted if kind(obj) == "dressup" for base in _dressed(obj)}
     for obj in posted:
-        if kind(obj) in ("operation", "dressup", "array"):
+        if is_operation(obj):
             yield from _with_bases(obj, job, counted=obj.Name not in dressed)
     for obj in posted:
         if kind(obj) == "array":  # one that dresses up has taken what it copies out of the group
@@ -254,6 +259,11 @@ def _dressed(obj) -> Iterator:
         yield base
         if kind(base) == "array":
             return
+
+
+def jobs_of(operations: Iterable[Operation]) -> dict[tuple[str, str], object]:
+    """Return the jobs that operations belong to, by their names, each once."""
+    return {names_of(o.job): o.job for o in operations if o.job is not None}
 
 
 def fixtures_of(job) -> int:

@@ -11,7 +11,7 @@ import FreeCAD
 import FreeCADGui as Gui
 
 from vkworkbench import freecad
-from vkworkbench.document.operations import is_active, kind
+from vkworkbench.document.operations import is_active, is_operation, names_of
 from vkworkbench.document.recognized import Source, source_of
 from vkworkbench.gui import docks
 from vkworkbench.gui.background import Background, Busy
@@ -144,7 +144,7 @@ class GaussMapDock(QDockWidget):
     # FreeCAD calls these when a document changes.
 
     def slotChangedObject(self, obj, name: str) -> None:
-        if name in freecad.names_in_fingerprint("path") and self._shown == (obj.Document.Name, obj.Name):
+        if name in freecad.names_in_fingerprint("path") and self._shown == names_of(obj):
             self._shown = None
             self._later.start(0)
 
@@ -152,7 +152,7 @@ class GaussMapDock(QDockWidget):
         self._later.start(0)
 
     def slotDeletedObject(self, obj) -> None:
-        if self._shown == (obj.Document.Name, obj.Name):
+        if self._shown == names_of(obj):
             self._say_nothing()
 
     def slotDeletedDocument(self, document) -> None:
@@ -163,16 +163,16 @@ class GaussMapDock(QDockWidget):
         """Show the selected operation; where none is selected, what is shown of the document stays."""
         if not self.isVisible():
             return
-        chosen = [obj for obj in Gui.Selection.getSelection() if kind(obj) in ("operation", "dressup", "array")]
+        chosen = list(filter(is_operation, Gui.Selection.getSelection()))
         if not chosen:
             document = FreeCAD.ActiveDocument
             if self._shown is None or document is None or self._shown[0] != document.Name:
                 self._say_nothing()
             return
         obj = chosen[0]
-        if self._shown == (obj.Document.Name, obj.Name):
+        if self._shown == names_of(obj):
             return
-        self._shown = (obj.Document.Name, obj.Name)
+        self._shown = names_of(obj)
         self._label, self._active = obj.Label, is_active(obj)
         self.chooser.setEnabled(False)  # its areas are those of the operation before, and so is the picture
         self.saver.setEnabled(False)

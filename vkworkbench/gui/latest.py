@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from vkworkbench import preferences
 from vkworkbench.document import session
-from vkworkbench.document.operations import Operation, find, fixtures_of
+from vkworkbench.document.operations import Operation, find, fixtures_of, jobs_of
 from vkworkbench.document.record import Record
 from vkworkbench.document.simulated_faults import read_with_faults, with_faults
 from vkworkbench.report import OperationReport, Report
@@ -47,8 +47,8 @@ def report_of(known: list[Finding]) -> Report | None:
     operations = tuple(finding.report for finding in known)
     if None in operations:
         return None
-    jobs = {o.job.Name: o.job for o in (finding.operation for finding in known) if o.job is not None}
-    keys = {(job.Document.Name, name): job for name, job in jobs.items()}
-    labels, fixtures = {k: job.Label for k, job in keys.items()}, {k: fixtures_of(job) for k, job in keys.items()}
+    jobs = jobs_of(finding.operation for finding in known)
+    labels = {key: job.Label for key, job in jobs.items()}
+    fixtures = {key: fixtures_of(job) for key, job in jobs.items()}
     chosen = preferences.read()
     return Report(operations, labels, chosen.budget, fixtures, simulator=chosen.simulator)

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import FreeCADGui as Gui
 
-from vkworkbench.document.operations import is_job_group, kind
+from vkworkbench.document.operations import is_job_group, is_operation, kind
 
 
 def selected_operations() -> list:
@@ -14,4 +14,4 @@ def selected_operations() -> list:
 
 
 def _has_operations(obj) -> bool:
-    return kind(obj) in ("job", "group", "operation", "dressup", "array") or is_job_group(obj)
+    return kind(obj) in ("job", "group") or is_operation(obj) or is_job_group(obj)

@@ -16,7 +16,7 @@ import FreeCADGui as Gui
 from pivy import coin
 
 from vkworkbench import freecad
-from vkworkbench.document.operations import find, kind
+from vkworkbench.document.operations import find, is_operation, names_of
 from vkworkbench.document.recognized import Source, source_of
 from vkworkbench.gui.background import Background, Busy
 from vkworkbench.gui.qt import QTimer
@@ -104,7 +104,7 @@ class _Drawer:
         return bool(self._pending) or self._background.works
 
     def draw(self, objects) -> None:
-        self._pending.update(dict.fromkeys((obj.Document.Name, obj.Name) for obj in objects))
+        self._pending.update(dict.fromkeys(map(names_of, objects)))
         if self._pending and not self._background.works:
             self._later.start(0)
 
@@ -227,12 +227,8 @@ class _Watcher:
         self._changed: set[Key] = set()
 
     def slotChangedObject(self, obj, name: str) -> None:
-        if (
-            name in freecad.PATH.names
-            and obj.Document.Name in _shown
-            and kind(obj) in ("operation", "dressup", "array")
-        ):
-            self._changed.add((obj.Document.Name, obj.Name))
+        if name in freecad.PATH.names and obj.Document.Name in _shown and is_operation(obj):
+            self._changed.add(names_of(obj))
         elif name == "Visibility" and obj.Document.Name in _shown and obj.Name in _shown[obj.Document.Name].lines:
             _shown[obj.Document.Name].name_colors()
 
@@ -271,7 +267,7 @@ class _Watcher:
         _drawer.draw(filter(None, map(_object, here)))
 
     def _emphasize(self) -> None:
-        selected = {(obj.Document.Name, obj.Name) for obj in Gui.Selection.getSelection("*")}
+        selected = set(map(names_of, Gui.Selection.getSelection("*")))
         for document, shown in _shown.items():
             for name, lines in shown.lines.items():
                 lines.emphasize((document, name) in selected)
