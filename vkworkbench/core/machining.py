@@ -11,11 +11,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from vkworkbench.core.toolpath import Toolpath, check_toolpath
+from vkworkbench.core.toolpath import PLANE_AXES, Toolpath, check_toolpath
 from vkworkbench.language import Message, render
-
-# Axis normal to each working plane (G17 XY, G18 ZX, G19 YZ).
-_NORMAL_AXIS = {17: 2, 18: 1, 19: 0}
 
 
 @dataclass(frozen=True)
@@ -92,7 +89,7 @@ def exact_lengths(toolpath: Toolpath) -> np.ndarray:
     if len(arc):
         squares = moves[arc] ** 2
         normal = np.zeros(len(arc), dtype=int)
-        for plane, axis in _NORMAL_AXIS.items():
+        for plane, (_, _, axis) in PLANE_AXES.items():
             normal[toolpath.plane[arc] == plane] = axis
         rise2 = squares[np.arange(len(arc)), normal]
         half = np.abs(toolpath.sweep[arc]) / 2

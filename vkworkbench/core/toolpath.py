@@ -10,6 +10,9 @@ import numpy as np
 
 from vkworkbench.language import Message, render
 
+# The two axes of each working plane, G17, G18 and G19, and its normal, right-handed.
+PLANE_AXES = {17: (0, 1, 2), 18: (2, 0, 1), 19: (1, 2, 0)}
+
 _OF_TIME = "dwell-untimed", "probing-untimed"
 _TAKES_TIME = "rotary-cuts", "rotary-not-read"
 

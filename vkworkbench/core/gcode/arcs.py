@@ -7,9 +7,6 @@ from dataclasses import dataclass
 
 import numpy as np
 
-# In-plane axes (first, second) and the axis along the plane's normal, right-handed, by G17/G18/G19.
-PLANE_AXES = {17: (0, 1, 2), 18: (2, 0, 1), 19: (1, 2, 0)}
-
 KILOMETRE = 1e6  # mm; an arc of such a radius is a line
 LARGEST_CIRCLE = 1e4  # mm; a larger arc of more than half a turn has a centre that was rounded to the wrong side
 LARGEST_STEP = np.pi / 4  # a chord never spans more, so that tiny circles keep their directions

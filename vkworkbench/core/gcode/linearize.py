@@ -25,7 +25,7 @@ from vkworkbench.core.gcode.words import (
     UNKNOWN,
     Words,
 )
-from vkworkbench.core.toolpath import Problem, Toolpath
+from vkworkbench.core.toolpath import PLANE_AXES, Problem, Toolpath
 from vkworkbench.language import Message, Unusable
 
 MOST_TRAJECTORIES = 5_000_000  # 2 GB of memory
@@ -203,7 +203,7 @@ def _moves(
 
     arc_rows = np.flatnonzero(is_arc)
     if len(arc_rows):
-        axes = np.array([arcs.PLANE_AXES[p] for p in program.plane[arc_rows].tolist()])
+        axes = np.array([PLANE_AXES[p] for p in program.plane[arc_rows].tolist()])
         start, end = program.before(arc_rows), position[arc_rows]
         flat_start = np.take_along_axis(start, axes, 1)
         flat_end = np.take_along_axis(end, axes, 1)

@@ -6,8 +6,9 @@ from __future__ import annotations
 import numpy as np
 
 from vkworkbench.core.paper.thresholds import MOVES
+from vkworkbench.core.toolpath import PLANE_AXES
 
-XY, ZX, YZ = (0, 1, 2), (2, 0, 1), (1, 2, 0)  # two axes of the plane, G17, G18 and G19, and its normal
+XY, ZX, YZ = (PLANE_AXES[number] for number in (17, 18, 19))
 
 
 def plane_of_points(points: np.ndarray) -> tuple[int, ...]:
