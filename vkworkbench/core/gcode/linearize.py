@@ -16,11 +16,15 @@ import numpy as np
 from vkworkbench.core.gcode import arcs, cycles
 from vkworkbench.core.gcode.unread import PROBES, unread
 from vkworkbench.core.gcode.words import (
+    ARCS,
+    CANCEL,
+    CLOCKWISE,
     COMMENT,
     COORDINATE_LIMIT,
     CYCLES,
     MODAL,
     MOTIONS,
+    RAPID,
     TOOL_CHANGE,
     UNKNOWN,
     Words,
@@ -33,11 +37,11 @@ SLOWEST_FEED = 1e-6  # mm/s, eleven days for a millimetre
 _TAPPING = (740, 840)
 _COARSEST_PITCH = 10.0  # mm; a tap's feed per minute is a larger number
 
-_RAPID, _CW, _CCW, _CANCEL = 0, 20, 30, 800
 # Codes that set a state read below, or one that does not move the tool.
 _STATE = np.array([40, 70, 80, 150, 170, 180, 190, 200, 210, 400, 410, 411, 420, 421, 430, 431, 432, 490,
                    500, 540, 550, 560, 570, 580, 590, 591, 592, 593, 610, 611, 640, 690, 800, 900, 901, 910,
                    911, 921, 922, 930, 940, 950, 960, 970, 980, 990])  # fmt: skip
+_MOST_NAMED = 10  # unknown codes; the others are counted
 _ZERO_LENGTH = 1e-9  # mm
 _OFF_CIRCLE = 0.05  # mm; an arc that ends farther from its circle has another centre
 
@@ -79,9 +83,8 @@ def linearize(commands: Iterable[Any] | Words, *, tolerance: float = 0.01, infer
     if not (np.isfinite(tolerance) and tolerance > 0):
         raise ValueError(f"the tolerance must be a positive number of mm, not {tolerance}")
     words = commands if isinstance(commands, Words) else Words(commands)
-    problems = _Problems()
-    program = _Program(words, problems, infer_centres)
-    points, rapid, command, sweep, is_cycle = _moves(program, tolerance, problems)
+    program = _Program(words, infer_centres)
+    points, rapid, command, sweep, is_cycle = _moves(program, tolerance)
 
     moved = _moved(points)
     while not moved.all():  # again: leaving out short moves may shorten the next one
@@ -97,8 +100,14 @@ def linearize(commands: Iterable[Any] | Words, *, tolerance: float = 0.01, infer
         commands=len(words),
         tool_changes=np.searchsorted(command, np.flatnonzero(words.codes == TOOL_CHANGE)),
         comments=tuple((at, words.names[i].strip(" ()")) for at, i in zip(before, comments.tolist())),
-        problems=tuple(problems),
+        problems=tuple(program.problems),
     )  # fmt: skip
+
+
+def _moved(points: np.ndarray) -> np.ndarray:
+    """Which trajectories have a length."""
+    result: np.ndarray = np.abs(np.diff(points, axis=0)).max(axis=1, initial=0.0) > _ZERO_LENGTH
+    return result
 
 
 class _Problems(List[Problem]):
@@ -110,43 +119,57 @@ class _Problems(List[Problem]):
 
 
 class _Program:
-    """The modal state at every command: motion, position, plane, modes and feed."""
+    """The modal state at every command: motion, position, plane, modes and feed; and the problems found until now."""
 
-    def __init__(self, words: Words, problems: _Problems, infer_centres: bool) -> None:
-        self.words = words
+    def __init__(self, words: Words, infer_centres: bool) -> None:
+        self.words, self.problems = words, _Problems()
         codes = words.codes
-        _report_codes(words, problems)
+        self._report_codes()
 
         # A name that is empty continues the last motion, until G80 ends it.
         is_motion = np.isin(codes, MOTIONS)
         self.motion = np.where(is_motion, codes, -1)
         modal = np.flatnonzero(codes == MODAL)
         if len(modal):
-            setter = _last(is_motion | (codes == _CANCEL))[modal]
+            setter = _last(is_motion | (codes == CANCEL))[modal]
             inherited = np.where(setter >= 0, codes[setter], -1)
-            self.motion[modal] = np.where(inherited == _CANCEL, -1, inherited)
-            problems.add(modal[self.motion[modal] < 0], Message("words-without-motion"))
+            self.motion[modal] = np.where(inherited == CANCEL, -1, inherited)
+            self.problems.add(modal[self.motion[modal] < 0], Message("words-without-motion"))
         self.is_cycle = np.isin(self.motion, CYCLES)
         for rows, what in unread(words, self.motion):
-            problems.add(rows, what)
+            self.problems.add(rows, what)
 
         self.plane = _mode(codes, {170: 17, 180: 18, 190: 19}, 17)
         self.relative = _mode(codes, {900: 0, 910: 1}, 0) == 1
         self.absolute_centre = _mode(codes, {901: 1, 911: 0}, 0) == 1
         self.infer_centres = infer_centres and not np.isin(codes, (901, 911)).any()
         self.to_retract_plane = _mode(codes, {980: 0, 990: 1}, 0) == 1
-        self.feed = self._feed(problems)
-        self.position, self.known = self._positions(problems)
+        self.feed = self._feed()
+        self.cycle_heights, self.cycle_peck = np.empty((0, 4)), np.empty(0)  # of the canned cycles alone
+        self.position, self.known = self._positions()
+
+    def _report_codes(self) -> None:
+        codes, names = self.words.codes, self.words.names
+        known = np.concatenate([MOTIONS, _STATE, PROBES])
+        by_name: dict[str, list[int]] = {}
+        for row in np.flatnonzero((codes == UNKNOWN) | ((codes >= 0) & ~np.isin(codes, known))).tolist():
+            by_name.setdefault(names[row], []).append(row)
+        unknown = list(by_name.items())
+        for name, rows in unknown[:_MOST_NAMED]:
+            self.problems.add(np.array(rows), Message("unknown-code", name=repr(name[:40])))
+        rest = [row for _, rows in unknown[_MOST_NAMED:] for row in rows]
+        if rest:
+            self.problems.add(np.array(rest), Message("more-unknown-codes", count=len(unknown) - _MOST_NAMED))
 
     def before(self, rows: np.ndarray) -> np.ndarray:
         """Position before each of the given commands, (m, 3) mm."""
         result: np.ndarray = self.position[np.maximum(rows - 1, 0)]
         return result
 
-    def _feed(self, problems: _Problems) -> np.ndarray:
+    def _feed(self) -> np.ndarray:
         values, unusable = self.words.column("F")
         unusable |= (values != 0) & (values < SLOWEST_FEED)
-        problems.add(np.flatnonzero(unusable), Message("unusable-feed"))
+        self.problems.add(np.flatnonzero(unusable), Message("unusable-feed"))
         tapping = np.flatnonzero(np.isin(self.motion, _TAPPING) & (values <= _COARSEST_PITCH))
         if len(tapping):  # FreeCAD's own taps tell the pitch and the speed, which its posts multiply
             speed = self.words.column("S", tapping)[0]  # turns/min
@@ -155,36 +178,36 @@ class _Program:
         per_minute = _mode(self.words.codes, {930: 0, 940: 1, 950: 0}, 1) == 1
         return np.where((setter >= 0) & per_minute, values[setter], 0.0)
 
-    def _positions(self, problems: _Problems) -> tuple[np.ndarray, np.ndarray]:
+    def _positions(self) -> tuple[np.ndarray, np.ndarray]:
         moves = self.motion >= 0
         position = np.empty((len(moves), 3))
         known = np.empty((len(moves), 3), bool)
         for axis, letter in enumerate("XYZ"):
             values, unusable = self.words.column(letter)
-            problems.add(np.flatnonzero(unusable & moves), Message("unusable-word", letter=letter))
+            self.problems.add(np.flatnonzero(unusable & moves), Message("unusable-word", letter=letter))
             values[~moves] = np.nan
             if letter == "Z" and self.is_cycle.any():
-                values, relative = self._cycle_heights(values, problems)
+                values, relative = self._resolve_cycles(values)
             else:
                 relative = self.relative
             position[:, axis], known[:, axis] = _coordinate(values, relative)
         beyond = np.abs(position) > COORDINATE_LIMIT
         if beyond.any():  # relative words may add up to anything
-            problems.add(np.flatnonzero(beyond.any(axis=1)), Message("position-cut-off"))
+            self.problems.add(np.flatnonzero(beyond.any(axis=1)), Message("position-cut-off"))
             position = np.clip(position, -COORDINATE_LIMIT, COORDINATE_LIMIT)
         return position, known
 
-    def _cycle_heights(self, z: np.ndarray, problems: _Problems) -> tuple[np.ndarray, np.ndarray]:
+    def _resolve_cycles(self, z: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Resolve the sticky words of the canned cycles; return Z as absolute values and no relative row."""
         rows = np.flatnonzero(self.is_cycle)
         own = {"Z": z[rows]}
         for letter in "RQ":
             own[letter], unusable = self.words.column(letter, rows)
-            problems.add(rows[unusable], Message("unusable-word", letter=letter))
-        problems.add(rows[np.isnan(_held(own["Z"]))], Message("cycle-without-depth"))
-        problems.add(rows[np.isnan(_held(own["R"]))], Message("cycle-without-retract"))
-        problems.add(rows[self.plane[rows] != 17], Message("cycle-outside-xy"))
-        parted = ((self.motion >= 0) & ~self.is_cycle) | (self.words.codes == _CANCEL)
+            self.problems.add(rows[unusable], Message("unusable-word", letter=letter))
+        self.problems.add(rows[np.isnan(_held(own["Z"]))], Message("cycle-without-depth"))
+        self.problems.add(rows[np.isnan(_held(own["R"]))], Message("cycle-without-retract"))
+        self.problems.add(rows[self.plane[rows] != 17], Message("cycle-outside-xy"))
+        parted = ((self.motion >= 0) & ~self.is_cycle) | (self.words.codes == CANCEL)
         z[rows] = np.nan
         z, self.cycle_heights = cycles.heights(
             z, self.relative, rows, np.cumsum(parted)[rows], own["R"], own["Z"], self.to_retract_plane[rows]
@@ -193,12 +216,10 @@ class _Program:
         return z, np.zeros(len(z), bool)
 
 
-def _moves(
-    program: _Program, tolerance: float, problems: _Problems
-) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
+def _moves(program: _Program, tolerance: float) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
     """Return points, rapid, command, sweep and cycle of all moves, zero-length ones included."""
     motion, position = program.motion, program.position
-    is_arc = (motion == _CW) | (motion == _CCW)
+    is_arc = np.isin(motion, ARCS)
     counts = (motion >= 0).astype(np.int64)
 
     arc_rows = np.flatnonzero(is_arc)
@@ -207,7 +228,7 @@ def _moves(
         start, end = program.before(arc_rows), position[arc_rows]
         flat_start = np.take_along_axis(start, axes, 1)
         flat_end = np.take_along_axis(end, axes, 1)
-        resolved = _resolve_arcs(program, arc_rows, axes, flat_start, flat_end, problems)
+        resolved = _resolve_arcs(program, arc_rows, axes, flat_start, flat_end)
         counts[arc_rows] = arcs.chord_counts(resolved, tolerance)
     cycle_rows = np.flatnonzero(program.is_cycle)
     if len(cycle_rows):
@@ -219,7 +240,7 @@ def _moves(
         raise Unusable(Message("too-many-moves", moves=total, tolerance=tolerance))
     command = np.repeat(np.arange(len(motion)), counts)
     points = position[command]
-    rapid = (motion == _RAPID)[command]
+    rapid = (motion == RAPID)[command]
     is_cycle = program.is_cycle[command]
     sweep = np.zeros(total)
     if len(arc_rows):
@@ -237,22 +258,16 @@ def _moves(
     return np.concatenate([start, points]), rapid, command, sweep, is_cycle
 
 
-def _moved(points: np.ndarray) -> np.ndarray:
-    """Which trajectories have a length."""
-    result: np.ndarray = np.abs(np.diff(points, axis=0)).max(axis=1, initial=0.0) > _ZERO_LENGTH
-    return result
-
-
 def _resolve_arcs(
-    program: _Program, rows: np.ndarray, axes: np.ndarray, start: np.ndarray, end: np.ndarray, problems: _Problems
+    program: _Program, rows: np.ndarray, axes: np.ndarray, start: np.ndarray, end: np.ndarray
 ) -> arcs.Arcs:
-    words = program.words
+    words, problems = program.words, program.problems
     columns, unusable = zip(*(words.column(letter, rows) for letter in "IJK"))
     problems.add(rows[np.any(unusable, axis=0)], Message("unusable-centre"))
     offset = np.take_along_axis(np.column_stack(columns), axes[:, :2], 1)
     radius, unusable = words.column("R", rows)
     problems.add(rows[unusable], Message("unusable-word", letter="R"))
-    clockwise = program.motion[rows] == _CW
+    clockwise = program.motion[rows] == CLOCKWISE
     ends = start[:, :2], end[:, :2], clockwise, offset, radius
     resolved = arcs.resolve(*ends, program.absolute_centre[rows])
     off = np.count_nonzero(resolved.gap > _OFF_CIRCLE)
@@ -279,19 +294,6 @@ def _expand_cycles(program: _Program, rows: np.ndarray) -> tuple[np.ndarray, np.
     start[:, 2] = program.cycle_heights[:, 0]
     hole = program.position[rows, :2]
     return cycles.moves(program.motion[rows], start, hole, program.cycle_heights, program.cycle_peck)
-
-
-def _report_codes(words: Words, problems: _Problems) -> None:
-    known = np.concatenate([MOTIONS, _STATE, PROBES])
-    codes = words.codes
-    by_name: dict[str, list[int]] = {}
-    for row in np.flatnonzero((codes == UNKNOWN) | ((codes >= 0) & ~np.isin(codes, known))).tolist():
-        by_name.setdefault(words.names[row], []).append(row)
-    for name, rows in list(by_name.items())[:10]:
-        problems.add(np.array(rows), Message("unknown-code", name=repr(name[:40])))
-    if len(by_name) > 10:
-        rest = np.array([row for rows in list(by_name.values())[10:] for row in rows])
-        problems.add(rest, Message("more-unknown-codes", count=len(by_name) - 10))
 
 
 def _last(mask: np.ndarray) -> np.ndarray:

@@ -19,7 +19,7 @@ from vkworkbench.core.gcode.cycles import CHIP_BREAK, PECK
 from vkworkbench.core.gcode.program import Program
 from vkworkbench.core.gcode.units import INCH
 from vkworkbench.core.gcode.unread import PROBES, ROTARY
-from vkworkbench.core.gcode.words import CYCLES, MOTION_NAMES, MOTIONS, name_of
+from vkworkbench.core.gcode.words import ARCS, CANCEL, CYCLES, FEED, MOTION_NAMES, MOTIONS, RAPID, name_of
 from vkworkbench.core.toolpath import Problem
 from vkworkbench.language import Message
 
@@ -360,7 +360,7 @@ class _Reader:
                 self._problem(Message("word-not-read", letter=letter))
         elif self.pole is not None:
             self.pole.update(centre)
-        is_arc = mode in (20, 30) and "R" not in move and not {"X", "Y", "Z"}.isdisjoint(move)
+        is_arc = mode in ARCS and "R" not in move and not {"X", "Y", "Z"}.isdisjoint(move)
         return {**move, **(self.pole or {})} if is_arc else move
 
     def _m_code(self, value: float, letters: set[str]) -> bool:
@@ -392,7 +392,7 @@ class _Reader:
         """Take a G-code that `linearize` knows."""
         if code in (900, 910):
             self.relative = code == 910
-        elif code == 800:
+        elif code == CANCEL:
             self.motion = code
         elif code == 180:
             self.clues.g_code(18, set(), self.number)
@@ -402,7 +402,7 @@ class _Reader:
         """Return the motion as which a G-code is read that `linearize` does not know; None where there is none."""
         if code in _SPLINES and not letters.isdisjoint("XYZ"):
             self._problem(Message("spline-as-line", name=name_of(code)))
-            return 10
+            return FEED
         if code == 760 and "R" in letters and ("Y" in letters or "P" not in letters):
             return _BORING  # a lathe's G76, which cuts threads, has other words
         return None
@@ -454,8 +454,8 @@ class _Reader:
 
     def _move(self, motion: int | None, parameters: dict[str, float], apart: bool) -> None:
         """Add the command of a line's motion, or of its feed rate alone."""
-        if motion is None and self.motion == 800:  # behind G80 machines go on as with G0
-            motion = 0 if not _AXES.isdisjoint(parameters) and not apart else None
+        if motion is None and self.motion == CANCEL:  # behind G80 machines go on as with G0
+            motion = RAPID if not _AXES.isdisjoint(parameters) and not apart else None
         if motion is not None:
             self.motion, self.later = motion, None
         mode = self.motion
@@ -481,7 +481,7 @@ class _Reader:
             self._problem(Message("goes-on"))
         if "Y" in move:
             self._note_y(move["Y"])
-        if mode in (20, 30):
+        if mode in ARCS:
             self.clues.arc(set(parameters), self.number)
             if parameters.get("P", 1.0) > 1:
                 self._problem(Message("turns-not-read"))

@@ -8,14 +8,14 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from vkworkbench.core.gcode.words import CYCLES, Words
+from vkworkbench.core.gcode.words import ARCS, CYCLES, FEED, RAPID, Words
 from vkworkbench.language import Message
 
 ROTARY = "ABC"
 # Words that moves and cycles are read from, and those that say nothing about the way of the tool.
 _READ = frozenset("XYZIJKRQF" + "GMNSTDH" + "LP")
 PROBES = 382, 383, 384, 385
-_INCHES, _DWELL, _STRAIGHT, _ARCS = 200, 40, (0, 10), (20, 30)
+_INCHES, _DWELL = 200, 40
 _CORNERS = frozenset("IJKR")  # by which some controls round or chamfer the corner behind a straight move
 _COMPENSATION = {410: "G41", 411: "G41.1", 420: "G42", 421: "G42.1"}
 _FEED_MODES = {930: "G93", 950: "G95"}
@@ -47,7 +47,7 @@ def unread(words: Words, motion: np.ndarray) -> Iterator[tuple[np.ndarray, Messa
             yield np.flatnonzero(moves & _given(words, letter)), Message("word-not-read", letter=letter)
     for letter in sorted(words.letters & _CORNERS):
         yield (
-            np.flatnonzero(np.isin(motion, _STRAIGHT) & _given(words, letter)),
+            np.flatnonzero(np.isin(motion, (RAPID, FEED)) & _given(words, letter)),
             Message("word-not-read", letter=letter),
         )
     in_cycle = np.isin(motion, CYCLES)
@@ -55,7 +55,7 @@ def unread(words: Words, motion: np.ndarray) -> Iterator[tuple[np.ndarray, Messa
         yield np.flatnonzero(in_cycle & (words.column(letter)[0] > 1)), Message("repeats-not-read", letter=letter)
     if "P" in words.letters:
         p = words.column("P")[0]
-        yield np.flatnonzero(np.isin(motion, _ARCS) & (p > 1)), Message("turns-not-read")
+        yield np.flatnonzero(np.isin(motion, ARCS) & (p > 1)), Message("turns-not-read")
         yield np.flatnonzero(in_cycle & (p > 0)), Message("dwell-untimed")
     yield np.flatnonzero(codes == _DWELL), Message("dwell-untimed")
     yield np.flatnonzero(np.isin(codes, PROBES)), Message("probing-untimed")

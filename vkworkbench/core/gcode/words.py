@@ -15,8 +15,10 @@ COORDINATE_LIMIT = 1e6
 
 # G-codes are numbered in tenths (G90.1 is 901); what is not a G-code is negative.
 COMMENT, OTHER, TOOL_CHANGE, MODAL, UNKNOWN = -1, -2, -3, -4, -5
-CYCLES = (730, 740, 810, 820, 830, 840, 850, 860, 880, 890)  # drilling cycles
-MOTIONS = (0, 10, 20, 30, *CYCLES)
+RAPID, FEED, CLOCKWISE, COUNTER_CLOCKWISE, CANCEL = 0, 10, 20, 30, 800
+ARCS = (CLOCKWISE, COUNTER_CLOCKWISE)
+CYCLES = (730, 740, 810, 820, 830, 840, 850, 860, 880, 890)  # drilling cycles, which CANCEL ends
+MOTIONS = (RAPID, FEED, *ARCS, *CYCLES)
 
 _ABSENT = 1e300
 _PIECE = 50_000  # commands read at once: their parameters take half a kB each

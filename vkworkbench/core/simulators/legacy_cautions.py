@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from vkworkbench.core.gcode import Words
+from vkworkbench.core.gcode import ARCS, Words
 from vkworkbench.core.simulators import opengl
 from vkworkbench.core.simulators.legacy import NAME, LegacyCost
 from vkworkbench.core.simulators.simulator import Caution, Conditions, Task
@@ -14,8 +14,6 @@ from vkworkbench.language import Message
 
 MOST_SHORT_MOVES = 2000
 RAMP_ERROR = 0.1  # mm
-
-_CLOCKWISE, _COUNTERCLOCKWISE = 20, 30
 
 
 def cautions(task: Task, cost: LegacyCost | None, conditions: Conditions) -> list[Caution]:
@@ -38,7 +36,7 @@ def _hangs(task: Task, version: tuple[int, ...]) -> list[Caution]:
     words = task.words
     if words is None:
         return []
-    arcs = np.flatnonzero((words.codes == _CLOCKWISE) | (words.codes == _COUNTERCLOCKWISE))
+    arcs = np.flatnonzero(np.isin(words.codes, ARCS))
     if not len(arcs):
         return []
     values = {letter: words.column(letter, arcs)[0] for letter in "XYZIJK"}
