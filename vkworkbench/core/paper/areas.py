@@ -29,7 +29,7 @@ def monotonous_areas(toolpath: Toolpath, first: int = 0, last: int | None = None
     Areas
         With m = 0 moves where nothing cuts along the plane.
     """
-    return Areas(**vars(cutting_moves(toolpath, first, last)))
+    return Areas(**vars(cutting_moves(toolpath, first, len(toolpath) if last is None else last + 1)))
 
 
 class Areas(Moves):

@@ -70,49 +70,24 @@ class Moves:
         return extent
 
 
-def cutting_moves(toolpath: Toolpath, first: int = 0, last: int | None = None) -> Moves:
-    """Measure the cutting moves and split them into monotonous areas.
-
-    Parameters
-    ----------
-    toolpath : Toolpath
-    first, last : int
-        Range of trajectories to split, last inclusive; all where not given.
-
-    Returns
-    -------
-    Moves
-        With m = 0 where nothing cuts along the plane.
-    """
-    end = len(toolpath) if last is None else last + 1
-    points, rapid = toolpath.points[first : end + 1], toolpath.rapid[first:end]
-    # One block for all measures, and in place wherever that is possible: with this many moves the time goes into
-    # memory, not arithmetic. Many arrays that come and go make the system map the same pages again and again. The rows
-    # to spare are never touched: C libraries keep free memory of up to twice the largest block they gave out (glibc's
-    # dynamic M_TRIM_THRESHOLD), and so what is measured later finds pages that are mapped.
-    block = np.empty((MEASURES + SPARE, len(points)))
-    for row, axis in zip(block, plane_of_toolpath(points, rapid)):
-        row[:] = points[:, axis]
-    x, y, z = block[:3]
-    dx, dy, dz = np.subtract(block[:3, 1:], block[:3, :-1], out=block[3:6, :-1])
-    length = np.multiply(dx, dx, out=block[6, :-1])
-    length += dy * dy
-    np.sqrt(length, out=length)
+def cutting_moves(toolpath: Toolpath, first: int, end: int) -> Moves:
+    """Measure the cutting moves among the trajectories first .. end - 1, and split them into monotonous areas."""
+    steps = _Steps(toolpath, first, end)
+    dx, dy, dz, length = steps.dx, steps.dy, steps.dz, steps.length
     planar = length > MOVES.STILL
     if dz.any():
         planar &= np.abs(dz) <= MOVES.STEEP * length
-    if rapid.any():
-        planar &= ~rapid
+    if steps.rapid.any():
+        planar &= ~steps.rapid
     _drop_noise(planar, length)
-    index, start = _split(planar, rapid, z, dx, dy, dz, length)
-    index, start = _without_air(planar, rapid, index, start, z, dx, dy, dz, length)
+    index, start = _without_air(steps, planar, *_split(steps, planar))
     holes = index[:0]
     if len(index) < len(dx):
-        holes = _holes(points, rapid, dz, length, planar)
-        dx, dy, dz, length, x, y, z = (v[index] for v in (dx, dy, dz, length, x, y, z[1:]))
+        holes = _holes(steps, planar)
+        dx, dy, dz, length, x, y, z = (v[index] for v in (dx, dy, dz, length, steps.x, steps.y, steps.z[1:]))
     else:
-        x, y, z = x[:-1], y[:-1], z[1:]
-    alpha, turning, phi = block[7:MEASURES, : len(index)]
+        x, y, z = steps.x[:-1], steps.y[:-1], steps.z[1:]
+    alpha, turning, phi = steps.spare_rows(len(index))
     directions(dx, dy, out=alpha)
     unsigned, reversals = turned(alpha, start, turning, phi)
     return Moves(
@@ -132,6 +107,37 @@ def cutting_moves(toolpath: Toolpath, first: int = 0, last: int | None = None) -
         reversals=reversals,
         holes=holes + first,
     )
+
+
+class _Steps:
+    """The trajectories first .. end - 1 of a toolpath in the working plane: their points (n+1,) and what leads on (n,).
+
+    One block for all measures, and in place wherever that is possible: with this many moves the time goes into memory,
+    not arithmetic. Many arrays that come and go make the system map the same pages again and again. The rows to spare
+    are never touched: C libraries keep free memory of up to twice the largest block they gave out (glibc's dynamic
+    M_TRIM_THRESHOLD), and so what is measured later finds pages that are mapped.
+    """
+
+    def __init__(self, toolpath: Toolpath, first: int, end: int) -> None:
+        self.points, self.rapid = toolpath.points[first : end + 1], toolpath.rapid[first:end]
+        self._block = block = np.empty((MEASURES + SPARE, len(self.points)))
+        for row, axis in zip(block, plane_of_toolpath(self.points, self.rapid)):
+            row[:] = self.points[:, axis]
+        self.x, self.y, self.z = block[:3]
+        self.dx, self.dy, self.dz = np.subtract(block[:3, 1:], block[:3, :-1], out=block[3:6, :-1])
+        self.length = np.multiply(self.dx, self.dx, out=block[6, :-1])
+        self.length += self.dy * self.dy
+        np.sqrt(self.length, out=self.length)
+
+    def spare_rows(self, count: int) -> np.ndarray:
+        """Return the rows for what is measured of `count` moves: alpha, turning and phi, (3, count)."""
+        return self._block[7:MEASURES, :count]
+
+    def goes_on(self, one: np.ndarray, two: np.ndarray) -> np.ndarray:
+        """Tell where trajectories two (k,) have the direction of trajectories one (k,), (k,) bool."""
+        dx, dy, length = self.dx, self.dy, self.length
+        onward: np.ndarray = dx[two] * dx[one] + dy[two] * dy[one] > MOVES.ONWARD * length[two] * length[one]
+        return onward
 
 
 def turned(alpha: np.ndarray, start: np.ndarray, turning: np.ndarray, phi: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
@@ -174,15 +180,7 @@ def _drop_noise(planar: np.ndarray, length: np.ndarray) -> None:
     planar[short[length[short] < MOVES.NOISE_BESIDE * np.maximum(before, after)]] = False
 
 
-def _split(
-    planar: np.ndarray,
-    rapid: np.ndarray,
-    z: np.ndarray,
-    dx: np.ndarray,
-    dy: np.ndarray,
-    dz: np.ndarray,
-    length: np.ndarray,
-) -> tuple[np.ndarray, np.ndarray]:
+def _split(steps: _Steps, planar: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Return the trajectories of the planar moves and the first move of each area.
 
     Areas end at rapids, plunges and lifts. A height change between two moves of one direction is a wall the
@@ -193,27 +191,18 @@ def _split(
         return index, np.zeros(min(len(index), 1), np.int64)
     gap = np.flatnonzero(index[1:] - index[:-1] > 1) + 1
     if len(gap):
-        rapids = np.concatenate([[0], np.cumsum(rapid)])
+        rapids = np.concatenate([[0], np.cumsum(steps.rapid)])
         after, before = index[gap], index[gap - 1]
         lifted = rapids[after] > rapids[before]
-        steep = np.concatenate([[0], np.cumsum(np.where(planar | rapid, 0.0, np.abs(dz)))])
-        height = np.abs(z[after] - z[before + 1])
+        steep = np.concatenate([[0], np.cumsum(np.where(planar | steps.rapid, 0.0, np.abs(steps.dz)))])
+        height = np.abs(steps.z[after] - steps.z[before + 1])
         drilled = steep[after] - steep[before] > height + MOVES.STILL  # down and up again
-        onward = dx[after] * dx[before] + dy[after] * dy[before] > MOVES.ONWARD * length[after] * length[before]
-        gap = gap[lifted | drilled | ((height > MOVES.STILL) & ~onward)]
+        gap = gap[lifted | drilled | ((height > MOVES.STILL) & ~steps.goes_on(before, after))]
     return index, np.concatenate([[0], gap]) if len(index) else gap
 
 
 def _without_air(
-    planar: np.ndarray,
-    rapid: np.ndarray,
-    index: np.ndarray,
-    start: np.ndarray,
-    z: np.ndarray,
-    dx: np.ndarray,
-    dy: np.ndarray,
-    dz: np.ndarray,
-    length: np.ndarray,
+    steps: _Steps, planar: np.ndarray, index: np.ndarray, start: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray]:
     """Leave out the links in the air of programs that lift, traverse and plunge at feed instead of rapid.
 
@@ -223,10 +212,10 @@ def _without_air(
     """
     if not len(start) or len(index) == len(planar):
         return index, start
+    z, dz, length, rapid = steps.z, steps.dz, steps.length, steps.rapid
     last = np.append(start[1:], len(index)) - 1
     a, b = index[start], index[last]
     horizontal = np.abs(z[b + 1] - z[a]) < MOVES.STILL
-    parallel = dx[a] * dx[b] + dy[a] * dy[b] > MOVES.ONWARD * length[a] * length[b]
     steep = np.where(length > MOVES.STILL, 0.0, dz)  # moves straight up or down, rapid or at feed
     rises, falls = np.append(0.0, steep)[a] > MOVES.STILL, np.append(steep, 0.0)[b + 1] < -MOVES.STILL
     top = z[a] >= z.max() - MOVES.STILL
@@ -235,11 +224,11 @@ def _without_air(
         end -= 1
     lifted = rises | (a == 0) | (top & rapid[a - 1])
     plunges = falls | (b == end - 1) | (top & rapid[np.minimum(b + 1, len(rapid) - 1)])
-    air = horizontal & parallel & lifted & plunges
+    air = horizontal & steps.goes_on(b, a) & lifted & plunges
     if len(start) > 1:
         # A plateau between walls is no link: it goes on in the direction of the lower pass beside it.
         before, after = b[:-1], a[1:]
-        onward = dx[after] * dx[before] + dy[after] * dy[before] > MOVES.ONWARD * length[after] * length[before]
+        onward = steps.goes_on(before, after)
         # At the top between two rapids there is none: a post has written a rapid as a feed, wherever it leads.
         fast = top & (a > 0) & rapid[a - 1] & rapid[np.minimum(b + 1, len(rapid) - 1)]
         air[1:] &= fast[1:] | ~(onward & (z[before + 1] < z[after] - MOVES.STILL))
@@ -248,7 +237,7 @@ def _without_air(
     several = np.flatnonzero(air & (last > start))
     if len(several):  # rows begin and end by parallel moves, too
         ways = np.column_stack([a[several], b[several] + 1]).ravel()
-        x, y, way = (np.add.reduceat(v, ways[ways < len(v)])[::2] for v in (dx, dy, length))
+        x, y, way = (np.add.reduceat(v, ways[ways < len(v)])[::2] for v in (steps.dx, steps.dy, length))
         air[several] = np.hypot(x, y) > MOVES.ONWARD * way
     if not air.any():
         return index, start
@@ -258,19 +247,19 @@ def _without_air(
     return index[keep], np.concatenate([[0], np.cumsum(size)[:-1]]) if len(size) else size
 
 
-def _holes(points: np.ndarray, rapid: np.ndarray, dz: np.ndarray, length: np.ndarray, planar: np.ndarray) -> np.ndarray:
+def _holes(steps: _Steps, planar: np.ndarray) -> np.ndarray:
     """Return the last trajectory of every drilled hole: a plunge, where nothing is milled between two rapids.
 
     Pecks into one hole count once. Plunges beside moves along the plane (walls, lead-ins) are no holes.
     """
-    down = np.flatnonzero(~rapid & (length <= MOVES.STILL) & (dz < -MOVES.STILL))
+    down = np.flatnonzero(~steps.rapid & (steps.length <= MOVES.STILL) & (steps.dz < -MOVES.STILL))
     if not len(down):
         return down
-    block = np.cumsum(rapid)
+    block = np.cumsum(steps.rapid)
     milled = np.zeros(int(block[-1]) + 1, bool)
     milled[block[planar]] = True
     down = down[~milled[block[down]]]
-    x, y = points[down + 1, 0], points[down + 1, 1]
+    x, y = steps.points[down + 1, 0], steps.points[down + 1, 1]
     left = (np.abs(x[1:] - x[:-1]) > MOVES.STILL) | (np.abs(y[1:] - y[:-1]) > MOVES.STILL)
     result: np.ndarray = down[np.append(left, True)] if len(down) else down
     return result
