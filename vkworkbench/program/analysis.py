@@ -6,7 +6,7 @@ from __future__ import annotations
 import math
 import os
 from collections.abc import Callable, Iterable
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
@@ -108,10 +108,7 @@ def analyze_file(path: Path, chosen: Preferences) -> tuple[OperationReport, ...]
         so has a file that cannot be read, which is not counted, with the reason among its remarks.
     """
     try:
-        program = read_program(text_of(read_bytes(path)))
-        return tuple(
-            _rows(path, program, program.toolpath(tolerance=chosen.tolerance), split_sections(program), chosen)
-        )
+        return tuple(_rows(path, read_program(text_of(read_bytes(path))), chosen))
     except Unusable as error:
         return (unread(path, error.what),)
     except Exception as error:  # an error of this add-on costs this file only
@@ -125,9 +122,36 @@ def unread(path: Path, why: Message) -> OperationReport:
     )
 
 
-def _rows(
-    path: Path, program: Program, toolpath: Toolpath, sections: tuple[Section, ...], chosen: Preferences
-) -> list[OperationReport]:
+@dataclass(frozen=True)
+class _Whole:
+    """What all operations of a program have in common.
+
+    Attributes
+    ----------
+    path : Path
+    program : Program
+    chosen : Preferences
+    stock : Stock or None
+        A box around all cuts; None where no tool is known.
+    inches : bool
+        Whether its inches are read as millimetres.
+    remarks : tuple of Message
+        What is to be said of each.
+    undivided : bool
+        Whether no title and no tool change tells whether it is one operation.
+    """
+
+    path: Path
+    program: Program
+    chosen: Preferences
+    stock: Stock | None
+    inches: bool
+    remarks: tuple[Message, ...]
+    undivided: bool
+
+
+def _rows(path: Path, program: Program, chosen: Preferences) -> list[OperationReport]:
+    toolpath, sections = program.toolpath(tolerance=chosen.tolerance), split_sections(program)
     inches = not program.unit_told and (
         looks_like_inches(toolpath) or any(tells_inches(text) for _, _, text in program.comments)
     )
@@ -137,53 +161,50 @@ def _rows(
     parts = [toolpath.part(int(a), int(b)) for a, b in zip([0, *bounds], [*bounds, len(toolpath)])]
     cutting = [(part, section) for part, section in zip(parts, sections) if not part.rapid.all()]
     if not cutting:
-        row = unread(path, program.other or Message("no-cutting-move"))
-        remarks = (*row.remarks, *map(at_line, toolpath.problems))
-        if program.other:
-            return [replace(row, counted=True, remarks=remarks)]
-        found = recognize(toolpath)
-        read = all(problem.of_time for problem in toolpath.problems)  # else what is not read may be what cuts
-        return [
-            replace(row, counted=read, recognition=found, trajectories=len(toolpath),
-                    machining=_machining(toolpath, toolpath.problems), remarks=remarks)
-        ]  # fmt: skip
-    stock = _stock(toolpath, [section.tool for _, section in cutting])
-    lost = [Message("inches-as-millimetres")] if inches else []
+        return [_without_cuts(path, program, toolpath)]
+    remarks = [Message("inches-as-millimetres")] if inches else []
     if looks_like_increments(toolpath, inches=program.inches):
-        lost.append(Message("increments-as-units"))
-    starts = [0.0, *(section.first for _, section in cutting[1:]), math.inf]
-    problems = [
-        [part for problem in toolpath.problems if (part := problem.within(first, end))]
-        for first, end in zip(starts, starts[1:])
-    ]
-    undivided = len(cutting) == 1  # no title and no tool change tells whether it is one operation
-    return [
-        _row(path, program, part, section, stock, chosen, lost, its_own, undivided)
-        for (part, section), its_own in zip(cutting, problems)
-    ]
+        remarks.append(Message("increments-as-units"))
+    stock = _stock(toolpath, [section.tool for _, section in cutting])
+    whole = _Whole(path, program, chosen, stock, inches, tuple(remarks), undivided=len(cutting) == 1)
+    ends = [*(section.first for _, section in cutting[1:]), math.inf]
+    rows, first = [], 0.0
+    for (part, section), end in zip(cutting, ends):
+        problems = [within for problem in toolpath.problems if (within := problem.within(first, end))]
+        rows.append(_row(whole, part, section, problems))
+        first = end
+    return rows
 
 
-def _row(
-    path: Path, program: Program, part: Toolpath, section: Section, stock: Stock | None, chosen: Preferences,
-    lost: list[Message], problems: list[Problem], undivided: bool,
-) -> OperationReport:  # fmt: skip
-    """Return the row of one operation."""
-    remarks = [*lost, *map(at_line, problems)]
-    unlike_milling = program.other or _turned(program, section)
+def _without_cuts(path: Path, program: Program, toolpath: Toolpath) -> OperationReport:
+    """Return the row of a program that cuts nothing."""
+    row = unread(path, program.other or Message("no-cutting-move"))
+    row = replace(row, remarks=(*row.remarks, *map(at_line, toolpath.problems)))
+    if program.other:
+        return replace(row, counted=True)
+    counted = all(problem.of_time for problem in toolpath.problems)  # else what is not read may be what cuts
+    return replace(row, counted=counted, recognition=recognize(toolpath), trajectories=len(toolpath),
+                   machining=_machining(toolpath, toolpath.problems))  # fmt: skip
+
+
+def _row(whole: _Whole, part: Toolpath, section: Section, problems: list[Problem]) -> OperationReport:
+    """Return the row of one operation, of which these are the problems."""
+    program, chosen, stock, tool = whole.program, whole.chosen, whole.stock, section.tool
+    remarks = [*whole.remarks, *map(at_line, problems)]
+    unlike_milling = program.other or _rotary(program, section)
     row = replace(
-        unread(path, unlike_milling or Message("no-cutting-move")),
+        unread(whole.path, unlike_milling or Message("no-cutting-move")),
         name=f"lines {section.first}-{section.last}",
-        label=section.title or (path.stem if section.number is None else f"T{section.number}"),
+        label=section.title or (whole.path.stem if section.number is None else f"T{section.number}"),
         counted=True,
         trajectories=len(part),
     )
     if unlike_milling:
         return replace(row, recognition=unknown(part, unlike_milling), remarks=(*row.remarks, *remarks))
-    tool = section.tool
-    if Message("inches-as-millimetres") in remarks:
-        found = recognize_inches(part, tool_diameter=tool and INCH * tool.diameter, program=undivided)
+    if whole.inches:
+        found = recognize_inches(part, tool_diameter=tool and INCH * tool.diameter, program=whole.undivided)
     else:
-        found = recognize(part, tool_diameter=tool and tool.diameter, program=undivided)
+        found = recognize(part, tool_diameter=tool and tool.diameter, program=whole.undivided)
     costs, advice = {}, {}
     if tool and stock:
         conditions = Conditions(
@@ -191,7 +212,7 @@ def _row(
         )
         costs, advice = predict(Task(part, tool, stock, recognition=found), conditions)
     else:
-        remarks = [*remarks, Message("tool-not-told")]
+        remarks.append(Message("tool-not-told"))
     return replace(
         row, recognition=found, machining=_machining(part, problems), costs=costs, advice=advice, remarks=tuple(remarks)
     )
@@ -206,7 +227,7 @@ def _as_read(section: Section) -> Section:
     return replace(section, tool=small)
 
 
-def _turned(program: Program, section: Section) -> Message | None:
+def _rotary(program: Program, section: Section) -> Message | None:
     """Return the message about a rotary axis that turns during a cut of this operation, None if none does."""
     line = next((line for line in program.rotary if section.first <= line <= section.last), None)
     return None if line is None else Message("rotary", line=line)
