@@ -399,11 +399,12 @@ def test_wheel_and_mouse_zoom_and_move(view, window):
     pictures.append(view.picture())
     window.screenshot("gauss-map-zoomed")
     assert not same(pictures[0], pictures[1]) and not same(pictures[1], pictures[2])
-    graph = view.canvas.figure.graph
+    graph, plots = view.canvas.figure.graph, view.canvas.figure.zoomable
+    seen = [np.array(one.window) for one in plots]
     roll(canvas, graph.place.center().toPoint(), -120)
-    assert not graph.is_home
+    assert [np.array_equal(one.window, was) for one, was in zip(plots, seen)] == [True, False]
     QTest.mouseDClick(canvas, QtCore.Qt.LeftButton, QtCore.Qt.NoModifier, at)
-    assert plot.is_home and not graph.is_home
+    assert np.array_equal(plot.window, before) and not np.array_equal(graph.window, seen[1])
 
 
 def roll(widget, at, eighths):

@@ -40,10 +40,6 @@ class Plot:
         self.place = place
 
     @property
-    def is_home(self) -> bool:
-        return np.array_equal([self.lower, self.upper], self._home)
-
-    @property
     def share(self) -> float:
         """Which share of the whole is seen, the longer side counts."""
         return float(((self.upper - self.lower) / (self._home[1] - self._home[0])).max())

@@ -11,7 +11,7 @@ import pytest
 from zbuffer_reference.paths import toolpath
 
 from vkworkbench.core import Cut, Stock, Tool, View
-from vkworkbench.core.zbuffer import facts, removal_over_time, simulate_job
+from vkworkbench.core.zbuffer import facts, removed_volumes, simulate_job
 
 BLOCK, MODEL = Stock((0, 0, 0), (40, 30, 10)), Stock((0, 0, 0), (40, 30, 8))
 FLAT, VIEW = Tool("endmill", 6), View((0, 0, -1), 400, 300)  # pixels of 0.1 mm
@@ -34,7 +34,7 @@ THERE_AGAIN = path(
     [(-10, 15, 7), (20, 15, 7), (50, 15, 7), (50, 15, 12), (-10, 15, 12), (-10, 15, 7), (50, 15, 7)],
     [10, 20, 5, 0, 0, 10],
 )
-FIRST, SECOND = 20 * SLOT + ROUND / 2, 20 * SLOT - ROUND / 2
+SECOND = 20 * SLOT - ROUND / 2
 # Half a second of a slot, a rapid through all of the block, and 2 s of another slot.
 CRASH = path(
     [(10, 15, 7), (15, 15, 7), (15, 15, 12), (-5, 5, 12), (-5, 5, 7), (45, 5, 7), (45, 5, 12), (10, 25, 12), (10, 25, 7),
@@ -43,26 +43,17 @@ CRASH = path(
 )  # fmt: skip
 
 
-def test_each_second_has_the_rate_of_its_moves_and_the_last_is_as_long():
-    begin, rate = removal_over_time(simulated(THERE_AGAIN))
-    assert begin == pytest.approx(np.arange(12))  # 11.5 s
-    busy = [FIRST / 3] * 3 + [SECOND / 1.5, SECOND / 3]
-    assert rate == pytest.approx([60 * volume for volume in busy] + [0] * 7, rel=2e-3, abs=1e-9)
-    begin, rate = removal_over_time(simulated(THERE_AGAIN), 2.0)
-    assert begin == pytest.approx([0, 2, 4, 6, 8, 10])
-    assert rate == pytest.approx(
-        [60 * FIRST / 3, 30 * (FIRST / 3 + SECOND / 1.5), 30 * SECOND / 3, 0, 0, 0], rel=2e-3, abs=1e-9
-    )
-
-
 def test_the_highest_rate_is_that_of_all_seconds():
     """Of feeds that change within a second, and over many seconds."""
     rng = np.random.default_rng(3)
     points = np.column_stack((rng.uniform(0, 40, 60), rng.uniform(0, 30, 60), rng.uniform(4, 11, 60)))
     z = simulated(path(points, rng.choice([0, 0.4, 7, 90, 400], 59)))
-    begin, rate = removal_over_time(z)
-    assert len(begin) > 200
-    assert facts(z).job.peak_rate == pytest.approx(rate.max(), rel=1e-9)
+    seconds, volumes = z.cuts.seconds, np.where(z.cuts.seconds > 0, removed_volumes(z), 0)
+    begin = np.arange(0.0, seconds.sum())
+    ends, removed = np.append(0, seconds.cumsum()), np.append(0, volumes.cumsum())
+    rates = 60 * (np.interp(begin + 1, ends, removed) - np.interp(begin, ends, removed))
+    assert len(rates) > 200
+    assert facts(z).job.peak_rate == pytest.approx(rates.max(), rel=1e-9)
 
 
 def test_years_of_machining_take_no_memory():
@@ -73,18 +64,18 @@ def test_years_of_machining_take_no_memory():
 
 
 def test_less_than_a_second_counts_as_one():
-    begin, rate = removal_over_time(simulated(path([(10, 15, 7), (15, 15, 7)], [10])))
-    assert (begin.tolist(), rate.tolist()) == ([0.0], [pytest.approx(60 * (5 * SLOT + ROUND), rel=5e-3)])
+    found = facts(simulated(path([(10, 15, 7), (15, 15, 7)], [10]))).job
+    assert found.peak_rate == pytest.approx(60 * (5 * SLOT + ROUND), rel=5e-3)
 
 
 def test_a_rapid_takes_no_time_and_what_it_removes_has_no_rate():
     """The feet of the second slot and of the rapid went with the rapids."""
     short, slot = 5 * SLOT + ROUND, 20 * SLOT
-    _, rate = removal_over_time(simulated(CRASH))
-    assert rate == pytest.approx([60 * (short + slot / 4), 60 * slot / 2, 60 * slot / 4], rel=5e-3)
     found = facts(simulated(CRASH)).job
     assert found.removed_volume == pytest.approx(short + 40 * SLOT + ROUND + slot, rel=5e-3)
-    assert (found.mean_rate, found.peak_rate) == pytest.approx((60 * (short + slot) / 2.5, rate[0]), rel=5e-3)
+    assert (found.mean_rate, found.peak_rate) == pytest.approx(
+        (60 * (short + slot) / 2.5, 60 * (short + slot / 4)), rel=5e-3
+    )
     assert (found.cutting_length, found.cutting_seconds, found.air_length) == pytest.approx((25, 2.5, 0))
     assert found.width_of_cut == pytest.approx(6, rel=5e-3)  # of the feed moves: the rapid's is no cut
 

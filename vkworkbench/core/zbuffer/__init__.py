@@ -30,7 +30,7 @@ from vkworkbench.core.zbuffer.facts import (
     removed_volumes,
     trajectory_table,
 )
-from vkworkbench.core.zbuffer.job_facts import FACT_COLUMNS, CutFacts, JobFacts, facts, removal_over_time
+from vkworkbench.core.zbuffer.job_facts import FACT_COLUMNS, CutFacts, JobFacts, facts
 from vkworkbench.core.zbuffer.memory import OverBudget, memory_needed
 from vkworkbench.core.zbuffer.moments import ZBuffer
 from vkworkbench.core.zbuffer.records import DEXEL, RECORD_BYTES, TRACE
@@ -46,6 +46,6 @@ __all__ = [
     "Source", "Speed", "ZBuffer", "best_resolution", "cauchy_crofton", "check_budget",
     "closed_form", "crashes", "cuts_air", "cuts_surely", "deviations", "engagement", "estimate", "estimate_job",
     "facts", "fast_plunges", "fit_speed", "gouges", "heaviest", "material_left", "may_cut", "measure_speed",
-    "memory_needed", "most_bytes", "passes_apart", "removal_over_time", "removal_rates", "removed_volumes",
+    "memory_needed", "most_bytes", "passes_apart", "removal_rates", "removed_volumes",
     "shared_seconds", "simulate", "simulate_job", "swept", "trajectory_table", "unshared_seconds", "worst_places",
 ]  # fmt: skip

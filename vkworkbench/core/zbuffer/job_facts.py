@@ -128,27 +128,6 @@ class JobFacts:
     job: CutFacts
 
 
-def removal_over_time(zbuffer: ZBuffer, window: float = _WINDOW) -> tuple[np.ndarray, np.ndarray]:
-    """Material removal rate along the machining time of all moves with a feed rate.
-
-    Parameters
-    ----------
-    zbuffer : ZBuffer
-    window : float
-        s; the rates are means over so much time.
-
-    Returns
-    -------
-    begin : (w,) float64
-        When each window begins, s.
-    rate : (w,) float64
-        mm^3/min.
-    """
-    seconds, volumes = zbuffer.cuts.seconds, removed_volumes(zbuffer)
-    begin = np.arange(0.0, max(float(seconds.sum()), window), window)
-    return begin, _rates(begin, seconds, np.where(seconds > 0, volumes, 0.0), window)
-
-
 def facts(zbuffer: ZBuffer, *, model: Solid | None = None, tolerance: float = TOLERANCE) -> JobFacts:
     """Tell what the traces, and the model, say of every operation.
 
@@ -210,20 +189,14 @@ def facts(zbuffer: ZBuffer, *, model: Solid | None = None, tolerance: float = TO
 
 
 def _peak_rate(seconds: np.ndarray, volumes: np.ndarray) -> float:
-    """Highest of the rates over time.
+    """Highest rate in any of the windows of time that follow one another.
 
     Between two ends of trajectories the rate stays: the windows in which one ends, and those behind these, tell all. So a
     machining time of years takes no more memory than its trajectories do.
     """
-    ends = np.append(0.0, np.cumsum(seconds))
+    ends, removed = np.append(0.0, np.cumsum(seconds)), np.append(0.0, np.cumsum(volumes))
     window = np.floor(ends / _WINDOW)
     begin = np.unique(np.append(window, window + 1)) * _WINDOW
     begin = begin[begin < max(ends[-1], _WINDOW)]
-    return float(_rates(begin, seconds, volumes, _WINDOW).max(initial=0.0))
-
-
-def _rates(begin: np.ndarray, seconds: np.ndarray, volumes: np.ndarray, window: float) -> np.ndarray:
-    """Rate in each window of time; all are equally long."""
-    ends, removed = np.append(0.0, np.cumsum(seconds)), np.append(0.0, np.cumsum(volumes))
-    rates: np.ndarray = (np.interp(begin + window, ends, removed) - np.interp(begin, ends, removed)) * 60 / window
-    return rates
+    rates = (np.interp(begin + _WINDOW, ends, removed) - np.interp(begin, ends, removed)) * 60 / _WINDOW
+    return float(rates.max(initial=0.0))
