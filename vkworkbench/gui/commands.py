@@ -12,34 +12,25 @@ from vkworkbench.document import marks
 from vkworkbench.document.mark_text import is_warned
 from vkworkbench.document.simulated_faults import read_with_faults
 from vkworkbench.gui import panel_command, pills, progress, tree
+from vkworkbench.gui.document_command import DocumentCommand
 from vkworkbench.gui.plain_text import tell
 from vkworkbench.gui.selection import selected_operations
 from vkworkbench.gui.sentences import plural
 from vkworkbench.gui.text import QT_TRANSLATE_NOOP, translate
 from vkworkbench.preferences import GROUP
 
-ANALYZE, CLEAR = "Vk_Analyze", "Vk_Clear"
 
-
-class AnalyzeCommand:
+class AnalyzeCommand(DocumentCommand):
     """Analyse the selected operations, or all of the active document, and mark them."""
 
-    def GetResources(self) -> dict[str, str]:
-        text = QT_TRANSLATE_NOOP(
-            "Vk_Analyze",
-            "Recognizes the machining strategy of each selected operation, or of all operations of the active "
-            "document, estimates what simulating it costs, and marks it in the tree.",
-        )
-        return {
-            "MenuText": QT_TRANSLATE_NOOP("Vk_Analyze", "Analyze toolpaths"),
-            "ToolTip": text,
-            "WhatsThis": text,
-            "Pixmap": "Vk_Analyze",
-            "Accel": "V, K",
-        }
-
-    def IsActive(self) -> bool:
-        return FreeCAD.ActiveDocument is not None
+    name = "Vk_Analyze"
+    menu = QT_TRANSLATE_NOOP("Vk_Analyze", "Analyze toolpaths")
+    tooltip = QT_TRANSLATE_NOOP(
+        "Vk_Analyze",
+        "Recognizes the machining strategy of each selected operation, or of all operations of the active "
+        "document, estimates what simulating it costs, and marks it in the tree.",
+    )
+    keys = "V, K"
 
     def Activated(self) -> None:
         if FreeCAD.ActiveDocument is None:
@@ -75,24 +66,16 @@ class AnalyzeCommand:
         _status(text)
 
 
-class ClearCommand:
+class ClearCommand(DocumentCommand):
     """Remove the marks of the selected operations, or of the whole active document."""
 
-    def GetResources(self) -> dict[str, str]:
-        text = QT_TRANSLATE_NOOP(
-            "Vk_Clear",
-            "Removes the marks of the selected operations, or all marks of the active document; your own "
-            "descriptions stay.",
-        )
-        return {
-            "MenuText": QT_TRANSLATE_NOOP("Vk_Clear", "Clear analysis"),
-            "ToolTip": text,
-            "WhatsThis": text,
-            "Pixmap": "Vk_Clear",
-        }
-
-    def IsActive(self) -> bool:
-        return FreeCAD.ActiveDocument is not None
+    name = "Vk_Clear"
+    menu = QT_TRANSLATE_NOOP("Vk_Clear", "Clear analysis")
+    tooltip = QT_TRANSLATE_NOOP(
+        "Vk_Clear",
+        "Removes the marks of the selected operations, or all marks of the active document; your own "
+        "descriptions stay.",
+    )
 
     def Activated(self) -> None:
         if FreeCAD.ActiveDocument is None:
@@ -155,5 +138,5 @@ def _status(text: str) -> None:
     Gui.getMainWindow().statusBar().showMessage(text, 10_000)
 
 
-Gui.addCommand(ANALYZE, AnalyzeCommand())
-Gui.addCommand(CLEAR, ClearCommand())
+AnalyzeCommand.add()
+ClearCommand.add()

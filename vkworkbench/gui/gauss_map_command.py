@@ -3,34 +3,26 @@
 
 from __future__ import annotations
 
-import FreeCAD
 import FreeCADGui as Gui
 
 from vkworkbench.gui import docks
+from vkworkbench.gui.document_command import DocumentCommand
 from vkworkbench.gui.text import QT_TRANSLATE_NOOP
 
 _HEIGHT = 420  # px
 
 
-class GaussMapCommand:
+class GaussMapCommand(DocumentCommand):
     """Show the Gauss map view, or hide it."""
 
-    def GetResources(self) -> dict[str, str]:
-        text = QT_TRANSLATE_NOOP(
-            "Vk_GaussMap",
-            "Shows why the selected operation has its strategy: its toolpath, the Gauss map of its directions and "
-            "of the vector V_k, and the cumulative angular function.",
-        )
-        return {
-            "MenuText": QT_TRANSLATE_NOOP("Vk_GaussMap", "Gauss map"),
-            "ToolTip": text,
-            "WhatsThis": text,
-            "Pixmap": "Vk_GaussMap",
-            "Accel": "V, G",
-        }
-
-    def IsActive(self) -> bool:
-        return FreeCAD.ActiveDocument is not None
+    name = "Vk_GaussMap"
+    menu = QT_TRANSLATE_NOOP("Vk_GaussMap", "Gauss map")
+    tooltip = QT_TRANSLATE_NOOP(
+        "Vk_GaussMap",
+        "Shows why the selected operation has its strategy: its toolpath, the Gauss map of its directions and "
+        "of the vector V_k, and the cumulative angular function.",
+    )
+    keys = "V, G"
 
     def Activated(self) -> None:
         dock = docks.find(docks.GAUSS_MAP)
@@ -51,4 +43,4 @@ def show() -> None:
         docks.show(dock)
 
 
-Gui.addCommand("Vk_GaussMap", GaussMapCommand())
+GaussMapCommand.add()

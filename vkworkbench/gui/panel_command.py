@@ -3,33 +3,25 @@
 
 from __future__ import annotations
 
-import FreeCAD
 import FreeCADGui as Gui
 
 from vkworkbench.gui import docks
+from vkworkbench.gui.document_command import DocumentCommand
 from vkworkbench.gui.text import QT_TRANSLATE_NOOP
 
 _HEIGHT = 300  # px
 
 
-class ResultsCommand:
+class ResultsCommand(DocumentCommand):
     """Show the results panel, or hide it."""
 
-    def GetResources(self) -> dict[str, str]:
-        text = QT_TRANSLATE_NOOP(
-            "Vk_Results",
-            "Shows the analyzed operations: strategy, machining and simulation time, and what is wrong with them.",
-        )
-        return {
-            "MenuText": QT_TRANSLATE_NOOP("Vk_Results", "Toolpath results"),
-            "ToolTip": text,
-            "WhatsThis": text,
-            "Pixmap": "Vk_Results",
-            "Accel": "V, R",
-        }
-
-    def IsActive(self) -> bool:
-        return FreeCAD.ActiveDocument is not None
+    name = "Vk_Results"
+    menu = QT_TRANSLATE_NOOP("Vk_Results", "Toolpath results")
+    tooltip = QT_TRANSLATE_NOOP(
+        "Vk_Results",
+        "Shows the analyzed operations: strategy, machining and simulation time, and what is wrong with them.",
+    )
+    keys = "V, R"
 
     def Activated(self) -> None:
         dock = docks.find(docks.RESULTS)
@@ -53,4 +45,4 @@ def show() -> None:
     dock.refresh()
 
 
-Gui.addCommand("Vk_Results", ResultsCommand())
+ResultsCommand.add()

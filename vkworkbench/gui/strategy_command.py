@@ -8,32 +8,25 @@ import FreeCADGui as Gui
 
 from vkworkbench.document.operations import find
 from vkworkbench.gui import strategy_view
+from vkworkbench.gui.document_command import DocumentCommand
 from vkworkbench.gui.plain_text import tell
 from vkworkbench.gui.text import QT_TRANSLATE_NOOP, translate
 
-NAME = "Vk_Strategies"
 
-
-class StrategiesCommand:
+class StrategiesCommand(DocumentCommand):
     """Colour the toolpaths of the active document by strategy, or no longer."""
 
-    def GetResources(self) -> dict:
-        text = QT_TRANSLATE_NOOP(
-            "Vk_Strategies",
-            "Colors the toolpaths in the 3D view by their machining strategy, rapid moves grey. The document is not "
-            "changed.",
-        )
-        return {
-            "MenuText": QT_TRANSLATE_NOOP("Vk_Strategies", "Show strategies"),
-            "ToolTip": text,
-            "WhatsThis": text,
-            "Pixmap": "Vk_Strategies",
-            "Accel": "V, C",
-            "Checkable": False,  # not checked at first
-        }
+    name = "Vk_Strategies"
+    menu = QT_TRANSLATE_NOOP("Vk_Strategies", "Show strategies")
+    tooltip = QT_TRANSLATE_NOOP(
+        "Vk_Strategies",
+        "Colors the toolpaths in the 3D view by their machining strategy, rapid moves grey. The document is not "
+        "changed.",
+    )
+    keys = "V, C"
 
-    def IsActive(self) -> bool:
-        return FreeCAD.ActiveDocument is not None
+    def GetResources(self) -> dict:
+        return {**super().GetResources(), "Checkable": False}  # not checked at first
 
     def Activated(self, checked: int) -> None:
         document = FreeCAD.ActiveDocument
@@ -55,7 +48,7 @@ class StrategiesCommand:
 
 def follow_document(document) -> None:
     """Show the switch as it stands for a document."""
-    for action in Gui.Command.get(NAME).getAction():
+    for action in Gui.Command.get(StrategiesCommand.name).getAction():
         action.setChecked(strategy_view.is_shown(document))
 
 
@@ -69,5 +62,5 @@ class _ActiveDocument:
         follow_document(FreeCAD.ActiveDocument)
 
 
-Gui.addCommand(NAME, StrategiesCommand())
+StrategiesCommand.add()
 FreeCAD.addDocumentObserver(_ActiveDocument())

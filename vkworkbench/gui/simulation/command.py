@@ -8,34 +8,25 @@ import FreeCADGui as Gui
 
 from vkworkbench.document.simulated_job import JobCopy, copy_job
 from vkworkbench.gui import widgets
+from vkworkbench.gui.document_command import DocumentCommand
 from vkworkbench.gui.plain_text import tell
 from vkworkbench.gui.selection import selected_operations
 from vkworkbench.gui.sentences import as_sentence, said
 from vkworkbench.gui.text import QT_TRANSLATE_NOOP, translate
 from vkworkbench.language import Unusable
 
-NAME = "Vk_Simulate"
 
-
-class SimulateCommand:
+class SimulateCommand(DocumentCommand):
     """Simulate the selected job or operations, or the job of the active document."""
 
-    def GetResources(self) -> dict[str, str]:
-        text = QT_TRANSLATE_NOOP(
-            "Vk_Simulate",
-            "Simulates the selected job or operations, or the job of the active document, and shows the part at any "
-            "moment, what made each of its surfaces, and rapid moves that cut.",
-        )
-        return {
-            "MenuText": QT_TRANSLATE_NOOP("Vk_Simulate", "Simulate toolpaths"),
-            "ToolTip": text,
-            "WhatsThis": text,
-            "Pixmap": NAME,
-            "Accel": "V, S",
-        }
-
-    def IsActive(self) -> bool:
-        return FreeCAD.ActiveDocument is not None
+    name = "Vk_Simulate"
+    menu = QT_TRANSLATE_NOOP("Vk_Simulate", "Simulate toolpaths")
+    tooltip = QT_TRANSLATE_NOOP(
+        "Vk_Simulate",
+        "Simulates the selected job or operations, or the job of the active document, and shows the part at any "
+        "moment, what made each of its surfaces, and rapid moves that cut.",
+    )
+    keys = "V, S"
 
     def Activated(self) -> None:
         if FreeCAD.ActiveDocument is not None:
@@ -54,7 +45,7 @@ def open_tab(what):
         return None
     tab = SimulationTab(copy)
     tab.setWindowTitle(translate("Vk_Simulate", "Simulation: {}").format(_title(copy)))
-    tab.setWindowIcon(Gui.getIcon(NAME))
+    tab.setWindowIcon(Gui.getIcon(SimulateCommand.name))
     tab.outdated.connect(lambda: _again(tab))
     widgets.area_of_views().addSubWindow(tab)
     tab.showMaximized()
@@ -74,4 +65,4 @@ def _title(copy: JobCopy) -> str:
     return copy.labels[0] if len(copy.labels) == 1 else FreeCAD.getDocument(copy.document).Label
 
 
-Gui.addCommand(NAME, SimulateCommand())
+SimulateCommand.add()
