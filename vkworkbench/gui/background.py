@@ -10,7 +10,17 @@ from queue import Empty, SimpleQueue
 
 from vkworkbench.document import garbage
 from vkworkbench.gui.plain_text import as_plain
-from vkworkbench.gui.qt import QHBoxLayout, QLabel, QObject, QProgressBar, QPushButton, QTimer, QWidget, Signal
+from vkworkbench.gui.qt import (
+    QHBoxLayout,
+    QLabel,
+    QObject,
+    QProgressBar,
+    QPushButton,
+    QTimer,
+    QWidget,
+    Signal,
+    single_shot,
+)
 from vkworkbench.gui.text import translate
 from vkworkbench.report import Cancelled
 
@@ -174,12 +184,7 @@ class Busy(QWidget):
             row.addWidget(widget)
         row.addStretch(1)
         self.hide()
-        self._later = QTimer(self)
-        self._later.setSingleShot(True)
-        self._later.timeout.connect(self.show)
-        self._at_last = QTimer(self)
-        self._at_last.setSingleShot(True)
-        self._at_last.timeout.connect(self.hide)
+        self._later, self._at_last = single_shot(self.show, self, _PATIENCE), single_shot(self.hide, self, _LINGER)
         background.began.connect(self._announce)
         background.over.connect(self._end)
         self.button.clicked.connect(background.cancel)
@@ -189,8 +194,8 @@ class Busy(QWidget):
         self.label.setText(text)
         self._at_last.stop()
         if not self.isVisible():
-            self._later.start(_PATIENCE)
+            self._later.start()
 
     def _end(self) -> None:
         self._later.stop()
-        self._at_last.start(_LINGER)
+        self._at_last.start()

@@ -38,9 +38,9 @@ from vkworkbench.gui.qt import (
     QSlider,
     QSpinBox,
     Qt,
-    QTimer,
     QVBoxLayout,
     QWidget,
+    single_shot,
 )  # fmt: skip
 from vkworkbench.gui.saving import proposed
 from vkworkbench.gui.sentences import said, strategy_name, user
@@ -64,12 +64,7 @@ class GaussMapDock(QDockWidget):
         self._reading: Reading | None = None
         self._background = Background(self)
         self.busy = Busy(self._background)
-        self._recolor = QTimer(self)
-        self._recolor.setSingleShot(True)
-        self._recolor.timeout.connect(self._take_colors)
-        self._later = QTimer(self)
-        self._later.setSingleShot(True)
-        self._later.timeout.connect(self.refresh)
+        self._recolor, self._later = single_shot(self._take_colors, self), single_shot(self.refresh, self)
 
         self.title, self.values, self.legend = QLabel(), QLabel(), QLabel()
         as_plain(self.title)
@@ -112,7 +107,7 @@ class GaussMapDock(QDockWidget):
 
         Gui.Selection.addObserver(self)
         FreeCAD.addDocumentObserver(self)
-        self.visibilityChanged.connect(lambda visible: self._later.start(0))
+        self.visibilityChanged.connect(lambda visible: self._later.start())
 
     def _laid_out(self) -> QWidget:
         """Return the dock's parts, to be scrolled: a window as high as a small screen has not the room for all of them."""
@@ -136,20 +131,20 @@ class GaussMapDock(QDockWidget):
     # FreeCAD calls these when the selection changes.
 
     def addSelection(self, *what) -> None:
-        self._later.start(0)
+        self._later.start()
 
     def setSelection(self, *what) -> None:
-        self._later.start(0)
+        self._later.start()
 
     # FreeCAD calls these when a document changes.
 
     def slotChangedObject(self, obj, name: str) -> None:
         if name in freecad.names_in_fingerprint("path") and self._shown == names_of(obj):
             self._shown = None
-            self._later.start(0)
+            self._later.start()
 
     def slotActivateDocument(self, document) -> None:
-        self._later.start(0)
+        self._later.start()
 
     def slotDeletedObject(self, obj) -> None:
         if self._shown == names_of(obj):
@@ -296,7 +291,7 @@ class GaussMapDock(QDockWidget):
     def changeEvent(self, event) -> None:
         super().changeEvent(event)
         if event.type() in (QEvent.StyleChange, QEvent.PaletteChange):
-            self._recolor.start(0)
+            self._recolor.start()
 
     def _take_colors(self) -> None:
         self.canvas.set_background(self._behind())

@@ -29,9 +29,9 @@ from vkworkbench.gui.qt import (
     QSplitter,
     Qt,
     QTextBrowser,
-    QTimer,
     QVBoxLayout,
     QWidget,
+    single_shot,
 )  # fmt: skip
 from vkworkbench.gui.text import translate
 from vkworkbench.report import Cancelled
@@ -50,8 +50,8 @@ class ResultsDock(QDockWidget):
         self._findings: list[latest.Finding] = []
         self._following = False  # whether the tree's selection is being moved by FreeCAD's
         self._opened: set[str] = set()  # links of the page
-        self._stale = self._timer(self.refresh)
-        self._selected = self._timer(self._follow)
+        self._stale = single_shot(self.refresh, self)
+        self._selected = single_shot(self._follow, self)
 
         self.model = ResultsModel(self)
         self.order = ResultsOrder(self)
@@ -95,16 +95,9 @@ class ResultsDock(QDockWidget):
 
         Gui.Selection.addObserver(self)
         FreeCAD.addDocumentObserver(self)
-        preferences.observe(lambda name: self._stale.start(0))
-        self.visibilityChanged.connect(lambda visible: self._stale.start(0))
+        preferences.observe(lambda name: self._stale.start())
+        self.visibilityChanged.connect(lambda visible: self._stale.start())
         self.refresh()
-
-    def _timer(self, work) -> QTimer:
-        """Return a timer that does the work once for many changes, as soon as FreeCAD is done with them."""
-        timer = QTimer(self)
-        timer.setSingleShot(True)
-        timer.timeout.connect(work)
-        return timer
 
     def _action(self, text: str, work) -> QAction:
         action = QAction(text, self)
@@ -156,31 +149,31 @@ class ResultsDock(QDockWidget):
     # FreeCAD calls these when the selection changes.
 
     def addSelection(self, *what) -> None:
-        self._selected.start(0)
+        self._selected.start()
 
     def setSelection(self, *what) -> None:
-        self._selected.start(0)
+        self._selected.start()
 
     def removeSelection(self, *what) -> None:
-        self._selected.start(0)
+        self._selected.start()
 
     def clearSelection(self, *what) -> None:
-        self._selected.start(0)
+        self._selected.start()
 
     # FreeCAD calls these when documents change.
 
     def slotChangedObject(self, obj, name: str) -> None:
         if name in ("Label", "Label2", "Group", MARK):
-            self._stale.start(0)
+            self._stale.start()
 
     def slotDeletedObject(self, obj) -> None:
-        self._stale.start(0)
+        self._stale.start()
 
     def slotActivateDocument(self, document) -> None:
-        self._stale.start(0)
+        self._stale.start()
 
     def slotDeletedDocument(self, document) -> None:
-        self._stale.start(0)
+        self._stale.start()
 
     def refresh(self) -> None:
         """Show what is known of the active document now."""

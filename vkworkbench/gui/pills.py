@@ -33,7 +33,7 @@ from vkworkbench.gui.qt import (
     QStyledItemDelegate,
     QStyleOptionViewItem,
     Qt,
-    QTimer,
+    single_shot,
 )  # fmt: skip
 
 _MARGINS = 16  # px; of a cell's text, left and right
@@ -175,7 +175,6 @@ def _object_of(index):
 
 
 _delegate: PillDelegate | None = None  # views do not keep their delegates alive
-_changes = QTimer()  # of preferences: they are followed once all of them are written
 
 
 def _follow_preferences() -> None:
@@ -184,15 +183,16 @@ def _follow_preferences() -> None:
     show()
 
 
+_changes = single_shot(_follow_preferences)  # of preferences: they are followed once all of them are written
+
+
 def show() -> None:
     """Show pills in all trees, or no longer if the user does not want them; called again it paints them anew."""
     global _delegate
     wanted = preferences.read().show_pills
     if _delegate is None:
         _delegate = PillDelegate(Gui.getMainWindow())
-        _changes.setSingleShot(True)
-        _changes.timeout.connect(_follow_preferences)
-        preferences.observe(lambda name: _changes.start(0))
+        preferences.observe(lambda name: _changes.start())
     for view in tree.trees():
         if (view.itemDelegateForColumn(tree.DESCRIPTION) is _delegate) != wanted:
             view.setItemDelegateForColumn(tree.DESCRIPTION, _delegate if wanted else None)

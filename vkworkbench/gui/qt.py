@@ -1,10 +1,12 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""All Qt names of the add-on, from FreeCAD's own wrapper.
+"""All Qt names of the add-on, from FreeCAD's own wrapper, and what takes several of Qt's calls.
 
 FreeCAD 0.20's wrapper has no QtWidgets, but QtGui holds the widgets in every version.
 """
 
 from __future__ import annotations
+
+from collections.abc import Callable
 
 from PySide.QtCore import (
     QAbstractItemModel,
@@ -89,8 +91,17 @@ __all__ = [
     "QPushButton", "QRectF", "QRegion", "QScrollArea", "QSize", "QSizePolicy", "QSlider", "QSortFilterProxyModel", "QSpinBox",
     "QSplitter", "QStyle", "QStyleOptionComboBox", "QStyleOptionViewItem", "QStylePainter", "QStyledItemDelegate",
     "QTabWidget", "QTextBrowser", "QTimer", "QToolButton", "QToolTip", "QTreeView", "QVBoxLayout", "QWidget", "Qt", "Signal",
-    "svg_generator",
+    "single_shot", "svg_generator",
 ]  # fmt: skip
+
+
+def single_shot(work: Callable[[], object] | Signal, parent: QObject | None = None, ms: int = 0) -> QTimer:
+    """Return a timer that does the work, or emits the signal, once for many starts: as soon as other events are done."""
+    timer = QTimer(parent)
+    timer.setSingleShot(True)
+    timer.setInterval(ms)
+    timer.timeout.connect(work)
+    return timer
 
 
 def svg_generator(path: str, width: int, height: int, title: str):

@@ -31,8 +31,8 @@ from vkworkbench.gui.qt import (
     QObject,
     QProgressBar,
     QSlider,
-    QTimer,
     QToolButton,
+    single_shot,
 )  # fmt: skip
 from vkworkbench.gui.renderer import note_renderer
 from vkworkbench.gui.simulator_panels import chosen_in, panels, simulator_of
@@ -67,10 +67,8 @@ class LegacyRuns(QObject):
         super().__init__(panel)
         self._begin = None
         # FreeCAD has yet to make and to show the last mesh. Timers of the panel's own: it may be closed meanwhile.
-        self._enabled, self._shown = QTimer(self), QTimer(self)
-        for timer, then in ((self._enabled, lambda: self._shown.start(0)), (self._shown, self._ended)):
-            timer.setSingleShot(True)
-            timer.timeout.connect(then)
+        self._shown = single_shot(self._ended, self)
+        self._enabled = single_shot(lambda: self._shown.start(0), self)
         fast_forward = panel.findChild(QToolButton, "toolButtonFF")
         fast_forward.pressed.connect(lambda: self._pressed("fast-forward"))
         panel.findChild(QToolButton, "toolButtonPlay").pressed.connect(lambda: self._pressed("play"))
@@ -82,7 +80,7 @@ class LegacyRuns(QObject):
 
     def eventFilter(self, button, event) -> bool:
         if event.type() == QEvent.EnabledChange and button.isEnabled() and self._begin and self._done() == 100:
-            self._enabled.start(0)
+            self._enabled.start()
         return False
 
     def _ended(self) -> None:

@@ -27,6 +27,7 @@ from vkworkbench.gui.qt import (
     QTimer,
     QToolButton,
     QWidget,
+    single_shot,
 )  # fmt: skip
 from vkworkbench.gui.sentences import said, user
 from vkworkbench.gui.text import translate
@@ -97,14 +98,12 @@ class OpenPanel(QObject):
         self._line.hide()
         self._line.way.clicked.connect(self._take)
         self._line.close_button.clicked.connect(self._end)
-        self._changed = QTimer(self)  # all of a list's ticks change at once
-        self._changed.setSingleShot(True)
-        self._changed.timeout.connect(self._say)
+        self._changed = single_shot(self._say, self)  # all of a list's ticks change at once
         self._open = QTimer(self)  # looks: a widget that tells of its own end PySide keeps beyond it
         self._open.timeout.connect(self._look)
         self._open.start(_LOOK)
-        panel.findChild(QListWidget, "listOperations").itemChanged.connect(lambda item: self._changed.start(0))
-        panel.findChild(QComboBox, "comboJobs").currentIndexChanged.connect(lambda index: self._changed.start(0))
+        panel.findChild(QListWidget, "listOperations").itemChanged.connect(lambda item: self._changed.start())
+        panel.findChild(QComboBox, "comboJobs").currentIndexChanged.connect(lambda index: self._changed.start())
         self._say()
 
     def _look(self) -> None:

@@ -12,7 +12,7 @@ import FreeCAD
 from vkworkbench import preferences
 from vkworkbench.document.mark_properties import may_have_mark
 from vkworkbench.gui import widgets
-from vkworkbench.gui.qt import QEvent, QObject, QTimer, QWidget
+from vkworkbench.gui.qt import QEvent, QObject, QWidget, single_shot
 from vkworkbench.gui.simulator_panels import panels, simulator_of
 
 
@@ -21,14 +21,12 @@ class TaskWatch(QObject):
 
     def __init__(self, view: QWidget) -> None:
         super().__init__(view)
-        self._changed = QTimer(self)  # the panel is complete once FreeCAD is done with it
-        self._changed.setSingleShot(True)
-        self._changed.timeout.connect(self._look)
+        self._changed = single_shot(self._look, self)  # the panel is complete once FreeCAD is done with it
         view.installEventFilter(self)
 
     def eventFilter(self, view, event) -> bool:
         if event.type() == QEvent.ChildAdded:
-            self._changed.start(0)
+            self._changed.start()
         return False
 
     def _look(self) -> None:

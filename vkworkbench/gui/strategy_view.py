@@ -19,7 +19,7 @@ from vkworkbench import freecad
 from vkworkbench.document.operations import find, is_operation, names_of
 from vkworkbench.document.recognized import Source, source_of
 from vkworkbench.gui.background import Background, Busy
-from vkworkbench.gui.qt import QTimer
+from vkworkbench.gui.qt import single_shot
 from vkworkbench.gui.strategy_legend import Legend
 from vkworkbench.gui.strategy_lines import Drawing, Lines, drawings
 from vkworkbench.gui.text import translate
@@ -95,9 +95,7 @@ class _Drawer:
         Gui.getMainWindow().statusBar().addPermanentWidget(self.busy)
         self._pending: dict[Key, None] = {}
         self._at_work: list[Key] = []
-        self._later = QTimer()
-        self._later.setSingleShot(True)
-        self._later.timeout.connect(self._read)
+        self._later = single_shot(self._read)
 
     @property
     def works(self) -> bool:
@@ -106,7 +104,7 @@ class _Drawer:
     def draw(self, objects) -> None:
         self._pending.update(dict.fromkeys(map(names_of, objects)))
         if self._pending and not self._background.works:
-            self._later.start(0)
+            self._later.start()
 
     def forget(self, document_name: str) -> None:
         """Draw nothing more of a document."""

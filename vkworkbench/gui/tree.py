@@ -11,7 +11,7 @@ import FreeCADGui as Gui
 
 from vkworkbench import freecad
 from vkworkbench.gui import widgets
-from vkworkbench.gui.qt import QEvent, QHeaderView, QObject, Qt, QTabWidget, QTimer, QTreeView
+from vkworkbench.gui.qt import QEvent, QHeaderView, QObject, Qt, QTabWidget, QTreeView, single_shot
 
 DESCRIPTION = 1
 _TREE_PREFERENCES = "User parameter:BaseApp/Preferences/TreeView"
@@ -33,15 +33,13 @@ class _Sight(QObject):
     def __init__(self, work: Callable[[], object]) -> None:
         super().__init__(Gui.getMainWindow())
         self._work = work
-        self._seen = QTimer(self)  # its dock has its size then
-        self._seen.setSingleShot(True)
-        self._seen.timeout.connect(self._do)
+        self._seen = single_shot(self._do, self)  # its dock has its size then
         for view in trees():
             view.viewport().installEventFilter(self)
 
     def eventFilter(self, viewport, event) -> bool:
         if event.type() == QEvent.Paint:  # one that is shown behind a tab is not painted
-            self._seen.start(0)
+            self._seen.start()
         return False
 
     def _do(self) -> None:

@@ -23,9 +23,9 @@ from vkworkbench.gui.qt import (
     QSize,
     QSizePolicy,
     Qt,
-    QTimer,
     QWidget,
     Signal,
+    single_shot,
 )  # fmt: skip
 from vkworkbench.gui.simulation.navigation import PAN, TURN, action
 from vkworkbench.gui.text import translate
@@ -66,10 +66,7 @@ class PartView(QWidget):
         self._tool: tuple[Tool, np.ndarray] | None = None
         self._place_shown: tuple[float, float, float] | None = None
         self._pressed = self._last = None
-        self._rest = QTimer(self)
-        self._rest.setSingleShot(True)
-        self._rest.setInterval(_REST)
-        self._rest.timeout.connect(self.view_rested)
+        self._rest = single_shot(self.view_rested, self, _REST)
         self.setMinimumSize(160, 50)
         self.setSizePolicy(QSizePolicy.Expanding, QSizePolicy.Expanding)
         self.setFocusPolicy(Qt.StrongFocus)

@@ -13,7 +13,7 @@ from vkworkbench.document import garbage, idle
 from vkworkbench.document.simulated_job import JobCopy, SimulatedJob
 from vkworkbench.gui import widgets
 from vkworkbench.gui.plain_text import tell
-from vkworkbench.gui.qt import QPushButton, Qt, QTimer, QVBoxLayout, QWidget, Signal
+from vkworkbench.gui.qt import QPushButton, Qt, QTimer, QVBoxLayout, QWidget, Signal, single_shot
 from vkworkbench.gui.sentences import as_sentence
 from vkworkbench.gui.simulation.keys import KeyedWidget
 from vkworkbench.gui.simulation.player import Player
@@ -59,9 +59,7 @@ class SimulationTab(KeyedWidget):
         self._layout.setContentsMargins(4, 4, 4, 4)
         self._layout.addWidget(self.again)
         self._changed: set[str] = set()  # operations whose path may be another one since it was copied
-        self._soon = QTimer(self)
-        self._soon.setSingleShot(True)
-        self._soon.timeout.connect(lambda: idle.work(self._comparing()))
+        self._soon = single_shot(lambda: idle.work(self._comparing()), self)
         self._asked = QTimer(self)
         self._asked.setSingleShot(True)
         self._asked.setInterval(_SELECTED)
