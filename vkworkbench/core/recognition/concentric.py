@@ -9,8 +9,8 @@ import numpy as np
 
 from vkworkbench.core.paper import TURN, Areas
 from vkworkbench.core.recognition.pieces import Pieces
-from vkworkbench.core.recognition.rows import dot, weighted_median
-from vkworkbench.core.recognition.thresholds import ARCS, ROWS, SAME
+from vkworkbench.core.recognition.rows import dot, steps_between
+from vkworkbench.core.recognition.thresholds import ARCS
 
 
 @dataclass(frozen=True)
@@ -65,7 +65,41 @@ def find_arcs(moves: Areas, pieces: Pieces, index: np.ndarray) -> ConcentricArcs
     on = np.repeat(chosen, pieces.end - pieces.start)
     of = np.repeat(np.arange(len(pieces)), pieces.end - pieces.start)[on]
     dx, dy, length = moves.dx[on], moves.dy[on], moves.length[on]
-    x, y = moves.x[on] + dx / 2, moves.y[on] + dy / 2
+    rays = _rays(moves.x[on] + dx / 2, moves.y[on] + dy / 2, dx, dy, length)
+    if rays is None:
+        return None
+    rx, ry, r, square = rays
+    begin = np.flatnonzero(np.concatenate([[True], of[1:] != of[:-1]]))
+    whole = np.add.reduceat(length, begin)
+    arc = np.add.reduceat(length * square, begin) > ARCS.ARC * whole
+    radius = (np.add.reduceat(length * r, begin) / whole)[arc]
+    angle = np.add.reduceat((rx * dy - ry * dx) / np.maximum(r * r, 1e-12), begin)[arc]
+    last = np.append(begin[1:], len(of)) - 1
+    climbed = (r[last] - r[begin])[arc]
+    whole = whole[arc]
+    steps = steps_between(radius, whole)
+    if steps is None or steps.aside.sum() < 2:
+        return None
+    turned = angle[1:] * angle[:-1] < 0
+    pitch = np.abs(climbed) * TURN / np.maximum(np.abs(angle), 1e-9)
+    return ConcentricArcs(
+        count=1 + int((np.diff(np.sort(radius)) > ARCS.RADIUS * steps.usual).sum()),
+        length=float(whole.sum()),
+        opposite=float(steps.shorter[steps.neighbour & turned].sum()),
+        same=float(steps.shorter[steps.neighbour & ~turned].sum()),
+        spiral=float(whole[pitch > ARCS.DRIFT * steps.usual].sum()),
+        step=steps.usual,
+        even=steps.even,
+    )
+
+
+def _rays(
+    x: np.ndarray, y: np.ndarray, dx: np.ndarray, dy: np.ndarray, length: np.ndarray
+) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray] | None:
+    """Return the rays from the common centre of moves to their middles, (k,) mm each, and which moves are square to them.
+
+    None where there is no such centre: of a ray its way in x, in y, and its length.
+    """
     weight = 1 / length
     for _ in range(3):  # again and again without links and pieces of the boundary, which have other centres
         xx, xy, yy = dot(weight * dx, dx), dot(weight * dx, dy), dot(weight * dy, dy)
@@ -80,29 +114,4 @@ def find_arcs(moves: Areas, pieces: Pieces, index: np.ndarray) -> ConcentricArcs
         weight = np.where(square, 1 / length, 0.0)
         if not square.any():
             return None
-    begin = np.flatnonzero(np.concatenate([[True], of[1:] != of[:-1]]))
-    whole = np.add.reduceat(length, begin)
-    arc = np.add.reduceat(length * square, begin) > ARCS.ARC * whole
-    radius = (np.add.reduceat(length * r, begin) / whole)[arc]
-    angle = np.add.reduceat((rx * dy - ry * dx) / np.maximum(r * r, 1e-12), begin)[arc]
-    last = np.append(begin[1:], len(of)) - 1
-    climbed = (r[last] - r[begin])[arc]
-    whole = whole[arc]
-    lateral = np.abs(radius[1:] - radius[:-1])
-    shorter = np.minimum(whole[1:], whole[:-1])
-    aside = lateral > SAME.PLACE
-    if aside.sum() < 2:
-        return None
-    step = weighted_median(lateral[aside], shorter[aside])
-    neighbour = aside & (lateral <= ROWS.FARTHER * step)
-    turned = angle[1:] * angle[:-1] < 0
-    pitch = np.abs(climbed) * TURN / np.maximum(np.abs(angle), 1e-9)
-    return ConcentricArcs(
-        count=1 + int((np.diff(np.sort(radius)) > ARCS.RADIUS * step).sum()),
-        length=float(whole.sum()),
-        opposite=float(shorter[neighbour & turned].sum()),
-        same=float(shorter[neighbour & ~turned].sum()),
-        spiral=float(whole[pitch > ARCS.DRIFT * step].sum()),
-        step=step,
-        even=float(shorter[neighbour & (lateral >= ROWS.NEARER * step)].sum() / shorter[aside].sum()),
-    )
+    return rx, ry, r, square

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 
@@ -114,6 +115,40 @@ def dot(a: np.ndarray, b: np.ndarray) -> float:
     return float(np.einsum("i,i->", a, b))
 
 
+class Steps(NamedTuple):
+    """How k passes lie beside those that are cut before them.
+
+    Attributes
+    ----------
+    shorter : (k-1,) float
+        Length of the shorter of two passes, mm.
+    aside, neighbour : (k-1,) bool
+        Whether they do not lie on one line, and whether they are no farther apart than usual.
+    usual : float
+        Distance between them (median by length), mm.
+    even : float
+        Share of the steps that are about that long.
+    """
+
+    shorter: np.ndarray
+    aside: np.ndarray
+    neighbour: np.ndarray
+    usual: float
+    even: float
+
+
+def steps_between(place: np.ndarray, length: np.ndarray) -> Steps | None:
+    """Measure passes by their places across their direction, (k,) mm, and lengths, (k,) mm; None where all lie on one line."""
+    lateral, shorter = np.abs(place[1:] - place[:-1]), np.minimum(length[1:], length[:-1])
+    aside = lateral > SAME.PLACE
+    if not aside.any():
+        return None
+    usual = weighted_median(lateral[aside], shorter[aside])
+    neighbour = aside & (lateral <= ROWS.FARTHER * usual)
+    even = float(shorter[neighbour & (lateral >= ROWS.NEARER * usual)].sum() / shorter[aside].sum())
+    return Steps(shorter, aside, neighbour, usual, even)
+
+
 def _densest(moves: Areas, chosen: np.ndarray) -> Rows | None:
     """Return the rows along the densest direction; None where no move keeps to it."""
     axis, along, aligned, length = _main_axis(moves, chosen)
@@ -137,38 +172,34 @@ def _densest(moves: Areas, chosen: np.ndarray) -> Rows | None:
     begin, passed = begin[long], passed[long]
     first = on[begin]
     q, sense, area = moves.y[first] * u - moves.x[first] * v, forward[begin], area[begin]
-    lateral = np.abs(q[1:] - q[:-1])
-    shorter = np.minimum(passed[1:], passed[:-1])
-    aside = lateral > SAME.PLACE
     axis, total = axis % np.pi, float(passed.sum())
     if np.pi - axis < _ROUNDING:
         axis = 0.0
-    if not aside.any():
+    steps = steps_between(q, passed)
+    if steps is None:
         return Rows(axis, total, passed[0], typical, 1, 1, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, on)
-    step = weighted_median(lateral[aside], shorter[aside])
-    neighbour = aside & (lateral <= ROWS.FARTHER * step)
     turned = sense[1:] != sense[:-1]
     # Two passes the same way in one area, with no lift between them, are steps of one stroke and no rows: a contour
     # that was sampled on a grid looks like a staircase.
-    onward = neighbour & ~turned & (area[1:] != area[:-1])
+    onward = steps.neighbour & ~turned & (area[1:] != area[:-1])
     q = np.sort(q[: ROWS.SAMPLE])
     gaps = np.diff(q[np.append(True, q[1:] - q[:-1] > SAME.PLACE)])
-    pitch = period = float(np.median(gaps)) if len(gaps) else step
+    pitch = period = float(np.median(gaps)) if len(gaps) else steps.usual
     if len(gaps) > 2 and np.median(np.abs(gaps[1:] - gaps[:-1])) > ROWS.TWO_PITCHES * pitch:
         period = float(np.median(gaps[1:] + gaps[:-1]))
     return Rows(
         axis=axis,
         length=total,
-        once=float(passed[0] + passed[1:][aside].sum()),
+        once=float(passed[0] + passed[1:][steps.aside].sum()),
         typical=typical,
-        count=1 + int(aside.sum()),
+        count=1 + int(steps.aside.sum()),
         lines=1 + len(gaps),
-        opposite=float(shorter[neighbour & turned].sum()),
-        same=float(shorter[onward].sum()),
-        step=step,
+        opposite=float(steps.shorter[steps.neighbour & turned].sum()),
+        same=float(steps.shorter[onward].sum()),
+        step=steps.usual,
         pitch=pitch,
         period=period,
-        even=float(shorter[neighbour & (lateral >= ROWS.NEARER * step)].sum() / shorter[aside].sum()),
+        even=steps.even,
         moves=on,
     )
 
