@@ -8,6 +8,7 @@ import re
 # A letter and its number: G1, X-.5, Z +2, X1.5E-05; spaces may stand between them (RS274/NGC, Kramer et al. 2000).
 _WORD = re.compile(r"([A-Z])[ \t]*([-+]?(?:\d+(?:\.\d*)?|\.\d+)(?:E[-+]?\d+(?![.\d]))?)")
 _NO_COMMENT = frozenset("(;")
+LARGEST_NUMBER = 99_999_999  # of a tool or a program
 
 
 def split_comments(line: str) -> tuple[str, list[str]]:
@@ -46,3 +47,8 @@ def split_words(code: str) -> tuple[list[tuple[str, float]], str]:
         if not any(squeezed[::3]):
             parts, rest = squeezed, ""
     return list(zip(parts[1::3], map(float, parts[2::3]))), rest
+
+
+def whole(value: float, most: int) -> int:
+    """Return the nearest whole number, at least -1 and at most `most`."""
+    return round(max(-1.0, min(value, most)))

@@ -2,9 +2,8 @@
 """The text of an NC program becomes commands, in mm and mm/s.
 
 The dialect is that of RS274/NGC (Kramer, Proctor and Messina, NISTIR 6556, 2000) with what Fanuc, Haas, Mach3, grbl
-and LinuxCNC add; of Heidenhain's DIN/ISO the moves are read. Modal state that `linearize` knows stays in the commands:
-planes, G90/G91, the centres of arcs, canned cycles. Units, feed rates, the order of words and comments are resolved
-here.
+and LinuxCNC add; of Heidenhain's DIN/ISO the moves are read. Here each line becomes words; what these do, the interpreter
+knows.
 """
 
 from __future__ import annotations
@@ -14,59 +13,18 @@ import re
 import numpy as np
 
 from vkworkbench.core.gcode import dialects
-from vkworkbench.core.gcode.blocks import split_comments, split_words
-from vkworkbench.core.gcode.cycles import CHIP_BREAK, PECK
+from vkworkbench.core.gcode.blocks import LARGEST_NUMBER, split_comments, split_words, whole
+from vkworkbench.core.gcode.interpreter import Interpreter
 from vkworkbench.core.gcode.program import Program
 from vkworkbench.core.gcode.units import INCH
-from vkworkbench.core.gcode.unread import PROBES, ROTARY
-from vkworkbench.core.gcode.words import ARCS, CANCEL, CYCLES, FEED, MOTION_NAMES, MOTIONS, RAPID, name_of
 from vkworkbench.core.toolpath import Problem
 from vkworkbench.language import Message
 
-# G-codes in tenths, as in words.py.
-_STATE = frozenset([170, 180, 190, 800, 900, 901, 910, 911, 980, 990])
-# Codes whose axis words are no target in the program's coordinates: dwell, data, home, machine coordinates, probes, the
-# end of a mirror (G50.1), of which its beginning (G51.1) tells.
-_APART = frozenset([100, 280, 281, 300, 301, 310, 382, 383, 384, 385, 501, 530, 922, 923])
-_MACHINE = frozenset([280, 300, 530])  # those of them that move
-_PROBES = frozenset([310, *PROBES])
-_NUMBERED_OFFSETS = frozenset([541, 1540])  # by the P word
-_OFFSETS = _NUMBERED_OFFSETS | frozenset([
-    540, 550, 560, 570, 580, 590, 591, 592, 593,
-    *range(1100, 1300, 10),  # of Haas
-    5000, *range(5050, 6000, 10),  # of Siemens
-])  # fmt: skip
-_OKUMA_OFFSET = 150  # G15 with an H word; its G54 to G56 H are lengths of tools, also HA to HC, which have no number
 _OKUMA_LETTERS = re.compile(r"(?<![A-Z])([HD])[ABC](?![A-Z\d=])")
-_HARMLESS = _OFFSETS | frozenset([
-    80, 90, 110, 150, 200, 210, 400, 401, 410, 411, 412, 420, 421, 422, 430, 431, 432, 434, 435, 440, 490, 500, 600,
-    610, 611, 620, 630, 640, 670, 690, 700, 710, 921, 930, 940, 950, 960, 970, 1030, 1870,
-    4500, 4510, 6010, 6020, 6030, 6410, 6420, 6430, 6440, 6450,  # how a Siemens goes around corners
-])  # fmt: skip
-_CHANGES_COORDINATES = frozenset([71, 160, 510, 511, 520, 680, 682, 920])
-_DATA, _ORIGINS = 100, (2, 20)  # G10, and its L words that set the origin of the program's coordinates
-_INCHES = frozenset([200, 700, 7000])
-_UNITS, _PATTERNS = _INCHES | frozenset([210, 710, 7100]), frozenset([700, 710, 720])
-_MACRO_CALLS = frozenset([650, 660])
 _CALLS = frozenset([("M", 98.0), ("M", 198.0), ("G", 65.0), ("G", 66.0)])  # of the program whose number is the P word
-_OUTPUTS = frozenset([67, 68])  # LinuxCNC's M-codes whose E and Q words are an analog output, as of a laser
-_SETTINGS = frozenset([92, 201, 203, 204, 205, 206])  # of Marlin: its steps, speeds and accelerations are no targets
-_OTHERS_M_CODE = 1000  # from here on they are a vendor's own, as Snapmaker's M2000
 _CALL_LETTERS = frozenset("PpOo:")  # of calls, and of the programs in which they stand
-_BORING = 860  # as which G76 is read, whose I and J move the tool aside before it is lifted
-_SPLINES = frozenset([50, 51])
-_DWELLS = frozenset([40])
 _COOLANT = frozenset([("M", 7.0), ("M", 8.0), ("M", 9.0)])
-# Heidenhain's DIN/ISO: the codes that mean what they mean elsewhere, and those of blank and tools, which move nothing.
-_HEIDENHAIN = frozenset([0, 10, 20, 30, 40, 170, 180, 190, 400, 410, 420, 700, 710, 900, 910])
-_HEIDENHAIN_DATA = frozenset([300, 310, 990])
 _HEIDENHAIN_NAME = re.compile(r"(?:N\s*\d+\s*)?%\s*\S+\s+G(7[01])$")  # a program's first line, and its last
-_COMPENSATION = frozenset([410, 411, 420, 421])
-_AXES = frozenset("XYZIJKR")
-_LENGTHS = frozenset("XYZIJKRQ")
-_KNOWN = _LENGTHS | {"F", "S", "P", "L", "H", "D"}
-_MOST_CODES, _MOST_TOOLS, _MOST_REPEATS = 1000, 99_999_999, 10_000
-
 _FLOW = re.compile(r"\b(IF|THEN|ELSE|WHILE|GOTO|DO\s*\d|END\s*\d|ENDIF|ENDWHILE|REPEAT)|^O\s*[\d<].*\b(SUB|CALL|DO)\b")
 _BLOCK_DELETE = re.compile(r"^(N\s*\d+\s*)?(?:/\d?\s*)+")
 _NUMBER = re.compile(r"[O:]\s*(\d{1,8})\b(?!\s*[A-Z]{2})")
@@ -125,48 +83,24 @@ def _called(lines: list[str]) -> set[int]:
         words, _ = split_words(code)
         number = dict(words).get("P")
         if number is not None and not _CALLS.isdisjoint(words):
-            calls.append((caller, _whole(number, _MOST_TOOLS)))
+            calls.append((caller, whole(number, LARGEST_NUMBER)))
     # P31000 is three times 1000 where there is no 31000.
     called = ((caller, number if number in programs else number % 10_000) for caller, number in calls)
     return {number for caller, number in called if number != caller}
 
 
 class _Reader:
-    """The commands of the lines read so far, and the state in which these lines leave the machine."""
+    """The lines read so far: their commands, comments and problems."""
 
     def __init__(self, called: set[int]) -> None:
         self.called = called
-        self.commands: list[tuple[str, dict[str, float]]] = []
-        self.lines: list[int] = []
+        self.machine = Interpreter(self._problem)
         self.comments: list[tuple[int, int, str]] = []
-        self.inverse_time: dict[int, float] = {}
         self.problems: dict[Message, list[int]] = {}
-        self.clues = dialects.Clues()
-        self.unit = 1.0
-        self.first_unit: float | None = None
-        self.motion = -1
-        self.moved = False
-        self.y: float | None = None  # the last absolute one
-        self.away: list[tuple[int, Message]] = []  # machine positions since the last move, which matter if one follows
-        self.offset = 540, 0.0
-        self.okuma = False
-        self.relative = False
-        self.feed_mode = 940
-        self.spindle = 0.0
-        self.per_turn: float | None = None  # the F word under G95
-        self.stands = False  # whether the last move was fed per turn of a spindle that nobody had told to turn
-        self.tool: int | None = None
-        self.changes = False  # whether there is an M6; where there is none, T changes the tool
-        self.seconds = 0.0  # that this line's move takes, where G93 says so
-        self.later: dict[str, float] | None = None  # words of a cycle that drills nowhere yet (L0)
-        self.angles: dict[str, float] = {}  # of the rotary axes
         self.in_subprogram = 0
         self.in_called = False  # in a subprogram that stands before its caller
-        self.calls_blocks = False  # whether what stands behind the end is called from within: Haas' subprograms
         self.deleted = False  # whether this line has a block delete
-        self.pole: dict[str, float] | None = None  # Heidenhain's centre of the arcs to come
         self.number = 0
-        self.ended = False
         self.blocks = 0
         self.strange: list[int] = []
 
@@ -179,9 +113,9 @@ class _Reader:
             code = code[:-1].rstrip()
         name = _HEIDENHAIN_NAME.match(code) if "%" in code else None
         if name:
-            return self._heidenhain(10 * int(name[1]))
+            return self.machine.heidenhain(number, 10 * int(name[1]))
         if code[:1] == "%":
-            return self.motion >= 0 and len(code) == 1
+            return self.machine.motion >= 0 and len(code) == 1
         self.deleted = "/" in code and _BLOCK_DELETE.match(code) is not None
         if self.deleted:
             code = _BLOCK_DELETE.sub(r"\1", code)
@@ -192,7 +126,7 @@ class _Reader:
             return False
         if code[0] in "$?NPBD" and _SAYS.fullmatch(code):
             return False
-        if self.ended and (code[0] in "O:" or self.calls_blocks):
+        if self.machine.ended and (code[0] in "O:" or self.machine.calls_blocks):
             return True
         if code[0] in "O:":
             program = _NUMBER.match(code)
@@ -216,17 +150,13 @@ class _Reader:
         if letters.isdisjoint("XYZ") or not letters.isdisjoint("TMO"):
             if _COOLANT.isdisjoint(words) or not letters.isdisjoint("TO"):  # else it says what coolant that is
                 self._keep(comments)
-        return self._block(words, letters)
+        return self.machine.block(number, words, letters, deleted=self.deleted)
 
     def _keep(self, comments: list[str]) -> None:
-        self.comments += [(len(self.commands), self.number, text) for text in comments if text]
+        self.comments += [(len(self.machine.commands), self.number, text) for text in comments if text]
 
-    def _problem(self, what: Message) -> None:
-        self.problems.setdefault(what, []).append(self.number)
-
-    def _add(self, name: str, parameters: dict[str, float]) -> None:
-        self.commands.append((name, parameters))
-        self.lines.append(self.number)
+    def _problem(self, what: Message, line: int | None = None) -> None:
+        self.problems.setdefault(what, []).append(self.number if line is None else line)
 
     def _strange(
         self, line: str, code: str, rest: str, words: list[tuple[str, float]]
@@ -275,280 +205,6 @@ class _Reader:
         self.strange.append(self.number)
         self._problem(Message("words-not-read"))
 
-    def _block(self, words: list[tuple[str, float]], letters: set[str]) -> bool:
-        """Read the words of one line; return whether they end the program."""
-        motion, apart, ended, last, change = None, False, False, False, False
-        taken: frozenset[str] = frozenset()  # letters of words that belong to an M-code
-        codes: list[int] = []
-        parameters: dict[str, float] = {}
-        for letter, value in words:
-            if letter == "G":
-                code = _whole(10 * value, 10 * _MOST_CODES)
-                codes.append(code)
-                if self.pole is not None and code not in _HEIDENHAIN:
-                    apart = True
-                    if code not in _HEIDENHAIN_DATA:
-                        self._unknown(code, letters)
-                elif code in MOTIONS:
-                    if motion not in (None, code):
-                        self._problem(Message("two-motions"))
-                    motion = code
-                elif code in _STATE:
-                    self._state(code)
-                else:
-                    self._displaced(code, words, letters)
-                    if code in _PROBES and not letters.isdisjoint("XYZ"):
-                        self._problem(Message("probing-untimed"))
-                    read_as = self._read_as(code, letters)
-                    motion = motion if read_as is None else read_as
-                    apart |= read_as is None and (code in _APART or self._other(code, words))
-            elif letter == "M":
-                change |= value == 6
-                ended |= self._m_code(value, letters)
-                taken |= _words_of(value, first=not parameters and "G" not in letters)
-                last |= value in (2, 30)
-            elif letter == "S":
-                self.spindle = value
-            elif letter not in "NOT":
-                if letter in parameters:
-                    self._problem(Message("word-twice", letter=letter))
-                parameters[letter] = value
-        if taken:
-            words = [(letter, value) for letter, value in words if letter not in taken]
-            parameters = {letter: value for letter, value in parameters.items() if letter not in taken}
-        self._take_tools([_whole(value, _MOST_TOOLS) for letter, value in words if letter == "T"], change)
-        if "S" in letters and self.per_turn is not None:  # another speed is another feed
-            parameters.setdefault("F", self.per_turn)
-        if codes or "F" in parameters:
-            feed = self.unit * parameters.get("F", 0.0) if self.feed_mode == 940 else 0.0
-            self.clues.feed(codes, parameters, self.motion if motion is None else motion, feed, self.number)
-        self._move(motion, parameters, apart)
-        self.ended |= last
-        return ended
-
-    def _take_tools(self, tools: list[int], change: bool) -> None:
-        """Take the tools that a line names; the change is of the first, a second one it gets ready."""
-        for named in tools:
-            self.clues.tool(named, self.number)
-            self._add(f"T{named}", {})  # where there is no M6 at all it changes the tool
-        if change:
-            self.changes = True
-            tool = tools[0] if tools else self.tool
-            self._add("M6", {} if tool is None else {"T": tool})
-        self.tool = tools[-1] if tools else self.tool
-
-    def _measure_in(self, code: int) -> None:
-        self.unit = INCH if code in _INCHES else 1.0
-        if self.first_unit is None:
-            self.first_unit = self.unit
-
-    def _heidenhain(self, unit: int) -> bool:
-        """Begin to read Heidenhain's DIN/ISO, whose centres of arcs are coordinates; return whether it ends here."""
-        if self.pole is not None:
-            return True
-        self.pole = {}
-        self._measure_in(unit)
-        self._add("G90.1", {})
-        return False
-
-    def _centred(self, mode: int, move: dict[str, float]) -> dict[str, float]:
-        """Return a move of Heidenhain's with the centre of its arc, which stands in this line or an earlier one."""
-        centre = {letter: move.pop(letter) for letter in "IJK" if letter in move}
-        if centre and self.relative:  # it would count from the tool
-            self.pole = {}
-            for letter in centre:
-                self._problem(Message("word-not-read", letter=letter))
-        elif self.pole is not None:
-            self.pole.update(centre)
-        is_arc = mode in ARCS and "R" not in move and not {"X", "Y", "Z"}.isdisjoint(move)
-        return {**move, **(self.pole or {})} if is_arc else move
-
-    def _m_code(self, value: float, letters: set[str]) -> bool:
-        """Take an M-code; return whether it ends the program at once."""
-        self.clues.m_code(value, letters, self.number)
-        if self.pole is not None:  # where M97 to M99 are others
-            return False
-        if value == 98 or (value in (97, 198) and "P" in letters):
-            self._problem(Message("subprogram-not-read"))
-            self.calls_blocks |= value == 97
-        if value == 99 and (self.deleted or "P" in letters):
-            self._problem(Message("jumps-not-followed"))
-            return False
-        return value == 99
-
-    def _displaced(self, code: int, words: list[tuple[str, float]], letters: set[str]) -> None:
-        """Tell where a G-code leaves the coordinates of the moves before: nothing in the program tells how far."""
-        self.okuma |= code == _OKUMA_OFFSET and "H" in letters and ("G", 43.0) not in words  # whose H would be a length
-        offset, before = _offset(code, words, self.okuma), self.offset
-        self.offset = offset or before
-        if not self.moved:
-            return
-        if (code == _DATA and dict(words).get("L") in _ORIGINS) or offset not in (None, before):
-            self._problem(Message("coordinates-not-changed", name=name_of(code)))
-        elif code in _MACHINE and not letters.isdisjoint("XYZ"):
-            self.away.append((self.number, Message("machine-position", name=name_of(code))))
-
-    def _state(self, code: int) -> None:
-        """Take a G-code that `linearize` knows."""
-        if code in (900, 910):
-            self.relative = code == 910
-        elif code == CANCEL:
-            self.motion = code
-        elif code == 180:
-            self.clues.g_code(18, set(), self.number)
-        self._add(name_of(code), {})
-
-    def _read_as(self, code: int, letters: set[str]) -> int | None:
-        """Return the motion as which a G-code is read that `linearize` does not know; None where there is none."""
-        if code in _SPLINES and not letters.isdisjoint("XYZ"):
-            self._problem(Message("spline-as-line", name=name_of(code)))
-            return FEED
-        if code == 760 and "R" in letters and ("Y" in letters or "P" not in letters):
-            return _BORING  # a lathe's G76, which cuts threads, has other words
-        return None
-
-    def _other(self, code: int, words: list[tuple[str, float]]) -> bool:
-        """Take a G-code that `linearize` need not know; return whether the line's axis words belong to it."""
-        letters = {letter for letter, _ in words}
-        turning = code in _PATTERNS and not letters.isdisjoint("PQUWR")
-        if code in _PATTERNS and not turning and not letters.isdisjoint("IJKL"):  # of Haas and Yasnac
-            self._problem(Message("hole-pattern-not-read", name=name_of(code)))
-            return True
-        if code == 710 and [letter for letter, _ in words if letter != "N"] == ["G", "Z"]:  # Okuma's return level
-            self._problem(Message("unknown-code", name=repr(name_of(code))))
-            return True
-        if code in _UNITS and not turning:
-            self._measure_in(code)
-        elif code in (930, 940, 950):
-            self.feed_mode, self.per_turn = code, None
-        elif code in _DWELLS:
-            self._problem(Message("dwell-untimed"))
-            return True
-        elif code in _COMPENSATION:
-            self._problem(Message("compensation-not-read", name=name_of(code)))
-        elif code in _SPLINES:  # without a target they are modes
-            return True
-        elif code in _CHANGES_COORDINATES:
-            if code != 920 or (self.moved and not letters.isdisjoint("XYZ")):  # before any move it moves nothing
-                self._problem(Message("coordinates-not-changed", name=name_of(code)))
-            return True
-        elif code == 431 and "H" not in letters:  # the tool's length in axis words
-            return True
-        elif code in _MACRO_CALLS:
-            self._problem(Message("subprogram-not-read"))
-            return True
-        else:
-            of_a_lathe = self.clues.g_code(code // 10, letters, self.number)
-            if code not in _HARMLESS:
-                self._unknown(code, letters)
-            return of_a_lathe or code not in _HARMLESS
-        return False
-
-    def _unknown(self, code: int, letters: set[str]) -> None:
-        """Tell of a G-code that is not known, and of the line's axis words, which may be its parameters."""
-        name, left_out = repr(name_of(code)), ", ".join(sorted(letters & {"X", "Y", "Z"}))
-        if left_out:
-            self._problem(Message("unknown-code-with-words", name=name, letters=left_out))
-        else:
-            self._problem(Message("unknown-code", name=name))
-
-    def _move(self, motion: int | None, parameters: dict[str, float], apart: bool) -> None:
-        """Add the command of a line's motion, or of its feed rate alone."""
-        if motion is None and self.motion == CANCEL:  # behind G80 machines go on as with G0
-            motion = RAPID if not _AXES.isdisjoint(parameters) and not apart else None
-        if motion is not None:
-            self.motion, self.later = motion, None
-        mode = self.motion
-        feed = self._feed(None if apart else parameters.get("F"))
-        move = {letter: self.unit * value for letter, value in parameters.items() if letter in _LENGTHS}
-        if self.pole is not None and not apart:
-            move = self._centred(mode, move)
-        if not apart and not _KNOWN.issuperset(parameters):
-            self.clues.axes(parameters, mode > 0, self.number)
-            for letter in sorted(set(parameters) - _KNOWN):
-                self._unread(letter, parameters[letter])
-        if feed is not None:
-            move["F"] = feed
-        if apart or _AXES.isdisjoint(move):
-            if motion is not None or feed is not None:  # not a line without a name: that would repeat a cycle
-                self._add("G94" if motion is None else name_of(motion), {} if feed is None else {"F": feed})
-            return
-        self.moved = True
-        for line, what in self.away:
-            self.problems.setdefault(what, []).append(line)
-        self.away.clear()
-        if self.ended:
-            self._problem(Message("goes-on"))
-        if "Y" in move:
-            self._note_y(move["Y"])
-        if mode in ARCS:
-            self.clues.arc(set(parameters), self.number)
-            if parameters.get("P", 1.0) > 1:
-                self._problem(Message("turns-not-read"))
-        if mode in CYCLES and parameters.get("P", 0.0) > 0:
-            self._problem(Message("dwell-untimed"))
-        name = "" if motion is None else name_of(motion)
-        repeats = 1
-        if mode in CYCLES:
-            repeats = self._repeats(mode, parameters, move)
-            if repeats <= 0:
-                self.later = move
-                return
-            if self.later is not None:
-                name, move, self.later = name_of(mode), {**self.later, **move}, None
-        elif self.seconds and mode > 0:
-            self.inverse_time[len(self.commands)] = 1 / self.seconds
-        stands = self.per_turn is not None and not self.spindle  # the feed per turn is none, and the one before is over
-        if mode > 0 and stands != self.stands:
-            self._add("G95" if stands else "G94", {})
-            self.stands = stands
-        for _ in range(repeats if self.relative else 1):
-            self._add(name, move)
-
-    def _note_y(self, y: float) -> None:
-        if self.relative:
-            self.clues.y(y != 0)
-        else:
-            self.clues.y(self.y not in (None, y))
-            self.y = y
-
-    def _repeats(self, mode: int, parameters: dict[str, float], move: dict[str, float]) -> int:
-        """Return how often a cycle is made, and leave to `move` the words that tell its holes."""
-        move.pop("K", None)
-        pecks = [letter for letter in "IJK" if letter in parameters]
-        letter = "L" if "L" in parameters else "K"
-        if mode in (CHIP_BREAK, PECK) and ("I" in pecks or "J" in pecks or parameters.get("K", 1.0) % 1):
-            # Haas and Yasnac: I first peck, J less with each, K at least.
-            if "I" in pecks and "Q" not in move:
-                move["Q"] = move["I"]
-                pecks.remove("I")
-            for one in pecks:
-                self._problem(Message("word-not-read", letter=one))
-            letter = "L"
-        elif mode not in (CHIP_BREAK, PECK, _BORING):  # a Fagor's depth is I, and its Z the level before it
-            for one in sorted({"I", "J"} & parameters.keys()):
-                self._problem(Message("word-not-read", letter=one))
-        repeats = _whole(parameters.get(letter, 1.0), _MOST_REPEATS)
-        if repeats > 1 and not self.relative:
-            self._problem(Message("repeats-not-read", letter=letter))
-        return repeats
-
-    def _unread(self, letter: str, value: float) -> None:
-        """Tell of a word that is none of a mill's three axes; a rotary axis stands at 0 before its first word."""
-        if letter not in ROTARY:
-            self._problem(Message("word-not-read", letter=letter))
-        elif value != self.angles.get(letter, 0.0):
-            self._problem(Message("rotary-not-read", letter=letter))
-            self.angles[letter] = value
-
-    def _feed(self, value: float | None) -> float | None:
-        """Return a feed rate in mm/s, None where there is none; G93 gives the seconds of this line instead."""
-        self.seconds = 60 / value if self.feed_mode == 930 and value and value > 0 else 0.0
-        if value is None or self.feed_mode == 930:
-            return None
-        self.per_turn = value if self.feed_mode == 950 else None
-        return value * self.unit * (self.spindle if self.feed_mode == 950 else 1.0) / 60
-
     def after_end(self, lines: list[str], number: int) -> None:
         for self.number, line in enumerate(lines[number:], number + 1):
             words, _ = split_words(split_comments(line)[0].upper())
@@ -557,51 +213,10 @@ class _Reader:
                 return
 
     def program(self) -> Program:
-        problems = tuple(Problem.at(lines, what) for what, lines in self.problems.items())
-        commands = self.commands
-        if not self.changes:
-            commands = self._changed_by_t(commands)
-        moves = any((not name or name in MOTION_NAMES) and not _AXES.isdisjoint(words) for name, words in self.commands)
-        dialects.check(self.blocks, self.strange, moves, problems)
+        machine, problems = self.machine, tuple(Problem.at(lines, what) for what, lines in self.problems.items())
+        dialects.check(self.blocks, self.strange, machine.moves, problems)
         return Program(
-            commands, np.array(self.lines, np.int64), tuple(self.comments), self.inverse_time,
-            self.first_unit == INCH, self.first_unit is not None, self.clues.other_machine(), tuple(self.clues.rotary), problems,
+            machine.with_tool_changes(), np.array(machine.lines, np.int64), tuple(self.comments), machine.inverse_time,
+            machine.first_unit == INCH, machine.first_unit is not None, machine.clues.other_machine(),
+            tuple(machine.clues.rotary), problems,
         )  # fmt: skip
-
-    @staticmethod
-    def _changed_by_t(commands: list[tuple[str, dict[str, float]]]) -> list[tuple[str, dict[str, float]]]:
-        """Make each T word that names another tool a tool change."""
-        tool, changed = None, []
-        for name, words in commands:
-            if name[:1] == "T":
-                number = int(name[1:])
-                name, words = ("M6", {"T": number}) if number != tool else ("G94", {})
-                tool = number
-            changed.append((name, words))
-        return changed
-
-
-def _offset(code: int, words: list[tuple[str, float]], okuma: bool) -> tuple[int, float] | None:
-    """Return which work offset a G-code names, None where it names none; G54.1 and G154 have its number in P."""
-    if okuma:
-        return (code, dict(words).get("H", 0.0)) if code == _OKUMA_OFFSET else None
-    if code not in _OFFSETS:
-        return None
-    return code, dict(words).get("P", 0.0) if code in _NUMBERED_OFFSETS else 0.0
-
-
-def _words_of(m_code: float, *, first: bool) -> frozenset[str]:
-    """Return the letters of the words that belong to an M-code, as far as they would be others without it.
-
-    In a line that moves, as G1 X5 M203, a machine's own M-code has none: these are Marlin's where they come first.
-    """
-    if m_code in _OUTPUTS:
-        return frozenset("EQ")
-    if first and (m_code in _SETTINGS or m_code >= _OTHERS_M_CODE):
-        return frozenset("ABCEFIJKPQRTUVWXYZ")
-    return frozenset()
-
-
-def _whole(value: float, most: int) -> int:
-    """Return the nearest whole number, at least -1 and at most `most`."""
-    return round(max(-1.0, min(value, most)))
