@@ -116,6 +116,35 @@ def _speeds(toolpath: Toolpath, horizontal_rapid: float, vertical_rapid: float) 
     return np.where(toolpath.rapid, rapid, toolpath.feed)
 
 
+def _timed(moves: np.ndarray, lengths: np.ndarray, speed: np.ndarray) -> tuple[float, float | None, float, int]:
+    """Measure some moves, (n,) bool.
+
+    Returns
+    -------
+    length : float
+        mm.
+    seconds : float or None
+        Time of those whose speed is known; None where that of none is.
+    untimed : float
+        Length of the others, mm.
+    missing : int
+        Their number.
+    """
+    timed = moves & (speed > 0)
+    length, missing = float(lengths[moves].sum()), int((moves & ~timed).sum())
+    seconds = None if missing and not timed.any() else float((lengths[timed] / speed[timed]).sum())
+    return length, seconds, length - float(lengths[timed].sum()), missing
+
+
+def _rapids_untimed(length: float, names: list[str], controller: bool) -> Message:
+    """Say why rapids have no time: the names are those of their speeds that are not set."""
+    if not controller:
+        return Message("rapids-without-controller", length=length)
+    if len(names) == 1:
+        return Message("rapids-untimed", length=length, name=names[0])
+    return Message("all-rapids-untimed", length=length, name=names[0], other=names[1])
+
+
 def _upright(toolpath: Toolpath) -> np.ndarray:
     """Which trajectories go straight up or down, (n,) bool."""
     points = toolpath.points
@@ -167,40 +196,15 @@ def machining(
     speed = _speeds(toolpath, horizontal_rapid, vertical_rapid)
     rapid = toolpath.rapid
     left_out = []
-
-    cutting_length = float(lengths[~rapid].sum())
-    fed = ~rapid & (speed > 0)
-    unfed = cutting_length - float(lengths[fed].sum())
-    missing = int((~rapid & ~fed).sum())
-    cutting_seconds: float | None = float((lengths[fed] / speed[fed]).sum())
+    cutting_length, cutting_seconds, untimed, missing = _timed(~rapid, lengths, speed)
     if missing:
-        left_out.append(Message("cutting-untimed", length=unfed, count=missing))
-        if not fed.any():
-            cutting_seconds = None
-
-    timed = rapid & (speed > 0)
-    rapid_length = float(lengths[rapid].sum())
-    untimed = rapid_length - float(lengths[timed].sum())
-    rapid_seconds: float | None = float((lengths[timed] / speed[timed]).sum())
-    if (rapid & ~timed).any():
+        left_out.append(Message("cutting-untimed", length=untimed, count=missing))
+    rapid_length, rapid_seconds, untimed, missing = _timed(rapid, lengths, speed)
+    if missing:
         upright = _upright(toolpath)
-        names = [
-            name
-            for name, given, kind in (
-                ("HorizRapid", horizontal_rapid, ~upright),
-                ("VertRapid", vertical_rapid, upright),
-            )
-            if not given and (rapid & kind).any()
-        ]
-        if not controller:
-            left_out.append(Message("rapids-without-controller", length=untimed))
-        elif len(names) == 1:
-            left_out.append(Message("rapids-untimed", length=untimed, name=names[0]))
-        else:
-            left_out.append(Message("all-rapids-untimed", length=untimed, name=names[0], other=names[1]))
-        if not timed.any():
-            rapid_seconds = None
-
+        speeds = ("HorizRapid", horizontal_rapid, ~upright), ("VertRapid", vertical_rapid, upright)
+        names = [name for name, given, kind in speeds if not given and (rapid & kind).any()]
+        left_out.append(_rapids_untimed(untimed, names, controller))
     left_out += [problem.remark for problem in toolpath.problems if problem.takes_time]
     lowest = depth = shortest = median = None
     if (~rapid).any():
