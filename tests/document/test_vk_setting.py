@@ -14,7 +14,8 @@ from vkworkbench.document.setting import exact_box, rapid_feeds, tool_remark, ve
 
 def operation(**controller):
     """An operation, with a tool controller where something is said of it."""
-    return SimpleNamespace(Name="Operation", **{"ToolController": SimpleNamespace(**controller)} if controller else {})
+    told = {"ToolController": SimpleNamespace(**{"Label": "TC", **controller})} if controller else {}
+    return SimpleNamespace(Name="Operation", **told)
 
 
 @pytest.mark.parametrize(

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import threading
 import traceback
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from concurrent.futures import ThreadPoolExecutor, wait
 from contextlib import suppress
 from dataclasses import dataclass, fields, replace
@@ -13,9 +13,9 @@ from dataclasses import dataclass, fields, replace
 import FreeCAD
 
 from vkworkbench import freecad, preferences
-from vkworkbench.core import Solid, Strategy, Tool, linearize, machining, stock_around
+from vkworkbench.core import Solid, Strategy, Tool, Toolpath, linearize, machining, stock_around
 from vkworkbench.core.gcode import Words, in_seconds, used_up
-from vkworkbench.core.simulators import ZBUFFER, Conditions, Task, predict, preflight, together
+from vkworkbench.core.simulators import ZBUFFER, Conditions, Cost, Task, predict, preflight, together
 from vkworkbench.core.zbuffer import cuts_surely, may_cut
 from vkworkbench.document import calibration, garbage, session
 from vkworkbench.document.fingerprint import (
@@ -32,16 +32,16 @@ from vkworkbench.document.operations import (
     Operation,
     find,
     fixtures_of,
-    has_controller,
     is_imported,
     is_there,
     jobs_of,
     names_of,
     or_active_document,
+    takes_tool,
 )
 from vkworkbench.document.path_prints import PATH_PRINTS
 from vkworkbench.document.recognized import recognized
-from vkworkbench.document.setting import NO_CONTROLLER, placed, rapid_feeds, read_stock, read_tool, tool_remark
+from vkworkbench.document.setting import controller_of, placed, rapid_feeds, read_stock, read_tool, tool_remark
 from vkworkbench.document.simulated_faults import with_faults
 from vkworkbench.document.solids import form_of_stock, stock_solid
 from vkworkbench.language import Message, Unusable
@@ -158,7 +158,8 @@ class _Reading:
     active: bool
     intent: str | None = None
     imported: bool = False
-    says_only: bool = False
+    takes_tool: bool = True
+    has_controller: bool = False
     path: object = None
     placement: object = None
     tool: Tool | None = None
@@ -200,7 +201,8 @@ def _read(operation: Operation) -> _Reading:
             reading,
             intent=name_of_intent(obj),
             imported=is_imported(obj),
-            says_only=not has_controller(obj),
+            takes_tool=takes_tool(obj),
+            has_controller=controller_of(obj) is not None,
             path=obj.Path,
             placement=obj.Placement,
             tool=tool,
@@ -290,26 +292,18 @@ def _analysed(
     found, inches = recognized(toolpath, tool and tool.diameter, reading.imported)
     if inches:
         remarks.append(Message("inches-as-millimetres"))
-    silent = toolpath.commands <= len(toolpath.comments)
-    if found.strategy is Strategy.EMPTY and (not silent or (reading.says_only and toolpath.comments)):
-        remarks = [Message("no-cutting-move")]  # a stop, a comment or a fixture needs neither tool nor stock
-    elif found.strategy is Strategy.EMPTY:
-        # Where there is no toolpath, remarks on tool and stock would miss the point.
-        remarks = [Message("no-toolpath") if reading.active else Message("inactive")]
+    cuts = found.strategy is not Strategy.EMPTY
+    if not cuts:  # remarks on tool and stock would miss the point
+        remarks = [_why_empty(reading, toolpath)]
     elif tool and not stock:
         remarks.append(Message("box-of-cuts"))
         stock = stock_around(toolpath, tool)
     remarks += [problem.remark for problem in toolpath.problems if not problem.of_time]
     task = Task(toolpath, tool, stock, words, found)
     costs, advice = {}, {}
-    if tool and stock and found.strategy is not Strategy.EMPTY:
+    if tool and stock and cuts:
         costs, advice = predict(task, conditions)
-        too_wide = tool.diameter > max(stock.upper[0] - stock.lower[0], stock.upper[1] - stock.lower[1])
-        at_it = cuts_surely(toolpath, stock) or (too_wide and may_cut(toolpath, tool, stock))
-        if not at_it and costs[ZBUFFER.name].traces == 0:
-            remarks.append(Message("not-touching"))
-        elif too_wide:
-            remarks.append(Message("tool-wider-than-stock"))
+        remarks += _misfits(toolpath, tool, stock, costs)
     going_on()
     if reading.imported:
         toolpath, told = in_seconds(toolpath)
@@ -320,7 +314,7 @@ def _analysed(
         recognition=found,
         trajectories=len(toolpath),
         machining=machining(toolpath, horizontal_rapid=horizontal, vertical_rapid=vertical,
-                            controller=NO_CONTROLLER not in reading.remarks, top=reading.stock and reading.stock.upper[2]),
+                            controller=reading.has_controller, top=reading.stock and reading.stock.upper[2]),
         costs=costs,
         advice=advice,
         cautions=preflight(task, costs, conditions),
@@ -328,6 +322,23 @@ def _analysed(
         fingerprint=fingerprint_of("", reading.setting_fingerprint),
         called=reading.intent if contradicts(reading.intent, found) else None,
     )  # fmt: skip
+
+
+def _why_empty(reading: _Reading, toolpath: Toolpath) -> Message:
+    """Return why nothing cuts: a stop, a comment or a fixture needs no toolpath, other operations lack theirs."""
+    silent = toolpath.commands <= len(toolpath.comments)
+    if not silent or (toolpath.comments and not reading.takes_tool):
+        return Message("no-cutting-move")
+    return Message("no-toolpath") if reading.active else Message("inactive")
+
+
+def _misfits(toolpath: Toolpath, tool: Tool, stock: Solid, costs: Mapping[str, Cost]) -> list[Message]:
+    """Return how tool and stock do not fit the toolpath."""
+    too_wide = tool.diameter > max(stock.upper[0] - stock.lower[0], stock.upper[1] - stock.lower[1])
+    at_it = cuts_surely(toolpath, stock) or (too_wide and may_cut(toolpath, tool, stock))
+    if not at_it and costs[ZBUFFER.name].traces == 0:  # which takes an estimate
+        return [Message("not-touching")]
+    return [Message("tool-wider-than-stock")] if too_wide else []
 
 
 def _failed(reading: _Reading, error: Exception) -> OperationReport:

@@ -298,7 +298,7 @@ def through_bases(obj, wanted: freecad.Property):
     return None
 
 
-def has_controller(obj) -> bool:
+def takes_tool(obj) -> bool:
     """Whether an operation, or what it dresses up, is one that a tool follows, be its controller set or not."""
     return any(map(freecad.CONTROLLER.is_in, (obj, *_all_bases(obj))))
 

@@ -31,9 +31,13 @@ _SIMPLIFIED = {
     "slotcutter": _AS_END_MILL, "dovetail": _AS_END_MILL, "radius": _AS_END_MILL,
 }  # fmt: skip
 
-NO_CONTROLLER = Message("no-tool")  # what is said of an operation without a tool controller
-
 _exact_boxes = OfShapes(16)  # of the stocks read last: one with many curved faces takes 0.1 s
+
+
+def controller_of(operation):
+    """Return the tool controller of an operation, or of what it dresses up; None without one."""
+    controller = through_bases(operation, freecad.CONTROLLER)
+    return controller if hasattr(controller, "Label") else None
 
 
 def read_tool(operation) -> Tool:
@@ -44,9 +48,9 @@ def read_tool(operation) -> Tool:
     Unusable
         Where there is no tool or its measures are impossible.
     """
-    controller = through_bases(operation, freecad.CONTROLLER)
-    if not hasattr(controller, "Label"):
-        raise Unusable(NO_CONTROLLER)
+    controller = controller_of(operation)
+    if controller is None:
+        raise Unusable(Message("no-tool"))
     bit = freecad.TOOL.of(controller)
     if bit is None:
         raise Unusable(Message("no-tool-bit", label=controller.Label))
@@ -61,8 +65,8 @@ def read_tool(operation) -> Tool:
 
 def tool_remark(operation) -> Message | None:
     """Return what of its tool is not simulated; None where all of it is, and where it has none."""
-    controller = through_bases(operation, freecad.CONTROLLER)
-    bit = freecad.TOOL.of(controller) if hasattr(controller, "Label") else None
+    controller = controller_of(operation)
+    bit = freecad.TOOL.of(controller)
     name = _shape_name(bit) if bit else "endmill"
     instead = _SIMPLIFIED.get(name) if name in _SHAPES else _AS_END_MILL
     return Message("tool-simplified", label=controller.Label, instead=instead) if instead else None
@@ -131,14 +135,14 @@ def _corners(shape) -> tuple[tuple, tuple]:
 
 def rapid_feeds(operation) -> tuple[float, float]:
     """Return the horizontal and vertical rapid speed of an operation's tool controller, mm/s; 0 if unset."""
-    controller = through_bases(operation, freecad.CONTROLLER)
+    controller = controller_of(operation)
     speeds = (rapid.number(controller) for rapid in (freecad.HORIZONTAL_RAPID, freecad.VERTICAL_RAPID))
     return tuple(speed if speed and 0 < speed < math.inf else 0.0 for speed in speeds)
 
 
 def vertical_feed(operation) -> float:
     """Return the vertical feed of an operation's tool controller, mm/s; 0 if unset."""
-    return freecad.VERTICAL_FEED.number(through_bases(operation, freecad.CONTROLLER)) or 0.0
+    return freecad.VERTICAL_FEED.number(controller_of(operation)) or 0.0
 
 
 def placed(toolpath: Toolpath, placement) -> Toolpath:
