@@ -149,9 +149,8 @@ SURFACE_PATTERN = Property("CutPattern")
 OPERATIONS = Property("Operations")
 TOOLS = Property("Tools")
 GROUP = Property("Group", fingerprint="setting")
-FIXTURES = Property(
-    "Fixtures", fingerprint="setting"
-)  # work offsets, G54 to G59; all operations are posted once for each
+# Work offsets, G54 to G59; all operations are posted once for each.
+FIXTURES = Property("Fixtures", fingerprint="setting")
 STOCK = Property("Stock", fingerprint="setting")
 MODEL = Property("Model")
 SHAPE = Property("Shape", fingerprint="setting")

@@ -232,15 +232,6 @@ class JobCopy:
                     return False
         return True
 
-    def _next(self, going_on: Callable[[], None]) -> _Copied:
-        while True:
-            going_on()
-            try:
-                copied: _Copied = self._copied.get(timeout=_PATIENCE)
-            except Empty:
-                continue
-            return copied
-
     def job(self, read: Iterable[ReadCut]) -> SimulatedJob:
         """Put together what was read.
 
@@ -263,6 +254,15 @@ class JobCopy:
             self._model_shapes,
             remarks + self._remarks,
         )
+
+    def _next(self, going_on: Callable[[], None]) -> _Copied:
+        while True:
+            going_on()
+            try:
+                copied: _Copied = self._copied.get(timeout=_PATIENCE)
+            except Empty:
+                continue
+            return copied
 
 
 def read_job(what=None) -> SimulatedJob:

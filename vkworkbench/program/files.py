@@ -15,30 +15,10 @@ from pathlib import Path
 from vkworkbench.language import Message, Unusable
 
 # Suffixes of NC programs. In a folder other files are left out; a file that is named itself is read in any case.
-_SUFFIXES = frozenset(
-    [
-        ".nc",
-        ".ngc",
-        ".gcode",
-        ".gc",
-        ".g",
-        ".tap",
-        ".cnc",
-        ".ncc",
-        ".ncf",
-        ".iso",
-        ".eia",
-        ".din",
-        ".min",
-        ".mpf",
-        ".spf",
-        ".prg",
-        ".fnc",
-        ".nc1",
-        ".ptp",
-        ".mcd",
-    ]
-)
+_SUFFIXES = frozenset([
+    ".nc", ".ngc", ".gcode", ".gc", ".g", ".tap", ".cnc", ".ncc", ".ncf", ".iso",
+    ".eia", ".din", ".min", ".mpf", ".spf", ".prg", ".fnc", ".nc1", ".ptp", ".mcd",
+])  # fmt: skip
 MOST_BYTES = 400_000_000  # of text; some ten million lines, more than a toolpath may have
 _PACKED = {".xz": lzma.open, ".gz": gzip.open}
 _MARKS = ((codecs.BOM_UTF8, "utf-8-sig"), (codecs.BOM_UTF16_LE, "utf-16"), (codecs.BOM_UTF16_BE, "utf-16"))

@@ -18,12 +18,10 @@ SMALL = 15.0  # mm, longer side of what is cut; a part of 15 inches is a large o
 LOW = 4.0  # mm, from the lowest cut to the highest point; tools are lifted higher than this, even over a thin sheet
 SLOW = 5.0  # mm/s, median feed; 300 inches a minute are fast
 IMPORTED_SLOW = 300.0  # mm/s as FreeCAD imports: it takes the mm or inches a minute of a file for mm/s
-PER_MINUTE = (
-    250.0  # mm/s, 15 m/min: faster mills exist, but a program whose fastest cut is slower than 250 mm/min is rarer
-)
-LONG = (
-    5000.0  # mm, longer side of what is cut; a part of 5 mm is small, a mill of 5 m that cuts in whole millimetres rare
-)
+# mm/s, 15 m/min. Faster mills exist, but a program whose fastest cut is slower than 250 mm/min is rarer.
+PER_MINUTE = 250.0
+# mm, longer side of what is cut. A part of 5 mm is small, a mill of 5 m that cuts in whole millimetres rare.
+LONG = 5000.0
 TOOLS = 4.0  # tool diameters; something wider was made for this tool, so its size is right
 
 

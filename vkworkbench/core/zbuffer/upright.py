@@ -32,7 +32,7 @@ class Upright:
         (x, y, z), (mx, my, _) = trajectories.start, trajectories.move
         ux, uy, run, slope = trajectories.heading
         # The moves from their middles: position, direction, half the length, depth, and slope.
-        self.columns = (x + mx / 2, y + my / 2, ux, uy, run / 2, -(z + slope * run / 2))
+        self.measures = (x + mx / 2, y + my / 2, ux, uy, run / 2, -(z + slope * run / 2))
         self.slope, self.slow = slope, slope != 0
         half = (trajectories.stock.upper[2] - trajectories.stock.lower[2]) / 2
         self.near, self.far = -float(half), float(half)
@@ -42,7 +42,7 @@ class Upright:
     ) -> Iterator[np.ndarray]:
         """See `culling.Bounds.quarters`."""
         x, y = self.frame.pixel_centres(column + child - 0.5, row + child - 0.5)
-        mx, my, ux, uy, half_run, depth = (column.take(item) for column in self.columns)
+        mx, my, ux, uy, half_run, depth = (measure.take(item) for measure in self.measures)
         dx, dy = x.take(tile), (self.cosine * y).take(tile)
         dx -= mx
         dy -= my
