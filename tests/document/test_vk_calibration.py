@@ -15,7 +15,7 @@ import vkworkbench
 from vkworkbench import freecad
 from vkworkbench.core import Speed, Stock, Tool, linearize
 from vkworkbench.core.simulators import DEFAULTS, Constants, Seen, Task, legacy_costs, opengl_cost
-from vkworkbench.document import calibration
+from vkworkbench.document import calibration, measuring
 from vkworkbench.report import Cancelled
 
 
@@ -35,7 +35,7 @@ def folder(measured, monkeypatch):
         share = next(slower) / 100
         return replace(DEFAULTS, start=share * DEFAULTS.start, cell=share * DEFAULTS.cell)
 
-    monkeypatch.setattr(calibration, "_measure", constants)
+    monkeypatch.setattr(calibration, "measure_legacy", constants)
     monkeypatch.setattr(
         calibration, "measure_speed",
         lambda clock=None, going_on=None: Speed(record=next(slower) / 100 * Speed().record, factor=1.5),
@@ -78,11 +78,11 @@ def test_the_folder_of_the_users_data_may_not_be_there_yet(folder, monkeypatch):
 
 def test_constants_are_what_the_meshes_and_the_profile_took_by_their_size(monkeypatch):
     """A flat mesh of 100 / 0.12 by 60 / 0.12 cells; a rough one of 50 by 60 cells; a profile of three radii of 2 mm in 0.1 mm."""
-    facets = sum(mesh.CountFacets for mesh in calibration._rough().GetResultMesh())
+    facets = sum(mesh.CountFacets for mesh in measuring._rough().GetResultMesh())
     assert facets > 50 * 60  # as many as the cells themselves: what is flat has a few
     cutting, flat, rough, shaping = [0.0] * 4, 834 * 501 * 1e-6, 51 * 61 * 1e-6 + facets * 3e-6, 60 * 5e-6
-    monkeypatch.setattr(calibration, "steady_seconds", lambda pieces, **_: [*cutting, flat, rough, shaping])
-    found = calibration._measure(None, None)
+    monkeypatch.setattr(measuring, "steady_seconds", lambda pieces, **_: [*cutting, flat, rough, shaping])
+    found = measuring.measure_legacy(None, None)
     assert (found.cell, found.facet, found.profile) == pytest.approx((1e-6, 3e-6, 5e-6))
     assert found.start / DEFAULTS.start == pytest.approx(1e-6 / DEFAULTS.cell)
     assert found.call == found.ring == found.line == found.cap == 0

@@ -15,14 +15,12 @@ from pathlib import Path
 
 import FreeCAD
 import numpy as np
-import Part
-from Path import Command as PathCommand
-from PathSimulator import PathSim
 
 from vkworkbench import freecad
-from vkworkbench.core import Stock, linearize, processor_clock, steady_seconds
-from vkworkbench.core.simulators import DEFAULTS, SIMULATORS, Constants, Cost, Seen, Task, legacy_work
+from vkworkbench.core import processor_clock
+from vkworkbench.core.simulators import DEFAULTS, SIMULATORS, Constants, Cost, Seen
 from vkworkbench.core.zbuffer import WORK_UNITS, Speed, measure_speed
+from vkworkbench.document.measuring import as_slow_here, measure_legacy
 from vkworkbench.worker import processes
 
 # Names of OpenGL renderers that draw on the processor and wait for no screen, and the times of a frame and of a draw
@@ -35,8 +33,6 @@ _SOFTWARE_PANEL = {"redraw": 40e-3}
 _SOFTWARE_PANEL_QT6 = {"redraw": 56e-3, "repaint": 30e-3}
 # Making meshes takes this many times longer where pictures between them are drawn on the same processor.
 _SOFTWARE_MESH = 1.5
-# The calibration cuts in a warm cache; real operations take this many times longer (benchmarks/simulators.py).
-_COLD_CACHE = 1.5
 # The kinds of real runs to learn from, and how many of each are kept.
 _LESSONS = {lesson.kind: lesson for simulator in SIMULATORS for lesson in simulator.lessons}
 _LAST_RUNS = 15
@@ -47,11 +43,6 @@ _UNREADABLE = (TypeError, LookupError, ValueError, AttributeError, ArithmeticErr
 # No constant and no number of a run is larger; these constants may be 0 as they are measured, or by default.
 _LARGEST = 1e15
 _MAYBE_NOTHING = frozenset(["repaint", "call", "ring", "line", "cap", "refresh"])
-# How often each piece of work is timed at most.
-_RUNS = 20
-# The stock that the calibration cuts.
-_STOCK = Stock((0, 0, 0), (100, 60, 20))
-_BOX = Part.makeBox(100, 60, 20)
 
 
 @dataclass(frozen=True)
@@ -210,7 +201,7 @@ def calibrate(
         If the user data folder cannot be written.
     """
     speed = measure_speed(clock, going_on)
-    measured = _for_renderer(_measure(clock, going_on), renderer)
+    measured = _for_renderer(measure_legacy(clock, going_on), renderer)
     _write(_kept(speed))
     known = load(renderer)
     runs = known.runs if known else dict.fromkeys(_LESSONS, ())
@@ -296,70 +287,7 @@ def _speed_key() -> str:
 def _for_renderer(base: Constants, renderer: str) -> Constants:
     if any(name in renderer.lower() for name in _SOFTWARE):
         panel = _SOFTWARE_PANEL_QT6 if freecad.version() >= freecad.QT6_SINCE else _SOFTWARE_PANEL
-        pictures = {name: _here(seconds, base.cell) for name, seconds in {**_SOFTWARE_OPENGL, **panel}.items()}
+        pictures = {name: as_slow_here(seconds, base.cell) for name, seconds in {**_SOFTWARE_OPENGL, **panel}.items()}
         mesh = {"cell": base.cell * _SOFTWARE_MESH, "facet": base.facet * _SOFTWARE_MESH}
         return replace(base, opengl_factor=DEFAULTS.legacy_factor, refresh=0.0, **mesh, **pictures)
     return base
-
-
-def _here(seconds: float, cell: float) -> float:
-    """Scale a time from the computer of the defaults to one where a mesh takes `cell` s per cell."""
-    return seconds * cell / DEFAULTS.cell
-
-
-def _measure(clock: Callable[[], float], going_on: Callable[[], object]) -> Constants:
-    """Time small pieces of the legacy simulator's work, each dominated by one constant."""
-    # Short moves of a tool smaller than a cell, of one a few cells wide; long moves; short moves of a wide tool.
-    cuts = [_cut(0.08, 0.1, 400), _cut(0.9, 0.1, 300), _cut(8.0, 80.0, 4), _cut(12.0, 0.1, 12)]
-    flat, rough = PathSim(), _rough()
-    flat.BeginSimulation(_BOX, 0.12)  # a grid as large as in use: a smaller one stays in the cache
-    facets = sum(mesh.CountFacets for mesh in rough.GetResultMesh())
-    radius, step = 2.0, 0.1
-    tool = Part.makeCylinder(radius, 20)
-
-    pieces = [*(run for _, run in cuts), flat.GetResultMesh, rough.GetResultMesh, lambda: flat.SetToolShape(tool, step)]
-    *cutting, flat_mesh, rough_mesh, shaping = steady_seconds(pieces, most=_RUNS, clock=clock, going_on=going_on)
-    work = np.array([counts for counts, _ in cuts])
-    call, ring, line, cap = (np.maximum(np.linalg.solve(work, cutting), 0) * _COLD_CACHE).tolist()
-    cell = float(flat_mesh) / (834 * 501)
-    facet = max(float(rough_mesh) - cell * 51 * 61, 0) / facets
-    profile = float(shaping) / (3 * radius / step)
-    return replace(
-        DEFAULTS, start=_here(DEFAULTS.start, cell), call=call, ring=ring, line=line, cap=cap, cell=cell, facet=facet,
-        profile=profile,
-    )  # fmt: skip
-
-
-def _cut(diameter: float, length: float, count: int) -> tuple[list[float], Callable[[], object]]:
-    """Return moves to and fro: the numbers of calls, rings, steps along and steps around, and what cuts them."""
-    resolution = 0.1
-    words = [{"X": 10.0 + length * (i % 2), "Y": 30.0, "Z": 15.0} for i in range(count + 1)]
-    commands = [PathCommand("G1", word) for word in words[1:]]
-    sim = PathSim()
-    sim.BeginSimulation(_BOX, resolution)
-    sim.SetToolShape(Part.makeCylinder(diameter / 2, 20), diameter)  # a coarse profile: it is not timed here
-    start = FreeCAD.Placement(FreeCAD.Vector(10, 30, 15), FreeCAD.Rotation())
-
-    def run():
-        position = start
-        for command in commands:
-            position = sim.ApplyCommand(position, command)
-
-    task = Task(linearize([("G1", word) for word in words]))
-    work = legacy_work(task.motions, diameter=diameter, stock=_STOCK, accuracy=resolution)
-    counts = [work.calls, work.rings, work.line_steps, work.cap_steps]
-    return [float(count.sum()) for count in counts], run
-
-
-def _rough() -> PathSim:
-    """Return a stock of 50 x 60 cells whose heights differ so that its mesh joins none of them."""
-    sim = PathSim()
-    sim.BeginSimulation(Part.makeBox(50, 60, 20), 1.0)
-    sim.SetToolShape(Part.makeCylinder(0.55, 20), 1.0)
-    place = FreeCAD.Placement(FreeCAD.Vector(0, 0, 20), FreeCAD.Rotation())
-    for x in range(0, 50, 2):
-        for y in range(0, 60, 2):
-            place = sim.ApplyCommand(place, PathCommand("G0", {"X": x + 0.5, "Y": y + 0.5, "Z": 20.0}))
-            place = sim.ApplyCommand(place, PathCommand("G1", {"Z": 3.0 + (7 * x + 3 * y) % 13}))
-            place = sim.ApplyCommand(place, PathCommand("G0", {"Z": 20.0}))
-    return sim
