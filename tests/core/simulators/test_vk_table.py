@@ -14,7 +14,7 @@ import pytest
 from vkworkbench import preferences
 from vkworkbench.core import Stock, Tool, View, linearize, machining, recognize
 from vkworkbench.core.gcode import Words
-from vkworkbench.core.simulators import costs, preflight, table
+from vkworkbench.core.simulators import costs, kept, preflight, table
 from vkworkbench.core.simulators.accuracy import Accuracy
 from vkworkbench.core.simulators.simulator import Caution, Conditions, Task
 from vkworkbench.core.simulators.table import LEGACY, SIMULATORS, ZBUFFER
@@ -89,6 +89,7 @@ WIREFRAME = replace(
     predict=lambda task, conditions: WireframeCost(float(len(task.toolpath)), 1e3 * len(task.motions.command)),
     together=lambda costs: WireframeCost(sum(c.seconds for c in costs), sum(c.memory_bytes for c in costs)),
     cautions=lambda task, cost, conditions: [Caution("wires", Message("leave-out"))],
+    kept=WireframeCost,
     less_memory=Message("fewer-operations"),
     columns={"wireframe_seconds": lambda cost: cost.seconds},
     factor_column="wireframe_factor",
@@ -99,7 +100,7 @@ WIREFRAME = replace(
 
 @pytest.fixture
 def wireframe(monkeypatch):
-    for module in (table, costs):
+    for module in (table, costs, kept):
         monkeypatch.setattr(module, "SIMULATORS", (*SIMULATORS, WIREFRAME))
     return WIREFRAME
 
@@ -136,6 +137,8 @@ def test_one_more_entry_is_predicted_warned_of_and_written_everywhere(wireframe,
     assert float(first["wireframe_seconds"]) == count and float(first["wireframe_factor"]) == 3.0
     data = json.loads((tmp_path / "report.json").read_text(encoding="utf-8"))
     assert data["totals"][0]["wireframe_seconds"] == 2 * count
+    as_kept = json.loads(json.dumps(kept.as_data("wireframe", total.costs["wireframe"])))
+    assert kept.from_data("wireframe", as_kept) == total.costs["wireframe"]
 
 
 def test_advice_as_numbers_is_nothing_where_nothing_meets_the_budget():

@@ -3,25 +3,18 @@
 
 from __future__ import annotations
 
-from dataclasses import fields
+from dataclasses import Field, fields
 from math import isfinite
 from typing import Any
 
-from vkworkbench.core.simulators import legacy, opengl
 from vkworkbench.core.simulators.constants import DEFAULTS, Constants
-from vkworkbench.core.simulators.legacy import LegacyCost
-from vkworkbench.core.simulators.opengl import OpenGLCost
 from vkworkbench.core.simulators.simulator import Cost
-from vkworkbench.core.simulators.zbuffer import NAME, ZBufferCost
-
-_KINDS = {NAME: ZBufferCost, legacy.NAME: LegacyCost, opengl.NAME: OpenGLCost}
-_DROPPED = "positions"  # of the accuracy slider: the cost is that at one of them
+from vkworkbench.core.simulators.table import SIMULATORS
 
 
 def as_data(name: str, cost: Cost) -> dict[str, Any]:
     """Return what has to be kept of a cost so that those of several operations can be put together, as JSON takes it."""
-    kept = {field.name: getattr(cost, field.name) for field in fields(_KINDS[name]) if field.name != _DROPPED}
-    return {name: _plain(value) for name, value in kept.items()}
+    return {field.name: _plain(getattr(cost, field.name)) for field in _kept_fields(_kind(name))}
 
 
 def from_data(name: str, data: Any) -> Cost:
@@ -32,10 +25,17 @@ def from_data(name: str, data: Any) -> Cost:
     LookupError, TypeError, ValueError
         If no cost looks like that: another version may have written it.
     """
-    kind = _KINDS[name]
-    values = {field.name: _value(field.name, data[field.name]) for field in fields(kind) if field.name != _DROPPED}
-    cost: Cost = kind(**values)
+    kind = _kind(name)
+    cost: Cost = kind(**{field.name: _value(field.name, data[field.name]) for field in _kept_fields(kind)})
     return cost
+
+
+def _kind(name: str) -> type:
+    return {simulator.name: simulator.kept for simulator in SIMULATORS}[name]
+
+
+def _kept_fields(kind: type) -> list[Field[Any]]:
+    return [field for field in fields(kind) if field.metadata.get("kept", True)]
 
 
 def _plain(value: Any) -> Any:

@@ -8,7 +8,7 @@ The counts follow VolSim.cpp and PathSimulatorGui.py of FreeCAD 0.20.2, 1.0.0 an
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
@@ -175,7 +175,7 @@ class LegacyCost:
     mesh_seconds: float
     constants: Constants
     speed: float
-    positions: tuple[LegacyCost, ...] = ()
+    positions: tuple[LegacyCost, ...] = field(default=(), metadata={"kept": False})  # the cost is that at one of them
 
     @property
     def seconds(self) -> float:

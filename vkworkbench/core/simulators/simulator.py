@@ -200,6 +200,8 @@ class Simulator:
     cautions : callable or None
         ``cautions(task, cost, conditions)`` are the Cautions for one operation; the cost may be None.
         None where nothing goes wrong in it.
+    kept : type
+        The dataclass of what documents keep of its costs, but for fields with ``kept=False`` among their metadata.
     less_memory : Message
         What helps where it takes too much memory.
     columns : dict of str to callable
@@ -222,6 +224,7 @@ class Simulator:
     predict: Callable[[Task, Conditions], Cost]
     together: Callable[[Sequence[Any]], Cost]
     cautions: Callable[[Task, Any, Conditions], list[Caution]] | None
+    kept: type
     less_memory: Message
     columns: dict[str, Callable[[Any], Any]]
     factor_column: str | None

@@ -20,6 +20,7 @@ ZBUFFER = Simulator(
     predict=zbuffer.predict,
     together=zbuffer.together,
     cautions=None,
+    kept=zbuffer.ZBufferCost,
     less_memory=Message("smaller-image"),
     most_bytes=zbuffer.most_bytes,
     columns={
@@ -62,6 +63,7 @@ LEGACY = Simulator(
     predict=legacy.predict,
     together=legacy.legacy_together,
     cautions=legacy_cautions.cautions,
+    kept=legacy.LegacyCost,
     less_memory=Message("coarser-accuracy"),
     columns={
         "legacy_seconds": lambda cost: cost.seconds,
@@ -101,6 +103,7 @@ OPENGL = Simulator(
     predict=opengl.predict,
     together=opengl.opengl_together,
     cautions=opengl.cautions,
+    kept=opengl.OpenGLCost,
     less_memory=Message("fewer-operations"),
     columns={
         "opengl_seconds": lambda cost: cost.seconds,
