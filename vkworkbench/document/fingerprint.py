@@ -102,13 +102,14 @@ def _place(placement) -> str:
 def setting_fingerprint(
     tool: Tool | None, stock: Stock | None, form: Iterable = (), rapids: tuple[float, float] = (0.0, 0.0)
 ) -> str:
-    """Return the fingerprint of tool, stock and rapid speeds; None where tool or stock cannot be read.
+    """Return the fingerprint of tool, stock and rapid speeds.
 
     Parameters
     ----------
     tool : Tool or None
+        None where it cannot be read.
     stock : Stock or None
-        The exact box around it.
+        The exact box around it, likewise.
     form : iterable
         What the box does not tell, as `form_of_stock` returns it.
     rapids : tuple of float

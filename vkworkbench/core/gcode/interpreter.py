@@ -136,23 +136,11 @@ class Interpreter:
             if letter == "G":
                 code = whole(10 * value, 10 * _MOST_CODES)
                 codes.append(code)
-                if self.pole is not None and code not in _HEIDENHAIN:
-                    apart = True
-                    if code not in _HEIDENHAIN_DATA:
-                        self._unknown(code, letters)
-                elif code in MOTIONS:
-                    if motion not in (None, code):
-                        self._problem(Message("two-motions"))
-                    motion = code
-                elif code in _STATE:
-                    self._state(code)
-                else:
-                    self._displaced(code, words, letters)
-                    if code in _PROBES and not letters.isdisjoint("XYZ"):
-                        self._problem(Message("probing-untimed"))
-                    read_as = self._read_as(code, letters)
-                    motion = motion if read_as is None else read_as
-                    apart |= read_as is None and (code in _APART or self._other(code, words))
+                if code in MOTIONS and motion not in (None, code) and self._knows(code):
+                    self._problem(Message("two-motions"))
+                read_as, own = self._g_code(code, words, letters)
+                motion = motion if read_as is None else read_as
+                apart |= own
             elif letter == "M":
                 change |= value == 6
                 ended |= self._m_code(value, letters)
@@ -185,6 +173,27 @@ class Interpreter:
         self._measure_in(unit)
         self._add("G90.1", {})
         return False
+
+    def _knows(self, code: int) -> bool:
+        """Whether a G-code means in this program what it means elsewhere."""
+        return self.pole is None or code in _HEIDENHAIN
+
+    def _g_code(self, code: int, words: list[tuple[str, float]], letters: set[str]) -> tuple[int | None, bool]:
+        """Take a G-code; return the motion that it is, None for none, and whether the line's axis words belong to it."""
+        if not self._knows(code):
+            if code not in _HEIDENHAIN_DATA:
+                self._unknown(code, letters)
+            return None, True
+        if code in MOTIONS:
+            return code, False
+        if code in _STATE:
+            self._state(code)
+            return None, False
+        self._displaced(code, words, letters)
+        if code in _PROBES and not letters.isdisjoint("XYZ"):
+            self._problem(Message("probing-untimed"))
+        read_as = self._read_as(code, letters)
+        return read_as, read_as is None and (code in _APART or self._other(code, words))
 
     def _add(self, name: str, parameters: dict[str, float]) -> None:
         self.commands.append((name, parameters))
@@ -328,6 +337,11 @@ class Interpreter:
             if motion is not None or feed is not None:  # not a line without a name: that would repeat a cycle
                 self._add("G94" if motion is None else name_of(motion), {} if feed is None else {"F": feed})
             return
+        self._move_along(motion, parameters, move)
+
+    def _move_along(self, motion: int | None, parameters: dict[str, float], move: dict[str, float]) -> None:
+        """Add the command of a line's motion, which leads somewhere."""
+        mode = self.motion
         self.moved = True
         for line, what in self.away:
             self._problem(what, line)
