@@ -52,17 +52,7 @@ class Watcher:
     def slotRecomputedDocument(self, document) -> None:
         self._look(document)
 
-    def slotUndoDocument(self, document) -> None:
-        self._look(document)
-
-    def slotRedoDocument(self, document) -> None:
-        self._look(document)
-
-    def slotCommitTransaction(self, document) -> None:
-        self._look(document)
-
-    def slotAbortTransaction(self, document) -> None:
-        self._look(document)
+    slotUndoDocument = slotRedoDocument = slotCommitTransaction = slotAbortTransaction = slotRecomputedDocument
 
     def slotStartSaveDocument(self, document, path: str) -> None:
         self._look(document)
@@ -90,9 +80,9 @@ class Watcher:
             self._look(FreeCAD.getDocument(name))
 
 
-def check(document, paths: set[str] | None = None, *, settings: bool = True) -> None:
-    """Compare marks with their operations and say "outdated" where they differ; as `comparing`, at once."""
-    for _ in comparing(document, paths, settings=settings):
+def check(document) -> None:
+    """Compare all marks of a document with their operations at once; see `comparing`."""
+    for _ in comparing(document):
         pass
 
 

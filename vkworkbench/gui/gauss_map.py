@@ -133,8 +133,7 @@ class GaussMapDock(QDockWidget):
     def addSelection(self, *what) -> None:
         self._later.start()
 
-    def setSelection(self, *what) -> None:
-        self._later.start()
+    setSelection = addSelection
 
     # FreeCAD calls these when a document changes.
 

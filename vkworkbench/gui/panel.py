@@ -151,14 +151,7 @@ class ResultsDock(QDockWidget):
     def addSelection(self, *what) -> None:
         self._selected.start()
 
-    def setSelection(self, *what) -> None:
-        self._selected.start()
-
-    def removeSelection(self, *what) -> None:
-        self._selected.start()
-
-    def clearSelection(self, *what) -> None:
-        self._selected.start()
+    setSelection = removeSelection = clearSelection = addSelection
 
     # FreeCAD calls these when documents change.
 
@@ -166,14 +159,10 @@ class ResultsDock(QDockWidget):
         if name in ("Label", "Label2", "Group", MARK):
             self._stale.start()
 
-    def slotDeletedObject(self, obj) -> None:
-        self._stale.start()
-
     def slotActivateDocument(self, document) -> None:
         self._stale.start()
 
-    def slotDeletedDocument(self, document) -> None:
-        self._stale.start()
+    slotDeletedObject = slotDeletedDocument = slotActivateDocument
 
     def refresh(self) -> None:
         """Show what is known of the active document now."""

@@ -231,25 +231,19 @@ class _Watcher:
             _shown[obj.Document.Name].name_colors()
 
     def slotRecomputedDocument(self, document) -> None:
-        self._draw_changed(document)
+        here = {key for key in self._changed if key[0] == document.Name}
+        self._changed -= here
+        _drawer.draw(filter(None, map(_object, here)))
 
-    def slotUndoDocument(self, document) -> None:
-        self._draw_changed(document)
-
-    def slotRedoDocument(self, document) -> None:
-        self._draw_changed(document)
+    slotUndoDocument = slotRedoDocument = slotRecomputedDocument
 
     def addSelection(self, *what) -> None:
-        self._emphasize()
+        selected = set(map(names_of, Gui.Selection.getSelection("*")))
+        for document, shown in _shown.items():
+            for name, lines in shown.lines.items():
+                lines.emphasize((document, name) in selected)
 
-    def setSelection(self, *what) -> None:
-        self._emphasize()
-
-    def removeSelection(self, *what) -> None:
-        self._emphasize()
-
-    def clearSelection(self, *what) -> None:
-        self._emphasize()
+    setSelection = removeSelection = clearSelection = addSelection
 
     def slotDeletedObject(self, obj) -> None:
         if obj.Document.Name in _shown:
@@ -258,14 +252,3 @@ class _Watcher:
     def slotDeletedDocument(self, document) -> None:
         if _shown.pop(document.Name, None) is not None:
             _drawer.forget(document.Name)
-
-    def _draw_changed(self, document) -> None:
-        here = {key for key in self._changed if key[0] == document.Name}
-        self._changed -= here
-        _drawer.draw(filter(None, map(_object, here)))
-
-    def _emphasize(self) -> None:
-        selected = set(map(names_of, Gui.Selection.getSelection("*")))
-        for document, shown in _shown.items():
-            for name, lines in shown.lines.items():
-                lines.emphasize((document, name) in selected)
