@@ -2,13 +2,13 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Learn what operations of each strategy measure and how sure a verdict is, and write the table of the recognition.
 
-    python3 benchmarks/learn_verdicts.py OPERATIONS.jsonl.gz ... [--unseen UNSEEN.jsonl.gz] [--write]
+    python3 benchmarks/learn_verdicts.py OPERATIONS.jsonl.gz ... [--in-use] [--write]
 
 The operations are those that benchmarks/recognition.py reads; toolpaths/synthetic.py and toolpaths/nonsense.py join them.
 Printed, and the confidence fitted on, are verdicts on sources that had no part in the learning: a tenth of the
 repositories, parts and kinds at a time. --write learns from all and writes vkworkbench/core/recognition/learned.py.
-The table in use has learned from more than each of these tenths, so that its verdicts on others are a little better: with
---unseen, operations it has not learned from, the trees stay, and only how sure it is, on the whole, is set anew.
+With --in-use the trees stay, and only how sure a verdict is is fitted anew, on the verdicts of the table in use: it has
+learned from more than each of these tenths, and from other programs than these.
 """
 
 from __future__ import annotations
@@ -51,6 +51,7 @@ from vkworkbench.core.recognition.verdict import judge
 OF_STRATEGIES = {"trees": 60, "leaves": 120, "tried": 0.3, "seed": 1}
 OF_NONSENSE = {"trees": 80, "leaves": 160, "tried": 0.3, "seed": 1}
 DOUBTFUL = (0.2, 0.25, 0.3, 0.35, 0.4, 0.5)  # where else the doubt might begin: what it costs, and what it gains
+HIGH = 0.9
 FOLDS, SEEDS = 10, 20  # folds, and made toolpaths of each kind
 #: Folds of the kinds that joined later: those of all others stay, so that figures before and after can be compared.
 JOINED = {"odometer": 7, "wunderlich": 3}
@@ -82,8 +83,12 @@ def made() -> Iterator[tuple[str, Record]]:
 def labelled(files: list[str]) -> Iterator[tuple[str, Record]]:
     """Yield all toolpaths to learn from, by kind: real, freecad, synthetic and nonsense."""
     for r in operations(files):
-        yield "real" if "__" in r.id else "freecad", r
+        yield kind_of(r), r
     yield from made()
+
+
+def kind_of(r: Record) -> str:
+    return "real" if "__" in r.id else "freecad"
 
 
 @dataclass
@@ -209,44 +214,37 @@ def left_out(e: Examples, by: str = "group") -> tuple[dict[int, Learned], np.nda
     return learned, fit(evidence, right, weight)
 
 
-def constant(weights, evidence, right) -> float:
-    """Return the first weight with which verdicts are as sure, on the mean, as they are right (bisection)."""
-    low, high = -9.0, 9.0
-    while high - low > 1e-6:
-        middle = (low + high) / 2
-        mean = sureness(evidence, [middle, *weights[1:]]).mean()
-        low, high = (middle, high) if mean < right.mean() else (low, middle)
-    return low
+def fit_in_use(files: list[str]) -> np.ndarray:
+    """Return the weights of the grounds, (6,), by the verdicts of the table in use on the operations of some files.
 
-
-def set_anew(e: Examples, learned: dict[int, Learned], unseen: str) -> float:
-    """Return the constant of the table in use, by its verdicts on what it has not seen and by those on what was left out.
-
-    Both count: those who labelled the one are not those who labelled the other.
+    Printed is how sure verdicts on the one half of the sources are by a fit on the other half.
     """
-    real = e.kind == "real"
-    new = Examples.measured(("real", record) for record in operations([unseen]))
-    known, others = e.judged(e.left_out_votes(learned)), new.judged(LEARNED.strategies.shares(new.x))
-    evidence, right = (np.concatenate([old[real], more]) for old, more in zip(known, others))
-    # Every other source is the one half, all others the other.
-    half = np.unique(np.concatenate([e.group[real], new.group]), return_inverse=True)[1] % 2
+    e = Examples.measured((kind_of(r), r) for file in files for r in operations([file]))
+    (evidence, right), weight = e.judged(LEARNED.strategies.shares(e.x)), e.weight(2)
+    half = np.unique(e.group, return_inverse=True)[1] % 2
     sure = np.empty(len(right))
     for k in (0, 1):
-        first = constant(LEARNED.sureness, evidence[half != k], right[half != k])
-        sure[half == k] = sureness(evidence[half == k], [first, *LEARNED.sureness[1:]])
-    for name, of in (("left out", slice(real.sum())), ("unseen", slice(real.sum(), None))):
-        print(
-            f"{name}, {len(sure[of])}: right {right[of].mean():.3f}, as sure by the other half of the sources "
-            f"{sure[of].mean():.3f}, calibration error {calibration_error(sure[of], right[of]):.3f}"
-        )
-    return constant(LEARNED.sureness, evidence, right)
+        fitted = fit(evidence[half != k], right[half != k], weight[half != k])
+        sure[half == k] = sureness(evidence[half == k], fitted)
+    tool = evidence[:, -1] > 0
+    for kind in ("real", "freecad"):
+        for told, which in (("no tool", ~tool), ("tool known", tool)):
+            of = which & (e.kind == kind)
+            if of.any():
+                high = sure[of] >= HIGH
+                print(
+                    f"{kind}, {told}, {of.sum()}: right {right[of].mean():.3f}, sure {sure[of].mean():.3f}, "
+                    f"calibration error {calibration_error(sure[of], right[of]):.3f}, "
+                    f"right where it says {HIGH} and more {right[of][high].mean():.3f} of {high.sum()}"
+                )
+    return fit(evidence, right, weight)
 
 
-def write_constant(found: float) -> None:
-    """Write the first weight into the table in use."""
+def write_sureness(weights: np.ndarray) -> None:
+    """Write the weights of the grounds into the table in use."""
     text = TABLE.read_text()
     head, rest = text.split("SURENESS = (")
-    TABLE.write_text(f"{head}SURENESS = ({found:.4g},{rest.partition(',')[2]}")
+    TABLE.write_text(f"{head}SURENESS = ({', '.join(f'{w:.4g}' for w in weights)}){rest.partition(')')[2]}")
 
 
 def write(e: Examples, weights: np.ndarray) -> None:
@@ -270,16 +268,16 @@ def write(e: Examples, weights: np.ndarray) -> None:
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("operations", nargs="+")
-    parser.add_argument("--unseen", help="operations that the table in use has not learned from")
+    parser.add_argument("--in-use", action="store_true", help="learn only how sure the table in use is")
     parser.add_argument("--write", action="store_true", help="write the table")
     options = parser.parse_args()
+    if options.in_use:
+        weights = fit_in_use(options.operations)
+        if options.write:
+            write_sureness(weights)
+        return
     e = Examples.measured(labelled(options.operations))
     learned, weights = left_out(e)
-    if options.unseen:
-        found = set_anew(e, learned, options.unseen)
-        if options.write:
-            write_constant(found)
-        return
     of_group = e.folds()
     evidence, right = e.judged(e.left_out_votes(learned))
     for kind in WEIGHTS:

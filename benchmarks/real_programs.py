@@ -5,9 +5,10 @@
     python3 benchmarks/real_programs.py FOLDER [--from https://raw.githubusercontent.com]
 
 real_programs.csv names public repositories, the lines of their programs that are one operation, and the strategies that
-count as right, labelled from titles and plots by people who saw no verdict. Nothing was learned from them but, from some,
-the constant of the confidence (learn_verdicts.py --unseen). The programs are theirs and stay in FOLDER, with
-operations.jsonl.gz and programs.jsonl.gz. What cannot be fetched, or is another text, is left out and named.
+count as right, labelled from titles and plots by people who saw no verdict. Nothing was learned from them but how sure a
+verdict is (learn_verdicts.py --in-use). The programs are theirs and stay in FOLDER, with operations.jsonl.gz and programs.jsonl.gz;
+told.jsonl.gz has the operations whose tool the program tells, with its diameter. What cannot be fetched, or is another text,
+is left out and named.
 """
 
 from __future__ import annotations
@@ -20,6 +21,8 @@ import itertools
 import json
 import sys
 import urllib.request
+from collections.abc import Sequence
+from contextlib import ExitStack
 from pathlib import Path
 from urllib.parse import quote
 
@@ -29,7 +32,7 @@ HERE = Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE.parent)]
 
 from vkworkbench.core import Toolpath
-from vkworkbench.core.gcode import read_program
+from vkworkbench.core.gcode import Section, read_program, split_sections
 from vkworkbench.language.unusable import Unusable
 
 
@@ -55,6 +58,13 @@ def commands(path: Toolpath, first: int, last: int) -> list[tuple[str, dict[str,
     return [("G0", to[0]), *(("G0" if rapid else "G1", {**at, "F": float(feed)}) for rapid, at, feed in moves)]
 
 
+def told_diameter(titled: Sequence[Section], path: Toolpath, first: int, end: int) -> float | None:
+    """Return the diameter, mm, that the program tells of what cuts in the middle of the trajectories first .. end - 1."""
+    cuts = first + np.flatnonzero(~path.rapid[first:end])
+    middle = path.command[cuts[len(cuts) // 2]] if len(cuts) else -1
+    return next((s.tool.diameter for s in titled if s.tool and s.first <= middle <= s.last), None)
+
+
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("folder", type=Path)
@@ -64,16 +74,18 @@ def main() -> None:
     with open(HERE / "real_programs.csv", newline="") as file:
         rows = list(csv.DictReader(file))
     count = 0
-    into = [options.folder / f"{name}.jsonl.gz" for name in ("operations", "programs")]
-    with gzip.open(into[0], "wt") as operations, gzip.open(into[1], "wt") as programs:
+    into = [options.folder / f"{name}.jsonl.gz" for name in ("operations", "programs", "told")]
+    with ExitStack() as files:
+        operations, programs, told = (files.enter_context(gzip.open(file, "wt")) for file in into)
         for _, of_program in itertools.groupby(rows, key=lambda row: (row["repository"], row["path"], row["commit"])):
             these = list(of_program)
             name = f"{these[0]['repository'].replace('/', '_')}__{these[0]['commit'][:7]}/{these[0]['path']}"
             try:
-                path, sections = read_program(fetch(these[0], options.folder, options.host)).toolpath(), []
+                program = read_program(fetch(these[0], options.folder, options.host))
             except (OSError, Unusable) as error:
                 print(f"{name}: {error}", file=sys.stderr)
                 continue
+            path, titled, sections = program.toolpath(), split_sections(program), []
             for row in these:
                 first, end = np.searchsorted(path.command, (int(row["first_line"]), int(row["last_line"]) + 1)).tolist()
                 if first == end:
@@ -85,6 +97,8 @@ def main() -> None:
                     "accept": accept, "tool_diameter": None, "commands": commands(path, first, end - 1),
                 }  # fmt: skip
                 operations.write(json.dumps(record) + "\n")
+                if diameter := told_diameter(titled, path, first, end):
+                    told.write(json.dumps({**record, "tool_diameter": diameter}) + "\n")
                 sections.append([first + 1, end, accept[0], accept])
             count += len(sections)
             whole = {"id": name, "commands": commands(path, 0, len(path) - 1), "sections": sections}
