@@ -189,7 +189,7 @@ def test_numbers_as_the_user_reads_them(german):
         for schema in range(9):  # whatever unit a schema takes
             FreeCAD.Units.setSchema(schema)
             assert not re.search("nan|inf|[{}]", said(apart))
-            assert reader.measure(float("nan")).startswith("nan") and reader.measure(0.0).startswith("0 ")
+            assert reader.measure(float("nan"), 6).startswith("nan") and reader.measure(0.0, 6).startswith("0 ")
     finally:
         FreeCAD.Units.setSchema(6)
 

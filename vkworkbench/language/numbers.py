@@ -55,12 +55,12 @@ class Reader:
             return f"{self._digits(millimetres)} mm"
         return f"{self._digits(millimetres / 1e3)} m"
 
-    def measure(self, millimetres: float, digits: int = 6) -> str:
+    def measure(self, millimetres: float, digits: int) -> str:
         """Return a length with a number of significant digits, e.g. ``"0.125 mm"``."""
         factor, unit = self.length_unit(millimetres)
         return f"{self.number(millimetres / factor, digits)} {unit}"
 
-    def volume(self, cubic_millimetres: float, digits: int = 6) -> str:
+    def volume(self, cubic_millimetres: float, digits: int) -> str:
         """Return a volume with a number of significant digits, e.g. ``"212 mm³"``, in the unit that its side has."""
         factor, unit = self.length_unit(cubic_millimetres ** (1 / 3))
         return f"{self.number(cubic_millimetres / factor**3, digits)} {unit}³"

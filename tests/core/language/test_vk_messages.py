@@ -142,8 +142,9 @@ def test_numbers_as_each_reads_them():
     ("memory", [1.5e9], "1.5 GB"), ("memory", [999.9e3], "1.0 MB"), ("memory", [0], "0 kB"),
     ("length", [12.345], "12 mm"), ("length", [12_345], "12 m"),
     ("measure", [0.0123456, 2], "0.012 mm"), ("measure", [12345.6, 4], "12,346 mm"),
-    ("measure", [1e-6], "1e-06 mm"), ("measure", [float("nan")], "nan mm"), ("measure", [10 / 3], "3.33333 mm"),
-    ("turns", [9.42478], "+1.50"), ("turns", [-1e-9], "0"), ("share", [0.005], "0%"),
+    ("measure", [1e-6, 6], "1e-06 mm"), ("measure", [float("nan"), 6], "nan mm"), ("measure", [10 / 3, 6], "3.33333 mm"),
+    ("number", [10 / 3], "3.33333"), ("number", [1234567.8], "1,234,568"), ("volume", [10 / 3, 3], "3.33 mm³"),
+    ("turns", [9.42478], "+1.50"), ("turns", [-1e-9], "0"), ("turns", [0.03], "0"), ("turns", [0.04], "+0.01"), ("share", [0.005], "0%"),
 ])  # fmt: skip
 def test_numbers_have_two_or_three_digits_and_a_unit(kind, number, text):
     assert getattr(ENGLISH, kind)(*number) == text
@@ -171,8 +172,8 @@ def test_a_volume_is_read_in_the_unit_of_its_side():
         def length_unit(self, millimetres):
             return (1000.0, "m") if millimetres > 1000 else (1.0, "mm")
 
-    assert Large().volume(8e6) == "8,000,000 mm³"
-    assert Large().volume(8e9) == "8 m³"
+    assert Large().volume(8e6, 2) == "8,000,000 mm³"
+    assert Large().volume(8e9, 2) == "8 m³"
 
 
 @pytest.mark.parametrize("seconds, two, one", [
