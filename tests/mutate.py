@@ -251,21 +251,23 @@ def judge(file: Path, drawn: list[Mutant], known: dict[str, Any], checkout: Chec
     """The mutants that live, by what `Checkout.reach` knows of their tests."""
     name = str(checkout.root / file.relative_to(ROOT))
     quickest = sorted(known["seconds"], key=known["seconds"].get)
-    imported, reached = known["imported"].get(name, ()), known["reached"].get(name, {})
-    tries, alive = [], []
+    reached = known["reached"].get(name, {})
+    tries, anew, alive = [], [], []
     for mutant in drawn:
         tests = [test for test in quickest if mutant.line in reached.get(test, ())]
-        if not tests and mutant.line in imported:
-            tests = [test for test in quickest if test in reached] or quickest
         if tests:
-            tries.append((mutant, {test: known["seconds"][test] for test in tests}))
-        else:
+            tries.append((mutant, tests))
+        else:  # it is reached where the file is imported, if at all
+            anew.append((mutant, [test for test in quickest if test in reached] or quickest))
+    told = [(mutant, {test: known["seconds"][test] for test in tests}) for mutant, tests in tries]
+    for (mutant, tests), lives in zip(tries, checkout.graft(file, told, jobs)):
+        if lives is None:  # of what an import makes of it
+            anew.append((mutant, tests))
+        elif lives:
             alive.append(mutant)
-    for (mutant, tests), lives in zip(tries, checkout.graft(file, tries, jobs)):
-        # What an import makes of it is known everywhere: only a new start changes that.
-        if lives is None:
-            lives = checkout.lives(mutant, file, list(tests), LEAST_SECONDS + 10 * sum(tests.values()))
-        if lives:
+    # What an import makes of it is known everywhere, and another process reads the file: only a new start changes that.
+    for mutant, tests in anew:
+        if checkout.lives(mutant, file, tests, LEAST_SECONDS + 10 * sum(map(known["seconds"].get, tests))):
             alive.append(mutant)
     return sorted(alive, key=lambda mutant: mutant.line)
 

@@ -29,8 +29,8 @@ class Reached:
     def __init__(self, out: str) -> None:
         self.out = out
         self.code = f"{ROOT}/vkworkbench/"  # of the copy in which this runs
-        self.lines, self.seconds, self.shared, self.first = {}, {}, {}, set()
-        self.seen = self.first  # until the first test runs: what an import reaches is reached by all
+        self.lines, self.seconds, self.shared = {}, {}, {}
+        self.seen = set()  # until the first test runs: what an import reaches
 
     def _trace(self, frame, _event, _argument):
         if not frame.f_code.co_filename.startswith(self.code):
@@ -59,11 +59,8 @@ class Reached:
         for test, lines in self.lines.items():
             for file, line in lines | self.shared.get(test.split("::")[0], set()):
                 found.setdefault(file, {}).setdefault(test, []).append(line)
-        imported = {}
-        for file, line in self.first:
-            imported.setdefault(file, []).append(line)
         seconds = {test: self.seconds.get(test, 0.0) for test in self.lines}
-        Path(self.out).write_text(json.dumps({"seconds": seconds, "imported": imported, "reached": found}))
+        Path(self.out).write_text(json.dumps({"seconds": seconds, "reached": found}))
 
 
 class Grafted:
