@@ -77,13 +77,28 @@ def test_a_ray_is_cut_though_no_neighbour_is(slots, at):
     assert np.flatnonzero(passes).tolist() == [at]
 
 
-def test_of_seventy_thousand_rays_each_is_cut_as_it_is_among_fewer(slots):
-    x, y = np.random.default_rng(7).uniform((-19, -14), (19, 14), (70_000, 2)).T
-    pieces, passes = slots.cut(x, y)
-    first, second = (slots.cut(x[some], y[some]) for some in (slice(40_000), slice(40_000, None)))
-    assert passes.tolist() == [*first[1], *second[1]]
-    assert pieces.owner.tolist() == [*first[0].owner, *second[0].owner]
-    assert pieces.near == pytest.approx(np.concatenate((first[0].near, second[0].near)))
+@pytest.mark.parametrize(
+    ("allowed", "parts"),
+    [
+        (3, [(0, 16, [0, 0]), (16, 64, [0, 0, 1]), (64, 67, [0, 0])]),
+        (1, [(0, 16, [0, 0]), (16, 32, [0, 0]), (32, 64, [0]), (64, 67, [0, 0])]),  # a group more than that by itself
+        (100, [(0, 67, [0, 0, 1, 1, 2, 4, 4])]),
+    ],
+)
+def test_as_many_groups_of_rays_are_held_as_their_pairs_allow(slots, allowed, parts, monkeypatch):
+    """Groups that meet two trajectories, two, one, none, and, of three rays, two."""
+    y = np.repeat([-10.0, -10, 10, 0, -10], GROUP)[: 4 * GROUP + 3]
+    monkeypatch.setattr(module, "_PAIRS_HELD", allowed * GROUP)
+    found = [(first, last, group.tolist()) for first, last, group, _ in slots._meetings(np.zeros(len(y)), y, None)]
+    assert found == parts
+
+
+def test_so_many_pairs_are_worked_on_at_once(slots, monkeypatch):
+    sizes, passing = [], slots.passing
+    monkeypatch.setattr(slots, "passing", lambda x, y, item: sizes.append(x.size) or passing(x, y, item))
+    monkeypatch.setattr(module, "_PAIRS_AT_ONCE", 2 * GROUP)
+    assert slots.cut(np.zeros(5 * GROUP), np.full(5 * GROUP, -10.0))[1].tolist() == [2] * 5 * GROUP
+    assert sizes == [2 * GROUP] * 5
 
 
 def test_only_selected_trajectories_cut():

@@ -63,7 +63,7 @@ class Removal(Trajectories):
         padded = np.minimum(np.arange(groups * GROUP), len(x) - 1).reshape(-1, GROUP)
         gx, gy = x[padded], y[padded]
         group, item = self.meeting(gx.min(axis=1), gx.max(axis=1), gy.min(axis=1), gy.max(axis=1), selection)
-        bounds = np.searchsorted(group, np.arange(groups + 1))
+        bounds = np.append(0, np.bincount(group, minlength=groups).cumsum())
         begin = 0
         while begin < groups:
             end = int(np.searchsorted(bounds, bounds[begin] + _PAIRS_HELD // GROUP, side="right")) - 1
@@ -80,7 +80,7 @@ class Removal(Trajectories):
         gx, gy = np.full((2, -(-len(x) // GROUP) * GROUP), np.nan)
         gx[: len(x)], gy[: len(x)] = x, y
         gx, gy = gx.reshape(-1, GROUP).T, gy.reshape(-1, GROUP).T
-        rays, hits = [], []
+        rays, hits = [np.empty(0, np.int64)], [np.empty(0, np.int64)]
         for begin in range(0, len(group), _PAIRS_AT_ONCE // GROUP):
             groups = group[begin : begin + _PAIRS_AT_ONCE // GROUP]
             items = item[begin : begin + _PAIRS_AT_ONCE // GROUP]
@@ -90,9 +90,6 @@ class Removal(Trajectories):
             pair = np.flatnonzero(met) - member * len(items)
             rays.append(groups[pair] * GROUP + member)
             hits.append(items[pair])
-        if not rays:
-            return np.empty(0, np.int64), np.empty(0, np.int64)
         ray, hit = np.concatenate(rays), np.concatenate(hits)
-        # Radix sort, while there are few rays.
-        order = np.argsort(ray.astype(np.uint16) if len(x) < 1 << 16 else ray, kind="stable")
+        order = np.argsort(ray, kind="stable")
         return ray[order], hit[order]
