@@ -67,9 +67,17 @@ def test_of_a_view_of_a_part_of_the_stock_they_stand_for_the_image():
     assert rays.total(np.ones(len(rays.x)))[0] == pytest.approx(4 * 3)
 
 
-def test_none_stand_for_an_image_between_two_holes():
-    holes = [(5, 15, 5), (5, 15, 20), (35, 15, 20), (35, 15, 5)]
-    assert len(drawn(holes, view=View(TOP, 8, 6, pixel=0.5))[1].x) == 0
+@pytest.mark.parametrize(
+    "holes",
+    [
+        [(5, 15, 5), (5, 15, 20), (35, 15, 20), (35, 15, 5)],  # one to the left, one to the right
+        [(5, 15, 5), (5, 15, 8)],
+        [(20, 5, 5), (20, 5, 8)],
+    ],
+)
+def test_none_stand_for_an_image_beside_the_holes(holes):
+    found, rays = drawn(holes, view=View(TOP, 8, 6, pixel=0.5))
+    assert len(rays.x) == len(rays.y) == len(rays.area) == 0 and count(found).traces == 0
 
 
 @pytest.mark.parametrize(

@@ -220,8 +220,8 @@ def _drawn(
     running = np.cumsum(weight * cost)
     usual = float((weight * cost * size).sum()) / running[-1]  # size of a tile so drawn
     count = max(1, int(pairs / usual))
-    chosen = np.searchsorted(running, (np.arange(count) + rng.random(count)) / count * running[-1], side="right")
-    chosen, times = np.unique(np.minimum(chosen, len(size) - 1), return_counts=True)
+    at = (np.arange(count) + rng.random(count)) / count * running[-1]
+    chosen, times = np.unique(np.searchsorted(running[:-1], at, side="right"), return_counts=True)
     item = [tiles.item[tiles.first[tile] : tiles.first[tile + 1]] for tile in chosen]
     first = np.append(0, np.cumsum(size[chosen]))
     drawn = Tiles(tiles.side, tiles.column[chosen], tiles.row[chosen], first, np.concatenate(item))

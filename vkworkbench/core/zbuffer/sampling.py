@@ -68,6 +68,7 @@ def _neighbours_together() -> np.ndarray:
 
 
 _ORDER = _neighbours_together()
+_NOWHERE = Sample(*np.empty((3, 0)))
 
 
 def sample(removal: Removal, rng: np.random.Generator) -> Sample:
@@ -91,23 +92,23 @@ def sample(removal: Removal, rng: np.random.Generator) -> Sample:
     """
     frame = removal.frame
     if len(removal.index) == 0:
-        return Sample(*np.empty((3, 0)))
+        return _NOWHERE
     half = np.array([frame.width, frame.height]) * frame.pixel / 2
     margin = frame.pixel / 2  # the pixels whose centres are reached
     low, high = seen_box(removal.stock, frame)
     low = np.maximum(-half, np.maximum(low, removal.box[::2].min(axis=1)) - margin)
     high = np.minimum(half, np.minimum(high, removal.box[1::2].max(axis=1)) + margin)
     if not (low < high).all():
-        return Sample(*np.empty((3, 0)))
+        return _NOWHERE
     side = (high - low) / _CELLS
     passes = _passes(removal, low, side).ravel()
     weight = np.sqrt(passes)
+    if not weight.any():
+        return _NOWHERE
     running = np.cumsum(weight[_ORDER])
-    if running[-1] == 0:
-        return Sample(*np.empty((3, 0)))
     rays = int(np.clip(_MEETINGS * running[-1] / (weight @ passes), _FEWEST, _RAYS))
     at = (np.arange(rays) + rng.random(rays)) / rays * running[-1]
-    cell = _ORDER[np.minimum(np.searchsorted(running, at, side="right"), len(_ORDER) - 1)]
+    cell = _ORDER[np.searchsorted(running[:-1], at, side="right")]
     row, column = np.divmod(cell, _CELLS)
     x = low[0] + (column + rng.random(rays)) * side[0]
     y = low[1] + (row + rng.random(rays)) * side[1]
