@@ -203,20 +203,20 @@ def test_no_constant_becomes_less_than_a_tenth_of_the_usual():
 
 def test_the_paths_that_are_timed_go_over_all_of_the_block():
     """Of 60 by 60 by 20 mm: rows to and fro 8 mm from its sides, circles around its middle, and rows over waves."""
-    rows = _rows(4.0).points
+    rows = _rows(12).points
     assert np.diff(rows[:, :2], axis=0)[:4].tolist() == [[44, 0], [0, 4], [-44, 0], [0, 4]]
     assert rows[:, :2].min(axis=0).tolist() == [8, 8] and rows[:, :2].max(axis=0).tolist() == [52, 52]
     assert np.ptp(rows[:, 2]) == 0 and 0 < rows[0, 2] < 20
-    loops = _loops(8.0).points
+    loops = _loops(3).points
     radius = np.hypot(loops[:, 0] - 30, loops[:, 1] - 30)
     around, count = np.unique(radius.round(6), return_counts=True)
     assert around.tolist() == [6, 14, 22] and count.tolist() == [73] * 3 and (np.diff(radius) < 1e-6).all()
     assert np.hypot(*np.diff(loops[:73, :2], axis=0).T) == pytest.approx(2 * 22 * np.sin(pi / 72))
-    surface = _surface(10.0).points
+    surface = _surface(4).points
     assert surface.min(axis=0)[:2].tolist() == [0, 0] and surface.max(axis=0)[:2].tolist() == [60, 60]
-    assert np.unique(surface[:, 1]).tolist() == [0, 10, 20, 30, 40, 50, 60]
-    rows_of_waves = np.diff(surface[:, 0].reshape(7, 31), axis=1)
-    assert rows_of_waves == pytest.approx(np.outer((-1.0) ** np.arange(7), np.full(30, 2.0)))
+    assert np.unique(surface[:, 1]).tolist() == [0, 20, 40, 60]
+    rows_of_waves = np.diff(surface[:, 0].reshape(4, 31), axis=1)
+    assert rows_of_waves == pytest.approx(np.outer((-1.0) ** np.arange(4), np.full(30, 2.0)))
     assert 9 < surface[:, 2].min() < 11 and 15 < surface[:, 2].max() < 17
-    for made in (_rows(4.0), _loops(8.0), _surface(10.0)):
+    for made in (_rows(12), _loops(3), _surface(4)):
         assert not made.rapid.any() and len(made) == len(made.points) - 1 == made.commands

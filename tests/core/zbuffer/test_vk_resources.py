@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import pickle
 from itertools import count
 from math import cos, pi, radians, sin, sqrt
 
@@ -209,6 +210,15 @@ def test_an_estimate_says_of_what_and_on_which_computer(direction):
     assert found.seconds == speed.seconds(found.work) == pytest.approx((speed.constants * found.work.amounts()).sum())
 
 
+def test_an_estimate_is_sent_and_shown_without_toolpath_and_stock():
+    toolpath, tool = PATHS["contours"]
+    found = estimate(toolpath, None, tool=tool, stock=STOCK, view=View(width=80, height=60))
+    sent = pickle.loads(pickle.dumps(found))
+    assert found.cuts[0].tool == tool and len(found.cuts[0].toolpath) == len(toolpath) and found.stock is STOCK
+    assert sent == found and not sent.cuts and sent.stock is None
+    assert "Toolpath" not in repr(found) and "Stock" not in repr(found)
+
+
 @pytest.mark.parametrize(
     "points",
     [
@@ -405,6 +415,20 @@ def test_a_speed_is_found_in_times():
         few = amounts[rng.choice(2000, 6)]
         found = fit_speed(few, few @ true * rng.uniform(0.7, 1.4, 6)).constants
         assert ((found > true / 4) & (found < 4 * true)).all()
+
+
+def test_the_speed_is_measured_in_runs_of_less_than_a_tenth_of_a_second_on_a_usual_computer(monkeypatch):
+    """Each by this process alone, and of the work that is told of it."""
+    runs, works = [], []
+    monkeypatch.setattr("vkworkbench.core.zbuffer.speed.steady_seconds", lambda pieces, **_: runs.extend(pieces))
+    monkeypatch.setattr("vkworkbench.core.zbuffer.speed.fit_speed", lambda amounts, _: works.extend(amounts))
+    measure_speed()
+    assert len(runs) == len(works) == 6
+    for run, work in zip(runs, works):
+        assert 0.025 < Speed().constants @ work < 0.1
+        asked = {name: run.keywords[name] for name in ("tool", "stock", "view")}
+        assert run.keywords["processes"] == 1
+        assert work.tolist() == estimate(*run.args, None, **asked).work.amounts().tolist()
 
 
 @pytest.mark.long

@@ -20,7 +20,7 @@ from vkworkbench.core.zbuffer.simulate import simulate
 
 _STOCK = Stock((0, 0, 0), (60, 60, 20))
 _FLAT, _BALL = Tool("endmill", 8), Tool("ballend", 8)
-_TILTED = (0, 1, -2)
+_TOP, _TILTED = (0, 0, -1), (0, 1, -2)
 # How often each run is timed at most.
 _RUNS = 8
 # The true time of nine in ten is within this factor of that of a measured speed (benchmarks/resources.py time, and on
@@ -51,12 +51,12 @@ def measure_speed(clock: Callable[[], float] = processor_clock, going_on: Callab
         The constants that explain the times best, by least squares of the relative differences.
     """
     runs = (
-        (_rows(8.0), _FLAT, View(width=640, height=640)),
-        (_rows(1.0), _FLAT, View(width=512, height=512)),
-        (_rows(4.0), _FLAT, View(_TILTED, 256, 256)),
-        (_loops(8.0), _FLAT, View(width=512, height=512)),
-        (_surface(10.0), _BALL, View(width=384, height=384)),
-        (_surface(20.0), _BALL, View(_TILTED, 256, 256)),
+        (_rows(6), _FLAT, _square(640)),
+        (_rows(44), _FLAT, _square(512)),
+        (_rows(12), _FLAT, _square(256, _TILTED)),
+        (_loops(3), _FLAT, _square(512)),
+        (_surface(8), _BALL, _square(384)),
+        (_surface(4), _BALL, _square(256, _TILTED)),
     )
     amounts = np.array([_work(*run) for run in runs])
     pieces = [
@@ -94,27 +94,29 @@ def _work(toolpath: Toolpath, tool: Tool, view: View) -> np.ndarray:
     return work_of(removal, len(toolpath), count(removal)).amounts()
 
 
-def _rows(step: float) -> Toolpath:
-    """Straight rows to and fro at one height."""
-    y = np.arange(8, 53, step)
-    x = np.tile([8.0, 52.0, 52.0, 8.0], len(y) // 2 + 1)[: 2 * len(y)]
-    return _toolpath(np.column_stack((x, np.repeat(y, 2), np.full(2 * len(y), 15.0))))
+def _square(side: int, direction: tuple[float, float, float] = _TOP) -> View:
+    return View(direction, side, side)
 
 
-def _loops(step: float) -> Toolpath:
+def _rows(count: int) -> Toolpath:
+    """Straight rows to and fro at one height, an even number of them."""
+    x, y = np.tile([8.0, 52.0, 52.0, 8.0], count // 2), np.repeat(np.linspace(8, 52, count), 2)
+    return _toolpath(np.column_stack((x, y, np.full(len(x), 15.0))))
+
+
+def _loops(count: int) -> Toolpath:
     """Circles from the outside inwards, of chords of 5 degrees."""
     angles = np.linspace(0, 2 * np.pi, 73)
-    radius = np.repeat(np.arange(22, 1, -step), len(angles))
-    angle = np.tile(angles, len(radius) // len(angles))
+    radius, angle = np.repeat(np.linspace(22, 6, count), len(angles)), np.tile(angles, count)
     return _toolpath(
         np.column_stack((30 + radius * np.cos(angle), 30 + radius * np.sin(angle), np.full(len(angle), 12.0)))
     )
 
 
-def _surface(step: float) -> Toolpath:
-    """Rows to and fro over waves."""
-    x, y = np.linspace(0, 60, 31), np.arange(0, 61, step)
-    x, y = np.tile(np.concatenate((x, x[::-1])), len(y))[: len(x) * len(y)], np.repeat(y, len(x))
+def _surface(count: int) -> Toolpath:
+    """Rows to and fro over waves, an even number of them."""
+    row = np.linspace(0, 60, 31)
+    x, y = np.tile(np.concatenate((row, row[::-1])), count // 2), np.repeat(np.linspace(0, 60, count), len(row))
     return _toolpath(np.column_stack((x, y, 13 + 3 * np.sin(x / 9) * np.cos(y / 11))))
 
 
@@ -125,7 +127,7 @@ def _toolpath(points: np.ndarray) -> Toolpath:
         points,
         rapid=none,
         command=np.arange(count),
-        feed=np.full(count, 10.0),
+        feed=np.ones(count),
         sweep=np.zeros(count),
         plane=np.full(count, 17, np.uint8),
         cycle=none,
