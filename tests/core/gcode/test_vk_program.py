@@ -315,6 +315,20 @@ def test_work_offsets_are_told_where_they_change_after_a_move():
     assert said("G0 G17 G40 G80\nG92 X0 Y0\n" + PLAIN) == []
 
 
+@pytest.mark.parametrize("code", ["G54", "G55", "G56", "G57", "G58", "G59", "G59.1", "G59.2", "G59.3"])
+def test_every_work_offset_may_stand_before_the_moves_and_is_told_behind_them(code):
+    other = "G55" if code == "G54" else "G54"
+    assert said(code + "\n" + PLAIN + code) == []
+    assert said(other + "\n" + PLAIN + code) == [
+        f"coordinates that {code} changes are read as if it were not there (line 6)"
+    ]
+
+
+def test_a_percent_sign_behind_a_move_ends_the_program():
+    assert points("%\nG0 X0 Y0 Z5\n%\nG1 X9 F60") == [[0, 0, 5]]
+    assert points("G0 X0 Y0 Z5\n%1\nG1 X9 F60") == [[0, 0, 5], [9, 0, 5]]  # a name
+
+
 def test_machine_positions_before_the_first_and_behind_the_last_move_say_nothing_of_the_way():
     assert said("G91 G28 Z0\nG90\n" + PLAIN + "G28\nX5\nG53 G0 Z0\nM30") == []
 

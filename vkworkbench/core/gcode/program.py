@@ -75,7 +75,7 @@ class Program:
         return replace(
             path,
             command=self.lines[path.command],
-            commands=int(self.lines.max(initial=-1)) + 1,
+            commands=int(self.lines.max()) + 1,
             feed=feed,
             problems=self.problems + problems,
         )
