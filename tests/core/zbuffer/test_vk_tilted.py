@@ -54,6 +54,8 @@ def test_a_grown_tool_holds_the_tool_wherever_rays_move_it_and_a_shrunk_one_is_h
     left = tool.radius - aside - (0 if ball else tool.rounding)
     if left > 1e-3:
         assert smaller[0].radius == pytest.approx(left, abs=1e-5)
+        # What only touches is a matter of rounding, but for level floors seen from above.
+        assert smaller[0].radius < left and (smaller[1] > 0 or (level and not tool.rounding))
     else:
         assert smaller == (None, 0.0)
 
@@ -113,6 +115,7 @@ def test_pairs_stay_that_reach_beyond_what_is_open_from_an_end(pairs, stay):
 
     assert told(pairs) == stay
     # What is open in one tile is not in the next.
+    assert told([(WHOLE, WHOLE)], [(NEAR, NOWHERE), (FAR, NOWHERE), (NEAR, NOWHERE)]) == [0, 1, 2, 3]
     again = [len(pairs) + k for k in stay]
     assert told(pairs, pairs) == stay + again
     assert len(told(pairs, pairs, pairs)) == 3 * len(stay)
