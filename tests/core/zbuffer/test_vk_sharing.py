@@ -231,6 +231,7 @@ def test_records_side_by_side_are_those_of_the_whole():
     image = CutImage(Cuts([Cut(path, solids["tool"])]), BOX, solids["view"].frame(BOX))
     (band,) = image.bands
     whole, tested = image(band)
+    assert simulate(path, **solids, processes=1).candidates == tested
     parts = [image(band._replace(left=a, right=b)) for a, b in ((0, 64), (64, 192), (192, 200))]
     joined = side_by_side([records for records, _ in parts], 50)
     for part in ("index", "entry", "far", "owner"):

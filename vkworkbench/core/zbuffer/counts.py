@@ -121,6 +121,6 @@ def count(removal: Removal) -> Counts:
 def _unconnected(pieces: Pieces, rays: int) -> np.ndarray:
     """(rays,) bool: whose gap did not only grow. Owners then rise and fall again along the ray, or what is left parts them."""
     owner, ray = pieces.owner, pieces.ray
-    peak = np.flatnonzero((owner[1:-1] > owner[:-2]) & (owner[1:-1] > owner[2:]) & (ray[2:] == ray[:-2])) + 1
+    peak = np.flatnonzero((owner[1:-1] > owner[:-2]) & (owner[1:-1] > owner[2:]) & (ray[2:] == ray[:-2]))  # behind each
     found: np.ndarray = np.bincount(ray[peak], minlength=rays) > 0
     return found

@@ -82,7 +82,7 @@ def simulate_job(
 
     def helpers() -> int:
         wanted = (worker.processes() if processes is None else processes) - 1
-        return min(wanted, helpers_within(memory_budget, image.removal, len(numbered))) if wanted > 0 else 0
+        return min(wanted, helpers_within(memory_budget, image.removal, len(numbered))) if wanted else 0
 
     writer = Writer(len(numbered), frame.width * frame.height)
     candidates = 0
