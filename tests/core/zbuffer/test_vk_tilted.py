@@ -3,14 +3,17 @@
 
 from __future__ import annotations
 
-from math import cos, hypot, pi, sin
+from math import cos, hypot, pi, sin, sqrt
 
 import numpy as np
 import pytest
-from zbuffer_reference.paths import BOX, DIRECTIONS, TOOLS
+from zbuffer_reference.paths import BOX, DIRECTIONS, TOOLS, toolpath
 
-from vkworkbench.core import Tool, View
-from vkworkbench.core.zbuffer.tilted import _Growth, _not_yet_open, _TileChords
+from vkworkbench.core import Cut, Stock, Tool, View
+from vkworkbench.core.zbuffer.culling import QUARTERS
+from vkworkbench.core.zbuffer.cuts import Cuts
+from vkworkbench.core.zbuffer.tilted import Tilted, _Growth, _not_yet_open, _TileChords
+from vkworkbench.core.zbuffer.trajectories import Trajectories
 
 REACH = 0.4
 TOOLS = [*TOOLS, Tool("vbit", 6, tip_angle=pi / 2, tip_diameter=2), Tool("vbit", 6, tip_angle=2.6, tip_diameter=5.5)]
@@ -85,6 +88,26 @@ def test_the_stock_on_all_rays_of_a_tile_is_within_the_depths_of_the_tile(direct
     assert far[0] == pytest.approx(greatest[0]) or direction[2] == 0
 
 
+@pytest.mark.parametrize("side", [4, 16])
+@pytest.mark.parametrize("direction", [(0, 1, -1), (0, 1, -0.2)])
+def test_quarters_stay_that_are_within_half_their_diagonal_of_what_a_ball_removes(direction, side):
+    """Of 12 mm, moved across the view from x = -10 to 10; seen from below its middle, where its shank is not in the way."""
+    stock = Stock((-100, -100, -100), (100, 100, 100))
+    frame = View(direction, 200, 180, pixel=0.5).frame(stock)
+    cuts = Cuts([Cut(toolpath(np.array([(-10.0, 0, 0), (10, 0, 0)])), Tool("ballend", 12))])
+    row, column = (of.ravel() for of in np.mgrid[0 : 180 - side : side, 0 : 200 - side : side])
+    tile, none, child = np.arange(len(row)), np.zeros(len(row), np.int64), side // 2
+    middle = 6 * frame.up[2]
+    stay = list(Tilted(Trajectories(cuts, stock, frame)).quarters(column, row, tile, none, child))
+    for (across, up), found in zip(QUARTERS, stay):
+        half = (child - 1) / 2
+        x, y = frame.pixel_centres(column + across * child + half, row + up * child + half)
+        away = np.hypot(np.maximum(np.abs(x) - 10, 0), middle - y)
+        below = np.flatnonzero(y < middle)
+        assert np.intersect1d(found, below).tolist() == below[away[below] < 6 + sqrt(2) * half * 0.5].tolist()
+        assert 0 < len(found) < len(tile) / 2
+
+
 NOWHERE = (1.0, 0.0)
 WHOLE, NEAR, FAR, MIDDLE = (-5.0, 5.0), (-5.0, 0.0), (2.0, 5.0), (-1.0, 1.0)
 
@@ -101,6 +124,8 @@ WHOLE, NEAR, FAR, MIDDLE = (-5.0, 5.0), (-5.0, 0.0), (2.0, 5.0), (-1.0, 1.0)
         ([(NEAR, NEAR), ((-1, 2), (-1, 2)), ((-1, 1.5), NOWHERE), ((1, 3), NOWHERE)], [0, 1, 3]),
         ([(FAR, FAR), ((-1, 3), (-1, 3)), ((0, 4), NOWHERE), ((-2, 3), NOWHERE)], [0, 1, 3]),
         ([(NEAR, NEAR), (FAR, FAR), ((-3, 1), NOWHERE), ((-3, 0), NOWHERE)], [0, 1, 2]),
+        ([(NEAR, NEAR), ((-4, 0), NOWHERE), ((-4, 1e-9), NOWHERE)], [0]),  # rounding reaches no further
+        ([(FAR, FAR), ((2, 4), NOWHERE), ((2 - 1e-9, 4), NOWHERE)], [0]),
         ([(WHOLE, WHOLE), (WHOLE, WHOLE)], [0]),
         ([(MIDDLE, MIDDLE), (NEAR, NEAR), ((0, 0.9), NOWHERE)], [0, 1, 2]),  # what met nothing in its time
         ([], []),
