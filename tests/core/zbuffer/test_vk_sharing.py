@@ -226,6 +226,22 @@ def test_the_rest_is_divided_for_the_processes():
     assert fewest.left == 11 and fewest.take().right == 64  # no region is less than a tile
 
 
+def test_it_is_waited_for_a_band_until_that_is_found_or_there_is_something_to_do(monkeypatch):
+    over = []
+    monkeypatch.setattr(threading.Condition, "wait_for", lambda _, done, seconds: over.append(bool(done())))
+    first, second = bands = CutImage(Cuts([Cut(case()[0], TOOLS[0])]), BOX, View((0, 0, -1), 64, 128).frame(BOX)).bands
+    shared = sharing._Shared(bands)
+    shared.wait(second, 1.0)  # nobody works on either yet
+    assert (shared.take(), shared.take()) == (first, second)
+    shared.wait(second, 1.0)
+    shared.give(first, (None, 0))
+    shared.wait(second, 1.0)
+    shared.wait(first, 1.0)
+    shared.give_back(second)
+    shared.wait(second, 1.0)
+    assert over == [True, False, False, True, True]
+
+
 def test_records_side_by_side_are_those_of_the_whole():
     path, solids = case(View((0, 0, -1), 200, 50))
     image = CutImage(Cuts([Cut(path, solids["tool"])]), BOX, solids["view"].frame(BOX))
