@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import colorsys
 import struct
+import tracemalloc
 import zlib
 from math import pi, radians, sqrt
 
@@ -129,6 +130,21 @@ def test_of_a_large_picture_some_points_are_drawn_and_as_large_as_their_distance
     assert (drawn[:-2, :-2] > 0).any(axis=-1).all()
     nothing = Points(np.full((60, 90), np.nan, np.float32), colors, frame).draw(frame, (1, 2, 3))
     assert (nothing == (1, 2, 3)).all()
+
+
+@pytest.mark.parametrize("offset", [(0, 0), (-40, 0), (0, 28)])
+def test_zoomed_in_the_points_beside_the_image_take_no_memory(offset):
+    """Each is a square of 41 pixels, which the 5,400 points of the picture would fill 9 million times."""
+    colors, depth = np.ones((60, 90, 3), np.uint8), np.zeros((60, 90), np.float32)
+    points = Points(depth, colors, View((0, 0, -1), 90, 60, pixel=1.0).frame(STOCK))
+    zoomed = View((0, 0, -1), 90, 60, pixel=1 / 40, offset=offset).frame(STOCK)
+    tracemalloc.start()
+    try:
+        drawn = points.draw(zoomed, (0, 0, 0))
+        _, peak = tracemalloc.get_traced_memory()
+    finally:
+        tracemalloc.stop()
+    assert drawn.all() and peak < 5e6
 
 
 def polygon_area(corners):
