@@ -55,9 +55,16 @@ def test_what_is_damaged_or_newer_is_no_mark(name, value):
     assert from_json(json.dumps(data)) is None
 
 
-def test_an_operation_alone_leaves_out_nothing():
-    """Only a job's costs may be lower bounds."""
-    assert not Record(Strategy.ZIGZAG).incomplete
+def test_an_operation_alone_is_one_and_leaves_out_nothing():
+    """Only a job's costs may be lower bounds; what was not found is nothing."""
+    alone = Record(Strategy.ZIGZAG)
+    assert alone.operations == 1 and not alone.incomplete and not alone.outdated
+    assert (alone.trajectories, alone.length, alone.confidence, alone.machining_seconds) == (0, 0, 0, None)
+
+
+def test_a_mark_tells_its_format():
+    """In files of others: a later version may have to know."""
+    assert json.loads(as_json(WHOLE))["format"] == 2
 
 
 def test_reasons_are_told_in_english():

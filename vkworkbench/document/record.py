@@ -11,7 +11,7 @@ from typing import Any, ClassVar
 
 from vkworkbench import freecad
 from vkworkbench.core import Strategy
-from vkworkbench.core.simulators import Caution, Cost, Costs, available, cost_as_data, cost_from_data
+from vkworkbench.core.simulators import SIMULATORS, Caution, Cost, Costs, cost_as_data, cost_from_data
 from vkworkbench.language import Message, render
 from vkworkbench.report import HANGS, SERIOUS, OperationReport, Total, has_unknown_cost
 
@@ -188,7 +188,7 @@ def from_json(text: str) -> Record | None:
 
 
 def _costs(data: dict) -> dict[str, Cost]:
-    known = {simulator.name for simulator in available((1_000,))}
+    known = {simulator.name for simulator in SIMULATORS}
     return {name: cost_from_data(name, one) for name, one in data.items() if name in known}
 
 
