@@ -52,10 +52,9 @@ def together(costs: Sequence[Estimate | ZBufferCost]) -> Estimate | ZBufferCost:
     if len(costs) == 1:
         return costs[0]
     estimates = [cost for cost in costs if isinstance(cost, Estimate)]
-    common = _common_stock(estimates) if len(estimates) == len(costs) else None
+    common = _common(estimates) if len(estimates) == len(costs) else None
     if common is not None:
-        cuts = tuple(cut for cost in estimates for cut in cost.cuts)
-        return _of_job(cuts, common, estimates[0].view, estimates[0].speed)
+        return _of_job(tuple(cut for cost in estimates for cut in cost.cuts), *common)
     stock = max(cost.stock_bytes for cost in costs)
     return ZBufferCost(
         sum(cost.seconds for cost in costs),
@@ -65,15 +64,13 @@ def together(costs: Sequence[Estimate | ZBufferCost]) -> Estimate | ZBufferCost:
     )
 
 
-def _common_stock(estimates: Sequence[Estimate]) -> Solid | None:
-    """Return the stock of all of them; None where they have not all the same one, in the same image."""
-    first, *others = estimates
-    for other in others:
-        if first.stock is None or other.stock is None or not is_same(first.stock, other.stock):
-            return None
-        if (first.view, first.speed) != (other.view, other.speed):
-            return None
-    return first.stock
+def _common(estimates: Sequence[Estimate]) -> tuple[Solid, View, Speed] | None:
+    """Return what all of them are of: the stock, the image and the computer; None where these are not the same."""
+    (view, speed), *more = {(one.view, one.speed) for one in estimates}
+    stock, *others = (one.stock for one in estimates)
+    if more or stock is None or not all(other is not None and is_same(stock, other) for other in others):
+        return None
+    return stock, view, speed
 
 
 @lru_cache(_JOBS)
