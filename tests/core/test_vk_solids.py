@@ -169,10 +169,11 @@ def test_planes_that_enclose_nothing():
     assert ConvexStock(walls, six).upper == pytest.approx([1, 1, 1])
     tetrahedron = ConvexStock(np.vstack((-np.eye(3), [[1, 1, 1]])), [0, 0, 0, 1])
     assert len(tetrahedron.corners) == 4 and tetrahedron.upper == pytest.approx([1, 1, 1])
-    flat = np.array([1, 1, 0, 1, 1, 0.0])
+    flat, high = np.array([1, 1, 0, 1, 1, 0.0]), np.array([1, 1, 7, 1, 1, -7.0])
     for normals, offsets in (
         (walls[:5], six[:5]),
         (walls, flat),
+        (walls, high),
         (walls, -six),
         (np.empty((0, 3)), []),
         (walls[1:5], six[1:5]),
@@ -185,6 +186,12 @@ def test_planes_that_enclose_nothing():
         ConvexStock(np.vstack((top, walls[[0, 1, 3, 4]])), np.append(np.zeros(4), np.ones(4)))
     with pytest.raises(ValueError, match="a plane of the stock has no normal"):
         ConvexStock(np.vstack((walls, np.zeros(3))), np.ones(7))
+
+
+def test_far_from_the_origin_a_prism_loses_no_corner():
+    near, far = (ConvexStock.cylinder((away, -away, 0), 10, 5, sides=24) for away in (0.0, 1e6))
+    assert len(near.corners) == len(far.corners) == 48
+    assert far.upper - far.lower == pytest.approx(near.upper - near.lower)
 
 
 def test_a_prism_has_the_cross_section_of_its_cylinder():

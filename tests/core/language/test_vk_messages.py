@@ -139,6 +139,7 @@ def test_numbers_as_each_reads_them():
 @pytest.mark.parametrize("kind, number, text", [
     ("time", [0.0123], "12 ms"), ("time", [1.42], "1.4 s"), ("time", [180], "3.0 min"), ("time", [9000], "2.5 h"),
     ("time", [4e-5], "0.04 ms"), ("time", [1e7], "2,778 h"),
+    ("time", [0.9995], "1.0 s"), ("time", [60], "1.0 min"), ("time", [3600], "1.0 h"), ("length", [10_000], "10 m"),
     ("memory", [1.5e9], "1.5 GB"), ("memory", [999.9e3], "1.0 MB"), ("memory", [0], "0 kB"),
     ("length", [12.345], "12 mm"), ("length", [12_345], "12 m"),
     ("measure", [0.0123456, 2], "0.012 mm"), ("measure", [12345.6, 4], "12,346 mm"),
