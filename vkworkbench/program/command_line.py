@@ -130,7 +130,7 @@ def _work(asked: argparse.Namespace, paths: list[Path], executor: Executor, ahea
                     else:
                         results.add(rows)
                 operations += sum(row.counted for row in rows)
-                unread_files += not any(row.counted for row in rows)
+                unread_files += not rows[0].counted  # that row is then the only one
     except KeyboardInterrupt:
         stopped = True
     finally:
@@ -258,7 +258,5 @@ def _rows(path: Path, future: Future) -> tuple[OperationReport, ...]:
 
 
 def _show(path: Path, rows: tuple[OperationReport, ...]) -> None:
-    if any(row.counted for row in rows):
-        print(f"{path}\n{report_of(rows, preferences.read())}\n", flush=True)
-    else:
-        print(f"{path}\n{rows[0].error}\n", flush=True)
+    told = report_of(rows, preferences.read()) if rows[0].counted else rows[0].error
+    print(f"{path}\n{told}\n", flush=True)
