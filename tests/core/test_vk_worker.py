@@ -45,6 +45,18 @@ def test_a_worker_finds_the_add_on_from_any_folder(monkeypatch, tmp_path):
     one.end()
 
 
+@pytest.mark.skipif(os.name != "posix", reason="a shell's script stands for the other Python")
+def test_a_worker_finds_the_numpy_that_is_used_here(monkeypatch, tmp_path):
+    """As in a FreeCAD that brings its own: to its Python alone it may be unknown."""
+    bare = tmp_path / "python"
+    bare.write_text(f'#!/bin/sh\nexec "{sys.executable}" -S "$@"\n')
+    bare.chmod(0o755)
+    monkeypatch.setattr(worker, "interpreter", lambda: str(bare))
+    one = Worker(len)
+    assert one("abc") == 3
+    one.end()
+
+
 def test_as_many_processes_as_this_one_has_cores(monkeypatch):
     mine = os.sched_getaffinity(0)
     os.sched_setaffinity(0, {min(mine)})
