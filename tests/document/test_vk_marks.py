@@ -118,6 +118,9 @@ def test_a_mark_of_the_version_before_is_read_replaced_and_cleared(small, zigzag
     assert own.cost("z-buffer") == (0.19, 1e7) and own.factor("z-buffer") == 2.5 and not own.outdated
     assert [render(message) for message in (*own.reason, *own.remarks)] == ["rows", "a remark"]
     assert marks.read(small.job).strategy is None and marks.words_of(op) == "mine too"
+    small.job.ToolpathFingerprint = "a:b c:d"
+    assert (own.operations, marks.read(small.job).operations) == (1, 2)
+    small.job.ToolpathFingerprint = "a:b"
     if then == "clear":
         assert vkworkbench.clear(small.document) == 2
         assert op.Label2 == "mine too" and marked(small.document) == []
