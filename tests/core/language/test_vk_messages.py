@@ -146,6 +146,7 @@ def test_numbers_as_each_reads_them():
     ("measure", [1e-6, 6], "1e-06 mm"), ("measure", [float("nan"), 6], "nan mm"), ("measure", [10 / 3, 6], "3.33333 mm"),
     ("number", [10 / 3], "3.33333"), ("number", [1234567.8], "1,234,568"), ("volume", [10 / 3, 3], "3.33 mm³"),
     ("turns", [9.42478], "+1.50"), ("turns", [-1e-9], "0"), ("turns", [0.03], "0"), ("turns", [0.04], "+0.01"), ("share", [0.005], "0%"),
+    ("simulator", ["z-buffer"], "extended z-buffer"), ("simulator", ["another"], "another"),
 ])  # fmt: skip
 def test_numbers_have_two_or_three_digits_and_a_unit(kind, number, text):
     assert getattr(ENGLISH, kind)(*number) == text

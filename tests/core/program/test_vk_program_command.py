@@ -322,11 +322,21 @@ def test_ctrl_c_ends_it_with_all_its_processes(folder, tmp_path):
     assert len(rows_of(out)) == 6
 
 
+def test_who_stops_it_is_told_how_it_goes_on(folder, tmp_path, inside, monkeypatch):
+    def stopped(path, _chosen, _patience):
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(command_line, "analyze_apart", stopped)
+    for asked, goes_on in (((), ""), (("--csv", "-"), ""), (("--csv", tmp_path / "out.csv"), "; --resume goes on")):
+        done = inside(folder, *asked)
+        assert done.returncode == 130 and done.stderr.splitlines()[-1] == f"Stopped after 0 of 6 files{goes_on}."
+
+
 def test_a_reader_that_goes_away_is_no_error(folder):
     process = subprocess.Popen(command(folder), cwd=ROOT, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
     process.stdout.close()
     assert "Traceback" not in process.stderr.read()
-    process.wait(60)
+    assert process.wait(60) == 130
 
 
 @pytest.mark.parametrize("closed", [">&-", "2>&-", ">&- 2>&-"])
