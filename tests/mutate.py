@@ -255,10 +255,8 @@ def judge(file: Path, drawn: list[Mutant], known: dict[str, Any], checkout: Chec
     tries, anew, alive = [], [], []
     for mutant in drawn:
         tests = [test for test in quickest if mutant.line in reached.get(test, ())]
-        if tests:
-            tries.append((mutant, tests))
-        else:  # it is reached where the file is imported, if at all
-            anew.append((mutant, [test for test in quickest if test in reached] or quickest))
+        # What no test reaches is of an import or of another process, on which any test may depend.
+        (tries if tests else anew).append((mutant, tests or quickest))
     told = [(mutant, {test: known["seconds"][test] for test in tests}) for mutant, tests in tries]
     for (mutant, tests), lives in zip(tries, checkout.graft(file, told, jobs)):
         if lives is None:  # of what an import makes of it
