@@ -39,6 +39,16 @@ def test_a_fingerprint_is_kept_until_the_path_or_its_place_changes(small, zigzag
     assert prints.of(other) is None
 
 
+def test_changes_are_listened_to_once(small, zigzag_commands, prints, monkeypatch):
+    heard = []
+    monkeypatch.setattr(FreeCAD, "addDocumentObserver", heard.append)
+    for name in ("One", "Other"):
+        found(prints, small.add(name, zigzag_commands))
+    assert heard == [prints]
+    monkeypatch.undo()
+    FreeCAD.addDocumentObserver(prints)  # of which the fixture takes leave
+
+
 def test_what_changes_while_it_is_being_found_has_none(small, zigzag_commands, prints):
     op = small.add("One", zigzag_commands)
 

@@ -35,6 +35,13 @@ def with_stock(small, shape):
     return small.job
 
 
+def test_triangles_are_those_of_the_shape_however_finely_a_window_displays_it():
+    shown, new = (Part.makeCylinder(8, 50) for _ in range(2))
+    shown.tessellate(1e-3)
+    finely, newly = (model_solid((shape,)) for shape in (shown, new))
+    assert len(finely.triangles) == len(newly.triangles)
+
+
 @pytest.mark.parametrize("name", SHAPES)
 def test_a_stock_is_what_it_is(small, name):
     shape, kind = SHAPES[name]
