@@ -192,6 +192,7 @@ def test_far_from_the_origin_a_prism_loses_no_corner():
     near, far = (ConvexStock.cylinder((away, -away, 0), 10, 5, sides=24) for away in (0.0, 1e6))
     assert len(near.corners) == len(far.corners) == 48
     assert far.upper - far.lower == pytest.approx(near.upper - near.lower)
+    assert len(ConvexStock.cylinder((1e6, 0, 0), 10, 5, sides=24).corners) == 48  # whose floor is at 0
 
 
 def test_a_prism_has_the_cross_section_of_its_cylinder():

@@ -80,7 +80,7 @@ def test_equal_stocks_are_one_stock():
     ],
 )
 def test_what_is_in_no_one_z_buffer_is_added_up(other):
-    costs = alone(slot(15)) + other
+    costs = alone(slot(15), slot(25)) + other
     added = zbuffer.together(costs)
     assert isinstance(added, ZBufferCost) and added.seconds == sum(cost.seconds for cost in costs)
     removed = sum(cost.memory_bytes - cost.stock_bytes for cost in costs)
