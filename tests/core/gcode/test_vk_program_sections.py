@@ -189,10 +189,10 @@ def test_comments_that_tell_no_tool(comment):
         ("Type: G-code from Geometry", ""), ("Name: board_drl", "board_drl"), ("Type: Groove", "Groove"),
         ("MATERIAL - ALUMINUM MM - 2024", ""), ("Werkstoff: EN AW-6061", ""), ("Material removal 2", "Material removal 2"),
         ("Footer", ""), ("HEIGHT OFFSET ON", ""), ("compressor off", ""), ("CUT OFF", "CUT OFF"), ("color: #130df2", "color: #130df2"),
-        ("#130df2", ""), ("Facade", "Facade"), ("Block-color: #000000", ""), ("Block-enable: 1", ""), ("Block-name: Keys", "Keys"),
+        ("#130df2", ""), ("Facade", "Facade"), ("Block-color: #000000", ""), ("Block-name: Keys", "Keys"),
         ("Block-name: Header", ""), ("R2.5400  P1.000000", ""), ("Optional stop, check the bore", ""), ("AXIS,stop", ""),
-        ("fim do programa", ""), ("_gc_nextgen_svg_id:null", ""), ("Select work offset #1", ""), ("SECTION begin", ""), ("Begin Drilling", ""),
-        ("Type: G-code from Geometry", ""), ("Start generation of : 1__FINISH SIDE", "1__FINISH SIDE"),
+        ("fim do programa", ""), ("_gc_nextgen_svg_id:null", ""), ("Select work offset #1", ""), ("SECTION begin", ""),
+        ("Start generation of : 1__FINISH SIDE", "1__FINISH SIDE"),
         ("Operation 9 of 13 : 2D Contour4", "2D Contour4"),
     ],
 )  # fmt: skip
