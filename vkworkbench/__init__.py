@@ -51,7 +51,7 @@ def analyze(what=None, *, progress=None, cancelled=None):
     Raises
     ------
     ValueError
-        If `what` is None and no document is open, or if a file's name is empty.
+        If `what` is None and no document is open, or if a file's name is empty, or a program's text.
     ReferenceError
         If an object of it was deleted, or its document closed.
     TypeError

@@ -75,7 +75,7 @@ def analyze(
     Raises
     ------
     ValueError
-        Where a name is empty.
+        Where a name is empty, or a program's text.
     Cancelled
         If `cancelled` returned True.
     """

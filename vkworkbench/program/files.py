@@ -39,11 +39,14 @@ def find_programs(what: Iterable[str | os.PathLike]) -> Iterator[Path]:
     Raises
     ------
     ValueError
-        Where a name is empty: what a file dialog returns that was cancelled is not the current folder.
+        Where a name is empty: what a file dialog returns that was cancelled is not the current folder. Or where it is
+        the text of a program.
     """
     what = list(what)
     if "" in what:
         raise ValueError("no file is named")
+    if any("\n" in os.fspath(one) and not os.path.exists(one) for one in what):
+        raise ValueError("the text of a program is no file: give its path")
     seen: set[Path] = set()
     for one in map(Path, what):
         for path in _in_folder(one) if os.path.isdir(one) else [one]:

@@ -146,11 +146,17 @@ def test_folders_and_files(tmp_path):
         str(path.relative_to(tmp_path)) for path in find_programs([tmp_path, tmp_path / "c.txt", tmp_path / "b.nc"])
     ]
     assert found == ["a.NGC", "b.nc", "d.tap.xz", "sub/e.gcode", "c.txt"]
+    lines = tmp_path / "two\nlines.nc"
+    lines.write_text("G1 X1")
+    assert list(find_programs([lines])) == [lines]
 
 
 def test_what_names_files():
     with pytest.raises(ValueError, match="no file"):
         vkworkbench.analyze("")
+    for text in ("G21\nG1 X10 F100\n", "G21\n" * 1000):
+        with pytest.raises(ValueError, match="the text of a program is no file: give its path"):
+            vkworkbench.analyze(text)
     assert is_path("a.nc") and is_path(Path("a")) and is_path(["a", Path("b")]) and is_path(("a.nc",))
     assert not is_path(None) and not is_path([]) and not is_path([object()]) and not is_path(object())
 
