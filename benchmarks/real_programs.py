@@ -2,11 +2,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Fetch other people's programs whose operations are labelled, and write what benchmarks/recognition.py reads.
 
-    python3 benchmarks/real_programs.py FOLDER [--from https://raw.githubusercontent.com]
+    python3 benchmarks/real_programs.py FOLDER [--table benchmarks/real_programs_later.csv] [--from https://raw.githubusercontent.com]
 
 real_programs.csv names public repositories, the lines of their programs that are one operation, and the strategies that
 count as right, labelled from titles and plots by people who saw no verdict. Nothing was learned from them but how sure a
-verdict is (learn_verdicts.py --in-use). The programs are theirs and stay in FOLDER, with operations.jsonl.gz and programs.jsonl.gz;
+verdict is (learn_verdicts.py --in-use), and not even that from real_programs_later.csv. The programs are theirs and stay in FOLDER, with operations.jsonl.gz and programs.jsonl.gz;
 told.jsonl.gz has the operations whose tool the program tells, with its diameter. What cannot be fetched, or is another text,
 is left out and named.
 """
@@ -68,10 +68,11 @@ def told_diameter(titled: Sequence[Section], path: Toolpath, first: int, end: in
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("folder", type=Path)
+    parser.add_argument("--table", type=Path, default=HERE / "real_programs.csv")
     parser.add_argument("--from", dest="host", default="https://raw.githubusercontent.com")
     options = parser.parse_args()
     options.folder.mkdir(parents=True, exist_ok=True)
-    with open(HERE / "real_programs.csv", newline="") as file:
+    with open(options.table, newline="") as file:
         rows = list(csv.DictReader(file))
     count = 0
     into = [options.folder / f"{name}.jsonl.gz" for name in ("operations", "programs", "told")]
