@@ -417,3 +417,39 @@ def test_what_is_no_command_is_told_in_a_sentence(commands):
         TypeError, match=r"commands are \(name, parameters\) pairs, or objects with Name and Parameters"
     ):
         linearize(commands)
+
+
+@pytest.mark.parametrize(
+    "commands",
+    [
+        [("G53", {}), ("G0", {"Z": -3})],
+        [("G53", {}), ("G1", {"Z": -3, "F": 1})],
+        [("G0", {}), ("G53", {"Z": -3})],
+        [("G28", {"Z": 0})],
+        [("G91", {}), ("G28", {"Z": 0}), ("G90", {})],
+        [("G28", {}), ("G91", {"Z": 0}), ("G90", {})],
+    ],
+)
+def test_to_a_height_of_the_machine_the_tool_rises_as_high_as_the_program_moves(commands):
+    """FreeCAD makes two commands of such a line: the second is no move to Z-3 of the part."""
+    begin = [("G0", {"X": 0, "Y": 0, "Z": 5}), ("G1", {"Z": -5, "F": 1}), ("G1", {"X": 50})]
+    path = linearize([*begin, *commands, ("G0", {"X": 0, "Y": 40}), ("G1", {"Z": -5})])
+    assert path.points[2:].tolist() == [[50, 0, -5], [50, 0, 5], [0, 40, 5], [0, 40, -5]]
+    assert path.rapid.tolist() == [False, False, True, True, False] and not path.problems
+
+
+def test_to_a_place_of_the_machine_the_tool_does_not_move_and_that_is_said_where_it_goes_on():
+    begin = [("G0", {"X": 0, "Y": 0, "Z": 5}), ("G1", {"Z": -5, "F": 1})]
+    for away in ([("G53", {}), ("G0", {"X": 7, "Y": 9})], [("G28", {"X": 0})], [("G53", {}), ("G53", {"Y": 3})]):
+        path = linearize([*begin, *away])
+        assert path.points.tolist() == [[0, 0, 5], [0, 0, -5]] and not path.problems
+        path = linearize([*begin, *away, ("G1", {"X": 4})])
+        assert path.points[1:].tolist() == [[0, 0, -5], [4, 0, -5]]
+        assert [problem.what.code for problem in path.problems] == ["machine-position"]
+
+
+def test_where_heights_are_relative_nobody_knows_how_high_the_machine_is():
+    path = linearize(
+        [("G0", {"X": 0, "Y": 0, "Z": 5}), ("G91", {}), ("G1", {"Z": -6, "F": 1}), ("G28", {"Z": 0}), ("G1", {"X": 9})]
+    )
+    assert path.points.tolist() == [[0, 0, 5], [0, 0, -1], [9, 0, -1]]

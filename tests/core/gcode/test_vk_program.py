@@ -48,7 +48,7 @@ def said(text):
         "G0 X0 Y0 Z5\nG1 Z-1E0 F6E+1\nX1.0E+01 Y.2e1",
         "G71 G90\nG0 X0 Y0 Z5\nG1 Z-1 F60\nX10 Y2",
         "G20 G21\nG0 X0 Y0 Z5\nG1 Z-1 F60\nG91 X10 Y2",
-        "G21\nG0 X0 Y0 Z5\nG4 X3.\nG28 G91 Z0\nG90\nG1 Z-1 F60\nG10 L2 P1 X7 Y7\nG1 X10 Y2\nG53 G0 Z0",
+        "G21\nG0 X0 Y0 Z5\nG4 X3.\nG28 G91 Z0\nG90\nG1 Z-1 F60\nG10 L2 P1 X7 Y7\nG1 X10 Y2",
         "G0 X0 Y0 Z5\nG1 Z-1 F60\nM117 Pocket1 X99\nX10 Y2",
     ],
 )  # fmt: skip
@@ -285,7 +285,7 @@ def test_commands_keep_their_lines():
         ("G54\nG54 X9\nG55 X1", "coordinates that G55 changes are read as if it were not there (line 7)"),
         ("G54.1 P2", "coordinates that G54.1 changes are read as if it were not there (line 5)"),
         (
-            "G91 G28 Z0\nG90 X5\nX6",
+            "G91 G28 X0 Z0\nG90 X5\nX6",
             "moves to positions of the machine (G28) are left out: a program does not say where they are (line 5)",
         ),
         (
@@ -327,6 +327,15 @@ def test_every_work_offset_may_stand_before_the_moves_and_is_told_behind_them(co
 def test_a_percent_sign_behind_a_move_ends_the_program():
     assert points("%\nG0 X0 Y0 Z5\n%\nG1 X9 F60") == [[0, 0, 5]]
     assert points("G0 X0 Y0 Z5\n%1\nG1 X9 F60") == [[0, 0, 5], [9, 0, 5]]  # a name
+
+
+@pytest.mark.parametrize("line", ["G28 G91 Z0\nG90", "G91 G28 Z0.\nG90", "G53 G0 Z0", "G0 G53 Z-3.", "G30 Z0", "G28"])
+def test_on_the_way_to_the_height_of_the_machine_the_tool_rises_over_the_part(line):
+    """How high, no program says: as high as it moves. From the depth where it was the next rapid would cut."""
+    path = read_program(f"{PLAIN}{line}\nG0 X40 Y0\nG1 Z-1\nX50\n").toolpath()
+    at = np.flatnonzero(path.points[:, 0] == 10)[0]
+    assert path.points[at : at + 3].tolist() == [[10, 2, -1], [10, 2, 5], [40, 0, 5]] and path.rapid[at : at + 2].all()
+    assert not path.problems
 
 
 def test_machine_positions_before_the_first_and_behind_the_last_move_say_nothing_of_the_way():

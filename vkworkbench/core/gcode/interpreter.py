@@ -14,7 +14,18 @@ from vkworkbench.core.gcode.blocks import LARGEST_NUMBER, whole
 from vkworkbench.core.gcode.cycles import CHIP_BREAK, PECK
 from vkworkbench.core.gcode.units import INCH
 from vkworkbench.core.gcode.unread import PROBES, ROTARY
-from vkworkbench.core.gcode.words import ARCS, CANCEL, CYCLES, FEED, MOTION_NAMES, MOTIONS, RAPID, name_of
+from vkworkbench.core.gcode.words import (
+    ARCS,
+    CANCEL,
+    CYCLES,
+    FEED,
+    MACHINE,
+    MACHINE_COORDINATES,
+    MOTION_NAMES,
+    MOTIONS,
+    RAPID,
+    name_of,
+)
 from vkworkbench.language import Message
 
 # G-codes in tenths, as in words.py.
@@ -22,7 +33,6 @@ _STATE = frozenset([170, 180, 190, 800, 900, 901, 910, 911, 980, 990])
 # Codes whose axis words are no target in the program's coordinates: dwell, data, home, machine coordinates, probes, the
 # end of a mirror (G50.1), of which its beginning (G51.1) tells.
 _APART = frozenset([100, 280, 281, 300, 301, 310, 382, 383, 384, 385, 501, 530, 922, 923])
-_MACHINE = frozenset([280, 300, 530])  # those of them that move
 _PROBES = frozenset([310, *PROBES])
 _NUMBERED_OFFSETS = frozenset([541, 1540])  # by the P word
 _OFFSETS = _NUMBERED_OFFSETS | frozenset([
@@ -249,8 +259,11 @@ class Interpreter:
             return
         if (code == _DATA and dict(words).get("L") in _ORIGINS) or offset not in (None, before):
             self._problem(Message("coordinates-not-changed", name=name_of(code)))
-        elif code in _MACHINE and not letters.isdisjoint("XYZ"):
-            self.away.append((self.number, Message("machine-position", name=name_of(code))))
+        elif code in MACHINE:
+            if "Z" in letters or (code != MACHINE_COORDINATES and letters.isdisjoint("XYZ")):
+                self._add(name_of(code), {"Z": 0.0})
+            if not letters.isdisjoint("XY"):
+                self.away.append((self.number, Message("machine-position", name=name_of(code))))
 
     def _state(self, code: int) -> None:
         """Take a G-code that `linearize` knows."""

@@ -22,12 +22,16 @@ from vkworkbench.core.gcode.words import (
     COMMENT,
     COORDINATE_LIMIT,
     CYCLES,
+    FEED,
+    MACHINE,
+    MACHINE_COORDINATES,
     MODAL,
     MOTIONS,
     RAPID,
     TOOL_CHANGE,
     UNKNOWN,
     Words,
+    name_of,
 )
 from vkworkbench.core.toolpath import PLANE_AXES, Problem, Toolpath
 from vkworkbench.language import Message, Unusable
@@ -68,7 +72,8 @@ def linearize(commands: Iterable[Any] | Words, *, tolerance: float = 0.01, infer
     -------
     Toolpath
         Its `problems` say what could not be used. An axis that is not yet known does not move, so the
-        first words give the start position and there is no move from the origin.
+        first words give the start position and there is no move from the origin. Where the machine's own position is
+        the target (G28, G30, G53), the tool rises to the highest place of the program, and stays over where it was.
 
     Raises
     ------
@@ -141,6 +146,9 @@ class _Program:
 
         self.plane = _mode(codes, {170: 17, 180: 18, 190: 19}, 17)
         self.relative = _mode(codes, {900: 0, 910: 1}, 0) == 1
+        self.to_machine, self.rises = self._moves_to_machine()
+        self.relative[self.to_machine] = False
+        self.motion[self.to_machine] = RAPID
         self.absolute_centre = _mode(codes, {901: 1, 911: 0}, 0) == 1
         self.infer_centres = infer_centres and not np.isin(codes, (901, 911)).any()
         self.to_retract_plane = _mode(codes, {980: 0, 990: 1}, 0) == 1
@@ -150,7 +158,7 @@ class _Program:
 
     def _report_codes(self) -> None:
         codes, names = self.words.codes, self.words.names
-        known = np.concatenate([MOTIONS, _STATE, PROBES])
+        known = np.concatenate([MOTIONS, _STATE, PROBES, MACHINE])
         by_name: dict[str, list[int]] = {}
         for row in np.flatnonzero((codes == UNKNOWN) | ((codes >= 0) & ~np.isin(codes, known))).tolist():
             by_name.setdefault(names[row], []).append(row)
@@ -160,6 +168,29 @@ class _Program:
         rest = [row for _, rows in unknown[_MOST_NAMED:] for row in rows]
         if rest:
             self.problems.add(np.array(rest), Message("more-unknown-codes", count=len(unknown) - _MOST_NAMED))
+
+    def _moves_to_machine(self) -> tuple[np.ndarray, np.ndarray]:
+        """Return the commands that move to positions of the machine, and those of them that rise, (m,) and (r,) int.
+
+        FreeCAD makes two commands of a line as ``G53 G0 Z0``, or ``G28 G91 Z0``.
+        """
+        codes = self.words.codes
+        rows = np.flatnonzero(np.isin(codes, MACHINE))
+        if not len(rows):
+            return rows, rows
+        along_x, along_y, along_z = (~np.isnan(self.words.column(letter)[0]) for letter in "XYZ")
+        across = along_x | along_y
+        alone = rows[~(across | along_z)[rows]]
+        behind = np.minimum(alone[codes[alone] == MACHINE_COORDINATES] + 1, len(codes) - 1)
+        behind = behind[np.isin(self.motion[behind], (RAPID, FEED))]
+        last = np.flatnonzero(self.motion >= 0).max(initial=0)
+        for code in MACHINE:
+            own = rows[codes[rows] == code]
+            own = np.union1d(own, behind) if code == MACHINE_COORDINATES else own
+            self.problems.add(own[across[own] & (own < last)], Message("machine-position", name=name_of(code)))
+        moving = np.union1d(rows, behind)
+        home = alone[codes[alone] != MACHINE_COORDINATES]
+        return moving, np.union1d(moving[along_z[moving]], home)
 
     def before(self, rows: np.ndarray) -> np.ndarray:
         """Position before each of the given commands, (m, 3) mm."""
@@ -186,6 +217,9 @@ class _Program:
             values, unusable = self.words.column(letter)
             self.problems.add(np.flatnonzero(unusable & moves), Message("unusable-word", letter=letter))
             values[~moves] = np.nan
+            values[self.to_machine] = np.nan
+            if letter == "Z":
+                values[self.rises] = _highest(values, self.relative)
             if letter == "Z" and self.is_cycle.any():
                 values, relative = self._resolve_cycles(values)
             else:
@@ -294,6 +328,12 @@ def _expand_cycles(program: _Program, rows: np.ndarray) -> tuple[np.ndarray, np.
     start[:, 2] = program.cycle_heights[:, 0]
     hole = program.position[rows, :2]
     return cycles.moves(program.motion[rows], start, hole, program.cycle_heights, program.cycle_peck)
+
+
+def _highest(z: np.ndarray, relative: np.ndarray) -> float:
+    """The highest of these words, mm; NaN where some are relative, or there are none."""
+    given = z[~np.isnan(z)]
+    return float("nan") if not len(given) or (relative & ~np.isnan(z)).any() else float(given.max())
 
 
 def _last(mask: np.ndarray) -> np.ndarray:

@@ -19,6 +19,8 @@ RAPID, FEED, CLOCKWISE, COUNTER_CLOCKWISE, CANCEL = 0, 10, 20, 30, 800
 ARCS = (CLOCKWISE, COUNTER_CLOCKWISE)
 CYCLES = (730, 740, 810, 820, 830, 840, 850, 860, 880, 890)  # drilling cycles, which CANCEL ends
 MOTIONS = (RAPID, FEED, *ARCS, *CYCLES)
+HOME, HOME_2, MACHINE_COORDINATES = 280, 300, 530  # to positions of the machine, which no program says
+MACHINE = (HOME, HOME_2, MACHINE_COORDINATES)
 
 _ABSENT = 1e300
 _PIECE = 50_000  # commands read at once: their parameters take half a kB each
