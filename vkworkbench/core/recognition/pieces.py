@@ -128,24 +128,36 @@ def _comes_back(moves: Areas, cut: np.ndarray) -> np.ndarray:
         The moves before which something begins anyway.
     """
     back: np.ndarray = moves.reversals[~cut[moves.reversals]]
+    if not len(back):
+        return back
+    start = np.union1d(np.flatnonzero(cut[:-1]), back)
+    k = np.searchsorted(start, back)
+    several = np.diff(start, append=len(moves))[k] > 1  # one move is straight
+    back, k = back[several], k[several]
+    parts = _Stretches(moves, start)
     if len(back):
-        start = np.union1d(np.flatnonzero(cut[:-1]), back)
-        parts = _Stretches(moves, start)
-        k = np.searchsorted(start, back)
         ground = np.column_stack([parts.boxes(), parts.length / 4])
-        same = np.flatnonzero(np.abs(ground[k] - ground[k - 1]).max(axis=1) < SAME.GROUND)
-        bent = [off_line(moves, parts.start[of], parts.end[of]) > SAME.GROUND for of in k[same].tolist()]
-        back = back[same[np.array(bent, bool)]]
-    return back
+        same = np.abs(ground[k] - ground[k - 1]).max(axis=1) < SAME.GROUND
+        back, k = back[same], k[same]
+    return back[off_line(moves, parts.start[k], parts.end[k]) > SAME.GROUND]
 
 
-def off_line(moves: Areas, start: int, end: int) -> float:
-    """Return how far some moves lie from the line of the longest, mm."""
-    of = slice(start, end)
-    longest = start + int(np.argmax(moves.length[of]))
-    across = (moves.y[of] + moves.dy[of] - moves.y[start]) * moves.dx[longest]
-    across -= (moves.x[of] + moves.dx[of] - moves.x[start]) * moves.dy[longest]
-    return float(np.abs(across).max() / moves.length[longest])
+def off_line(moves: Areas, start: np.ndarray, end: np.ndarray) -> np.ndarray:
+    """Return how far the moves start[i] .. end[i] - 1 lie from the line of their longest, (k,) mm."""
+    if not len(start):
+        return np.empty(0)
+    size = end - start
+    first = np.cumsum(size) - size
+    at = np.arange(int(size.sum())) + np.repeat(start - first, size)
+    length = moves.length[at]
+    is_longest = np.flatnonzero(length == np.repeat(np.maximum.reduceat(length, first), size))
+    longest = at[is_longest[np.searchsorted(is_longest, first)]]
+    dx, dy, x, y = (
+        np.repeat(of, size) for of in (moves.dx[longest], moves.dy[longest], moves.x[start], moves.y[start])
+    )
+    across = (moves.y[at] + moves.dy[at] - y) * dx - (moves.x[at] + moves.dx[at] - x) * dy
+    result: np.ndarray = np.maximum.reduceat(np.abs(across), first) / moves.length[longest]
+    return result
 
 
 class _Stretches:

@@ -244,7 +244,8 @@ def _retraced(moves: Areas, p: Pieces) -> np.ndarray:
     index = np.flatnonzero(p.kind == ZIGZAG)
     # Those lie between their ends, or go over them again: nothing is enclosed.
     index = index[np.abs(p.enclosed[index]) < SAME.PLACE * p.length[index]]
-    return np.array([i for i in index.tolist() if off_line(moves, p.start[i], p.end[i]) < SAME.PLACE], np.int64)
+    on_line: np.ndarray = index[off_line(moves, p.start[index], p.end[index]) < SAME.PLACE]
+    return on_line
 
 
 def _long(p: Pieces, which: np.ndarray) -> np.ndarray:
