@@ -25,7 +25,7 @@ HERE = Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE.parent), str(HERE)]
 
 from records import Record, operations
-from reliability import calibration_error
+from reliability import how_sure
 from trees import grow
 
 from toolpaths import nonsense, strokes, synthetic
@@ -51,7 +51,6 @@ from vkworkbench.core.recognition.verdict import judge
 OF_STRATEGIES = {"trees": 60, "leaves": 120, "tried": 0.3, "seed": 1}
 OF_NONSENSE = {"trees": 80, "leaves": 160, "tried": 0.3, "seed": 1}
 DOUBTFUL = (0.2, 0.25, 0.3, 0.35, 0.4, 0.5)  # where else the doubt might begin: what it costs, and what it gains
-HIGH = 0.9
 FOLDS, SEEDS = 10, 20  # folds, and made toolpaths of each kind
 #: Folds of the kinds that joined later: those of all others stay, so that figures before and after can be compared.
 JOINED = {"odometer": 7, "wunderlich": 3}
@@ -231,11 +230,9 @@ def fit_in_use(files: list[str]) -> np.ndarray:
         for told, which in (("no tool", ~tool), ("tool known", tool)):
             of = which & (e.kind == kind)
             if of.any():
-                high = sure[of] >= HIGH
                 print(
-                    f"{kind}, {told}, {of.sum()}: right {right[of].mean():.3f}, sure {sure[of].mean():.3f}, "
-                    f"calibration error {calibration_error(sure[of], right[of]):.3f}, "
-                    f"right where it says {HIGH} and more {right[of][high].mean():.3f} of {high.sum()}"
+                    f"{kind}, {told}, {of.sum()}: right {right[of].mean():.3f}, sure {sure[of].mean():.3f}; "
+                    f"{how_sure(sure[of], right[of])}"
                 )
     return fit(evidence, right, weight)
 

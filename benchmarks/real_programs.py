@@ -6,9 +6,9 @@
 
 real_programs.csv names public repositories, the lines of their programs that are one operation, and the strategies that
 count as right, labelled from titles and plots by people who saw no verdict. Nothing was learned from them but how sure a
-verdict is (learn_verdicts.py --in-use), and not even that from real_programs_later.csv. The programs are theirs and stay in FOLDER, with operations.jsonl.gz and programs.jsonl.gz;
-told.jsonl.gz has the operations whose tool the program tells, with its diameter. What cannot be fetched, or is another text,
-is left out and named.
+verdict is (learn_verdicts.py --in-use), and not even that from real_programs_later.csv. The programs are theirs and stay in
+FOLDER, with operations.jsonl.gz and programs.jsonl.gz; told.jsonl.gz has the operations whose tool the program tells, with
+its diameter. What cannot be fetched, or is another text, is left out and named.
 """
 
 from __future__ import annotations

@@ -32,7 +32,7 @@ sys.path[:0] = [str(HERE.parent), str(HERE)]
 
 import sources
 import whole_programs
-from reliability import calibration_error, two_class
+from reliability import how_sure, two_class
 
 from toolpaths import strokes, synthetic
 from vkworkbench.core import Toolpath
@@ -130,11 +130,7 @@ def _print_confusion(confusion) -> None:
 def _print_reliability(answers) -> None:
     print("\nreliability: how often verdicts of one confidence are right")
     answers = np.array(answers, float)
-    sure = answers[answers[:, 0] >= 0.9, 1]
-    print(
-        f"  expected calibration error {calibration_error(*answers.T):.3f}; "
-        f"where it says 0.9 and more, {np.mean(sure) if len(sure) else 0:.3f} of {len(sure)} are right"
-    )
+    print(f"  expected {how_sure(*answers.T)}")
     edges = np.array([0.0, 0.65, 0.75, 0.85, 0.95, 1.0001])
     for low, high in zip(edges[:-1], edges[1:]):
         some = answers[(answers[:, 0] >= low) & (answers[:, 0] < high)]

@@ -9,6 +9,7 @@ from vkworkbench.core import Family, Strategy
 
 BACK_AND_FORTH = {s.value for s in Strategy if s.family is Family.ROWS}
 AROUND = {s.value for s in Strategy if s.family is Family.AROUND} - {"adaptive"}  # adaptive bites are neither
+HIGH = 0.9  # confidence
 
 
 def two_class(strategy: str, accepted: set[str], got: str) -> bool | None:
@@ -16,6 +17,15 @@ def two_class(strategy: str, accepted: set[str], got: str) -> bool | None:
     if not (accepted <= BACK_AND_FORTH or strategy in {"contour-parallel", "spiral", "waterline"}):
         return None
     return got in accepted or got in (BACK_AND_FORTH if strategy in BACK_AND_FORTH else AROUND)
+
+
+def how_sure(confidence: np.ndarray, right: np.ndarray) -> str:
+    """Say how true the confidence of some verdicts is, (n,) and (n,) bool."""
+    high = right[confidence >= HIGH]
+    return (
+        f"calibration error {calibration_error(confidence, right):.3f}; "
+        f"where it says {HIGH} and more, {high.mean() if len(high) else 0:.3f} of {len(high)} are right"
+    )
 
 
 def calibration_error(confidence: np.ndarray, right: np.ndarray, bins: int = 10) -> float:

@@ -11,13 +11,12 @@ import records
 import whole_programs
 from learn_verdicts import Examples, labelled, left_out
 from records import Record
-from reliability import calibration_error, two_class
+from reliability import how_sure, two_class
 
 from vkworkbench.core import Strategy
 from vkworkbench.core.recognition import decide, recognize, visits
 from vkworkbench.core.recognition.decide import STRATEGIES
 
-SURE = 0.9
 Answers = dict[str, list[tuple[Record, str, float, str]]]
 
 
@@ -77,13 +76,11 @@ def _report(title: str, answers: Answers) -> None:
         right = np.array([got in record.accepted for record, got, *_ in told])
         confidence = np.array([sure for _, _, sure, _ in told])
         unknown = np.mean([got == "unknown" for _, got, *_ in told])
-        sure = confidence >= SURE
         classes = [two_class(record.strategy, record.accepted, got) for record, got, *_ in told]
         papers = [two_class(record.strategy, record.accepted, paper) for record, *_, paper in told]
         print(
             f"  {kind:10s} {len(told):5d}: right {right.mean():.3f}, two-class {_mean(classes):.3f} (the paper's rule to the "
-            f"letter {_mean(papers):.3f}), unknown {unknown:.3f}; calibration error {calibration_error(confidence, right):.3f}; "
-            f"where it says {SURE} and more, {right[sure].mean() if sure.any() else 0:.3f} of {sure.sum()} are right",
+            f"letter {_mean(papers):.3f}), unknown {unknown:.3f}; {how_sure(confidence, right)}",
             flush=True,
         )
 
