@@ -183,12 +183,11 @@ class _Program:
         alone = rows[~(across | along_z)[rows]]
         behind = np.minimum(alone[codes[alone] == MACHINE_COORDINATES] + 1, len(codes) - 1)
         behind = behind[np.isin(self.motion[behind], (RAPID, FEED))]
-        last = np.flatnonzero(self.motion >= 0).max(initial=0)
-        for code in MACHINE:
-            own = rows[codes[rows] == code]
-            own = np.union1d(own, behind) if code == MACHINE_COORDINATES else own
-            self.problems.add(own[across[own] & (own < last)], Message("machine-position", name=name_of(code)))
         moving = np.union1d(rows, behind)
+        aside = moving[across[moving] & (moving < np.flatnonzero(self.motion >= 0).max(initial=0))]
+        told_by = np.where(np.isin(aside, behind), MACHINE_COORDINATES, codes[aside])
+        for code in MACHINE:
+            self.problems.add(aside[told_by == code], Message("machine-position", name=name_of(code)))
         home = alone[codes[alone] != MACHINE_COORDINATES]
         return moving, np.union1d(moving[along_z[moving]], home)
 

@@ -127,18 +127,17 @@ def _comes_back(moves: Areas, cut: np.ndarray) -> np.ndarray:
     cut : (m + 1,) bool
         The moves before which something begins anyway.
     """
+    begins = cut.copy()
+    begins[moves.reversals] = begins[-1] = True
     back: np.ndarray = moves.reversals[~cut[moves.reversals]]
+    back = back[~begins[back + 1]]  # one move is straight
     if not len(back):
         return back
-    start = np.union1d(np.flatnonzero(cut[:-1]), back)
-    k = np.searchsorted(start, back)
-    several = np.diff(start, append=len(moves))[k] > 1  # one move is straight
-    back, k = back[several], k[several]
-    parts = _Stretches(moves, start)
-    if len(back):
-        ground = np.column_stack([parts.boxes(), parts.length / 4])
-        same = np.abs(ground[k] - ground[k - 1]).max(axis=1) < SAME.GROUND
-        back, k = back[same], k[same]
+    start = np.flatnonzero(begins[:-1])
+    parts, k = _Stretches(moves, start), np.searchsorted(start, back)
+    ground = np.column_stack([parts.boxes(), parts.length / 4])
+    same = np.abs(ground[k] - ground[k - 1]).max(axis=1) < SAME.GROUND
+    back, k = back[same], k[same]
     return back[off_line(moves, parts.start[k], parts.end[k]) > SAME.GROUND]
 
 
