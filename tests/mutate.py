@@ -31,15 +31,14 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 ROOT = Path(__file__).resolve().parents[1]
-DRAWN_FROM = "core", "document", "language", "program"
-DRAWN_FROM += "preferences.py", "report.py", "simulation_facts.py", "spreadsheet.py", "text_table.py", "worker.py"
+DRAWN_FROM = "core", "document", "language", "program", "report", "preferences.py", "worker.py"
 COPIED = "vkworkbench", "tests", "toolpaths", "examples", "resources", "docs", "benchmarks", "pyproject.toml"
 COPIED += "package.xml", "Init.py", "InitGui.py", "README.md"
-# Tests of the files that stand in no room, beside those of tests/core itself.
-OF_ALL_ROOMS = {
-    "hull": ["tests/core/zbuffer"], "solids": ["tests/core/zbuffer"], "stocks": ["tests/core/zbuffer"],
+# Tests of other rooms that the files in no room, and the reports, need beside their own.
+OF_OTHER_ROOMS = {
+    **{file: ["tests/core/zbuffer"] for file in ("hull", "solids", "stocks", "tool", "view")},
     "report": ["tests/core/program"],
-}  # fmt: skip
+}
 # What is tested inside FreeCAD.
 IN_FREECAD = "document", "preferences"
 # Tests that start a FreeCAD of their own, in which no mutant is tried.
@@ -163,10 +162,10 @@ def tests_of(file: Path) -> list[str]:
     in_freecad = parts[0] in IN_FREECAD
     rooms = [folder for folder in parts[:-1] if folder != "core"]
     if rooms and not in_freecad:
-        return [f"tests/core/{rooms[0]}"]
+        return [f"tests/core/{rooms[0]}", *OF_OTHER_ROOMS.get(rooms[0], [])]
     own = sorted((ROOT / "tests" / ("document" if in_freecad else "core")).glob("test_vk_*.py"))
     here = [str(path.relative_to(ROOT)) for path in own if path.name not in ELSEWHERE]
-    return here if in_freecad else here + OF_ALL_ROOMS.get(file.stem, [])
+    return here if in_freecad else here + OF_OTHER_ROOMS.get(file.stem, [])
 
 
 class Checkout:

@@ -10,7 +10,7 @@ from pathlib import Path
 import FreeCAD
 
 import vkworkbench
-from vkworkbench.spreadsheet import as_cell
+from vkworkbench.report import as_cell
 
 COLUMNS = {
     "Job": lambda o: o.job,

@@ -11,7 +11,6 @@ from pathlib import Path
 import pytest
 
 from vkworkbench.report import Report
-from vkworkbench.text_table import printable
 
 ROOT = Path(__file__).parents[2]
 SOURCES = [*(ROOT / "vkworkbench").rglob("*.py"), ROOT / "Init.py", ROOT / "InitGui.py"]
@@ -86,11 +85,6 @@ def test_cells_that_begin_like_a_formula_become_text(text, tmp_path):
     for cell in (row["label"], row["cautions"], row["machining_notes"]):
         assert cell == ("'" + text if text in FORMULAS else text)
     assert float(row["length"]) == -1.5  # a number is no text
-
-
-def test_cells_of_the_table_stay_on_their_line():
-    assert printable("a\nb\r\x1b[31mc\u202e🙂") == "a b [31mc\u202e🙂"
-    assert len(printable("x" * 5000)) == 60
 
 
 def test_boxes_and_tooltips_of_the_window_are_made_in_one_place():

@@ -15,8 +15,7 @@ from vkworkbench.core import View, ZBuffer, simulate_job
 from vkworkbench.core.rendering import CUT, colors_of, palette, png, shade
 from vkworkbench.core.zbuffer import TOLERANCE, facts, trajectory_table
 from vkworkbench.document.simulated_job import SimulatedJob, SimulatedOperation, read_job
-from vkworkbench.report import how_many
-from vkworkbench.simulation_facts import SimulationFacts
+from vkworkbench.report import SimulationFacts, how_many
 
 
 def simulate(

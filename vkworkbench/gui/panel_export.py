@@ -11,8 +11,7 @@ from vkworkbench.gui.plain_text import warn
 from vkworkbench.gui.qt import QFileDialog, QWidget
 from vkworkbench.gui.saving import proposed, with_suffix
 from vkworkbench.gui.text import translate
-from vkworkbench.report import Report
-from vkworkbench.spreadsheet import as_cell
+from vkworkbench.report import Report, as_cell
 
 
 def save(report: Report, document, ending: str, parent: QWidget) -> None:

@@ -20,7 +20,7 @@ from vkworkbench.gui.qt import QApplication, QEventLoop, QFileDialog
 from vkworkbench.gui.saving import proposed, with_suffix
 from vkworkbench.gui.sentences import user
 from vkworkbench.gui.text import translate
-from vkworkbench.spreadsheet import as_cell
+from vkworkbench.report import as_cell
 
 _FRAMES = 120  # of the whole job
 _READ = 10_000  # ms for which the status bar says where they are

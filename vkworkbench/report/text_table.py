@@ -15,6 +15,11 @@ def printable(text: str, longest: int = 60) -> str:
     return text if len(text) <= longest else text[: longest - 1] + "…"
 
 
+def how_many(number: int, thing: str) -> str:
+    """Return how many things there are in English, e.g. ``"1 operation"``, ``"2 operations"``."""
+    return f"{number} {thing}" + ("" if number == 1 else "s")
+
+
 def widths_of(rows: Sequence[Sequence[str]]) -> list[int]:
     """Return how many characters wide the columns of these rows are."""
     return [max(map(len, column)) for column in zip(*rows)]

@@ -14,8 +14,8 @@ import numpy as np
 
 from vkworkbench.core.zbuffer import FACT_COLUMNS, CutFacts
 from vkworkbench.language import ENGLISH
-from vkworkbench.spreadsheet import as_cell
-from vkworkbench.text_table import line, printable, widths_of
+from vkworkbench.report.spreadsheet import as_cell
+from vkworkbench.report.text_table import how_many, line, printable, widths_of
 
 
 @dataclass(frozen=True)
@@ -44,7 +44,7 @@ class SimulationFacts:
 
     def __repr__(self) -> str:
         """Return what stands in a console where somebody asks for them themselves: printed they are the table."""
-        return f"<SimulationFacts of {len(self.operations)} operation{'s' * (len(self.operations) != 1)}>"
+        return f"<SimulationFacts of {how_many(len(self.operations), 'operation')}>"
 
     def as_dict(self) -> dict[str, Any]:
         """Return it as numbers, strings and lists, in mm, s, mm^3 and mm^3/min."""

@@ -10,6 +10,7 @@ import pytest
 from vkworkbench.core import Machining, Span, Strategy
 from vkworkbench.language import Message
 from vkworkbench.report import Report, without_results
+from vkworkbench.report.text_table import printable
 
 KNOWN = Machining(100.0, 20.0, -1.0, 1.0, 10.0, 2.0, ())
 PARTLY = replace(KNOWN, rapid_seconds=None, left_out=(Message("rapids-not-told", length=20.0),))
@@ -119,3 +120,8 @@ def test_words_begin_and_numbers_end_in_one_column():
     for line, length in zip(shown, ("100 mm", "123 m")):
         assert line.index(length) + len(length) == head.index("cutting") + len("cutting")
         assert line[len(head) - 1] == "?"
+
+
+def test_cells_of_the_table_stay_on_their_line():
+    assert printable("a\nb\r\x1b[31mc\u202e🙂") == "a b [31mc\u202e🙂"
+    assert len(printable("x" * 5000)) == 60

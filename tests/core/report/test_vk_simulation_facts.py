@@ -11,7 +11,7 @@ from types import SimpleNamespace
 import numpy as np
 
 from vkworkbench.core.zbuffer import CutFacts
-from vkworkbench.simulation_facts import SimulationFacts
+from vkworkbench.report import SimulationFacts
 
 
 def fault(command=None, **numbers):

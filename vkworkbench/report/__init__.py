@@ -1,0 +1,25 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What was found becomes plain data, printed as a table, saved as CSV or JSON.
+
+In: for each operation `Recognition`, costs, cautions and remarks (Messages); what a simulation told of it.
+Out: `Report`, a row for each operation (`OperationReport`) and a `Total` for each job; `SimulationFacts`.
+"""
+
+from vkworkbench.report.operation import (
+    HANGS,
+    SERIOUS,
+    OperationReport,
+    cells_of,
+    contradiction,
+    without_results,
+)
+from vkworkbench.report.report import Cancelled, Report
+from vkworkbench.report.simulation_facts import SimulationFacts
+from vkworkbench.report.spreadsheet import as_cell
+from vkworkbench.report.text_table import how_many
+from vkworkbench.report.total import Total, has_unknown_cost, total_of
+
+__all__ = [
+    "HANGS", "SERIOUS", "Cancelled", "OperationReport", "Report", "SimulationFacts", "Total", "as_cell", "cells_of",
+    "contradiction", "has_unknown_cost", "how_many", "total_of", "without_results",
+]  # fmt: skip

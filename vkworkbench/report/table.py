@@ -1,0 +1,92 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The table of a report, as it is printed."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from itertools import zip_longest
+from pathlib import PurePath
+
+from vkworkbench.core.simulators import Costs
+from vkworkbench.language import ENGLISH, render
+from vkworkbench.report.operation import OperationReport, contradiction
+from vkworkbench.report.text_table import how_many, line, printable, widths_of
+from vkworkbench.report.total import Total, counted_in
+
+
+def table_of(operations: Sequence[OperationReport], totals: Sequence[Total], simulator: str) -> str:
+    """Return operations, and below a rule the totals of their jobs, with the costs in a simulator."""
+    header: tuple[str, ...] = (
+        "operation", "strategy", "sure", "moves", "cutting", "machining", f"{simulator} time", f"{simulator} memory", "",
+    )  # fmt: skip
+    rows: list[tuple[str, ...]] = [_row(o, simulator) for o in operations]
+    below: list[tuple[str, ...]] = [_total_row(t, operations, simulator) for t in totals]
+    names = _told_apart([*(o.document for o in operations), *(t.document for t in totals)])
+    if len(names) > 1:  # each has a "Job"
+        header = ("document", *header)
+        rows = [(names[o.document], *row) for o, row in zip(operations, rows)]
+        below = [(names[t.document], *row) for t, row in zip(totals, below)]
+    widths = widths_of([header, *rows, *below])
+    left = {*range(len(widths) - 7), len(widths) - 1}  # the six between them are numbers
+    rule = "  ".join("-" * width for width in widths[:-1])
+    title, *shown = (line(row, widths, left) for row in (header, *rows))
+    lines = [title, rule, *shown]
+    if below:
+        lines += [rule, *(line(row, widths, left) for row in below)]
+    return "\n".join(lines)
+
+
+def _told_apart(documents: Iterable[str]) -> dict[str, str]:
+    """Return what documents are called in a table: programs, whose names are paths, without the folder of them all."""
+    parts = {name: PurePath(name).parts for name in documents}
+    shared = next((depth for depth, names in enumerate(zip_longest(*parts.values())) if len(set(names)) > 1), 0)
+    return {name: printable(str(PurePath(*of_name[shared:])), 200) for name, of_name in parts.items()}
+
+
+def _row(o: OperationReport, simulator: str) -> tuple[str, ...]:
+    wrong = contradiction(o)
+    told = o.remarks if wrong is None else (wrong, *o.remarks)
+    return (
+        printable(o.label) if o.counted or o.job is None else f"({printable(o.label)})",
+        o.strategy.value,
+        f"{o.confidence:.0%}",
+        ENGLISH.count(o.trajectories),
+        *_machining(o.length, o.machining_seconds or 0.0, not o.left_out, _is_measured(o)),
+        *_cost(o, simulator, least=False),
+        printable("; ".join(map(render, told)), 200),
+    )
+
+
+def _total_row(t: Total, operations: Sequence[OperationReport], simulator: str) -> tuple[str, ...]:
+    measured = all(map(_is_measured, counted_in(operations, t.document, t.job)))
+    return (
+        f"{printable(t.label)}: {how_many(t.operations, 'operation')}",
+        "",
+        "",
+        ENGLISH.count(t.trajectories),
+        *_machining(t.length, t.machining_seconds, t.machining_complete, measured),
+        *_cost(t, simulator, least=t.incomplete),
+        "",
+    )
+
+
+def _is_measured(o: OperationReport) -> bool:
+    """Whether its cutting length is known: where nothing cuts it is 0, and so is the cutting time."""
+    return bool(o.length) or o.machining.cutting_seconds is not None
+
+
+def _machining(length: float, seconds: float, complete: bool, measured: bool) -> tuple[str, str]:
+    """Return the cutting length and the machining time; a question mark for what is 0 because it is not known."""
+    time = ENGLISH.time(seconds)
+    if complete:
+        return ENGLISH.length(length), time
+    return ENGLISH.length(length) if length or measured else "?", f">= {time}" if seconds else "?"
+
+
+def _cost(of: Costs, simulator: str, least: bool) -> tuple[str, str]:
+    """Return the time and the memory of a simulation, as marks say them."""
+    cost = of.cost(simulator)
+    if cost is None:
+        return "?", "?"
+    time, memory = ENGLISH.estimated_time(cost[0], of.factor(simulator)), ENGLISH.memory(cost[1])
+    return (f">= {time}", f">= {memory}") if least else (time, memory)

@@ -1,0 +1,139 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What the operations of a job take together."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from vkworkbench.core import Strategy
+from vkworkbench.core.simulators import SIMULATORS, ZBUFFER, Costs, together
+from vkworkbench.core.zbuffer import CutFacts
+from vkworkbench.report.operation import OperationReport
+from vkworkbench.report.text_table import how_many, printable
+
+
+@dataclass(frozen=True)
+class Total(Costs):
+    """What the operations of one job that are posted take together.
+
+    Attributes
+    ----------
+    document, job, label : str
+        Internal names of the document and the job, and the job's label.
+    operations, trajectories : int
+    length : float
+        Cutting length for one fixture, mm.
+    fixtures : int
+        How often they are posted, once for each work offset (G54 to G59) of the job.
+    machining_seconds : float
+        Time of the moves whose speed is known, for all fixtures.
+    machining_complete : bool
+        Whether that is the time of all moves; else it is the least that they take.
+    incomplete : bool
+        Whether some operation's cost is unknown, so that the sums are lower bounds.
+    costs, advice : mapping
+        As of `Costs`, for the operations one after another; empty where no operation's cost is known.
+    simulated : CutFacts or None
+        What a simulation of all of them told; None where none was asked.
+    """
+
+    document: str
+    job: str
+    label: str
+    operations: int
+    trajectories: int
+    length: float
+    fixtures: int
+    machining_seconds: float
+    machining_complete: bool
+    incomplete: bool
+    costs: Mapping[str, Any]
+    advice: Mapping[str, Any]
+    simulated: CutFacts | None = None
+
+    def __repr__(self) -> str:
+        return f"<Total of {printable(self.label)}: {how_many(self.operations, 'operation')}>"
+
+    @property
+    def seconds(self) -> float:
+        """Of the extended z-buffer, s; 0 where no operation's cost is known."""
+        cost = self.cost(ZBUFFER.name)
+        return cost[0] if cost else 0
+
+    @property
+    def memory_bytes(self) -> float:
+        """Of the extended z-buffer, likewise."""
+        cost = self.cost(ZBUFFER.name)
+        return cost[1] if cost else 0
+
+    def as_dict(self) -> dict[str, Any]:
+        """Return the total as numbers and strings, in mm, s and bytes."""
+        return {
+            "document": self.document,
+            "job": self.job,
+            "label": self.label,
+            "operations": self.operations,
+            "trajectories": self.trajectories,
+            "length": self.length,
+            "fixtures": self.fixtures,
+            "machining_seconds": self.machining_seconds,
+            "machining_complete": self.machining_complete,
+            "seconds": self.seconds,
+            "memory_bytes": self.memory_bytes,
+            "incomplete": self.incomplete,
+            **self.columns(),
+            "simulated": self.simulated and self.simulated.as_dict(),
+            "messages": self.advice_messages(),
+        }
+
+
+def counted_in(operations: Iterable[OperationReport], document: str, job: str) -> list[OperationReport]:
+    """Return the operations that count in a job's total."""
+    return [o for o in operations if o.counted and (o.document, o.job) == (document, job)]
+
+
+def total_of(
+    document: str, job: str, label: str, counted: Sequence[Any], budget: dict[str, float] | None, fixtures: int = 1
+) -> Total:
+    """Return what operations take together, one after another: the one computation of every total that is shown.
+
+    Parameters
+    ----------
+    document, job, label : str
+        As of :class:`Total`.
+    counted : sequence of OperationReport or Record
+        The operations that are posted, in their order.
+    budget : dict or None
+        As of :class:`Report`; without one nothing is advised.
+    fixtures : int
+        How often the operations are posted.
+    """
+    known = [o for o in counted if o.costs]
+    costs: Mapping[str, Any]
+    advice: Mapping[str, Any]
+    if budget is None:
+        each = {s: [o.costs[s.name] for o in known if s.name in o.costs] for s in SIMULATORS}
+        costs, advice = {s.name: s.together(alone) for s, alone in each.items() if len(alone) == len(known) > 0}, {}
+    else:
+        stepover = min((o.stepover for o in known if o.stepover), default=None)
+        labels = [o.label for o in known]
+        costs, advice = together([o.costs for o in known], labels=labels, stepover=stepover, **budget)
+    return Total(
+        document, job, label,
+        operations=len(counted),
+        trajectories=sum(o.trajectories for o in counted),
+        length=sum(o.length for o in counted),
+        fixtures=fixtures,
+        machining_seconds=fixtures * sum(o.machining_seconds or 0.0 for o in counted),
+        machining_complete=not any(o.left_out for o in counted),
+        incomplete=any(map(has_unknown_cost, counted)),
+        costs=costs,
+        advice=advice,
+    )  # fmt: skip
+
+
+def has_unknown_cost(operation: Any) -> bool:
+    """Whether an OperationReport or Record is of what cuts, and its cost is not known: its job takes more than is told."""
+    return operation.trajectories > 0 and operation.strategy is not Strategy.EMPTY and not operation.costs
