@@ -10,7 +10,8 @@ from typing import Union
 
 import numpy as np
 
-from vkworkbench.core.solids import Convex, Frame, Gaps, Spans, Stock
+from vkworkbench.core.solids import Convex, Gaps, Spans, Stock
+from vkworkbench.core.view import Frame
 from vkworkbench.language import Message, Unusable
 
 # Corners of a mesh this close, mm, are one.

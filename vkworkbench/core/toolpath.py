@@ -10,6 +10,9 @@ import numpy as np
 
 from vkworkbench.language import Message, render
 
+# mm. No milling machine goes beyond a kilometre: such a number is an error, and would overflow later.
+COORDINATE_LIMIT = 1e6
+
 # The two axes of each working plane, G17, G18 and G19, and its normal, right-handed.
 PLANE_AXES = {17: (0, 1, 2), 18: (2, 0, 1), 19: (1, 2, 0)}
 

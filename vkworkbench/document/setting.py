@@ -10,8 +10,7 @@ import numpy as np
 import Part
 
 from vkworkbench import freecad
-from vkworkbench.core import Stock, Tool, Toolpath
-from vkworkbench.core.gcode import COORDINATE_LIMIT
+from vkworkbench.core import COORDINATE_LIMIT, Stock, Tool, Toolpath
 from vkworkbench.document.of_shapes import OfShapes
 from vkworkbench.document.operations import through_bases
 from vkworkbench.language import Message, Unusable

@@ -16,9 +16,9 @@ from vkworkbench.core.gcode.reader import read_program
 from vkworkbench.core.gcode.sections import Section, split_sections
 from vkworkbench.core.gcode.tool_table import tells_inches
 from vkworkbench.core.gcode.units import INCH, in_seconds, looks_like_inches, looks_like_increments
-from vkworkbench.core.gcode.words import ARCS, COORDINATE_LIMIT, Words, used_up
+from vkworkbench.core.gcode.words import ARCS, Words, used_up
 
 __all__ = [
-    "ARCS", "COORDINATE_LIMIT", "INCH", "MOST_TRAJECTORIES", "Program", "Section", "Words", "at_line", "in_seconds", "linearize",
+    "ARCS", "INCH", "MOST_TRAJECTORIES", "Program", "Section", "Words", "at_line", "in_seconds", "linearize",
     "looks_like_inches", "looks_like_increments", "read_program", "split_sections", "tells_inches", "used_up",
 ]  # fmt: skip

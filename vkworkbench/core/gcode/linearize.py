@@ -20,7 +20,6 @@ from vkworkbench.core.gcode.words import (
     CANCEL,
     CLOCKWISE,
     COMMENT,
-    COORDINATE_LIMIT,
     CYCLES,
     FEED,
     MACHINE,
@@ -33,7 +32,7 @@ from vkworkbench.core.gcode.words import (
     Words,
     name_of,
 )
-from vkworkbench.core.toolpath import PLANE_AXES, Problem, Toolpath
+from vkworkbench.core.toolpath import COORDINATE_LIMIT, PLANE_AXES, Problem, Toolpath
 from vkworkbench.language import Message, Unusable
 
 MOST_TRAJECTORIES = 5_000_000  # 2 GB of memory

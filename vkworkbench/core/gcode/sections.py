@@ -13,7 +13,7 @@ from functools import lru_cache
 from vkworkbench.core.gcode.program import Program
 from vkworkbench.core.gcode.tool_table import number_named, tool_told
 from vkworkbench.core.gcode.words import MOTION_NAMES
-from vkworkbench.core.solids import Tool
+from vkworkbench.core.tool import Tool
 
 MANY_TITLES = 50  # titles of one form; a program with more numbers its passes, not its operations
 

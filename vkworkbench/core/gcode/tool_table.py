@@ -15,7 +15,7 @@ from dataclasses import dataclass
 from functools import lru_cache
 
 from vkworkbench.core.gcode.units import INCH
-from vkworkbench.core.solids import Tool
+from vkworkbench.core.tool import Tool
 
 _LARGEST = 500.0  # mm
 

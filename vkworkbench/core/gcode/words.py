@@ -10,8 +10,7 @@ from typing import Any
 
 import numpy as np
 
-# mm. No milling machine goes beyond a kilometre: such a word is an error, and would overflow later.
-COORDINATE_LIMIT = 1e6
+from vkworkbench.core.toolpath import COORDINATE_LIMIT
 
 # G-codes are numbered in tenths (G90.1 is 901); what is not a G-code is negative.
 COMMENT, OTHER, TOOL_CHANGE, MODAL, UNKNOWN = -1, -2, -3, -4, -5

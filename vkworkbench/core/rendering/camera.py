@@ -7,7 +7,7 @@ from math import atan2, cos, hypot, pi, sin
 
 import numpy as np
 
-from vkworkbench.core.solids import VERTICAL, Frame
+from vkworkbench.core.view import VERTICAL, Frame
 
 # As near to the vertical as turning comes: there the image would have no upright.
 _STEEPEST = pi / 2 - 1e-3

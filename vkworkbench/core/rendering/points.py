@@ -10,7 +10,7 @@ from __future__ import annotations
 import numpy as np
 
 from vkworkbench.core.rendering.camera import project
-from vkworkbench.core.solids import Frame
+from vkworkbench.core.view import Frame
 
 
 class Points:

@@ -7,7 +7,8 @@ import numpy as np
 
 from vkworkbench.core.hull import convex_hull
 from vkworkbench.core.rendering.camera import project
-from vkworkbench.core.solids import Frame, Tool
+from vkworkbench.core.tool import Tool
+from vkworkbench.core.view import Frame
 
 _AROUND, _ALONG = 32, 7
 # The shank is drawn so many diameters long.

@@ -6,8 +6,8 @@ from __future__ import annotations
 import numpy as np
 
 from vkworkbench.core.simulators.heightmap import grid_shape, motions_done
-from vkworkbench.core.solids import Tool
 from vkworkbench.core.stocks import Solid
+from vkworkbench.core.tool import Tool
 from vkworkbench.core.toolpath import Toolpath
 
 # Cells along the stock's longer side. Cells become larger where the moves would pass over more rows of cells in all.

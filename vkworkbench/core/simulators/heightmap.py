@@ -5,8 +5,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from vkworkbench.core.solids import Tool
 from vkworkbench.core.stocks import Solid
+from vkworkbench.core.tool import Tool
 from vkworkbench.core.toolpath import Toolpath
 
 _CELLS = 100

@@ -19,8 +19,8 @@ from vkworkbench.core.simulators.legacy_mesh import BOX, mesh_facets
 from vkworkbench.core.simulators.legacy_panel import panel_seconds
 from vkworkbench.core.simulators.motions import Motions
 from vkworkbench.core.simulators.simulator import Conditions, Task
-from vkworkbench.core.solids import Tool
 from vkworkbench.core.stocks import Solid
+from vkworkbench.core.tool import Tool
 from vkworkbench.core.toolpath import Toolpath
 
 NAME = "legacy"

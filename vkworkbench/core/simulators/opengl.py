@@ -18,7 +18,7 @@ from vkworkbench.core.simulators.constants import DEFAULTS, Constants
 from vkworkbench.core.simulators.motions import Motions
 from vkworkbench.core.simulators.real_runs import Lesson, Seen
 from vkworkbench.core.simulators.simulator import Caution, Conditions, Task
-from vkworkbench.core.solids import Tool
+from vkworkbench.core.tool import Tool
 from vkworkbench.language import Message
 
 NAME = "OpenGL"

@@ -13,9 +13,10 @@ from vkworkbench.core.recognition import Recognition
 from vkworkbench.core.simulators.constants import DEFAULTS, Constants
 from vkworkbench.core.simulators.motions import Motions, motions
 from vkworkbench.core.simulators.real_runs import Lesson
-from vkworkbench.core.solids import Tool, View
 from vkworkbench.core.stocks import Solid
+from vkworkbench.core.tool import Tool
 from vkworkbench.core.toolpath import Toolpath
+from vkworkbench.core.view import View
 from vkworkbench.core.zbuffer import Speed
 from vkworkbench.language import Message, render
 

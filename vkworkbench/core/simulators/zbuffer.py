@@ -9,8 +9,8 @@ from functools import lru_cache
 from typing import Any
 
 from vkworkbench.core.simulators.simulator import Conditions, Task
-from vkworkbench.core.solids import View
 from vkworkbench.core.stocks import Solid, is_same
+from vkworkbench.core.view import View
 from vkworkbench.core.zbuffer import Cut, Estimate, Resolution, Speed, best_resolution, estimate, estimate_job
 from vkworkbench.core.zbuffer import most_bytes as most_bytes_of
 

@@ -5,9 +5,11 @@ from __future__ import annotations
 
 import numpy as np
 
-from vkworkbench.core.solids import Convex, Stock, Tool, View
+from vkworkbench.core.solids import Convex, Stock
 from vkworkbench.core.stocks import Solid
+from vkworkbench.core.tool import Tool
 from vkworkbench.core.toolpath import Toolpath
+from vkworkbench.core.view import View
 from vkworkbench.core.zbuffer.records import PIXEL_BYTES, RECORD_BYTES
 
 _SHALLOW = 1e-3  # mm

@@ -13,10 +13,11 @@ import numpy as np
 
 from vkworkbench.core.paper import directions
 from vkworkbench.core.recognition import Recognition
-from vkworkbench.core.solids import Frame, Tool, View
 from vkworkbench.core.stocks import Solid
 from vkworkbench.core.strategy import Strategy
+from vkworkbench.core.tool import Tool
 from vkworkbench.core.toolpath import Toolpath
+from vkworkbench.core.view import Frame, View
 from vkworkbench.core.zbuffer.silhouette import clip, polygon_area
 
 # Heights closer than this, mm, are one level.

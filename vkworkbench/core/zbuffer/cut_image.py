@@ -6,8 +6,8 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from typing import Any
 
-from vkworkbench.core.solids import Frame
 from vkworkbench.core.stocks import Solid
+from vkworkbench.core.view import Frame
 from vkworkbench.core.zbuffer.culling import TILE, Region, Tiles, culled
 from vkworkbench.core.zbuffer.cuts import Cuts
 from vkworkbench.core.zbuffer.records import Records

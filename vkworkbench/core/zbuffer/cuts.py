@@ -11,7 +11,7 @@ from operator import index
 import numpy as np
 
 from vkworkbench.core.machining import exact_lengths
-from vkworkbench.core.solids import Tool
+from vkworkbench.core.tool import Tool
 from vkworkbench.core.toolpath import Toolpath, check_toolpath
 
 

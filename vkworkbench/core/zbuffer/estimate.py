@@ -10,9 +10,10 @@ from typing import Any
 import numpy as np
 
 from vkworkbench.core.recognition import Recognition
-from vkworkbench.core.solids import Tool, View
 from vkworkbench.core.stocks import Solid
+from vkworkbench.core.tool import Tool
 from vkworkbench.core.toolpath import Toolpath
+from vkworkbench.core.view import View
 from vkworkbench.core.zbuffer.counts import count
 from vkworkbench.core.zbuffer.cuts import Cut, Cuts
 from vkworkbench.core.zbuffer.effort import Work, work_of

@@ -8,8 +8,9 @@ from math import cos, pi, sin
 
 import numpy as np
 
-from vkworkbench.core.solids import Frame, Tool
+from vkworkbench.core.tool import Tool
 from vkworkbench.core.toolpath import Toolpath
+from vkworkbench.core.view import Frame
 from vkworkbench.core.zbuffer.cuts import Cuts, Source
 from vkworkbench.core.zbuffer.moments import ZBuffer
 from vkworkbench.core.zbuffer.sweeps import headings, lowest

@@ -7,8 +7,8 @@ from collections.abc import Iterable
 
 import numpy as np
 
-from vkworkbench.core.solids import View
 from vkworkbench.core.stocks import Mesh, Solid
+from vkworkbench.core.view import View
 from vkworkbench.core.zbuffer.counts import Counts, count
 from vkworkbench.core.zbuffer.cuts import Cut, Cuts
 from vkworkbench.core.zbuffer.records import PIXEL_BYTES, RECORD_BYTES

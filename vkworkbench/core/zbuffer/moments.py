@@ -13,7 +13,7 @@ from operator import index
 
 import numpy as np
 
-from vkworkbench.core.solids import Frame
+from vkworkbench.core.view import Frame
 from vkworkbench.core.zbuffer.cuts import Cuts
 from vkworkbench.core.zbuffer.records import Records
 from vkworkbench.core.zbuffer.surface import STOCK, Picture, Surface

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from math import isfinite, log2, sqrt
 
-from vkworkbench.core.solids import View
+from vkworkbench.core.view import View
 from vkworkbench.core.zbuffer.estimate import Estimate
 from vkworkbench.language import Message, render
 

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from vkworkbench.core.solids import Tool
+from vkworkbench.core.tool import Tool
 from vkworkbench.core.zbuffer.slots import FROM_THE_SIDE, RIM, ROUNDING
 
 # Newton's method stops this close to the surface, mm.

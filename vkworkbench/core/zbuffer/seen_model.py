@@ -8,8 +8,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from vkworkbench.core.solids import Frame
 from vkworkbench.core.stocks import Solid, spans_in
+from vkworkbench.core.view import Frame
 from vkworkbench.core.zbuffer.moments import ZBuffer
 
 _ROWS_AT_ONCE = 64

@@ -6,8 +6,8 @@ from __future__ import annotations
 import numpy as np
 
 from vkworkbench.core.hull import convex_hull
-from vkworkbench.core.solids import Frame
 from vkworkbench.core.stocks import Mesh, Solid
+from vkworkbench.core.view import Frame
 
 # Rows of rays by which the area of a mesh is counted, and rays of each.
 _RAYS = 64

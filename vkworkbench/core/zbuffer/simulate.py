@@ -7,9 +7,10 @@ from collections.abc import Callable, Iterable
 from contextlib import closing
 
 from vkworkbench import worker
-from vkworkbench.core.solids import Tool, View
 from vkworkbench.core.stocks import Solid
+from vkworkbench.core.tool import Tool
 from vkworkbench.core.toolpath import Toolpath
+from vkworkbench.core.view import View
 from vkworkbench.core.zbuffer.cut_image import CutImage
 from vkworkbench.core.zbuffer.cuts import Cut, Cuts
 from vkworkbench.core.zbuffer.memory import BUDGET, check_memory, helpers_within

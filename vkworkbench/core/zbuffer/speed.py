@@ -8,9 +8,11 @@ from functools import partial
 
 import numpy as np
 
-from vkworkbench.core.solids import Stock, Tool, View
+from vkworkbench.core.solids import Stock
 from vkworkbench.core.steady import processor_clock, steady_seconds
+from vkworkbench.core.tool import Tool
 from vkworkbench.core.toolpath import Toolpath
+from vkworkbench.core.view import View
 from vkworkbench.core.zbuffer.counts import count
 from vkworkbench.core.zbuffer.cuts import Cut, Cuts
 from vkworkbench.core.zbuffer.effort import work_of

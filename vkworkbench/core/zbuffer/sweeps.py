@@ -18,7 +18,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from vkworkbench.core.solids import Tool
+from vkworkbench.core.tool import Tool
 from vkworkbench.core.zbuffer.rounded import divide, rounded_chord, rounded_sides
 from vkworkbench.core.zbuffer.slots import FROM_THE_SIDE, RIM, ROUNDING, ball_slot, level_slot, sloped_slot
 

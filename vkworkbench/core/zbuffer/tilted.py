@@ -15,8 +15,9 @@ from math import hypot, sqrt
 
 import numpy as np
 
-from vkworkbench.core.solids import Frame, Tool
 from vkworkbench.core.stocks import Solid
+from vkworkbench.core.tool import Tool
+from vkworkbench.core.view import Frame
 from vkworkbench.core.zbuffer.chains import removing
 from vkworkbench.core.zbuffer.culling import NOISE, QUARTERS, Removals, Tiles
 from vkworkbench.core.zbuffer.dexels import THINNEST, before_in_group, beginnings

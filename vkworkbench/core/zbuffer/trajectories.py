@@ -9,8 +9,10 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vkworkbench.core.solids import SMALLEST, Frame, Spans, Tool
+from vkworkbench.core.solids import SMALLEST, Spans
 from vkworkbench.core.stocks import Solid, spans_in
+from vkworkbench.core.tool import Tool
+from vkworkbench.core.view import Frame
 from vkworkbench.core.zbuffer.cuts import Cuts
 from vkworkbench.core.zbuffer.sweeps import headings, intervals, lowest
 

@@ -11,7 +11,7 @@ from collections.abc import Iterator, Sequence
 
 import numpy as np
 
-from vkworkbench.core.solids import Tool
+from vkworkbench.core.tool import Tool
 from vkworkbench.core.zbuffer.culling import QUARTERS, Removals, Tiles, deeper
 from vkworkbench.core.zbuffer.dexels import beginnings
 from vkworkbench.core.zbuffer.opening import opening

@@ -1,0 +1,115 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The tool of a simulation: a convex solid of revolution."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from math import pi, tan
+
+import numpy as np
+
+from vkworkbench.core.toolpath import COORDINATE_LIMIT
+from vkworkbench.language import Message, Unusable
+
+SHAPES = ("endmill", "ballend", "bullnose", "vbit", "drill")
+_DEFAULT_TIP_ANGLE = {"vbit": pi / 3, "drill": 118 * pi / 180}
+
+
+@dataclass(frozen=True)
+class Tool:
+    """A milling tool or drill: a convex solid of revolution, upright, its tip at the programmed point.
+
+    The shank above the cutting edge cuts like the edge: the solid is unbounded upwards.
+
+    Parameters
+    ----------
+    shape : {"endmill", "ballend", "bullnose", "vbit", "drill"}
+        Form of the tip.
+    diameter : float
+        Cutting diameter, mm.
+    corner_radius : float
+        Radius of a bull-nose mill's corner, mm; 0 makes it flat, half the diameter makes it a ball.
+    tip_angle : float, optional
+        Included angle of a V-bit's or a drill's tip, rad; 60 and 118 degrees where not given.
+    tip_diameter : float
+        Diameter of the flat end of a V-bit's cone, mm: chamfer mills and engravers have one.
+
+    Raises
+    ------
+    Unusable
+        For a diameter that is not a positive number of at most a kilometre, a corner radius above half the diameter,
+        a tip angle outside ]0, pi], or a tip that is wider than the tool.
+    ValueError
+        For an unknown shape, or a text that is no number.
+    TypeError
+        Where a size is nothing like a number. (FreeCAD's quantities are numbers, in mm.)
+    """
+
+    shape: str
+    diameter: float
+    corner_radius: float = 0.0
+    tip_angle: float | None = None
+    tip_diameter: float = 0.0
+
+    def __post_init__(self) -> None:
+        if self.shape not in SHAPES:
+            raise ValueError(f"unknown tool shape {self.shape!r}; known are {', '.join(SHAPES)}")
+        for name in ("diameter", "corner_radius", "tip_angle", "tip_diameter"):
+            given = getattr(self, name)
+            if given is not None or name != "tip_angle":
+                object.__setattr__(self, name, float(given))  # a quantity of FreeCAD's cannot be reckoned with
+        if not 0 < self.diameter <= COORDINATE_LIMIT:
+            raise Unusable(Message("tool-diameter", diameter=self.diameter))
+        if self.shape == "bullnose" and not 0 <= self.corner_radius <= self.radius:
+            raise Unusable(Message("corner-radius", radius=self.radius, corner=self.corner_radius))
+        if self.tip_angle is not None and not 0 < self.tip_angle <= pi:
+            raise Unusable(Message("tip-angle", angle=self.tip_angle))
+        if not 0 <= self.tip_diameter <= self.diameter:
+            raise Unusable(Message("tip-diameter", diameter=self.diameter, tip=self.tip_diameter))
+
+    @property
+    def radius(self) -> float:
+        """Cutting radius, mm."""
+        return self.diameter / 2
+
+    @property
+    def rounding(self) -> float:
+        """Radius of the rounded corner, mm: the whole radius for a ball end, 0 where there is none."""
+        return {"ballend": self.radius, "bullnose": self.corner_radius}.get(self.shape, 0.0)
+
+    @property
+    def steepness(self) -> float:
+        """Rise of the conical tip per mm of radius; 0 where there is no cone."""
+        if self.shape not in _DEFAULT_TIP_ANGLE:
+            return 0.0
+        angle = self.tip_angle if self.tip_angle is not None else _DEFAULT_TIP_ANGLE[self.shape]
+        return 1 / tan(angle / 2) if angle < pi else 0.0  # of which rounding would leave a cone
+
+    @property
+    def tip(self) -> float:
+        """Radius within which a conical tip is flat, mm; 0 where there is no cone."""
+        return self.tip_diameter / 2 if self.steepness else 0.0
+
+    def height(self, r: np.ndarray | float) -> np.ndarray:
+        """Height of the tool's lower surface above its tip.
+
+        Parameters
+        ----------
+        r : array_like
+            Distance from the tool's axis, mm.
+
+        Returns
+        -------
+        ndarray
+            Heights of the shape of `r`, mm; infinite outside the tool.
+        """
+        r = np.asarray(r, float)
+        return np.where(r <= self.radius, self.profile(r), np.inf)
+
+    def profile(self, r: np.ndarray) -> np.ndarray:
+        """`height` at distances of which rounding may have made more than the radius: there it is that of the rim."""
+        corner = self.rounding
+        flat, width = (self.radius - corner, corner) if corner else (self.tip, self.radius - self.tip)
+        beyond_flat = np.minimum(np.maximum(r - flat, 0.0), width)
+        rise: np.ndarray = corner - np.sqrt(corner**2 - beyond_flat**2) if corner else self.steepness * beyond_flat
+        return rise

@@ -1,0 +1,128 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The parallel view of a simulation: an image of rays, fitted to what is seen."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from math import isfinite
+from operator import index
+from typing import Protocol
+
+import numpy as np
+
+# A view tilted by less than this, rad, is vertical: it shows nothing else, a camera's rounding would tell which side of the
+# image is up, and rays so steep pass the walls of tools where rounding decides.
+VERTICAL = 1e-5
+
+
+class Bounded(Protocol):
+    """A solid with a bounding box, `lower` and `upper` (3,) mm."""
+
+    lower: np.ndarray
+    upper: np.ndarray
+
+
+@dataclass(frozen=True)
+class View:
+    """A parallel projection on an image of rays.
+
+    Parameters
+    ----------
+    direction : (3,) tuple of float
+        Where the eye looks, of any length but zero; the default looks down from above.
+    width, height : int
+        Size of the image, pixels. The default is the paper's image (section 1).
+    pixel : float, optional
+        Side of a pixel, mm; by default the smallest with which the image holds the whole stock.
+    offset : (2,) tuple of float
+        Where the image's centre lies from that of the stock, mm to the right and up.
+
+    Raises
+    ------
+    ValueError
+        If the direction has no length, the image no pixels or a pixel no side.
+    TypeError
+        If width or height is no whole number, as ``160 / 0.5`` is none.
+    """
+
+    direction: tuple[float, float, float] = (0.0, 0.0, -1.0)
+    width: int = 800
+    height: int = 600
+    pixel: float | None = None
+    offset: tuple[float, float] = (0.0, 0.0)
+
+    def __post_init__(self) -> None:
+        direction = np.array(self.direction, float)
+        if direction.shape != (3,) or not np.isfinite(direction).all() or not direction.any():
+            raise ValueError("the view's direction must be three finite numbers, not all zero")
+        object.__setattr__(self, "direction", tuple(float(x) for x in direction))
+        for name in ("width", "height"):
+            try:
+                object.__setattr__(self, name, index(getattr(self, name)))
+            except TypeError:
+                raise TypeError(
+                    f"the image's {name} is a whole number of pixels, not {getattr(self, name)!r}"
+                ) from None
+        if self.width < 1 or self.height < 1:
+            raise ValueError("the image needs at least one pixel each way")
+        if self.pixel is not None and not (isfinite(self.pixel) and self.pixel > 0):
+            raise ValueError(f"the side of a pixel must be a positive number, not {self.pixel:g} mm")
+
+    def frame(self, stock: Bounded) -> Frame:
+        """Return the image's axes, centre and pixel for this stock."""
+        direction = np.array(self.direction) / np.linalg.norm(self.direction)
+        sine = np.hypot(direction[0], direction[1])
+        if sine < VERTICAL:
+            direction = np.array([0.0, 0.0, np.sign(direction[2])])
+            right = np.array([1.0, 0.0, 0.0])
+        else:
+            right = np.array([direction[1], -direction[0], 0.0]) / sine
+        (rx, ry, _), (dx, dy, dz) = right, direction
+        up = np.array([ry * dz, -rx * dz, rx * dy - ry * dx])  # right x direction
+        half = (stock.upper - stock.lower) / 2
+        pixel = self.pixel
+        if pixel is None:
+            extent = 2 * np.array([np.abs(right) @ half, np.abs(up) @ half])
+            pixel = float(max(extent[0] / self.width, extent[1] / self.height))
+        centre = (stock.lower + stock.upper) / 2 + self.offset[0] * right + self.offset[1] * up
+        return Frame(centre, right, up, direction, pixel, self.width, self.height)
+
+
+@dataclass(frozen=True, eq=False)
+class Frame:
+    """A view fitted to a stock: image coordinates x, y in mm about its centre, depth along the view.
+
+    Attributes
+    ----------
+    centre, right, up, direction : (3,) ndarray
+        Centre of the image, as deep as that of the stock's bounding box, and the image's orthonormal axes.
+    pixel : float
+        Side of a pixel, mm.
+    width, height : int
+        Pixels.
+    """
+
+    centre: np.ndarray
+    right: np.ndarray
+    up: np.ndarray
+    direction: np.ndarray
+    pixel: float
+    width: int
+    height: int
+
+    def origins(self, x: np.ndarray, y: np.ndarray) -> np.ndarray:
+        """Return the points (k, 3) of the image plane at image coordinates `x`, `y` (k,)."""
+        result: np.ndarray = self.centre + np.multiply.outer(x, self.right) + np.multiply.outer(y, self.up)
+        return result
+
+    def pixel_centres(self, columns: np.ndarray, rows: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Return the image coordinates of pixel centres; column 0 is left, row 0 is the bottom."""
+        x = (np.asarray(columns) + 0.5 - self.width / 2) * self.pixel
+        y = (np.asarray(rows) + 0.5 - self.height / 2) * self.pixel
+        return x, y
+
+    def points(self, columns: np.ndarray, rows: np.ndarray, depth: np.ndarray) -> np.ndarray:
+        """Return the points (k, 3) at a depth (k,) along the ray of each pixel."""
+        centres = self.origins(*self.pixel_centres(columns, rows))
+        result: np.ndarray = centres + np.multiply.outer(depth, self.direction)
+        return result
