@@ -86,9 +86,3 @@ def test_pieces_read_what_the_whole_reads(piece, monkeypatch):
     for letter in whole.letters:
         for one, other in zip(pieces.column(letter), whole.column(letter)):
             assert np.array_equal(one, other, equal_nan=one.dtype == float)
-
-
-def test_only_m6_changes_the_tool():
-    assert [words.code_of(name) for name in ("M6", "m06", "M3", "T6", "S6", "G6")] == [
-        *[words.TOOL_CHANGE] * 2, *[words.OTHER] * 3, 60
-    ]  # fmt: skip

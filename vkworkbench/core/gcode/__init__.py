@@ -9,6 +9,7 @@ The text of an NC program becomes such commands by `read_program`; `split_sectio
 `in_seconds` mends mm/min that were read as mm/s.
 """
 
+from vkworkbench.core.gcode.codes import ARCS
 from vkworkbench.core.gcode.dialects import at_line
 from vkworkbench.core.gcode.linearize import MOST_TRAJECTORIES, linearize
 from vkworkbench.core.gcode.program import Program
@@ -16,7 +17,7 @@ from vkworkbench.core.gcode.reader import read_program
 from vkworkbench.core.gcode.sections import Section, split_sections
 from vkworkbench.core.gcode.tool_table import tells_inches
 from vkworkbench.core.gcode.units import INCH, in_seconds, looks_like_inches, looks_like_increments
-from vkworkbench.core.gcode.words import ARCS, Words, used_up
+from vkworkbench.core.gcode.words import Words, used_up
 
 __all__ = [
     "ARCS", "INCH", "MOST_TRAJECTORIES", "Program", "Section", "Words", "at_line", "in_seconds", "linearize",

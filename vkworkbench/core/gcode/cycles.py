@@ -7,8 +7,8 @@ from math import isnan, nan
 
 import numpy as np
 
-CHIP_BREAK, PECK = 730, 830
-FEED_OUT = np.array([740, 840, 850, 880, 890])  # codes in tenths: tapping and boring feed out of the hole, up to R
+from vkworkbench.core.gcode.codes import FEED_OUT, PECK, PECKING
+
 CHIP_BREAK_RETRACT = 0.25  # mm, as LinuxCNC's G73
 MOST_PECKS = 10_000  # more is a Q word gone wrong, and would fill the memory
 
@@ -81,7 +81,7 @@ def heights(
 def move_counts(code: np.ndarray, heights: np.ndarray, peck: np.ndarray) -> np.ndarray:
     """Return how many moves each cycle takes, (m,) int; the parameters are those of :func:`moves`."""
     depth = np.maximum(heights[:, 1] - heights[:, 2], 0.0)
-    pecking = ((code == PECK) | (code == CHIP_BREAK)) & (peck * MOST_PECKS > depth)
+    pecking = np.isin(code, PECKING) & (peck * MOST_PECKS > depth)
     pecks = np.where(pecking, np.ceil(depth / np.where(pecking, peck, 1.0) - 1e-9), 1.0)
     # Approach (3 moves), for each peck but the last feed, out, back; then to the bottom, with some out at feed, leave.
     return 3 + 3 * (np.maximum(pecks, 1.0).astype(np.int64) - 1) + 2 + np.isin(code, FEED_OUT)

@@ -9,58 +9,16 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from vkworkbench.core.gcode import dialects
+from vkworkbench.core.gcode import codes, dialects
 from vkworkbench.core.gcode.blocks import LARGEST_NUMBER, whole
-from vkworkbench.core.gcode.cycles import CHIP_BREAK, PECK
 from vkworkbench.core.gcode.units import INCH
-from vkworkbench.core.gcode.unread import PROBES, ROTARY
-from vkworkbench.core.gcode.words import (
-    ARCS,
-    CANCEL,
-    CYCLES,
-    FEED,
-    MACHINE,
-    MACHINE_COORDINATES,
-    MOTION_NAMES,
-    MOTIONS,
-    RAPID,
-    name_of,
-)
+from vkworkbench.core.gcode.unread import ROTARY
 from vkworkbench.language import Message
 
-# G-codes in tenths, as in words.py.
-_STATE = frozenset([170, 180, 190, 800, 900, 901, 910, 911, 980, 990])
-# Codes whose axis words are no target in the program's coordinates: dwell, data, home, machine coordinates, probes, the
-# end of a mirror (G50.1), of which its beginning (G51.1) tells.
-_APART = frozenset([100, 280, 281, 300, 301, 310, 382, 383, 384, 385, 501, 530, 922, 923])
-_PROBES = frozenset([310, *PROBES])
-_NUMBERED_OFFSETS = frozenset([541, 1540])  # by the P word
-_OFFSETS = _NUMBERED_OFFSETS | frozenset([
-    540, 550, 560, 570, 580, 590, 591, 592, 593,
-    *range(1100, 1300, 10),  # of Haas
-    5000, *range(5050, 6000, 10),  # of Siemens
-])  # fmt: skip
-_OKUMA_OFFSET = 150  # G15 with an H word; its G54 to G56 H are lengths of tools, also HA to HC, which have no number
-_HARMLESS = _OFFSETS | frozenset([
-    80, 90, 110, 150, 200, 210, 400, 401, 410, 411, 412, 420, 421, 422, 430, 431, 432, 434, 435, 440, 490, 500, 600,
-    610, 611, 620, 630, 640, 670, 690, 700, 710, 921, 930, 940, 950, 960, 970, 1030, 1870,
-    4500, 4510, 6010, 6020, 6030, 6410, 6420, 6430, 6440, 6450,  # how a Siemens goes around corners
-])  # fmt: skip
-_CHANGES_COORDINATES = frozenset([71, 160, 510, 511, 520, 680, 682, 920])
-_DATA, _ORIGINS = 100, (2, 20)  # G10, and its L words that set the origin of the program's coordinates
-_INCHES = frozenset([200, 700, 7000])
-_UNITS, _PATTERNS = _INCHES | frozenset([210, 710, 7100]), frozenset([700, 710, 720])
-_MACRO_CALLS = frozenset([650, 660])
+_ORIGINS = (2, 20)  # L words of G10 that set the origin of the program's coordinates
 _OUTPUTS = frozenset([67, 68])  # LinuxCNC's M-codes whose E and Q words are an analog output, as of a laser
 _SETTINGS = frozenset([92, 201, 203, 204, 205, 206])  # of Marlin: its steps, speeds and accelerations are no targets
 _OTHERS_M_CODE = 1000  # from here on they are a vendor's own, as Snapmaker's M2000
-_BORING = 860  # as which G76 is read, whose I and J move the tool aside before it is lifted
-_SPLINES = frozenset([50, 51])
-_DWELLS = frozenset([40])
-# Heidenhain's DIN/ISO: the codes that mean what they mean elsewhere, and those of blank and tools, which move nothing.
-_HEIDENHAIN = frozenset([0, 10, 20, 30, 40, 170, 180, 190, 400, 410, 420, 700, 710, 900, 910])
-_HEIDENHAIN_DATA = frozenset([300, 310, 990])
-_COMPENSATION = frozenset([410, 411, 420, 421])
 _AXES = frozenset("XYZIJKR")
 _LENGTHS = frozenset("XYZIJKRQ")
 _KNOWN = _LENGTHS | {"F", "S", "P", "L", "H", "D"}
@@ -102,7 +60,7 @@ class Interpreter:
         self.offset = 540, 0.0
         self.okuma = False
         self.relative = False
-        self.feed_mode = 940
+        self.feed_mode = codes.PER_MINUTE
         self.spindle = 0.0
         self.per_turn: float | None = None  # the F word under G95
         self.stands = False  # whether the last move was fed per turn of a spindle that nobody had told to turn
@@ -120,7 +78,9 @@ class Interpreter:
     @property
     def moves(self) -> bool:
         """Whether any command moves the tool."""
-        return any((not name or name in MOTION_NAMES) and not _AXES.isdisjoint(words) for name, words in self.commands)
+        return any(
+            (not name or name in codes.MOTION_NAMES) and not _AXES.isdisjoint(words) for name, words in self.commands
+        )
 
     def with_tool_changes(self) -> list[tuple[str, dict[str, float]]]:
         """Return the commands; where there is no M6, each T word that names another tool is a tool change."""
@@ -140,13 +100,13 @@ class Interpreter:
         self.number, self.deleted = number, deleted
         motion, apart, ended, last, change = None, False, False, False, False
         taken: frozenset[str] = frozenset()  # letters of words that belong to an M-code
-        codes: list[int] = []
+        g_codes: list[int] = []
         parameters: dict[str, float] = {}
         for letter, value in words:
             if letter == "G":
                 code = whole(10 * value, 10 * _MOST_CODES)
-                codes.append(code)
-                if code in MOTIONS and motion not in (None, code) and self._knows(code):
+                g_codes.append(code)
+                if code in codes.MOTIONS and motion not in (None, code) and self._knows(code):
                     self._problem(Message("two-motions"))
                 read_as, own = self._g_code(code, words, letters)
                 motion = motion if read_as is None else read_as
@@ -168,9 +128,9 @@ class Interpreter:
         self._take_tools([whole(value, LARGEST_NUMBER) for letter, value in words if letter == "T"], change)
         if "S" in letters and self.per_turn is not None:  # another speed is another feed
             parameters.setdefault("F", self.per_turn)
-        if codes or "F" in parameters:
-            feed = self.unit * parameters.get("F", 0.0) if self.feed_mode == 940 else 0.0
-            self.clues.feed(codes, parameters, self.motion if motion is None else motion, feed, self.number)
+        if g_codes or "F" in parameters:
+            feed = self.unit * parameters.get("F", 0.0) if self.feed_mode == codes.PER_MINUTE else 0.0
+            self.clues.feed(g_codes, parameters, self.motion if motion is None else motion, feed, self.number)
         self._move(motion, parameters, apart)
         self.ended |= last
         return ended
@@ -186,24 +146,24 @@ class Interpreter:
 
     def _knows(self, code: int) -> bool:
         """Whether a G-code means in this program what it means elsewhere."""
-        return self.pole is None or code in _HEIDENHAIN
+        return self.pole is None or code in codes.HEIDENHAIN
 
     def _g_code(self, code: int, words: list[tuple[str, float]], letters: set[str]) -> tuple[int | None, bool]:
         """Take a G-code; return the motion that it is, None for none, and whether the line's axis words belong to it."""
         if not self._knows(code):
-            if code not in _HEIDENHAIN_DATA:
+            if code not in codes.HEIDENHAIN_DATA:
                 self._unknown(code, letters)
             return None, True
-        if code in MOTIONS:
+        if code in codes.MOTIONS:
             return code, False
-        if code in _STATE:
+        if code in codes.KEPT:
             self._state(code)
             return None, False
         self._displaced(code, words, letters)
-        if code in _PROBES and not letters.isdisjoint("XYZ"):
+        if code in codes.PROBES_OF_PROGRAMS and not letters.isdisjoint("XYZ"):
             self._problem(Message("probing-untimed"))
         read_as = self._read_as(code, letters)
-        return read_as, read_as is None and (code in _APART or self._other(code, words))
+        return read_as, read_as is None and (code in codes.APART or self._other(code, words))
 
     def _add(self, name: str, parameters: dict[str, float]) -> None:
         self.commands.append((name, parameters))
@@ -221,7 +181,7 @@ class Interpreter:
         self.tool = tools[-1] if tools else self.tool
 
     def _measure_in(self, code: int) -> None:
-        self.unit = INCH if code in _INCHES else 1.0
+        self.unit = INCH if code in codes.INCHES else 1.0
         if self.first_unit is None:
             self.first_unit = self.unit
 
@@ -234,7 +194,7 @@ class Interpreter:
                 self._problem(Message("word-not-read", letter=letter))
         elif self.pole is not None:
             self.pole.update(centre)
-        is_arc = mode in ARCS and "R" not in move and not {"X", "Y", "Z"}.isdisjoint(move)
+        is_arc = mode in codes.ARCS and "R" not in move and not {"X", "Y", "Z"}.isdisjoint(move)
         return {**move, **(self.pole or {})} if is_arc else move
 
     def _m_code(self, value: float, letters: set[str]) -> bool:
@@ -252,78 +212,79 @@ class Interpreter:
 
     def _displaced(self, code: int, words: list[tuple[str, float]], letters: set[str]) -> None:
         """Tell where a G-code leaves the coordinates of the moves before: nothing in the program tells how far."""
-        self.okuma |= code == _OKUMA_OFFSET and "H" in letters and ("G", 43.0) not in words  # whose H would be a length
+        if code == codes.OKUMA_OFFSET and "H" in letters and ("G", 43.0) not in words:  # whose H would be a length
+            self.okuma = True
         offset, before = _offset(code, words, self.okuma), self.offset
         self.offset = offset or before
         if not self.moved:
             return
-        if (code == _DATA and dict(words).get("L") in _ORIGINS) or offset not in (None, before):
-            self._problem(Message("coordinates-not-changed", name=name_of(code)))
-        elif code in MACHINE:
-            if "Z" in letters or (code != MACHINE_COORDINATES and letters.isdisjoint("XYZ")):
-                self._add(name_of(code), {"Z": 0.0})
+        if (code == codes.DATA and dict(words).get("L") in _ORIGINS) or offset not in (None, before):
+            self._problem(Message("coordinates-not-changed", name=codes.name_of(code)))
+        elif code in codes.MACHINE:
+            if "Z" in letters or (code != codes.MACHINE_COORDINATES and letters.isdisjoint("XYZ")):
+                self._add(codes.name_of(code), {"Z": 0.0})
             if not letters.isdisjoint("XY"):
-                self.away.append((self.number, Message("machine-position", name=name_of(code))))
+                self.away.append((self.number, Message("machine-position", name=codes.name_of(code))))
 
     def _state(self, code: int) -> None:
         """Take a G-code that `linearize` knows."""
-        if code in (900, 910):
-            self.relative = code == 910
-        elif code == CANCEL:
+        if code in (codes.ABSOLUTE, codes.RELATIVE):
+            self.relative = code == codes.RELATIVE
+        elif code == codes.CANCEL:
             self.motion = code
         elif code == 180:
             self.clues.g_code(18, set(), self.number)
-        self._add(name_of(code), {})
+        self._add(codes.name_of(code), {})
 
     def _read_as(self, code: int, letters: set[str]) -> int | None:
         """Return the motion as which a G-code is read that `linearize` does not know; None where there is none."""
-        if code in _SPLINES and not letters.isdisjoint("XYZ"):
-            self._problem(Message("spline-as-line", name=name_of(code)))
-            return FEED
+        if code in codes.SPLINES and not letters.isdisjoint("XYZ"):
+            self._problem(Message("spline-as-line", name=codes.name_of(code)))
+            return codes.FEED
         if code == 760 and "R" in letters and ("Y" in letters or "P" not in letters):
-            return _BORING  # a lathe's G76, which cuts threads, has other words
+            return codes.BORING  # a lathe's G76, which cuts threads, has other words
         return None
 
     def _other(self, code: int, words: list[tuple[str, float]]) -> bool:
         """Take a G-code that `linearize` need not know; return whether the line's axis words belong to it."""
         letters = {letter for letter, _ in words}
-        turning = code in _PATTERNS and not letters.isdisjoint("PQUWR")
-        if code in _PATTERNS and not turning and not letters.isdisjoint("IJKL"):  # of Haas and Yasnac
-            self._problem(Message("hole-pattern-not-read", name=name_of(code)))
+        turning = code in codes.PATTERNS and not letters.isdisjoint("PQUWR")
+        if code in codes.PATTERNS and not turning and not letters.isdisjoint("IJKL"):  # of Haas and Yasnac
+            self._problem(Message("hole-pattern-not-read", name=codes.name_of(code)))
             return True
         if code == 710 and [letter for letter, _ in words if letter != "N"] == ["G", "Z"]:  # Okuma's return level
-            self._problem(Message("unknown-code", name=repr(name_of(code))))
+            self._problem(Message("unknown-code", name=repr(codes.name_of(code))))
             return True
-        if code in _UNITS and not turning:
+        if code in codes.UNITS and not turning:
             self._measure_in(code)
-        elif code in (930, 940, 950):
+        elif code in codes.FEED_MODES:
             self.feed_mode, self.per_turn = code, None
-        elif code in _DWELLS:
+        elif code == codes.DWELL:
             self._problem(Message("dwell-untimed"))
             return True
-        elif code in _COMPENSATION:
-            self._problem(Message("compensation-not-read", name=name_of(code)))
-        elif code in _SPLINES:  # without a target they are modes
+        elif code in codes.COMPENSATION:
+            self._problem(Message("compensation-not-read", name=codes.name_of(code)))
+        elif code in codes.SPLINES:  # without a target they are modes
             return True
-        elif code in _CHANGES_COORDINATES:
+        elif code in codes.CHANGES_COORDINATES:
             if code != 920 or (self.moved and not letters.isdisjoint("XYZ")):  # before any move it moves nothing
-                self._problem(Message("coordinates-not-changed", name=name_of(code)))
+                self._problem(Message("coordinates-not-changed", name=codes.name_of(code)))
             return True
         elif code == 431 and "H" not in letters:  # the tool's length in axis words
             return True
-        elif code in _MACRO_CALLS:
+        elif code in codes.MACRO_CALLS:
             self._problem(Message("subprogram-not-read"))
             return True
         else:
             of_a_lathe = self.clues.g_code(code // 10, letters, self.number)
-            if code not in _HARMLESS:
+            if code not in codes.HARMLESS:
                 self._unknown(code, letters)
-            return of_a_lathe or code not in _HARMLESS
+            return of_a_lathe or code not in codes.HARMLESS
         return False
 
     def _unknown(self, code: int, letters: set[str]) -> None:
         """Tell of a G-code that is not known, and of the line's axis words, which may be its parameters."""
-        name, left_out = repr(name_of(code)), ", ".join(sorted(letters & {"X", "Y", "Z"}))
+        name, left_out = repr(codes.name_of(code)), ", ".join(sorted(letters & {"X", "Y", "Z"}))
         if left_out:
             self._problem(Message("unknown-code-with-words", name=name, letters=left_out))
         else:
@@ -331,8 +292,8 @@ class Interpreter:
 
     def _move(self, motion: int | None, parameters: dict[str, float], apart: bool) -> None:
         """Add the command of a line's motion, or of its feed rate alone."""
-        if motion is None and self.motion == CANCEL:  # behind G80 machines go on as with G0
-            motion = RAPID if not _AXES.isdisjoint(parameters) and not apart else None
+        if motion is None and self.motion == codes.CANCEL:  # behind G80 machines go on as with G0
+            motion = codes.RAPID if not _AXES.isdisjoint(parameters) and not apart else None
         if motion is not None:
             self.motion, self.later = motion, None
         mode = self.motion
@@ -348,7 +309,7 @@ class Interpreter:
             move["F"] = feed
         if apart or _AXES.isdisjoint(move):
             if motion is not None or feed is not None:  # not a line without a name: that would repeat a cycle
-                self._add("G94" if motion is None else name_of(motion), {} if feed is None else {"F": feed})
+                self._add("G94" if motion is None else codes.name_of(motion), {} if feed is None else {"F": feed})
             return
         self._move_along(motion, parameters, move)
 
@@ -363,21 +324,21 @@ class Interpreter:
             self._problem(Message("goes-on"))
         if "Y" in move:
             self._note_y(move["Y"])
-        if mode in ARCS:
+        if mode in codes.ARCS:
             self.clues.arc(set(parameters), self.number)
             if parameters.get("P", 1.0) > 1:
                 self._problem(Message("turns-not-read"))
-        if mode in CYCLES and parameters.get("P", 0.0) > 0:
+        if mode in codes.CYCLES and parameters.get("P", 0.0) > 0:
             self._problem(Message("dwell-untimed"))
-        name = "" if motion is None else name_of(motion)
+        name = "" if motion is None else codes.name_of(motion)
         repeats = 1
-        if mode in CYCLES:
+        if mode in codes.CYCLES:
             repeats = self._repeats(mode, parameters, move)
             if repeats <= 0:
                 self.later = move
                 return
             if self.later is not None:
-                name, move, self.later = name_of(mode), {**self.later, **move}, None
+                name, move, self.later = codes.name_of(mode), {**self.later, **move}, None
         elif self.seconds and mode > 0:
             self.inverse_time[len(self.commands)] = 1 / self.seconds
         stands = self.per_turn is not None and not self.spindle  # the feed per turn is none, and the one before is over
@@ -399,7 +360,7 @@ class Interpreter:
         move.pop("K", None)
         pecks = [letter for letter in "IJK" if letter in parameters]
         letter = "L" if "L" in parameters else "K"
-        if mode in (CHIP_BREAK, PECK) and ("I" in pecks or "J" in pecks or parameters.get("K", 1.0) % 1):
+        if mode in codes.PECKING and ("I" in pecks or "J" in pecks or parameters.get("K", 1.0) % 1):
             # Haas and Yasnac: I first peck, J less with each, K at least.
             if "I" in pecks and "Q" not in move:
                 move["Q"] = move["I"]
@@ -407,7 +368,7 @@ class Interpreter:
             for one in pecks:
                 self._problem(Message("word-not-read", letter=one))
             letter = "L"
-        elif mode not in (CHIP_BREAK, PECK, _BORING):  # a Fagor's depth is I, and its Z the level before it
+        elif mode not in (*codes.PECKING, codes.BORING):  # a Fagor's depth is I, and its Z the level before it
             for one in sorted({"I", "J"} & parameters.keys()):
                 self._problem(Message("word-not-read", letter=one))
         repeats = whole(parameters.get(letter, 1.0), _MOST_REPEATS)
@@ -425,20 +386,20 @@ class Interpreter:
 
     def _feed(self, value: float | None) -> float | None:
         """Return a feed rate in mm/s, None where there is none; G93 gives the seconds of this line instead."""
-        self.seconds = 60 / value if self.feed_mode == 930 and value and value > 0 else 0.0
-        if value is None or self.feed_mode == 930:
+        self.seconds = 60 / value if self.feed_mode == codes.INVERSE_TIME and value and value > 0 else 0.0
+        if value is None or self.feed_mode == codes.INVERSE_TIME:
             return None
-        self.per_turn = value if self.feed_mode == 950 else None
-        return value * self.unit * (self.spindle if self.feed_mode == 950 else 1.0) / 60
+        self.per_turn = value if self.feed_mode == codes.PER_TURN else None
+        return value * self.unit * (self.spindle if self.feed_mode == codes.PER_TURN else 1.0) / 60
 
 
 def _offset(code: int, words: list[tuple[str, float]], okuma: bool) -> tuple[int, float] | None:
     """Return which work offset a G-code names, None where it names none; G54.1 and G154 have its number in P."""
     if okuma:
-        return (code, dict(words).get("H", 0.0)) if code == _OKUMA_OFFSET else None
-    if code not in _OFFSETS:
+        return (code, dict(words).get("H", 0.0)) if code == codes.OKUMA_OFFSET else None
+    if code not in codes.OFFSETS:
         return None
-    return code, dict(words).get("P", 0.0) if code in _NUMBERED_OFFSETS else 0.0
+    return code, dict(words).get("P", 0.0) if code in codes.NUMBERED_OFFSETS else 0.0
 
 
 def _words_of(m_code: float, *, first: bool) -> frozenset[str]:

@@ -14,36 +14,44 @@ from typing import Any, List
 import numpy as np
 
 from vkworkbench.core.gcode import arcs, cycles
-from vkworkbench.core.gcode.unread import PROBES, unread
-from vkworkbench.core.gcode.words import (
+from vkworkbench.core.gcode.codes import (
+    ABSOLUTE,
+    ABSOLUTE_CENTRES,
     ARCS,
     CANCEL,
     CLOCKWISE,
     COMMENT,
     CYCLES,
     FEED,
+    INVERSE_TIME,
     MACHINE,
     MACHINE_COORDINATES,
     MODAL,
     MOTIONS,
+    PER_MINUTE,
+    PER_TURN,
+    PLANES,
+    PROBES,
     RAPID,
+    RELATIVE,
+    RELATIVE_CENTRES,
+    STATES,
+    TAPPING,
+    TO_RETRACT_PLANE,
+    TO_START,
     TOOL_CHANGE,
     UNKNOWN,
-    Words,
     name_of,
 )
+from vkworkbench.core.gcode.unread import unread
+from vkworkbench.core.gcode.words import Words
 from vkworkbench.core.toolpath import COORDINATE_LIMIT, PLANE_AXES, Problem, Toolpath
 from vkworkbench.language import Message, Unusable
 
 MOST_TRAJECTORIES = 5_000_000  # 2 GB of memory
 SLOWEST_FEED = 1e-6  # mm/s, eleven days for a millimetre
-_TAPPING = (740, 840)
 _COARSEST_PITCH = 10.0  # mm; a tap's feed per minute is a larger number
 
-# Codes that set a state read below, or one that does not move the tool.
-_STATE = np.array([40, 70, 80, 150, 170, 180, 190, 200, 210, 400, 410, 411, 420, 421, 430, 431, 432, 490,
-                   500, 540, 550, 560, 570, 580, 590, 591, 592, 593, 610, 611, 640, 690, 800, 900, 901, 910,
-                   911, 921, 922, 930, 940, 950, 960, 970, 980, 990])  # fmt: skip
 _MOST_NAMED = 10  # unknown codes; the others are counted
 _ZERO_LENGTH = 1e-9  # mm
 _OFF_CIRCLE = 0.05  # mm; an arc that ends farther from its circle has another centre
@@ -143,21 +151,21 @@ class _Program:
         for rows, what in unread(words, self.motion):
             self.problems.add(rows, what)
 
-        self.plane = _mode(codes, {170: 17, 180: 18, 190: 19}, 17)
-        self.relative = _mode(codes, {900: 0, 910: 1}, 0) == 1
+        self.plane = _mode(codes, PLANES, 17)
+        self.relative = _mode(codes, {ABSOLUTE: 0, RELATIVE: 1}, 0) == 1
         self.to_machine, self.rises = self._moves_to_machine()
         self.relative[self.to_machine] = False
         self.motion[self.to_machine] = RAPID
-        self.absolute_centre = _mode(codes, {901: 1, 911: 0}, 0) == 1
-        self.infer_centres = infer_centres and not np.isin(codes, (901, 911)).any()
-        self.to_retract_plane = _mode(codes, {980: 0, 990: 1}, 0) == 1
+        self.absolute_centre = _mode(codes, {ABSOLUTE_CENTRES: 1, RELATIVE_CENTRES: 0}, 0) == 1
+        self.infer_centres = infer_centres and not np.isin(codes, (ABSOLUTE_CENTRES, RELATIVE_CENTRES)).any()
+        self.to_retract_plane = _mode(codes, {TO_START: 0, TO_RETRACT_PLANE: 1}, 0) == 1
         self.feed = self._feed()
         self.cycle_heights, self.cycle_peck = np.empty((0, 4)), np.empty(0)  # of the canned cycles alone
         self.position, self.known = self._positions()
 
     def _report_codes(self) -> None:
         codes, names = self.words.codes, self.words.names
-        known = np.concatenate([MOTIONS, _STATE, PROBES, MACHINE])
+        known = np.concatenate([MOTIONS, STATES, PROBES, MACHINE])
         by_name: dict[str, list[int]] = {}
         for row in np.flatnonzero((codes == UNKNOWN) | ((codes >= 0) & ~np.isin(codes, known))).tolist():
             by_name.setdefault(names[row], []).append(row)
@@ -199,12 +207,12 @@ class _Program:
         values, unusable = self.words.column("F")
         unusable |= (values != 0) & (values < SLOWEST_FEED)
         self.problems.add(np.flatnonzero(unusable), Message("unusable-feed"))
-        tapping = np.flatnonzero(np.isin(self.motion, _TAPPING) & (values <= _COARSEST_PITCH))
+        tapping = np.flatnonzero(np.isin(self.motion, TAPPING) & (values <= _COARSEST_PITCH))
         if len(tapping):  # FreeCAD's own taps tell the pitch and the speed, which its posts multiply
             speed = self.words.column("S", tapping)[0]  # turns/min
             values[tapping] *= np.where(speed > 0, speed / 60, 1)
         setter = _last(values >= SLOWEST_FEED)
-        per_minute = _mode(self.words.codes, {930: 0, 940: 1, 950: 0}, 1) == 1
+        per_minute = _mode(self.words.codes, {INVERSE_TIME: 0, PER_MINUTE: 1, PER_TURN: 0}, 1) == 1
         return np.where((setter >= 0) & per_minute, values[setter], 0.0)
 
     def _positions(self) -> tuple[np.ndarray, np.ndarray]:

@@ -10,9 +10,9 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field, replace
 from functools import lru_cache
 
+from vkworkbench.core.gcode.codes import MOTION_NAMES
 from vkworkbench.core.gcode.program import Program
 from vkworkbench.core.gcode.tool_table import number_named, tool_told
-from vkworkbench.core.gcode.words import MOTION_NAMES
 from vkworkbench.core.tool import Tool
 
 MANY_TITLES = 50  # titles of one form; a program with more numbers its passes, not its operations

@@ -8,17 +8,26 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from vkworkbench.core.gcode.words import ARCS, CYCLES, FEED, RAPID, Words
+from vkworkbench.core.gcode.codes import (
+    ARCS,
+    COMPENSATION,
+    CYCLES,
+    DWELL,
+    FEED,
+    INVERSE_TIME,
+    PER_TURN,
+    PROBES,
+    RAPID,
+    name_of,
+)
+from vkworkbench.core.gcode.words import Words
 from vkworkbench.language import Message
 
 ROTARY = "ABC"
 # Words that moves and cycles are read from, and those that say nothing about the way of the tool.
 _READ = frozenset("XYZIJKRQF" + "GMNSTDH" + "LP")
-PROBES = 382, 383, 384, 385
-_INCHES, _DWELL = 200, 40
+_INCHES = 200
 _CORNERS = frozenset("IJKR")  # by which some controls round or chamfer the corner behind a straight move
-_COMPENSATION = {410: "G41", 411: "G41.1", 420: "G42", 421: "G42.1"}
-_FEED_MODES = {930: "G93", 950: "G95"}
 _M_CODE = re.compile(r"\s*[Mm]0*(2|30|97|98|198)(?:\.0*)?\s*", re.ASCII)
 
 
@@ -57,13 +66,13 @@ def unread(words: Words, motion: np.ndarray) -> Iterator[tuple[np.ndarray, Messa
         p = words.column("P")[0]
         yield np.flatnonzero(np.isin(motion, ARCS) & (p > 1)), Message("turns-not-read")
         yield np.flatnonzero(in_cycle & (p > 0)), Message("dwell-untimed")
-    yield np.flatnonzero(codes == _DWELL), Message("dwell-untimed")
+    yield np.flatnonzero(codes == DWELL), Message("dwell-untimed")
     yield np.flatnonzero(np.isin(codes, PROBES)), Message("probing-untimed")
     yield np.flatnonzero(codes == _INCHES), Message("inches-not-read")
-    for code, name in _COMPENSATION.items():
-        yield np.flatnonzero(codes == code), Message("compensation-not-read", name=name)
-    for code, name in _FEED_MODES.items():
-        yield np.flatnonzero(codes == code), Message("feed-mode-not-read", name=name)
+    for code in COMPENSATION:
+        yield np.flatnonzero(codes == code), Message("compensation-not-read", name=name_of(code))
+    for code in (INVERSE_TIME, PER_TURN):
+        yield np.flatnonzero(codes == code), Message("feed-mode-not-read", name=name_of(code))
     m_codes = {name: match[1] for name in set(words.names) if (match := _M_CODE.fullmatch(name))}
     if m_codes:
         called = np.array([m_codes.get(name, "") for name in words.names])

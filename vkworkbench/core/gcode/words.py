@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The words of a program as arrays: G-code numbers and parameter columns of a command list."""
+"""The words of a program as arrays: G-codes and parameter columns of a command list."""
 
 from __future__ import annotations
 
@@ -10,51 +10,13 @@ from typing import Any
 
 import numpy as np
 
+from vkworkbench.core.gcode.codes import code_of
 from vkworkbench.core.toolpath import COORDINATE_LIMIT
-
-# G-codes are numbered in tenths (G90.1 is 901); what is not a G-code is negative.
-COMMENT, OTHER, TOOL_CHANGE, MODAL, UNKNOWN = -1, -2, -3, -4, -5
-RAPID, FEED, CLOCKWISE, COUNTER_CLOCKWISE, CANCEL = 0, 10, 20, 30, 800
-ARCS = (CLOCKWISE, COUNTER_CLOCKWISE)
-CYCLES = (730, 740, 810, 820, 830, 840, 850, 860, 880, 890)  # drilling cycles, which CANCEL ends
-MOTIONS = (RAPID, FEED, *ARCS, *CYCLES)
-HOME, HOME_2, MACHINE_COORDINATES = 280, 300, 530  # to positions of the machine, which no program says
-MACHINE = (HOME, HOME_2, MACHINE_COORDINATES)
 
 _ABSENT = 1e300
 _PIECE = 50_000  # commands read at once: their parameters take half a kB each
-_NAME = re.compile(r"([A-Z])0*(\d{1,9})(?:\.(\d))?", re.ASCII)
 # A line that begins with a coordinate or a line number: FreeCAD takes that word for the command's name.
 _WORD_NAME = re.compile(r"\s*([XYZIJKRFN])\s*([-+]?(?:\d+\.?\d*|\.\d+))\s*", re.IGNORECASE | re.ASCII)
-
-
-def code_of(name: str) -> int:
-    """Return the number of a command name: G-codes in tenths, else one of the negative kinds.
-
-    ``G01`` and ``g1`` are the same; an empty name continues the last motion (a modal line).
-    """
-    name = name.strip().upper()
-    if not name:
-        return MODAL
-    if name[0] in "(;%/":  # comments, program marks and disabled lines
-        return COMMENT
-    match = _NAME.fullmatch(name)
-    if match is None:
-        return UNKNOWN
-    letter, number, tenth = match[1], int(match[2]), int(match[3] or 0)
-    if letter == "G":
-        return 10 * number + tenth if number < 1000 else UNKNOWN
-    if letter == "M" and number == 6:
-        return TOOL_CHANGE
-    return OTHER if letter in "MTSNO" else UNKNOWN
-
-
-def name_of(code: int) -> str:
-    """Return the name of a G-code in tenths, e.g. ``"G90.1"``."""
-    return f"G{code // 10}.{code % 10}" if code % 10 else f"G{code // 10}"
-
-
-MOTION_NAMES = frozenset(map(name_of, MOTIONS))
 
 
 class Words:

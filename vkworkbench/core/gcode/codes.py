@@ -1,0 +1,101 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The G-codes by what they do, and the names of commands as numbers.
+
+G-codes are numbered in tenths (G90.1 is 901); what is no G-code is negative.
+"""
+
+from __future__ import annotations
+
+import re
+
+COMMENT, OTHER, TOOL_CHANGE, MODAL, UNKNOWN = -1, -2, -3, -4, -5
+
+# Motions.
+RAPID, FEED, CLOCKWISE, COUNTER_CLOCKWISE = 0, 10, 20, 30
+ARCS = (CLOCKWISE, COUNTER_CLOCKWISE)
+CHIP_BREAK, PECK, BORING, CANCEL = 730, 830, 860, 800
+TAPPING = (740, 840)
+FEED_OUT = (*TAPPING, 850, 880, 890)  # out of the hole, up to R
+PECKING = (CHIP_BREAK, PECK)
+CYCLES = (CHIP_BREAK, 740, 810, 820, PECK, 840, 850, BORING, 880, 890)  # drilling cycles, which CANCEL ends
+MOTIONS = (RAPID, FEED, *ARCS, *CYCLES)
+SPLINES = (50, 51)
+HOME, HOME_2, MACHINE_COORDINATES = 280, 300, 530  # to positions of the machine, which no program says
+MACHINE = (HOME, HOME_2, MACHINE_COORDINATES)
+PROBES = (382, 383, 384, 385)
+
+# Modal state.
+PLANES = {170: 17, 180: 18, 190: 19}
+ABSOLUTE, RELATIVE, ABSOLUTE_CENTRES, RELATIVE_CENTRES = 900, 910, 901, 911
+TO_START, TO_RETRACT_PLANE = 980, 990  # where cycles end
+INVERSE_TIME, PER_MINUTE, PER_TURN = 930, 940, 950
+FEED_MODES = (INVERSE_TIME, PER_MINUTE, PER_TURN)
+COMPENSATION = (410, 411, 420, 421)
+DWELL = 40
+
+# Codes in FreeCAD's commands that set a state which is read of them, or one that does not move the tool.
+STATES = (
+    DWELL, 70, 80, 150, *PLANES, 200, 210, 400, *COMPENSATION, 430, 431, 432, 490, 500, 540, 550, 560, 570, 580, 590, 591, 592,
+    593, 610, 611, 640, 690, CANCEL, ABSOLUTE, ABSOLUTE_CENTRES, RELATIVE, RELATIVE_CENTRES, 921, 922, *FEED_MODES, 960, 970,
+    TO_START, TO_RETRACT_PLANE,
+)  # fmt: skip
+
+# Codes of NC programs.
+# Those that commands keep.
+KEPT = frozenset([*PLANES, CANCEL, ABSOLUTE, ABSOLUTE_CENTRES, RELATIVE, RELATIVE_CENTRES, TO_START, TO_RETRACT_PLANE])
+PROBES_OF_PROGRAMS = frozenset([310, *PROBES])
+# Codes whose axis words are no target in the program's coordinates: dwell, data, home, machine coordinates, probes, the
+# end of a mirror (G50.1), of which its beginning (G51.1) tells.
+APART = frozenset([100, 281, 301, 501, 922, 923]) | PROBES_OF_PROGRAMS | set(MACHINE)
+NUMBERED_OFFSETS = frozenset([541, 1540])  # by the P word
+OFFSETS = NUMBERED_OFFSETS | frozenset([
+    540, 550, 560, 570, 580, 590, 591, 592, 593,
+    *range(1100, 1300, 10),  # of Haas
+    5000, *range(5050, 6000, 10),  # of Siemens
+])  # fmt: skip
+OKUMA_OFFSET = 150  # G15 with an H word; its G54 to G56 H are lengths of tools, also HA to HC, which have no number
+CHANGES_COORDINATES = frozenset([71, 160, 510, 511, 520, 680, 682, 920])
+DATA = 100
+INCHES = frozenset([200, 700, 7000])
+UNITS = INCHES | frozenset([210, 710, 7100])
+PATTERNS = frozenset([700, 710, 720])
+MACRO_CALLS = frozenset([650, 660])
+HARMLESS = OFFSETS | frozenset([
+    80, 90, 110, 150, 200, 210, 400, 401, 410, 411, 412, 420, 421, 422, 430, 431, 432, 434, 435, 440, 490, 500, 600,
+    610, 611, 620, 630, 640, 670, 690, 700, 710, 921, 930, 940, 950, 960, 970, 1030, 1870,
+    4500, 4510, 6010, 6020, 6030, 6410, 6420, 6430, 6440, 6450,  # how a Siemens goes around corners
+])  # fmt: skip
+# Heidenhain's DIN/ISO: the codes that mean what they mean elsewhere, and those of blank and tools, which move nothing.
+HEIDENHAIN = frozenset([0, 10, 20, 30, 40, 170, 180, 190, 400, 410, 420, 700, 710, 900, 910])
+HEIDENHAIN_DATA = frozenset([300, 310, 990])
+
+_NAME = re.compile(r"([A-Z])0*(\d{1,9})(?:\.(\d))?", re.ASCII)
+
+
+def code_of(name: str) -> int:
+    """Return the number of a command name: G-codes in tenths, else one of the negative kinds.
+
+    ``G01`` and ``g1`` are the same; an empty name continues the last motion (a modal line).
+    """
+    name = name.strip().upper()
+    if not name:
+        return MODAL
+    if name[0] in "(;%/":  # comments, program marks and disabled lines
+        return COMMENT
+    match = _NAME.fullmatch(name)
+    if match is None:
+        return UNKNOWN
+    letter, number, tenth = match[1], int(match[2]), int(match[3] or 0)
+    if letter == "G":
+        return 10 * number + tenth if number < 1000 else UNKNOWN
+    if letter == "M" and number == 6:
+        return TOOL_CHANGE
+    return OTHER if letter in "MTSNO" else UNKNOWN
+
+
+def name_of(code: int) -> str:
+    """Return the name of a G-code in tenths, e.g. ``"G90.1"``."""
+    return f"G{code // 10}.{code % 10}" if code % 10 else f"G{code // 10}"
+
+
+MOTION_NAMES = frozenset(map(name_of, MOTIONS))
