@@ -14,9 +14,8 @@ from vkworkbench.core.zbuffer import effort
 from vkworkbench.core.zbuffer.culling import PAIRS_AT_ONCE, TILE, Tiles
 from vkworkbench.core.zbuffer.cuts import Cuts
 from vkworkbench.core.zbuffer.effort import CELLS, KINDS, RECORDS, SORTED, TESTS, Work
-from vkworkbench.core.zbuffer.estimate import Speed
 from vkworkbench.core.zbuffer.removal import Removal
-from vkworkbench.core.zbuffer.speed import _loops, _rows, _surface, fit_speed
+from vkworkbench.core.zbuffer.speed import Speed, _loops, _rows, _surface, fit_speed
 from vkworkbench.core.zbuffer.trajectories import Kind
 
 FLAT = Tool("endmill", 6)

@@ -17,14 +17,14 @@ from vkworkbench.core.recognition import Recognition, recognize
 from vkworkbench.core.zbuffer.closed_form import cauchy_crofton, closed_form, swept
 from vkworkbench.core.zbuffer.cuts import Cut, Cuts
 from vkworkbench.core.zbuffer.dexels import UNCUT
-from vkworkbench.core.zbuffer.estimate import Speed, estimate, estimate_job
+from vkworkbench.core.zbuffer.estimate import estimate, estimate_job
 from vkworkbench.core.zbuffer.records import INDEX, PIXEL_BYTES, RECORD_BYTES
 from vkworkbench.core.zbuffer.removal import Removal
 from vkworkbench.core.zbuffer.resolution import best_resolution
 from vkworkbench.core.zbuffer.sampling import sample
 from vkworkbench.core.zbuffer.silhouette import seen_areas
 from vkworkbench.core.zbuffer.simulate import simulate, simulate_job
-from vkworkbench.core.zbuffer.speed import fit_speed, measure_speed
+from vkworkbench.core.zbuffer.speed import Speed, fit_speed, measure_speed
 from vkworkbench.core.zbuffer.tilted import Tilted
 from vkworkbench.core.zbuffer.trajectories import Trajectories
 from vkworkbench.core.zbuffer.upright import Upright

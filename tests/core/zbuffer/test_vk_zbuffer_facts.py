@@ -26,7 +26,7 @@ from vkworkbench.core.zbuffer import (
     trajectory_table,
 )
 from vkworkbench.core.zbuffer.cuts import Cuts
-from vkworkbench.core.zbuffer.facts import _displaced
+from vkworkbench.core.zbuffer.faults import _displaced
 
 FLAT = Tool("endmill", 6)
 STOCK = Stock((0, 0, 0), (40, 30, 10))

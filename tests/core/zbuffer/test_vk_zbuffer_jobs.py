@@ -15,11 +15,12 @@ from zbuffer_reference.paths import BOX, DIRECTIONS, PATHS, ROUND, TOOLS, toolpa
 
 from vkworkbench.core import Stock, Tool, View
 from vkworkbench.core.zbuffer.cuts import Cut, Cuts, Source
-from vkworkbench.core.zbuffer.estimate import Speed, estimate, estimate_job
+from vkworkbench.core.zbuffer.estimate import estimate, estimate_job
 from vkworkbench.core.zbuffer.facts import removed_volumes
 from vkworkbench.core.zbuffer.memory import OverBudget, memory_needed
 from vkworkbench.core.zbuffer.removal import Removal
 from vkworkbench.core.zbuffer.simulate import simulate, simulate_job
+from vkworkbench.core.zbuffer.speed import Speed
 
 NOISE = 1e-7  # mm
 BALLS = [Tool("ballend", 6), Tool("ballend", 2.5)]

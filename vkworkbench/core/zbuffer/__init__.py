@@ -18,18 +18,9 @@ from vkworkbench.core.zbuffer.deviations import (
     worst_places,
 )
 from vkworkbench.core.zbuffer.effort import WORK_UNITS
-from vkworkbench.core.zbuffer.estimate import Estimate, Speed, estimate, estimate_job
-from vkworkbench.core.zbuffer.facts import (
-    Crash,
-    Plunge,
-    crashes,
-    cuts_air,
-    engagement,
-    fast_plunges,
-    removal_rates,
-    removed_volumes,
-    trajectory_table,
-)
+from vkworkbench.core.zbuffer.estimate import Estimate, estimate, estimate_job
+from vkworkbench.core.zbuffer.facts import cuts_air, engagement, removal_rates, removed_volumes, trajectory_table
+from vkworkbench.core.zbuffer.faults import Crash, Plunge, crashes, fast_plunges
 from vkworkbench.core.zbuffer.job_facts import FACT_COLUMNS, CutFacts, JobFacts, facts
 from vkworkbench.core.zbuffer.memory import OverBudget, memory_needed
 from vkworkbench.core.zbuffer.moments import ZBuffer
@@ -38,7 +29,7 @@ from vkworkbench.core.zbuffer.resolution import Resolution, best_resolution, che
 from vkworkbench.core.zbuffer.seen_model import Deviations, SeenModel, deviations
 from vkworkbench.core.zbuffer.sharing import shared_seconds, unshared_seconds
 from vkworkbench.core.zbuffer.simulate import simulate, simulate_job
-from vkworkbench.core.zbuffer.speed import fit_speed, measure_speed
+from vkworkbench.core.zbuffer.speed import Speed, fit_speed, measure_speed
 
 __all__ = [
     "DEXEL", "FACT_COLUMNS", "RECORD_BYTES", "TOLERANCE", "TRACE", "WORK_UNITS", "Crash", "Cut", "CutFacts", "Cuts", "Deviation",

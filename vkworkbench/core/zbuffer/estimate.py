@@ -7,8 +7,6 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
-import numpy as np
-
 from vkworkbench.core.recognition import Recognition
 from vkworkbench.core.stocks import Solid
 from vkworkbench.core.tool import Tool
@@ -18,7 +16,7 @@ from vkworkbench.core.zbuffer.counts import count
 from vkworkbench.core.zbuffer.cuts import Cut, Cuts
 from vkworkbench.core.zbuffer.effort import Work, work_of
 from vkworkbench.core.zbuffer.removal import Removal
-from vkworkbench.core.zbuffer.sharing import shared_seconds
+from vkworkbench.core.zbuffer.speed import USUAL, Speed
 
 
 @dataclass(frozen=True)
@@ -88,55 +86,6 @@ class Estimate:
         return self.speed.factor
 
 
-@dataclass(frozen=True)
-class Speed:
-    """What one unit of the simulator's work costs on one computer, s.
-
-    The defaults are those of a Xeon core; ``speed.measure_speed`` measures this computer's.
-
-    Attributes
-    ----------
-    trajectory : float
-        One trajectory, whether it meets the stock or not.
-    pixel : float
-        One pixel of the image.
-    meeting : float
-        One trajectory looked at for one of the largest tiles.
-    block : float
-        One block of pairs of one kind that are worked on at once.
-    test : float
-        One pair of a tile and a trajectory tested.
-    cell : float
-        One pair of a pixel and a trajectory by which its ray is cut.
-    record : float
-        One dexel or element of a trace.
-    factor : float
-        The true time is between the estimated one divided and multiplied by this.
-    processes : int
-        How many cut at once: all else is what one of them takes.
-    """
-
-    trajectory: float = 8.84e-07
-    pixel: float = 5.35e-08
-    meeting: float = 5.27e-09
-    block: float = 0.00054
-    test: float = 5.69e-07
-    cell: float = 7.91e-07
-    record: float = 2.56e-08
-    factor: float = 3.0
-    processes: int = 1
-
-    @property
-    def constants(self) -> np.ndarray:
-        """(7,) float64 ndarray : what the units of `Work.amounts` cost, in its order."""
-        return np.array([self.trajectory, self.pixel, self.meeting, self.block, self.test, self.cell, self.record])
-
-    def seconds(self, work: Work, growth: float = 1.0) -> float:
-        """Return how long work takes, s, in an image of `growth` times as many pixels."""
-        alone = float((work.amounts(growth) * self.constants).sum())
-        return shared_seconds(alone, max(1, min(self.processes, int(work.bands))))
-
-
 def estimate(
     toolpath: Toolpath,
     recognition: Recognition | None,
@@ -144,7 +93,7 @@ def estimate(
     tool: Tool,
     stock: Solid,
     view: View,
-    speed: Speed = Speed(),
+    speed: Speed = USUAL,
 ) -> Estimate:
     """Estimate what simulating an operation takes, from some hundred rays simulated exactly.
 
@@ -173,7 +122,7 @@ def estimate(
     return _estimated((Cut(toolpath, tool),), stock, view, speed, words)
 
 
-def estimate_job(cuts: Sequence[Cut], *, stock: Solid, view: View, speed: Speed = Speed()) -> Estimate:
+def estimate_job(cuts: Sequence[Cut], *, stock: Solid, view: View, speed: Speed = USUAL) -> Estimate:
     """Estimate what `simulate_job` takes, from some hundred rays cut by the whole job.
 
     What an operation takes is what it takes on the stock that those before it left.

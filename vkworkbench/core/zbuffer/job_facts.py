@@ -10,7 +10,8 @@ import numpy as np
 
 from vkworkbench.core.stocks import Solid
 from vkworkbench.core.zbuffer.deviations import TOLERANCE, Deviation, gouges, material_left
-from vkworkbench.core.zbuffer.facts import Crash, Plunge, crashes, cuts_air, engagement, fast_plunges, removed_volumes
+from vkworkbench.core.zbuffer.facts import cuts_air, engagement, removed_volumes
+from vkworkbench.core.zbuffer.faults import Crash, Plunge, crashes, fast_plunges
 from vkworkbench.core.zbuffer.moments import ZBuffer
 from vkworkbench.core.zbuffer.seen_model import deviations
 

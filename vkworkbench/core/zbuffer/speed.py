@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The speed of this computer: the simulator timed on small made-up toolpaths."""
+"""The speed of a computer, and of this one: the simulator timed on small made-up toolpaths."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import dataclass
 from functools import partial
 
 import numpy as np
@@ -15,9 +16,9 @@ from vkworkbench.core.toolpath import Toolpath
 from vkworkbench.core.view import View
 from vkworkbench.core.zbuffer.counts import count
 from vkworkbench.core.zbuffer.cuts import Cut, Cuts
-from vkworkbench.core.zbuffer.effort import work_of
-from vkworkbench.core.zbuffer.estimate import Speed
+from vkworkbench.core.zbuffer.effort import Work, work_of
 from vkworkbench.core.zbuffer.removal import Removal
+from vkworkbench.core.zbuffer.sharing import shared_seconds
 from vkworkbench.core.zbuffer.simulate import simulate
 
 _STOCK = Stock((0, 0, 0), (60, 60, 20))
@@ -32,6 +33,58 @@ _FACTOR = 2.0
 _RIDGE = 0.5
 # No constant is less than this share of the usual: noisy times would make some nothing.
 _LEAST = 0.1
+
+
+@dataclass(frozen=True)
+class Speed:
+    """What one unit of the simulator's work costs on one computer, s.
+
+    The defaults are those of a Xeon core; :func:`measure_speed` measures this computer's.
+
+    Attributes
+    ----------
+    trajectory : float
+        One trajectory, whether it meets the stock or not.
+    pixel : float
+        One pixel of the image.
+    meeting : float
+        One trajectory looked at for one of the largest tiles.
+    block : float
+        One block of pairs of one kind that are worked on at once.
+    test : float
+        One pair of a tile and a trajectory tested.
+    cell : float
+        One pair of a pixel and a trajectory by which its ray is cut.
+    record : float
+        One dexel or element of a trace.
+    factor : float
+        The true time is between the estimated one divided and multiplied by this.
+    processes : int
+        How many cut at once: all else is what one of them takes.
+    """
+
+    trajectory: float = 8.84e-07
+    pixel: float = 5.35e-08
+    meeting: float = 5.27e-09
+    block: float = 0.00054
+    test: float = 5.69e-07
+    cell: float = 7.91e-07
+    record: float = 2.56e-08
+    factor: float = 3.0
+    processes: int = 1
+
+    @property
+    def constants(self) -> np.ndarray:
+        """(7,) float64 ndarray : what the units of `Work.amounts` cost, in its order."""
+        return np.array([self.trajectory, self.pixel, self.meeting, self.block, self.test, self.cell, self.record])
+
+    def seconds(self, work: Work, growth: float = 1.0) -> float:
+        """Return how long work takes, s, in an image of `growth` times as many pixels."""
+        alone = float((work.amounts(growth) * self.constants).sum())
+        return shared_seconds(alone, max(1, min(self.processes, int(work.bands))))
+
+
+USUAL = Speed()
 
 
 def measure_speed(clock: Callable[[], float] = processor_clock, going_on: Callable[[], object] = lambda: None) -> Speed:
@@ -80,7 +133,7 @@ def fit_speed(amounts: np.ndarray, seconds: np.ndarray) -> Speed:
     seconds : (k,) ndarray
         What they took.
     """
-    default = Speed().constants
+    default = USUAL.constants
     factor = float(np.median(seconds / (amounts @ default)))
     usual = factor * default
     rows = np.vstack((amounts * usual / seconds[:, None], _RIDGE * np.eye(len(usual))))
