@@ -350,7 +350,7 @@ def test_marks_with_another_text(small, zigzag_commands, damage, of):
     ("operations", 1e300), ("operations", -1), ("confidence", "NaN"), ("confidence", 1e308), ("length", {}), ("costs", []),
     ("costs", {"legacy": None}), ("costs", {"z-buffer": {"seconds": 1e300, "memory_bytes": "x"}}), ("strategy", 5),
     ("reason", "x"), ("reason", [{"code": "nowhere"}]), ("remarks", [[["x"]]]), ("cautions", [{"code": 1}]), ("fingerprint", None),
-    ("remarks", [{"code": "verbatim", "arguments": {"text": "\ud83d"}}]), ("text", "\udc00"), ("own", ["\udc00"]),
+    ("remarks", [{"code": "not-analysed", "arguments": {"error": "\ud83d"}}]), ("text", "\udc00"), ("own", ["\udc00"]),
     ("outdated", "no"), ("called", {"a": 1}), ("trajectories", True), ("machining", "1"), ("text", 5), ("own", 7),
 ])  # fmt: skip
 def test_marks_with_another_entry(small, zigzag_commands, name, value):

@@ -16,7 +16,7 @@ from vkworkbench import freecad, preferences
 from vkworkbench.core import Strategy
 from vkworkbench.core.simulators import Caution
 from vkworkbench.document import fingerprint, mark_properties, mark_text, marking, marks, watcher
-from vkworkbench.language import ENGLISH, Message, render
+from vkworkbench.language import ENGLISH, Message
 
 refresh = partial(marks.refresh, path_changed=True, setting_changed=True)
 
@@ -88,51 +88,6 @@ def test_codes_survive_a_file(small, zigzag_commands, tmp_path):
     (op,) = document.getObjectsByLabel("Zigzag")
     assert marks.read(op) == before
     FreeCAD.closeDocument(document.Name)
-
-
-# What the version before wrote.
-BEFORE = {
-    "ToolpathStrategy": ("String", "zigzag"), "ToolpathConfidence": ("Float", 0.9732), "ToolpathReason": ("String", "rows"),
-    "ToolpathRemark": ("String", "a remark"), "ToolpathMessages": ("String", '{"reason": [], "remarks": []}'),
-    "ToolpathTrajectories": ("Integer", 40), "ToolpathLength": ("Float", 1601.38), "ToolpathSimulator": ("String", "z-buffer"),
-    "ToolpathSeconds": ("Float", 0.19), "ToolpathFactor": ("Float", 2.5), "ToolpathMemory": ("Float", 1e7),
-    "ToolpathFingerprint": ("String", "a:b"),
-}  # fmt: skip
-
-
-def mark_as_before(obj, *, strategy=True):
-    for name, (kind, value) in BEFORE.items():
-        if strategy or name not in ("ToolpathStrategy", "ToolpathConfidence", "ToolpathReason"):
-            obj.addProperty(f"App::Property{kind}", name, "Toolpath analysis", "", 9)
-            setattr(obj, name, value)
-    obj.Label2 = "mine ⟦zigzag 97% · about 191 ms · 10 MB · a remark⟧ too" if strategy else "⟦1 operation · 1 s · 2 MB⟧"
-
-
-@pytest.mark.parametrize("then", ["clear", "mark", "outdated"])
-def test_a_mark_of_the_version_before_is_read_replaced_and_cleared(small, zigzag_commands, then):
-    op = small.add("Zigzag", zigzag_commands)
-    mark_as_before(op)
-    mark_as_before(small.job, strategy=False)
-    own = marks.read(op)
-    assert (own.strategy, own.confidence, own.trajectories) == (Strategy.ZIGZAG, 0.9732, 40)
-    assert own.cost("z-buffer") == (0.19, 1e7) and own.factor("z-buffer") == 2.5 and not own.outdated
-    assert [render(message) for message in (*own.reason, *own.remarks)] == ["rows", "a remark"]
-    assert marks.read(small.job).strategy is None and marks.words_of(op) == "mine too"
-    small.job.ToolpathFingerprint = "a:b c:d"
-    assert (own.operations, marks.read(small.job).operations) == (1, 2)
-    small.job.ToolpathFingerprint = "a:b"
-    if then == "clear":
-        assert vkworkbench.clear(small.document) == 2
-        assert op.Label2 == "mine too" and marked(small.document) == []
-        return
-    if then == "mark":
-        vkworkbench.mark(vkworkbench.analyze(small.document))
-        assert marks.read(op).reason[0].code == "rows" and not marks.is_outdated(op)
-    else:
-        watcher.check(small.document)
-        assert marks.is_outdated(op) and marks.is_outdated(small.job) and op.Label2.endswith("outdated⟧ too")
-    assert op.Label2.startswith("mine ⟦zigzag · ") and op.Label2.count("⟦") == 1
-    assert not any(hasattr(obj, name) for obj in (op, small.job) for name in BEFORE)
 
 
 DAMAGED = [

@@ -39,12 +39,6 @@ def test_all_that_is_kept_comes_back(changed):
     assert from_json(as_json(kept)) == kept
 
 
-def test_a_mark_that_was_made_before_names_were_kept():
-    data = json.loads(as_json(WHOLE))
-    del data["called"]
-    assert from_json(json.dumps(data)) == replace(WHOLE, called=None)
-
-
 @pytest.mark.parametrize(
     "name, value",
     [("length", -1.0), ("length", True), ("length", "9"), ("length", 1.1e15), ("confidence", 1.5), ("text", "\ud800"), ("length", float("inf")), ("machining", float("nan")),

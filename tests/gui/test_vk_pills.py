@@ -214,7 +214,7 @@ def test_tooltip_tells_why_and_how_much(marked, window):
         assert f"Simulating it alone in the {freecad.simulator_title(name)}: " in text
     window.see_all()
     window.screenshot("pill-tooltip")
-    obj.ToolpathMark = as_json(replace(known, remarks=(Message("verbatim", text="a <b>&c remark"),)))
+    obj.ToolpathMark = as_json(replace(known, remarks=(Message("not-analysed", error="a <b>&c remark"),)))
     assert "a &lt;b&gt;&amp;c remark" in tooltip(window, "Face")
 
 

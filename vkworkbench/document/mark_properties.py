@@ -36,16 +36,11 @@ _TYPES = {
     "SimulationTime": ("App::PropertyTime", QT_TRANSLATE_NOOP(
         "App::Property", "Estimated time of the simulation that the mark shows")),
 }  # fmt: skip
-# Those of the version before, by which a mark of it is known.
-BEFORE = tuple("Toolpath" + name for name in (
-    "Strategy", "Confidence", "Reason", "Remark", "Messages", "Trajectories", "Length", "Simulator", "Seconds", "Factor",
-    "Memory", "Fingerprint",
-))  # fmt: skip
 
 
 def may_have_mark(obj) -> bool:
-    """Whether an object has a property of a mark, of this version or of the one before."""
-    return any(hasattr(obj, name) for name in (MARK, *BEFORE))
+    """Whether an object has the property of a mark."""
+    return hasattr(obj, MARK)
 
 
 def kept(obj) -> str:
@@ -60,7 +55,7 @@ def ours(obj) -> list[str]:
     return [
         name
         for name in obj.PropertiesList
-        if name == MARK or name in BEFORE or name in written or (name in _TYPES and _group(obj, name) == GROUP)
+        if name == MARK or name in written or (name in _TYPES and _group(obj, name) == GROUP)
     ]
 
 

@@ -14,13 +14,12 @@ from typing import Any
 
 from vkworkbench import preferences
 from vkworkbench.core import Strategy
-from vkworkbench.core.simulators import SIMULATORS, ZBUFFER, cost_from_data
+from vkworkbench.core.simulators import ZBUFFER
 from vkworkbench.document import mark_properties, record, session
 from vkworkbench.document.fingerprint import path_and_setting, path_fingerprint
-from vkworkbench.document.mark_text import CLOSING, OPENING, OUTDATED, PLAY, SEPARATOR, text_of
+from vkworkbench.document.mark_text import CLOSING, OPENING, PLAY, SEPARATOR, text_of
 from vkworkbench.document.operations import find, fixtures_of
 from vkworkbench.document.record import Record
-from vkworkbench.language import Message
 from vkworkbench.preferences import Preferences
 from vkworkbench.report import OperationReport, total_of
 
@@ -34,7 +33,7 @@ _LIKE_A_MARK = re.compile(
 
 def read(obj) -> Record | None:
     """Return what a mark says, None where an object has none that this version understands."""
-    known = record.from_json(mark_properties.kept(obj)) or _of_the_version_before(obj)
+    known = record.from_json(mark_properties.kept(obj))
     return known and replace(known, label=obj.Label)
 
 
@@ -77,32 +76,6 @@ def _segments(obj) -> Iterator[tuple[int, int]]:
         text = bracket.group(1)
         if text == written or (_LIKE_A_MARK.fullmatch(text) and text not in own):
             yield bracket.span()
-
-
-def _of_the_version_before(obj) -> Record | None:
-    """Return what a mark of the version before says."""
-    try:
-        costs = {}
-        if obj.ToolpathMemory:
-            data = {"seconds": obj.ToolpathSeconds, "memory_bytes": obj.ToolpathMemory, "factor": obj.ToolpathFactor,
-                    "stock_bytes": 0.0}  # fmt: skip
-            costs[SIMULATORS[0].name] = cost_from_data(SIMULATORS[0].name, data)
-        strategy = getattr(obj, "ToolpathStrategy", None)
-        reason, remark = getattr(obj, "ToolpathReason", ""), obj.ToolpathRemark
-        return Record(
-            strategy=strategy and Strategy(strategy),
-            confidence=float(getattr(obj, "ToolpathConfidence", 0.0)),
-            reason=(Message("verbatim", text=str(reason)),) if reason else (),
-            remarks=(Message("verbatim", text=str(remark)),) if remark else (),
-            operations=len(obj.ToolpathFingerprint.split()) if strategy is None else 1,
-            trajectories=int(obj.ToolpathTrajectories),
-            length=float(obj.ToolpathLength),
-            costs=costs if getattr(obj, "ToolpathSimulator", "") == SIMULATORS[0].name else {},
-            fingerprint=str(obj.ToolpathFingerprint),
-            outdated=f"{SEPARATOR}{OUTDATED}{CLOSING}" in obj.Label2,
-        )
-    except (AttributeError, LookupError, TypeError, ValueError):
-        return None
 
 
 def write(obj, report: OperationReport, chosen: Preferences, *, outdated: bool = False) -> None:

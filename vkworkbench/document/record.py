@@ -15,7 +15,7 @@ from vkworkbench.core.simulators import SIMULATORS, Caution, Cost, Costs, cost_a
 from vkworkbench.language import Message, render
 from vkworkbench.report import HANGS, SERIOUS, OperationReport, Total, has_unknown_cost
 
-_FORMAT = 2  # 1 was twelve properties
+_FORMAT = 2  # 1 was never released
 _LARGEST = 1e15  # of what an analysis finds, in any unit
 
 
@@ -176,7 +176,7 @@ def from_json(text: str) -> Record | None:
             machining_seconds=_or_none(data["machining"]),
             left_out=_messages(data["left_out"]),
             stepover=_or_none(data["stepover"]),
-            called=data.get("called") and str(data["called"]),  # the first of this format did not keep it
+            called=data["called"] and str(data["called"]),
             incomplete=bool(data["incomplete"]),
             costs=_costs(data["costs"]),
             fingerprint=str(data["fingerprint"]),

@@ -6,7 +6,6 @@ from __future__ import annotations
 from vkworkbench.language.marking import QT_TRANSLATE_NOOP
 
 OPERATIONS: dict[str, str | tuple[str, str]] = {
-    "verbatim": "{text}",  # what was written by a version without codes
     "of": QT_TRANSLATE_NOOP("Sentences", "{label}: {sentence}"),
     "inactive": QT_TRANSLATE_NOOP("Sentences", "inactive: switch it on and recompute it"),
     "no-toolpath": QT_TRANSLATE_NOOP("Sentences", "no toolpath: recompute the operation and see FreeCAD's report view"),
