@@ -146,17 +146,7 @@ def _print_reliability(answers) -> None:
 
 def path_through(points: np.ndarray) -> Toolpath:
     """Return a toolpath that cuts through all points (n+1, 2)."""
-    n = len(points) - 1
-    return Toolpath(
-        points=np.column_stack([points, np.zeros(n + 1)]),
-        rapid=np.zeros(n, bool),
-        command=np.arange(n),
-        feed=np.ones(n),
-        sweep=np.zeros(n),
-        plane=np.full(n, 17, np.uint8),
-        cycle=np.zeros(n, bool),
-        commands=n,
-    )
+    return Toolpath.through(np.column_stack([points, np.zeros(len(points))]))
 
 
 def zigzag(n: int) -> Toolpath:

@@ -241,19 +241,7 @@ def papers_case() -> tuple[Toolpath, Tool, Stock]:
         x = np.linspace(0, 100, 192)[:: 1 if k % 2 == 0 else -1]
         y = np.full(192, 80 * k / (rows - 1))
         points.append(np.column_stack((x, y, 15 + 3 * np.sin(x / 12) * np.cos(y / 15))))
-    points = np.concatenate(points)
-    n = len(points) - 1
-    toolpath = Toolpath(
-        points,
-        np.zeros(n, bool),
-        np.arange(n),
-        np.full(n, 10.0),
-        np.zeros(n),
-        np.full(n, 17, np.uint8),
-        np.zeros(n, bool),
-        n,
-    )
-    return toolpath, Tool("ballend", 6), Stock((0, 0, 0), (100, 80, 20))
+    return Toolpath.through(np.concatenate(points)), Tool("ballend", 6), Stock((0, 0, 0), (100, 80, 20))
 
 
 def print_papers_case() -> None:

@@ -13,10 +13,7 @@ PLATE, BLOCK = Stock((0, 0, 0), (80, 80, 10)), Stock((0, 0, 0), (100, 80, 20))
 
 def toolpath(points: np.ndarray) -> Toolpath:
     """The moves from point to point (n+1, 3), those of no length left out."""
-    points = points[np.append(True, (np.diff(points, axis=0) != 0).any(axis=1))]
-    n = len(points) - 1
-    none = np.zeros(n, bool)
-    return Toolpath(points, none, np.arange(n), np.full(n, 10.0), np.zeros(n), np.full(n, 17, np.uint8), none, n)
+    return Toolpath.through(points[np.append(True, (np.diff(points, axis=0) != 0).any(axis=1))])
 
 
 def zigzag(trajectories: int) -> Toolpath:

@@ -87,3 +87,14 @@ def test_a_dwell_is_missing_in_the_time_alone_and_a_turned_axis_in_the_way_too()
     dwell, turned = Problem(4, Message("dwell-untimed")), Problem(4, Message("rotary-not-read", letter="A"))
     assert dwell.of_time and dwell.takes_time
     assert turned.takes_time and not turned.of_time
+
+
+def test_cuts_through_points_are_what_linearize_makes_of_them():
+    points = [(0.0, 0.0, 5.0), (10.0, 0.0, 5.0), (10.0, 8.0, 4.0)]
+    commands = [("G1", {**dict(zip("XYZ", point)), "F": 10.0}) for point in points]
+    made, read = Toolpath.through(points), linearize(commands)
+    for name in ("points", "rapid", "feed", "sweep", "plane", "cycle"):
+        ours, theirs = getattr(made, name), getattr(read, name)
+        assert np.array_equal(ours, theirs) and ours.dtype == theirs.dtype
+    assert made.command.tolist() == [0, 1] and made.commands == 2
+    assert len(Toolpath.through([])) == len(Toolpath.through([(1, 2, 3)])) == 0

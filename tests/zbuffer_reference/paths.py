@@ -34,10 +34,7 @@ BOX = Stock((0, 0, 0), (40, 30, 10))
 ROUND = ConvexStock.cylinder((20, 15, 0), radius=15, height=9, sides=24)
 
 
-def toolpath(points):
-    n = len(points) - 1
-    none = np.zeros(n, bool)
-    return Toolpath(points, none, np.arange(n), np.full(n, 10.0), np.zeros(n), np.full(n, 17, np.uint8), none, n)
+toolpath = Toolpath.through
 
 
 def free(rng, n):

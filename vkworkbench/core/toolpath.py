@@ -124,6 +124,30 @@ class Toolpath:
     comments: tuple[tuple[int, str], ...] = ()
     problems: tuple[Problem, ...] = ()
 
+    @classmethod
+    def through(cls, points: Sequence[Sequence[float]] | np.ndarray, *, feed: float = 10.0) -> Toolpath:
+        """Return the toolpath that cuts straight from point to point, each trajectory a command of its own.
+
+        Parameters
+        ----------
+        points : (n+1, 3) array_like
+            mm; none is where the one before it is.
+        feed : float
+            mm/s.
+        """
+        points = np.array(points, float).reshape(-1, 3)
+        count = max(len(points) - 1, 0)
+        return cls(
+            points,
+            rapid=np.zeros(count, bool),
+            command=np.arange(count),
+            feed=np.full(count, feed),
+            sweep=np.zeros(count),
+            plane=np.full(count, 17, np.uint8),
+            cycle=np.zeros(count, bool),
+            commands=count,
+        )
+
     def __len__(self) -> int:
         """Return the number of trajectories."""
         return len(self.rapid)

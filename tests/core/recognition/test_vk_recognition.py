@@ -26,13 +26,9 @@ def cut(points, rapid=()):
     points = np.asarray(points, float)
     if points.shape[1] == 2:
         points = np.column_stack([points, np.zeros(len(points))])
-    n = len(points) - 1
-    fast = np.zeros(n, bool)
-    fast[list(rapid)] = True
-    return Toolpath(
-        points=points, rapid=fast, command=np.arange(n), feed=np.ones(n), sweep=np.zeros(n),
-        plane=np.full(n, 17, np.uint8), cycle=np.zeros(n, bool), commands=n,
-    )  # fmt: skip
+    path = Toolpath.through(points)
+    path.rapid[list(rapid)] = True
+    return path
 
 
 def raster(rows=20, length=50.0, step=2.0):

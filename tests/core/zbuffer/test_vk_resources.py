@@ -36,18 +36,7 @@ TOP, TILTED, ISOMETRIC = (0, 0, -1), (0, 0.5, -0.866), (1, 1, -0.816)
 
 
 def path(points):
-    points = np.array(points, float).reshape(-1, 3)
-    n = max(0, len(points) - 1)
-    return Toolpath(
-        points,
-        np.zeros(n, bool),
-        np.arange(n),
-        np.full(n, 10.0),
-        np.zeros(n),
-        np.full(n, 17, np.uint8),
-        np.zeros(n, bool),
-        n,
-    )
+    return Toolpath.through(points)
 
 
 def zigzag(step=3.0, levels=(16, 12), chords=1):

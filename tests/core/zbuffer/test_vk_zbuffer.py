@@ -30,20 +30,10 @@ VIEWS = {
 
 
 def path(points, rapid=()):
-    points = np.array(points, float).reshape(-1, 3)
-    n = max(0, len(points) - 1)
-    fast = np.zeros(n, bool)
-    fast[list(rapid)] = True
-    return Toolpath(
-        points,
-        fast,
-        np.arange(n),
-        np.where(fast, 0, 10.0),
-        np.zeros(n),
-        np.full(n, 17, np.uint8),
-        np.zeros(n, bool),
-        n,
-    )
+    path = Toolpath.through(points)
+    path.rapid[list(rapid)] = True
+    path.feed[path.rapid] = 0
+    return path
 
 
 def cut(points, tool=TOOLS[0], stock=STOCK, direction=(0, 0, -1), width=400, height=300):

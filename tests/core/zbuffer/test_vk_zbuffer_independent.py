@@ -74,17 +74,7 @@ def test_every_point_has_the_same_owner(tool, kind):
     for direction in DIRECTIONS[(len(kind) + TOOLS.index(tool)) % 2 :: 2]:
         stock = (BOX, ROUND)[rng.integers(2)]
         points = random_moves(kind, rng)
-        n = len(points) - 1
-        toolpath = Toolpath(
-            points,
-            np.zeros(n, bool),
-            np.arange(n),
-            np.full(n, 10.0),
-            np.zeros(n),
-            np.full(n, 17, np.uint8),
-            np.zeros(n, bool),
-            n,
-        )
+        toolpath = Toolpath.through(points)
         z = simulate(toolpath, tool=tool, stock=stock, view=View(direction, 8, 6))
         at, found = sampled(z)
         expected = owners(points, tool, at)

@@ -156,14 +156,14 @@ def _square(side: int, direction: tuple[float, float, float] = _TOP) -> View:
 def _rows(count: int) -> Toolpath:
     """Straight rows to and fro at one height, an even number of them."""
     x, y = np.tile([8.0, 52.0, 52.0, 8.0], count // 2), np.repeat(np.linspace(8, 52, count), 2)
-    return _toolpath(np.column_stack((x, y, np.full(len(x), 15.0))))
+    return Toolpath.through(np.column_stack((x, y, np.full(len(x), 15.0))))
 
 
 def _loops(count: int) -> Toolpath:
     """Circles from the outside inwards, of chords of 5 degrees."""
     angles = np.linspace(0, 2 * np.pi, 73)
     radius, angle = np.repeat(np.linspace(22, 6, count), len(angles)), np.tile(angles, count)
-    return _toolpath(
+    return Toolpath.through(
         np.column_stack((30 + radius * np.cos(angle), 30 + radius * np.sin(angle), np.full(len(angle), 12.0)))
     )
 
@@ -172,19 +172,4 @@ def _surface(count: int) -> Toolpath:
     """Rows to and fro over waves, an even number of them."""
     row = np.linspace(0, 60, 31)
     x, y = np.tile(np.concatenate((row, row[::-1])), count // 2), np.repeat(np.linspace(0, 60, count), len(row))
-    return _toolpath(np.column_stack((x, y, 13 + 3 * np.sin(x / 9) * np.cos(y / 11))))
-
-
-def _toolpath(points: np.ndarray) -> Toolpath:
-    count = len(points) - 1
-    none = np.zeros(count, bool)
-    return Toolpath(
-        points,
-        rapid=none,
-        command=np.arange(count),
-        feed=np.ones(count),
-        sweep=np.zeros(count),
-        plane=np.full(count, 17, np.uint8),
-        cycle=none,
-        commands=count,
-    )
+    return Toolpath.through(np.column_stack((x, y, 13 + 3 * np.sin(x / 9) * np.cos(y / 11))))
