@@ -9,12 +9,13 @@ import pytest
 
 from vkworkbench.core import Machining, Span, Strategy
 from vkworkbench.language import Message
-from vkworkbench.report import Report, without_results
+from vkworkbench.report import Report, SimulationFacts, without_results
 from vkworkbench.report.text_table import printable
 
 KNOWN = Machining(100.0, 20.0, -1.0, 1.0, 10.0, 2.0, ())
 PARTLY = replace(KNOWN, rapid_seconds=None, left_out=(Message("rapids-not-told", length=20.0),))
 JOB = "Doc", "Job"
+FIRST, SECOND, JOINT = object(), object(), object()  # what simulations told
 
 
 def operation(label, machining=KNOWN, **other):
@@ -60,6 +61,28 @@ def test_a_job_that_is_posted_for_several_fixtures_takes_so_many_times_longer():
     once, thrice = report(operation("One")), report(operation("One"), fixtures={JOB: 3})
     assert (once.totals[0].machining_seconds, thrice.totals[0].machining_seconds) == (12.0, 36.0)
     assert once.totals[0].length == thrice.totals[0].length
+
+
+@pytest.mark.parametrize(
+    "other, incomplete", [({}, True), ({"trajectories": 0}, False), ({"strategy": Strategy.EMPTY}, False)]
+)
+def test_a_total_lacks_the_cost_of_what_cuts(other, incomplete):
+    strategy = other.pop("strategy", Strategy.UNKNOWN)
+    row = operation("One")
+    row = replace(row, recognition=replace(row.recognition, strategy=strategy), **other)
+    assert report(row).totals[0].incomplete is incomplete
+
+
+def test_what_a_simulation_told_of_a_job_is_told_where_all_that_cuts_was_simulated():
+    told = report(operation("One"), operation("Two"), replace(operation("Stop"), trajectories=0))
+    both = SimulationFacts(
+        (("One", FIRST), ("Two", SECOND)), JOINT, (("Doc", "One"), ("Doc", "Two")), ("", ""), trajectories={}
+    )
+    whole = told.with_facts(both)
+    assert [row.simulated for row in whole.operations] == [FIRST, SECOND, None] and whole.totals[0].simulated is JOINT
+    one = replace(both, operations=both.operations[:1], names=both.names[:1], fingerprints=both.fingerprints[:1])
+    partly = told.with_facts(one)
+    assert [row.simulated for row in partly.operations] == [FIRST, None, None] and partly.totals[0].simulated is None
 
 
 def test_a_total_without_any_cost_takes_nothing_that_is_known():

@@ -3,7 +3,8 @@
 
 from __future__ import annotations
 
-from vkworkbench.core.recognition.recognition import Recognition, Span
+from vkworkbench.core.recognition.operation import spans_of
+from vkworkbench.core.recognition.recognition import Recognition
 from vkworkbench.core.strategy import Strategy
 from vkworkbench.core.toolpath import Toolpath
 from vkworkbench.language import Message
@@ -11,5 +12,5 @@ from vkworkbench.language import Message
 
 def unknown(toolpath: Toolpath, why: Message) -> Recognition:
     """Return that a toolpath's strategy is unknown, with the reason; it has at least one trajectory."""
-    first, last = int(toolpath.command[0]), int(toolpath.command[-1])
-    return Recognition(Strategy.UNKNOWN, 0.0, why, (Span(0, len(toolpath) - 1, first, last, Strategy.UNKNOWN, 1.0),))
+    spans = spans_of(toolpath, [(0, len(toolpath) - 1, Strategy.UNKNOWN)])
+    return Recognition(Strategy.UNKNOWN, 0.0, why, spans)
