@@ -20,7 +20,8 @@ HERE = Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE.parent), str(HERE)]
 sys.modules.setdefault("FreeCAD", types.ModuleType("FreeCAD"))  # the names that fit need none
 
-from recognition import key, records
+from recognition import records
+from records import key
 
 from vkworkbench.core import Strategy
 from vkworkbench.core.recognition import recognize

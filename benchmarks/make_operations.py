@@ -3,7 +3,7 @@
 
     VKWORKBENCH_OPERATIONS=OUT.jsonl.gz freecadcmd $PWD/benchmarks/make_operations.py
 
-Writes a JSON record per line, as recognition.py reads them: the strategy is that of the operation's class and
+Writes a JSON record per line, as records.py tells them: the strategy is that of the operation's class and
 pattern, never of its path. Tools, steps, angles, sides and starts are random, but from a fixed seed. Operations that
 FreeCAD fails on or leaves empty are counted by name. 3D Surface and Waterline need OpenCAMLib.
 """

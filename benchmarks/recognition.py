@@ -4,13 +4,10 @@
 
     python3 benchmarks/recognition.py [FILE.jsonl.gz ...] [--programs PROGRAMS.jsonl.gz] [--sources | --speed]
 
-Each line of a FILE is a JSON record: label, strategy, accept (the strategies that count as right),
-tool_diameter (mm or null) and commands ([name, parameters], mm and mm/s); where there are params with
-FreeCAD's StepOver (percent of the tool's diameter), the stepover is compared with it. Toolpaths that are the
-same to a micrometre count once. Operations of FILE are also joined to pairs, one file of PROGRAMS holds whole programs with
-their sections (records.py tells its form), and toolpaths/nonsense.py makes paths that machine nothing. What FILE holds was
-learned from; --sources prints instead how good verdicts are on sources that had no part in it, some minutes; --speed the
-cost alone.
+FILE holds operations, PROGRAMS whole programs with their sections; records.py tells their forms. Toolpaths that are the
+same to a micrometre count once. Operations of FILE are also joined to pairs, and toolpaths/nonsense.py makes paths that
+machine nothing. What FILE holds was learned from; --sources prints instead how good verdicts are on sources that had no part
+in it, some minutes; --speed the cost alone.
 Without files those of toolpaths/synthetic.py and strokes.py are taken. Needs numpy only.
 """
 
@@ -18,9 +15,6 @@ from __future__ import annotations
 
 import argparse
 import collections
-import gzip
-import hashlib
-import json
 import sys
 import time
 from pathlib import Path
@@ -32,6 +26,7 @@ sys.path[:0] = [str(HERE.parent), str(HERE)]
 
 import sources
 import whole_programs
+from records import key, lines, stepover_of
 from reliability import how_sure, two_class
 
 from toolpaths import strokes, synthetic
@@ -46,14 +41,9 @@ SEEDS = 20  # synthetic toolpaths of each kind
 def records(files: list[str]):
     """Yield (label, strategy, accepted strategies, tool diameter, stepover or None in mm, toolpath)."""
     for file in files:
-        opened = gzip.open(file, "rt") if file.endswith(".gz") else open(file)
-        with opened as lines:
-            for line in lines:
-                r = json.loads(line)
-                path = linearize([(name, words) for name, words in r["commands"]])
-                percent = r.get("params", {}).get("StepOver")
-                stepover = percent / 100 * r["tool_diameter"] if percent and r["tool_diameter"] else None
-                yield r["label"], r["strategy"], set(r["accept"]), r["tool_diameter"], stepover, path
+        for r in lines(file):
+            path = linearize([(name, words) for name, words in r["commands"]])
+            yield r["label"], r["strategy"], set(r["accept"]), r["tool_diameter"], stepover_of(r), path
     if not files:
         for label, accepted, make in (*synthetic.SAMPLES, *strokes.SAMPLES):
             # The strategy a label names decides the two-class figure only where all accepted ones agree on
@@ -62,11 +52,6 @@ def records(files: list[str]):
             for seed in range(SEEDS):
                 rng = np.random.default_rng([seed, sum(map(ord, label))])
                 yield label, strategy, accepted, None, None, linearize(make(rng))
-
-
-def key(path: Toolpath) -> bytes:
-    """Return what two equal toolpaths have in common."""
-    return hashlib.sha1(np.round(path.points, 3).tobytes() + path.rapid.tobytes()).digest()
 
 
 def accuracy(files: list[str]) -> None:

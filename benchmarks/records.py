@@ -68,6 +68,12 @@ def system_of(r: dict) -> str:
     return re.split(r"[\s/(-]", r.get("source", "").lower())[0]
 
 
+def stepover_of(r: dict) -> float | None:
+    """Return what FreeCAD was told an operation's stepover is, in mm."""
+    percent = r.get("params", {}).get("StepOver")
+    return percent / 100 * r["tool_diameter"] if percent and r["tool_diameter"] else None
+
+
 def key(path: Toolpath) -> bytes:
     """Return what two equal toolpaths have in common."""
     return hashlib.sha1(np.round(path.points, 3).tobytes() + path.rapid.tobytes()).digest()
@@ -87,8 +93,6 @@ def operations(files: list[str]) -> Iterator[Record]:
             sections = ()
             if len(cutting):
                 sections = (Section(int(cutting[0]), int(cutting[-1]), r["label"], accepted),)
-            percent = r.get("params", {}).get("StepOver")
-            stepover = percent / 100 * r["tool_diameter"] if percent and r["tool_diameter"] else None
             yield Record(
                 r.get("id", ""),
                 group_of(r),
@@ -96,7 +100,7 @@ def operations(files: list[str]) -> Iterator[Record]:
                 r["strategy"],
                 accepted,
                 r["tool_diameter"],
-                stepover,
+                stepover_of(r),
                 path,
                 sections,
                 system_of(r),

@@ -29,7 +29,8 @@ import numpy as np
 HERE = Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE.parent), str(HERE)]
 
-from recognition import key, records
+from recognition import records
+from records import key
 
 from vkworkbench.core.paper import thresholds as of_paper
 from vkworkbench.core.recognition import thresholds as of_recognition
