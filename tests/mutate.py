@@ -92,12 +92,18 @@ def _mutable(tree: ast.AST) -> Iterator[ast.AST]:
             continue  # a docstring
         if isinstance(node, (ast.JoinedStr, ast.Raise)):
             continue  # wording
-        if isinstance(node, (ast.Tuple, ast.List)) and len(node.elts) > 2 and all(map(_is_number, node.elts)):
+        if isinstance(node, (ast.Tuple, ast.List)) and _is_row(node.elts):
             continue  # a colour, or a line of a table: a test could only repeat it
         yield node
         for name, value in ast.iter_fields(node):
             if name not in ("annotation", "returns", "decorator_list"):
                 todo += [one for one in (value if isinstance(value, list) else [value]) if isinstance(one, ast.AST)]
+
+
+def _is_row(elements: list[ast.expr]) -> bool:
+    """Whether three numbers and more stand there, and beside them at most names and other rows."""
+    numbers = sum(map(_is_number, elements))
+    return numbers > 2 and numbers + sum(isinstance(one, (ast.Name, ast.Starred)) for one in elements) == len(elements)
 
 
 def _is_number(node: ast.AST) -> bool:
