@@ -201,6 +201,27 @@ def test_the_name_stays_in_sight(panel, opened, window):
             action.trigger()
 
 
+def test_nothing_shines_through_the_name(panel, shipped, window):
+    chosen = [action for action in panel.columns.actions() if action.isCheckable() and not action.isChecked()]
+    try:
+        for action in chosen:
+            action.trigger()
+        bar, frozen = panel.tree.horizontalScrollBar(), panel.tree.findChild(QtGui.QTreeView, "frozen")
+        pictures = []
+        for value in (bar.maximum() // 2, bar.maximum()):
+            bar.setValue(value)
+            window.idle(0.4)
+            # Not of the view alone: the theme of FreeCAD 1.1 leaves its background to what is behind it.
+            place = QtCore.QRect(frozen.viewport().mapTo(window.main, QtCore.QPoint(0, 0)), frozen.viewport().size())
+            pictures.append(window.main.grab(place).toImage())
+        window.screenshot(f"panel-frozen-{shipped.replace(' ', '-')}")
+        assert pictures[0] == pictures[1]
+    finally:
+        bar.setValue(0)
+        for action in chosen:
+            action.trigger()
+
+
 def test_light_and_dark(panel, window, theme):
     Gui.activeView().viewIsometric()
     Gui.SendMsgToActiveView("ViewFit")

@@ -61,6 +61,12 @@ class FrozenTree(QTreeView):
             header.setContextMenuPolicy(Qt.CustomContextMenu)
             header.customContextMenuRequested.connect(lambda at, h=header: menu().exec_(h.mapToGlobal(at)))
 
+    def drawRow(self, painter, option, index) -> None:
+        """Paint no row below the first column: FreeCAD 1.1's own theme gives trees no background, so it shines through."""
+        if not self._above.isHidden():
+            painter.setClipRect(self.viewport().rect().adjusted(self.columnWidth(0), 0, 0, 0))
+        super().drawRow(painter, option, index)
+
     def scrollTo(self, index, hint=QAbstractItemView.EnsureVisible) -> None:
         """Scroll up and down only: what the user reads beside the name stays where it is."""
         sideways = self.horizontalScrollBar().value()
