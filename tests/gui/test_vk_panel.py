@@ -222,6 +222,25 @@ def test_nothing_shines_through_the_name(panel, shipped, window):
             action.trigger()
 
 
+def test_a_menus_arrow_stands_beside_its_text(panel, shipped, window):
+    def columns(one, other):
+        """Where two pictures differ."""
+        rows = range(one.height())
+        return [x for x in range(one.width()) if any(one.pixel(x, y) != other.pixel(x, y) for y in rows)]
+
+    buttons = [b for b in panel.filter.findChildren(QtGui.QToolButton) if b.isVisible() and b.menu() is not None]
+    assert len(buttons) == 2
+    for button in buttons:
+        menu, text, whole = button.menu(), button.text(), button.grab().toImage()
+        button.setMenu(None)
+        bare = button.grab().toImage()
+        button.setText("")
+        empty = button.grab().toImage()
+        button.setText(text)
+        button.setMenu(menu)
+        assert max(columns(bare, empty)) < min(columns(whole, bare))
+
+
 def test_light_and_dark(panel, window, theme):
     Gui.activeView().viewIsometric()
     Gui.SendMsgToActiveView("ViewFit")

@@ -6,7 +6,8 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 
 from vkworkbench.core import Strategy
-from vkworkbench.gui.qt import QCheckBox, QComboBox, QHBoxLayout, QLineEdit, QMenu, QToolButton, QWidget
+from vkworkbench.gui.menu_button import MenuButton
+from vkworkbench.gui.qt import QCheckBox, QComboBox, QHBoxLayout, QLineEdit, QMenu, QWidget
 from vkworkbench.gui.sentences import strategy_name
 from vkworkbench.gui.text import translate
 
@@ -42,11 +43,7 @@ class Filter(QWidget):
             row.addWidget(widget)
         row.addStretch()
         for menu in menus:
-            button = QToolButton()
-            button.setText(menu.title())
-            button.setMenu(menu)
-            button.setPopupMode(QToolButton.InstantPopup)
-            row.addWidget(button)
+            row.addWidget(MenuButton(menu.title(), menu))
         self.offer(set())
 
     @property

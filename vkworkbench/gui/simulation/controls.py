@@ -6,6 +6,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 
 from vkworkbench.core.zbuffer import TOLERANCE
+from vkworkbench.gui.menu_button import MenuButton
 from vkworkbench.gui.plain_text import OneLine, as_html
 from vkworkbench.gui.qt import (
     QAction,
@@ -237,12 +238,9 @@ class _Combo(QComboBox):
         painter.drawControl(QStyle.CE_ComboBoxLabel, option)
 
 
-def _menu(text: str, tooltip: str) -> QToolButton:
-    button = QToolButton()
-    button.setText(text)
+def _menu(text: str, tooltip: str) -> MenuButton:
+    button = MenuButton(text)
     button.setToolTip(tooltip)
-    button.setPopupMode(QToolButton.InstantPopup)
-    button.setMenu(QMenu(button))
     button.menu().setToolTipsVisible(True)
     return button
 
