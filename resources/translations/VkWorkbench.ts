@@ -1703,6 +1703,10 @@ at most</source>
         <source>Median move at feed</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>The filter lets no operation through.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Vk_Simulate</name>

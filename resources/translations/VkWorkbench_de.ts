@@ -1710,6 +1710,10 @@ höchstens</translation>
         <source>Median move at feed</source>
         <translation>Median der Bewegungen im Vorschub</translation>
     </message>
+    <message>
+        <source>The filter lets no operation through.</source>
+        <translation>Der Filter lässt keine Operation durch.</translation>
+    </message>
 </context>
 <context>
     <name>Vk_Simulate</name>

@@ -1710,6 +1710,10 @@ como mucho</translation>
         <source>Median move at feed</source>
         <translation>Movimiento mediano en avance de trabajo</translation>
     </message>
+    <message>
+        <source>The filter lets no operation through.</source>
+        <translation>El filtro no deja pasar ninguna operación.</translation>
+    </message>
 </context>
 <context>
     <name>Vk_Simulate</name>

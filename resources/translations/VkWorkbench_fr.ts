@@ -1710,6 +1710,10 @@ au plus</translation>
         <source>Median move at feed</source>
         <translation>Déplacement médian en avance de travail</translation>
     </message>
+    <message>
+        <source>The filter lets no operation through.</source>
+        <translation>Le filtre ne laisse passer aucune opération.</translation>
+    </message>
 </context>
 <context>
     <name>Vk_Simulate</name>

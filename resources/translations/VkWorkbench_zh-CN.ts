@@ -1710,6 +1710,10 @@ at most</source>
         <source>Median move at feed</source>
         <translation>进给移动的中位长度</translation>
     </message>
+    <message>
+        <source>The filter lets no operation through.</source>
+        <translation>没有符合筛选条件的操作。</translation>
+    </message>
 </context>
 <context>
     <name>Vk_Simulate</name>

@@ -312,6 +312,21 @@ def test_the_filter(panel, opened, window):
     assert set(labels(panel)) == signs
     panel.filter.warnings.setChecked(False)
     assert labels(panel) == ["Job", *strategies]
+    assert text_of(panel) == "Select an operation to read what it does and why."
+    window.type(panel.filter.words, "not in the job")
+    assert not labels(panel) and text_of(panel) == "The filter lets no operation through."
+
+
+def test_the_page_tells_what_to_do_without_a_document(window):
+    assert not FreeCAD.listDocuments()
+    document = FreeCAD.newDocument("Empty")
+    window.activate("VkWorkbench")
+    window.click("Toolpath results")
+    window.wait(lambda: dock(window) is not None and dock(window).isVisible())
+    window.wait(lambda: text_of(dock(window)).startswith("Nothing is analyzed yet"))
+    FreeCAD.closeDocument(document.Name)
+    window.wait(lambda: text_of(dock(window)).startswith("No document is open."))
+    dock(window).hide()
 
 
 def test_a_click_on_a_row_selects_the_operation(panel, opened, window):

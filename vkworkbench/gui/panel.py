@@ -237,8 +237,12 @@ class ResultsDock(QDockWidget):
         """Say what is known of the selected operation, or of several together."""
         rows = self._selected_rows()
         first, others = self.model.first, self.model.others
-        if not self.model.rows:
+        if FreeCAD.ActiveDocument is None:
+            text = lines(translate("Vk_Analyze", "No document is open. Open one with a job or a toolpath first."))
+        elif not self.model.rows:
             text = lines(translate("Vk_Results", "Nothing is analyzed yet in this document: click Analyze toolpaths."))
+        elif not self.order.rowCount():
+            text = lines(translate("Vk_Results", "The filter lets no operation through."))
         elif not rows:
             text = lines(translate("Vk_Results", "Select an operation to read what it does and why."))
         elif len(rows) == 1:
