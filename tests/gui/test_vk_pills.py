@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Pills in the tree: what they show and tell, in light and dark windows, what F2 edits, and how fast they come."""
 
+import re
 import time
 from dataclasses import replace
 from types import SimpleNamespace
@@ -67,7 +68,7 @@ def tooltip(window, label):
     event = QtGui.QHelpEvent(QtCore.QEvent.ToolTip, where, window.tree.viewport().mapToGlobal(where))
     QtGui.QApplication.sendEvent(window.tree.viewport(), event)
     window.wait(QtGui.QToolTip.isVisible)
-    return QtGui.QToolTip.text()
+    return QtGui.QToolTip.text().replace("\u00a0", " ")
 
 
 def luminance(color):
@@ -203,6 +204,7 @@ def test_text_beside_a_pill_is_readable(marked, window, theme):
 def test_tooltip_tells_why_and_how_much(marked, window):
     obj = labelled(marked, "Face")
     text = tooltip(window, "Face")
+    assert not re.search(r"\d (?:ms|s|min|h|mm|m|kB|MB)\b", QtGui.QToolTip.text())  # in one line
     known = marks.read(obj)
     (reason,) = known.reason
     assert plainly(reason)[1:].replace("<", "&lt;").replace(">", "&gt;") in text and "phi" not in text

@@ -6,6 +6,7 @@ Qt takes a text that begins like HTML for HTML: a label such as ``<img src='file
 
 from __future__ import annotations
 
+import re
 from html import escape
 
 from vkworkbench.gui.qt import (
@@ -21,6 +22,9 @@ from vkworkbench.gui.qt import (
     QWidget,
 )  # fmt: skip
 
+_BEFORE_UNIT = re.compile(r"(?<=\d) (?=(?:[^\W\d_]{1,3}|%)(?!\w))")
+_UNBROKEN = "\u00a0"
+
 
 def as_html(text: str) -> str:
     """Return HTML that shows a text as it is, for Qt to take as such: tooltips of models and widgets."""
@@ -33,8 +37,8 @@ def lines(text: str) -> str:
 
 
 def in_paragraph(html: str) -> str:
-    """Return a part of HTML as a tooltip that keeps its spaces."""
-    return f"<p style='white-space: pre-wrap'>{html}</p>" if html else ""
+    """Return a part of HTML as a tooltip that keeps its spaces, and a number and its unit in one line."""
+    return f"<p style='white-space: pre-wrap'>{_BEFORE_UNIT.sub(_UNBROKEN, html)}</p>" if html else ""
 
 
 def as_plain(label: QLabel) -> QLabel:
