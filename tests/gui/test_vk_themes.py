@@ -1,13 +1,16 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What is painted beside the pills, and the line over the view, in the looks that come with FreeCAD."""
+"""What is painted beside the pills, the line over the view, and the time line, in the looks that come with FreeCAD."""
 
 from collections import Counter
 
 from PySide import QtCore, QtGui
 
 from vkworkbench import freecad, preferences
+from vkworkbench.core import Stock
 from vkworkbench.document import marks
 from vkworkbench.gui import simulator_panels
+from vkworkbench.gui.simulation.part_view import PartView
+from vkworkbench.gui.simulation.time_line import TimeLine
 
 
 def luminance(color):
@@ -55,3 +58,21 @@ def test_the_line_over_the_view_is_readable(shipped, marked, window):
         preferences.write(time_budget=600.0)
         simulator_panels.close()
         window.idle(0.3)
+
+
+def test_the_moment_is_seen_on_the_time_line(shipped, window):
+    line, part = TimeLine(window.main), PartView(Stock((0, 0, 0), (1, 1, 1)), (0, 0, -1), window.main)
+    try:
+        line.setGeometry(0, 0, 300, 80)
+        line.show_job((), 10.0)
+        line.show_moment(5.0)
+        line.show()
+        window.idle()
+        image = line.grab().toImage()
+        assert contrast_of_text(image) >= 4.5
+        assert image.pixelColor(20, 20).getRgb()[:3] == part.background  # one on what the other is
+    finally:
+        for widget in (line, part):
+            widget.hide()
+            widget.setParent(None)
+            widget.deleteLater()

@@ -1,14 +1,15 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Colours of the Gauss map, readable on what is drawn behind them."""
+"""Colours that are readable on what is drawn behind them: those of the Gauss map, and what texts are drawn on."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 
-from vkworkbench.gui.qt import QColor
+from vkworkbench.gui.qt import QColor, QPalette
 
 _TEXT, _LINE = 4.6, 3.1  # contrasts, a little above what WCAG 2.1 asks of texts and of lines
 _STEP = 0.04  # of the way to white or to black
+_LIGHT, _DARK = QColor("#ffffff"), QColor("#1e1e1e")
 
 
 @dataclass(frozen=True)
@@ -53,6 +54,17 @@ def readable(ink: QColor, back: QColor, least: float = _TEXT) -> str:
         mixed = [min(a + (b - a) * share, 1.0) for a, b in zip(ink.getRgbF()[:3], end.getRgbF()[:3])]
         ink = QColor.fromRgbF(*mixed)
     return ink.name()
+
+
+def paper(palette: QPalette) -> QColor:
+    """Return what a widget paints its text on: its own base, where the text can be read on it.
+
+    A style sheet may set the colour of texts alone, as that of FreeCAD 1.1's themes does: light ones, and the base is white.
+    """
+    text, own = palette.text().color(), palette.base().color()
+    if contrast(text, own) >= _LINE:
+        return own
+    return max((_LIGHT, _DARK), key=lambda color: contrast(text, color))
 
 
 def contrast(one: QColor, other: QColor) -> float:

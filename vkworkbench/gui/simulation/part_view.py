@@ -9,6 +9,7 @@ import numpy as np
 
 from vkworkbench.core import Frame, Stock, Tool, View
 from vkworkbench.core.rendering import Points, Scene, project, tool_outline, turned
+from vkworkbench.gui.gauss_theme import paper
 from vkworkbench.gui.qt import (
     QApplication,
     QColor,
@@ -75,7 +76,7 @@ class PartView(QWidget):
 
     @property
     def background(self) -> tuple[int, int, int]:
-        return self.palette().base().color().getRgb()[:3]
+        return paper(self.palette()).getRgb()[:3]
 
     @property
     def view(self) -> View:

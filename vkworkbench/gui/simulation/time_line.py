@@ -9,6 +9,7 @@ from functools import partial
 
 import numpy as np
 
+from vkworkbench.gui.gauss_theme import paper
 from vkworkbench.gui.plain_text import lines, show_tooltip
 from vkworkbench.gui.qt import (
     QApplication,
@@ -182,7 +183,8 @@ class TimeLine(KeyedWidget):
     def _paint(self, painter: QPainter) -> None:
         painter.setRenderHint(QPainter.Antialiasing)
         palette = self.palette()
-        painter.fillRect(self.rect(), palette.base())
+        behind = paper(palette)
+        painter.fillRect(self.rect(), behind)
         text = palette.text().color()
         self._paint_curve(painter, text)
         top = self._curve_height + _AIR
@@ -192,7 +194,7 @@ class TimeLine(KeyedWidget):
                 continue
             place = QRectF(left, top, max(right - left, 1.0), _BLOCKS)
             painter.fillRect(place, QColor(block.color))
-            painter.setPen(palette.base().color())
+            painter.setPen(behind)
             painter.drawLine(place.topLeft(), place.bottomLeft())
             painter.setPen(QColor("#ffffff"))
             label = painter.fontMetrics().elidedText(block.label, Qt.ElideRight, int(place.width()) - 6)
