@@ -68,13 +68,13 @@ def _mark(document, operations: list[OperationReport]) -> int:
     return len(marked)
 
 
-def clear(what=None) -> int:
+def clear(what=...) -> int:
     """Remove all marks of a document, a job or operations, one undo step a document; nothing else changes.
 
     Parameters
     ----------
     what : Document, DocumentObject, or iterable of them, optional
-        The active document if None.
+        Without it the active document.
 
     Returns
     -------
@@ -84,11 +84,11 @@ def clear(what=None) -> int:
     Raises
     ------
     ValueError
-        If `what` is None and no document is open.
+        If it is left out and no document is open.
     ReferenceError
         If an object of it was deleted, or its document closed.
     TypeError
-        If `what` is something else.
+        If `what` is something else, also None, as of a name that is not there.
     """
     marked: dict[str, dict] = {}
     for obj in _with_jobs(or_active_document(what)):

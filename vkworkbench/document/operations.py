@@ -134,18 +134,16 @@ def is_group(obj) -> bool:
 
 
 def or_active_document(what):
-    """Return what somebody asked for, the active document where that is None.
+    """Return what somebody asked for, the active document where nothing was: where it is ``...``, as a default is.
 
     Raises
     ------
     ValueError
         Where no document is open.
     """
-    if what is None:
-        what = FreeCAD.ActiveDocument
-    if what is None:
+    if FreeCAD.ActiveDocument is None and (what is None or what is ...):
         raise ValueError("no document is open: open one with a job or a toolpath")
-    return what
+    return FreeCAD.ActiveDocument if what is ... else what
 
 
 def find(what) -> list[Operation]:
@@ -209,6 +207,8 @@ def _find(what, jobs: dict) -> Iterator[Operation]:
     elif isinstance(what, Iterable) and not isinstance(what, (str, bytes)):
         for one in what:
             yield from _find(one, jobs)
+    elif what is None:
+        raise TypeError("None has no toolpath: getObject gives it for a name that is not there")
     else:
         raise TypeError(f"only a document, a job or operations have toolpaths, not {type(what).__name__}")
 
