@@ -171,6 +171,16 @@ def test_costs_by_their_own_names_are_those_of_the_table():
     assert (without.legacy, without.opengl, without.accuracy) == (None, None, None)
 
 
+def test_a_mistyped_name_is_no_simulator_whose_cost_is_not_known():
+    operation = row(())
+    total = Report((operation,), {("D", "Job"): "Job"}, {"memory_bytes": 1e9, "seconds": 1e3}).totals[0]
+    for of in (operation, total):
+        assert of.cost("OpenGL") is None and of.factor("OpenGL") == 1.0
+        for ask in (of.cost, of.factor):
+            with pytest.raises(ValueError, match="no simulator 'opengl': choose among z-buffer, legacy, OpenGL"):
+                ask("opengl")
+
+
 def test_a_freecad_without_it_says_nothing_of_it(wireframe):
     operation = row((1, 1))
     assert set(operation.costs) == {"z-buffer", "legacy", "OpenGL"}

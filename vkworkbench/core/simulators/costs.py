@@ -60,14 +60,25 @@ class Costs:
         simulator : str
             Name of a simulator: ``"z-buffer"``, ``"legacy"``, which runs in fast-forward, or ``"OpenGL"``, at its
             highest speed.
+
+        Raises
+        ------
+        ValueError
+            If there is no simulator of that name.
         """
-        cost = self.costs.get(simulator)
+        cost = self._of(simulator)
         return None if cost is None else (cost.seconds, float(cost.memory_bytes))
 
     def factor(self, simulator: str) -> float:
         """Return the factor of the time of :meth:`cost`: the true time is between it divided and multiplied by this."""
-        cost = self.costs.get(simulator)
+        cost = self._of(simulator)
         return 1.0 if cost is None else float(cost.factor)
+
+    def _of(self, simulator: str) -> Any:
+        names = [known.name for known in SIMULATORS]
+        if simulator not in names:
+            raise ValueError(f"there is no simulator {simulator!r}: choose among {', '.join(names)}")
+        return self.costs.get(simulator)
 
     def columns(self) -> dict[str, Any]:
         """Return columns of CSV and JSON: the explanations of the advice, and the costs in FreeCAD's simulators."""
