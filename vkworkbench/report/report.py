@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import csv
 import json
+from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
 
 from vkworkbench.core.simulators import ZBUFFER
@@ -24,7 +25,7 @@ class Cancelled(Exception):
 
 @dataclass(frozen=True)
 class Report:
-    """All operations analysed, in the order of their jobs.
+    """All operations analysed, in the order of their jobs: going through it gives them one by one.
 
     Attributes
     ----------
@@ -91,7 +92,13 @@ class Report:
 
     def __repr__(self) -> str:
         """Return what stands in a console where somebody asks for the report itself: printed it is the table."""
-        return f"<Report of {how_many(len(self.operations), 'operation')}>"
+        return f"<Report of {how_many(len(self), 'operation')}>"
+
+    def __iter__(self) -> Iterator[OperationReport]:
+        return iter(self.operations)
+
+    def __len__(self) -> int:
+        return len(self.operations)
 
     def __str__(self) -> str:
         if not self.operations:

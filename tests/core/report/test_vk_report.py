@@ -43,6 +43,13 @@ def test_a_console_shows_a_report_in_a_line():
     assert repr(told.totals[0]) == "<Total of Part: 2 operations>"
 
 
+def test_one_goes_through_a_report_by_its_operations():
+    one, two = operation("One"), operation("Two", counted=False)
+    told = report(one, two)
+    assert list(told) == [one, two] and len(told) == 2 and one in told
+    assert not report()
+
+
 def test_a_total_is_the_sum_of_what_is_counted():
     (total,) = report(operation("One"), operation("Two"), operation("Dressed", counted=False)).totals
     assert (total.operations, total.trajectories, total.length, total.machining_seconds) == (2, 10, 200.0, 24.0)
