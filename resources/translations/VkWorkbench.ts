@@ -1017,6 +1017,10 @@
         <source>not an NC program, but a FreeCAD document: analyze it in FreeCAD, a folder of them with the macro examples/macros/folder_to_csv.py</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>lacks {depth:mm2} of the model: choose a larger stock, or move the model within it</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

@@ -1017,6 +1017,10 @@
         <source>not an NC program, but a FreeCAD document: analyze it in FreeCAD, a folder of them with the macro examples/macros/folder_to_csv.py</source>
         <translation>no es un programa CN, sino un documento de FreeCAD: analícelo en FreeCAD, una carpeta de ellos con la macro examples/macros/folder_to_csv.py</translation>
     </message>
+    <message>
+        <source>lacks {depth:mm2} of the model: choose a larger stock, or move the model within it</source>
+        <translation>le faltan {depth:mm2} del modelo: elija un material en bruto mayor o mueva el modelo dentro de él</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

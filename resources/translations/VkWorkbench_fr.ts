@@ -1017,6 +1017,10 @@
         <source>not an NC program, but a FreeCAD document: analyze it in FreeCAD, a folder of them with the macro examples/macros/folder_to_csv.py</source>
         <translation>pas un programme CN, mais un document FreeCAD : l’analyser dans FreeCAD, un dossier entier avec la macro examples/macros/folder_to_csv.py</translation>
     </message>
+    <message>
+        <source>lacks {depth:mm2} of the model: choose a larger stock, or move the model within it</source>
+        <translation>il manque {depth:mm2} du modèle : choisissez un brut plus grand ou déplacez le modèle dans le brut</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

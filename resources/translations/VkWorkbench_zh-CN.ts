@@ -1017,6 +1017,10 @@
         <source>not an NC program, but a FreeCAD document: analyze it in FreeCAD, a folder of them with the macro examples/macros/folder_to_csv.py</source>
         <translation>不是 NC 程序，而是 FreeCAD 文档：请在 FreeCAD 中分析；整个文件夹可用宏 examples/macros/folder_to_csv.py</translation>
     </message>
+    <message>
+        <source>lacks {depth:mm2} of the model: choose a larger stock, or move the model within it</source>
+        <translation>比模型缺少 {depth:mm2}：请选择更大的毛坯，或移动其中的模型</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

@@ -10,13 +10,13 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from vkworkbench.core import Cut, Stock, Strategy, Tool, View, linearize
-from vkworkbench.core.zbuffer import Speed
+from vkworkbench.core import Cut, Stock, Strategy, Tool, View, linearize, simulate_job
+from vkworkbench.core.zbuffer import SeenModel, Speed
 from vkworkbench.document.simulated_job import SimulatedJob, SimulatedOperation
 from vkworkbench.gui.simulation import coloring, exports
 from vkworkbench.gui.simulation.clock import Clock
 from vkworkbench.gui.simulation.drawing import Drawing
-from vkworkbench.gui.simulation.faults import Fault, judge
+from vkworkbench.gui.simulation.faults import Fault, differences, judge
 from vkworkbench.gui.simulation.known_faults import KnownFaults
 from vkworkbench.gui.simulation.refining import Facts, Refined, Refining, Told, holds
 from vkworkbench.gui.simulation.time_line import TimeLine
@@ -105,6 +105,24 @@ def test_a_gouge_that_is_not_seen_is_there_all_the_same(monkeypatch):
         told = Told(None, of_image, None, judged=True)
         depths[name] = [(f.cut, f.gouged) for f in judge(told, facts, 0.15, before, False).faults]
     assert depths == {"part": [(2, 0.6), (1, 0.5), (0, 0.4)], "whole": [(1, 0.5), (0, 0.3), (2, 0.2)]}
+
+
+def test_what_the_stock_lacks_is_not_cut_into_the_model():
+    """The stock is 3 mm too low; and a slot is cut 1 mm too deep."""
+    job, model = job_of(SLOT), Stock((0, 0, 0), (60, 40, 23))
+    zbuffer = simulate_job(job.cuts, stock=STOCK, view=WHOLE)
+    uncut, finished = (
+        Told(SimpleNamespace(zbuffer=at), None, SeenModel(model, zbuffer.frame), judged=True)
+        for at in (zbuffer.at(0), zbuffer)
+    )
+    judged, known = judge(finished, None, 0.1, [], compares=False), KnownFaults(job, Clock(job))
+    lacks = "raw stock: lacks 3 mm of the model: choose a larger stock, or move the model within it"
+    assert [known.text(fault) for fault in differences(uncut, 0.1)] == [lacks]
+    for found in (judged.faults, judged.proved):
+        slot, stock = (known.text(fault) for fault in found)
+        assert slot.startswith("Op 0, command ") and "cuts 8 mm into the model" in slot and stock == lacks
+    known.keep(judged.proved)
+    assert [fault.gouged for fault in known.gouges] == [8.0, 3.0]  # other views take both into account
 
 
 def test_the_newest_crash_and_the_shallowest_view_of_a_gouge_are_known():

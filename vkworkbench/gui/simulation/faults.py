@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from vkworkbench.core.zbuffer import TOLERANCE, gouges, worst_places
+from vkworkbench.core.zbuffer import TOLERANCE, Deviation, gouges, worst_places
 from vkworkbench.gui.simulation.refining import Facts, Told
 from vkworkbench.language import Message
 
@@ -44,8 +44,8 @@ class Fault:
 
     @property
     def gouged(self) -> float:
-        """How deep it cuts into the model, mm."""
-        return self.what.arguments["depth"] if self.what.code == "cuts-model" else 0.0
+        """How deep it cuts into the model, or how much of that the stock lacks, mm."""
+        return self.what.arguments["depth"] if self.what.code in ("cuts-model", "stock-lacks") else 0.0
 
 
 @dataclass(frozen=True, eq=False)
@@ -103,11 +103,11 @@ def judge(told: Told, facts: Facts | None, tolerance: float, before: Sequence[Fa
 
 
 def _gouged(told: Told, tolerance: float) -> list[Fault]:
-    """Return the worst gouge of each operation."""
+    """Return the worst gouge of each operation, and where the stock lacks most."""
     if told.deviations is None:
         return []
     found = gouges(told.simulation.zbuffer, told.deviations, tolerance)
-    return [_fault(gouge, Message("cuts-model", depth=gouge.depth), True) for gouge in found]
+    return [_gouge(one) for one in found]
 
 
 def differences(told: Told, tolerance: float) -> list[Fault]:
@@ -116,9 +116,15 @@ def differences(told: Told, tolerance: float) -> list[Fault]:
         return []
     gouged, left = worst_places(told.simulation.zbuffer, told.deviations, tolerance)
     return [
-        *(_fault(one, Message("cuts-model", depth=one.depth), serious=True) for one in gouged),
+        *map(_gouge, gouged),
         *(_fault(one, Message("leaves-material", depth=one.depth), serious=False) for one in left),
     ]
+
+
+def _gouge(one: Deviation) -> Fault:
+    """Return a place where material of the model is missing: a command cut it away, or the stock never had it."""
+    lacks, cut = Message("stock-lacks", depth=one.depth), Message("cuts-model", depth=one.depth)
+    return _fault(one, lacks if one.source is None else cut, True)
 
 
 def _fault(one, what: Message, serious: bool) -> Fault:

@@ -8,6 +8,9 @@ from vkworkbench.language.marking import QT_TRANSLATE_NOOP
 SIMULATION: dict[str, str | tuple[str, str]] = {
     "rapid-cuts": QT_TRANSLATE_NOOP("Sentences", "a rapid move removes {volume:mm³2}"),
     "cuts-model": QT_TRANSLATE_NOOP("Sentences", "cuts {depth:mm2} into the model"),
+    "stock-lacks": QT_TRANSLATE_NOOP(
+        "Sentences", "lacks {depth:mm2} of the model: choose a larger stock, or move the model within it"
+    ),
     "plunges-fast": QT_TRANSLATE_NOOP(
         "Sentences", "plunges into full material at {feed:mm/min3}, where its tool may plunge at {allowed:mm/min3}"
     ),
