@@ -373,7 +373,7 @@ def test_hole_patterns_are_no_unit(line):
     assert not program.unit_told and program.toolpath().points.max() == 10
 
 
-@pytest.mark.parametrize("call", ["M98 P1000", "M98 P31000 (three times)", "G65 P1000 A1", "N5 m98p1000"])
+@pytest.mark.parametrize("call", ["G65 P1000 A1", "N5 g65p1000", "M198 P1000"])
 def test_a_subprogram_that_stands_before_its_caller(call):
     subprogram = "O1000 (HOLE)\nG91 G20 G55 G1 X99 F9\n/M99\nX99\n(P1000)\n{}\n"
     for end in ("M99", "M99 P7", ""):
@@ -389,12 +389,10 @@ def test_a_program_that_is_not_called_ends_at_m99():
 
 
 def test_a_block_that_is_called_is_not_cut_behind_the_end():
-    text = PLAIN + "M97 P1000 L3\nX5\nM97 P2000\nM30\n(HOLE)\nN1000 G91\nG1 X99 F9\nM99\nN2000 X99\nM99"
-    assert points(text) == [list(p) for p in POINTS] + [[5, 2, -1]]
-    assert said(text) == [
-        "a subprogram or macro call is not read (2 times, first in line 5)",
-        "what follows the program's end is not read (line 11)",
-    ]
+    text = PLAIN + "M97 P1000 L3\nX5\nM97 P2000\nM30\n(HOLE)\nN1000 G91\nG1 X9 F9\nG90 M99\nN2000 X99\nM99"
+    assert points(text) == [list(p) for p in POINTS] + [[x, 2, -1] for x in (19, 28, 37, 5, 99)]
+    assert said(text) == []
+    assert said(text + "\nN3000 X3\nM99") == ["what follows the program's end is not read (line 15)"]
 
 
 HEIDENHAIN = (

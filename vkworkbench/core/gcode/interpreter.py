@@ -41,6 +41,8 @@ class Interpreter:
         The one in force, -1 before the first.
     ended : bool
         Whether M2 or M30 was read.
+    call : float or None
+        The M-code by which the last line calls a subprogram, which whoever has the text runs; None where it calls none.
     calls_blocks : bool
         Whether what stands behind the end is called from within: Haas' subprograms.
     """
@@ -72,6 +74,7 @@ class Interpreter:
         self.pole: dict[str, float] | None = None  # Heidenhain's centre of the arcs to come
         self.number = 0  # of the line
         self.deleted = False  # whether this line has a block delete
+        self.call: float | None = None
         self.calls_blocks = False
         self.ended = False
 
@@ -97,7 +100,7 @@ class Interpreter:
 
     def block(self, number: int, words: list[tuple[str, float]], letters: set[str], *, deleted: bool) -> bool:
         """Read the words of one line, which may have a block delete; return whether they end the program."""
-        self.number, self.deleted = number, deleted
+        self.number, self.deleted, self.call = number, deleted, None
         motion, apart, ended, last, change = None, False, False, False, False
         taken: frozenset[str] = frozenset()  # letters of words that belong to an M-code
         g_codes: list[int] = []
@@ -203,7 +206,7 @@ class Interpreter:
         if self.pole is not None:  # where M97 to M99 are others
             return False
         if value == 98 or (value in (97, 198) and "P" in letters):
-            self._problem(Message("subprogram-not-read"))
+            self.call = value
             self.calls_blocks |= value == 97
         if value == 99 and (self.deleted or "P" in letters):
             self._problem(Message("jumps-not-followed"))

@@ -23,7 +23,7 @@ class Program:
         What `linearize` takes, in mm and mm/s; every tool change is an ``M6`` with its number as ``T``. Where there are
         M6 words, a tool that is named is a ``T1`` without words.
     lines : (n,) int64
-        Line of the text in which each command stands, counted from 1.
+        Line of the text in which each command stands, counted from 1; of a subprogram the line of its call.
     comments : tuple of (int, int, str)
         For each comment with a line of its own (or that of a tool change, a stop or the program's number) the
         command before which it stands, its line and its text.

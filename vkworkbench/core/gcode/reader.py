@@ -13,21 +13,19 @@ import re
 import numpy as np
 
 from vkworkbench.core.gcode import dialects
-from vkworkbench.core.gcode.blocks import LARGEST_NUMBER, split_comments, split_words, whole
+from vkworkbench.core.gcode.blocks import split_comments, split_words
 from vkworkbench.core.gcode.interpreter import Interpreter
 from vkworkbench.core.gcode.program import Program
+from vkworkbench.core.gcode.subprograms import PROGRAM_NUMBER, Subprograms
 from vkworkbench.core.gcode.units import INCH
 from vkworkbench.core.toolpath import Problem
 from vkworkbench.language import Message
 
 _OKUMA_LETTERS = re.compile(r"(?<![A-Z])([HD])[ABC](?![A-Z\d=])")
-_CALLS = frozenset([("M", 98.0), ("M", 198.0), ("G", 65.0), ("G", 66.0)])  # of the program whose number is the P word
-_CALL_LETTERS = frozenset("PpOo:")  # of calls, and of the programs in which they stand
 _COOLANT = frozenset([("M", 7.0), ("M", 8.0), ("M", 9.0)])
 _HEIDENHAIN_NAME = re.compile(r"(?:N\s*\d+\s*)?%\s*\S+\s+G(7[01])$")  # a program's first line, and its last
 _FLOW = re.compile(r"\b(IF|THEN|ELSE|WHILE|GOTO|DO\s*\d|END\s*\d|ENDIF|ENDWHILE|REPEAT)|^O\s*[\d<].*\b(SUB|CALL|DO)\b")
 _BLOCK_DELETE = re.compile(r"^(N\s*\d+\s*)?(?:/\d?\s*)+")
-_NUMBER = re.compile(r"[O:]\s*(\d{1,8})\b(?!\s*[A-Z]{2})")
 # What asks or unlocks a grbl, and what a Fanuc or Haas prints: nothing of it moves.
 _SAYS = re.compile(r"\?|\$[$#GINXC]?|(?:N\s*\d+\s*)?(?:POPEN|PCLOS|[BD]PRNT\s*\[.*)")
 _RETURN = re.compile(r"M\s*99(?!\d)")
@@ -38,14 +36,16 @@ _EQUALS = re.compile(r"(?<![A-Z])(?:CR|([A-Z]))\s*=\s*(?=[-+]?\.?\d)")
 _SUB = re.compile(r"^\s*(?:N\s*\d+\s*)?O\s*(?:\d+|<[^>]*>|\[[^]]*\])\s*(SUB|ENDSUB)\b")
 # A word whose number is a variable or an expression: X#1, Z#<depth>, Y[1 + 2].
 _MACRO_WORD = re.compile(r"[A-Z]\s*[-+]?\s*(?:#+(?:\d+|<[^>]*>)|\[[^\[\]]*(?:\[[^\[\]]*\][^\[\]]*)*\])")
+_DEEPEST, _MOST_CALLED = 10, 1_000_000  # calls within calls; lines that are read in calls, each time again
 
 
 def read_program(text: str) -> Program:
     """Read the text of an NC program.
 
     Lines with a block delete (``/``) are read as those without. What follows M30 is read as part of the same program,
-    up to the number of another one; where a block is called (M97), it is a subprogram. Variables, expressions and
-    subprograms, also those that stand before the program which calls them, are not read; each of these is a problem with
+    up to the number of another one; where a block is called (M97), it is a subprogram. Subprograms of the same text, called
+    by M98 or M97, are run where they are called, as if all their words stood in the line of the call. Variables,
+    expressions, and subprograms that are called otherwise or stand elsewhere are not read; each of these is a problem with
     its line.
 
     Parameters
@@ -59,54 +59,44 @@ def read_program(text: str) -> Program:
         If it is no NC program, or one of a control with a language of its own.
     """
     lines = text.replace("\r\n", "\n").replace("\r", "\n").split("\n")
-    reader = _Reader(_called(lines))
-    for number, line in enumerate(lines, 1):
-        if reader.line(number, line):
-            reader.after_end(lines, number)
+    reader = _Reader(lines)
+    for index in range(len(lines)):
+        reader.number = index + 1
+        if reader.line(index):
+            reader.after_end(index + 1)
             break
     return reader.program()
 
 
-def _called(lines: list[str]) -> set[int]:
-    """Return the numbers of the programs that others call as subprograms."""
-    caller = -1
-    programs: set[int] = set()
-    calls: list[tuple[int, int]] = []
-    for line in lines:
-        if _CALL_LETTERS.isdisjoint(line):
-            continue
-        code = split_comments(line)[0].strip().upper()
-        program = _NUMBER.match(code)
-        if program:
-            caller = int(program[1])
-            programs.add(caller)
-        words, _ = split_words(code)
-        number = dict(words).get("P")
-        if number is not None and not _CALLS.isdisjoint(words):
-            calls.append((caller, whole(number, LARGEST_NUMBER)))
-    # P31000 is three times 1000 where there is no 31000.
-    called = ((caller, number if number in programs else number % 10_000) for caller, number in calls)
-    return {number for caller, number in called if number != caller}
-
-
 class _Reader:
-    """The lines read so far: their commands, comments and problems."""
+    """The lines read so far: their commands, comments and problems.
 
-    def __init__(self, called: set[int]) -> None:
-        self.called = called
+    Attributes
+    ----------
+    number : int
+        Of the line that is read, counted from 1; in a subprogram that of its call, so that they never descend.
+    """
+
+    def __init__(self, lines: list[str]) -> None:
+        self.lines = lines
+        self.subprograms = Subprograms(lines)
         self.machine = Interpreter(self._problem)
         self.comments: list[tuple[int, int, str]] = []
         self.problems: dict[Message, list[int]] = {}
         self.in_subprogram = 0
-        self.in_called = False  # in a subprogram that stands before its caller
+        self.in_called = False  # in a subprogram that is not read where it stands
+        self.passed: list[int] = []  # indices of the lines with the numbers of those
+        self.ran: set[int] = set()  # indices of the lines that were read in calls
+        self.calls: list[int] = []  # first lines of the subprograms that are run, each called by the one before
+        self.lent = 0  # how many lines were read in calls
         self.deleted = False  # whether this line has a block delete
         self.number = 0
         self.blocks = 0
         self.strange: list[int] = []
 
-    def line(self, number: int, line: str) -> bool:
-        """Read one line; return whether it ends the program."""
-        self.number = number
+    def line(self, index: int) -> bool:
+        """Read one line; return whether it ends the program, or the subprogram in which it is read."""
+        line, number = self.lines[index], self.number
         code, comments = split_comments(line)
         code = code.strip().upper()
         if code[-1:] == "*":  # the end of a block
@@ -129,10 +119,11 @@ class _Reader:
         if self.machine.ended and (code[0] in "O:" or self.machine.calls_blocks):
             return True
         if code[0] in "O:":
-            program = _NUMBER.match(code)
-            self.in_called = program is not None and int(program[1]) in self.called
+            program = PROGRAM_NUMBER.match(code)
+            called = program is not None and int(program[1]) in self.subprograms.called
+            self.in_called = called and not self.calls
             if self.in_called:
-                self._problem(Message("subprogram-not-read"))
+                self.passed.append(index)
         if self.in_called:
             self.in_called = self.deleted or not _RETURN.search(code)
             return False
@@ -150,7 +141,35 @@ class _Reader:
         if letters.isdisjoint("XYZ") or not letters.isdisjoint("TMO"):
             if _COOLANT.isdisjoint(words) or not letters.isdisjoint("TO"):  # else it says what coolant that is
                 self._keep(comments)
-        return self.machine.block(number, words, letters, deleted=self.deleted)
+        ended = self.machine.block(number, words, letters, deleted=self.deleted)
+        if self.calls and not self.deleted:  # also M99 P returns
+            ended |= _RETURN.search(code) is not None
+        if self.machine.call is not None:
+            self._call(self.machine.call, dict(words), index)
+        return ended
+
+    def _call(self, m_code: float, words: dict[str, float], caller: int) -> None:
+        """Run a subprogram of the same text; tell where that cannot be, or would have no end."""
+        found = self.subprograms.find(m_code, words, caller)
+        if found is None or found[0] in self.calls or len(self.calls) == _DEEPEST:
+            self._problem(Message("subprogram-not-read"))
+            return
+        first, times = found
+        self.calls.append(first)
+        if not all(self._run(first) for _ in range(times)):
+            self._problem(Message("subprogram-not-read"))
+        self.calls.pop()
+
+    def _run(self, first: int) -> bool:
+        """Run the subprogram that begins at a line; return whether it came to its end, before too much was run."""
+        for index in range(first, self.subprograms.end(first)):
+            if self.lent == _MOST_CALLED:
+                return False
+            self.lent += 1
+            self.ran.add(index)
+            if self.line(index):
+                break
+        return True
 
     def _keep(self, comments: list[str]) -> None:
         self.comments += [(len(self.machine.commands), self.number, text) for text in comments if text]
@@ -205,15 +224,23 @@ class _Reader:
         self.strange.append(self.number)
         self._problem(Message("words-not-read"))
 
-    def after_end(self, lines: list[str], number: int) -> None:
-        for self.number, line in enumerate(lines[number:], number + 1):
+    def after_end(self, first: int) -> None:
+        """Tell of moves from this line on that were not read."""
+        for index in range(first, len(self.lines)):
+            if index in self.ran:
+                continue
+            self.number, line = index + 1, self.lines[index]
             words, _ = split_words(split_comments(line)[0].upper())
             if any(letter in "XYZ" for letter, _ in words):
                 self._problem(Message("after-end"))
                 return
 
     def program(self) -> Program:
-        machine, problems = self.machine, tuple(Problem.at(lines, what) for what, lines in self.problems.items())
+        for index in self.passed:
+            if index not in self.ran:
+                self._problem(Message("subprogram-not-read"), index + 1)
+        machine = self.machine
+        problems = tuple(Problem.at(sorted(lines), what) for what, lines in self.problems.items())
         dialects.check(self.blocks, self.strange, machine.moves, problems)
         return Program(
             machine.with_tool_changes(), np.array(machine.lines, np.int64), tuple(self.comments), machine.inverse_time,

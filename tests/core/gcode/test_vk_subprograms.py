@@ -1,0 +1,101 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Subprograms that stand in the same text as their calls are run there; others are told, and none runs for ever."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from vkworkbench.core.gcode import reader
+from vkworkbench.core.gcode.dialects import at_line
+from vkworkbench.core.gcode.reader import read_program
+from vkworkbench.core.gcode.sections import split_sections
+from vkworkbench.language import render
+
+BEFORE = "G21 G90\nG0 X0 Y0 Z0\nF60\n"
+STEP = "G91 G1 Z-1\nG90\nX10\nY10\nX0\nY0\n"
+SQUARE = [(10, 0), (10, 10), (0, 10), (0, 0)]
+
+
+def path_of(text):
+    return read_program(text).toolpath()
+
+
+def points(text):
+    return [tuple(point) for point in np.round(path_of(text).points, 6).tolist()]
+
+
+def said(text):
+    return [render(at_line(problem)) for problem in read_program(text).problems]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        f"O1\n{BEFORE}M97 P1000 L3\nM30\n(STEP)\nN1000 {STEP}M99\n",  # Haas
+        f"{BEFORE}M97 P10 L5\nM97 P1000 (STEP)\nm97p1000l2\nM30\nN10 M99\nN1000 {STEP}M99\n%\n",
+        f"%\nO1\n{BEFORE}M98 P2000 L3\nM30\nO2000 (STEP)\n{STEP}M99\n%",
+        f"%\nO1\n{BEFORE}M98 P32000\nM30\n%\nO2000\n{STEP}M99\n%",
+        f"O2000\n{STEP}M99\nO1\n{BEFORE}M98 P0032000\nM30",
+        f"O1\n{BEFORE}/M98 P2000\nM98 P3000\nM30\nO2000\n{STEP}M99\nO3000\nM98 P2000\n(TWICE)\nM98 P2000\nM99",
+    ],
+)
+def test_it_is_run_where_it_is_called(text):
+    assert points(text) == [(0, 0, 0)] + [(x, y, z) for z in (-1, -2, -3) for x, y in [(0, 0), *SQUARE]]
+    assert [one for one in said(text) if "block delete" not in one] == []
+
+
+@pytest.mark.parametrize("end", ["O3000\nX99\nM99", "/M99\nM99 P7\nX99"])
+def test_it_ends_where_another_one_begins_and_also_where_it_is_told_to_what_block_it_returns(end):
+    text = f"O1\n{BEFORE}M98 P2000\nG1 X5\nM30\nO2000\n{STEP}{end}"
+    assert points(text)[-2:] == [(0, 0, -1), (5, 0, -1)]
+    assert said(text)[-1] == f"what follows the program's end is not read (line {16 + end.startswith('/')})"
+
+
+def test_what_it_does_stands_in_the_line_of_its_call():
+    text = f"O1\n{BEFORE}M98 P2000\nG1 X5\nM98 P2000\nM30\nO2000 (STEP)\n{STEP}#1=5\nM99"
+    assert sorted(set(path_of(text).command.tolist())) == [5, 6, 7]
+    assert said(text) == [
+        "variables and expressions are not read: the lines with them are left out (2 times, first in line 5)"
+    ]
+
+
+def test_operations_are_divided_within_subprograms_too():
+    tools = f"N100 T1 M6 (D10 ENDMILL)\n{STEP}M99\nN200 T2 M6 (DRILL)\n{STEP}M99"
+    text = f"O1\n{BEFORE}M97 P100\nM97 P200 L2\nM30\n{tools}"
+    sections = split_sections(read_program(text))
+    assert {(one.first, one.number, one.tool and one.tool.diameter) for one in sections[-3:]} == {
+        (2, 1, 10),
+        (6, 2, None),
+    }
+
+
+@pytest.mark.parametrize(
+    "call",
+    ["M98 P3000", "M98 P2000 Q10", "M98", "M97 P2000", "M198 P2000", "G65 P2000 A1", "M98 P1", "M97 P12345678901"],
+)
+def test_one_that_is_called_otherwise_or_is_not_there_is_told(call):
+    text = f"O1\n{BEFORE}G1 X1\n{call}\nX5\nM30\nO2000\nG91\nM99"
+    assert points(text)[-1] == (5, 0, 0)
+    assert said(text) == ["a subprogram or macro call is not read (line 6)"]
+
+
+def test_what_calls_itself_ends():
+    itself = f"O1\n{BEFORE}M98 P2000\nX7\nM30\nO2000\nG1 X5\nM98 P{{}}\nM98 P{{}}\nX6\nM99\nO3000\nX3\nM98 P2000\nM99"
+    for other in (2000, 3000):
+        text = itself.format(other, other)
+        assert points(text)[-2:] == [(6, 0, 0), (7, 0, 0)] and points(text).count((6, 0, 0)) == 1
+        assert said(text)[0] == "a subprogram or macro call is not read (2 times, first in line 5)"
+    within = f"{BEFORE}M97 P10\nX7\nM30\nN10 G1 X5\nM97 P10\nX6\nM99"
+    assert points(within)[-3:] == [(5, 0, 0), (6, 0, 0), (7, 0, 0)]
+    assert said(within) == ["a subprogram or macro call is not read (line 4)"]
+
+
+def test_what_would_run_for_hours_is_given_up(monkeypatch):
+    monkeypatch.setattr(reader, "_MOST_CALLED", 1000)
+    chain = "".join(f"O{k}\nG1 X{k}\nM98 P{k + 1} L99999999\nM99\n" for k in range(100, 130))
+    text = f"O1\n{BEFORE}M98 P100 L99999999\nX7\nM30\n{chain}"
+    assert points(text)[-1] == (7, 0, 0) and max(x for x, _, _ in points(text)) == 109
+    assert all(one.startswith("a subprogram or macro call is not read (") for one in said(text)[:1])
+    empty = f"O1\n{BEFORE}M98 P100 L99999999\nG1 X7\nM30\nO100\nM99"
+    assert points(empty)[-1] == (7, 0, 0)
