@@ -215,8 +215,8 @@ class _Reader:
             return words
         if not rest:
             return words
-        if code[0] == ":" and rest == ":":  # ISO's way to write a program's number
-            return None
+        if PROGRAM_NUMBER.fullmatch(rest):  # :1000, ISO's way to write it
+            return words
         self._no_words()
         return None
 
