@@ -282,6 +282,42 @@ def test_a_tool_size_and_its_number_in_two_comments():
     assert sections(f"(tool_radius = 1.5)\n{CUT}") == [("", None, 3)]
 
 
+@pytest.mark.parametrize(
+    ("name", "size", "shape"),
+    [
+        ("TOOL NAME: ENDMILL", "DIA=10.0", "endmill"),
+        ("TOOL NAME : BALL_MILL", "TOOL DIAMETER : 10.0  LOWER RADIUS : 5.0", "ballend"),
+        ("T1 : MILL_1", "DIAMETER : 10.000", "endmill"),
+        ("Tool = EM_01", "D = 10.0 , R = 1.0", "endmill"),
+    ],
+)
+def test_a_tool_and_its_diameter_in_two_comments(name, size, shape):
+    for text in (f"({name})\nN10 ({size})\nT1 M6\n{CUT}", f"T1 M6\n({name})\n({size})\n{CUT}"):
+        (section,) = split_sections(read_program(text))
+        assert (section.number, section.tool.shape, section.tool.diameter) == (1, shape, 10)
+    for apart in (
+        f"({name})\n{CUT}(D = 50.0)\n{CUT}",
+        f"(TOOL PATH: POCKET)\n(D = 50.0)\n{CUT}",
+        f"(BORE)\n(DIA: 50)\n{CUT}",
+    ):
+        assert all(diameter is None for _, _, diameter in sections("T1 M6\n" + apart))
+
+
+def test_between_the_begin_and_the_end_of_an_operation_comments_part_nothing():
+    """As py2gcode writes them."""
+    begun = "; Begin {0}\n; layers: ['b']\n; closed: True\n; toolDiam: 6.0\n; {0}: rapid move to start x,y\n"
+    passes = "".join(f"; {{0}}: pass {k} lead-in\n{CUT}; {{0}}: pass {k} filled rectangle\n{CUT}" for k in (1, 2))
+    operation = begun + passes + "; End {0}\n; -----\n"
+    text = operation.format("RectPocketXY") + 2 * operation.format("CircBoundaryXY")
+    assert sections(text) == [("RectPocketXY", None, 6), ("CircBoundaryXY", None, 6)]
+    assert sections(f"(Begin Roughing)\n{CUT}(Pocket 1)\n{CUT}") == [
+        ("Begin Roughing", None, None),
+        ("Pocket 1", None, None),
+    ]
+    last = f"; Begin One\n; pass 1\n{CUT}; End One\n; Chamfer\n{CUT}"
+    assert sections(last) == [("One", None, None), ("Chamfer", None, None)]
+
+
 def test_a_title_behind_a_tool_leaves_it_the_tool():
     assert sections(f"(END MILL 6MM)\n(POCKET)\n{CUT}") == [("POCKET", None, 6)]
 

@@ -20,8 +20,13 @@ MANY_TITLES = 50  # titles of one form; a program with more numbers its passes, 
 _AXES = frozenset("XYZ")
 # What pcb-gcode writes in a comment of its own before the one with the number; and descriptions that name no tool.
 _TOOL_SIZE = re.compile(r"\s*tool size\s*", re.IGNORECASE)
+# As NX writes them: a tool's name, and its diameter in a comment of its own in the next line.
+_TOOL_NAME = re.compile(r"\W*(?:tool(?:\s*(?:name|no\.?|number|type|desc\w*))?\s*[:=#]|T\d+\b)", re.IGNORECASE)
+_ITS_DIAMETER = re.compile(r"\W*(?:D|(?:tool\s*)?dia(?:meter)?)\.?\s*[:=]\s*[\d.,]+", re.IGNORECASE)
 _NO_NAME = re.compile(r"\s*(?:TOOL/|tool_radius\b|tool size\b)", re.IGNORECASE)
 
+# What py2gcode writes before an operation and behind it; the comments between tell its parameters and passes.
+_FROM, _TO = re.compile(r"Begin (\w+)"), re.compile(r"End (\w+)")
 # A title after the words that some post processors write before it.
 _TITLED = re.compile(
     r"(?:begin operation|start cutting path id|start generation of|path|toolpath(?: name)?|operation(?: name)?"
@@ -155,7 +160,8 @@ def _groups(program: Program) -> list[_Group]:
     marks.sort(key=lambda mark: mark[:2])
     changes = {line: None if what is None else int(what) for _, line, what in marks if not isinstance(what, str)}
     groups = [_Group(min([int(program.lines[0]), *(line for _, line, _ in marks[:1])]))]
-    place, known = 0, groups[0].known
+    place, known, begun = 0, groups[0].known, ""
+    ended = {found[1] for _, _, text in program.comments if (found := _TO.fullmatch(text))}
     for at, line, what in marks:
         if bisect_left(cuts, at) != place:
             place = bisect_left(cuts, at)
@@ -170,7 +176,12 @@ def _groups(program: Program) -> list[_Group]:
             if group.change is None:
                 number = number_named(what)
                 group.tool = (None if number is None else known.get(number)) or group.tool
-            title = title_of(what)
+            begins = _FROM.fullmatch(what)
+            if begins and begins[1] in ended:
+                title = begun = begins[1]
+            else:
+                title = "" if begun else title_of(what)
+                begun = "" if what == f"End {begun}" else begun
             if title:
                 group.title, group.headings = title, (*group.headings, what)
             continue
@@ -188,11 +199,13 @@ def _groups(program: Program) -> list[_Group]:
 
 
 def _with_sizes(comments: Iterable[tuple[int, int, str]]) -> Iterator[tuple[int, int, str]]:
-    """Give comments, the number of a tool's size together with the comment before it, which says what it is."""
-    before = ""
+    """Give comments, a tool's size together with the comment before it, which says what it is, or its name."""
+    before, size, next_line = "", False, 0
     for at, line, text in comments:
-        yield at, line, f"{before}: {text}" if before else text
-        before = text if _TOOL_SIZE.fullmatch(text) else ""
+        joined = before and (size or (line == next_line and _ITS_DIAMETER.match(text)))
+        yield at, line, f"{before}: {text}" if joined else text
+        size, next_line = _TOOL_SIZE.fullmatch(text) is not None, line + 1
+        before = text if size or _TOOL_NAME.match(text) else ""
 
 
 def _cuts(program: Program) -> list[int]:
