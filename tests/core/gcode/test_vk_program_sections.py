@@ -193,7 +193,7 @@ def test_comments_that_tell_no_tool(comment):
         ("Block-name: Header", ""), ("R2.5400  P1.000000", ""), ("Optional stop, check the bore", ""), ("AXIS,stop", ""),
         ("fim do programa", ""), ("_gc_nextgen_svg_id:null", ""), ("Select work offset #1", ""), ("SECTION begin", ""),
         ("Start generation of : 1__FINISH SIDE", "1__FINISH SIDE"),
-        ("Operation 9 of 13 : 2D Contour4", "2D Contour4"),
+        ("Operation 9 of 13 : 2D Contour4", "2D Contour4"), ("(Pocket 1)", "Pocket 1"), ("(safe z)", ""), ("(A) and (B)", "(A) and (B)"),
     ],
 )  # fmt: skip
 def test_titles_and_remarks(comment, title):

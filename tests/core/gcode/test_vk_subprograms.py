@@ -80,6 +80,12 @@ def test_one_that_is_called_otherwise_or_is_not_there_is_told(call):
     assert said(text) == ["a subprogram or macro call is not read (line 6)"]
 
 
+def test_what_its_lines_say_of_their_words_is_no_title():
+    lines = "N10 ; (Facing)\nG91; (in steps)\nG0 Z-1 ; (down)\nG90\nG1; (cuts)\nX50\nY5 ; (over)\nX0\nM99"
+    text = f"O1\n{BEFORE}M97 P10 L2 ; (faces)\nM30\n{lines}"
+    assert {section.title for section in split_sections(read_program(text))} == {"Facing"}
+
+
 def test_what_calls_itself_ends():
     itself = f"O1\n{BEFORE}M98 P2000\nX7\nM30\nO2000\nG1 X5\nM98 P{{}}\nM98 P{{}}\nX6\nM99\nO3000\nX3\nM98 P2000\nM99"
     for other in (2000, 3000):

@@ -138,7 +138,7 @@ class _Reader:
         letters = {letter for letter, _ in words}
         if "L" in letters and letters <= {"N", "L", "P"}:  # Siemens calls by L10 P3, Fadal by L0103
             self._problem(Message("subprogram-not-read"))
-        if letters.isdisjoint("XYZ") or not letters.isdisjoint("TMO"):
+        if letters.isdisjoint("XYZG" if self.calls else "XYZ") or not letters.isdisjoint("TMO"):
             if _COOLANT.isdisjoint(words) or not letters.isdisjoint("TO"):  # else it says what coolant that is
                 self._keep(comments)
         ended = self.machine.block(number, words, letters, deleted=self.deleted)

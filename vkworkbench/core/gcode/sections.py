@@ -236,6 +236,8 @@ def _cuts(program: Program) -> list[int]:
 def title_of(comment: str) -> str:
     """Return the name of an operation in a comment, empty where it is a remark."""
     text = comment.strip(" *-=#;:\t")
+    if re.fullmatch(r"\([^()]*\)", text):  # behind a semicolon
+        text = text[1:-1].strip()
     titled = _TITLED.match(text)
     if titled:
         return titled[1].strip()
