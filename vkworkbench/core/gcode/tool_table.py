@@ -42,7 +42,10 @@ _WORD = re.compile(
     rf"(?:\bdia(?:meter|m)?\b\.?|\bdiametro\b|\bdiámetro\b|\bdiamètre\b|\bdurchmesser\b|[øØ⌀]|\bдиаметр|\btool size)\s*[:=.\-]*\s*{_SIZE}{_UNIT}",
     re.IGNORECASE,
 )
-_BEFORE = re.compile(rf"(?<![\d.,/]){_SIZE}{_UNIT}\s*\bdia(?:meter|m)?\b", re.IGNORECASE)
+# Not the end of a range: SPOT DRILL .06 TO .125 DIA. makes holes of that size.
+_BEFORE = re.compile(rf"(?<![\d.,/])(?<!\bto)(?<!\bto ){_SIZE}{_UNIT}\s*\bdia(?:meter|m)?\b", re.IGNORECASE)
+# .375_3/8 X 90 DEG. SPOT DRILL: what is said twice is the size.
+_DECIMAL = re.compile(r"(?<![\w.,/#-])(?P<size>\d*[.,]\d+)(?P<across>)(?P<unit>)(?= \d+/\d)")
 _RADIUS = re.compile(rf"\btool radius\s*[:=]\s*{_SIZE}{_UNIT}", re.IGNORECASE)
 _CAMBAM = re.compile(rf"T\d+\s*:\s*(?P<size>{_NUMBER})", re.IGNORECASE)
 _CUTVIEWER = re.compile(
@@ -182,6 +185,9 @@ def _size(comment: str, number: re.Match[str] | None) -> re.Match[str] | None:
     explicit = _LETTER.search(comment) or _WORD.search(comment) or _BEFORE.search(comment) or _RADIUS.search(comment)
     if explicit or not (is_tool or _LISTED.match(comment)) or len(comment) > _LONGEST_NAME:
         return explicit
+    for twice in _DECIMAL.finditer(comment):
+        if _also_a_fraction(comment, twice):
+            return twice
     if number is not None:  # "tool 1 1/4" is no tool of 1 1/4
         comment = f"{comment[: number.start()]}  {comment[number.end() :]}"
     comment = _without_offsets(_OTHER_NUMBER.sub("#", _BARE_ANGLE.sub("", comment)), number)
