@@ -278,6 +278,18 @@ def test_a_tool_for_cutviewer_is_the_tool_from_there_on():
     assert sections(f"(End mill 6mm)\n(End mill 3mm)\nT1 M6\n{CUT}") == [("End mill 6mm", 1, 6)]
 
 
+def test_a_list_of_tools_without_numbers_tells_what_no_line_of_a_change_says():
+    """hyperMILL lists all tools at the beginning, and says each again where it is changed to."""
+    tools = ["KOMET-1.0", ".375 STUB END MILL", ".248 REAMER", ".5_1/2 X 90 DEG. SPOT DRILL .06 TO.125 DIA."]
+    listed = "".join(f"({tool})\n" for tool in tools)
+    changes = "".join(f"(OPERATION {k})\n({tool})\nT{k} M6\n{CUT}" for k, tool in enumerate(tools, 1))
+    found = [diameter for _, _, diameter in sections(f"G20\n{listed}{changes}")]
+    assert found == [None, pytest.approx(9.525), pytest.approx(6.2992), pytest.approx(12.7)]
+    # What is true of two tools lists none.
+    same = "".join(f"(PART 7)\n(End mill 6mm)\nT{k} M6\n{CUT}" for k in range(1, 4))
+    assert [diameter for _, _, diameter in sections(same)] == [6, 6, 6]
+
+
 def test_a_tool_size_and_its_number_in_two_comments():
     """pcb-gcode heads the number; such a description is the tool, but no name of an operation."""
     assert sections(f"(  Tool Size)\n(0.1778 )\n(spindle speed = 12000)\n{CUT}") == [("", None, 0.1778)]

@@ -159,6 +159,7 @@ def _groups(program: Program) -> list[_Group]:
     cuts = _cuts(program)
     marks.sort(key=lambda mark: mark[:2])
     changes = {line: None if what is None else int(what) for _, line, what in marks if not isinstance(what, str)}
+    listed = _listed(marks, cuts)
     groups = [_Group(min([int(program.lines[0]), *(line for _, line, _ in marks[:1])]))]
     place, known, begun = 0, groups[0].known, ""
     ended = {found[1] for _, _, text in program.comments if (found := _TO.fullmatch(text))}
@@ -171,6 +172,8 @@ def _groups(program: Program) -> list[_Group]:
             group.change, group.number = line, None if what is None else int(what)
             continue
         told = tool_told(what, inches=program.inches, of=changes.get(line))
+        if told is not None and told.number is None and line not in changes and (place, what) in listed:
+            continue
         change = line if line in changes else group.change
         if told is None:
             if group.change is None:
@@ -196,6 +199,21 @@ def _groups(program: Program) -> list[_Group]:
             # What the line of a change tells stays, unless another tool is told to be the one from here on.
             group.tool, group.tool_name, group.told = told.tool, name, line
     return groups
+
+
+def _listed(marks: list[tuple[int, int, str | float | None]], cuts: list[int]) -> set[tuple[int, str]]:
+    """Return the comments between two cuts, with how many cuts are before, that list tools which are changed to later.
+
+    They are said again where they are, of two other tools at least: what one says is often true of several.
+    """
+    places = [bisect_left(cuts, at) for at, _, _ in marks]
+    tools = {place: what for place, (_, _, what) in zip(places, marks) if isinstance(what, (int, float))}
+    said = [(place, what) for place, (_, _, what) in zip(places, marks) if isinstance(what, str) and place in tools]
+    last = {what: tools[place] for place, what in said}
+    others: dict[int, set[float]] = {}
+    for place, what in said:
+        others.setdefault(place, set()).update({last[what]} - {tools[place]})
+    return {(place, what) for place, what in said if last[what] != tools[place] and len(others[place]) > 1}
 
 
 def _with_sizes(comments: Iterable[tuple[int, int, str]]) -> Iterator[tuple[int, int, str]]:
