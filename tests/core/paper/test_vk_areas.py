@@ -142,6 +142,12 @@ def test_a_loop_behind_a_zigzag_closes_nothing():
     assert len(areas.loops[0]) and np.abs(areas.phi_ranges).max() < 2 * np.pi - 0.1
 
 
+def test_areas_climb_where_a_cut_changes_its_height():
+    level, ramp = ([(0.0, 0.0, -1.0), (20.0, 0.0, -1.0), (20.0, 9.0, z)] for z in (-1.0, -1.5))
+    for strokes, climbs in (([level, level], False), ([level, ramp], True)):
+        assert monotonous_areas(linearize(programs.program(strokes))).climbs is climbs
+
+
 def test_no_areas():
     areas = areas_of()
     assert len(areas) == 0 and areas.phi_range == (0.0, 0.0) and areas.phi_ranges.shape == (0, 2)

@@ -78,6 +78,10 @@ def test_thinned_keeps_the_ends_of_every_stretch():
     assert kept.tolist() == [start + at for start in range(0, 1000, 100) for at in (0, 20, 70, 99)]
 
 
+def test_thinned_keeps_a_dip_beside_a_deeper_one_that_begins_the_next_stretch():
+    assert {2, 5} <= set(thinned(np.array([0, 0, -1, 0, 0, -2, 0, 0, 0, 0, 0]), 2).tolist())
+
+
 def test_rows_closer_than_pixels_are_drawn_once():
     rows = np.arange(100_000)
     points = np.column_stack([np.where(rows % 2, 100.0, 0.0), rows * 1e-3])

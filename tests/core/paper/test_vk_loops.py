@@ -43,11 +43,15 @@ def test_a_contour_that_is_cut_twice_in_one_go_is_two_loops():
     assert loops_of(polygon(40) + polygon(40)[1:]) == [(0, 4), (4, 4)]
 
 
-@pytest.mark.parametrize("right", np.arange(0, 0.1, 0.01))
-def test_beside_a_closed_loop_one_that_ends_a_hundredth_short_of_its_start_is_found_wherever_it_lies(right):
-    around = polygon(40, x=100 + right)
-    left = (around[-1][0] - 0.01, *around[-1][1:])
-    assert loops_of(linked(polygon(40), [*around[:-1], left])) == [(0, 4), (5, 4)]
+@pytest.mark.parametrize(("gap", "is_one"), [(0.01, True), (0.02, True), (0.028, True), (0.035, False), (0.05, False)])
+def test_beside_a_closed_loop_one_that_ends_three_hundredths_short_of_its_start_is_found_wherever_it_lies(gap, is_one):
+    """Where no more than that one is looked for, and where other areas are."""
+    for right in np.arange(0, 0.13, 0.005):
+        around = polygon(40, x=100 + right)
+        left = (around[-1][0] - gap, *around[-1][1:])
+        path = linked(polygon(40), [*around[:-1], left])
+        assert loops_of(path) == [(0, 4), (5, 4)][: 1 + is_one]
+        assert loops_of(path, polygon(40, x=-200)) == [(0, 4), *([(5, 4)] if is_one else []), (9, 4)]
 
 
 @pytest.mark.parametrize("degrees", range(0, 360, 15))

@@ -193,6 +193,15 @@ def test_a_hole_is_a_plunge_where_nothing_is_milled():
     assert areas_of(*peck, *milled).holes.tolist() == [3]
 
 
+def test_what_drills_nothing_is_no_hole():
+    down = [rapid(10, 0, 5), rapid(10, 0, 0), rapid(10, 0, 5)]  # a touch in rapid
+    up = [rapid(10, 0, -6), *feed((10, 0, 5))]  # back out of a hole at feed, as boring does
+    still = [rapid(10, 0, 5), *feed((10, 0, 4.9995)), rapid(20, 0, 5)]  # less than a thousandth
+    aside = [rapid(10, 0, 5), *feed((11, 0, -6)), rapid(11, 0, 5)]
+    for moves in (down, up, still, aside):
+        assert areas_of(*moves).holes.tolist() == []
+
+
 def test_a_part_of_a_program_is_told_by_the_trajectories_of_the_whole():
     hole = [rapid(60, 0, 5), *feed((60, 0, -6)), rapid(60, 0, 5)]
     path = linearize([START, *feed((0, 0, -1), *ROW, (0, 9, -1), (0, 9, 5)), *hole])

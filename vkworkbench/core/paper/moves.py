@@ -225,14 +225,13 @@ def _without_air(
     lifted = rises | (a == 0) | (top & rapid[a - 1])
     plunges = falls | (b == end - 1) | (top & rapid[np.minimum(b + 1, len(rapid) - 1)])
     air = horizontal & steps.goes_on(b, a) & lifted & plunges
-    if len(start) > 1:
-        # A plateau between walls is no link: it goes on in the direction of the lower pass beside it.
-        before, after = b[:-1], a[1:]
-        onward = steps.goes_on(before, after)
-        # At the top between two rapids there is none: a post has written a rapid as a feed, wherever it leads.
-        fast = top & (a > 0) & rapid[a - 1] & rapid[np.minimum(b + 1, len(rapid) - 1)]
-        air[1:] &= fast[1:] | ~(onward & (z[before + 1] < z[after] - MOVES.STILL))
-        air[:-1] &= fast[:-1] | ~(onward & (z[after] < z[before + 1] - MOVES.STILL))
+    # A plateau between walls is no link: it goes on in the direction of the lower pass beside it.
+    before, after = b[:-1], a[1:]
+    onward = steps.goes_on(before, after)
+    # At the top between two rapids there is none: a post has written a rapid as a feed, wherever it leads.
+    fast = top & (a > 0) & rapid[a - 1] & rapid[np.minimum(b + 1, len(rapid) - 1)]
+    air[1:] &= fast[1:] | ~(onward & (z[before + 1] < z[after] - MOVES.STILL))
+    air[:-1] &= fast[:-1] | ~(onward & (z[after] < z[before + 1] - MOVES.STILL))
     air &= rises | falls
     several = np.flatnonzero(air & (last > start))
     if len(several):  # rows begin and end by parallel moves, too
