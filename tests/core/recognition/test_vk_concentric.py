@@ -17,14 +17,14 @@ from vkworkbench.core.recognition.thresholds import VOTES
 QUARTER, CHORDS = np.pi / 2, 60
 
 
-def found(radii, *, way=lambda k: 1, climb=0.0, turned=0.0, centre=(33.0, -21.0), aside=()):
-    """The arcs in quarter circles of these radii; `way` runs each backwards or not, `climb` mm wider at its end, each `turned` further.
+def found(radii, *, way=lambda k: 1, climb=0.0, turned=0.0, centre=(33.0, -21.0), aside=(), chords=CHORDS):
+    """The arcs in quarter circles of these radii, each of so many chords; `way` runs each backwards or not, `climb` mm wider at its end, each `turned` further.
 
     Behind its end each goes on to so much wider radii, straight from the centre.
     """
     commands = []
     for k, radius in enumerate(radii):
-        share = np.linspace(0, 1, CHORDS + 1)[:: way(k)]
+        share = np.linspace(0, 1, chords + 1)[:: way(k)]
         r, angle = radius + climb * share, QUARTER * share - 0.3 + turned * k
         r, angle = np.append(r, r[-1] + np.array(aside)), np.append(angle, np.full(len(aside), angle[-1]))
         points = np.column_stack((centre[0] + r * np.cos(angle), centre[1] + r * np.sin(angle)))
@@ -70,6 +70,13 @@ def test_the_same_arc_at_another_depth_is_no_step():
 def test_an_arc_that_widens_by_a_third_of_a_step_in_a_turn_is_part_of_a_spiral(climb, spirals):
     """By 0.1 and 0.2 mm in a quarter turn: 0.4 and 0.8 mm in a turn, where steps are 2 mm."""
     arcs = found([10, 12, 14, 16], climb=climb, turned=QUARTER)  # all around, or another centre would fit
+    assert arcs.spiral == pytest.approx(arcs.length if spirals else 0)
+
+
+@pytest.mark.parametrize(("climb", "spirals"), [(0.1, False), (0.3, True)])
+def test_so_it_is_of_arcs_in_few_chords_whose_middles_are_what_widens(climb, spirals):
+    """From the middle of the first of four chords to that of the last it is three quarters of 0.4 and 1.2 mm in a turn."""
+    arcs = found([10, 12, 14, 16], climb=climb, turned=QUARTER, chords=4)
     assert arcs.spiral == pytest.approx(arcs.length if spirals else 0)
 
 

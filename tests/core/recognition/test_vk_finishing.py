@@ -59,6 +59,12 @@ def test_other_contours_are_operations_of_their_own(sections):
     assert found_in(*sections) == []
 
 
+def test_no_stepover_is_told_of_what_is_small_either():
+    small, out = (0.0, 0.0, 3.0, 4.0), (-0.5, -0.5, 3.5, 4.5)  # a twentieth of the diagonal is 0.25 mm
+    assert found_in((ADAPTIVE, small), (PROFILE, out)) == []
+    assert found_in((ADAPTIVE, small, -1.0, 9, 0.6), (PROFILE, out)) == [1]
+
+
 def test_two_walls_may_lie_in_one_another_as_offsets_do():
     assert found_in((ADAPTIVE, CLEARED), (OFFSETS, AROUND, -1.0, 2)) == [1]
 

@@ -14,6 +14,7 @@ from vkworkbench.core import Family, Strategy, linearize, recognize
 from vkworkbench.core.paper import monotonous_areas
 from vkworkbench.core.recognition import learned
 from vkworkbench.core.recognition.decide import (
+    CLASS,
     LEARNED,
     NO_LETTER,
     OF_THE_RULES,
@@ -23,6 +24,7 @@ from vkworkbench.core.recognition.decide import (
     grounds,
     machines_nothing,
     proposal,
+    standing,
     sureness,
 )
 from vkworkbench.core.recognition.measures import measures
@@ -117,6 +119,14 @@ def test_only_the_rules_say_mixed_and_drilling():
         votes = np.eye(len(STRATEGIES))[said]
         proposed = proposed_by(Strategy.ZIGZAG)
         assert elect(votes, proposed) == proposed.rules
+
+
+def test_what_the_papers_rule_leaves_open_speaks_for_no_class():
+    """Without a tool nobody has anything but the votes, the rules, and their class."""
+    assert not np.isin(NO_LETTER, CLASS)
+    votes, rules = np.zeros(len(STRATEGIES)), STRATEGIES.index(Strategy.PROFILE)
+    has = standing(votes, Proposal(rules, NO_LETTER, False))
+    assert np.flatnonzero(has).tolist() == np.flatnonzero((CLASS[rules] == CLASS) & ~OF_THE_RULES).tolist()
 
 
 @pytest.mark.parametrize("tool", [True, False])

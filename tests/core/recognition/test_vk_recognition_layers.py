@@ -247,12 +247,14 @@ def test_how_many_moves_come_before_the_first_and_after_the_last_of_some_kind(ot
     assert _way_out(moves).tolist() == after
 
 
-def out_and(*points):
+def out_and(*points, at=0.0):
     """A way that goes out level, around a bend, in the air, then along these points, and 40 mm on at the last one's height."""
     x, y, z = points[-1]
-    return areas([(0, 0, 0), (6, 0, 0), (6, 8, 0), *points, (x, y - 40, z), (x + 5, y - 40, z)])
+    stroke = [(0, 0, 0), (6, 0, 0), (6, 8, 0), *points, (x, y - 40, z), (x + 5, y - 40, z)]
+    return areas([(at + x, y - at, z) for x, y, z in stroke])
 
 
+@pytest.mark.parametrize("at", [0.0, 70.0])
 @pytest.mark.parametrize(
     ("points", "entry", "left"),
     [
@@ -262,8 +264,8 @@ def out_and(*points):
         ([(6, 0, 0), (0, 0, 0)], "plunge", 6),  # level all the way
     ],
 )
-def test_a_ramp_may_first_go_out_level_on_the_way_it_comes_back(points, entry, left):
-    moves = out_and(*points)
+def test_a_ramp_may_first_go_out_level_on_the_way_it_comes_back(points, entry, left, at):
+    moves = out_and(*points, at=at)
     assert find_entry(moves) == entry
     assert len(without_entries(moves)[0]) == left
 
