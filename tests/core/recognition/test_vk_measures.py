@@ -14,6 +14,7 @@ from vkworkbench.core import linearize
 from vkworkbench.core.paper import monotonous_areas
 from vkworkbench.core.recognition.measures import FLAGS, measures
 from vkworkbench.core.recognition.section import Section
+from vkworkbench.core.recognition.thresholds import WATERLINES
 
 TOOL = 6.0
 NO_RINGS = {
@@ -75,9 +76,15 @@ def test_rings_at_two_depths():
     holds(found, {
         "loops": 1, "windings": 0, "roundness": pi / 4, "rings": log1p(4), "distinct": 0.5, "ring_depths": log1p(2),
         "ring_step": log1p(100 * 3 / extent), "drift": 0, "ring_length": 148 / extent, "nested": 1, "deeper": 0, "alone": 0,
-        "sloped": 0, "round": 0, "crossing": 0,
+        "sloped": 0, "round": 0, "crossing": 0, "evenness": 0,
     })  # fmt: skip
     holds(found, NO_STROKES)
+
+
+def test_rings_a_millimetre_deeper_each_are_even_in_depth_however_wide_their_steps():
+    """Steps of 2, 3 and 4 mm: from 2.2 to 3.8 without the least and the largest tenth."""
+    found = told(programs.program([polygon(side, z=-1.0 * k) for k, side in enumerate((40, 36, 30, 22))]))
+    holds(found, {"evenness": log1p(1 + 1.6 / 3 / WATERLINES.ROUNDING), "ring_depths": log1p(4), "deeper": 1, "nested": 0})
 
 
 def test_one_ring():
@@ -159,6 +166,13 @@ def test_two_families_of_rows(rows):
         "rows": 1, "rows_same": (11 * 60 + 11 * 33) / length, "rows_opposite": 0, "row_count": log1p(24), "lines_of_rows": log1p(12),
         "row_slender": log1p(60 / step), "row_even": 1,
     })  # fmt: skip
+
+
+@pytest.mark.parametrize(("turns", "around"), [(0.9, 0), (1.5, 1)])
+def test_an_area_goes_around_where_it_turns_by_more_than_one_turn(turns, around):
+    spiral, straight = winding(30.0, 12.0, turns), [(200.0, 0.0, 0.0), (250.0, 0.0, 0.0)]
+    length = sum(hypot(b[0] - a[0], b[1] - a[1]) for a, b in zip(spiral, spiral[1:]))
+    holds(told(programs.program([spiral, straight])), {"around_areas": around * length / (length + 50)})
 
 
 def test_windings_have_their_share_of_the_length():
