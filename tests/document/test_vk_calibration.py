@@ -88,6 +88,30 @@ def test_constants_are_what_the_meshes_and_the_profile_took_by_their_size(monkey
     assert found.call == found.ring == found.line == found.cap == 0
 
 
+def test_the_cuts_that_are_timed_tell_their_constants_apart(monkeypatch):
+    """Each takes two milliseconds at most, and a hundredth more of each time is eight hundredths of a constant at most."""
+    cuts, cut, words = [], measuring._cut, []
+    monkeypatch.setattr(measuring, "_cut", lambda *asked: cuts.append(cut(*asked)) or cuts[-1])
+    monkeypatch.setattr(measuring, "linearize", lambda commands: words.append(commands) or linearize(commands))
+    names = "call", "ring", "line", "cap"
+    known = np.array([getattr(DEFAULTS, name) for name in names])
+    monkeypatch.setattr(
+        measuring, "steady_seconds", lambda pieces, **_: [*([c for c, _ in cuts] @ known), 1.0, 1.0, 1.0]
+    )
+    found = measuring.measure_legacy(None, None)
+    assert [getattr(found, name) for name in names] == pytest.approx(measuring._COLD_CACHE * known)
+    work = np.array([counts for counts, _ in cuts])
+    seconds = work @ known
+    assert (seconds < 2e-3).all()
+    assert (np.abs(np.linalg.inv(work) * seconds).sum(axis=1) < 8 * known).all()
+    # To and fro within the stock, which is the same for FreeCAD and for what is counted.
+    for commands in words:
+        x = [word["X"] for _, word in commands]
+        assert x[::2] == [10.0] * len(x[::2]) and len(set(x[1::2])) == 1 and 10.0 < x[1] < 100.0
+    box = measuring._BOX.BoundBox
+    assert [box.XLength, box.YLength, box.ZLength] == (measuring._STOCK.upper - measuring._STOCK.lower).tolist()
+
+
 def test_each_renderer_has_its_own(folder):
     calibration.calibrate("card")
     assert calibration.load("llvmpipe (LLVM 19)") is None
