@@ -212,8 +212,11 @@ def test_which_rings_are_circles(corners, is_round):
 def test_a_turn_that_descends_all_along_is_sloped_and_a_ramp_at_its_start_is_not():
     around = polygon(30, corners=36)
     steady = [(x, y, -2.0 * i / 36) for i, (x, y, _) in enumerate(around)]
-    at_first = [(x, y, max(-0.5 * i, -2.0)) for i, (x, y, _) in enumerate(around)]
-    assert [rings_of([points]).sloped.tolist() for points in (around, steady, at_first)] == [[False], [True], [False]]
+    over_half, at_first = (
+        [(x, y, max(-drop * i, -2.0)) for i, (x, y, _) in enumerate(around)] for drop in (2 / 18, 0.5)
+    )
+    rings = [rings_of([points]).sloped.tolist() for points in (around, steady, over_half, at_first)]
+    assert rings == [[False], [True], [False], [False]]
 
 
 @pytest.mark.parametrize("order", [(0, 1, 2, 3), (3, 2, 1, 0), (0, 3, 1, 2), (1, 0, 3, 2)])

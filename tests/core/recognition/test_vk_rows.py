@@ -171,7 +171,7 @@ def test_a_median_by_weight():
 
 
 def test_steps_of_a_stroke_are_none_in_whatever_area_it_lies():
-    before = [[(0.0, -80.0, 0.0), (1.0, -80.0, 0.0)]]
+    before = [[(0.0, -80.0, 0.0), (10.0, -80.0, 0.0)]]
     stairs = [(10.0 * (k // 2 + k % 2), 3.0 * (k // 2), 0.0) for k in range(20)]
     families = rows_of(programs.program(before + [stairs]))
     assert families[0].same == 0

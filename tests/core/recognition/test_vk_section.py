@@ -283,6 +283,7 @@ def deeper(stroke, by=1.0):
         ([polygon(60), rows(x=50, y=-50), *(polygon(20, x=300 + 80 * k) for k in range(8))], 1.0),
         ([*(polygon(20, x=300 + 80 * k, z=z) for k in range(5) for z in (0.0, -2.0)),
           polygon(60, z=-1.0), rows(x=50, y=-50, z=-1.0)], 1.0),
+        ([polygon(30), rows(7, step=5.0, x=55, y=-55)], 1.0),
         ([polygon(60), rows(x=80, y=-50)], 0.0),
         ([polygon(60), rows(x=20, y=-50)], 0.0),
         ([polygon(60), rows(x=50, y=-20)], 0.0),
@@ -292,7 +293,7 @@ def deeper(stroke, by=1.0):
         ([polygon(60)], 0.0),
     ],
     ids=["after", "before", "between, inside the first", "between, inside the second", "as deep", "deeper", "not last", "the eighth", "the ninth", "the largest of nine",
-         "five at other depths", "right", "left", "above", "below", "some", "no ring", "no rows"],
+         "five at other depths", "along it and to it", "right", "left", "above", "below", "some", "no ring", "no rows"],
 )  # fmt: skip
 def test_rows_are_surrounded_by_one_of_the_largest_rings_at_their_depth(strokes, share):
     assert section(*strokes).bordered()[0] == pytest.approx(share)

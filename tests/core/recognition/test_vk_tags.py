@@ -60,6 +60,12 @@ def test_a_contour_may_begin_and_end_at_a_tag():
     assert len(around.start) == 1 and around.closed.all() and around.area_length == pytest.approx([400.0])
 
 
+def test_two_strokes_between_two_tags_are_a_contour():
+    right, left = [(63, 0), (120, 0), (120, 80), (63, 80)], [(57, 80), (0, 80), (0, 0), (57, 0)]
+    around = joined([[(x, y, -3.0) for x, y in part] for part in (right, left)])
+    assert len(around.start) == 1 and around.closed.all() and around.area_length == pytest.approx([400.0])
+
+
 @pytest.mark.parametrize("chords", [12, 90])
 def test_a_circle_over_tags_is_one_contour(chords):
     """Three tags of 17 degrees."""
@@ -114,6 +120,8 @@ def test_strokes_with_unlike_passes_and_rows_cut_to_full_depth_are_no_contour():
     sides = parts_of_sides(tags=1)
     deeper = [[(x, y, z - 1.0) for x, y, z in part] for part in sides]
     assert unchanged([part for k, two in enumerate(zip(sides, deeper)) for part in two[: 1 + k % 2]])
+    deepest = [[(x, y, z - 2.0) for x, y, z in part] for part in sides]
+    assert unchanged([part for k, all_ in enumerate(zip(sides, deeper, deepest)) for part in all_[: 2 + k % 2]])
     rows = [[(0.0, 3.0 * y, z), (40.0, 3.0 * y, z)] for y in range(8) for z in (-1.0, -2.0)]
     assert unchanged(rows) and unchanged([row[::-1] if k % 2 else row for k, row in enumerate(rows)])
 
