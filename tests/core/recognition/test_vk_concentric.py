@@ -17,15 +17,15 @@ from vkworkbench.core.recognition.thresholds import VOTES
 QUARTER, CHORDS = np.pi / 2, 60
 
 
-def found(radii, *, way=lambda k: 1, climb=0.0, turned=0.0, centre=(33.0, -21.0), aside=(), chords=CHORDS):
-    """The arcs in quarter circles of these radii, each of so many chords; `way` runs each backwards or not, `climb` mm wider at its end, each `turned` further.
+def found(radii, *, way=lambda k: 1, climb=0.0, turned=0.0, centre=(33.0, -21.0), aside=(), chords=CHORDS, sector=QUARTER):
+    """The arcs in quarter circles, or other sectors, of these radii, each of so many chords; `way` runs each backwards or not, `climb` mm wider at its end, each `turned` further.
 
     Behind its end each goes on to so much wider radii, straight from the centre.
     """
     commands = []
     for k, radius in enumerate(radii):
         share = np.linspace(0, 1, chords + 1)[:: way(k)]
-        r, angle = radius + climb * share, QUARTER * share - 0.3 + turned * k
+        r, angle = radius + climb * share, sector * share - 0.3 + turned * k
         r, angle = np.append(r, r[-1] + np.array(aside)), np.append(angle, np.full(len(aside), angle[-1]))
         points = np.column_stack((centre[0] + r * np.cos(angle), centre[1] + r * np.sin(angle)))
         commands += [("G0", {"Z": 5.0}), ("G0", dict(zip("XY", points[0].tolist()))), ("G1", {"Z": -1.0, "F": 5.0})]
@@ -101,6 +101,14 @@ def test_rows_have_no_centre(degrees, lean):
     moves = monotonous_areas(linearize(programs.program(strokes)))
     pieces = cut_pieces(moves)
     assert len(pieces) == 8 and find_arcs(moves, pieces, np.arange(len(pieces))) is None
+
+
+@pytest.mark.parametrize(("degrees", "bent"), [(17, False), (24, True)])
+def test_what_bends_by_less_than_twenty_degrees_is_straight(degrees, bent):
+    """Of directions spread evenly over an angle of 0.35 the least squares are a hundredth of what they could be."""
+    arcs = found([60, 62, 64, 66], sector=np.radians(degrees))
+    assert (arcs is not None) == bent
+    assert arcs is None or arcs.step == pytest.approx(2, rel=1e-2)
 
 
 def test_what_makes_an_elected_strategy_sure():

@@ -40,6 +40,12 @@ def test_offsets_are_nested_a_stepover_apart(sides, growing):
     assert (rings.depths, rings.distinct, rings.depth_range) == (1, len(sides), 0.0)
 
 
+@pytest.mark.parametrize(("inward", "relation"), [(0.2, "repeated"), (0.3, "deeper")])
+def test_a_large_ring_is_the_same_at_another_depth_where_it_is_a_quarter_millimetre_smaller(inward, relation):
+    """0.05 mm, and two thousandths of its 100 mm."""
+    assert related(rings_of([polygon(100), polygon(100 - 2 * inward, z=-1.0)])) == [{relation}] * 2
+
+
 @pytest.mark.parametrize("side", [60, 600])
 def test_offsets_of_a_large_part_are_as_far_apart_as_those_of_a_small_one(side):
     """A fifth of the tool, which is a thousandth of the larger part's size."""
