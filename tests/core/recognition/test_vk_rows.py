@@ -148,15 +148,6 @@ def test_two_passes_the_same_way_in_one_stroke_are_steps_and_no_rows():
     assert families[0].same == 0 == families[0].opposite and families[0].count == 10
 
 
-@pytest.mark.parametrize(("aside", "length"), [(0.04, 50), (0.07, 40)])
-def test_what_turns_aside_by_three_degrees_belongs_to_a_row(aside, length):
-    """A fifth of each row, to the left and to the right in turns."""
-    bend = 10 * math.tan(aside)
-    rows = [[(0.0, y), (20.0, y), (30.0, y + end), (50.0, y + end)] for y, end in zip(range(0, 50, 5), 5 * (bend, -bend))]
-    (family,) = rows_of(programs.program([[(x, y, 0.0) for x, y in row] for row in rows]))
-    assert family.axis == pytest.approx(0, abs=1e-9) and family.length == pytest.approx(10 * length, rel=1e-3)
-
-
 def test_a_single_row_has_no_step():
     (rows,) = rows_of(programs.program([[(0.0, 5.0, 0.0), (50.0, 5.0, 0.0)]]))
     assert (rows.count, rows.lines, rows.length, rows.once, rows.typical) == (1, 1, 50, 50, 50)
