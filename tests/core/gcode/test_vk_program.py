@@ -406,6 +406,7 @@ HEIDENHAIN = (
 def test_heidenhain_iso():
     text = HEIDENHAIN.format("N70 X+50 M99 *")
     assert points(text) == [[0, 50, 5], [0, 50, -1], [50, 50, -1], [50, 50, 5]] and said(text) == []
+    assert points(text.replace(" *", "*")) == points(text)  # the end of a block is no digit
     program = read_program(text)
     assert program.unit_told and not program.inches
     inches = read_program(text.replace("G71", "G70"))

@@ -7,7 +7,7 @@ import pytest
 
 from vkworkbench.core.gcode.reader import read_program
 from vkworkbench.core.gcode.sections import split_sections, title_of
-from vkworkbench.core.gcode.tool_table import number_named, tool_told
+from vkworkbench.core.gcode.tool_table import number_named, tells_inches, tool_told
 
 CUT = "G0 X0 Y0 Z5\nG1 Z-1 F100\nX10\nG0 Z5\n"
 
@@ -372,8 +372,15 @@ def test_a_line_of_words_alone_cuts_where_it_goes_on_with_a_feed():
     assert [title for title, _, _ in sections(f"(One)\nG0 X5 Y5\nX6\nF100\n(Two)\nG1 {cut}")] == ["Two"]
 
 
+@pytest.mark.parametrize(
+    ("tool", "both"), [("T1 DIA-0.5000  1/2 ENDMILL", True), ("T1 DIA-0.5 - OP 3/4", False), ("T1 1/2 ENDMILL", False)]
+)
+def test_a_number_and_the_same_fraction_tell_inches(tool, both):
+    assert tells_inches(tool) is both
+
+
 def test_what_stands_beside_a_coolant_is_no_title():
-    text = "(FACE TOP)\nM08 (Collant On)\nG0 X0 Y0 Z5\nG1 Z-1 F100\nX50\nG0 Z5\nM9 (dry now)\n"
+    text = "(FACE TOP)\nM08 (Collant On)\nM07 (Mist)\nG0 X0 Y0 Z5\nG1 Z-1 F100\nX50\nG0 Z5\nM9 (dry now)\n"
     assert [section.title for section in split_sections(read_program(text))] == ["FACE TOP"]
     told = split_sections(read_program("T2 M6 M8 (6 mm end mill)\n" + text))
     assert [section.tool.diameter for section in told] == [6]

@@ -17,7 +17,9 @@ from vkworkbench.core.recognition.thresholds import VOTES
 QUARTER, CHORDS = np.pi / 2, 60
 
 
-def found(radii, *, way=lambda k: 1, climb=0.0, turned=0.0, centre=(33.0, -21.0), aside=(), chords=CHORDS, sector=QUARTER):
+def found(
+    radii, *, way=lambda k: 1, climb=0.0, turned=0.0, centre=(33.0, -21.0), aside=(), chords=CHORDS, sector=QUARTER
+):
     """The arcs in quarter circles, or other sectors, of these radii, each of so many chords; `way` runs each backwards or not, `climb` mm wider at its end, each `turned` further.
 
     Behind its end each goes on to so much wider radii, straight from the centre.

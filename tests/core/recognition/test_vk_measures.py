@@ -84,7 +84,9 @@ def test_rings_at_two_depths():
 def test_rings_a_millimetre_deeper_each_are_even_in_depth_however_wide_their_steps():
     """Steps of 2, 3 and 4 mm: from 2.2 to 3.8 without the least and the largest tenth."""
     found = told(programs.program([polygon(side, z=-1.0 * k) for k, side in enumerate((40, 36, 30, 22))]))
-    holds(found, {"evenness": log1p(1 + 1.6 / 3 / WATERLINES.ROUNDING), "ring_depths": log1p(4), "deeper": 1, "nested": 0})
+    holds(
+        found, {"evenness": log1p(1 + 1.6 / 3 / WATERLINES.ROUNDING), "ring_depths": log1p(4), "deeper": 1, "nested": 0}
+    )
 
 
 def test_one_ring():

@@ -188,7 +188,9 @@ def test_nonsense_is_said_by_many_votes_or_by_some_where_nothing_is_sure():
     assert machines_nothing(many, 0.97) and machines_nothing(some, sure - 0.01)
     assert not machines_nothing(some, sure) and not machines_nothing(VOTES.DOUBTFUL, 0.0)
     assert not machines_nothing(some, 0.0, doubtful=some)
-    assert not machines_nothing(VOTES.NONSENSE, VOTES.SUREST)  # what is as sure as can be is said in spite of some votes
+    assert not machines_nothing(
+        VOTES.NONSENSE, VOTES.SUREST
+    )  # what is as sure as can be is said in spite of some votes
 
 
 def test_grounds_are_six_numbers():

@@ -145,8 +145,9 @@ def test_only_what_may_be_a_program_is_divided():
     assert len(recognize(path, tool_diameter=TOOL).spans) == 1
 
 
-def test_operations_between_two_tool_changes_are_told_apart_at_their_own_top():
-    one, two, three = DIFFERENT["zigzag"], DIFFERENT["helix"], DIFFERENT["profile"]
+@pytest.mark.parametrize("depths", [[-1.0, -2.0], [-2.0]], ids=["several retracts between them", "one retract"])
+def test_operations_between_two_tool_changes_are_told_apart_at_their_own_top(depths):
+    one, two, three = programs.SOUND["zigzag"](14, 60.0, 3.0, depths), DIFFERENT["helix"], DIFFERENT["profile"]
     up = [("G0", {"Z": programs.CLEAR + 100.0})]
     path = linearize([*one, ("G0", {"Z": programs.CLEAR}), *two, *up, *three, *up, *one])
     path = replace(path, comments=(), tool_changes=np.empty(0, np.int64))
