@@ -30,14 +30,14 @@ _HOMES = {
 }
 
 
-def analyze(what=..., *, progress=None, cancelled=None):
+def analyze(what=None, *, progress=None, cancelled=None):
     """Analyse operations of FreeCAD, or NC programs: strategy, lengths and what simulating them costs.
 
     Parameters
     ----------
     what : Document, DocumentObject, path, or iterable of them, optional
-        A document (all its jobs and imported toolpaths), a job, or operations; without it the active document. Or
-        files of NC programs, and folders of them.
+        A document (all its jobs and imported toolpaths), a job, or operations; the active document if None. Or files
+        of NC programs, and folders of them.
     progress : callable, optional
         Called before each operation or file with how many are done, how many there are, and its label.
     cancelled : callable, optional
@@ -51,12 +51,11 @@ def analyze(what=..., *, progress=None, cancelled=None):
     Raises
     ------
     ValueError
-        If `what` is left out and no document is open, or if a file's name is empty, or a program's text.
+        If `what` is None and no document is open, or if a file's name is empty, or a program's text.
     ReferenceError
         If an object of it was deleted, or its document closed.
     TypeError
-        If `what` is something else, also None, as of a name that is not there; without FreeCAD files and folders are all
-        there is.
+        If `what` is something else; without FreeCAD files and folders are all there is.
     Cancelled
         If `cancelled` returned True.
     """

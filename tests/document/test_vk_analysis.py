@@ -169,19 +169,6 @@ def test_no_document(small):
             call()
 
 
-@pytest.mark.parametrize("call", [vkworkbench.analyze, vkworkbench.clear, vkworkbench.simulate])
-def test_a_name_that_is_not_there_is_not_the_whole_document(small, call, zigzag_commands):
-    first = small.add("First", zigzag_commands)
-    vkworkbench.mark(vkworkbench.analyze(small.document))
-    for mistyped in (small.document.getObject("Frist"), [first, small.document.getObject("Second")]):
-        with pytest.raises(TypeError, match="None has no toolpath: getObject gives it for a name that is not there"):
-            call(mistyped)
-    assert first.Strategy == "zigzag"
-    FreeCAD.closeDocument(small.document.Name)
-    with pytest.raises(ValueError, match="no document is open"):  # as FreeCAD.ActiveDocument says it
-        call(FreeCAD.ActiveDocument)
-
-
 def test_a_document_without_operations(small):
     empty = vkworkbench.analyze(small.document)
     assert empty.operations == () and "No operations" in str(empty)

@@ -149,7 +149,7 @@ def test_a_failure_of_reading_costs_one_row(sound, zigzag_commands, monkeypatch)
     )
 
 
-@pytest.mark.parametrize("what", ["x", 5, b"x", ["x"], [[5]], 1.5, object()])
+@pytest.mark.parametrize("what", ["x", 5, b"x", ["x"], [None], [[5]], 1.5, object()])
 def test_what_is_no_document_is_told_in_a_sentence(small, what):
     with pytest.raises(TypeError, match="only a document, a job or operations"):
         vkworkbench.clear(what)

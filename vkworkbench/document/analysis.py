@@ -52,7 +52,7 @@ _PATIENCE = 0.02  # s between two calls of `cancelled`
 
 
 def analyze(
-    what=...,
+    what=None,
     *,
     progress: Callable[[int, int, str], None] | None = None,
     cancelled: Callable[[], bool] | None = None,
@@ -65,7 +65,7 @@ def analyze(
     Parameters
     ----------
     what : Document, DocumentObject, or iterable of them, optional
-        A document (all its jobs and imported toolpaths), a job, or operations; without it the active document.
+        A document (all its jobs and imported toolpaths), a job, or operations; the active document if None.
     progress : callable, optional
         Called before each operation with how many are done, how many there are, and its label.
     cancelled : callable, optional
@@ -82,11 +82,11 @@ def analyze(
     Raises
     ------
     ValueError
-        If it is left out and no document is open.
+        If `what` is None and no document is open.
     ReferenceError
         If an object of it was deleted, or its document closed.
     TypeError
-        If `what` is something else, also None, as of a name that is not there.
+        If `what` is something else.
     Cancelled
         If `cancelled` returned True.
     """

@@ -68,13 +68,13 @@ def _mark(document, operations: list[OperationReport]) -> int:
     return len(marked)
 
 
-def clear(what=...) -> int:
+def clear(what=None) -> int:
     """Remove all marks of a document, a job or operations, one undo step a document; nothing else changes.
 
     Parameters
     ----------
     what : Document, DocumentObject, or iterable of them, optional
-        Without it the active document.
+        The active document if None.
 
     Returns
     -------
@@ -84,11 +84,11 @@ def clear(what=...) -> int:
     Raises
     ------
     ValueError
-        If it is left out and no document is open.
+        If `what` is None and no document is open.
     ReferenceError
         If an object of it was deleted, or its document closed.
     TypeError
-        If `what` is something else, also None, as of a name that is not there.
+        If `what` is something else.
     """
     marked: dict[str, dict] = {}
     for obj in _with_jobs(or_active_document(what)):

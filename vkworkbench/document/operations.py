@@ -134,16 +134,18 @@ def is_group(obj) -> bool:
 
 
 def or_active_document(what):
-    """Return what somebody asked for, the active document where nothing was: where it is ``...``, as a default is.
+    """Return what somebody asked for, the active document where that is None.
 
     Raises
     ------
     ValueError
         Where no document is open.
     """
-    if FreeCAD.ActiveDocument is None and (what is None or what is ...):
+    if what is None:
+        what = FreeCAD.ActiveDocument
+    if what is None:
         raise ValueError("no document is open: open one with a job or a toolpath")
-    return FreeCAD.ActiveDocument if what is ... else what
+    return what
 
 
 def find(what) -> list[Operation]:
@@ -207,8 +209,6 @@ def _find(what, jobs: dict) -> Iterator[Operation]:
     elif isinstance(what, Iterable) and not isinstance(what, (str, bytes)):
         for one in what:
             yield from _find(one, jobs)
-    elif what is None:
-        raise TypeError("None has no toolpath: getObject gives it for a name that is not there")
     else:
         raise TypeError(f"only a document, a job or operations have toolpaths, not {type(what).__name__}")
 

@@ -265,7 +265,7 @@ class JobCopy:
             return copied
 
 
-def read_job(what=...) -> SimulatedJob:
+def read_job(what=None) -> SimulatedJob:
     """Read what is to be simulated; see :func:`vkworkbench.simulate`."""
     copy = copy_job(what)
     for _ in copy.copying():
@@ -273,7 +273,7 @@ def read_job(what=...) -> SimulatedJob:
     return copy.job(copy.read())
 
 
-def copy_job(what=...) -> JobCopy:
+def copy_job(what=None) -> JobCopy:
     """Find what is to be simulated, to be copied; see :func:`vkworkbench.simulate`."""
     what = or_active_document(what)
     asked = list(what) if isinstance(what, Iterable) else [what]

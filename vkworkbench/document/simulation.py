@@ -19,7 +19,7 @@ from vkworkbench.report import SimulationFacts, how_many
 
 
 def simulate(
-    what=...,
+    what=None,
     *,
     view: View | str | None = None,
     memory_budget: float | None = None,
@@ -30,7 +30,7 @@ def simulate(
     Parameters
     ----------
     what : Document, DocumentObject, or iterable of them, optional
-        A document with one job, a job, or some of its operations; without it the active document.
+        A document with one job, a job, or some of its operations; the active document if None.
     view : View or str, optional
         The image, or the name of a direction, e.g. ``"Isometric"``; that of the preferences if None.
     memory_budget : float, optional
@@ -50,11 +50,11 @@ def simulate(
     OverBudget
         If it would take more memory; nothing was simulated.
     ValueError
-        If `what` is left out and no document is open, or there is no such direction.
+        If `what` is None and no document is open, or there is no such direction.
     ReferenceError
         If an object of it was deleted, or its document closed.
     TypeError
-        If `what` is something else, also None, as of a name that is not there.
+        If `what` is something else.
     """
     job, chosen = read_job(what), preferences.read()
     if isinstance(view, str):
