@@ -397,6 +397,17 @@ def test_a_title_that_names_a_tool_of_before_has_that_tool():
     assert sections(f"{listed}(T2 : rest)\n{CUT}")[0][2] == 3
 
 
+def test_fusion_for_marlin_names_an_operation_before_its_tool():
+    """Behind a table of ranges, which is no name; what the operator is to do is none, either."""
+    header = ";Ranges table:\n; X: Min=0 Max=5 Size=5\n;Tools table:\n"
+    listed = "; T1 D=6 CR=0 - ZMIN=-3 - flat end mill\n; T3 D=3 CR=0 - ZMIN=-3 - flat end mill\n"
+    second = "M6 ;wait for user interaction\n;2D Contour1 - Milling - Tool: 3 - flat end mill\n"
+    first = ";Face1 - Milling - Tool: 1 -  flat end mill\n"
+    assert sections(header + listed + first + CUT + second + CUT) == [("Face1", None, 6), ("2D Contour1", None, 3)]
+    asked = "(ROUGH)\nT1 M6\nM0\n(MAKE SURE THE SPINDLE IS RUNNING)\n(THEN PRESS CYCLE START)\n"
+    assert sections(asked + CUT)[0][0] == "ROUGH"
+
+
 def test_a_toolpath_is_no_tool():
     listed = "(T1 D=6 CR=0 - flat end mill)\n(T2 D=3 CR=0 - flat end mill)\nT1 M6\n"
     for title in ("Percurso da ferramenta 2", "Trayectoria de herramienta 2", "Trajectoire d'outil 2"):

@@ -34,6 +34,7 @@ _TITLED = re.compile(
     r"\s*[:=]\s*(?!g-code from|(?:block|header|footer|[GM]\d+)$)(\S.*)",
     re.IGNORECASE,
 )
+_BEFORE_TOOL = re.compile(r"(\S.*?) - milling - tool: \d+ - ", re.IGNORECASE)  # Fusion for Marlin
 # Comments that are no titles: what post processors say of themselves, the machine, modes, and moves in an operation.
 _REMARK = re.compile(
     r"""
@@ -45,6 +46,7 @@ _REMARK = re.compile(
     | pcb2gcode\b | high\s+up\s+down\b | (?:generator|shape)\s*= | end\ cutting\ path\b | it\ is\b
     | select\b.*\b(?:plane|coordinate\ system|work\ offset)\b
     | block-\w+\s*: | (?=.*\d)[0-9a-f]{6}$ | [\w\ ]*(?:height\ offset|comp|css|compressor)\ o(?:n|ff)$
+    | (?:ranges|tools)\ table$ | .*\b(?:press|make\ sure)\b.*\b(?:cycle\ start|spindle|button|key|running)\b
     | begin\ drilling$ | (?:section|start|stop|job|operation|epilogue)\ (?:begin|end)$ | optional\ stop\b | axis,
     | (?:[A-Z][-+]?\d*\.\d*\s+)+[A-Z][-+]?\d*\.\d*$
     | (?:laser|plasma|waterjet|through|etch|vaporize)\ cutting\.?$ | run\ point-pierce\b
@@ -176,7 +178,7 @@ def _groups(program: Program) -> list[_Group]:
             continue
         change = line if line in changes else group.change
         if told is None:
-            if group.change is None:
+            if group.number is None:
                 number = number_named(what)
                 group.tool = (None if number is None else known.get(number)) or group.tool
             begins = _FROM.fullmatch(what)
@@ -256,7 +258,7 @@ def title_of(comment: str) -> str:
     text = comment.strip(" *-=#;:\t")
     if re.fullmatch(r"\([^()]*\)", text):  # behind a semicolon
         text = text[1:-1].strip()
-    titled = _TITLED.match(text)
+    titled = _TITLED.match(text) or _BEFORE_TOOL.match(text)
     if titled:
         return titled[1].strip()
     return "" if not text or _REMARK.match(text) else text
