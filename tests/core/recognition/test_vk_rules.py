@@ -117,6 +117,8 @@ CASES = {
         [[(500, 0, 0), (560, 10, 0), (590, 0, 0)], [(500, 40, 0), (550, 60, 0), (595, 45, 0)]], "profile", "long-strokes", 2),
     "long strokes that rise to their ends": ([carved(0), carved(40)], "engraving", "rising-strokes", 2),
     "one stroke that rises to its end": ([carved(0)], "engraving", "rising-strokes", 1),
+    "a stroke that rises to its end, at three depths": (
+        [[(x, y, z - 3.0 * i) for x, y, z in carved(0)] for i in range(3)], "profile", "open-contour-again", 3),
     "long strokes with a short way out": (
         [carved(0, rises=2.0), carved(40, rises=2.0)], "profile", "long-strokes", 2),
     "letters": (letters(12), "engraving", "short-strokes", 12),

@@ -180,7 +180,8 @@ def _judge_strokes(s: Section) -> Verdict:
     long = k.typical > STROKES.LONG * extent.sum()
     # Letters may be carved at several depths as contours are, but there are more of them, and they are short.
     contours = k.distinct < STROKES.DISTINCT * number and (long or k.distinct <= ENOUGH.TIMES)
-    if max(sloped, s.retraced) < ENOUGH.SHARE and share_rising(s.areas) > STROKES.RISING:
+    # What comes again deeper rises to its ends where it is left, not in the corners of letters.
+    if not contours and max(sloped, s.retraced) < ENOUGH.SHARE and share_rising(s.areas) > STROKES.RISING:
         return Verdict(Strategy.ENGRAVING, number, Message("rising-strokes"))
     if k.distinct <= 1 or contours or s.retraced > ENOUGH.SHARE:
         seen = Message("one-open-contour") if number == 1 else Message("open-contour-again")
