@@ -386,6 +386,12 @@ def test_what_stands_beside_a_coolant_is_no_title():
     assert [section.tool.diameter for section in told] == [6]
 
 
+def test_what_stands_beside_a_move_is_no_title():
+    """It says what the move is for; what it says of a tool counts."""
+    text = "(FACE TOP)\nT2 M6 (6 mm end mill)\nG0 X0 Y0 S1200 M3 (H1)\nG1 Z-1 F100\nX50\nG0 Z5 M5 (back off and stop)\nG1 X0\n"
+    assert sections(text) == [("FACE TOP", 2, 6)]
+
+
 def test_titles_at_tool_changes_are_no_passes():
     """Sixty numbered titles are passes of one operation, but not where the tool is changed at each."""
     changed = "".join(f"(Hole {k})\nT{k} M6\n{CUT}" for k in range(1, 61))

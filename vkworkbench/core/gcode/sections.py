@@ -158,6 +158,7 @@ def _groups(program: Program) -> list[_Group]:
             marks.append((at, int(program.lines[at]), words.get("T")))
         elif name[:1] == "T":
             named[int(program.lines[at])] = int(name[1:])
+    moving = {int(program.lines[at]) for at, (_, words) in enumerate(program.commands) if not _AXES.isdisjoint(words)}
     cuts = _cuts(program)
     marks.sort(key=lambda mark: mark[:2])
     changes = {line: None if what is None else int(what) for _, line, what in marks if not isinstance(what, str)}
@@ -187,7 +188,7 @@ def _groups(program: Program) -> list[_Group]:
             else:
                 title = "" if begun else title_of(what)
                 begun = "" if what == f"End {begun}" else begun
-            if title:
+            if title and line not in moving:
                 group.title, group.headings = title, (*group.headings, what)
             continue
         name = "" if _NO_NAME.match(what) else what
