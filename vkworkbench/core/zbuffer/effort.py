@@ -3,7 +3,8 @@
 
 How much culling drops differs from one toolpath to another by orders of magnitude; only culling tells. So some tiles
 are culled as the simulator does it, level by level. Where the tiles of a level have more pairs than a few thousands,
-some of them are drawn, as likely as their pairs take long, and stand for the others (sampling proportional to size).
+some of them are drawn, as likely as their pairs take long, and stand for the others (sampling proportional to size,
+Madow 1949). What would be drawn more than once is taken for certain, and stands for itself.
 """
 
 from __future__ import annotations
@@ -21,8 +22,10 @@ from vkworkbench.core.zbuffer.trajectories import Kind
 from vkworkbench.core.zbuffer.upright import Upright
 
 # Pairs of tile and trajectory that go on at each level, for each kind of trajectory: operations with different tools are
-# in different places. And of the image's first tiles as many as are looked at.
-_PAIRS = 6_000
+# in different places. As many more as there are trajectories, up to a number: where they crowd, a few tiles hold all that
+# go on, and do not tell what the others take. And of the image's first tiles as many as are looked at.
+_PAIRS = 12_000
+_CROWDED = 40_000
 _LOOKED_AT = 2_000_000
 # No fewer of the first tiles.
 _FEWEST = 24
@@ -150,6 +153,7 @@ def work_of(removal: Removal, trajectories: int, counts: Counts) -> Work:
     bounds = Upright(removal) if upright else Tilted(removal)
     kind = np.array([_kind(kind, upright) for kind in removal.kinds], int)[removal.kind]
     tiles, weight, all_tiles = _first(removal, rng)
+    pairs = _PAIRS * len(removal.kinds) + min(len(removal.index), _CROWDED)
     levels = []
     cells: np.ndarray = np.zeros(KINDS)
     while len(tiles.item):
@@ -159,7 +163,7 @@ def work_of(removal: Removal, trajectories: int, counts: Counts) -> Work:
         if not len(tiles.item):
             break
         levels.append(tuple(_pairs(tiles, weight, kind).tolist()))
-        tiles, weight = _drawn(tiles, weight, TESTS[kind[tiles.item]], _PAIRS * len(removal.kinds), rng)
+        tiles, weight = _drawn(tiles, weight, TESTS[kind[tiles.item]], pairs, rng)
         smaller = quartered(removal, bounds, tiles)
         tiles, weight = smaller, weight[_parents(tiles, smaller)]
     pixels, first = frame.width * frame.height, all_tiles * len(removal.index)
@@ -216,16 +220,30 @@ def _drawn(
     size = np.diff(tiles.first)
     if size.sum() <= pairs:
         return tiles, weight
-    cost = np.diff(np.append(0.0, np.cumsum(cost)).take(tiles.first))
-    running = np.cumsum(weight * cost)
-    usual = float((weight * cost * size).sum()) / running[-1]  # size of a tile so drawn
+    likely = weight * np.diff(np.append(0.0, np.cumsum(cost)).take(tiles.first))
+    usual = float((likely * size).sum()) / likely.sum()  # size of a tile so drawn
     count = max(1, int(pairs / usual))
-    at = (np.arange(count) + rng.random(count)) / count * running[-1]
-    chosen, times = np.unique(np.searchsorted(running[:-1], at, side="right"), return_counts=True)
+    if count >= len(size):
+        return tiles, weight
+    chances = _chances(likely, count)
+    at = np.arange(count) + rng.random()
+    chosen = np.unique(np.searchsorted(np.cumsum(chances)[:-1], at, side="right"))
     item = [tiles.item[tiles.first[tile] : tiles.first[tile + 1]] for tile in chosen]
     first = np.append(0, np.cumsum(size[chosen]))
     drawn = Tiles(tiles.side, tiles.column[chosen], tiles.row[chosen], first, np.concatenate(item))
-    return drawn, times * running[-1] / count / cost[chosen]
+    return drawn, weight[chosen] / chances[chosen]
+
+
+def _chances(likely: np.ndarray, count: int) -> np.ndarray:
+    """Chances of tiles to be among the `count` that are drawn: proportional to `likely` (t,), 1 at most."""
+    sure = np.zeros(len(likely), bool)
+    while True:
+        left = likely[~sure].sum()
+        chances = np.where(sure, 1.0, likely * ((count - sure.sum()) / left))
+        more = chances > 1
+        if not more.any():
+            return chances
+        sure |= more
 
 
 def _parents(tiles: Tiles, made: Tiles) -> np.ndarray:
