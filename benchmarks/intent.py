@@ -41,7 +41,7 @@ def called(label: str) -> str | None:
 def main(files: list[str]) -> None:
     seen, found = set(), []
     for label, _, accepted, diameter, _, path in records(files):
-        if (digest := key(path)) not in seen and called(label):
+        if (digest := key(path, diameter)) not in seen and called(label):
             seen.add(digest)
             families = {Strategy(s).family for s in accepted}
             found.append((called(label), families, recognize(path, tool_diameter=diameter)))

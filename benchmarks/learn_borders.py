@@ -101,7 +101,7 @@ def main() -> None:
             f"said inside an operation {(said & ~true & of).sum()} of {(~true & of).sum()} retracts"
         )
     if options.write:
-        trees = grow(x, y, weight, 2, trees=TREES, leaves=LEAVES)
+        trees = grow(x, y, weight, trees=TREES, leaves=LEAVES)
         head, _ = TABLE.read_text().split("TREES = (")
         TABLE.write_text(head + "TREES = (\n" + "".join(f'    "{t}",\n' for t in trees) + ")\n")
 

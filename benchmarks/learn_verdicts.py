@@ -2,13 +2,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Learn what operations of each strategy measure and how sure a verdict is, and write the table of the recognition.
 
-    python3 benchmarks/learn_verdicts.py OPERATIONS.jsonl.gz ... [--in-use] [--write]
+    python3 benchmarks/learn_verdicts.py OPERATIONS.jsonl.gz ... [--write]
 
 The operations are those that benchmarks/recognition.py reads; toolpaths/synthetic.py and toolpaths/nonsense.py join them.
 Printed, and the confidence fitted on, are verdicts on sources that had no part in the learning: a tenth of the
 repositories, parts and kinds at a time. --write learns from all and writes vkworkbench/core/recognition/learned.py.
-With --in-use the trees stay, and only how sure a verdict is is fitted anew, on the verdicts of the table in use: it has
-learned from more than each of these tenths, and from other programs than these.
 """
 
 from __future__ import annotations
@@ -25,14 +23,12 @@ HERE = Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE.parent), str(HERE)]
 
 from records import Record, operations
-from reliability import how_sure
 from trees import grow
 
 from toolpaths import nonsense, strokes, synthetic
 from vkworkbench.core.gcode import linearize
 from vkworkbench.core.paper import monotonous_areas, paper_verdict
 from vkworkbench.core.recognition.decide import (
-    LEARNED,
     STRATEGIES,
     Learned,
     Proposal,
@@ -56,7 +52,8 @@ FOLDS, SEEDS = 10, 20  # folds, and made toolpaths of each kind
 JOINED = {"odometer": 7, "wunderlich": 3}
 #: Weights in the learning of the strategies, of what is nonsense, and of the confidence. Real code is what is rare.
 WEIGHTS = {
-    "real": (4.0, 6.0, 2.0),
+    "real": (3.0, 6.0, 2.0),
+    "real with tools": (0.0, 0.0, 2.0),
     "freecad": (1.0, 1.0, 1.0),
     "freecad without tools": (0.7, 1.0, 0.0),
     "synthetic": (1.0, 1.0, 0.0),
@@ -80,14 +77,16 @@ def made() -> Iterator[tuple[str, Record]]:
 
 
 def labelled(files: list[str]) -> Iterator[tuple[str, Record]]:
-    """Yield all toolpaths to learn from, by kind: real, freecad, synthetic and nonsense."""
+    """Yield all toolpaths to learn from, by kind: real, with and without tools, freecad, synthetic and nonsense."""
     for r in operations(files):
         yield kind_of(r), r
     yield from made()
 
 
 def kind_of(r: Record) -> str:
-    return "real" if "__" in r.id else "freecad"
+    if "__" not in r.id:
+        return "freecad"
+    return "real with tools" if r.tool else "real"
 
 
 @dataclass
@@ -174,8 +173,7 @@ def grown(e: Examples, chosen: np.ndarray) -> tuple[list[str], list[str]]:
     for which, y, size in ((0, e.y, OF_STRATEGIES), (1, (e.kind == "nonsense").astype(int), OF_NONSENSE)):
         weight = e.weight(which)
         some = chosen & (weight > 0)
-        classes = len(STRATEGIES) if which == 0 else 2
-        found.append(grow(e.x[some], y[some], weight[some], classes, **size))
+        found.append(grow(e.x[some], y[some], weight[some], **size))
     return found[0], found[1]
 
 
@@ -213,37 +211,6 @@ def left_out(e: Examples, by: str = "group") -> tuple[dict[int, Learned], np.nda
     return learned, fit(evidence, right, weight)
 
 
-def fit_in_use(files: list[str]) -> np.ndarray:
-    """Return the weights of the grounds, (6,), by the verdicts of the table in use on the operations of some files.
-
-    Printed is how sure verdicts on the one half of the sources are by a fit on the other half.
-    """
-    e = Examples.measured((kind_of(r), r) for file in files for r in operations([file]))
-    (evidence, right), weight = e.judged(LEARNED.strategies.shares(e.x)), e.weight(2)
-    half = np.unique(e.group, return_inverse=True)[1] % 2
-    sure = np.empty(len(right))
-    for k in (0, 1):
-        fitted = fit(evidence[half != k], right[half != k], weight[half != k])
-        sure[half == k] = sureness(evidence[half == k], fitted)
-    tool = evidence[:, -1] > 0
-    for kind in ("real", "freecad"):
-        for told, which in (("no tool", ~tool), ("tool known", tool)):
-            of = which & (e.kind == kind)
-            if of.any():
-                print(
-                    f"{kind}, {told}, {of.sum()}: right {right[of].mean():.3f}, sure {sure[of].mean():.3f}; "
-                    f"{how_sure(sure[of], right[of])}"
-                )
-    return fit(evidence, right, weight)
-
-
-def write_sureness(weights: np.ndarray) -> None:
-    """Write the weights of the grounds into the table in use."""
-    text = TABLE.read_text()
-    head, rest = text.split("SURENESS = (")
-    TABLE.write_text(f"{head}SURENESS = ({', '.join(f'{w:.4g}' for w in weights)}){rest.partition(')')[2]}")
-
-
 def write(e: Examples, weights: np.ndarray) -> None:
     """Write the table, learned from all examples."""
     strategies, about = grown(e, np.ones(len(e.y), bool))
@@ -265,14 +232,8 @@ def write(e: Examples, weights: np.ndarray) -> None:
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("operations", nargs="+")
-    parser.add_argument("--in-use", action="store_true", help="learn only how sure the table in use is")
     parser.add_argument("--write", action="store_true", help="write the table")
     options = parser.parse_args()
-    if options.in_use:
-        weights = fit_in_use(options.operations)
-        if options.write:
-            write_sureness(weights)
-        return
     e = Examples.measured(labelled(options.operations))
     learned, weights = left_out(e)
     of_group = e.folds()

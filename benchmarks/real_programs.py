@@ -2,13 +2,13 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Fetch other people's programs whose operations are labelled, and write what benchmarks/recognition.py reads.
 
-    python3 benchmarks/real_programs.py FOLDER [--table benchmarks/real_programs_later.csv] [--from https://raw.githubusercontent.com]
+    python3 benchmarks/real_programs.py FOLDER [--table benchmarks/real_programs_unseen.csv] [--from https://raw.githubusercontent.com]
 
 real_programs.csv names public repositories, the lines of their programs that are one operation, and the strategies that
-count as right, labelled from titles and plots by people who saw no verdict. Nothing was learned from them but how sure a
-verdict is (learn_verdicts.py --in-use), and not even that from real_programs_later.csv. The programs are theirs and stay in
-FOLDER, with operations.jsonl.gz and programs.jsonl.gz; told.jsonl.gz has the operations whose tool the program tells, with
-its diameter. What cannot be fetched, or is another text, is left out and named.
+count as right, labelled from titles and plots by people who saw no verdict. The recognition learned from them
+(learn_verdicts.py), but from none of real_programs_unseen.csv. The programs are theirs and stay in FOLDER, with
+operations.jsonl.gz and programs.jsonl.gz; told.jsonl.gz has the operations whose tool the program tells, with its
+diameter. What cannot be fetched, or is another text, is left out and named.
 """
 
 from __future__ import annotations

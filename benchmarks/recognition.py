@@ -26,7 +26,7 @@ sys.path[:0] = [str(HERE.parent), str(HERE)]
 
 import sources
 import whole_programs
-from records import key, lines, stepover_of
+from records import key, lines, operations, stepover_of
 from reliability import how_sure, two_class
 
 from toolpaths import strokes, synthetic
@@ -62,7 +62,7 @@ def accuracy(files: list[str]) -> None:
     answers, two, moves, seconds = [], [0, 0], 0, 0.0
     steps = [0, 0]
     for label, strategy, accepted, diameter, stepover, path in records(files):
-        if (digest := key(path)) in seen:
+        if (digest := key(path, diameter)) in seen:
             continue
         seen.add(digest)
         began = time.perf_counter()
@@ -219,7 +219,7 @@ if __name__ == "__main__":
     if options.programs:
         whole_programs.report_programs(options.programs)
     if options.files:
-        whole_programs.report_joined(options.files)
+        whole_programs.report_joined(list(operations(options.files)))
     whole_programs.report_nonsense()
     print()
     speed()

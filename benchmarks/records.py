@@ -74,18 +74,18 @@ def stepover_of(r: dict) -> float | None:
     return percent / 100 * r["tool_diameter"] if percent and r["tool_diameter"] else None
 
 
-def key(path: Toolpath) -> bytes:
-    """Return what two equal toolpaths have in common."""
-    return hashlib.sha1(np.round(path.points, 3).tobytes() + path.rapid.tobytes()).digest()
+def key(path: Toolpath, tool: float | None) -> bytes:
+    """Return what two equal toolpaths of one tool have in common."""
+    return hashlib.sha1(np.round(path.points, 3).tobytes() + path.rapid.tobytes() + str(tool).encode()).digest()
 
 
 def operations(files: list[str]) -> Iterator[Record]:
-    """Yield the operations of some files; toolpaths that are the same to a micrometre come once."""
+    """Yield the operations of some files; toolpaths of one tool that are the same to a micrometre come once."""
     seen: set[bytes] = set()
     for file in files:
         for r in lines(file):
             path = linearize([(name, words) for name, words in r["commands"]])
-            if (digest := key(path)) in seen:
+            if (digest := key(path, r["tool_diameter"])) in seen:
                 continue
             seen.add(digest)
             cutting = np.flatnonzero(~path.rapid)

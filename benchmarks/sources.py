@@ -29,15 +29,15 @@ def report_sources(files: list[str], programs: str | None) -> None:
     toolpaths = list(labelled(files))
     examples = Examples.measured(toolpaths)
     in_use, borders, forests = decide.LEARNED, visits.FOREST, {}
+    single = [record for kind, record in toolpaths if kind in ("real", "freecad")]
     if programs:
-        single = [record for kind, record in toolpaths if kind in ("real", "freecad")]
         forests, _ = learn_borders.left_out(*learn_borders.retracts(list(records.programs(programs)), single)[:4])
     try:
         learn = _learner(examples, "group", forests)
         _report("a tenth of the repositories, parts and kinds", _answers(toolpaths, learn, "group"))
         if programs:
             whole_programs.report_programs(programs, learn)
-            whole_programs.report_joined(files, learn)
+            whole_programs.report_joined(single, learn)
         visits.FOREST = borders
         real = [(kind, record) for kind, record in toolpaths if kind == "real"]
         _report("a tenth of the CAM systems", _answers(real, _learner(examples, "system", {}), "system"))

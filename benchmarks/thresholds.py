@@ -139,7 +139,7 @@ def main(names: list[str], files: list[str]) -> None:
     known, paths = set(), []
     for source in ([], files) if files else ([],):
         for label, _, accepted, diameter, _, path in records(source):
-            if (digest := (key(path), diameter)) not in known:
+            if (digest := key(path, diameter)) not in known:
                 known.add(digest)
                 paths.append((path, diameter, accepted, label))
     base, reads = [], []

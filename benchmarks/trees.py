@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Grow forests of extremely randomised trees (Geurts, Ernst and Wehenkel 2006) in plain numpy."""
+"""Grow random forests (Breiman 2001), weighted and with few leaves, in plain numpy."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ import numpy as np
 from vkworkbench.core.recognition.forest import Forest
 
 
-def grow(x, y, weight, classes: int, *, trees: int, leaves: int, seed: int = 0, tried: float = 0.5) -> list[str]:
+def grow(x, y, weight, *, trees: int, leaves: int, seed: int = 0, tried: float = 0.5) -> list[str]:
     """Return trees as :class:`Forest` reads them.
 
     Parameters
@@ -19,54 +19,65 @@ def grow(x, y, weight, classes: int, *, trees: int, leaves: int, seed: int = 0, 
     y : (n,) int
         Classes.
     weight : (n,) float
-    classes, trees, leaves : int
-        Number of classes, of trees, and of leaves of each tree.
+    trees, leaves : int
+        Number of trees, and of leaves of each.
     seed : int
     tried : float
-        Share of the measures that are tried at every node, each with one random threshold.
+        Share of the measures that are tried at every node.
     """
     rng = np.random.default_rng(seed)
-    weights = np.zeros((len(y), classes))
-    weights[np.arange(len(y)), y] = weight
-    return [_tree(x, weights, leaves, max(1, int(tried * x.shape[1])), rng) for _ in range(trees)]
+    # Four digits: what lies between two of these has five, and is the same when it is read again.
+    x = np.array([[float(f"{value:.4g}") for value in row] for row in x])
+    y, grown = y.astype(np.uint8), []
+    for _ in range(trees):
+        drawn, times = np.unique(rng.integers(len(y), size=len(y)), return_counts=True)
+        grown.append(_tree(x[drawn], y[drawn], weight[drawn] * times, leaves, max(1, int(tried * x.shape[1])), rng))
+    return grown
 
 
 def forest(x, y, weight, classes: int, **options) -> Forest:
-    """Return a grown forest."""
-    return Forest(grow(x, y, weight, classes, **options), classes)
+    """Return a grown forest that tells the shares of some classes."""
+    return Forest(grow(x, y, weight, **options), classes)
 
 
-def _impurity(sums):
-    """Weighted Gini impurity of sums of weights by class, (..., c)."""
-    total = sums.sum(axis=-1)
-    return total - (sums * sums).sum(axis=-1) / np.maximum(total, 1e-12)
+def _split(x, y, weight, tried, rng):
+    """Return the gain, measure and threshold of the best split by some random measures; None where none parts anything.
 
-
-def _split(x, weights, tried, rng):
-    """Return the gain, measure and threshold of the best of some random splits; None where none parts anything."""
-    low, high = x.min(axis=0), x.max(axis=0)
-    able = np.flatnonzero(high > low)
-    if not len(able) or (weights.sum(axis=0) > 0).sum() < 2:
+    The best leaves the least weighted Gini impurity on both sides: the largest sum of squares of what each class has there,
+    for the sum of all.
+    """
+    able = np.flatnonzero(x.max(axis=0) > x.min(axis=0))
+    whole = np.bincount(y, weight)
+    if not len(able) or np.count_nonzero(whole) < 2:
         return None
     some = rng.permutation(able)[:tried]
-    below = low[some] + (high - low)[some] * rng.uniform(0, 1, len(some))
-    below = np.array([float(f"{b:.4g}") for b in below])
-    yes = x[:, some] < below
-    left = yes.T.astype(float) @ weights
-    whole = weights.sum(axis=0)
-    gain = _impurity(whole) - _impurity(left) - _impurity(whole - left)
-    gain[~(yes.any(axis=0) & ~yes.all(axis=0))] = -1.0
-    best = int(np.argmax(gain))
-    return (float(gain[best]), int(some[best]), float(below[best])) if gain[best] > 0 else None
+    order = np.argsort(x[:, some], axis=0)
+    value, of, weight = np.take_along_axis(x[:, some], order, axis=0), y[order], weight[order]
+    # What the class of each row has up to that row: sums that run through class after class.
+    by_class = np.argsort(of, axis=0, kind="stable")
+    has = np.empty_like(weight)
+    np.put_along_axis(has, by_class, np.cumsum(np.take_along_axis(weight, by_class, axis=0), axis=0), axis=0)
+    has -= (np.cumsum(whole) - whole)[of]
+    # (a + w)^2 is w (2 (a + w) - w) more than a^2.
+    below, squares = np.cumsum(weight, axis=0), np.cumsum(weight * (2 * has - weight), axis=0)
+    all_squares, total = whole @ whole, whole.sum()
+    above_squares = all_squares - 2 * np.cumsum(weight * whole[of], axis=0) + squares
+    gain = (squares / below)[:-1] + (above_squares[:-1] / (total - below[:-1])) - all_squares / total
+    gain[value[1:] == value[:-1]] = -1.0
+    last, best = np.unravel_index(np.argmax(gain), gain.shape)
+    if gain[last, best] <= 1e-9 * total:
+        return None
+    middle = (value[last, best] + value[last + 1, best]) / 2
+    return float(gain[last, best]), int(some[best]), float(f"{middle:.5g}")
 
 
-def _tree(x, weights, leaves, tried, rng) -> str:
+def _tree(x, y, weight, leaves, tried, rng) -> str:
     """Grow one tree, the node that gains most first."""
     nodes, heap = [], []
 
     def add(rows):
         nodes.append({"rows": rows})
-        split = _split(x[rows], weights[rows], tried, rng)
+        split = _split(x[rows], y[rows], weight[rows], tried, rng)
         if split:
             heapq.heappush(heap, (-split[0], len(nodes) - 1, split[1], split[2]))
         return len(nodes) - 1
@@ -81,9 +92,9 @@ def _tree(x, weights, leaves, tried, rng) -> str:
     def told(at):
         node = nodes[at]
         if "measure" in node:
-            return [f"{node['measure']}<{node['below']:.4g}", *told(node["yes"]), *told(node["no"])]
-        sums = weights[node["rows"]].sum(axis=0)
-        percent = np.rint(100 * sums / max(sums.sum(), 1e-12)).astype(int)
+            return [f"{node['measure']}<{node['below']:.5g}", *told(node["yes"]), *told(node["no"])]
+        sums = np.bincount(y[node["rows"]], weight[node["rows"]])
+        percent = np.rint(100 * sums / sums.sum()).astype(int)
         return [",".join(f"{k}:{p}" for k, p in enumerate(percent) if p)]
 
     return " ".join(told(0))

@@ -6,7 +6,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from records import JOINED, Record, joined, operations, programs
+from records import JOINED, Record, joined, programs
 
 from toolpaths import nonsense
 from vkworkbench.core import Recognition, Strategy
@@ -103,9 +103,9 @@ def report_programs(file: str, learn=lambda group: None) -> None:
     )
 
 
-def report_joined(files: list[str], learn=lambda group: None) -> None:
+def report_joined(records: list[Record], learn=lambda group: None) -> None:
     """Print how many pairs of operations with a rapid between are told apart; `learn` as in `report_programs`."""
-    single = [r for r in operations(files) if r.sections and len(r.path) < JOINED]
+    single = [r for r in records if r.sections and len(r.path) < JOINED]
     pairs = [r for r in joined(single, 2 * PAIRS) if not r.sections[0].accepted & r.sections[1].accepted][:PAIRS]
     if pairs:
         good = []
