@@ -42,7 +42,7 @@ def said(text):
         PLAIN.replace(" ", ""),
         "G21 G90\nG0 X 0 Y 0 Z 5.\nG 1 Z - 1 F 60\nG1 X1 0 Y+2.0",
         "%\nO1000 (PART)\nN1 G21 G90\nN2 G0 X0 Y0 Z5\nN3 G1 Z-1 F60\nN4 X10 Y2\nM30\n%\n",
-        ":1000 G21\nG90\nG0 X0 Y0 Z5\nG1 Z-1 F60\nX10 Y2\nM30",
+        ":1000 G21\n: G91 X7\n:\nG90\nG0 X0 Y0 Z5\nG1 Z-1 F60\nX10 Y2\nM30",
         "N10G90G21N20\nG00X0Y0Z5\nG01Z-1F60\nX10Y2",
         "G90 (absolute) G21 ; millimetres\nG0 X0 (left (of all)) Y0 Z5\nG1 Z-1 F60 ; down\nX10 ( right ) Y2",
         "G0 X0 Y0 Z5\nF60 Z-1 G1\nY2 X10",

@@ -52,6 +52,10 @@ def test_it_ends_where_another_one_begins_and_also_where_it_is_told_to_what_bloc
     assert said(text)[-1] == f"what follows the program's end is not read (line {16 + end.startswith('/')})"
 
 
+def test_it_may_be_called_not_once():
+    assert points(f"O1\n{BEFORE}M98 P2000 L0\nX1\nM30\nO2000\n{STEP}M99") == [(0, 0, 0), (1, 0, 0)]
+
+
 def test_what_it_does_stands_in_the_line_of_its_call():
     text = f"O1\n{BEFORE}M98 P2000\nG1 X5\nM98 P2000\nM30\nO2000 (STEP)\n{STEP}#1=5\nM99"
     assert sorted(set(path_of(text).command.tolist())) == [5, 6, 7]
@@ -80,10 +84,14 @@ def test_one_that_is_called_otherwise_or_is_not_there_is_told(call):
     assert said(text) == ["a subprogram or macro call is not read (line 6)"]
 
 
-def test_what_its_lines_say_of_their_words_is_no_title():
-    lines = "N10 ; (Facing)\nG91; (in steps)\nG0 Z-1 ; (down)\nG90\nG1; (cuts)\nX50\nY5 ; (over)\nX0\nM99"
-    text = f"O1\n{BEFORE}M97 P10 L2 ; (faces)\nM30\n{lines}"
-    assert {section.title for section in split_sections(read_program(text))} == {"Facing"}
+@pytest.mark.parametrize(
+    ("before", "beside", "titles"),
+    [("", "", ["Facing"]), ("", "; (faces)", ["faces"]), ("(Top)\n", "", ["Top"]), ("G1 X9\n(Top)\n", "", ["", "Top"])],
+)
+def test_its_comments_name_what_has_no_other_title_and_divide_nothing(before, beside, titles):
+    lines = "N10 ; (Facing)\nG91; (in steps)\nG0 Z-1 ; (down)\nG90\nG1; (cuts)\nX50\n(over)\nY5\nX0\nM99"
+    text = f"O1\n{BEFORE}{before}M97 P10 L2 {beside}\nG0 X0\nM97 P10\nM30\n{lines}"
+    assert [section.title for section in split_sections(read_program(text))] == titles
 
 
 def test_what_calls_itself_ends():

@@ -27,6 +27,8 @@ class Program:
     comments : tuple of (int, int, str)
         For each comment with a line of its own (or that of a tool change, a stop or the program's number) the
         command before which it stands, its line and its text.
+    in_calls : frozenset of int
+        Which of the comments stand in subprograms.
     inverse_time : dict of int to float
         For each command under G93 (inverse time) the share of its move that is done in one second, 1/s.
     inches : bool
@@ -44,6 +46,7 @@ class Program:
     commands: list[tuple[str, dict[str, float]]]
     lines: np.ndarray
     comments: tuple[tuple[int, int, str], ...]
+    in_calls: frozenset[int]
     inverse_time: dict[int, float]
     inches: bool
     unit_told: bool

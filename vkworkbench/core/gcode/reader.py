@@ -82,6 +82,7 @@ class _Reader:
         self.subprograms = Subprograms(lines)
         self.machine = Interpreter(self._problem)
         self.comments: list[tuple[int, int, str]] = []
+        self.in_calls: set[int] = set()
         self.problems: dict[Message, list[int]] = {}
         self.in_subprogram = 0
         self.in_called = False  # in a subprogram that is not read where it stands
@@ -138,7 +139,7 @@ class _Reader:
         letters = {letter for letter, _ in words}
         if "L" in letters and letters <= {"N", "L", "P"}:  # Siemens calls by L10 P3, Fadal by L0103
             self._problem(Message("subprogram-not-read"))
-        if letters.isdisjoint("XYZG" if self.calls else "XYZ") or not letters.isdisjoint("TMO"):
+        if letters.isdisjoint("XYZ") or not letters.isdisjoint("TMO"):
             if _COOLANT.isdisjoint(words) or not letters.isdisjoint("TO"):  # else it says what coolant that is
                 self._keep(comments)
         ended = self.machine.block(number, words, letters, deleted=self.deleted)
@@ -172,7 +173,10 @@ class _Reader:
         return True
 
     def _keep(self, comments: list[str]) -> None:
-        self.comments += [(len(self.machine.commands), self.number, text) for text in comments if text]
+        kept = [(len(self.machine.commands), self.number, text) for text in comments if text]
+        if self.calls:
+            self.in_calls.update(range(len(self.comments), len(self.comments) + len(kept)))
+        self.comments += kept
 
     def _problem(self, what: Message, line: int | None = None) -> None:
         self.problems.setdefault(what, []).append(self.number if line is None else line)
@@ -215,6 +219,8 @@ class _Reader:
             return words
         if not rest:
             return words
+        if rest == ":":  # some write it before a comment without parentheses
+            return None
         if PROGRAM_NUMBER.fullmatch(rest):  # :1000, ISO's way to write it
             return words
         self._no_words()
@@ -243,7 +249,8 @@ class _Reader:
         problems = tuple(Problem.at(sorted(lines), what) for what, lines in self.problems.items())
         dialects.check(self.blocks, self.strange, machine.moves, problems)
         return Program(
-            machine.with_tool_changes(), np.array(machine.lines, np.int64), tuple(self.comments), machine.inverse_time,
+            machine.with_tool_changes(), np.array(machine.lines, np.int64), tuple(self.comments),
+            frozenset(self.in_calls), machine.inverse_time,
             machine.first_unit == INCH, machine.first_unit is not None, machine.clues.other_machine(),
             tuple(machine.clues.rotary), problems,
         )  # fmt: skip

@@ -96,7 +96,9 @@ class _Group:
     line : int
         Line of the first of them.
     title : str
-        Title in the last comment that is no remark.
+        Title in the last comment that is no remark, outside of subprograms.
+    called : str
+        The first such title within a subprogram.
     headings
         All comments that are no remarks, with the numbers that post processors write before the titles.
     change, number
@@ -109,6 +111,7 @@ class _Group:
 
     line: int
     title: str = ""
+    called: str = ""
     headings: tuple[str, ...] = ()
     change: int | None = None
     number: int | None = None
@@ -145,28 +148,34 @@ def split_sections(program: Program) -> tuple[Section, ...]:
             (known,) = everything.values()
         if sections:
             sections[-1] = replace(sections[-1], last=group.line - 1)
-        sections.append(Section(title or group.tool_name, number, known or tool, group.line, int(program.lines[-1])))
+        sections.append(
+            Section(title or group.called or group.tool_name, number, known or tool, group.line, int(program.lines[-1]))
+        )
     return tuple(sections)
 
 
 def _groups(program: Program) -> list[_Group]:
     """Return the comments and tool changes between the cuts, one group for the program's beginning at least."""
-    marks: list[tuple[int, int, str | float | None]] = list(_with_sizes(program.comments))
+    marks: list[tuple[int, int, str | float | None, bool]] = [
+        (*comment, number in program.in_calls) for number, comment in enumerate(_with_sizes(program.comments))
+    ]
     named: dict[int, int] = {}  # tools by the lines of their T words
     for at, (name, words) in enumerate(program.commands):
         if name == "M6":
-            marks.append((at, int(program.lines[at]), words.get("T")))
+            marks.append((at, int(program.lines[at]), words.get("T"), False))
         elif name[:1] == "T":
             named[int(program.lines[at])] = int(name[1:])
-    moving = {int(program.lines[at]) for at, (_, words) in enumerate(program.commands) if not _AXES.isdisjoint(words)}
+    moves = {
+        at: int(program.lines[at]) for at, (_, words) in enumerate(program.commands) if not _AXES.isdisjoint(words)
+    }
     cuts = _cuts(program)
     marks.sort(key=lambda mark: mark[:2])
-    changes = {line: None if what is None else int(what) for _, line, what in marks if not isinstance(what, str)}
+    changes = {line: None if what is None else int(what) for _, line, what, _ in marks if not isinstance(what, str)}
     listed = _listed(marks, cuts)
-    groups = [_Group(min([int(program.lines[0]), *(line for _, line, _ in marks[:1])]))]
+    groups = [_Group(min([int(program.lines[0]), *(line for _, line, *_ in marks[:1])]))]
     place, known, begun = 0, groups[0].known, ""
     ended = {found[1] for _, _, text in program.comments if (found := _TO.fullmatch(text))}
-    for at, line, what in marks:
+    for at, line, what, called in marks:
         if bisect_left(cuts, at) != place:
             place = bisect_left(cuts, at)
             groups.append(_Group(line, known=known))
@@ -188,7 +197,9 @@ def _groups(program: Program) -> list[_Group]:
             else:
                 title = "" if begun else title_of(what)
                 begun = "" if what == f"End {begun}" else begun
-            if title and line not in moving:
+            if title and called:
+                group.called = group.called or title
+            elif title and moves.get(at) != line:  # what stands beside a move says what that is for
                 group.title, group.headings = title, (*group.headings, what)
             continue
         name = "" if _NO_NAME.match(what) else what
@@ -204,14 +215,14 @@ def _groups(program: Program) -> list[_Group]:
     return groups
 
 
-def _listed(marks: list[tuple[int, int, str | float | None]], cuts: list[int]) -> set[tuple[int, str]]:
+def _listed(marks: list[tuple[int, int, str | float | None, bool]], cuts: list[int]) -> set[tuple[int, str]]:
     """Return the comments between two cuts, with how many cuts are before, that list tools which are changed to later.
 
     They are said again where they are, of two other tools at least: what one says is often true of several.
     """
-    places = [bisect_left(cuts, at) for at, _, _ in marks]
-    tools = {place: what for place, (_, _, what) in zip(places, marks) if isinstance(what, (int, float))}
-    said = [(place, what) for place, (_, _, what) in zip(places, marks) if isinstance(what, str) and place in tools]
+    places = [bisect_left(cuts, at) for at, *_ in marks]
+    tools = {place: what for place, (_, _, what, _) in zip(places, marks) if isinstance(what, (int, float))}
+    said = [(place, what) for place, (_, _, what, _) in zip(places, marks) if isinstance(what, str) and place in tools]
     last = {what: tools[place] for place, what in said}
     others: dict[int, set[float]] = {}
     for place, what in said:

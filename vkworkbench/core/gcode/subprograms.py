@@ -76,7 +76,7 @@ class Subprograms:
             first = self._first.get(number)
         if first is None or (m_code == 98 and first == self._head(caller)):  # which would call itself for ever
             return None
-        return first, max(whole(words.get("L", times), LARGEST_NUMBER), 1)
+        return first, whole(words.get("L", times), LARGEST_NUMBER)
 
     def end(self, first: int) -> int:
         """Return the index of the line before which a subprogram ends, at the latest: that of the next program's number."""
