@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import os
+import shutil
 import subprocess
 import sys
 import zipfile
@@ -72,6 +73,29 @@ def test_freecad_reads_where_the_repository_is(tmp_path):
     for none in ("example.org/one", "https://example.org", 'https://example.org/"><x/>'):
         with pytest.raises(ValueError, match="is no address"):
             make_release.with_urls(text, none)
+
+
+def test_who_publishes_it_says_in_one_step_where(tmp_path):
+    for file in [*make_release.release_files(), Path("resources/make_release.py")]:
+        (tmp_path / "checkout" / file).parent.mkdir(parents=True, exist_ok=True)
+        shutil.copy(RESOURCES.parent / file, tmp_path / "checkout" / file)
+
+    def release(*arguments):
+        command = ["python3", str(tmp_path / "checkout/resources/make_release.py"), str(tmp_path), *arguments]
+        return subprocess.run(command, stdin=subprocess.DEVNULL, capture_output=True, text=True, timeout=60)
+
+    refused = release("--repository", "http://example.org/owner/name")
+    assert refused.returncode == 2 and "is no address such as https://" in refused.stderr
+    assert not list(tmp_path.glob("*.zip"))
+    untold = release()
+    assert untold.returncode == 0 and "names no repository" in untold.stderr
+    for told in (release("--repository", "https://example.org/owner/name"), release()):  # it stays for the next release
+        assert (told.returncode, told.stderr) == (0, "")
+        with zipfile.ZipFile(next(tmp_path.glob("*.zip"))) as file:
+            package = Path(file.extract(f"{make_release.FOLDER}/package.xml", tmp_path))
+        urls = {url["type"]: url["location"] for url in FreeCAD.Metadata(str(package)).Urls}
+        assert set(urls) == {"repository", "bugtracker", "readme", "documentation"}
+        assert all(url.startswith("https://example.org/owner/name") for url in urls.values())
 
 
 @pytest.mark.parametrize("folder", ["ToolpathAnalysis", "Toolpath-Analysis-main", "Fräsen mit Überblick 刀具"])
