@@ -122,7 +122,8 @@ class JobFacts:
     cuts : tuple of CutFacts
         One for each operation.
     job : CutFacts
-        All together; what is left where no operation cut is told only here.
+        All together; what is left where no operation cut, and what the stock lacks of the model, which stands among the
+        gouges without a source, is told only here.
     """
 
     cuts: tuple[CutFacts, ...]
