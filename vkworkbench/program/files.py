@@ -46,7 +46,9 @@ def find_programs(what: Iterable[str | os.PathLike]) -> Iterator[Path]:
     if "" in what:
         raise ValueError("no file is named")
     if any("\n" in os.fspath(one) and not os.path.exists(one) for one in what):
-        raise ValueError("the text of a program is no file: give its path")
+        raise ValueError(
+            "the text of a program is no file: give its path; in Python one with backslashes is written r'C:\\new.nc'"
+        )
     seen: set[Path] = set()
     for one in map(Path, what):
         for path in _in_folder(one) if os.path.isdir(one) else [one]:

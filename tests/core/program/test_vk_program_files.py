@@ -157,6 +157,8 @@ def test_what_names_files():
     for text in ("G21\nG1 X10 F100\n", "G21\n" * 1000):
         with pytest.raises(ValueError, match="the text of a program is no file: give its path"):
             vkworkbench.analyze(text)
+    with pytest.raises(ValueError, match=r"one with backslashes is written r'C:\\new\.nc'"):
+        vkworkbench.analyze("C:\new.nc")  # the second line of this text begins with "ew"
     assert is_path("a.nc") and is_path(Path("a")) and is_path(["a", Path("b")]) and is_path(("a.nc",))
     assert not is_path(None) and not is_path([]) and not is_path([object()]) and not is_path(object())
 
