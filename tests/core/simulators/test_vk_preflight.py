@@ -92,6 +92,10 @@ def test_a_long_ramp_is_cut_too_deep_by_its_length_over_the_diameter():
     assert found.code == "legacy-ramp" and found.command == 1
     # 5 mm over 60 mm with a tool of 8 mm: 5 * (60 / 8 - 1) = 32.5 mm beyond the ramp's end.
     assert "32 mm too deep" in found.message or "33 mm too deep" in found.message
+    # Of several the worst is named, counted from one as users do, and where it is too high.
+    (found,) = check([*commands, ("G1", {"X": 0.0, "Z": 25.0})], diameter=8.0)
+    assert (found.what.arguments["count"], found.what.arguments["command"], found.command) == (2, 3, 1)
+    assert "too high" in found.message
 
 
 def test_short_slopes_plunges_helices_and_lifts_are_no_ramps():

@@ -104,7 +104,15 @@ def test_a_peck_drilling_cycle_is_three_motions():
 
 
 def test_an_empty_toolpath_has_no_motion():
-    assert len(motions(linearize([("(nothing)", {})])).sweep) == 0
+    made = motions(linearize([("(nothing)", {})]))
+    assert (
+        made.move.shape == (0, 3) and len(made.sweep) == len(made.radius) == len(made.command) == len(made.level) == 0
+    )
+
+
+def test_what_is_straight_sweeps_no_angle():
+    made = motions(linearize(zigzag(3)))
+    assert len(made.move) == 7 and not made.sweep.any() and not made.radius.any()
 
 
 # --- legacy simulator
@@ -288,6 +296,13 @@ def test_chords_of_an_arc_are_walked_in_steps_of_six_tenths_of_a_cell():
     assert legacy_work(motions(linearize(tiny)), diameter=6.0, stock=STOCK, accuracy=1.0).calls.tolist() == [1]
 
 
+def test_each_chord_of_a_helix_descends_by_its_share():
+    """By 2 mm, which count as cells: 5.6 from end to end, ten steps."""
+    down = [("G0", {"X": 40.0, "Y": 30.0, "Z": 40.0}), ("G2", {"X": 70.0, "Y": 30.0, "Z": 4.0, "I": 15.0, "J": 0.0})]
+    work = legacy_work(motions(linearize(down)), diameter=6.0, stock=STOCK, accuracy=0.5)
+    assert work.calls.tolist() == [18] and work.line_steps.tolist() == [18 * 10 * 21]
+
+
 def test_where_no_accuracy_helps_the_heaviest_operation_is_named():
     small, large = positions(linearize(zigzag(4)), TOOL), positions(linearize(surface()), TOOL)
     told = best_accuracy([small, large], memory_bytes=1e9, seconds=1.0, labels=("Floor", "Dome"))
@@ -421,6 +436,13 @@ def test_a_fine_groove_has_no_gaps_and_its_ramps_are_cut_where_they_are_within_t
     # The lowest point of the flat tool over each cell: its edge is a radius ahead of its middle.
     exact = np.clip(np.abs(x - 5) - 0.3, 0, 2)
     assert np.abs(along - exact)[(x > 2) & (x < 8)].max() < 3 * size
+
+
+def test_a_needle_cuts_the_cells_along_the_border_too():
+    small, border = Stock((0, 0, 0), (10, 6, 2)), ((0.05, 0.05), (9.95, 0.05), (9.95, 5.95), (0.05, 5.95), (0.05, 0.05))
+    around = [("G0", {"X": 0.05, "Y": 0.05, "Z": 4.0}), *[("G1", {"X": x, "Y": y, "Z": 1.0}) for x, y in border]]
+    (heights,), _ = heightmaps(linearize(around), tool=Tool("endmill", 0.1), stock=small)
+    assert (heights[1:-1, 1:-1] == 2).all() and (heights == 1).sum() == 2 * (100 + 60) - 4
 
 
 def test_a_path_outside_the_stock_leaves_it_a_box():
