@@ -93,6 +93,13 @@ def test_what_is_not_known_makes_it_the_least(other):
     assert said(found) == "Playing this takes at least 1.7 h in the legacy simulator. Fast-forward takes at least 34 s."
 
 
+def test_of_several_one_that_is_known_in_part_makes_it_the_least():
+    known, in_part = record(play=6120.0, forward=34.0), record(incomplete=True)
+    for records in ([known, in_part], [in_part, known]):
+        assert "at least" in said(better_way("legacy", records, BUDGET))
+    assert "at least" not in said(better_way("legacy", [known, known], BUDGET))
+
+
 def test_operations_together_take_longer_than_each():
     each = record(opengl=400.0, forward=1.0)
     assert better_way("OpenGL", [each], BUDGET) is None

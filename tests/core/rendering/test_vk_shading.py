@@ -29,6 +29,14 @@ def test_a_plane_has_one_colour_whose_light_comes_from_above_on_the_left():
     assert brightness(plane(right=1)) > brightness(plane(right=-1))
 
 
+@pytest.mark.parametrize("right, up", [(0.5, -0.3), (-0.2, 0.4), (1.5, -1.5)])
+def test_the_light_of_a_slope_is_that_of_its_angle_to_the_light(right, up):
+    """Lambert's law, beside the light of all around; a level plane has its own colour."""
+    normal = np.array((-right, -up, 1)) / np.sqrt(1 + right**2 + up**2)
+    share = normal @ (-0.35, 0.5, 0.79) / 0.79
+    assert brightness(plane(right, up)) == pytest.approx(min(200 * (0.38 + 0.62 * share), 255), abs=1)
+
+
 def test_where_nothing_is_seen_is_background_and_the_outline_stays():
     depth = plane()
     depth[:10] = np.nan  # the lowest rows

@@ -26,7 +26,7 @@ from vkworkbench.core.simulators.opengl import (
     opengl_work,
     outline_segments,
 )
-from vkworkbench.core.simulators.simulator import Task
+from vkworkbench.core.simulators.simulator import Conditions, Task
 from vkworkbench.core.simulators.table import LEGACY, OPENGL, ZBUFFER, available
 
 STOCK = Stock((0, 0, 0), (100, 60, 20))
@@ -697,6 +697,7 @@ def test_which_simulators_a_version_has():
     assert available(()) == (ZBUFFER,)
     assert available((0, 20, 2)) == available((0, 21)) == (ZBUFFER, LEGACY)
     assert available((1, 0, 0)) == available((1, 1, 3)) == (ZBUFFER, LEGACY, OPENGL)
+    assert 1 <= Conditions().opengl_quality <= 10  # a position that its slider has
     assert opengl_speeds((1, 0, 0)) == (1, 10, 40)
     assert opengl_speeds((1, 1, 3)) == (1, 5, 10, 25, 50)
 
