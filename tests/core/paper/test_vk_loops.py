@@ -39,8 +39,14 @@ def test_loops_that_are_lifted_between_are_each_found_in_their_own_area():
     assert loops_of(polygon(40), [(0, 0, 0), (9, 0, 0)], polygon(40)) == [(0, 4), (5, 4)]
 
 
-def test_a_contour_that_is_cut_twice_in_one_go_is_two_loops():
-    assert loops_of(polygon(40) + polygon(40)[1:]) == [(0, 4), (4, 4)]
+@pytest.mark.parametrize("times", [2, 3, 4])
+def test_a_contour_that_is_cut_so_many_times_in_one_go_is_as_many_loops(times):
+    assert loops_of(polygon(40) + (times - 1) * polygon(40)[1:]) == [(4 * k, 4) for k in range(times)]
+
+
+def test_loops_before_and_behind_a_contour_that_is_cut_three_times_are_found_in_their_order():
+    path = linked(polygon(40, x=-100), polygon(40) + 2 * polygon(40)[1:], polygon(40, x=100), polygon(40, x=200))
+    assert loops_of(path) == [(0, 4), (5, 4), (9, 4), (13, 4), (18, 4), (23, 4)]
 
 
 @pytest.mark.parametrize(("gap", "is_one"), [(0.01, True), (0.02, True), (0.028, True), (0.035, False), (0.05, False)])

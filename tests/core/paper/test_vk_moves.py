@@ -83,6 +83,16 @@ def test_a_move_of_rounding_beside_a_long_one_has_no_direction(beside, kept):
     assert len(last) == 2 + kept
 
 
+def test_what_is_beside_a_move_is_just_before_and_behind_it():
+    short = feed((0, 0, -1), (0.3, 0, -1), (0.6, 0.1, -1))
+    for steps in (
+        [(20, 0.1, -1), (20, 0.115, -1), (20.1, 0.115, -1)],
+        [(0.9, 0.1, -1), (0.9, 0.115, -1), (20, 0.115, -1)],
+    ):
+        assert len(areas_of(*short, *feed(*steps))) == 4
+        assert len(areas_of(*short, *feed(*steps, (20.6, 0.3, -1)))) == 5
+
+
 @pytest.mark.parametrize("width, kept", [(0.015, False), (0.03, True)])
 def test_beside_a_long_move_one_of_a_fiftieth_of_a_millimetre_has_a_direction(width, kept):
     areas = areas_of(*feed((0, 0, -1), (20, 0, -1), (20, width, -1), (40, width, -1)))
@@ -143,6 +153,11 @@ def test_a_fast_feed_at_the_top_beside_a_rapid_is_a_link(height, air):
     assert sizes(areas_of(*cut, *above, *feed((40, 2, height)), *down)) == ([3, 1] if air else [3, 1, 1])
     up = [rapid(0, 2, height), *feed((20, 2, height)), rapid(40, 2, height), rapid(40, 2, 20)]
     assert sizes(areas_of(*cut, *up)) == ([3] if air else [3, 1])
+    lifted = [*cut, *feed((0, 2, 20)), rapid(20, 2, 20), *feed((40, 2, 20))]
+    if air:  # though what led up was no rapid
+        assert sizes(areas_of(*lifted, *down)) == [3, 1]
+        first = [rapid(0, 0, 20), *feed((20, 0, 20)), rapid(20, 0, -1), *feed((40, 0, -1))]
+        assert sizes(areas_of(*first)) == [1]
     # With no way up or down beside it, it is a stroke of a plotter.
     flat = [rapid(0, 2, 20), rapid(20, 2, 20), *feed((40, 2, 20)), rapid(60, 2, 20), rapid(60, 2, 5)]
     assert sizes(areas_of(*cut, *flat)) == [3, 1]
@@ -155,6 +170,11 @@ def test_what_goes_round_a_corner_or_slopes_is_no_link():
     assert sizes(areas_of(*feed((0, 0, -1), *ROW, *sloped, (60, 9, -1)))) == [3, 1, 1]
     low = [(0, 2, -3), (40, 2, -3), (40, 2, -1)]  # down, along a groove, and up
     assert sizes(areas_of(*feed((0, 0, -1), *ROW, *low, (40, 30, -1), (60, 30, -1)))) == [3, 1, 2]
+
+
+def test_of_a_laser_that_never_lifts_the_first_stroke_is_one():
+    strokes = [("G1", {"X": 60.0, "F": FEED}), ("G0", {"X": 80.0}), ("G1", {"X": 90.0, "F": FEED}), ("G0", {"X": 0.0})]
+    assert sizes(areas_of(*strokes)) == [1, 1]
 
 
 def test_a_plateau_between_walls_is_cut():
@@ -189,6 +209,8 @@ def test_a_hole_is_a_plunge_where_nothing_is_milled():
         rapid(10, 8, 5),
     ]
     assert areas_of(*peck, *second).holes.tolist() == [3, 6, 9]
+    pecks = [rapid(10, 0, 5), *feed((10, 0, -3)), rapid(10, 0, 1), *feed((10, 0, -6)), rapid(10, 0, 5)]
+    assert areas_of(*peck, *pecks).holes.tolist() == [3, 8]
     milled = [rapid(10, 0, 5), *feed((10, 0, -6), (30, 0, -6)), rapid(30, 0, 5)]
     assert areas_of(*peck, *milled).holes.tolist() == [3]
 
