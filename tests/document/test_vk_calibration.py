@@ -112,6 +112,19 @@ def test_the_cuts_that_are_timed_tell_their_constants_apart(monkeypatch):
     assert [box.XLength, box.YLength, box.ZLength] == (measuring._STOCK.upper - measuring._STOCK.lower).tolist()
 
 
+def test_a_processor_of_which_no_file_tells_is_named_by_what_python_knows(monkeypatch):
+    """As on Windows and macOS."""
+
+    def nowhere(_path):
+        raise FileNotFoundError
+
+    monkeypatch.setattr(calibration.Path, "read_text", nowhere)
+    for name, machine, told in (("Apple M1", "arm64", "Apple M1"), ("", "arm64", "arm64")):
+        monkeypatch.setattr(calibration.platform, "processor", lambda name=name: name)
+        monkeypatch.setattr(calibration.platform, "machine", lambda machine=machine: machine)
+        assert calibration.processor() == told
+
+
 def test_each_renderer_has_its_own(folder):
     calibration.calibrate("card")
     assert calibration.load("llvmpipe (LLVM 19)") is None
