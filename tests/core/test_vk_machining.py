@@ -103,6 +103,8 @@ def test_unknown_rapid_speeds_are_named_and_left_out():
     one = machining(linearize(commands), horizontal_rapid=50.0)
     assert one.rapid_seconds == pytest.approx(2)
     assert one.notes == ("4 mm of rapids are not in the time because the tool controller's VertRapid is 0",)
+    level = machining(linearize([*commands[:2], ("G1", {"Z": 0.0, "F": 1.0})]))  # no rapid asks for the other one
+    assert level.notes == ("100 mm of rapids are not in the time because the tool controller's HorizRapid is 0",)
     none = machining(linearize(commands), controller=False)
     assert none.rapid_seconds is None
     assert none.notes == (
