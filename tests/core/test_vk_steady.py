@@ -1,10 +1,14 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Times of pieces of work, with clocks that tell what they are told to tell."""
 
+import os
+import time
+
 import numpy as np
 import pytest
 
 from vkworkbench.core import steady_seconds
+from vkworkbench.core.steady import processor_clock
 
 
 class Workshop:
@@ -68,3 +72,10 @@ def test_a_busy_computer_gives_the_times_of_a_quiet_one():
         busy = (0.1 * (1 + rng.choice([0.0, 0.02, rng.uniform(0.1, 3.0)])) for _ in range(99))
         shop = Workshop(busy)
         assert steady_seconds(shop.pieces, most=20, clock=shop.clock) == pytest.approx([0.1], rel=0.03)
+
+
+@pytest.mark.skipif(os.name == "nt", reason="its clock of the processor is too coarse")
+def test_waiting_takes_the_processor_no_time():
+    begin = processor_clock()
+    time.sleep(0.05)
+    assert processor_clock() - begin < 0.04
