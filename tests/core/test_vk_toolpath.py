@@ -98,3 +98,14 @@ def test_cuts_through_points_are_what_linearize_makes_of_them():
         assert np.array_equal(ours, theirs) and ours.dtype == theirs.dtype
     assert made.command.tolist() == [0, 1] and made.commands == 2
     assert len(Toolpath.through([])) == len(Toolpath.through([(1, 2, 3)])) == 0
+
+
+def test_an_operation_has_those_of_the_commands_of_a_problem_of_time_that_are_its_own():
+    """Of any other problem all is told where its first command is."""
+    dwells = Problem.at([4, 6, 9], Message("dwell-untimed"))
+    assert dwells == Problem(4, dwells.what, 3) and hash(dwells) == hash(Problem(4, dwells.what, 3))
+    assert "commands" not in repr(dwells)
+    assert dwells.within(5, 10) == Problem(6, dwells.what, 2) and dwells.within(4, 6) == Problem(4, dwells.what)
+    assert dwells.within(5, 10).commands.tolist() == [6, 9] and dwells.within(5, 6) is None
+    unknown = Problem.at([4, 6], Message("no-moves"))
+    assert unknown.within(4, 5) == unknown and unknown.within(5, 7) is None and not len(unknown.commands)
