@@ -216,6 +216,8 @@ def test_nothing_shines_through_the_name(panel, shipped, window):
             pictures.append(window.main.grab(place).toImage())
         window.screenshot(f"panel-frozen-{shipped.replace(' ', '-')}")
         assert pictures[0] == pictures[1]
+        seen, above = (view.mapToGlobal(view.rect().topLeft()) for view in (panel.tree.viewport(), frozen.viewport()))
+        assert above == seen and frozen.viewport().width() == panel.tree.columnWidth(0)
     finally:
         bar.setValue(0)
         for action in chosen:

@@ -25,6 +25,7 @@ class FrozenTree(QTreeView):
         self._above.setObjectName("frozen")
         self._above.setFocusPolicy(Qt.NoFocus)
         self._above.setFrameShape(QFrame.NoFrame)
+        self._above.setStyleSheet("#frozen { border: none; margin: 0; padding: 0 }")  # as many themes give every tree
         self._above.setHorizontalScrollBarPolicy(Qt.ScrollBarAlwaysOff)
         self._above.setVerticalScrollBarPolicy(Qt.ScrollBarAlwaysOff)
         self._above.hide()
@@ -103,7 +104,7 @@ class FrozenTree(QTreeView):
             width, header = self.columnWidth(0), self.header().height()
             self._above.setColumnWidth(0, width)
             self._above.header().setFixedHeight(header)
-            edge = self.frameWidth()
-            self._above.setGeometry(edge, edge, width, header + self.viewport().height())
+            seen = self.viewport().geometry()  # a theme may give the tree a border or a padding
+            self._above.setGeometry(seen.left(), seen.top() - header, width, header + seen.height())
             self._above.verticalScrollBar().setValue(self.verticalScrollBar().value())
         self._above.setVisible(scrolled)
