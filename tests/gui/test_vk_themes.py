@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What is painted beside the pills, the line over the view, and the time line, in the looks that come with FreeCAD."""
+"""What is painted beside the pills, the line over the view, and the simulation, in the looks that come with FreeCAD."""
 
 from collections import Counter
 
+import FreeCADGui as Gui
+import simulation_window
 from PySide import QtCore, QtGui
 
 from vkworkbench import freecad, preferences
@@ -58,6 +60,25 @@ def test_the_line_over_the_view_is_readable(shipped, marked, window):
         preferences.write(time_budget=600.0)
         simulator_panels.close()
         window.idle(0.3)
+
+
+def test_nothing_is_seen_through_the_simulation(shipped, small, marked, window):
+    window.see_all()  # a view in many colours, behind
+    Gui.Selection.clearSelection()
+    window.click(simulation_window.COMMAND)
+    window.wait(lambda: simulation_window.tabs(window))
+    (tab,) = simulation_window.tabs(window)
+    try:
+        window.wait(lambda: tab.player is not None, 120)
+        window.idle(0.5)
+        window.screenshot(f"simulation-{shipped.replace(' ', '-')}")
+        bar = tab.player.play_bar.controls
+        empty = QtCore.QRect(bar.mapTo(window.main, QtCore.QPoint(bar.width() - 60, 0)), QtCore.QSize(60, bar.height()))
+        image = window.main.grab(empty).toImage()
+        assert len({image.pixel(x, y) for x in range(image.width()) for y in range(image.height())}) == 1
+    finally:
+        tab.window_of().close()
+        window.idle()
 
 
 def test_the_moment_is_seen_on_the_time_line(shipped, window):

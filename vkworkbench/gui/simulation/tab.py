@@ -13,7 +13,7 @@ from vkworkbench.document import garbage, idle
 from vkworkbench.document.simulated_job import JobCopy, SimulatedJob
 from vkworkbench.gui import widgets
 from vkworkbench.gui.plain_text import tell
-from vkworkbench.gui.qt import QPushButton, Qt, QTimer, QVBoxLayout, QWidget, Signal, single_shot
+from vkworkbench.gui.qt import QPainter, QPushButton, Qt, QTimer, QVBoxLayout, QWidget, Signal, single_shot
 from vkworkbench.gui.sentences import as_sentence
 from vkworkbench.gui.simulation.keys import KeyedWidget
 from vkworkbench.gui.simulation.player import Player
@@ -123,6 +123,12 @@ class SimulationTab(KeyedWidget):
         focused = self.focusWidget()
         if focused is not None and focused.hasFocus():
             self.setFocus()
+
+    def paintEvent(self, event) -> None:
+        """Cover what is behind: with FreeCAD 0.20's style sheets that is no empty sub-window, but the other tabs."""
+        painter = QPainter(self)
+        painter.fillRect(self.rect(), Gui.getMainWindow().palette().window())
+        painter.end()
 
     def closeEvent(self, event) -> None:
         self.end()
