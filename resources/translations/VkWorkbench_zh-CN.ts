@@ -615,7 +615,7 @@
     </message>
     <message>
         <source>The simulation takes about {memory:bytes} at its peak, for {dexels:n} dexels and {traces:n} elements of traces, more than the {allowed:bytes} allowed: choose a smaller image or simulate fewer operations.</source>
-        <translation>该仿真峰值约占用 {memory:bytes}（{dexels:n} 个 dexel 和 {traces:n} 个轨迹痕迹元素），超过允许的 {allowed:bytes}：请选择较小的图像或减少仿真的操作。</translation>
+        <translation>该模拟峰值约占用 {memory:bytes}（{dexels:n} 个 dexel 和 {traces:n} 个轨迹痕迹元素），超过允许的 {allowed:bytes}：请选择较小的图像或减少模拟的操作。</translation>
     </message>
     <message>
         <source>it looks 25.4 times too small: inches read as millimeters?</source>
@@ -903,7 +903,7 @@
     </message>
     <message>
         <source>Simulate toolpaths shows the finished part at once, coarse at first.</source>
-        <translation>“仿真刀具路径”立即显示成品零件，先粗后细。</translation>
+        <translation>“模拟刀具路径”立即显示成品零件，先粗后细。</translation>
     </message>
     <message>
         <source>a rapid move removes {volume:mm³2}</source>
@@ -923,7 +923,7 @@
     </message>
     <message>
         <source>as simulated, command {command:#} is wrong: {fault}</source>
-        <translation>仿真显示命令 {command:#} 有误：{fault}</translation>
+        <translation>模拟显示命令 {command:#} 有误：{fault}</translation>
     </message>
     <message>
         <source>moves in X and Z only, with passes along Z at many X, as a lathe makes them: {strategy:strategy}</source>
@@ -1003,7 +1003,7 @@
     </message>
     <message>
         <source>as simulated, {count:n} commands are wrong, among them {command:#}: {fault}</source>
-        <translation>仿真显示 {count:n} 条命令有误，其中有 {command:#}：{fault}</translation>
+        <translation>模拟显示 {count:n} 条命令有误，其中有 {command:#}：{fault}</translation>
     </message>
     <message>
         <source>called {name}, but its toolpath is {strategy:strategy}</source>
@@ -1298,7 +1298,7 @@
     </message>
     <message>
         <source>Measuring how fast this computer simulates…</source>
-        <translation>正在测量本机的仿真速度…</translation>
+        <translation>正在测量本机的模拟速度…</translation>
     </message>
 </context>
 <context>
@@ -1548,7 +1548,7 @@ accuracy</source>
     <message>
         <source>Simulation
 time</source>
-        <translation>仿真
+        <translation>模拟
 时间</translation>
     </message>
     <message>
@@ -1589,7 +1589,7 @@ memory</source>
     </message>
     <message>
         <source>Shows the analyzed operations: strategy, machining and simulation time, and what is wrong with them.</source>
-        <translation>显示已分析的操作：策略、加工和仿真时间，以及存在的问题。</translation>
+        <translation>显示已分析的操作：策略、加工和模拟时间，以及存在的问题。</translation>
     </message>
     <message>
         <source>Outdated: toolpath, tool or stock have changed since. Analyze it again.</source>
@@ -1678,7 +1678,7 @@ memory</source>
     <message>
         <source>Simulation time
 at most</source>
-        <translation>仿真时间
+        <translation>模拟时间
 最长</translation>
     </message>
     <message>
@@ -1751,15 +1751,15 @@ at most</source>
     </message>
     <message>
         <source>Simulates the selected job or operations, or the job of the active document, and shows the part at any moment, what made each of its surfaces, and rapid moves that cut.</source>
-        <translation>仿真所选作业或操作（否则为当前文档的作业），显示任意时刻的工件、每个表面由什么加工而成，以及会切到材料的快速移动。</translation>
+        <translation>模拟所选作业或操作（否则为当前文档的作业），显示任意时刻的工件、每个表面由什么加工而成，以及会切到材料的快速移动。</translation>
     </message>
     <message>
         <source>Simulate toolpaths</source>
-        <translation>仿真刀具路径</translation>
+        <translation>模拟刀具路径</translation>
     </message>
     <message>
         <source>Simulation: {}</source>
-        <translation>仿真：{}</translation>
+        <translation>模拟：{}</translation>
     </message>
     <message>
         <source>Save Picture</source>
@@ -1779,7 +1779,7 @@ at most</source>
     </message>
     <message>
         <source>Simulated part</source>
-        <translation>仿真工件</translation>
+        <translation>模拟工件</translation>
     </message>
     <message>
         <source>Isometric</source>
@@ -1907,7 +1907,7 @@ at most</source>
     </message>
     <message>
         <source>Simulating… {}</source>
-        <translation>正在仿真… {}</translation>
+        <translation>正在模拟… {}</translation>
     </message>
     <message>
         <source>finest picture in about {}, {}</source>
@@ -1915,7 +1915,7 @@ at most</source>
     </message>
     <message>
         <source>{} × {} pixels of {}, {} traces, {}, simulated in {}</source>
-        <translation>{} × {} 像素，每个 {}，{} 条痕迹，{}，仿真用时 {}</translation>
+        <translation>{} × {} 像素，每个 {}，{} 条痕迹，{}，模拟用时 {}</translation>
     </message>
     <message>
         <source>{} of {}   {}, command {}: {}</source>
@@ -1971,7 +1971,7 @@ at most</source>
     </message>
     <message>
         <source>Crashes, gouges and fast plunges of the simulation. Choose one to see it.</source>
-        <translation>仿真中的碰撞、过切和过快的下刀。选择一项即可查看。</translation>
+        <translation>模拟中的碰撞、过切和过快的下刀。选择一项即可查看。</translation>
     </message>
     <message>
         <source>⚠ Warnings: {}</source>
@@ -2023,7 +2023,7 @@ at most</source>
     </message>
     <message>
         <source>What is simulated has changed. Simulate again</source>
-        <translation>所仿真的内容已更改。重新仿真</translation>
+        <translation>所模拟的内容已更改。重新模拟</translation>
     </message>
 </context>
 <context>
