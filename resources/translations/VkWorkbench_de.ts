@@ -1578,13 +1578,13 @@ zeit</translation>
     <message>
         <source>{simulator}
 time</source>
-        <translation>{simulator}
+        <translation>{simulator}:
 Zeit</translation>
     </message>
     <message>
         <source>{simulator}
 memory</source>
-        <translation>{simulator}
+        <translation>{simulator}:
 Speicher</translation>
     </message>
     <message>

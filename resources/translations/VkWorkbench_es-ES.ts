@@ -1578,13 +1578,13 @@ simulación</translation>
     <message>
         <source>{simulator}
 time</source>
-        <translation>{simulator}
+        <translation>{simulator}:
 tiempo</translation>
     </message>
     <message>
         <source>{simulator}
 memory</source>
-        <translation>{simulator}
+        <translation>{simulator}:
 memoria</translation>
     </message>
     <message>

@@ -1578,13 +1578,13 @@ simulation</translation>
     <message>
         <source>{simulator}
 time</source>
-        <translation>{simulator}
+        <translation>{simulator} :
 temps</translation>
     </message>
     <message>
         <source>{simulator}
 memory</source>
-        <translation>{simulator}
+        <translation>{simulator} :
 mémoire</translation>
     </message>
     <message>
