@@ -25,7 +25,7 @@ _SIZE = rf"(?P<size>{_FRACTION}|{_NUMBER})"
 _METRIC = ("mm", "мм", "m")  # M8: a metric thread
 _UNIT = r"\s*(?P<unit>mm\b|мм\b|inch(?:es)?\b|in\b\.?|\"|'')?"
 _MILLING_WORD = (
-    r"end ?mills?(?![a-z])|mill\b|em\b|face ?mill|slot ?(?:cutter|drill)|cutter\b|ball ?(?:nose|end)|bull ?(?:nose|end)|v[- ]?bit|"
+    r"end ?mills?(?![a-z])|mill\b|em\b|face ?mill|slot ?(?:cutter|drill)|(?<!laser )(?<!plasma )cutter\b|ball ?(?:nose|end)|bull ?(?:nose|end)|v[- ]?bit|"
     r"engrav\w*|chamfer\w*|router|bit\b|drills?\b|spot ?drill|reamer|tap\b|crb\b|carbide|"
     r"\w*fr(?:ä|ae|.)ser\b|bohrer|gravier\w*|freza|sverlo|fresa|broca|fraise|foret|frees|фреза|сверло|гравер"
 )
@@ -34,7 +34,7 @@ _NUMBERED = re.compile(
     r"(?:\b(?:T|tool(?:\s*(?:no\.?|nr\.?|number))?)"
     r"|^\W*(?:werkzeug|wkz\.?|wz\.?|outil|herramienta|ferramenta|utensile|narz[eę]dzie|n[aá]stroj|gereedschap|инструмент)"
     r"(?:[\s-]*(?:nr\.?|n[°º]|nummer))?)"
-    r"\s*(?:[-#:=]\s*)?(?P<number>\d{1,8})\b(?![./]\d)(?!\s*(?:mm|мм)\b)",
+    r"\s*(?:[-#:=]\s*)?(?P<number>\d{1,8})\b(?![./]\d|\")(?!\s*(?:mm|мм)\b)",
     re.IGNORECASE,
 )
 _LETTER = re.compile(rf"(?<![A-Za-z])D\s*=\s*{_SIZE}{_UNIT}", re.IGNORECASE)
@@ -53,7 +53,7 @@ _CUTVIEWER = re.compile(
 )
 # Diameter and length, 10 x 72: with as much room before the x as behind it, unlike 2x 6mm.
 _ACROSS = rf"(?:(?:mm|in)?(?:\s+[x×]\s+|[x×])(?:{_FRACTION}|{_NUMBER}))*"
-_WITH_UNIT = rf"(?<![\d.,/]){_SIZE}{_ACROSS}\s*(?P<unit>mm\b|мм\b|inch(?:es)?\b|in\b|\")"
+_WITH_UNIT = rf"(?<![\d.,/])(?<!\bthan ){_SIZE}{_ACROSS}\s*(?P<unit>mm\b|мм\b|inch(?:es)?\b|in\b|\")"
 _MEASURED = re.compile(_WITH_UNIT, re.IGNORECASE)
 # What is measured behind the tool word may be its length as well.
 _NO_LENGTH = re.compile(
