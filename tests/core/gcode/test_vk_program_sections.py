@@ -160,7 +160,7 @@ def test_what_is_too_large_or_told_too_long_is_no_tool():
 @pytest.mark.parametrize(
     "comment",
     ["2D Pocket3", "T1", "MANUAL TOOL CHANGE TO T5", "tool change at 0.0 0.0 17.0", "Drill 4 holes", "D=5", "",
-     'Cutter does not descend more than 0.94" below top', "15mm square cut test for laser cutter",
+     "Face milling 3x3 inch block", 'Cutter does not descend more than 0.94" below top', "15mm square cut test for laser cutter",
      "Tool length 30 mm", "stock 20 mm x 30 mm", "T2 D=0 - flat end mill", "T2 D=9999 - end mill",
      "T2 - NO. 7 DRILL", "T2 #7 DRILL", "2 0.209 #4 tap drill", "Number 30 drill", "NR.7 BOHRER", "T3 LETTER F DRILL",
      "D DRILL", "T3 D3 H3 FACE MILL", "T11 H11 D11 ENDMILL", "H07 ENDMILL D7", "WERKZEUG 3 FRAESER", "OP 3 ENDMILL",

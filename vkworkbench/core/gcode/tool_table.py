@@ -25,7 +25,7 @@ _SIZE = rf"(?P<size>{_FRACTION}|{_NUMBER})"
 _METRIC = ("mm", "мм", "m")  # M8: a metric thread
 _UNIT = r"\s*(?P<unit>mm\b|мм\b|inch(?:es)?\b|in\b\.?|\"|'')?"
 _MILLING_WORD = (
-    r"end ?mills?(?![a-z])|mill\b|em\b|face ?mill|slot ?(?:cutter|drill)|(?<!laser )(?<!plasma )cutter\b|ball ?(?:nose|end)|bull ?(?:nose|end)|v[- ]?bit|"
+    r"end ?mills?(?![a-z])|mill\b|em\b|face ?mills?(?![a-z])|slot ?(?:cutter|drill)|(?<!laser )(?<!plasma )cutter\b|ball ?(?:nose|end)|bull ?(?:nose|end)|v[- ]?bit|"
     r"engrav\w*|chamfer\w*|router|bit\b|drills?\b|spot ?drill|reamer|tap\b|crb\b|carbide|"
     r"\w*fr(?:ä|ae|.)ser\b|bohrer|gravier\w*|freza|sverlo|fresa|broca|fraise|foret|frees|фреза|сверло|гравер"
 )
