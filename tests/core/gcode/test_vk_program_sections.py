@@ -197,7 +197,9 @@ def test_comments_that_tell_no_tool(comment):
         ("#130df2", ""), ("Facade", "Facade"), ("Block-color: #000000", ""), ("Block-name: Keys", "Keys"),
         ("Block-name: Header", ""), ("R2.5400  P1.000000", ""), ("Optional stop, check the bore", ""), ("AXIS,stop", ""),
         ("fim do programa", ""), ("_gc_nextgen_svg_id:null", ""), ("Select work offset #1", ""), ("SECTION begin", ""),
-        ("Start generation of : 1__FINISH SIDE", "1__FINISH SIDE"),
+        ("Start generation of : 1__FINISH SIDE", "1__FINISH SIDE"), ("Exact Path 0.001 tol.", ""), ("Default cutting", ""),
+        ("XY plane", ""), ("Produced by drl2gcode.py", ""), ("feed per minute", ""), ("work coordinate system", ""),
+        ("Laser on", ""), ("Ensure laser off", ""), ("Laser engraving", "Laser engraving"),
         ("Operation 9 of 13 : 2D Contour4", "2D Contour4"), ("(Pocket 1)", "Pocket 1"), ("(safe z)", ""), ("(A) and (B)", "(A) and (B)"),
     ],
 )  # fmt: skip

@@ -41,10 +41,10 @@ _REMARK = re.compile(
     \W*$ | [-+.\d\s/:*x%]+$ | .{80} | .*(?:https?://|\.(?:cps|pp|ulp|h|stl|svg|brd|tpl|gmax|txt|nc|ngc|tap)\b)
     | [A-Z0-9]+_[A-Z0-9_]+$ | \*{2,} | -{2,} | ={2,} | .*\b\d{1,2}:\d{2}\b | [MGTNS]\d+\b | \[ | .*\|
     | .*=\s*[-+]?[\d.]+\s*\w*$ | (?:\w+\s+){0,3}\w+\.?(?:\(\S+\))?\s*:\s*[-+]?[\d.,]+(?:\s*(?:mm|in|%|rpm|seconds|s)?\b.*)?$ | [XYZ]\s?(?:min|max|:) | [XYZ](?:,Y)?\ (?:start|end):
-    | .*\bdepth:\s*[-+]?[\d.]+$ | helix\ cut\ operation$ | (?:turn|wait)\b | (?:header|footer)\b | origin: | pycam[-_] | (?-i:[a-z_]\w*_\w+)(?:\(\S+\))?\s*[:=] | pen\ (?:up|down)$
+    | .*\bdepth:\s*[-+]?[\d.]+$ | helix\ cut\ operation$ | (?:turn|wait)\b | (?:header|footer)\b | origin: | pycam[-_] | (?-i:[a-z_]\w*_\w+)(?:\(\S+\))?\s*[:=] | pen\ (?:up|down)$ | (?:ensure\ )?laser\ o(?:n|ff)\b
     | (?:begin|start|stop|end)\ cut(?:ting)?$
     | pcb2gcode\b | high\s+up\s+down\b | (?:generator|shape)\s*= | end\ cutting\ path\b | it\ is\b
-    | select\b.*\b(?:plane|coordinate\ system|work\ offset)\b
+    | [XYZ]{2}\ plane\b | exact\ path\b | default\ cutting$ | feed\ per\b | work\ coordinate\b | select\b.*\b(?:plane|coordinate\ system|work\ offset)\b
     | block-\w+\s*: | (?=.*\d)[0-9a-f]{6}$ | [\w\ ]*(?:height\ offset|comp|css|compressor)\ o(?:n|ff)$
     | (?:ranges|tools)\ table$ | .*\b(?:press|make\ sure)\b.*\b(?:cycle\ start|spindle|button|key|running)\b
     | begin\ drilling$ | (?:section|start|stop|job|operation|epilogue)\ (?:begin|end)$ | optional\ stop\b | axis,
@@ -52,7 +52,7 @@ _REMARK = re.compile(
     | (?:laser|plasma|waterjet|through|etch|vaporize)\ cutting\.?$ | run\ point-pierce\b
     | (?:msg|debug|print|id)\b\s*[,=]? | (?:material|werkstoff)\s*[-:=]
     | .*\b(?:personal\ use|rapid|feed\s?rates?|unrestricted|subscription|machining\ time|copyright|licens\w*|gcode|g-code
-        |generated|created|erstellt|exported|made\ using|post\ ?processor|posts?\ processor|preprocessor|preamble|postamble|output
+        |generated|produced\ by|created|erstellt|exported|made\ using|post\ ?processor|posts?\ processor|preprocessor|preamble|postamble|output
         |vendor|model|description|hersteller|proveedor|machine|maschine|bearbeiten|spindle|coolant|retract\w*|plunge
         |units?|millimeters?|millimetres?|inch(?:es)?|metric|absolute|incremental|clearance|safe\w*|attention|compensat\w*
         |programa?|filename|file|settings|stock|home|dwell|laufzeit|werkzeuge|required|tools?|toolchange|mode|end\ of|return|postprocessor
