@@ -48,6 +48,7 @@ def sections(text):
         ("Change tool: HSS 2-Flute Endmill, 2mm", None, "endmill", 2),
         ("T02 ID=002  DIA-0.5000    1/2 ENDMILL", 2, "endmill", 12.7),
         ('Tool: 2" Surfacing End Mill', None, "endmill", 50.8),
+        ("TOOL:T24- 12 DIA 50.0 MCL END MILL", 24, "endmill", 12),
         (".375_3/8 X 90 DEG. SPOT DRILL", None, "vbit", 9.525),
         (".3281_21/64 PARABOLIC DRILL", None, "drill", pytest.approx(8.3337, abs=1e-3)),
         (".5_1/2 SPOT DRILL .06 TO.125 DIA.", None, "vbit", 12.7),
@@ -160,7 +161,8 @@ def test_what_is_too_large_or_told_too_long_is_no_tool():
 @pytest.mark.parametrize(
     "comment",
     ["2D Pocket3", "T1", "MANUAL TOOL CHANGE TO T5", "tool change at 0.0 0.0 17.0", "Drill 4 holes", "D=5", "",
-     "Face milling 3x3 inch block", 'Cutter does not descend more than 0.94" below top', "15mm square cut test for laser cutter",
+     "Job mode = 2, DRILL", "Cutter comp LEFT (D1 = tool radius register)", "BACK 1400 END MILL 20 MINUTES", "1055_utab_265bit",
+     "Engraving a 37 tick, 1.700 dia bezel", "Bit sizes: [0.8mm] [1mm]", "Face milling 3x3 inch block", 'Cutter does not descend more than 0.94" below top', "15mm square cut test for laser cutter",
      "Tool length 30 mm", "stock 20 mm x 30 mm", "T2 D=0 - flat end mill", "T2 D=9999 - end mill",
      "T2 - NO. 7 DRILL", "T2 #7 DRILL", "2 0.209 #4 tap drill", "Number 30 drill", "NR.7 BOHRER", "T3 LETTER F DRILL",
      "D DRILL", "T3 D3 H3 FACE MILL", "T11 H11 D11 ENDMILL", "H07 ENDMILL D7", "WERKZEUG 3 FRAESER", "OP 3 ENDMILL",

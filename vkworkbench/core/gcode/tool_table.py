@@ -17,16 +17,16 @@ from functools import lru_cache
 from vkworkbench.core.gcode.units import INCH
 from vkworkbench.core.tool import Tool
 
-_LARGEST = 500.0  # mm
+_LARGEST, _LARGEST_BARE = 500.0, 150.0  # mm; 14 END MILL is no tool of 14 inches, 265bit none of 265 mm
 
-_NUMBER = r"(?:\d+(?:[.,]\d*)?|[.,]\d+)"
+_NUMBER = r"(?:\d+(?:\.\d*|,\d+)?|[.,]\d+)"
 _FRACTION = r"(?:\d+[ -])?\d+/\d+"
 _SIZE = rf"(?P<size>{_FRACTION}|{_NUMBER})"
 _METRIC = ("mm", "мм", "m")  # M8: a metric thread
 _UNIT = r"\s*(?P<unit>mm\b|мм\b|inch(?:es)?\b|in\b\.?|\"|'')?"
 _MILLING_WORD = (
     r"end ?mills?(?![a-z])|mill\b|em\b|face ?mills?(?![a-z])|slot ?(?:cutter|drill)|(?<!laser )(?<!plasma )cutter\b|ball ?(?:nose|end)|bull ?(?:nose|end)|v[- ]?bit|"
-    r"engrav\w*|chamfer\w*|router|bit\b|drills?\b|spot ?drill|reamer|tap\b|crb\b|carbide|"
+    r"engrav\w*\b(?!\s+(?:an?|the)\b)|chamfer\w*|router|bit\b|drills?\b|spot ?drill|reamer|tap\b|crb\b|carbide|"
     r"\w*fr(?:ä|ae|.)ser\b|bohrer|gravier\w*|freza|sverlo|fresa|broca|fraise|foret|frees|фреза|сверло|гравер"
 )
 # Of other languages' words for a tool only the first of a comment names one: "trajectoire d'outil 3" is a toolpath.
@@ -39,7 +39,7 @@ _NUMBERED = re.compile(
 )
 _LETTER = re.compile(rf"(?<![A-Za-z])D\s*=\s*{_SIZE}{_UNIT}", re.IGNORECASE)
 _WORD = re.compile(
-    rf"(?:\bdia(?:meter|m)?\b\.?|\bdiametro\b|\bdiámetro\b|\bdiamètre\b|\bdurchmesser\b|[øØ⌀]|\bдиаметр|\btool size)\s*[:=.\-]*\s*{_SIZE}{_UNIT}",
+    rf"(?:\bdia(?:meter|m)?\b\.?|\bdiametro\b|\bdiámetro\b|\bdiamètre\b|\bdurchmesser\b|[øØ⌀]|\bдиаметр|\btool size)\s*[:=.\-]*\s*{_SIZE}{_UNIT}(?![\d.,]*\s*(?:mcl|loc|oal)\b)",
     re.IGNORECASE,
 )
 # Not the end of a range: SPOT DRILL .06 TO .125 DIA. makes holes of that size.
@@ -63,6 +63,9 @@ _NO_LENGTH = re.compile(
 _SHORT = re.compile(rf"(?<![\w|])D(?P<size>{_NUMBER})(?![\w|])")  # D10; between bars it is an offset
 # FreeCAD converts the moves of a program to inches, and no comment.
 _IN_MM = re.compile(r"\W*compensated tool path\. diameter", re.IGNORECASE)
+# In what is said of compensation a D word names its register. And several sizes are those of several tools.
+_COMPENSATION = re.compile(r"\bcomp(?:ensation)?\b|\bregister\b", re.IGNORECASE)
+_SEVERAL = re.compile(r"\bsizes\b", re.IGNORECASE)
 _LENGTH_OFFSET = re.compile(r"(?<!\w)H(\d{1,8})\b")
 _TOGETHER = re.compile(r"(?<=\btool)(?=Dia|Radius)")  # toolDiam: 0.125
 _FLUTES = re.compile(r"\b\d+\s*-?\s*fl(?:utes?)?\b", re.IGNORECASE)
@@ -158,7 +161,8 @@ def tool_told(comment: str, *, inches: bool, of: int | None = None) -> ToldTool 
     diameter = _millimetres(size, inches or _also_a_fraction(comment, size))
     if size.re is _RADIUS:
         diameter *= 2
-    if not 0 < diameter <= _LARGEST:
+    bare = size.re in (_BARE, _ATTACHED) and not size["unit"]
+    if not 0 < diameter <= (_LARGEST_BARE if bare else _LARGEST):
         return None
     return ToldTool(number_named(comment), _tool(comment, size, diameter, inches), size.re is _CUTVIEWER)
 
@@ -180,7 +184,9 @@ def _size(comment: str, number: re.Match[str] | None) -> re.Match[str] | None:
     if written:
         return written
     is_tool = _IS_TOOL.search(comment) is not None
-    if number is None and not is_tool and not re.search(r"\btool", comment, re.IGNORECASE):
+    if _SEVERAL.search(comment) or (
+        number is None and not is_tool and not re.search(r"\btool", comment, re.IGNORECASE)
+    ):
         return None
     explicit = _LETTER.search(comment) or _WORD.search(comment) or _BEFORE.search(comment) or _RADIUS.search(comment)
     if explicit or not (is_tool or _LISTED.match(comment)) or len(comment) > _LONGEST_NAME:
@@ -213,7 +219,9 @@ def _size_alone(comment: str, tool: int) -> re.Match[str] | None:
 
 
 def _without_offsets(comment: str, number: re.Match[str] | None) -> str:
-    """Return a comment without offsets: D words with the number of the tool, or of an H word."""
+    """Return a comment without offsets: D words with the number of the tool, or of an H word, and of compensation."""
+    if _COMPENSATION.search(comment):
+        return _SHORT.sub("", comment)
     own = {int(offset) for offset in _LENGTH_OFFSET.findall(comment)} | ({int(number["number"])} if number else set())
     return _SHORT.sub(lambda word: "" if word["size"].isdigit() and int(word["size"]) in own else word[0], comment)
 
