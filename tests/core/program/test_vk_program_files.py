@@ -191,7 +191,7 @@ def test_what_names_no_files_is_refused_without_freecad(without_freecad, what):
 
 
 def test_help_needs_no_freecad(without_freecad):
-    assert "analyze(what=Ellipsis" in pydoc.plain(pydoc.render_doc(vkworkbench))
+    assert "analyze(what=None" in pydoc.plain(pydoc.render_doc(vkworkbench))
     assert {"analyze", "Report", "Cancelled"} <= set(dir(vkworkbench))
 
 
