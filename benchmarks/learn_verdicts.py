@@ -44,7 +44,7 @@ from vkworkbench.core.recognition.section import Section
 from vkworkbench.core.recognition.thresholds import VOTES
 from vkworkbench.core.recognition.verdict import judge
 
-OF_STRATEGIES = {"trees": 60, "leaves": 120, "tried": 0.3, "seed": 1}
+OF_STRATEGIES = {"trees": 60, "leaves": 160, "tried": 0.3, "seed": 1}
 OF_NONSENSE = {"trees": 80, "leaves": 160, "tried": 0.3, "seed": 1}
 DOUBTFUL = (0.2, 0.25, 0.3, 0.35, 0.4, 0.5)  # where else the doubt might begin: what it costs, and what it gains
 FOLDS, SEEDS = 10, 20  # folds, and made toolpaths of each kind
@@ -52,12 +52,12 @@ FOLDS, SEEDS = 10, 20  # folds, and made toolpaths of each kind
 JOINED = {"odometer": 7, "wunderlich": 3}
 #: Weights in the learning of the strategies, of what is nonsense, and of the confidence. Real code is what is rare.
 WEIGHTS = {
-    "real": (3.0, 6.0, 2.0),
+    "real": (3.0, 4.0, 2.0),
     "real with tools": (0.0, 0.0, 2.0),
     "freecad": (1.0, 1.0, 1.0),
     "freecad without tools": (0.7, 1.0, 0.0),
-    "synthetic": (1.0, 1.0, 0.0),
-    "nonsense": (0.0, 2.0, 0.0),
+    "synthetic": (3.0, 1.0, 0.0),
+    "nonsense": (0.0, 3.0, 0.0),
 }
 TABLE = HERE.parent / "vkworkbench" / "core" / "recognition" / "learned.py"
 

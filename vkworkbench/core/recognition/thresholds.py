@@ -532,7 +532,7 @@ class VOTES:
 
     #: share of the votes. The rules count as so many. At 0 the trees alone decide, and operations of FreeCAD that the
     #: rules know are lost; at 1 the rules alone do, and real code that has no part in them is.
-    RULES = 0.4
+    RULES = 0.5
     #: share of the votes. Where no tool is known, many of the rules have nothing to measure by. As much as with a tool:
     #: real code that names none is judged by rules that guess.
     RULES_WITHOUT_TOOL = 0.1
