@@ -3,13 +3,16 @@
 
 from __future__ import annotations
 
+import csv
 from dataclasses import replace
+from types import SimpleNamespace
 
 import pytest
 
 from vkworkbench.core import Machining, Span, Strategy
 from vkworkbench.language import Message
 from vkworkbench.report import Report, SimulationFacts, without_results
+from vkworkbench.report.table import table_of
 from vkworkbench.report.text_table import printable
 
 KNOWN = Machining(100.0, 20.0, -1.0, 1.0, 10.0, 2.0, ())
@@ -97,6 +100,21 @@ def test_a_total_without_any_cost_takes_nothing_that_is_known():
     (total,) = told.totals
     assert (total.seconds, total.memory_bytes, total.incomplete) == (0, 0, True)
     assert lines(told)[-1].split()[-2:] == ["?", "?"]
+
+
+def test_what_the_chosen_simulator_takes_ends_a_line():
+    cost = SimpleNamespace(seconds=7.0, memory_bytes=3e6, factor=1.0)
+    row = operation("One", costs={"chosen": cost}, remarks=())
+    assert table_of([row], [], "chosen").splitlines()[-1].split()[-4:] == ["7.0", "s", "3.0", "MB"]
+    assert table_of([row], [], "other").splitlines()[-1].split()[-2:] == ["?", "?"]
+
+
+def test_a_file_of_one_operation_has_its_columns(tmp_path):
+    file = tmp_path / "one.csv"
+    report(operation("One")).to_csv(file)
+    with open(file, newline="", encoding="utf-8") as opened:
+        (row,) = csv.DictReader(opened)
+    assert (row["document"], row["label"], row["trajectories"]) == ("Doc", "One", "5")
 
 
 def test_the_table_of_one_document_does_not_name_it():
