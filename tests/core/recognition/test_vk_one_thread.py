@@ -11,8 +11,8 @@ import pytest
 CORE = Path(__file__).parents[3] / "vkworkbench" / "core"
 SOURCES = [*(p for room in ("gcode", "paper", "recognition") for p in (CORE / room).glob("*.py")), *CORE.glob("*.py")]
 BLAS = {"dot", "vdot", "inner", "matmul", "tensordot", "linalg", "polyfit", "corrcoef", "cov", "convolve", "correlate"}
-# Solids are no part of recognising; the products there are of three numbers.
-OTHER = {"solids.py", "stocks.py"}
+# Solids and views are no part of recognising; the products there are of three numbers.
+OTHER = {"solids.py", "stocks.py", "view.py"}
 
 
 def products(code):
