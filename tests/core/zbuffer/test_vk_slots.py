@@ -87,6 +87,25 @@ def test_a_ball_end(move, tilt):
     check(ball_slot, [standing, in_ball], move, tilt)
 
 
+@pytest.mark.parametrize("slot, fall", [(ball_slot, 0.0), (ball_slot, -30.0), (sloped_slot, -30.0)])
+@pytest.mark.parametrize("tilt", TILTS)
+def test_a_move_that_rounding_left_a_little_across_the_ray_is_cut_as_one_along_it(slot, fall, tilt):
+    """Isometrically many moves at 45 degrees are so; a large tool is that of a tile's bounds. Of 4,000 rays some were missed."""
+    rng, radius, run = np.random.default_rng(7), 40.0, 187.2
+    rays = rng.uniform([[-36], [-30], [0]], [[36], [run + 30], [40]], (3, 4000))
+    every = np.ones(rays.shape[1])
+
+    def cut(across):
+        return slot(radius, rays, np.array([across * every, run * every, fall * every]), np.sin(tilt), np.cos(tilt))
+
+    near, far = cut(0.0)
+    assert (far - near > 0).any()
+    for across in (7.1e-7, -7.1e-7, 3e-9):
+        enter, leave = cut(across)
+        hit = far - near > 1e-3
+        assert enter[hit] == pytest.approx(near[hit], abs=1e-4) and leave[hit] == pytest.approx(far[hit], abs=1e-4)
+
+
 @pytest.mark.parametrize("radius, aside", [(3.0, 3.625), (1.0, 1.25), (2.0, 2.25), (3.0, 3.3)])
 def test_a_ray_that_passes_the_very_side_of_the_rim_on_its_way_passes_as_those_beside_it(radius, aside):
     """There is a place of the tool whose chord of the ray has no length: rounding may put it beside the tool."""

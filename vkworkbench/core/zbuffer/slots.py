@@ -89,7 +89,7 @@ def sloped_slot(
     with np.errstate(invalid="ignore"):
         t = walls.touched(-1)
         # Where it would come in below the floor, it enters over the rim.
-        below = height < walls.at(t, -1) * slope + t * uz
+        below = height < walls.where_touched(t, -1) * slope + t * uz
         over = np.maximum(middle - root, t)
         t = _on_move(np.where(below, np.minimum(over, middle + root, out=over), t))
         low = walls.at(t, -1)
@@ -100,7 +100,7 @@ def sloped_slot(
         np.copyto(low, np.nan, where=~(t <= z + ROUNDING))
 
         t = walls.touched(1)
-        below = height < walls.at(t, 1) * slope + t * uz
+        below = height < walls.where_touched(t, 1) * slope + t * uz
         root *= np.where(uz < 0, 1, -1)
         root += middle
         t = _on_move(np.where(below, root, t))
@@ -138,7 +138,7 @@ def ball_slot(
     with np.errstate(invalid="ignore"):
         for sign in (-1, 1):
             t = walls.touched(sign)
-            below = z + y * slope < walls.at(t, sign) * slope + t * uz
+            below = z + y * slope < walls.where_touched(t, sign) * slope + t * uz
             t = _on_move(np.where(below, nearest + sign * passed, t))
             half2 = x - t * ux
             half2 *= half2
@@ -192,12 +192,23 @@ class _Walls:
         touched: np.ndarray = self.x * self.inverse + sign * self.reach
         return touched
 
+    def where_touched(self, t: np.ndarray, sign: int) -> np.ndarray:
+        """`at` of the places `touched`, which are never beside the tool: far from a move along the ray rounding would say so."""
+        return self._from_half2(np.maximum(self._half2(t), 0), t, sign)
+
     def at(self, t: np.ndarray, sign: int) -> np.ndarray:
         """How far along itself from the start of the move the ray passes the wall of the tool standing at `t`, mm."""
+        return self._from_half2(self._half2(t), t, sign)  # beside the tool not a number
+
+    def _half2(self, t: np.ndarray) -> np.ndarray:
         half = t * self.ux
         np.subtract(self.x, half, out=half)
         half *= half
-        np.sqrt(np.subtract(self.radius**2 + RIM, half, out=half), out=half)  # beside the tool not a number
+        result: np.ndarray = np.subtract(self.radius**2 + RIM, half, out=half)
+        return result
+
+    def _from_half2(self, half: np.ndarray, t: np.ndarray, sign: int) -> np.ndarray:
+        np.sqrt(half, out=half)
         half *= sign
         half += t * self.uy
         return half
