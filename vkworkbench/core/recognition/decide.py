@@ -57,7 +57,9 @@ class Learned:
     sureness: tuple[float, ...]
 
 
-LEARNED = Learned(Forest(learned.TREES, len(STRATEGIES)), Forest(learned.NONSENSE, 2), learned.SURENESS)
+LEARNED = Learned(
+    Forest([*learned.EARLIER, *learned.TREES], len(STRATEGIES)), Forest(learned.NONSENSE, 2), learned.SURENESS
+)
 
 
 class Proposal(NamedTuple):
