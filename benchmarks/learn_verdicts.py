@@ -40,7 +40,7 @@ from vkworkbench.core.recognition.decide import (
     sureness,
 )
 from vkworkbench.core.recognition.forest import Forest
-from vkworkbench.core.recognition.learned import EARLIER
+from vkworkbench.core.recognition.learned import EARLIER, EARLIER_NONSENSE
 from vkworkbench.core.recognition.measures import measures
 from vkworkbench.core.recognition.section import Section
 from vkworkbench.core.recognition.thresholds import VOTES
@@ -204,7 +204,7 @@ def left_out(e: Examples, by: str = "group") -> tuple[dict[int, Learned], np.nda
     votes, forests = np.empty((len(e.y), len(STRATEGIES))), {}
     for k in range(FOLDS):
         strategies, about = grown(e, fold != k)
-        forests[k] = Forest([*EARLIER, *strategies], len(STRATEGIES)), Forest(about, 2)
+        forests[k] = Forest([*EARLIER, *strategies], len(STRATEGIES)), Forest([*EARLIER_NONSENSE, *about], 2)
         votes[fold == k] = forests[k][0].shares(e.x[fold == k])
     (evidence, right), weight = e.judged(votes), e.weight(2)
     learned = {
@@ -214,7 +214,7 @@ def left_out(e: Examples, by: str = "group") -> tuple[dict[int, Learned], np.nda
 
 
 def write(e: Examples, weights: np.ndarray) -> None:
-    """Write the table, learned from all examples; the trees of EARLIER stay."""
+    """Write the table, learned from all examples; the earlier trees stay."""
     strategies, about = grown(e, np.ones(len(e.y), bool))
     head, _ = TABLE.read_text().split("MEASURES = ")
 

@@ -58,7 +58,9 @@ class Learned:
 
 
 LEARNED = Learned(
-    Forest([*learned.EARLIER, *learned.TREES], len(STRATEGIES)), Forest(learned.NONSENSE, 2), learned.SURENESS
+    Forest([*learned.EARLIER, *learned.TREES], len(STRATEGIES)),
+    Forest([*learned.EARLIER_NONSENSE, *learned.NONSENSE], 2),
+    learned.SURENESS,
 )
 
 
