@@ -564,3 +564,13 @@ def test_brackets_that_the_user_puts_beside_a_mark_stay(small, zigzag_commands):
     op.Label2 += " ⟦of another tool⟧"
     vkworkbench.clear(op)
     assert op.Label2 == "mine ⟦of another tool⟧"
+
+
+def test_of_a_group_a_job_whose_operations_are_gone_is_cleared_too(small, zigzag_commands):
+    op = small.add("Zigzag", zigzag_commands)
+    group = small.document.addObject("App::DocumentObjectGroup", "Group")
+    group.addObject(small.job)
+    vkworkbench.mark(vkworkbench.analyze(small.document))
+    small.document.removeObject(op.Name)
+    assert marks.is_marked(small.job)
+    assert vkworkbench.clear(group) == 1 and not marks.is_marked(small.job)
