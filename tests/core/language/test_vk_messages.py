@@ -289,3 +289,10 @@ def test_an_error_that_carries_its_message():
 
 def test_a_number_in_a_sentence_has_six_digits():
     assert str(Unusable(Message("tip-angle", angle=10 / 3))).endswith("not be 3.33333")
+
+
+def test_several_of_one_argument_are_told_one_after_the_other_as_the_reader_reads_them():
+    several = Message("tip-angle", angle=(0.5, 4.0))
+    assert render(several).endswith("not be 0.5, 4") and "0,5, 4" in render(several, German())
+    both = Message("in-commands", sentence=(Message("no-moves"), Message("only-rapids")), count=1, command=3)
+    assert render(both).startswith(f"{render(Message('no-moves'))}, {render(Message('only-rapids'))} (")
