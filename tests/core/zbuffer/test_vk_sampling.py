@@ -11,7 +11,7 @@ from vkworkbench.core import ConvexStock, Stock, Tool, View
 from vkworkbench.core.zbuffer.counts import count
 from vkworkbench.core.zbuffer.cuts import Cut, Cuts
 from vkworkbench.core.zbuffer.removal import Removal
-from vkworkbench.core.zbuffer.sampling import Sample, sample
+from vkworkbench.core.zbuffer.sampling import _CELLS, _ORDER, Sample, sample
 from vkworkbench.core.zbuffer.simulate import simulate
 
 STOCK, TOP = Stock((0, 0, 0), (40, 30, 10)), (0, 0, -1)
@@ -187,3 +187,11 @@ def test_rays_beside_a_round_stock_have_no_dexel():
     exact = simulate(path, tool=FLAT, stock=stock, view=view)
     assert counts.dexels == pytest.approx(exact.dexels, rel=2e-3) == pytest.approx(counts.stock, rel=2e-3)
     assert counts.traces == pytest.approx(exact.traces, rel=0.05)
+
+
+@pytest.mark.parametrize("side", [2, 4, 8, 16])
+def test_the_curve_through_the_cells_fills_one_square_after_the_other(side):
+    """So that the cells of a stratum are neighbours."""
+    row, column = (of.reshape(-1, side**2) for of in np.divmod(_ORDER, _CELLS))
+    assert (np.ptp(row, axis=1) == side - 1).all() and (np.ptp(column, axis=1) == side - 1).all()
+    assert sorted(_ORDER.tolist()) == list(range(_CELLS**2))

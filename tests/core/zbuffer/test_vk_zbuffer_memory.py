@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import inspect
 import subprocess
 import sys
 from dataclasses import replace
@@ -18,7 +19,7 @@ from vkworkbench.core.zbuffer.counts import Counts
 from vkworkbench.core.zbuffer.cuts import Cut, Cuts
 from vkworkbench.core.zbuffer.memory import helpers_within, peak_bytes
 from vkworkbench.core.zbuffer.removal import Removal
-from vkworkbench.core.zbuffer.simulate import simulate
+from vkworkbench.core.zbuffer.simulate import simulate, simulate_job
 
 ROOT = Path(__file__).resolve().parents[3]
 # Runs in a process of its own, so that nothing from before is given back or used again.
@@ -180,3 +181,9 @@ def test_the_records_hold_eight_bytes_each():
     assert z.records.far.nbytes + z.records.owner.nbytes == 8 * pieces
     assert z.memory_bytes == 8 * pieces + 8 * 200 * 150 + 4
     assert np.array_equal(np.diff(z.records.index.astype(int)).sum(), pieces)
+
+
+@pytest.mark.parametrize("function", [simulate, simulate_job])
+def test_two_gigabytes_may_be_taken_where_nobody_says_otherwise(function):
+    """As docs/cost.md states."""
+    assert inspect.signature(function).parameters["memory_budget"].default == 2e9
