@@ -6,7 +6,7 @@ import pytest
 
 import vkworkbench
 from vkworkbench.document import marks, watcher
-from vkworkbench.document.operations import find, job_of, kind
+from vkworkbench.document.operations import find, job_of, kind, members
 
 
 def in_compound(small, *operations):
@@ -103,3 +103,11 @@ def test_operations_in_a_folder_of_the_job_belong_to_it(small, zigzag_commands):
     for what in (small.document, small.job, op):
         (row,) = vkworkbench.analyze(what).operations
         assert row.job == small.job.Name and row.counted
+
+
+def test_what_stands_in_folders_comes_in_its_place_and_what_stands_behind_them_too(small, zigzag_commands):
+    one, two, three, four = (small.add(label, zigzag_commands, job=False) for label in ("One", "Two", "Three", "Four"))
+    inner, outer = (small.document.addObject("App::DocumentObjectGroup", name) for name in ("Inner", "Outer"))
+    inner.Group, outer.Group = [two], [one, inner, three]
+    assert [obj.Label for obj in members([outer, four])] == ["One", "Two", "Three", "Four"]
+    assert [found.object.Label for found in find([outer, four])] == ["One", "Two", "Three", "Four"]
