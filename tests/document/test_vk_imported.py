@@ -6,6 +6,7 @@ from __future__ import annotations
 import importlib
 
 import FreeCAD
+import programs
 import pytest
 
 import vkworkbench
@@ -53,6 +54,21 @@ def test_imported_inches_of_two_operations_are_told_apart(small, tmp_path):
     (row,) = vkworkbench.analyze(operation).operations
     assert TOO_SMALL in row.error
     assert [str(span.strategy) for span in row.recognition.spans] == ["zigzag", "profile"]
+
+
+def test_imported_inches_of_two_operations_with_nothing_but_a_retract_between_them_are_told_apart(small, tmp_path):
+    """As in a program in millimetres: nobody knows that it was one operation."""
+    FreeCAD.setActiveDocument(small.name)
+    commands = [*programs.profile(24, 40.0, [-1.0, -2.0, -3.0]), *programs.helix(8, 15.0, 1.0)]
+    lines = [
+        name + "".join(f" {letter}{value if letter == 'F' else value / 25.4:.5f}" for letter, value in words.items())
+        for name, words in commands
+        if words
+    ]
+    operation = imported(small, "\n".join(["G20", "M6 T1", *lines, ""]), tmp_path)
+    (row,) = vkworkbench.analyze(operation).operations
+    assert TOO_SMALL in row.error
+    assert [str(span.strategy) for span in row.recognition.spans] == ["profile", "helix"]
 
 
 @pytest.mark.parametrize("name", ["ClearanceHeight", "Base"])
