@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from vkworkbench.core.zbuffer import surface_distance
-from vkworkbench.core.zbuffer.surface_distance import farthest
+from vkworkbench.core.zbuffer.surface_distance import _circles, farthest
 
 
 def every_pair(front, behind, pixel):
@@ -107,3 +107,11 @@ def test_nothing_to_look_at():
     flat = np.zeros((3, 4), np.float32)
     assert farthest(flat, flat + 1, np.array([], int), 0.1, 0.1) is None
     assert farthest(flat, flat + 1, np.arange(12), 0.1, 1.0) is None
+
+
+def test_what_is_looked_at_first_lies_on_circles_out_to_the_border_each_twice_as_wide():
+    """What they find only spares work: where they lie does not show in a distance."""
+    steps = np.concatenate(_circles(100, 8, 2.0))
+    assert np.abs(np.hypot(*steps.T) - np.repeat([1, 2, 4, 8, 16, 32, 64], 8)).max() < 0.75
+    far = steps[-8:]
+    assert np.degrees(np.arctan2(*far.T)) % 360 == pytest.approx(45.0 * np.arange(8), abs=1.0)
