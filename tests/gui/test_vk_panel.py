@@ -206,6 +206,7 @@ def test_nothing_shines_through_the_name(panel, shipped, window):
     try:
         for action in chosen:
             action.trigger()
+        window.idle()  # until the columns have their places
         bar, frozen = panel.tree.horizontalScrollBar(), panel.tree.findChild(QtGui.QTreeView, "frozen")
         pictures = []
         for value in (bar.maximum() // 2, bar.maximum()):
