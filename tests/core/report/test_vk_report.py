@@ -104,8 +104,8 @@ def test_a_total_without_any_cost_takes_nothing_that_is_known():
 
 def test_what_the_chosen_simulator_takes_ends_a_line():
     cost = SimpleNamespace(seconds=7.0, memory_bytes=3e6, factor=1.0)
-    row = operation("One", costs={"chosen": cost}, remarks=())
-    assert table_of([row], [], "chosen").splitlines()[-1].split()[-4:] == ["7.0", "s", "3.0", "MB"]
+    row = operation("One", costs={"legacy": cost}, remarks=())
+    assert table_of([row], [], "legacy").splitlines()[-1].split()[-4:] == ["7.0", "s", "3.0", "MB"]
     assert table_of([row], [], "other").splitlines()[-1].split()[-2:] == ["?", "?"]
 
 
