@@ -106,7 +106,7 @@ def test_what_the_chosen_simulator_takes_ends_a_line():
     cost = SimpleNamespace(seconds=7.0, memory_bytes=3e6, factor=1.0)
     row = operation("One", costs={"legacy": cost}, remarks=())
     assert table_of([row], [], "legacy").splitlines()[-1].split()[-4:] == ["7.0", "s", "3.0", "MB"]
-    assert table_of([row], [], "other").splitlines()[-1].split()[-2:] == ["?", "?"]
+    assert table_of([row], [], "z-buffer").splitlines()[-1].split()[-2:] == ["?", "?"]
 
 
 def test_a_file_of_one_operation_has_its_columns(tmp_path):
