@@ -165,9 +165,6 @@ def _groups(program: Program) -> list[_Group]:
             marks.append((at, int(program.lines[at]), words.get("T"), False))
         elif name[:1] == "T":
             named[int(program.lines[at])] = int(name[1:])
-    moves = {
-        at: int(program.lines[at]) for at, (_, words) in enumerate(program.commands) if not _AXES.isdisjoint(words)
-    }
     cuts = _cuts(program)
     marks.sort(key=lambda mark: mark[:2])
     changes = {line: None if what is None else int(what) for _, line, what, _ in marks if not isinstance(what, str)}
@@ -199,7 +196,7 @@ def _groups(program: Program) -> list[_Group]:
                 begun = "" if what == f"End {begun}" else begun
             if title and called:
                 group.called = group.called or title
-            elif title and moves.get(at) != line:  # what stands beside a move says what that is for
+            elif title and not _beside_a_move(program, at, line):
                 group.title, group.headings = title, (*group.headings, what)
             continue
         name = "" if _NO_NAME.match(what) else what
@@ -213,6 +210,11 @@ def _groups(program: Program) -> list[_Group]:
             # What the line of a change tells stays, unless another tool is told to be the one from here on.
             group.tool, group.tool_name, group.told = told.tool, name, line
     return groups
+
+
+def _beside_a_move(program: Program, at: int, line: int) -> bool:
+    """Return whether a comment stands in the line of the command before which it is, a move: it says what that is for."""
+    return at < len(program.commands) and program.lines[at] == line and not _AXES.isdisjoint(program.commands[at][1])
 
 
 def _listed(marks: list[tuple[int, int, str | float | None, bool]], cuts: list[int]) -> set[tuple[int, str]]:
