@@ -20,7 +20,7 @@ from vkworkbench.program.apart import analyze_apart, end_workers
 from vkworkbench.program.files import find_programs, is_called_a_program
 from vkworkbench.program.progress import Progress
 from vkworkbench.program.results import Csv, JsonLines, Results
-from vkworkbench.report import OperationReport, cells_of, how_many
+from vkworkbench.report import OperationReport, cells_of, how_many, printable
 from vkworkbench.worker import processes
 
 _WRONG, _UNREAD, _STOPPED = 2, 1, 130  # exit statuses
@@ -107,7 +107,7 @@ def _run(asked: argparse.Namespace) -> int:
     if not paths:
         raise _Wrong(f"no NC programs in {', '.join(asked.what)}")
     # Before any results: an earlier file of them is not lost for want of it.
-    with _executor(asked) as (executor, ahead):
+    with _executor(asked, len(paths)) as (executor, ahead):
         return _work(asked, paths, executor, ahead)
 
 
@@ -189,13 +189,13 @@ def _is_same_file(one: str, other: Path) -> bool:
 
 
 @contextmanager
-def _executor(asked: argparse.Namespace) -> Iterator[tuple[Executor, int]]:
-    """Give the executor and how many files it is handed ahead."""
+def _executor(asked: argparse.Namespace, files: int) -> Iterator[tuple[Executor, int]]:
+    """Give the executor of so many files, and how many of them it is handed ahead."""
     if asked.scheduler:
         with _cluster(asked.scheduler) as both:
             yield both
         return
-    jobs = asked.jobs or processes()
+    jobs = min(asked.jobs or processes(), files)
     executor = ThreadPoolExecutor(jobs)  # each thread waits for a process of its own
     try:
         yield executor, _AHEAD * jobs
@@ -259,4 +259,4 @@ def _rows(path: Path, future: Future) -> tuple[OperationReport, ...]:
 
 def _show(path: Path, rows: tuple[OperationReport, ...]) -> None:
     told = report_of(rows, preferences.read()) if rows[0].counted else rows[0].error
-    print(f"{path}\n{told}\n", flush=True)
+    print(f"{printable(str(path), sys.maxsize)}\n{told}\n", flush=True)

@@ -16,10 +16,10 @@ from vkworkbench.report.operation import (
 from vkworkbench.report.report import Cancelled, Report
 from vkworkbench.report.simulation_facts import SimulationFacts
 from vkworkbench.report.spreadsheet import as_cell
-from vkworkbench.report.text_table import how_many
+from vkworkbench.report.text_table import how_many, printable
 from vkworkbench.report.total import Total, has_unknown_cost, total_of
 
 __all__ = [
     "HANGS", "SERIOUS", "Cancelled", "OperationReport", "Report", "SimulationFacts", "Total", "as_cell", "cells_of",
-    "contradiction", "has_unknown_cost", "how_many", "total_of", "without_results",
+    "contradiction", "has_unknown_cost", "how_many", "printable", "total_of", "without_results",
 ]  # fmt: skip

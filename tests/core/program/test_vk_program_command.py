@@ -76,6 +76,17 @@ def test_a_table_for_each_program(folder, inside):
     assert inside(folder).returncode == 0
 
 
+def test_more_processes_than_there_can_be_are_one_for_each_file(folder, inside):
+    done = inside(folder, "--jobs", 10**20)
+    assert done.returncode == 1 and done.stdout.count("Face") == 5
+
+
+def test_the_name_of_a_file_steers_no_terminal(tmp_path, inside):
+    (tmp_path / "a\x1b[2J\nb.nc").write_text(PROGRAM)
+    done = inside(tmp_path)
+    assert done.stdout.splitlines()[0] == f"{tmp_path}/a [2J b.nc" and "\x1b" not in done.stdout
+
+
 def test_a_program_of_rapids_was_read(tmp_path, inside):
     (tmp_path / "rapids.nc").write_text("G0 X0 Y0 Z5\nG0 X50\n")
     done = inside(tmp_path)
