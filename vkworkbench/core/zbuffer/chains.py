@@ -12,6 +12,7 @@ import numpy as np
 
 from vkworkbench.core.solids import Gaps
 from vkworkbench.core.zbuffer.dexels import (
+    NO_DEEPER,
     THINNEST,
     UNCUT,
     Pieces,
@@ -21,9 +22,6 @@ from vkworkbench.core.zbuffer.dexels import (
     without_thin,
 )
 from vkworkbench.core.zbuffer.records import GAP
-
-# What reaches deeper by less, mm, is rounding noise.
-_NOISE = 1e-7
 
 
 def cut_rays(
@@ -86,7 +84,7 @@ def removing(group: np.ndarray, enter: np.ndarray, leave: np.ndarray, near: np.n
     offset = group * (farthest - nearest + 1)
     opened += offset
     before = np.maximum.accumulate(opened, axis=1, out=opened)
-    before += _NOISE
+    before += NO_DEEPER
     met[:, 1:] &= leave[:, 1:] + offset[1:] > before[:, :-1]
     return np.flatnonzero(met)
 

@@ -15,6 +15,8 @@ import numpy as np
 
 # Pieces up to this length, mm, are rounding noise and go to their neighbour.
 THINNEST = 1e-4
+# What reaches deeper by no more, mm, reaches no deeper: that is rounding noise, too.
+NO_DEEPER = 1e-7
 UNCUT = np.iinfo(np.int32).max
 
 

@@ -8,10 +8,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from vkworkbench.core.zbuffer.dexels import THINNEST
-
-# What reaches deeper by less, mm, is rounding noise.
-NOISE = 1e-7
+from vkworkbench.core.zbuffer.dexels import NO_DEEPER, THINNEST
 
 
 def opening(depth: np.ndarray, tile: np.ndarray, start: np.ndarray, near: np.ndarray, far: np.ndarray) -> np.ndarray:
@@ -32,13 +29,13 @@ def opening(depth: np.ndarray, tile: np.ndarray, start: np.ndarray, near: np.nda
     highest = float(near.min(initial=deepest))
     # So far apart that a running extreme starts anew in each tile.
     offset = tile * (deepest - highest + 1)
-    first = np.where(near < far, near, deepest) + (THINNEST - NOISE) + offset[start]
+    first = np.where(near < far, near, deepest) + (THINNEST - NO_DEEPER) + offset[start]
     moved = depth + offset
-    begun = moved[:, start] > first + NOISE
+    begun = moved[:, start] > first + NO_DEEPER
     moved[:, start] = np.fmax(moved[:, start], first)
     deeper = np.empty(depth.shape, bool)
     before = np.fmax.accumulate(moved, axis=1)
-    before += NOISE
+    before += NO_DEEPER
     np.greater(moved[:, 1:], before[:, :-1], out=deeper[:, 1:])
     deeper[:, start] = begun
     return np.flatnonzero(deeper)

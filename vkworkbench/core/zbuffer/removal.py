@@ -22,15 +22,13 @@ _PAIRS_AT_ONCE = 16_384
 class Removal(Trajectories):
     """Toolpaths ready to cut scattered rays, as the estimate does."""
 
-    def cut(self, x: np.ndarray, y: np.ndarray, selection: np.ndarray | None = None) -> tuple[Pieces, np.ndarray]:
+    def cut(self, x: np.ndarray, y: np.ndarray) -> tuple[Pieces, np.ndarray]:
         """Return the pieces of rays; quickest where rays that follow each other are neighbours in the image.
 
         Parameters
         ----------
         x, y : (k,) ndarray
             Image coordinates of the rays, mm.
-        selection : ndarray of int, optional
-            The positions in `index` to cut with, ascending; all by default.
 
         Returns
         -------
@@ -45,7 +43,7 @@ class Removal(Trajectories):
         passes = np.zeros(len(x), np.int64)
         x, y, near, far, gaps = x[inside], y[inside], near[inside], far[inside], among(gaps, inside)
         parts = [(np.empty(0, np.int64), np.empty(0, np.int32), np.empty(0), np.empty(0))]
-        for first, last, group, item in self._meetings(x, y, selection):
+        for first, last, group, item in self._meetings(x, y):
             ray, item = self._pairs(group, item, x[first:last], y[first:last])
             passes[inside[first:last]] = np.bincount(ray, minlength=last - first)
             enter, leave = self.intervals(x[first:last][ray], y[first:last][ray], item)
@@ -54,15 +52,13 @@ class Removal(Trajectories):
             parts.append((inside[pieces.ray + first], pieces.owner, pieces.near, pieces.far))
         return Pieces(*(np.concatenate(columns) for columns in zip(*parts))), passes
 
-    def _meetings(
-        self, x: np.ndarray, y: np.ndarray, selection: np.ndarray | None
-    ) -> Iterator[tuple[int, int, np.ndarray, np.ndarray]]:
+    def _meetings(self, x: np.ndarray, y: np.ndarray) -> Iterator[tuple[int, int, np.ndarray, np.ndarray]]:
         """Ranges of rays with the groups in them and the trajectories they meet, as many as memory allows."""
         groups = -(-len(x) // GROUP)
         # The last group is filled up with copies of the last ray.
         padded = np.minimum(np.arange(groups * GROUP), len(x) - 1).reshape(-1, GROUP)
         gx, gy = x[padded], y[padded]
-        group, item = self.meeting(gx.min(axis=1), gx.max(axis=1), gy.min(axis=1), gy.max(axis=1), selection)
+        group, item = self.meeting(gx.min(axis=1), gx.max(axis=1), gy.min(axis=1), gy.max(axis=1))
         bounds = np.append(0, np.bincount(group, minlength=groups).cumsum())
         begin = 0
         while begin < groups:

@@ -26,8 +26,8 @@ _FLAT, _BALL = Tool("endmill", 8), Tool("ballend", 8)
 _TOP, _TILTED = (0, 0, -1), (0, 1, -2)
 # How often each run is timed at most.
 _RUNS = 8
-# The true time of nine in ten is within this factor of that of a measured speed (benchmarks/resources.py time, and on
-# toolpaths of more kinds benchmarks/learn_effort.py, whose worst is 2.7).
+# The true time of nine in ten is within this factor of that of a measured speed, as benchmarks/resources.py time prints, and
+# on toolpaths of more kinds benchmarks/learn_effort.py.
 _FACTOR = 2.0
 # Weight of the usual proportions against one measured time.
 _RIDGE = 0.5

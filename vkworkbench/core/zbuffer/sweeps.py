@@ -256,7 +256,7 @@ def _from_corner(tool: Tool, offset: np.ndarray) -> np.ndarray:
 def _straight_chord(tool: Tool, at: np.ndarray, sine: float, cosine: float) -> tuple[np.ndarray, np.ndarray]:
     """Depths at which a ray passes a standing cylinder that starts above the rounding or ends in a cone."""
     x, y, z = at
-    tangent = cosine / sine if abs(cosine) > 1e-9 else 0.0
+    tangent = cosine / sine if abs(cosine) > FROM_THE_SIDE else 0.0
     half2 = tool.radius**2 - x**2
     half = np.sqrt(np.maximum(half2, 0))
     low = np.where(half2 >= -RIM, -half, np.inf)

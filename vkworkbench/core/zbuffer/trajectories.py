@@ -144,23 +144,16 @@ class Trajectories:
         return np.array([nx, ny, middle - reach + np.minimum(rise, 0), middle + reach + np.maximum(rise, 0)])
 
     def meeting(
-        self,
-        left: np.ndarray,
-        right: np.ndarray,
-        bottom: np.ndarray,
-        top: np.ndarray,
-        selection: np.ndarray | None = None,
+        self, left: np.ndarray, right: np.ndarray, bottom: np.ndarray, top: np.ndarray
     ) -> tuple[np.ndarray, np.ndarray]:
         """Pairs of a rectangle of the image (g,) and a position in `index` that may meet, by rectangle."""
-        box = self.box if selection is None else self.box[:, selection]
+        box = self.box
         rectangle, item = np.nonzero(
             (box[0] <= right[:, None])
             & (box[1] >= left[:, None])
             & (box[2] <= top[:, None])
             & (box[3] >= bottom[:, None])
         )
-        if selection is not None:
-            item = selection[item]
         nx, ny, low, high = self.strip.take(item, axis=1)
         centre = nx * ((left + right) / 2)[rectangle] + ny * ((bottom + top) / 2)[rectangle]
         reach = np.abs(nx) * ((right - left) / 2)[rectangle] + np.abs(ny) * ((top - bottom) / 2)[rectangle]
