@@ -8,60 +8,27 @@ from bisect import bisect_left
 from collections import Counter
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field, replace
-from functools import lru_cache
+from typing import NamedTuple
 
 from vkworkbench.core.gcode.codes import MOTION_NAMES
 from vkworkbench.core.gcode.program import Program
-from vkworkbench.core.gcode.tool_table import number_named, tool_told
+from vkworkbench.core.gcode.titles import title_of
+from vkworkbench.core.gcode.tool_table import ToldTool, number_named, tool_told
 from vkworkbench.core.tool import Tool
 
 MANY_TITLES = 50  # titles of one form; a program with more numbers its passes, not its operations
 
 _AXES = frozenset("XYZ")
-# What pcb-gcode writes in a comment of its own before the one with the number; and descriptions that name no tool.
+# What pcb-gcode writes in a comment of its own before the one with the number.
 _TOOL_SIZE = re.compile(r"\s*tool size\s*", re.IGNORECASE)
 # As NX writes them: a tool's name, and its diameter in a comment of its own in the next line.
 _TOOL_NAME = re.compile(r"\W*(?:tool(?:\s*(?:name|no\.?|number|type|desc\w*))?\s*[:=#]|T\d+\b)", re.IGNORECASE)
 _ITS_DIAMETER = re.compile(r"\W*(?:D|(?:tool\s*)?dia(?:meter)?)\.?\s*[:=]\s*[\d.,]+", re.IGNORECASE)
+# Descriptions that are no names.
 _NO_NAME = re.compile(r"\s*(?:TOOL/|tool_radius\b|tool size\b)", re.IGNORECASE)
 
 # What py2gcode writes before an operation and behind it; the comments between tell its parameters and passes.
 _FROM, _TO = re.compile(r"Begin (\w+)"), re.compile(r"End (\w+)")
-# A title after the words that some post processors write before it.
-_TITLED = re.compile(
-    r"(?:begin operation|start cutting path id|start generation of|path|toolpath(?: name)?|operation(?: name)?"
-    r"|op(?:eration)? ?\d+(?: of \d+)?|block-name|name|type|no\.? ?\d+|nr\.? ?\d+)"
-    r"\s*[:=]\s*(?!g-code from|(?:block|header|footer|[GM]\d+)$)(\S.*)",
-    re.IGNORECASE,
-)
-_BEFORE_TOOL = re.compile(r"(\S.*?) - milling - tool: \d+ - ", re.IGNORECASE)  # Fusion for Marlin
-# Comments that are no titles: what post processors say of themselves, the machine, modes, and moves in an operation.
-_REMARK = re.compile(
-    r"""
-    \W*$ | [-+.\d\s/:*x%]+$ | .{80} | .*(?:https?://|\.(?:cps|pp|ulp|h|stl|svg|brd|tpl|gmax|txt|nc|ngc|tap)\b)
-    | [A-Z0-9]+_[A-Z0-9_]+$ | \*{2,} | -{2,} | ={2,} | .*\b\d{1,2}:\d{2}\b | [MGTNS]\d+\b | \[ | .*\|
-    | .*=\s*[-+]?[\d.]+\s*\w*$ | (?:\w+\s+){0,3}\w+\.?(?:\(\S+\))?\s*:\s*[-+]?[\d.,]+(?:\s*(?:mm|in|%|rpm|seconds|s)?\b.*)?$ | [XYZ]\s?(?:min|max|:) | [XYZ](?:,Y)?\ (?:start|end):
-    | .*\bdepth:\s*[-+]?[\d.]+$ | helix\ cut\ operation$ | (?:turn|wait)\b | (?:header|footer)\b | origin: | pycam[-_] | (?-i:[a-z_]\w*_\w+)(?:\(\S+\))?\s*[:=] | pen\ (?:up|down)$ | (?:ensure\ )?laser\ o(?:n|ff)\b
-    | (?:begin|start|stop|end)\ cut(?:ting)?$
-    | pcb2gcode\b | high\s+up\s+down\b | (?:generator|shape)\s*= | end\ cutting\ path\b | it\ is\b
-    | [XYZ]{2}\ plane\b | exact\ path\b | default\ cutting$ | feed\ per\b | work\ coordinate\b | select\b.*\b(?:plane|coordinate\ system|work\ offset)\b
-    | block-\w+\s*: | (?=.*\d)[0-9a-f]{6}$ | [\w\ ]*(?:height\ offset|comp|css|compressor)\ o(?:n|ff)$
-    | (?:ranges|tools)\ table$ | .*\b(?:press|make\ sure)\b.*\b(?:cycle\ start|spindle|button|key|running)\b
-    | begin\ drilling$ | (?:section|start|stop|job|operation|epilogue)\ (?:begin|end)$ | optional\ stop\b | axis,
-    | (?:[A-Z][-+]?\d*\.\d*\s+)+[A-Z][-+]?\d*\.\d*$
-    | (?:laser|plasma|waterjet|through|etch|vaporize)\ cutting\.?$ | run\ point-pierce\b
-    | (?:msg|debug|print|id)\b\s*[,=]? | (?:material|werkstoff)\s*[-:=]
-    | .*\b(?:personal\ use|rapid|feed\s?rates?|unrestricted|subscription|machining\ time|copyright|licens\w*|gcode|g-code
-        |generated|produced\ by|created|erstellt|exported|made\ using|post\ ?processor|posts?\ processor|preprocessor|preamble|postamble|output
-        |vendor|model|description|hersteller|proveedor|machine|maschine|bearbeiten|spindle|coolant|retract\w*|plunge
-        |units?|millimeters?|millimetres?|inch(?:es)?|metric|absolute|incremental|clearance|safe\w*|attention|compensat\w*
-        |programa?|filename|file|settings|stock|home|dwell|laufzeit|werkzeuge|required|tools?|toolchange|mode|end\ of|return|postprocessor
-        |direction|cut\ depth|pass\ depth|paths|lead|penetrate|cancel|set|use)\b
-    | (?:finish|end|stop|start|begin|path|ramp|cut|cutting|lift|air|move\w*|link|layer|pass|depth|level|loop|z|step|line|segment|slice)
-        \b\s*[#:=]?\s*(?:operation.*|section.*|block.*|path.*|of\b.*|[-+\d.,/\s]*(?:of\s*\d+)?(?:mm)?)$
-    """,
-    re.IGNORECASE | re.VERBOSE,
-)  # fmt: skip
 
 
 @dataclass(frozen=True)
@@ -85,6 +52,30 @@ class Section:
     tool: Tool | None
     first: int
     last: int
+
+
+class _Mark(NamedTuple):
+    """A comment, or a tool change.
+
+    Attributes
+    ----------
+    at, line : int
+        The command before which it stands, and its line.
+    what : str, float or None
+        The comment's text; the number of the tool that is changed to, None where no word tells it.
+    called : bool
+        Whether it is a comment in a subprogram.
+    """
+
+    at: int
+    line: int
+    what: str | float | None
+    called: bool = False
+
+    @property
+    def number(self) -> int | None:
+        """Of the tool that is changed to."""
+        return int(self.what) if isinstance(self.what, (int, float)) else None
 
 
 @dataclass
@@ -129,7 +120,7 @@ def split_sections(program: Program) -> tuple[Section, ...]:
     tuple of Section
         At least one; every line with a command is in one of them.
     """
-    groups = _groups(program)
+    groups = _Groups(program).groups
     forms = Counter(_form(group.title) for group in groups if group.title and group.change is None)
     passes = {form for form, times in forms.items() if times > MANY_TITLES}
     sections: list[Section] = []
@@ -154,62 +145,86 @@ def split_sections(program: Program) -> tuple[Section, ...]:
     return tuple(sections)
 
 
-def _groups(program: Program) -> list[_Group]:
-    """Return the comments and tool changes between the cuts, one group for the program's beginning at least."""
-    marks: list[tuple[int, int, str | float | None, bool]] = [
-        (*comment, number in program.in_calls) for number, comment in enumerate(_with_sizes(program.comments))
-    ]
-    named: dict[int, int] = {}  # tools by the lines of their T words
-    for at, (name, words) in enumerate(program.commands):
-        if name == "M6":
-            marks.append((at, int(program.lines[at]), words.get("T"), False))
-        elif name[:1] == "T":
-            named[int(program.lines[at])] = int(name[1:])
-    cuts = _cuts(program)
-    marks.sort(key=lambda mark: mark[:2])
-    changes = {line: None if what is None else int(what) for _, line, what, _ in marks if not isinstance(what, str)}
-    listed = _listed(marks, cuts)
-    groups = [_Group(min([int(program.lines[0]), *(line for _, line, *_ in marks[:1])]))]
-    place, known, begun = 0, groups[0].known, ""
-    ended = {found[1] for _, _, text in program.comments if (found := _TO.fullmatch(text))}
-    for at, line, what, called in marks:
-        if bisect_left(cuts, at) != place:
-            place = bisect_left(cuts, at)
-            groups.append(_Group(line, known=known))
-        group = groups[-1]
-        if not isinstance(what, str):
-            group.change, group.number = line, None if what is None else int(what)
-            continue
-        told = tool_told(what, inches=program.inches, of=changes.get(line))
-        if told is not None and told.number is None and line not in changes and (place, what) in listed:
-            continue
-        change = line if line in changes else group.change
-        if told is None:
-            if group.number is None:
-                number = number_named(what)
-                group.tool = (None if number is None else known.get(number)) or group.tool
-            begins = _FROM.fullmatch(what)
-            if begins and begins[1] in ended:
-                title = begun = begins[1]
+class _Groups:
+    """The comments and tool changes between the cuts of a program, one group for its beginning at least."""
+
+    def __init__(self, program: Program) -> None:
+        self._program = program
+        marks, cuts = _marks(program), _cuts(program)
+        # Tools by the lines of their T words, and of their changes.
+        self._named = {
+            line: int(name[1:]) for line, (name, _) in zip(program.lines.tolist(), program.commands) if name[:1] == "T"
+        }
+        self._changes = {mark.line: mark.number for mark in marks if not isinstance(mark.what, str)}
+        self._ended = {found[1] for _, _, text in program.comments if (found := _TO.fullmatch(text))}
+        self._begun = ""  # the operation that a comment has begun, and none has ended
+        self._known: dict[int, Tool] = {}  # the tools described so far
+        self.groups = [_Group(min([int(program.lines[0]), *(mark.line for mark in marks[:1])]), known=self._known)]
+        listed, before = _listed(marks, cuts), 0
+        for mark in marks:
+            place = bisect_left(cuts, mark.at)
+            if place != before:
+                self.groups.append(_Group(mark.line, known=self._known))
+                before = place
+            if isinstance(mark.what, str):
+                self._comment(mark, mark.what, is_listed=(place, mark.what) in listed)
             else:
-                title = "" if begun else title_of(what)
-                begun = "" if what == f"End {begun}" else begun
-            if title and called:
-                group.called = group.called or title
-            elif title and not _beside_a_move(program, at, line):
-                group.title, group.headings = title, (*group.headings, what)
-            continue
-        name = "" if _NO_NAME.match(what) else what
-        number = told.number
-        if number is None and change is not None and line not in changes:
-            number = named.get(line)  # behind a change it is got ready
+                self.groups[-1].change, self.groups[-1].number = mark.line, mark.number
+
+    def _comment(self, mark: _Mark, text: str, *, is_listed: bool) -> None:
+        told = tool_told(text, inches=self._program.inches, of=self._changes.get(mark.line))
+        if told is None:
+            self._title(mark, text)
+        elif told.number is not None or mark.line in self._changes or not is_listed:
+            self._tool(mark.line, told, "" if _NO_NAME.match(text) else text)
+
+    def _title(self, mark: _Mark, text: str) -> None:
+        """Take a comment without a tool's measures: it may name a tool that was described before, and be a title."""
+        group = self.groups[-1]
+        if group.number is None:
+            number = number_named(text)
+            group.tool = (None if number is None else self._known.get(number)) or group.tool
+        title = self._operation(text)
+        if title and mark.called:
+            group.called = group.called or title
+        elif title and not _beside_a_move(self._program, mark.at, mark.line):
+            group.title, group.headings = title, (*group.headings, text)
+
+    def _operation(self, text: str) -> str:
+        """Return the name of an operation in a comment, empty where it is a remark, or within a named operation."""
+        begins = _FROM.fullmatch(text)
+        if begins and begins[1] in self._ended:
+            self._begun = begins[1]
+            return self._begun
+        title = "" if self._begun else title_of(text)
+        if text == f"End {self._begun}":
+            self._begun = ""
+        return title
+
+    def _tool(self, line: int, told: ToldTool, name: str) -> None:
+        """Take what a comment says of a tool: of the one that it numbers, or of the one that follows it."""
+        group, number = self.groups[-1], told.number
+        change = line if line in self._changes else group.change
+        if number is None and change is not None and line not in self._changes:
+            number = self._named.get(line)  # behind a change it is got ready
         if number is not None:
-            group.known = known = {**known, number: told.tool}
+            group.known = self._known = {**self._known, number: told.tool}
             group.tool_name = name if number == group.number else group.tool_name
         elif told.from_here or group.tool is None or change not in (None, group.told):
             # What the line of a change tells stays, unless another tool is told to be the one from here on.
             group.tool, group.tool_name, group.told = told.tool, name, line
-    return groups
+
+
+def _marks(program: Program) -> list[_Mark]:
+    """Return the comments and the tool changes of a program, in the order of its commands and lines."""
+    marks = [
+        _Mark(*comment, called=number in program.in_calls)
+        for number, comment in enumerate(_with_sizes(program.comments))
+    ]
+    for at, (name, words) in enumerate(program.commands):
+        if name == "M6":
+            marks.append(_Mark(at, int(program.lines[at]), words.get("T")))
+    return sorted(marks, key=lambda mark: mark[:2])
 
 
 def _beside_a_move(program: Program, at: int, line: int) -> bool:
@@ -217,14 +232,14 @@ def _beside_a_move(program: Program, at: int, line: int) -> bool:
     return at < len(program.commands) and program.lines[at] == line and not _AXES.isdisjoint(program.commands[at][1])
 
 
-def _listed(marks: list[tuple[int, int, str | float | None, bool]], cuts: list[int]) -> set[tuple[int, str]]:
+def _listed(marks: list[_Mark], cuts: list[int]) -> set[tuple[int, str]]:
     """Return the comments between two cuts, with how many cuts are before, that list tools which are changed to later.
 
     They are said again where they are, of two other tools at least: what one says is often true of several.
     """
-    places = [bisect_left(cuts, at) for at, *_ in marks]
-    tools = {place: what for place, (_, _, what, _) in zip(places, marks) if isinstance(what, (int, float))}
-    said = [(place, what) for place, (_, _, what, _) in zip(places, marks) if isinstance(what, str) and place in tools]
+    placed = [(bisect_left(cuts, mark.at), mark.what) for mark in marks]
+    tools = {place: what for place, what in placed if isinstance(what, (int, float))}
+    said = [(place, what) for place, what in placed if isinstance(what, str) and place in tools]
     last = {what: tools[place] for place, what in said}
     others: dict[int, set[float]] = {}
     for place, what in said:
@@ -264,18 +279,6 @@ def _cuts(program: Program) -> list[int]:
         elif motion != "G0":
             cuts.append(at)
     return cuts if plunge is None else [*cuts, plunge]
-
-
-@lru_cache(maxsize=1000)
-def title_of(comment: str) -> str:
-    """Return the name of an operation in a comment, empty where it is a remark."""
-    text = comment.strip(" *-=#;:\t")
-    if re.fullmatch(r"\([^()]*\)", text):  # behind a semicolon
-        text = text[1:-1].strip()
-    titled = _TITLED.match(text) or _BEFORE_TOOL.match(text)
-    if titled:
-        return titled[1].strip()
-    return "" if not text or _REMARK.match(text) else text
 
 
 def _form(title: str) -> str:

@@ -1,0 +1,55 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Which comments of an NC program are titles of operations, and which are remarks."""
+
+from __future__ import annotations
+
+import re
+from functools import lru_cache
+
+# A title after the words that some post processors write before it.
+_TITLED = re.compile(
+    r"(?:begin operation|start cutting path id|start generation of|path|toolpath(?: name)?|operation(?: name)?"
+    r"|op(?:eration)? ?\d+(?: of \d+)?|block-name|name|type|no\.? ?\d+|nr\.? ?\d+)"
+    r"\s*[:=]\s*(?!g-code from|(?:block|header|footer|[GM]\d+)$)(\S.*)",
+    re.IGNORECASE,
+)
+_BEFORE_TOOL = re.compile(r"(\S.*?) - milling - tool: \d+ - ", re.IGNORECASE)  # Fusion for Marlin
+# Comments that are no titles: what post processors say of themselves, the machine, modes, and moves in an operation.
+_REMARK = re.compile(
+    r"""
+    \W*$ | [-+.\d\s/:*x%]+$ | .{80} | .*(?:https?://|\.(?:cps|pp|ulp|h|stl|svg|brd|tpl|gmax|txt|nc|ngc|tap)\b)
+    | [A-Z0-9]+_[A-Z0-9_]+$ | \*{2,} | -{2,} | ={2,} | .*\b\d{1,2}:\d{2}\b | [MGTNS]\d+\b | \[ | .*\|
+    | .*=\s*[-+]?[\d.]+\s*\w*$ | (?:\w+\s+){0,3}\w+\.?(?:\(\S+\))?\s*:\s*[-+]?[\d.,]+(?:\s*(?:mm|in|%|rpm|seconds|s)?\b.*)?$ | [XYZ]\s?(?:min|max|:) | [XYZ](?:,Y)?\ (?:start|end):
+    | .*\bdepth:\s*[-+]?[\d.]+$ | helix\ cut\ operation$ | (?:turn|wait)\b | (?:header|footer)\b | origin: | pycam[-_] | (?-i:[a-z_]\w*_\w+)(?:\(\S+\))?\s*[:=] | pen\ (?:up|down)$ | (?:ensure\ )?laser\ o(?:n|ff)\b
+    | (?:begin|start|stop|end)\ cut(?:ting)?$
+    | pcb2gcode\b | high\s+up\s+down\b | (?:generator|shape)\s*= | end\ cutting\ path\b | it\ is\b
+    | [XYZ]{2}\ plane\b | exact\ path\b | default\ cutting$ | feed\ per\b | work\ coordinate\b | select\b.*\b(?:plane|coordinate\ system|work\ offset)\b
+    | block-\w+\s*: | (?=.*\d)[0-9a-f]{6}$ | [\w\ ]*(?:height\ offset|comp|css|compressor)\ o(?:n|ff)$
+    | (?:ranges|tools)\ table$ | .*\b(?:press|make\ sure)\b.*\b(?:cycle\ start|spindle|button|key|running)\b
+    | begin\ drilling$ | (?:section|start|stop|job|operation|epilogue)\ (?:begin|end)$ | optional\ stop\b | axis,
+    | (?:[A-Z][-+]?\d*\.\d*\s+)+[A-Z][-+]?\d*\.\d*$
+    | (?:laser|plasma|waterjet|through|etch|vaporize)\ cutting\.?$ | run\ point-pierce\b
+    | (?:msg|debug|print|id)\b\s*[,=]? | (?:material|werkstoff)\s*[-:=]
+    | .*\b(?:personal\ use|rapid|feed\s?rates?|unrestricted|subscription|machining\ time|copyright|licens\w*|gcode|g-code
+        |generated|produced\ by|created|erstellt|exported|made\ using|post\ ?processor|posts?\ processor|preprocessor|preamble|postamble|output
+        |vendor|model|description|hersteller|proveedor|machine|maschine|bearbeiten|spindle|coolant|retract\w*|plunge
+        |units?|millimeters?|millimetres?|inch(?:es)?|metric|absolute|incremental|clearance|safe\w*|attention|compensat\w*
+        |programa?|filename|file|settings|stock|home|dwell|laufzeit|werkzeuge|required|tools?|toolchange|mode|end\ of|return|postprocessor
+        |direction|cut\ depth|pass\ depth|paths|lead|penetrate|cancel|set|use)\b
+    | (?:finish|end|stop|start|begin|path|ramp|cut|cutting|lift|air|move\w*|link|layer|pass|depth|level|loop|z|step|line|segment|slice)
+        \b\s*[#:=]?\s*(?:operation.*|section.*|block.*|path.*|of\b.*|[-+\d.,/\s]*(?:of\s*\d+)?(?:mm)?)$
+    """,
+    re.IGNORECASE | re.VERBOSE,
+)  # fmt: skip
+
+
+@lru_cache(maxsize=1000)
+def title_of(comment: str) -> str:
+    """Return the name of an operation in a comment, empty where it is a remark."""
+    text = comment.strip(" *-=#;:\t")
+    if re.fullmatch(r"\([^()]*\)", text):  # behind a semicolon
+        text = text[1:-1].strip()
+    titled = _TITLED.match(text) or _BEFORE_TOOL.match(text)
+    if titled:
+        return titled[1].strip()
+    return "" if not text or _REMARK.match(text) else text
