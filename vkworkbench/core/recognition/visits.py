@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 
@@ -63,6 +64,41 @@ class Visits:
         return len(self.first)
 
 
+class _Blocks(NamedTuple):
+    """What each of b blocks measures, areas and drilled holes in the order of cutting; a hole has no length.
+
+    Attributes
+    ----------
+    first, last : (b,) int
+        First and last trajectory.
+    low, high : (b, 2) float
+        Bounding box in the plane, mm.
+    bottom, top : (b,) float
+        Lowest and highest cutting height, mm.
+    length, gap : (b,) float
+        Length in the plane, and distance from start to end, mm.
+    feed, fastest : (b,) float
+        Mean feed by length, and the highest, mm/s.
+    turned : (b,) float
+        Net turn either way, rad.
+    axis : (b,) complex
+        Sum of the moves with twice their angle, mm.
+    """
+
+    first: np.ndarray
+    last: np.ndarray
+    low: np.ndarray
+    high: np.ndarray
+    bottom: np.ndarray
+    top: np.ndarray
+    length: np.ndarray
+    gap: np.ndarray
+    feed: np.ndarray
+    fastest: np.ndarray
+    turned: np.ndarray
+    axis: np.ndarray
+
+
 def find_visits(toolpath: Toolpath, moves: Areas) -> Visits | None:
     """Divide the cutting at the retracts to the program's top height; None where there is but one visit.
 
@@ -72,76 +108,82 @@ def find_visits(toolpath: Toolpath, moves: Areas) -> Visits | None:
     moves : Areas
         Of the whole toolpath.
     """
-    areas = len(moves.start)
-    size = areas + len(moves.holes)
-    if size < 2:
+    if len(moves.start) + len(moves.holes) < 2:
         return None
-    end = moves.end - 1 if areas else moves.start
-    first = np.concatenate([moves.index[moves.start], moves.holes])
-    last = np.concatenate([moves.index[end], moves.holes])
-    order = np.argsort(first, kind="stable")
-    first, last = first[order], last[order]
+    b = _blocks(toolpath, moves)
     # The height reached between the end of a block and the start of the next.
     z = toolpath.points[:, 2]
-    between = np.column_stack([last[:-1] + 1, np.maximum(first[1:], last[:-1] + 1) + 1]).ravel()
+    between = np.column_stack([b.last[:-1] + 1, np.maximum(b.first[1:], b.last[:-1] + 1) + 1]).ravel()
     reached = np.maximum.reduceat(np.append(z, -np.inf), between)[::2]
     parted = reached >= reached.max() - SAME.HEIGHT
     if not parted.any():
         return None
     begin = np.flatnonzero(np.append(True, parted))
-    measured = _blocks(toolpath, moves)
-    low, high, bottom, top, length, gap, feed, fastest, turned, axis = (v[order] for v in measured)
-    closed = (gap < VISITS.CLOSED * length) * length
-    total = np.add.reduceat(length, begin)
-    some = np.maximum(total, 1e-9)
-    weight = np.maximum(length, 1e-6)
-    count = np.diff(np.append(begin, size))
+    end = np.append(begin[1:], len(b.first))
+    low, high, add = np.minimum.reduceat, np.maximum.reduceat, np.add.reduceat
+    length, count = add(b.length, begin), end - begin
+    some, weight = np.maximum(length, 1e-9), np.maximum(b.length, 1e-6)
     return Visits(
-        first=first[begin],
-        last=last[np.append(begin[1:], size) - 1],
+        first=b.first[begin],
+        last=b.last[end - 1],
         blocks=count,
-        low=np.minimum.reduceat(low, begin),
-        high=np.maximum.reduceat(high, begin),
-        bottom=np.minimum.reduceat(bottom, begin),
-        top=np.maximum.reduceat(top, begin),
-        begin=top[begin],
-        length=total,
-        feed=np.add.reduceat(feed * weight, begin) / np.add.reduceat(weight, begin),
-        fastest=np.maximum.reduceat(fastest, begin),
-        turn=np.add.reduceat(turned, begin) / count / TURN,
-        chord=np.add.reduceat(gap, begin) / some,
-        closed=np.add.reduceat(closed, begin) / some,
-        axis=np.add.reduceat(axis, begin) / some,
+        low=low(b.low, begin),
+        high=high(b.high, begin),
+        bottom=low(b.bottom, begin),
+        top=high(b.top, begin),
+        begin=b.top[begin],
+        length=length,
+        feed=add(b.feed * weight, begin) / add(weight, begin),
+        fastest=high(b.fastest, begin),
+        turn=add(b.turned, begin) / count / TURN,
+        chord=add(b.gap, begin) / some,
+        closed=add((b.gap < VISITS.CLOSED * b.length) * b.length, begin) / some,
+        axis=add(b.axis, begin) / some,
     )
 
 
-def _blocks(toolpath: Toolpath, m: Areas) -> tuple[np.ndarray, ...]:
-    """Return the measures of every area, then of every hole; a hole has no length."""
-    hole = toolpath.points[m.holes + 1]
-    none = np.zeros(len(hole))
-    feed = toolpath.feed[m.holes]
-    of_holes = hole[:, :2], hole[:, :2], hole[:, 2], hole[:, 2], none, none, feed, feed, none, none
+def _blocks(toolpath: Toolpath, m: Areas) -> _Blocks:
+    """Measure every area and every hole."""
+    hole, feed, none = toolpath.points[m.holes + 1], toolpath.feed[m.holes], np.zeros(len(m.holes))
+    holes = _Blocks(
+        first=m.holes,
+        last=m.holes,
+        low=hole[:, :2],
+        high=hole[:, :2],
+        bottom=hole[:, 2],
+        top=hole[:, 2],
+        length=none,
+        gap=none,
+        feed=feed,
+        fastest=feed,
+        turned=none,
+        axis=none,
+    )
     if not len(m):
-        return of_holes
+        return holes
     start, last = m.start, m.end - 1
     x, y = m.x[last] + m.dx[last], m.y[last] + m.dy[last]
     low, high, add = np.minimum.reduceat, np.maximum.reduceat, np.add.reduceat
     fed = toolpath.feed[m.index]
     axis = np.exp(2j * m.alpha)
     axis *= m.length
-    of_areas = (
-        np.column_stack([np.minimum(low(m.x, start), x), np.minimum(low(m.y, start), y)]),
-        np.column_stack([np.maximum(high(m.x, start), x), np.maximum(high(m.y, start), y)]),
-        low(m.z, start),
-        high(m.z, start),
-        m.area_length,
-        np.hypot(x - m.x[start], y - m.y[start]),
-        add(fed * m.length, start) / m.area_length,
-        high(fed, start),
-        np.abs(add(m.turning, start)),
-        add(axis, start),
+    areas = _Blocks(
+        first=m.index[start],
+        last=m.index[last],
+        low=np.column_stack([np.minimum(low(m.x, start), x), np.minimum(low(m.y, start), y)]),
+        high=np.column_stack([np.maximum(high(m.x, start), x), np.maximum(high(m.y, start), y)]),
+        bottom=low(m.z, start),
+        top=high(m.z, start),
+        length=m.area_length,
+        gap=np.hypot(x - m.x[start], y - m.y[start]),
+        feed=add(fed * m.length, start) / m.area_length,
+        fastest=high(fed, start),
+        turned=np.abs(add(m.turning, start)),
+        axis=add(axis, start),
     )
-    return tuple(np.concatenate(pair) for pair in zip(of_areas, of_holes))
+    both = [np.concatenate(pair) for pair in zip(areas, holes)]
+    order = np.argsort(both[0], kind="stable")
+    return _Blocks(*(values[order] for values in both))
 
 
 def compared(v: Visits) -> np.ndarray:
