@@ -4,7 +4,8 @@
 
     python3 benchmarks/learn_verdicts.py OPERATIONS.jsonl.gz ... [--write]
 
-The operations are those that benchmarks/recognition.py reads; toolpaths/synthetic.py and toolpaths/nonsense.py join them.
+The operations are those that benchmarks/recognition.py reads; toolpaths/synthetic.py and toolpaths/nonsense.py join them. Those
+from which the table in use was learned, docs/recognition.md names.
 Printed, and the confidence fitted on, are verdicts on sources that had no part in the learning: a tenth of the
 repositories, parts and kinds at a time. --write learns from all and writes vkworkbench/core/recognition/learned.py, where
 the trees stay that learned earlier from other programs, some of which are lost: both vote.
