@@ -11,7 +11,7 @@ import pytest
 
 from vkworkbench.core import Stock, Tool, linearize, recognize, stock_around
 from vkworkbench.core.simulators import Conditions, Task, predict, preflight
-from vkworkbench.core.simulators.legacy import _RINGS_COUNTED, _WALK, _rings
+from vkworkbench.core.simulators.legacy_work import _RINGS_COUNTED, _WALK, _rings
 from vkworkbench.language import Unusable
 
 STOCK = Stock((-10, -10, -20), (60, 60, 0))

@@ -15,9 +15,10 @@ from vkworkbench.core.simulators.accuracy import best_accuracy
 from vkworkbench.core.simulators.constants import DEFAULTS, Constants
 from vkworkbench.core.simulators.floors import floors
 from vkworkbench.core.simulators.heightmap import heightmaps
-from vkworkbench.core.simulators.legacy import SLIDER, legacy_costs, legacy_together, legacy_work
+from vkworkbench.core.simulators.legacy import SLIDER, legacy_costs, legacy_together
 from vkworkbench.core.simulators.legacy_mesh import bottom_rectangles, mesh_facets
 from vkworkbench.core.simulators.legacy_panel import fit_fast_forward, fit_play, panel_seconds
+from vkworkbench.core.simulators.legacy_work import legacy_work
 from vkworkbench.core.simulators.motions import motions
 from vkworkbench.core.simulators.opengl import (
     opengl_cost,

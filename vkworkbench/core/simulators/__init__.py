@@ -11,7 +11,8 @@ from vkworkbench.core.simulators.constants import DEFAULTS, Constants
 from vkworkbench.core.simulators.costs import Costs
 from vkworkbench.core.simulators.kept import as_data as cost_as_data
 from vkworkbench.core.simulators.kept import from_data as cost_from_data
-from vkworkbench.core.simulators.legacy import SLIDER, LegacyCost, legacy_costs, legacy_together, legacy_work
+from vkworkbench.core.simulators.legacy import SLIDER, LegacyCost, legacy_costs, legacy_together
+from vkworkbench.core.simulators.legacy_work import legacy_work
 from vkworkbench.core.simulators.opengl import OpenGLCost, opengl_cost, opengl_speeds, opengl_together
 from vkworkbench.core.simulators.preflight import preflight
 from vkworkbench.core.simulators.real_runs import Lesson, Seen

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What FreeCAD's legacy simulator (``PathSimulator.PathSim``) will cost, from exact counts of the work it does.
 
-It holds the stock as a grid of heights, walks every move in steps of 0.6 cell and turns the grid into a mesh.
-The counts follow VolSim.cpp and PathSimulatorGui.py of FreeCAD 0.20.2, 1.0.0 and 1.1.3, which agree.
+It holds the stock as a grid of heights, cuts the grid move by move (`legacy_work.py`) and turns it into a mesh
+(`legacy_mesh.py`), from its panel (`legacy_panel.py`).
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from vkworkbench.core.simulators.floors import floors
 from vkworkbench.core.simulators.heightmap import heightmaps
 from vkworkbench.core.simulators.legacy_mesh import BOX, mesh_facets
 from vkworkbench.core.simulators.legacy_panel import panel_seconds
-from vkworkbench.core.simulators.motions import Motions
+from vkworkbench.core.simulators.legacy_work import legacy_work
 from vkworkbench.core.simulators.simulator import Conditions, Task
 from vkworkbench.core.stocks import Solid
 from vkworkbench.core.tool import Tool
@@ -25,107 +25,14 @@ from vkworkbench.core.toolpath import Toolpath
 
 NAME = "legacy"
 
-# A step of the walk along a move, in cells (SIM_WALK_RES in VolSim.h).
-_WALK = 0.6
 # A float for the height and a character for the mesh.
 _BYTES_PER_CELL = 5
 # Motions of a command at most: those of a drilling cycle.
 _MOST_MOTIONS = 3
-# Rings at the end of a move that are counted one by one; a tool of a metre has fewer on a stock of a hand's width.
-_RINGS_COUNTED = 20_000
 # Moments of a play at which the size of the mesh is estimated.
 _LOOKS = 5
 # What the positions 1 to 10 of the accuracy slider stand for, percent of the stock's longer side.
 SLIDER = tuple(round(1.1 - 0.1 * position, 1) for position in range(1, 11))
-
-
-@dataclass(frozen=True)
-class LegacyWork:
-    """The work of cutting with the legacy simulator, counted exactly.
-
-    Attributes
-    ----------
-    calls, rings, line_steps, cap_steps : (m,) float64
-        For each motion: straight moves, rings of their end caps, steps along the moves and around the rings.
-    cells : int
-        Cells of the grid.
-    resolution : float
-        Edge of a cell, mm.
-    """
-
-    calls: np.ndarray
-    rings: np.ndarray
-    line_steps: np.ndarray
-    cap_steps: np.ndarray
-    cells: int
-    resolution: float
-
-
-def legacy_work(made: Motions, *, diameter: float, stock: Solid, accuracy: float = 0.1) -> LegacyWork:
-    """Count what the legacy simulator does to cut (``ApplyLinearTool`` in VolSim.cpp).
-
-    Every move, rapids and moves outside the stock included, walks ``2 r / 0.6`` lines of ``L / 0.6`` steps (r and L in
-    cells) and ends in rings that fill half a disc, or a whole one where the move is vertical. An arc is cut in
-    ``ceil(sqrt(radius / resolution) sweep)`` straight moves (``PerformCutVoxel`` in PathSimulatorGui.py).
-
-    Parameters
-    ----------
-    made : Motions
-        From :func:`motions`.
-    diameter : float
-        Widest diameter of the tool, its shank included, mm.
-    stock : Solid
-        Box with ``lower`` and ``upper`` corners, mm.
-    accuracy : float
-        Edge of a cell in percent of the stock's longer side: 1.1 - 0.1 times the slider's position, 0.1 to 1.
-
-    Returns
-    -------
-    LegacyWork
-
-    Raises
-    ------
-    ValueError
-        If the tool or the stock has no size, or the accuracy is not positive.
-    """
-    side = np.asarray(stock.upper, float)[:2] - np.asarray(stock.lower, float)[:2]
-    if not (np.isfinite(side).all() and (side > 0).all()):
-        raise ValueError("the stock has no extent in X and Y")
-    if not (np.isfinite(diameter) and diameter > 0):
-        raise ValueError(f"the tool diameter must be a positive number of mm, not {diameter}")
-    if not (np.isfinite(accuracy) and accuracy > 0):
-        raise ValueError(f"the accuracy must be a positive number of percent, not {accuracy}")
-    resolution = 0.01 * accuracy * side.max()
-    cells = int((np.floor(side / resolution) + 1).prod())
-    radius = diameter / 2 / resolution
-
-    arc = np.flatnonzero(made.radius)
-    calls, chord = np.ones(len(made.radius)), made.level
-    if len(arc):
-        arc_radius, sweep = made.radius[arc], made.sweep[arc]
-        calls[arc] = np.maximum(np.ceil(np.sqrt(arc_radius / resolution) * np.abs(sweep) - 1e-9), 1.0)
-        chord = chord.copy()
-        chord[arc] = 2 * arc_radius * np.abs(np.sin(sweep / calls[arc] / 2))
-    # Lengths are in cells across and, by an oversight of FreeCAD's, in mm upwards.
-    chord = chord / resolution
-    length = np.hypot(chord, made.move[:, 2] / calls)
-    vertical = chord < 1e-5
-    lines = np.floor(2 * radius / _WALK) + 1
-    line_steps = np.where(vertical, 0.0, calls * (np.floor(length / _WALK) + 1) * lines)
-    rings, half, whole = _rings(radius)
-    cap_steps = calls * np.where(vertical, whole, half)
-    return LegacyWork(calls, calls * rings, line_steps, cap_steps, cells, float(resolution))
-
-
-def _rings(radius: float) -> tuple[float, float, float]:
-    """Return the numbers of rings in a disc of `radius` cells, and of steps around half of and around all of them."""
-    rings = max(np.ceil((radius + 1e-9 - 0.5) / _WALK), 0.0)
-    ring = 0.5 + _WALK * np.arange(min(rings, _RINGS_COUNTED))
-    half, whole = np.ceil(np.pi * ring / _WALK).sum(), np.ceil(2 * np.pi * ring / _WALK).sum()
-    if rings > len(ring):  # of many each takes half a step more than its length, on average
-        circles = np.pi * ((rings - 1) * rings / 2 + rings * 0.5 / _WALK)
-        half, whole = circles + rings / 2, 2 * circles + rings / 2
-    return float(rings), float(half), float(whole)
 
 
 @dataclass(frozen=True)
