@@ -19,7 +19,7 @@ import pytest
 import vkworkbench
 from vkworkbench import core, freecad, preferences
 from vkworkbench.core.zbuffer import estimate_job
-from vkworkbench.document import analysis, marking
+from vkworkbench.document import analysis, marking, reading
 from vkworkbench.document.known import KNOWN
 from vkworkbench.document.setting import read_tool
 from vkworkbench.language import Message, render
@@ -602,7 +602,7 @@ def test_what_cannot_be_read_costs_one_row_only(small, zigzag_commands, monkeypa
             raise ZeroDivisionError("a bug")
         return read_tool(obj)
 
-    monkeypatch.setattr(analysis, "read_tool", read)
+    monkeypatch.setattr(reading, "read_tool", read)
     report = vkworkbench.analyze(small.document)
     rows = rows_of_a_failure(report)
     assert "ZeroDivisionError: a bug" in rows[0].error and rows[1].error is None

@@ -134,11 +134,11 @@ def test_jobs(sound, zigzag_commands, name, type_id):
 
 def test_a_failure_of_reading_costs_one_row(sound, zigzag_commands, monkeypatch):
     """Whatever else may be odd: it is said in its row."""
-    from vkworkbench.document import analysis
+    from vkworkbench.document import reading
 
     sound.add("Odd", zigzag_commands)
-    read = analysis.rapid_feeds
-    monkeypatch.setattr(analysis, "rapid_feeds", lambda obj: read(obj) if obj.Label == "Sound" else 1 / 0)
+    read = reading.rapid_feeds
+    monkeypatch.setattr(reading, "rapid_feeds", lambda obj: read(obj) if obj.Label == "Sound" else 1 / 0)
     first, second = vkworkbench.analyze(sound.document).operations
     assert (first.label, first.error) == ("Sound", None)
     assert (

@@ -8,7 +8,7 @@ import traceback
 from collections.abc import Callable, Mapping
 from concurrent.futures import ThreadPoolExecutor, wait
 from contextlib import suppress
-from dataclasses import dataclass, fields, replace
+from dataclasses import replace
 
 import FreeCAD
 
@@ -22,28 +22,24 @@ from vkworkbench.document.fingerprint import (
     AT_ONCE,
     fingerprint_of,
     path_and_setting,
-    setting_fingerprint,
     text_fingerprint,
     text_of,
 )
-from vkworkbench.document.intent import contradicts, name_of_intent
+from vkworkbench.document.intent import contradicts
 from vkworkbench.document.known import KNOWN, key_of
 from vkworkbench.document.operations import (
-    Operation,
     find,
     fixtures_of,
-    is_imported,
     is_there,
     jobs_of,
     names_of,
     or_active_document,
-    takes_tool,
 )
 from vkworkbench.document.path_prints import PATH_PRINTS
+from vkworkbench.document.reading import READ, WHOSE, Reading, read
 from vkworkbench.document.recognized import recognized
-from vkworkbench.document.setting import controller_of, placed, rapid_feeds, read_stock, read_tool, tool_remark
+from vkworkbench.document.setting import placed
 from vkworkbench.document.simulated_faults import with_faults
-from vkworkbench.document.solids import form_of_stock, stock_solid
 from vkworkbench.language import Message, Unusable
 from vkworkbench.preferences import Preferences
 from vkworkbench.report import Cancelled, OperationReport, Report, without_results
@@ -121,7 +117,7 @@ def analyze(
             if not is_there(operation.object):
                 continue
             token = PATH_PRINTS.begin(operation.object)
-            reading = _read(operation)
+            reading = read(operation)
             going_on()  # FreeCAD has copied the path, and is going to copy the commands: other events come between
             row = _patiently(lambda going_on, reading=reading: _row(reading, chosen, conditions, going_on), cancelled)
             reports.append(row)
@@ -143,79 +139,6 @@ def _estimate_shown(
         for simulator in simulators:
             going_on()
             costs.get(simulator)
-
-
-@dataclass(frozen=True)
-class _Reading:
-    """Copies of what the document says of one operation, which another thread may read."""
-
-    document: str
-    document_id: str
-    name: str
-    label: str
-    job: str | None
-    counted: bool
-    active: bool
-    intent: str | None = None
-    imported: bool = False
-    takes_tool: bool = True
-    has_controller: bool = False
-    path: object = None
-    placement: object = None
-    tool: Tool | None = None
-    stock: Solid | None = None
-    remarks: tuple[Message, ...] = ()
-    rapid_feeds: tuple[float, float] = (0.0, 0.0)
-    setting_fingerprint: str = ""
-    error: Exception | None = None
-
-
-# What of a reading says whose row it is; and what the results follow from, beside the path and its placement.
-_WHOSE = ("document", "document_id", "name", "label", "job", "counted")
-_READ = tuple(
-    field.name for field in fields(_Reading)
-    if field.name not in (*_WHOSE, "path", "placement", "setting_fingerprint")
-)  # fmt: skip
-
-
-def _read(operation: Operation) -> _Reading:
-    """Read an operation; an error in it must not cost the other operations their rows."""
-    obj, job = operation.object, operation.job
-    job = job if job is not None and is_there(job) else None  # deleted meanwhile, its operations kept
-    reading = _Reading(
-        document=obj.Document.Name,
-        document_id=obj.Document.Uid,
-        name=obj.Name,
-        label=obj.Label,
-        job=job.Name if job is not None else None,
-        counted=operation.counted,
-        active=operation.active,
-    )
-    remarks: list[Message] = []
-    try:
-        tool, box = _or_remark(remarks, read_tool, obj), _or_remark(remarks, read_stock, job)
-        stock, told = stock_solid(job, box) if box else (None, None)
-        remarks += [remark for remark in (told, tool and tool_remark(obj)) if remark]
-        form, rapids = form_of_stock(job, box) if box else (), rapid_feeds(obj)
-        return replace(
-            reading,
-            intent=name_of_intent(obj),
-            imported=is_imported(obj),
-            takes_tool=takes_tool(obj),
-            has_controller=controller_of(obj) is not None,
-            path=obj.Path,
-            placement=obj.Placement,
-            tool=tool,
-            stock=stock,
-            remarks=tuple(remarks),
-            rapid_feeds=rapids,
-            setting_fingerprint=setting_fingerprint(tool, box, form, rapids),
-        )
-    except ReferenceError:  # deleted meanwhile
-        raise
-    except Exception as error:
-        FreeCAD.Console.PrintLog(traceback.format_exc())
-        return replace(reading, error=error)
 
 
 def _patiently(work: Callable, cancelled: Callable[[], bool] | None):
@@ -247,7 +170,7 @@ def _patiently(work: Callable, cancelled: Callable[[], bool] | None):
         threads.shutdown(wait=False)
 
 
-def _row(reading: _Reading, chosen: Preferences, conditions: Conditions, going_on: Callable) -> OperationReport:
+def _row(reading: Reading, chosen: Preferences, conditions: Conditions, going_on: Callable) -> OperationReport:
     """Return the row of one operation; an error of this add-on must not cost the other operations theirs."""
     if reading.error is not None:
         return _failed(reading, reading.error)
@@ -260,11 +183,11 @@ def _row(reading: _Reading, chosen: Preferences, conditions: Conditions, going_o
         return _failed(reading, error)
 
 
-def _work(reading: _Reading, chosen: Preferences, conditions: Conditions, going_on: Callable) -> OperationReport:
+def _work(reading: Reading, chosen: Preferences, conditions: Conditions, going_on: Callable) -> OperationReport:
     commands = None if reading.path.Size <= AT_ONCE else reading.path.Commands
     text = text_of(reading.path, commands)
     going_on()
-    key = key_of(text, *reading.placement.toMatrix().A, *(getattr(reading, name) for name in _READ), chosen.tolerance,
+    key = key_of(text, *reading.placement.toMatrix().A, *(getattr(reading, name) for name in READ), chosen.tolerance,
                  conditions)  # fmt: skip
     known = KNOWN.find(key)
     if known is None:
@@ -273,14 +196,14 @@ def _work(reading: _Reading, chosen: Preferences, conditions: Conditions, going_
         KNOWN.keep(key, known)
     row = replace(
         known,
-        **{name: getattr(reading, name) for name in _WHOSE},
+        **{name: getattr(reading, name) for name in WHOSE},
         fingerprint=fingerprint_of(text_fingerprint(text, reading.placement), reading.setting_fingerprint),
     )
     return with_faults(row, row.document, row.name)
 
 
 def _analysed(
-    reading: _Reading, words: Words, chosen: Preferences, conditions: Conditions, going_on: Callable
+    reading: Reading, words: Words, chosen: Preferences, conditions: Conditions, going_on: Callable
 ) -> OperationReport:
     tool, stock = reading.tool, reading.stock
     remarks = list(reading.remarks)
@@ -310,7 +233,7 @@ def _analysed(
         remarks += [told] if told else []
     horizontal, vertical = reading.rapid_feeds
     return OperationReport(
-        **{name: getattr(reading, name) for name in _WHOSE},
+        **{name: getattr(reading, name) for name in WHOSE},
         recognition=found,
         trajectories=len(toolpath),
         machining=machining(toolpath, horizontal_rapid=horizontal, vertical_rapid=vertical,
@@ -324,7 +247,7 @@ def _analysed(
     )  # fmt: skip
 
 
-def _why_empty(reading: _Reading, toolpath: Toolpath) -> Message:
+def _why_empty(reading: Reading, toolpath: Toolpath) -> Message:
     """Return why nothing cuts: a stop, a comment or a fixture needs no toolpath, other operations lack theirs."""
     silent = toolpath.commands <= len(toolpath.comments)
     if not silent or (toolpath.comments and not reading.takes_tool):
@@ -341,21 +264,12 @@ def _misfits(toolpath: Toolpath, tool: Tool, stock: Solid, costs: Mapping[str, C
     return [Message("tool-wider-than-stock")] if too_wide else []
 
 
-def _failed(reading: _Reading, error: Exception) -> OperationReport:
+def _failed(reading: Reading, error: Exception) -> OperationReport:
     """Return the row of an operation whose analysis failed."""
     return _unknown(reading, Message("not-analysed", error=f"{type(error).__name__}: {error}"))
 
 
-def _unknown(reading: _Reading, why: Message) -> OperationReport:
+def _unknown(reading: Reading, why: Message) -> OperationReport:
     """Return the row of an operation of which nothing is known, and why."""
     fingerprint = fingerprint_of("", reading.setting_fingerprint)
-    return without_results(why, fingerprint=fingerprint, **{name: getattr(reading, name) for name in _WHOSE})
-
-
-def _or_remark(remarks: list[Message], read: Callable, source):
-    """Return what `read` reads from `source`, or None with the reason among the remarks."""
-    try:
-        return read(source)
-    except Unusable as error:
-        remarks.append(error.what)
-        return None
+    return without_results(why, fingerprint=fingerprint, **{name: getattr(reading, name) for name in WHOSE})
