@@ -75,9 +75,12 @@ def sloped_slot(
         near, far = sloped_slot(radius, (x, -y, z), np.array([ux, -uy, uz]), sine, -cosine)
         return -far, -near
     walls = _Walls(radius, x, ux, uy)
+    ux = walls.ux
     # Where the ray passes the floor of the tool standing at t: at (x - t ux, beyond - t rate) from its axis.
     tangent, slope = sine / cosine, cosine / sine
-    beyond, rate = y + tangent * z, uy + tangent * uz
+    # How the floor rises against the ray: for a move along the ray mere rounding, which has to be the same everywhere.
+    rise = slope * uy + uz
+    beyond, rate = y + tangent * z, tangent * rise
     square = np.maximum(ux**2 + rate**2, _TINY)
     middle = x * (ux / square) + beyond * (rate / square)
     root = x * rate - beyond * ux
@@ -89,7 +92,7 @@ def sloped_slot(
     with np.errstate(invalid="ignore"):
         t = walls.touched(-1)
         # Where it would come in below the floor, it enters over the rim.
-        below = height < walls.where_touched(t, -1) * slope + t * uz
+        below = height < walls.chord_end(t, -1) * slope + t * rise
         over = np.maximum(middle - root, t)
         t = _on_move(np.where(below, np.minimum(over, middle + root, out=over), t))
         low = walls.at(t, -1)
@@ -100,7 +103,7 @@ def sloped_slot(
         np.copyto(low, np.nan, where=~(t <= z + ROUNDING))
 
         t = walls.touched(1)
-        below = height < walls.where_touched(t, 1) * slope + t * uz
+        below = height < walls.chord_end(t, 1) * slope + t * rise
         root *= np.where(uz < 0, 1, -1)
         root += middle
         t = _on_move(np.where(below, root, t))
@@ -120,6 +123,7 @@ def ball_slot(
     ux, uy, uz = move
     walls = _Walls(radius, x, ux, uy)
     slope = cosine / sine
+    rise = slope * uy + uz
     # Along the ray, and upwards across it.
     forward, upward = sine * y - cosine * z, cosine * y + sine * z
     along_ray, across_ray = sine * uy - cosine * uz, cosine * uy + sine * uz
@@ -138,7 +142,7 @@ def ball_slot(
     with np.errstate(invalid="ignore"):
         for sign in (-1, 1):
             t = walls.touched(sign)
-            below = z + y * slope < walls.where_touched(t, sign) * slope + t * uz
+            below = z + y * slope < walls.chord_end(t, sign) * slope + t * rise
             t = _on_move(np.where(below, nearest + sign * passed, t))
             half2 = x - t * ux
             half2 *= half2
@@ -192,13 +196,23 @@ class _Walls:
         touched: np.ndarray = self.x * self.inverse + sign * self.reach
         return touched
 
-    def where_touched(self, t: np.ndarray, sign: int) -> np.ndarray:
-        """`at` of the places `touched`, which are never beside the tool: far from a move along the ray rounding would say so."""
-        return self._from_half2(np.maximum(self._half2(t), 0), t, sign)
+    def chord_end(self, t: np.ndarray, sign: int) -> np.ndarray:
+        """How far from the tool's axis along itself the ray passes its wall at the places `touched`, mm.
+
+        These are never beside the tool: far from a move along the ray rounding would say so.
+        """
+        half2 = np.maximum(self._half2(t), 0)
+        half: np.ndarray = np.sqrt(half2, out=half2)
+        half *= sign
+        return half
 
     def at(self, t: np.ndarray, sign: int) -> np.ndarray:
         """How far along itself from the start of the move the ray passes the wall of the tool standing at `t`, mm."""
-        return self._from_half2(self._half2(t), t, sign)  # beside the tool not a number
+        half = self._half2(t)
+        np.sqrt(half, out=half)  # beside the tool not a number
+        half *= sign
+        half += t * self.uy
+        return half
 
     def _half2(self, t: np.ndarray) -> np.ndarray:
         half = t * self.ux
@@ -206,12 +220,6 @@ class _Walls:
         half *= half
         result: np.ndarray = np.subtract(self.radius**2 + RIM, half, out=half)
         return result
-
-    def _from_half2(self, half: np.ndarray, t: np.ndarray, sign: int) -> np.ndarray:
-        np.sqrt(half, out=half)
-        half *= sign
-        half += t * self.uy
-        return half
 
 
 def _on_move(t: np.ndarray) -> np.ndarray:
