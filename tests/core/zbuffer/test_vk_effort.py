@@ -253,3 +253,21 @@ def test_the_paths_that_are_timed_go_over_all_of_the_block():
     assert 9 < surface[:, 2].min() < 11 and 15 < surface[:, 2].max() < 17
     for made in (_rows(12), _loops(3), _surface(4)):
         assert not made.rapid.any() and len(made) == len(made.points) - 1 == made.commands
+
+
+@pytest.mark.parametrize("rise", [0.0, 1.0])
+def test_rays_pass_a_long_sweep_of_a_bull_nose_between_its_ends_and_a_short_one_at_an_end(rise):
+    """There it takes three times as long; of a flat end's, and from above, it does not matter."""
+    stock, bull_nose = Stock((0, 0, 0), (60, 60, 10)), Tool("bullnose", 6, corner_radius=1)
+
+    def cells(run, tool=bull_nose, direction=(1, 1, -1)):
+        points = [(x, 30, 5 + rise * (k % 2)) for k, x in enumerate(np.arange(10.0, 50, run))]
+        removal = Removal(Cuts([Cut(toolpath(np.array(points)), tool)]), stock, View(direction, 40, 30).frame(stock))
+        return np.array(effort.work_of(removal, len(points) - 1, counted(removal)).cells)
+
+    for run in (2.0, 20.0):
+        at_end, between = cells(run)[[13, 15]]
+        assert between / (at_end + between) == pytest.approx(run / (run + pi / 2 * 3))
+        assert cells(run).sum() == pytest.approx(at_end + between)
+        assert np.count_nonzero(cells(run, FLAT)) == np.count_nonzero(cells(run, direction=(0, 0, -1))) == 1
+    assert CELLS[15] > 2 * CELLS[13]

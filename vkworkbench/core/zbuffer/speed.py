@@ -68,7 +68,7 @@ class Speed:
     meeting: float = 5.27e-09
     block: float = 0.00054
     test: float = 5.69e-07
-    cell: float = 7.91e-07
+    cell: float = 1.7e-06
     record: float = 2.56e-08
     factor: float = 3.0
     processes: int = 1
