@@ -18,7 +18,7 @@ from PySide import QtCore, QtGui
 import vkworkbench
 from vkworkbench import freecad
 from vkworkbench.gui import gauss_map
-from vkworkbench.gui.gauss_theme import contrast
+from vkworkbench.gui.readability import contrast
 from vkworkbench.language import ENGLISH
 
 try:  # in this order: where FreeCAD runs on PySide2, loading PySide6 beside it crashes

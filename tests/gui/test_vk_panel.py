@@ -21,9 +21,9 @@ from vkworkbench import freecad, preferences
 from vkworkbench.document import marks
 from vkworkbench.document.mark_text import Burden, burden, is_warned, time_of
 from vkworkbench.gui import colors
-from vkworkbench.gui.gauss_theme import readable
 from vkworkbench.gui.mark_explanation import explanation
 from vkworkbench.gui.panel_columns import Column
+from vkworkbench.gui.readability import readable
 from vkworkbench.gui.saving import with_suffix
 from vkworkbench.gui.sentences import as_sentence, user
 

@@ -15,8 +15,9 @@ from vkworkbench.core import Family, Strategy
 from vkworkbench.core.paper import image_arcs, level_of, thinned, turns_of
 from vkworkbench.gui.gauss_plot import Plot, ticks
 from vkworkbench.gui.gauss_reading import Polyline, Reading
-from vkworkbench.gui.gauss_theme import Theme, readable
+from vkworkbench.gui.gauss_theme import Theme
 from vkworkbench.gui.qt import QColor, QFontMetrics, QPainter, QPen, QPointF, QPolygonF, QRectF, Qt
+from vkworkbench.gui.readability import readable
 from vkworkbench.gui.sentences import strategy_name, user
 
 TRAIL = 1000  # trajectories up to k that are drawn strongly and on the Gauss map

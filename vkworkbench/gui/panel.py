@@ -11,7 +11,6 @@ from vkworkbench.document import session
 from vkworkbench.document.mark_properties import MARK
 from vkworkbench.gui import colors, docks, latest, progress
 from vkworkbench.gui.frozen_tree import FrozenTree
-from vkworkbench.gui.gauss_theme import readable
 from vkworkbench.gui.panel_columns import STATE
 from vkworkbench.gui.panel_details import GAUSS_MAP, page
 from vkworkbench.gui.panel_export import as_text, save
@@ -33,6 +32,7 @@ from vkworkbench.gui.qt import (
     QWidget,
     single_shot,
 )  # fmt: skip
+from vkworkbench.gui.readability import readable
 from vkworkbench.gui.text import translate
 from vkworkbench.report import Cancelled
 

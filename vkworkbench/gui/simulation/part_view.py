@@ -9,7 +9,6 @@ import numpy as np
 
 from vkworkbench.core import Frame, Stock, Tool, View
 from vkworkbench.core.rendering import Points, Scene, project, tool_outline, turned
-from vkworkbench.gui.gauss_theme import paper
 from vkworkbench.gui.qt import (
     QApplication,
     QColor,
@@ -28,6 +27,7 @@ from vkworkbench.gui.qt import (
     Signal,
     single_shot,
 )  # fmt: skip
+from vkworkbench.gui.readability import paper
 from vkworkbench.gui.simulation.navigation import PAN, TURN, action
 from vkworkbench.gui.text import translate
 

@@ -9,7 +9,6 @@ from functools import partial
 
 import numpy as np
 
-from vkworkbench.gui.gauss_theme import paper
 from vkworkbench.gui.plain_text import lines, show_tooltip
 from vkworkbench.gui.qt import (
     QApplication,
@@ -27,6 +26,7 @@ from vkworkbench.gui.qt import (
     QWidget,
     Signal,
 )  # fmt: skip
+from vkworkbench.gui.readability import paper
 from vkworkbench.gui.simulation.keys import KeyedWidget
 from vkworkbench.gui.text import translate
 
