@@ -487,7 +487,7 @@
     </message>
     <message>
         <source>, {step:mm3} apart at {depths:n} depths</source>
-        <translation> im Abstand von {step:mm3} in {depths:n} Tiefen</translation>
+        <translation> im Abstand von {step:mm3} auf {depths:n} Tiefen</translation>
     </message>
     <message>
         <source>, {step:mm3} apart</source>
@@ -495,7 +495,7 @@
     </message>
     <message>
         <source> at {depths:n} depths</source>
-        <translation> in {depths:n} Tiefen</translation>
+        <translation> auf {depths:n} Tiefen</translation>
     </message>
     <message>
         <source>{count:n} bites of one sense overlap</source>

@@ -164,6 +164,11 @@ def test_a_picture_of_the_part_at_any_moment(small, tmp_path):
     assert (tmp_path / "part.png").read_bytes().startswith(b"\x89PNG")
     with pytest.raises(OSError):
         done.save_png(tmp_path / "nowhere" / "part.png")
+    done.save_png(str(tmp_path / "PART.PNG"))
+    for name in ("part.jpg", "part", ".png"):  # what a viewer would take for another format, or for none
+        with pytest.raises(ValueError, match=r"must end with \.png"):
+            done.save_png(tmp_path / name)
+    assert not (tmp_path / "part.jpg").exists()
 
 
 def test_facts_of_a_job_with_a_fault_of_each_kind(small, tmp_path):

@@ -355,7 +355,8 @@ def test_the_numbers_are_those_of_mark_and_table(view, opened, window, label, tm
     first, second, *rest = view.title.text().split("\n")
     (third,) = rest or [second]
     assert not rest or second not in third  # nothing is said twice
-    assert first == f"{label}: {found.strategy.value} {found.confidence:.0%}, {found.reason}"
+    assert first == f"{label}: {found.strategy.value} {found.confidence:.0%}, {found.reason.replace('phi', 'φ')}"
+    assert "φ" in first and "phi" not in view.title.text()  # one name for it, wherever it stands
     assert f"level n = {row['level']}," in second
     assert second.startswith("φ between {} and {} turns".format(*map(ENGLISH.turns, found.phi_range)))
     # What is drawn goes exactly as far as what is said of the area, its closing turn included.

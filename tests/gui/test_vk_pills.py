@@ -207,7 +207,7 @@ def test_tooltip_tells_why_and_how_much(marked, window):
     assert not re.search(r"\d (?:ms|s|min|h|mm|m|kB|MB)\b", QtGui.QToolTip.text())  # in one line
     known = marks.read(obj)
     (reason,) = known.reason
-    assert plainly(reason)[1:].replace("<", "&lt;").replace(">", "&gt;") in text and "phi" not in text
+    assert plainly(reason)[1:].replace("<", "&lt;").replace(">", "&gt;") in text and "φ" not in text
     assert (
         "On the machine: " in text
         and f"{user().time(known.machining_seconds)}, {user().length(known.length)} of cutting" in text

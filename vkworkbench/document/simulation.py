@@ -126,9 +126,13 @@ class Simulation:
 
         Raises
         ------
+        ValueError
+            If the file's name does not end with ``.png``.
         OSError
             If the file cannot be written.
         """
+        if Path(path).suffix.lower() != ".png":
+            raise ValueError(f"the picture is a PNG file, so its name must end with .png, unlike {str(path)!r}")
         Path(path).write_bytes(png(self.image()))
 
     def facts(self, *, tolerance: float = TOLERANCE) -> SimulationFacts:

@@ -25,7 +25,9 @@ class User(Reader):
         self.decimal, self.thousands = locale.decimalPoint(), locale.groupSeparator()
 
     def translate(self, context: str, text: str) -> str:
-        return FreeCAD.Qt.translate(context, text)
+        told = FreeCAD.Qt.translate(context, text)
+        # English files keep to ASCII; a window shows the letter that the Gauss map draws, as every translation has it.
+        return re.sub(r"\bphi\b", "φ", told) if context == "Sentences" else told
 
     def simulator(self, name: str) -> str:
         """Return what this FreeCAD's menu calls a simulator; the words of documents where it has none."""
