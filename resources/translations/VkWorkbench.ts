@@ -87,6 +87,10 @@
         <source>Simulating it alone in the {simulator}: {time}, {memory}</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>switched off</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>QObject</name>
@@ -183,10 +187,6 @@
     </message>
     <message>
         <source>no cutting move in its toolpath</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>inactive: switch it on and recompute it</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1019,6 +1019,10 @@
     </message>
     <message>
         <source>lacks {depth:mm2} of the model: choose a larger stock, or move the model within it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>switched off: it has no toolpath until you switch it on and recompute it</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

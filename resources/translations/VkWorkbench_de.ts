@@ -87,6 +87,10 @@
         <source>Simulating it alone in the {simulator}: {time}, {memory}</source>
         <translation>Allein simulieren mit „{simulator}“: {time}, {memory}</translation>
     </message>
+    <message>
+        <source>switched off</source>
+        <translation>ausgeschaltet</translation>
+    </message>
 </context>
 <context>
     <name>QObject</name>
@@ -184,10 +188,6 @@
     <message>
         <source>no cutting move in its toolpath</source>
         <translation>keine Schnittbewegung in ihrem Werkzeugweg</translation>
-    </message>
-    <message>
-        <source>inactive: switch it on and recompute it</source>
-        <translation>inaktiv: einschalten und neu berechnen</translation>
     </message>
     <message>
         <source>no toolpath: recompute the operation and see FreeCAD&apos;s report view</source>
@@ -1020,6 +1020,10 @@
     <message>
         <source>lacks {depth:mm2} of the model: choose a larger stock, or move the model within it</source>
         <translation>ihm fehlen {depth:mm2} des Modells: ein größeres Rohteil wählen oder das Modell darin verschieben</translation>
+    </message>
+    <message>
+        <source>switched off: it has no toolpath until you switch it on and recompute it</source>
+        <translation>ausgeschaltet: Sie hat keinen Werkzeugweg, bis sie eingeschaltet und neu berechnet wird</translation>
     </message>
 </context>
 <context>

@@ -87,6 +87,10 @@
         <source>Simulating it alone in the {simulator}: {time}, {memory}</source>
         <translation>Simulación por sí sola en el {simulator}: {time}, {memory}</translation>
     </message>
+    <message>
+        <source>switched off</source>
+        <translation>desactivada</translation>
+    </message>
 </context>
 <context>
     <name>QObject</name>
@@ -184,10 +188,6 @@
     <message>
         <source>no cutting move in its toolpath</source>
         <translation>ningún movimiento de corte en su trayectoria</translation>
-    </message>
-    <message>
-        <source>inactive: switch it on and recompute it</source>
-        <translation>inactiva: actívela y recalcúlela</translation>
     </message>
     <message>
         <source>no toolpath: recompute the operation and see FreeCAD&apos;s report view</source>
@@ -1020,6 +1020,10 @@
     <message>
         <source>lacks {depth:mm2} of the model: choose a larger stock, or move the model within it</source>
         <translation>le faltan {depth:mm2} del modelo: elija un material en bruto mayor o mueva el modelo dentro de él</translation>
+    </message>
+    <message>
+        <source>switched off: it has no toolpath until you switch it on and recompute it</source>
+        <translation>desactivada: no tiene trayectoria hasta que la active y la recalcule</translation>
     </message>
 </context>
 <context>

@@ -87,6 +87,10 @@
         <source>Simulating it alone in the {simulator}: {time}, {memory}</source>
         <translation>Simulation de l&apos;opération seule dans « {simulator} » : {time}, {memory}</translation>
     </message>
+    <message>
+        <source>switched off</source>
+        <translation>désactivée</translation>
+    </message>
 </context>
 <context>
     <name>QObject</name>
@@ -184,10 +188,6 @@
     <message>
         <source>no cutting move in its toolpath</source>
         <translation>aucun mouvement de coupe dans son parcours</translation>
-    </message>
-    <message>
-        <source>inactive: switch it on and recompute it</source>
-        <translation>inactive : activez-la et recalculez-la</translation>
     </message>
     <message>
         <source>no toolpath: recompute the operation and see FreeCAD&apos;s report view</source>
@@ -1020,6 +1020,10 @@
     <message>
         <source>lacks {depth:mm2} of the model: choose a larger stock, or move the model within it</source>
         <translation>il manque {depth:mm2} du modèle : choisissez un brut plus grand ou déplacez le modèle dans le brut</translation>
+    </message>
+    <message>
+        <source>switched off: it has no toolpath until you switch it on and recompute it</source>
+        <translation>désactivée : elle n&apos;a pas de parcours tant que vous ne l’activez et ne la recalculez pas</translation>
     </message>
 </context>
 <context>

@@ -87,6 +87,10 @@
         <source>Simulating it alone in the {simulator}: {time}, {memory}</source>
         <translation>在 {simulator} 中单独模拟：{time}，{memory}</translation>
     </message>
+    <message>
+        <source>switched off</source>
+        <translation>已停用</translation>
+    </message>
 </context>
 <context>
     <name>QObject</name>
@@ -184,10 +188,6 @@
     <message>
         <source>no cutting move in its toolpath</source>
         <translation>其刀具路径中没有切削移动</translation>
-    </message>
-    <message>
-        <source>inactive: switch it on and recompute it</source>
-        <translation>未启用：请启用并重新计算</translation>
     </message>
     <message>
         <source>no toolpath: recompute the operation and see FreeCAD&apos;s report view</source>
@@ -1020,6 +1020,10 @@
     <message>
         <source>lacks {depth:mm2} of the model: choose a larger stock, or move the model within it</source>
         <translation>比模型缺少 {depth:mm2}：请选择更大的毛坯，或移动其中的模型</translation>
+    </message>
+    <message>
+        <source>switched off: it has no toolpath until you switch it on and recompute it</source>
+        <translation>已停用：启用并重新计算后才有刀具路径</translation>
     </message>
 </context>
 <context>

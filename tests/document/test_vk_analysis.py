@@ -287,14 +287,33 @@ def test_inactive_operation(small, zigzag_commands):
     op = small.add("Off", [("(inactive operation)", {})])
     op.Active = False
     (off,) = vkworkbench.analyze(small.document).operations
-    assert off.strategy == "empty" and not off.counted and off.error.startswith("inactive")
-    assert small.document.getObject(off.name) is op and vkworkbench.analyze(small.document).totals[0].operations == 0
+    assert off.strategy == "empty" and not off.counted and off.error.startswith("switched off")
+    assert off.remarks[0].code == "inactive"  # for programs
+    report = vkworkbench.analyze(small.document)
+    assert small.document.getObject(off.name) is op and report.totals[0].operations == 0
+    row = str(report).splitlines()[2]
+    assert "switched off" in row and "0 ms" not in row and "?" not in row
+    vkworkbench.mark(report)
+    assert op.Label2 == "⟦switched off⟧"  # no warning: the user did it
+    op.Label2 = "mine ⟦switched off⟧"
+    vkworkbench.clear(op)
+    assert op.Label2 == "mine"
 
 
 def test_a_stop_needs_no_tool(small):
     small.add("Stop", [("(Stop)", {}), ("M1", {})], controller=None)
     (stop,) = vkworkbench.analyze(small.document).operations
-    assert stop.strategy == "empty" and stop.error == "no cutting move in its toolpath"
+    assert stop.strategy == "empty" and stop.error is None
+    row = str(vkworkbench.analyze(small.document)).splitlines()[2]
+    assert "0 ms" not in row and "?" not in row
+    vkworkbench.mark(vkworkbench.analyze(small.document))
+    assert small.document.getObject("Stop").Label2 == "⟦empty⟧"
+
+
+def test_an_operation_with_a_tool_that_moves_nothing_is_told(small):
+    small.add("Drill", [("(Drill)", {}), ("G90", {}), ("G80", {})])
+    (drill,) = vkworkbench.analyze(small.document).operations
+    assert drill.strategy == "empty" and drill.error == "no cutting move in its toolpath"
 
 
 BAD_PATHS = {

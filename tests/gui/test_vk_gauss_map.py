@@ -118,7 +118,7 @@ def test_an_operation_that_is_switched_off_says_so(view, opened, window):
     face.Active = False
     opened.recompute()
     window.wait(lambda: "switch it on" in view.title.text())
-    assert view.title.text().startswith("Face: inactive") and not view.canvas.isVisible()
+    assert view.title.text().startswith("Face: switched off") and not view.canvas.isVisible()
     face.Active = True
     opened.recompute()
     window.wait(view.canvas.isVisible)

@@ -482,6 +482,30 @@ def test_what_is_wrong_is_said(panel, opened, window):
     assert remarks["Job"] == "cost unknown for Bore"
 
 
+def test_an_operation_that_is_switched_off_is_no_error(panel, opened, window):
+    face = labelled(opened, "Face")
+    face.Active = False
+    opened.recompute()
+    window.click("Analyze toolpaths")
+    window.wait(lambda: column(panel, "Strategy")["Face"] == "switched off")
+    assert not column(panel, "Machining time")["Face"] and not sign(panel, "Face")
+    assert (
+        column(panel, "Warnings")["Face"].startswith("switched off: ")
+        and "total" not in column(panel, "Warnings")["Face"]
+    )
+    assert "warning" not in window.main.statusBar().currentMessage()
+    assert "empty" not in [panel.filter.strategies.itemText(i) for i in range(panel.filter.strategies.count())]
+    click_row(window, panel, "Face")
+    assert "Why?" not in text_of(panel) and "0 ms" not in text_of(panel) and "0.00" not in text_of(panel)
+    text = explanation(marks.read(face), preferences.read())
+    assert "switched off" in text and "⚠" not in text and "On the machine" not in text and "empty" not in text
+    window.screenshot("panel-switched-off")
+    face.Active = True
+    opened.recompute()
+    window.click("Analyze toolpaths")
+    window.wait(lambda: column(panel, "Strategy")["Face"] == "zigzag")
+
+
 def test_rows_live_with_the_document(panel, opened, window):
     labelled(opened, "Face").Label = "Top"
     window.wait(lambda: "Top" in labels(panel))

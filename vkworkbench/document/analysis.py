@@ -217,7 +217,7 @@ def _analysed(
         remarks.append(Message("inches-as-millimetres"))
     cuts = found.strategy is not Strategy.EMPTY
     if not cuts:  # remarks on tool and stock would miss the point
-        remarks = [_why_empty(reading, toolpath)]
+        remarks = _why_empty(reading, toolpath)
     elif tool and not stock:
         remarks.append(Message("box-of-cuts"))
         stock = stock_around(toolpath, tool)
@@ -247,12 +247,14 @@ def _analysed(
     )  # fmt: skip
 
 
-def _why_empty(reading: Reading, toolpath: Toolpath) -> Message:
-    """Return why nothing cuts: a stop, a comment or a fixture needs no toolpath, other operations lack theirs."""
+def _why_empty(reading: Reading, toolpath: Toolpath) -> list[Message]:
+    """Return why nothing cuts; a stop, a comment or a fixture needs no toolpath, other operations lack theirs."""
     silent = toolpath.commands <= len(toolpath.comments)
-    if not silent or (toolpath.comments and not reading.takes_tool):
-        return Message("no-cutting-move")
-    return Message("no-toolpath") if reading.active else Message("inactive")
+    if not reading.takes_tool and toolpath.commands and not len(toolpath):
+        return []
+    if not silent:
+        return [Message("no-cutting-move")]
+    return [Message("no-toolpath") if reading.active else Message("inactive")]
 
 
 def _misfits(toolpath: Toolpath, tool: Tool, stock: Solid, costs: Mapping[str, Cost]) -> list[Message]:

@@ -9,9 +9,10 @@ from vkworkbench.core.simulators import Caution
 from vkworkbench.document.record import Record
 from vkworkbench.language import ENGLISH, Reader, render
 from vkworkbench.preferences import Preferences
-from vkworkbench.report import SERIOUS, how_many
+from vkworkbench.report import SERIOUS, how_many, is_switched_off
 
 OPENING, CLOSING, SEPARATOR, OUTDATED = "⟦", "⟧", " · ", "outdated"
+SWITCHED_OFF = "switched off"
 PLAY, WARNING = "▶", "⚠"
 UNSURE = 0.8  # below that confidence a mark says how sure it is
 _NEAR = 0.5  # of the budget
@@ -38,6 +39,8 @@ def is_serious(caution: Caution, chosen: Preferences) -> bool:
 
 def is_warned(record: Record, chosen: Preferences) -> bool:
     """Whether the user must know something before starting that simulator: what is a warning, in tree, tooltip and results."""
+    if is_switched_off(record):  # the user did it
+        return False
     known = record.remarks or record.called or any(is_serious(caution, chosen) for caution in record.cautions)
     return burden(record, chosen) is Burden.OVER or bool(known)
 
@@ -55,11 +58,13 @@ def text_of(record: Record, chosen: Preferences) -> str:
     """Return the text that stands between the brackets in a description, in English, the same for all its readers."""
     if record.strategy is None:
         first = how_many(record.operations, "operation")
+    elif is_switched_off(record):
+        first = SWITCHED_OFF
     else:
         first = record.strategy.value + (f" {record.confidence:.0%}" if is_unsure(record) else "")
     time, warning = time_of(record, chosen), f" {WARNING}" if is_warned(record, chosen) else ""
     parts = [first, *([f"{PLAY} {time}{warning}"] if time else [])]
-    if record.remarks:
+    if record.remarks and not is_switched_off(record):
         remark = _shortened("; ".join(map(render, record.remarks)))
         parts.append(remark if time else f"{WARNING} {remark}")
     return SEPARATOR.join([*parts, *([OUTDATED] if record.outdated else [])])

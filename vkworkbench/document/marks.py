@@ -17,7 +17,7 @@ from vkworkbench.core import Strategy
 from vkworkbench.core.simulators import ZBUFFER
 from vkworkbench.document import mark_properties, record, session
 from vkworkbench.document.fingerprint import path_and_setting, path_fingerprint
-from vkworkbench.document.mark_text import CLOSING, OPENING, PLAY, SEPARATOR, text_of
+from vkworkbench.document.mark_text import CLOSING, OPENING, PLAY, SEPARATOR, SWITCHED_OFF, text_of
 from vkworkbench.document.operations import find, fixtures_of
 from vkworkbench.document.record import Record
 from vkworkbench.preferences import Preferences
@@ -27,7 +27,7 @@ _BRACKETS = re.compile(f" ?{OPENING}([^{OPENING}{CLOSING}]*){CLOSING}")
 # What a mark of any version and language looks like: how sure it is, or a time; or one of our words and nothing else.
 _LIKE_A_MARK = re.compile(
     rf"\S.*?(?: \d{{1,3}} ?%|{SEPARATOR}{PLAY} .+)(?:{SEPARATOR}.*|$)|"
-    rf"(?:{'|'.join(strategy.value for strategy in Strategy)}|\d+ operations?)(?:{SEPARATOR}.*)?"
+    rf"(?:{'|'.join(strategy.value for strategy in Strategy)}|{SWITCHED_OFF}|\d+ operations?)(?:{SEPARATOR}.*)?"
 )
 
 

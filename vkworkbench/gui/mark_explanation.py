@@ -11,13 +11,16 @@ from vkworkbench.gui.sentences import as_sentence, plainly, strategy_name, user
 from vkworkbench.gui.text import translate
 from vkworkbench.language import ROUGH
 from vkworkbench.preferences import Preferences
+from vkworkbench.report import is_switched_off
 
 
 def explanation(record: Record, chosen: Preferences) -> str:
     """Return what a mark means, as a part of HTML."""
     told = [f"<b>{lines(_title(record))}</b>"]
-    told += [lines(as_sentence(plainly(reason))) for reason in record.reason]
-    told.append(lines(_machining(record)))
+    if not is_switched_off(record):
+        told += [lines(as_sentence(plainly(reason))) for reason in record.reason]
+    if record.trajectories:
+        told.append(lines(_machining(record)))
     names = sorted(record.costs, key=lambda name: name != chosen.simulator)
     told += [lines(_simulation(record, name)) for name in names]
     told += map(_notice, notices_of(record, chosen))

@@ -19,10 +19,11 @@ from vkworkbench.document.mark_text import (
 )  # fmt: skip
 from vkworkbench.document.record import Record
 from vkworkbench.gui.colors import BURDEN, ERROR, TEXT, TOTAL, WARNING
-from vkworkbench.gui.notices import Level, level_of_remarks
-from vkworkbench.gui.sentences import said, strategy_name, user
+from vkworkbench.gui.notices import Level, kind_of, level_of_remarks
+from vkworkbench.gui.sentences import said, user
 from vkworkbench.gui.text import translate
 from vkworkbench.preferences import Preferences
+from vkworkbench.report import is_switched_off
 
 _PADDING = 6  # px within a pill, left and right
 _SPACE = "\u00a0"  # is not stretched or cut off at a line's end
@@ -115,7 +116,7 @@ def layouts(record: Record, words: str, chosen: Preferences, metrics, most_of_re
     name = pill_text(record)
     is_error = _is_error(record)
     has_pill = not is_error or record.strategy is None or record.strategy.is_answer
-    remark = "; ".join(map(said, record.remarks))
+    remark = "" if is_switched_off(record) else "; ".join(map(said, record.remarks))  # the pill says it
     if most_of_remark is not None:
         remark = remark[:most_of_remark]
     outdated = translate("Pills", "outdated") if record.outdated else ""
@@ -163,5 +164,5 @@ def pill_text(record: Record) -> str:
     if record.strategy is None:
         one, more = translate("Pills", "{} operation"), translate("Pills", "{} operations")
         return (one if record.operations == 1 else more).format(user().count(record.operations))
-    name = strategy_name(record.strategy)
+    name = kind_of(record)
     return f"{name} {user().share(record.confidence)}" if is_unsure(record) else name

@@ -11,9 +11,10 @@ from vkworkbench.core.simulators import Caution
 from vkworkbench.document.better_way import too_long
 from vkworkbench.document.mark_text import is_serious
 from vkworkbench.document.record import Record
-from vkworkbench.gui.sentences import said
+from vkworkbench.gui.sentences import said, strategy_name
+from vkworkbench.gui.text import translate
 from vkworkbench.preferences import Preferences
-from vkworkbench.report import HANGS, contradiction
+from vkworkbench.report import HANGS, OperationReport, contradiction, is_switched_off
 
 
 class Level(IntEnum):
@@ -37,8 +38,15 @@ def notices_of(record: Record, chosen: Preferences) -> list[Notice]:
     return sorted(_notices(record, chosen), key=lambda notice: -notice.level)
 
 
+def kind_of(found: OperationReport | Record) -> str:
+    """Return what an operation does: the name of its strategy, or that it is switched off."""
+    return translate("Pills", "switched off") if is_switched_off(found) else strategy_name(found.strategy)
+
+
 def level_of_remarks(record: Record) -> Level:
     """Return how bad the remarks are: without a tool, a stock or a toolpath nothing is known of an operation's simulation."""
+    if is_switched_off(record):
+        return Level.NOTE
     return Level.WARNING if record.strategy is None or record.costs else Level.ERROR
 
 

@@ -34,7 +34,7 @@ from vkworkbench.gui.qt import (
 )  # fmt: skip
 from vkworkbench.gui.readability import readable
 from vkworkbench.gui.text import translate
-from vkworkbench.report import Cancelled
+from vkworkbench.report import Cancelled, is_switched_off
 
 _WIDEST = {"operation": 260, "warnings": 420}  # px; the tooltip shows the end of a longer text
 
@@ -176,7 +176,8 @@ class ResultsDock(QDockWidget):
         for index, row in self._indexes():
             self.tree.setExpanded(index, row.name not in closed)
         self._following = False
-        self.filter.offer({row.strategy for _, row in self._indexes() if row.strategy is not None})
+        operations = (row for _, row in self._indexes() if not row.is_total and not is_switched_off(row.found))
+        self.filter.offer({row.strategy for row in operations})
         self._show_columns()
         for action in (self.csv, self.json, self.copy):
             action.setEnabled(bool(self._findings))

@@ -13,7 +13,7 @@ from vkworkbench.gui.panel_rows import Row
 from vkworkbench.gui.plain_text import lines
 from vkworkbench.gui.sentences import as_sentence, plainly, said, user
 from vkworkbench.gui.text import translate
-from vkworkbench.report import OperationReport
+from vkworkbench.report import OperationReport, is_switched_off
 
 WHY, NUMBERS, GAUSS_MAP = "why", "numbers", "gauss-map"  # what the page's links open
 _SIGNS = {
@@ -34,7 +34,7 @@ def page(row: Row, first: list, others: list, opened: set[str]) -> str:
         Which of the page's links are open.
     """
     parts = [_title(row)]
-    if row.strategy is not None:
+    if row.strategy is not None and not is_switched_off(row.mark):
         parts.append(_strategy(row, WHY in opened))
     parts += [_notice(notice) for notice in row.notices]
     if row.outdated:
@@ -78,6 +78,8 @@ def _cells(row: Row, columns: list) -> list[tuple[str, str, str]]:
 
 def _machining(row: Row) -> list[tuple[str, str, str]]:
     """Lengths, and what the machining time leaves out."""
+    if not row.found.trajectories:
+        return []
     length = user().length
     told = [(translate("Vk_Results", "Cutting"), length(row.found.length), "")]
     if row.is_total:

@@ -13,11 +13,11 @@ from vkworkbench.document import marks
 from vkworkbench.document.operations import find, fixtures_of
 from vkworkbench.document.record import Record, of_total
 from vkworkbench.gui.latest import Finding
-from vkworkbench.gui.notices import Level, Notice, notices_of
-from vkworkbench.gui.sentences import plural, strategy_name
+from vkworkbench.gui.notices import Level, Notice, kind_of, notices_of
+from vkworkbench.gui.sentences import plural
 from vkworkbench.gui.text import translate
 from vkworkbench.preferences import Preferences
-from vkworkbench.report import OperationReport, Total, total_of
+from vkworkbench.report import OperationReport, Total, is_switched_off, total_of
 
 
 @dataclass(frozen=True)
@@ -61,8 +61,8 @@ class Row:
 
     @property
     def kind(self) -> str:
-        """What it does: the name of the strategy; of a job how many operations its total has."""
-        return in_total(self) if self.is_total else strategy_name(self.found.strategy)
+        """What it does: the name of the strategy, or that it is switched off; of a job how many operations its total has."""
+        return in_total(self) if self.is_total else kind_of(self.found)
 
     @property
     def machining_complete(self) -> bool:
@@ -94,7 +94,7 @@ def rows_of(findings: Iterable[Finding]) -> list[Row]:
 
 def _operation(finding: Finding, chosen: Preferences) -> Row:
     obj, notices = finding.operation.object, notices_of(finding.mark, chosen)
-    if not finding.operation.counted and finding.operation.job is not None:
+    if not finding.operation.counted and finding.operation.job is not None and not is_switched_off(finding.mark):
         dressed = translate("Vk_Results", "not in the total: its dress-up is counted instead")
         inactive = translate("Vk_Results", "not in the total: it is switched off")
         notices.append(Notice(Level.NOTE, dressed if finding.operation.active else inactive))

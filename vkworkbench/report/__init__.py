@@ -11,6 +11,7 @@ from vkworkbench.report.operation import (
     OperationReport,
     cells_of,
     contradiction,
+    is_switched_off,
     without_results,
 )
 from vkworkbench.report.report import Cancelled, Report
@@ -21,5 +22,5 @@ from vkworkbench.report.total import Total, has_unknown_cost, total_of
 
 __all__ = [
     "HANGS", "SERIOUS", "Cancelled", "OperationReport", "Report", "SimulationFacts", "Total", "as_cell", "cells_of",
-    "contradiction", "has_unknown_cost", "how_many", "printable", "total_of", "without_results",
+    "contradiction", "has_unknown_cost", "how_many", "is_switched_off", "printable", "total_of", "without_results",
 ]  # fmt: skip

@@ -216,6 +216,11 @@ def without_results(why: Message, **whose: Any) -> OperationReport:
     )  # fmt: skip
 
 
+def is_switched_off(found: Any) -> bool:
+    """Whether an OperationReport or Record is of an operation without a toolpath because it is switched off."""
+    return any(remark.code == "inactive" for remark in found.remarks)
+
+
 def contradiction(found: Any) -> Message | None:
     """Return what an OperationReport or Record says of its name, where its toolpath surely does something else; else None."""
     return Message("called", name=found.called, strategy=found.strategy) if found.called else None

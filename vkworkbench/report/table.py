@@ -7,9 +7,10 @@ from collections.abc import Iterable, Sequence
 from itertools import zip_longest
 from pathlib import PurePath
 
+from vkworkbench.core import Strategy
 from vkworkbench.core.simulators import Costs
 from vkworkbench.language import ENGLISH, render
-from vkworkbench.report.operation import OperationReport, contradiction
+from vkworkbench.report.operation import OperationReport, contradiction, is_switched_off
 from vkworkbench.report.text_table import how_many, line, printable, widths_of
 from vkworkbench.report.total import Total, counted_in
 
@@ -51,10 +52,19 @@ def _row(o: OperationReport, simulator: str) -> tuple[str, ...]:
         o.strategy.value,
         f"{o.confidence:.0%}",
         ENGLISH.count(o.trajectories),
-        *_machining(o.length, o.machining_seconds or 0.0, not o.left_out, _is_measured(o)),
-        *_cost(o, simulator, least=False),
+        *(("", "", "", "") if _is_idle(o) else _measures(o, simulator)),
         printable("; ".join(map(render, told)), 200),
     )
+
+
+def _is_idle(o: OperationReport) -> bool:
+    """Whether it moves nothing, and nothing is unknown of that: it is switched off, a stop or a comment."""
+    return o.strategy is Strategy.EMPTY and not o.trajectories and (not o.remarks or is_switched_off(o))
+
+
+def _measures(o: OperationReport, simulator: str) -> tuple[str, ...]:
+    seconds = o.machining_seconds or 0.0
+    return *_machining(o.length, seconds, not o.left_out, _is_measured(o)), *_cost(o, simulator, least=False)
 
 
 def _total_row(t: Total, operations: Sequence[OperationReport], simulator: str) -> tuple[str, ...]:

@@ -7,7 +7,9 @@ from vkworkbench.language.marking import QT_TRANSLATE_NOOP
 
 OPERATIONS: dict[str, str | tuple[str, str]] = {
     "of": QT_TRANSLATE_NOOP("Sentences", "{label}: {sentence}"),
-    "inactive": QT_TRANSLATE_NOOP("Sentences", "inactive: switch it on and recompute it"),
+    "inactive": QT_TRANSLATE_NOOP(
+        "Sentences", "switched off: it has no toolpath until you switch it on and recompute it"
+    ),
     "no-toolpath": QT_TRANSLATE_NOOP("Sentences", "no toolpath: recompute the operation and see FreeCAD's report view"),
     "no-cutting-move": QT_TRANSLATE_NOOP("Sentences", "no cutting move in its toolpath"),
     "not-analysed": QT_TRANSLATE_NOOP("Sentences", "could not be analyzed, please report it with the file: {error}"),
