@@ -479,7 +479,7 @@ def test_what_is_wrong_is_said(panel, opened, window):
     assert "no tool" in remarks["Bore"]
     assert remarks["Face"].endswith("not in the total: it is switched off")
     assert remarks["Cut out"] == "not in the total: its dress-up is counted instead"
-    assert remarks["Job"] == "cost unknown for Bore"
+    assert remarks["Job"].startswith("cost unknown for Bore")  # what else is told depends on the computer's speed
 
 
 def test_an_operation_that_is_switched_off_is_no_error(panel, opened, window):
