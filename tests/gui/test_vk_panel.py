@@ -4,6 +4,7 @@
 import csv
 import json
 import re
+import traceback
 from collections import Counter
 
 import FreeCAD
@@ -20,7 +21,7 @@ import vkworkbench
 from vkworkbench import freecad, preferences
 from vkworkbench.document import marks
 from vkworkbench.document.mark_text import Burden, burden, is_warned, time_of
-from vkworkbench.gui import colors
+from vkworkbench.gui import colors, latest
 from vkworkbench.gui.mark_explanation import explanation
 from vkworkbench.gui.panel_columns import Column
 from vkworkbench.gui.readability import readable
@@ -504,6 +505,24 @@ def test_an_operation_that_is_switched_off_is_no_error(panel, opened, window):
     opened.recompute()
     window.click("Analyze toolpaths")
     window.wait(lambda: column(panel, "Strategy")["Face"] == "zigzag")
+
+
+def test_an_analysis_fills_the_panel_once_in_an_event_of_its_own(panel, opened, window, monkeypatch):
+    """At the end of an analysis the window would stand still for all of it together."""
+    panel.hide()
+    window.idle()
+    find, events = latest.findings, []
+
+    def finds(document):
+        events.append([frame.name for frame in traceback.extract_stack()])
+        return find(document)
+
+    monkeypatch.setattr(latest, "findings", finds)
+    window.click("Analyze toolpaths")
+    window.wait(lambda: panel.isVisible() and events)
+    window.idle()
+    assert len(events) == 1 and "Activated" not in events[0]
+    assert column(panel, "Strategy")["Face"] == "zigzag"
 
 
 def test_rows_live_with_the_document(panel, opened, window):

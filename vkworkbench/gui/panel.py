@@ -97,7 +97,6 @@ class ResultsDock(QDockWidget):
         FreeCAD.addDocumentObserver(self)
         preferences.observe(lambda name: self._stale.start())
         self.visibilityChanged.connect(lambda visible: self._stale.start())
-        self.refresh()
 
     def _action(self, text: str, work) -> QAction:
         action = QAction(text, self)

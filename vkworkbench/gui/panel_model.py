@@ -52,7 +52,8 @@ class ResultsModel(QAbstractItemModel):
         return self.rows[branch - 1].rows[index.row()] if branch else self.rows[index.row()]
 
     def index(self, row: int, column: int, parent=QModelIndex()):  # noqa: B008, Qt's own default
-        if not self.hasIndex(row, column, parent):
+        # Qt's own `hasIndex` would ask for both counts through Python, for every cell that is measured.
+        if not (0 <= row < self.rowCount(parent) and 0 <= column < len(self.columns)):
             return QModelIndex()
         return self.createIndex(row, column, parent.row() + 1 if parent.isValid() else 0)
 

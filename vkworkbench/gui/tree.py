@@ -11,7 +11,7 @@ import FreeCADGui as Gui
 
 from vkworkbench import freecad
 from vkworkbench.gui import widgets
-from vkworkbench.gui.qt import QEvent, QHeaderView, QObject, Qt, QTabWidget, QTreeView, single_shot
+from vkworkbench.gui.qt import QEvent, QHeaderView, QObject, Qt, QTabWidget, QTimer, QTreeView, single_shot
 
 DESCRIPTION = 1
 _TREE_PREFERENCES = "User parameter:BaseApp/Preferences/TreeView"
@@ -55,9 +55,9 @@ def is_seen(view: QTreeView) -> bool:
 
 
 def when_seen(work: Callable[[], object]) -> None:
-    """Do something as soon as a tree is seen: now, or where all are hidden when one is shown."""
+    """Do something as soon as a tree is seen: after this event, or where all are hidden when one is shown."""
     if any(map(is_seen, trees())):
-        work()
+        QTimer.singleShot(0, work)
     else:
         _Sight(work)
 
