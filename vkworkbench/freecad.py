@@ -15,6 +15,7 @@ from functools import lru_cache
 import FreeCAD
 
 TOOLPATH = "Path::Feature"  # the type of all that has a Path
+LINK = "App::Link"  # stands for another object, and answers for its properties
 COMPOUND = "Path::FeatureCompound"  # the type of what has the paths of its members once more
 # The workbench for machining and its menu: since 1.0, and before.
 WORKBENCHES = {"CAMWorkbench": "&CAM", "PathWorkbench": "&Path"}

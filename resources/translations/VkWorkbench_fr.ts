@@ -946,8 +946,8 @@
         <translation>{told}, avec un peu de {strategies:strategy} à côté</translation>
     </message>
     <message>
-        <source>{width:n} x {height:n} pixels of {pixel:mm2}, limited by the {limit}{passes}</source>
-        <translation>{width:n} x {height:n} pixels de {pixel:mm2}, limités par {limit}{passes}</translation>
+        <source>{width:n} × {height:n} pixels of {pixel:mm2}, limited by the {limit}{passes}</source>
+        <translation>{width:n} × {height:n} pixels de {pixel:mm2}, limités par {limit}{passes}</translation>
     </message>
     <message>
         <source>{length:mm4} of rapids are not in the time because the operation has no tool controller: give it one with rapid speeds</source>

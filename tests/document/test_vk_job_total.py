@@ -11,7 +11,8 @@ from vkworkbench import preferences
 from vkworkbench.core import simulate_job
 from vkworkbench.core.simulators import ZBUFFER
 from vkworkbench.core.zbuffer import estimate_job
-from vkworkbench.document import calibration, marks, session
+from vkworkbench.document import calibration, marks, session, upkeep
+from vkworkbench.document.mark_properties import MARK
 from vkworkbench.document.simulated_job import read_job
 
 
@@ -136,3 +137,54 @@ def test_a_closed_document_is_forgotten(twice):
     assert any(document == name for document, _ in session.rows_with(()))
     FreeCAD.closeDocument(name)
     assert not any(document == name for document, _ in session.rows_with(()))
+
+
+@pytest.fixture
+def linked(small, zigzag_commands):
+    """An operation, and a link to it in the same job."""
+    op = small.add("Zigzag", zigzag_commands)
+    link = small.document.addObject("App::Link", "Link")
+    link.LinkedObject, link.Label = op, "Once more"
+    small.job.Operations.Group += [link]
+    small.document.recompute()
+    return op, link
+
+
+def test_a_link_in_the_job_counts_as_it_is_posted(small, linked):
+    """FreeCAD 0.20, 1.0 and 1.1 post the path of a link that is in the group of the operations."""
+    op, link = linked
+    report = vkworkbench.analyze(small.document)
+    one, other = report.operations
+    assert (one.name, other.name, other.label) == (op.Name, link.Name, "Once more")
+    assert other.counted and other.strategy == "zigzag" and other.length == one.length and other.costs
+    assert report.totals[0].operations == 2 and report.totals[0].length == 2 * one.length
+    vkworkbench.mark(report)
+    assert small.job.Label2.startswith("⟦2 operations · ")
+    assert marks.read(small.job).length == pytest.approx(2 * one.length)
+    assert link.Label2 == "" and MARK not in link.PropertiesList  # its mark is that of the operation
+    op.Active = False
+    small.document.recompute()
+    assert vkworkbench.analyze(small.document).totals[0].operations == 0
+    assert vkworkbench.clear(small.document) == 2 and MARK not in op.PropertiesList
+
+
+def test_a_link_beside_the_job_is_not_posted_and_has_no_mark_of_its_own(small, linked):
+    op, link = linked
+    small.job.Operations.Group = [op]
+    vkworkbench.mark(vkworkbench.analyze(small.document))
+    assert small.job.Label2.startswith("⟦1 operation · ")
+    before = op.Label2
+    preferences.write(mark_simulator=ZBUFFER.name)
+    try:
+        upkeep.follow_preferences()
+        assert op.Label2 != before and link.Label2 == ""
+    finally:
+        preferences.write(mark_simulator=preferences.OWN)
+
+
+def test_a_link_to_a_job_is_no_job(small, zigzag_commands):
+    op = small.add("Zigzag", zigzag_commands)
+    link = small.document.addObject("App::Link", "Link")
+    link.LinkedObject = small.job
+    small.document.recompute()
+    assert [row.name for row in vkworkbench.analyze(small.document).operations] == [op.Name]

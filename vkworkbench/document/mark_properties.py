@@ -39,8 +39,8 @@ _TYPES = {
 
 
 def may_have_mark(obj) -> bool:
-    """Whether an object has the property of a mark."""
-    return hasattr(obj, MARK)
+    """Whether an object has the property of a mark itself: a link answers for what it links to."""
+    return hasattr(obj, MARK) and not obj.isDerivedFrom(freecad.LINK)
 
 
 def kept(obj) -> str:

@@ -11,7 +11,16 @@ import FreeCAD
 from vkworkbench import preferences
 from vkworkbench.document import marks, session
 from vkworkbench.document.fingerprint import Settings, path_and_setting, path_fingerprint
-from vkworkbench.document.operations import find, is_document, is_group, is_object, kind, members, or_active_document
+from vkworkbench.document.operations import (
+    find,
+    has_toolpath,
+    is_document,
+    is_group,
+    is_object,
+    kind,
+    members,
+    or_active_document,
+)
 from vkworkbench.report import OperationReport, Report
 
 
@@ -57,7 +66,7 @@ def _mark(document, operations: list[OperationReport]) -> int:
     marked = set()
     for operation in operations:
         obj = document.getObject(operation.name)
-        if obj is not None:
+        if obj is not None and has_toolpath(obj):  # a link has the mark of what it links to
             path, setting = path_and_setting(operation.fingerprint)
             # A path that could not be read, as one for which memory does not suffice, is not read here.
             fits = setting in settings.of(obj) and (not path or path_fingerprint(obj) == path)

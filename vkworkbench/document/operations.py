@@ -21,7 +21,7 @@ class Operation:
     Attributes
     ----------
     object : DocumentObject
-        The object with the Path.
+        The object with the Path; in a job's group it may be a link to one, whose mark is that of the linked object.
     job : DocumentObject or None
         Its job; None for a toolpath imported without one.
     counted : bool
@@ -68,6 +68,11 @@ def names_of(obj) -> tuple[str, str]:
 def has_toolpath(obj) -> bool:
     """Whether it is an object with a toolpath: an operation, a dress-up, a job."""
     return obj.isDerivedFrom(freecad.TOOLPATH)
+
+
+def _links_operation(obj) -> bool:
+    """Whether it is a link to an operation: in the group of a job FreeCAD posts it as one more operation."""
+    return obj.isDerivedFrom(freecad.LINK) and is_operation(obj.getLinkedObject())
 
 
 def is_object(what) -> bool:
@@ -221,6 +226,9 @@ def _of_job(job) -> Iterator[Operation]:
     for obj in posted:
         if is_operation(obj):
             yield from _with_bases(obj, job, counted=obj.Name not in dressed)
+        elif _links_operation(obj):
+            active = is_active(obj)
+            yield Operation(obj, job, active, active)
     for obj in posted:
         if kind(obj) == "array":  # one that dresses up has taken what it copies out of the group
             for base in _bases(obj):

@@ -199,7 +199,8 @@ def show(document, cancelled: Callable) -> None:
         FreeCAD.addDocumentObserver(watcher)
         Gui.Selection.addObserver(watcher)
     _shown[document.Name] = _Shown(document.Name)
-    _drawer.draw(operation.object for operation in find(document))
+    # What a link in a job's group links to is drawn where that is; FreeCAD draws the link as a copy of it.
+    _drawer.draw(filter(is_operation, (operation.object for operation in find(document))))
 
 
 def hide(document) -> None:
