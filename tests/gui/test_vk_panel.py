@@ -283,6 +283,27 @@ def test_it_makes_no_window_higher_than_a_low_screen(panel):
     assert panel.widget().layout().totalMinimumSize().height() <= least
 
 
+def test_on_a_low_screen_it_shows_rows_rather_than_titles(panel, opened, window):
+    panel.setFloating(True)
+    try:
+        panel.resize(600, panel.minimumSizeHint().height())
+        window.idle()
+        top = panel.tree.model().index(0, 0)
+        panel.tree.scrollTo(top)
+        seen = panel.tree.viewport()
+        assert seen.rect().contains(panel.tree.visualRect(top).adjusted(0, 0, -panel.tree.columnWidth(0) + 1, 0))
+        panel.tree.horizontalScrollBar().setValue(100)  # the first column then stands above the others
+        window.idle()
+        window.screenshot("panel-low")
+        panel.resize(600, 400)
+        window.idle()
+        assert panel.tree.header().isVisible() and seen.height() > 6 * panel.tree.visualRect(top).height()
+    finally:
+        panel.tree.horizontalScrollBar().setValue(0)
+        panel.setFloating(False)
+        window.idle()
+
+
 def test_a_click_on_a_title_sorts_within_the_job(panel, opened, window):
     operations = vkworkbench.analyze(opened).operations
     rising = [o.label for o in sorted(operations, key=lambda o: o.machining.seconds)]

@@ -7,6 +7,8 @@ from collections.abc import Callable
 
 from vkworkbench.gui.qt import QAbstractItemView, QEvent, QFrame, QHeaderView, QKeySequence, Qt, QTreeView
 
+_LEAST_ROWS = 2  # that are seen below the titles
+
 
 class FrozenTree(QTreeView):
     """Shows the first column a second time over itself as soon as it is scrolled sideways.
@@ -91,6 +93,9 @@ class FrozenTree(QTreeView):
 
     def resizeEvent(self, event) -> None:
         super().resizeEvent(event)
+        # On a low screen the titles would leave no room for a row.
+        around = self.header().sizeHint().height() + self.horizontalScrollBar().sizeHint().height()
+        self.header().setVisible(self.height() - around >= _LEAST_ROWS * self.fontMetrics().lineSpacing())
         self._place()
 
     def _sort(self, section: int) -> None:
@@ -101,7 +106,7 @@ class FrozenTree(QTreeView):
     def _place(self) -> None:
         scrolled = self.horizontalScrollBar().value() > 0
         if scrolled:
-            width, header = self.columnWidth(0), self.header().height()
+            width, header = self.columnWidth(0), 0 if self.header().isHidden() else self.header().height()
             self._above.setColumnWidth(0, width)
             self._above.header().setFixedHeight(header)
             seen = self.viewport().geometry()  # a theme may give the tree a border or a padding
