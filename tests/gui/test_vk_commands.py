@@ -25,7 +25,7 @@ def test_the_first_click_marks_the_job_and_shows_the_column(opened, window):
         FreeCAD.ParamGet("User parameter:BaseApp/Preferences/TreeView").SetBool("HideColumn", True)
     window.click("Analyze toolpaths")
     window.wait(lambda: marked(opened))
-    assert not window.tree.isColumnHidden(1) and window.tree.columnWidth(1) > 100
+    window.wait(lambda: not window.tree.isColumnHidden(1) and window.tree.columnWidth(1) > 100)
     # As many as have a sign in the results: for the time that the OpenGL simulator takes for arcs, for example.
     rows = [row for job in rows_of(findings(opened)) for row in job.rows]
     told = sum(row.is_warned for row in rows)
