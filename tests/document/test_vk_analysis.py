@@ -315,6 +315,7 @@ def test_an_operation_with_a_tool_that_moves_nothing_is_told(small):
     small.add("Drill", [("(Drill)", {}), ("G90", {}), ("G80", {})])
     (drill,) = vkworkbench.analyze(small.document).operations
     assert drill.strategy == "empty" and drill.error == "no cutting move in its toolpath"
+    assert "0 ms" not in str(vkworkbench.analyze(small.document)).splitlines()[2]
 
 
 BAD_PATHS = {

@@ -13,12 +13,15 @@ import pytest
 from PySide import QtCore, QtGui
 
 import vkworkbench
-from vkworkbench import freecad
+from vkworkbench import freecad, preferences
 from vkworkbench.core import Strategy
 from vkworkbench.document import marks
 from vkworkbench.document.record import Record, as_json
 from vkworkbench.gui import colors, pills, tree
+from vkworkbench.gui.mark_explanation import explanation
 from vkworkbench.gui.mark_layout import layouts
+from vkworkbench.gui.panel_columns import columns
+from vkworkbench.gui.panel_rows import Row
 from vkworkbench.gui.sentences import plainly, said, user
 from vkworkbench.language import Message
 from vkworkbench.preferences import Preferences
@@ -132,6 +135,17 @@ def test_an_error_is_no_pill():
     record = Record(Strategy.EMPTY, remarks=(Message("no-toolpath"),))
     (sign,) = layout(record).pieces
     assert sign.kind == "error" and said(record.remarks[0]) in layout(record).text
+
+
+def test_a_least_time_of_nothing_is_not_told():
+    """Rapids alone, whose speed is not set: at least 0 ms tells nothing, in no place."""
+    untimed = Message("rapids-untimed", length=100.0, name="HorizRapid")
+    record = Record(Strategy.EMPTY, trajectories=1, machining_seconds=0.0, left_out=(untimed,),
+                    remarks=(Message("no-cutting-move"),))  # fmt: skip
+    text = explanation(record, preferences.read())
+    assert "0 ms" not in text and "On the machine: " in text
+    (machining,) = [one for one in columns(freecad.version(), "legacy")[0] if one.key == "machining_time"]
+    assert machining.text(Row(record, "Op", "Op", mark=record)) == ""
 
 
 def test_what_is_wrong_beside_a_strategy_is_seen_in_every_width():

@@ -47,7 +47,7 @@ def _title(record: Record) -> str:
 
 def _machining(record: Record) -> str:
     length = user().length(record.length)
-    if record.machining_seconds is None:
+    if not record.machining_seconds:  # at least 0 s tells nothing
         return translate("Pills", "On the machine: {length} of cutting").format(length=length)
     time = user().time(record.machining_seconds)
     text = translate("Pills", "On the machine: {time}, {length} of cutting")

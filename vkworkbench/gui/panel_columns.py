@@ -98,7 +98,7 @@ def columns(version: tuple[int, ...], marked: str) -> tuple[list[Column], list[C
         Column("machining_time", translate("Vk_Results", "Machining\ntime"),
                translate("Vk_Results", "Time on the machine at the programmed feeds; rapids where the tool "
                                        "controller gives their speed"),
-               lambda row: row.found.machining_seconds if row.found.trajectories else None, _as("time"), least=lambda row: not row.machining_complete),
+               lambda row: row.found.machining_seconds or None, _as("time"), least=lambda row: not row.machining_complete),
         Column("simulation_time", translate("Vk_Results", "Simulation\ntime"),
                time.format(simulator=user().simulator(marked)),
                partial(_seconds, marked), factor=partial(_factor, marked), least=_is_bound, learns=bool(simulator.lessons)),

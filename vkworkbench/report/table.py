@@ -10,7 +10,7 @@ from pathlib import PurePath
 from vkworkbench.core import Strategy
 from vkworkbench.core.simulators import Costs
 from vkworkbench.language import ENGLISH, render
-from vkworkbench.report.operation import OperationReport, contradiction, is_switched_off
+from vkworkbench.report.operation import OperationReport, contradiction
 from vkworkbench.report.text_table import how_many, line, printable, widths_of
 from vkworkbench.report.total import Total, counted_in
 
@@ -58,8 +58,8 @@ def _row(o: OperationReport, simulator: str) -> tuple[str, ...]:
 
 
 def _is_idle(o: OperationReport) -> bool:
-    """Whether it moves nothing, and nothing is unknown of that: it is switched off, a stop or a comment."""
-    return o.strategy is Strategy.EMPTY and not o.trajectories and (not o.remarks or is_switched_off(o))
+    """Whether nothing moves, so that there are no times to tell: it is switched off, a stop, or lacks its toolpath."""
+    return o.strategy is Strategy.EMPTY and not o.trajectories
 
 
 def _measures(o: OperationReport, simulator: str) -> tuple[str, ...]:
