@@ -770,6 +770,9 @@ def test_a_document_that_is_opened_with_marks_fills_it(panel, opened, window, tm
             text_of(panel).split("Cutting")[0] == page.split("Cutting")[0]
         )  # after it lengths that a mark does not keep
         window.screenshot("panel-from-marks")
+        assert "Rapids" not in text_of(panel)
+        window.click("Analyze toolpaths")  # of the selected operation, whose mark stays as it is
+        window.wait(lambda: "Rapids" in text_of(panel), 10)
         save_as(window, panel.csv, tmp_path / "results.csv")
         with open(tmp_path / "results.csv", newline="", encoding="utf-8") as file:
             rows = list(csv.DictReader(file))

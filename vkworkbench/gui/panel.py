@@ -163,6 +163,10 @@ class ResultsDock(QDockWidget):
 
     slotDeletedObject = slotDeletedDocument = slotActivateDocument
 
+    def refresh_soon(self) -> None:
+        """Show what is known of the active document in an event of its own, after all that begin before."""
+        self._stale.start()
+
     def refresh(self) -> None:
         """Show what is known of the active document now."""
         if not self.isVisible():

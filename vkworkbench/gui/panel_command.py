@@ -33,7 +33,7 @@ class ResultsCommand(DocumentCommand):
 
 
 def show() -> None:
-    """Show the results panel, which fills itself as soon as it is seen; the focus stays where it is."""
+    """Show the results panel, and soon in it what is known now; the focus stays where it is."""
     from vkworkbench.gui.panel import ResultsDock
 
     dock = docks.find(docks.RESULTS)
@@ -42,6 +42,7 @@ def show() -> None:
         docks.add(dock, _HEIGHT)
     else:
         docks.show(dock)
+    dock.refresh_soon()
 
 
 ResultsCommand.add()
