@@ -382,6 +382,16 @@ def test_plain_words_first_and_the_papers_terms_behind_why(panel, opened, window
     assert "φ" not in text_of(panel)
 
 
+def test_no_line_of_the_page_ends_between_a_number_and_its_unit(panel, window):
+    click_row(window, panel, "Bore")
+    block, told = panel.details.document().begin(), []
+    while block.isValid():
+        told.append(block.text())
+        block = block.next()
+    assert not [text for text in told if re.search(r"\d (?:ms|s|min|h|mm)\b", text)], told
+    assert any(re.search("\\d\u00a0min", text) for text in told)
+
+
 def test_several_rows_have_the_total_of_the_selection(panel, opened, window):
     click_row(window, panel, "Bore")
     click_row(window, panel, "Face", QtCore.Qt.ControlModifier)

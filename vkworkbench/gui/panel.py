@@ -17,7 +17,7 @@ from vkworkbench.gui.panel_export import as_text, save
 from vkworkbench.gui.panel_filter import Filter
 from vkworkbench.gui.panel_model import VALUE, ResultsModel, ResultsOrder
 from vkworkbench.gui.panel_rows import Row, rows_of
-from vkworkbench.gui.plain_text import lines
+from vkworkbench.gui.plain_text import lines, unbroken
 from vkworkbench.gui.qt import (
     QAction,
     QApplication,
@@ -258,7 +258,7 @@ class ResultsDock(QDockWidget):
         behind = viewport.grab(viewport.rect().adjusted(1, 1, 2 - viewport.width(), 2 - viewport.height()))
         color = readable(QColor(colors.LINK), behind.toImage().pixelColor(0, 0))
         self.details.document().setDefaultStyleSheet(f"a {{ color: {color} }}")
-        self.details.setHtml(text)
+        self.details.setHtml(unbroken(text))
 
     def _together(self, rows: list[Row]) -> list[Row]:
         """One total for each job of the rows, which says that it is one of a selection."""

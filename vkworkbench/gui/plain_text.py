@@ -38,7 +38,12 @@ def lines(text: str) -> str:
 
 def in_paragraph(html: str) -> str:
     """Return a part of HTML as a tooltip that keeps its spaces, and a number and its unit in one line."""
-    return f"<p style='white-space: pre-wrap'>{_BEFORE_UNIT.sub(_UNBROKEN, html)}</p>" if html else ""
+    return f"<p style='white-space: pre-wrap'>{unbroken(html)}</p>" if html else ""
+
+
+def unbroken(text: str) -> str:
+    """Return a text, or HTML, in which no line ends between a number and its unit."""
+    return _BEFORE_UNIT.sub(_UNBROKEN, text)
 
 
 def as_plain(label: QLabel) -> QLabel:

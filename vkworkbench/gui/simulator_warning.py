@@ -13,7 +13,7 @@ from vkworkbench import freecad, preferences
 from vkworkbench.document import better_way, marks
 from vkworkbench.document.better_way import BetterWay
 from vkworkbench.gui import simulator_panels, widgets
-from vkworkbench.gui.plain_text import as_plain
+from vkworkbench.gui.plain_text import as_plain, unbroken
 from vkworkbench.gui.qt import (
     QComboBox,
     QEvent,
@@ -119,7 +119,7 @@ class OpenPanel(QObject):
         if self._found is None:
             self._line.hide()
             return
-        self._line.text.setText(f"{said(self._found.wrong)} {said(self._found.better)}")
+        self._line.text.setText(unbroken(f"{said(self._found.wrong)} {said(self._found.better)}"))
         self._line.way.setText(_title(self._found.way, self._simulator))
         self._line.show()
         self._line.place()
