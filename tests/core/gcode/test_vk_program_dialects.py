@@ -125,3 +125,20 @@ def test_mills_heat_no_bed(line):
 @pytest.mark.parametrize("code", ["M104 S200", "M109 R200", "M140 S60", "M190 S60 (bed)", "M140\nM190 S60"])
 def test_printers_heat(code):
     assert read_program(code + "\n" + PLAIN).other.code == "printing"
+
+
+def test_the_drilling_cycles_of_a_fagor():
+    drilled = read_program("G21 G90\nG0 X0 Y0 Z50\nG99 G81 X5 Y7 Z2 I-18 K20 F100\nY9\nG80\nG0 Z50").toolpath()
+    holes = drilled.points[1:][~drilled.rapid]
+    assert holes.tolist() == [[5, 7, -18], [5, 9, -18]]
+    assert (drilled.points[:, 2] == 2).any()  # the level before the hole
+    relative = read_program("G21\nG0 X0 Y0 Z20\nG91 G99 G82 X5 Y7 Z-18 I-6 F100\nG80").toolpath()
+    assert relative.points[1:][~relative.rapid].tolist() == [[5, 7, -4]]
+    assert said("G21 G90\nG0 X0 Y0 Z50\nG99 G81 X5 Y7 Z2 I-18 F100\nG80") == []
+    assert said("G21 G90\nG0 X0 Y0 Z50\nG99 G81 X5 Y7 Z-18 R2 I-3 F100\nG80") == ["I words are not read (line 3)"]
+
+
+def test_line_numbers_that_nobody_has_filled_in():
+    text = "%00000\nN T2.2\nN M6\nN G0 X0 Y0 Z5\nN G1 Z-1 F60\nN X10\n"
+    assert said(text) == []
+    assert read_program(text).toolpath().points[-1].tolist() == [10, 0, -1]

@@ -191,7 +191,7 @@ def test_comments_that_tell_no_tool(comment):
         ("Start cutting path id: path10", "path10"), ("End cutting path id: path10", ""), ("Generator cover", "Generator cover"),
         ("PYCAM_TOOLPATH_SETTINGS: END", ""), ("OP_10: POCKET", "OP_10: POCKET"), ("Front_face: Roughing", "Front_face: Roughing"),
         ("select the xy plane", ""), ("Plasma cutting", ""), ("THROUGH CUTTING", ""), ("RUN POINT-PIERCE COMMAND HERE", ""),
-        ("Exported by FreeCAD", ""), ("Output Time:2020-01-01 12:30", ""), ("M6 T1", ""), ("-----", ""),
+        ("Exported by FreeCAD", ""), ("Output Time:2020-01-01 12:30", ""), ("M6 T1", ""), ("-----", ""), ("$SetPartSize(4, 4, 1)", ""), ("Finished.", ""),
         ("Begin Drilling", ""), ("BEGIN CUTTING", ""), ("End cut", ""), ("Finish cut", "Finish cut"), ("Drilling", "Drilling"),
         ("Optional stop, check center", ""), ("Block-name: holes", "holes"), ("Block-enable: 1", ""), ("Block-color: #00ff00", ""),
         ("Type: G-code from Geometry", ""), ("Name: board_drl", "board_drl"), ("Type: Groove", "Groove"),
@@ -258,6 +258,7 @@ def test_at_its_change_a_diameter_alone_is_the_tools():
     assert sections(f"T1 M6 (DRILL 8.5)\n{CUT}") == [("DRILL 8.5", 1, 8.5)]
     assert sections(f"T1 M6 (BALL ENDMILL 1/4)\n{CUT}")[0][2] == 6.35
     assert sections(f"T6 M6 (DIA 6)\n{CUT}") == [("DIA 6", 6, 6)]
+    assert sections(f"M6 T24 (0.6 INCH)\n{CUT}")[0][2] == pytest.approx(15.24)
     others = "DRILL 8", "V-BIT 22.5", "TAP 1/4", "ENDMILL 8.5 LOC", "THREAD MILL 1.5", "BORE DIA 40", "4 HOLES DIA 8.5"
     for other in others:
         assert sections(f"T1 M6 ({other})\n{CUT}")[0][2] is None, other
@@ -274,6 +275,24 @@ def test_the_tool_that_is_got_ready_is_not_in_the_spindle():
     assert sections(f"T1 M6 (10MM ENDMILL)\n{CUT}T2 (5MM DRILL)\nM6\n{CUT}") == [
         ("10MM ENDMILL", 1, 10), ("5MM DRILL", 2, 5)
     ]  # fmt: skip
+
+
+def test_the_tool_is_named_behind_its_change():
+    two = f"M6\nT1.1 (10MM ENDMILL)\nM0\n{CUT}M6\nT9.9 (5MM DRILL)\n{CUT}"
+    assert sections(two) == [("10MM ENDMILL", 1, 10), ("5MM DRILL", 9, 5)]
+    assert sections(f"T1\nM6\n{CUT}M6\nT2 (5MM DRILL)\n{CUT}")[-1] == ("5MM DRILL", 2, 5)
+    assert sections(f"T1\nM6\nT2 (5MM DRILL)\n{CUT}") == [("", 1, None)]  # got ready
+    assert sections(f"M6\n{CUT}T2 (5MM DRILL)\n{CUT}")[-1][1] is None  # behind a cut it is got ready
+
+
+def test_tools_and_remarks_in_chinese():
+    changes = (
+        f"(换1号刀: 中心钻φ3mm)\nT1 M6\n{CUT}T2 M6 (钻头φ8mm)\n(主轴正转，800转/分钟)\n{CUT}T3 M6 (6mm球刀)\n{CUT}"
+    )
+    assert sections(changes + "(程序结束)\nG0 Z50\n") == [
+        ("换1号刀: 中心钻φ3mm", 1, 3), ("钻头φ8mm", 2, 8), ("6mm球刀", 3, 6),
+    ]  # fmt: skip
+    assert [s.tool.shape for s in split_sections(read_program(changes))] == ["vbit", "drill", "ballend"]
 
 
 def test_a_tool_for_cutviewer_is_the_tool_from_there_on():

@@ -68,6 +68,8 @@ class Interpreter:
         self.stands = False  # whether the last move was fed per turn of a spindle that nobody had told to turn
         self.tool: int | None = None
         self.changes = False  # whether there is an M6; where there is none, T changes the tool
+        self.spindle_tool: int | None = None
+        self.unnamed: int | None = None  # the last M6 since the last move, where no T before it names a new tool
         self.seconds = 0.0  # that this line's move takes, where G93 says so
         self.later: dict[str, float] | None = None  # words of a cycle that drills nowhere yet (L0)
         self.angles: dict[str, float] = {}  # of the rotary axes
@@ -128,7 +130,8 @@ class Interpreter:
         if taken:
             words = [(letter, value) for letter, value in words if letter not in taken]
             parameters = {letter: value for letter, value in parameters.items() if letter not in taken}
-        self._take_tools([whole(value, LARGEST_NUMBER) for letter, value in words if letter == "T"], change)
+        tools = [value // 1 for letter, value in words if letter == "T"]  # T9.10 is tool 9 with offset 10
+        self._take_tools([whole(tool, LARGEST_NUMBER) for tool in tools], change)
         if "S" in letters and self.per_turn is not None:  # another speed is another feed
             parameters.setdefault("F", self.per_turn)
         if g_codes or "F" in parameters:
@@ -177,10 +180,15 @@ class Interpreter:
         for named in tools:
             self.clues.tool(named, self.number)
             self._add(f"T{named}", {})  # where there is no M6 at all it changes the tool
+        if tools and not change and self.unnamed is not None:  # M6, and in a line of its own what to: as for a Fagor
+            self.commands[self.unnamed] = "G94", {}
+            change = True
         if change:
             self.changes = True
             tool = tools[0] if tools else self.tool
             self._add("M6", {} if tool is None else {"T": tool})
+            self.unnamed = len(self.commands) - 1 if not tools and tool in (None, self.spindle_tool) else None
+            self.spindle_tool = tool
         self.tool = tools[-1] if tools else self.tool
 
     def _measure_in(self, code: int) -> None:
@@ -319,7 +327,7 @@ class Interpreter:
     def _move_along(self, motion: int | None, parameters: dict[str, float], move: dict[str, float]) -> None:
         """Add the command of a line's motion, which leads somewhere."""
         mode = self.motion
-        self.moved = True
+        self.moved, self.unnamed = True, None
         for line, what in self.away:
             self._problem(what, line)
         self.away.clear()
@@ -363,6 +371,13 @@ class Interpreter:
         move.pop("K", None)
         pecks = [letter for letter in "IJK" if letter in parameters]
         letter = "L" if "L" in parameters else "K"
+        drills_once = mode not in (*codes.PECKING, codes.BORING)
+        if drills_once and {"Z", "I"} <= move.keys() and "R" not in move:
+            # Fagor: Z is the level before the hole, I its depth, K a dwell.
+            move["R"], move["Z"] = move["Z"], move.pop("I")
+            if "K" in parameters:
+                self._problem(Message("dwell-untimed"))
+            return whole(parameters.get("L", 1.0), _MOST_REPEATS)
         if mode in codes.PECKING and ("I" in pecks or "J" in pecks or parameters.get("K", 1.0) % 1):
             # Haas and Yasnac: I first peck, J less with each, K at least.
             if "I" in pecks and "Q" not in move:
@@ -371,7 +386,7 @@ class Interpreter:
             for one in pecks:
                 self._problem(Message("word-not-read", letter=one))
             letter = "L"
-        elif mode not in (*codes.PECKING, codes.BORING):  # a Fagor's depth is I, and its Z the level before it
+        elif drills_once:
             for one in sorted({"I", "J"} & parameters.keys()):
                 self._problem(Message("word-not-read", letter=one))
         repeats = whole(parameters.get(letter, 1.0), _MOST_REPEATS)

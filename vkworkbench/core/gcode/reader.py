@@ -217,7 +217,7 @@ class _Reader:
                 return None
             self._problem(Message("variables-not-read"))
             return words
-        if not rest:
+        if rest in ("", "N"):  # N without a number
             return words
         if rest == ":":  # some write it before a comment without parentheses
             return None

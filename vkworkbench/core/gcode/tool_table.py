@@ -23,11 +23,14 @@ _NUMBER = r"(?:\d+(?:\.\d*|,\d+)?|[.,]\d+)"
 _FRACTION = r"(?:\d+[ -])?\d+/\d+"
 _SIZE = rf"(?P<size>{_FRACTION}|{_NUMBER})"
 _METRIC = ("mm", "мм", "m")  # M8: a metric thread
-_UNIT = r"\s*(?P<unit>mm\b|мм\b|inch(?:es)?\b|in\b\.?|\"|'')?"
+_MM = r"mm(?![a-z\d_])"  # 6mm立铣刀: no space before words in Chinese
+_UNIT = rf"\s*(?P<unit>{_MM}|мм\b|inch(?:es)?\b|in\b\.?|\"|'')?"
+_CHINESE = "[铣钻镗铰]刀|[球角头]刀|钻头|中心钻|丝锥"  # without a space before them
 _MILLING_WORD = (
     r"end ?mills?(?![a-z])|mill\b|em\b|face ?mills?(?![a-z])|slot ?(?:cutter|drill)|(?<!laser )(?<!plasma )cutter\b|ball ?(?:nose|end)|bull ?(?:nose|end)|v[- ]?bit|"
     r"engrav\w*\b(?!\s+(?:an?|the)\b)|chamfer\w*|router|bit\b|drills?\b|spot ?drill|reamer|tap\b|crb\b|carbide|"
-    r"\w*fr(?:ä|ae|.)ser\b|bohrer|gravier\w*|freza|sverlo|fresa|broca|fraise|foret|frees|фреза|сверло|гравер"
+    r"\w*fr(?:ä|ae|.)ser\b|bohrer|gravier\w*|freza|sverlo|fresa|broca|fraise|foret|frees|фреза|сверло|гравер|"
+    + _CHINESE
 )
 # Of other languages' words for a tool only the first of a comment names one: "trajectoire d'outil 3" is a toolpath.
 _NUMBERED = re.compile(
@@ -39,7 +42,7 @@ _NUMBERED = re.compile(
 )
 _LETTER = re.compile(rf"(?<![A-Za-z])D\s*=\s*{_SIZE}{_UNIT}", re.IGNORECASE)
 _WORD = re.compile(
-    rf"(?:\bdia(?:meter|m)?\b\.?|\bdiametro\b|\bdiámetro\b|\bdiamètre\b|\bdurchmesser\b|[øØ⌀]|\bдиаметр|\btool size)\s*[:=.\-]*\s*{_SIZE}{_UNIT}(?![\d.,]*\s*(?:mcl|loc|oal)\b)",
+    rf"(?:\bdia(?:meter|m)?\b\.?|\bdiametro\b|\bdiámetro\b|\bdiamètre\b|\bdurchmesser\b|[øØ⌀φΦ]|\bдиаметр|\btool size)\s*[:=.\-]*\s*{_SIZE}{_UNIT}(?![\d.,]*\s*(?:mcl|loc|oal)\b)",
     re.IGNORECASE,
 )
 # Not the end of a range: SPOT DRILL .06 TO .125 DIA. makes holes of that size.
@@ -53,7 +56,7 @@ _CUTVIEWER = re.compile(
 )
 # Diameter and length, 10 x 72: with as much room before the x as behind it, unlike 2x 6mm.
 _ACROSS = rf"(?:(?:mm|in)?(?:\s+[x×]\s+|[x×])(?:{_FRACTION}|{_NUMBER}))*"
-_WITH_UNIT = rf"(?<![\d.,/])(?<!\bthan ){_SIZE}{_ACROSS}\s*(?P<unit>mm\b|мм\b|inch(?:es)?\b|in\b|\")"
+_WITH_UNIT = rf"(?<![\d.,/])(?<!\bthan ){_SIZE}{_ACROSS}\s*(?P<unit>{_MM}|мм\b|inch(?:es)?\b|in\b|\")"
 _MEASURED = re.compile(_WITH_UNIT, re.IGNORECASE)
 # What is measured behind the tool word may be its length as well.
 _NO_LENGTH = re.compile(
@@ -99,7 +102,7 @@ _METRIC_THREAD = re.compile(
 _INCH_THREAD = re.compile(
     rf"(?<![\d.,/])(?P<size>{_FRACTION})(?=\s*-\s*\d+(?!.*(?:npt|bsp|pipe)).*\btap\b|\s*tap\b)", re.IGNORECASE
 )
-_IS_TOOL = re.compile(rf"(?<![a-zà-ÿа-я])(?:{_MILLING_WORD})", re.IGNORECASE)
+_IS_TOOL = re.compile(rf"(?<![a-zà-ÿа-я])(?:{_MILLING_WORD})|{_CHINESE}", re.IGNORECASE)
 _CORNER = re.compile(rf"\b(?:CR|corner radius|torus_radius)\s*[=:]\s*(?P<size>{_NUMBER})", re.IGNORECASE)
 _TAPER = re.compile(rf"\bTAPER\s*=\s*(?P<size>{_NUMBER})\s*deg", re.IGNORECASE)
 _ANGLE = re.compile(rf"(?<![\d.,]){_SIZE}\s*(?:°|deg(?:ree)?s?\b)", re.IGNORECASE)
@@ -109,13 +112,13 @@ _BARE_ANGLE = re.compile(
     re.IGNORECASE,
 )
 _SHAPES = (
-    ("ballend", r"ball|kugel|radiusfr|esf.rica|h.misph|сферич"),
+    ("ballend", r"ball|kugel|radiusfr|esf.rica|h.misph|сферич|球"),
     ("bullnose", r"bull|torus|corner"),
     (
         "vbit",
-        r"v[- ]?bit|v-?carv|chamfer|engrav|conical|gravier|fase|cent(?:er|re)[- ]?drill|spot|countersink|гравер|senker|chafl",
+        r"v[- ]?bit|v-?carv|chamfer|engrav|conical|gravier|fase|cent(?:er|re)[- ]?drill|spot|countersink|гравер|senker|chafl|倒角|中心钻",
     ),
-    ("drill", r"drill|bohrer|broca|foret|sverlo|сверло"),
+    ("drill", r"drill|bohrer|broca|foret|sverlo|сверло|钻"),
 )
 
 
@@ -212,7 +215,7 @@ def _size_alone(comment: str, tool: int) -> re.Match[str] | None:
     short = _SHORT.fullmatch(comment)
     if short:
         return None if short["size"].isdigit() and int(short["size"]) == tool else short
-    size = None if _OF_PART.search(comment) else _WORD.search(comment)
+    size = _MEASURED.fullmatch(comment) or (None if _OF_PART.search(comment) else _WORD.search(comment))
     if size is None and not (_TAP.search(comment) or _THREAD.search(comment)) and _shape(comment) != "vbit":
         size = _BEHIND.search(comment)
     return size
