@@ -257,7 +257,7 @@ def test_commands_keep_their_lines():
     ("line", "sentence"),
     [
         ("/G1 X5", "lines with a block delete (/) are read like the others (line 5)"),
-        ("#1=5", "variables and expressions are not read: the lines with them are left out (line 5)"),
+        ("#1=[2+3]", "variables and expressions are not read: the lines with them are left out (line 5)"),
         ("G1 X#1 Y[2+#<d>]", "variables and expressions are not read: the words with them are left out (line 5)"),
         ("M98 P1000", "a subprogram or macro call is not read (line 5)"),
         ("G65 P9000 X5 Y6", "a subprogram or macro call is not read (line 5)"),
@@ -457,7 +457,7 @@ def test_a_subprogram_is_not_cut_where_it_is_defined():
 
 
 def test_problems_count():
-    assert said(PLAIN + "#1=1\n#2=2\n") == [
+    assert said(PLAIN + "#1=[1]+1\n#2=#1\n") == [
         "variables and expressions are not read: the lines with them are left out (2 times, first in line 5)"
     ]
 
@@ -480,8 +480,8 @@ def test_problems_count():
         ("Dear Sir,\nplease find enclosed\nthe drawing\n", "not an NC program"),
         ("", "not an NC program: no line of it moves a tool"),
         ("G21\nG90\nM30\n", "not an NC program: no line of it moves a tool"),
-        ("#1=5\nG65 P9000\n", "none of its moves can be read: variables and expressions"),
-        ("#1=5\nG1 X#1 Y[#1*2] F200\n", "none of its moves can be read: variables and expressions"),
+        ("#1=[2+3]\nG65 P9000\n", "none of its moves can be read: variables and expressions"),
+        ("#1=[2+3]\nG1 X#1 Y[#1*2] F200\n", "none of its moves can be read: variables and expressions"),
     ],
 )  # fmt: skip
 def test_no_milling_program(text, sentence):

@@ -57,7 +57,7 @@ def test_it_may_be_called_not_once():
 
 
 def test_what_it_does_stands_in_the_line_of_its_call():
-    text = f"O1\n{BEFORE}M98 P2000\nG1 X5\nM98 P2000\nM30\nO2000 (STEP)\n{STEP}#1=5\nM99"
+    text = f"O1\n{BEFORE}M98 P2000\nG1 X5\nM98 P2000\nM30\nO2000 (STEP)\n{STEP}#1=#2\nM99"
     assert sorted(set(path_of(text).command.tolist())) == [5, 6, 7]
     assert said(text) == [
         "variables and expressions are not read: the lines with them are left out (2 times, first in line 5)"

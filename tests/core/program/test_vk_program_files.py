@@ -291,7 +291,7 @@ def test_what_cannot_be_read_costs_only_itself(tmp_path):
     (tmp_path / "b.nc").write_text(PROGRAM)
     (tmp_path / "c.nc").write_text("1 L X+10 Y+5 R0 FMAX M3\n")
     (tmp_path / "d.nc").write_text("G0 X0\nG0 X1\n")
-    (tmp_path / "e.nc").write_text("G0 X0 Y0 Z5\n#1=5\nG1 X#1 F200\n")
+    (tmp_path / "e.nc").write_text("G0 X0 Y0 Z5\n#1=#9\nG1 X#1 F200\n")
     report = vkworkbench.analyze([tmp_path, tmp_path / "missing.nc"])
     errors = {Path(row.document).name: row.error for row in report.operations if not row.counted}
     assert errors == {

@@ -18,13 +18,13 @@ from vkworkbench.core.gcode.interpreter import Interpreter
 from vkworkbench.core.gcode.program import Program
 from vkworkbench.core.gcode.subprograms import PROGRAM_NUMBER, Subprograms
 from vkworkbench.core.gcode.units import INCH
+from vkworkbench.core.gcode.variables import FLOW, Variables
 from vkworkbench.core.toolpath import Problem
 from vkworkbench.language import Message
 
 _OKUMA_LETTERS = re.compile(r"(?<![A-Z])([HD])[ABC](?![A-Z\d=])")
 _COOLANT = frozenset([("M", 7.0), ("M", 8.0), ("M", 9.0)])
 _HEIDENHAIN_NAME = re.compile(r"(?:N\s*\d+\s*)?%\s*\S+\s+G(7[01])$")  # a program's first line, and its last
-_FLOW = re.compile(r"\b(IF|THEN|ELSE|WHILE|GOTO|DO\s*\d|END\s*\d|ENDIF|ENDWHILE|REPEAT)|^O\s*[\d<].*\b(SUB|CALL|DO)\b")
 _BLOCK_DELETE = re.compile(r"^(N\s*\d+\s*)?(?:/\d?\s*)+")
 # What asks or unlocks a grbl, and what a Fanuc or Haas prints: nothing of it moves.
 _SAYS = re.compile(r"\?|\$[$#GINXC]?|(?:N\s*\d+\s*)?(?:POPEN|PCLOS|[BD]PRNT\s*\[.*)")
@@ -44,9 +44,9 @@ def read_program(text: str) -> Program:
 
     Lines with a block delete (``/``) are read as those without. What follows M30 is read as part of the same program,
     up to the number of another one; where a block is called (M97), it is a subprogram. Subprograms of the same text, called
-    by M98 or M97, are run where they are called, as if all their words stood in the line of the call. Variables,
-    expressions, and subprograms that are called otherwise or stand elsewhere are not read; each of these is a problem with
-    its line.
+    by M98 or M97, are run where they are called, as if all their words stood in the line of the call. Variables stand for the
+    number that they were set to. Other variables, all in programs with jumps, expressions, and subprograms that are called
+    otherwise or stand elsewhere are not read; each of these is a problem with its line.
 
     Parameters
     ----------
@@ -80,6 +80,7 @@ class _Reader:
     def __init__(self, lines: list[str]) -> None:
         self.lines = lines
         self.subprograms = Subprograms(lines)
+        self.variables = Variables(lines)
         self.machine = Interpreter(self._problem)
         self.comments: list[tuple[int, int, str]] = []
         self.in_calls: set[int] = set()
@@ -192,11 +193,16 @@ class _Reader:
             return None
         if self.in_subprogram > 0:
             return None
+        if "#" in rest:
+            code = self.variables.put_in(code)
+            words, rest = split_words(code)
+            if not code:
+                return None
         if code[0] == "<":  # of a drawing or a web page, whose equals signs tell no variables
             self._no_words()
             return None
         dialects.refuse(line.strip().upper(), code, self.number)
-        if _FLOW.search(code):
+        if FLOW.search(code):
             self._problem(Message("jumps-not-followed"))
             return None
         if "," in rest:
