@@ -4,8 +4,9 @@
 
     python3 benchmarks/intent.py FILE.jsonl.gz ...
 
-The FILEs hold FreeCAD's operations as recognition.py reads them; a label is the kind, and the pattern where it has one. As they are, none contradicts its name. Each is also given the name of another, drawn at
-random, whose accepted strategies have no family in common with it: those contradict. Needs numpy only.
+The FILEs hold FreeCAD's operations as recognition.py reads them; a label is the kind, and the pattern where it has one.
+As they are, none contradicts its name. Each is also given the name of another, drawn at random, whose accepted strategies
+have no family in common with it: those contradict. Needs numpy only.
 """
 
 from __future__ import annotations
@@ -20,8 +21,7 @@ HERE = Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE.parent), str(HERE)]
 sys.modules.setdefault("FreeCAD", types.ModuleType("FreeCAD"))  # the names that fit need none
 
-from recognition import records
-from records import key
+from records import operations
 
 from vkworkbench.core import Strategy
 from vkworkbench.core.recognition import recognize
@@ -39,12 +39,11 @@ def called(label: str) -> str | None:
 
 
 def main(files: list[str]) -> None:
-    seen, found = set(), []
-    for label, _, accepted, diameter, _, path in records(files):
-        if (digest := key(path, diameter)) not in seen and called(label):
-            seen.add(digest)
-            families = {Strategy(s).family for s in accepted}
-            found.append((called(label), families, recognize(path, tool_diameter=diameter)))
+    found = []
+    for r in operations(files):
+        if name := called(r.label):
+            families = {Strategy(s).family for s in r.accepted}
+            found.append((name, families, recognize(r.path, tool_diameter=r.tool)))
     false = sum(contradicts(name, what) for name, _, what in found)
     rng = np.random.default_rng(0)
     true = swapped = 0

@@ -4,8 +4,8 @@
     freecadcmd "$PWD/benchmarks/job_totals.py"
 
 The example job and random jobs: operations of the toolpaths of toolpaths/synthetic.py, in a box around all of them. Beside
-the truth stand the total and the sum of the operations, each estimated alone, which a total was before; errors are ratios,
-the larger over the smaller. Then how long analyses take, processor time, the best of three.
+the truth stand the total and the sum of the operations, each estimated alone; errors are ratios, the larger over the
+smaller. Then how long analyses take, processor time, the best of three.
 """
 
 from __future__ import annotations
@@ -19,13 +19,14 @@ from pathlib import Path
 import numpy as np
 
 ROOT = Path(__file__).resolve().parent.parent
-sys.path[:0] = [str(ROOT), str(ROOT / "examples")]
+sys.path[:0] = [str(ROOT), str(ROOT / "examples"), str(ROOT / "benchmarks")]
 
 from make_example import make_example
+from zbuffer_cases import stock_of
 
 import vkworkbench
 from toolpaths.synthetic import SAMPLES
-from vkworkbench.core import Cut, Stock, Tool, View, estimate, simulate_job
+from vkworkbench.core import Cut, Tool, View, estimate, simulate_job
 from vkworkbench.core.gcode import linearize
 from vkworkbench.core.simulators import zbuffer
 from vkworkbench.core.zbuffer import Speed, measure_speed
@@ -100,11 +101,7 @@ def random_jobs(rng):
         for number in rng.choice(len(SAMPLES), rng.integers(2, 7)):
             toolpath = linearize(SAMPLES[number][2](rng))
             cuts.append(Cut(toolpath, Tool(str(rng.choice(["endmill", "ballend"])), float(rng.choice([4, 6, 10])))))
-        cutting = np.concatenate([cut.toolpath.points[1:][~cut.toolpath.rapid] for cut in cuts])
-        lower, upper = cutting.min(axis=0) - 5, cutting.max(axis=0) + 5
-        lower[2] -= 1
-        upper[2] = max(0.0, lower[2] + 5)
-        yield cuts, Stock(lower, upper)
+        yield cuts, stock_of(*(cut.toolpath for cut in cuts))
 
 
 def ratio(one: float, other: float) -> float:

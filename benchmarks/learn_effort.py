@@ -5,8 +5,9 @@
 
 Every toolpath of toolpaths/synthetic.py and zbuffer_cases.py is simulated with tools of two or four shapes, each in one
 of three sizes of image and in one of four views, and the processor time (of two runs the best) explained by the amounts
-of work: least squares of the relative differences, no cost below nothing, with a little weight towards what is usual. Printed are how far off the times of toolpaths left out are, the tables of effort.py and the
-constants of `Speed`. benchmarks/resources.py judges by other toolpaths.
+of work: least squares of the relative differences, no cost below nothing, with a little weight towards what is usual.
+Printed are how far off the times of toolpaths left out are, the tables of effort.py and the constants of `Speed`.
+benchmarks/resources.py judges by other toolpaths.
 """
 
 from __future__ import annotations
@@ -20,10 +21,10 @@ import numpy as np
 ROOT = Path(__file__).resolve().parent.parent
 sys.path[:0] = [str(ROOT), str(ROOT / "benchmarks")]
 
-from zbuffer_cases import CASES
+from zbuffer_cases import CASES, stock_of
 
 from toolpaths.synthetic import SAMPLES
-from vkworkbench.core import Stock, Tool, View, estimate, simulate
+from vkworkbench.core import Tool, View, estimate, simulate
 from vkworkbench.core.gcode import linearize
 
 RUNS = 2
@@ -60,12 +61,8 @@ def operations(rng):
     """Numbers of toolpaths, these, tools and stocks."""
     for source, (_, _, maker) in enumerate(SAMPLES):
         toolpath = linearize(maker(rng))
-        cutting = toolpath.points[1:][~toolpath.rapid]
-        lower, upper = cutting.min(axis=0) - 5, cutting.max(axis=0) + 5
-        lower[2] -= 1
-        upper[2] = max(0.0, lower[2] + 5)
         for shape in rng.permutation(4)[:2]:
-            yield source, toolpath, tool_of(shape, rng.uniform(3, 10)), Stock(lower, upper)
+            yield source, toolpath, tool_of(shape, rng.uniform(3, 10)), stock_of(toolpath)
     for source, (toolpath, tool, stock) in enumerate(CASES.values(), len(SAMPLES)):
         yield source, toolpath, tool, stock
         for shape in range(4):

@@ -4,11 +4,11 @@
 
     python3 benchmarks/learn_verdicts.py OPERATIONS.jsonl.gz ... [--write]
 
-The operations are those that benchmarks/recognition.py reads; toolpaths/synthetic.py and toolpaths/nonsense.py join them. Those
-from which the table in use was learned, docs/recognition.md names.
-Printed, and the confidence fitted on, are verdicts on sources that had no part in the learning: a tenth of the
-repositories, parts and kinds at a time. --write learns from all and writes vkworkbench/core/recognition/learned.py, where
-the trees stay that learned earlier from other programs, some of which are lost: both vote.
+The operations are those that benchmarks/recognition.py reads; those of toolpaths/synthetic.py, strokes.py and nonsense.py
+join them. Those from which the table in use was learned, docs/recognition.md names. Printed, and the confidence fitted on,
+are verdicts on sources that had no part in the learning: a tenth of the repositories, parts and kinds at a time. --write
+learns from all and writes vkworkbench/core/recognition/learned.py, where the trees stay that learned earlier from other
+programs, some of which are lost: both vote.
 """
 
 from __future__ import annotations
@@ -24,10 +24,10 @@ import numpy as np
 HERE = Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE.parent), str(HERE)]
 
-from records import Record, operations
+from records import SEEDS, Record, made, operations, rng_of
 from trees import grow
 
-from toolpaths import nonsense, strokes, synthetic
+from toolpaths import nonsense
 from vkworkbench.core.gcode import linearize
 from vkworkbench.core.paper import monotonous_areas, paper_verdict
 from vkworkbench.core.recognition.decide import (
@@ -50,7 +50,7 @@ from vkworkbench.core.recognition.verdict import judge
 OF_STRATEGIES = {"trees": 60, "leaves": 160, "tried": 0.3, "seed": 1}
 OF_NONSENSE = {"trees": 80, "leaves": 160, "tried": 0.3, "seed": 1}
 DOUBTFUL = (0.2, 0.25, 0.3, 0.35, 0.4, 0.5)  # where else the doubt might begin: what it costs, and what it gains
-FOLDS, SEEDS = 10, 20  # folds, and made toolpaths of each kind
+FOLDS = 10
 #: Folds of the kinds that joined later: those of all others stay, so that figures before and after can be compared.
 JOINED = {"odometer": 7, "wunderlich": 3}
 #: Weights in the learning of the strategies, of what is nonsense, and of the confidence. Real code is what is rare.
@@ -65,25 +65,23 @@ WEIGHTS = {
 TABLE = HERE.parent / "vkworkbench" / "core" / "recognition" / "learned.py"
 
 
-def made() -> Iterator[tuple[str, Record]]:
-    """Yield toolpaths made to measure, by kind."""
-    for label, accepted, make in (*synthetic.SAMPLES, *strokes.SAMPLES):
-        strategy = "zigzag" if "zigzag" in accepted else "mixed" if "mixed" in accepted else min(accepted)
-        for seed in range(SEEDS):
-            path = linearize(make(np.random.default_rng([seed, sum(map(ord, label))])))
-            yield "synthetic", Record(label, label, label, strategy, frozenset(accepted), None, None, path, ())
+def that_machine_nothing() -> Iterator[Record]:
+    """Yield the paths of toolpaths/nonsense.py."""
     for make in nonsense.KINDS:
         name = make.__name__
         for seed in range(SEEDS):
-            path = linearize(nonsense.commands(make, np.random.default_rng([seed, sum(map(ord, name))])))
-            yield "nonsense", Record(name, name, name, "unknown", frozenset({"unknown"}), None, None, path, ())
+            path = linearize(nonsense.commands(make, rng_of(name, seed)))
+            yield Record(name, name, name, "unknown", frozenset({"unknown"}), None, None, path, ())
 
 
 def labelled(files: list[str]) -> Iterator[tuple[str, Record]]:
     """Yield all toolpaths to learn from, by kind: real, with and without tools, freecad, synthetic and nonsense."""
     for r in operations(files):
         yield kind_of(r), r
-    yield from made()
+    for r in made():
+        yield "synthetic", r
+    for r in that_machine_nothing():
+        yield "nonsense", r
 
 
 def kind_of(r: Record) -> str:

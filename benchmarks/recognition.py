@@ -6,9 +6,9 @@
 
 FILE holds operations, PROGRAMS whole programs with their sections; records.py tells their forms. Toolpaths that are the
 same to a micrometre count once. Operations of FILE are also joined to pairs, and toolpaths/nonsense.py makes paths that
-machine nothing. What FILE holds was learned from; --sources prints instead how good verdicts are on sources that had no part
-in it, some minutes; --speed the cost alone.
-Without files those of toolpaths/synthetic.py and strokes.py are taken. Needs numpy only.
+machine nothing. What FILE holds was learned from; --sources prints instead how good verdicts are on sources that had no
+part in it, some minutes; --speed the cost alone. Without files the toolpaths of toolpaths/synthetic.py and strokes.py are
+taken. Needs numpy only.
 """
 
 from __future__ import annotations
@@ -26,59 +26,36 @@ sys.path[:0] = [str(HERE.parent), str(HERE)]
 
 import sources
 import whole_programs
-from records import key, lines, operations, stepover_of
+from records import made, operations
 from reliability import how_sure, two_class
 
-from toolpaths import strokes, synthetic
 from vkworkbench.core import Toolpath
-from vkworkbench.core.gcode import linearize
 from vkworkbench.core.recognition import recognize
 
 WITHOUT_STEPOVER = {"adaptive", "waterline", "helix"}  # their StepOver means something else
-SEEDS = 20  # synthetic toolpaths of each kind
-
-
-def records(files: list[str]):
-    """Yield (label, strategy, accepted strategies, tool diameter, stepover or None in mm, toolpath)."""
-    for file in files:
-        for r in lines(file):
-            path = linearize([(name, words) for name, words in r["commands"]])
-            yield r["label"], r["strategy"], set(r["accept"]), r["tool_diameter"], stepover_of(r), path
-    if not files:
-        for label, accepted, make in (*synthetic.SAMPLES, *strokes.SAMPLES):
-            # The strategy a label names decides the two-class figure only where all accepted ones agree on
-            # it.
-            strategy = "mixed" if "mixed" in accepted else min(accepted)
-            for seed in range(SEEDS):
-                rng = np.random.default_rng([seed, sum(map(ord, label))])
-                yield label, strategy, accepted, None, None, linearize(make(rng))
 
 
 def accuracy(files: list[str]) -> None:
     """Print the confusion of strategies, the rates and the reliability of the confidence."""
-    seen: set[bytes] = set()
     by_label = collections.defaultdict(lambda: [0, 0])
     confusion: collections.Counter = collections.Counter()
     answers, two, moves, seconds = [], [0, 0], 0, 0.0
     steps = [0, 0]
-    for label, strategy, accepted, diameter, stepover, path in records(files):
-        if (digest := key(path, diameter)) in seen:
-            continue
-        seen.add(digest)
+    for r in operations(files) if files else made():
         began = time.perf_counter()
-        found = recognize(path, tool_diameter=diameter)
+        found = recognize(r.path, tool_diameter=r.tool)
         seconds += time.perf_counter() - began
-        moves += len(path)
+        moves += len(r.path)
         got = str(found.strategy)
-        right = got in accepted
-        by_label[label][0] += right
-        by_label[label][1] += 1
-        confusion[strategy, got if not right else strategy] += 1
+        right = got in r.accepted
+        by_label[r.label][0] += right
+        by_label[r.label][1] += 1
+        confusion[r.strategy, got if not right else r.strategy] += 1
         answers.append((found.confidence, right))
-        if stepover and found.stepover and not accepted & WITHOUT_STEPOVER:
-            steps[0] += abs(found.stepover - stepover) <= 0.05 * stepover
+        if r.stepover and found.stepover and not r.accepted & WITHOUT_STEPOVER:
+            steps[0] += abs(found.stepover - r.stepover) <= 0.05 * r.stepover
             steps[1] += 1
-        of_class = two_class(strategy, accepted, got)
+        of_class = two_class(r.strategy, r.accepted, got)
         two[0] += bool(of_class)
         two[1] += of_class is not None
     _print_labels(by_label)

@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Labelled toolpaths: single operations, whole programs, and operations joined to programs.
+"""Labelled toolpaths: single operations, of files and made to measure, whole programs, and operations joined to programs.
 
 Each line of a file is a JSON record. Of an operation: id, label, strategy, accept (the strategies that count as right),
 tool_diameter (mm or null) and commands ([name, parameters], mm and mm/s); where there are params with FreeCAD's StepOver
-(percent of the tool's diameter), the stepover can be compared with it; source names the CAM system. Of a program: id, commands, group (what is left
-out together when something is learned) and sections, each [first command, last command, label, accept].
+(percent of the tool's diameter), the stepover can be compared with it; source names the CAM system. Of a program: id,
+commands, group (what is left out together when something is learned) and sections, each [first command, last command,
+label, accept].
 """
 
 from __future__ import annotations
@@ -18,10 +19,12 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from toolpaths import strokes, synthetic
 from vkworkbench.core import Toolpath
 from vkworkbench.core.gcode import linearize
 
 JOINED = 20_000  # trajectories; longer operations are not joined
+SEEDS = 20  # made toolpaths of each kind
 
 
 @dataclass(frozen=True)
@@ -105,6 +108,20 @@ def operations(files: list[str]) -> Iterator[Record]:
                 sections,
                 system_of(r),
             )
+
+
+def made() -> Iterator[Record]:
+    """Yield the toolpaths of toolpaths/synthetic.py and toolpaths/strokes.py."""
+    for label, accepted, make in (*synthetic.SAMPLES, *strokes.SAMPLES):
+        strategy = "zigzag" if "zigzag" in accepted else "mixed" if "mixed" in accepted else min(accepted)
+        for seed in range(SEEDS):
+            path = linearize(make(rng_of(label, seed)))
+            yield Record(label, label, label, strategy, frozenset(accepted), None, None, path, ())
+
+
+def rng_of(kind: str, seed: int) -> np.random.Generator:
+    """Return what chance a made toolpath of a kind has, the same in every run."""
+    return np.random.default_rng([seed, sum(map(ord, kind))])
 
 
 def programs(file: str) -> Iterator[Record]:

@@ -23,10 +23,13 @@ from pathlib import Path
 
 import numpy as np
 
-sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
+ROOT = Path(__file__).resolve().parent.parent
+sys.path[:0] = [str(ROOT), str(ROOT / "benchmarks")]
+
+from zbuffer_cases import CASES, stock_of
 
 from toolpaths.synthetic import SAMPLES
-from vkworkbench.core import Stock, Strategy, Tool, Toolpath, View
+from vkworkbench.core import Stock, Strategy, Tool, View
 from vkworkbench.core.gcode import linearize
 from vkworkbench.core.recognition import recognize
 from vkworkbench.core.zbuffer import (
@@ -98,11 +101,7 @@ def synthetic():
         found = recognize(toolpath, tool_diameter=5)
         if found.strategy not in accept:
             found = replace(found, strategy=Strategy(min(accept)))
-        cutting = toolpath.points[1:][~toolpath.rapid]
-        lower, upper = cutting.min(axis=0) - 5, cutting.max(axis=0) + 5
-        lower[2] -= 1
-        upper[2] = max(0.0, lower[2] + 5)
-        yield label, toolpath, found, Tool("endmill", 5), Stock(lower, upper)
+        yield label, toolpath, found, Tool("endmill", 5), stock_of(toolpath)
 
 
 def measure(toolpath, found, tool, stock, view, speed) -> dict[str, float]:
@@ -234,18 +233,8 @@ def seconds_at(speed: Speed, toolpath, tool, stock, view) -> float:
     return float(np.median(durations / ((expected[:-1] + expected[1:]) / 2) * expected[0]))
 
 
-def papers_case() -> tuple[Toolpath, Tool, Stock]:
-    """A zigzag of 17,087 trajectories over a sculptured surface."""
-    rows, points = 89, []
-    for k in range(rows):
-        x = np.linspace(0, 100, 192)[:: 1 if k % 2 == 0 else -1]
-        y = np.full(192, 80 * k / (rows - 1))
-        points.append(np.column_stack((x, y, 15 + 3 * np.sin(x / 12) * np.cos(y / 15))))
-    return Toolpath.through(np.concatenate(points)), Tool("ballend", 6), Stock((0, 0, 0), (100, 80, 20))
-
-
 def print_papers_case() -> None:
-    toolpath, tool, stock = papers_case()
+    toolpath, tool, stock = CASES["the paper's"]
     print(f"\nthe paper's case: zigzag, {len(toolpath)} trajectories, 800 x 600; in the paper 6 MB and 51 MB")
     for name, direction in VIEWS.items():
         view = View(direction)

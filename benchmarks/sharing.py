@@ -3,9 +3,10 @@
 
     python3 benchmarks/sharing.py
 
-The cases of zbuffer_cases.py, from above at 800 x 600 and obliquely. Printed is the wall time of one process, the gain of two (and of
-more, where there are more cores) with what is told of it beforehand, and the gain of two threads; medians of some turns. The records
-are the same to the last bit, which is checked. On a computer with something else to do it tells nothing.
+The cases of zbuffer_cases.py, from above at 800 x 600 and obliquely. Printed is the wall time of one process, the gain of
+two (and of more, where there are more cores) with what is told of it beforehand, and the gain of two threads; medians of
+some turns. The records are the same to the last bit, which is checked. On a computer with something else to do it tells
+nothing.
 """
 
 from __future__ import annotations

@@ -5,8 +5,8 @@
     python3 benchmarks/thresholds.py [NAME ...] [FILE.jsonl.gz ...]
 
 Each threshold is divided by a thousand, halved, doubled and multiplied by a thousand; shares, cosines and angles move
-to the ends of their range in place of the thousand. The toolpaths are those of toolpaths/synthetic.py and of the files
-(records as in recognition.py). NAME, as ROWS or ROWS.FARTHER, asks for some thresholds only. Needs numpy only.
+to the ends of their range in place of the thousand. The toolpaths are those of toolpaths/synthetic.py, strokes.py and of the files
+(as recognition.py reads them). NAME, as ROWS or ROWS.FARTHER, asks for some thresholds only. Needs numpy only.
 
 Printed for each move: how many of the verdicts change, how many right ones become wrong (-) and wrong ones right (+).
 After a ~ stand the answers that keep their strategy and change in a number or in the confidence. For the thresholds
@@ -29,8 +29,7 @@ import numpy as np
 HERE = Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE.parent), str(HERE)]
 
-from recognition import records
-from records import key
+from records import made, operations
 
 from vkworkbench.core.paper import thresholds as of_paper
 from vkworkbench.core.recognition import thresholds as of_recognition
@@ -136,12 +135,7 @@ def main(names: list[str], files: list[str]) -> None:
     np.seterr(all="ignore")
     units = subjects()
     watch(units)
-    known, paths = set(), []
-    for source in ([], files) if files else ([],):
-        for label, _, accepted, diameter, _, path in records(source):
-            if (digest := key(path, diameter)) not in known:
-                known.add(digest)
-                paths.append((path, diameter, accepted, label))
+    paths = [(r.path, r.tool, r.accepted, r.label) for r in (*made(), *operations(files))]
     base, reads = [], []
     for path, diameter, *_ in paths:
         Watched.readers.append(set())

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Toolpaths for timing the z-buffer, each with its tool and stock."""
+"""Toolpaths for timing the z-buffer, each with its tool and stock, and a stock for any other."""
 
 from __future__ import annotations
 
@@ -63,6 +63,15 @@ def helices(trajectories: int) -> Toolpath:
             helix = np.column_stack((x + 3 * np.cos(angle), y + 3 * np.sin(angle), depth))
             points += [[helix[0] + [0, 0, 5]], helix, [helix[-1] + [0, 0, 13]]]
     return toolpath(np.concatenate(points))
+
+
+def stock_of(*toolpaths: Toolpath) -> Stock:
+    """A block around all that is cut and under it."""
+    cutting = np.concatenate([path.points[1:][~path.rapid] for path in toolpaths])
+    lower, upper = cutting.min(axis=0) - 5, cutting.max(axis=0) + 5
+    lower[2] -= 1
+    upper[2] = max(0.0, lower[2] + 5)
+    return Stock(lower, upper)
 
 
 CASES = {
