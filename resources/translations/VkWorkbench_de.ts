@@ -946,7 +946,7 @@
         <translation>{told}, daneben ein wenig {strategies:strategy}</translation>
     </message>
     <message>
-        <source>{width:n} × {height:n} pixels of {pixel:mm2}, limited by the {limit}{passes}</source>
+        <source>{width:n} x {height:n} pixels of {pixel:mm2}, limited by the {limit}{passes}</source>
         <translation>{width:n} × {height:n} Pixel von {pixel:mm2}, begrenzt durch {limit}{passes}</translation>
     </message>
     <message>

@@ -946,7 +946,7 @@
         <translation>{told}, con un poco de {strategies:strategy} al lado</translation>
     </message>
     <message>
-        <source>{width:n} × {height:n} pixels of {pixel:mm2}, limited by the {limit}{passes}</source>
+        <source>{width:n} x {height:n} pixels of {pixel:mm2}, limited by the {limit}{passes}</source>
         <translation>{width:n} × {height:n} píxeles de {pixel:mm2}, limitados por {limit}{passes}</translation>
     </message>
     <message>

@@ -946,7 +946,7 @@
         <translation>{told}, avec un peu de {strategies:strategy} à côté</translation>
     </message>
     <message>
-        <source>{width:n} × {height:n} pixels of {pixel:mm2}, limited by the {limit}{passes}</source>
+        <source>{width:n} x {height:n} pixels of {pixel:mm2}, limited by the {limit}{passes}</source>
         <translation>{width:n} × {height:n} pixels de {pixel:mm2}, limités par {limit}{passes}</translation>
     </message>
     <message>

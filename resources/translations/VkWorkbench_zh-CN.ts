@@ -946,7 +946,7 @@
         <translation>{told}，另有少量{strategies:strategy}</translation>
     </message>
     <message>
-        <source>{width:n} × {height:n} pixels of {pixel:mm2}, limited by the {limit}{passes}</source>
+        <source>{width:n} x {height:n} pixels of {pixel:mm2}, limited by the {limit}{passes}</source>
         <translation>{width:n} × {height:n} 像素，每个 {pixel:mm2}，受{limit}限制{passes}</translation>
     </message>
     <message>

@@ -369,7 +369,7 @@ def test_plain_words_first_and_the_papers_terms_behind_why(panel, opened, window
     assert found.reason.replace("phi", "φ") in text_of(panel)
     assert "Recommended" not in text_of(panel) and "cells of" not in text_of(panel)
     panel.details.anchorClicked.emit(QtCore.QUrl("numbers"))
-    assert "Recommended image" in text_of(panel)
+    assert re.search(r"Recommended image: [\d,]+ × [\d,]+ pixels", text_of(panel))  # as its column has it
     assert f"Recommended accuracy of the {user().simulator('legacy')}: position" in text_of(panel)
     length = user().length(found.length)
     assert f"Cutting {length}" in text_of(panel).replace("\n", " ") and text_of(panel).count(length) == 1

@@ -16,6 +16,9 @@ from vkworkbench import freecad
 from vkworkbench.gui.qt import QLocale
 from vkworkbench.language import Message, Reader, render
 
+# The English sentences keep to ASCII, for files and terminals; a window shows what every translation has.
+_TYPESET = (("phi ", "φ "), ("} x {", "} × {"))
+
 
 class User(Reader):
     """Who sits before this FreeCAD, as its preferences are now."""
@@ -26,8 +29,10 @@ class User(Reader):
 
     def translate(self, context: str, text: str) -> str:
         told = FreeCAD.Qt.translate(context, text)
-        # English files keep to ASCII; a window shows the letter that the Gauss map draws, as every translation has it.
-        return re.sub(r"\bphi\b", "φ", told) if context == "Sentences" else told
+        if context == "Sentences" and told == text:
+            for ascii_text, letter in _TYPESET:
+                told = told.replace(ascii_text, letter)
+        return told
 
     def simulator(self, name: str) -> str:
         """Return what this FreeCAD's menu calls a simulator; the words of documents where it has none."""

@@ -102,7 +102,7 @@ SIMULATORS: dict[str, str | tuple[str, str]] = {
     ),
     # The recommended image of the z-buffer.
     "image": QT_TRANSLATE_NOOP(
-        "Sentences", "{width:n} × {height:n} pixels of {pixel:mm2}, limited by the {limit}{passes}"
+        "Sentences", "{width:n} x {height:n} pixels of {pixel:mm2}, limited by the {limit}{passes}"
     ),
     "limit-memory": QT_TRANSLATE_NOOP("Sentences", "memory"),
     "limit-time": QT_TRANSLATE_NOOP("Sentences", "time"),
