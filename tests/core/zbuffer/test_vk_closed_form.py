@@ -25,9 +25,9 @@ ROUND = 9 * pi  # the foot of FLAT
 TOP = (0.0, 0.0, -1.0)
 
 
-def area(toolpath, strategy, *, tool=FLAT, direction=TOP, **known):
+def area(toolpath, strategy, *, tool=FLAT, stock=STOCK, direction=TOP, pixel=1.0, **known):
     found = Recognition(strategy, 1.0, Message("no-moves"), **known)
-    return closed_form(toolpath, found, tool=tool, stock=STOCK, view=View(direction, pixel=1.0))
+    return closed_form(toolpath, found, tool=tool, stock=stock, view=View(direction, pixel=pixel))
 
 
 def path(points):
@@ -68,10 +68,11 @@ CORNERS = 64 * np.tan(pi / 64) * 9
         ([(-40, 30, 15), (40, 30, 15)], 6 * 80 / 2),
         ([(40, 60, 15), (120, 60, 15)], 6 * 80 / 4),
         ([(-40, 0, 15), (40, 0, 15)], 6 * 80 / 4),
+        ([(10 + 0.5 * k, 30, 15) for k in range(9)], 6 * 4),
         ([(10, 30, 20), (50, 30, 20)], 0),
         ([(10, 90, 15), (50, 90, 15)], 0),
     ],
-    ids=["plunge and row", "half beside", "upper corner", "lower corner", "on the stock", "beside"],
+    ids=["plunge and row", "half beside", "upper corner", "lower corner", "short moves", "on the stock", "beside"],
 )
 def test_blind_to_the_strategy_every_move_cuts_its_width_where_stock_is(points, expected):
     assert swept(path(points), tool=FLAT, stock=STOCK, view=View(pixel=1.0)) == pytest.approx(expected)
@@ -100,8 +101,9 @@ def test_cauchy_crofton_is_the_projected_length_below_the_top_of_the_stock():
     assert cauchy_crofton(path(below), stock=STOCK, view=view) == pytest.approx(50 * 2 / pi / 0.5)
     on_top = [(70, 10, 20), (10, 10, 20), *below, (40, 50, 20), (70, 50, 20)]  # from above a plunge has no length
     assert cauchy_crofton(path(on_top), stock=STOCK, view=view) == pytest.approx(50 * 2 / pi / 0.5)
-    entered = [(70, 10, 22), *below]
-    assert cauchy_crofton(path(entered), stock=STOCK, view=view) == pytest.approx((60 + 50) * 2 / pi / 0.5)
+    for entered in ([(70, 10, 22), *below], [*below[::-1], (70, 10, 22)], [(70, 10, 22), *below, (40, 110, 22)]):
+        length = np.hypot(*np.diff(np.array(entered)[:, :2], axis=0).T).sum()
+        assert cauchy_crofton(path(entered), stock=STOCK, view=view) == pytest.approx(length * 2 / pi / 0.5)
 
 
 def test_cauchy_crofton_from_the_front_sees_heights():
@@ -118,9 +120,42 @@ def test_rows_beside_the_stock_are_nothing():
     assert area(beside, Strategy.ZIGZAG, stepover=3.0) == 0
 
 
+def test_pixels_of_half_the_width_are_four_times_as_many():
+    for direction in (TOP, (0, 1, -1)):
+        found = [area(along_x(20, 24), Strategy.ZIGZAG, direction=direction, pixel=pixel) for pixel in (1.0, 0.5)]
+        assert found[1] == pytest.approx(4 * found[0])
+
+
+def test_where_the_part_lies_does_not_matter():
+    """All of it moved aside, down, and to where X or Y are negative: rows, loops, holes and a ball's rows over an edge."""
+    beside = np.array((30, 5, 0))
+    for toolpath, strategy, tool in (
+        (along_x(20, 24), Strategy.ZIGZAG, FLAT),
+        (along_x(20, 22, 24), Strategy.ZIGZAG, BALL),
+        (path(np.array(rectangle(60, 40)) + beside), Strategy.SPIRAL, FLAT),
+        (path([(20, 20, 22), (20, 20, 14)]), Strategy.DRILLING, FLAT),
+    ):
+        there = area(toolpath, strategy, tool=tool)
+        for by in ((-100, 50, -7), (30, -200, 40)):
+            stock = Stock(np.array(STOCK.lower) + by, np.array(STOCK.upper) + by)
+            assert area(path(toolpath.points + by), strategy, tool=tool, stock=stock) == pytest.approx(there), by
+
+
 def test_rows_are_as_wide_as_their_step_and_the_first_as_the_tool():
     """Rows of 60 mm, 4 mm apart: 60 by 6 + 4 n - 4 mm and at each end a stripe of the tool's circle."""
     assert area(along_x(20, 24), Strategy.ZIGZAG) == pytest.approx(60 * 10 + 2 * stripe(4))
+    # In any direction, the whole of it over the stock.
+    for angle in (0.4, 1.2, -0.5):
+        along, across = np.array((cos(angle), sin(angle))) * 20, np.array((-sin(angle), cos(angle))) * 2
+        slanted = rows(*(((40, 30) + k * across - along, (40, 30) + k * across + along) for k in (-1, 1)))
+        assert area(slanted, Strategy.ZIGZAG) == pytest.approx(40 * 10 + 2 * stripe(4))
+    # To and fro as well, and with half of it beside the stock.
+    to_and_fro = [((10, 20), (70, 20)), ((70, 24), (10, 24)), ((10, 28), (70, 28))]
+    assert area(rows(*to_and_fro), Strategy.ZIGZAG) == pytest.approx(60 * 14 + 3 * stripe(4))
+    half = along_x(10, 14, 40, 44, left=-40, right=40)
+    assert area(half, Strategy.ZIGZAG) == pytest.approx(40 * 16 + 4 * stripe(4) + 2 * 160 / 4)
+    # As far apart as the tool is wide: side by side.
+    assert area(along_x(20, 26), Strategy.ZIGZAG, stepover=3) == pytest.approx(60 * 12 + 2 * ROUND)
     assert area(along_x(20, 24, 28, 32), Strategy.ONE_WAY, stepover=5) == pytest.approx(60 * 18 + 4 * stripe(4))
 
 
@@ -149,6 +184,12 @@ def test_rows_of_two_directions_cross_without_regard_to_each_other():
     assert area(rows(*lines), Strategy.MIXED, stepover=9) == pytest.approx(expected, rel=1e-6)
     # Nearly what two combs of stadiums have in common is counted once.
     assert expected == pytest.approx(2 * one - 25 * 36, rel=0.03)
+
+
+def test_rows_that_are_cut_twice_cover_no_more_than_there_is():
+    lines = [((20, y), (60, y)) for y in range(10, 51, 4)] + [((x, 10), (x, 50)) for x in range(20, 61, 4)]
+    room = 40 * 40 + 4 * 40 * 3 + CORNERS
+    assert area(rows(*lines, *lines), Strategy.ZIGZAG, stepover=4) == pytest.approx(room)
 
 
 def test_links_are_no_rows():
@@ -199,8 +240,17 @@ def test_passes_side_by_side_are_one_tool_and_their_steps_on_each_level():
     assert area(path(rectangle(60, 40)), Strategy.PROFILE) == pytest.approx(6 * 200)
     # One pass where nobody says how many.
     assert area(path(rectangle(60, 40)), Strategy.PROFILE, stepover=2) == pytest.approx(6 * 200)
+    two = path([*rectangle(60, 40), *rectangle(56, 36)])
+    assert area(two, Strategy.PROFILE, stepover=2, passes=2, depths=1) == pytest.approx(2 * length + 4 * length / 2)
     half_beside = path([(-40, 30, 15), (40, 30, 15)])
     assert area(half_beside, Strategy.PROFILE) == pytest.approx(6 * 80 / 2)
+
+
+def test_a_contour_of_short_moves_is_that_of_long_ones():
+    """A circle of 126 chords of half a millimetre."""
+    angle = 2 * pi * np.arange(127) / 126
+    circle = path(np.column_stack((40 + 10 * np.cos(angle), 30 + 10 * np.sin(angle), np.full(127, 15))))
+    assert area(circle, Strategy.PROFILE) == pytest.approx(6 * 20 * pi, rel=1e-3)
 
 
 def test_a_hole_is_cut_anew_where_it_is_deeper():
@@ -208,6 +258,10 @@ def test_a_hole_is_cut_anew_where_it_is_deeper():
     other = [(60, 20, 22), (60, 20, 10), (60, 20, 22), (20, 20, 22), (20, 20, 12), (20, 20, 22)]
     assert area(path(pecked), Strategy.DRILLING) == pytest.approx(2 * ROUND)
     assert area(path([*pecked, *other]), Strategy.DRILLING) == pytest.approx(3 * ROUND)
+    at_the_edge = path([(80, 20, 22), (80, 20, 14)])
+    assert area(at_the_edge, Strategy.DRILLING) == pytest.approx(ROUND / 2)
+    dwelling = path([(20, 20, 22), (20, 20, 14), (20, 20, 14), (20, 20, 22)])
+    assert area(dwelling, Strategy.DRILLING) == pytest.approx(ROUND)
 
 
 def test_a_ramp_cuts_its_foot_and_its_way():
@@ -231,7 +285,9 @@ def beside_ring(radius, ring):
     return float((np.abs(np.hypot(x + radius, y) - ring)[foot] >= 3).mean())
 
 
-@pytest.mark.parametrize(("first", "second"), [(8.0, 11.0), (8.0, 4.0), (2.0, 4.0), (2.0, 9.0), (4.0, 0.7), (5.0, 5.2)])
+@pytest.mark.parametrize(
+    ("first", "second"), [(8.0, 11.0), (8.0, 4.0), (2.0, 4.0), (2.0, 1.5), (2.0, 9.0), (4.0, 0.7), (5.0, 5.2)]
+)
 def test_a_helix_cuts_beside_the_ring_of_the_one_before(first, second):
     toolpath = helices(first, second)
     move = np.diff(toolpath.points, axis=0)
@@ -242,7 +298,7 @@ def test_a_helix_cuts_beside_the_ring_of_the_one_before(first, second):
 
 
 def test_a_helix_in_another_hole_finds_nothing_cut():
-    one, two = helices(5.0), helices(5.0, 4.0, at=(20.0, 60.0))
+    one, two = helices(5.0), helices(5.0, 4.0, at=(36.0, 44.0))
     alone = area(helices(4.0), Strategy.HELIX)
     assert area(two, Strategy.HELIX) == pytest.approx(area(one, Strategy.HELIX) + alone)
 
@@ -256,6 +312,8 @@ def test_a_helix_in_another_hole_finds_nothing_cut():
         ((0, 1, 0), [(-40, 30, 15), (40, 30, 15)], 5 * (80 + 6) / 2),
         ((0, -1, 0), [(10, 30, 15), (50, 30, 15), (50, 30, 12), (10, 30, 12)], 5 * 46 + 3 * (46 + 6)),
         ((1, 1, 0), [(10, 30, 15), (50, 30, 15)], 5 * (40 * sqrt(0.5) + 6)),
+        ((1, 1, 0), [(10, 10, 15), (40, 40, 15)], 5 * 6),
+        ((1, 1, 0), [(10, 40, 15), (40, 10, 15)], 5 * (30 * sqrt(2) + 6)),
     ],
 )
 def test_from_the_side_walls_are_seen_as_high_as_their_level_is_below_the_one_above(direction, points, expected):
@@ -301,6 +359,19 @@ def test_a_ball_cuts_ahead_of_itself_as_much_as_it_descends(points, slowed, step
     assert found == pytest.approx(slowed * front + width * run, rel=6e-3)
 
 
+@pytest.mark.parametrize(
+    ("left", "room", "way"),
+    [(10, 60 * 15 + 2 * (60 + 15) * 3 + CORNERS, 6 * 60 + 5 * 3), (-30, 33 * 21 - (36 - CORNERS) / 2, 6 * 30 + 3 * 3)],
+    ids=["over the stock", "half beside"],
+)
+def test_where_nobody_tells_the_step_of_a_balls_rows_it_is_their_room_by_their_length(left, room, way):
+    """Six rows of 60 mm, 3 mm apart, cut to and fro; what of both is over the stock."""
+    ends = (left, left + 60)
+    cut = path([(x, 20 + 3 * k, 15) for k in range(6) for x in ends[:: 1 - 2 * (k % 2)]])
+    expected = area(cut, Strategy.ZIGZAG, tool=BALL, stepover=room / way)
+    assert area(cut, Strategy.ZIGZAG, tool=BALL) == pytest.approx(expected, rel=1e-6)
+
+
 def test_a_ball_that_plunges_once_cuts_its_circle():
     assert area(path([(40, 30, 22), (40, 30, 5)]), Strategy.DRILLING, tool=BALL) == pytest.approx(9 * pi, rel=0.01)
 
@@ -309,9 +380,12 @@ def test_a_ball_that_plunges_once_cuts_its_circle():
     ("tool", "z", "reach"),
     [
         (BALL, 19, sqrt(5)),
+        (BALL, 19.9, sqrt(0.59)),
+        (BALL, 18.5, sqrt(6.75)),
         (VEE, 18, 2.0),
         (VEE, 15, 3.0),
         (Tool("vbit", 8, tip_angle=2 * np.arctan(0.5)), 16, 2.0),
+        (Tool("vbit", 8, tip_angle=2 * np.arctan(2)), 19, 2.0),
         (Tool("bullnose", 6, corner_radius=2.0), 10, 3.0),
     ],
 )

@@ -57,7 +57,7 @@ def _in_stock(toolpath: Toolpath, tool: Tool, stock: Solid) -> _Trajectories:
     start, end = start[inside], end[inside]
     left, right = np.minimum(start, end)[:, :2] - tool.radius, np.maximum(start, end)[:, :2] + tool.radius
     over = np.minimum(right, stock.upper[:2]) - np.maximum(left, stock.lower[:2])
-    share = np.prod(np.clip(over / (right - left), 0, 1), axis=1)
+    share = np.prod(np.maximum(over / (right - left), 0), axis=1)
     move = end - start
     return _Trajectories(
         start,
@@ -144,10 +144,7 @@ def closed_form(toolpath: Toolpath, recognition: Recognition, *, tool: Tool, sto
     pointed = tool.rounding > tool.radius / 2 or tool.steepness > 0
     top = _recut(t, tool, stock, stepover) if pointed else _levels(t, recognition, tool, stock, stepover)
     cosine, sine, azimuth = _tilt(frame)
-    total = abs(cosine) * top
-    if sine > 0:
-        total += sine * _walls(t, tool, stock, stepover, azimuth)
-    return total / frame.pixel**2
+    return (cosine * top + sine * _walls(t, tool, stock, stepover, azimuth)) / frame.pixel**2
 
 
 def _tilt(frame: Frame) -> tuple[float, float, float]:
@@ -199,7 +196,7 @@ def _descents(t: _Trajectories, tool: Tool) -> np.ndarray:
     span = np.ptp(depth) + 1 if len(depth) else 1.0
     lowest = np.minimum.accumulate(depth - group[order] * span)
     deeper = np.ones(len(down), bool)
-    deeper[1:] = lowest[1:] < lowest[:-1] - _LEVEL / 10
+    deeper[1:] = lowest[1:] < lowest[:-1] - _LEVEL
     areas = np.zeros(len(t.run))
     reached = down[order[deeper]]
     areas[reached] = np.pi * tool.radius**2 + 2 * tool.radius * t.run[reached]
