@@ -72,15 +72,16 @@ def test_from_above_a_move_passes_no_more_pixels_than_its_outline_holds():
     assert records_of([(5, 5, 5), (8, 9, 5)]) == pytest.approx(ROUND + 13 * 10)  # 5 mm, 13 pixels wide
     assert records_of([(5, 5, 10), (8, 9, 10)]) == 0 == records_of([(5, 5, 5)])  # on the stock, and no move
     assert records_of([(5, 5, 12), (8, 9, 8)]) == pytest.approx(ROUND + 13 * 10)
+    assert records_of([(5, 5, 12), (5, 5, 8), (5, 5, 12)]) == pytest.approx(2 * ROUND)  # in, and out again
     assert records_of([(0, 0, 5), (200, 0, 5)]) == 80 * 60  # no more than there are
 
 
 def test_what_a_flat_end_cuts_at_one_height_it_cuts_once():
     there_and_back = [(0, 0, 5), (200, 0, 5), (0, 0, 5)]
     assert records_of(there_and_back) == 4800
-    assert records_of([*there_and_back, (0, 0, 3), (200, 0, 3)]) == pytest.approx(
-        2 * 4800
-    )  # the plunge is of its level
+    assert records_of([*there_and_back, (0, 0, 3), (200, 0, 3)]) == 2 * 4800
+    # The plunge is of the level it comes to: beside the full one its foot is new.
+    assert records_of([*there_and_back, (0, 0, 3)]) == pytest.approx(4800 + ROUND)
     assert records_of([(0, 0, 3), (200, 0, 3), (200, 0, 5), (0, 0, 5)]) == 2 * 4800  # going up from it, too
     sloped = [(0, 0, 5), (200, 0, 4), (0, 0, 5)]
     assert records_of(sloped) == 2 * 4800
@@ -91,13 +92,18 @@ def test_what_a_flat_end_cuts_at_one_height_it_cuts_once():
 @pytest.mark.parametrize(
     ("direction", "right", "up"), [((0, 1, 0), 3, 0), ((1, 0, 0), 4, 0), ((0, 0.6, -0.8), 3, 4 * 0.8)]
 )
-def test_obliquely_a_move_passes_its_box_twice(direction, right, up):
-    """3 mm by 4 mm at 5 mm below the top: in the image so wide, and so high with the tool and what stands above it."""
+@pytest.mark.parametrize("rise", [0, 2])
+def test_obliquely_a_move_passes_its_box_twice(direction, right, up, rise):
+    """3 mm by 4 mm from 5 mm below the top: in the image so wide, and so high with the tool and what stands above it."""
     view = View(direction, 300, 300, pixel=0.5)
+    up += rise * np.hypot(*direction[:2])
     width, height = right / 0.5 + 12, up / 0.5 + 12 + 5 / 0.5
-    found = records_of([(5, 5, 5), (8, 9, 5)], view=view)
-    assert found == pytest.approx(2 * (width * height + width + height + 1))
-    assert records_of([(5, 5, 5), (8, 9, 5)], view=View(direction, 5, 4, pixel=0.5)) == 2 * 20
+    ends = [(5, 5, 5), (8, 9, 5 + rise)]
+    box = 2 * (width * height + width + height + 1)
+    for move in (ends, ends[::-1]):
+        assert records_of(move, view=view) == pytest.approx(box)
+        assert records_of([*move, move[0]], view=view) == pytest.approx(2 * box)
+        assert records_of(move, view=View(direction, 5, 4, pixel=0.5)) == 2 * 20
 
 
 def test_the_tip_cuts_where_it_stands_in_the_stock():

@@ -85,8 +85,8 @@ def test_too_large_a_simulation_is_refused_before_it_starts():
     assert simulate(path, **solids, memory_budget=error.needed * 1.01).traces > 0
 
 
-def removal(tool, direction, points=((10, 15, 5), (30, 15, 5)), *, others=()):
-    view = View(direction, 80, 60, pixel=0.5)
+def removal(tool, direction, points=((10, 15, 5), (30, 15, 5)), *, others=(), offset=(0, 0)):
+    view = View(direction, 80, 60, 0.5, offset)
     cuts = Cuts([Cut(toolpath(np.array(points, float)), one) for one in (tool, *others)])
     return Removal(cuts, BOX, view.frame(BOX))
 
@@ -164,7 +164,11 @@ def test_the_box_of_a_move_from_above():
     """20 mm and the tool: 26 by 6 mm of 0.5 mm, an edge more, clipped to the image; obliquely each pixel twice."""
     assert memory._most(removal(TOOLS[0], (0, 0, -1))) == 80 * 60 + 53 * 13
     assert memory._most(removal(TOOLS[0], (0, 0, -1), [(10, 15, 5), (90, 15, 5)])) == 80 * 60 + (80 - 14 + 1) * 13
+    assert memory._most(removal(TOOLS[0], (0, 0, -1), [(-50, 15, 5), (30, 15, 5)])) == 80 * 60 + (66 + 1) * 13
     assert memory._most(removal(TOOLS[0], (0, 0, -1), [(20, 28, 5), (30, 28, 5)])) == 80 * 60 + 33 * (60 - 50 + 1)
+    assert memory._most(removal(TOOLS[0], (0, 0, -1), [(20, 2, 5), (30, 2, 5)])) == 80 * 60 + 33 * (10 + 1)
+    for aside in ((30, 0), (0, 30), (-60, 0), (0, -60)):  # the image is of what lies beside it
+        assert memory._most(removal(TOOLS[0], (0, 0, -1), [(5, 5, 5), (20, 5, 5)], offset=aside)) == 80 * 60
     assert memory._most(removal(TOOLS[0], (0, 1, 0))) == 80 * 60 + 2 * 53 * 11  # 26 mm by the 5 above it
 
 
