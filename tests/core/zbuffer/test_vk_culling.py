@@ -128,6 +128,29 @@ def test_a_tile_ends_with_its_last_pixel(along_x):
     assert [items for *_, items in told(tiles)] == [[], [0], []]
 
 
+@pytest.mark.parametrize("along_x", [True, False])
+def test_a_tile_begins_with_its_first_pixel_and_ends_with_its_last(along_x):
+    """A slot from 6.3 mm to 12.81 mm passes pixel 63 at 6.35 mm, and comes near pixel 128 at 12.85 mm."""
+    tool, y = Tool("endmill", 6.51), 9.555
+    ends = [(-10, y, 6), (50, y, 6)] if along_x else [(y, -10, 6), (y, 50, 6)]
+    trajectories = Trajectories(Cuts([Cut(toolpath(np.array(ends, float)), tool)]), BOX, of_slots(6.0).frame)
+    first, other = np.array([0, 64, 128]), np.full(3, 128)
+    tiles = first_tiles(trajectories, *((other, first) if along_x else (first, other)))
+    assert [items for *_, items in told(tiles)] == [[0], [0], []]
+
+
+def test_tiles_where_moves_are_sloped_and_where_they_are_level_are_both_gone_down_to():
+    """A level slot 3 mm from the left and a sloped one 3 mm from the right: the tiles of one are fine before the other's."""
+    level, sloped = [(3, -10, 6), (3, 40, 6)], [(37, -10, 3), (37, 40, 9)]
+    points = np.array([*level, (37, 40, 20), (37, -10, 20), *sloped], float)
+    trajectories = Trajectories(Cuts([Cut(toolpath(points), FLAT)]), BOX, of_slots(6.0).frame)
+    cut = np.zeros((300, 400), bool)
+    for tiles, _ in culled(trajectories, Upright(trajectories), Region(0, 400, 128, 192)):
+        column, row = tiles.pixels()
+        cut[np.minimum(row[:, None], 299), np.minimum(column[None], 399)] = True
+    assert cut[128:192, :60].all() and cut[128:192, 340:].all() and not cut[:, 64:336].any()
+
+
 @pytest.mark.parametrize("slots", [1, 20])
 def test_pairs_are_counted_at_every_level_and_once(slots):
     """Slots, each deeper than the one before, that cover a tile of 64 pixels; of 20 the pairs are not worked on at once.

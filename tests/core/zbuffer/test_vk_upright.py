@@ -10,9 +10,13 @@ from math import pi
 
 import numpy as np
 import pytest
+from zbuffer_reference.paths import BOX, PATHS, toolpath
 
-from vkworkbench.core import Tool
-from vkworkbench.core.zbuffer.upright import Slopes, bounds
+from vkworkbench.core import Cut, Stock, Tool, View, simulate
+from vkworkbench.core.zbuffer.culling import QUARTERS
+from vkworkbench.core.zbuffer.cuts import Cuts
+from vkworkbench.core.zbuffer.trajectories import Trajectories
+from vkworkbench.core.zbuffer.upright import Slopes, Upright, bounds
 
 TOOLS = [
     Tool("endmill", 6),
@@ -109,3 +113,37 @@ def test_a_square_beside_the_tool_is_not_reached_and_one_across_its_rim_not_open
     for along, aside in ((0.0, 3.4), (0.0, 2.6), (8.4, 0.0), (7.6, 0.0)):
         reaches, opens = bounded(flat, slope, along, aside, 0.5, 5.0)
         assert np.isfinite(reaches) and opens == -np.inf
+
+
+@pytest.mark.parametrize("direction", [(0, 0, -1), (0, 0, 1)])
+@pytest.mark.parametrize("ends", [((12, 17), (25, 17)), ((25, 17), (12, 17)), ((14, 9), (14, 21)), ((14, 21), (14, 9))])
+@pytest.mark.parametrize("side", [4, 8, 32])
+def test_quarters_stay_that_a_level_move_meets(side, ends, direction):
+    """A flat end of 6 mm in pixels of a quarter: the middle of some pixel, but for rounding, is within 3 mm of the move."""
+    frame = View(direction, 160, 120, pixel=0.25).frame(BOX)
+    cuts = Cuts([Cut(toolpath(np.array([(*end, 4.0) for end in ends])), Tool("endmill", 6))])
+    row, column = (of.ravel() for of in np.mgrid[0:120:side, 0:160:side])
+    tile, child = np.arange(len(row)), side // 2
+    low, high = np.sort(np.array(ends, float), axis=0)
+    stay = list(Upright(Trajectories(cuts, BOX, frame)).quarters(column, row, tile, 0 * tile, child))
+    for (across, up), found in zip(QUARTERS, stay):
+        x, y = (first[:, None] + np.arange(child) for first in (column + across * child, row + up * child))
+        points = [
+            frame.pixel_centres(x, y)[0] + 20,
+            frame.pixel_centres(x, y)[1] * (1 if direction[2] < 0 else -1) + 15,
+        ]
+        dx, dy = (np.maximum(np.maximum(a - p, p - b), 0).min(axis=1) for p, a, b in zip(points, low, high))
+        assert found.tolist() == np.flatnonzero(np.hypot(dx, dy) < 3).tolist()
+    assert 0 < sum(map(len, stay)) < 4 * len(tile)
+
+
+@pytest.mark.parametrize("direction", [(0, 0, -1), (0, 0, 1)])
+@pytest.mark.parametrize("tool", TOOLS[:2], ids=str)
+def test_how_high_the_stock_lies_does_not_matter(tool, direction):
+    points, view = PATHS[0](np.random.default_rng(4), 40), View(direction, 80, 60)
+    here = simulate(toolpath(points), tool=tool, stock=BOX, view=view)
+    for by in (-37.0, 25.0):
+        stock = Stock(BOX.lower + (0, 0, by), BOX.upper + (0, 0, by))
+        there = simulate(toolpath(points + (0, 0, by)), tool=tool, stock=stock, view=view)
+        assert there.dexels == here.dexels and there.traces == pytest.approx(here.traces, rel=1e-3)
+        assert np.allclose(there.picture.depth, here.picture.depth, atol=1e-5, equal_nan=True)
