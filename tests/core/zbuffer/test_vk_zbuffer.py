@@ -85,6 +85,28 @@ def test_a_through_hole_leaves_no_dexel_and_a_tunnel_two():
     assert z.dexels * z.frame.pixel**2 == pytest.approx(40 * 10 + 6 * 6, rel=0.01)
 
 
+@pytest.mark.parametrize("direction", [(0, 0, -1), (0, 0, 1)])
+def test_what_goes_farther_through_all_of_the_stock_removes_no_more(direction):
+    """A tool as wide as the stock goes through it, and then deeper below it."""
+    z = cut([(20, 15, 20), (20, 15, -1), (20, 15, 20), (20, 15, -2)], Tool("endmill", 60), direction=direction)
+    assert (z.dexels, z.traces) == (0, 400 * 300) and z.chip_volume == pytest.approx(40 * 30 * 10)
+    assert set(z.trace_records["trajectory"]) == {0}
+
+
+@pytest.mark.parametrize("direction", [(0, 0, -1), (0, 0, 1)])
+@pytest.mark.parametrize(("deepest", "left"), [(-1, 0), (1, 5)])
+def test_where_the_stock_is_thin_what_goes_deeper_removes_nothing_more(deepest, left, direction):
+    """A wedge 10 mm high at x = 0 and 2 mm at 40: to 4 mm, which is through it beyond 20, then deeper, through beyond `left`."""
+    wedge = ConvexStock([(1, 0, 0), (-1, 0, 0), (0, 1, 0), (0, -1, 0), (0, 0, 1), (0.2, 0, -1)], [40, 0, 30, 0, 10, 0])
+    points = [(20, 15, 20), (20, 15, 4), (20, 15, 20), (20, 15, deepest)]
+    z = cut(points, Tool("endmill", 60), wedge, direction)
+    assert (z.dexels, z.traces) == (10 * left * 300, 1.5 * 400 * 300)
+    stays = left * left * 0.2 / 2 * 30
+    assert z.part_volume == pytest.approx(stays, rel=1e-4) and z.chip_volume == pytest.approx(40 * 30 * 6 - stays)
+    second = z.trace_records[z.trace_records["trajectory"] == 2]
+    assert (second["far"] - second["near"]).sum() * z.frame.pixel**2 == pytest.approx(20 * 30 * 2 - stays, rel=1e-4)
+
+
 def test_zigzag_of_a_flat_mill_cuts_every_pixel_once():
     rows = [(x, 5 + 4 * k, 6) for k in range(6) for x in ((5, 35) if k % 2 == 0 else (35, 5))]
     # Along both ends too, so that no scallops remain: a rectangle with rounded corners.
