@@ -75,6 +75,27 @@ def test_a_crash_is_found():
     assert abs(one.place[1] - 15) < 3 and one.place[2] == pytest.approx(6.5)
 
 
+@pytest.mark.parametrize("direction", [(0, 0, -1), (0, 0, 1), (0, 1, -1), (0, 1, 0)])
+def test_a_crash_is_found_from_any_side(direction):
+    crash = path([(-5, 15, 12), (-5, 15, 5), (45, 15, 5), (45, 15, 12)], rapid=[1])
+    (one,) = told(SOUND, crash, model=None, view=View(direction, 210, 160)).job.crashes
+    assert one.trajectory == len(SOUND) + 1 and abs(one.place[1] - 15) < 3 and 5 < one.place[2] < 8
+
+
+def test_a_crash_of_a_single_pixel_is_found():
+    """Of 4 mm; a tool of 3 mm in its middle."""
+    drilled = Cut(path([(18, 13, 12), (18, 13, 4)], rapid=[0]), Tool("endmill", 3))
+    (one,) = facts(simulate_job([drilled], stock=STOCK, view=View((0, 0, -1), 10, 8, pixel=4.0))).job.crashes
+    assert (one.depth, one.volume) == pytest.approx((6, 6 * 4**2))
+
+
+def test_of_a_rapid_that_goes_deeper_and_deeper_the_deepest_place_is_told():
+    """From 1 mm above the faced block to 4 mm below: at its edge the tool's rim has been at 4.1 mm."""
+    (one,) = told(SOUND, path([(-5, 15, 9), (45, 15, 4), (45, 15, 12)], rapid=[0])).job.crashes
+    assert one.depth == pytest.approx(8 - 4.1, abs=0.02)
+    assert one.place[:2] == pytest.approx((41, 15), abs=0.6) and one.place[2] == pytest.approx((8 + 4.1) / 2, abs=0.02)
+
+
 def test_what_is_found_is_told_as_plain_data():
     crash = path([(-5, 15, 12), (-5, 15, 5), (45, 15, 5), (45, 15, 12)], rapid=[1])
     found = told(SOUND, crash).job
