@@ -77,6 +77,7 @@ def test_the_worst_pixel_of_what_hangs_together_is_its_place():
     [
         ((36, 30, 3, 3), 2),
         ((33, 30, 3, 3), 1),
+        ((35, 30, 3, 3), 1),
         ((33, 33, 3, 3), 1),
         ((27, 27, 3, 3), 1),
         ((27, 33, 3, 3), 1),
@@ -119,6 +120,24 @@ def test_places_at_the_edges_of_the_image():
     assert [place.place[:2] for place in found] == [middle(0, 0), middle(199, 0), middle(0, 149), middle(199, 149)]
     assert len(left(most=3, **corners)) == 3
     assert len(left(tolerance=2.0, **corners)) == 2  # what is no more than the tolerance is none
+
+
+def test_tiles_at_the_edges_of_the_image_hang_together_with_those_beside_them():
+    for other in ((3, 0, 3, 3), (0, 3, 3, 3), (3, 3, 3, 3)):
+        for depth in (0.9, 1.1):
+            assert len(left(one=(0, 0, 3, 3, 1.0), other=(*other, depth))) == 1
+
+
+def test_a_high_wall_that_is_hardly_beside_its_place_takes_no_deeper_ones_place():
+    """Along the view it comes first, with 9 mm; of three places that are told it is none, for four are deeper in space."""
+    depth = UNCUT.picture.depth.reshape(HEIGHT, WIDTH)
+    part, model = (depth + np.float32(9) * (np.arange(WIDTH) >= edge) for edge in (101, 100))
+    for column, deep in ((10, 5.0), (30, 4.5), (50, 4.0), (70, 3.5)):
+        model[60:70, column : column + 10] += np.float32(deep)
+    seen = SimpleNamespace(near=model, behind=model, surface=model, floor=model)
+    found = Deviations((model - part).ravel(), np.zeros(part.size, np.float32), part, seen)
+    told = [[one.depth for one in worst_places(UNCUT, found, 0.1, most)[1]] for most in (2, 3, 4, 5)]
+    assert told == [pytest.approx([5, 4.5, 4, 3.5, PIXEL][:most]) for most in (2, 3, 4, 5)]
 
 
 def test_ten_places_are_told():

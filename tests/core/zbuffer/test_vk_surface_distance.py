@@ -103,6 +103,15 @@ def test_the_farthest_corner_of_an_image_is_looked_at():
     assert farthest(front, behind, np.array([0]), 1.0, 0.1) == (0, pytest.approx(np.hypot(29, 39)))
 
 
+def test_of_small_distances_the_farthest_is_found_as_well():
+    """First a wall 9 mm high, which is a pixel beside its place, then a hole 0.3 mm deep."""
+    front, behind = (np.where(np.arange(40) < edge, 0, 9) * np.ones((30, 1)) for edge in (31, 30))
+    behind[10, 5] = 0.3
+    front, behind = front.astype(np.float32), behind.astype(np.float32)
+    pixels = np.flatnonzero((behind > front).ravel())
+    assert farthest(front, behind, pixels, 0.05, 0.01) == (10 * 40 + 5, pytest.approx(0.3))
+
+
 def test_nothing_to_look_at():
     flat = np.zeros((3, 4), np.float32)
     assert farthest(flat, flat + 1, np.array([], int), 0.1, 0.1) is None
