@@ -86,7 +86,14 @@ def test_nothing_is_brighter_than_white():
 
 @pytest.mark.parametrize("size", [(1, 1), (1, 7), (5, 1), (2, 2)])
 def test_images_of_any_size(size):
-    assert shade(np.zeros(size, np.float32), 1.0, GREY).shape == (*size, 3)
+    image = shade(np.zeros(size, np.float32), 1.0, GREY)
+    assert image.shape == (*size, 3) and (image == GREY).all()
+
+
+def test_a_lone_pixel_is_level():
+    depth = np.full((5, 5), np.nan, np.float32)
+    depth[2, 2] = 7
+    assert (shade(depth, 1.0, GREY)[2, 2] == GREY).all()
 
 
 def test_each_pixel_has_its_own_colour_row_0_below():

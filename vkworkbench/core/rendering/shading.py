@@ -55,13 +55,13 @@ def shade(
 def _slopes(depth: np.ndarray, pixel: float, axis: int) -> np.ndarray:
     """Rise of the surface towards the eye along an axis of the image; the smaller of the two sides' at a jump."""
     before, after = _steps(depth, -pixel, axis)
-    return np.nan_to_num(np.where(np.abs(before) < np.abs(after), before, after), nan=0.0)
+    return np.nan_to_num(np.where(np.abs(before) < np.abs(after), before, after))
 
 
 def _bends(depth: np.ndarray, pixel: float, axis: int) -> np.ndarray:
     """How much the slope changes at each pixel; nothing beside the part."""
     before, after = _steps(depth, pixel, axis)
-    result: np.ndarray = np.nan_to_num(np.abs(after - before), nan=0.0)
+    result: np.ndarray = np.nan_to_num(np.abs(after - before))
     return result
 
 
