@@ -78,7 +78,7 @@ def _segments(obj) -> Iterator[tuple[int, int]]:
             yield bracket.span()
 
 
-def write(obj, report: OperationReport, chosen: Preferences, *, outdated: bool = False) -> None:
+def write(obj, report: OperationReport, chosen: Preferences, *, outdated: bool) -> None:
     """Write what was found on an operation, and say of it what the preferences ask for."""
     made = record.of_operation(report, chosen.simulator)
     _keep(obj, replace(made, outdated=outdated), chosen, anew=True)
