@@ -9,12 +9,17 @@ import FreeCAD
 import pytest
 
 from vkworkbench.core import Stock, Tool
+from vkworkbench.document import fingerprint
 from vkworkbench.document.fingerprint import (
+    Settings,
     finding_path_fingerprint,
     fingerprint_of,
     path_and_setting,
+    path_fingerprint,
+    read_setting_fingerprints,
     setting_fingerprint,
     text_fingerprint,
+    text_of,
 )
 from vkworkbench.document.path_prints import PATH_PRINTS
 
@@ -130,6 +135,23 @@ def test_the_point_of_a_tool_counts():
     assert setting_fingerprint(Tool("vbit", 6.0, tip_angle=1.00001), None) == setting_fingerprint(pointed, None)
     blunt = [Tool("vbit", 6.0, tip_angle=1.0, tip_diameter=diameter) for diameter in (1.0, 1.00003)]
     assert len({setting_fingerprint(tool, None) for tool in blunt}) == 1
+
+
+@pytest.mark.parametrize("at_once", [50_000, 10])
+def test_the_fingerprint_of_a_path_is_that_of_its_text_however_long_it_is(small, zigzag_commands, monkeypatch, at_once):
+    monkeypatch.setattr(fingerprint, "AT_ONCE", at_once)
+    op = small.add("One", zigzag_commands)
+    text = op.Path.toGCode()
+    assert text_of(op.Path) == text_of(op.Path, list(op.Path.Commands)) == text
+    assert path_fingerprint(op) == text_fingerprint(text, op.Placement)
+
+
+def test_what_fits_a_setting(small, zigzag_commands):
+    """Of a document that was just opened also what was marked without a stock: FreeCAD gives it one."""
+    op = small.add("One", zigzag_commands)
+    whole, of_tool = read_setting_fingerprints(op, small.job)
+    assert whole != of_tool
+    assert Settings().of(op) == (whole,) and Settings(opened=True).of(op) == (whole, of_tool)
 
 
 def test_what_an_analysis_has_found_meanwhile_is_not_looked_for_any_longer(small, zigzag_commands):

@@ -154,6 +154,21 @@ def test_marks_follow_a_changed_preference_without_an_analysis(arc, small, monke
     assert (small.document.UndoCount, list(arc.State)) == (count, touched)
 
 
+def test_with_the_first_mark_preferences_begin_to_be_followed_once(monkeypatch):
+    observers, told, followed = [], [], []
+    monkeypatch.setattr(upkeep, "_upkeep", None)
+    monkeypatch.setattr(upkeep.FreeCAD, "addDocumentObserver", observers.append)
+    monkeypatch.setattr(preferences, "observe", told.append)
+    monkeypatch.setattr(upkeep, "follow_preferences", lambda: followed.append(True))
+    upkeep.watch()
+    upkeep.watch()
+    assert len(observers) == len(told) == 1
+    told[0]("tolerance")  # of which marks say nothing
+    assert not followed
+    told[0]("time_budget")
+    assert followed
+
+
 def test_a_total_of_different_simulators_is_not_told(arc, small):
     other = small.add("Other", ARC)
     preferences.write(mark_simulator=ZBUFFER.name)

@@ -11,6 +11,7 @@ import pytest
 
 import vkworkbench
 from vkworkbench.core import Cylinder, Mesh, Stock, View, linearize
+from vkworkbench.document.of_shapes import OfShapes
 from vkworkbench.document.setting import placed, read_stock, read_tool, tool_remark
 from vkworkbench.document.solids import form_of_stock, model_shapes, model_solid, stock_solid
 from vkworkbench.language import Unusable, render
@@ -135,3 +136,19 @@ def test_what_is_not_simulated_exactly_is_said(shape, simulated, told):
     assert (remark is None) == (told is None)
     if told:
         assert render(remark).startswith("TC is not simulated exactly") and told in render(remark)
+
+
+def test_what_was_found_of_the_shapes_asked_for_last_is_not_found_again():
+    kept, asked = OfShapes(3), []
+
+    def found(number):
+        return kept.of(shapes[number], lambda: asked.append(number) or f"of {number}")
+
+    shapes = [Part.makeBox(1, 1, 1) for _ in range(4)]
+    for number in (0, 1, 2, 0, 1, 2):
+        assert found(number) == f"of {number}"
+    assert asked == [0, 1, 2]
+    found(0)
+    found(3)  # one too many: the first of them, which was asked for again since, stays
+    assert [found(number) for number in (0, 2, 3)] == ["of 0", "of 2", "of 3"] and asked == [0, 1, 2, 3]
+    assert found(1) == "of 1" and asked == [0, 1, 2, 3, 1]

@@ -47,6 +47,7 @@ PROGRAM = (
         ("G1 X1 (ü)\r\n".encode("utf-16-le"), "G1 X1 (ü)\r\n"),
         ("G1 X1 (ü)\r\n".encode("utf-16-be"), "G1 X1 (ü)\r\n"),
         ("G1 X1 (Контур)".encode("utf-16-le"), "G1 X1 (Контур)"),
+        ((300 * "G1 " + "(Ā)").encode("utf-16-le"), 300 * "G1 " + "(Ā)"),  # one zero more, in the other half
         ("G1 X1".encode("utf-16-le") + b"\x1a", "G1 X1"),
     ],
 )
