@@ -396,3 +396,11 @@ def test_what_is_open_to_the_edge_of_an_image(seed):
                 reached.add(place)
                 pending.append(place)
     assert set(map(tuple, np.argwhere(_open(free)).tolist())) == reached
+
+
+def test_a_single_pixel_at_the_edge_opens_all_that_it_leads_to():
+    free = np.zeros((7, 9), bool)
+    free[3, :5] = free[1:6, 4] = True
+    assert (_open(free) == free).all()
+    free[3, 0] = False
+    assert not _open(free).any()
