@@ -77,6 +77,16 @@ SIMPLE = [
 ]
 
 
+@pytest.mark.parametrize("slope", [0.3, -0.3, 1.2, -1.2])
+@pytest.mark.parametrize("half_run", [2.0, 8.0])
+@pytest.mark.parametrize("along", [0.0, 1.5, -2.5, 6.0])
+def test_on_a_slope_a_flat_end_reaches_as_deep_as_is_said(along, half_run, slope):
+    """Squares of 0.8 mm on the way of its axis, no longer than the move: within it, at its end and beyond it."""
+    square = TOOLS[0], slope, along, 0.0, 0.4, half_run
+    reaches, deepest = bounded(*square)[0], opened(*square).max()
+    assert reaches == (pytest.approx(deepest, abs=0.05) if np.isfinite(deepest) else deepest)
+
+
 @pytest.mark.parametrize("aside", [0.0, 0.4, -1.4, 2.1])
 @pytest.mark.parametrize("tool, slope", SIMPLE, ids=str)
 def test_along_a_move_a_point_is_opened_as_deep_as_is_said(tool, slope, aside):

@@ -250,9 +250,10 @@ def _deepest(
     """Depths below the moves' middles that sloped ones reach at most, their tools `inner` aside at least."""
     flat, corner, k = tool.radius - tool.rounding, tool.rounding, tool.steepness
     slope = slopes.slope
-    # Above a point of the tile the tool's axis stands at most so far before or behind it.
+    # From the lower end of the square, from which heights count below, the tool's axis is at most its half chord away, and
+    # no farther than the end of the move.
     half = _root(tool.radius**2 - inner2)
-    reach = half_run + extent
+    reach = half_run - extent
     first = np.maximum(-along - reach, -half)
     last = np.minimum(reach - along, half)
     first *= slope
