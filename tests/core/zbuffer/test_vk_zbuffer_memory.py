@@ -40,7 +40,9 @@ trajectories, direction, width, height, tool = {case!r}
 path, tool, view = toolpath(surface(None, trajectories)), TOOLS[tool], View(direction, width, height)
 Path("/proc/self/clear_refs").write_text("5")
 before = memory("VmRSS")
-simulate(path, tool=tool, stock=BOX, view=view, processes=1)
+done = simulate(path, tool=tool, stock=BOX, view=view, processes=1)
+done.at(trajectories // 2).picture
+done.picture
 taken = memory("VmHWM") - before
 # Only now: memory that it gives back would be used again, and not be seen to be taken.
 print(memory_needed([Cut(path, tool)], stock=BOX, view=view), taken)
@@ -58,12 +60,13 @@ def case(trajectories, direction, width, height):
     "which",
     [
         (10_000, (0, 0, -1), 480, 360, 2),
+        (30_000, (0, 0, -1), 640, 480, 2),
         (3_000, (1, 1, -1), 400, 300, 2),
         (250, (1, 1, -1), 300, 225, 3),
         (1_200, (0, 1, 0), 400, 300, 2),
         (60_000, (0, 0, -1), 120, 90, 2),
     ],
-    ids=["records", "oblique", "oblique, bull nose", "side", "trajectories"],
+    ids=["records", "pictures", "oblique", "oblique, bull nose", "side", "trajectories"],
 )
 def test_what_is_said_is_what_the_process_takes(which):
     script = MEASURE.format(root=str(ROOT), case=which)
@@ -103,8 +106,18 @@ def test_the_peak_grows_with_records_pixels_and_trajectories():
         more(dexels=1000.0) == more(traces=1000.0) == more(gaps=1000.0) == 9000 and more(traces_error=1000.0) == 18000
     )
     assert more(band=1000.0) > 0 and more(trajectories=1000) >= 1000 * 8 * 3  # at least where each begins
-    large = Removal(Cuts([]), BOX, View((0, 0, -1), 800, 60).frame(BOX))
-    assert peak_bytes(nothing, 0, large) - peak_bytes(nothing, 0, flat) == 8 * 720 * 60
+    large = Removal(Cuts([]), BOX, View((0, 0, -1), 160, 60).frame(BOX))
+    assert peak_bytes(nothing, 0, large) - peak_bytes(nothing, 0, flat) == 8 * 80 * 60
+
+
+def test_pictures_of_many_records_take_more_than_to_find_them_but_processes_that_help_have_ended_by_then(monkeypatch):
+    """Twelve bytes of each that is seen at some moment: at most of all."""
+    flat = removal(TOOLS[0], (0, 0, -1))
+    some, many = (Counts(*[0] * 2, 1e8 * share, *[0] * 6, 4800) for share in (0.5, 1.0))
+    assert many.records == 1e8
+    assert peak_bytes(many, 0, flat) - peak_bytes(some, 0, flat) == pytest.approx(20 * 0.5e8)
+    monkeypatch.setattr(memory, "count", lambda _: many)
+    assert helpers_within(peak_bytes(many, 0, flat), flat, 0) > 0
 
 
 def test_each_further_process_takes_its_own_memory_and_what_is_sent_to_it(monkeypatch):

@@ -20,11 +20,14 @@ BUDGET = 2e9
 # Measured by benchmarks/zbuffer.py, other views as test_vk_zbuffer_memory.py does. Bytes of the work on one band of the
 # image at a time: from above; obliquely, where rays pass all tools in closed form; and otherwise. Then of every
 # trajectory as the simulation holds it, and of every record of a band while the band is put together.
-_BAND_ABOVE, _BAND_CLOSED, _BAND = 14e6, 20e6, 40e6
+_BAND_ABOVE, _BAND_CLOSED, _BAND = 14e6, 20e6, 42e6
 # Views less steep than this cosine pass so many trajectories with each ray that the form does not matter.
 _STEEP = 0.5
-_TRAJECTORY = 400.0
+_TRAJECTORY = 460.0
 _BAND_RECORD = 13.0
+# Afterwards pictures at any moment are made: of every record, all of which may be seen at some moment, of every pixel and
+# trajectory, and of what is worked on at once.
+_SHOWN_RECORD, _SHOWN_PIXEL, _SHOWN_TRAJECTORY, _SHOWING = RECORD_BYTES + 12.0, PIXEL_BYTES + 92.0, 100.0, 12e6
 # A further process: itself, with Python and numpy; of every trajectory that it is told, and every record of a band, there and here.
 _PROCESS = 50e6
 _SENT_TRAJECTORY = 500.0
@@ -60,7 +63,7 @@ class OverBudget(Unusable):
 
 
 def memory_needed(cuts: Iterable[Cut], *, stock: Solid, view: View) -> float:
-    """Memory that `simulate_job` takes at its peak for these arguments, bytes, from some hundred rays.
+    """Memory that `simulate_job`, and then a picture, takes at its peak for these arguments, bytes, from some hundred rays.
 
     Parameters
     ----------
@@ -103,7 +106,7 @@ def check_memory(removal: Removal, trajectories: int, allowed: float) -> None:
 
 
 def peak_bytes(counts: Counts, trajectories: int, removal: Removal) -> float:
-    """Memory that a simulation takes at its peak, beyond what the process took before it, bytes.
+    """Memory that a simulation and pictures of it take at their peak, beyond what the process took before it, bytes.
 
     Parameters
     ----------
@@ -114,8 +117,7 @@ def peak_bytes(counts: Counts, trajectories: int, removal: Removal) -> float:
     removal : Removal
         What is simulated.
     """
-    records = counts.records + _ERRORS * counts.traces_error
-    return _peak(records, counts.band, trajectories, removal)
+    return _peak(_at_most(counts), counts.band, trajectories, removal)
 
 
 def helpers_within(allowed: float, removal: Removal, trajectories: int) -> int:
@@ -132,7 +134,13 @@ def helpers_within(allowed: float, removal: Removal, trajectories: int) -> int:
     """
     counts = count(removal)
     each = _PROCESS + _band_work(removal) + _SENT_RECORD * counts.band + _SENT_TRAJECTORY * trajectories
-    return max(0, int((allowed - peak_bytes(counts, trajectories, removal)) // each))
+    alone = _cutting(_at_most(counts), counts.band, trajectories, removal)
+    return max(0, int((allowed - alone) // each))
+
+
+def _at_most(counts: Counts) -> float:
+    """Records, with the error of their number."""
+    return counts.records + _ERRORS * counts.traces_error
 
 
 def _most(removal: Removal) -> float:
@@ -151,6 +159,13 @@ def _most(removal: Removal) -> float:
 
 def _peak(records: float, band: float, trajectories: int, removal: Removal) -> float:
     """Memory for so many records, in the fullest band so many."""
+    pixels = removal.frame.width * removal.frame.height
+    shown = _SHOWN_RECORD * records + _SHOWN_PIXEL * pixels + _SHOWN_TRAJECTORY * trajectories + _SHOWING
+    return max(_cutting(records, band, trajectories, removal), shown)
+
+
+def _cutting(records: float, band: float, trajectories: int, removal: Removal) -> float:
+    """The part of `_peak` until all are found."""
     pixels = removal.frame.width * removal.frame.height
     held = RECORD_BYTES * records * (1 + _SPARE) + PIXEL_BYTES * pixels
     return held + _band_work(removal) + _BAND_RECORD * band + _TRAJECTORY * trajectories

@@ -14,6 +14,7 @@ from functools import cached_property
 
 import numpy as np
 
+from vkworkbench.core.zbuffer.dexels import beginnings
 from vkworkbench.core.zbuffer.records import GAP, Records, first_not_below
 
 # Owner of a surface that no trajectory made: the stock's own, or none.
@@ -39,8 +40,8 @@ class Picture:
     owner: np.ndarray
 
 
-# Pixels whose pieces are worked on at once, where numpy lets no other thread run until it is through: milliseconds.
-_AT_ONCE = 1 << 14
+# Maxima that are worked on at once: milliseconds, in which numpy may let no other thread run.
+_AT_ONCE = 1 << 17
 
 
 class Surface:
@@ -81,11 +82,9 @@ class Surface:
 
     def _removed(self, step: int, other: int) -> np.ndarray:
         """Pixels of the pieces that go between two moments, some of them more than once."""
-        owners, pixels = self._by_owner
-        # Of the same type: a search among others converts them all.
-        between = np.array((min(step, other), max(step, other)), owners.dtype)
-        first, last = np.searchsorted(owners, between)
-        return pixels[first:last]
+        first, pixels = self._by_owner
+        result: np.ndarray = pixels[first[min(step, other)] : first[max(step, other)]]
+        return result
 
     def _seen(self, step: int, pixels: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Depth and owner of the surface at some pixels: a binary search in each one's maxima, all at once."""
@@ -107,7 +106,7 @@ class Surface:
         """The prefix maxima along the rays: their owners, their pieces, and each pixel's first one."""
         records = self.records
         first = np.zeros(len(records.entry) + 1, np.int64)
-        owners, pieces = [np.empty(0, np.int32)], [np.empty(0, np.uint32)]
+        owners, pieces = np.empty(len(records.far), np.int32), np.empty(len(records.far), np.uint32)
         for pixel, piece, block in records.blocks():
             keys = block.pixel().astype(np.int64)
             keys *= records.trajectories + 1
@@ -115,21 +114,32 @@ class Surface:
             new = np.ones(len(keys), bool)
             new[1:] = keys[1:] > np.maximum.accumulate(keys)[:-1]
             own = np.flatnonzero(new)
-            first[pixel + 1 : pixel + len(block.index)] = first[pixel] + np.searchsorted(own, block.index[1:])
-            owners.append(block.owner[own])
-            pieces.append((own + piece).astype(np.uint32))
-        return np.concatenate(owners), np.concatenate(pieces), first
+            begin = first[pixel]
+            first[pixel + 1 : pixel + len(block.index)] = begin + np.searchsorted(own, block.index[1:])
+            owners[begin : begin + len(own)], pieces[begin : begin + len(own)] = block.owner[own], own + piece
+        for array in (owners, pieces):
+            array.resize(first[-1], refcheck=False)
+        return owners, pieces, first
 
     @cached_property
     def _by_owner(self) -> tuple[np.ndarray, np.ndarray]:
-        """Owners of the maxima, ascending, and their pixels: a radix sort, 16 bits at a time."""
+        """Where each owner's maxima begin, and their pixels, by owner: a counting sort, part by part of the image."""
         owner, _, first = self._maxima
-        order = np.argsort(owner.astype(np.uint16), kind="stable")
-        if self.records.trajectories >> 16:
-            order = order[np.argsort((owner >> 16).astype(np.uint16)[order], kind="stable")]
-        pixels = np.empty(len(owner), np.uint32)
-        for begin in range(0, len(first) - 1, _AT_ONCE):
-            own = first[begin : begin + _AT_ONCE + 1]
-            numbers = np.arange(begin, begin + len(own) - 1, dtype=np.uint32)
-            pixels[own[0] : own[-1]] = np.repeat(numbers, np.diff(own))
-        return owner[order], pixels[order]
+        count = np.zeros(self.records.trajectories + 1, np.int64)
+        size = max(_AT_ONCE, len(count) // 4)
+        for begin in range(0, len(owner), size):
+            count += np.bincount(owner[begin : begin + size], minlength=len(count))
+        start = np.append(0, np.cumsum(count))
+        free, pixels = start.copy(), np.empty(len(owner), np.uint32)
+        parts = np.searchsorted(first[1:], np.arange(0, len(owner), size), side="right")
+        parts = np.unique(np.append(parts, len(first) - 1))
+        for begin, end in zip(parts[:-1].tolist(), parts[1:].tolist()):
+            own = owner[first[begin] : first[end]]
+            pixel = np.repeat(np.arange(begin, end, dtype=np.uint32), np.diff(first[begin : end + 1]))
+            order = np.argsort(own, kind="stable")
+            sorted_ = own[order]
+            new = beginnings(sorted_)
+            sizes, owners = np.diff(new, append=len(own)), sorted_[new]
+            pixels[np.arange(len(own)) + np.repeat(free[owners] - new, sizes)] = pixel[order]
+            free[owners] += sizes
+        return start, pixels
