@@ -25,9 +25,9 @@ _BAND_ABOVE, _BAND_CLOSED, _BAND = 14e6, 20e6, 42e6
 _STEEP = 0.5
 _TRAJECTORY = 460.0
 _BAND_RECORD = 13.0
-# Afterwards pictures at any moment are made: of every record, all of which may be seen at some moment, of every pixel and
-# trajectory, and of what is worked on at once.
-_SHOWN_RECORD, _SHOWN_PIXEL, _SHOWN_TRAJECTORY, _SHOWING = RECORD_BYTES + 12.0, PIXEL_BYTES + 92.0, 100.0, 12e6
+# Afterwards pictures at any moment are made: of every element of a trace, all of which may uncover what is seen then, of every
+# pixel and trajectory, and of what is worked on at once.
+_SHOWN, _SHOWN_PIXEL, _SHOWN_TRAJECTORY, _SHOWING = 12.0, PIXEL_BYTES + 92.0, 100.0, 12e6
 # A further process: itself, with Python and numpy; of every trajectory that it is told, and every record of a band, there and here.
 _PROCESS = 50e6
 _SENT_TRAJECTORY = 500.0
@@ -97,7 +97,7 @@ def check_memory(removal: Removal, trajectories: int, allowed: float) -> None:
     if not allowed >= 0:
         raise ValueError(f"a memory budget is a number of bytes, not {allowed}")
     most = _most(removal)
-    if _peak(most, most, trajectories, removal) <= allowed:
+    if _peak(most, most, most, trajectories, removal) <= allowed:
         return  # whatever the rays say
     counts = count(removal)
     needed = peak_bytes(counts, trajectories, removal)
@@ -117,7 +117,8 @@ def peak_bytes(counts: Counts, trajectories: int, removal: Removal) -> float:
     removal : Removal
         What is simulated.
     """
-    return _peak(_at_most(counts), counts.band, trajectories, removal)
+    traces = counts.traces + _ERRORS * counts.traces_error
+    return _peak(_at_most(counts), traces, counts.band, trajectories, removal)
 
 
 def helpers_within(allowed: float, removal: Removal, trajectories: int) -> int:
@@ -157,10 +158,11 @@ def _most(removal: Removal) -> float:
     return (1 if removal.sine == 0 else 2) * passes + frame.width * frame.height
 
 
-def _peak(records: float, band: float, trajectories: int, removal: Removal) -> float:
-    """Memory for so many records, in the fullest band so many."""
+def _peak(records: float, traces: float, band: float, trajectories: int, removal: Removal) -> float:
+    """Memory for so many records, so many of them of traces, in the fullest band so many."""
     pixels = removal.frame.width * removal.frame.height
-    shown = _SHOWN_RECORD * records + _SHOWN_PIXEL * pixels + _SHOWN_TRAJECTORY * trajectories + _SHOWING
+    shown = RECORD_BYTES * records + _SHOWN * traces + _SHOWN_PIXEL * pixels
+    shown += _SHOWN_TRAJECTORY * trajectories + _SHOWING
     return max(_cutting(records, band, trajectories, removal), shown)
 
 
