@@ -89,7 +89,7 @@ def test_as_many_groups_of_rays_are_held_as_their_pairs_allow(slots, allowed, pa
     """Groups that meet two trajectories, two, one, none, and, of three rays, two."""
     y = np.repeat([-10.0, -10, 10, 0, -10], GROUP)[: 4 * GROUP + 3]
     monkeypatch.setattr(module, "_PAIRS_HELD", allowed * GROUP)
-    found = [(first, last, group.tolist()) for first, last, group, _ in slots._meetings(np.zeros(len(y)), y, None)]
+    found = [(first, last, group.tolist()) for first, last, group, _ in slots._meetings(np.zeros(len(y)), y)]
     assert found == parts
 
 
@@ -99,14 +99,3 @@ def test_so_many_pairs_are_worked_on_at_once(slots, monkeypatch):
     monkeypatch.setattr(module, "_PAIRS_AT_ONCE", 2 * GROUP)
     assert slots.cut(np.zeros(5 * GROUP), np.full(5 * GROUP, -10.0))[1].tolist() == [2] * 5 * GROUP
     assert sizes == [2 * GROUP] * 5
-
-
-def test_only_selected_trajectories_cut():
-    removal, rng = random_removal(4, (0, 1, -1))
-    x, y = rng.uniform(-15, 15, (2, 40))
-    some = np.arange(0, len(removal.index), 2)
-    pieces, passes = removal.cut(x, y, some)
-    assert set(pieces.owner.tolist()) <= {*removal.index[some].tolist(), UNCUT}
-    assert (passes <= removal.cut(x, y)[1]).all() and 0 < passes.sum() < removal.cut(x, y)[1].sum()
-    nothing, none = removal.cut(x, y, np.empty(0, np.int64))
-    assert not none.any() and set(nothing.owner.tolist()) == {UNCUT}

@@ -26,8 +26,8 @@ _STEEP = 0.5
 _TRAJECTORY = 460.0
 _BAND_RECORD = 13.0
 # Afterwards pictures at any moment are made: of every element of a trace, all of which may uncover what is seen then, of every
-# pixel and trajectory, and of what is worked on at once.
-_SHOWN, _SHOWN_PIXEL, _SHOWN_TRAJECTORY, _SHOWING = 12.0, PIXEL_BYTES + 92.0, 100.0, 12e6
+# pixel and trajectory, and of what is worked on at once; with numpy 2 most.
+_SHOWN, _SHOWN_PIXEL, _SHOWN_TRAJECTORY, _SHOWING = 14.0, PIXEL_BYTES + 92.0, 100.0, 12e6
 # A further process: itself, with Python and numpy; of every trajectory that it is told, and every record of a band, there and here.
 _PROCESS = 50e6
 _SENT_TRAJECTORY = 500.0
