@@ -168,10 +168,8 @@ def work_of(removal: Removal, trajectories: int, counts: Counts) -> Work:
         fine = fine_enough(tiles, bounds.slow)
         these = tiles.side**2 * np.repeat(weight[fine], np.diff(tiles.first)[fine])
         item = tiles.only(fine).item
-        cells += np.bincount(cell_kind[item], these, KINDS)
-        moved = float(these @ between[item])
-        cells[_AT_END] -= moved
-        cells[_BETWEEN] += moved
+        cells += np.bincount(cell_kind[item], these * (1 - between[item]), KINDS)
+        cells[_BETWEEN] += these @ between[item]
         tiles, weight = tiles.only(~fine), weight[~fine]
         if not len(tiles.item):
             break

@@ -201,16 +201,11 @@ class _Walls:
 
         These are never beside the tool: far from a move along the ray rounding would say so.
         """
-        half2 = np.maximum(self._half2(t), 0)
-        half: np.ndarray = np.sqrt(half2, out=half2)
-        half *= sign
-        return half
+        return _signed_root(np.maximum(self._half2(t), 0), sign)
 
     def at(self, t: np.ndarray, sign: int) -> np.ndarray:
         """How far along itself from the start of the move the ray passes the wall of the tool standing at `t`, mm."""
-        half = self._half2(t)
-        np.sqrt(half, out=half)  # beside the tool not a number
-        half *= sign
+        half = _signed_root(self._half2(t), sign)  # beside the tool not a number
         half += t * self.uy
         return half
 
@@ -220,6 +215,13 @@ class _Walls:
         half *= half
         result: np.ndarray = np.subtract(self.radius**2 + RIM, half, out=half)
         return result
+
+
+def _signed_root(square: np.ndarray, sign: int) -> np.ndarray:
+    """The square root with that sign, in place."""
+    root: np.ndarray = np.sqrt(square, out=square)
+    root *= sign
+    return root
 
 
 def _on_move(t: np.ndarray) -> np.ndarray:
