@@ -72,6 +72,21 @@ def test_what_lies_farther_apart_than_the_tool_cuts_are_two_contours(apart, nest
     assert rings.nested.tolist() == [nested, nested] and rings.alone.tolist() == [not nested] * 2
 
 
+def comb(wide, deep):
+    """The contour of a comb of 150 by 40 mm with gaps so wide and deep, and teeth as wide."""
+    points = [(150, 40), (0, 40), (0, 0)]
+    for gap in np.arange(wide, 150 - wide, 2 * wide):
+        points += [(gap, 0), (gap, deep), (gap + wide, deep), (gap + wide, 0)]
+    return [(x, y, 0.0) for x, y in [*points, (150, 0), (150, 40)]]
+
+
+@pytest.mark.parametrize(("wide", "deep", "nested"), [(2, 0.2, True), (4, 5, True), (2, 12, False)])
+def test_a_frame_around_a_comb_is_an_offset_of_it_only_where_they_are_about_as_long(wide, deep, nested):
+    """Gaps of twice the distance close, but what is three times as long is another contour."""
+    frame = [(-2, -2, 0.0), (152, -2, 0.0), (152, 42, 0.0), (-2, 42, 0.0), (-2, -2, 0.0)]
+    assert rings_of([frame, comb(wide, deep)]).nested.tolist() == [nested] * 2
+
+
 def test_a_ring_around_an_island_moves_one_side_only_and_is_no_offset():
     assert not rings_of([polygon(40), polygon(36, x=2)]).nested.any()
 

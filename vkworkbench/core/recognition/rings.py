@@ -208,6 +208,10 @@ def _compare(r: _Shapes, inward: Inward, limit: float, lag: int) -> dict[str, np
     # The sides of an offset move all by the same. Passes of a lattice that wind by chance seldom lie so.
     alike = high - low <= NESTS.EQUAL_SIDES * np.abs(mean) + SAME.PLACE
     even &= ~(r.wavy[a] & r.wavy[b]) | alike
+    # Parallel curves differ in length by their distance times their turn (Steiner), unless bays close between them.
+    longer, shorter = np.maximum(r.length[a], r.length[b]), np.minimum(r.length[a], r.length[b])
+    parallel = (longer - shorter < NESTS.LONGER * np.abs(mean)) | (shorter > NESTS.LENGTH_ALIKE * longer)
+    even &= parallel | (r.slack[a] + r.slack[b] > 2)  # a winding is as long as all its turns
     moved = beside & ~same_box & (low < 0) & (high > 0)
     if moved.any():
         # Trochoids bite into one another; ribs in a row, and the loops around them, stay apart. A part of a turn has no place.

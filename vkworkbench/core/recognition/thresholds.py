@@ -188,6 +188,12 @@ class NESTS:
     #: share of the mean. All sides of the box of a wavy ring, or of one that turns the other way, move by the same to
     #: this. Larger: passes of a lattice that wind by chance are nested.
     EQUAL_SIDES = 0.1
+    #: ratio to the distance. A loop is longer than its offset inwards by less than this, or has bays; a circle is by
+    #: 6.3, a square by 8. Larger: what is engraved around a letter is its offset.
+    LONGER = 12.0
+    #: share of the longer loop. Where bays close, the shorter loop still has as much. At 0 the lengths say nothing; at 1
+    #: combs have no stepover.
+    LENGTH_ALIKE = 0.6
     #: share of the distance. No side of an offset's box moves by less. At 0 ramped profiles are pockets; at 1 pockets
     #: with rounded corners are profiles.
     SIDE_AT_LEAST = 0.5
