@@ -43,6 +43,19 @@ def test_triangles_are_those_of_the_shape_however_finely_a_window_displays_it():
     assert len(finely.triangles) == len(newly.triangles)
 
 
+def test_a_face_of_many_poles_has_no_more_triangles_than_its_deviation_needs():
+    """The waves of a gear's flank, each a hundredth of a millimetre high: half a radian is enough for them."""
+    turns = np.linspace(0, 2 * pi, 1000, endpoint=False)
+    radius = 20 + 0.01 * np.cos(200 * turns)
+    points = [FreeCAD.Vector(r * np.cos(t), r * np.sin(t), 0) for r, t in zip(radius, turns)]
+    curve = Part.BSplineCurve()
+    curve.interpolate(points, PeriodicFlag=True)
+    gear = Part.Face(Part.Wire(curve.toShape())).extrude(FreeCAD.Vector(0, 0, 6))
+    model = model_solid((gear,))
+    assert np.allclose([*model.lower, *model.upper], [-20, -20, 0, 20, 20, 6], atol=0.03)
+    assert len(model.triangles) < len(gear.copy().tessellate(0.01)[1]) / 2
+
+
 @pytest.mark.parametrize("name", SHAPES)
 def test_a_stock_is_what_it_is(small, name):
     shape, kind = SHAPES[name]
@@ -89,6 +102,15 @@ def test_a_job_has_its_model(small):
     small.document.recompute()
     assert model_solid(model_shapes(small.job)).upper[2] == pytest.approx(25)
     small.job.Model.Group = []
+    assert model_solid(model_shapes(small.job)) is None
+
+
+def test_a_wire_beside_a_solid_is_no_part_of_the_model(small):
+    wire = small.document.addObject("Part::Feature", "Wire")
+    wire.Shape = Part.makePolygon([FreeCAD.Vector(x, 0, 90) for x in (0, 10, 30)])
+    small.job.Model.Group = [*small.job.Model.Group, wire]
+    assert model_solid(model_shapes(small.job)).upper[2] == pytest.approx(20)
+    small.job.Model.Group = [wire]
     assert model_solid(model_shapes(small.job)) is None
 
 

@@ -7,6 +7,7 @@ import time
 from collections.abc import Sequence
 from math import pi
 
+import MeshPart
 import numpy as np
 import Part
 
@@ -18,6 +19,8 @@ from vkworkbench.language import Message, Unusable
 
 # A curved face lies so far from its triangles, mm: at least, and as a share of the shape's diagonal.
 _FINEST, _SHARE = 0.01, 1e-4
+# rad between neighbouring triangles of a face. `tessellate` takes a tenth of it, and minutes for a spline of 2,000 poles.
+_BEND = 0.5
 _AT_ONCE, _TURN = 0.01, 0.001  # s of meshing, and s in which other threads, the window's first of all, get their turn
 # Shapes are what they seem up to this share of their volume.
 _ALIKE = 1e-6
@@ -72,9 +75,9 @@ def _form(shape, box: Stock) -> tuple:
 
 
 def shapes_of_model(job) -> list:
-    """Return the shapes of a job's model, as the document has them."""
+    """Return the shapes of a job's model, as the document has them; sketches and wires have no faces and are none of it."""
     group = freecad.GROUP.of(freecad.MODEL.of(job)) or []
-    return [shape for shape in map(freecad.SHAPE.of, group) if shape is not None and not shape.isNull()]
+    return [shape for shape in map(freecad.SHAPE.of, group) if shape is not None and not shape.isNull() and shape.Faces]
 
 
 def model_shapes(job) -> tuple:
@@ -137,10 +140,10 @@ def _mesh(shapes: Sequence) -> Mesh:
         own = shape.copy(True, False)  # the mesh by which a window displays the shape stays as it is
         begun = time.monotonic()
         for face in own.Faces:  # nothing else happens meanwhile: a face is sooner done than the shape
-            face.tessellate(deviation)
+            MeshPart.meshFromShape(face, LinearDeflection=deviation, AngularDeflection=_BEND)
             if time.monotonic() - begun > _AT_ONCE:
                 time.sleep(_TURN)
                 begun = time.monotonic()
-        points, corners = own.tessellate(deviation)  # of the meshes of its faces
+        points, corners = own.tessellate(deviation)  # the meshes that its faces have now
         triangles.append(np.array([tuple(point) for point in points])[np.array(corners, int).reshape(-1, 3)])
     return Mesh(np.concatenate(triangles))
