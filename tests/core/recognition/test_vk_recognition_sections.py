@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import itertools
 from dataclasses import replace
 from types import SimpleNamespace
 
@@ -284,6 +285,31 @@ def test_holes_that_another_tool_drills_or_that_are_many_are_another_operation(d
     assert found.strategy is Strategy.MIXED
     assert [s.strategy for s in found.spans] == [Strategy.CONTOUR_PARALLEL, Strategy.DRILLING]
     assert found.reason.endswith("retracts or drilling show contour-parallel, drilling: mixed")
+
+
+def in_holes(depths, remark=True):
+    """Three holes, each wound down into and then widened, as FreeCAD clears them adaptively, with its remarks."""
+    commands = []
+    for depth, hole in itertools.product(depths, range(3)):
+        down, out = np.arange(0, 6 * 2 * np.pi, 0.3), np.arange(0, 3 * 2 * np.pi, 0.3)
+        radius = np.concatenate([np.full(len(down), 1.2), 1.2 + 0.5 * out / (2 * np.pi)])
+        turn = np.concatenate([down, out])
+        x, y = 40 * hole + radius * np.cos(turn), radius * np.sin(turn)
+        z = depth + np.concatenate([6 - down / (2 * np.pi), np.zeros(len(out))])
+        points = [("G1", {"X": a, "Y": b, "Z": c, "F": 10.0}) for a, b, c in zip(x, y, z)]
+        commands += [(f"(Helix to depth: {depth:.6f})", {}), ("G0", {"Z": 9.0}), ("G0", {"X": x[0], "Y": y[0]})]
+        commands += [*points[: len(down)], (f"(Adaptive - depth: {depth:.6f})", {}), *points[len(down) :]]
+        commands.append(("G0", {"Z": 9.0}))
+    return [command for command in commands if remark or not command[0].startswith("(")]
+
+
+@pytest.mark.parametrize("depths", [(-6.0,), (-6.0, -12.0, -18.0)])
+def test_what_freecad_remarks_within_an_operation_parts_nothing(depths):
+    path = linearize(in_holes(depths))
+    assert len(path.comments) == 6 * len(depths) and not find_borders(path, monotonous_areas(path))
+    found, plain = (recognize(one, tool_diameter=3.0) for one in (path, linearize(in_holes(depths, remark=False))))
+    assert (found.strategy, found.confidence, len(found.spans)) == (plain.strategy, plain.confidence, len(plain.spans))
+    assert find_borders(replace(path, comments=((30, "Pocket"),)), monotonous_areas(path)) == {30: False}
 
 
 @pytest.mark.parametrize("titles, borders", [(200, 200), (201, 0)])

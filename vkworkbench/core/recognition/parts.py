@@ -9,6 +9,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from vkworkbench.core.gcode.titles import title_of
 from vkworkbench.core.paper import Areas, monotonous_areas
 from vkworkbench.core.recognition.finishing import Cut, within_operations
 from vkworkbench.core.recognition.footprints import count_depths, number_depths
@@ -23,9 +24,9 @@ from vkworkbench.language import Message
 def find_borders(toolpath: Toolpath, moves: Areas) -> dict[int, bool]:
     """Return the trajectories before which another operation may begin, and whether it certainly does.
 
-    Tool changes and runs of drilled holes are certain; a comment is a hint.
+    Tool changes and runs of drilled holes are certain; a comment that is a title is a hint, a remark none.
     """
-    comments = {int(at) for at, _ in toolpath.comments}
+    comments = {int(at) for at, text in toolpath.comments if title_of(text)}
     borders = dict.fromkeys(comments, False) if len(comments) <= PARTS.BORDERS else {}
     borders.update((int(at), True) for at in toolpath.tool_changes)
     holes = moves.holes
