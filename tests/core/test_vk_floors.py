@@ -47,7 +47,7 @@ OUTSIDE = {
     "freecad": {"FreeCAD"},
     "preferences": {"FreeCAD"},
     "program": {"numpy", "distributed"},
-    "document": {"numpy", "FreeCAD", "Part", "Path", "PathSimulator"},
+    "document": {"numpy", "FreeCAD", "MeshPart", "Part", "Path", "PathSimulator"},
     "gui": {"numpy", "FreeCAD", "FreeCADGui", "pivy"},
     "gui.qt": {"PySide"},
 }

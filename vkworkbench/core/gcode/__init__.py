@@ -4,7 +4,8 @@
 In: commands, as ``(name, parameters)`` pairs or FreeCAD's objects, in mm and mm/s.
 Out: `Toolpath`, straight trajectories with their source commands, and the problems met on the way.
 `Words` is the same commands as columns, for readers of words that trajectories do not keep.
-The text of an NC program becomes such commands by `read_program`; `split_sections` finds its operations and tools.
+The text of an NC program becomes such commands by `read_program`; `split_sections` finds its operations and tools,
+and `title_of` tells titles of operations from other comments.
 `looks_like_inches` and `looks_like_increments` tell whether inches or thousandths were read as millimetres;
 `in_seconds` mends mm/min that were read as mm/s.
 """
@@ -15,11 +16,12 @@ from vkworkbench.core.gcode.linearize import MOST_TRAJECTORIES, linearize
 from vkworkbench.core.gcode.program import Program
 from vkworkbench.core.gcode.reader import read_program
 from vkworkbench.core.gcode.sections import Section, split_sections
+from vkworkbench.core.gcode.titles import title_of
 from vkworkbench.core.gcode.tool_table import tells_inches
 from vkworkbench.core.gcode.units import INCH, in_seconds, looks_like_inches, looks_like_increments
 from vkworkbench.core.gcode.words import Words, used_up
 
 __all__ = [
     "ARCS", "INCH", "MOST_TRAJECTORIES", "Program", "Section", "Words", "at_line", "in_seconds", "linearize",
-    "looks_like_inches", "looks_like_increments", "read_program", "split_sections", "tells_inches", "used_up",
+    "looks_like_inches", "looks_like_increments", "read_program", "split_sections", "tells_inches", "title_of", "used_up",
 ]  # fmt: skip

@@ -9,7 +9,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from vkworkbench.core.gcode.titles import title_of
+from vkworkbench.core.gcode import title_of
 from vkworkbench.core.paper import Areas, monotonous_areas
 from vkworkbench.core.recognition.finishing import Cut, within_operations
 from vkworkbench.core.recognition.footprints import count_depths, number_depths
