@@ -165,6 +165,7 @@ VERTICAL_FEED = Property("VertFeed")
 GCODE = Property("Gcode")  # the lines of a file that FreeCAD imported as a custom operation
 # A tool; the last name of its shape is that of 0.20's tools without a tool bit.
 TOOL_SHAPE = Property("ShapeType", since=(1, 1), before=("ShapeName", "ToolType"), fingerprint="setting")
+TOOL_SHAPE_FILE = Property("ShapeID", since=(1, 1), before=("BitShape",), fingerprint="setting")
 DIAMETER = Property("Diameter", fingerprint="setting")
 CORNER_RADIUS = Property("CornerRadius", fingerprint="setting")  # since 1.1
 FLAT_RADIUS = Property("FlatRadius", fingerprint="setting")  # before 1.1: radius of a bull nose's flat part

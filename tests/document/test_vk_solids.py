@@ -134,6 +134,22 @@ def test_the_corner_of_a_bull_nose_is_told_by_itself_or_by_what_is_flat(measures
     assert (tool.shape, tool.corner_radius) == ("bullnose", corner)
 
 
+@pytest.mark.parametrize(
+    "file, shape, exact",
+    [
+        ("C:\\Program Files\\FreeCAD 1.0\\Mod\\CAM\\Tools\\Shape\\ballend.fcstd", "ballend", True),
+        ("/usr/share/freecad/Mod/Path/Tools/Shape/endmill.fcstd", "endmill", True),
+        ("v-bit.fcstd", "vbit", True),
+        ("mine.fcstd", "endmill", False),
+        ("", "endmill", False),
+        (None, "endmill", False),
+    ],
+)
+def test_a_shape_that_freecad_does_not_find_is_that_of_its_file(file, shape, exact):
+    of = operation(ShapeType="Custom", ShapeID=file)
+    assert read_tool(of).shape == shape and (tool_remark(of) is None) == exact
+
+
 @pytest.mark.parametrize("far, usable", [(0.9e6, True), (1.1e6, False), (float("nan"), False)])
 def test_an_operation_lies_within_a_kilometre(far, usable):
     path = linearize([("G0", {"X": 1.0, "Y": 2.0, "Z": 3.0}), ("G1", {"X": 4.0})])
