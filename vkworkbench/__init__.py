@@ -15,7 +15,7 @@ Importing this package is cheap; what the functions need is loaded when they are
 from __future__ import annotations
 
 import sys
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from importlib import import_module
 
 __version__ = "0.1.0"
@@ -55,12 +55,16 @@ def analyze(what=None, *, progress=None, cancelled=None):
     ReferenceError
         If an object of it was deleted, or its document closed.
     TypeError
-        If `what` is something else; without FreeCAD files and folders are all there is.
+        If `what` is something else; without FreeCAD files and folders are all there is. Or if `progress` or `cancelled` is
+        nothing that can be called.
     Cancelled
         If `cancelled` returned True.
     """
     from vkworkbench import program
+    from vkworkbench.given import of_kind
 
+    for name, given in (("progress", progress), ("cancelled", cancelled)):
+        of_kind(name, given, (Callable, type(None)), "a function")
     if isinstance(what, Iterable) and not isinstance(what, (str, bytes)):
         what = list(what)  # a generator can be looked at once
     home = program

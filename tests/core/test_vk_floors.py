@@ -20,7 +20,7 @@ PACKAGE = "vkworkbench"
 # The floors, the lowest first. What stands side by side on one is one room.
 FLOORS = (
     ("language",),
-    ("worker",),
+    ("worker", "given"),
     ("core.toolpath", "core.strategy", "core.machining", "core.steady"),
     ("core.tool", "core.view", "core.hull", "core.solids", "core.stocks"),
     ("core.gcode",),
@@ -43,6 +43,7 @@ OUTSIDE = {
     "": set(),
     "core": {"numpy"},
     "worker": {"numpy"},
+    "given": {"numpy"},
     "report.simulation_facts": {"numpy"},
     "freecad": {"FreeCAD"},
     "preferences": {"FreeCAD"},

@@ -147,7 +147,7 @@ def test_nothing_to_cut():
 
 def test_bad_rapid_speeds_are_refused():
     for speed in (-1.0, float("nan"), float("inf")):
-        with pytest.raises(ValueError, match="rapid speed"):
+        with pytest.raises(ValueError, match="horizontal_rapid must be a rapid speed"):
             machining(linearize([]), horizontal_rapid=speed)
 
 

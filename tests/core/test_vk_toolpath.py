@@ -79,7 +79,7 @@ def test_what_is_no_toolpath_is_told_in_a_sentence():
     path = linearize(commands)
     with pytest.raises(TypeError, match=r"a tool is a Tool\(shape, diameter, ...\), not int"):
         simulate(path, tool=6, stock=stock, view=view)
-    with pytest.raises(TypeError, match=r"a job is made of Cut\(toolpath, tool\), not tuple"):
+    with pytest.raises(TypeError, match=r"each of a job is a Cut\(toolpath, tool\), not tuple"):
         simulate_job([(path, tool)], stock=stock, view=view)
 
 

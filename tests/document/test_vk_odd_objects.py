@@ -177,7 +177,7 @@ def test_what_is_gone_is_told_in_a_sentence(small, zigzag_commands, do):
 
 @pytest.mark.parametrize("what", [None, "x", 5, []])
 def test_mark_takes_a_report(small, what):
-    with pytest.raises(TypeError, match="mark takes the Report that analyze returns"):
+    with pytest.raises(TypeError, match="report is the Report that analyze returns"):
         vkworkbench.mark(what)
 
 

@@ -111,6 +111,24 @@ def test_it_refuses_what_cannot_be(small):
         vkworkbench.simulate(op, memory_budget=1e6)
     with pytest.raises(TypeError, match="only a document, a job or operations have toolpaths, not int"):
         vkworkbench.simulate(7)
+    with pytest.raises(ValueError, match="memory_budget must be a number of bytes, at least 0, not 'much'"):
+        vkworkbench.simulate(op, memory_budget="much")
+    with pytest.raises(TypeError, match="view is a View or the name of a direction, not int"):
+        vkworkbench.simulate(op, view=1)
+    with pytest.raises(TypeError, match="going_on is a function, not int"):
+        vkworkbench.simulate(op, view=VIEW, going_on=1)
+    done = vkworkbench.simulate(op, view=VIEW)
+    for use, told in (
+        (lambda: done.facts(tolerance="much"), "tolerance must be a length of at least 0 mm, not 'much'"),
+        (lambda: done.at(1.5), "step must be a whole number, 0 to"),
+        (lambda: done.source("first"), "trajectory must be a whole number, not 'first'"),
+        (lambda: done.save_png(1), "path is the name of a file, not int"),
+        (lambda: done.facts().to_csv(1), "path is the name of a file, not int"),
+        (lambda: done.facts().to_json(1), "path is the name of a file, not int"),
+        (lambda: done.facts().trajectories_to_csv(1), "path is the name of a file, not int"),
+    ):
+        with pytest.raises((ValueError, TypeError), match=f"^{told}"):
+            use()
     small.job.Stock = None
     with pytest.raises(Unusable, match="no stock"):
         vkworkbench.simulate(op)

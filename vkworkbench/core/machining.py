@@ -12,6 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from vkworkbench.core.toolpath import PLANE_AXES, Toolpath, check_toolpath
+from vkworkbench.given import not_negative, number
 from vkworkbench.language import Message, render
 
 
@@ -80,7 +81,13 @@ def exact_lengths(toolpath: Toolpath) -> np.ndarray:
     -------
     (n,) float64
         Lengths, mm.
+
+    Raises
+    ------
+    TypeError
+        If `toolpath` is something else.
     """
+    check_toolpath(toolpath)
     moves = np.diff(toolpath.points, axis=0)
     if not len(moves):
         return np.zeros(0)
@@ -105,9 +112,24 @@ def trajectory_seconds(toolpath: Toolpath, *, horizontal_rapid: float = 0.0, ver
     toolpath : Toolpath
     horizontal_rapid, vertical_rapid : float
         As for :func:`machining`.
+
+    Raises
+    ------
+    ValueError, TypeError
+        Likewise.
     """
+    check_toolpath(toolpath)
+    horizontal_rapid, vertical_rapid = _rapids(horizontal_rapid, vertical_rapid)
     speed = _speeds(toolpath, horizontal_rapid, vertical_rapid)
     return exact_lengths(toolpath) / np.where(speed > 0, speed, np.nan)
+
+
+def _rapids(horizontal_rapid: object, vertical_rapid: object) -> tuple[float, float]:
+    takes = "a rapid speed in mm/s, a number of at least 0"
+    return (
+        number("horizontal_rapid", horizontal_rapid, takes, not_negative),
+        number("vertical_rapid", vertical_rapid, takes, not_negative),
+    )
 
 
 def _speeds(toolpath: Toolpath, horizontal_rapid: float, vertical_rapid: float) -> np.ndarray:
@@ -185,13 +207,11 @@ def machining(
     ValueError
         For a negative or non-finite rapid speed.
     TypeError
-        If `toolpath` is something else.
+        If `toolpath` is something else, or a speed or `top` nothing like a number.
     """
     check_toolpath(toolpath)
-    horizontal_rapid, vertical_rapid = float(horizontal_rapid), float(vertical_rapid)  # also FreeCAD's quantities
-    for given in (horizontal_rapid, vertical_rapid):
-        if not (np.isfinite(given) and given >= 0):
-            raise ValueError(f"a rapid speed must be a number of mm/s, at least 0, not {given}")
+    horizontal_rapid, vertical_rapid = _rapids(horizontal_rapid, vertical_rapid)
+    top = None if top is None else number("top", top, "a number of mm")
     lengths = exact_lengths(toolpath)
     speed = _speeds(toolpath, horizontal_rapid, vertical_rapid)
     rapid = toolpath.rapid
@@ -214,7 +234,7 @@ def machining(
         heights = toolpath.points[:, 2]
         lowest = float(np.minimum(heights[:-1], heights[1:])[~rapid].min())
         if top is not None:
-            depth = max(0.0, float(top) - lowest)
+            depth = max(0.0, top - lowest)
     return Machining(
         cutting_length, rapid_length, lowest, depth, cutting_seconds, rapid_seconds, tuple(left_out), shortest, median
     )

@@ -10,12 +10,19 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vkworkbench.core.tool import Tool
-from vkworkbench.core.toolpath import COORDINATE_LIMIT, Toolpath
+from vkworkbench.core.tool import Tool, check_tool
+from vkworkbench.core.toolpath import COORDINATE_LIMIT, Toolpath, check_toolpath
 from vkworkbench.core.view import Frame
+from vkworkbench.given import numbers
 from vkworkbench.language import Message, Unusable
 
 SMALLEST = 1e-6  # mm; no document keeps less
+
+
+def point(name: str, given: object) -> np.ndarray:
+    """Return a point that was given, (3,) float64 of its own; see `given.number`."""
+    takes = "three numbers, the coordinates of a point in mm"
+    return np.array(numbers(name, given, takes, lambda array: array.size == 3)).reshape(3)
 
 
 class Gaps(NamedTuple):
@@ -116,11 +123,12 @@ class Stock(Convex):
     ------
     Unusable
         If a coordinate is not finite or beyond a kilometre, or the box has no volume.
+    ValueError, TypeError
+        If a corner is no three numbers.
     """
 
     def __init__(self, lower: Sequence[float] | np.ndarray, upper: Sequence[float] | np.ndarray) -> None:
-        self.lower = np.array(lower, float).reshape(3)
-        self.upper = np.array(upper, float).reshape(3)
+        self.lower, self.upper = point("lower", lower), point("upper", upper)
         if not (np.abs([self.lower, self.upper]) <= COORDINATE_LIMIT).all():
             raise Unusable(Message("stock-not-finite"))
         if not (self.upper - self.lower >= SMALLEST).all():
@@ -212,7 +220,11 @@ def stock_around(toolpath: Toolpath, tool: Tool) -> Stock:
     ------
     ValueError
         Where nothing cuts.
+    TypeError
+        Where toolpath or tool is something else.
     """
+    check_toolpath(toolpath)
+    check_tool(tool)
     cuts = ~toolpath.rapid
     if not cuts.any():
         raise ValueError("there is no box around the cuts of a toolpath without any")

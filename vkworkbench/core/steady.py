@@ -9,6 +9,8 @@ from collections.abc import Callable, Sequence
 
 import numpy as np
 
+from vkworkbench.given import of_kind, whole
+
 # A time is steady once the shortest was taken, within so much, so many times.
 _EQUAL, _TIMES = 1.05, 3
 
@@ -42,7 +44,15 @@ def steady_seconds(
     -------
     (k,) float64
         The shortest time of each piece, s.
+
+    Raises
+    ------
+    ValueError, TypeError
+        If `most` is no whole number of at least 1, or what is to be called is nothing that can be.
     """
+    most = whole("most", most, "a whole number of at least 1", lambda n: n >= 1)
+    for name, given in (("clock", clock), ("going_on", going_on)):
+        of_kind(name, given, Callable, "a function")
     times: list[list[float]] = [[] for _ in pieces]
     for _ in range(most):
         waiting = [place for place, taken in enumerate(times) if not _is_steady(taken)]

@@ -10,8 +10,9 @@ from typing import Union
 
 import numpy as np
 
-from vkworkbench.core.solids import Convex, Gaps, Spans, Stock
-from vkworkbench.core.view import Frame
+from vkworkbench.core.solids import Convex, Gaps, Spans, Stock, point
+from vkworkbench.core.view import Frame, View
+from vkworkbench.given import number, numbers, of_kind
 from vkworkbench.language import Message, Unusable
 
 # Corners of a mesh this close, mm, are one.
@@ -40,10 +41,15 @@ class Cylinder(Convex):
     ------
     Unusable
         If a number is not finite, it reaches beyond a kilometre, or it has no volume.
+    ValueError, TypeError
+        If `base` is no three numbers, or a length no number.
     """
 
     def __init__(self, base: np.ndarray, radius: float, height: float) -> None:
-        base, radius, height = np.array(base, float).reshape(3), float(radius), float(height)
+        base = point("base", base)
+        radius, height = (
+            number(name, given, "a number of mm") for name, given in (("radius", radius), ("height", height))
+        )
         box = Stock(base - [radius, radius, 0], base + [radius, radius, height])
         self.base, self.radius, self.height = base, radius, height
         self.lower, self.upper, self.normals, self.offsets = box.lower, box.upper, box.normals, box.offsets
@@ -100,10 +106,13 @@ class Mesh:
     ------
     Unusable
         If a coordinate is not finite, the triangles do not close, or all of them are lines and points.
+    ValueError, TypeError
+        If they are no triples of points.
     """
 
     def __init__(self, triangles: np.ndarray) -> None:
-        points = np.array(triangles, float).reshape(-1, 3)
+        takes = "an array of (t, 3, 3) numbers, the coordinates of corners in mm"
+        points = np.array(numbers("triangles", triangles, takes, lambda array: array.size % 9 == 0)).reshape(-1, 3)
         if not np.isfinite(points).all():
             raise Unusable(Message("stock-not-finite"))
         first, corner = _distinct(np.rint(points / _SAME).astype(np.int64))
@@ -216,6 +225,19 @@ def _crossed(lower: np.ndarray, upper: np.ndarray, at: np.ndarray) -> np.ndarray
 
 # What a stock or a model may be.
 Solid = Union[Convex, Mesh]
+
+
+def fitted(view: View, stock: Solid) -> Frame:
+    """Return the view fitted to the stock.
+
+    Raises
+    ------
+    TypeError
+        Where they are something else, as a document's stock and the name of a direction are.
+    """
+    of_kind("view", view, View, "a View(direction, width, height, ...)")
+    of_kind("stock", stock, (Convex, Mesh), "a solid: a Stock(lower, upper), a Cylinder or a Mesh")
+    return view.frame(stock)
 
 
 def spans_in(solid: Solid, frame: Frame) -> Callable[[np.ndarray, np.ndarray], Spans]:

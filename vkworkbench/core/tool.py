@@ -9,10 +9,17 @@ from math import pi, tan
 import numpy as np
 
 from vkworkbench.core.toolpath import COORDINATE_LIMIT
+from vkworkbench.given import number, of_kind
 from vkworkbench.language import Message, Unusable
 
 SHAPES = ("endmill", "ballend", "bullnose", "vbit", "drill")
 _DEFAULT_TIP_ANGLE = {"vbit": pi / 3, "drill": 118 * pi / 180}
+_SIZES = {
+    "diameter": "a number of mm",
+    "corner_radius": "a number of mm",
+    "tip_angle": "a number of rad",
+    "tip_diameter": "a number of mm",
+}
 
 
 @dataclass(frozen=True)
@@ -54,10 +61,11 @@ class Tool:
     def __post_init__(self) -> None:
         if self.shape not in SHAPES:
             raise ValueError(f"unknown tool shape {self.shape!r}; known are {', '.join(SHAPES)}")
-        for name in ("diameter", "corner_radius", "tip_angle", "tip_diameter"):
+        for name, takes in _SIZES.items():
             given = getattr(self, name)
             if given is not None or name != "tip_angle":
-                object.__setattr__(self, name, float(given))  # a quantity of FreeCAD's cannot be reckoned with
+                # A quantity of FreeCAD's cannot be reckoned with; which numbers fit is said in the user's language below.
+                object.__setattr__(self, name, number(name, given, takes))
         if not 0 < self.diameter <= COORDINATE_LIMIT:
             raise Unusable(Message("tool-diameter", diameter=self.diameter))
         if self.shape == "bullnose" and not 0 <= self.corner_radius <= self.radius:
@@ -113,3 +121,13 @@ class Tool:
         beyond_flat = np.minimum(np.maximum(r - flat, 0.0), width)
         rise: np.ndarray = corner - np.sqrt(corner**2 - beyond_flat**2) if corner else self.steepness * beyond_flat
         return rise
+
+
+def check_tool(given: object) -> None:
+    """Say what a tool is where something else is given, as a diameter is.
+
+    Raises
+    ------
+    TypeError
+    """
+    of_kind("a tool", given, Tool, "a Tool(shape, diameter, ...)")

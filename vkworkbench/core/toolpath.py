@@ -8,6 +8,7 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
+from vkworkbench.given import number, numbers, of_kind
 from vkworkbench.language import Message, render
 
 # mm. No milling machine goes beyond a kilometre: such a number is an error, and would overflow later.
@@ -134,8 +135,15 @@ class Toolpath:
             mm; none is where the one before it is.
         feed : float
             mm/s.
+
+        Raises
+        ------
+        ValueError, TypeError
+            Where they are something else.
         """
-        points = np.array(points, float).reshape(-1, 3)
+        takes = "an array of (n+1, 3) numbers of mm"
+        points = np.array(numbers("points", points, takes, lambda array: array.size % 3 == 0)).reshape(-1, 3)
+        feed = number("feed", feed, "a number of mm/s")
         count = max(len(points) - 1, 0)
         return cls(
             points,
@@ -182,5 +190,4 @@ def check_toolpath(given: object) -> None:
     ------
     TypeError
     """
-    if not isinstance(given, Toolpath):
-        raise TypeError(f"a toolpath is the Toolpath that linearize makes of commands, not {type(given).__name__}")
+    of_kind("a toolpath", given, Toolpath, "the Toolpath that linearize makes of commands")

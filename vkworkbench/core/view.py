@@ -4,11 +4,12 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from math import isfinite
-from operator import index
+from functools import partial
 from typing import Protocol
 
 import numpy as np
+
+from vkworkbench.given import number, numbers, positive, whole
 
 # A view tilted by less than this, rad, is vertical: it shows nothing else, a camera's rounding would tell which side of the
 # image is up, and rays so steep pass the walls of tools where rounding decides.
@@ -40,9 +41,9 @@ class View:
     Raises
     ------
     ValueError
-        If the direction has no length, the image no pixels or a pixel no side.
+        If the direction has no length, the image no pixels or a pixel no side, or where a text is no number.
     TypeError
-        If width or height is no whole number, as ``160 / 0.5`` is none.
+        If width or height is no whole number, as ``160 / 0.5`` is none, or something else is nothing like numbers.
     """
 
     direction: tuple[float, float, float] = (0.0, 0.0, -1.0)
@@ -52,21 +53,15 @@ class View:
     offset: tuple[float, float] = (0.0, 0.0)
 
     def __post_init__(self) -> None:
-        direction = np.array(self.direction, float)
-        if direction.shape != (3,) or not np.isfinite(direction).all() or not direction.any():
-            raise ValueError("the view's direction must be three finite numbers, not all zero")
-        object.__setattr__(self, "direction", tuple(float(x) for x in direction))
+        set_to = partial(object.__setattr__, self)
+        direction = numbers("direction", self.direction, "three finite numbers that are not all zero", _is_direction)
+        set_to("direction", tuple(direction.tolist()))
         for name in ("width", "height"):
-            try:
-                object.__setattr__(self, name, index(getattr(self, name)))
-            except TypeError:
-                raise TypeError(
-                    f"the image's {name} is a whole number of pixels, not {getattr(self, name)!r}"
-                ) from None
-        if self.width < 1 or self.height < 1:
-            raise ValueError("the image needs at least one pixel each way")
-        if self.pixel is not None and not (isfinite(self.pixel) and self.pixel > 0):
-            raise ValueError(f"the side of a pixel must be a positive number, not {self.pixel:g} mm")
+            set_to(name, whole(name, getattr(self, name), "a whole number of pixels, at least 1", lambda n: n >= 1))
+        if self.pixel is not None:
+            set_to("pixel", number("pixel", self.pixel, "a positive number of mm", positive))
+        offset = numbers("offset", self.offset, "two finite numbers of mm", lambda xy: _are_finite(xy, 2))
+        set_to("offset", tuple(offset.tolist()))
 
     def frame(self, stock: Bounded) -> Frame:
         """Return the image's axes, centre and pixel for this stock."""
@@ -86,6 +81,14 @@ class View:
             pixel = float(max(extent[0] / self.width, extent[1] / self.height))
         centre = (stock.lower + stock.upper) / 2 + self.offset[0] * right + self.offset[1] * up
         return Frame(centre, right, up, direction, pixel, self.width, self.height)
+
+
+def _are_finite(numbers: np.ndarray, size: int) -> bool:
+    return numbers.shape == (size,) and bool(np.isfinite(numbers).all())
+
+
+def _is_direction(numbers: np.ndarray) -> bool:
+    return _are_finite(numbers, 3) and bool(numbers.any())
 
 
 @dataclass(frozen=True, eq=False)

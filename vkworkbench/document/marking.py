@@ -21,6 +21,7 @@ from vkworkbench.document.operations import (
     members,
     or_active_document,
 )
+from vkworkbench.given import of_kind
 from vkworkbench.report import OperationReport, Report
 
 
@@ -45,8 +46,7 @@ def mark(report: Report, *, undo_step: bool = True) -> int:
     TypeError
         If `report` is no report.
     """
-    if not isinstance(report, Report):
-        raise TypeError(f"mark takes the Report that analyze returns, not {type(report).__name__}")
+    of_kind("report", report, Report, "the Report that analyze returns")
     marked = 0
     by_document: dict[str, list[OperationReport]] = {}
     for operation in report.operations:

@@ -15,6 +15,7 @@ from vkworkbench.core import View, ZBuffer, simulate_job
 from vkworkbench.core.rendering import CUT, colors_of, palette, png, shade
 from vkworkbench.core.zbuffer import TOLERANCE, facts, trajectory_table
 from vkworkbench.document.simulated_job import SimulatedJob, SimulatedOperation, read_job
+from vkworkbench.given import check_file_name, of_kind
 from vkworkbench.report import SimulationFacts, how_many
 
 
@@ -50,19 +51,18 @@ def simulate(
     OverBudget
         If it would take more memory; nothing was simulated.
     ValueError
-        If `what` is None and no document is open, or there is no such direction.
+        If `what` is None and no document is open, there is no such direction, or the budget is no number of bytes.
     ReferenceError
         If an object of it was deleted, or its document closed.
     TypeError
-        If `what` is something else.
+        If an argument is something else.
     """
     job, chosen = read_job(what), preferences.read()
     if isinstance(view, str):
         if view not in preferences.DIRECTIONS:
             raise ValueError(f"there is no direction {view!r}: choose among {', '.join(preferences.DIRECTIONS)}")
         view = replace(chosen.view, direction=preferences.DIRECTIONS[view])
-    elif not isinstance(view, (View, type(None))):
-        raise TypeError(f"a view is a View or the name of a direction, not {type(view).__name__}")
+    of_kind("view", view, (View, type(None)), "a View or the name of a direction")
     budget = chosen.memory_budget_bytes if memory_budget is None else memory_budget
     return simulate_read(job, view or chosen.view, budget, going_on)
 
@@ -128,9 +128,12 @@ class Simulation:
         ------
         ValueError
             If the file's name does not end with ``.png``.
+        TypeError
+            If it is no name at all.
         OSError
             If the file cannot be written.
         """
+        check_file_name(path)
         if Path(path).suffix.lower() != ".png":
             raise ValueError(f"the picture is a PNG file, so its name must end with .png, unlike {str(path)!r}")
         Path(path).write_bytes(png(self.image()))
@@ -149,6 +152,8 @@ class Simulation:
         ------
         ValueError
             If the tolerance is no number of at least 0.
+        TypeError
+            If it is nothing like a number.
         """
         labels = [operation.label for operation in self.job.operations]
         names = tuple((operation.document, operation.name) for operation in self.job.operations)

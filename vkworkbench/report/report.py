@@ -5,11 +5,13 @@ from __future__ import annotations
 
 import csv
 import json
+import os
 from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
 
 from vkworkbench.core.simulators import ZBUFFER
 from vkworkbench.core.zbuffer import CutFacts
+from vkworkbench.given import check_file_name, of_kind
 from vkworkbench.report.operation import OperationReport, cells_of
 from vkworkbench.report.simulation_facts import SimulationFacts
 from vkworkbench.report.table import table_of
@@ -64,8 +66,7 @@ class Report:
         TypeError
             If `facts` is something else, as the simulation itself is.
         """
-        if not isinstance(facts, SimulationFacts):
-            raise TypeError(f"with_facts takes what a simulation's facts() returns, not {type(facts).__name__}")
+        of_kind("facts", facts, SimulationFacts, "what a simulation's facts() returns")
         told = {
             (*names, fingerprint): of_one
             for names, fingerprint, (_, of_one) in zip(facts.names, facts.fingerprints, facts.operations)
@@ -105,8 +106,9 @@ class Report:
             return "No operations found."
         return table_of(self.operations, self.totals, self.simulator)
 
-    def to_csv(self, path: str) -> None:
+    def to_csv(self, path: str | os.PathLike[str]) -> None:
         """Write one line for each operation, with a header, in mm, s, rad and bytes; see `cells_of`."""
+        check_file_name(path)
         rows = [cells_of(operation) for operation in self.operations]
         names = list(rows[0]) if rows else ["document", "name", "label", "strategy"]
         with open(path, "w", newline="", encoding="utf-8", errors=_NO_UTF8) as file:
@@ -114,8 +116,9 @@ class Report:
             writer.writeheader()
             writer.writerows(rows)
 
-    def to_json(self, path: str) -> None:
+    def to_json(self, path: str | os.PathLike[str]) -> None:
         """Write the operations and the totals of their jobs, in mm, s, rad and bytes."""
+        check_file_name(path)
         data = {
             "operations": [o.as_dict() for o in self.operations],
             "totals": [t.as_dict() for t in self.totals],

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import csv
 import json
+import os
 from collections.abc import Mapping
 from dataclasses import dataclass
 from math import isnan
@@ -13,6 +14,7 @@ from typing import Any
 import numpy as np
 
 from vkworkbench.core.zbuffer import FACT_COLUMNS, CutFacts
+from vkworkbench.given import check_file_name
 from vkworkbench.language import ENGLISH
 from vkworkbench.report.spreadsheet import as_cell
 from vkworkbench.report.text_table import how_many, line, printable, widths_of
@@ -53,24 +55,27 @@ class SimulationFacts:
             "job": self.job.as_dict(),
         }
 
-    def to_csv(self, path: str) -> None:
+    def to_csv(self, path: str | os.PathLike[str]) -> None:
         """Write one line for each operation, with a header; of what is wrong the number of places and the worst."""
+        check_file_name(path)
         rows = [{"label": as_cell(label), **facts.cells()} for label, facts in self.operations]
         with open(path, "w", newline="", encoding="utf-8") as file:
             writer = csv.DictWriter(file, ["label", *FACT_COLUMNS])
             writer.writeheader()
             writer.writerows(rows)
 
-    def to_json(self, path: str) -> None:
+    def to_json(self, path: str | os.PathLike[str]) -> None:
         """Write all of it, with every place where something is wrong."""
+        check_file_name(path)
         with open(path, "w", encoding="utf-8") as file:
             json.dump(self.as_dict(), file, indent=1, ensure_ascii=False)
 
-    def trajectories_to_csv(self, path: str) -> None:
+    def trajectories_to_csv(self, path: str | os.PathLike[str]) -> None:
         """Write one line for each trajectory, with a header: its operation, command, and what it removes.
 
         A rate that nobody knows is an empty cell.
         """
+        check_file_name(path)
         table = dict(self.trajectories)
         labels = [as_cell(label) for label, _ in self.operations]
         table = {"label": np.array(labels, object)[table.pop("cut")], **table}

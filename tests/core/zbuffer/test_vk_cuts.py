@@ -62,7 +62,7 @@ def test_there_is_no_other_trajectory(number):
 
 @pytest.mark.parametrize("number", [1.5, None, "1"])
 def test_a_trajectory_is_a_whole_number(number):
-    with pytest.raises(TypeError, match="cannot be interpreted as an integer"):
+    with pytest.raises(TypeError, match=f"trajectory must be a whole number, not {number!r}"):
         CUTS.source(number)
 
 

@@ -10,7 +10,7 @@ import pytest
 from zbuffer_reference.paths import BOX, toolpath
 
 from vkworkbench.core import Cut, Cylinder, Stock, Tool, View
-from vkworkbench.core.solids import Gaps, Spans
+from vkworkbench.core.solids import Convex, Gaps, Spans
 from vkworkbench.core.zbuffer import (
     Deviations,
     SeenModel,
@@ -201,7 +201,7 @@ def test_where_nothing_is_left_the_first_that_removed_something_of_the_model_is_
     assert gouge.depth == pytest.approx(3) and gouge.trajectory == 1 and gouge.source.cut == 1
 
 
-class Milled:
+class Milled(Convex):
     """A block without boxes and cylinders; its rays in closed form."""
 
     def __init__(self, block, *removed):

@@ -148,5 +148,5 @@ def test_up_to_a_tenth_of_a_millimetre_is_no_deviation(height, told):
 
 @pytest.mark.parametrize("tolerance", [-0.1, float("nan")])
 def test_a_tolerance_is_a_length(tolerance):
-    with pytest.raises(ValueError, match="the tolerance of deviations is a length of at least 0 mm"):
+    with pytest.raises(ValueError, match=f"tolerance must be a length of at least 0 mm, not {tolerance}"):
         facts(simulated(THERE_AGAIN), model=MODEL, tolerance=tolerance)

@@ -46,6 +46,7 @@ from vkworkbench.core.gcode.codes import (
 from vkworkbench.core.gcode.unread import unread
 from vkworkbench.core.gcode.words import Words
 from vkworkbench.core.toolpath import COORDINATE_LIMIT, PLANE_AXES, Problem, Toolpath
+from vkworkbench.given import number, positive
 from vkworkbench.language import Message, Unusable
 
 MOST_TRAJECTORIES = 5_000_000  # 2 GB of memory
@@ -91,9 +92,7 @@ def linearize(commands: Iterable[Any] | Words, *, tolerance: float = 0.01, infer
     Unusable
         If arcs and cycles would need more than 5 million moves.
     """
-    tolerance = float(tolerance)
-    if not (np.isfinite(tolerance) and tolerance > 0):
-        raise ValueError(f"the tolerance must be a positive number of mm, not {tolerance}")
+    tolerance = number("tolerance", tolerance, "a positive number of mm", positive)
     words = commands if isinstance(commands, Words) else Words(commands)
     program = _Program(words, infer_centres)
     points, rapid, command, sweep, is_cycle = _moves(program, tolerance)

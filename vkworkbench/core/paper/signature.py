@@ -20,6 +20,7 @@ from vkworkbench.core.paper.directions import (
 )
 from vkworkbench.core.paper.plane import plane_of_points
 from vkworkbench.core.paper.thresholds import TURNS
+from vkworkbench.given import numbers
 
 NO_LENGTH = 1e-9  # mm; a shorter trajectory has no direction
 
@@ -48,7 +49,7 @@ def signature(points: np.ndarray) -> Signature:
     >>> float(square.phi[-1] / np.pi), int(square.level[-1])
     (2.0, 1)
     """
-    points = np.asarray(points, np.float64)
+    points = numbers("points", points, "an array of (n+1, 2) or (n+1, 3) numbers")
     if points.ndim != 2 or points.shape[1] not in (2, 3):
         raise ValueError(f"points must have the shape (n+1, 2) or (n+1, 3), not {points.shape}")
     if not np.isfinite(points).all():

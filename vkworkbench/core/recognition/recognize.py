@@ -15,6 +15,7 @@ from vkworkbench.core.recognition.unknown import unknown
 from vkworkbench.core.recognition.visits import begun
 from vkworkbench.core.strategy import Strategy
 from vkworkbench.core.toolpath import Toolpath, check_toolpath
+from vkworkbench.given import number
 from vkworkbench.language import Message
 
 
@@ -49,7 +50,7 @@ def recognize(toolpath: Toolpath, *, tool_diameter: float | None = None, program
         return Recognition(Strategy.EMPTY, 1.0, Message("only-rapids") if len(toolpath) else Message("no-moves"))
     if is_turned(toolpath):
         return unknown(toolpath, Message("like-a-lathe", strategy=Strategy.UNKNOWN))
-    tool = float(tool_diameter or 0.0)  # a quantity of FreeCAD's is a number, too
+    tool = number("tool_diameter", tool_diameter or 0.0, "a number of mm, or None")
     tool = tool if 0 < tool < np.inf else 0.0
     moves = monotonous_areas(toolpath)
     first, last = int(np.argmin(rapid)), len(rapid) - 1 - int(np.argmin(rapid[::-1]))

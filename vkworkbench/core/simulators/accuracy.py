@@ -7,7 +7,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from vkworkbench.core.simulators.legacy import LegacyCost, legacy_together
-from vkworkbench.core.zbuffer import check_budget, heaviest, passes_apart
+from vkworkbench.core.zbuffer import heaviest, passes_apart
+from vkworkbench.given import number, of_kind, positive
 from vkworkbench.language import Message, render
 
 
@@ -67,10 +68,18 @@ def best_accuracy(
     ------
     ValueError
         Without an operation, or with a budget that is not a positive number.
+    TypeError
+        Where an argument is something else.
     """
+    memory_bytes = number("memory_bytes", memory_bytes, "a positive number of bytes", positive)
+    seconds = number("seconds", seconds, "a positive number of s", positive)
+    of_kind("costs", costs, Sequence, "several sequences of LegacyCost")
     if not costs:
         raise ValueError("there is no operation to choose an accuracy for")
-    check_budget(memory_bytes, seconds)
+    for cost in costs:
+        of_kind("each of costs", cost, Sequence, "a sequence of LegacyCost")
+        for one in cost:
+            of_kind("a cost", one, LegacyCost, "a LegacyCost")
     every = [legacy_together(at_position) for at_position in zip(*costs)]
     met = [
         position

@@ -25,7 +25,7 @@ from vkworkbench.core.zbuffer.job_facts import FACT_COLUMNS, CutFacts, JobFacts,
 from vkworkbench.core.zbuffer.memory import OverBudget, memory_needed
 from vkworkbench.core.zbuffer.moments import ZBuffer
 from vkworkbench.core.zbuffer.records import DEXEL, RECORD_BYTES, TRACE
-from vkworkbench.core.zbuffer.resolution import Resolution, best_resolution, check_budget, heaviest, passes_apart
+from vkworkbench.core.zbuffer.resolution import Resolution, best_resolution, heaviest, passes_apart
 from vkworkbench.core.zbuffer.seen_model import Deviations, SeenModel, deviations
 from vkworkbench.core.zbuffer.sharing import shared_seconds, unshared_seconds
 from vkworkbench.core.zbuffer.simulate import simulate, simulate_job
@@ -34,7 +34,7 @@ from vkworkbench.core.zbuffer.speed import Speed, fit_speed, measure_speed
 __all__ = [
     "DEXEL", "FACT_COLUMNS", "RECORD_BYTES", "TOLERANCE", "TRACE", "WORK_UNITS", "Crash", "Cut", "CutFacts", "Cuts", "Deviation",
     "Deviations", "Estimate", "JobFacts", "OverBudget", "Plunge", "Resolution", "SeenModel",
-    "Source", "Speed", "ZBuffer", "best_resolution", "cauchy_crofton", "check_budget",
+    "Source", "Speed", "ZBuffer", "best_resolution", "cauchy_crofton",
     "closed_form", "crashes", "cuts_air", "cuts_surely", "deviations", "engagement", "estimate", "estimate_job",
     "facts", "fast_plunges", "fit_speed", "gouges", "heaviest", "material_left", "may_cut", "measure_speed",
     "memory_needed", "most_bytes", "passes_apart", "removal_rates", "removed_volumes",

@@ -13,12 +13,13 @@ import numpy as np
 
 from vkworkbench.core.paper import directions
 from vkworkbench.core.recognition import Recognition
-from vkworkbench.core.stocks import Solid
+from vkworkbench.core.stocks import Solid, fitted
 from vkworkbench.core.strategy import Strategy
 from vkworkbench.core.tool import Tool
-from vkworkbench.core.toolpath import Toolpath
+from vkworkbench.core.toolpath import Toolpath, check_toolpath
 from vkworkbench.core.view import Frame, View
 from vkworkbench.core.zbuffer.silhouette import clip, polygon_area
+from vkworkbench.given import number
 
 # Heights closer than this, mm, are one level.
 _LEVEL = 1e-3
@@ -93,13 +94,20 @@ def cauchy_crofton(toolpath: Toolpath, *, stock: Solid, view: View, direction: f
     -------
     float
         For that direction; without one the mean over all of them, 2 / pi of the length in the image by epsilon.
+
+    Raises
+    ------
+    ValueError, TypeError
+        Where an argument is something else.
     """
-    frame = view.frame(stock)
+    check_toolpath(toolpath)
+    frame = fitted(view, stock)
     move = np.diff(toolpath.points, axis=0)
     move = move[np.minimum(toolpath.points[:-1, 2], toolpath.points[1:, 2]) < stock.upper[2]]
     right, up = move @ frame.right, move @ frame.up
     if direction is None:
         return float(np.hypot(right, up).sum() * 2 / np.pi / frame.pixel)
+    direction = number("direction", direction, "an angle in rad, a finite number", np.isfinite)
     return float(np.abs(right * np.cos(direction) + up * np.sin(direction)).sum() / frame.pixel)
 
 

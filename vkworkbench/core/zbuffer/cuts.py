@@ -6,13 +6,13 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass
 from functools import cached_property
-from operator import index
 
 import numpy as np
 
 from vkworkbench.core.machining import exact_lengths
-from vkworkbench.core.tool import Tool
+from vkworkbench.core.tool import Tool, check_tool
 from vkworkbench.core.toolpath import Toolpath, check_toolpath
+from vkworkbench.given import number, of_kind, whole
 
 
 @dataclass(frozen=True, eq=False)
@@ -30,6 +30,8 @@ class Cut:
     ------
     TypeError
         If they are something else, as an operation's Path and tool are.
+    ValueError
+        If the feed is a text that is no number.
     """
 
     toolpath: Toolpath
@@ -38,8 +40,9 @@ class Cut:
 
     def __post_init__(self) -> None:
         check_toolpath(self.toolpath)
-        if not isinstance(self.tool, Tool):
-            raise TypeError(f"a tool is a Tool(shape, diameter, ...), not {type(self.tool).__name__}")
+        check_tool(self.tool)
+        feed = number("vertical_feed", self.vertical_feed, "a number of mm/s")
+        object.__setattr__(self, "vertical_feed", feed)
 
 
 @dataclass(frozen=True)
@@ -79,10 +82,10 @@ class Cuts:
     """
 
     def __init__(self, cuts: Iterable[Cut]) -> None:
+        of_kind("a job", cuts, Iterable, "several Cut(toolpath, tool)")
         self.cuts = tuple(cuts)
         for cut in self.cuts:
-            if not isinstance(cut, Cut):
-                raise TypeError(f"a job is made of Cut(toolpath, tool), not {type(cut).__name__}")
+            of_kind("each of a job", cut, Cut, "a Cut(toolpath, tool)")
         self.first = np.append(0, np.cumsum([len(cut.toolpath) for cut in self.cuts])).astype(np.int64)
 
     def __len__(self) -> int:
@@ -137,7 +140,7 @@ class Cuts:
         TypeError
             Where it is no whole number.
         """
-        trajectory = index(trajectory)
+        trajectory = whole("trajectory", trajectory, "a whole number")
         if not 0 <= trajectory < len(self):
             raise IndexError(f"there are the trajectories 0 to {len(self) - 1}, not {trajectory}")
         cut = int(np.searchsorted(self.first, trajectory, side="right")) - 1

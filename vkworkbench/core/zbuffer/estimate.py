@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from vkworkbench.core.recognition import Recognition
-from vkworkbench.core.stocks import Solid
+from vkworkbench.core.stocks import Solid, fitted
 from vkworkbench.core.tool import Tool
 from vkworkbench.core.toolpath import Toolpath
 from vkworkbench.core.view import View
@@ -17,6 +17,7 @@ from vkworkbench.core.zbuffer.cuts import Cut, Cuts
 from vkworkbench.core.zbuffer.effort import Work, work_of
 from vkworkbench.core.zbuffer.removal import Removal
 from vkworkbench.core.zbuffer.speed import USUAL, Speed
+from vkworkbench.given import of_kind
 
 
 @dataclass(frozen=True)
@@ -115,11 +116,17 @@ def estimate(
     -------
     Estimate
         The same for the same arguments.
+
+    Raises
+    ------
+    TypeError
+        Where an argument is something else.
     """
+    of_kind("recognition", recognition, (Recognition, type(None)), "what recognize found, or None")
     words = "toolpath" if recognition is None else str(recognition.strategy)
     if recognition is not None and recognition.stepover is not None:
         words += f", stepover {recognition.stepover:.3g} mm"
-    return _estimated((Cut(toolpath, tool),), stock, view, speed, words)
+    return _estimated(Cuts([Cut(toolpath, tool)]), stock, view, speed, words)
 
 
 def estimate_job(cuts: Sequence[Cut], *, stock: Solid, view: View, speed: Speed = USUAL) -> Estimate:
@@ -141,11 +148,12 @@ def estimate_job(cuts: Sequence[Cut], *, stock: Solid, view: View, speed: Speed 
     Estimate
         The same for the same arguments.
     """
-    return _estimated(tuple(cuts), stock, view, speed, "job")
+    return _estimated(Cuts(cuts), stock, view, speed, "job")
 
 
-def _estimated(cuts: tuple[Cut, ...], stock: Solid, view: View, speed: Speed, words: str) -> Estimate:
-    frame, numbered = view.frame(stock), Cuts(cuts)
+def _estimated(numbered: Cuts, stock: Solid, view: View, speed: Speed, words: str) -> Estimate:
+    of_kind("speed", speed, Speed, "the Speed that measure_speed finds")
+    frame = fitted(view, stock)
     removal = Removal(numbered, stock, frame)
     counts = count(removal)
     work = work_of(removal, len(numbered), counts)
@@ -163,7 +171,7 @@ def _estimated(cuts: tuple[Cut, ...], stock: Solid, view: View, speed: Speed, wo
         speed.trajectory * len(numbered),
         work,
         speed,
-        cuts,
+        numbered.cuts,
         stock,
     )
 

@@ -14,6 +14,7 @@ from vkworkbench.core.zbuffer.facts import cuts_air, engagement, removed_volumes
 from vkworkbench.core.zbuffer.faults import Crash, Plunge, crashes, fast_plunges
 from vkworkbench.core.zbuffer.moments import ZBuffer
 from vkworkbench.core.zbuffer.seen_model import deviations
+from vkworkbench.given import number
 
 # Rates are means over so much machining time, s: shorter ones are those of single pixels.
 _WINDOW = 1.0
@@ -146,9 +147,10 @@ def facts(zbuffer: ZBuffer, *, model: Solid | None = None, tolerance: float = TO
     ------
     ValueError
         If the tolerance is no number of at least 0.
+    TypeError
+        If it is nothing like a number.
     """
-    if not tolerance >= 0:
-        raise ValueError(f"the tolerance of deviations is a length of at least 0 mm, not {tolerance}")
+    tolerance = number("tolerance", tolerance, "a length of at least 0 mm", lambda length: length >= 0)
     cuts = zbuffer.cuts
     volumes, air, (depth, width) = removed_volumes(zbuffer), cuts_air(zbuffer), engagement(zbuffer)
     crashed, plunged = crashes(zbuffer), fast_plunges(zbuffer)

@@ -7,7 +7,7 @@ from collections.abc import Iterable
 
 import numpy as np
 
-from vkworkbench.core.stocks import Mesh, Solid
+from vkworkbench.core.stocks import Mesh, Solid, fitted
 from vkworkbench.core.view import View
 from vkworkbench.core.zbuffer.counts import Counts, count
 from vkworkbench.core.zbuffer.cuts import Cut, Cuts
@@ -72,7 +72,7 @@ def memory_needed(cuts: Iterable[Cut], *, stock: Solid, view: View) -> float:
     view : View
     """
     numbered = Cuts(cuts)
-    removal = Removal(numbered, stock, view.frame(stock))
+    removal = Removal(numbered, stock, fitted(view, stock))
     return peak_bytes(count(removal), len(numbered), removal)
 
 
@@ -91,11 +91,7 @@ def check_memory(removal: Removal, trajectories: int, allowed: float) -> None:
     Raises
     ------
     OverBudget
-    ValueError
-        Where `allowed` is no number.
     """
-    if not allowed >= 0:
-        raise ValueError(f"a memory budget is a number of bytes, not {allowed}")
     most = _most(removal)
     if _peak(most, most, most, trajectories, removal) <= allowed:
         return  # whatever the rays say

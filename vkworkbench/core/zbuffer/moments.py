@@ -9,7 +9,6 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 from functools import cached_property
-from operator import index
 
 import numpy as np
 
@@ -17,6 +16,7 @@ from vkworkbench.core.view import Frame
 from vkworkbench.core.zbuffer.cuts import Cuts
 from vkworkbench.core.zbuffer.records import Records
 from vkworkbench.core.zbuffer.surface import STOCK, Picture, Surface
+from vkworkbench.given import whole
 
 
 @dataclass(frozen=True, eq=False)
@@ -104,7 +104,13 @@ class ZBuffer:
         ----------
         first, end : int
             The trajectories first .. end - 1.
+
+        Raises
+        ------
+        ValueError, TypeError
+            As :meth:`at`.
         """
+        first, end = self._moment("first", first), self._moment("end", end)
         records, pixels = self.records, self.frame.width * self.frame.height
         pieces = np.flatnonzero((records.owner >= first) & (records.owner < end))
         pixel = np.searchsorted(records.index, pieces, side="right") - 1
@@ -133,10 +139,11 @@ class ZBuffer:
         TypeError
             Where it is no whole number.
         """
-        step = index(step)
-        if not 0 <= step <= self.trajectories:
-            raise ValueError(f"the simulation has the moments 0 to {self.trajectories}, not {step}")
-        return replace(self, step=step)
+        return replace(self, step=self._moment("step", step))
+
+    def _moment(self, name: str, given: object) -> int:
+        most = self.trajectories
+        return whole(name, given, f"a whole number, 0 to {most}", lambda step: 0 <= step <= most)
 
 
 def _length(records: np.ndarray) -> float:

@@ -5,10 +5,11 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from math import isfinite, log2, sqrt
+from math import log2, sqrt
 
 from vkworkbench.core.view import View
 from vkworkbench.core.zbuffer.estimate import Estimate
+from vkworkbench.given import not_negative, number, of_kind, positive
 from vkworkbench.language import Message, render
 
 # Passes are told apart if at least this many pixels or cells lie between them.
@@ -78,11 +79,20 @@ def best_resolution(
     ------
     ValueError
         Without an estimate, without a budget, or with one that is not a positive number.
+    TypeError
+        Where an argument is something else.
     """
-    budgets = [b for b in (memory_bytes, seconds) if b is not None]
+    if memory_bytes is None and seconds is None:
+        raise ValueError("a budget is a positive number: give memory_bytes, seconds, or both")
+    if memory_bytes is not None:
+        memory_bytes = number("memory_bytes", memory_bytes, "a positive number of bytes", positive)
+    if seconds is not None:
+        seconds = number("seconds", seconds, "a positive number of s", positive)
+    of_kind("estimates", estimates, Sequence, "several Estimate")
     if not estimates:
         raise ValueError("there is no operation to choose an image for")
-    check_budget(*budgets)
+    for one in estimates if whole is None else (*estimates, whole):
+        of_kind("an estimate", one, Estimate, "the Estimate that estimate makes")
     view, pixel = estimates[0].view, estimates[0].pixel
     each, estimates = estimates, estimates if whole is None else [whole]
     memory = max(e.stock_bytes for e in estimates) + sum(e.memory_bytes - e.stock_bytes for e in estimates)
@@ -135,12 +145,13 @@ def _growth(estimates: Sequence[Estimate], seconds: float, least: float) -> floa
 
 def passes_apart(size: float, stepover: float | None) -> Message | None:
     """Say whether cells or pixels of a size tell passes apart; None where it is not known how far apart they are."""
-    if not stepover:
+    apart = 0.0 if stepover is None else number("stepover", stepover, "a distance of at least 0 mm", not_negative)
+    if not apart:
         return None
-    finest = stepover / _CELLS_PER_STEPOVER
+    finest = apart / _CELLS_PER_STEPOVER
     if size > finest:
-        return Message("passes-need", step=stepover, cell=finest)
-    return Message("passes-seen", step=stepover, cell=finest)
+        return Message("passes-need", step=apart, cell=finest)
+    return Message("passes-seen", step=apart, cell=finest)
 
 
 def heaviest(labels: Sequence[str], seconds: Sequence[float]) -> Message | None:
@@ -149,9 +160,3 @@ def heaviest(labels: Sequence[str], seconds: Sequence[float]) -> Message | None:
         return None
     worst = max(range(len(labels)), key=seconds.__getitem__)
     return Message("heaviest", label=labels[worst], time=seconds[worst])
-
-
-def check_budget(*budgets: float) -> None:
-    """Raise ValueError unless there are budgets, each a positive number."""
-    if not budgets or not all(isfinite(budget) and budget > 0 for budget in budgets):
-        raise ValueError("a budget of memory or time must be a positive number")

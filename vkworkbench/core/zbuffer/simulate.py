@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterable
 from contextlib import closing
 
 from vkworkbench import worker
-from vkworkbench.core.stocks import Solid
+from vkworkbench.core.stocks import Solid, fitted
 from vkworkbench.core.tool import Tool
 from vkworkbench.core.toolpath import Toolpath
 from vkworkbench.core.view import View
@@ -18,6 +18,7 @@ from vkworkbench.core.zbuffer.moments import ZBuffer
 from vkworkbench.core.zbuffer.records import Writer
 from vkworkbench.core.zbuffer.sharing import cut_bands
 from vkworkbench.core.zbuffer.surface import Surface
+from vkworkbench.given import number, of_kind, whole
 
 
 def simulate(
@@ -75,9 +76,15 @@ def simulate_job(
     ------
     OverBudget
         Before anything is simulated, if it would take more memory than that.
+    ValueError, TypeError
+        Where an argument is something else.
     """
+    memory_budget = number("memory_budget", memory_budget, "a number of bytes, at least 0", lambda size: size >= 0)
+    of_kind("going_on", going_on, Callable, "a function")
+    if processes is not None:
+        processes = whole("processes", processes, "a whole number of at least 1", lambda n: n >= 1)
     numbered = Cuts(cuts)
-    frame = view.frame(stock)
+    frame = fitted(view, stock)
     image = CutImage(numbered, stock, frame)
     check_memory(image.removal, len(numbered), memory_budget)
 

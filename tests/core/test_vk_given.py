@@ -1,0 +1,170 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What callers give where something else belongs: the error names the argument, what it takes, and what it got."""
+
+import re
+
+import numpy as np
+import pytest
+
+import vkworkbench
+from vkworkbench.core import (
+    Cut,
+    Cylinder,
+    Mesh,
+    Stock,
+    Tool,
+    Toolpath,
+    View,
+    best_accuracy,
+    best_resolution,
+    cauchy_crofton,
+    complexity,
+    estimate,
+    exact_lengths,
+    linearize,
+    machining,
+    recognize,
+    signature,
+    simulate,
+    simulate_job,
+    steady_seconds,
+    stock_around,
+    trajectory_seconds,
+)
+from vkworkbench.core.zbuffer import estimate_job, facts, memory_needed
+from vkworkbench.report import Report
+
+PATH = linearize([("G0", {"X": 0, "Y": 0, "Z": 5}), ("G1", {"Z": -1, "F": 5}), ("G1", {"X": 50})])
+TOOL, STOCK, VIEW = Tool("endmill", 6), Stock((-5, -5, -5), (55, 5, 0)), View(width=30, height=20)
+WITH = {"tool": TOOL, "stock": STOCK, "view": VIEW}
+FOUND = estimate(PATH, None, **WITH)
+DONE = simulate(PATH, **WITH)
+REPORT = Report((), {}, {})
+MEMORY = {"memory_bytes": 1e9}
+
+
+class Quantity:
+    """A number as FreeCAD's quantities are."""
+
+    def __init__(self, value):
+        self.value = value
+
+    def __float__(self):
+        return self.value
+
+
+NUMBERS = {  # what no number fits, but -1 and nan, and what they name
+    "memory_budget": lambda given: simulate(PATH, **WITH, memory_budget=given),
+    "tolerance": lambda given: facts(DONE, tolerance=given),
+    " tolerance": lambda given: linearize([], tolerance=given),
+    "horizontal_rapid": lambda given: machining(PATH, horizontal_rapid=given),
+    "vertical_rapid": lambda given: trajectory_seconds(PATH, vertical_rapid=given),
+    "memory_bytes": lambda given: best_resolution([FOUND], memory_bytes=given),
+    "seconds": lambda given: best_resolution([FOUND], memory_bytes=1e9, seconds=given),
+    "stepover": lambda given: best_resolution([FOUND], memory_bytes=1e9, stepover=given),
+    " memory_bytes": lambda given: best_accuracy([], memory_bytes=given, seconds=1),
+    " seconds": lambda given: best_accuracy([], memory_bytes=1, seconds=given),
+    "pixel": lambda given: View(pixel=given),
+}
+
+
+@pytest.mark.parametrize("name", NUMBERS)
+@pytest.mark.parametrize("given", ["much", -1, float("nan"), [1], {}, 1j, 10**400])
+def test_numbers(name, given):
+    with pytest.raises((ValueError, TypeError), match=f"^{name.strip()} must be .*, not "):
+        NUMBERS[name](given)
+
+
+@pytest.mark.parametrize(
+    ("name", "given", "use"),
+    [
+        ("top", "much", lambda given: machining(PATH, top=given)),
+        ("direction", float("nan"), lambda given: cauchy_crofton(PATH, stock=STOCK, view=VIEW, direction=given)),
+        ("tool_diameter", [6], lambda given: recognize(PATH, tool_diameter=given)),
+        ("vertical_feed", "fast", lambda given: Cut(PATH, TOOL, given)),
+        ("diameter", "6 mm", lambda given: Tool("endmill", given)),
+        ("corner_radius", None, lambda given: Tool("bullnose", 6, given)),
+        ("tip_angle", "60°", lambda given: Tool("vbit", 6, 0, given)),
+        ("radius", "wide", lambda given: Cylinder((0, 0, 0), given, 1)),
+        ("height", None, lambda given: Cylinder((0, 0, 0), 1, given)),
+        ("base", (1, 2), lambda given: Cylinder(given, 1, 1)),
+        ("lower", 0, lambda given: Stock(given, (1, 1, 1))),
+        ("upper", "abc", lambda given: Stock((0, 0, 0), given)),
+        ("triangles", [[1, 2, 3]], Mesh),
+        ("points", "square", Toolpath.through),
+        ("points", [(0, 0, 0, 0)], Toolpath.through),
+        ("points", [(0, 0), (1, "x")], signature),
+        ("points", [{}], complexity),
+        ("direction", "Top", View),
+        ("offset", 3, lambda given: View(offset=given)),
+        ("offset", (1, float("inf")), lambda given: View(offset=given)),
+        ("width", 0.5, lambda given: View(width=given)),
+        ("step", 0.5, DONE.at),
+        ("step", "1", DONE.at),
+        ("first", -1, lambda given: DONE.chips(given, 2)),  # the number of what the stock owns
+        ("end", 3, lambda given: DONE.chips(0, given)),
+        ("trajectory", 1.5, DONE.cuts.source),
+        ("processes", 0, lambda given: simulate(PATH, **WITH, processes=given)),
+        ("processes", "two", lambda given: simulate(PATH, **WITH, processes=given)),
+        ("most", 0, lambda given: steady_seconds([], most=given)),
+    ],
+)
+def test_single_arguments(name, given, use):
+    with pytest.raises((ValueError, TypeError), match=f"^{name} must be .*, not {re.escape(repr(given))}$"):
+        use(given)
+
+
+@pytest.mark.parametrize(
+    ("what", "use"),
+    [
+        ("a toolpath", exact_lengths),
+        ("a toolpath", trajectory_seconds),
+        ("a toolpath", lambda given: stock_around(given, TOOL)),
+        ("a toolpath", lambda given: cauchy_crofton(given, stock=STOCK, view=VIEW)),
+        ("a tool", lambda given: stock_around(PATH, given)),
+        ("a job", lambda given: simulate_job(given, stock=STOCK, view=VIEW)),
+        ("each of a job", lambda given: estimate_job([given], stock=STOCK, view=VIEW)),
+        *(
+            (name, lambda given, use=use, name=name: use(**{"stock": STOCK, "view": VIEW, name: given}))
+            for name in ("stock", "view")
+            for use in (
+                lambda **given: simulate(PATH, tool=TOOL, **given),
+                lambda **given: estimate(PATH, None, tool=TOOL, **given),
+                lambda **given: memory_needed([Cut(PATH, TOOL)], **given),
+                lambda **given: cauchy_crofton(PATH, **given),
+            )
+        ),
+        ("going_on", lambda given: simulate(PATH, **WITH, going_on=given)),
+        ("going_on", lambda given: steady_seconds([], most=1, going_on=given)),
+        ("clock", lambda given: steady_seconds([], most=1, clock=given)),
+        ("recognition", lambda given: estimate(PATH, given, **WITH)),
+        ("speed", lambda given: estimate(PATH, None, **WITH, speed=given)),
+        ("estimates", lambda given: best_resolution(given, **MEMORY)),
+        ("an estimate", lambda given: best_resolution([given], **MEMORY)),
+        ("an estimate", lambda given: best_resolution([FOUND], **MEMORY, whole=given)),
+        ("costs", lambda given: best_accuracy(given, **MEMORY, seconds=1)),
+        ("each of costs", lambda given: best_accuracy([given], **MEMORY, seconds=1)),
+        ("a cost", lambda given: best_accuracy([[given]], **MEMORY, seconds=1)),
+        ("progress", lambda given: vkworkbench.analyze("no.nc", progress=given)),
+        ("cancelled", lambda given: vkworkbench.analyze("no.nc", cancelled=given)),
+        ("path", REPORT.to_csv),
+        ("path", REPORT.to_json),
+        ("facts", REPORT.with_facts),
+    ],
+)
+def test_kinds(what, use):
+    with pytest.raises(TypeError, match=f"^{what} is .*, not int$"):
+        use(6)
+
+
+def test_what_is_nearly_a_number_is_one():
+    assert linearize([], tolerance="0.1").commands == 0
+    assert View(pixel=Quantity(0.5)).pixel == 0.5 and View(offset=np.array([1, 2])).offset == (1.0, 2.0)
+    assert best_resolution([FOUND], memory_bytes=Quantity(1e6)).memory_bytes <= 1e6
+    assert simulate(PATH, **WITH, memory_budget=float("inf"), processes=np.int64(1)).at(np.int64(1)).step == 1
+    assert facts(DONE, tolerance=Quantity(0.0)).job.removed_volume > 0
+
+
+def test_a_long_argument_is_shortened():
+    with pytest.raises(ValueError, match=r"not \[0, 1, 2, 3, 4, 5, \.\.\.\]$"):
+        Stock(list(range(10**5)), (1, 1, 1))
