@@ -1025,6 +1025,10 @@
         <source>switched off: it has no toolpath until you switch it on and recompute it</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>this is no file, but a pipe or a device</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

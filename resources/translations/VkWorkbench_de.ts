@@ -1025,6 +1025,10 @@
         <source>switched off: it has no toolpath until you switch it on and recompute it</source>
         <translation>ausgeschaltet: Sie hat keinen Werkzeugweg, bis sie eingeschaltet und neu berechnet wird</translation>
     </message>
+    <message>
+        <source>this is no file, but a pipe or a device</source>
+        <translation>das ist keine Datei, sondern eine Pipe oder ein Gerät</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

@@ -1025,6 +1025,10 @@
         <source>switched off: it has no toolpath until you switch it on and recompute it</source>
         <translation>desactivada: no tiene trayectoria hasta que la active y la recalcule</translation>
     </message>
+    <message>
+        <source>this is no file, but a pipe or a device</source>
+        <translation>no es un archivo, sino una tubería o un dispositivo</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

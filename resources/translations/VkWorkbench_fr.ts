@@ -1025,6 +1025,10 @@
         <source>switched off: it has no toolpath until you switch it on and recompute it</source>
         <translation>désactivée : elle n&apos;a pas de parcours tant que vous ne l’activez et ne la recalculez pas</translation>
     </message>
+    <message>
+        <source>this is no file, but a pipe or a device</source>
+        <translation>ce n&apos;est pas un fichier, mais un tube ou un périphérique</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

@@ -1025,6 +1025,10 @@
         <source>switched off: it has no toolpath until you switch it on and recompute it</source>
         <translation>已停用：启用并重新计算后才有刀具路径</translation>
     </message>
+    <message>
+        <source>this is no file, but a pipe or a device</source>
+        <translation>这不是文件，而是管道或设备</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

@@ -83,9 +83,9 @@ def is_called_a_program(name: str) -> bool:
     return bool(suffixes) and suffixes[-1] in _SUFFIXES
 
 
-def _is_endless(path: str) -> bool:
+def _is_endless(path: str | Path) -> bool:
     """Whether it is a pipe or a device, whose end may never come."""
-    return os.path.exists(path) and not os.path.isfile(path)
+    return os.path.exists(path) and not os.path.isfile(path) and not os.path.isdir(path)
 
 
 def read_bytes(path: Path) -> bytes:
@@ -96,6 +96,8 @@ def read_bytes(path: Path) -> bytes:
     Unusable
         If it cannot be read, or is too large.
     """
+    if _is_endless(path):
+        raise Unusable(Message("no-file"))
     try:
         with _PACKED.get(path.suffix.lower(), open)(path, "rb") as file:
             data = file.read(MOST_BYTES + 1)

@@ -38,6 +38,29 @@ def folder(tmp_path):
     return folder
 
 
+# What Python runs when it starts, if it finds it: then one file never opens, as on a server that does not answer.
+NEVER_OPENS = """
+import builtins, time
+opened = builtins.open
+def wait_or_open(file, *arguments, **named):
+    while str(file).endswith("endless.nc"):
+        time.sleep(1)
+    return opened(file, *arguments, **named)
+builtins.open = wait_or_open
+"""
+
+
+@pytest.fixture
+def endless(tmp_path, monkeypatch):
+    """A program that processes started from here never finish reading."""
+    path = tmp_path / "hook" / "endless.nc"
+    path.parent.mkdir()
+    path.write_text(PROGRAM)
+    path.with_name("sitecustomize.py").write_text(NEVER_OPENS)
+    monkeypatch.setenv("PYTHONPATH", str(path.parent))
+    return path
+
+
 def command(*arguments):
     return [sys.executable, "-m", "vkworkbench", *map(str, arguments)]
 
@@ -241,10 +264,9 @@ def test_a_time_longer_than_threads_can_wait(folder):
     assert str(row.strategy) == "zigzag"
 
 
-def test_after_a_program_that_is_given_up_the_next_is_read(folder):
-    os.mkfifo(folder / "endless.nc")
-    endless, other = apart_in_a_thread((folder / "endless.nc", 0.5), (folder / "a.nc", 60.0))
-    assert endless.error == "given up after 500 ms" and not endless.counted
+def test_after_a_program_that_is_given_up_the_next_is_read(folder, endless):
+    late, other = apart_in_a_thread((endless, 0.5), (folder / "a.nc", 60.0))
+    assert late.error == "given up after 500 ms" and not late.counted
     assert str(other.strategy) == "zigzag"
 
 
@@ -279,9 +301,8 @@ def test_a_table_is_seen_when_its_program_is_read(tmp_path, monkeypatch):
 
 
 @pytest.mark.long
-def test_a_program_that_never_ends_costs_only_itself(folder, tmp_path):
-    os.mkfifo(folder / "endless.nc")  # a file whose end never comes
-    done = run(folder, folder / "endless.nc", "--csv", tmp_path / "out.csv", "--timeout", "20", "--jobs", 2)
+def test_a_program_that_never_ends_costs_only_itself(folder, tmp_path, endless):
+    done = run(folder, endless, "--csv", tmp_path / "out.csv", "--timeout", "20", "--jobs", 2)
     errors = {Path(row["document"]).name: row["error"] for row in rows_of(tmp_path / "out.csv")}
     assert errors.pop("endless.nc") == "given up after 20 s"
     assert errors.pop("b.nc") and len(errors) == 5 and not any(errors.values())
@@ -312,11 +333,10 @@ def test_a_process_that_dies_costs_only_its_program(tmp_path):
     assert str(alive.strategy) == "zigzag"
 
 
-def test_ctrl_c_ends_it_with_all_its_processes(folder, tmp_path):
-    os.mkfifo(folder / "endless.nc")
+def test_ctrl_c_ends_it_with_all_its_processes(folder, tmp_path, endless):
     out = tmp_path / "out.csv"
     heard = ["env", "--default-signal=INT"]  # a shell's background jobs, and so these tests, may ignore it
-    started = [*heard, *command(folder, folder / "endless.nc", "--csv", out, "--jobs", 2)]
+    started = [*heard, *command(folder, endless, "--csv", out, "--jobs", 2)]
     process = subprocess.Popen(started, cwd=ROOT, stderr=subprocess.PIPE, text=True)
     deadline = time.monotonic() + 60
     while (not out.exists() or out.read_bytes().count(b"\n") < 7) and time.monotonic() < deadline:
@@ -406,7 +426,8 @@ def scheduler(tmp_path):
             pytest.skip(f"no connection to 127.0.0.1 ({error}): --scheduler is not tested")
     file = tmp_path / "scheduler.json"
     # They find the add-on as on a cluster: installed, not by their working folder.
-    options = {"cwd": tmp_path, "env": {**os.environ, "PYTHONPATH": str(ROOT)}, "stderr": subprocess.DEVNULL}
+    paths = os.pathsep.join(filter(None, [str(ROOT), os.environ.get("PYTHONPATH")]))
+    options = {"cwd": tmp_path, "env": {**os.environ, "PYTHONPATH": paths}, "stderr": subprocess.DEVNULL}
     local = ("--host", "127.0.0.1", "--no-dashboard")
     processes = [
         subprocess.Popen([sys.executable, "-m", "distributed.cli.dask_scheduler", *local, "--port", "0",
@@ -432,19 +453,18 @@ def scheduler(tmp_path):
 
 
 @pytest.mark.long
-def test_the_same_on_a_dask_cluster(folder, tmp_path, inside, scheduler):
+def test_the_same_on_a_dask_cluster(folder, tmp_path, inside, endless, scheduler):
     address, client = scheduler
     here, there = tmp_path / "here.csv", tmp_path / "there.csv"
     inside(folder, "--csv", here)
-    os.mkfifo(folder / "endless.nc")
-    done = run(folder, folder / "endless.nc", "--csv", there, "--timeout", "5", "--scheduler", address)
+    done = run(folder, endless, "--csv", there, "--timeout", "5", "--scheduler", address)
     # Dask may tell of connections that it gives up behind the last line.
     assert done.returncode == 1 and "5 operations in 7 files, 2 could not be read." in done.stderr.splitlines()
-    endless, found = [], []
+    late, found = [], []
     for line in there.read_bytes().splitlines():
-        (endless if b"endless.nc" in line else found).append(line)
+        (late if b"endless.nc" in line else found).append(line)
     assert sorted(found) == sorted(here.read_bytes().splitlines())
-    assert len(endless) == 1 and b"given up after 5.0 s" in endless[0]
+    assert len(late) == 1 and b"given up after 5.0 s" in late[0]
     started = client.run(lambda: len(__import__("vkworkbench.program.apart", fromlist=["apart"])._workers))
     assert len(started) == 2 and all(started.values())  # both had something to do
 

@@ -109,6 +109,21 @@ def test_a_file_larger_than_any_toolpath_is_refused(tmp_path, monkeypatch):
         read_bytes(path)
 
 
+def test_a_pipe_or_a_device_is_no_file(tmp_path):
+    os.mkfifo(tmp_path / "pipe.nc")
+    (tmp_path / "linked.nc").symlink_to(tmp_path / "pipe.nc")
+    for path in (
+        tmp_path / "pipe.nc",
+        tmp_path / "linked.nc",
+        Path("/dev/zero"),
+    ):  # to wait for them would take for ever
+        with pytest.raises(Unusable, match=r"^this is no file, but a pipe or a device$"):
+            read_bytes(path)
+    for path, told in ((tmp_path, "Is a directory"), (tmp_path / "none.nc", "No such file or directory")):
+        with pytest.raises(Unusable, match=told):
+            read_bytes(path)
+
+
 def test_folders_are_walked_once_whatever_leads_to_them(tmp_path):
     for name in ("p/a.nc", "p/q/b.nc", "far/c.nc"):
         (tmp_path / name).parent.mkdir(exist_ok=True)

@@ -80,6 +80,7 @@ PROGRAMS: dict[str, str | tuple[str, str]] = {
     ),
     # Files.
     "file-unreadable": QT_TRANSLATE_NOOP("Sentences", "the file cannot be read: {name}"),
+    "no-file": QT_TRANSLATE_NOOP("Sentences", "this is no file, but a pipe or a device"),
     "too-long": QT_TRANSLATE_NOOP("Sentences", "given up after {time:s}"),
     "worker-died": QT_TRANSLATE_NOOP("Sentences", "the process that read it died, perhaps for lack of memory"),
     "file-too-large": QT_TRANSLATE_NOOP("Sentences", "the file is larger than {size:bytes}"),
