@@ -3,12 +3,13 @@
 
 import FreeCAD
 import FreeCADGui as Gui
+import pytest
 from PySide import QtCore, QtGui
 
 import vkworkbench
 from vkworkbench import freecad
 from vkworkbench.document import marks
-from vkworkbench.gui import tree
+from vkworkbench.gui import progress, tree
 from vkworkbench.gui.latest import findings
 from vkworkbench.gui.panel_rows import rows_of
 
@@ -97,6 +98,26 @@ def test_nothing_to_analyze_is_said(window):
     window.wait(lambda: not window.button("Analyze toolpaths").isEnabled())
     Gui.runCommand("Vk_Analyze")  # what a macro could still do
     Gui.runCommand("Vk_Clear")
+
+
+@pytest.mark.parametrize("after", [0, 2])
+def test_a_document_that_is_closed_during_its_analysis_is_not_spoken_of(example_path, window, monkeypatch, after):
+    document = FreeCAD.openDocument(str(example_path))
+    window.activate("VkWorkbench")
+    show, shown = progress._Progress.show, []
+
+    def close_meanwhile(self, done, *of):
+        shown.append(done)
+        if done == after:
+            FreeCAD.closeDocument(document.Name)
+        show(self, done, *of)
+
+    monkeypatch.setattr(progress._Progress, "show", close_meanwhile)
+    window.main.statusBar().clearMessage()
+    Gui.runCommand("Vk_Analyze")
+    window.idle()
+    assert shown[-1] >= after and not FreeCAD.listDocuments()
+    assert window.dismiss() == [] and "analyzed" not in window.main.statusBar().currentMessage()
 
 
 def test_esc_cancels_and_changes_nothing(opened, window):

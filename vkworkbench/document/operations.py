@@ -88,7 +88,7 @@ def is_there(obj) -> bool:
         return False
 
 
-def _is_gone(what) -> bool:
+def is_gone(what) -> bool:
     """Whether it is a document that was closed, or an object that was deleted, which a macro may still hold."""
     try:
         return not is_document(what) and is_object(what) and not is_there(what)
@@ -187,7 +187,7 @@ def _once(operations: Iterable[Operation]) -> dict[tuple[str, str], Operation]:
 
 def _find(what, jobs: dict) -> Iterator[Operation]:
     """Find the operations; `jobs` keeps those of each job, so that a selection searches no job twice."""
-    if _is_gone(what):
+    if is_gone(what):
         raise ReferenceError("what is asked for was deleted, or its document closed: take it from the document again")
     if is_document(what):
         for obj in what.Objects:

@@ -10,6 +10,7 @@ import vkworkbench
 from vkworkbench import preferences
 from vkworkbench.document import marks
 from vkworkbench.document.mark_text import is_warned
+from vkworkbench.document.operations import is_gone
 from vkworkbench.document.simulated_faults import read_with_faults
 from vkworkbench.gui import panel_command, pills, progress, tree
 from vkworkbench.gui.document_command import DocumentCommand
@@ -33,13 +34,16 @@ class AnalyzeCommand(DocumentCommand):
     keys = "V, K"
 
     def Activated(self) -> None:
-        if FreeCAD.ActiveDocument is None:
+        document = FreeCAD.ActiveDocument
+        if document is None:
             _tell(translate("Vk_Analyze", "No document is open. Open one with a job or a toolpath first."))
             return
         try:
-            report = progress.analyze(selected_operations() or FreeCAD.ActiveDocument)
+            report = progress.analyze(selected_operations() or document)
         except vkworkbench.Cancelled:
             _status(translate("Vk_Analyze", "Analysis cancelled, nothing changed."))
+            return
+        if is_gone(document):  # closed meanwhile: nothing is left to mark, and nobody asks for it any more
             return
         if not report.operations:
             _tell(translate(
