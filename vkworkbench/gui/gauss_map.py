@@ -44,7 +44,7 @@ from vkworkbench.gui.qt import (
 )  # fmt: skip
 from vkworkbench.gui.saving import proposed
 from vkworkbench.gui.sentences import said, strategy_name, user
-from vkworkbench.gui.text import translate
+from vkworkbench.gui.text import explain, translate
 from vkworkbench.language import Message, Unusable
 from vkworkbench.report import Cancelled
 
@@ -75,7 +75,7 @@ class GaussMapDock(QDockWidget):
         self.legend.setAlignment(Qt.AlignRight)
         self.chooser = QComboBox()
         self.chooser.setSizeAdjustPolicy(QComboBox.AdjustToContents)
-        self.chooser.setToolTip(translate(
+        explain(self.chooser, translate(
             "Vk_GaussMap", "The areas that the tool cuts without a rapid move or a plunge: first the one that shows the strategy best, "
             "then the longest."
         ))  # fmt: skip
@@ -84,9 +84,9 @@ class GaussMapDock(QDockWidget):
         self.saver.setToolTip(translate("Vk_GaussMap", "Saves the three plots as they stand, as PNG or SVG."))
         self.saver.clicked.connect(self._save)
         self.slider = QSlider(Qt.Horizontal)
-        self.slider.setToolTip(translate("Vk_GaussMap", "Steps through the trajectories k of the area."))
+        explain(self.slider, translate("Vk_GaussMap", "Steps through the trajectories k of the area."))
         self.number = QSpinBox()
-        self.number.setToolTip(self.slider.toolTip())
+        explain(self.number, self.slider.toolTip())
         self.slider.valueChanged.connect(self.number.setValue)
         self.number.valueChanged.connect(self.slider.setValue)
         self.slider.valueChanged.connect(self._step)

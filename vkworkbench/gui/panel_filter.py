@@ -9,7 +9,7 @@ from vkworkbench.core import Strategy
 from vkworkbench.gui.menu_button import MenuButton
 from vkworkbench.gui.qt import QCheckBox, QComboBox, QHBoxLayout, QLineEdit, QMenu, QWidget
 from vkworkbench.gui.sentences import strategy_name
-from vkworkbench.gui.text import translate
+from vkworkbench.gui.text import explain, translate
 
 
 class Filter(QWidget):
@@ -26,12 +26,12 @@ class Filter(QWidget):
         self.changed: Callable[[], None] = lambda: None
         self.words = QLineEdit()
         self.words.setPlaceholderText(translate("Vk_Results", "Filter"))
-        self.words.setToolTip(translate("Vk_Results", "Shows operations with this text in name, strategy or warnings"))
+        explain(self.words, translate("Vk_Results", "Shows operations with this text in name, strategy or warnings"))
         self.words.setClearButtonEnabled(True)
         self.words.setMinimumWidth(80)
         self.words.textChanged.connect(lambda text: self.changed())
         self.strategies = QComboBox()
-        self.strategies.setToolTip(translate("Vk_Results", "Shows operations of this strategy"))
+        explain(self.strategies, translate("Vk_Results", "Shows operations of this strategy"))
         self.strategies.setSizeAdjustPolicy(QComboBox.AdjustToContents)
         self.strategies.currentIndexChanged.connect(lambda number: self.changed())
         self.warnings = QCheckBox(translate("Vk_Results", "&Warnings only"))

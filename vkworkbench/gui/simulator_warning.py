@@ -30,7 +30,7 @@ from vkworkbench.gui.qt import (
     single_shot,
 )  # fmt: skip
 from vkworkbench.gui.sentences import said, user
-from vkworkbench.gui.text import translate
+from vkworkbench.gui.text import explain, translate
 
 NAME = "VkSimulatorWarning"
 _MARGIN = 8  # px, from the view's edges
@@ -58,7 +58,7 @@ class Line(QFrame):
         self.way = QPushButton()
         self.close_button = QToolButton()
         self.close_button.setText("\u2715")
-        self.close_button.setToolTip(translate("Vk_Warning", "Close"))
+        explain(self.close_button, translate("Vk_Warning", "Close"))
         row = QHBoxLayout(self)
         row.setContentsMargins(10, 4, 4, 4)
         row.addWidget(self.text, 1)

@@ -29,7 +29,7 @@ from vkworkbench.gui.simulation.coloring import COLORINGS, by_difference
 from vkworkbench.gui.simulation.faults import Fault
 from vkworkbench.gui.simulation.legend import Legend
 from vkworkbench.gui.simulation.symbols import PAUSE, PLAY, SymbolButton
-from vkworkbench.gui.text import QT_TRANSLATE_NOOP, translate
+from vkworkbench.gui.text import QT_TRANSLATE_NOOP, explain, translate
 
 # How many times as fast as the machine a play is; the whole job in half a minute for None.
 _SPEEDS = (1, 10, 100, 1000, None)
@@ -92,7 +92,7 @@ class SceneBar(QWidget):
         self.legend = Legend()
         factor, unit = user().length_unit(TOLERANCE)
         self.tolerance = QDoubleSpinBox()
-        self.tolerance.setToolTip(translate("Vk_Simulate", "Smaller differences to the model do not count."))
+        explain(self.tolerance, translate("Vk_Simulate", "Smaller differences to the model do not count."))
         self.tolerance.setDecimals(3)
         self.tolerance.setPrefix("± ")
         self.tolerance.setSuffix(f" {unit}")
@@ -185,7 +185,7 @@ class PlayBar(QWidget):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.play_button = SymbolButton(PLAY)
-        self.play_button.setToolTip(translate("Vk_Simulate", "Play or pause (Space)."))
+        explain(self.play_button, translate("Vk_Simulate", "Play or pause (Space)."))
         self.play_button.clicked.connect(lambda *_: self.play_clicked.emit())
         self.speeds = _combo(translate("Vk_Simulate", "How many times as fast as the machine."))
         for speed in _SPEEDS:
@@ -220,7 +220,7 @@ class PlayBar(QWidget):
 
     def _step(self, by: int, tooltip: str) -> QToolButton:
         button = SymbolButton(by)
-        button.setToolTip(tooltip)
+        explain(button, tooltip)
         button.setAutoRepeat(abs(by) < 3)
         button.clicked.connect(lambda *_: self.stepped.emit(by))
         return button
@@ -247,7 +247,7 @@ def _menu(text: str, tooltip: str) -> MenuButton:
 
 def _combo(tooltip: str) -> QComboBox:
     box = _Combo()
-    box.setToolTip(tooltip)
+    explain(box, tooltip)
     box.setFocusPolicy(Qt.StrongFocus)
     box.setMinimumContentsLength(_SHORTEST)
     return box

@@ -1,0 +1,52 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What a screen reader can say of each control: its text, or else a name."""
+
+import pytest
+from PySide import QtCore, QtGui
+from simulation_window import COMMAND, shown, tabs
+
+from vkworkbench.gui.simulator_warning import Line
+from vkworkbench.gui.widgets import area_of_views
+
+CONTROLS = QtGui.QAbstractButton, QtGui.QComboBox, QtGui.QAbstractSpinBox, QtGui.QAbstractSlider, QtGui.QLineEdit
+
+
+def nameless(widget):
+    """The controls in a widget without a name, by class, but those that Qt makes as parts of another."""
+    controls = [part for part in widget.findChildren(QtGui.QWidget) if isinstance(part, CONTROLS)]
+    assert controls
+    return [
+        (part.metaObject().className(), part.toolTip())
+        for part in controls
+        if not part.objectName().startswith("qt_")
+        and not isinstance(part, QtGui.QScrollBar)
+        and not isinstance(part.parent(), CONTROLS)
+        and not part.accessibleName()
+        and not (isinstance(part, QtGui.QAbstractButton) and any(map(str.isalnum, part.text())))
+    ]
+
+
+@pytest.mark.parametrize(("command", "dock"), [("Toolpath results", "VkResults"), ("Gauss map", "VkGaussMap")])
+def test_the_controls_of_docks_have_names(opened, window, command, dock):
+    window.click(command)
+    window.wait(lambda: window.first(QtGui.QDockWidget, dock))
+    assert nameless(window.first(QtGui.QDockWidget, dock).widget()) == []
+    window.click(command)
+
+
+def test_the_controls_of_the_simulation_have_names(opened, window, small):
+    window.click(COMMAND)
+    window.wait(lambda: tabs(window))
+    (tab,) = tabs(window)
+    player = shown(tab, window)
+    assert nameless(tab) == []
+    assert player.play_bar.play_button.accessibleName() == "Play or pause (Space)."
+    window.press(tab, QtCore.Qt.Key_Escape)
+    window.wait(lambda: not tabs(window))
+
+
+def test_the_button_that_closes_the_warning_has_a_name(window):
+    line = Line(area_of_views())
+    line.way.setText("Simulate toolpaths")
+    assert nameless(line) == []
+    line.end()
