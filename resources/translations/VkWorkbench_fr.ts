@@ -903,7 +903,7 @@
     </message>
     <message>
         <source>Simulate toolpaths shows the finished part at once, coarse at first.</source>
-        <translation>« Simuler les parcours d&apos;outil » montre tout de suite la pièce finie, d&apos;abord grossièrement.</translation>
+        <translation>« Simuler l&apos;usinage » montre tout de suite la pièce finie, d&apos;abord grossièrement.</translation>
     </message>
     <message>
         <source>a rapid move removes {volume:mm³2}</source>
@@ -1763,7 +1763,7 @@ au plus</translation>
     </message>
     <message>
         <source>Simulate toolpaths</source>
-        <translation>Simuler les parcours d&apos;outil</translation>
+        <translation>Simuler l&apos;usinage</translation>
     </message>
     <message>
         <source>Simulation: {}</source>

@@ -3,6 +3,7 @@
 
 import re
 from contextlib import contextmanager
+from difflib import SequenceMatcher
 from pathlib import Path
 from xml.etree import ElementTree
 
@@ -13,7 +14,7 @@ from preferences_dialog import in_preferences
 from PySide import QtCore, QtGui
 
 import vkworkbench
-from vkworkbench import preferences
+from vkworkbench import freecad, preferences
 from vkworkbench.core import Strategy
 from vkworkbench.core.simulators import cost_from_data
 from vkworkbench.document import marks
@@ -129,6 +130,13 @@ def test_the_window_in_each_language(language, opened, window):
     window.screenshot(f"gauss-map-{language}")
     assert list(cut_off(gauss)) == []
     gauss.close()
+
+
+def test_the_command_is_not_taken_for_a_simulator_of_freecads(language):
+    ours = FreeCAD.Qt.translate("Vk_Simulate", "Simulate toolpaths")
+    for name in freecad.own_simulators():  # their columns stand side by side, and so do their entries in a menu
+        theirs = freecad.simulator_title(name)
+        assert SequenceMatcher(None, ours, theirs).ratio() < 0.65, (ours, theirs)
 
 
 def test_the_preferences_in_each_language(language, window):
