@@ -30,7 +30,7 @@ WHOLE = Record(
 @pytest.mark.parametrize(
     "changed",
     [{}, {"machining_seconds": None}, {"stepover": None}, {"called": None}, {"strategy": None}, {"cautions": ()},
-     {"outdated": False}, {"incomplete": False}, {"operations": 7}, {"trajectories": 0, "length": 0.0, "confidence": 0.0},
+     {"outdated": False}, {"off": True}, {"incomplete": False}, {"operations": 7}, {"trajectories": 0, "length": 0.0, "confidence": 0.0},
      {"confidence": 1.0}, {"length": 0.9e15}],
     ids=str,
 )  # fmt: skip

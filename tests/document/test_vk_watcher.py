@@ -50,6 +50,83 @@ def test_an_edited_path_outdates_its_mark_and_the_total(watched):
     assert outdated(document) == []
 
 
+def switch(op, on, commands):
+    """Switch an operation off or on, as FreeCAD's recompute leaves it."""
+    op.Active = on
+    op.Path = Path.Path(commands if on else [Path.Command("(inactive operation)")])
+    op.Document.recompute()
+
+
+def test_a_mark_says_that_its_operation_is_switched_off_until_it_is_switched_on(watched, tmp_path):
+    document, first = watched.document, watched.first
+    commands, before, total = first.Path.Commands, descriptions(document), marks.read(first)
+    first.Active = False
+    document.recompute()
+    assert descriptions(document)[first.Name] == before[first.Name]  # until FreeCAD takes its toolpath away
+    switch(first, False, commands)
+    assert first.Label2 == "⟦switched off⟧" and first.Strategy == "empty" and outdated(document) == []
+    told = marks.read(first)
+    assert [remark.code for remark in told.remarks] == ["inactive"] and told.costs == {} and told.length == 0
+    assert watched.job.Label2.startswith("⟦1 operation ")
+    document.saveAs(str(tmp_path / "off.FCStd"))
+    watcher.check(document)
+    preferences.write(mark_simulator="z-buffer")
+    try:
+        upkeep.follow_preferences()
+        assert first.Label2 == "⟦switched off⟧"
+    finally:
+        preferences.write(mark_simulator="own")
+        upkeep.follow_preferences()
+    switch(first, True, commands)
+    assert descriptions(document) == before and marks.read(first) == total and first.Strategy == "zigzag"
+
+
+def test_switching_off_is_undone_with_its_mark(watched):
+    document, before = watched.document, descriptions(watched.document)
+    document.openTransaction("Off")
+    switch(watched.first, False, [])
+    document.commitTransaction()
+    off = descriptions(document)
+    assert off != before
+    document.undo()
+    assert descriptions(document) == before
+    document.redo()
+    assert descriptions(document) == off
+
+
+def test_what_changed_while_it_was_switched_off_outdates_it(watched):
+    first = watched.first
+    commands = first.Path.Commands
+    switch(first, False, commands)
+    switch(first, True, commands[:-3])
+    assert first.Label2.endswith(" · outdated⟧")
+    switch(first, False, commands)
+    assert first.Label2 == "⟦switched off⟧"  # outdated as it is
+    watched.controller.Tool.Diameter = 4
+    watched.document.recompute()
+    assert first.Label2 == "⟦switched off⟧" and watched.second.Label2.endswith(" · outdated⟧")
+    switch(first, True, commands)
+    assert first.Label2.endswith(" · outdated⟧")
+    watched.controller.Tool.Diameter = 5
+    watched.document.recompute()
+    assert outdated(watched.document) == []
+
+
+def test_what_was_analyzed_while_it_was_switched_off_is_outdated_when_it_is_on(watched):
+    commands = watched.first.Path.Commands
+    switch(watched.first, False, commands)
+    vkworkbench.mark(vkworkbench.analyze(watched.first))
+    assert watched.first.Label2 == "⟦switched off⟧"
+    switch(watched.first, True, commands)
+    assert watched.first.Label2 == "⟦switched off · outdated⟧"
+
+
+def test_a_path_that_is_lost_without_being_switched_off_outdates_its_mark(watched):
+    watched.first.Path = Path.Path()
+    watched.document.recompute()
+    assert watched.first.Label2.endswith(" · outdated⟧")
+
+
 @pytest.fixture
 def looked_at(monkeypatch):
     """The labels of what is compared with its mark, and what of it may have changed."""

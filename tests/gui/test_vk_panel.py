@@ -514,6 +514,24 @@ def test_what_is_wrong_is_said(panel, opened, window):
     assert remarks["Job"].startswith("cost unknown for Bore")  # what else is told depends on the computer's speed
 
 
+def test_an_operation_that_is_switched_off_says_so_without_an_analysis(panel, opened, window):
+    window.analyze(opened)
+    window.dismiss()
+    face, text = labelled(opened, "Face"), text_of(panel)
+    before, total, on = face.Label2, opened.getObject("Job").Label2, column(panel, "Strategy")
+    face.Active = False
+    opened.recompute()
+    window.wait(lambda: face.Label2 == "⟦switched off⟧")
+    window.wait(lambda: column(panel, "Strategy")["Face"] == "switched off")
+    assert not column(panel, "Machining time")["Face"] and not sign(panel, "Face")
+    assert column(panel, "State").get("Face", "") == "" and opened.getObject("Job").Label2 != total
+    window.screenshot("panel-switched-off-later")
+    face.Active = True
+    opened.recompute()
+    window.wait(lambda: face.Label2 == before and opened.getObject("Job").Label2 == total)
+    window.wait(lambda: column(panel, "Strategy") == on and text_of(panel) == text)
+
+
 def test_an_operation_that_is_switched_off_is_no_error(panel, opened, window):
     face = labelled(opened, "Face")
     face.Active = False

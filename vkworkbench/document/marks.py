@@ -16,9 +16,9 @@ from vkworkbench import preferences
 from vkworkbench.core import Strategy
 from vkworkbench.core.simulators import ZBUFFER
 from vkworkbench.document import mark_properties, record, session
-from vkworkbench.document.fingerprint import path_and_setting, path_fingerprint
+from vkworkbench.document.fingerprint import path_and_setting, path_fingerprint, text_fingerprint
 from vkworkbench.document.mark_text import CLOSING, OPENING, PLAY, SEPARATOR, SWITCHED_OFF, text_of
-from vkworkbench.document.operations import find, fixtures_of
+from vkworkbench.document.operations import find, fixtures_of, is_active
 from vkworkbench.document.record import Record
 from vkworkbench.preferences import Preferences
 from vkworkbench.report import OperationReport, total_of
@@ -33,8 +33,13 @@ _LIKE_A_MARK = re.compile(
 
 def read(obj) -> Record | None:
     """Return what a mark says, None where an object has none that this version understands."""
-    known = record.from_json(mark_properties.kept(obj))
-    return known and replace(known, label=obj.Label)
+    known = _kept(obj)
+    return known and replace(known, label=obj.Label).shown
+
+
+def _kept(obj) -> Record | None:
+    """Return what a mark keeps: of an operation that was switched off, what it says when that is switched on again."""
+    return record.from_json(mark_properties.kept(obj))
 
 
 def is_marked(obj) -> bool:
@@ -133,6 +138,8 @@ def _total_fingerprint(job, parts: dict[Any, Record | None]) -> str:
 def refresh(obj, settings_of: Callable, *, path_changed: bool, setting_changed: bool) -> bool:
     """Add "outdated" to a mark that no longer fits its operation, and take it away where it fits again.
 
+    One whose operation lost its toolpath because it was switched off is not outdated: it says that.
+
     Parameters
     ----------
     obj : DocumentObject
@@ -140,23 +147,31 @@ def refresh(obj, settings_of: Callable, *, path_changed: bool, setting_changed: 
     settings_of : callable
         Returns the fingerprints that fit an operation's setting.
     path_changed, setting_changed : bool
-        What may have changed since the mark was last compared; an outdated mark is compared as a whole.
+        What may have changed since the mark was last compared; one that is outdated or of an operation that was
+        switched off is compared as a whole.
 
     Returns
     -------
     bool
         Whether the mark changed.
     """
-    known = read(obj)
+    known = _kept(obj)
     if known is None:
         return False
     path, setting = path_and_setting(known.fingerprint)
-    fits = not (setting_changed or known.outdated) or setting in settings_of(obj)
-    fits = fits and (not (path_changed or known.outdated) or path_fingerprint(obj) == path)
-    if fits != known.outdated:
+    whole = known.outdated or known.off
+    has_path = not (path_changed or whole) or path_fingerprint(obj) == path
+    off = not has_path and _is_switched_off(obj)
+    fits = off or (has_path and (not (setting_changed or whole) or setting in settings_of(obj)))
+    if (fits, off) == (not known.outdated, known.off):
         return False
-    _keep(obj, replace(known, outdated=not fits), preferences.read())
+    _keep(obj, replace(known, outdated=not fits, off=off), preferences.read())
     return True
+
+
+def _is_switched_off(obj) -> bool:
+    """Whether an operation has no toolpath because it is switched off; until it is recomputed it has that of before."""
+    return not is_active(obj) and path_fingerprint(obj) == text_fingerprint("", obj.Placement)
 
 
 def refresh_total(job) -> None:
@@ -173,23 +188,24 @@ def refresh_total(job) -> None:
 
 def follow(obj, chosen: Preferences) -> None:
     """Let a mark say what the preferences ask for; an object without a mark is passed over."""
-    known = read(obj)
-    if known is not None and known.text and known.text != text_of(known, chosen):
+    known = _kept(obj)
+    if known is not None and known.text and known.text != text_of(known.shown, chosen):
         _keep(obj, known, chosen)
 
 
 def _keep(obj, known: Record, chosen: Preferences, *, anew: bool = False) -> None:
     """Write a mark: its properties, and its text where that stands already or the mark is made anew."""
-    known = replace(known, text=text_of(known, chosen))
+    told = known.shown
+    known = replace(known, text=text_of(told, chosen))
     spans = list(_segments(obj))
     values = {
-        "Strategy": known.strategy and known.strategy.value,
-        "Confidence": known.strategy and round(100 * known.confidence),
-        "Reason": known.english_reason or None,
-        "Remarks": known.english_remarks,
-        "CuttingLength": known.length,
-        "MachiningTime": known.machining_seconds,
-        "SimulationTime": (known.cost(chosen.simulator) or (None,))[0],
+        "Strategy": told.strategy and told.strategy.value,
+        "Confidence": told.strategy and round(100 * told.confidence),
+        "Reason": told.english_reason or None,
+        "Remarks": told.english_remarks,
+        "CuttingLength": told.length,
+        "MachiningTime": told.machining_seconds,
+        "SimulationTime": (told.cost(chosen.simulator) or (None,))[0],
     }
     shown = mark_properties.may_show(obj, values)
     values = {name: value for name, value in values.items() if value is not None and name in shown}

@@ -50,6 +50,8 @@ class Record(Costs):
     fingerprint : str
         Of path, tool and stock; of a job, those of its operations.
     outdated : bool
+    off : bool
+        Whether the operation lost its toolpath because it was switched off since: the rest holds again when it is switched on.
     text : str
         The mark as it stands in the description.
     label : str
@@ -72,9 +74,18 @@ class Record(Costs):
     costs: Mapping[str, Cost] = field(default_factory=dict)
     fingerprint: str = ""
     outdated: bool = False
+    off: bool = False
     text: str = ""
     label: str = ""
     advice: ClassVar[dict] = {}  # is not kept
+
+    @property
+    def shown(self) -> Record:
+        """What is told of it: of an operation that is switched off what an analysis tells of one, and nothing of before."""
+        if not self.off:
+            return self
+        why = {"confidence": 1.0, "reason": (Message("no-moves"),), "remarks": (Message("inactive"),)}
+        return Record(Strategy.EMPTY, **why, text=self.text, label=self.label)
 
     @property
     def english_reason(self) -> str:
@@ -140,6 +151,7 @@ def as_json(record: Record, shown: Iterable[str] = (), own: Iterable[str] = ()) 
         "shown": list(shown),
         "own": list(own),
         "outdated": record.outdated,
+        "off": record.off,
         "strategy": record.strategy and record.strategy.value,
         "confidence": round(record.confidence, 4),
         "reason": [message.as_data() for message in record.reason],
@@ -181,6 +193,7 @@ def from_json(text: str) -> Record | None:
             costs=_costs(data["costs"]),
             fingerprint=str(data["fingerprint"]),
             outdated=bool(data["outdated"]),
+            off=bool(data["off"]),
             text=str(data["text"]),
         )
     except (AttributeError, LookupError, TypeError, ValueError, ArithmeticError, RecursionError):
