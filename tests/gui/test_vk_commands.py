@@ -54,6 +54,28 @@ def test_the_first_click_marks_the_job_and_shows_the_column(opened, window):
     assert "marks removed" in window.main.statusBar().currentMessage()
 
 
+def test_a_very_long_name_does_not_push_the_marks_out_of_sight(opened, window):
+    (face,) = opened.getObjectsByLabel("Face")
+    header, before = window.tree.header(), window.tree.header().sectionResizeMode(0)
+    face.Label = (
+        "Roughing of the outer contour with the long end mill, second clamping, part turned, variant with tags " * 2
+    )
+    window.analyze(opened)
+    window.dismiss()
+    window.idle(0.5)
+    view = window.tree
+    assert view.columnWidth(0) < view.sizeHintForColumn(0) / 2
+    assert header.sectionViewportPosition(1) + view.columnWidth(1) / 2 < view.viewport().width()
+    window.screenshot("long-name")
+    wider = view.columnWidth(0) + 100
+    view.setColumnWidth(0, wider)  # as the user drags it
+    window.idle()
+    assert view.columnWidth(0) == wider
+    face.Label = "Face"
+    window.click("Analyze toolpaths")
+    window.wait(lambda: header.sectionResizeMode(0) == before and view.columnWidth(0) < 300)
+
+
 def test_the_tree_is_brought_before_the_tasks(opened, window):
     docks = {dock.objectName(): dock for dock in window.find(QtGui.QDockWidget)}
     if "Tasks" in docks:

@@ -16,6 +16,8 @@ from vkworkbench.gui.qt import QEvent, QHeaderView, QObject, Qt, QTabWidget, QTi
 DESCRIPTION = 1
 _TREE_PREFERENCES = "User parameter:BaseApp/Preferences/TreeView"
 _DOCK_WIDTH = 36  # lines of the tree's letters, 500 px of the usual ones; in FreeCAD's 260 the column is out of sight
+_NAMES_WIDTH = 18  # lines, half of it
+_BOUND = "VkNamesBound"  # the property of a tree whose first column follows its contents no longer
 _MOST_OF_WINDOW = 0.45  # the rest is the 3D view's
 
 _trees: list[QTreeView] = []  # kept, and with them what they were asked for
@@ -100,7 +102,10 @@ def bring_to_view() -> None:
 
 
 def fit_description(least: int) -> None:
-    """Fit the columns of the trees to the visible rows, the Description to at least so many px; 1.x does it by itself."""
+    """Fit the columns of the trees to the visible rows, the Description to at least so many px; 1.x does it by itself.
+
+    A very long name gives way: FreeCAD makes the first column as wide as it, and the marks would be out of sight.
+    """
     for tree in trees():
         header = tree.header()
         precision = header.resizeContentsPrecision()
@@ -113,6 +118,21 @@ def fit_description(least: int) -> None:
                 header.setResizeContentsPrecision(precision)
                 if column == DESCRIPTION and tree.columnWidth(column) < least:
                     tree.setColumnWidth(column, least)
+        _bound_names(tree, least)
+
+
+def _bound_names(tree: QTreeView, least: int) -> None:
+    """Leave the Description so many px of a tree, as long as there is room for names as usual; wider the user may make it."""
+    header, line = tree.header(), tree.fontMetrics().lineSpacing()
+    most = max(tree.viewport().width() - least, _NAMES_WIDTH * line)
+    if tree.sizeHintForColumn(0) > most:
+        if header.sectionResizeMode(0) == QHeaderView.ResizeToContents:
+            header.setSectionResizeMode(0, QHeaderView.Interactive)
+            tree.setProperty(_BOUND, True)
+        tree.setColumnWidth(0, most)
+    elif tree.property(_BOUND):
+        header.setSectionResizeMode(0, QHeaderView.ResizeToContents)
+        tree.setProperty(_BOUND, False)
 
 
 def expand(label: str, document: str) -> None:
