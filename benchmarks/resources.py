@@ -34,6 +34,7 @@ from vkworkbench.core.gcode import linearize
 from vkworkbench.core.recognition import recognize
 from vkworkbench.core.zbuffer import (
     RECORD_BYTES,
+    Cut,
     Speed,
     best_resolution,
     cauchy_crofton,
@@ -41,6 +42,7 @@ from vkworkbench.core.zbuffer import (
     estimate,
     fit_speed,
     measure_speed,
+    memory_needed,
     simulate,
     swept,
 )
@@ -200,7 +202,7 @@ def print_budgets(operations) -> None:
     shares = {"memory_bytes": [], "seconds": []}
     for label, toolpath, found, tool, stock in operations:
         words = [f"  {label:28.28}"]
-        for name, budget, asked in (("memory_bytes", 20e6, "20 MB"), ("seconds", 10.0, "10 s")):
+        for name, budget, asked in (("memory_bytes", 200e6, "200 MB"), ("seconds", 10.0, "10 s")):
             speed = mean_speed()
             guess = estimate(toolpath, found, tool=tool, stock=stock, view=View(), speed=speed)
             chosen = best_resolution([guess], **{name: budget})
@@ -211,7 +213,7 @@ def print_budgets(operations) -> None:
             if name == "seconds":
                 came_out = seconds_at(speed, toolpath, **solids)
             else:
-                came_out = simulate(toolpath, **solids).memory_bytes
+                came_out = memory_needed([Cut(toolpath, tool)], stock=stock, view=chosen.view)
             shares[name].append(came_out / budget)
             words.append(f"{asked}: {shares[name][-1]:.3f} at {chosen.view.width} x {chosen.view.height}")
         print("   ".join(words))

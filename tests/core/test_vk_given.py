@@ -160,7 +160,7 @@ def test_kinds(what, use):
 def test_what_is_nearly_a_number_is_one():
     assert linearize([], tolerance="0.1").commands == 0
     assert View(pixel=Quantity(0.5)).pixel == 0.5 and View(offset=np.array([1, 2])).offset == (1.0, 2.0)
-    assert best_resolution([FOUND], memory_bytes=Quantity(1e6)).memory_bytes <= 1e6
+    assert best_resolution([FOUND], memory_bytes=Quantity(1e8)).memory_bytes <= 1e8
     assert simulate(PATH, **WITH, memory_budget=float("inf"), processes=np.int64(1)).at(np.int64(1)).step == 1
     assert facts(DONE, tolerance=Quantity(0.0)).job.removed_volume > 0
 

@@ -18,6 +18,7 @@ from vkworkbench.core.zbuffer.closed_form import cauchy_crofton, closed_form, sw
 from vkworkbench.core.zbuffer.cuts import Cut, Cuts
 from vkworkbench.core.zbuffer.dexels import UNCUT
 from vkworkbench.core.zbuffer.estimate import estimate, estimate_job
+from vkworkbench.core.zbuffer.memory import memory_needed
 from vkworkbench.core.zbuffer.records import INDEX, PIXEL_BYTES, RECORD_BYTES
 from vkworkbench.core.zbuffer.removal import Removal
 from vkworkbench.core.zbuffer.resolution import best_resolution
@@ -427,15 +428,17 @@ def test_this_computers_speed_is_measured():
     assert (speed.constants > 0).all() and speed.factor < Speed().factor
 
 
-@pytest.mark.parametrize("name", ["zigzag", "surface", "helix"])
-def test_a_memory_budget_is_met(name):
+@pytest.mark.parametrize("direction", [(0, 0, -1), TILTED])
+@pytest.mark.parametrize("name", PATHS)
+def test_a_memory_budget_is_met_by_the_simulation_and_its_pictures(name, direction):
     toolpath, tool = PATHS[name]
-    found = estimate(toolpath, None, tool=tool, stock=STOCK, view=View(TILTED))
-    chosen = best_resolution([found], memory_bytes=4e6)
-    exact = simulate(toolpath, tool=tool, stock=STOCK, view=chosen.view)
-    assert 0.9 < exact.memory_bytes / 4e6 < 1.05
-    assert chosen.memory_bytes <= 4e6
-    assert "limited by the memory" in chosen.explanation
+    found = estimate(toolpath, None, tool=tool, stock=STOCK, view=View(direction))
+    for budget in (60e6, 250e6, 1e9):
+        chosen = best_resolution([found], memory_bytes=budget)
+        needed = memory_needed([Cut(toolpath, tool)], stock=STOCK, view=chosen.view)
+        assert 0.96 * budget < needed <= budget  # it is not refused
+        assert 0.97 * budget < chosen.memory_bytes <= 0.98 * budget
+        assert "limited by the memory" in chosen.explanation
 
 
 def test_a_time_budget_gives_the_image_that_takes_it():
@@ -452,7 +455,7 @@ def test_a_time_budget_gives_the_image_that_takes_it():
 def test_the_field_of_view_stays():
     toolpath, tool = PATHS["zigzag"]
     found = estimate(toolpath, None, tool=tool, stock=STOCK, view=View(width=200, height=100, pixel=0.2))
-    chosen = best_resolution([found], memory_bytes=4 * found.memory_bytes)
+    chosen = best_resolution([found], memory_bytes=found.peak.bytes(4.001) / 0.98)
     assert (chosen.view.width, chosen.view.height) == (400, 200)
     assert chosen.view.pixel == pytest.approx(0.1)
 
@@ -460,10 +463,12 @@ def test_the_field_of_view_stays():
 def test_operations_share_one_stock():
     toolpath, tool = PATHS["zigzag"]
     found = estimate(toolpath, None, tool=tool, stock=STOCK, view=View())
-    one, two = (best_resolution([found] * k, memory_bytes=20e6) for k in (1, 2))
-    traces = found.memory_bytes - found.stock_bytes
-    ratio = sqrt(found.memory_bytes / (found.stock_bytes + 2 * traces))
-    assert two.view.width == pytest.approx(ratio * one.view.width, abs=1)
+    one, two = (best_resolution([found] * k, memory_bytes=4e9) for k in (1, 2))
+    per_image = found.peak.bytes(1001) - found.peak.bytes(1000)
+    above = estimate(path([(0, 0, 50), (9, 0, 50)]), None, tool=tool, stock=STOCK, view=View())
+    of_stock = above.peak.bytes(1001) - above.peak.bytes(1000)
+    ratio = sqrt(per_image / (2 * per_image - of_stock))
+    assert two.view.width == pytest.approx(ratio * one.view.width, rel=2e-3)
 
 
 def test_where_no_resolution_helps_it_says_what_does():
@@ -481,7 +486,7 @@ def test_an_image_tells_passes_apart_with_four_pixels_between_them():
     assert (
         "0.75 mm would do for passes 3 mm apart" in best_resolution([found], memory_bytes=2e7, stepover=3).explanation
     )
-    assert "passes 3 mm apart ask for 0.75 mm" in best_resolution([found], memory_bytes=1e5, stepover=3).explanation
+    assert "passes 3 mm apart ask for 0.75 mm" in best_resolution([found], memory_bytes=1.44e7, stepover=3).explanation
 
 
 @pytest.mark.parametrize("budget", [{}, {"seconds": 0}, {"memory_bytes": float("nan")}, {"seconds": -1.0}])

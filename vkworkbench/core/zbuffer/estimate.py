@@ -15,6 +15,7 @@ from vkworkbench.core.view import View
 from vkworkbench.core.zbuffer.counts import count
 from vkworkbench.core.zbuffer.cuts import Cut, Cuts
 from vkworkbench.core.zbuffer.effort import Work, work_of
+from vkworkbench.core.zbuffer.memory import Peak, peak_of
 from vkworkbench.core.zbuffer.removal import Removal
 from vkworkbench.core.zbuffer.speed import USUAL, Speed
 from vkworkbench.given import of_kind
@@ -52,6 +53,8 @@ class Estimate:
         Of the whole simulation.
     speed : Speed
         Of the computer that `seconds` holds for.
+    peak : Peak
+        What decides the memory at the simulation's peak, with pictures of it.
     cuts : tuple of Cut
         What was estimated, so that it can be estimated together with others; it is not sent to another process.
     stock : Solid or None
@@ -71,6 +74,7 @@ class Estimate:
     trajectory_seconds: float
     work: Work
     speed: Speed
+    peak: Peak
     cuts: tuple[Cut, ...] = field(default=(), compare=False, repr=False)
     stock: Solid | None = field(default=None, compare=False, repr=False)
 
@@ -171,6 +175,7 @@ def _estimated(numbered: Cuts, stock: Solid, view: View, speed: Speed, words: st
         speed.trajectory * len(numbered),
         work,
         speed,
+        peak_of(counts, len(numbered), removal),
         numbered.cuts,
         stock,
     )

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -62,6 +63,43 @@ class OverBudget(Unusable):
         self.needed, self.allowed = needed, allowed
 
 
+@dataclass(frozen=True)
+class Peak:
+    """What decides how much memory a simulation, and pictures of it, take at their peak.
+
+    Attributes
+    ----------
+    records, traces : float
+        Pieces of rays, and how many of them are removed, with their errors.
+    band : float
+        Records of the fullest band of the image.
+    pixels : int
+        Of the image.
+    trajectories : int
+        How many there are, those that miss the stock included.
+    work : float
+        What the work on one band takes, whatever its records, bytes.
+    """
+
+    records: float
+    traces: float
+    band: float
+    pixels: int
+    trajectories: int
+    work: float
+
+    def bytes(self, growth: float = 1.0) -> float:
+        """Return that memory, bytes, in an image of `growth` times as many pixels."""
+        shown = growth * (RECORD_BYTES * self.records + _SHOWN * self.traces + _SHOWN_PIXEL * self.pixels)
+        shown += _SHOWN_TRAJECTORY * self.trajectories + _SHOWING
+        return max(self.cutting(growth), shown)
+
+    def cutting(self, growth: float = 1.0) -> float:
+        """Return the part of it until all pieces are found."""
+        held = RECORD_BYTES * self.records * (1 + _SPARE) + PIXEL_BYTES * self.pixels
+        return growth * (held + _BAND_RECORD * self.band) + self.work + _TRAJECTORY * self.trajectories
+
+
 def memory_needed(cuts: Iterable[Cut], *, stock: Solid, view: View) -> float:
     """Memory that `simulate_job`, and then a picture, takes at its peak for these arguments, bytes, from some hundred rays.
 
@@ -93,7 +131,7 @@ def check_memory(removal: Removal, trajectories: int, allowed: float) -> None:
     OverBudget
     """
     most = _most(removal)
-    if _peak(most, most, most, trajectories, removal) <= allowed:
+    if _peak(most, most, most, trajectories, removal).bytes() <= allowed:
         return  # whatever the rays say
     counts = count(removal)
     needed = peak_bytes(counts, trajectories, removal)
@@ -103,6 +141,14 @@ def check_memory(removal: Removal, trajectories: int, allowed: float) -> None:
 
 def peak_bytes(counts: Counts, trajectories: int, removal: Removal) -> float:
     """Memory that a simulation and pictures of it take at their peak, beyond what the process took before it, bytes.
+
+    The arguments are those of `peak_of`.
+    """
+    return peak_of(counts, trajectories, removal).bytes()
+
+
+def peak_of(counts: Counts, trajectories: int, removal: Removal) -> Peak:
+    """Return what decides the memory of a simulation and pictures of it.
 
     Parameters
     ----------
@@ -114,7 +160,7 @@ def peak_bytes(counts: Counts, trajectories: int, removal: Removal) -> float:
         What is simulated.
     """
     traces = counts.traces + _ERRORS * counts.traces_error
-    return _peak(_at_most(counts), traces, counts.band, trajectories, removal)
+    return _peak(counts.records + _ERRORS * counts.traces_error, traces, counts.band, trajectories, removal)
 
 
 def helpers_within(allowed: float, removal: Removal, trajectories: int) -> int:
@@ -131,13 +177,8 @@ def helpers_within(allowed: float, removal: Removal, trajectories: int) -> int:
     """
     counts = count(removal)
     each = _PROCESS + _band_work(removal) + _SENT_RECORD * counts.band + _SENT_TRAJECTORY * trajectories
-    alone = _cutting(_at_most(counts), counts.band, trajectories, removal)
+    alone = peak_of(counts, trajectories, removal).cutting()
     return max(0, int((allowed - alone) // each))
-
-
-def _at_most(counts: Counts) -> float:
-    """Records, with the error of their number."""
-    return counts.records + _ERRORS * counts.traces_error
 
 
 def _most(removal: Removal) -> float:
@@ -154,19 +195,9 @@ def _most(removal: Removal) -> float:
     return (1 if removal.sine == 0 else 2) * passes + frame.width * frame.height
 
 
-def _peak(records: float, traces: float, band: float, trajectories: int, removal: Removal) -> float:
-    """Memory for so many records, so many of them of traces, in the fullest band so many."""
+def _peak(records: float, traces: float, band: float, trajectories: int, removal: Removal) -> Peak:
     pixels = removal.frame.width * removal.frame.height
-    shown = RECORD_BYTES * records + _SHOWN * traces + _SHOWN_PIXEL * pixels
-    shown += _SHOWN_TRAJECTORY * trajectories + _SHOWING
-    return max(_cutting(records, band, trajectories, removal), shown)
-
-
-def _cutting(records: float, band: float, trajectories: int, removal: Removal) -> float:
-    """The part of `_peak` until all are found."""
-    pixels = removal.frame.width * removal.frame.height
-    held = RECORD_BYTES * records * (1 + _SPARE) + PIXEL_BYTES * pixels
-    return held + _band_work(removal) + _BAND_RECORD * band + _TRAJECTORY * trajectories
+    return Peak(records, traces, band, pixels, trajectories, _band_work(removal))
 
 
 def _band_work(removal: Removal) -> float:

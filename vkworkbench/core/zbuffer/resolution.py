@@ -3,17 +3,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
+from functools import partial
 from math import log2, sqrt
 
 from vkworkbench.core.view import View
 from vkworkbench.core.zbuffer.estimate import Estimate
+from vkworkbench.core.zbuffer.memory import Peak
+from vkworkbench.core.zbuffer.records import PIXEL_BYTES, RECORD_BYTES
 from vkworkbench.given import not_negative, number, of_kind, positive
 from vkworkbench.language import Message, render
 
 # Passes are told apart if at least this many pixels or cells lie between them.
 _CELLS_PER_STEPOVER = 4
+# Of a budget of memory: in another image other rays tell the records, 1.3 % more at most in 137 that were tried.
+_SURE = 0.98
 # No image grows by more than two to this.
 _LARGEST_GROWTH = 40
 
@@ -27,7 +32,7 @@ class Resolution:
     view : View or None
         The finest image within the budget; None where none is.
     memory_bytes, seconds : float
-        What the simulation takes with it; without a view, with a single pixel.
+        What the simulation takes with it, at its peak, with pictures of it; without a view, with a single pixel.
     why : Message
         What limits it, or what helps where no resolution does.
     """
@@ -54,16 +59,16 @@ def best_resolution(
 ) -> Resolution:
     """Choose the finest image with which operations are simulated within a budget.
 
-    Dexels and trace elements grow with the number of pixels, so the image that fits a memory is a square root. The time
-    grows slower, see `Work.amounts`; that of the trajectories themselves does not, and no image shortens it.
+    Dexels and trace elements grow with the number of pixels, and so does the memory but for that of the trajectories and of
+    the work. The time grows slower, see `Work.amounts`; that of the trajectories themselves does not, and no image shortens it.
 
     Parameters
     ----------
     estimates : sequence of Estimate
         Of the operations, all for the same view.
     memory_bytes, seconds : float, optional
-        The budget; at least one is given. Several operations share one z-buffer and are simulated one after
-        another.
+        The budget; at least one is given: `memory_bytes` as `simulate` takes it. Several operations share one z-buffer
+        and are simulated one after another.
     stepover : float, optional
         Smallest distance between passes, mm: says whether the image tells the passes apart.
     labels : sequence of str, optional
@@ -95,16 +100,16 @@ def best_resolution(
         of_kind("an estimate", one, Estimate, "the Estimate that estimate makes")
     view, pixel = estimates[0].view, estimates[0].pixel
     each, estimates = estimates, estimates if whole is None else [whole]
-    memory = max(e.stock_bytes for e in estimates) + sum(e.memory_bytes - e.stock_bytes for e in estimates)
+    peak = _together(estimates)
     fixed = sum(e.trajectory_seconds for e in estimates)
     pixels = view.width * view.height
 
     # How many times as many pixels each budget allows.
     limits = {}
     if memory_bytes is not None:
-        limits["memory"] = memory_bytes / memory
+        limits["memory"] = _growth(peak.bytes, _SURE * memory_bytes, 1 / pixels)
     if seconds is not None:
-        limits["time"] = _growth(estimates, seconds, 1 / pixels)
+        limits["time"] = _growth(partial(_seconds, estimates), seconds, 1 / pixels)
     limit = min(limits, key=limits.__getitem__)
     growth = limits[limit]
     if growth * pixels < 1:
@@ -112,7 +117,7 @@ def best_resolution(
         if limit == "time":
             named = heaviest(labels, [e.seconds for e in each])
             why = Message("no-image-in-time", time=fixed, heaviest=named)
-        return Resolution(None, memory / pixels, _seconds(estimates, 1 / pixels), why)
+        return Resolution(None, peak.bytes(1 / pixels), _seconds(estimates, 1 / pixels), why)
     width = max(1, int(view.width * sqrt(growth)))
     height = max(1, int(view.height * sqrt(growth)))
     pixel *= max(view.width / width, view.height / height)
@@ -123,23 +128,40 @@ def best_resolution(
         passes=passes_apart(pixel, stepover),
     )  # fmt: skip
     chosen = replace(view, width=width, height=height, pixel=None if view.pixel is None else pixel)
-    return Resolution(chosen, memory * growth, _seconds(estimates, growth), why)
+    return Resolution(chosen, peak.bytes(growth), _seconds(estimates, growth), why)
 
 
 def _seconds(estimates: Sequence[Estimate], growth: float) -> float:
     return sum(e.seconds_in(growth) for e in estimates)
 
 
-def _growth(estimates: Sequence[Estimate], seconds: float, least: float) -> float:
-    """How many times as many pixels take that long; 0 where even `least` times as many take longer. By bisection."""
-    if _seconds(estimates, least) > seconds:
+def _together(estimates: Sequence[Estimate]) -> Peak:
+    """What decides the memory of all of them in one z-buffer, the stock counted once."""
+    peaks = [e.peak for e in estimates]
+    stocks = [e.stock_bytes - PIXEL_BYTES * peak.pixels for e, peak in zip(estimates, peaks)]
+    return Peak(
+        records=sum(p.records for p in peaks) - (sum(stocks) - max(stocks)) / RECORD_BYTES,
+        traces=sum(p.traces for p in peaks),
+        band=sum(p.band for p in peaks),
+        pixels=peaks[0].pixels,
+        trajectories=sum(p.trajectories for p in peaks),
+        work=max(p.work for p in peaks),
+    )
+
+
+def _growth(taken: Callable[[float], float], allowed: float, least: float) -> float:
+    """How many times as many pixels take what is allowed; 0 where even `least` times as many take more. By bisection.
+
+    `taken` returns what that many times as many pixels take: the more pixels, the more.
+    """
+    if taken(least) > allowed:
         return 0.0
     low = high = log2(least)
-    while high < _LARGEST_GROWTH and _seconds(estimates, 2**high) <= seconds:
+    while high < _LARGEST_GROWTH and taken(2**high) <= allowed:
         low, high = high, high + 2
     for _ in range(40):
         middle = (low + high) / 2
-        low, high = (middle, high) if _seconds(estimates, 2**middle) <= seconds else (low, middle)
+        low, high = (middle, high) if taken(2**middle) <= allowed else (low, middle)
     return 2**low
 
 
