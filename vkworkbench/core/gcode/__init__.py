@@ -12,7 +12,7 @@ and `title_of` tells titles of operations from other comments.
 
 from vkworkbench.core.gcode.codes import ARCS
 from vkworkbench.core.gcode.dialects import at_line
-from vkworkbench.core.gcode.linearize import MOST_TRAJECTORIES, linearize
+from vkworkbench.core.gcode.linearize import linearize
 from vkworkbench.core.gcode.program import Program
 from vkworkbench.core.gcode.reader import read_program
 from vkworkbench.core.gcode.sections import Section, split_sections
@@ -22,6 +22,6 @@ from vkworkbench.core.gcode.units import INCH, in_seconds, looks_like_inches, lo
 from vkworkbench.core.gcode.words import Words, used_up
 
 __all__ = [
-    "ARCS", "INCH", "MOST_TRAJECTORIES", "Program", "Section", "Words", "at_line", "in_seconds", "linearize",
+    "ARCS", "INCH", "Program", "Section", "Words", "at_line", "in_seconds", "linearize",
     "looks_like_inches", "looks_like_increments", "read_program", "split_sections", "tells_inches", "title_of", "used_up",
 ]  # fmt: skip
