@@ -10,14 +10,14 @@ the strategies found at the two sizes agree where it is said: with `recognize`, 
 
 from __future__ import annotations
 
-import gzip
-import json
 import sys
 from collections.abc import Iterator
 from dataclasses import replace
 from pathlib import Path
 
 sys.path[:0] = [str(Path(__file__).resolve().parent.parent)]
+
+from records import lines
 
 from vkworkbench.core import Toolpath, linearize, recognize
 from vkworkbench.core.gcode import INCH, looks_like_inches, read_program
@@ -28,10 +28,8 @@ LONGEST = 50_000  # trajectories; recognising longer ones twice more takes long
 
 
 def operations(path: Path) -> Iterator[tuple[Toolpath, float | None]]:
-    with gzip.open(path, "rt") as file:
-        for line in file:
-            record = json.loads(line)
-            yield linearize(record["commands"]), record["tool_diameter"]
+    for record in lines(str(path)):
+        yield linearize(record["commands"]), record["tool_diameter"]
 
 
 def programs(path: Path) -> Iterator[tuple[Toolpath, float | None]]:

@@ -3,7 +3,8 @@
 
 Each line of a file is a JSON record. Of an operation: id, label, strategy, accept (the strategies that count as right),
 tool_diameter (mm or null) and commands ([name, parameters], mm and mm/s); where there are params with FreeCAD's StepOver
-(percent of the tool's diameter), the stepover can be compared with it; source names the CAM system. Of a program: id,
+(percent of the tool's diameter), the stepover can be compared with it; stock is that of its job, its lower corner and its
+upper one in mm; source names the CAM system. Of a program: id,
 commands, group (what is left out together when something is learned) and sections, each [first command, last command,
 label, accept].
 """
@@ -13,6 +14,7 @@ from __future__ import annotations
 import gzip
 import hashlib
 import json
+import math
 import re
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
@@ -20,7 +22,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from toolpaths import strokes, synthetic
-from vkworkbench.core import Toolpath
+from vkworkbench.core import Stock, Toolpath
 from vkworkbench.core.gcode import linearize
 
 JOINED = 20_000  # trajectories; longer operations are not joined
@@ -56,6 +58,13 @@ class Record:
 def lines(file: str) -> Iterator[dict]:
     with gzip.open(file, "rt") if file.endswith(".gz") else open(file) as opened:
         yield from map(json.loads, opened)
+
+
+def with_stock(file: str, most: int) -> Iterator[tuple[dict, Stock]]:
+    """Yield about so many of a file's records that have a stock and a tool, from all over it, and their stocks."""
+    records = [r for r in lines(file) if r.get("stock") and r.get("tool_diameter")]
+    for r in records[:: max(1, math.ceil(len(records) / most))]:
+        yield r, Stock(r["stock"][:3], r["stock"][3:])
 
 
 def group_of(r: dict) -> str:

@@ -13,8 +13,6 @@ of a simulation is predicted, of every third operation.
 
 from __future__ import annotations
 
-import gzip
-import json
 import math
 import sys
 import time
@@ -26,10 +24,11 @@ import numpy as np
 ROOT = Path(__file__).resolve().parent.parent
 sys.path[:0] = [str(ROOT), str(ROOT / "benchmarks")]
 
+from records import with_stock
 from zbuffer_cases import CASES, stock_of
 
 from toolpaths.synthetic import SAMPLES
-from vkworkbench.core import Stock, Strategy, Tool, View
+from vkworkbench.core import Strategy, Tool, View
 from vkworkbench.core.gcode import linearize
 from vkworkbench.core.recognition import recognize
 from vkworkbench.core.zbuffer import (
@@ -82,9 +81,7 @@ def main() -> None:
 
 def of_file(name: str):
     """Operations of a file of JSON lines; 3D surfaces are cut with a ball end, carvings with a V-bit."""
-    with (gzip.open if name.endswith(".gz") else open)(name, "rt") as lines:
-        records = [r for r in map(json.loads, lines) if r.get("stock") and r.get("tool_diameter")]
-    for record in records[:: max(1, math.ceil(len(records) / MOST))]:
+    for record, stock in with_stock(name, MOST):
         toolpath = linearize(record["commands"])
         shape = {"Surface": "ballend", "Waterline": "ballend", "Vcarve": "vbit"}.get(record["label"].split(":")[0])
         tool = Tool(shape or "endmill", record["tool_diameter"])
@@ -92,7 +89,7 @@ def of_file(name: str):
         if str(found.strategy) not in record["accept"]:
             found = replace(found, strategy=Strategy(record["strategy"]))
         if len(toolpath):
-            yield record["label"], toolpath, found, tool, Stock(record["stock"][:3], record["stock"][3:])
+            yield record["label"], toolpath, found, tool, stock
 
 
 def synthetic():

@@ -13,8 +13,6 @@ would favour short simulations, which fit into the moments when a shared process
 
 from __future__ import annotations
 
-import gzip
-import json
 import math
 import os
 import sys
@@ -34,9 +32,10 @@ sys.path[:0] = [str(ROOT), str(ROOT / "examples"), str(ROOT / "tests")]
 from inside_freecad import run_and_leave
 from make_example import make_example
 from measuring import RENDERER, quantiles, shape, stolen
+from records import with_stock
 
 from vkworkbench import freecad
-from vkworkbench.core import Stock, Tool, linearize
+from vkworkbench.core import Tool, linearize
 from vkworkbench.core.simulators import OPENGL, Task, available, legacy_costs
 from vkworkbench.document.calibration import calibrate
 from vkworkbench.document.operations import find
@@ -86,12 +85,10 @@ def of_document(doc):
 
 def of_corpus(name):
     """Name, commands, tool and stock of every operation in a file of JSON lines; 3D surfaces get a ball end."""
-    with (gzip.open if name.endswith(".gz") else open)(name, "rt") as lines:
-        records = [r for r in map(json.loads, lines) if r.get("stock") and r.get("tool_diameter")]
-    for record in records[:: math.ceil(len(records) / MOST)]:
+    for record, stock in with_stock(name, MOST):
         ball = record["label"].startswith(("Surface", "Waterline"))
         tool = Tool("ballend" if ball else "endmill", record["tool_diameter"])
-        yield record["id"], record["commands"], tool, Stock(record["stock"][:3], record["stock"][3:])
+        yield record["id"], record["commands"], tool, stock
 
 
 def headless(samples):
