@@ -102,9 +102,9 @@ def _distances(front: np.ndarray, behind: np.ndarray, pixels: np.ndarray, pixel:
             break
         for some in np.array_split(steps, ceil(len(searched) * len(steps) / _PAIRS)):
             rows, columns = row[searched, None] + some[:, 0], column[searched, None] + some[:, 1]
-            beside = (rows < 0) | (rows >= height) | (columns < 0) | (columns >= width)
+            # Outside the image a pixel of its border stands in, which lies nearer than that and is looked at before.
             rows, columns = np.clip(rows, 0, height - 1), np.clip(columns, 0, width - 1)
-            across = np.where(beside, np.inf, np.hypot(*some.T) * pixel)
+            across = np.hypot(*some.T) * pixel
             to_front = beyond[searched, None] - front[rows, columns]
             to_behind = behind[rows, columns] - ahead[searched, None]
             for side, gap in enumerate((to_front, to_behind)):
