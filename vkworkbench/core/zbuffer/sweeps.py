@@ -57,7 +57,7 @@ def lowest(
             return _lowest_of_ball(tool.radius, start[2], run, slope, along, half)
         ahead = run - along
         # The tool's axis moves from -along to ahead, seen from the foot of the point; half is how far the tool reaches.
-        at = along + _lowest_position(tool, slope, aside2, half, along, ahead)
+        at = along + _lowest_position(tool, slope, aside2, half)
         np.minimum(np.maximum(at, 0, out=at), run, out=at)
         np.minimum(along, ahead, out=ahead)
         np.minimum(ahead, 0, out=ahead)
@@ -106,9 +106,7 @@ def headings(move: np.ndarray) -> np.ndarray:
     return np.array([ux, uy, run, np.where(moving, move[2] / safe_run, 0.0)])
 
 
-def _lowest_position(
-    tool: Tool, slope: np.ndarray, aside2: np.ndarray, half: np.ndarray, along: np.ndarray, ahead: np.ndarray
-) -> np.ndarray:
+def _lowest_position(tool: Tool, slope: np.ndarray, aside2: np.ndarray, half: np.ndarray) -> np.ndarray:
     """Where on the move the tool is lowest above a point: the minimum of slope * v + profile(r(v)) for v in +-half."""
     if not slope.any():
         return np.zeros_like(slope)
@@ -125,15 +123,13 @@ def _lowest_position(
         return position
     position = np.zeros(half.shape)
     sloped = np.flatnonzero(slope)
-    position[..., sloped] = _bisected(tool, slope[sloped], *(of[..., sloped] for of in (aside2, half, along, ahead)))
+    position[..., sloped] = _bisected(tool, slope[sloped], aside2[..., sloped], half[..., sloped])
     return position
 
 
-def _bisected(
-    tool: Tool, slope: np.ndarray, aside2: np.ndarray, half: np.ndarray, along: np.ndarray, ahead: np.ndarray
-) -> np.ndarray:
+def _bisected(tool: Tool, slope: np.ndarray, aside2: np.ndarray, half: np.ndarray) -> np.ndarray:
     """`_lowest_position` of a bull-nose on sloped moves."""
-    low, high = np.maximum(-along, -half), np.minimum(ahead, half)
+    low, high = -half, half
     flat = tool.radius - tool.rounding
     for _ in range(48):
         middle = (low + high) / 2
