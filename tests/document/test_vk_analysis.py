@@ -224,6 +224,11 @@ def test_what_is_in_no_group_of_a_job_is_not_posted(small, zigzag_commands):
     assert [o.label for o in vkworkbench.simulate(small.document).job.operations] == ["Array"]
 
 
+def test_a_toolpath_without_a_job_counts_whether_it_or_its_document_is_analysed(small, zigzag_commands):
+    alone = small.add("Alone", zigzag_commands, job=False)
+    assert counted(alone) == counted(small.document) == {"Alone"}
+
+
 def test_a_job_has_what_an_array_has_taken_out_of_its_group(small, zigzag_commands):
     """As FreeCAD 1.1's does it: its mark is cleared with the job's."""
     base = small.add("Base", zigzag_commands)
