@@ -8,9 +8,9 @@ drawn (all with --count 0). Rows of three numbers and more are left as they are:
 Tests of a file are those of its room: tests/core/ROOM, or tests/document inside the FreeCAD of this machine; --tests
 takes fewer, which is quicker while one writes them. Those that only start programs of their own are left out: no mutant
 is tried in these. A mutant is killed where a test fails, or takes far more of the processor than before. Prints the rate
-of those killed by file, as a table for docs/reliability.md; the mutants that live go to the error output. Other rooms'
-tests may kill some of those that live, and some are no change at all: the rate is a lower bound. The checkout is not
-touched: copies of it are.
+of those killed by file and by folder, as a table for docs/reliability.md; the mutants that live go to the error output.
+Other rooms' tests may kill some of those that live, and some are no change at all: the rate is a lower bound. The checkout
+is not touched: copies of it are.
 """
 
 from __future__ import annotations
@@ -25,6 +25,7 @@ import shutil
 import subprocess
 import sys
 import tempfile
+from collections import Counter
 from collections.abc import Iterator
 from functools import cache
 from pathlib import Path
@@ -286,7 +287,7 @@ def main() -> int:
     chosen = parser.parse_args()
     roots = [file.resolve() for file in chosen.files] or [ROOT / "vkworkbench" / one for one in DRAWN_FROM]
     files = [file for root in roots for file in (sorted(root.rglob("*.py")) if root.is_dir() else [root])]
-    killed = total = 0
+    killed, total = Counter(), Counter()
     print("| file | noticed | drawn |\n|---|---:|---:|")
     with tempfile.TemporaryDirectory() as folder:
         checkout = Checkout(Path(folder))
@@ -299,9 +300,13 @@ def main() -> int:
             name = file.relative_to(ROOT)
             for mutant in alive:
                 print(f"    {name}:{mutant.line}: {mutant.what}", file=sys.stderr)
-            killed, total = killed + len(drawn) - len(alive), total + len(drawn)
-            print(f"| `{name.relative_to('vkworkbench')}` | {len(drawn) - len(alive)} | {len(drawn)} |", flush=True)
-    print(f"| all, {killed / max(total, 1):.2f} | {killed} | {total} |")
+            name = name.relative_to("vkworkbench")
+            print(f"| `{name}` | {len(drawn) - len(alive)} | {len(drawn)} |", flush=True)
+            for of in (f"`{name.parent}/`", "all"):
+                killed[of] += len(drawn) - len(alive)
+                total[of] += len(drawn)
+    for of in sorted(total):
+        print(f"| {of}, {killed[of] / total[of]:.2f} | {killed[of]} | {total[of]} |")
     return 0
 
 
