@@ -185,6 +185,8 @@ def test_an_iterator_is_cleared_as_a_list(small, zigzag_commands):
     op = small.add("Zigzag", zigzag_commands)
     vkworkbench.mark(vkworkbench.analyze(small.document))
     assert vkworkbench.clear(iter([op])) == 2 and not marks.is_marked(op) and not marks.is_marked(small.job)
+    vkworkbench.mark(vkworkbench.analyze([[op]]))
+    assert vkworkbench.clear([[op]]) == 2
 
 
 def test_a_rotary_axis_that_cuts_is_no_drilling(small):

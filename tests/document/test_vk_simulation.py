@@ -8,6 +8,7 @@ import time
 
 import FreeCAD
 import numpy as np
+import Part
 import Path
 import pytest
 
@@ -471,8 +472,20 @@ def another_model(small):
     small.document.recompute()
 
 
+def another_model_in_the_same_stock(small):
+    part = small.document.addObject("Part::Feature", "Part")
+    part.Shape = small.document.Block.Shape.cut(Part.makeBox(10, 10, 10))
+    small.job.Model.Group = [part]
+    small.document.recompute()
+
+
+def one_more_body_of_the_model(small):
+    small.job.Model.Group += [small.document.addObject("Part::Box", "Within")]
+    small.document.recompute()
+
+
 CHANGES = [larger_stock, without_stock, larger_tool, quicker_rapids, moved, another_path, other_order, one_more, one_less,
-           switched_off, another_model]  # fmt: skip
+           switched_off, another_model, another_model_in_the_same_stock, one_more_body_of_the_model]  # fmt: skip
 
 
 @pytest.mark.parametrize("change", CHANGES)
