@@ -16,13 +16,16 @@ AROUND = (-2.0, -2.0, 32.0, 42.0)
 ZIGZAG, ADAPTIVE, PROFILE, OFFSETS = Strategy.ZIGZAG, Strategy.ADAPTIVE, Strategy.PROFILE, Strategy.CONTOUR_PARALLEL
 
 
-def found_in(*sections, where=0.0, doubtful=None):
-    """Return the numbers of the sections that go on with the operation before them; each is (strategy, box[, depth[, passes[, stepover]]])."""
+def found_in(*sections, where=0.0, doubtful=None, rapids=True):
+    """Return the numbers of the sections that go on with the operation before them; each is (strategy, box[, depth[, passes[, stepover]]]).
+
+    Between them are rapids, or moves at feed.
+    """
     points, rapid, cut = [(where, where, 5.0)], [], []
     for strategy, (x, y, u, v), *more in sections:
         depth, passes, stepover = (*more, *(-1.0, None, None)[len(more) :])
         points += [(where + x, where + y, depth), (where + u, where + v, depth)]
-        rapid += [True, False]
+        rapid += [rapids, False]
         last = len(rapid) - 1
         one = SimpleNamespace(
             strategy=strategy, passes=passes, stepover=stepover, spans=(SimpleNamespace(first=last, last=last),)
@@ -39,6 +42,12 @@ def found_in(*sections, where=0.0, doubtful=None):
 def test_a_contour_around_what_is_cleared_finishes_it_whichever_comes_first(clearing, where):
     assert found_in((clearing, CLEARED), (PROFILE, AROUND), where=where) == [1]
     assert found_in((PROFILE, AROUND), (clearing, CLEARED), where=where) == [1]
+
+
+@pytest.mark.parametrize("rapids", [True, False])
+def test_the_way_to_the_next_section_is_none_of_the_contour(rapids):
+    far = ADAPTIVE, (100.0, 100.0, 130.0, 140.0)
+    assert found_in((ADAPTIVE, CLEARED), (PROFILE, AROUND), far, rapids=rapids) == [1]
 
 
 @pytest.mark.parametrize(

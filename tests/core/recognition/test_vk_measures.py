@@ -148,6 +148,21 @@ def test_surprise_is_the_entropy_of_the_turns():
     assert found["sense_keeps"] == pytest.approx(8 / 15)
 
 
+def test_of_thousands_of_moves_the_turns_in_the_middle_of_the_time_are_looked_at():
+    """Bent strokes of three moves, to the left and to the right in turns; the first and the last 450 moves are longer."""
+    strokes = []
+    for k in range(150 + 667 + 150):
+        long, side = 10.0 if 150 <= k < 150 + 667 else 20.0, 1 - 2 * (k % 2)
+        strokes.append([(0, 0, 0), (long, 0, 0), (long, side * long, 0), (0, side * long, 0)])
+    found = told(programs.program(strokes))
+    holds(found, {"spread": 0, "sense_keeps": 1})
+
+
+@pytest.mark.parametrize(("corners", "smooth"), [(23, 0), (25, 1)])
+def test_turns_by_less_than_fifteen_degrees_are_smooth(corners, smooth):
+    holds(told(programs.program([polygon(20, corners=corners)])), {"smooth": smooth, "corners": 0})
+
+
 def test_nothing_turns():
     found = told(programs.program([[(0, 0, 0), (10, 0, 0)], [(0, 20, 0), (20, 20, 0)]]))
     holds(found, {

@@ -75,6 +75,12 @@ def test_without_a_tool_the_steps_have_to_be_alike():
     assert steps.tolist() == [2, 2, 5, 6, 7] and limit == pytest.approx(3.5)
 
 
+def test_steps_that_differ_by_less_than_three_tenths_are_alike():
+    """Two of 2 mm and four of 2.5 mm: twice the usual one, more than a twentieth of 60 mm."""
+    sides = 60.0 - 2 * np.cumsum([0, 2, 2, 2.5, 2.5, 2.5, 2.5])
+    assert reached(*sides)[0] == pytest.approx(4)
+
+
 def test_a_tool_that_reaches_less_than_five_equal_steps_is_wrong():
     sides = 40.0 - 4 * np.arange(6)
     assert reached(*sides, tool=1.0)[0] == pytest.approx(4)

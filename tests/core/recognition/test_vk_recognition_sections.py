@@ -312,6 +312,21 @@ def test_what_freecad_remarks_within_an_operation_parts_nothing(depths):
     assert find_borders(replace(path, comments=((30, "Pocket"),)), monotonous_areas(path)) == {30: False}
 
 
+@pytest.mark.parametrize(("loops", "other"), [(12, "zigzag"), (70, "drilling")])
+def test_in_a_program_what_another_tool_cuts_is_another_operation_however_little(loops, other):
+    """Four short rows, or of holes less than a thousandth of the length."""
+    pocket = programs.SOUND["contour-parallel"](loops, 36, 3.0, 10.0, [-1.0], 0.0)
+    little = {
+        "zigzag": programs.SOUND["zigzag"](4, 15.0, 3.0, [-1.0]),
+        "drilling": programs.SOUND["drilling"](2, 1, 20.0, "G81"),
+    }[other]
+    path = linearize([*pocket, ("M6", {"T": 2.0}), ("G0", {"X": 500.0}), *little])
+    found = recognize(path, tool_diameter=TOOL, program=True)
+    assert found.strategy is Strategy.MIXED
+    assert [str(span.strategy) for span in found.spans] == ["contour-parallel", other]
+    assert found.spans[1].share < (0.05 if other == "zigzag" else 0.001)
+
+
 @pytest.mark.parametrize("titles, borders", [(200, 200), (201, 0)])
 def test_more_than_two_hundred_titles_are_those_of_no_operations(titles, borders):
     path = linearize(programs.one_way(210))
