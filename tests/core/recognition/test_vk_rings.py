@@ -316,6 +316,25 @@ def test_loops_and_windings_may_be_wavy():
     assert shapes_of(wavy, polygon(40)).wavy.tolist() == [True, False]
 
 
+def toothed(inside, left=0.0):
+    """Around a comb of eight teeth, as far inside; its left side so much farther."""
+    low, high, width = 20.0 - inside, 60.0 - inside, 10.0 - inside
+    teeth = [
+        (20 * k + x, y)
+        for k in range(7, -1, -1)
+        for x, y in ((width, low), (width, high), (inside, high), (inside, low))
+    ]
+    teeth[-2:] = [(inside + left, high), (inside + left, inside)]
+    around = [(inside + left, inside), (150 - inside, inside), *teeth[1:]]
+    return [(x, y, 0) for x, y in around]
+
+
+@pytest.mark.parametrize(("left", "nested"), [(0.0, True), (0.15, True), (0.3, False)])
+def test_all_sides_of_a_wavy_offset_move_by_the_same_to_a_tenth(left, nested):
+    assert shapes_of(toothed(0.0), toothed(2.0, left)).wavy.all()
+    assert rings_of([toothed(0.0), toothed(2.0, left)]).nested.tolist() == [nested] * 2
+
+
 def test_no_rings():
     rings = rings_of([[(0, 0, 0), (50, 0, 0)]])
     assert len(rings) == 0 and (rings.depths, rings.distinct, rings.depth_range, rings.evenness) == (0, 0, 0.0, 0.0)

@@ -113,6 +113,14 @@ def test_a_grid_has_two_families():
     assert not set(first.moves) & set(second.moves)
 
 
+@pytest.mark.parametrize("degrees", [30.0, 60.0])
+def test_a_slanted_grid_has_two_families_and_none_along_their_mean(degrees):
+    across, slant = ([[(0.0, 3.0 * row, 0.0), (50.0, 3.0 * row, 0.0)] for row in range(count)] for count in (12, 10))
+    first, second = rows_of(programs.program(across + slanted(slant, degrees)))
+    assert (first.axis, second.axis) == pytest.approx((0.0, math.radians(degrees)))
+    assert (first.count, second.count) == (12, 10)
+
+
 def test_little_across_the_rows_is_no_family():
     """What is left is looked at only where it is worth it, and kept only where it is much."""
     across = [[(0.0, 3.0 * row, 0.0), (50.0, 3.0 * row, 0.0)] for row in range(12)]
