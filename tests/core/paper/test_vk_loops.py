@@ -139,12 +139,16 @@ def test_each_further_turn_of_a_winding_begins_where_phi_has_gone_round(first, l
     assert (sense * areas.phi[turns] >= round_again - 1e-6).all() and (sense * areas.phi[turns - 1] < round_again).all()
 
 
-def test_windings_are_counted_each_for_itself():
-    up, down = winding(10, 10, 3, drop=2.0), [(x, -y, z) for x, y, z in winding(8, 8, 4, drop=2.0)]
-    areas = areas_of(up, down)
-    turns = winding_turns(areas, areas.start, areas.end, np.array([1.0, -1.0]))
-    assert len(turns) == 2 + 3
-    assert (turns[:2] < areas.start[1]).all() and (turns[2:] > areas.start[1]).all()
+@pytest.mark.parametrize("first, second", [(3, 4), (4, 3)])
+def test_windings_are_counted_each_for_itself_wherever_they_begin(first, second):
+    up, down = winding(10, 10, first, drop=2.0), [(x, -y, z) for x, y, z in winding(8, 8, second, drop=2.0)]
+    areas = areas_of([(0, 0, 0), (50, 0, 0), (50, 5, 0), (0, 5, 0)], up, down)
+    turns = winding_turns(areas, areas.start[1:], areas.end[1:], np.array([1.0, -1.0]))
+    assert len(turns) == first - 1 + second - 1
+    of_first, of_second = turns[: first - 1], turns[first - 1 :]
+    assert (
+        (areas.start[1] < of_first).all() and (of_first < areas.start[2]).all() and (of_second > areas.start[2]).all()
+    )
 
 
 def test_turning_back_and_on_begins_no_new_turn():

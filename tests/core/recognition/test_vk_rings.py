@@ -200,6 +200,13 @@ def test_a_ring_of_another_shape_that_touches_the_same_walls_crosses(z, relation
     assert related(rings_of([polygon(40), diamond])) == [relation] * 2
 
 
+@pytest.mark.parametrize("cut, relation", [(11.0, set()), (13.0, {"crossing"})])
+def test_a_ring_that_touches_the_same_walls_and_encloses_a_twentieth_less_crosses(cut, relation):
+    """The corner that is cut off has 3.8 or 5.3 hundredths of 40 mm by 40 mm."""
+    without = [(50, -60, 0), (90 - cut, -60, 0), (90, -60 + cut, 0), (90, -20, 0), (50, -20, 0), (50, -60, 0)]
+    assert related(rings_of([polygon(40), without])) == [relation] * 2
+
+
 @pytest.mark.parametrize(
     "senses, opposite",
     [("+-+-+", True), ("+++++", False), ("+-", False), ("++--", False), ("+-+++-", [True] * 3 + [False] * 3)],

@@ -67,6 +67,9 @@ CASES = {
     "a contour at three depths": ([polygon(40, z=z) for z in (0.0, -2.0, -4.0)], "profile", "not-nested", 3),
     "a spiral": ([winding(2, 26, 8)], "spiral", "endless-winding", 9),
     "a helix": ([winding(10, 10, 8, drop=8)], "helix", "constant-radius", 8),
+    "a helix, and circles beside it": (
+        [winding(10, 10, 8, drop=8), *(polygon(20, x=60.0 * k, corners=36, z=-8) for k in (1, 2, 3))],
+        "helix", "constant-radius", 11),
     "a helix that clears at its ground": (
         [winding(10, 10, 20, drop=12) + winding(10, 12, 1, z=-12)[1:] + winding(12, 15, 1, z=-12)[1:]
          + winding(15, 19, 1, z=-12)[1:]], "adaptive", "winding-with-entry", 3),
