@@ -384,6 +384,21 @@ def test_a_radius_shorter_than_half_the_chord_by_more_than_rounding_makes_a_line
     assert [problem.what.code for problem in short.problems] == ["arc-as-line"]
 
 
+def test_an_arc_around_where_it_begins_is_a_line():
+    around = path(START, ("G2", {"X": 4.0, "Y": 0.0, "I": 0.0, "J": 0.0}))
+    assert len(around) == 1 and [problem.what.code for problem in around.problems] == ["arc-as-line"]
+
+
+def test_centres_of_commands_are_offsets_whatever_they_look_like():
+    """Only where a program is read they may be coordinates: FreeCAD has made offsets of all it read."""
+    arc = ("G2", {"X": 110.0, "Y": 100.0, "I": 105.0, "J": 100.0})
+    assert [p.what.code for p in path(("G0", {"X": 100, "Y": 100, "Z": 1}), arc).problems] == ["arc-of-changing-radius"]
+
+
+def test_a_hole_without_any_height_before_it_begins_at_0():
+    assert path(("G81", {"X": 5, "Y": 5, "Z": -2.0})).points[:, 2].tolist() == [0, -2, 0]
+
+
 def test_a_long_chord_rounds_its_radius_more():
     toolpath = path(("G0", {"X": 0, "Y": 0, "Z": 0}), ("G2", {"X": 200, "R": 99.99}))
     assert toolpath.sweep.sum() == pytest.approx(-np.pi) and toolpath.problems == ()

@@ -63,7 +63,7 @@ def test_a_time_with_a_dwell_is_the_least():
 
 @pytest.mark.parametrize("line, problem", [
     ("G0 A90", ("rotary-not-read", "A")), ("G1 X1 U2", ("word-not-read", "U")), ("G1 E5", ("word-not-read", "E")),
-    ("G2 X4 Y0 I2 P3", ("turns-not-read",)), ("G4 P2", ("dwell-untimed",)), ("G82 X1 Z-2 R1 P0.5", ("dwell-untimed",)),
+    ("G2 X4 Y0 I2 P2", ("turns-not-read",)), ("G4 P2", ("dwell-untimed",)), ("G82 X1 Z-2 R1 P0.5", ("dwell-untimed",)),
     ("G38.2 Z-9 F50", ("probing-untimed",)), ("G31 Z-9 F50", ("probing-untimed",)),
     ("G41 D1", ("compensation-not-read", "G41")), ("M98 P100", ("subprogram-not-read",)), ("M97 P5", ("subprogram-not-read",)),
     ("G1 X1 Y2 X3", ("word-twice", "X")), ("G1 X1 F100 F200", ("word-twice", "F")), ("G0 G1 X3", ("two-motions",)),

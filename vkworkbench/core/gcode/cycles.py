@@ -127,7 +127,7 @@ def moves(
     points[first] = np.column_stack([start[:, :2], clear])
     points[first + 1, 2] = clear
     points[first + 2, 2] = retract
-    rapid[first] = rapid[first + 1] = rapid[first + 2] = True
+    rapid[first] = True
     last = first + counts - 1
     feeds_out = np.isin(code, FEED_OUT)
     out_of_hole = last[feeds_out] - 1
