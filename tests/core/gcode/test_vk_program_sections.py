@@ -66,6 +66,8 @@ def sections(text):
         ("T4 10x72mm end mill", 4, "endmill", 10),
         ("6MM X 20MM LOC ENDMILL", None, "endmill", 6),
         ("6MM 25 LONG END MILL", None, "endmill", 6),
+        ("T3 6MM 25 LONG END MILL", 3, "endmill", 6),
+        ("T3 6 LONG END MILL 50MM", 3, "endmill", 6),
         ("2X 6MM ENDMILL", None, "endmill", 6),
         ("STOCK 100 X 50 X 20MM TOOL 10MM ENDMILL", None, "endmill", 10),
         ("USE 6 INCH VISE AND 1/2 END MILL", None, "endmill", 12.7),
