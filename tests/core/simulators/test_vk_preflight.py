@@ -96,6 +96,12 @@ def test_a_long_ramp_is_cut_too_deep_by_its_length_over_the_diameter():
     (found,) = check([*commands, ("G1", {"X": 0.0, "Z": 25.0})], diameter=8.0)
     assert (found.what.arguments["count"], found.what.arguments["command"], found.command) == (2, 3, 1)
     assert "too high" in found.message
+    (found,) = check([commands[0], ("G1", {"X": 90.0, "Z": 20.9, "F": 5.0})], diameter=8.0)
+    assert "too high" in found.message
+
+
+def test_a_rapid_that_rises_over_the_part_is_no_ramp():
+    assert check([("G0", {"X": 0.0, "Y": 0.0, "Z": 20.0}), ("G0", {"X": 90.0, "Z": 20.9})], diameter=8.0) == ()
 
 
 def test_short_slopes_plunges_helices_and_lifts_are_no_ramps():

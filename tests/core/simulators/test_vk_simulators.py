@@ -189,6 +189,22 @@ def test_comments_take_a_tick_but_show_nothing():
     assert noted.play_seconds - bare.play_seconds == pytest.approx(1000 / 50)
 
 
+def test_fast_forward_makes_one_mesh_of_all_cells():
+    task = Task(linearize(zigzag(20)), TOOL, STOCK)
+    usual, slow = (legacy_costs(task, constants=Constants(cell=cell))[0] for cell in (0.0, 1e-5))
+    cells = legacy_work(task.motions, diameter=6.0, stock=STOCK).cells
+    assert slow.fast_forward_seconds - usual.fast_forward_seconds == pytest.approx(1e-5 * cells)
+
+
+def test_a_stock_of_half_a_millimetre_has_as_many_cells_as_one_of_its_form():
+    """A millimetre is no bound of anything."""
+    made = motions(linearize(zigzag(2)))
+    small, large = (
+        legacy_work(made, diameter=1.0, stock=Stock((0, 0, 0), (size, size / 2, 1))).cells for size in (0.5, 50)
+    )
+    assert small == large
+
+
 def test_fast_forward_waits_for_the_last_mesh_to_be_shown():
     slow = Constants(display=1e-4)
     rough, plain = (
@@ -483,6 +499,15 @@ def test_a_part_and_its_mirror_image_make_as_many_triangles():
         mesh_facets(one, 4.0, [0.5], floor=np.ones((1, 1), bool), floor_size=4.0) for one in (heights, heights[::-1])
     )
     assert there == pytest.approx(back)
+
+
+@pytest.mark.parametrize("fall", [0.1, 1.0])
+def test_a_slope_and_the_same_turned_by_a_quarter_make_as_many_triangles(fall):
+    heights = np.tile(fall * np.arange(40.0)[:, None], 60)
+    along, across = (
+        mesh_facets(one, 4.0, [0.5], floor=np.ones((1, 1), bool), floor_size=4.0) for one in (heights, heights.T)
+    )
+    assert along == pytest.approx(across)
 
 
 def test_each_rectangle_of_a_lower_face_that_is_cut_through_is_two_triangles():
