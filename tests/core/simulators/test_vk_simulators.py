@@ -529,6 +529,15 @@ def test_a_path_looked_at_in_parts_leaves_what_it_leaves_at_once():
     assert np.abs(parts[-1] - whole).max() < 0.05  # the ends of the parts are sampled twice
 
 
+def test_a_part_of_a_path_cuts_nothing_of_the_next_one():
+    """Four commands in two parts: the second begins with a slot across the stock."""
+    there, across, back = (("G1", {axis: to}) for axis, to in (("X", 90.0), ("Y", 50.0), ("X", 10.0)))
+    path = linearize([("G0", {"X": 10.0, "Y": 10.0, "Z": 10.0}), there, across, back])
+    (first, both), _ = heightmaps(path, tool=TOOL, stock=STOCK, parts=2)
+    (half,), _ = heightmaps(linearize([("G0", {"X": 10.0, "Y": 10.0, "Z": 10.0}), there]), tool=TOOL, stock=STOCK)
+    assert np.array_equal(first, half) and (both < first).any()
+
+
 def from_line(x, y, begin, end):
     """How far points are from a line that ends."""
     ux, uy = end - begin
