@@ -76,6 +76,9 @@ def test_a_busy_computer_gives_the_times_of_a_quiet_one():
 
 @pytest.mark.skipif(os.name == "nt", reason="its clock of the processor is too coarse")
 def test_waiting_takes_the_processor_no_time():
-    begin = processor_clock()
-    time.sleep(0.05)
-    assert processor_clock() - begin < 0.04
+    """Of several waits, for a busy computer may have something else to do in one of them."""
+    times = [processor_clock()]
+    for _ in range(5):
+        time.sleep(0.05)
+        times.append(processor_clock())
+    assert np.diff(times).min() < 0.04
