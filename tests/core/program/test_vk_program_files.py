@@ -327,6 +327,14 @@ def test_what_cannot_be_read_costs_only_itself(tmp_path):
     assert [total.label for total in report.totals] == ["b.nc", "d.nc"]
 
 
+@pytest.mark.parametrize(("change", "label"), [("", "plate"), ("T3 M6\n", "T3"), ("T3 M6\n(Face)\n", "Face")])
+def test_an_operation_without_a_title_is_called_by_its_tool_or_its_file(tmp_path, change, label):
+    path = tmp_path / "plate.nc"
+    path.write_text(f"G21\n{change}G0 X0 Y0 Z5\nG1 Z-1 F600\n{ROWS}G0 Z5\nM30\n")
+    (row,) = vkworkbench.analyze(path).operations
+    assert row.label == label
+
+
 def test_a_program_of_rapids_cuts_nothing_and_takes_an_unknown_time(tmp_path):
     (tmp_path / "rapids.nc").write_text("G21\nG0 X0 Y0 Z5\nG0 X50\nM30\n")
     report = vkworkbench.analyze(tmp_path)
