@@ -96,7 +96,7 @@ class Results:
         If the file cannot be written.
     """
 
-    def __init__(self, path: str, form: JsonLines | Csv, *, resume: bool = False) -> None:
+    def __init__(self, path: str, form: JsonLines | Csv, *, resume: bool) -> None:
         self._form = form
         self.done: set[str] = set()
         self.unread: set[str] = set()

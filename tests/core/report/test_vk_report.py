@@ -130,6 +130,15 @@ def test_the_table_tells_what_an_operation_is_not_before_what_else_is_wrong():
     assert "called" not in two and "  no tool: give" in two
 
 
+def test_where_nothing_moves_there_are_no_times_to_tell():
+    """Nor a cost: a question mark would ask for one."""
+    stop = replace(operation("Stop"), trajectories=0)
+    empty = replace(stop.recognition, strategy=Strategy.EMPTY)
+    _, idle, other, *_ = lines(report(replace(stop, recognition=empty), stop))
+    assert not {"?", "s", "mm"} & set(idle.split())
+    assert {"?", "s", "mm"} <= set(other.split())
+
+
 def test_what_is_not_counted_stands_in_brackets():
     told = report(operation("One"), operation("Dressed", counted=False), operation("Imported", counted=False, job=None))
     assert [line.split()[0] for line in lines(told)[1:4]] == ["One", "(Dressed)", "Imported"]
