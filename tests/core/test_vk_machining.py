@@ -164,6 +164,7 @@ def test_the_lowest_point_is_that_of_what_is_cut_whichever_way():
     assert (work.lowest, work.depth) == (-2, 3)
     again = machining(linearize([*rising, ("G1", {"X": 0.0}), ("G1", {"Z": 4.0})]), top=1.0)
     assert (again.lowest, again.depth) == (-2, 3)
+    assert machining(linearize(rising), top=-2.5).depth == 0  # all of it above the stock
 
 
 def test_what_is_not_read_and_takes_time_makes_a_time_the_least():
