@@ -2026,6 +2026,10 @@ at most</source>
         <source>What is simulated has changed. Simulate again</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Which job?</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Vk_Strategies</name>

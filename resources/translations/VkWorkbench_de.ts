@@ -2033,6 +2033,10 @@ höchstens</translation>
         <source>What is simulated has changed. Simulate again</source>
         <translation>Was simuliert wird, hat sich geändert. Neu simulieren</translation>
     </message>
+    <message>
+        <source>Which job?</source>
+        <translation>Welcher Auftrag?</translation>
+    </message>
 </context>
 <context>
     <name>Vk_Strategies</name>

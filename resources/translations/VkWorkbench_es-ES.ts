@@ -2033,6 +2033,10 @@ como mucho</translation>
         <source>What is simulated has changed. Simulate again</source>
         <translation>Lo que se simula ha cambiado. Simular de nuevo</translation>
     </message>
+    <message>
+        <source>Which job?</source>
+        <translation>¿Qué trabajo?</translation>
+    </message>
 </context>
 <context>
     <name>Vk_Strategies</name>

@@ -2033,6 +2033,10 @@ au plus</translation>
         <source>What is simulated has changed. Simulate again</source>
         <translation>Ce qui est simulé a changé. Simuler à nouveau</translation>
     </message>
+    <message>
+        <source>Which job?</source>
+        <translation>Quelle tâche ?</translation>
+    </message>
 </context>
 <context>
     <name>Vk_Strategies</name>

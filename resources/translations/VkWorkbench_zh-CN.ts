@@ -2033,6 +2033,10 @@ at most</source>
         <source>What is simulated has changed. Simulate again</source>
         <translation>所模拟的内容已更改。重新模拟</translation>
     </message>
+    <message>
+        <source>Which job?</source>
+        <translation>哪个作业？</translation>
+    </message>
 </context>
 <context>
     <name>Vk_Strategies</name>

@@ -13,6 +13,7 @@ import FreeCAD
 import FreeCADGui as Gui
 import numpy as np
 import pytest
+from make_example import cam
 from PySide import QtCore, QtGui
 from simulation_window import COMMAND, drag, finest, shown, tabs, working
 
@@ -187,6 +188,26 @@ def test_what_cannot_be_simulated_is_said(opened, window, odd):
     window.wait(window.boxes)
     (text,) = window.dismiss()
     assert len(text) > 20 and "Error" not in text and not tabs(window)
+
+
+def test_of_several_jobs_one_is_chosen(opened, window, small):
+    other = cam("Main.Job").Create("Second", opened.Job.Model.Group[0].Objects[:1])
+    *others, last = opened.Job.Operations.Group
+    opened.Job.Operations.Group, other.Operations.Group = others, [last]
+    Gui.Selection.clearSelection()
+    window.click(COMMAND)
+    (box,) = (box for box in window.find(QtGui.QInputDialog) if box.isVisible())
+    assert box.comboBoxItems() == [f"1. {opened.Job.Label}", f"2. {other.Label}"] and not tabs(window)
+    window.press(box, QtCore.Qt.Key_Escape)
+    window.idle()
+    assert not tabs(window) and not window.boxes()
+    window.click(COMMAND)
+    (box,) = (box for box in window.find(QtGui.QInputDialog) if box.isVisible())
+    box.setTextValue(f"2. {other.Label}")
+    window.press(box, QtCore.Qt.Key_Return)
+    window.wait(lambda: tabs(window))
+    (tab,) = tabs(window)
+    assert tab.copy.names == (last.Name,)
 
 
 def no_model(opened):

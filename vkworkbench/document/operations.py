@@ -6,7 +6,7 @@ Proxies and class names differ between FreeCAD versions, and a file from another
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
 
 import FreeCAD
@@ -267,6 +267,11 @@ def _dressed(obj) -> Iterator:
         yield base
         if kind(base) == "array":
             return
+
+
+def posted(found: Sequence[Operation]) -> list[Operation]:
+    """Return the operations of some that are posted; of what no job posts, those that are switched on."""
+    return [o for o in found if o.counted] or [o for o in found if o.active]
 
 
 def jobs_of(operations: Iterable[Operation]) -> dict[tuple[str, str], object]:

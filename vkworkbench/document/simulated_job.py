@@ -25,7 +25,7 @@ from vkworkbench.document.fingerprint import (
     text_of,
 )
 from vkworkbench.document.listing import Listing
-from vkworkbench.document.operations import Operation, find, is_imported, is_object, jobs_of, or_active_document
+from vkworkbench.document.operations import Operation, find, is_imported, is_object, jobs_of, or_active_document, posted
 from vkworkbench.document.recognized import recognized, turns
 from vkworkbench.document.setting import (
     exact_box,
@@ -335,7 +335,7 @@ def _alike(one, other) -> bool:
 
 def _chosen(found: list[Operation]) -> list[Operation]:
     """Return the operations that are posted, in the order of their one job."""
-    operations = [o for o in found if o.counted] or [o for o in found if o.active]
+    operations = posted(found)
     jobs = jobs_of(operations)
     if len(jobs) > 1:
         raise Unusable(Message("several-jobs", labels=[job.Label for job in jobs.values()]))

@@ -6,10 +6,12 @@ from __future__ import annotations
 import FreeCAD
 import FreeCADGui as Gui
 
+from vkworkbench.document.operations import find, jobs_of, posted
 from vkworkbench.document.simulated_job import JobCopy, copy_job
 from vkworkbench.gui import widgets
 from vkworkbench.gui.document_command import DocumentCommand
 from vkworkbench.gui.plain_text import tell
+from vkworkbench.gui.qt import QInputDialog, Qt
 from vkworkbench.gui.selection import selected_operations
 from vkworkbench.gui.sentences import as_sentence, said
 from vkworkbench.gui.text import QT_TRANSLATE_NOOP, translate
@@ -17,7 +19,7 @@ from vkworkbench.language import Unusable
 
 
 class SimulateCommand(DocumentCommand):
-    """Simulate the selected job or operations, or the job of the active document."""
+    """Simulate the selected job or operations, or the job of the active document, of several the one that the user chooses."""
 
     name = "Vk_Simulate"
     menu = QT_TRANSLATE_NOOP("Vk_Simulate", "Simulate toolpaths")
@@ -29,8 +31,26 @@ class SimulateCommand(DocumentCommand):
     keys = "V, S"
 
     def Activated(self) -> None:
-        if FreeCAD.ActiveDocument is not None:
-            open_tab(selected_operations() or FreeCAD.ActiveDocument)
+        document, selected = FreeCAD.ActiveDocument, selected_operations()
+        if document is None:
+            return
+        jobs = [] if selected else list(jobs_of(posted(find(document))).values())
+        if len(jobs) > 1:
+            _ask_which(jobs)
+        else:
+            open_tab(selected or document)
+
+
+def _ask_which(jobs: list) -> None:
+    """Ask for one of several jobs, and open a tab that simulates it."""
+    labels = [f"{number}. {job.Label}" for number, job in enumerate(jobs, 1)]  # two jobs may have one label
+    dialog = QInputDialog(Gui.getMainWindow())
+    dialog.setAttribute(Qt.WA_DeleteOnClose)
+    dialog.setWindowTitle(translate("Vk_Simulate", "Simulate toolpaths"))
+    dialog.setLabelText(translate("Vk_Simulate", "Which job?"))
+    dialog.setComboBoxItems(labels)
+    dialog.textValueSelected.connect(lambda label: open_tab(jobs[labels.index(label)]))
+    dialog.open()
 
 
 def open_tab(what):
