@@ -131,9 +131,13 @@ class _Reader:
             return False
         if self.deleted:
             self._problem(Message("block-delete"))
+        return self._block(index, code, comments)
+
+    def _block(self, index: int, code: str, comments: list[str]) -> bool:
+        """Have the machine do what the words of a line's code say; return as `line`."""
         self.blocks += 1
         plain, rest = split_words(code)
-        words = self._strange(line, code, rest, plain) if rest or self.in_subprogram else plain
+        words = self._strange(self.lines[index], code, rest, plain) if rest or self.in_subprogram else plain
         if words is None:
             self._keep(comments)
             return False
@@ -143,7 +147,7 @@ class _Reader:
         if letters.isdisjoint("XYZ") or not letters.isdisjoint("TMO"):
             if _COOLANT.isdisjoint(words) or not letters.isdisjoint("TO"):  # else it says what coolant that is
                 self._keep(comments)
-        ended = self.machine.block(number, words, letters, deleted=self.deleted)
+        ended = self.machine.block(self.number, words, letters, deleted=self.deleted)
         if self.calls and not self.deleted:  # also M99 P returns
             ended |= _RETURN.search(code) is not None
         if self.machine.call is not None:
