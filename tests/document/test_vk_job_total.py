@@ -12,8 +12,8 @@ from vkworkbench.core import simulate_job
 from vkworkbench.core.simulators import ZBUFFER
 from vkworkbench.core.zbuffer import estimate_job
 from vkworkbench.document import calibration, marks, session, upkeep
+from vkworkbench.document.job_copy import read_job
 from vkworkbench.document.mark_properties import MARK
-from vkworkbench.document.simulated_job import read_job
 
 
 @pytest.fixture

@@ -16,8 +16,8 @@ import vkworkbench
 from vkworkbench import worker
 from vkworkbench.core import View
 from vkworkbench.core.zbuffer import OverBudget
+from vkworkbench.document.job_copy import copy_job, read_job
 from vkworkbench.document.listing import Listing
-from vkworkbench.document.simulated_job import copy_job, read_job
 from vkworkbench.document.simulation import simulate_read
 from vkworkbench.language import Unusable, render
 from vkworkbench.report import Cancelled

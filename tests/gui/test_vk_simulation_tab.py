@@ -244,7 +244,7 @@ def test_an_error_while_the_job_is_copied_is_told(opened, window, small, monkeyp
     def copied(*_):
         raise RuntimeError("no path")
 
-    monkeypatch.setattr("vkworkbench.document.simulated_job._copied", copied)
+    monkeypatch.setattr("vkworkbench.document.job_copy._copied", copied)
     window.click(COMMAND)
     window.wait(window.boxes)
     (text,) = window.dismiss()

@@ -14,7 +14,8 @@ from vkworkbench import preferences
 from vkworkbench.core import View, ZBuffer, simulate_job
 from vkworkbench.core.rendering import CUT, colors_of, palette, png, shade
 from vkworkbench.core.zbuffer import TOLERANCE, facts, trajectory_table
-from vkworkbench.document.simulated_job import SimulatedJob, SimulatedOperation, read_job
+from vkworkbench.document.job_copy import read_job
+from vkworkbench.document.simulated_job import SimulatedJob, SimulatedOperation
 from vkworkbench.given import check_file_name, of_kind
 from vkworkbench.report import SimulationFacts, how_many
 

@@ -6,8 +6,8 @@ from __future__ import annotations
 import FreeCAD
 import FreeCADGui as Gui
 
+from vkworkbench.document.job_copy import JobCopy, copy_job
 from vkworkbench.document.operations import find, jobs_of, posted
-from vkworkbench.document.simulated_job import JobCopy, copy_job
 from vkworkbench.gui import widgets
 from vkworkbench.gui.document_command import DocumentCommand
 from vkworkbench.gui.plain_text import tell

@@ -10,7 +10,8 @@ from contextlib import suppress
 from vkworkbench import preferences
 from vkworkbench.core import Frame, View
 from vkworkbench.core.rendering import CUT, Scene, palette, scene
-from vkworkbench.document.simulated_job import JobCopy, ReadCut, SimulatedJob
+from vkworkbench.document.job_copy import JobCopy, ReadCut
+from vkworkbench.document.simulated_job import SimulatedJob
 from vkworkbench.document.simulation import Simulation, simulate_read
 from vkworkbench.gui.background import Background, Busy
 from vkworkbench.gui.qt import QTimer, QVBoxLayout, QWidget, Signal

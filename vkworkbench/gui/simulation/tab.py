@@ -10,7 +10,8 @@ import FreeCADGui as Gui
 
 from vkworkbench import freecad
 from vkworkbench.document import garbage, idle
-from vkworkbench.document.simulated_job import JobCopy, SimulatedJob
+from vkworkbench.document.job_copy import JobCopy
+from vkworkbench.document.simulated_job import SimulatedJob
 from vkworkbench.gui import widgets
 from vkworkbench.gui.plain_text import tell
 from vkworkbench.gui.qt import QPainter, QPushButton, Qt, QTimer, QVBoxLayout, QWidget, Signal, single_shot
