@@ -1,0 +1,32 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Rays that a sequence of intervals cuts, against what each depth of them is asked."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from vkworkbench.core.zbuffer.dexels import THINNEST, UNCUT, Pieces, first_cuts, without_thin
+
+
+@pytest.mark.parametrize("cuts", [0, 1, 2, 15])
+@pytest.mark.parametrize("thickness", [0.1, 2.0, 50.0])
+def test_what_is_first_at_a_depth_has_it_whatever_the_thickness(cuts, thickness):
+    rng = np.random.default_rng(cuts)
+    near, far = np.array([3.0, 3.2, 3.0]), 3.0 + thickness * np.array([1.0, 0.9, 1.0]) + [0, 0.2, 0]
+    ray, trajectory = np.sort(rng.integers(0, 3, cuts)), rng.permutation(cuts)
+    enter, leave = np.sort(3.0 + thickness * rng.uniform(-0.1, 1.1, (2, cuts)), axis=0)
+    found = first_cuts(near, far, ray, trajectory, enter, leave)
+    assert (found.far > found.near).all()
+    for of in range(3):
+        for depth in near[of] + (far[of] - near[of]) * np.linspace(0.013, 0.987, 60):
+            passing = (ray == of) & (enter < depth) & (depth < leave)
+            (piece,) = np.flatnonzero((found.ray == of) & (found.near < depth) & (depth < found.far))
+            assert found.owner[piece] == min(trajectory[passing], default=UNCUT)
+
+
+def test_the_next_piece_has_what_is_too_thin_where_the_ray_begins():
+    thin = 0.5 * THINNEST
+    pieces = Pieces(np.array([0, 0]), np.array([1, 2]), np.array([3.0, 3.0 + thin]), np.array([3.0 + thin, 4.0]))
+    found = without_thin(pieces, np.array([3.0]), np.array([4.0]))
+    assert [of.tolist() for of in (found.ray, found.owner, found.near, found.far)] == [[0], [2], [3.0], [4.0]]
