@@ -1029,6 +1029,10 @@
         <source>this is no file, but a pipe or a device</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>it does not touch the stock, which is the finished part: choose a block around it as the stock</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

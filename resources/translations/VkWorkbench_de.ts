@@ -1029,6 +1029,10 @@
         <source>this is no file, but a pipe or a device</source>
         <translation>das ist keine Datei, sondern eine Pipe oder ein Gerät</translation>
     </message>
+    <message>
+        <source>it does not touch the stock, which is the finished part: choose a block around it as the stock</source>
+        <translation>sie berührt das Rohteil nicht, das schon das fertige Teil ist: als Rohteil einen Block darum wählen</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

@@ -1029,6 +1029,10 @@
         <source>this is no file, but a pipe or a device</source>
         <translation>no es un archivo, sino una tubería o un dispositivo</translation>
     </message>
+    <message>
+        <source>it does not touch the stock, which is the finished part: choose a block around it as the stock</source>
+        <translation>no toca el material en bruto, que ya es la pieza terminada: elija como bruto un bloque que la rodee</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

@@ -1029,6 +1029,10 @@
         <source>this is no file, but a pipe or a device</source>
         <translation>ce n&apos;est pas un fichier, mais un tube ou un périphérique</translation>
     </message>
+    <message>
+        <source>it does not touch the stock, which is the finished part: choose a block around it as the stock</source>
+        <translation>elle ne touche pas le brut, qui est déjà la pièce finie : choisir comme brut un bloc qui l&apos;entoure</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

@@ -1029,6 +1029,10 @@
         <source>this is no file, but a pipe or a device</source>
         <translation>这不是文件，而是管道或设备</translation>
     </message>
+    <message>
+        <source>it does not touch the stock, which is the finished part: choose a block around it as the stock</source>
+        <translation>它没有接触毛坯，毛坯已是成品零件：请选择包围它的坯料块作为毛坯</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

@@ -429,6 +429,19 @@ def test_placement_moves_the_toolpath(small, zigzag_commands):
     assert [remark.code for remark in outside.remarks] == ["not-touching"] and inside.remarks == ()
 
 
+def test_a_stock_that_is_the_finished_part_is_told(small, zigzag_commands):
+    op = small.add("Beside", zigzag_commands)
+    op.Placement.Base = FreeCAD.Vector(1000, 0, 0)
+    finished = small.document.addObject("Part::Feature", "Finished")
+    finished.Shape = small.job.Model.Group[0].Shape.copy()
+    small.job.Stock = finished
+    (report,) = vkworkbench.analyze(op).operations
+    assert [remark.code for remark in report.remarks] == ["stock-is-model"]
+    finished.Shape = Part.makeBox(61, 40, 20)
+    (report,) = vkworkbench.analyze(op).operations
+    assert [remark.code for remark in report.remarks] == ["not-touching"]
+
+
 def test_progress_and_cancel(small, zigzag_commands):
     for label in ("One", "Two", "Three"):
         small.add(label, zigzag_commands)

@@ -226,7 +226,7 @@ def _analysed(
     costs, advice = {}, {}
     if tool and stock and cuts:
         costs, advice = predict(task, conditions)
-        remarks += _misfits(toolpath, tool, stock, costs)
+        remarks += _misfits(toolpath, tool, stock, costs, finished=reading.stock_is_model)
     going_on()
     if reading.imported:
         toolpath, told = in_seconds(toolpath)
@@ -257,12 +257,14 @@ def _why_empty(reading: Reading, toolpath: Toolpath) -> list[Message]:
     return [Message("no-toolpath") if reading.active else Message("inactive")]
 
 
-def _misfits(toolpath: Toolpath, tool: Tool, stock: Solid, costs: Mapping[str, Cost]) -> list[Message]:
-    """Return how tool and stock do not fit the toolpath."""
+def _misfits(
+    toolpath: Toolpath, tool: Tool, stock: Solid, costs: Mapping[str, Cost], *, finished: bool
+) -> list[Message]:
+    """Return how tool and stock, which is perhaps the finished part, do not fit the toolpath."""
     too_wide = tool.diameter > max(stock.upper[0] - stock.lower[0], stock.upper[1] - stock.lower[1])
     at_it = cuts_surely(toolpath, stock) or (too_wide and may_cut(toolpath, tool, stock))
     if not at_it and costs[ZBUFFER.name].traces == 0:  # which takes an estimate
-        return [Message("not-touching")]
+        return [Message("stock-is-model" if finished else "not-touching")]
     return [Message("tool-wider-than-stock")] if too_wide else []
 
 

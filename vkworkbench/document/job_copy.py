@@ -8,7 +8,6 @@ from dataclasses import dataclass, replace
 from queue import Empty, SimpleQueue
 
 import FreeCAD
-import numpy as np
 
 from vkworkbench import preferences
 from vkworkbench.core import Cut, Stock, Tool, Toolpath, linearize
@@ -27,7 +26,6 @@ from vkworkbench.document.listing import Listing
 from vkworkbench.document.operations import Operation, find, is_imported, is_object, jobs_of, or_active_document, posted
 from vkworkbench.document.recognized import turns
 from vkworkbench.document.setting import (
-    exact_box,
     placed,
     rapid_feeds,
     read_stock,
@@ -36,7 +34,7 @@ from vkworkbench.document.setting import (
     vertical_feed,
 )
 from vkworkbench.document.simulated_job import SimulatedJob, SimulatedOperation
-from vkworkbench.document.solids import form_of_stock, model_shapes, shapes_of_model, stock_solid
+from vkworkbench.document.solids import alike, form_of_stock, model_shapes, shapes_of_model, stock_solid
 from vkworkbench.language import Message, Unusable
 
 _PATIENCE = 0.05  # s between two looks whether an operation is still waited for
@@ -143,7 +141,7 @@ class JobCopy:
         try:
             objects, job = _posted(self.asked())
             model = shapes_of_model(job)
-            same = len(model) == len(self._model) and all(map(_alike, model, self._model))
+            same = len(model) == len(self._model) and all(map(alike, model, self._model))
         except Unusable:  # operations of several jobs, a model without volume
             return False
         if not same or tuple(obj.Name for obj in objects) != self.names:
@@ -250,13 +248,6 @@ def _posted(what) -> tuple[list, object]:
     """Return the objects that are simulated, in the order of their job, and that; None without one."""
     operations = _chosen(find(what))
     return [operation.object for operation in operations], operations[0].job if operations else None
-
-
-def _alike(one, other) -> bool:
-    """Whether shapes are the same, or as large in the same place, as an undo brings a copy back."""
-    return one.isSame(other) or np.allclose(
-        *((shape.Volume, shape.Area, *np.ravel(exact_box(shape))) for shape in (one, other))
-    )
 
 
 def _chosen(found: list[Operation]) -> list[Operation]:

@@ -14,7 +14,7 @@ from vkworkbench.document.fingerprint import setting_fingerprint
 from vkworkbench.document.intent import name_of_intent
 from vkworkbench.document.operations import Operation, is_imported, is_there, takes_tool
 from vkworkbench.document.setting import controller_of, rapid_feeds, read_stock, read_tool, tool_remark
-from vkworkbench.document.solids import form_of_stock, stock_solid
+from vkworkbench.document.solids import form_of_stock, stock_is_model, stock_solid
 from vkworkbench.language import Message, Unusable
 
 
@@ -37,6 +37,7 @@ class Reading:
     placement: object = None
     tool: Tool | None = None
     stock: Solid | None = None
+    stock_is_model: bool = False
     remarks: tuple[Message, ...] = ()
     rapid_feeds: tuple[float, float] = (0.0, 0.0)
     setting_fingerprint: str = ""
@@ -80,6 +81,7 @@ def read(operation: Operation) -> Reading:
             placement=obj.Placement,
             tool=tool,
             stock=stock,
+            stock_is_model=bool(box) and stock_is_model(job),
             remarks=tuple(remarks),
             rapid_feeds=rapids,
             setting_fingerprint=setting_fingerprint(tool, box, form, rapids),

@@ -74,6 +74,20 @@ def _form(shape, box: Stock) -> tuple:
     return ("Mesh", *(f"{_FACTOR * measure:.4e}" for measure in measures))
 
 
+def alike(one, other) -> bool:
+    """Whether shapes are the same, or as large in the same place, as an undo brings a copy back."""
+    return one.isSame(other) or (
+        np.allclose(exact_box(one), exact_box(other))
+        and np.allclose((one.Volume, one.Area), (other.Volume, other.Area))
+    )
+
+
+def stock_is_model(job) -> bool:
+    """Whether a job's stock is the model that it is to become: nothing is left to cut."""
+    stock, model = freecad.SHAPE.of(freecad.STOCK.of(job)), shapes_of_model(job)
+    return len(model) == 1 and alike(stock, model[0])
+
+
 def shapes_of_model(job) -> list:
     """Return the shapes of a job's model, as the document has them; sketches and wires have no faces and are none of it."""
     group = freecad.GROUP.of(freecad.MODEL.of(job)) or []

@@ -55,6 +55,9 @@ OPERATIONS: dict[str, str | tuple[str, str]] = {
     "not-touching": QT_TRANSLATE_NOOP(
         "Sentences", "it does not touch the stock: check its depths, its placement and the stock"
     ),
+    "stock-is-model": QT_TRANSLATE_NOOP(
+        "Sentences", "it does not touch the stock, which is the finished part: choose a block around it as the stock"
+    ),
     "tool-wider-than-stock": QT_TRANSLATE_NOOP(
         "Sentences", "its tool is wider than the stock: check the tool's diameter and the stock"
     ),
