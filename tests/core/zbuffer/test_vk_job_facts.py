@@ -68,6 +68,12 @@ def test_less_than_a_second_counts_as_one():
     assert found.peak_rate == pytest.approx(60 * (5 * SLOT + ROUND), rel=5e-3)
 
 
+def test_a_second_in_which_no_move_ends_counts():
+    """Half a second in the air, and 1.6 s across the block."""
+    found = facts(simulated(path([(-10, 15, 7), (-5, 15, 7), (45, 15, 7)], [10, 50 / 1.6]))).job
+    assert found.peak_rate == pytest.approx(60 * 40 * SLOT / 1.6, rel=5e-3)
+
+
 def test_a_rapid_takes_no_time_and_what_it_removes_has_no_rate():
     """The feet of the second slot and of the rapid went with the rapids."""
     short, slot = 5 * SLOT + ROUND, 20 * SLOT
