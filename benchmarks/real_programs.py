@@ -36,19 +36,18 @@ from vkworkbench.core.gcode import Section, read_program, split_sections
 from vkworkbench.language.unusable import Unusable
 
 
-def fetch(row: dict[str, str], folder: Path, host: str) -> str:
-    """Return the text of a row's program, from FOLDER where it is there already; OSError where it cannot be had."""
+def fetch(row: dict[str, str], folder: Path, host: str) -> Path:
+    """Return where a row's file is, which is fetched where it is not in FOLDER already; OSError where it cannot be had."""
     path = folder / "texts" / row["repository"] / row["commit"] / row["path"]
     if not path.exists():
         address = f"{host}/{quote(str(path.relative_to(folder / 'texts')))}"
         with urllib.request.urlopen(address) as answer:  # noqa: S310 - whoever asks names the host
-            text = answer.read()
+            content = answer.read()
         path.parent.mkdir(parents=True, exist_ok=True)
-        path.write_bytes(text)
-    text = path.read_bytes()
-    if not hashlib.sha256(text).hexdigest().startswith(row["sha256"]):
+        path.write_bytes(content)
+    if not hashlib.sha256(path.read_bytes()).hexdigest().startswith(row["sha256"]):
         raise OSError("it is another text")
-    return text.decode("utf-8", "replace")
+    return path
 
 
 def commands(path: Toolpath, first: int, last: int) -> list[tuple[str, dict[str, float]]]:
@@ -82,7 +81,8 @@ def main() -> None:
             these = list(of_program)
             name = f"{these[0]['repository'].replace('/', '_')}__{these[0]['commit'][:7]}/{these[0]['path']}"
             try:
-                program = read_program(fetch(these[0], options.folder, options.host))
+                text = fetch(these[0], options.folder, options.host).read_text("utf-8", "replace")
+                program = read_program(text)
             except (OSError, Unusable) as error:
                 print(f"{name}: {error}", file=sys.stderr)
                 continue

@@ -118,7 +118,8 @@ def stub(document, folder):
     freecad.Console = freecad.closeActiveTransaction = freecad.addDocumentObserver = MagicMock()
     part.Shape, part.Plane, part.Cylinder = (type(name, (), {}) for name in ("Shape", "Plane", "Cylinder"))
     part.makeBox = MagicMock()
-    sys.modules.update(FreeCAD=freecad, Part=part, Path=MagicMock(), PathSimulator=MagicMock())
+    sys.modules.update(FreeCAD=freecad, Part=part)
+    sys.modules.update(dict.fromkeys(("MeshPart", "Path", "PathSimulator"), MagicMock()))
 
 
 def a_job(document):

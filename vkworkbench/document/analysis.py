@@ -264,7 +264,7 @@ def _misfits(
     too_wide = tool.diameter > max(stock.upper[0] - stock.lower[0], stock.upper[1] - stock.lower[1])
     at_it = cuts_surely(toolpath, stock) or (too_wide and may_cut(toolpath, tool, stock))
     if not at_it and costs[ZBUFFER.name].traces == 0:  # which takes an estimate
-        return [Message("stock-is-model" if finished else "not-touching")]
+        return [Message("stock-is-model") if finished else Message("not-touching")]
     return [Message("tool-wider-than-stock")] if too_wide else []
 
 

@@ -1,0 +1,74 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Do with one document what its owner would, inside FreeCAD: a part of real_documents.py.
+
+    VKWORKBENCH_DOCUMENT=FILE.FCStd freecadcmd $PWD/benchmarks/document.py
+
+Analyses it, marks it, saves a copy and opens that, analyses again, and simulates each job. Prints one JSON record behind
+the word RESULT: what the operations are, by class and pattern as FreeCAD has them, and what went wrong.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import sys
+import tempfile
+import time
+import traceback
+from pathlib import Path
+
+import FreeCAD
+
+HERE = Path(__file__).resolve().parent
+sys.path[:0] = [str(HERE.parent), str(HERE.parent / "tests")]
+from inside_freecad import run_and_leave
+
+import vkworkbench
+from vkworkbench import freecad
+from vkworkbench.document.operations import find, jobs_of
+from vkworkbench.language import Unusable
+
+
+def told(report) -> dict[str, str]:
+    """What is said of each operation, by its name."""
+    return {o.name: f"{o.recognition.strategy if o.recognition else None} {o.error}" for o in report.operations}
+
+
+def kinds(document) -> dict[str, str]:
+    """The class of each operation and the pattern that FreeCAD was told, by its name."""
+    found = {}
+    for operation in find(document):
+        obj = operation.object
+        pattern = freecad.POCKET_PATTERN.of(obj) or freecad.SURFACE_PATTERN.of(obj) or ""
+        found[obj.Name] = f"{freecad.operation_name(obj)} {pattern}".strip()
+    return found
+
+
+def main() -> int:
+    document = FreeCAD.openDocument(os.environ["VKWORKBENCH_DOCUMENT"])
+    record = {"opened": True, "simulated": 0, "refused": [], "errors": []}
+    try:
+        began = time.monotonic()
+        report = vkworkbench.analyze(document)
+        record["seconds"] = time.monotonic() - began
+        of, said = kinds(document), told(report)
+        record["operations"] = [[of.get(name), said[name].split()[0]] for name in said]
+        vkworkbench.mark(report)
+        with tempfile.TemporaryDirectory() as folder:
+            document.saveAs(f"{folder}/saved.FCStd")
+            FreeCAD.closeDocument(document.Name)
+            document = FreeCAD.openDocument(f"{folder}/saved.FCStd")
+        record["same"] = told(vkworkbench.analyze(document)) == said
+        for job in jobs_of(find(document)).values():
+            try:
+                vkworkbench.simulate(job).facts()
+                record["simulated"] += 1
+            except Unusable as error:
+                record["refused"].append(str(error))
+    except Exception:
+        record["errors"].append(traceback.format_exc())
+    print("RESULT", json.dumps(record), flush=True)
+    return 0
+
+
+run_and_leave(main)
