@@ -29,9 +29,9 @@ from vkworkbench.document.operations import find, jobs_of
 from vkworkbench.language import Unusable
 
 
-def told(report) -> dict[str, str]:
-    """What is said of each operation, by its name."""
-    return {o.name: f"{o.recognition.strategy if o.recognition else None} {o.error}" for o in report.operations}
+def told(report) -> dict[str, tuple[str, str]]:
+    """The strategy and the warnings of each operation, by its name."""
+    return {o.name: (str(o.recognition and o.recognition.strategy), o.error) for o in report.operations}
 
 
 def kinds(document) -> dict[str, str]:
@@ -46,13 +46,13 @@ def kinds(document) -> dict[str, str]:
 
 def main() -> int:
     document = FreeCAD.openDocument(os.environ["VKWORKBENCH_DOCUMENT"])
-    record = {"opened": True, "simulated": 0, "refused": [], "errors": []}
+    record = {"simulated": 0, "refused": [], "errors": []}
     try:
         began = time.monotonic()
         report = vkworkbench.analyze(document)
         record["seconds"] = time.monotonic() - began
         of, said = kinds(document), told(report)
-        record["operations"] = [[of.get(name), said[name].split()[0]] for name in said]
+        record["operations"] = [[of[name], strategy] for name, (strategy, _) in said.items()]
         vkworkbench.mark(report)
         with tempfile.TemporaryDirectory() as folder:
             document.saveAs(f"{folder}/saved.FCStd")

@@ -13,7 +13,6 @@ called.
 from __future__ import annotations
 
 import argparse
-import csv
 import json
 import os
 import subprocess
@@ -21,8 +20,9 @@ import sys
 from collections import Counter, defaultdict
 from pathlib import Path
 
-from real_programs import HERE, fetch
+from fetching import HOST, fetch, rows_of
 
+HERE = Path(__file__).resolve().parent
 PATIENCE = 600  # s for one document
 
 
@@ -35,7 +35,7 @@ def tried(document: Path) -> dict:
             command, env=environment, capture_output=True, text=True, errors="replace", timeout=PATIENCE
         )
     except subprocess.TimeoutExpired:
-        return {"opened": True, "errors": [f"not done in {PATIENCE} s"]}
+        return {"errors": [f"not done in {PATIENCE} s"]}
     results = [line.partition("RESULT ")[2] for line in done.stdout.splitlines() if "RESULT " in line]
     return json.loads(results[-1]) if results else {}
 
@@ -43,12 +43,10 @@ def tried(document: Path) -> dict:
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("folder", type=Path)
-    parser.add_argument("--from", dest="host", default="https://raw.githubusercontent.com")
+    parser.add_argument("--from", dest="host", default=HOST)
     options = parser.parse_args()
-    with open(HERE / "real_documents.csv", newline="") as file:
-        rows = list(csv.DictReader(file))
     records, called = [], defaultdict(Counter)
-    for row in rows:
+    for row in rows_of(HERE / "real_documents.csv"):
         try:
             document = fetch(row, options.folder.resolve(), options.host)
         except OSError as error:

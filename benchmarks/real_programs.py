@@ -14,19 +14,16 @@ diameter. What cannot be fetched, or is another text, is left out and named.
 from __future__ import annotations
 
 import argparse
-import csv
 import gzip
-import hashlib
 import itertools
 import json
 import sys
-import urllib.request
 from collections.abc import Sequence
 from contextlib import ExitStack
 from pathlib import Path
-from urllib.parse import quote
 
 import numpy as np
+from fetching import HOST, fetch, rows_of
 
 HERE = Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE.parent)]
@@ -34,20 +31,6 @@ sys.path[:0] = [str(HERE.parent)]
 from vkworkbench.core import Toolpath
 from vkworkbench.core.gcode import Section, read_program, split_sections
 from vkworkbench.language.unusable import Unusable
-
-
-def fetch(row: dict[str, str], folder: Path, host: str) -> Path:
-    """Return where a row's file is, which is fetched where it is not in FOLDER already; OSError where it cannot be had."""
-    path = folder / "texts" / row["repository"] / row["commit"] / row["path"]
-    if not path.exists():
-        address = f"{host}/{quote(str(path.relative_to(folder / 'texts')))}"
-        with urllib.request.urlopen(address) as answer:  # noqa: S310 - whoever asks names the host
-            content = answer.read()
-        path.parent.mkdir(parents=True, exist_ok=True)
-        path.write_bytes(content)
-    if not hashlib.sha256(path.read_bytes()).hexdigest().startswith(row["sha256"]):
-        raise OSError("it is another text")
-    return path
 
 
 def commands(path: Toolpath, first: int, last: int) -> list[tuple[str, dict[str, float]]]:
@@ -68,11 +51,10 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("folder", type=Path)
     parser.add_argument("--table", type=Path, default=HERE / "real_programs.csv")
-    parser.add_argument("--from", dest="host", default="https://raw.githubusercontent.com")
+    parser.add_argument("--from", dest="host", default=HOST)
     options = parser.parse_args()
     options.folder.mkdir(parents=True, exist_ok=True)
-    with open(options.table, newline="") as file:
-        rows = list(csv.DictReader(file))
+    rows = rows_of(options.table)
     count = 0
     into = [options.folder / f"{name}.jsonl.gz" for name in ("operations", "programs", "told")]
     with ExitStack() as files:

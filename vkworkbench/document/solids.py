@@ -26,6 +26,7 @@ _AT_ONCE, _TURN = 0.01, 0.001  # s of meshing, and s in which other threads, the
 _ALIKE = 1e-6
 _solids = OfShapes(8)  # of the shapes read last: triangles take their time
 _forms = OfShapes(16)
+_measures = OfShapes(16)  # every operation of a job asks whether its stock is the model
 _FACTOR = 1.0037  # volumes of measures in mm or inches are then not on a border between two roundings
 
 
@@ -77,9 +78,12 @@ def _form(shape, box: Stock) -> tuple:
 def alike(one, other) -> bool:
     """Whether shapes are the same, or as large in the same place, as an undo brings a copy back."""
     return one.isSame(other) or (
-        np.allclose(exact_box(one), exact_box(other))
-        and np.allclose((one.Volume, one.Area), (other.Volume, other.Area))
+        np.allclose(exact_box(one), exact_box(other)) and np.allclose(_measures_of(one), _measures_of(other))
     )
+
+
+def _measures_of(shape) -> tuple[float, float]:
+    return _measures.of(shape, lambda: (shape.Volume, shape.Area))
 
 
 def stock_is_model(job) -> bool:
