@@ -76,7 +76,7 @@ def _shape_name(bit) -> str:
     """Return FreeCAD's name of a tool's shape, in small letters only."""
     name = next((n for n in freecad.TOOL_SHAPE.values(bit) if isinstance(n, str) and n), "endmill")
     file = freecad.TOOL_SHAPE_FILE.of(bit)
-    # So 1.1 calls what it does not find where the computer had it that made the document, e.g. in C:\\Program Files.
+    # So 1.1 calls what it does not find where the computer had it that made the document, e.g. in C:\Program Files.
     if name.lower() == "custom" and isinstance(file, str):
         name = PureWindowsPath(file).stem or name
     return "".join(c for c in name.lower() if c.isalpha())
