@@ -47,6 +47,7 @@ from vkworkbench.core.zbuffer import (
 )
 
 MANY = 1.5e6  # candidate pixels
+ALLOWED = 2e9  # bytes, more `simulate` refuses
 MOST = 25  # operations of each file
 VIEWS = {"top": (0, 0, -1), "tilted 30": (0, 0.5, -math.sqrt(0.75)), "isometric": (1, 1, -math.sqrt(2 / 3))}
 FEWEST = 1000  # trace elements; with fewer, a ratio says nothing
@@ -199,10 +200,10 @@ def print_budgets(operations) -> None:
     shares = {"memory_bytes": [], "seconds": []}
     for label, toolpath, found, tool, stock in operations:
         words = [f"  {label:28.28}"]
-        for name, budget, asked in (("memory_bytes", 200e6, "200 MB"), ("seconds", 10.0, "10 s")):
+        for name, budget, asked in (("memory_bytes", 200e6, "200 MB"), ("seconds", 1.0, "1 s")):
             speed = mean_speed()
             guess = estimate(toolpath, found, tool=tool, stock=stock, view=View(), speed=speed)
-            chosen = best_resolution([guess], **{name: budget})
+            chosen = best_resolution([guess], **{"memory_bytes": ALLOWED, name: budget})
             if chosen.view is None:
                 words.append(chosen.explanation)
                 continue
