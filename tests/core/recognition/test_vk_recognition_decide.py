@@ -22,7 +22,6 @@ from vkworkbench.core.recognition.decide import (
     Proposal,
     elect,
     grounds,
-    machines_nothing,
     proposal,
     standing,
     sureness,
@@ -181,16 +180,6 @@ def test_one_case_has_the_votes_of_many():
     x = np.random.default_rng(0).uniform(-1, 3, (20, len(learned.MEASURES)))
     for forest in (LEARNED.strategies, LEARNED.nonsense):
         assert np.array([forest.vote(case.tolist()) for case in x]) == pytest.approx(forest.shares(x))
-
-
-def test_nonsense_is_said_by_many_votes_or_by_some_where_nothing_is_sure():
-    many, some, sure = VOTES.NONSENSE + 0.01, VOTES.DOUBTFUL + 0.01, VOTES.SURE
-    assert machines_nothing(many, 0.97) and machines_nothing(some, sure - 0.01)
-    assert not machines_nothing(some, sure) and not machines_nothing(VOTES.DOUBTFUL, 0.0)
-    assert not machines_nothing(some, 0.0, doubtful=some)
-    assert not machines_nothing(
-        VOTES.NONSENSE, VOTES.SUREST
-    )  # what is as sure as can be is said in spite of some votes
 
 
 def test_grounds_are_six_numbers():

@@ -110,32 +110,16 @@ def decide(s: Section, rules: Verdict, paper: PaperVerdict | None) -> tuple[Verd
     """
     values = measures(s)
     case = [values[name] for name in learned.MEASURES]
-    votes, proposed = LEARNED.strategies.vote(case), proposal(s, rules, paper)
-    sure = float(sureness(grounds(votes, proposed), LEARNED.sureness))
     nonsense = float(LEARNED.nonsense.vote(case)[1])
-    if machines_nothing(nonsense, sure):
+    if nonsense > VOTES.NONSENSE:
         seen = Message("like-nothing", share=nonsense)
         return replace(rules, strategy=Strategy.UNKNOWN, seen=seen, parts=(), step=None), nonsense
+    votes, proposed = LEARNED.strategies.vote(case), proposal(s, rules, paper)
     said = elect(votes, proposed)
     if said != proposed.rules:
         seen = Message("like-others", share=float(votes[said]))
         rules = replace(rules, strategy=STRATEGIES[said], seen=seen, parts=(), step=None)
-    return rules, sure
-
-
-def machines_nothing(nonsense: float, sure: float, doubtful: float = VOTES.DOUBTFUL) -> bool:
-    """Tell whether a section is no machining at all, which is asked apart from which strategy it is.
-
-    Parameters
-    ----------
-    nonsense : float
-        Share of the votes that say so.
-    sure : float
-        How sure the strategy is that it would have; of what machines nothing it seldom is.
-    doubtful : float
-        Share of the votes from which that counts.
-    """
-    return nonsense > VOTES.NONSENSE or (nonsense > doubtful and sure < VOTES.SURE)
+    return rules, float(sureness(grounds(votes, proposed), LEARNED.sureness))
 
 
 def standing(votes: np.ndarray, proposed: Proposal) -> np.ndarray:

@@ -554,15 +554,9 @@ class VOTES:
     #: share of the votes. Where no tool is known, the paper's rule to the letter counts as so many for the class it
     #: tells. At 0 it is right more often than we are; at 1 adaptive clearing is offsets.
     LETTER = 0.4
-    #: share of the votes. So many say that a section is like nothing that machines. At 1 random walks are machining;
-    #: at 0 engravings are nonsense.
-    NONSENSE = 0.58
-    #: share of the votes. So many say so where no strategy is sure either. At 1 one random path in six is machining; at
-    #: 0 whatever is unsure is nonsense.
-    DOUBTFUL = 0.36
-    #: confidence. A strategy as sure as this is said in spite of the doubt. At 0 none is; at 1 surfaces that FreeCAD
-    #: makes are nonsense.
-    SURE = 0.85
+    #: share of the votes. Where more say that a section is like nothing that machines, it is unknown. At 1 random walks are
+    #: machining; at 0 engravings are nonsense.
+    NONSENSE = 0.45
     #: share of the votes. No share counts as fewer or more but for this, that its odds are finite.
     NONE = 0.02
     #: confidence. No verdict is surer: of the surest on programs that nobody here has made, one in a hundred is wrong.
