@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import os
+import signal
 import sys
 from pathlib import Path
 
@@ -29,6 +30,23 @@ def test_a_worker_whose_work_fails_dies():
     with pytest.raises(WorkerDied):
         one(3)
     assert not one.lives
+
+
+@pytest.mark.skipif(not hasattr(signal, "SIGPIPE"), reason="Windows has no such signal")
+def test_a_worker_that_has_died_sends_no_signal_to_who_asks_it():
+    """FreeCAD 1.0 would end by it."""
+    got = []
+    before = signal.signal(signal.SIGPIPE, lambda *_: got.append(1))
+    try:
+        one = Worker(len)
+        one.get_ready()
+        one.kill()
+        one._process.wait()
+        with pytest.raises(WorkerDied):
+            one("abc")
+    finally:
+        signal.signal(signal.SIGPIPE, before)
+    assert not got
 
 
 def test_what_work_prints_does_not_come_between_answers():
