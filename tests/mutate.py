@@ -25,7 +25,6 @@ import shutil
 import subprocess
 import sys
 import tempfile
-from collections import Counter
 from collections.abc import Iterator
 from functools import cache
 from pathlib import Path
@@ -276,6 +275,24 @@ def judge(file: Path, drawn: list[Mutant], known: dict[str, Any], checkout: Chec
     return sorted(alive, key=lambda mutant: mutant.line)
 
 
+def by_folder(rates: dict[Path, tuple[int, int]]) -> Iterator[str]:
+    """The table of docs/reliability.md, of how many mutants of each file were killed, and of how many."""
+    yield "| folder | files | noticed | drawn | rate | below nine in ten |\n|---|---:|---:|---:|---:|---|"
+    folders = {
+        folder: [file for file in rates if file.parent == folder] for folder in sorted({f.parent for f in rates})
+    }
+    for folder, files in folders.items():
+        below = [file for file in files if rates[file][0] < 0.9 * rates[file][1]]
+        told = ", ".join(f"`{f.name}` {rates[f][0]} of {rates[f][1]}" for f in sorted(below, key=lambda f: rates[f][0]))
+        yield f"| `{folder / '*.py'}` | {_told(rates, files)} | {told or 'none'} |"
+    yield f"| all | {_told(rates, list(rates))} | |"
+
+
+def _told(rates: dict[Path, tuple[int, int]], files: list[Path]) -> str:
+    killed, total = (sum(numbers) for numbers in zip(*(rates[file] for file in files)))
+    return f"{len(files)} | {killed} | {total} | {killed / total:.2f}"
+
+
 def main() -> int:
     """Print the mutants that live, and the rates."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
@@ -287,7 +304,7 @@ def main() -> int:
     chosen = parser.parse_args()
     roots = [file.resolve() for file in chosen.files] or [ROOT / "vkworkbench" / one for one in DRAWN_FROM]
     files = [file for root in roots for file in (sorted(root.rglob("*.py")) if root.is_dir() else [root])]
-    killed, total = Counter(), Counter()
+    rates = {}
     print("| file | noticed | drawn |\n|---|---:|---:|")
     with tempfile.TemporaryDirectory() as folder:
         checkout = Checkout(Path(folder))
@@ -302,11 +319,9 @@ def main() -> int:
                 print(f"    {name}:{mutant.line}: {mutant.what}", file=sys.stderr)
             name = name.relative_to("vkworkbench")
             print(f"| `{name}` | {len(drawn) - len(alive)} | {len(drawn)} |", flush=True)
-            for of in (f"`{name.parent}/`", "all"):
-                killed[of] += len(drawn) - len(alive)
-                total[of] += len(drawn)
-    for of in sorted(total):
-        print(f"| {of}, {killed[of] / total[of]:.2f} | {killed[of]} | {total[of]} |")
+            rates[name] = len(drawn) - len(alive), len(drawn)
+    if rates:
+        print("", *by_folder(rates), sep="\n")
     return 0
 
 
