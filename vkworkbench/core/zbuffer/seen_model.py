@@ -149,9 +149,9 @@ def _open(free: np.ndarray) -> np.ndarray:
 
 
 def _along_rows(free: np.ndarray, found: np.ndarray) -> np.ndarray:
-    """All free pixels of the runs in which some are found."""
-    # A run has one number; between two lines there is none.
-    run = np.cumsum(np.pad(~free, ((0, 0), (0, 1)), constant_values=True).ravel()).reshape(len(free), -1)[:, :-1]
+    """All free pixels of the runs in which some are found: those at the edge of the image are found anyway."""
+    # A run has one number; one that goes on in the next row passes the edge.
+    run = np.cumsum(~free).reshape(free.shape)
     reached = np.bincount(run[found], minlength=int(run.max(initial=0)) + 1) > 0
     extended: np.ndarray = free & reached[run]
     return extended
