@@ -460,6 +460,17 @@ def test_the_field_of_view_stays():
     assert chosen.view.pixel == pytest.approx(0.1)
 
 
+@pytest.mark.parametrize("pixels, sides", [(650, (2, 254)), (40, (1, 40)), (1, (1, 1))])
+def test_a_strip_is_no_narrower_than_a_pixel_and_takes_no_more_than_it_may(pixels, sides):
+    for turn in (1, -1):
+        width, height = (3, 300)[::turn]
+        found = estimate(*PATHS["zigzag"][:1], None, tool=FLAT, stock=STOCK, view=View(width=width, height=height))
+        budget = found.peak.bytes((pixels + 0.01) / 900) / 0.98
+        chosen = best_resolution([found], memory_bytes=budget)
+        assert (chosen.view.width, chosen.view.height) == sides[::turn]
+        assert chosen.memory_bytes <= 0.98 * budget
+
+
 def test_operations_share_one_stock():
     toolpath, tool = PATHS["zigzag"]
     found = estimate(toolpath, None, tool=tool, stock=STOCK, view=View())
@@ -487,6 +498,7 @@ def test_an_image_tells_passes_apart_with_four_pixels_between_them():
         "0.75 mm would do for passes 3 mm apart" in best_resolution([found], memory_bytes=2e7, stepover=3).explanation
     )
     assert "passes 3 mm apart ask for 0.75 mm" in best_resolution([found], memory_bytes=1.44e7, stepover=3).explanation
+    assert "passes" not in best_resolution([found], memory_bytes=2e7).explanation  # nobody knows of any
 
 
 @pytest.mark.parametrize("budget", [{}, {"seconds": 0}, {"memory_bytes": float("nan")}, {"seconds": -1.0}])

@@ -119,7 +119,9 @@ def best_resolution(
             why = Message("no-image-in-time", time=fixed, heaviest=named)
         return Resolution(None, peak.bytes(1 / pixels), _seconds(estimates, 1 / pixels), why)
     width = max(1, int(view.width * sqrt(growth)))
-    height = max(1, int(view.height * sqrt(growth)))
+    # A strip is no narrower than a pixel: its length follows from that.
+    height = max(1, int(min(view.height * sqrt(growth), growth * pixels / width)))
+    width = max(1, int(min(width, growth * pixels / height)))
     pixel *= max(view.width / width, view.height / height)
     growth = width * height / pixels
     why = Message(
