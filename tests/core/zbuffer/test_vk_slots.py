@@ -75,6 +75,14 @@ def test_a_flat_end_on_a_level_move(move, tilt):
     check(level_slot, [standing], move, tilt)
 
 
+@pytest.mark.parametrize("tilt", FROM_THE_SIDE)
+def test_a_ray_on_the_floor_of_a_slot_passes_it_whatever_rounding_says(tilt):
+    z = np.array([0.0, 1e-12, -1e-12])
+    move = np.repeat([[10.0], [4.0], [0.0]], 3, axis=1)
+    near, far = level_slot(RADIUS, (np.full(3, 5.0), np.zeros(3), z), move, np.sin(tilt), np.cos(tilt))
+    assert far - near == pytest.approx(np.full(3, far[1] - near[1])) and far[1] - near[1] > RADIUS
+
+
 @pytest.mark.parametrize("tilt", TILTS + FROM_BELOW)
 @pytest.mark.parametrize("move", LEVEL + SLOPED + UPRIGHT, ids=str)
 def test_a_flat_end_on_any_move(move, tilt):
