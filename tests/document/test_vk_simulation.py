@@ -507,6 +507,18 @@ def test_what_was_copied_is_told_from_what_the_document_says(small, change):
     assert holds(copy, names)
 
 
+def test_another_body_beside_one_that_stayed_is_another_model(small):
+    small.add("First", slot(10.0))
+    one_more_body_of_the_model(small)
+    copy = copy_job(small.job)
+    for _ in copy.copying():
+        pass
+    assert holds(copy)
+    small.document.Within.Height = 5
+    small.document.recompute()
+    assert not holds(copy)
+
+
 def test_only_paths_that_may_have_changed_are_read_again(small):
     op = small.add("First", slot(10.0))
     copy = copy_job(small.job)
