@@ -49,6 +49,18 @@ def test_defaults_and_their_parameters():
     assert read.image_height == Preferences().image_height
 
 
+def test_defaults_are_those_of_the_documents():
+    """The paper's image, the budget of docs/cost.md, ten minutes, and the best quality."""
+    chosen = Preferences()
+    assert (chosen.image_width, chosen.image_height, chosen.opengl_quality) == (800, 600, 10)
+    assert chosen.budget == {"memory_bytes": 1000e6, "seconds": 600}
+
+
+def test_the_smallest_image_is_a_pixel():
+    preferences.write(image_width=1, image_height=1)
+    assert (preferences.read().image_width, preferences.read().image_height) == (1, 1)
+
+
 def test_what_cannot_be_is_the_default():
     preferences.write(image_width=0, tolerance=-1.0, view_direction="Sideways", legacy_accuracy=float("nan"))
     preferences.write(opengl_quality=11)  # a position that the slider does not have
@@ -189,11 +201,12 @@ def test_analysis_after_a_recompute(example, wanted):
     unmarked = example.getObjectsByLabel("Bore")[0]
     vkworkbench.mark(vkworkbench.analyze(drill))
     upkeep.watch()
-    before = marks.read(drill).fingerprint
+    example.UndoMode = 1
+    before, steps = marks.read(drill).fingerprint, example.UndoCount
     drill.setExpression("FinalDepth", None)
     drill.FinalDepth = drill.FinalDepth.Value + 1
     example.recompute()
     assert marks.is_outdated(drill) != wanted
     assert (marks.read(drill).fingerprint != before) == wanted
     assert not marks.is_marked(unmarked)
-    assert "Touched" not in drill.State
+    assert "Touched" not in drill.State and example.UndoCount == steps  # the user's own steps are the last
