@@ -86,6 +86,8 @@ def test_too_large_a_simulation_is_refused_before_it_starts():
     assert (said["memory"], said["allowed"]) == (error.needed, 1e6) and said["traces"] > 0 and said["dexels"] > 0
     assert "1.0 MB" in str(error) and "smaller image" in str(error)
     assert simulate(path, **solids, memory_budget=error.needed * 1.01).traces > 0
+    with pytest.raises(OverBudget):  # nothing is an amount, too
+        simulate(path, **solids, memory_budget=0)
 
 
 def removal(tool, direction, points=((10, 15, 5), (30, 15, 5)), *, others=(), offset=(0, 0)):
