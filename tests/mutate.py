@@ -27,6 +27,7 @@ import sys
 import tempfile
 from collections.abc import Iterator
 from functools import cache
+from itertools import groupby
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -283,7 +284,8 @@ def by_folder(rates: dict[Path, tuple[int, int]]) -> Iterator[str]:
     }
     for folder, files in folders.items():
         below = [file for file in files if rates[file][0] < 0.9 * rates[file][1]]
-        told = ", ".join(f"`{f.name}` {rates[f][0]} of {rates[f][1]}" for f in sorted(below, key=lambda f: rates[f][0]))
+        alike = groupby(sorted(below, key=rates.get), key=rates.get)
+        told = "; ".join(f"{', '.join(f'`{file.name}`' for file in own)} {rate[0]} of {rate[1]}" for rate, own in alike)
         yield f"| `{folder / '*.py'}` | {_told(rates, files)} | {told or 'none'} |"
     yield f"| all | {_told(rates, list(rates))} | |"
 
