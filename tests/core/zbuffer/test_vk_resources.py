@@ -21,7 +21,7 @@ from vkworkbench.core.zbuffer.estimate import estimate, estimate_job
 from vkworkbench.core.zbuffer.memory import memory_needed
 from vkworkbench.core.zbuffer.records import INDEX, PIXEL_BYTES, RECORD_BYTES
 from vkworkbench.core.zbuffer.removal import Removal
-from vkworkbench.core.zbuffer.resolution import best_resolution
+from vkworkbench.core.zbuffer.resolution import best_resolution, heaviest
 from vkworkbench.core.zbuffer.sampling import sample
 from vkworkbench.core.zbuffer.silhouette import seen_areas
 from vkworkbench.core.zbuffer.simulate import simulate, simulate_job
@@ -490,6 +490,11 @@ def test_where_no_resolution_helps_it_says_what_does():
     assert chosen.explanation.startswith("no resolution helps, the trajectories alone take")
     assert "fewer operations" in chosen.explanation
     assert best_resolution([found], memory_bytes=10).explanation == "no resolution helps, not even a single pixel fits"
+
+
+def test_the_heaviest_of_two_operations_is_named_but_none_that_is_alone():
+    assert heaviest(["Face", "Bore"], [1.0, 3.0]).arguments == {"label": "Bore", "time": 3.0}
+    assert heaviest(["Face"], [1.0]) is None and heaviest([], [1.0, 3.0]) is None
 
 
 def test_an_image_tells_passes_apart_with_four_pixels_between_them():
