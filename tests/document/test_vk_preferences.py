@@ -50,9 +50,10 @@ def test_defaults_and_their_parameters():
 
 
 def test_defaults_are_those_of_the_documents():
-    """The paper's image, the budget of docs/cost.md, ten minutes, and the best quality."""
+    """The paper's image, the budget of docs/cost.md, ten minutes, and the simulators' best."""
     chosen = Preferences()
-    assert (chosen.image_width, chosen.image_height, chosen.opengl_quality) == (800, 600, 10)
+    assert (chosen.image_width, chosen.image_height) == (800, 600)
+    assert (chosen.legacy_accuracy, chosen.opengl_quality) == (0.1, 10)
     assert chosen.budget == {"memory_bytes": 1000e6, "seconds": 600}
 
 
@@ -63,7 +64,8 @@ def test_the_smallest_image_is_a_pixel():
 
 def test_what_cannot_be_is_the_default():
     preferences.write(image_width=0, tolerance=-1.0, view_direction="Sideways", legacy_accuracy=float("nan"))
-    preferences.write(opengl_quality=11)  # a position that the slider does not have
+    assert preferences.read() == Preferences()
+    preferences.write(opengl_quality=11, legacy_accuracy=1.1)  # positions that the sliders do not have
     assert preferences.read() == Preferences()
 
 
