@@ -1,20 +1,18 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Stocks that planes bound, by numbers worked out by hand."""
+"""Boxes of stock, by numbers worked out by hand."""
 
 from __future__ import annotations
 
 from dataclasses import replace
-from math import hypot, pi, sqrt
+from math import hypot, sqrt
 
 import numpy as np
 import programs
 import pytest
 
-from vkworkbench.core import COORDINATE_LIMIT, ConvexStock, Stock, Tool, View, linearize
+from vkworkbench.core import COORDINATE_LIMIT, Stock, Tool, View, linearize
 from vkworkbench.core.solids import SMALLEST, stock_around
 from vkworkbench.language import Unusable
-
-DOWN = np.array([0.0, 0.0, -1.0])
 
 
 def box():
@@ -62,9 +60,6 @@ def chord(solid, origin, direction):
 def test_where_rays_enter_and_leave_a_box(origin, direction, near, far):
     stock = box()
     assert chord(stock, origin, direction) == pytest.approx((near, far))
-    scale = np.array([2.0, 3.0, 0.5])[:, None]  # of normals of any length
-    planes = ConvexStock(stock.normals * np.tile(scale, (2, 1)), stock.offsets * np.tile(scale, (2, 1))[:, 0])
-    assert chord(planes, origin, direction) == pytest.approx((near, far))
 
 
 @pytest.mark.parametrize(
@@ -74,68 +69,6 @@ def test_where_rays_enter_and_leave_a_box(origin, direction, near, far):
 def test_where_rays_miss_a_box(origin, direction):
     near, far = chord(box(), origin, direction)
     assert near >= far or far <= 0
-
-
-# Planes at 1 from the middle of an octahedron, moved by (2, 0, 0): x + y + z <= 3 and so on.
-SIGNS = np.array([(a, b, c) for a in (1, -1) for b in (1, -1) for c in (1, -1)], float)
-
-
-def test_an_octahedron_has_its_corners_on_the_axes():
-    octahedron = ConvexStock(SIGNS, 1 + 2 * SIGNS[:, 0])
-    corners = {tuple(corner) for corner in np.round(octahedron.corners, 9).tolist()}
-    assert corners == {(3, 0, 0), (1, 0, 0), (2, 1, 0), (2, -1, 0), (2, 0, 1), (2, 0, -1)}
-    assert octahedron.lower == pytest.approx([1, -1, -1]) and octahedron.upper == pytest.approx([3, 1, 1])
-    assert chord(octahedron, (2.5, 0, 5), DOWN) == pytest.approx((4.5, 5.5))
-    assert np.linalg.norm(octahedron.normals, axis=1) == pytest.approx(np.ones(8))
-
-
-def test_planes_that_enclose_nothing():
-    walls, six = np.vstack((np.eye(3), -np.eye(3))), np.ones(6)
-    assert ConvexStock(walls, six).upper == pytest.approx([1, 1, 1])
-    tetrahedron = ConvexStock(np.vstack((-np.eye(3), [[1, 1, 1]])), [0, 0, 0, 1])
-    assert len(tetrahedron.corners) == 4 and tetrahedron.upper == pytest.approx([1, 1, 1])
-    flat, high = np.array([1, 1, 0, 1, 1, 0.0]), np.array([1, 1, 7, 1, 1, -7.0])
-    for normals, offsets in (
-        (walls[:5], six[:5]),
-        (walls, flat),
-        (walls, high),
-        (walls, -six),
-        (np.empty((0, 3)), []),
-        (walls[1:5], six[1:5]),
-    ):
-        with pytest.raises(ValueError, match="enclose no bounded volume"):
-            ConvexStock(normals, offsets)
-    # A pyramid that stands on its top, with walls above it that never end.
-    top = np.array([(1, 0, -1), (-1, 0, -1), (0, 1, -1), (0, -1, -1)])
-    with pytest.raises(ValueError, match="enclose no bounded volume"):
-        ConvexStock(np.vstack((top, walls[[0, 1, 3, 4]])), np.append(np.zeros(4), np.ones(4)))
-    with pytest.raises(ValueError, match="a plane of the stock has no normal"):
-        ConvexStock(np.vstack((walls, np.zeros(3))), np.ones(7))
-
-
-def test_far_from_the_origin_a_prism_loses_no_corner():
-    near, far = (ConvexStock.cylinder((away, -away, 0), 10, 5, sides=24) for away in (0.0, 1e6))
-    assert len(near.corners) == len(far.corners) == 48
-    assert far.upper - far.lower == pytest.approx(near.upper - near.lower)
-    assert len(ConvexStock.cylinder((1e6, 0, 0), 10, 5, sides=24).corners) == 48  # whose floor is at 0
-
-
-def test_a_prism_has_the_cross_section_of_its_cylinder():
-    for sides in (3, 4, 64):
-        prism = (
-            ConvexStock.cylinder((1, 2, 3), 5, 7, sides=sides) if sides < 64 else ConvexStock.cylinder((1, 2, 3), 5, 7)
-        )
-        rim = prism.corners[prism.corners[:, 2] > 6] - (1, 2, 10)
-        assert len(rim) == sides and len(prism.corners) == 2 * sides
-        # Of a regular polygon with corners so far from its middle.
-        radius = np.hypot(rim[:, 0], rim[:, 1])
-        assert sides * np.sin(2 * pi / sides) * radius**2 / 2 == pytest.approx(np.full(sides, 25 * pi))
-        assert prism.lower[2] == pytest.approx(3) and prism.upper[2] == pytest.approx(10)
-        assert (np.abs(rim[:, 2]) < 1e-9).all() and np.abs(rim.sum(axis=0)).max() < 1e-8
-    for radius, height in ((0, 1), (1, 0), (-1, 1), (1, -1)):
-        with pytest.raises(ValueError, match="positive radius and height"):
-            ConvexStock.cylinder((0, 0, 0), radius, height)
-    assert ConvexStock.cylinder((0, 0, 0), 0.5, 0.25).upper[2] == pytest.approx(0.25)
 
 
 def test_rays_of_a_view_through_a_box():

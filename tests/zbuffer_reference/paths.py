@@ -6,8 +6,9 @@ from __future__ import annotations
 from math import pi
 
 import numpy as np
+from zbuffer_reference.convex import ConvexStock
 
-from vkworkbench.core import ConvexStock, Stock, Tool, Toolpath
+from vkworkbench.core import Stock, Tool, Toolpath
 
 TOOLS = [
     Tool("endmill", 6),

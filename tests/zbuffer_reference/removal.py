@@ -26,7 +26,7 @@ class Removal:
     ----------
     toolpath : Toolpath
     tool : Tool
-    stock : Stock or ConvexStock
+    stock : Stock
     frame : Frame
         The view of this stock.
 

@@ -14,7 +14,7 @@ import numpy as np
 from zbuffer_reference.dexels import UNCUT, Pieces, with_uncut
 from zbuffer_reference.removal import Removal
 
-from vkworkbench.core import ConvexStock, Stock, Tool, Toolpath, View
+from vkworkbench.core import Stock, Tool, Toolpath, View
 
 # The records of the z-buffer. Depths are along the view's direction, from the middle of the stock, mm.
 DEXEL = np.dtype([("near", np.float32), ("far", np.float32), ("pixel", np.uint32)])
@@ -116,7 +116,7 @@ class ZBuffer:
         return replace(self, step=step)
 
 
-def simulate(toolpath: Toolpath, *, tool: Tool, stock: Stock | ConvexStock, view: View) -> ZBuffer:
+def simulate(toolpath: Toolpath, *, tool: Tool, stock: Stock, view: View) -> ZBuffer:
     """Cut the stock by all trajectories, rapids included, and count exactly.
 
     An element of a trace is one piece a trajectory removes from one pixel's ray. Pieces up to 1e-4 mm are
@@ -127,7 +127,7 @@ def simulate(toolpath: Toolpath, *, tool: Tool, stock: Stock | ConvexStock, view
     ----------
     toolpath : Toolpath
     tool : Tool
-    stock : Stock or ConvexStock
+    stock : Stock
     view : View
 
     Returns

@@ -9,7 +9,7 @@ from vkworkbench.core.machining import Machining, exact_lengths, machining, traj
 from vkworkbench.core.paper import Complexity, Signature, complexity, signature
 from vkworkbench.core.recognition import Recognition, Span, recognize
 from vkworkbench.core.simulators import Accuracy, best_accuracy
-from vkworkbench.core.solids import ConvexStock, Stock, stock_around
+from vkworkbench.core.solids import Stock, stock_around
 from vkworkbench.core.steady import processor_clock, steady_seconds
 from vkworkbench.core.stocks import Cylinder, Mesh, Solid
 from vkworkbench.core.strategy import Family, Strategy
@@ -31,7 +31,7 @@ from vkworkbench.core.zbuffer import (
 )
 
 __all__ = [
-    "COORDINATE_LIMIT", "Accuracy", "Complexity", "ConvexStock", "Cut", "Cylinder", "Estimate", "Family", "Frame", "Machining", "Mesh", "Problem",
+    "COORDINATE_LIMIT", "Accuracy", "Complexity", "Cut", "Cylinder", "Estimate", "Family", "Frame", "Machining", "Mesh", "Problem",
     "Recognition", "Resolution", "Signature", "Solid", "Span", "Speed", "Stock", "Strategy", "Tool", "Toolpath",
     "View", "ZBuffer", "best_accuracy", "best_resolution", "cauchy_crofton", "complexity", "estimate", "exact_lengths", "linearize", "machining",
     "measure_speed", "processor_clock", "recognize", "signature", "simulate", "simulate_job", "steady_seconds",

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Raw material, and models, that no few planes bound: upright cylinders, and closed meshes of triangles."""
+"""Raw material, and models, that are no boxes: upright cylinders, and closed meshes of triangles."""
 
 from __future__ import annotations
 

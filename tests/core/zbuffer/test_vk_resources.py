@@ -9,9 +9,10 @@ from math import cos, pi, radians, sin, sqrt
 
 import numpy as np
 import pytest
+from zbuffer_reference.convex import ConvexStock
 from zbuffer_reference.simulate import simulate as reference
 
-from vkworkbench.core import ConvexStock, Stock, Strategy, Tool, Toolpath, View
+from vkworkbench.core import Stock, Strategy, Tool, Toolpath, View
 from vkworkbench.core.gcode import linearize
 from vkworkbench.core.recognition import Recognition, recognize
 from vkworkbench.core.zbuffer.closed_form import cauchy_crofton, closed_form, swept

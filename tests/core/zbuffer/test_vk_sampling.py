@@ -5,9 +5,10 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from zbuffer_reference.convex import ConvexStock
 from zbuffer_reference.paths import toolpath
 
-from vkworkbench.core import ConvexStock, Stock, Tool, View
+from vkworkbench.core import Stock, Tool, View
 from vkworkbench.core.zbuffer.counts import count
 from vkworkbench.core.zbuffer.cuts import Cut, Cuts
 from vkworkbench.core.zbuffer.removal import Removal

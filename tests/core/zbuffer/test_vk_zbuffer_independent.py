@@ -12,8 +12,9 @@ from math import pi
 
 import numpy as np
 import pytest
+from zbuffer_reference.convex import ConvexStock
 
-from vkworkbench.core import ConvexStock, Stock, Tool, Toolpath, View
+from vkworkbench.core import Stock, Tool, Toolpath, View
 from vkworkbench.core.zbuffer.dexels import UNCUT
 from vkworkbench.core.zbuffer.simulate import simulate
 

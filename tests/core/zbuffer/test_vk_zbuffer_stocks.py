@@ -10,10 +10,11 @@ from math import pi, sqrt
 import numpy as np
 import pytest
 from zbuffer_reference.compare import close
+from zbuffer_reference.convex import ConvexStock
 from zbuffer_reference.dexels import Pieces, first_cuts
 from zbuffer_reference.paths import BOX, DIRECTIONS, PATHS, TOOLS, toolpath
 
-from vkworkbench.core import ConvexStock, Cylinder, Mesh, Tool, View, estimate, stocks
+from vkworkbench.core import Cylinder, Mesh, Tool, View, estimate, stocks
 from vkworkbench.core.zbuffer import OverBudget, deviations, memory_needed
 from vkworkbench.core.zbuffer.cuts import Cut, Cuts
 from vkworkbench.core.zbuffer.facts import removed_volumes
