@@ -614,10 +614,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The simulation takes about {memory:bytes} at its peak, for {dexels:n} dexels and {traces:n} elements of traces, more than the {allowed:bytes} allowed: choose a smaller image or simulate fewer operations.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>it looks 25.4 times too small: inches read as millimeters?</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1031,6 +1027,14 @@
     </message>
     <message>
         <source>it does not touch the stock, which is the finished part: choose a block around it as the stock</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The simulation takes about {memory:bytes} at its peak, for {dexels:n} dexels and {traces:n} elements of traces, more than the {allowed:bytes} allowed: {instead}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>choose an image of {width:n} x {height:n} pixels of {pixel:mm2}, or simulate fewer operations</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -614,10 +614,6 @@
         <translation>der Prozess, der es las, ist gestorben, vielleicht aus Speichermangel</translation>
     </message>
     <message>
-        <source>The simulation takes about {memory:bytes} at its peak, for {dexels:n} dexels and {traces:n} elements of traces, more than the {allowed:bytes} allowed: choose a smaller image or simulate fewer operations.</source>
-        <translation>Die Simulation braucht in der Spitze etwa {memory:bytes}, für {dexels:n} Dexel und {traces:n} Spurelemente, mehr als die erlaubten {allowed:bytes}: Wählen Sie ein kleineres Bild oder simulieren Sie weniger Operationen.</translation>
-    </message>
-    <message>
         <source>it looks 25.4 times too small: inches read as millimeters?</source>
         <translation>es sieht 25,4-mal zu klein aus: Zoll als Millimeter gelesen?</translation>
     </message>
@@ -1032,6 +1028,14 @@
     <message>
         <source>it does not touch the stock, which is the finished part: choose a block around it as the stock</source>
         <translation>sie berührt das Rohteil nicht, das schon das fertige Teil ist: als Rohteil einen Block darum wählen</translation>
+    </message>
+    <message>
+        <source>The simulation takes about {memory:bytes} at its peak, for {dexels:n} dexels and {traces:n} elements of traces, more than the {allowed:bytes} allowed: {instead}.</source>
+        <translation>Die Simulation braucht in der Spitze etwa {memory:bytes}, für {dexels:n} Dexel und {traces:n} Spurelemente, mehr als die erlaubten {allowed:bytes}: {instead}.</translation>
+    </message>
+    <message>
+        <source>choose an image of {width:n} x {height:n} pixels of {pixel:mm2}, or simulate fewer operations</source>
+        <translation>ein Bild von {width:n} × {height:n} Pixel zu {pixel:mm2} wählen oder weniger Operationen simulieren</translation>
     </message>
 </context>
 <context>

@@ -614,10 +614,6 @@
         <translation>el proceso que lo leía murió, quizá por falta de memoria</translation>
     </message>
     <message>
-        <source>The simulation takes about {memory:bytes} at its peak, for {dexels:n} dexels and {traces:n} elements of traces, more than the {allowed:bytes} allowed: choose a smaller image or simulate fewer operations.</source>
-        <translation>La simulación ocupa unos {memory:bytes} como máximo, para {dexels:n} dexels y {traces:n} elementos de traza, más que los {allowed:bytes} permitidos: elija una imagen más pequeña o simule menos operaciones.</translation>
-    </message>
-    <message>
         <source>it looks 25.4 times too small: inches read as millimeters?</source>
         <translation>parece 25,4 veces demasiado pequeño: ¿pulgadas leídas como milímetros?</translation>
     </message>
@@ -1032,6 +1028,14 @@
     <message>
         <source>it does not touch the stock, which is the finished part: choose a block around it as the stock</source>
         <translation>no toca el material en bruto, que ya es la pieza terminada: elija como bruto un bloque que la rodee</translation>
+    </message>
+    <message>
+        <source>The simulation takes about {memory:bytes} at its peak, for {dexels:n} dexels and {traces:n} elements of traces, more than the {allowed:bytes} allowed: {instead}.</source>
+        <translation>La simulación ocupa unos {memory:bytes} como máximo, para {dexels:n} dexels y {traces:n} elementos de traza, más que los {allowed:bytes} permitidos: {instead}.</translation>
+    </message>
+    <message>
+        <source>choose an image of {width:n} x {height:n} pixels of {pixel:mm2}, or simulate fewer operations</source>
+        <translation>elija una imagen de {width:n} × {height:n} píxeles de {pixel:mm2} o simule menos operaciones</translation>
     </message>
 </context>
 <context>

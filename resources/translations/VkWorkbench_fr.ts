@@ -614,10 +614,6 @@
         <translation>le processus qui le lisait est mort, faute de mémoire peut-être</translation>
     </message>
     <message>
-        <source>The simulation takes about {memory:bytes} at its peak, for {dexels:n} dexels and {traces:n} elements of traces, more than the {allowed:bytes} allowed: choose a smaller image or simulate fewer operations.</source>
-        <translation>La simulation prend environ {memory:bytes} au plus fort, pour {dexels:n} dexels et {traces:n} éléments de trace, plus que les {allowed:bytes} permis : choisissez une image plus petite ou simulez moins d’opérations.</translation>
-    </message>
-    <message>
         <source>it looks 25.4 times too small: inches read as millimeters?</source>
         <translation>cela semble 25,4 fois trop petit : des pouces lus comme des millimètres ?</translation>
     </message>
@@ -1032,6 +1028,14 @@
     <message>
         <source>it does not touch the stock, which is the finished part: choose a block around it as the stock</source>
         <translation>elle ne touche pas le brut, qui est déjà la pièce finie : choisir comme brut un bloc qui l&apos;entoure</translation>
+    </message>
+    <message>
+        <source>The simulation takes about {memory:bytes} at its peak, for {dexels:n} dexels and {traces:n} elements of traces, more than the {allowed:bytes} allowed: {instead}.</source>
+        <translation>La simulation prend environ {memory:bytes} au plus fort, pour {dexels:n} dexels et {traces:n} éléments de trace, plus que les {allowed:bytes} permis : {instead}.</translation>
+    </message>
+    <message>
+        <source>choose an image of {width:n} x {height:n} pixels of {pixel:mm2}, or simulate fewer operations</source>
+        <translation>choisissez une image de {width:n} × {height:n} pixels de {pixel:mm2}, ou simulez moins d’opérations</translation>
     </message>
 </context>
 <context>

@@ -614,10 +614,6 @@
         <translation>读取它的进程已终止，可能是内存不足</translation>
     </message>
     <message>
-        <source>The simulation takes about {memory:bytes} at its peak, for {dexels:n} dexels and {traces:n} elements of traces, more than the {allowed:bytes} allowed: choose a smaller image or simulate fewer operations.</source>
-        <translation>该模拟峰值约占用 {memory:bytes}（{dexels:n} 个 dexel 和 {traces:n} 个轨迹痕迹元素），超过允许的 {allowed:bytes}：请选择较小的图像或减少模拟的操作。</translation>
-    </message>
-    <message>
         <source>it looks 25.4 times too small: inches read as millimeters?</source>
         <translation>看起来小了 25.4 倍：是否把英寸读成了毫米？</translation>
     </message>
@@ -1032,6 +1028,14 @@
     <message>
         <source>it does not touch the stock, which is the finished part: choose a block around it as the stock</source>
         <translation>它没有接触毛坯，毛坯已是成品零件：请选择包围它的坯料块作为毛坯</translation>
+    </message>
+    <message>
+        <source>The simulation takes about {memory:bytes} at its peak, for {dexels:n} dexels and {traces:n} elements of traces, more than the {allowed:bytes} allowed: {instead}.</source>
+        <translation>该模拟峰值约占用 {memory:bytes}（{dexels:n} 个 dexel 和 {traces:n} 个轨迹痕迹元素），超过允许的 {allowed:bytes}：{instead}。</translation>
+    </message>
+    <message>
+        <source>choose an image of {width:n} x {height:n} pixels of {pixel:mm2}, or simulate fewer operations</source>
+        <translation>请选择 {width:n} × {height:n} 像素、每个 {pixel:mm2} 的图像，或减少模拟的操作</translation>
     </message>
 </context>
 <context>

@@ -13,9 +13,9 @@ import Path
 import pytest
 
 import vkworkbench
-from vkworkbench import worker
+from vkworkbench import preferences, worker
 from vkworkbench.core import View
-from vkworkbench.core.zbuffer import OverBudget
+from vkworkbench.core.zbuffer import OverBudget, memory_needed
 from vkworkbench.document.job_copy import copy_job, read_job
 from vkworkbench.document.listing import Listing
 from vkworkbench.document.simulation import simulate_read
@@ -87,6 +87,24 @@ def test_the_view_is_that_of_the_preferences_or_given(small, monkeypatch):
         vkworkbench.simulate(small.job, view="Sideways")
 
 
+def test_where_no_image_is_named_the_finest_that_fits_is_taken_and_told(small):
+    small.add("First", slot(10.0))
+    job, usual = read_job(small.job), preferences.read().view
+    needed = memory_needed(job.cuts, stock=job.stock, view=usual)
+    for view in (None, "Isometric"):
+        done = vkworkbench.simulate(small.job, view=view, memory_budget=needed / 2)
+        frame, (remark,) = done.zbuffer.frame, done.job.remarks
+        assert 0.4 < frame.width / usual.width < 0.8 and frame.height == pytest.approx(frame.width * 3 / 4, abs=1)
+        assert render(remark) == f"{frame.width} x {frame.height} pixels of {frame.pixel:.2f} mm, limited by the memory"
+    assert vkworkbench.simulate(small.job, memory_budget=2 * needed).job.remarks == ()
+    with pytest.raises(OverBudget, match=r"choose an image of 4\d\d x \d+ pixels"):
+        vkworkbench.simulate(small.job, view=usual, memory_budget=needed / 2)
+    # Nobody would recognise much in so coarse an image.
+    with pytest.raises(OverBudget) as refused:
+        vkworkbench.simulate(small.job, memory_budget=17e6)
+    assert 1 < refused.value.size[0] < usual.width / 3
+
+
 def test_the_placement_of_an_operation_counts(small):
     op = small.add("First", slot(10.0))
     op.Placement = FreeCAD.Placement(FreeCAD.Vector(0, 20, 0), FreeCAD.Rotation())
@@ -108,7 +126,7 @@ def test_it_refuses_what_cannot_be(small):
     with pytest.raises(Unusable, match="nothing to simulate"):
         vkworkbench.simulate(small.job)
     op = small.add("First", slot(10.0))
-    with pytest.raises(OverBudget, match="smaller image"):
+    with pytest.raises(OverBudget, match="allowed: simulate fewer operations at a time"):
         vkworkbench.simulate(op, memory_budget=1e6)
     with pytest.raises(TypeError, match="only a document, a job or operations have toolpaths, not int"):
         vkworkbench.simulate(7)

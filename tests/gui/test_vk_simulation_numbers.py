@@ -11,8 +11,9 @@ import numpy as np
 import pytest
 
 from vkworkbench.core import Cut, Stock, Strategy, Tool, View, linearize, simulate_job
-from vkworkbench.core.zbuffer import SeenModel, Speed
+from vkworkbench.core.zbuffer import OverBudget, SeenModel, Speed, memory_needed
 from vkworkbench.document.simulated_job import SimulatedJob, SimulatedOperation
+from vkworkbench.document.simulation import simulate_read
 from vkworkbench.gui.simulation import coloring, exports
 from vkworkbench.gui.simulation.clock import Clock
 from vkworkbench.gui.simulation.drawing import Drawing
@@ -36,14 +37,24 @@ def job_of(*paths):
     return SimulatedJob(tuple(operations), tuple(cuts), tuple(toolpaths), tuple(listings), STOCK, (), ())
 
 
-def refined(job, view, known=None):
+def refined(job, view, known=None, memory=1e9):
     """All that the refining of a view yields."""
-    work = Refining(job, view, 1e9, 1e3, Speed(), glance=False, compare=False, known=known)
+    work = Refining(job, view, memory, 1e3, Speed(), glance=False, compare=False, known=known)
     return list(work(lambda: None))
 
 
 WHOLE = View((0, 0, -1), 240, 160)
 PART = View((0, 0, -1), 240, 160, pixel=0.02, offset=(0.0, -10.0))
+
+
+def test_a_picture_that_takes_too_much_memory_is_as_coarse_as_a_refusal_says():
+    job, view = job_of(SLOT), View((0, 0, -1), 600, 400)
+    allowed = memory_needed(job.cuts, stock=STOCK, view=view) / 1.5
+    with pytest.raises(OverBudget) as refused:
+        simulate_read(job, view, allowed)
+    (*_, last) = (done for done in refined(job, view, memory=allowed) if isinstance(done, Refined))
+    frame = last.simulation.zbuffer.frame
+    assert (frame.width, frame.height) == refused.value.size and 300 < frame.width < 600
 
 
 def test_only_an_image_that_holds_the_stock_tells_what_trajectories_remove():

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 from typing import Protocol
 
@@ -62,6 +62,11 @@ class View:
             set_to("pixel", number("pixel", self.pixel, "a positive number of mm", positive))
         offset = numbers("offset", self.offset, "two finite numbers of mm", lambda xy: _are_finite(xy, 2))
         set_to("offset", tuple(offset.tolist()))
+
+    def of_size(self, width: int, height: int) -> View:
+        """Return what is seen in an image of another size: where the pixel is set, it holds no less."""
+        pixel = self.pixel and self.pixel * max(self.width / width, self.height / height)
+        return replace(self, width=width, height=height, pixel=pixel)
 
     def frame(self, stock: Bounded) -> Frame:
         """Return the image's axes, centre and pixel for this stock."""

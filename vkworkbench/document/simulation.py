@@ -11,13 +11,17 @@ from pathlib import Path
 import numpy as np
 
 from vkworkbench import preferences
-from vkworkbench.core import View, ZBuffer, simulate_job
+from vkworkbench.core import Solid, View, ZBuffer, simulate_job
 from vkworkbench.core.rendering import CUT, colors_of, palette, png, shade
-from vkworkbench.core.zbuffer import TOLERANCE, facts, trajectory_table
+from vkworkbench.core.zbuffer import TOLERANCE, OverBudget, facts, trajectory_table
 from vkworkbench.document.job_copy import read_job
 from vkworkbench.document.simulated_job import SimulatedJob, SimulatedOperation
 from vkworkbench.given import check_file_name, of_kind
+from vkworkbench.language import Message
 from vkworkbench.report import SimulationFacts, how_many
+
+# Of the side of the image that is wanted: one so coarse is good enough to look at.
+GOOD_ENOUGH = 1 / 3
 
 
 def simulate(
@@ -34,7 +38,8 @@ def simulate(
     what : Document, DocumentObject, or iterable of them, optional
         A document with one job, a job, or some of its operations; the active document if None.
     view : View or str, optional
-        The image, or the name of a direction, e.g. ``"Isometric"``; that of the preferences if None.
+        The image, or the name of a direction, e.g. ``"Isometric"``; that of the preferences if None. Without a View, the image
+        is made coarser where it would take too much memory, and a remark of the job says so.
     memory_budget : float, optional
         Bytes that it may take; those of the preferences if None.
     going_on : callable, optional
@@ -50,7 +55,7 @@ def simulate(
     Unusable
         Where there is nothing to simulate, or no stock; its message tells what to do.
     OverBudget
-        If it would take more memory; nothing was simulated.
+        If it would take more memory; nothing was simulated. Its message names an image that fits.
     ValueError
         If `what` is None and no document is open, there is no such direction, or the budget is no number of bytes.
     ReferenceError
@@ -59,13 +64,40 @@ def simulate(
         If an argument is something else.
     """
     job, chosen = read_job(what), preferences.read()
-    if isinstance(view, str):
+    budget = chosen.memory_budget_bytes if memory_budget is None else memory_budget
+    of_kind("view", view, (View, str, type(None)), "a View or the name of a direction")
+    if isinstance(view, View):
+        return simulate_read(job, view, budget, going_on)
+    wanted = chosen.view
+    if view is not None:
         if view not in preferences.DIRECTIONS:
             raise ValueError(f"there is no direction {view!r}: choose among {', '.join(preferences.DIRECTIONS)}")
-        view = replace(chosen.view, direction=preferences.DIRECTIONS[view])
-    of_kind("view", view, (View, type(None)), "a View or the name of a direction")
-    budget = chosen.memory_budget_bytes if memory_budget is None else memory_budget
-    return simulate_read(job, view or chosen.view, budget, going_on)
+        wanted = replace(wanted, direction=preferences.DIRECTIONS[view])
+    image, said = wanted, job.remarks
+    while True:
+        try:
+            return simulate_read(replace(job, remarks=said), image, budget, going_on)
+        except OverBudget as refused:
+            image = coarser(wanted, refused)
+            said = (*job.remarks, _coarser_image(image, job.stock))
+
+
+def _coarser_image(image: View, stock: Solid) -> Message:
+    pixel, limit = image.frame(stock).pixel, Message("limit-memory")
+    return Message("image", width=image.width, height=image.height, pixel=pixel, limit=limit, passes=None)
+
+
+def coarser(view: View, refused: OverBudget) -> View:
+    """Return the finest image of a view that fits in memory.
+
+    Raises
+    ------
+    OverBudget
+        The one given, where the image would be too coarse to look at.
+    """
+    if refused.size is None or refused.size[0] < GOOD_ENOUGH * view.width:
+        raise refused
+    return view.of_size(*refused.size)
 
 
 def simulate_read(

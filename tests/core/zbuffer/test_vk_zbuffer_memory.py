@@ -14,7 +14,7 @@ import pytest
 from zbuffer_reference.paths import BOX, TOOLS, surface, toolpath
 
 from vkworkbench.core import View
-from vkworkbench.core.zbuffer import OverBudget, memory
+from vkworkbench.core.zbuffer import OverBudget, best_resolution, estimate, memory, memory_needed
 from vkworkbench.core.zbuffer.counts import Counts
 from vkworkbench.core.zbuffer.cuts import Cut, Cuts
 from vkworkbench.core.zbuffer.memory import helpers_within, peak_bytes
@@ -84,10 +84,30 @@ def test_too_large_a_simulation_is_refused_before_it_starts():
     assert error.allowed == 1e6 and error.needed > 1e7
     said = error.what.arguments
     assert (said["memory"], said["allowed"]) == (error.needed, 1e6) and said["traces"] > 0 and said["dexels"] > 0
-    assert "1.0 MB" in str(error) and "smaller image" in str(error)
+    assert "1.0 MB" in str(error) and str(error).endswith("allowed: simulate fewer operations at a time.")
+    assert error.size is None
     assert simulate(path, **solids, memory_budget=error.needed * 1.01).traces > 0
     with pytest.raises(OverBudget):  # nothing is an amount, too
         simulate(path, **solids, memory_budget=0)
+
+
+@pytest.mark.parametrize("pixel", [None, 0.05])
+def test_a_refusal_names_the_finest_image_that_fits(pixel):
+    path, solids = case(2000, (0, 0, -1), 400, 300)
+    view = View((0, 0, -1), 400, 300, pixel)
+    frame = view.frame(solids["stock"])
+    allowed = memory_needed([Cut(path, solids["tool"])], stock=solids["stock"], view=view) / 1.5
+    with pytest.raises(OverBudget) as refused:
+        simulate(path, **{**solids, "view": view}, memory_budget=allowed)
+    width, height = refused.value.size
+    assert height == width * 3 // 4 and f"choose an image of {width} x {height} pixels of " in str(refused.value)
+    fits = view.of_size(width, height)
+    found = simulate(path, **{**solids, "view": fits}, memory_budget=allowed).frame
+    assert found.pixel == pytest.approx(frame.pixel * 400 / width, rel=0.01)  # the same field
+    assert refused.value.what.arguments["instead"].arguments["pixel"] == pytest.approx(found.pixel, rel=1e-3)
+    assert found.width * found.pixel >= frame.width * frame.pixel * 0.999
+    chosen = best_resolution([estimate(path, None, **{**solids, "view": view})], memory_bytes=allowed)
+    assert chosen.view == fits
 
 
 def removal(tool, direction, points=((10, 15, 5), (30, 15, 5)), *, others=(), offset=(0, 0)):

@@ -3,13 +3,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
+from math import log2, sqrt
 
 import numpy as np
 
 from vkworkbench.core.stocks import Mesh, Solid, fitted
-from vkworkbench.core.view import View
+from vkworkbench.core.view import Frame, View
 from vkworkbench.core.zbuffer.counts import Counts, count
 from vkworkbench.core.zbuffer.cuts import Cut, Cuts
 from vkworkbench.core.zbuffer.records import PIXEL_BYTES, RECORD_BYTES
@@ -37,6 +38,10 @@ _SENT_RECORD = 26.0
 _SPARE = 1 / 8
 # Traces are estimated; so many standard errors are added.
 _ERRORS = 2.0
+# Of a budget: in another image other rays tell the records, 1.3 % more at most in 137 that were tried.
+_SURE = 0.98
+# No image grows by more than two to this.
+_LARGEST_GROWTH = 40
 
 
 class OverBudget(Unusable):
@@ -48,19 +53,25 @@ class OverBudget(Unusable):
         For the user.
     needed, allowed : float
         Bytes.
+    size : tuple of int or None
+        Width and height of the finest image that may be simulated, pixels; None where none may.
     """
 
-    def __init__(self, needed: float, allowed: float, counts: Counts) -> None:
+    def __init__(self, peak: Peak, allowed: float, counts: Counts, frame: Frame) -> None:
+        self.needed, self.allowed = peak.bytes(), allowed
+        growth = in_memory(peak, allowed)
+        self.size = size_of(frame, growth) if growth else None
+        instead = Message("fewer-operations")
+        if self.size:
+            width, height = self.size
+            pixel = frame.pixel * max(frame.width / width, frame.height / height)
+            instead = Message("image-fits", width=width, height=height, pixel=pixel)
         super().__init__(
             Message(
-                "zbuffer-memory",
-                memory=needed,
-                allowed=allowed,
-                traces=round(counts.traces),
-                dexels=round(counts.dexels),
+                "zbuffer-memory", memory=self.needed, allowed=allowed,
+                traces=round(counts.traces), dexels=round(counts.dexels), instead=instead,
             )
-        )
-        self.needed, self.allowed = needed, allowed
+        )  # fmt: skip
 
 
 @dataclass(frozen=True)
@@ -134,9 +145,9 @@ def check_memory(removal: Removal, trajectories: int, allowed: float) -> None:
     if _peak(most, most, most, trajectories, removal).bytes() <= allowed:
         return  # whatever the rays say
     counts = count(removal)
-    needed = peak_bytes(counts, trajectories, removal)
-    if needed > allowed:
-        raise OverBudget(needed, allowed, counts)
+    peak = peak_of(counts, trajectories, removal)
+    if peak.bytes() > allowed:
+        raise OverBudget(peak, allowed, counts, removal.frame)
 
 
 def peak_bytes(counts: Counts, trajectories: int, removal: Removal) -> float:
@@ -161,6 +172,36 @@ def peak_of(counts: Counts, trajectories: int, removal: Removal) -> Peak:
     """
     traces = counts.traces + _ERRORS * counts.traces_error
     return _peak(counts.records + _ERRORS * counts.traces_error, traces, counts.band, trajectories, removal)
+
+
+def in_memory(peak: Peak, allowed: float) -> float:
+    """Return how many times as many pixels surely take no more than that, bytes; 0 where not even a single one does."""
+    return growth_within(peak.bytes, _SURE * allowed, 1 / peak.pixels)
+
+
+def size_of(image: View | Frame, growth: float) -> tuple[int, int]:
+    """Return width and height of an image of no more than `growth` times as many pixels, one at least, of about its shape."""
+    pixels = growth * image.width * image.height
+    # A strip is no narrower than a pixel: its length follows from that.
+    width = max(1, int(image.width * sqrt(growth)))
+    height = max(1, int(min(image.height * sqrt(growth), pixels / width)))
+    return max(1, int(min(width, pixels / height))), height
+
+
+def growth_within(taken: Callable[[float], float], allowed: float, least: float) -> float:
+    """How many times as many pixels take what is allowed; 0 where even `least` times as many take more. By bisection.
+
+    `taken` returns what that many times as many pixels take: the more pixels, the more.
+    """
+    if taken(least) > allowed:
+        return 0.0
+    low = high = log2(least)
+    while high < _LARGEST_GROWTH and taken(2**high) <= allowed:
+        low, high = high, high + 2
+    for _ in range(40):
+        middle = (low + high) / 2
+        low, high = (middle, high) if taken(2**middle) <= allowed else (low, middle)
+    return 2**low
 
 
 def helpers_within(allowed: float, removal: Removal, trajectories: int) -> int:

@@ -30,18 +30,16 @@ from vkworkbench.core.zbuffer import (
     unshared_seconds,
 )
 from vkworkbench.document.simulated_job import SimulatedJob
-from vkworkbench.document.simulation import Simulation, simulate_read
+from vkworkbench.document.simulation import GOOD_ENOUGH, Simulation, coarser, simulate_read
 from vkworkbench.language import Message, Unusable
 
-# Of the image's side: the first picture is there at once, the next is good enough to look at, the last is the finest.
-_SHARES = (1 / 8, 1 / 3, 1.0)
+# Of the image's side: the first picture is there at once, the last is the finest.
+_SHARES = (1 / 8, GOOD_ENOUGH, 1.0)
 _FEWEST = 40  # pixels; a coarser picture shows nothing
 # Of a pixel; the image that just holds the stock is as large as it but for that.
 _ROUNDING = 1e-6
 # Pixels up to so many times as large tell as much: the next picture has thrice as many each way.
 _AS_FINE = 2.0
-# By how much a picture is made coarser that takes too much memory.
-_COARSER = 0.8
 
 
 @dataclass(frozen=True, eq=False)
@@ -196,10 +194,8 @@ class Refining:
                 if share > _SHARES[-2] or self._course is None:
                     yield from self._simulate(share, going_on, finest=True)
                 break
-            except OverBudget as error:
-                share *= _COARSER
-                if share <= _SHARES[-2]:
-                    raise Unusable(error.what) from None
+            except OverBudget as refused:
+                share = coarser(self.view, refused).width / self.view.width
         yield from self._whole(going_on)
         if allowed < 1:
             raise Unusable(Message("picture-in-time", allowed=self.time_budget))

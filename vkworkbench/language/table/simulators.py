@@ -98,7 +98,10 @@ SIMULATORS: dict[str, str | tuple[str, str]] = {
     "zbuffer-memory": QT_TRANSLATE_NOOP(
         "Sentences",
         "The simulation takes about {memory:bytes} at its peak, for {dexels:n} dexels and {traces:n} elements of "
-        "traces, more than the {allowed:bytes} allowed: choose a smaller image or simulate fewer operations.",
+        "traces, more than the {allowed:bytes} allowed: {instead}.",
+    ),
+    "image-fits": QT_TRANSLATE_NOOP(
+        "Sentences", "choose an image of {width:n} x {height:n} pixels of {pixel:mm2}, or simulate fewer operations"
     ),
     # The recommended image of the z-buffer.
     "image": QT_TRANSLATE_NOOP(
