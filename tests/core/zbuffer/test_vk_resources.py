@@ -396,6 +396,13 @@ def test_the_work_in_another_image_is_known_from_one():
     assert growing == sorted(growing)
 
 
+def test_a_pixel_of_a_large_image_takes_about_as_long_as_one_of_a_usual_image():
+    """Rows that cut each pixel twice: in 16 times as many pixels 0.9 times as long each was measured."""
+    toolpath, tool = PATHS["zigzag"]
+    found = estimate(toolpath, None, tool=tool, stock=STOCK, view=View())
+    assert 0.83 < found.seconds_in(16.0) / 16 / found.seconds < 1
+
+
 def test_a_speed_is_found_in_times():
     rng = np.random.default_rng(3)
     true = Speed().constants * [2, 3, 2, 3, 2, 3, 2]

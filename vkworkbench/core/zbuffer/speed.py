@@ -63,13 +63,13 @@ class Speed:
         How many cut at once: all else is what one of them takes.
     """
 
-    trajectory: float = 8.84e-07
-    pixel: float = 5.35e-08
-    meeting: float = 5.27e-09
-    block: float = 0.00054
-    test: float = 5.69e-07
-    cell: float = 1.7e-06
-    record: float = 2.56e-08
+    trajectory: float = 3.91e-07
+    pixel: float = 6.89e-08
+    meeting: float = 5.52e-09
+    block: float = 0.000414
+    test: float = 5.76e-07
+    cell: float = 1.49e-06
+    record: float = 3.7e-08
     factor: float = 3.0
     processes: int = 1
 
