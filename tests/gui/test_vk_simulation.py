@@ -437,7 +437,7 @@ def test_the_cost_is_told_before_the_first_picture_and_what_it_was_after_the_las
     (cost, text, simulation), *_ = told
     assert simulation is None and text.startswith("finest picture in about") and "MB" in text
     zbuffer = player.simulation.zbuffer
-    assert cost.memory_bytes == pytest.approx(zbuffer.memory_bytes, rel=0.3)
+    assert cost.memory_bytes == pytest.approx(zbuffer.peak.bytes(), rel=0.3)
     assert f"{zbuffer.traces:,} traces" in player.state.text() and "simulated in" in player.state.text()
     assert "about" not in player.state.text()
     told.clear()

@@ -28,7 +28,7 @@ def test_the_memory_of_a_job_counts_the_stock_once():
     paths = [slot(y) for y in (5, 15, 25, 35)]
     costs = [{"z-buffer": estimate(path, None, tool=TOOL, stock=STOCK, view=VIEW)} for path in paths]
     told, _ = together(costs, labels=list("abcd"), stepover=None, memory_bytes=1e9, seconds=600.0)
-    true = simulate_job([Cut(path, TOOL) for path in paths], stock=STOCK, view=VIEW).memory_bytes
+    true = simulate_job([Cut(path, TOOL) for path in paths], stock=STOCK, view=VIEW).peak.bytes()
     assert told["z-buffer"].memory_bytes == pytest.approx(true, rel=0.03)
     alone, _ = together(costs[:1], labels=["a"], stepover=None, memory_bytes=1e9, seconds=600.0)
     assert alone["z-buffer"].memory_bytes == costs[0]["z-buffer"].memory_bytes
@@ -44,7 +44,7 @@ def test_what_two_operations_cut_counts_once(direction):
     costs = alone(slot(15), slot(15), slot(16), view=view)
     whole = zbuffer.together(costs)
     true = simulate_job([Cut(slot(y), TOOL) for y in (15, 15, 16)], stock=STOCK, view=view)
-    assert whole.memory_bytes == pytest.approx(true.memory_bytes, rel=0.03)
+    assert whole.memory_bytes == pytest.approx(true.peak.bytes(), rel=0.03)
     assert abs(whole.traces - true.traces) <= 3 * whole.traces_error
     assert sum(cost.traces for cost in costs) > 1.8 * true.traces
     assert whole.seconds < sum(cost.seconds for cost in costs)

@@ -8,7 +8,7 @@ import pytest
 
 from toolpaths.synthetic import SAMPLES
 from vkworkbench.core import Cylinder, Mesh, Stock, Tool, View, linearize, simulate
-from vkworkbench.core.zbuffer import cuts_surely, may_cut, most_bytes
+from vkworkbench.core.zbuffer import bound, cuts_surely, may_cut, most_bytes
 
 TOOLS = [Tool("endmill", 5), Tool("ballend", 6), Tool("vbit", 8, tip_angle=np.pi / 2)]
 
@@ -26,9 +26,9 @@ def test_no_simulation_holds_more_than_the_bound(tool, direction):
         lower, upper = path.points.min(axis=0) - 3, path.points.max(axis=0) + 3
         stock, view = Stock(lower, [*upper[:2], max(lower[2] + 1, 0.0)]), View(direction, 60, 45)
         held = simulate(path, tool=tool, stock=stock, view=view)
-        bound = most_bytes(path, tool=tool, stock=stock, view=view)
-        assert held.memory_bytes <= bound
-        bounds += np.isfinite(bound)
+        most = most_bytes(path, tool=tool, stock=stock, view=view)
+        assert held.peak.bytes() <= most and held.traces <= bound._most_cut(path, tool, stock, held.frame)
+        bounds += np.isfinite(most)
         if cuts_surely(path, stock) and direction == (0, 0, -1):  # from the side a pixel may be higher than the cut
             assert held.traces
     assert bounds > 5
@@ -39,7 +39,9 @@ def test_a_round_stock_is_bounded_as_well(direction):
     path = linearize([("G1", {"X": x, "Y": y, "Z": -2.0}) for x, y in ((-12.0, 0.0), (12.0, 3.0), (0.0, -9.0))])
     stock = Cylinder((0, 0, -5), 10, 5)
     solids = {"tool": TOOLS[0], "stock": stock, "view": View(direction, 60, 45)}
-    assert simulate(path, **solids).memory_bytes <= most_bytes(path, **solids) < np.inf
+    held = simulate(path, **solids)
+    assert held.peak.bytes() <= most_bytes(path, **solids) < np.inf
+    assert held.traces <= bound._most_cut(path, TOOLS[0], stock, held.frame)
     assert not cuts_surely(path, stock)
 
 
@@ -58,10 +60,9 @@ FLAT = Tool("endmill", 6)
 
 
 def records_of(moves, *, tool=FLAT, view=PIXEL, stock=STOCK):
-    """The records of the bound: its bytes less 8 for each pixel and 8, 8 bytes each, less a dexel for each pixel."""
+    """The elements of traces of the bound."""
     path = linearize([("G1", dict(zip("XYZ", map(float, point)))) for point in moves])
-    pixels = view.width * view.height
-    return (most_bytes(path, tool=tool, stock=stock, view=view) - 8 * (pixels + 1)) / 8 - pixels
+    return bound._most_cut(path, tool, stock, view.frame(stock))
 
 
 ROUND = np.pi * 6 * 7 + 1  # the foot of 6 pixels' radius: area, half of the perimeter, and 1

@@ -20,7 +20,6 @@ from vkworkbench.core.zbuffer.cuts import Cut, Cuts
 from vkworkbench.core.zbuffer.dexels import UNCUT
 from vkworkbench.core.zbuffer.estimate import estimate, estimate_job
 from vkworkbench.core.zbuffer.memory import memory_needed
-from vkworkbench.core.zbuffer.records import INDEX, PIXEL_BYTES, RECORD_BYTES
 from vkworkbench.core.zbuffer.removal import Removal
 from vkworkbench.core.zbuffer.resolution import best_resolution, heaviest
 from vkworkbench.core.zbuffer.sampling import sample
@@ -103,7 +102,7 @@ def test_estimate_is_the_simulation_within_its_error_bar(name, direction):
     assert found.traces == pytest.approx(exact.traces, rel=0.1)
     assert abs(found.traces - exact.traces) < 3 * found.traces_error + 0.01 * exact.traces
     assert found.dexels == pytest.approx(exact.dexels, rel=0.03)
-    assert found.memory_bytes == pytest.approx(exact.memory_bytes, rel=0.1)
+    assert found.memory_bytes == pytest.approx(exact.peak.bytes(), rel=0.1)
 
 
 def test_the_error_bar_holds_as_often_as_it_should():
@@ -166,10 +165,12 @@ def test_only_the_image_counts():
     assert found.traces == pytest.approx(exact.traces, rel=0.03) == 20000
 
 
-def test_memory_is_that_of_the_records():
-    found = estimate(*PATHS["zigzag"][:1], None, tool=FLAT, stock=STOCK, view=View())
-    records = RECORD_BYTES * (found.dexels + found.traces) + PIXEL_BYTES * 800 * 600 + INDEX.itemsize
-    assert found.memory_bytes == pytest.approx(records)
+def test_memory_is_that_by_which_it_is_refused():
+    toolpath, tool = PATHS["zigzag"]
+    found = estimate(toolpath, None, tool=tool, stock=STOCK, view=View())
+    assert found.memory_bytes == memory_needed([Cut(toolpath, tool)], stock=STOCK, view=View())
+    nothing = estimate(path([(0, 0, 50), (9, 0, 50)]), None, tool=tool, stock=STOCK, view=View())
+    assert found.stock_bytes == pytest.approx(nothing.memory_bytes, rel=1e-3) and found.stock_bytes < found.memory_bytes
 
 
 def test_the_explanation_says_how_often_a_pixel_is_cut():

@@ -142,7 +142,7 @@ def test_the_cost_of_a_job_is_that_of_its_operations_in_one_z_buffer(direction):
     view = View(direction, 200, 150)
     expected = estimate_job(cuts, stock=BOX, view=view, speed=Speed())
     z = simulate_job(cuts, stock=BOX, view=view)
-    assert expected.memory_bytes == pytest.approx(z.memory_bytes, rel=0.1)
+    assert expected.memory_bytes == pytest.approx(z.peak.bytes(), rel=0.1)
     alone = [estimate(cut.toolpath, None, tool=cut.tool, stock=BOX, view=view).seconds for cut in cuts]
     assert max(alone) < expected.seconds < sum(alone) * 1.1 and expected.factor == Speed().factor
     one, job = estimate(cuts[0].toolpath, None, tool=FLAT, stock=BOX, view=view), [cuts[0]]

@@ -85,6 +85,6 @@ def finest_image(costs: Sequence[Estimate], **asked: Any) -> Resolution:
 
 
 def most_bytes(task: Task, conditions: Conditions) -> float:
-    """Bound the memory of its records, bytes, in much less time than the estimate takes."""
+    """Bound its memory, bytes, in much less time than the estimate takes."""
     tool, stock = task.cutting
     return most_bytes_of(task.toolpath, tool=tool, stock=stock, view=conditions.view)

@@ -22,7 +22,7 @@ from vkworkbench.core.zbuffer.estimate import Estimate, estimate, estimate_job
 from vkworkbench.core.zbuffer.facts import cuts_air, engagement, removal_rates, removed_volumes, trajectory_table
 from vkworkbench.core.zbuffer.faults import Crash, Plunge, crashes, fast_plunges
 from vkworkbench.core.zbuffer.job_facts import FACT_COLUMNS, CutFacts, JobFacts, facts
-from vkworkbench.core.zbuffer.memory import OverBudget, memory_needed
+from vkworkbench.core.zbuffer.memory import OverBudget, Peak, memory_needed
 from vkworkbench.core.zbuffer.moments import ZBuffer
 from vkworkbench.core.zbuffer.records import DEXEL, RECORD_BYTES, TRACE
 from vkworkbench.core.zbuffer.resolution import Resolution, best_resolution, heaviest, passes_apart
@@ -33,7 +33,7 @@ from vkworkbench.core.zbuffer.speed import Speed, fit_speed, measure_speed
 
 __all__ = [
     "DEXEL", "FACT_COLUMNS", "RECORD_BYTES", "TOLERANCE", "TRACE", "WORK_UNITS", "Crash", "Cut", "CutFacts", "Cuts", "Deviation",
-    "Deviations", "Estimate", "JobFacts", "OverBudget", "Plunge", "Resolution", "SeenModel",
+    "Deviations", "Estimate", "JobFacts", "OverBudget", "Peak", "Plunge", "Resolution", "SeenModel",
     "Source", "Speed", "ZBuffer", "best_resolution", "cauchy_crofton",
     "closed_form", "crashes", "cuts_air", "cuts_surely", "deviations", "engagement", "estimate", "estimate_job",
     "facts", "fast_plunges", "fit_speed", "gouges", "heaviest", "material_left", "may_cut", "measure_speed",

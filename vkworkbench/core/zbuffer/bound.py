@@ -9,8 +9,8 @@ from vkworkbench.core.solids import Convex, Stock
 from vkworkbench.core.stocks import Solid
 from vkworkbench.core.tool import Tool
 from vkworkbench.core.toolpath import Toolpath
-from vkworkbench.core.view import View
-from vkworkbench.core.zbuffer.records import PIXEL_BYTES, RECORD_BYTES
+from vkworkbench.core.view import Frame, View
+from vkworkbench.core.zbuffer.memory import most_bytes_of
 
 _SHALLOW = 1e-3  # mm
 
@@ -37,7 +37,7 @@ def may_cut(toolpath: Toolpath, tool: Tool, stock: Solid) -> bool:
 
 
 def most_bytes(toolpath: Toolpath, *, tool: Tool, stock: Solid, view: View) -> float:
-    """No more bytes than this hold the records of a simulation.
+    """No more bytes than this does a simulation take at its peak, with pictures of it.
 
     A trajectory adds one record to a pixel it passes, two in an oblique view. A convex outline of area A and perimeter P
     holds at most A + P / 2 + 1 points of a lattice of step 1 (Nosarzewska 1948). Seen from above it is that of the tool
@@ -59,24 +59,27 @@ def most_bytes(toolpath: Toolpath, *, tool: Tool, stock: Solid, view: View) -> f
     if not isinstance(stock, Convex):
         return np.inf
     frame = view.frame(stock)
+    return most_bytes_of(_most_cut(toolpath, tool, stock, frame), frame.width * frame.height, len(toolpath))
+
+
+def _most_cut(toolpath: Toolpath, tool: Tool, stock: Convex, frame: Frame) -> float:
+    """No more pieces of rays than this are removed."""
     points, top = toolpath.points, float(stock.upper[2])
     cuts = np.flatnonzero(np.minimum(points[:-1, 2], points[1:, 2]) < top) if len(toolpath) else np.empty(0, int)
     move = points[cuts + 1] - points[cuts]
     pixels, radius = frame.width * frame.height, tool.radius / frame.pixel
-    if not any(view.direction[:2]):
+    if not any(frame.direction[:2]):
         run = np.sqrt(move[:, 0] ** 2 + move[:, 1] ** 2) / frame.pixel
         passed = (2 * radius + 1) * run + np.pi * radius * (radius + 1) + 1
-        records = _on_levels(points[cuts], move, passed, tool, pixels)
-    else:
-        # The tool seen obliquely is no wider than its diameter, and reaches up to the stock's top.
-        height = (top - np.minimum(points[cuts, 2], points[cuts + 1, 2])) / frame.pixel
-        right, up = (
-            sum(np.abs(move[:, axis] * direction[axis]) for axis in range(3)) / frame.pixel + 2 * radius
-            for direction in (frame.right, frame.up)
-        )
-        up += height
-        records = 2 * np.minimum(right * up + right + up + 1, pixels).sum()
-    return RECORD_BYTES * (float(records) + pixels) + PIXEL_BYTES * (pixels + 1)
+        return _on_levels(points[cuts], move, passed, tool, pixels)
+    # The tool seen obliquely is no wider than its diameter, and reaches up to the stock's top.
+    height = (top - np.minimum(points[cuts, 2], points[cuts + 1, 2])) / frame.pixel
+    right, up = (
+        sum(np.abs(move[:, axis] * direction[axis]) for axis in range(3)) / frame.pixel + 2 * radius
+        for direction in (frame.right, frame.up)
+    )
+    up += height
+    return 2 * float(np.minimum(right * up + right + up + 1, pixels).sum())
 
 
 def _on_levels(start: np.ndarray, move: np.ndarray, passed: np.ndarray, tool: Tool, pixels: int) -> float:

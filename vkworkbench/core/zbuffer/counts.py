@@ -9,7 +9,7 @@ import numpy as np
 
 from vkworkbench.core.zbuffer.culling import TILE
 from vkworkbench.core.zbuffer.dexels import UNCUT, Pieces
-from vkworkbench.core.zbuffer.records import GAP, INDEX, PIXEL_BYTES, RECORD_BYTES
+from vkworkbench.core.zbuffer.records import GAP
 from vkworkbench.core.zbuffer.removal import Removal
 from vkworkbench.core.zbuffer.sampling import sample
 from vkworkbench.core.zbuffer.silhouette import seen_areas
@@ -57,16 +57,6 @@ class Counts:
     def records(self) -> float:
         """Dexels, elements of traces and gaps that the z-buffer holds at the end."""
         return self.dexels + self.traces + self.gaps
-
-    @property
-    def stock_bytes(self) -> float:
-        """What the z-buffer of the uncut stock holds."""
-        return RECORD_BYTES * (self.stock + self.gaps) + PIXEL_BYTES * self.pixels + INDEX.itemsize
-
-    @property
-    def memory_bytes(self) -> float:
-        """What the z-buffer holds at the end."""
-        return RECORD_BYTES * self.records + PIXEL_BYTES * self.pixels + INDEX.itemsize
 
 
 def count(removal: Removal) -> Counts:

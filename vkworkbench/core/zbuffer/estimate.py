@@ -34,7 +34,7 @@ class Estimate:
     traces_error : float
         One standard error of `traces`.
     memory_bytes : float
-        Of the z-buffer's records and index.
+        At the simulation's peak, with pictures of it: where that is more than is allowed, it is refused.
     seconds : float
         Time of the whole simulation.
     explanation : str
@@ -46,7 +46,7 @@ class Estimate:
     candidates : float
         Pairs of pixel and trajectory that passes it, whether or not anything is left to cut.
     stock_bytes : float
-        The part of `memory_bytes` that the uncut stock takes.
+        The same of the uncut stock alone.
     trajectory_seconds : float
         The part of `seconds` that no smaller image saves.
     work : Work
@@ -54,7 +54,7 @@ class Estimate:
     speed : Speed
         Of the computer that `seconds` holds for.
     peak : Peak
-        What decides the memory at the simulation's peak, with pictures of it.
+        What decides that memory, in this image and in others.
     cuts : tuple of Cut
         What was estimated, so that it can be estimated together with others; it is not sent to another process.
     stock : Solid or None
@@ -160,22 +160,22 @@ def _estimated(numbered: Cuts, stock: Solid, view: View, speed: Speed, words: st
     frame = fitted(view, stock)
     removal = Removal(numbered, stock, frame)
     counts = count(removal)
-    work = work_of(removal, len(numbered), counts)
+    work, peak = work_of(removal, len(numbered), counts), peak_of(counts, len(numbered), removal)
     return Estimate(
         counts.dexels,
         counts.traces,
         counts.traces_error,
-        counts.memory_bytes,
+        peak.bytes(),
         speed.seconds(work),
         _explain(words, counts.traces, counts.touched),
         view,
         frame.pixel,
         counts.passes,
-        counts.stock_bytes,
+        peak.uncut.bytes(),
         speed.trajectory * len(numbered),
         work,
         speed,
-        peak_of(counts, len(numbered), removal),
+        peak,
         numbered.cuts,
         stock,
     )

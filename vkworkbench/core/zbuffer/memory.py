@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import log2, sqrt
 
 import numpy as np
@@ -13,7 +13,7 @@ from vkworkbench.core.stocks import Mesh, Solid, fitted
 from vkworkbench.core.view import Frame, View
 from vkworkbench.core.zbuffer.counts import Counts, count
 from vkworkbench.core.zbuffer.cuts import Cut, Cuts
-from vkworkbench.core.zbuffer.records import PIXEL_BYTES, RECORD_BYTES
+from vkworkbench.core.zbuffer.records import PIXEL_BYTES, RECORD_BYTES, Records
 from vkworkbench.core.zbuffer.removal import Removal
 from vkworkbench.language import Message, Unusable
 
@@ -82,6 +82,8 @@ class Peak:
     ----------
     records, traces : float
         Pieces of rays, and how many of them are removed, with their errors.
+    stock : float
+        Pieces of the rays of the uncut stock.
     band : float
         Records of the fullest band of the image.
     pixels : int
@@ -94,6 +96,7 @@ class Peak:
 
     records: float
     traces: float
+    stock: float
     band: float
     pixels: int
     trajectories: int
@@ -104,6 +107,11 @@ class Peak:
         shown = growth * (RECORD_BYTES * self.records + _SHOWN * self.traces + _SHOWN_PIXEL * self.pixels)
         shown += _SHOWN_TRAJECTORY * self.trajectories + _SHOWING
         return max(self.cutting(growth), shown)
+
+    @property
+    def uncut(self) -> Peak:
+        """That of the stock where nothing cuts it."""
+        return replace(self, records=self.stock, traces=0.0, band=0.0, trajectories=0)
 
     def cutting(self, growth: float = 1.0) -> float:
         """Return the part of it until all pieces are found."""
@@ -142,7 +150,7 @@ def check_memory(removal: Removal, trajectories: int, allowed: float) -> None:
     OverBudget
     """
     most = _most(removal)
-    if _peak(most, most, most, trajectories, removal).bytes() <= allowed:
+    if _peak(most, most, 0.0, most, trajectories, removal).bytes() <= allowed:
         return  # whatever the rays say
     counts = count(removal)
     peak = peak_of(counts, trajectories, removal)
@@ -171,7 +179,8 @@ def peak_of(counts: Counts, trajectories: int, removal: Removal) -> Peak:
         What is simulated.
     """
     traces = counts.traces + _ERRORS * counts.traces_error
-    return _peak(counts.records + _ERRORS * counts.traces_error, traces, counts.band, trajectories, removal)
+    records, stock = counts.records + _ERRORS * counts.traces_error, counts.stock + counts.gaps
+    return _peak(records, traces, stock, counts.band, trajectories, removal)
 
 
 def in_memory(peak: Peak, allowed: float) -> float:
@@ -202,6 +211,18 @@ def growth_within(taken: Callable[[float], float], allowed: float, least: float)
         middle = (low + high) / 2
         low, high = (middle, high) if taken(2**middle) <= allowed else (low, middle)
     return 2**low
+
+
+def peak_that_was(records: Records, removal: Removal) -> Peak:
+    """Return what decided the memory of a simulation that ended with these records, and of pictures of it."""
+    traces = int(np.count_nonzero(records.cut))
+    return _peak(len(records.far), traces, 0.0, 0.0, records.trajectories, removal)
+
+
+def most_bytes_of(traces: float, pixels: int, trajectories: int) -> float:
+    """Bound the memory of a simulation, and of pictures of it, that removes no more pieces than that, bytes."""
+    records = traces + pixels
+    return Peak(records, traces, 0.0, records, pixels, trajectories, _BAND).bytes()
 
 
 def helpers_within(allowed: float, removal: Removal, trajectories: int) -> int:
@@ -236,9 +257,9 @@ def _most(removal: Removal) -> float:
     return (1 if removal.sine == 0 else 2) * passes + frame.width * frame.height
 
 
-def _peak(records: float, traces: float, band: float, trajectories: int, removal: Removal) -> Peak:
+def _peak(records: float, traces: float, stock: float, band: float, trajectories: int, removal: Removal) -> Peak:
     pixels = removal.frame.width * removal.frame.height
-    return Peak(records, traces, band, pixels, trajectories, _band_work(removal))
+    return Peak(records, traces, stock, band, pixels, trajectories, _band_work(removal))
 
 
 def _band_work(removal: Removal) -> float:

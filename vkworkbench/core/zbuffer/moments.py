@@ -14,6 +14,7 @@ import numpy as np
 
 from vkworkbench.core.view import Frame
 from vkworkbench.core.zbuffer.cuts import Cuts
+from vkworkbench.core.zbuffer.memory import Peak
 from vkworkbench.core.zbuffer.records import Records
 from vkworkbench.core.zbuffer.surface import STOCK, Picture, Surface
 from vkworkbench.given import whole
@@ -38,6 +39,8 @@ class ZBuffer:
     candidates : int
         Pairs of a tile or pixel of the image and a trajectory that the simulation tested; a few more or less where
         several processes shared it.
+    peak : Peak
+        What decided the memory that it took, with pictures of it.
     """
 
     frame: Frame
@@ -46,6 +49,7 @@ class ZBuffer:
     records: Records
     surface: Surface
     candidates: int
+    peak: Peak
 
     @property
     def trajectories(self) -> int:

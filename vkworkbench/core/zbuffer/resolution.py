@@ -10,7 +10,6 @@ from functools import partial
 from vkworkbench.core.view import View
 from vkworkbench.core.zbuffer.estimate import Estimate
 from vkworkbench.core.zbuffer.memory import Peak, growth_within, in_memory, size_of
-from vkworkbench.core.zbuffer.records import PIXEL_BYTES, RECORD_BYTES
 from vkworkbench.given import not_negative, number, of_kind, positive
 from vkworkbench.language import Message, render
 
@@ -131,10 +130,11 @@ def _seconds(estimates: Sequence[Estimate], growth: float) -> float:
 def _together(estimates: Sequence[Estimate]) -> Peak:
     """What decides the memory of all of them in one z-buffer, the stock counted once."""
     peaks = [e.peak for e in estimates]
-    stocks = [e.stock_bytes - PIXEL_BYTES * peak.pixels for e, peak in zip(estimates, peaks)]
+    stocks = [p.stock for p in peaks]
     return Peak(
-        records=sum(p.records for p in peaks) - (sum(stocks) - max(stocks)) / RECORD_BYTES,
+        records=sum(p.records for p in peaks) - (sum(stocks) - max(stocks)),
         traces=sum(p.traces for p in peaks),
+        stock=max(stocks),
         band=sum(p.band for p in peaks),
         pixels=peaks[0].pixels,
         trajectories=sum(p.trajectories for p in peaks),

@@ -13,7 +13,7 @@ from vkworkbench.core.toolpath import Toolpath
 from vkworkbench.core.view import View
 from vkworkbench.core.zbuffer.cut_image import CutImage
 from vkworkbench.core.zbuffer.cuts import Cut, Cuts
-from vkworkbench.core.zbuffer.memory import BUDGET, check_memory, helpers_within
+from vkworkbench.core.zbuffer.memory import BUDGET, check_memory, helpers_within, peak_that_was
 from vkworkbench.core.zbuffer.moments import ZBuffer
 from vkworkbench.core.zbuffer.records import Writer
 from vkworkbench.core.zbuffer.sharing import cut_bands
@@ -99,4 +99,5 @@ def simulate_job(
             writer.append(band)
             candidates += tested
     records = writer.records()
-    return ZBuffer(frame, numbered, len(numbered), records, Surface(records), candidates)
+    peak = peak_that_was(records, image.removal)
+    return ZBuffer(frame, numbered, len(numbered), records, Surface(records), candidates, peak)

@@ -18,6 +18,7 @@ from vkworkbench.core.zbuffer import (
     Deviations,
     Estimate,
     OverBudget,
+    Peak,
     Plunge,
     SeenModel,
     Speed,
@@ -224,8 +225,8 @@ class Refining:
         for done in self._told(view, going_on, finest):
             if isinstance(done, Refined):
                 seconds = time.perf_counter() - self._stage
-                memory = done.simulation.zbuffer.memory_bytes
-                self._course = _Course(share, seconds, memory, self._course, self.speed.processes)
+                peak = done.simulation.zbuffer.peak
+                self._course = _Course(share, seconds, peak, self._course, self.speed.processes)
                 self._largest = self._course.largest(self.time_budget)
             yield done
 
@@ -277,25 +278,28 @@ class _Course:
     ----------
     share : float
         Of the image's side that was simulated.
-    seconds, memory : float
-        What that took, s and bytes.
+    seconds : float
+        How long that took, s.
+    peak : Peak
+        What decided the memory that it took.
     before : _Course, optional
         That of a coarser picture.
     processes : int
         How many cut at once.
     """
 
-    def __init__(self, share: float, seconds: float, memory: float, before: _Course | None, processes: int) -> None:
+    def __init__(self, share: float, seconds: float, peak: Peak, before: _Course | None, processes: int) -> None:
         self._processes = processes
         seconds = unshared_seconds(seconds, processes)
-        self.pixels, self.seconds, self._memory = share**2, seconds, memory / share**2
+        self.pixels, self.seconds, self._peak = share**2, seconds, peak
         pixels, spent = (before.pixels, before.seconds) if before else (0.0, 0.0)
         self._each = max(seconds - spent, 0.0) / (self.pixels - pixels)
         self._fixed = seconds - self._each * self.pixels
 
     def expected(self, share: float) -> tuple[float, float]:
         """Return what an image of such a share takes, s and bytes."""
-        return shared_seconds(self._fixed + self._each * share**2, self._processes), self._memory * share**2
+        seconds = shared_seconds(self._fixed + self._each * share**2, self._processes)
+        return seconds, self._peak.bytes(share**2 / self.pixels)
 
     def largest(self, budget: float) -> float:
         """Return the largest share that takes no longer, s; at most 1, and 0 where there is none."""

@@ -44,7 +44,7 @@ class StateLine(OneLine):
         zbuffer = done.simulation.zbuffer
         self._shown = translate("Vk_Simulate", "{} × {} pixels of {}, {} traces, {}, simulated in {}").format(
             user().count(zbuffer.frame.width), user().count(zbuffer.frame.height),
-            user().measure(zbuffer.frame.pixel, 2), user().count(done.traces), user().memory(zbuffer.memory_bytes),
+            user().measure(zbuffer.frame.pixel, 2), user().count(done.traces), user().memory(zbuffer.peak.bytes()),
             user().time(done.seconds),
         )  # fmt: skip
 
