@@ -34,6 +34,8 @@ def said(text):
     [
         f"O1\n{BEFORE}M97 P1000 L3\nM30\n(STEP)\nN1000 {STEP}M99\n",  # Haas
         f"{BEFORE}M97 P10 L5\nM97 P1000 (STEP)\nm97p1000l2\nM30\nN10 M99\nN1000 {STEP}M99\n%\n",
+        f"O1\n{BEFORE}M98 Q1000 L3\nM30\n(STEP)\nN1000 {STEP}M99\n",  # Fanuc
+        f"O1\n{BEFORE}N20 M98 P2000 Q20 L3\nM30\nO2000\nG20\nN20 {STEP}M99\n",
         f"%\nO1\n{BEFORE}M98 P2000 L3\nM30\nO2000 (STEP)\n{STEP}M99\n%",
         f"%\nO1\n{BEFORE}M98 P32000\nM30\n%\nO2000\n{STEP}M99\n%",
         f"O2000\n{STEP}M99\nO1\n{BEFORE}M98 P0032000\nM30",
@@ -76,7 +78,18 @@ def test_operations_are_divided_within_subprograms_too():
 
 @pytest.mark.parametrize(
     "call",
-    ["M98 P3000", "M98 P2000 Q10", "M98", "M97 P2000", "M198 P2000", "G65 P2000 A1", "M98 P1", "M97 P12345678901"],
+    [
+        "M98 P3000",
+        "M98 P2000 Q10",
+        "M98 P3000 Q10",
+        "M98 Q10",
+        "M98",
+        "M97 P2000",
+        "M198 P2000",
+        "G65 P2000 A1",
+        "M98 P1",
+        "M97 P12345678901",
+    ],
 )
 def test_one_that_is_called_otherwise_or_is_not_there_is_told(call):
     text = f"O1\n{BEFORE}G1 X1\n{call}\nX5\nM30\nO2000\nG91\nM99"

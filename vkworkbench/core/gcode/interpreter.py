@@ -11,6 +11,7 @@ from collections.abc import Callable
 
 from vkworkbench.core.gcode import codes, dialects
 from vkworkbench.core.gcode.blocks import LARGEST_NUMBER, whole
+from vkworkbench.core.gcode.subprograms import calls_block
 from vkworkbench.core.gcode.units import INCH
 from vkworkbench.core.gcode.unread import ROTARY
 from vkworkbench.language import Message
@@ -44,7 +45,7 @@ class Interpreter:
     call : float or None
         The M-code by which the last line calls a subprogram, which whoever has the text runs; None where it calls none.
     calls_blocks : bool
-        Whether what stands behind the end is called from within: Haas' subprograms.
+        Whether what stands behind the end is called from within, by its blocks' numbers.
     """
 
     def __init__(self, problem: Callable[..., None]) -> None:
@@ -215,7 +216,7 @@ class Interpreter:
             return False
         if value == 98 or (value in (97, 198) and "P" in letters):
             self.call = value
-            self.calls_blocks |= value == 97
+            self.calls_blocks |= calls_block(value, letters)
         if value == 99 and (self.deleted or "P" in letters):
             self._problem(Message("jumps-not-followed"))
             return False

@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Where the subprograms of an NC program's text are, which are called by M98 with their number or, on a Haas, by M97 with a block's."""
+"""Where the subprograms of an NC program's text are, which are called by M98 with their number or a block's (Q), by Haas' M97 with a block's."""
 
 from __future__ import annotations
 
 import re
 from bisect import bisect_right
+from collections.abc import Collection
 from functools import cached_property
 
 from vkworkbench.core.gcode.blocks import LARGEST_NUMBER, split_comments, split_words, whole
@@ -14,6 +15,11 @@ _BLOCK = re.compile(r"\s*(?:/\d?\s*)?N\s*(\d{1,8})(?![\d.])", re.IGNORECASE)
 _CALLS = frozenset([("M", 98.0), ("M", 198.0), ("G", 65.0), ("G", 66.0)])  # of the program whose number is the P word
 _CALL_LETTERS = frozenset("PpOo:")  # of calls, and of the programs in which they stand
 _TIMES = 10_000  # P31000 is three times 1000 where there is no 31000
+
+
+def calls_block(m_code: float, letters: Collection[str]) -> bool:
+    """Return whether an M-code calls a block of its own program, by the words beside it."""
+    return m_code == 97 or (m_code == 98 and "Q" in letters and "P" not in letters)
 
 
 class Subprograms:
@@ -65,10 +71,13 @@ class Subprograms:
         caller : int
             Index of the line with the call.
         """
-        if "P" not in words or "Q" in words:  # which tells where within it to begin
+        if "P" not in words and not calls_block(m_code, words.keys()):
             return None
-        number, times, first = whole(words["P"], LARGEST_NUMBER), 1, None
-        if m_code == 97:
+        number, times, first = whole(words.get("P", 0.0), LARGEST_NUMBER), 1, None
+        if m_code == 98 and "Q" in words:  # Fanuc: from that block on, of this program where P names no other
+            head = self._first.get(number) if "P" in words else self._head(caller)
+            first = None if head is None else self._blocks.get((head, whole(words["Q"], LARGEST_NUMBER)))
+        elif m_code == 97:
             first = self._blocks.get((self._head(caller), number))
         elif m_code == 98:  # M198 calls from another place
             if number not in self._first:
