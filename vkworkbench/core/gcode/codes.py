@@ -43,6 +43,7 @@ STATES = (
 # Codes of NC programs.
 # Those that commands keep.
 KEPT = frozenset([*PLANES, CANCEL, ABSOLUTE, ABSOLUTE_CENTRES, RELATIVE, RELATIVE_CENTRES, TO_START, TO_RETRACT_PLANE])
+CENTRES = frozenset([ABSOLUTE_CENTRES, RELATIVE_CENTRES])
 PROBES_OF_PROGRAMS = frozenset([310, *PROBES])
 # Codes whose axis words are no target in the program's coordinates: dwell, data, home, machine coordinates, probes, the
 # end of a mirror (G50.1), of which its beginning (G51.1) tells.
@@ -54,7 +55,8 @@ OFFSETS = NUMBERED_OFFSETS | frozenset([
     5000, *range(5050, 6000, 10),  # of Siemens
 ])  # fmt: skip
 OKUMA_OFFSET = 150  # G15 with an H word; its G54 to G56 H are lengths of tools, also HA to HC, which have no number
-CHANGES_COORDINATES = frozenset([71, 160, 510, 511, 520, 680, 682, 920])
+LOCAL = 520  # shifts the coordinates by its axis words
+CHANGES_COORDINATES = frozenset([71, 160, 510, 511, LOCAL, 680, 682, 920])
 DATA = 100
 INCHES = frozenset([200, 700, 7000])
 UNITS = INCHES | frozenset([210, 710, 7100])

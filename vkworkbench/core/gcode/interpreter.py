@@ -22,6 +22,9 @@ _SETTINGS = frozenset([92, 201, 203, 204, 205, 206])  # of Marlin: its steps, sp
 _OTHERS_M_CODE = 1000  # from here on they are a vendor's own, as Snapmaker's M2000
 _AXES = frozenset("XYZIJKR")
 _LENGTHS = frozenset("XYZIJKRQ")
+_COORDINATES = {"X": "X", "Y": "Y", "Z": "Z"}  # what a word tells, and along which axis
+_OF_CYCLES = {**_COORDINATES, "R": "Z"}
+_OF_ARCS = {**_COORDINATES, "I": "X", "J": "Y", "K": "Z"}  # whose centres are coordinates
 _KNOWN = _LENGTHS | {"F", "S", "P", "L", "H", "D"}
 _MOST_CODES, _MOST_REPEATS = 1000, 10_000
 
@@ -63,6 +66,8 @@ class Interpreter:
         self.offset = 540, 0.0
         self.okuma = False
         self.relative = False
+        self.centred = False  # whether the centres of arcs are coordinates
+        self.shift: dict[str, float] = {}  # of the coordinates along each axis, by G52
         self.feed_mode = codes.PER_MINUTE
         self.spindle = 0.0
         self.per_turn: float | None = None  # the F word under G95
@@ -150,6 +155,13 @@ class Interpreter:
         self._measure_in(unit)
         self._add("G90.1", {})
         return False
+
+    def _shifted(self, mode: int, move: dict[str, float]) -> dict[str, float]:
+        """Return a move from one point to another with its coordinates where G52 leaves them."""
+        along = (
+            _OF_CYCLES if mode in codes.CYCLES else _OF_ARCS if self.centred and mode in codes.ARCS else _COORDINATES
+        )
+        return {letter: value + self.shift.get(along.get(letter, ""), 0.0) for letter, value in move.items()}
 
     def _knows(self, code: int) -> bool:
         """Whether a G-code means in this program what it means elsewhere."""
@@ -242,6 +254,8 @@ class Interpreter:
         """Take a G-code that `linearize` knows."""
         if code in (codes.ABSOLUTE, codes.RELATIVE):
             self.relative = code == codes.RELATIVE
+        elif code in codes.CENTRES:
+            self.centred = code == codes.ABSOLUTE_CENTRES
         elif code == codes.CANCEL:
             self.motion = code
         elif code == 180:
@@ -278,6 +292,9 @@ class Interpreter:
             self._problem(Message("compensation-not-read", name=codes.name_of(code)))
         elif code in codes.SPLINES:  # without a target they are modes
             return True
+        elif code == codes.LOCAL and not letters.isdisjoint("XYZ"):
+            self.shift.update((letter, self.unit * value) for letter, value in words if letter in "XYZ")
+            return True
         elif code in codes.CHANGES_COORDINATES:
             if code != 920 or (self.moved and not letters.isdisjoint("XYZ")):  # before any move it moves nothing
                 self._problem(Message("coordinates-not-changed", name=codes.name_of(code)))
@@ -311,6 +328,8 @@ class Interpreter:
         mode = self.motion
         feed = self._feed(None if apart else parameters.get("F"))
         move = {letter: self.unit * value for letter, value in parameters.items() if letter in _LENGTHS}
+        if self.shift and not self.relative and not apart:
+            move = self._shifted(mode, move)
         if self.pole is not None and not apart:
             move = self._centred(mode, move)
         if not apart and not _KNOWN.issuperset(parameters):
