@@ -41,6 +41,13 @@ def sections(text):
         ("toolDiameter=3.175", None, "endmill", 3.175),
         ("6MM CRB 2FL 19 LOC", None, "endmill", 6),
         ("T4 | 3/8 FLAT ENDMILL | H4", 4, "endmill", 9.525),
+        ("T1 3/8 HSC STUB DRILL", 1, "drill", 9.525),
+        ("T2 - 1/4 3FL ACME 12345 EM", 2, "endmill", 6.35),
+        ("T12 3/8 90 DEG 4FL CHAMFER MILL", 12, "vbit", 9.525),
+        ("T5 1-1/2 TOP FACE MILL", 5, "endmill", 38.1),
+        ("T1 2IN 7FL FLYCUTTER", 1, "endmill", 50.8),
+        ("T9 1/4-20 TAP", 9, "endmill", 6.35),
+        ("5MM DRILL FOR M6 TAP", None, "drill", 5),
         ('T01 = 1/2"  END MILL    03-0086', 1, "endmill", 12.7),
         ("TOOL - 239 DIA. OFF. - 239 LEN. - 239 DIA. - .5", 239, "endmill", 0.5),
         ("T1    CENTR3           DIA.- 3.", 1, "endmill", 3),
@@ -170,6 +177,7 @@ def test_what_is_too_large_or_told_too_long_is_no_tool():
      "T2 - NO. 7 DRILL", "T2 #7 DRILL", "2 0.209 #4 tap drill", "Number 30 drill", "NR.7 BOHRER", "T3 LETTER F DRILL",
      "D DRILL", "T3 D3 H3 FACE MILL", "T11 H11 D11 ENDMILL", "H07 ENDMILL D7", "WERKZEUG 3 FRAESER", "OP 3 ENDMILL",
      "This file uses 4 drill bit sizes.", "T8 90 SPOT DRILL", "#10-24 TAP", "10-32 TAP", "T5 1/4-18 NPT TAP", "T5 10-32 TAP 50MM LONG", "TAP PULLEY 1/4-20",
+     "DRILL FOR M8 TAP", "LETTER F DRILL FOR 5/16-18 TAP", "T3 1/2-13 THREADMILL", "JOB 2 DRILL PIN HOLES", "T1 #4 CARBIDE SPOT DRILL - 20MM L",
      "Feed 500 mm/min", "a story of more than sixty characters about an end mill and a 20 mm plate"],
 )  # fmt: skip
 def test_comments_that_tell_no_tool(comment):
@@ -204,6 +212,8 @@ def test_comments_that_tell_no_tool(comment):
         ("fim do programa", ""), ("_gc_nextgen_svg_id:null", ""), ("Select work offset #1", ""), ("SECTION begin", ""),
         ("Start generation of : 1__FINISH SIDE", "1__FINISH SIDE"), ("Exact Path 0.001 tol.", ""), ("Default cutting", ""),
         ("XY plane", ""), ("Produced by drl2gcode.py", ""), ("feed per minute", ""), ("work coordinate system", ""),
+        ("isPocket: False", ""), ("Generator: aCAM", ""), ("Pocket: outer", "Pocket: outer"), ("unconverted code: SP 1", ""),
+        ("TOOLPATH : Rough the cavity", "Rough the cavity"), ("TOOLPATH WP : World", ""), ("STRATEGY USED : Face", ""),
         ("Laser on", ""), ("Ensure laser off", ""), ("Laser engraving", "Laser engraving"),
         ("Operation 9 of 13 : 2D Contour4", "2D Contour4"), ("(Pocket 1)", "Pocket 1"), ("(safe z)", ""), ("(A) and (B)", "(A) and (B)"),
     ],
@@ -252,6 +262,12 @@ def test_the_tool_that_the_line_of_its_change_tells_stays():
     assert sections(f"T1 M6 (10MM ENDMILL)\nT2 M6\n(5MM DRILL)\n{CUT}") == [("5MM DRILL", 2, 5)]
     assert sections(f"(10MM ENDMILL)\nT1 M6\n(5MM DRILL)\n{CUT}") == [("5MM DRILL", 1, 5)]
     assert sections(f"(10MM ENDMILL)\n(5MM DRILL)\nT1 M6\n{CUT}") == [("10MM ENDMILL", 1, 10)]
+
+
+def test_what_is_told_of_a_tool_that_cuts_nothing_is_not_of_the_next_one():
+    assert sections(f"(10MM ENDMILL)\nT1 M6\nT2 M6\n{CUT}")[0][1:] == (2, None)
+    assert sections(f"T1 M6\n(10MM ENDMILL)\nT2 M6\n{CUT}")[0][1:] == (2, 10)
+    assert sections(f"(10MM ENDMILL)\nT1 M6\nT1 M6\n{CUT}")[0][1:] == (1, 10)
 
 
 def test_at_its_change_a_diameter_alone_is_the_tools():
@@ -412,6 +428,10 @@ def test_what_stands_beside_a_coolant_is_no_title():
     assert [section.title for section in split_sections(read_program(text))] == ["FACE TOP"]
     told = split_sections(read_program("T2 M6 M8 (6 mm end mill)\n" + text))
     assert [section.tool.diameter for section in told] == [6]
+
+
+def test_what_stands_beside_a_dwell_is_no_title():
+    assert sections(f"(FACE TOP)\nG4 P3 (pause in sec)\n{CUT}") == [("FACE TOP", None, None)]
 
 
 def test_what_stands_beside_a_move_is_no_title():

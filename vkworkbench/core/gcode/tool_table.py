@@ -27,7 +27,7 @@ _MM = r"mm(?![a-z\d_])"  # 6mm立铣刀: no space before words in Chinese
 _UNIT = rf"\s*(?P<unit>{_MM}|мм\b|inch(?:es)?\b|in\b\.?|\"|'')?"
 _CHINESE = "[铣钻镗铰]刀|[球角头]刀|钻头|中心钻|丝锥"  # without a space before them
 _MILLING_WORD = (
-    r"end ?mills?(?![a-z])|mill\b|em\b|face ?mills?(?![a-z])|slot ?(?:cutter|drill)|(?<!laser )(?<!plasma )cutter\b|ball ?(?:nose|end)|bull ?(?:nose|end)|v[- ]?bit|"
+    r"end ?mills?(?![a-z])|mill\b|em\b|face ?mills?(?![a-z])|slot ?(?:cutter|drill)|(?<!laser )(?<!plasma )cutter\b|flycutter\b|ball ?(?:nose|end)|bull ?(?:nose|end)|v[- ]?bit|"
     r"engrav\w*\b(?!\s+(?:an?|the)\b)|chamfer\w*|router|bit\b|drills?\b|spot ?drill|reamer|tap\b|crb\b|carbide|"
     r"\w*fr(?:ä|ae|.)ser\b|bohrer|gravier\w*|freza|sverlo|fresa|broca|fraise|foret|frees|фреза|сверло|гравер|"
     + _CHINESE
@@ -57,10 +57,10 @@ _CUTVIEWER = re.compile(
 # Diameter and length, 10 x 72: with as much room before the x as behind it, unlike 2x 6mm.
 _ACROSS = rf"(?:(?:mm|in)?(?:\s+[x×]\s+|[x×])(?:{_FRACTION}|{_NUMBER}))*"
 _WITH_UNIT = rf"(?<![\d.,/])(?<!\bthan ){_SIZE}{_ACROSS}\s*(?P<unit>{_MM}|мм\b|inch(?:es)?\b|in\b|\")"
-_MEASURED = re.compile(_WITH_UNIT, re.IGNORECASE)
+_MEASURED = re.compile(rf"{_WITH_UNIT}(?!\s*(?:l|loc|oal)\b)", re.IGNORECASE)
 # What is measured behind the tool word may be its length as well.
 _NO_LENGTH = re.compile(
-    rf"{_WITH_UNIT}(?!\s*(?:loc\b|lo?ng|length|lang|lg\b|oal\b|deep|depth|shank|stick|holder|corner|rad|cr?\b|pitch))",
+    rf"{_WITH_UNIT}(?!\s*(?:l\b|loc\b|lo?ng|length|lang|lg\b|oal\b|deep|depth|shank|stick|holder|corner|rad|cr?\b|pitch))",
     re.IGNORECASE,
 )
 _SHORT = re.compile(rf"(?<![\w|])D(?P<size>{_NUMBER})(?![\w|])")  # D10; between bars it is an offset
@@ -92,7 +92,7 @@ _THREAD = re.compile(r"thread|gewinde|rosca|filet", re.IGNORECASE)
 _OF_PART = re.compile(r"\b(?:bore|boss|circle|hole|pocket)s?\b|bohrung|tasche", re.IGNORECASE)
 # A number in a table of drills, that of an operation, and of how many sizes there are.
 _OTHER_NUMBER = re.compile(
-    r"(?:#|\b(?:no|nr|op)\b\.?|\bnumber)\s*\d+(?![./\d])|(?<![\d./])\d+(?=(?:\s+\w+){0,2}\s+sizes\b)", re.IGNORECASE
+    r"(?:#|\b(?:no|nr|op|job)\b\.?|\bnumber)\s*\d+(?![./\d])|(?<![\d./])\d+(?=(?:\s+\w+){0,2}\s+sizes\b)", re.IGNORECASE
 )
 # M8 X 1.25, 1/4-20: a thread's diameter, and its pitch or turns per inch. Of a pipe's thread the inches are no measure.
 _TAP = re.compile(r"\btap\b(?!\s*drill)", re.IGNORECASE)
@@ -102,6 +102,10 @@ _METRIC_THREAD = re.compile(
 _INCH_THREAD = re.compile(
     rf"(?<![\d.,/])(?P<size>{_FRACTION})(?=\s*-\s*\d+(?!.*(?:npt|bsp|pipe)).*\btap\b|\s*tap\b)", re.IGNORECASE
 )
+# The drill of the hole for it has another diameter.
+_FOR_TAP = re.compile(r"(?<=drill)\b.*\bfor\b.*\btap\b.*", re.IGNORECASE)
+# T9 3/16 HARVEY EM: behind a tool's number no other fraction stands than its diameter, and that of a thread (1/4-20).
+_NEXT_TO_NUMBER = re.compile(rf"[\s:=-]*(?P<size>{_FRACTION})(?P<across>){_UNIT}(?!\s*-\s*\d)", re.IGNORECASE)
 _IS_TOOL = re.compile(rf"(?<![a-zà-ÿа-я])(?:{_MILLING_WORD})|{_CHINESE}", re.IGNORECASE)
 _CORNER = re.compile(rf"\b(?:CR|corner radius|torus_radius)\s*[=:]\s*(?P<size>{_NUMBER})", re.IGNORECASE)
 _TAPER = re.compile(rf"\bTAPER\s*=\s*(?P<size>{_NUMBER})\s*deg", re.IGNORECASE)
@@ -197,6 +201,10 @@ def _size(comment: str, number: re.Match[str] | None) -> re.Match[str] | None:
     for twice in _DECIMAL.finditer(comment):
         if _also_a_fraction(comment, twice):
             return twice
+    comment = _FOR_TAP.sub("", comment)
+    beside = _NEXT_TO_NUMBER.match(comment, number.end()) if number is not None and is_tool else None
+    if beside and not _TAP.search(comment):
+        return beside
     if number is not None:  # "tool 1 1/4" is no tool of 1 1/4
         comment = f"{comment[: number.start()]}  {comment[number.end() :]}"
     comment = _without_offsets(_OTHER_NUMBER.sub("#", _BARE_ANGLE.sub("", comment)), number)
