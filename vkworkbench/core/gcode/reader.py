@@ -23,7 +23,7 @@ from vkworkbench.core.toolpath import Problem
 from vkworkbench.language import Message
 
 _OKUMA_LETTERS = re.compile(r"(?<![A-Z])([HD])[ABC](?![A-Z\d=])")
-_COOLANT = frozenset([("M", 7.0), ("M", 8.0), ("M", 9.0)])
+_EXPLAINED = frozenset([("M", 7.0), ("M", 8.0), ("M", 9.0), ("G", 4.0)])  # a comment says what coolant, or why it waits
 _HEIDENHAIN_NAME = re.compile(r"(?:N\s*\d+\s*)?%\s*\S+\s+G(7[01])$")  # a program's first line, and its last
 _BLOCK_DELETE = re.compile(r"^(N\s*\d+\s*)?(?:/\d?\s*)+")
 # What asks or unlocks a grbl, and what a Fanuc or Haas prints: nothing of it moves.
@@ -145,7 +145,7 @@ class _Reader:
         if "L" in letters and letters <= {"N", "L", "P"}:  # Siemens calls by L10 P3, Fadal by L0103
             self._problem(Message("subprogram-not-read"))
         if letters.isdisjoint("XYZ") or not letters.isdisjoint("TMO"):
-            if _COOLANT.isdisjoint(words) or not letters.isdisjoint("TO"):  # else it says what coolant that is
+            if _EXPLAINED.isdisjoint(words) or not letters.isdisjoint("TO"):
                 self._keep(comments)
         ended = self.machine.block(self.number, words, letters, deleted=self.deleted)
         if self.calls and not self.deleted:  # also M99 P returns
