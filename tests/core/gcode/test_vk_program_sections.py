@@ -45,6 +45,8 @@ def sections(text):
         ("T2 - 1/4 3FL ACME 12345 EM", 2, "endmill", 6.35),
         ("T12 3/8 90 DEG 4FL CHAMFER MILL", 12, "vbit", 9.525),
         ("T5 1-1/2 TOP FACE MILL", 5, "endmill", 38.1),
+        ("TWISTDRILL D16", None, "drill", 16),
+        ("FACINGTOOL D50", None, "endmill", 50),
         ("T1 2IN 7FL FLYCUTTER", 1, "endmill", 50.8),
         ("T9 1/4-20 TAP", 9, "endmill", 6.35),
         ("5MM DRILL FOR M6 TAP", None, "drill", 5),
@@ -212,6 +214,7 @@ def test_comments_that_tell_no_tool(comment):
         ("fim do programa", ""), ("_gc_nextgen_svg_id:null", ""), ("Select work offset #1", ""), ("SECTION begin", ""),
         ("Start generation of : 1__FINISH SIDE", "1__FINISH SIDE"), ("Exact Path 0.001 tol.", ""), ("Default cutting", ""),
         ("XY plane", ""), ("Produced by drl2gcode.py", ""), ("feed per minute", ""), ("work coordinate system", ""),
+        ("starting rough op", "rough"), ("ending rough op after 15 seconds", ""), ("PASS #1 AT -5 DEPTH", ""), ("MOVING TO FIRST POINT", ""),
         ("isPocket: False", ""), ("Generator: aCAM", ""), ("Pocket: outer", "Pocket: outer"), ("unconverted code: SP 1", ""),
         ("TOOLPATH : Rough the cavity", "Rough the cavity"), ("TOOLPATH WP : World", ""), ("STRATEGY USED : Face", ""),
         ("Laser on", ""), ("Ensure laser off", ""), ("Laser engraving", "Laser engraving"),
@@ -262,12 +265,6 @@ def test_the_tool_that_the_line_of_its_change_tells_stays():
     assert sections(f"T1 M6 (10MM ENDMILL)\nT2 M6\n(5MM DRILL)\n{CUT}") == [("5MM DRILL", 2, 5)]
     assert sections(f"(10MM ENDMILL)\nT1 M6\n(5MM DRILL)\n{CUT}") == [("5MM DRILL", 1, 5)]
     assert sections(f"(10MM ENDMILL)\n(5MM DRILL)\nT1 M6\n{CUT}") == [("10MM ENDMILL", 1, 10)]
-
-
-def test_what_is_told_of_a_tool_that_cuts_nothing_is_not_of_the_next_one():
-    assert sections(f"(10MM ENDMILL)\nT1 M6\nT2 M6\n{CUT}")[0][1:] == (2, None)
-    assert sections(f"T1 M6\n(10MM ENDMILL)\nT2 M6\n{CUT}")[0][1:] == (2, 10)
-    assert sections(f"(10MM ENDMILL)\nT1 M6\nT1 M6\n{CUT}")[0][1:] == (1, 10)
 
 
 def test_at_its_change_a_diameter_alone_is_the_tools():
@@ -430,8 +427,11 @@ def test_what_stands_beside_a_coolant_is_no_title():
     assert [section.tool.diameter for section in told] == [6]
 
 
-def test_what_stands_beside_a_dwell_is_no_title():
+def test_what_stands_beside_a_dwell_or_a_mode_is_no_title():
+    assert sections(f"(FACE TOP)\nG91 (in steps)\nG90 G21 (no more)\n{CUT}") == [("FACE TOP", None, None)]
+    assert sections(f"(FACE TOP)\nG90 G54 (left part)\n{CUT}") == [("left part", None, None)]
     assert sections(f"(FACE TOP)\nG4 P3 (pause in sec)\n{CUT}") == [("FACE TOP", None, None)]
+    assert sections(f"G4 P1 (MSG, change to drill size 1.2 mm)\n{CUT}")[0][2] == 1.2
 
 
 def test_what_stands_beside_a_move_is_no_title():

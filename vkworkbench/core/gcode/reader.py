@@ -17,13 +17,16 @@ from vkworkbench.core.gcode.blocks import split_comments, split_words
 from vkworkbench.core.gcode.interpreter import Interpreter
 from vkworkbench.core.gcode.program import Program
 from vkworkbench.core.gcode.subprograms import PROGRAM_NUMBER, Subprograms
+from vkworkbench.core.gcode.tool_table import tool_told
 from vkworkbench.core.gcode.units import INCH
 from vkworkbench.core.gcode.variables import FLOW, Variables
 from vkworkbench.core.toolpath import Problem
 from vkworkbench.language import Message
 
 _OKUMA_LETTERS = re.compile(r"(?<![A-Z])([HD])[ABC](?![A-Z\d=])")
-_EXPLAINED = frozenset([("M", 7.0), ("M", 8.0), ("M", 9.0), ("G", 4.0)])  # a comment says what coolant, or why it waits
+_COOLANT = frozenset([("M", 7.0), ("M", 8.0), ("M", 9.0)])
+_DWELL = ("G", 4.0)
+_MODES = frozenset(("G", float(code)) for code in (20, 21, 40, 90, 91, 92))
 _HEIDENHAIN_NAME = re.compile(r"(?:N\s*\d+\s*)?%\s*\S+\s+G(7[01])$")  # a program's first line, and its last
 _BLOCK_DELETE = re.compile(r"^(N\s*\d+\s*)?(?:/\d?\s*)+")
 # What asks or unlocks a grbl, and what a Fanuc or Haas prints: nothing of it moves.
@@ -145,8 +148,7 @@ class _Reader:
         if "L" in letters and letters <= {"N", "L", "P"}:  # Siemens calls by L10 P3, Fadal by L0103
             self._problem(Message("subprogram-not-read"))
         if letters.isdisjoint("XYZ") or not letters.isdisjoint("TMO"):
-            if _EXPLAINED.isdisjoint(words) or not letters.isdisjoint("TO"):
-                self._keep(comments)
+            self._keep(comments if not letters.isdisjoint("TO") else _no_explanations(words, comments))
         ended = self.machine.block(self.number, words, letters, deleted=self.deleted)
         if self.calls and not self.deleted:  # also M99 P returns
             ended |= _RETURN.search(code) is not None
@@ -264,3 +266,13 @@ class _Reader:
             machine.first_unit == INCH, machine.first_unit is not None, machine.clues.other_machine(),
             tuple(machine.clues.rotary), problems,
         )  # fmt: skip
+
+
+def _no_explanations(words: list[tuple[str, float]], comments: list[str]) -> list[str]:
+    """Return the comments of a line without those that say what coolant it is, why it waits, or what a mode is."""
+    codes = {word for word in words if word[0] in "GM"}
+    if not _COOLANT.isdisjoint(codes):
+        return []
+    if _DWELL in codes or (codes and codes <= _MODES):  # pcb2gcode waits beside the next tool
+        return [comment for comment in comments if tool_told(comment, inches=False) is not None]
+    return comments

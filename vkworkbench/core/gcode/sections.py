@@ -111,12 +111,6 @@ class _Group:
     told: int | None = None
     known: dict[int, Tool] = field(default_factory=dict)
 
-    def changes_to(self, number: int | None, line: int) -> None:
-        """Take a tool change; what was told before an earlier one, of another tool, is not of this one."""
-        if self.change is not None and self.told is not None and self.told <= self.change and number != self.number:
-            self.tool, self.tool_name, self.told = None, "", None
-        self.change, self.number = line, number
-
 
 def split_sections(program: Program) -> tuple[Section, ...]:
     """Divide a program into its operations, at tool changes and at titles that follow a cut.
@@ -175,7 +169,7 @@ class _Groups:
             if isinstance(mark.what, str):
                 self._comment(mark, mark.what, is_listed=(place, mark.what) in listed)
             else:
-                self.groups[-1].changes_to(mark.number, mark.line)
+                self.groups[-1].change, self.groups[-1].number = mark.line, mark.number
 
     def _comment(self, mark: _Mark, text: str, *, is_listed: bool) -> None:
         told = tool_told(text, inches=self._program.inches, of=self._changes.get(mark.line))

@@ -14,6 +14,7 @@ _TITLED = re.compile(
     re.IGNORECASE,
 )
 _BEFORE_TOOL = re.compile(r"(\S.*?) - milling - tool: \d+ - ", re.IGNORECASE)  # Fusion for Marlin
+_STARTING = re.compile(r"starting (\S.*) op$")  # Kiri:Moto
 # Comments that are no titles: what post processors say of themselves, the machine, modes, and moves in an operation.
 _REMARK = re.compile(
     r"""
@@ -25,7 +26,7 @@ _REMARK = re.compile(
     | .*(?:主轴|冷却|切削液|程序|延时|暂停|补偿|坐标|回零|返回|原点|抬刀|换刀|退刀|快速|安全|进给|转速|取消|设置|设定|单位|公制|英制)
     | pcb2gcode\b | high\s+up\s+down\b | (?:generator|shape)\s*= | generator: | [\w-]+\s*:\s*(?:true|false)$ | end\ cutting\ path\b | it\ is\b
     | [XYZ]{2}\ plane\b | exact\ path\b | default\ cutting$ | feed\ per\b | work\ coordinate\b | select\b.*\b(?:plane|coordinate\ system|work\ offset)\b
-    | toolpath\ wp\b | strategy\ used\b | unconverted\ code\b
+    | toolpath\ wp\b | strategy\ used\b | unconverted\ code\b | pass\ \#?\d+\ at\b | moving\ to\b | ending\ .*\ op\b
     | block-\w+\s*: | (?=.*\d)[0-9a-f]{6}$ | [\w\ ]*(?:height\ offset|comp|css|compressor)\ o(?:n|ff)$
     | (?:ranges|tools)\ table$ | .*\b(?:press|make\ sure)\b.*\b(?:cycle\ start|spindle|button|key|running)\b
     | begin\ drilling$ | (?:section|start|stop|job|operation|epilogue)\ (?:begin|end)$ | optional\ stop\b | axis,
@@ -51,7 +52,7 @@ def title_of(comment: str) -> str:
     text = comment.strip(" *-=#;:\t")
     if re.fullmatch(r"\([^()]*\)", text):  # behind a semicolon
         text = text[1:-1].strip()
-    titled = _TITLED.match(text) or _BEFORE_TOOL.match(text)
+    titled = _TITLED.match(text) or _BEFORE_TOOL.match(text) or _STARTING.match(text)
     if titled:
         return titled[1].strip()
     return "" if not text or _REMARK.match(text) else text
