@@ -71,6 +71,9 @@ _COMPENSATION = re.compile(r"\bcomp(?:ensation)?\b|\bregister\b", re.IGNORECASE)
 _SEVERAL = re.compile(r"\bsizes\b", re.IGNORECASE)
 _LENGTH_OFFSET = re.compile(r"(?<!\w)H(\d{1,8})\b")
 _TOGETHER = re.compile(r"(?<=\btool)(?=Dia|Radius)")  # toolDiam: 0.125
+_IN_BOTH = re.compile(
+    r"(?<![\d.])(?P<mm>\d+(?:\.\d+)?\s*mm)\s*/\s*(?P<inches>\d*\.\d+)(?!\d|\s*mm)", re.IGNORECASE
+)  # 11mm / .433
 _FLUTES = re.compile(r"\b\d+\s*-?\s*fl(?:utes?)?\b", re.IGNORECASE)
 _LISTED = re.compile(r"\s*T\d+\s*(?:[|:=]|[\d.]+mm\s+[\d.]+in\b)", re.IGNORECASE)
 _LONGEST, _LONGEST_NAME = 200, 60  # characters; longer comments are prose that mentions a size in passing
@@ -181,8 +184,14 @@ def number_named(comment: str) -> int | None:
 
 
 def _spaced(comment: str) -> str:
-    """Return a comment with its words apart, without the numbers of flutes."""
-    return _FLUTES.sub("", _TOGETHER.sub(" ", comment.replace("_", " ")))
+    """Return a comment with its words apart, without the numbers of flutes, and a size once."""
+    return _IN_BOTH.sub(_in_mm, _FLUTES.sub("", _TOGETHER.sub(" ", comment.replace("_", " "))))
+
+
+def _in_mm(both: re.Match[str]) -> str:
+    """Return a size that stands in mm and in inches in mm alone, two other numbers as they are."""
+    mm, from_inches = float(both["mm"][:-2]), float(both["inches"]) * INCH
+    return both["mm"] if abs(from_inches - mm) < 0.02 * mm else both[0]
 
 
 def _size(comment: str, number: re.Match[str] | None) -> re.Match[str] | None:
