@@ -191,6 +191,7 @@ def circles(graph: dict[str, set[str]]) -> Iterator[str]:
 FILES = read(PACKAGE)
 
 
+@pytest.mark.long
 def test_no_import_goes_wrong():
     assert list(offences(FILES)) == []
 
@@ -252,6 +253,7 @@ def offences_of_tests(tests: dict[str, str], benchmarks: set[str]) -> Iterator[s
 BENCHMARKS = {"benchmarks", *(path.stem for path in (ROOT / "benchmarks").glob("*.py"))}
 
 
+@pytest.mark.long
 def test_tests_import_no_benchmark_and_nothing_past_a_face():
     assert list(offences_of_tests(read("tests"), BENCHMARKS)) == []
     line = "def f():\n    import {}\n"

@@ -36,6 +36,7 @@ def same_angle(a, b):
     return np.abs(np.exp(1j * np.asarray(a)) - np.exp(1j * np.asarray(b))).max(initial=0.0) < 1e-6
 
 
+@pytest.mark.long
 @given(vectors, st.floats(-PI, PI), st.floats(0.01, 100), st.tuples(st.floats(-1e3, 1e3), st.floats(-1e3, 1e3)))
 def test_moving_turning_and_scaling_keep_phi(vectors, angle, scale, shift):
     points = polyline(vectors)

@@ -22,6 +22,7 @@ FAILED = {
 }
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("first", range(0, 200, 50))
 def test_random_programs(first):
     failures = {seed: result.outcome for seed in range(first, first + 50) if (result := fuzz.feed(seed)).failed}

@@ -102,6 +102,7 @@ def found_in(build, seed):
     return recognize(linearize(build(np.random.default_rng(seed))), tool_diameter=6.0)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("kind, build", [(kind, build) for kind, _, build in synthetic.SAMPLES])
 def test_real_reasons_in_every_language(kind, build):
     for seed in range(3):

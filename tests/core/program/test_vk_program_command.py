@@ -89,6 +89,7 @@ def rows_of(path):
     return list(csv.DictReader(open(path, newline="", encoding="utf-8")))
 
 
+@pytest.mark.long
 def test_a_table_for_each_program(folder, inside):
     done = run(folder, "--jobs", 2)
     assert done.returncode == 1
@@ -117,6 +118,7 @@ def test_a_program_of_rapids_was_read(tmp_path, inside):
     assert "empty" in done.stdout
 
 
+@pytest.mark.long
 def test_results_as_csv_and_as_json_lines(folder, tmp_path, inside):
     assert inside(folder, "--csv", tmp_path / "out.csv").returncode == 1
     rows = rows_of(tmp_path / "out.csv")
@@ -131,6 +133,7 @@ def test_results_as_csv_and_as_json_lines(folder, tmp_path, inside):
     assert line == expected
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("kind", ["--csv", "--json-lines"])
 def test_it_goes_on_where_it_was_stopped(folder, tmp_path, kind, inside):
     out = tmp_path / "out"
@@ -264,6 +267,7 @@ def test_a_time_longer_than_threads_can_wait(folder):
     assert str(row.strategy) == "zigzag"
 
 
+@pytest.mark.long
 def test_after_a_program_that_is_given_up_the_next_is_read(folder, endless):
     late, other = apart_in_a_thread((endless, 0.5), (folder / "a.nc", 60.0))
     assert late.error == "given up after 500 ms" and not late.counted
@@ -333,6 +337,7 @@ def test_a_process_that_dies_costs_only_its_program(tmp_path):
     assert str(alive.strategy) == "zigzag"
 
 
+@pytest.mark.long
 def test_ctrl_c_ends_it_with_all_its_processes(folder, tmp_path, endless):
     out = tmp_path / "out.csv"
     heard = ["env", "--default-signal=INT"]  # a shell's background jobs, and so these tests, may ignore it
@@ -363,6 +368,7 @@ def test_who_stops_it_is_told_how_it_goes_on(folder, tmp_path, inside, monkeypat
         assert done.returncode == 130 and done.stderr.splitlines()[-1] == f"Stopped after 0 of 6 files{goes_on}."
 
 
+@pytest.mark.long
 def test_a_reader_that_goes_away_is_no_error(folder):
     process = subprocess.Popen(command(folder), cwd=ROOT, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
     process.stdout.close()
@@ -370,6 +376,7 @@ def test_a_reader_that_goes_away_is_no_error(folder):
     assert process.wait(60) == 130
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("closed", [">&-", "2>&-", ">&- 2>&-"])
 def test_a_closed_output_costs_nothing_else(folder, tmp_path, closed):
     asked = shlex.join([*command(folder / "a.nc"), "--csv", str(tmp_path / "a.csv")])
@@ -378,6 +385,7 @@ def test_a_closed_output_costs_nothing_else(folder, tmp_path, closed):
     assert len((tmp_path / "a.csv").read_text().splitlines()) == 2
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("kind", [(), ("--csv", "-"), ("--json-lines", "-")])
 def test_an_output_that_is_full_is_told_in_one_line(folder, kind):
     with open("/dev/full", "wb") as full:
@@ -386,6 +394,7 @@ def test_an_output_that_is_full_is_told_in_one_line(folder, kind):
     assert done.stderr == "vkworkbench: cannot write the standard output: No space left on device\n"
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("kind", ["--csv", "--json-lines"])
 def test_a_disk_that_is_full_is_told_in_one_line_and_resumed(folder, tmp_path, kind, inside):
     whole, out = tmp_path / "whole", tmp_path / "out"
@@ -405,6 +414,7 @@ def test_a_disk_that_is_full_is_told_in_one_line_and_resumed(folder, tmp_path, k
         out.unlink()
 
 
+@pytest.mark.long
 def test_names_that_are_no_utf8(tmp_path, inside):
     (tmp_path / "a.nc").write_text(PROGRAM)
     os.rename(tmp_path / "a.nc", os.fsencode(tmp_path) + b"/fr\xe4sen.nc")
@@ -469,6 +479,7 @@ def test_the_same_on_a_dask_cluster(folder, tmp_path, inside, endless, scheduler
     assert len(started) == 2 and all(started.values())  # both had something to do
 
 
+@pytest.mark.long
 def test_no_scheduler_is_said(folder):
     pytest.importorskip("distributed", reason="python3-distributed is not installed: --scheduler is not tested")
     done = run(folder, "--scheduler", "nonsense://nowhere")
@@ -479,6 +490,7 @@ def test_no_scheduler_is_said(folder):
     )
 
 
+@pytest.mark.long
 def test_dask_is_loaded_for_a_cluster_only(folder):
     code = "import sys; from vkworkbench.program import main; main(sys.argv[1:]); print('distributed' in sys.modules)"
     done = subprocess.run([sys.executable, "-c", code, str(folder / "a.nc")], cwd=ROOT, capture_output=True, text=True)

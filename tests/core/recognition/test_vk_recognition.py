@@ -45,6 +45,7 @@ def rings(count=6, step=3.0, linked=True):
 OPEN = {"spiral clipped": pytest.mark.xfail(strict=True)}
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(
     "label, accepted, make", [pytest.param(*s, id=s[0], marks=OPEN.get(s[0], ())) for s in synthetic.SAMPLES]
 )

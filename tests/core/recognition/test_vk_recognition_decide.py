@@ -98,11 +98,13 @@ def test_a_few_holes_do_not_speak_for_a_path_that_machines_nothing():
     assert recognize(path).strategy is Strategy.UNKNOWN
 
 
+@pytest.mark.long
 def test_little_of_what_machines_something_is_unknown():
     found = [recognize(path_of(make, seed)).strategy for _, _, make in synthetic.SAMPLES for seed in range(2)]
     assert np.mean([strategy is Strategy.UNKNOWN for strategy in found]) < 0.05
 
 
+@pytest.mark.long
 def test_a_reason_names_the_strategy_it_speaks_for():
     paths = [path_of(make, 31) for _, _, make in synthetic.SAMPLES]
     paths += [linearize(nonsense.commands(kind, np.random.default_rng(5))) for kind in nonsense.KINDS]

@@ -162,6 +162,7 @@ def programs_of_arcs(turns, radius, pitch):
     return {"contour-parallel": start + circles, "helix": programs.helix(turns, radius, pitch)}
 
 
+@pytest.mark.long
 @given(st.integers(4, 9), st.floats(4, 30), st.floats(0.3, 3), st.floats(1e-3, 0.2))
 def test_the_tolerance_of_arcs(turns, radius, pitch, tolerance):
     for name, commands in programs_of_arcs(turns, radius, pitch).items():
@@ -192,6 +193,7 @@ def test_the_start_of_nested_contours(loops, sides, start, step):
     assert [(f.strategy.value, f.sense, f.passes) for f in found] == [("contour-parallel", "ccw", loops)] * 2
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("short", [0.013, 0.0157, 0.0176, 0.0195, 0.024])
 @given(st.integers(3, 9), st.integers(3, 12), angles)
 @settings(max_examples=25)

@@ -113,6 +113,7 @@ def test_a_tool_change_parts_whichever_side_is_longer(pair, sizes, turned):
     assert found.strategy is Strategy.MIXED
 
 
+@pytest.mark.long
 @every
 @pytest.mark.parametrize("border", [("M6", {"T": 2.0}), ("(the second)", {})])
 @pytest.mark.parametrize("depth", [0.0, -0.3, -2.0])

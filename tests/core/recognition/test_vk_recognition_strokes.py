@@ -18,6 +18,7 @@ from vkworkbench.core.recognition.spurs import without_spurs
 SEEDS = 8
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("seed", range(SEEDS))
 @pytest.mark.parametrize("label, accepted, make", [pytest.param(*s, id=s[0]) for s in SAMPLES])
 def test_what_they_are(label, accepted, make, seed):

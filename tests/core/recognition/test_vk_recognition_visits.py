@@ -38,6 +38,7 @@ def after(first, second):
     return replace(path, comments=(), tool_changes=np.empty(0, np.int64))
 
 
+@pytest.mark.long
 def test_most_pairs_of_operations_are_told_apart():
     right = wrong = 0
     for one, first in DIFFERENT.items():

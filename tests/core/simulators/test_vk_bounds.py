@@ -17,6 +17,7 @@ from vkworkbench.language import Unusable
 STOCK = Stock((-10, -10, -20), (60, 60, 0))
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("tool, stock", [
     (Tool("endmill", 1e6), STOCK), (Tool("ballend", 1e6), STOCK), (Tool("endmill", 1e-12), STOCK), (Tool("vbit", 1e5), STOCK),
     (Tool("endmill", 5), Stock((0, 0, -2e-5), (2e-5, 2e-5, 0))), (Tool("drill", 5), Stock((0, 0, -1e-6), (1e-6, 1e-6, 0))),

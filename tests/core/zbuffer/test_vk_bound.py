@@ -13,6 +13,7 @@ from vkworkbench.core.zbuffer import bound, cuts_surely, may_cut, most_bytes
 TOOLS = [Tool("endmill", 5), Tool("ballend", 6), Tool("vbit", 8, tip_angle=np.pi / 2)]
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("tool", TOOLS, ids=lambda tool: tool.shape)
 @pytest.mark.parametrize("direction", [(0, 0, -1), (1, 1, -1), (0, 1, 0)])
 def test_no_simulation_holds_more_than_the_bound(tool, direction):

@@ -239,6 +239,7 @@ ROUGH = Stock((-1, -1, 0), (41, 31, 10))
 IMAGES = [((0, 0), 0.2), ((-3, 0), 0.02), ((4, -5), 0.05), ((10, 4), 0.05)]
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("direction", VIEWS)
 @pytest.mark.parametrize("offset, pixel", IMAGES)
 def test_the_sound_part_is_not_gouged(direction, offset, pixel):
@@ -247,6 +248,7 @@ def test_the_sound_part_is_not_gouged(direction, offset, pixel):
     assert gouges(z, deviations(z, PART), 0.1) == []
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("direction", VIEWS)
 @pytest.mark.parametrize("offset, pixel", IMAGES)
 @pytest.mark.parametrize("guilty", [0, 3])
@@ -290,6 +292,7 @@ def test_who_is_guilty_of_what_lies_behind_a_gap_of_the_stock():
     assert early.depth == pytest.approx(4) and early.trajectory is None
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("direction, seen", list(zip(VIEWS, (1, 1, 1, 0.7, 1))))
 def test_a_wall_that_is_cut_too_far_is_gouged_by_that_and_not_by_its_height(direction, seen):
     """A step of 8 mm, whose wall is cut 1 mm too far. From behind only the missing edge is seen, across its width."""
@@ -299,6 +302,7 @@ def test_a_wall_that_is_cut_too_far_is_gouged_by_that_and_not_by_its_height(dire
     assert gouge.depth == pytest.approx(seen, abs=z.frame.pixel)
 
 
+@pytest.mark.long
 def test_what_is_left_in_a_corner_is_what_the_tool_does_not_reach_and_not_its_height():
     """In the square corner of a pocket 8 mm deep a tool of 6 mm leaves (sqrt(2) - 1) times its radius."""
     square = Milled(Stock((0, 0, 0), (40, 30, 10)), Stock((10, 10, 2), (30, 20, 20)))
@@ -326,6 +330,7 @@ THROUGH = Milled(BOX, Cylinder((20, 15, -1), 4, 20))
 DRILL = Tool("endmill", 8)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("direction", VIEWS)
 @pytest.mark.parametrize("forgotten", [True, False])
 def test_a_hole_through_the_model_that_was_not_drilled_is_left(direction, forgotten):
@@ -360,6 +365,7 @@ def test_what_is_left_in_holes_through_the_model():
     assert left(model=Milled(BOX, Stock((10, 8, -1), (30, 40, 20)))) == []
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("pixels", [450, 600, 900])
 @pytest.mark.parametrize("diameter", [1.5, 3.175])
 def test_what_falls_out_of_a_sheet_is_not_left_where_a_pixel_is_as_wide_as_the_slot_around_it(diameter, pixels):

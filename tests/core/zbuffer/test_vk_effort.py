@@ -169,6 +169,7 @@ def test_tiles_whose_long_ones_take_little_are_all_taken():
     assert effort._drawn(some, weight, cost, 50, np.random.default_rng(1)) == (some, weight)
 
 
+@pytest.mark.long
 def test_where_trajectories_crowd_enough_tiles_are_looked_at(monkeypatch):
     """Loops as of adaptive clearing, obliquely: thousands pass each of a few tiles, and one or two drawn were off by 1.7."""
     turn = np.linspace(0, 2 * pi, 24, endpoint=False)

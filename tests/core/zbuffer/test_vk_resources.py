@@ -92,6 +92,7 @@ PATHS = {
 }
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("direction", [TOP, TILTED, ISOMETRIC], ids=["top", "tilted", "isometric"])
 @pytest.mark.parametrize("name", PATHS)
 def test_estimate_is_the_simulation_within_its_error_bar(name, direction):
@@ -138,6 +139,7 @@ def test_counts_grow_as_the_number_of_pixels():
     assert fine.dexels == pytest.approx(9 * coarse.dexels, rel=1e-3)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("width", [0.3, 0.5, 0.8, 1.0, 2.0])
 @pytest.mark.parametrize("direction", [TOP, (0, 1, 0), TILTED, ISOMETRIC], ids=["top", "front", "tilted", "isometric"])
 def test_the_error_bar_knows_the_pixel(width, direction):
@@ -330,6 +332,7 @@ def test_candidate_pixels(direction):
     assert found.candidates == pytest.approx(exact.candidates, rel=0.08)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("direction", [TOP, TILTED], ids=["top", "tilted"])
 def test_the_work_of_a_job_is_that_of_all_its_operations(direction):
     """Operations of many moves do not hide those of few in other places."""
@@ -340,6 +343,7 @@ def test_the_work_of_a_job_is_that_of_all_its_operations(direction):
     assert 4 * np.sum(found.pairs) + sum(found.cells) == pytest.approx(exact.candidates, rel=0.15)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("direction", [TOP, TILTED], ids=["top", "tilted"])
 @pytest.mark.parametrize("names", [("zigzag",), ("surface",), ("helix",), ("zigzag", "surface", "helix")])
 def test_the_work_is_that_of_the_simulator(names, direction, monkeypatch):

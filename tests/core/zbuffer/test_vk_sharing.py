@@ -81,6 +81,7 @@ def hollow():
     return Mesh(np.concatenate((outer, outer * 0.5 + (10, 7, 2))))
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("view", [View((0, 0, -1), 300, 200), WIDE, View((1, 0.5, -0.3), 130, 70)], ids=str)
 @pytest.mark.parametrize("stock", [BOX, hollow()], ids=["box", "hollow"])
 def test_the_records_are_those_of_one_process(view, stock, workers):
@@ -130,6 +131,7 @@ def test_what_a_process_has_no_memory_to_take_is_done_by_this_one(monkeypatch):
             assert same(alone, simulate(path, **solids, processes=3))
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("regions", [0, 2])
 def test_what_a_process_that_dies_had_to_do_is_done_by_others(regions, workers, monkeypatch):
     """Once as soon as it is ready, once in the middle of its work."""

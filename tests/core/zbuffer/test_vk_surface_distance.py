@@ -42,6 +42,7 @@ def plane(rng, height, width):
     return np.add.outer(np.arange(height) * rng.uniform(-1, 1), np.arange(width) * rng.uniform(-1, 1))
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("surface", [smooth, terraces, spikes, plane])
 @pytest.mark.parametrize("seed", range(8))
 def test_the_farthest_of_random_surfaces(surface, seed):
@@ -61,6 +62,7 @@ def test_the_farthest_of_random_surfaces(surface, seed):
     assert farthest(front, behind, pixels, pixel, 1.0001 * wanted[pixels].max()) is None
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("size", [40, 400])
 def test_what_is_far_from_everything_is_found_soon(size, monkeypatch):
     """Between a disc and a larger one, both high: the nearest is at one of their edges, hundreds of pixels away."""

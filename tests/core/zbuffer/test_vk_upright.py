@@ -50,6 +50,7 @@ def opened(tool, slope, along, aside, extent, half_run):
     return DEPTH - (slope * t + tool.height(np.hypot(x - t, y))).min(axis=0)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("slope", SLOPES)
 @pytest.mark.parametrize("tool", TOOLS, ids=str)
 def test_no_point_of_a_square_is_opened_deeper_than_is_said_and_none_less_deep(tool, slope):

@@ -151,6 +151,7 @@ def test_hole_volume_in_every_view(tool, view):
     assert z.part_volume + z.chip_volume == pytest.approx(z.at(0).part_volume, rel=1e-5)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("tool", TOOLS, ids=lambda t: t.shape)
 @pytest.mark.parametrize("move", [(20, 10, 0), (18, -8, 3), (-15, 4, -5), (0.5, 0.2, -5)], ids=str)
 def test_one_move_has_one_volume_whatever_the_view(tool, move):

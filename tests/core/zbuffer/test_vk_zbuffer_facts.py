@@ -41,6 +41,7 @@ def cut(points, rapid=(), direction=(0, 0, -1)):
     return simulate(path, tool=FLAT, stock=STOCK, view=View(direction))
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("direction", DIRECTIONS)
 def test_each_trajectory_removes_its_own(direction):
     z = cut([(10, 15, 12), (10, 15, 6), (30, 15, 6), (10, 15, 6), (10, 15, 4)], direction=direction)
@@ -69,6 +70,7 @@ def test_air_is_what_removes_nothing():
     assert facts(nothing).job.air_length_share == 0
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("direction", DIRECTIONS)
 def test_a_rapid_through_the_stock_is_found(direction):
     sound = [(10, 15, 12), (10, 15, 6), (20, 15, 6), (20, 15, 12)]
@@ -205,6 +207,7 @@ def test_a_rapid_down_into_a_round_slot_only_touches_what_chords_left_of_its_wal
     assert crashed(x, y, -2.005) == crashed(1.005 * x, 1.005 * y, -1.9) == [down]
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(
     "tool",
     [
@@ -241,6 +244,7 @@ def test_a_rapid_along_a_round_groove_only_touches_what_chords_left_of_its_flank
     assert min(crashes_along(10 + aside, -2), crashes_along(10 - aside, -2), crashes_along(10, -2 - aside)) > 0
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("tool", [FLAT, Tool("ballend", 6)], ids=["flat", "ball"])
 @pytest.mark.parametrize("plane, axis, centre", [("G18", "X", "I"), ("G19", "Y", "J")])
 @pytest.mark.parametrize("direction", [(0, 0, -1), (-1, 1, -1)])
@@ -289,6 +293,7 @@ def plunges(points, feed=6.0, allowed=2.0, tool=FLAT, stock=STOCK, view=None):
     ]
 
 
+@pytest.mark.long
 def test_plunges_that_are_too_fast():
     down = [(20, 15, 12), (20, 15, 8)]
     assert plunges(down) == plunges(down, feed=2.03) == plunges(down, feed=0.6, allowed=0.5) == [0]
@@ -325,6 +330,7 @@ def test_what_a_tool_displaces(tool, volumes):
     assert _displaced(tool, np.array([0.0, 1.0, 2.0, 5.0])) == pytest.approx([0, *volumes], rel=2e-3)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("tool", [tool for tool, _ in VOLUMES], ids=NAMES)
 @pytest.mark.parametrize("direction", [(0, 0, -1), (0, 0, 1), (0, 1, -1), (0, 1, 0)])
 @pytest.mark.parametrize("depth", [1, 2, 5])

@@ -144,6 +144,7 @@ def test_a_gouge_through_all_of_the_part_is_told_at_the_end_of_the_model(directi
     assert one.place[2] == pytest.approx(0 if direction[2] < 0 else 8)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("aside", [0, 1, -1])
 def test_what_the_raw_stock_lacks_is_no_gouge_of_what_is_cut_rightly_behind_it(aside):
     """The stock is 2 mm too low; obliquely one sees through the missing rim of the model into a slot beside it."""

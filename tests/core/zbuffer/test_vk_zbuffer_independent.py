@@ -67,6 +67,7 @@ def owners(points, tool, at):
     return owner
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("tool", TOOLS, ids=str)
 @pytest.mark.parametrize("kind", ["level", "free", "plunges", "helix"])
 def test_every_point_has_the_same_owner(tool, kind):

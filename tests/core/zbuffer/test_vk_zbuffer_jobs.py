@@ -26,6 +26,7 @@ NOISE = 1e-7  # mm
 BALLS = [Tool("ballend", 6), Tool("ballend", 2.5)]
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("seed", range(36))
 def test_a_job_is_every_trajectory_tried_on_every_ray(seed):
     rng = np.random.default_rng(seed)
@@ -46,6 +47,7 @@ def test_a_job_is_every_trajectory_tried_on_every_ray(seed):
 CHAMFERS = [Tool("vbit", 6, tip_angle=pi / 2, tip_diameter=2), Tool("vbit", 5, tip_angle=0.7, tip_diameter=0.4)]
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("seed", range(27))
 def test_culling_drops_nothing_that_flat_tipped_cones_cut(seed):
     """Against rays that are tried with all trajectories whose box they pass."""

@@ -35,6 +35,7 @@ def same(one, two):
             assert (neighbours | (np.abs(one_.astype(float) - two_) <= NOISE)).all(), name
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("path", PATHS, ids=lambda p: p.__name__)
 @pytest.mark.parametrize("tool", TOOLS, ids=str)
 def test_the_same_dexels_and_traces(path, tool):

@@ -47,6 +47,7 @@ def ball(middle, radius, parts=12):
 HOLLOW = np.concatenate((box((0, 0, 0), (25, 30, 10)), box((5, 10, 3), (20, 20, 7)), box((30, 0, 0), (40, 30, 10))))
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("direction", DIRECTIONS)
 def test_a_mesh_of_a_box_is_the_box(direction):
     rng = np.random.default_rng(3)
@@ -71,6 +72,7 @@ def test_holes_are_holes_from_the_start(direction):
         assert z.dexels * z.frame.pixel**2 == pytest.approx(35 * 30 + 15 * 10, rel=0.02)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("seed", range(18))
 def test_a_mesh_is_cut_as_every_trajectory_on_every_ray_cuts_it(seed):
     """Its inside from the crossings of ray and triangle, one pair after the other (Moeller and Trumbore 1997)."""
@@ -182,6 +184,7 @@ def test_a_cylinder_is_round(direction, prism):
     assert removed_volumes(one) == pytest.approx(removed_volumes(two), rel=0.01, abs=2)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("direction", DIRECTIONS)
 @pytest.mark.parametrize("stock", [Cylinder((20, 15, 1), 14, 9), Mesh(HOLLOW)], ids=["cylinder", "hollow"])
 def test_the_estimate_knows_the_stock(stock, direction):
@@ -229,6 +232,7 @@ def test_the_memory_of_a_mesh_with_gaps(direction, pieces):
     assert told.peak.records + 128 * 128 == pytest.approx(true.peak.records + 128 * 128, rel=0.05)
 
 
+@pytest.mark.long
 def test_gaps_are_refused_that_take_too_much():
     moves, view = toolpath(np.array([(10, 20, 12), (50, 20, 12)], float)), View((0, 1, 0), 600, 400)
     solids = {"tool": TOOLS[0], "view": view}
