@@ -592,6 +592,23 @@ def comb(rng):
     return p.commands
 
 
+def star(rng, *, drawn=False):
+    """The outline of a star; or one drawn with a single stroke from corner to corner, which crosses itself."""
+    p, corners, radius = Program(rng), int(rng.integers(5, 17)), rng.uniform(10, 40)
+    if drawn:
+        strides = [k for k in range(2, (corners + 1) // 2) if math.gcd(k, corners) == 1]
+        corners, strides = (corners, strides) if strides else (5, [2])
+        angle = np.arange(corners) * 2 * np.pi * int(rng.choice(strides)) / corners
+        radii = np.full(corners, radius)
+    else:
+        angle = np.arange(2 * corners) * np.pi / corners
+        radii = radius * np.resize([1.0, rng.uniform(0.35, 0.8)], 2 * corners)
+    angle = angle + rng.uniform(0, 2 * np.pi)
+    for z in depths(rng, 3):
+        p.cut(closed(radii[:, None] * np.column_stack([np.cos(angle), np.sin(angle)])), z)
+    return p.commands
+
+
 def plain_letters(rng):
     """Letters of straight strokes, all upright alike."""
     p, size = Program(rng), rng.uniform(4, 15)
@@ -644,6 +661,8 @@ SAMPLES = (
     ("profiles", {"profile"}, lambda r: profile(r, contours=4)),
     ("profile open", {"profile"}, lambda r: profile(r, opened=True)),
     ("profile of a comb", {"profile"}, comb),
+    ("profile of a star", {"profile"}, star),
+    ("star drawn in one stroke", {"profile"}, lambda r: star(r, drawn=True)),
     ("waterline", {"waterline"}, waterline),
     ("waterline open", {"waterline"}, lambda r: waterline(r, opened=True)),
     ("spiral", {"spiral"}, spiral),

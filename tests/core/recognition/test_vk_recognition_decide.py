@@ -99,6 +99,38 @@ def test_a_few_holes_do_not_speak_for_a_path_that_machines_nothing():
 
 
 @pytest.mark.long
+def drawn(corners):
+    """Once around, 1 mm deep."""
+    (x, y), *others = np.vstack([corners, corners[:1]]).tolist()
+    program = [("G0", {"Z": 5.0}), ("G0", {"X": x, "Y": y}), ("G1", {"Z": -1.0, "F": 2.0})]
+    return linearize([*program, *(("G1", {"X": x, "Y": y, "F": 10.0}) for x, y in others), ("G0", {"Z": 5.0})])
+
+
+def on_circle(radii, strides=1):
+    angle = np.pi / 2 + 2 * np.pi * strides * np.arange(len(radii)) / len(radii)
+    return np.transpose(radii * np.array([np.cos(angle), np.sin(angle)]))
+
+
+T = np.linspace(0, 2 * np.pi, 60, endpoint=False)
+DRAWN = {
+    **{f"star of {n}": on_circle(np.resize([25.0, 10.0], 2 * n)) for n in (5, 8, 9, 12)},
+    **{f"star in one stroke {n}/{k}": on_circle(np.full(n, 25.0), k) for n, k in ((5, 2), (7, 2), (8, 3), (11, 5))},
+    **{f"polygon of {n}": on_circle(np.full(n, 25.0)) for n in (3, 5, 12)},
+    "house": np.array([(0, 0), (40, 0), (40, 30), (20, 45), (0, 30)]),
+    "cross": np.array([(0, 1), (1, 1), (1, 0), (2, 0), (2, 1), (3, 1), (3, 2), (2, 2), (2, 3), (1, 3), (1, 2), (0, 2)])
+    * 12,
+    "flash": np.array([(0, 0), (10, 20), (4, 20), (14, 45), (-2, 24), (5, 24)]),
+    "heart": np.column_stack([16 * np.sin(T) ** 3, 13 * np.cos(T) - 5 * np.cos(2 * T) - 2 * np.cos(3 * T)]),
+    "eight": np.column_stack([25 * np.sin(T), 12 * np.sin(2 * T)]),
+}
+
+
+@pytest.mark.parametrize("tool", [None, 3.0])
+@pytest.mark.parametrize("corners", DRAWN.values(), ids=DRAWN)
+def test_what_pupils_draw_first_is_a_profile(corners, tool):
+    assert recognize(drawn(corners), tool_diameter=tool).strategy is Strategy.PROFILE
+
+
 def test_little_of_what_machines_something_is_unknown():
     found = [recognize(path_of(make, seed)).strategy for _, _, make in synthetic.SAMPLES for seed in range(2)]
     assert np.mean([strategy is Strategy.UNKNOWN for strategy in found]) < 0.05

@@ -556,7 +556,7 @@ class VOTES:
     LETTER = 0.4
     #: share of the votes. Where more say that a section is like nothing that machines, it is unknown. At 1 random walks are
     #: machining; at 0 engravings are nonsense.
-    NONSENSE = 0.45
+    NONSENSE = 0.41
     #: share of the votes. No share counts as fewer or more but for this, that its odds are finite.
     NONE = 0.02
     #: confidence. No verdict is surer: of the surest on programs that nobody here has made, one in a hundred is wrong.
