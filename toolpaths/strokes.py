@@ -11,6 +11,7 @@ import math
 import numpy as np
 
 from toolpaths.synthetic import Program, circle, closed, dense, depths, letters, outline
+from toolpaths.words import word
 
 
 def turned(points: np.ndarray, angle: float) -> np.ndarray:
@@ -237,6 +238,8 @@ SAMPLES = (
     ("slot entered by ramps", {"profile"}, ramps),
     ("slot of ramps", {"profile"}, lambda r: ramps(r, count=6, level=False)),
     ("three ramps along a line", {"profile"}, three_ramps),
+    ("word", {"engraving", "profile"}, word),
+    ("short word", {"engraving", "profile"}, lambda r: word(r, most=7)),
     ("text in outlines", {"engraving"}, outlined_text),
     ("text in outlines at two depths", {"engraving"}, lambda r: outlined_text(r, levels=2)),
     ("offsets entered by a helix", {"contour-parallel"}, entered),
