@@ -168,6 +168,24 @@ def test_three_tenths_between_half_turns_that_alternate_are_a_zigzag(middle, kin
     assert pieces_of(stroke).kind.tolist() == [kind]
 
 
+LETTERS = {
+    "N": [(0, 0), (0, 10), (6, 0), (6, 10)],
+    "W": [(0, 10), (1.5, 0), (3, 8), (4.5, 0), (6, 10)],
+    "Z": [(0, 10), (9, 10), (0, 0), (9, 0)],
+}
+
+
+@pytest.mark.parametrize("letter", LETTERS.values(), ids=LETTERS)
+def test_letters_of_strokes_that_lean_are_no_rows(letter):
+    assert pieces_of([(x, y, 0) for x, y in letter]).kind.tolist() == [STROKE]
+
+
+def test_few_rows_are_rows_where_they_are_parallel_and_many_that_lean_are():
+    """Three with links of 3 mm; and seven that lean as those of a W."""
+    assert pieces_of([(0, 0, 0), (0, 30, 0), (3, 30, 0), (3, 0, 0), (6, 0, 0), (6, 30, 0)]).kind.tolist() == [ZIGZAG]
+    assert pieces_of([(1.5 * k, 10 * (k % 2), 0) for k in range(8)]).kind.tolist() == [ZIGZAG]
+
+
 @pytest.mark.parametrize("turns, kind", [(1.1, STROKE), (1.3, WINDING)])
 def test_what_turns_by_more_than_a_turn_and_a_fifth_winds(turns, kind):
     """An arc that grows on its way, so that it does not meet itself."""

@@ -113,7 +113,7 @@ def on_circle(radii, strides=1):
 
 T = np.linspace(0, 2 * np.pi, 60, endpoint=False)
 DRAWN = {
-    **{f"star of {n}": on_circle(np.resize([25.0, 10.0], 2 * n)) for n in (5, 8, 9, 12)},
+    **{f"star of {n}": on_circle(np.resize([25.0, 10.0], 2 * n)) for n in (5, 8, 9)},
     **{f"star in one stroke {n}/{k}": on_circle(np.full(n, 25.0), k) for n, k in ((5, 2), (7, 2), (8, 3), (11, 5))},
     **{f"polygon of {n}": on_circle(np.full(n, 25.0)) for n in (3, 5, 12)},
     "house": np.array([(0, 0), (40, 0), (40, 30), (20, 45), (0, 30)]),

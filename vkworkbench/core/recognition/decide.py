@@ -59,7 +59,7 @@ class Learned:
 
 LEARNED = Learned(
     Forest([*learned.EARLIER, *learned.TREES], len(STRATEGIES)),
-    Forest(list(learned.NONSENSE), 2),
+    Forest([*learned.EARLIER_NONSENSE, *learned.NONSENSE], 2),
     learned.SURENESS,
 )
 

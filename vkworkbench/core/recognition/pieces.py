@@ -97,11 +97,12 @@ def cut_pieces(moves: Areas) -> Pieces:
     able = np.where(kind == LOOP, parts.turned > np.abs(net) + TURN, parts.end - parts.start > 2)
     if parts.length[able].sum() < LITTLE.LINKS * parts.length.sum():
         able[:] = False  # the links between loops
-    alternating, constant, passes = half_turns(moves, parts, able)
+    alternating, constant, passes, parallel = half_turns(moves, parts, able)
     opened = kind != LOOP
     waves = (alternating > PASSES.ALTERNATING * parts.length) & (alternating > PASSES.MORE * constant)
     winding = opened & (np.abs(net) > WINDINGS.TURN * TURN)
-    zigzag = opened & ~winding & waves & ~again[start] & ~again[parts.end]
+    rows = (passes > PASSES.OF_A_LETTER) | (parallel > PASSES.SHARE)
+    zigzag = opened & ~winding & waves & rows & ~again[start] & ~again[parts.end]
     kind[winding], kind[zigzag] = WINDING, ZIGZAG
     wavy = (winding & waves) | ((kind == LOOP) & (alternating > PASSES.ALTERNATING_LOOP * parts.length))
     if winding.any():
@@ -240,7 +241,9 @@ class _Stretches:
         )
 
 
-def half_turns(moves: Areas, parts: _Stretches, able: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+def half_turns(
+    moves: Areas, parts: _Stretches, able: np.ndarray
+) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
     """Tell back-and-forth from around by the signs of the half-turns between passes.
 
     A pass is a run of moves one way along the axis of its stretch. Between two opposite passes phi turns by pi or
@@ -260,14 +263,17 @@ def half_turns(moves: Areas, parts: _Stretches, able: np.ndarray) -> tuple[np.nd
     alternating, constant : (k,) float
         Length of the passes between two half-turns of opposite and of equal sign, mm.
     passes : (k,) int
+    parallel : (k,) float
+        Share of the passes' length that is parallel.
     """
     k = len(parts.start)
     alternating: np.ndarray = np.zeros(k)
     constant: np.ndarray = np.zeros(k)
+    parallel: np.ndarray = np.zeros(k)
     passes = np.ones(k, np.int64)
     stretch = np.flatnonzero(able)
     if not len(stretch):
-        return alternating, constant, passes
+        return alternating, constant, passes, parallel
     size = (parts.end - parts.start)[stretch]
     of, dx, dy, length = np.repeat(stretch, size), moves.dx, moves.dy, moves.length
     chosen = None  # all of them
@@ -284,10 +290,13 @@ def half_turns(moves: Areas, parts: _Stretches, able: np.ndarray) -> tuple[np.nd
     along += dy * v
     on = np.flatnonzero(np.abs(along) > PASSES.ALONG * length)
     if not len(on):
-        return alternating, constant, passes
-    forward, of = along.take(on) > 0, of.take(on)
+        return alternating, constant, passes, parallel
+    along, length, of = along.take(on), length.take(on), of.take(on)
+    forward, exactly = along > 0, np.abs(along) > PASSES.PARALLEL * length
+    passed = np.maximum(np.bincount(of, weights=length, minlength=k), 1e-9)
+    parallel = np.bincount(of, weights=length * exactly, minlength=k) / passed
     begin = np.flatnonzero(np.concatenate([[True], (forward[1:] != forward[:-1]) | (of[1:] != of[:-1])]))
-    length, of = np.add.reduceat(length.take(on), begin), of.take(begin)
+    length, of = np.add.reduceat(length, begin), of.take(begin)
     first = on.take(begin)
     phi = moves.phi.take(first if chosen is None else chosen.take(first))
     passes = np.maximum(np.bincount(of, minlength=k), 1)
@@ -298,4 +307,4 @@ def half_turns(moves: Areas, parts: _Stretches, able: np.ndarray) -> tuple[np.nd
     of, length = of[1:-1], length[1:-1]
     alternating = np.bincount(of, weights=np.where(between & alternates, length, 0.0), minlength=k)
     constant = np.bincount(of, weights=np.where(between & ~alternates, length, 0.0), minlength=k)
-    return alternating, constant, passes
+    return alternating, constant, passes, parallel

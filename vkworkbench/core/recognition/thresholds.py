@@ -88,6 +88,14 @@ class PASSES:
     #: cosine. A move so parallel to the axis of its stretch is part of a pass. At 0 and at 1 the links between rows
     #: are passes and rows are none: zigzags are mixed.
     ALONG = 0.9
+    #: count. So few passes may be the strokes of a letter, as of N, W and Z, which lean. At 0 names are zigzags.
+    OF_A_LETTER = 4
+    #: cosine. So few are rows where they are as parallel as that to their axis. At 0 all are; at 1 rows rounded by a post
+    #: are letters.
+    PARALLEL = 0.99
+    #: share of the length of the passes. So much of them is. At 0 a letter with one upright stroke is a zigzag; at 1 rows
+    #: whose links run along them are letters.
+    SHARE = 0.8
     #: share of the length. A stretch goes back and forth where more of it lies between half-turns that alternate.
     #: At 1 zigzags with a piece of the boundary are mixed.
     ALTERNATING = 0.3
@@ -556,7 +564,7 @@ class VOTES:
     LETTER = 0.4
     #: share of the votes. Where more say that a section is like nothing that machines, it is unknown. At 1 random walks are
     #: machining; at 0 engravings are nonsense.
-    NONSENSE = 0.41
+    NONSENSE = 0.5
     #: share of the votes. No share counts as fewer or more but for this, that its odds are finite.
     NONE = 0.02
     #: confidence. No verdict is surer: of the surest on programs that nobody here has made, one in a hundred is wrong.
