@@ -15,6 +15,7 @@ from simulation_window import COMMAND, drag, finest, shown, tabs, working
 
 import vkworkbench
 from vkworkbench.core import linearize
+from vkworkbench.core.zbuffer import Peak
 from vkworkbench.gui.plain_text import OneLine
 from vkworkbench.gui.simulation import controls, exports, refining
 from vkworkbench.gui.simulation import player as playing
@@ -449,20 +450,20 @@ def test_the_cost_is_told_before_the_first_picture_and_what_it_was_after_the_las
 
 
 def test_what_grows_with_the_image_and_what_does_not_are_told_apart():
-    course = None
+    course, peak = None, Peak(1e6, 5e5, 1e5, 2e4, 120_000, 1000, 1e6)
     for share in (1 / 8, 1 / 3):  # of pictures that take 2 s, and 27 s for all of the pixels
-        course = refining._Course(share, 2 + 27 * share**2, 36e6 * share**2, course, 1)
-    assert course.expected(1.0) == pytest.approx((29, 36e6))
+        course = refining._Course(share, 2 + 27 * share**2, peak, course, 1)
+    assert course.expected(1.0) == pytest.approx((29, peak.bytes(9)))
     assert course.largest(29) == pytest.approx(1) == course.largest(100)
     assert course.largest(8.75) == pytest.approx(0.5)
     assert course.largest(1) == 0
-    assert refining._Course(0.5, 3.0, 1e6, None, 1).expected(1.0) == (12.0, 4e6)
-    busy = refining._Course(0.25, 2.0, 1e6, None, 1)  # the computer was
-    quicker = refining._Course(0.5, 1.0, 1e6, busy, 1)
-    assert quicker.expected(1.0) == (1.0, 4e6) and quicker.largest(1) == 1 and quicker.largest(0.5) == 0
-    several = refining._Course(0.5, 3.0, 1e6, None, 4).expected(1.0)[0]  # what takes one longer than 12 s
+    assert refining._Course(0.5, 3.0, peak, None, 1).expected(1.0) == (12.0, peak.bytes(4))
+    busy = refining._Course(0.25, 2.0, peak, None, 1)  # the computer was
+    quicker = refining._Course(0.5, 1.0, peak, busy, 1)
+    assert quicker.expected(1.0) == (1.0, peak.bytes(4)) and quicker.largest(1) == 1 and quicker.largest(0.5) == 0
+    several = refining._Course(0.5, 3.0, peak, None, 4).expected(1.0)[0]  # what takes one longer than 12 s
     assert 12 > several > 12 / 2
-    assert refining._Course(0.5, 3.0, 1e6, None, 4).largest(several) == pytest.approx(1)
+    assert refining._Course(0.5, 3.0, peak, None, 4).largest(several) == pytest.approx(1)
 
 
 def test_what_any_moment_needs_is_made_before_its_picture_is_shown(opened, window, small, monkeypatch):
