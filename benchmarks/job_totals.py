@@ -64,11 +64,11 @@ def told(cuts, stock, view, speed) -> None:
     begin = time.process_time()
     true = simulate_job(cuts, stock=stock, view=view, processes=1)
     seconds = time.process_time() - begin
-    seconds_alone = sum(e.seconds for e in alone)
+    added = summed(alone)
     for what, real, total, before in (
-        ("memory, MB", true.peak.bytes() / 1e6, whole.memory_bytes / 1e6, memory_alone(alone) / 1e6),
+        ("memory, MB", true.peak.bytes() / 1e6, whole.memory_bytes / 1e6, added.memory_bytes / 1e6),
         ("traces, millions", true.traces / 1e6, whole.traces / 1e6, sum(e.traces for e in alone) / 1e6),
-        ("time, s", seconds, whole.seconds, seconds_alone),
+        ("time, s", seconds, whole.seconds, added.seconds),
     ):
         print(f"  the example job: {what:18}{real:8.2f}{total:11.2f}{before:11.2f}", file=OUT, flush=True)
 
@@ -79,9 +79,9 @@ def estimates(cuts, stock, view, speed):
     return zbuffer.together(alone), alone
 
 
-def memory_alone(alone) -> float:
-    """The sum of operations that share a stock, bytes."""
-    return alone[0].stock_bytes + sum(e.memory_bytes - e.stock_bytes for e in alone)
+def summed(alone) -> zbuffer.ZBufferCost:
+    """Add up operations as where they are known from marks alone."""
+    return zbuffer.together([zbuffer.ZBufferCost(e.seconds, e.memory_bytes, e.factor, e.stock_bytes) for e in alone])
 
 
 def errors(cuts, stock, view, speed):
@@ -90,10 +90,11 @@ def errors(cuts, stock, view, speed):
     begin = time.process_time()
     true = simulate_job(cuts, stock=stock, view=view, processes=1)
     seconds = time.process_time() - begin
+    added = summed(alone)
     return (
         (ratio(whole.traces, true.traces), ratio(sum(e.traces for e in alone), true.traces)),
-        (ratio(whole.memory_bytes, true.peak.bytes()), ratio(memory_alone(alone), true.peak.bytes())),
-        (ratio(whole.seconds, seconds), ratio(sum(e.seconds for e in alone), seconds)),
+        (ratio(whole.memory_bytes, true.peak.bytes()), ratio(added.memory_bytes, true.peak.bytes())),
+        (ratio(whole.seconds, seconds), ratio(added.seconds, seconds)),
     )
 
 

@@ -65,7 +65,7 @@ class View:
 
     def of_size(self, width: int, height: int) -> View:
         """Return what is seen in an image of another size: where the pixel is set, it holds no less."""
-        pixel = self.pixel and self.pixel * max(self.width / width, self.height / height)
+        pixel = self.pixel and self.pixel * wider_pixel(self, width, height)
         return replace(self, width=width, height=height, pixel=pixel)
 
     def frame(self, stock: Bounded) -> Frame:
@@ -86,6 +86,11 @@ class View:
             pixel = float(max(extent[0] / self.width, extent[1] / self.height))
         centre = (stock.lower + stock.upper) / 2 + self.offset[0] * right + self.offset[1] * up
         return Frame(centre, right, up, direction, pixel, self.width, self.height)
+
+
+def wider_pixel(image: View | Frame, width: int, height: int) -> float:
+    """Return how many times as wide a pixel is in an image of another size that shows no less."""
+    return max(image.width / width, image.height / height)
 
 
 def _are_finite(numbers: np.ndarray, size: int) -> bool:

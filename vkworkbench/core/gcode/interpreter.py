@@ -66,7 +66,7 @@ class Interpreter:
         self.offset = 540, 0.0
         self.okuma = False
         self.relative = False
-        self.centred = False  # whether the centres of arcs are coordinates
+        self.absolute_centres = False  # of arcs
         self.shift: dict[str, float] = {}  # of the coordinates along each axis, by G52
         self.feed_mode = codes.PER_MINUTE
         self.spindle = 0.0
@@ -159,7 +159,11 @@ class Interpreter:
     def _shifted(self, mode: int, move: dict[str, float]) -> dict[str, float]:
         """Return a move from one point to another with its coordinates where G52 leaves them."""
         along = (
-            _OF_CYCLES if mode in codes.CYCLES else _OF_ARCS if self.centred and mode in codes.ARCS else _COORDINATES
+            _OF_CYCLES
+            if mode in codes.CYCLES
+            else _OF_ARCS
+            if self.absolute_centres and mode in codes.ARCS
+            else _COORDINATES
         )
         return {letter: value + self.shift.get(along.get(letter, ""), 0.0) for letter, value in move.items()}
 
@@ -255,7 +259,7 @@ class Interpreter:
         if code in (codes.ABSOLUTE, codes.RELATIVE):
             self.relative = code == codes.RELATIVE
         elif code in codes.CENTRES:
-            self.centred = code == codes.ABSOLUTE_CENTRES
+            self.absolute_centres = code == codes.ABSOLUTE_CENTRES
         elif code == codes.CANCEL:
             self.motion = code
         elif code == 180:

@@ -3,16 +3,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Iterable
 from dataclasses import dataclass, replace
-from math import log2, sqrt
 
 import numpy as np
 
 from vkworkbench.core.stocks import Mesh, Solid, fitted
-from vkworkbench.core.view import Frame, View
+from vkworkbench.core.view import Frame, View, wider_pixel
 from vkworkbench.core.zbuffer.counts import Counts, count
 from vkworkbench.core.zbuffer.cuts import Cut, Cuts
+from vkworkbench.core.zbuffer.growth import growth_within, size_of
 from vkworkbench.core.zbuffer.records import PIXEL_BYTES, RECORD_BYTES, Records
 from vkworkbench.core.zbuffer.removal import Removal
 from vkworkbench.language import Message, Unusable
@@ -40,8 +40,6 @@ _SPARE = 1 / 8
 _ERRORS = 2.0
 # Of a budget: in another image other rays tell the records, 1.3 % more at most in 137 that were tried.
 _SURE = 0.98
-# No image grows by more than two to this.
-_LARGEST_GROWTH = 40
 
 
 class OverBudget(Unusable):
@@ -64,7 +62,7 @@ class OverBudget(Unusable):
         instead = Message("fewer-operations")
         if self.size:
             width, height = self.size
-            pixel = frame.pixel * max(frame.width / width, frame.height / height)
+            pixel = frame.pixel * wider_pixel(frame, width, height)
             instead = Message("image-fits", width=width, height=height, pixel=pixel)
         super().__init__(
             Message(
@@ -186,31 +184,6 @@ def peak_of(counts: Counts, trajectories: int, removal: Removal) -> Peak:
 def in_memory(peak: Peak, allowed: float) -> float:
     """Return how many times as many pixels surely take no more than that, bytes; 0 where not even a single one does."""
     return growth_within(peak.bytes, _SURE * allowed, 1 / peak.pixels)
-
-
-def size_of(image: View | Frame, growth: float) -> tuple[int, int]:
-    """Return width and height of an image of no more than `growth` times as many pixels, one at least, of about its shape."""
-    pixels = growth * image.width * image.height
-    # A strip is no narrower than a pixel: its length follows from that.
-    width = max(1, int(image.width * sqrt(growth)))
-    height = max(1, int(min(image.height * sqrt(growth), pixels / width)))
-    return max(1, int(min(width, pixels / height))), height
-
-
-def growth_within(taken: Callable[[float], float], allowed: float, least: float) -> float:
-    """How many times as many pixels take what is allowed; 0 where even `least` times as many take more. By bisection.
-
-    `taken` returns what that many times as many pixels take: the more pixels, the more.
-    """
-    if taken(least) > allowed:
-        return 0.0
-    low = high = log2(least)
-    while high < _LARGEST_GROWTH and taken(2**high) <= allowed:
-        low, high = high, high + 2
-    for _ in range(40):
-        middle = (low + high) / 2
-        low, high = (middle, high) if taken(2**middle) <= allowed else (low, middle)
-    return 2**low
 
 
 def peak_that_was(records: Records, removal: Removal) -> Peak:

@@ -7,9 +7,10 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import partial
 
-from vkworkbench.core.view import View
+from vkworkbench.core.view import View, wider_pixel
 from vkworkbench.core.zbuffer.estimate import Estimate
-from vkworkbench.core.zbuffer.memory import Peak, growth_within, in_memory, size_of
+from vkworkbench.core.zbuffer.growth import growth_within, size_of
+from vkworkbench.core.zbuffer.memory import Peak, in_memory
 from vkworkbench.given import not_negative, number, of_kind, positive
 from vkworkbench.language import Message, render
 
@@ -113,7 +114,7 @@ def best_resolution(
             why = Message("no-image-in-time", time=fixed, heaviest=named)
         return Resolution(None, peak.bytes(1 / pixels), _seconds(estimates, 1 / pixels), why)
     width, height = size_of(view, growth)
-    pixel *= max(view.width / width, view.height / height)
+    pixel *= wider_pixel(view, width, height)
     growth = width * height / pixels
     why = Message(
         "image", width=width, height=height, pixel=pixel,
