@@ -120,6 +120,7 @@ def test_an_operation_that_cannot_be_simulated_is_left_out_and_named(small):
     assert [o.label for o in done.job.operations] == ["Fine"]
     (remark,) = done.job.remarks
     assert remark.codes == ("of", "no-tool") and remark.arguments["label"] == "No tool"
+    assert str(done.facts()).splitlines()[-1].startswith("No tool: ")
 
 
 def test_it_refuses_what_cannot_be(small):

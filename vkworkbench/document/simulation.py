@@ -193,9 +193,8 @@ class Simulation:
         zbuffer = self.at(self.trajectories).zbuffer
         found = facts(zbuffer, model=self.job.model, tolerance=tolerance)
         fingerprints = tuple(operation.fingerprint for operation in self.job.operations)
-        return SimulationFacts(
-            tuple(zip(labels, found.cuts)), found.job, names, fingerprints, trajectory_table(zbuffer)
-        )
+        operations = tuple(zip(labels, found.cuts))
+        return SimulationFacts(operations, found.job, names, fingerprints, trajectory_table(zbuffer), self.job.remarks)
 
     def source(self, trajectory: int) -> tuple[SimulatedOperation, int]:
         """Return the operation of a trajectory and the index of its command in the operation's Path.

@@ -15,7 +15,7 @@ import numpy as np
 
 from vkworkbench.core.zbuffer import FACT_COLUMNS, CutFacts
 from vkworkbench.given import check_file_name
-from vkworkbench.language import ENGLISH
+from vkworkbench.language import ENGLISH, Message, render
 from vkworkbench.report.spreadsheet import as_cell
 from vkworkbench.report.text_table import how_many, line, printable, widths_of
 
@@ -36,6 +36,8 @@ class SimulationFacts:
         Of each operation's toolpath, tool and stock, as they were simulated.
     trajectories : mapping of str to ndarray
         What each trajectory does, by columns; see `core.zbuffer.trajectory_table`.
+    remarks : tuple of Message
+        What is to be known of the simulation itself, e.g. what was not simulated exactly.
     """
 
     operations: tuple[tuple[str, CutFacts], ...]
@@ -43,6 +45,7 @@ class SimulationFacts:
     names: tuple[tuple[str, str], ...]
     fingerprints: tuple[str, ...]
     trajectories: Mapping[str, np.ndarray]
+    remarks: tuple[Message, ...] = ()
 
     def __repr__(self) -> str:
         """Return what stands in a console where somebody asks for them themselves: printed they are the table."""
@@ -53,6 +56,7 @@ class SimulationFacts:
         return {
             "operations": [{"label": label, **facts.as_dict()} for label, facts in self.operations],
             "job": self.job.as_dict(),
+            "remarks": [render(remark) for remark in self.remarks],
         }
 
     def to_csv(self, path: str | os.PathLike[str]) -> None:
@@ -98,7 +102,9 @@ class SimulationFacts:
         )
         rows = [header, *(_row(label, facts) for label, facts in (*self.operations, ("job", self.job)))]
         widths = widths_of(rows)
-        return "\n".join(line(row, widths, left={0}) for row in rows)
+        return "\n".join(
+            [*(line(row, widths, left={0}) for row in rows), *(printable(render(one), 200) for one in self.remarks)]
+        )
 
 
 def _cells(column: np.ndarray) -> list[Any]:

@@ -11,6 +11,7 @@ from types import SimpleNamespace
 import numpy as np
 
 from vkworkbench.core.zbuffer import CutFacts
+from vkworkbench.language import Message, render
 from vkworkbench.report import SimulationFacts
 
 
@@ -56,6 +57,14 @@ def test_the_table_has_a_line_for_each_operation_and_one_for_all():
     assert clean.split() == ["Fräsen", "12.34", "18.51", "30.00", "25%"]  # nothing is wrong with it
     assert faulty.split() == ["=Pocket", "12.34", "18.51", "30.00", "25%", "2", "1", "0.8", "mm", "1.5", "mm"]
     assert job.split() == ["job", *faulty.split()[1:]]
+
+
+def test_what_is_to_be_known_of_the_simulation_stands_below_the_table(tmp_path):
+    told = replace(FOUND, remarks=(Message("of", label="Top\nface", sentence=Message("no-stock", label="Job")),))
+    *table, remark = str(told).splitlines()
+    assert table == str(FOUND).splitlines() and remark.startswith("Top face: ")
+    told.to_json(tmp_path / "facts.json")
+    assert json.loads((tmp_path / "facts.json").read_text(encoding="utf-8"))["remarks"] == [render(told.remarks[0])]
 
 
 def test_a_console_shows_facts_in_a_line():
