@@ -70,7 +70,7 @@ def that_machine_nothing() -> Iterator[Record]:
         name = make.__name__
         for seed in range(SEEDS):
             path = linearize(nonsense.commands(make, rng_of(name, seed)))
-            yield Record(name, name, name, "unknown", frozenset({"unknown"}), None, None, path, ())
+            yield Record(name, name, name, "unknown", frozenset({"unknown"}), None, None, path, (), name)
 
 
 def labelled(files: list[str]) -> Iterator[tuple[str, Record]]:

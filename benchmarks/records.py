@@ -41,7 +41,10 @@ class Section:
 
 @dataclass(frozen=True)
 class Record:
-    """A labelled toolpath; `group` names the repository or part it comes from, `system` the CAM system."""
+    """A labelled toolpath; `group` names the repository or part it comes from, `system` the CAM system.
+
+    A kind of made toolpaths is both of its own: who leaves out a CAM system need not leave out all that were made.
+    """
 
     id: str
     group: str
@@ -125,7 +128,7 @@ def made() -> Iterator[Record]:
         strategy = "zigzag" if "zigzag" in accepted else "mixed" if "mixed" in accepted else min(accepted)
         for seed in range(SEEDS):
             path = linearize(make(rng_of(label, seed)))
-            yield Record(label, label, label, strategy, frozenset(accepted), None, None, path, ())
+            yield Record(label, label, label, strategy, frozenset(accepted), None, None, path, (), label)
 
 
 def rng_of(kind: str, seed: int) -> np.random.Generator:
