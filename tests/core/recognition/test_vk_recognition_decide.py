@@ -98,7 +98,6 @@ def test_a_few_holes_do_not_speak_for_a_path_that_machines_nothing():
     assert recognize(path).strategy is Strategy.UNKNOWN
 
 
-@pytest.mark.long
 def drawn(corners):
     """Once around, 1 mm deep."""
     (x, y), *others = np.vstack([corners, corners[:1]]).tolist()
@@ -111,6 +110,20 @@ def on_circle(radii, strides=1):
     return np.transpose(radii * np.array([np.cos(angle), np.sin(angle)]))
 
 
+def snowflake(times):
+    """Koch's, as complex numbers."""
+    corners = 60 * np.exp(2j * np.pi * np.array([0, 1 / 3, 2 / 3]))
+    for _ in range(times):
+        third = (np.roll(corners, -1) - corners) / 3
+        bump = third * np.exp(-1j * np.pi / 3)
+        corners = np.ravel(np.column_stack([corners, corners + third, corners + third + bump, corners + 2 * third]))
+    return np.column_stack([corners.real, corners.imag])
+
+
+def gear(teeth):
+    return on_circle(np.repeat(np.resize([23.0, 27.0], 2 * teeth), 2))
+
+
 T = np.linspace(0, 2 * np.pi, 60, endpoint=False)
 DRAWN = {
     **{f"star of {n}": on_circle(np.resize([25.0, 10.0], 2 * n)) for n in (5, 8, 9)},
@@ -121,6 +134,9 @@ DRAWN = {
     * 12,
     "flash": np.array([(0, 0), (10, 20), (4, 20), (14, 45), (-2, 24), (5, 24)]),
     "heart": np.column_stack([16 * np.sin(T) ** 3, 13 * np.cos(T) - 5 * np.cos(2 * T) - 2 * np.cos(3 * T)]),
+    **{f"gear of {n}": gear(n) for n in (12, 40, 60)},
+    **{f"snowflake of {n}": snowflake(n) for n in (1, 2, 3)},
+    "star of 16": on_circle(np.resize([25.0, 12.0], 32)),
     "eight": np.column_stack([25 * np.sin(T), 12 * np.sin(2 * T)]),
 }
 
@@ -131,6 +147,13 @@ def test_what_pupils_draw_first_is_a_profile(corners, tool):
     assert recognize(drawn(corners), tool_diameter=tool).strategy is Strategy.PROFILE
 
 
+@pytest.mark.parametrize("make", [nonsense.moore, nonsense.sierpinski])
+def test_a_curve_that_closes_after_it_has_filled_the_plane_is_no_contour(make):
+    curve = max((make(np.random.default_rng(seed)) for seed in range(8)), key=len)
+    assert recognize(drawn(curve)).strategy is Strategy.UNKNOWN
+
+
+@pytest.mark.long
 def test_little_of_what_machines_something_is_unknown():
     found = [recognize(path_of(make, seed)).strategy for _, _, make in synthetic.SAMPLES for seed in range(2)]
     assert np.mean([strategy is Strategy.UNKNOWN for strategy in found]) < 0.05

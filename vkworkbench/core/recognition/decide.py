@@ -111,7 +111,7 @@ def decide(s: Section, rules: Verdict, paper: PaperVerdict | None) -> tuple[Verd
     values = measures(s)
     case = [values[name] for name in learned.MEASURES]
     nonsense = float(LEARNED.nonsense.vote(case)[1])
-    if nonsense > VOTES.NONSENSE:
+    if nonsense > VOTES.NONSENSE and not _encloses(values):
         seen = Message("like-nothing", share=nonsense)
         return replace(rules, strategy=Strategy.UNKNOWN, seen=seen, parts=(), step=None), nonsense
     votes, proposed = LEARNED.strategies.vote(case), proposal(s, rules, paper)
@@ -120,6 +120,14 @@ def decide(s: Section, rules: Verdict, paper: PaperVerdict | None) -> tuple[Verd
         seen = Message("like-others", share=float(votes[said]))
         rules = replace(rules, strategy=STRATEGIES[said], seen=seen, parts=(), step=None)
     return rules, float(sureness(grounds(votes, proposed), LEARNED.sureness))
+
+
+def _encloses(values: dict[str, float]) -> bool:
+    """Tell whether all is contours: loops that turn by one whole turn (paper, section 3.2) and have an area inside.
+
+    Hopf's Umlaufsatz: a closed curve that does not cross itself turns by 2 pi. Walks and rolling curves hardly ever do.
+    """
+    return values["loops"] > VOTES.LOOPS and values["roundness"] > VOTES.ROUNDNESS
 
 
 def standing(votes: np.ndarray, proposed: Proposal) -> np.ndarray:

@@ -565,6 +565,12 @@ class VOTES:
     #: share of the votes. Where more say that a section is like nothing that machines, it is unknown. At 1 random walks are
     #: machining; at 0 engravings are nonsense.
     NONSENSE = 0.5
+    #: share of the length. Where more is in loops, with an area inside, it is no nonsense. Less: scribbles are contours; at 1
+    #: gears and snowflakes cut at one depth are nonsense.
+    LOOPS = 0.95
+    #: isoperimetric quotient, 4 pi area / length^2. Loops have an area inside where it is larger. At 0 curves that close after
+    #: they have filled the plane are contours; at 1 gears and snowflakes cut at one depth are nonsense.
+    ROUNDNESS = 0.06
     #: share of the votes. No share counts as fewer or more but for this, that its odds are finite.
     NONE = 0.02
     #: confidence. No verdict is surer: of the surest on programs that nobody here has made, one in a hundred is wrong.
