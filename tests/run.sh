@@ -62,13 +62,14 @@ exec 9> build/tests.lock
 flock --nonblock 9 || { echo "Waiting for another run of the tests in this checkout"; flock 9; }
 
 rm -rf "$results"
-case " $layers " in *" tools "*) tests/tools.sh "$results" "$cache" ;; esac
-layers=${layers#tools}
-[ -n "$layers" ] || suites=""
+[ "$layers" != tools ] || suites=""
 [ -z "$suites" ] || echo "Preparing the FreeCADs of: $suites. One that is missing takes some minutes and 2 GB." \
     "All their tests take about three quarters of an hour on two processors"
 # Whatever its own release, the machine makes the roots.
 [ -z "$suites" ] || prepare "own" tests/install.sh || echo "This machine lacks packages: $(cat "$results/own/not-tested")"
+[ -x /usr/bin/python3 ] || { echo "There is no /usr/bin/python3: nothing was tested"; exit 1; }
+case " $layers " in *" tools "*) tests/tools.sh "$results" "$cache" ;; esac
+layers=${layers#tools}
 
 # Side by side: a window waits as long as it works.
 running=()
