@@ -220,6 +220,9 @@ def test_comments_that_tell_no_tool(comment):
         ("starting rough op", "rough"), ("ending rough op after 15 seconds", ""), ("PASS #1 AT -5 DEPTH", ""), ("MOVING TO FIRST POINT", ""),
         ("isPocket: False", ""), ("Generator: aCAM", ""), ("Pocket: outer", "Pocket: outer"), ("unconverted code: SP 1", ""),
         ("TOOLPATH : Rough the cavity", "Rough the cavity"), ("TOOLPATH WP : World", ""), ("STRATEGY USED : Face", ""),
+        ("Toolpath", ""), ("Toolpath:- Groove 2", "Groove 2"), ("Operation: Inside Offset, slot, T2: Mill, 3 mm in diameter", "Inside Offset, slot"),
+        ("Q0.01", ""), ("Q", ""), ("Linear", ""), ("Arc CCW", ""), ("Rapid traverse", ""), ("Arc mill end", ""), ("Linear slots", "Linear slots"),
+        ("Cutter Comp Left", ""), ("Left", ""), ("Left side", "Left side"), ("Set up, no cutter comp,", ""), ("Move to start of contour", ""), ("Programmer: ada", ""),
         ("Laser on", ""), ("Ensure laser off", ""), ("Laser engraving", "Laser engraving"),
         ("Operation 9 of 13 : 2D Contour4", "2D Contour4"), ("(Pocket 1)", "Pocket 1"), ("(safe z)", ""), ("(A) and (B)", "(A) and (B)"),
     ],
@@ -437,6 +440,20 @@ def test_what_stands_beside_a_dwell_or_a_mode_is_no_title():
     assert sections(f"G4 P1 (MSG, change to drill size 1.2 mm)\n{CUT}")[0][2] == 1.2
 
 
+def test_what_stands_beside_a_speed_or_a_start_is_no_title():
+    for code in ("S100", "F9", "M3 S100", "N5 M4", "M5"):
+        assert [title for title, *_ in sections(f"{code} (beam)\n{CUT}")] == [""]
+    assert [title for title, *_ in sections(f"N5 (Groove)\n{CUT}")] == ["Groove"]
+
+
+def test_sheetcam_names_an_operation_before_its_tool():
+    text = "".join(
+        f"(Part: lid)\n(Operation: {name}, T2: Mill, 3 mm in diameter)\nM6 T2 (Mill, 3 mm in diameter)\n{CUT}"
+        for name in ("Drill, Holes", "Inside Offset, slot")
+    )
+    assert sections(text) == [("Drill, Holes", 2, 3), ("Inside Offset, slot", 2, 3)]
+
+
 def test_what_stands_beside_a_move_is_no_title():
     """It says what the move is for; what it says of a tool counts."""
     text = "(FACE TOP)\nT2 M6 (6 mm end mill)\nG0 X0 Y0 S1200 M3 (H1)\nG1 Z-1 F100\nX50\nG0 Z5 M5 (back off and stop)\nG1 X0\n"
@@ -480,6 +497,7 @@ def test_long_comments_take_no_long_time():
 def test_an_operation_without_a_title_has_the_name_of_its_own_tool():
     (told,) = split_sections(read_program(f"T2 M6\n(T2 D=3 - ball end mill)\n(T3 D=8 - flat end mill)\n{CUT}"))
     assert (told.title, told.tool.diameter) == ("T2 D=3 - ball end mill", 3)
+    assert sections(f"T2\n(MSG, Change to drill size 2 mm)\nM6\n{CUT}")[0][0] == "Change to drill size 2 mm"
 
 
 def test_a_section_begins_with_its_first_line():

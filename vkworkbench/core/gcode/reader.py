@@ -26,7 +26,7 @@ from vkworkbench.language import Message
 _OKUMA_LETTERS = re.compile(r"(?<![A-Z])([HD])[ABC](?![A-Z\d=])")
 _COOLANT = frozenset([("M", 7.0), ("M", 8.0), ("M", 9.0)])
 _DWELL = ("G", 4.0)
-_MODES = frozenset(("G", float(code)) for code in (20, 21, 40, 90, 91, 92))
+_MODES = frozenset([*(("G", float(code)) for code in (20, 21, 40, 90, 91, 92)), ("M", 3.0), ("M", 4.0), ("M", 5.0)])
 _HEIDENHAIN_NAME = re.compile(r"(?:N\s*\d+\s*)?%\s*\S+\s+G(7[01])$")  # a program's first line, and its last
 _BLOCK_DELETE = re.compile(r"^(N\s*\d+\s*)?(?:/\d?\s*)+")
 # What asks or unlocks a grbl, and what a Fanuc or Haas prints: nothing of it moves.
@@ -269,10 +269,14 @@ class _Reader:
 
 
 def _no_explanations(words: list[tuple[str, float]], comments: list[str]) -> list[str]:
-    """Return the comments of a line without those that say what coolant it is, why it waits, or what a mode is."""
+    """Return the comments of a line without those that say what coolant it is, why it waits, or what a mode is.
+
+    So do those beside a spindle's or a laser's speed and start.
+    """
     codes = {word for word in words if word[0] in "GM"}
     if not _COOLANT.isdisjoint(codes):
         return []
-    if _DWELL in codes or (codes and codes <= _MODES):  # pcb2gcode waits beside the next tool
+    says_modes = bool(codes) or any(letter in "SF" for letter, _ in words)
+    if _DWELL in codes or (says_modes and codes <= _MODES):  # pcb2gcode waits beside the next tool
         return [comment for comment in comments if tool_told(comment, inches=False) is not None]
     return comments

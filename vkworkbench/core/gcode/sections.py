@@ -12,7 +12,7 @@ from typing import NamedTuple
 
 from vkworkbench.core.gcode.codes import MOTION_NAMES
 from vkworkbench.core.gcode.program import Program
-from vkworkbench.core.gcode.titles import title_of
+from vkworkbench.core.gcode.titles import title_before_tool, title_of
 from vkworkbench.core.gcode.tool_table import ToldTool, number_named, tool_told
 from vkworkbench.core.tool import Tool
 
@@ -26,6 +26,7 @@ _TOOL_NAME = re.compile(r"\W*(?:tool(?:\s*(?:name|no\.?|number|type|desc\w*))?\s
 _ITS_DIAMETER = re.compile(r"\W*(?:D|(?:tool\s*)?dia(?:meter)?)\.?\s*[:=]\s*[\d.,]+", re.IGNORECASE)
 # Descriptions that are no names.
 _NO_NAME = re.compile(r"\s*(?:TOOL/|tool_radius\b|tool size\b)", re.IGNORECASE)
+_MESSAGE = re.compile(r"\s*MSG\b\s*,?\s*", re.IGNORECASE)  # the rest is shown to who works at the machine
 
 # What py2gcode writes before an operation and behind it; the comments between tell its parameters and passes.
 _FROM, _TO = re.compile(r"Begin (\w+)"), re.compile(r"End (\w+)")
@@ -173,10 +174,12 @@ class _Groups:
 
     def _comment(self, mark: _Mark, text: str, *, is_listed: bool) -> None:
         told = tool_told(text, inches=self._program.inches, of=self._changes.get(mark.line))
-        if told is None:
+        if told is None or title_before_tool(text):
             self._title(mark, text)
-        elif told.number is not None or mark.line in self._changes or not is_listed:
-            self._tool(mark.line, told, "" if _NO_NAME.match(text) else text)
+        if told is None:
+            return
+        if told.number is not None or mark.line in self._changes or not is_listed:
+            self._tool(mark.line, told, "" if _NO_NAME.match(text) else _MESSAGE.sub("", text))
 
     def _title(self, mark: _Mark, text: str) -> None:
         """Take a comment without a tool's measures: it may name a tool that was described before, and be a title."""

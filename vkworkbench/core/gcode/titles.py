@@ -10,10 +10,11 @@ from functools import lru_cache
 _TITLED = re.compile(
     r"(?:begin operation|start cutting path id|start generation of|path|toolpath(?: name)?|operation(?: name)?"
     r"|op(?:eration)? ?\d+(?: of \d+)?|block-name|name|type|no\.? ?\d+|nr\.? ?\d+)"
-    r"\s*[:=]\s*(?!g-code from|(?:block|header|footer|[GM]\d+)$)(\S.*)",
+    r"\s*[:=]\s*(?:-\s+)?(?!g-code from|(?:block|header|footer|[GM]\d+)$)(\S.*)",
     re.IGNORECASE,
 )
-_BEFORE_TOOL = re.compile(r"(\S.*?) - milling - tool: \d+ - ", re.IGNORECASE)  # Fusion for Marlin
+# Fusion for Marlin, and SheetCam
+_BEFORE_TOOL = re.compile(r"(\S.*?) - milling - tool: \d+ - |operation: (\S.*?), T\d+: ", re.IGNORECASE)
 _STARTING = re.compile(r"starting (\S.*) op$")  # Kiri:Moto
 # Comments that are no titles: what post processors say of themselves, the machine, modes, and moves in an operation.
 _REMARK = re.compile(
@@ -26,11 +27,13 @@ _REMARK = re.compile(
     | .*(?:主轴|冷却|切削液|程序|延时|暂停|补偿|坐标|回零|返回|原点|抬刀|换刀|退刀|快速|安全|进给|转速|取消|设置|设定|单位|公制|英制)
     | pcb2gcode\b | high\s+up\s+down\b | (?:generator|shape)\s*= | generator: | [\w-]+\s*:\s*(?:true|false)$ | end\ cutting\ path\b | it\ is\b
     | [XYZ]{2}\ plane\b | exact\ path\b | default\ cutting$ | feed\ per\b | work\ coordinate\b | select\b.*\b(?:plane|coordinate\ system|work\ offset)\b
-    | toolpath\ wp\b | strategy\ used\b | unconverted\ code\b | pass\ \#?\d+\ at\b | moving\ to\b | ending\ .*\ op\b
+    | toolpath(?:\ wp\b|$) | strategy\ used\b | unconverted\ code\b | pass\ \#?\d+\ at\b | moving\ to\b | ending\ .*\ op\b
     | block-\w+\s*: | (?=.*\d)[0-9a-f]{6}$ | [\w\ ]*(?:height\ offset|comp|css|compressor)\ o(?:n|ff)$
     | (?:ranges|tools)\ table$ | .*\b(?:press|make\ sure)\b.*\b(?:cycle\ start|spindle|button|key|running)\b
+    | \w$ | (?:linear|arc|circular|rapid)(?:\ (?:mill|moves?|motion|traverse|interpolation|start|end|c?cw))*$
+    | (?:comp\ )?(?:left|right|off)$ | retraction\ move$ | move\ to\b | .*\bcutter\ comp\b | programmer\s*: | comment$
     | begin\ drilling$ | (?:section|start|stop|job|operation|epilogue)\ (?:begin|end)$ | optional\ stop\b | axis,
-    | (?:[A-Z][-+]?\d*\.\d*\s+)+[A-Z][-+]?\d*\.\d*$
+    | (?:[A-Z][-+]?\d*\.\d*\s+)*[A-Z][-+]?\d*\.\d*$
     | (?:laser|plasma|waterjet|through|etch|vaporize)\ cutting\.?$ | run\ point-pierce\b
     | (?:msg|debug|print|id)\b\s*[,=]? | (?:material|werkstoff)\s*[-:=]
     | .*\b(?:personal\ use|rapid|feed\s?rates?|unrestricted|subscription|machining\ time|copyright|licens\w*|gcode|g-code
@@ -52,7 +55,14 @@ def title_of(comment: str) -> str:
     text = comment.strip(" *-=#;:\t")
     if re.fullmatch(r"\([^()]*\)", text):  # behind a semicolon
         text = text[1:-1].strip()
-    titled = _TITLED.match(text) or _BEFORE_TOOL.match(text) or _STARTING.match(text)
-    if titled:
+    if before := title_before_tool(text):
+        return before
+    if titled := _TITLED.match(text) or _STARTING.match(text):
         return titled[1].strip()
     return "" if not text or _REMARK.match(text) else text
+
+
+def title_before_tool(comment: str) -> str:
+    """Return the name of an operation in a comment that goes on with its tool, empty where it is another one."""
+    found = _BEFORE_TOOL.match(comment.strip(" *-=#;:\t"))
+    return (found[1] or found[2]).strip() if found else ""
