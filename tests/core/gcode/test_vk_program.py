@@ -327,7 +327,9 @@ def test_every_work_offset_may_stand_before_the_moves_and_is_told_behind_them(co
 
 
 def test_a_percent_sign_behind_a_move_ends_the_program():
-    assert points("%\nG0 X0 Y0 Z5\n%\nG1 X9 F60") == [[0, 0, 5]]
+    for end in ("%", "N30%", "N30 %"):
+        assert points(f"%\nG0 X0 Y0 Z5\n{end}\nG1 X9 F60") == [[0, 0, 5]]
+        assert read_program(f"{PLAIN}M30\n{end}\n").problems == read_program(f"{PLAIN}M30\n%\n").problems
     assert points("G0 X0 Y0 Z5\n%1\nG1 X9 F60") == [[0, 0, 5], [9, 0, 5]]  # a name
 
 

@@ -211,6 +211,7 @@ def test_comments_that_tell_no_tool(comment):
         ("Optional stop, check center", ""), ("Block-name: holes", "holes"), ("Block-enable: 1", ""), ("Block-color: #00ff00", ""),
         ("Type: G-code from Geometry", ""), ("Name: board_drl", "board_drl"), ("Type: Groove", "Groove"),
         ("MATERIAL - ALUMINUM MM - 2024", ""), ("Werkstoff: EN AW-6061", ""), ("Material removal 2", "Material removal 2"),
+        ("Material Size", ""), ("Post = Router", ""), ("turns laser ON", ""),
         ("Footer", ""), ("HEIGHT OFFSET ON", ""), ("compressor off", ""), ("CUT OFF", "CUT OFF"), ("color: #130df2", "color: #130df2"),
         ("#130df2", ""), ("Facade", "Facade"), ("Block-color: #000000", ""), ("Block-name: Keys", "Keys"),
         ("Block-name: Header", ""), ("R2.5400  P1.000000", ""), ("Optional stop, check the bore", ""), ("AXIS,stop", ""),

@@ -28,6 +28,7 @@ _COOLANT = frozenset([("M", 7.0), ("M", 8.0), ("M", 9.0)])
 _DWELL = ("G", 4.0)
 _MODES = frozenset([*(("G", float(code)) for code in (20, 21, 40, 90, 91, 92)), ("M", 3.0), ("M", 4.0), ("M", 5.0)])
 _HEIDENHAIN_NAME = re.compile(r"(?:N\s*\d+\s*)?%\s*\S+\s+G(7[01])$")  # a program's first line, and its last
+_PERCENT = re.compile(r"(?:N\s*\d+\s*)?%")  # with a block number, too
 _BLOCK_DELETE = re.compile(r"^(N\s*\d+\s*)?(?:/\d?\s*)+")
 # What asks or unlocks a grbl, and what a Fanuc or Haas prints: nothing of it moves.
 _SAYS = re.compile(r"\?|\$[$#GINXC]?|(?:N\s*\d+\s*)?(?:POPEN|PCLOS|[BD]PRNT\s*\[.*)")
@@ -106,11 +107,11 @@ class _Reader:
         code = code.strip().upper()
         if code[-1:] == "*":  # the end of a block
             code = code[:-1].rstrip()
-        name = _HEIDENHAIN_NAME.match(code) if "%" in code else None
-        if name:
-            return self.machine.heidenhain(number, 10 * int(name[1]))
-        if code[:1] == "%":
-            return self.machine.motion >= 0 and len(code) == 1
+        if "%" in code:
+            if name := _HEIDENHAIN_NAME.match(code):
+                return self.machine.heidenhain(number, 10 * int(name[1]))
+            if percent := _PERCENT.match(code):
+                return self.machine.motion >= 0 and percent.end() == len(code)
         self.deleted = "/" in code and _BLOCK_DELETE.match(code) is not None
         if self.deleted:
             code = _BLOCK_DELETE.sub(r"\1", code)
