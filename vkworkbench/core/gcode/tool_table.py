@@ -77,8 +77,9 @@ _IN_BOTH = re.compile(
 _FLUTES = re.compile(r"\b\d+\s*-?\s*fl(?:utes?)?\b", re.IGNORECASE)
 _LISTED = re.compile(r"\s*T\d+\s*(?:[|:=]|[\d.]+mm\s+[\d.]+in\b)", re.IGNORECASE)
 _LONGEST, _LONGEST_NAME = 200, 60  # characters; longer comments are prose that mentions a size in passing
+_KIND = r"(?:\s*(?:flat|square|long|stub|hss|key(?:way|seat)?|woodruff|t-slot|dovetail))*"  # 1.5 KEY CUTTER .0938
 _BARE = re.compile(
-    rf"(?<![\w.,/#]){_SIZE}(?P<across>)(?P<unit>)(?=(?:\s*(?:flat|square|long|stub|hss))*\s*(?:{_MILLING_WORD}))",
+    rf"(?<![\w.,/#]){_SIZE}(?P<across>)(?P<unit>)(?={_KIND}\s*(?:{_MILLING_WORD}))",
     re.IGNORECASE,
 )
 # Directly before what the tool is: in a sentence about other things as well, this is its size.
