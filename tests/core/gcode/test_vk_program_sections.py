@@ -234,6 +234,36 @@ def test_titles_and_remarks(comment, title):
     assert title_of(comment) == title
 
 
+@pytest.mark.parametrize(
+    "comment",
+    ["Beginning of Single-pass layer.", "Begin step 0.", "End of step 12.", "part 1.", "PART 12.", "part 3", "Break", "--Break",
+     "Layer 2 begins", "Layer transition", "End of layer 2", "Transition to base: Body.", "Start hold", "End hold",
+     "End index angle 45.0", "Cut Area 12.5.", "Wire 0.", "Step over %: 15.0", "Sample interval: 1.0", "Tool type: ballend",
+     "Compensated Tool Path. Diameter: 6.0", "Begin Thread Milling", "Begin Custom", "End Custom", "inactive operation",
+     "operation initialise: Bore", "operation finalised: Bore", "PROBECLOSE", "helix cut operation", "Adaptive - depth: 3.000000"],
+)  # fmt: skip
+def test_what_freecad_remarks_within_an_operation_is_no_title(comment):
+    assert title_of(comment) == ""
+    assert title_of("Part 3") == "Part 3"
+
+
+@pytest.mark.parametrize(
+    ("begin", "end"),
+    [("begin operation", "finish operation"), ("BEGIN OPERATION", "FINISH OPERATION"), ("begin operation", "end operation"),
+     ("operation start", "operation done")],
+)  # fmt: skip
+def test_between_the_begin_and_the_end_of_freecads_operations_comments_part_nothing(begin, end):
+    operation = f"({begin}: {{0}})\n({{0}})\n(half speed here)\n{CUT}(second half)\n{CUT}({end}: {{0}})\n"
+    text = operation.format("Dish") + operation.format("Cut out: a") + f"(Chamfer)\n{CUT}"
+    assert sections(text) == [("Dish", None, None), ("Cut out: a", None, None), ("Chamfer", None, None)]
+
+
+def test_with_freecads_tool_controller_begins_what_has_no_other_title():
+    change = "(TC: End mill {0} mm)\nG77 ; Move to release position\nM01 Insert tool {0}\n"
+    text = f"{change.format(6)}(Face)\n{CUT}{change.format(3)}{CUT}"
+    assert sections(text) == [("Face", None, 6), ("TC: End mill 3 mm", None, 3)]
+
+
 def test_the_names_that_freecad_and_flatcam_give_stay():
     drilled = "(begin operation: Bolts)\n(Path: Bolts)\n(Bolts)\n(Begin Drilling)\nG81 X5 Y5 Z-3 R2 F9\nG80\n(finish operation: Bolts)\n"
     assert sections(f"{CUT}{drilled}") == [("", None, None), ("Bolts", None, None)]

@@ -253,7 +253,7 @@ def test_one_operation_is_no_operations(tmp_path):
 
 def test_a_time_without_a_dwell_is_the_least(tmp_path):
     path = tmp_path / "laser.nc"
-    path.write_text("G21 G90\nF600\n(A)\nG1 X0 Y0 Z0\nX50\nG4 P600\nX0\n(B)\nX9\n")
+    path.write_text("G21 G90\nF600\n(First)\nG1 X0 Y0 Z0\nX50\nG4 P600\nX0\n(Second)\nX9\n")
     first, second = vkworkbench.analyze(path).operations
     assert (first.machining.seconds, first.machining.complete, second.machining.complete) == (10, False, True)
     path.write_text("G21 G90\nF600\nG1 X0 Y0 Z0\nG38.2 Z-5\nX50\n")
@@ -264,7 +264,9 @@ def test_each_operation_with_a_dwell_says_so(tmp_path):
     """Another remark is told once, with the operation in which it first occurs."""
     path = tmp_path / "router.nc"
     cut = "G0 Z5\nG4 P1\nG1 Z-1 F600\nX40\nX0\n"
-    path.write_text(f"G21\nG0 X0 Y0\nG4 P2\n(A)\n{cut}G999\n(B)\nG0 Z5\nG1 Z-2\nX9\n(C)\n{cut}G999\nG4 P3\nG4 P4\n")
+    path.write_text(
+        f"G21\nG0 X0 Y0\nG4 P2\n(First)\n{cut}G999\n(Second)\nG0 Z5\nG1 Z-2\nX9\n(Third)\n{cut}G999\nG4 P3\nG4 P4\n"
+    )
     rows = vkworkbench.analyze(path).operations
 
     def told(messages):

@@ -26,10 +26,14 @@ _TOOL_NAME = re.compile(r"\W*(?:tool(?:\s*(?:name|no\.?|number|type|desc\w*))?\s
 _ITS_DIAMETER = re.compile(r"\W*(?:D|(?:tool\s*)?dia(?:meter)?)\.?\s*[:=]\s*[\d.,]+", re.IGNORECASE)
 # Descriptions that are no names.
 _NO_NAME = re.compile(r"\s*(?:TOOL/|tool_radius\b|tool size\b)", re.IGNORECASE)
+# FreeCAD's tool controllers, as it names them: with them begins what has no other title, also for a control without M6.
+_CONTROLLER = re.compile(r"\s*TC: \S")
 _MESSAGE = re.compile(r"\s*MSG\b\s*,?\s*", re.IGNORECASE)  # the rest is shown to who works at the machine
 
-# What py2gcode writes before an operation and behind it; the comments between tell its parameters and passes.
-_FROM, _TO = re.compile(r"Begin (\w+)"), re.compile(r"End (\w+)")
+# What py2gcode, FreeCAD, and FreeCAD for UCCNC write before an operation and behind it; the comments between tell its
+# parameters and passes.
+_FROM = re.compile(r"Begin (\w+)|(?i:begin operation|operation start): (\S.*)")
+_TO = re.compile(r"End (\w+)|(?i:(?:finish|end) operation|operation done): (\S.*)")
 
 
 @dataclass(frozen=True)
@@ -157,7 +161,7 @@ class _Groups:
             line: int(name[1:]) for line, (name, _) in zip(program.lines.tolist(), program.commands) if name[:1] == "T"
         }
         self._changes = {mark.line: mark.number for mark in marks if not isinstance(mark.what, str)}
-        self._ended = {found[1] for _, _, text in program.comments if (found := _TO.fullmatch(text))}
+        self._ended = {ended for _, _, text in program.comments if (ended := _named(_TO, text))}
         self._begun = ""  # the operation that a comment has begun, and none has ended
         self._known: dict[int, Tool] = {}  # the tools described so far
         self.groups = [_Group(min([int(program.lines[0]), *(mark.line for mark in marks[:1])]), known=self._known)]
@@ -174,7 +178,7 @@ class _Groups:
 
     def _comment(self, mark: _Mark, text: str, *, is_listed: bool) -> None:
         told = tool_told(text, inches=self._program.inches, of=self._changes.get(mark.line))
-        if told is None or title_before_tool(text):
+        if told is None or title_before_tool(text) or _CONTROLLER.match(text):
             self._title(mark, text)
         if told is None:
             return
@@ -195,12 +199,12 @@ class _Groups:
 
     def _operation(self, text: str) -> str:
         """Return the name of an operation in a comment, empty where it is a remark, or within a named operation."""
-        begins = _FROM.fullmatch(text)
-        if begins and begins[1] in self._ended:
-            self._begun = begins[1]
-            return self._begun
+        begins = _named(_FROM, text)
+        if begins in self._ended:
+            self._begun = begins
+            return begins
         title = "" if self._begun else title_of(text)
-        if text == f"End {self._begun}":
+        if self._begun and _named(_TO, text) == self._begun:
             self._begun = ""
         return title
 
@@ -216,6 +220,12 @@ class _Groups:
         elif told.from_here or group.tool is None or change not in (None, group.told):
             # What the line of a change tells stays, unless another tool is told to be the one from here on.
             group.tool, group.tool_name, group.told = told.tool, name, line
+
+
+def _named(pattern: re.Pattern[str], comment: str) -> str:
+    """Return the name of the operation in a comment that is of a pattern, with one group for each form; empty in others."""
+    found = pattern.fullmatch(comment.strip())
+    return next(filter(None, found.groups())).strip() if found else ""
 
 
 def _marks(program: Program) -> list[_Mark]:

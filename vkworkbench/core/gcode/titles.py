@@ -8,7 +8,7 @@ from functools import lru_cache
 
 # A title after the words that some post processors write before it.
 _TITLED = re.compile(
-    r"(?:begin operation|start cutting path id|start generation of|path|toolpath(?: name)?|operation(?: name)?"
+    r"(?:begin operation|operation start|start cutting path id|start generation of|path|toolpath(?: name)?|operation(?: name)?"
     r"|op(?:eration)? ?\d+(?: of \d+)?|block-name|name|type|no\.? ?\d+|nr\.? ?\d+)"
     r"\s*[:=]\s*(?:-\s+)?(?!g-code from|(?:block|header|footer|[GM]\d+)$)(\S.*)",
     re.IGNORECASE,
@@ -32,7 +32,10 @@ _REMARK = re.compile(
     | (?:ranges|tools)\ table$ | .*\b(?:press|make\ sure)\b.*\b(?:cycle\ start|spindle|button|key|running)\b
     | \w$ | (?:linear|arc|circular|rapid)(?:\ (?:mill|moves?|motion|traverse|interpolation|start|end|c?cw))*$
     | (?:comp\ )?(?:left|right|off)$ | retraction\ move$ | move\ to\b | .*\bcutter\ comp\b | programmer\s*: | comment$
-    | begin\ drilling$ | (?:section|start|stop|job|operation|epilogue)\ (?:begin|end)$ | optional\ stop\b | axis,
+    | begin\ (?:drilling|tapping|thread\ milling|probing|custom)$ | end\ custom$ | operation\ (?:initialise|done|finalised): | inactive\ operation
+    | beginning\ of\b | (?:begin|end\ of)\ step\b | (?-i:part\ \d+)$ | part\ \d+\.$ | break$ | layer\ (?:\d+\ begins|transition)$ | transition\ to\ base:
+    | (?:start|end)\ hold$ | end\ index\ angle\b | cut\ area\ [-\d.]+$ | wire\ \d+\.$ | step\ over\ %: | probe(?:open|close)\b | starting$
+    | (?:section|start|stop|job|operation|epilogue)\ (?:begin|end)$ | optional\ stop\b | axis,
     | (?:[A-Z][-+]?\d*\.\d*\s+)*[A-Z][-+]?\d*\.\d*$
     | (?:laser|plasma|waterjet|through|etch|vaporize)\ cutting\.?$ | run\ point-pierce\b
     | (?:msg|debug|print|id)\b\s*[,=]? | (?:material|werkstoff)\s*(?:[-:=]|size$) | post\s*=
