@@ -200,7 +200,7 @@ class _Groups:
     def _operation(self, text: str) -> str:
         """Return the name of an operation in a comment, empty where it is a remark, or within a named operation."""
         begins = _named(_FROM, text)
-        if begins in self._ended:
+        if begins in self._ended and not self._begun:
             self._begun = begins
             return begins
         title = "" if self._begun else title_of(text)
