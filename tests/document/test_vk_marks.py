@@ -10,6 +10,7 @@ from functools import partial
 import FreeCAD
 import Path
 import pytest
+from posting import posted
 
 import vkworkbench
 from vkworkbench import freecad, preferences
@@ -270,20 +271,6 @@ def test_the_users_words_stay(small, zigzag_commands, own):
     assert op.Label2.startswith(own) and op.Label2.endswith("⟧ and more")
     vkworkbench.clear(op)
     assert op.Label2 == own + " and more"
-
-
-def posted(job):
-    """The job's linuxcnc G-code, but for the line with the time of day."""
-    if freecad.version() < (1, 0):
-        from PathScripts.PathPostProcessor import PostProcessor
-
-        processor = PostProcessor.load("linuxcnc")
-        text = processor.export(job.Operations.Group, "-", "--no-show-editor")
-    else:
-        from Path.Post.Processor import PostProcessorFactory
-
-        text = "".join(code for _, code in PostProcessorFactory.get_post_processor(job, "linuxcnc").export())
-    return [line for line in text.splitlines() if "Output Time" not in line]
 
 
 def test_nothing_is_recomputed_and_the_gcode_stays(example):

@@ -256,7 +256,9 @@ def test_between_the_begin_and_the_end_of_freecads_operations_comments_part_noth
     operation = f"({begin}: {{0}})\n({{0}})\n(half speed here)\n{CUT}(second half)\n{CUT}({end}: {{0}})\n"
     text = operation.format("Dish") + operation.format("Cut out: a") + f"(Chamfer)\n{CUT}"
     assert sections(text) == [("Dish", None, None), ("Cut out: a", None, None), ("Chamfer", None, None)]
-    holes = "".join(f"({begin}: {name})\n(Begin Drilling)\n{CUT}({end}: {name})\n" for name in ("Drilling", "Drilling001"))
+    holes = "".join(
+        f"({begin}: {name})\n(Begin Drilling)\n{CUT}({end}: {name})\n" for name in ("Drilling", "Drilling001")
+    )
     assert [title for title, _, _ in sections(holes)] == ["Drilling", "Drilling001"]
 
 

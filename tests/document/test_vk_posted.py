@@ -1,0 +1,18 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Programs that FreeCAD posts: their operations are those of the document, by name and by strategy."""
+
+from __future__ import annotations
+
+from posting import posted
+
+import vkworkbench
+
+
+def told(report):
+    return [(row.label, str(row.strategy)) for row in report.operations if row.counted and row.trajectories]
+
+
+def test_a_posted_job_has_the_operations_of_its_document(example, tmp_path):
+    program = tmp_path / "example.ngc"
+    program.write_text("\n".join(posted(example.getObject("Job"))))
+    assert told(vkworkbench.analyze(program)) == told(vkworkbench.analyze(example))

@@ -1,0 +1,34 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The NC program that FreeCAD's LinuxCNC post processor writes of a job, in 0.20 and 1.x."""
+
+from __future__ import annotations
+
+from vkworkbench import freecad
+
+
+def posted(job) -> list[str]:
+    """Return its lines, but for the one with the time of day."""
+    if freecad.version() < (1, 0):
+        from PathScripts.PathPostProcessor import PostProcessor
+
+        processor = PostProcessor.load("linuxcnc")
+        text = processor.export(_with_tools(job.Operations.Group), "-", "--no-show-editor")
+    else:
+        from Path.Post.Processor import PostProcessorFactory
+
+        text = "".join(code for _, code in PostProcessorFactory.get_post_processor(job, "linuxcnc").export())
+    return [line for line in text.splitlines() if "Output Time" not in line]
+
+
+def _with_tools(operations) -> list:
+    """Return operations, each tool's controller before the first that needs it, as FreeCAD 0.20's command does."""
+    found, last = [], None
+    for operation in operations:
+        base = operation
+        while not hasattr(base, "ToolController"):
+            base = base.Base
+        if base.ToolController is not last:
+            last = base.ToolController
+            found.append(last)
+        found.append(operation)
+    return found
