@@ -35,6 +35,28 @@ def test_what_does_not_lie_inside_is_no_offset():
     assert distance(20.0, 16.0, aside=0.5) == [1.5]  # by the side that it came nearest to
 
 
+def open_pocket(*steps, low=(), wide=60.0, tall=40.0, slack=1.0):
+    """Rectangles that each lie so far inside the first one, but for their lower sides, and the sides `low` of 0 to 3."""
+    steps = np.array(steps)
+    sides = np.array([steps, 0 * steps, steps - wide, steps - tall])
+    sides[list(low)] = sides[list(low), :1]
+    width, height = -(sides[0] + sides[2]), -(sides[1] + sides[3])
+    return Inward(sides, width * height, 2 * (width + height), np.full(len(steps), slack))
+
+
+def test_offsets_in_a_pocket_that_is_open_at_a_side_share_it():
+    assert open_pocket(0.0, 3.0, 6.0)[1][3] == pytest.approx([3, 3])
+    assert open_pocket(0.0, 3.0, 6.0)[2][3] == pytest.approx([6])
+    assert open_pocket(6.0, 3.0, 0.0)[1][3] == pytest.approx([3, 3])
+    assert open_pocket(0.0, 3.0, 6.0, low=[0])[1][3] == pytest.approx([3, 3])  # in a corner of the part
+    assert open_pocket(0.0, 3.0, 6.0, low=[0, 2])[1][3].tolist() == [0, 0]  # one goes on where the other ends
+
+
+def test_what_shares_a_side_is_an_offset_only_where_the_others_move_alike():
+    assert distance(20.0, 16.0, aside=2.0) == [0]
+    assert open_pocket(0.0, 3.0, slack=2.0)[1][3].tolist() == [0]  # turns of windings end anywhere
+
+
 def square_inside(step, **drawn):
     """A square 2 mm inside one of 20 mm, of which islands or what is open leave the area of one `step` inside."""
     return distance(20.0, 16.0, enclosed=[400.0, 400 - step * (80 + 64) / 2], **drawn)
@@ -81,10 +103,9 @@ def test_steps_that_differ_by_less_than_three_tenths_are_alike():
     assert reached(*sides)[0] == pytest.approx(4)
 
 
-def test_a_tool_that_reaches_less_than_five_equal_steps_is_wrong():
-    sides = 40.0 - 4 * np.arange(6)
-    assert reached(*sides, tool=1.0)[0] == pytest.approx(4)
-    assert reached(*sides[:5], tool=1.0)[0] == pytest.approx(1.2)
+def test_rings_farther_apart_than_the_tool_reaches_are_engraved_however_even_they_are():
+    """The circles of a target."""
+    assert reached(*(40.0 - 4 * np.arange(6)), tool=1.0)[0] == pytest.approx(1.2)
 
 
 def test_two_contours_that_come_again_at_every_depth_are_no_pocket():

@@ -108,17 +108,9 @@ def squares(*steps, first=300.0):
     return [polygon(first - 2 * inside) for inside in np.cumsum([0.0, *steps])]
 
 
-@pytest.mark.parametrize(
-    "steps, tool, nested",
-    [
-        ([10] * 5, 6.0, True),
-        ([10] * 4, 6.0, False),  # too few to know better than the tool does
-        ([10, 10, 10, 10, 19, 19], 6.0, True),  # four of six steps are the usual one
-        ([10, 10, 10, 19, 19, 19], 6.0, False),
-        ([10, 10, 10, 19, 19, 19], 0.0, True),
-    ],
-)
-def test_where_more_than_six_tenths_of_five_steps_are_equal_the_tool_is_wrong(steps, tool, nested):
+@pytest.mark.parametrize("steps", [[10] * 5, [10, 10, 10, 19, 19, 19]])
+@pytest.mark.parametrize("tool, nested", [(6.0, False), (0.0, True)])
+def test_even_steps_are_those_of_a_pocket_where_no_tool_tells_that_they_are_too_long(steps, tool, nested):
     """They are longer than a tool of 6 mm reaches, and all less than twice the usual one."""
     assert rings_of(squares(*steps), tool).nested.tolist() == [nested] * (len(steps) + 1)
 

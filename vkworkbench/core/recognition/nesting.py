@@ -20,7 +20,8 @@ class Inward(Dict[int, Tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]]):
     Two parallel curves lie 2 dA / (P1 + P2) apart, with the difference of their areas and their lengths
     (Steiner's formula), however they are turned. All four sides of an offset's box move the same way, the
     least of them by about that distance, or by more where a sharp corner touches the box. A box that moved by
-    much less or more than the distance tells that an island takes a part of the area.
+    much less or more than the distance tells that an island takes a part of the area. The offsets in a pocket that is open
+    at a straight side share that side, and one beside it at most: these do not move, and only the others tell the distance.
 
     Parameters
     ----------
@@ -39,11 +40,26 @@ class Inward(Dict[int, Tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]]):
         sides, enclosed, length, slack = self._of
         moved = sides[:, lag:] - sides[:, :-lag]
         low, high, mean = moved.min(axis=0), moved.max(axis=0), moved.sum(axis=0) / 4
-        step = 2 * np.abs(enclosed[lag:] - enclosed[:-lag]) / (length[lag:] + length[:-lag])
+        around, one_way = length[lag:] + length[:-lag], low * high > 0
         near, loose = np.minimum(np.abs(low), np.abs(high)), slack[lag:]
+        still = np.abs(moved) < SAME.PLACE
+        count = np.count_nonzero(still, axis=0)
+        closed = (slack[lag:] == 1) & (slack[:-lag] == 1)
+        some = np.flatnonzero(closed & (count > 0) & (count <= NESTS.SHARED))
+        if len(some):
+            of, still = moved[:, some], still[:, some]
+            low_, high_ = np.where(still, np.inf, of).min(axis=0), np.where(still, -np.inf, of).max(axis=0)
+            least, most = np.sort(np.abs([low_, high_]), axis=0)
+            one_way[some], near[some] = (low_ * high_ > 0) & (most <= NESTS.SIDE_AT_MOST * least), least
+            # Both rings run along the sides of their boxes that they share.
+            wide, tall = -(sides[:2] + sides[2:])
+            of_wide, of_tall = ((extent[lag:] + extent[:-lag])[some] for extent in (wide, tall))
+            shared = still[1::2].sum(axis=0) * of_wide + still[::2].sum(axis=0) * of_tall
+            around[some] = np.maximum(around[some] - shared, SAME.PLACE)
+        step = 2 * np.abs(enclosed[lag:] - enclosed[:-lag]) / around
         fits = near > NESTS.SIDE_AT_LEAST * step / loose - SAME.PLACE
         fits &= near < NESTS.SIDE_AT_MOST * step * loose + SAME.PLACE
-        self[lag] = low, high, mean, np.where((low * high > 0) & fits, np.minimum(step, near), 0.0)
+        self[lag] = low, high, mean, np.where(one_way & fits, np.minimum(step, near), 0.0)
         return self[lag]
 
 
@@ -53,8 +69,7 @@ def reach(
     """Tell how far apart the rings of one nest may lie.
 
     A little over the tool's diameter: farther apart nothing between them is cut and they are two contours.
-    Twice the usual step, where the tool is unknown or where several equal steps say that it is wrong; but only
-    where at least three rings lie inside one another. Two contours of one part, as a washer has them, are no
+    Twice the usual step, where the tool is unknown; but only where at least three rings lie inside one another. Two contours of one part, as a washer has them, are no
     pocket when one lies inside the other and both come again at every depth.
 
     Parameters
@@ -95,19 +110,14 @@ def reach(
             break
         found.append(step[true])
     every = np.concatenate(found) if any(map(len, found)) else steps
-    if not len(every):
+    if tool or not len(every):
         return NESTS.REACH * tool, steps, drops
     # Where the rings around islands are cut between those of the boundary, the smaller steps are the true ones.
     usual = middle(every, 4)
     regular = np.count_nonzero(np.abs(every - usual) < NESTS.SIMILAR_STEP * usual) / len(every)
-    if not tool and (not chained or regular < ENOUGH.SHARE or usual > NESTS.TOO_LARGE * size.max()):
+    if not chained or regular < ENOUGH.SHARE or usual > NESTS.TOO_LARGE * size.max():
         return min(NESTS.STEPS * usual, NESTS.REACH_OF_SIZE * float(size.max())), steps, drops
-    equal = 0.0
-    if len(steps) >= ENOUGH.TIMES:
-        equal = np.count_nonzero(np.abs(steps - usual) < NESTS.SIMILAR_STEP * usual) / len(steps)
-    if not tool or (chained and equal > NESTS.EQUAL_STEPS):
-        return max(NESTS.REACH * tool, NESTS.STEPS * usual), steps, drops
-    return NESTS.REACH * tool, steps, drops
+    return NESTS.STEPS * usual, steps, drops
 
 
 def evenness(steps: np.ndarray, drops: np.ndarray) -> float:

@@ -190,6 +190,9 @@ class NESTS:
     #: tool diameters. Rings, rows and strokes farther apart leave ground uncut between them. Less: pockets are
     #: profiles; more: the contours of a washer, and of chamfered and engraved edges, are pockets.
     REACH = 1.2
+    #: count. Offsets share no more sides of their boxes: pockets in a corner of the part are open at two. At 0 open pockets
+    #: are profiles.
+    SHARED = 2
     #: rings. Each is compared with so many that are cut after it. At 1 pockets with islands, around which the rings of
     #: two nests are cut in turn, are profiles; comparing with all takes time and gains nothing.
     NEXT = 3
@@ -213,16 +216,13 @@ class NESTS:
     #: share of the step. Steps that differ by less are the same step again. At 0 no nest has three rings, and without
     #: a tool pockets are profiles.
     SIMILAR_STEP = 0.3
-    #: share of the steps. Where more are as long as the usual one, a tool that reaches less is wrong. It changes no
-    #: verdict, and one stepover for the worse.
-    EQUAL_STEPS = 0.6
     #: share of the largest ring. Without a tool, a step that is usually longer than this is none. At 0 pockets are
     #: profiles; larger: waterlines are pockets.
     TOO_LARGE = 0.2
     #: share of the largest ring. Without a tool and without three rings, two that lie farther apart are two contours.
     #: At 0 narrow pockets around an island are; larger: engraved contours are pockets.
     REACH_OF_SIZE = 0.05
-    #: steps. The reach where no tool is known, or a wrong one. At 1 linked offsets and spirals lose every other ring.
+    #: steps. The reach where no tool is known. At 1 linked offsets and spirals lose every other ring.
     STEPS = 2
 
 
