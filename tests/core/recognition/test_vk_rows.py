@@ -142,6 +142,7 @@ def test_much_in_many_other_directions_is_no_second_family():
         ((0, 1, 10, 11), 10.0),
         ((0, 1, 10), 5.0),  # three lines tell of no period: half of them are 5 mm apart
         ((0, 3.0, 6.2, 9.6, 13.2, 17.0), 3.4),  # gaps that grow slowly are one set
+        ((0, 0.7, 4, 4.7, 6.1, 8, 8.7, 10.1, 12, 12.7, 14.1, 18.1), 4.0),  # three sets
     ],
 )
 def test_lines_by_twos_have_a_period_from_four_on(lines, period):
@@ -191,8 +192,11 @@ TOOL = 6.0
 # Ten rows of 50 mm, 3 mm apart, there and back.
 GOOD = Rows(
     axis=0.0, length=500.0, once=500.0, typical=50.0, count=10, lines=10, opposite=450.0, same=0.0, step=3.0, pitch=3.0,
-    period=3.0, even=1.0, moves=np.arange(10),
+    period=3.0, even=1.0, lies=np.array([(3.0 * k, 0.0, 50.0) for k in range(10)]), moves=np.arange(10),
 )  # fmt: skip
+
+
+ACROSS = replace(GOOD, axis=1.5, lies=GOOD.lies * (-1.0, 1.0, 1.0))
 
 
 def fills(tool=TOOL, contour=False, **changed):
@@ -230,6 +234,11 @@ def test_steps_are_those_that_the_tool_can_make(step, tool, good):
     assert fills(tool, step=step) is good
 
 
+@pytest.mark.parametrize("period, good", [(3.0, True), (7.1, True), (7.3, False)])
+def test_rows_may_be_cut_after_one_another_that_leave_one_between_them(period, good):
+    assert fills(step=8.0, period=period) is good
+
+
 @pytest.mark.parametrize(
     "count, even, tool, good",
     [
@@ -264,7 +273,7 @@ def test_rows_of_a_contour_that_come_again_after_more_than_a_pitch_are_its_walls
 )
 def test_two_families_without_neighbours_are_a_grid_where_they_are_nearly_everything(length, changed, grid):
     alone = {"opposite": 0.0}
-    families = [replace(GOOD, **alone), replace(GOOD, axis=1.5, **alone, **changed)]
+    families = [replace(GOOD, **alone), replace(ACROSS, **alone, **changed)]
     assert filling(families, TOOL, length=length, contour=False) == (families if grid else [])
     assert filling(families[:1], TOOL, length=500.0, contour=False) == []
 
@@ -273,10 +282,28 @@ def test_two_families_without_neighbours_are_a_grid_where_they_are_nearly_everyt
 def test_rows_further_apart_than_the_tool_is_wide_are_no_grid(tool, grid):
     """Outlines of small parts all over a sheet have their sides along two axes; 1.2 diameters are 3.1 and 2.9 mm."""
     alone = {"opposite": 0.0}
-    families = [replace(GOOD, **alone), replace(GOOD, axis=1.5, **alone)]
+    families = [replace(GOOD, **alone), replace(ACROSS, **alone)]
     assert filling(families, tool, length=1000.0, contour=False) == (families if grid else [])
 
 
 def test_of_two_families_that_which_fills_is_left():
-    across = replace(GOOD, axis=1.5, opposite=0.0)
+    across = replace(ACROSS, opposite=0.0)
     assert filling([GOOD, across], TOOL, length=1000.0, contour=False) == [GOOD]
+
+
+@pytest.mark.parametrize("turned", [0.0, 0.4, 2.0])
+def test_rows_of_a_grid_cross_and_the_sides_of_nested_contours_do_not(turned):
+    def families(strokes):
+        c, s = np.cos(turned), np.sin(turned)
+        cut = [[(c * x - s * y, s * x + c * y, 0.0) for x, y in stroke] for stroke in strokes]
+        found = rows_of(programs.program(cut))
+        return found, filling(found, TOOL, length=sum(f.length for f in found), contour=False)
+
+    # No line is followed by its neighbour, as a ball runs on a billiard table.
+    order = [3.0 * (7 * k % 20) for k in range(20)]
+    grid = [[(0.0, at), (60.0, at)] for at in order] + [[(at, 0.0), (at, 60.0)] for at in order]
+    found, rows = families(grid)
+    assert len(found) == 2 and rows == found
+    contours = [[(k, k), (80.0 - k, k), (80.0 - k, 70.0 - k), (k, 70.0 - k), (k, k + 0.5)] for k in 1.5 * np.arange(20)]
+    found, rows = families(contours)
+    assert len(found) == 2 and rows == []

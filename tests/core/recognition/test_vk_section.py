@@ -10,10 +10,11 @@ import programs
 import pytest
 from drawings import polygon
 
-from vkworkbench.core import linearize
+from vkworkbench.core import Strategy, linearize
 from vkworkbench.core.paper import TURN, monotonous_areas
 from vkworkbench.core.recognition.pieces import LOOP, ZIGZAG, cut_pieces
 from vkworkbench.core.recognition.section import Section, _absorbed
+from vkworkbench.core.recognition.verdict import judge
 
 TOOL = 6.0
 
@@ -81,6 +82,17 @@ def test_a_zigzag_that_ends_where_it_began_is_rows_and_no_ring():
     found = section(closed, polygon(60, z=-1.0))
     assert found.lattice.tolist() == [True, False] and len(found.rows) == 1
     assert found.ring_pieces.tolist() == [False, True] and found.row_pieces.tolist() == [True, False]
+
+
+def test_two_rows_that_their_links_close_are_rows_and_no_ring():
+    """As between a row of bosses and the next one; a contour around an island is wider than the rows are apart."""
+    two = [(0.0, 21.0, 0.0), (30.0, 21.0, 0.0), (30.0, 24.0, 0.0), (0.0, 24.0, 0.0), (0.0, 21.0, 0.0)]
+    island = [(0.0, 21.0, 0.0), (30.0, 21.0, 0.0), (30.0, 27.0, 0.0), (0.0, 27.0, 0.0), (0.0, 21.0, 0.0)]
+    found = section(rows(), two)
+    assert found.row_pieces.all() and not found.ring_pieces.any()
+    assert judge(found).strategy is Strategy.ZIGZAG
+    found = section(rows(), island)
+    assert found.ring_pieces.sum() == 1
 
 
 def test_rings_of_two_shapes_between_the_same_walls_may_be_rows_but_are_rings_where_none_are_found():

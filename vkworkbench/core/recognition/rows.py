@@ -40,10 +40,12 @@ class Rows:
         Distance between neighbouring rows in whatever order (median), mm.
     period : float
         Distance after which rows come again, mm. A lattice whose passes bounce off the boundary has two sets of
-        lines; inside each they are one stepover apart, from one set to the other by any distance. There the
-        period is the stepover; of evenly spaced rows it is the pitch.
+        lines, in each pocket; inside each they are one stepover apart, from one set to the other by any distance.
+        There the period is the stepover; of evenly spaced rows it is the pitch.
     even : float
         Share of the steps that are about as long as the usual one.
+    lies : (p, 3) float
+        Of some passes from all over: place across the axis, and from where to where along it, ascending, mm.
     moves : (k,) int
         The moves the passes are made of.
     """
@@ -60,6 +62,7 @@ class Rows:
     pitch: float
     period: float
     even: float
+    lies: np.ndarray
     moves: np.ndarray
 
 
@@ -176,17 +179,20 @@ def _densest(moves: Areas, chosen: np.ndarray) -> Rows | None:
     if np.pi - axis < _ROUNDING:
         axis = 0.0
     steps = steps_between(q, passed)
+    some = slice(None, None, len(begin) // ROWS.CROSSING + 1)
+    x, y, reach = moves.x[first[some]], moves.y[first[some]], np.where(sense, passed, -passed)[some]
+    end_x, end_y = x + reach * u, y + reach * v
+    u, v = np.cos(axis), np.sin(axis)
+    lies = np.column_stack([y * u - x * v, *np.sort([x * u + y * v, end_x * u + end_y * v], axis=0)])
     if steps is None:
-        return Rows(axis, total, passed[0], typical, 1, 1, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, on)
+        return Rows(axis, total, passed[0], typical, 1, 1, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, lies, on)
     turned = sense[1:] != sense[:-1]
     # Two passes the same way in one area, with no lift between them, are steps of one stroke and no rows: a contour
     # that was sampled on a grid looks like a staircase.
     onward = steps.neighbour & ~turned & (area[1:] != area[:-1])
     q = np.sort(q[: ROWS.SAMPLE])
     gaps = np.diff(q[np.append(True, q[1:] - q[:-1] > SAME.PLACE)])
-    pitch = period = float(np.median(gaps)) if len(gaps) else steps.usual
-    if len(gaps) > 2 and np.median(np.abs(gaps[1:] - gaps[:-1])) > ROWS.TWO_PITCHES * pitch:
-        period = float(np.median(gaps[1:] + gaps[:-1]))
+    pitch = float(np.median(gaps)) if len(gaps) else steps.usual
     return Rows(
         axis=axis,
         length=total,
@@ -198,10 +204,34 @@ def _densest(moves: Areas, chosen: np.ndarray) -> Rows | None:
         same=float(steps.shorter[onward].sum()),
         step=steps.usual,
         pitch=pitch,
-        period=period,
+        period=_period(gaps, pitch),
         even=steps.even,
+        lies=lies,
         moves=on,
     )
+
+
+def _period(gaps: np.ndarray, pitch: float) -> float:
+    """Return the distance after which most lines come again, mm, of the gaps between all lines in their order; else their pitch.
+
+    A lattice has two sets of lines, and two in each of its pockets: from one set to another it is any distance, but the same
+    after each line only inside a set.
+    """
+    place = np.append(0.0, np.cumsum(gaps))
+    apart = [place[lag:] - place[:-lag] for lag in range(1, min(ROWS.SETS, len(gaps)) + 1)]
+    if not apart:
+        return pitch
+    distance = np.concatenate(apart)
+    width = max(SAME.PLACE, ROWS.TWO_PITCHES * pitch)
+    cell = np.rint(distance / width).astype(np.int64)
+    often = np.bincount(cell, minlength=2)
+    often[:-1] += often[1:]  # no border between cells divides what is one distance
+    able = np.searchsorted(place, place[-1] - width * np.arange(-1, len(often) - 1))  # lines with room for another
+    share = np.where(2 * able >= len(place), often / np.maximum(able, 1), 0.0)
+    if share.max() <= ENOUGH.SHARE:
+        return pitch
+    most = int(np.argmax(share > ROWS.OFTEN * share.max()))  # twice the distance comes as often
+    return float(np.median(distance[(cell == most) | (cell == most + 1)]))
 
 
 def _main_axis(moves: Areas, chosen: np.ndarray) -> tuple[float, np.ndarray, np.ndarray, np.ndarray]:
@@ -266,11 +296,26 @@ def filling(families: list[Rows], tool: float, *, length: float, contour: bool) 
     if good or len(families) < 2 or (tool and max(f.period for f in families) > NESTS.REACH * tool):
         return good
     # The tool cuts a grid as a ball runs on a billiard table, and no row is followed by its neighbour. Two families of
-    # many long rows that are nearly everything fill the area all the same.
-    if sum(f.length for f in families) > ROWS.GRID * length:
+    # many long rows that are nearly everything fill the area all the same. The sides of contours do not cross.
+    if sum(f.length for f in families) > ROWS.GRID * length and _cross(*families):
         if all(f.count >= ENOUGH.TIMES and f.typical > ROWS.LONG * f.pitch for f in families):
             return families
     return []
+
+
+def _cross(one: Rows, other: Rows) -> bool:
+    """Tell whether most passes of one family cross some of the other between their ends."""
+    turned = other.axis - one.axis
+    c, s = np.cos(turned), np.sin(turned)
+    # In the frame of one: where along it, and where along the other, the lines of both meet.
+    here = (one.lies[:, 0, None] * c - other.lies[:, 0]) / s
+    there = (one.lies[:, 0, None] - other.lies[:, 0] * c) / s
+    inside = [
+        (at > lies[..., 1] + ROWS.END * (lies[..., 2] - lies[..., 1]))
+        & (at < lies[..., 2] - ROWS.END * (lies[..., 2] - lies[..., 1]))
+        for at, lies in ((here, one.lies[:, None]), (there, other.lies))
+    ]
+    return bool((inside[0] & inside[1]).any(axis=1).mean() > ENOUGH.SHARE)
 
 
 def _fills(f: Rows, tool: float) -> bool:
@@ -281,7 +326,8 @@ def _fills(f: Rows, tool: float) -> bool:
         return False
     if f.step < ROWS.RETRACED * tool:
         return False  # the same pass again
-    if tool and f.step > NESTS.REACH * tool:
+    reach = NESTS.REACH * tool
+    if tool and f.step > reach and (f.period > reach or f.step > ROWS.LEFT_BETWEEN * f.period):
         return False
     regular = f.count > 2 and f.even > ENOUGH.SHARE
     return regular or (f.count == 2 and f.step <= tool)

@@ -23,6 +23,7 @@ from vkworkbench.core.recognition.thresholds import (
     NESTS,
     POCKET,
     RINGS,
+    ROWS,
     SAME,
     STROKES,
     WINDINGS,
@@ -110,7 +111,9 @@ class Section:
         self.ring_pieces = np.zeros(len(p), bool)
         self.ring_pieces[r.index] = True
         if self.rows:
-            self.ring_pieces[r.index[self.lattice]] = False
+            closed = r.index[self._two_rows()]
+            rowlike[closed] = True
+            self.ring_pieces[np.append(closed, r.index[self.lattice])] = False
         self.row_pieces = rowlike & ~self.ring_pieces
 
     def _rows(self, rowlike: np.ndarray, closed: np.ndarray) -> tuple[list[Rows], list[Rows]]:
@@ -125,6 +128,16 @@ class Section:
         contour = p.length[closed].sum() > ENOUGH.SHARE * length
         families = find_rows(self.moves, chosen)
         return families, filling(families, self.tool, length=length, contour=contour)
+
+    def _two_rows(self) -> np.ndarray:
+        """Tell which rings are two rows beside one another whose links close them, (k,)."""
+        m, p, k = self.moves, self.pieces, self.rings.index
+        main = max(self.rows, key=lambda f: f.length)
+        along = np.abs(m.dx * np.cos(main.axis) + m.dy * np.sin(main.axis)) > np.cos(ROWS.ALIGNED) * m.length
+        of_rows = np.add.reduceat(np.where(along, m.length, 0.0), p.start)[k]
+        narrow = 2 * np.abs(p.enclosed[k]) < ROWS.FARTHER * main.step * of_rows
+        result: np.ndarray = narrow & (of_rows > ENOUGH.SHARE * p.length[k]) & ~self.rings.nested
+        return result
 
     def share(self, rings: np.ndarray) -> float:
         """Share of the cutting length in these rings."""

@@ -318,9 +318,14 @@ class ROWS:
     FARTHER = 1.6
     #: usual steps. Steps are even where they are no shorter. Larger: none are, and zigzags are engravings.
     NEARER = 0.6
-    #: share of the pitch. Where a gap differs by more from the next, the lines are two sets, as a lattice has. At 0
-    #: evenly spaced rows are, and zigzags that end where they began are walls.
-    TWO_PITCHES = 0.1
+    #: share. The shortest distance that comes nearly as often as any. At 1 twice the stepover may be it; at 0 the next set is.
+    OFTEN = 0.8
+    #: share of the pitch. Gaps that differ by less are one gap. At 0 zigzags that end where they began are walls; larger:
+    #: lattices whose lines lie nearly evenly have half their stepover.
+    TWO_PITCHES = 0.02
+    #: lines. Lines come again after so many others at most. At 1 all are evenly spaced, and zigzags that end where they
+    #: began are walls; more: nothing is gained.
+    SETS = 12
     #: share of the length. Where less has a neighbour, passes are no rows. At 0 adaptive clearing and waterlines have
     #: some; at 1 zigzags are engravings.
     BESIDE = 0.25
@@ -337,9 +342,17 @@ class ROWS:
     #: pitches. Rows of a contour that come again only after more than this are the walls of its teeth. Less: zigzags
     #: that end where they began are profiles; larger, by tests: combs are zigzags.
     WALLS = 1.05
+    #: steps. Rows farther apart than the tool reaches leave no more to others that are cut later. At 1 rows that are cut in two
+    #: goes are engravings; larger: passes along both sides of what is left are rows.
+    LEFT_BETWEEN = 3
     #: share of the length. Two families of rows with more of it are a grid. At 0 waterlines and adaptive clearing are;
     #: at 1 grids are engravings.
     GRID = 0.85
+    #: count. Of each family so many passes are looked at for whether they cross. At 1 grids are engravings; more takes longer.
+    CROSSING = 100
+    #: share of its length. What crosses a pass nearer to its end meets it in a corner. At 0 the sides of nested contours cross;
+    #: at 0.5 nothing does.
+    END = 0.05
 
 
 class ARCS:
