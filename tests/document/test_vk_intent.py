@@ -17,7 +17,7 @@ from vkworkbench.language import Message
 
 FITS = [("helix", "Adaptive"), ("spiral", "Adaptive"), ("profile", "Offset"), ("contour-parallel", "Profile"), ("one-way", "ZigZag"),
         ("engraving", "Profile"), ("zigzag", "ZigZagOffset"), ("drilling", "Tapping"), ("zigzag", None), ("zigzag", "Slot"),
-        ("profile", "Slot"), ("zigzag", "Engrave"), ("profile", "ZigZag")]  # fmt: skip
+        ("profile", "Slot"), ("zigzag", "Engrave"), ("profile", "ZigZag"), ("engraving", "Line")]  # fmt: skip
 CONTRADICTS = [("zigzag", "Offset"), ("contour-parallel", "ZigZag"), ("zigzag", "Profile"), ("drilling", "Helix"), ("helix", "Drilling"),
                ("one-way", "Adaptive"), ("drilling", "Slot"), ("drilling", "Engrave")]  # fmt: skip
 

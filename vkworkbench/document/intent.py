@@ -24,6 +24,8 @@ _PATTERNS = {
 }  # fmt: skip
 # Fewer rows or loops may be all there is room for: where the tool is as wide as the ground, every pattern is one line or one loop.
 ENOUGH = 3
+# What any pattern is in places about as wide as the tool, however many they are: a loop or a line in each, or short strokes.
+_IN_NARROW_PLACES = (Strategy.PROFILE, Strategy.ENGRAVING)
 SURE = 0.8  # confidence; below it the recognition itself may be wrong
 
 
@@ -36,7 +38,7 @@ def contradicts(name: str | None, found: Recognition) -> bool:
     few = found.passes is not None and found.passes < ENOUGH
     if not meant or not found.strategy.is_answer or found.confidence < SURE or few:
         return False
-    if name in _PATTERNS and found.strategy is Strategy.PROFILE:  # as few, of each of many narrow places
+    if name in _PATTERNS and found.strategy in _IN_NARROW_PLACES:
         return False
     done = {found.strategy.family, *(span.strategy.family for span in found.spans)} - {Family.NONE}
     return not done & meant
