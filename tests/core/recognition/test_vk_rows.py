@@ -142,6 +142,8 @@ def test_much_in_many_other_directions_is_no_second_family():
         ((0, 1, 10, 11), 10.0),
         ((0, 1, 10), 5.0),  # three lines tell of no period: half of them are 5 mm apart
         ((0, 3.0, 6.2, 9.6, 13.2, 17.0), 3.4),  # gaps that grow slowly are one set
+        # a ball that went around for some time: 3.9 apart, and by chance 31.2
+        (np.cumsum([0, 1, 2, 1, 3, 3, 3, 5, 3, 4, 2, 1, 2, 1, 3, 2, 4, 5, 4, 3, 2, 1, 2, 1, 3]) * 1.3, 3.9),
         ((0, 0.7, 4, 4.7, 6.1, 8, 8.7, 10.1, 12, 12.7, 14.1, 18.1), 4.0),  # three sets
     ],
 )

@@ -228,9 +228,10 @@ def _period(gaps: np.ndarray, pitch: float) -> float:
     often[:-1] += often[1:]  # no border between cells divides what is one distance
     able = np.searchsorted(place, place[-1] - width * np.arange(-1, len(often) - 1))  # lines with room for another
     share = np.where(2 * able >= len(place), often / np.maximum(able, 1), 0.0)
-    if share.max() <= ENOUGH.SHARE:
+    score = often * share  # what comes again after many lines by chance comes seldom
+    most = int(np.argmax(score > ROWS.OFTEN * score.max()))  # twice the distance comes as often
+    if share[most] <= ENOUGH.SHARE:
         return pitch
-    most = int(np.argmax(share > ROWS.OFTEN * share.max()))  # twice the distance comes as often
     return float(np.median(distance[(cell == most) | (cell == most + 1)]))
 
 
