@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import math
+import tracemalloc
 from dataclasses import replace
 
 import numpy as np
@@ -309,3 +310,14 @@ def test_rows_of_a_grid_cross_and_the_sides_of_nested_contours_do_not(turned):
     contours = [[(k, k), (80.0 - k, k), (80.0 - k, 70.0 - k), (k, 70.0 - k), (k, k + 0.5)] for k in 1.5 * np.arange(20)]
     found, rows = families(contours)
     assert len(found) == 2 and rows == []
+
+
+def test_rows_in_places_however_far_apart_have_one_stepover_and_take_no_memory():
+    places = [*np.arange(20) * 3.0, *(1e6 + np.arange(20) * 3.0)]
+    ways = [[("G0", {"Z": 5}), ("G0", {"X": 0, "Y": y}), ("G1", {"Z": -1}), ("G1", {"X": 50})] for y in places]
+    tracemalloc.start()
+    (rows,) = rows_of(sum(ways, []))
+    peak = tracemalloc.get_traced_memory()[1]
+    tracemalloc.stop()
+    assert rows.period == pytest.approx(3, rel=1e-3)
+    assert peak < 2e6

@@ -42,25 +42,46 @@ class Inward(Dict[int, Tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]]):
         low, high, mean = moved.min(axis=0), moved.max(axis=0), moved.sum(axis=0) / 4
         around, one_way = length[lag:] + length[:-lag], low * high > 0
         near, loose = np.minimum(np.abs(low), np.abs(high)), slack[lag:]
-        still = np.abs(moved) < SAME.PLACE
-        count = np.count_nonzero(still, axis=0)
-        closed = (slack[lag:] == 1) & (slack[:-lag] == 1)
-        some = np.flatnonzero(closed & (count > 0) & (count <= NESTS.SHARED))
-        if len(some):
-            of, still = moved[:, some], still[:, some]
-            low_, high_ = np.where(still, np.inf, of).min(axis=0), np.where(still, -np.inf, of).max(axis=0)
-            least, most = np.sort(np.abs([low_, high_]), axis=0)
-            one_way[some], near[some] = (low_ * high_ > 0) & (most <= NESTS.SIDE_AT_MOST * least), least
-            # Both rings run along the sides of their boxes that they share.
-            wide, tall = -(sides[:2] + sides[2:])
-            of_wide, of_tall = ((extent[lag:] + extent[:-lag])[some] for extent in (wide, tall))
-            shared = still[1::2].sum(axis=0) * of_wide + still[::2].sum(axis=0) * of_tall
-            around[some] = np.maximum(around[some] - shared, SAME.PLACE)
+        some = np.flatnonzero((slack[lag:] == 1) & (slack[:-lag] == 1))
+        shares, alike, least, shared = _beside_shared_sides(moved[:, some], (sides[:, lag:] + sides[:, :-lag])[:, some])
+        some = some[shares]
+        one_way[some], near[some] = alike, least
+        around[some] = np.maximum(around[some] - shared, SAME.PLACE)
         step = 2 * np.abs(enclosed[lag:] - enclosed[:-lag]) / around
         fits = near > NESTS.SIDE_AT_LEAST * step / loose - SAME.PLACE
         fits &= near < NESTS.SIDE_AT_MOST * step * loose + SAME.PLACE
         self[lag] = low, high, mean, np.where(one_way & fits, np.minimum(step, near), 0.0)
         return self[lag]
+
+
+def _beside_shared_sides(moved: np.ndarray, sides: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
+    """Measure pairs of closed rings whose boxes share a side or two, by how far their sides moved, and the sums of both boxes' sides.
+
+    Parameters
+    ----------
+    moved, sides : (4, k) float
+        mm.
+
+    Returns
+    -------
+    shares : (s,) int
+        Which of the pairs do.
+    alike : (s,) bool
+        Whether their other sides moved the same way, none much farther than another.
+    least : (s,) float
+        By how much the other sides moved at least, mm.
+    along : (s,) float
+        How long both rings run along the sides that they share, mm.
+    """
+    still = np.abs(moved) < SAME.PLACE
+    count = np.count_nonzero(still, axis=0)
+    shares = np.flatnonzero((count > 0) & (count <= NESTS.SHARED))
+    moved, still = moved[:, shares], still[:, shares]
+    low, high = np.where(still, np.inf, moved).min(axis=0), np.where(still, -np.inf, moved).max(axis=0)
+    least, most = np.sort(np.abs([low, high]), axis=0)
+    wide, tall = -(sides[:2] + sides[2:])[:, shares]
+    along = still[1::2].sum(axis=0) * wide + still[::2].sum(axis=0) * tall
+    return shares, (low * high > 0) & (most <= NESTS.SIDE_AT_MOST * least), least, along
 
 
 def reach(
@@ -69,8 +90,9 @@ def reach(
     """Tell how far apart the rings of one nest may lie.
 
     A little over the tool's diameter: farther apart nothing between them is cut and they are two contours.
-    Twice the usual step, where the tool is unknown; but only where at least three rings lie inside one another. Two contours of one part, as a washer has them, are no
-    pocket when one lies inside the other and both come again at every depth.
+    Twice the usual step, where the tool is unknown; but only where at least three rings lie inside one another. Two
+    contours of one part, as a washer has them, are no pocket when one lies inside the other and both come again at
+    every depth.
 
     Parameters
     ----------
