@@ -222,7 +222,7 @@ def _period(gaps: np.ndarray, pitch: float) -> float:
     if not apart:
         return pitch
     distance = np.concatenate(apart)
-    distance = distance[distance < 2 * ROWS.SETS * pitch]  # farther on begins another pocket, however far away
+    distance = distance[distance < ROWS.FARTHEST * pitch]  # farther on begins another pocket, however far away
     width = max(SAME.PLACE, ROWS.TWO_PITCHES * pitch)
     cell = np.rint(distance / width).astype(np.int64)
     often = np.bincount(cell, minlength=2)

@@ -326,6 +326,9 @@ class ROWS:
     #: lines. Lines come again after so many others at most. At 1 all are evenly spaced, and zigzags that end where they
     #: began are walls; more: nothing is gained.
     SETS = 12
+    #: pitches. No stepover is larger: two sets may nearly lie on one another. Less: those of lattices are wrong; larger: pockets
+    #: that lie far apart take memory.
+    FARTHEST = 1000
     #: share of the length. Where less has a neighbour, passes are no rows. At 0 adaptive clearing and waterlines have
     #: some; at 1 zigzags are engravings.
     BESIDE = 0.25
