@@ -42,11 +42,12 @@ class Inward(Dict[int, Tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]]):
         low, high, mean = moved.min(axis=0), moved.max(axis=0), moved.sum(axis=0) / 4
         around, one_way = length[lag:] + length[:-lag], low * high > 0
         near, loose = np.minimum(np.abs(low), np.abs(high)), slack[lag:]
-        some = np.flatnonzero((slack[lag:] == 1) & (slack[:-lag] == 1))
-        shares, alike, least, shared = _beside_shared_sides(moved[:, some], (sides[:, lag:] + sides[:, :-lag])[:, some])
-        some = some[shares]
-        one_way[some], near[some] = alike, least
-        around[some] = np.maximum(around[some] - shared, SAME.PLACE)
+        some = np.flatnonzero((near < SAME.PLACE) & (slack[lag:] == 1) & (slack[:-lag] == 1))
+        if len(some):
+            shares, alike, least, shared = _beside_shared_sides(moved[:, some], sides[:, some + lag] + sides[:, some])
+            some = some[shares]
+            one_way[some], near[some] = alike, least
+            around[some] = np.maximum(around[some] - shared, SAME.PLACE)
         step = 2 * np.abs(enclosed[lag:] - enclosed[:-lag]) / around
         fits = near > NESTS.SIDE_AT_LEAST * step / loose - SAME.PLACE
         fits &= near < NESTS.SIDE_AT_MOST * step * loose + SAME.PLACE
