@@ -73,9 +73,10 @@ def test_what_encloses_only_about_as_much_may_lie_twice_as_far_off(step, found):
     assert square_inside(step, slack=2.0) == pytest.approx([found])
 
 
-def reached(*sides, tool=0.0, z=None):
+def reached(*sides, tool=0.0, z=None, areas=None):
     heights = np.zeros(len(sides)) if z is None else np.array(z)
-    return reach(inward(*sides), np.array(sides), heights, np.full(len(sides), True), tool)
+    area = np.arange(len(sides)) if areas is None else np.array(areas)
+    return reach(inward(*sides), np.array(sides), heights, np.full(len(sides), True), tool, area)
 
 
 def test_rings_lie_no_farther_apart_than_the_tool_reaches():
@@ -112,6 +113,17 @@ def test_two_contours_that_come_again_at_every_depth_are_no_pocket():
     """A washer: 10 mm apart would be the step."""
     limit, steps, drops = reached(40.0, 20.0, 40.0, 20.0, z=[0, 0, -1, -1])
     assert limit == pytest.approx(2) and steps.tolist() == [10, 10, 10] and drops.tolist() == [0, 1, 0]
+
+
+def test_two_rings_that_are_linked_at_their_depth_are_a_pocket():
+    """The way from one contour of a washer to the other would cut into the part."""
+    assert reached(40.0, 20.0, 40.0, 20.0, z=[0, 0, -1, -1], areas=[0, 0, 1, 1])[0] == pytest.approx(20)
+    assert reached(40.0, 20.0, 40.0, 20.0, z=[0, 0, -1, -1], areas=[0, 1, 1, 2])[0] == pytest.approx(
+        2
+    )  # linked on a ramp
+    few = reached(40.0, 20.0, 40.0, 20.0, 40.0, z=[0, 0, -1, -1, -2], areas=[0, 0, 1, 2, 3])  # two of five
+    assert few[0] == pytest.approx(2)
+    assert reached(40.0, 20.0, tool=3.0, areas=[0, 0])[0] == pytest.approx(3.6)
 
 
 def test_evenness_is_the_spread_in_the_plane_over_that_in_depth():

@@ -242,6 +242,12 @@ def test_two_contours_that_come_again_at_every_depth_are_no_pocket(ccw, tool):
     # Nor a zigzag where the tool is as wide as the washer.
     washer = squares([30, 12], ccw=False, depths=(-1, -2, -3))
     assert strategy(washer, tool_diameter=25.0) is not Strategy.ZIGZAG
+    # What is cut from one to the other without a lift clears what lies between.
+    linked, lift = [], ("G0", {"Z": 5.0})
+    for command, following in zip(pocket := squares([30, 12], depths=(-1, -2, -3)), [*pocket[1:], lift]):
+        inside = following == ("G0", {"X": 12.0, "Y": 12.0}) or command == ("G0", {"X": 12.0, "Y": 12.0})
+        linked += [] if command == lift and inside else [("G1", command[1]) if inside and command != lift else command]
+    assert strategy(linked) is Strategy.CONTOUR_PARALLEL
 
 
 @pytest.mark.parametrize("angle", [0.0, 0.2, 0.5, 0.785])

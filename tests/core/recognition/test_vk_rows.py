@@ -314,9 +314,11 @@ def test_rows_of_a_grid_cross_and_the_sides_of_nested_contours_do_not(turned):
 
 def test_rows_in_places_however_far_apart_have_one_stepover_and_take_no_memory():
     places = [*np.arange(20) * 3.0, *(1e6 + np.arange(20) * 3.0)]
-    ways = [[("G0", {"Z": 5}), ("G0", {"X": 0, "Y": y}), ("G1", {"Z": -1}), ("G1", {"X": 50})] for y in places]
+    commands = []
+    for y in places:
+        commands += [("G0", {"Z": 5}), ("G0", {"X": 0, "Y": y}), ("G1", {"Z": -1}), ("G1", {"X": 50})]
     tracemalloc.start()
-    (rows,) = rows_of(sum(ways, []))
+    (rows,) = rows_of(commands)
     peak = tracemalloc.get_traced_memory()[1]
     tracemalloc.stop()
     assert rows.period == pytest.approx(3, rel=1e-3)

@@ -86,14 +86,14 @@ def _beside_shared_sides(moved: np.ndarray, sides: np.ndarray) -> tuple[np.ndarr
 
 
 def reach(
-    inward: Inward, size: np.ndarray, z: np.ndarray, flat: np.ndarray, tool: float
+    inward: Inward, size: np.ndarray, z: np.ndarray, flat: np.ndarray, tool: float, area: np.ndarray
 ) -> tuple[float, np.ndarray, np.ndarray]:
     """Tell how far apart the rings of one nest may lie.
 
     A little over the tool's diameter: farther apart nothing between them is cut and they are two contours.
-    Twice the usual step, where the tool is unknown; but only where at least three rings lie inside one another. Two
-    contours of one part, as a washer has them, are no pocket when one lies inside the other and both come again at
-    every depth.
+    Twice the usual step, where the tool is unknown; but only where at least three rings lie inside one another, or most are
+    linked at their depth without a lift. Two contours of one part, as a washer has them, are no pocket when one lies
+    inside the other and both come again at every depth; the way from one to the other would cut into the part.
 
     Parameters
     ----------
@@ -103,6 +103,8 @@ def reach(
     flat : (k,) bool
     tool : float
         Tool diameter, mm; 0 where unknown.
+    area : (k,) int
+        The monotonous area that each ring lies in.
 
     Returns
     -------
@@ -112,13 +114,16 @@ def reach(
         Distance in the plane and in height from each ring to the next one, where they are even, mm.
     """
     steps = drops = np.zeros(0)
-    found, chained = [], False
+    found, chained, joined = [], False, False
     for lag in range(1, min(NESTS.NEXT, len(z) - 1) + 1):
         mean, step = inward[lag][2:]
         even = (step > SAME.RING) & (step <= NESTS.LARGEST_STEP * np.maximum(size[lag:], size[:-lag]))
         drop = np.abs(z[lag:] - z[:-lag])
         if lag == 1:
             steps, drops = step[even], drop[even]
+            pair = even & (drop < SAME.HEIGHT) & (area[1:] == area[:-1])
+            linked = np.append(pair, False) | np.append(False, pair)
+            joined = bool(linked.mean() > ENOUGH.SHARE)
         signed = np.copysign(step, mean)
         chain = even[lag:] & even[:-lag] & (np.abs(signed[lag:] - signed[:-lag]) < NESTS.SIMILAR_STEP * step[lag:])
         # At another depth a wall that slopes a little moves the ring by less than any step.
@@ -126,10 +131,10 @@ def reach(
         if chain.any():
             chained = True
             # The next ring of the nest is the one `lag` rings on. The step from a way in, or to a wall, is another.
-            linked = np.zeros(len(step), bool)
-            linked[lag:] = chain
-            linked[:-lag] |= chain
-            found.append(step[true & linked])
+            of_chain = np.zeros(len(step), bool)
+            of_chain[lag:] = chain
+            of_chain[:-lag] |= chain
+            found.append(step[true & of_chain])
             break
         found.append(step[true])
     every = np.concatenate(found) if any(map(len, found)) else steps
@@ -138,7 +143,8 @@ def reach(
     # Where the rings around islands are cut between those of the boundary, the smaller steps are the true ones.
     usual = middle(every, 4)
     regular = np.count_nonzero(np.abs(every - usual) < NESTS.SIMILAR_STEP * usual) / len(every)
-    if not chained or regular < ENOUGH.SHARE or usual > NESTS.TOO_LARGE * size.max():
+    too_large = usual > NESTS.TOO_LARGE * size.max()
+    if not joined and (not chained or regular < ENOUGH.SHARE or too_large):
         return min(NESTS.STEPS * usual, NESTS.REACH_OF_SIZE * float(size.max())), steps, drops
     return NESTS.STEPS * usual, steps, drops
 

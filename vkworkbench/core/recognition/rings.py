@@ -102,7 +102,7 @@ def relate_rings(pieces: Pieces, index: np.ndarray, tool: float) -> Rings:
     k = len(index)
     shapes = _shapes(pieces, index)
     inward = Inward(shapes.sides, shapes.enclosed, shapes.length, shapes.slack)
-    limit, next_step, next_drop = reach(inward, shapes.size, shapes.z, shapes.flat, tool)
+    limit, next_step, next_drop = reach(inward, shapes.size, shapes.z, shapes.flat, tool, pieces.area[index])
     names = ("nested", "opposite", "deeper", "repeated", "moved", "crossing")
     flags = {name: np.zeros(k, bool) for name in names}
     next_turn = np.zeros(0)
