@@ -243,10 +243,11 @@ def test_two_contours_that_come_again_at_every_depth_are_no_pocket(ccw, tool):
     washer = squares([30, 12], ccw=False, depths=(-1, -2, -3))
     assert strategy(washer, tool_diameter=25.0) is not Strategy.ZIGZAG
     # What is cut from one to the other without a lift clears what lies between.
-    linked, lift = [], ("G0", {"Z": 5.0})
-    for command, following in zip(pocket := squares([30, 12], depths=(-1, -2, -3)), [*pocket[1:], lift]):
-        inside = following == ("G0", {"X": 12.0, "Y": 12.0}) or command == ("G0", {"X": 12.0, "Y": 12.0})
-        linked += [] if command == lift and inside else [("G1", command[1]) if inside and command != lift else command]
+    corners = [(1, 1), (-1, 1), (-1, -1), (1, -1), (1, 1)]
+    first, *others = [{"X": half * u, "Y": half * v} for half in (30.0, 12.0) for u, v in corners]
+    linked = [START[0]]
+    for z in (-1, -2, -3):
+        linked += [("G0", first), ("G1", {"Z": z}), *[("G1", at) for at in others], ("G0", {"Z": 5.0})]
     assert strategy(linked) is Strategy.CONTOUR_PARALLEL
 
 

@@ -186,7 +186,7 @@ class _Groups:
             self._tool(mark.line, told, "" if _NO_NAME.match(text) else _MESSAGE.sub("", text))
 
     def _title(self, mark: _Mark, text: str) -> None:
-        """Take a comment without a tool's measures: it may name a tool that was described before, and be a title."""
+        """Take a comment that may be a title, and may name a tool that was described before."""
         group = self.groups[-1]
         if group.number is None:
             number = number_named(text)

@@ -223,7 +223,7 @@ def _period(gaps: np.ndarray, pitch: float) -> float:
         return pitch
     distance = np.concatenate(apart)
     distance = distance[distance < ROWS.FARTHEST * pitch]  # farther on begins another pocket, however far away
-    width = max(SAME.PLACE, ROWS.TWO_PITCHES * pitch)
+    width = max(SAME.PLACE, ROWS.SAME_GAP * pitch)
     cell = np.rint(distance / width).astype(np.int64)
     often = np.bincount(cell, minlength=2)
     often[:-1] += often[1:]  # no border between cells divides what is one distance

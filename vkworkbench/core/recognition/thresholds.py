@@ -322,7 +322,7 @@ class ROWS:
     OFTEN = 0.8
     #: share of the pitch. Gaps that differ by less are one gap. At 0 zigzags that end where they began are walls; larger:
     #: lattices whose lines lie nearly evenly have half their stepover.
-    TWO_PITCHES = 0.02
+    SAME_GAP = 0.02
     #: lines. Lines come again after so many others at most. At 1 all are evenly spaced, and zigzags that end where they
     #: began are walls; more: nothing is gained.
     SETS = 12
