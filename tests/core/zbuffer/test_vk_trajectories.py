@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import tracemalloc
 from math import pi
 
 import numpy as np
@@ -10,7 +11,9 @@ import pytest
 from zbuffer_reference.paths import BOX, DIRECTIONS, toolpath
 
 from vkworkbench.core import Cut, Tool, View
+from vkworkbench.core.zbuffer import sampling, trajectories
 from vkworkbench.core.zbuffer.cuts import Cuts
+from vkworkbench.core.zbuffer.removal import Removal
 from vkworkbench.core.zbuffer.trajectories import Kind, Trajectories
 
 FLAT, BALL = Tool("endmill", 6), Tool("ballend", 4)  # the block is 40 x 30 x 10 mm
@@ -168,7 +171,53 @@ def test_many_pairs_are_as_few_at_a_time(monkeypatch):
     rng = np.random.default_rng(5)
     x, y, item = rng.uniform(-20, 20, (3, 500)), rng.uniform(-15, 15, 500), rng.integers(0, 14, 500)
     whole = some.intervals(x, y, item)
-    monkeypatch.setattr("vkworkbench.core.zbuffer.trajectories._PAIRS_AT_ONCE", 64)
+    monkeypatch.setattr(trajectories, "AT_ONCE", 64)
     for one, other in zip(whole, some.intervals(x, y, item)):
         np.testing.assert_allclose(one, other, rtol=1e-12)
     assert (whole[0] < whole[1]).sum() > 100
+
+
+@pytest.mark.parametrize("direction", [ABOVE, (1, 1, -1)])
+def test_many_trajectories_are_prepared_as_few_at_a_time(direction, monkeypatch):
+    """Also where cuts have none, or all of theirs miss the stock."""
+    rng = np.random.default_rng(6)
+    away, nothing = np.array([(100.0, 100, 5), (101, 100, 5)]), np.empty((0, 3))
+    paths = [
+        nothing,
+        rng.uniform((-9, -9, 2), (49, 39, 12), (40, 3)),
+        away,
+        nothing,
+        rng.uniform(3, 9, (30, 3)),
+        nothing,
+    ]
+    cuts = Cuts([Cut(toolpath(points), tool) for points, tool in zip(paths, (FLAT, BALL) * 3)])
+    rectangles = rng.uniform(-20, 20, (2, 7))
+    rectangles = (rectangles[0], rectangles[0] + 4, rectangles[1], rectangles[1] + 3)
+
+    def prepared():
+        some = Removal(cuts, BOX, View(direction, 80, 60).frame(BOX))
+        measured = (some.index, some.radius, some.start, some.move, some.heading, some.box, some.strip, some.kind)
+        return *measured, *some.meeting(*rectangles), *vars(sampling.sample(some, np.random.default_rng(7))).values()
+
+    whole = prepared()
+    assert 40 < len(whole[0]) < len(cuts) - 1 and len(whole[-1]) > 100
+    monkeypatch.setattr(trajectories, "AT_ONCE", 3)
+    monkeypatch.setattr(sampling, "AT_ONCE", 4)
+    monkeypatch.setattr(trajectories, "_PAIRS_HELD", 150)
+    for one, other in zip(whole, prepared()):
+        np.testing.assert_allclose(one, other, rtol=1e-12, atol=1e-12)
+
+
+def test_preparing_trajectories_takes_hardly_more_memory_than_they_do():
+    """An analysis prepares those of a whole job: of a million moves what was worked on took 300 MB beside the 184."""
+    points = np.random.default_rng(8).uniform((0, 0, 2), (40, 30, 9), (200_001, 3))
+    cuts = Cuts([Cut(toolpath(points), FLAT)])
+    frame = View(ABOVE, 80, 60).frame(BOX)
+    assert len(cuts.cut) == 200_000
+    tracemalloc.start()
+    try:
+        some = Trajectories(cuts, BOX, frame)
+        held, peak = tracemalloc.get_traced_memory()
+    finally:
+        tracemalloc.stop()
+    assert len(some.index) == 200_000 and peak < 1.25 * held

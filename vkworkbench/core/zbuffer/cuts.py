@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -99,6 +99,16 @@ class Cuts:
         ends = [np.asarray(cut.toolpath.points, float)[1:] for cut in self.cuts]
         nothing = np.empty((0, 3))
         return np.concatenate((nothing, *starts)), np.concatenate((nothing, *ends))
+
+    def blocks(self, size: int) -> Iterator[tuple[np.ndarray, np.ndarray, np.ndarray]]:
+        """Yield `size` trajectories at a time: the cut of each, (k,) int64, and where they start and end, (k, 3) mm."""
+        own = [np.asarray(cut.toolpath.points, float) for cut in self.cuts if len(cut.toolpath)]
+        points = np.concatenate((np.empty((0, 3)), *own))
+        ahead = np.cumsum(np.diff(self.first) > 0) - 1  # each cut before, if it has any, has one point more
+        for begin in range(0, len(self), size):
+            cut = self.cut[begin : begin + size]
+            at = np.arange(begin, begin + len(cut)) + ahead[cut]
+            yield cut, points[at], points[at + 1]
 
     @cached_property
     def rapid(self) -> np.ndarray:

@@ -9,6 +9,7 @@ import numpy as np
 
 from vkworkbench.core.zbuffer.removal import Removal
 from vkworkbench.core.zbuffer.silhouette import seen_box
+from vkworkbench.core.zbuffer.trajectories import AT_ONCE
 
 _CELLS = 32  # a power of two, for the Morton order
 # Rays drawn where the trajectories are few, and at least; between them, as many as meet that many
@@ -121,23 +122,31 @@ def sample(removal: Removal, rng: np.random.Generator) -> Sample:
 
 def _passes(removal: Removal, low: np.ndarray, side: np.ndarray) -> np.ndarray:
     """How many bounding boxes of trajectories, half a pixel wider, touch each cell, long ones cut up: (rows, columns)."""
-    seen = np.array((removal.move[0], removal.cosine * removal.move[1] + removal.sine * removal.move[2]))
-    low, side = low[:, None], side[:, None]
+    wide, total = _CELLS + 1, len(removal.index)
+    counts = np.zeros(wide * wide)
+    for begin in range(0, total, AT_ONCE):
+        corner, sign = _corners(removal, np.arange(begin, min(begin + AT_ONCE, total)), low[:, None], side[:, None])
+        counts += np.bincount(corner, sign, wide * wide)
+    result: np.ndarray = np.rint(counts.reshape(wide, wide).cumsum(axis=0).cumsum(axis=1)[:-1, :-1])
+    return result
+
+
+def _corners(removal: Removal, item: np.ndarray, low: np.ndarray, side: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Corners of these trajectories' boxes: which, and by how much each changes the number of boxes over the cells behind it."""
+    move = removal.move.take(item, axis=1)
+    seen = np.array((move[0], removal.cosine * move[1] + removal.sine * move[2]))
     parts = np.ceil((np.abs(seen) / side).max(axis=0) / 4).astype(np.int64)
     parts = np.minimum(np.maximum(parts, 1), _CELLS)
-    item = np.repeat(np.arange(len(parts)), parts)
-    place = np.arange(len(item)) - np.repeat(np.cumsum(parts) - parts, parts)
-    box = removal.boxes(item, place / parts[item], (place + 1) / parts[item])
+    place = np.arange(parts.sum()) - np.repeat(np.cumsum(parts) - parts, parts)
+    item, parts = np.repeat(item, parts), np.repeat(parts, parts)
+    box = removal.boxes(item, place / parts, (place + 1) / parts)
     lower, upper = box[::2] - removal.frame.pixel / 2, box[1::2] + removal.frame.pixel / 2
     first, last = np.floor((lower - low) / side), np.floor((upper - low) / side)
     # Seen from the side, the box of a part above the stock ends before it begins.
     inside = ((last >= np.maximum(first, 0)) & (first < _CELLS)).all(axis=0)
     c0, r0 = np.maximum(first[:, inside], 0).astype(np.int64)
     c1, r1 = np.minimum(last[:, inside], _CELLS - 1).astype(np.int64) + 1
-    # Corners of the boxes, summed up twice: the number of boxes over each cell.
+    # Summed up twice, they are the number of boxes over each cell.
     wide = _CELLS + 1
     corner = np.concatenate((r0 * wide + c0, r1 * wide + c1, r0 * wide + c1, r1 * wide + c0))
-    sign = np.repeat([1.0, 1.0, -1.0, -1.0], len(c0))
-    counts = np.bincount(corner, sign, wide * wide).reshape(wide, wide)
-    result: np.ndarray = np.rint(counts.cumsum(axis=0).cumsum(axis=1)[:-1, :-1])
-    return result
+    return corner, np.repeat([1.0, 1.0, -1.0, -1.0], len(c0))

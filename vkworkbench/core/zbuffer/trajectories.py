@@ -18,8 +18,10 @@ from vkworkbench.core.zbuffer.sweeps import headings, intervals, lowest
 
 # What a level move may rise or fall by, mm: rounding, less than the noise of the rays.
 _LEVEL = 1e-9
-# Pairs of ray and trajectory worked on at once, so that they stay in the processor's cache.
-_PAIRS_AT_ONCE = 16_384
+# Trajectories, or pairs of them and rays, worked on at once, so that they stay in the processor's cache.
+AT_ONCE = 16_384
+# Pairs of a trajectory and a part of the image that are looked at together.
+_PAIRS_HELD = 1_000_000
 
 
 class Kind(NamedTuple):
@@ -66,25 +68,28 @@ class Trajectories:
         self.sine = float(np.hypot(frame.direction[0], frame.direction[1]))
         self.cosine = float(-frame.direction[2])
 
-        start, end = cuts.ends
-        radius = np.array([cut.tool.radius for cut in cuts.cuts])[cuts.cut]
-        low, high = np.minimum(start, end), np.maximum(start, end)
-        reach = radius[:, None] * [1, 1, 0]
-        self.index = np.flatnonzero(
-            (low - reach < stock.upper).all(axis=1) & (high[:, :2] + reach[:, :2] > stock.lower[:2]).all(axis=1)
-        )
-        start, end, self.radius = start[self.index], end[self.index], radius[self.index]
-        start, end = as_cut(start, end)
-        axes = np.array([frame.right, [-frame.right[1], frame.right[0], 0], [0, 0, 1]])
-        self.start = axes @ (start - frame.centre).T
-        self.move = axes @ (end - start).T
+        radius = np.array([cut.tool.radius for cut in cuts.cuts])
+        met = [_may_meet(start, end, radius[cut], stock) for cut, start, end in cuts.blocks(AT_ONCE)]
+        self.index = np.flatnonzero(np.concatenate((np.empty(0, bool), *met)))
+        self.radius = radius[cuts.cut[self.index]]
+        m = len(self.index)
+        self.start, self.move = np.empty((2, 3, m))
+        self.heading, self.box, self.strip = np.empty((3, 4, m))
         self.ceiling = float(stock.upper[2] - frame.centre[2])
-        self.heading = headings(self.move)
+        axes = np.array([frame.right, [-frame.right[1], frame.right[0], 0], [0, 0, 1]])
+        filled = 0
+        for (_, start, end), chosen in zip(cuts.blocks(AT_ONCE), met):
+            start, end = as_cut(start[chosen], end[chosen])
+            part = slice(filled, filled + len(start))
+            self.start[:, part] = axes @ (start - frame.centre).T
+            self.move[:, part] = axes @ (end - start).T
+            self.heading[:, part] = headings(self.move[:, part])
+            self.box[:, part] = self.boxes(np.arange(part.start, part.stop), 0.0, 1.0)
+            self.strip[:, part] = self._strips(part)
+            filled = part.stop
         self.kinds, self.kind = self._kinds(cuts)
         self.tools = tuple(dict.fromkeys(kind.tool for kind in self.kinds))
         self.tool = np.array([self.tools.index(kind.tool) for kind in self.kinds], np.int64)[self.kind]
-        self.box = self.boxes(np.arange(len(self.index)), 0.0, 1.0)
-        self.strip = self._strips()
 
     def _kinds(self, cuts: Cuts) -> tuple[tuple[Kind, ...], np.ndarray]:
         tools = list(dict.fromkeys(cut.tool for cut in cuts.cuts))
@@ -131,15 +136,17 @@ class Trajectories:
             ]
         )
 
-    def _strips(self) -> np.ndarray:
-        across, along = self.move[0], self.cosine * self.move[1] + self.sine * self.move[2]
+    def _strips(self, part: slice) -> np.ndarray:
+        """Return the strips (4, k) of these positions in `index`."""
+        start, move, radius = self.start[:, part], self.move[:, part], self.radius[part]
+        across, along = move[0], self.cosine * move[1] + self.sine * move[2]
         length = np.hypot(across, along)
         moving = length > 0
         length = np.where(moving, length, 1)
         nx, ny = np.where(moving, -along / length, 1.0), across / length
-        middle = nx * self.start[0] + ny * (self.cosine * self.start[1] + self.sine * self.start[2])
-        reach = self.radius * np.hypot(nx, self.cosine * ny)
-        depth = self.ceiling - self.start[2] - np.minimum(self.move[2], 0)
+        middle = nx * start[0] + ny * (self.cosine * start[1] + self.sine * start[2])
+        reach = radius * np.hypot(nx, self.cosine * ny)
+        depth = self.ceiling - start[2] - np.minimum(move[2], 0)
         rise = ny * self.sine * np.maximum(depth, 0)
         return np.array([nx, ny, middle - reach + np.minimum(rise, 0), middle + reach + np.maximum(rise, 0)])
 
@@ -147,6 +154,18 @@ class Trajectories:
         self, left: np.ndarray, right: np.ndarray, bottom: np.ndarray, top: np.ndarray
     ) -> tuple[np.ndarray, np.ndarray]:
         """Pairs of a rectangle of the image (g,) and a position in `index` that may meet, by rectangle."""
+        pairs = [(np.empty(0, np.int64), np.empty(0, np.int64))]
+        few = max(1, _PAIRS_HELD // max(1, len(self.index)))
+        for begin in range(0, len(left), few):
+            some = slice(begin, begin + few)
+            rectangle, item = self._meeting(left[some], right[some], bottom[some], top[some])
+            pairs.append((rectangle + begin, item))
+        rectangle, item = (np.concatenate(columns) for columns in zip(*pairs))
+        return rectangle, item
+
+    def _meeting(
+        self, left: np.ndarray, right: np.ndarray, bottom: np.ndarray, top: np.ndarray
+    ) -> tuple[np.ndarray, np.ndarray]:
         box = self.box
         rectangle, item = np.nonzero(
             (box[0] <= right[:, None])
@@ -192,8 +211,8 @@ class Trajectories:
         if tools is None:
             tools = [(kind.tool, 0.0) for kind in self.kinds]
         near, far = np.empty((2, *np.broadcast(x, y).shape))
-        for begin in range(0, len(item), _PAIRS_AT_ONCE):
-            part = slice(begin, begin + _PAIRS_AT_ONCE)
+        for begin in range(0, len(item), AT_ONCE):
+            part = slice(begin, begin + AT_ONCE)
             px, py, own_item, own_near, own_far = (
                 x[..., part],
                 y[..., part],
@@ -223,6 +242,15 @@ class Trajectories:
         return intervals(
             tool, start, self.move.take(item, axis=1), (x, self.cosine * y, self.sine * y), self.sine, self.cosine
         )
+
+
+def _may_meet(start: np.ndarray, end: np.ndarray, radius: np.ndarray, stock: Solid) -> np.ndarray:
+    """Whether the boxes of tools of these radii (k,) that move from `start` to `end` (k, 3) meet the stock's, (k,), mm."""
+    low, high = np.minimum(start, end), np.maximum(start, end)
+    low[:, :2] -= radius[:, None]
+    high[:, :2] += radius[:, None]
+    met: np.ndarray = (low < stock.upper).all(axis=1) & (high[:, :2] > stock.lower[:2]).all(axis=1)
+    return met
 
 
 def as_cut(start: np.ndarray, end: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
