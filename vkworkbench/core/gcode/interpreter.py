@@ -7,10 +7,11 @@ rates and the order of words are resolved here.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from array import array
 
 from vkworkbench.core.gcode import codes, dialects
 from vkworkbench.core.gcode.blocks import LARGEST_NUMBER, whole
+from vkworkbench.core.gcode.commands import Commands
 from vkworkbench.core.gcode.subprograms import calls_block
 from vkworkbench.core.gcode.units import INCH
 from vkworkbench.core.gcode.unread import ROTARY
@@ -32,15 +33,12 @@ _MOST_CODES, _MOST_REPEATS = 1000, 10_000
 class Interpreter:
     """The commands of the lines read so far, and the state in which these lines leave the machine.
 
-    Parameters
-    ----------
-    problem : callable
-        Called with what is not read, a Message, and with its line where that is not the one that is being read.
-
     Attributes
     ----------
     commands, lines, inverse_time, clues, first_unit
         As a `Program` is made of them.
+    problems : dict of Message to list of int
+        What is not read, and in which lines.
     motion : int
         The one in force, -1 before the first.
     ended : bool
@@ -51,11 +49,11 @@ class Interpreter:
         Whether what stands behind the end is called from within, by its blocks' numbers.
     """
 
-    def __init__(self, problem: Callable[..., None]) -> None:
-        self._problem = problem
-        self.commands: list[tuple[str, dict[str, float]]] = []
-        self.lines: list[int] = []
+    def __init__(self) -> None:
+        self.commands = Commands()
+        self.lines = array("q")
         self.inverse_time: dict[int, float] = {}
+        self.problems: dict[Message, list[int]] = {}
         self.clues = dialects.Clues()
         self.unit = 1.0
         self.first_unit: float | None = None
@@ -86,6 +84,10 @@ class Interpreter:
         self.calls_blocks = False
         self.ended = False
 
+    def problem(self, what: Message, line: int | None = None) -> None:
+        """Note what is not read, in the line that is being read where no other one is told."""
+        self.problems.setdefault(what, []).append(self.number if line is None else line)
+
     @property
     def moves(self) -> bool:
         """Whether any command moves the tool."""
@@ -93,18 +95,17 @@ class Interpreter:
             (not name or name in codes.MOTION_NAMES) and not _AXES.isdisjoint(words) for name, words in self.commands
         )
 
-    def with_tool_changes(self) -> list[tuple[str, dict[str, float]]]:
+    def with_tool_changes(self) -> Commands:
         """Return the commands; where there is no M6, each T word that names another tool is a tool change."""
         if self.changes:
             return self.commands
-        tool, changed = None, []
-        for name, words in self.commands:
+        tool = None
+        for at, name in enumerate(self.commands.names):
             if name[:1] == "T":
                 number = int(name[1:])
-                name, words = ("M6", {"T": number}) if number != tool else ("G94", {})
+                self.commands[at] = ("M6", {"T": number}) if number != tool else ("G94", {})
                 tool = number
-            changed.append((name, words))
-        return changed
+        return self.commands
 
     def block(self, number: int, words: list[tuple[str, float]], letters: set[str], *, deleted: bool) -> bool:
         """Read the words of one line, which may have a block delete; return whether they end the program."""
@@ -118,7 +119,7 @@ class Interpreter:
                 code = whole(10 * value, 10 * _MOST_CODES)
                 g_codes.append(code)
                 if code in codes.MOTIONS and motion not in (None, code) and self._knows(code):
-                    self._problem(Message("two-motions"))
+                    self.problem(Message("two-motions"))
                 read_as, own = self._g_code(code, words, letters)
                 motion = motion if read_as is None else read_as
                 apart |= own
@@ -131,7 +132,7 @@ class Interpreter:
                 self.spindle = value
             elif letter not in "NOT":
                 if letter in parameters:
-                    self._problem(Message("word-twice", letter=letter))
+                    self.problem(Message("word-twice", letter=letter))
                 parameters[letter] = value
         if taken:
             words = [(letter, value) for letter, value in words if letter not in taken]
@@ -184,7 +185,7 @@ class Interpreter:
             return None, False
         self._displaced(code, words, letters)
         if code in codes.PROBES_OF_PROGRAMS and not letters.isdisjoint("XYZ"):
-            self._problem(Message("probing-untimed"))
+            self.problem(Message("probing-untimed"))
         read_as = self._read_as(code, letters)
         return read_as, read_as is None and (code in codes.APART or self._other(code, words))
 
@@ -219,7 +220,7 @@ class Interpreter:
         if centre and self.relative:  # it would count from the tool
             self.pole = {}
             for letter in centre:
-                self._problem(Message("word-not-read", letter=letter))
+                self.problem(Message("word-not-read", letter=letter))
         elif self.pole is not None:
             self.pole.update(centre)
         is_arc = mode in codes.ARCS and "R" not in move and not {"X", "Y", "Z"}.isdisjoint(move)
@@ -234,7 +235,7 @@ class Interpreter:
             self.call = value
             self.calls_blocks |= calls_block(value, letters)
         if value == 99 and (self.deleted or "P" in letters):
-            self._problem(Message("jumps-not-followed"))
+            self.problem(Message("jumps-not-followed"))
             return False
         return value == 99
 
@@ -247,7 +248,7 @@ class Interpreter:
         if not self.moved:
             return
         if (code == codes.DATA and dict(words).get("L") in _ORIGINS) or offset not in (None, before):
-            self._problem(Message("coordinates-not-changed", name=codes.name_of(code)))
+            self.problem(Message("coordinates-not-changed", name=codes.name_of(code)))
         elif code in codes.MACHINE:
             if "Z" in letters or (code != codes.MACHINE_COORDINATES and letters.isdisjoint("XYZ")):
                 self._add(codes.name_of(code), {"Z": 0.0})
@@ -269,7 +270,7 @@ class Interpreter:
     def _read_as(self, code: int, letters: set[str]) -> int | None:
         """Return the motion as which a G-code is read that `linearize` does not know; None where there is none."""
         if code in codes.SPLINES and not letters.isdisjoint("XYZ"):
-            self._problem(Message("spline-as-line", name=codes.name_of(code)))
+            self.problem(Message("spline-as-line", name=codes.name_of(code)))
             return codes.FEED
         if code == 760 and "R" in letters and ("Y" in letters or "P" not in letters):
             return codes.BORING  # a lathe's G76, which cuts threads, has other words
@@ -280,20 +281,20 @@ class Interpreter:
         letters = {letter for letter, _ in words}
         turning = code in codes.PATTERNS and not letters.isdisjoint("PQUWR")
         if code in codes.PATTERNS and not turning and not letters.isdisjoint("IJKL"):  # of Haas and Yasnac
-            self._problem(Message("hole-pattern-not-read", name=codes.name_of(code)))
+            self.problem(Message("hole-pattern-not-read", name=codes.name_of(code)))
             return True
         if code == 710 and [letter for letter, _ in words if letter != "N"] == ["G", "Z"]:  # Okuma's return level
-            self._problem(Message("unknown-code", name=repr(codes.name_of(code))))
+            self.problem(Message("unknown-code", name=repr(codes.name_of(code))))
             return True
         if code in codes.UNITS and not turning:
             self._measure_in(code)
         elif code in codes.FEED_MODES:
             self.feed_mode, self.per_turn = code, None
         elif code == codes.DWELL:
-            self._problem(Message("dwell-untimed"))
+            self.problem(Message("dwell-untimed"))
             return True
         elif code in codes.COMPENSATION:
-            self._problem(Message("compensation-not-read", name=codes.name_of(code)))
+            self.problem(Message("compensation-not-read", name=codes.name_of(code)))
         elif code in codes.SPLINES:  # without a target they are modes
             return True
         elif code == codes.LOCAL and not letters.isdisjoint("XYZ"):
@@ -301,12 +302,12 @@ class Interpreter:
             return True
         elif code in codes.CHANGES_COORDINATES:
             if code != 920 or (self.moved and not letters.isdisjoint("XYZ")):  # before any move it moves nothing
-                self._problem(Message("coordinates-not-changed", name=codes.name_of(code)))
+                self.problem(Message("coordinates-not-changed", name=codes.name_of(code)))
             return True
         elif code == 431 and "H" not in letters:  # the tool's length in axis words
             return True
         elif code in codes.MACRO_CALLS:
-            self._problem(Message("subprogram-not-read"))
+            self.problem(Message("subprogram-not-read"))
             return True
         else:
             of_a_lathe = self.clues.g_code(code // 10, letters, self.number)
@@ -319,9 +320,9 @@ class Interpreter:
         """Tell of a G-code that is not known, and of the line's axis words, which may be its parameters."""
         name, left_out = repr(codes.name_of(code)), ", ".join(sorted(letters & {"X", "Y", "Z"}))
         if left_out:
-            self._problem(Message("unknown-code-with-words", name=name, letters=left_out))
+            self.problem(Message("unknown-code-with-words", name=name, letters=left_out))
         else:
-            self._problem(Message("unknown-code", name=name))
+            self.problem(Message("unknown-code", name=name))
 
     def _move(self, motion: int | None, parameters: dict[str, float], apart: bool) -> None:
         """Add the command of a line's motion, or of its feed rate alone."""
@@ -353,18 +354,18 @@ class Interpreter:
         mode = self.motion
         self.moved, self.unnamed = True, None
         for line, what in self.away:
-            self._problem(what, line)
+            self.problem(what, line)
         self.away.clear()
         if self.ended:
-            self._problem(Message("goes-on"))
+            self.problem(Message("goes-on"))
         if "Y" in move:
             self._note_y(move["Y"])
         if mode in codes.ARCS:
             self.clues.arc(set(parameters), self.number)
             if parameters.get("P", 1.0) > 1:
-                self._problem(Message("turns-not-read"))
+                self.problem(Message("turns-not-read"))
         if mode in codes.CYCLES and parameters.get("P", 0.0) > 0:
-            self._problem(Message("dwell-untimed"))
+            self.problem(Message("dwell-untimed"))
         name = "" if motion is None else codes.name_of(motion)
         repeats = 1
         if mode in codes.CYCLES:
@@ -400,7 +401,7 @@ class Interpreter:
             # Fagor: Z is the level before the hole, I its depth, K a dwell.
             move["R"], move["Z"] = move["Z"], move.pop("I")
             if "K" in parameters:
-                self._problem(Message("dwell-untimed"))
+                self.problem(Message("dwell-untimed"))
             return whole(parameters.get("L", 1.0), _MOST_REPEATS)
         if mode in codes.PECKING and ("I" in pecks or "J" in pecks or parameters.get("K", 1.0) % 1):
             # Haas and Yasnac: I first peck, J less with each, K at least.
@@ -408,22 +409,22 @@ class Interpreter:
                 move["Q"] = move["I"]
                 pecks.remove("I")
             for one in pecks:
-                self._problem(Message("word-not-read", letter=one))
+                self.problem(Message("word-not-read", letter=one))
             letter = "L"
         elif drills_once:
             for one in sorted({"I", "J"} & parameters.keys()):
-                self._problem(Message("word-not-read", letter=one))
+                self.problem(Message("word-not-read", letter=one))
         repeats = whole(parameters.get(letter, 1.0), _MOST_REPEATS)
         if repeats > 1 and not self.relative:
-            self._problem(Message("repeats-not-read", letter=letter))
+            self.problem(Message("repeats-not-read", letter=letter))
         return repeats
 
     def _unread(self, letter: str, value: float) -> None:
         """Tell of a word that is none of a mill's three axes; a rotary axis stands at 0 before its first word."""
         if letter not in ROTARY:
-            self._problem(Message("word-not-read", letter=letter))
+            self.problem(Message("word-not-read", letter=letter))
         elif value != self.angles.get(letter, 0.0):
-            self._problem(Message("rotary-not-read", letter=letter))
+            self.problem(Message("rotary-not-read", letter=letter))
             self.angles[letter] = value
 
     def _feed(self, value: float | None) -> float | None:

@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from vkworkbench.core.gcode.commands import Commands
 from vkworkbench.core.gcode.linearize import linearize
 from vkworkbench.core.machining import exact_lengths
 from vkworkbench.core.toolpath import Problem, Toolpath
@@ -19,7 +20,7 @@ class Program:
 
     Attributes
     ----------
-    commands : list of (str, dict)
+    commands : Commands
         What `linearize` takes, in mm and mm/s; every tool change is an ``M6`` with its number as ``T``. Where there are
         M6 words, a tool that is named is a ``T1`` without words.
     lines : (n,) int64
@@ -43,7 +44,7 @@ class Program:
         What is not read; `command` is a line of the text.
     """
 
-    commands: list[tuple[str, dict[str, float]]]
+    commands: Commands
     lines: np.ndarray
     comments: tuple[tuple[int, int, str], ...]
     in_calls: frozenset[int]

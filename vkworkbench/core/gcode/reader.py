@@ -85,10 +85,9 @@ class _Reader:
         self.lines = lines
         self.subprograms = Subprograms(lines)
         self.variables = Variables(lines)
-        self.machine = Interpreter(self._problem)
+        self.machine = Interpreter()
         self.comments: list[tuple[int, int, str]] = []
         self.in_calls: set[int] = set()
-        self.problems: dict[Message, list[int]] = {}
         self.in_subprogram = 0
         self.in_called = False  # in a subprogram that is not read where it stands
         self.passed: list[int] = []  # indices of the lines with the numbers of those
@@ -187,7 +186,7 @@ class _Reader:
         self.comments += kept
 
     def _problem(self, what: Message, line: int | None = None) -> None:
-        self.problems.setdefault(what, []).append(self.number if line is None else line)
+        self.machine.problem(what, self.number if line is None else line)
 
     def _strange(
         self, line: str, code: str, rest: str, words: list[tuple[str, float]]
@@ -259,7 +258,7 @@ class _Reader:
             if index not in self.ran:
                 self._problem(Message("subprogram-not-read"), index + 1)
         machine = self.machine
-        problems = tuple(Problem.at(sorted(lines), what) for what, lines in self.problems.items())
+        problems = tuple(Problem.at(sorted(lines), what) for what, lines in machine.problems.items())
         dialects.check(self.blocks, self.strange, machine.moves, problems)
         return Program(
             machine.with_tool_changes(), np.array(machine.lines, np.int64), tuple(self.comments),

@@ -158,7 +158,7 @@ class _Groups:
         marks, cuts = _marks(program), _cuts(program)
         # Tools by the lines of their T words, and of their changes.
         self._named = {
-            line: int(name[1:]) for line, (name, _) in zip(program.lines.tolist(), program.commands) if name[:1] == "T"
+            line: int(name[1:]) for line, name in zip(program.lines.tolist(), program.commands.names) if name[:1] == "T"
         }
         self._changes = {mark.line: mark.number for mark in marks if not isinstance(mark.what, str)}
         self._ended = {ended for _, _, text in program.comments if (ended := _named(_TO, text))}
@@ -234,9 +234,9 @@ def _marks(program: Program) -> list[_Mark]:
         _Mark(*comment, called=number in program.in_calls)
         for number, comment in enumerate(_with_sizes(program.comments))
     ]
-    for at, (name, words) in enumerate(program.commands):
+    for at, name in enumerate(program.commands.names):
         if name == "M6":
-            marks.append(_Mark(at, int(program.lines[at]), words.get("T")))
+            marks.append(_Mark(at, int(program.lines[at]), program.commands[at][1].get("T")))
     return sorted(marks, key=lambda mark: mark[:2])
 
 

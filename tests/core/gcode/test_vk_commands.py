@@ -1,0 +1,52 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The list of a program's commands, held against a list of pairs, and the memory of a long program."""
+
+from __future__ import annotations
+
+import tracemalloc
+
+from vkworkbench.core.gcode import read_program
+from vkworkbench.core.gcode.commands import Commands
+
+PAIRS = [
+    ("G1", {"X": 1.5, "Y": -2.0, "F": 10.0}),
+    ("", {"X": 2.0}),
+    ("T5", {}),
+    ("M6", {"T": 5}),
+    ("G1", {"Y": 3.0, "X": 1.5}),
+]
+
+
+def commands(pairs):
+    made = Commands()
+    for pair in pairs:
+        made.append(pair)
+    return made
+
+
+def test_pairs_are_as_they_were_given():
+    made = commands(PAIRS)
+    assert list(made) == PAIRS and len(made) == 5 and made[4] == PAIRS[4]
+    assert made.names == ["G1", "", "T5", "M6", "G1"]
+    assert list(made[4][1]) == ["Y", "X"]  # in their order
+
+
+def test_a_command_becomes_another_one_and_the_others_stay():
+    made, pairs = commands(PAIRS), list(PAIRS)
+    for at, other in [(2, ("M6", {"T": 7.0})), (0, ("G94", {})), (3, ("G94", {})), (0, ("G0", {"X": 1.0, "Z": 2.0}))]:
+        made[at] = pairs[at] = other
+        assert list(made) == pairs and len(made) == 5
+
+
+def test_a_long_program_takes_hardly_more_than_eight_bytes_a_number():
+    """Pairs and dictionaries took 500 bytes a line, which was the most of what a program of a million lines took."""
+    read_program("G1 X1 F100")  # what is compiled once
+    text = "".join(f"G1 X{x / 1000:.3f} Y{x / 700:.3f} Z-{x / 900:.3f} F1200\n" for x in range(20_000))
+    tracemalloc.start()
+    try:
+        program = read_program(text)
+        taken, _ = tracemalloc.get_traced_memory()
+    finally:
+        tracemalloc.stop()
+    assert program.commands[7] == ("G1", {"X": 0.007, "Y": 0.01, "Z": -0.008, "F": 20.0})
+    assert taken < 80 * len(program.commands)
