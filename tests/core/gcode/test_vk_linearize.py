@@ -6,7 +6,7 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from vkworkbench.core import linearize
+from vkworkbench.core import COORDINATE_LIMIT, linearize
 
 
 def path(*commands, **options):
@@ -76,6 +76,17 @@ def test_zero_length_repeated_and_negative_zero_moves_vanish():
 def test_relative_words():
     toolpath = path(START, ("G91", {}), ("G1", {"X": 2}), ("G1", {"X": 2, "Y": 1}), ("G90", {}), ("G1", {"X": 1}))
     assert ends(toolpath) == [[2, 0, 0], [4, 1, 0], [1, 1, 0]]
+
+
+@pytest.mark.parametrize("sense", [1, -1])
+def test_relative_words_that_add_up_to_more_than_a_kilometre_end_there(sense):
+    far = 0.75 * COORDINATE_LIMIT * sense
+    toolpath = path(
+        START, ("G91", {}), ("G1", {"X": far, "Y": 3}), ("G1", {"X": far}), ("G1", {"Z": -2}), ("G1", {"X": -far})
+    )
+    end = COORDINATE_LIMIT * sense
+    assert ends(toolpath) == [[far, 3, 0], [end, 3, 0], [end, 3, -2], [far, 3, -2]]
+    assert [(problem.what.code, problem.command) for problem in toolpath.problems] == [("position-cut-off", 3)]
 
 
 @pytest.mark.parametrize("tolerance", [1.0, 0.1, 0.01, 0.001])

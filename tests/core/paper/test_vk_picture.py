@@ -78,6 +78,15 @@ def test_ends_on_both_sides_of_where_all_begin_are_told_apart():
     assert distinct(points, 2 * np.arange(5), cells=20, most=4).tolist() == [0, 2, 4, 6]
 
 
+def test_of_a_fan_one_ray_is_drawn_to_each_cell_whichever_way_the_rays_run():
+    """Ninety rays of 10 mm and their ends up to 9.8 mm aside, on cells of 1 mm."""
+    points, segments = np.zeros((180, 2)), 2 * np.arange(90)
+    points[1::2] = np.column_stack((np.full(90, 10.0), np.arange(90) * 0.11))
+    first = segments[np.unique((np.arange(90) * 0.11).astype(int), return_index=True)[1]]
+    assert distinct(points, segments, cells=10, most=20).tolist() == first.tolist()
+    assert len(distinct(points[::-1], segments, cells=10, most=20)) == len(first) == 10
+
+
 def test_no_two_pairs_of_cells_are_taken_for_one():
     places = [(x, y) for x in range(5) for y in range(5)]
     pairs = [pair for k, one in enumerate(places) for pair in ((one, other) for other in places[k + 1 :])]

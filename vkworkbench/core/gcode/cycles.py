@@ -82,9 +82,10 @@ def move_counts(code: np.ndarray, heights: np.ndarray, peck: np.ndarray) -> np.n
     """Return how many moves each cycle takes, (m,) int; the parameters are those of :func:`moves`."""
     depth = np.maximum(heights[:, 1] - heights[:, 2], 0.0)
     pecking = np.isin(code, PECKING) & (peck * MOST_PECKS > depth)
-    pecks = np.where(pecking, np.ceil(depth / np.where(pecking, peck, 1.0) - 1e-9), 1.0)
+    pecks = np.ceil(depth / np.where(pecking, peck, np.inf) - 1e-9)
     # Approach (3 moves), for each peck but the last feed, out, back; then to the bottom, with some out at feed, leave.
-    return 3 + 3 * (np.maximum(pecks, 1.0).astype(np.int64) - 1) + 2 + np.isin(code, FEED_OUT)
+    counts: np.ndarray = 3 + 3 * (np.maximum(pecks, 1.0).astype(np.int64) - 1) + 2 + np.isin(code, FEED_OUT)
+    return counts
 
 
 def moves(

@@ -372,16 +372,11 @@ def _coordinate(values: np.ndarray, relative: np.ndarray) -> tuple[np.ndarray, n
     absolute one comes; an axis without any word is 0.
     """
     given = ~np.isnan(values)
-    last = _last(given)
-    known = last >= 0
-    if not (relative & given).any():
-        first = values[given.argmax()] if given.any() else 0.0
-        return np.where(known, values[last], first), known
+    known = _last(given) >= 0
     travelled = np.cumsum(np.where(given & relative, values, 0.0))
     anchor = _last(given & ~relative)
     anchored = np.where(anchor >= 0, values[anchor] - travelled[anchor], 0.0)
     position = anchored + travelled
-    first = given.argmax()
-    if not relative[first]:
-        position[:first] = values[first]
+    if known.any() and not relative[given.argmax()]:
+        position[~known] = values[given.argmax()]
     return position, known

@@ -175,8 +175,6 @@ def _disjoint(moves: Moves, first: np.ndarray, end: np.ndarray) -> tuple[np.ndar
     if not (first[1:] > first[:-1]).all():
         order = np.lexsort((end, first))
         first, end = first[order], end[order]
-        new = np.append(True, first[1:] > first[:-1])
-        first, end = first[new], end[new]
     if (end[:-1] <= first[1:]).all():
         return first, end
     turned = np.append(0.0, np.cumsum(np.abs(moves.turning)))
