@@ -11,7 +11,7 @@ import pytest
 
 from vkworkbench.core import linearize
 from vkworkbench.core.paper import monotonous_areas
-from vkworkbench.core.recognition.crossings import NAMES, Sample, _cross, scan
+from vkworkbench.core.recognition.crossings import FROM_THE_MIDDLE, NAMES, Sample, _cross, scan
 
 EXTENT = 60.0
 ROWS, STEP = 10, 3.0
@@ -128,6 +128,11 @@ def test_lines_lie_where_the_cutting_is():
     lead = [[(-400.0, 0.0, 0.0), (-401.0, 0.0, 0.0)]]
     crossings, level, _ = told([*programs.program(lead), *programs.one_way(ROWS, 50.0, STEP)])
     assert crossings == pytest.approx(ROWS) and level == pytest.approx({**SIDE_BY_SIDE, **ONE_WAY}, abs=1e-6)
+
+
+def test_a_dozen_lines_lie_evenly_across_the_width_from_the_middle_outward():
+    assert np.sort(FROM_THE_MIDDLE) == pytest.approx((np.arange(12) + 0.5) / 12)
+    assert (np.diff(np.abs(FROM_THE_MIDDLE - 0.5)) >= -1e-9).all()
 
 
 @pytest.mark.parametrize("angle", [0.3, 1.0, 2.0])

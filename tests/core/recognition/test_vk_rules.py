@@ -51,10 +51,18 @@ def carved(y, rises=8.0):
     return [(500, y, -4.0), (600, y + 3, -4.0), (660 - rises, y, -4.0), (660, y + rises, -4.0 + rises / 2)]
 
 
+def rectangle(inside):
+    """80 by 40 mm, or so far inside of that."""
+    low, right, top = inside, 80 - inside, 40 - inside
+    return [(low, low, 0.0), (right, low, 0.0), (right, top, 0.0), (low, top, 0.0), (low, low, 0.0)]
+
+
 squares = [polygon(side) for side in (48, 44, 40, 36, 32)]
 crooked = [(x, -40 + math.sin(1.3 * i), 0.0) for i, x in enumerate(np.linspace(44, 96, 14))]
+there_and_back = crooked + [(x, y + 1, z) for x, y, z in crooked[::-1]]
 CASES = {
     "bites that overlap": ([arc(8.0 * i) for i in range(12)], "adaptive", "bites-overlap", 12),
+    "just enough bites": ([arc(8.0 * i) for i in range(10)], "adaptive", "bites-overlap", 10),
     "too few bites": ([arc(8.0 * i) for i in range(9)], "engraving", "short-strokes", 9),
     "bites one way and the other": ([arc(8.0 * i, clockwise=i % 3 == 0) for i in range(18)], "engraving", "short-strokes", 18),
     "arcs around one centre": ([arc(radius=10.0 + 2 * i) for i in range(8)], "contour-parallel", "nested", 8),
@@ -63,6 +71,8 @@ CASES = {
     "offsets": (squares, "contour-parallel", "nested", 5),
     "offsets to and fro": (
         [ring[:: -1 if i % 2 else 1] for i, ring in enumerate(squares)], "zigzag", "sense-alternates", 5),
+    "offsets beside some rows": (
+        [*(rectangle(2.0 * i) for i in range(5)), rows(length=32, y=-300)], "contour-parallel", "nested", 5),
     "two contours": ([polygon(60), polygon(20)], "profile", "not-nested", 2),
     "a contour at three depths": ([polygon(40, z=z) for z in (0.0, -2.0, -4.0)], "profile", "not-nested", 3),
     "a spiral": ([winding(2, 26, 8)], "spiral", "endless-winding", 9),
@@ -87,6 +97,8 @@ CASES = {
         [[(x, y, -2.0 * (k + i / 4)) for k in range(5) for i, (x, y, _) in enumerate(polygon(40)[:-1])]],
         "profile", "not-nested", 4),
     "walls that widen": ([polygon(20 + 2 * i, z=-1.0 * i) for i in range(8)], "waterline", "shape-changes", 8),
+    "walls that widen at three depths": (
+        [polygon(side, z=z) for side, z in ((20, 0.0), (24, -3.0), (34, -3.0), (40, -6.0))], "waterline", "shape-changes", 3),
     "an edge that is broken": ([polygon(20 + i, z=-0.25 * i) for i in range(8)], "profile", "not-nested", 8),
     "walls that widen at two depths": ([polygon(20 + 2 * i, z=-3.0 * i) for i in range(2)], "profile", "not-nested", 2),
     "circles on a dome": (
@@ -100,7 +112,7 @@ CASES = {
         [*(polygon(16, x=1.0 * i, corners=24) for i in range(8)), polygon(40, x=100), polygon(40, x=200),
          *letters(9)], "adaptive", "loops-move", 10),
     "a pass inside a narrow contour": (
-        [polygon(60, ratio=0.2), crooked + [(x, y + 1, z) for x, y, z in crooked[::-1]]], "mixed", "pass-inside", 2),
+        [polygon(60, ratio=0.2), there_and_back], "mixed", "pass-inside", 2),
     "rows": ([rows()], "zigzag", "half-turns-alternate", 10),
     "rows one way": ([[(0, y, 0), (50, y, 0)] for y in np.arange(0, 30, 3.0)], "one-way", "same-way", 10),
     "rows within a contour": ([rows(x=46, y=-54, length=48), polygon(54)], "zigzag", "half-turns-alternate", 10),
@@ -110,8 +122,8 @@ CASES = {
     "open offsets to and fro": (waves(6, 3.0, alternate=True), "zigzag", "open-offsets", 6),
     "open passes that part": (waves(8, 1.0, grows=4.0), "adaptive", "open-passes", 8),
     "open contours that change with the depth": (
-        [[(x + i * i, y * (1 + i / 5), -2.0 * i) for x, y, _ in arc(radius=30)] for i in range(5)],
-        "waterline", "open-contours-change", 5),
+        [[(x + i * i, y * (1 + i / 5), -2.0 * i) for x, y, _ in arc(radius=30)] for i in range(4)],
+        "waterline", "open-contours-change", 4),
     "one open contour": ([arc(radius=30)], "profile", "one-open-contour", 1),
     "an open contour at three depths": ([arc(radius=30, z=-2.0 * i) for i in range(3)], "profile", "open-contour-again", 3),
     "two short open contours at three depths": (
@@ -167,3 +179,110 @@ def test_rows_within_a_contour_are_finished_by_it():
 @pytest.mark.parametrize("name, step", [("open offsets", 3.0), ("arcs around one centre", 2.0)])
 def test_the_step_of_passes_that_are_no_rings(name, step):
     assert proposed(CASES[name][0]).step == pytest.approx(step, rel=0.1)
+
+
+def beside(strokes, others, share):
+    """Strokes, and others that have a share of the length; `others` draws them, in all so many mm long."""
+    length = sum(math.dist(a[:2], b[:2]) for stroke in strokes for a, b in zip(stroke, stroke[1:]))
+    return [*strokes, *others(length * share / (1 - share))]
+
+
+def contours(length, count=4):
+    """Squares that have nothing to do with one another."""
+    return [polygon(length / count / 4, x=500.0 * k, y=-600) for k in range(count)]
+
+
+def few_rows(length, count=6):
+    return [rows(count, (length - 3.0 * (count - 1)) / count, y=-300)]
+
+
+def scribbles(length, count=20):
+    """Open strokes of three sides, each of another form."""
+    side, strokes = length / count / 3, []
+    for k in range(count):
+        points = [(15.0 * k, 200.0, 0.0)]
+        for angle in (0.3 + 0.1 * k, 2.0 + 0.05 * k, 4.0 + 0.13 * k):
+            points.append((points[-1][0] + side * math.cos(angle), points[-1][1] + side * math.sin(angle), 0.0))
+        strokes.append(points)
+    return strokes
+
+
+def bites(length, count=6):
+    radius = length / count / (0.4 * 2 * math.pi)
+    return [arc(0.8 * radius * k, y=300, radius=radius) for k in range(count)]
+
+
+def entered(share):
+    """Windings of 1781 mm, each wider than the one before by more, behind a helix of two turns with a share of that."""
+    radii, way_in = [10 + 2 * k + k * k / 4 for k in range(11)], 1781 * share / (4 * math.pi)
+    turns = [winding(*pair, 1) for pair in zip(radii, radii[1:])]
+    return [
+        [*winding(way_in, way_in, 2, z=2.0, drop=2), *turns[0], *(point for turn in turns[1:] for point in turn[1:])]
+    ]
+
+
+def divided(ratio):
+    """Squares whose steps in depth go from 0.5 to 1.5 mm, and those in the plane are so much more even."""
+    at = np.linspace(-0.5, 0.5, 11)
+    sides, heights = (np.append(0, np.cumsum(step)) for step in (4 * (1 + ratio * at), -(1 + at)))
+    return [polygon(20 + side, z=z) for side, z in zip(sides, heights)]
+
+
+# From which value on a toolpath is something else, and what draws it with a value. Lengths are shares of the whole.
+BORDERS = {
+    "bites among contours": (0.1, lambda share: beside(bites(300, 12), contours, 1 - share), "profile", "adaptive"),
+    "contours among scribbles": (0.35, lambda share: beside(contours(480), scribbles, 1 - share), "engraving", "profile"),
+    "rows among scribbles": (0.35, lambda share: beside([rows()], scribbles, 1 - share), "engraving", "zigzag"),
+    "rows beside contours": (0.15, lambda share: beside(contours(480), few_rows, share), "profile", "mixed"),
+    "a contour beside rows": (
+        0.1, lambda share: beside([rows()], lambda length: contours(length, 1), share), "zigzag", "mixed"),
+    "bites beside a spiral": (0.03, lambda share: beside([winding(2, 26, 8)], bites, share), "spiral", "adaptive"),
+    "scribbles beside a spiral": (0.3, lambda share: beside([winding(2, 26, 8)], scribbles, share), "spiral", "adaptive"),
+    "a helix before windings": (0.005, entered, "spiral", "adaptive"),
+    "a pass inside a contour, among others": (  # it is 0.42 of both
+        0.1, lambda share: beside([polygon(60, ratio=0.2), there_and_back], contours, 1 - share / 0.42), "profile", "mixed"),
+    "walls that widen, among contours": (
+        0.3, lambda share: beside([polygon(20 + 2 * i, z=-1.0 * i) for i in range(8)], contours, 1 - share),
+        "profile", "waterline"),
+    "walls that widen, by how deep they are, mm": (
+        2.1, lambda depth: [polygon(20 + 2 * i, z=-depth / 7 * i) for i in range(8)], "profile", "waterline"),
+    "steps in the plane, by how much they spread beside those in depth": (0.5, divided, "contour-parallel", "waterline"),
+    "letters in ground 100 mm wide, by their size": (
+        0.15, lambda size: [polygon(100 * size * (1 + 0.02 * (k - 4.5)), x=20 * (k % 5), y=20 * (k // 5)) for k in range(10)],
+        "engraving", "profile"),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("at, draw, under, over", BORDERS.values(), ids=BORDERS)
+def test_a_rule_ends_where_it_says(at, draw, under, over):
+    assert [proposed(draw(value * at)).strategy for value in (0.94, 1.06)] == [under, over]
+
+
+@pytest.mark.parametrize("sloped, strategy", [(3, "waterline"), (5, "engraving")])
+def test_open_contours_of_which_a_fifth_descends_are_no_waterline(sloped, strategy):
+    """Twenty at five depths."""
+    strokes = [
+        [
+            (x + k * k / 4 + 60 * (k % 2), y * (1 + k / 15), z - 2.0 * (k // 4))
+            for x, y, z in arc(radius=30, drop=2.0 * (k < sloped))
+        ]
+        for k in range(20)
+    ]
+    assert proposed(strokes).strategy == strategy
+
+
+@pytest.mark.parametrize(
+    "count, depths, wider, strategy",
+    [
+        (8, 1, 0.3, "engraving"),
+        (7, 1, 0.3, "profile"),
+        (12, 3, 0.3, "engraving"),
+        (12, 4, 0.3, "profile"),
+        (9, 1, 0.25, "engraving"),
+        (9, 1, 0.1, "profile"),
+    ],
+)
+def test_letters_are_eight_small_contours_of_different_shapes_at_three_depths_at_most(count, depths, wider, strategy):
+    """Sizes that differ by less than 0.2 mm are one shape."""
+    strokes = [polygon(6 + wider * k, x=12.0 * k, z=-1.0 * (k % depths)) for k in range(count)]
+    assert proposed(strokes).strategy == strategy

@@ -24,19 +24,17 @@ class _Nodes(NamedTuple):
 
     def read(self, nodes: Iterator[str], classes: int) -> None:
         """Append the next subtree."""
-        node, at = next(nodes), len(self.measure)
-        share = np.zeros(classes)
-        self.measure.append(-1)
-        self.below.append(0.0)
+        asked, inner, below = next(nodes).partition("<")
+        at, share = len(self.measure), np.zeros(classes)
+        self.measure.append(int(asked) if inner else -1)
+        self.below.append(float(below) if inner else np.nan)
         self.no.append(at)
         self.share.append(share)
-        if "<" not in node:
-            for part in node.split(","):
+        if not inner:
+            for part in asked.split(","):
                 name, percent = part.split(":")
                 share[int(name)] = float(percent) / 100
             return
-        measure, below = node.split("<")
-        self.measure[at], self.below[at] = int(measure), float(below)
         self.read(nodes, classes)
         self.no[at] = len(self.measure)
         self.read(nodes, classes)
