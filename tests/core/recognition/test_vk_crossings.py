@@ -135,6 +135,29 @@ def test_a_dozen_lines_lie_evenly_across_the_width_from_the_middle_outward():
     assert (np.diff(np.abs(FROM_THE_MIDDLE - 0.5)) >= -1e-9).all()
 
 
+@pytest.mark.parametrize("length, beside", [(18.0, True), (25.0, False)])
+def test_a_twenty_fifth_of_the_length_may_lie_beside_all_lines(length, beside):
+    """A lead 400 mm aside of ten rows of 50 mm: less than 21 mm, or the lines lie between it and the rows, too."""
+    lead = [[(-400.0, 0.0, 0.0), (-400.0 - length, 0.0, 0.0)]]
+    crossings, _, _ = told([*programs.program(lead), *programs.one_way(ROWS, 50.0, STEP)])
+    assert crossings == pytest.approx(ROWS) if beside else crossings < ROWS / 2
+
+
+@pytest.mark.parametrize("sine, crosses", [(0.25, False), (0.4, True)])
+def test_what_runs_along_the_lines_is_not_crossed(sine, crosses):
+    length = 20.0
+    along = [[(25.0, 50.0, 0.0), (25.0 + sine * length, 50.0 + np.sqrt(1 - sine**2) * length, 0.0)]]
+    crossings, _, _ = told([*programs.one_way(ROWS, 50.0, STEP), *programs.program(along)])
+    assert (crossings > ROWS + 0.1) == crosses
+
+
+@pytest.mark.parametrize("deeper, apart", [(0.04, True), (0.02, False)])
+def test_heights_that_differ_by_a_fortieth_and_more_are_two_depths(deeper, apart):
+    """Half of 0.05 mm; on one depth a pass lies over the one before it, and beside none of its neighbours."""
+    _, level, _ = told(programs.one_way(ROWS, 50.0, STEP, depths=(0.0, -deeper)))
+    assert level["run"] == pytest.approx((ROWS - 2) / (ROWS - 1) if apart else 0)
+
+
 @pytest.mark.parametrize("angle", [0.3, 1.0, 2.0])
 def test_turned_rows_tell_the_same(angle):
     cos, sin = np.cos(angle), np.sin(angle)

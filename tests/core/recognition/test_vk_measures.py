@@ -67,7 +67,7 @@ def test_rings_at_two_depths():
     found = told(programs.program([polygon(side, z=z) for z in (0.0, -1.0) for side in (40, 34)]))
     length, extent = 2 * 4 * (40 + 34), hypot(40, 40)
     holds(found, {
-        "longest_area": 40 / 148, "around_areas": 0, "area_turns": log1p(0.75), "one_turn": 1, "closed_areas": 1, "area_v": 0,
+        "longest_area": 40 / 148, "around_areas": 0, "rows_areas": 0, "area_turns": log1p(0.75), "one_turn": 1, "closed_areas": 1, "area_v": 0,
         "areas": log1p(4), "area_length": log(length / 4 / extent), "turned": log1p(3), "turned_for_length": log1p(3 * extent / length),
         "net_turn": 1, "one_sense": 1, "alike_areas": -log(4 * 2 * (40**2 + 34**2) / 148**2),
     })  # fmt: skip
@@ -98,7 +98,7 @@ def test_one_ring():
 def test_round_rings_that_move_on():
     """Circles of 10 mm in a row, 2 mm apart: the way from the first to the last is straight."""
     found = told(programs.program([polygon(20, x=2.0 * k, corners=48) for k in range(12)]))
-    holds(found, {"drift": 1, "rings": log1p(12), "loops": 1, "smooth": 1, "corners": 0, "distinct": 1})
+    holds(found, {"drift": 1, "rings": log1p(12), "loops": 1, "smooth": 1, "corners": 0, "distinct": 1, "long_arcs": 1})
     assert found["roundness"] == pytest.approx(1, abs=0.01)
     there = [2.0 * k for k in range(6)]
     back = told(programs.program([polygon(20, x=x, corners=48) for x in (*there, *there[::-1])]))
@@ -134,6 +134,45 @@ def test_turns_to_either_side_cancel_in_one_sense_only():
 def test_two_turns_are_of_one_sense_or_not(aside, keeps):
     found = told(programs.program([[(0, 0, 0), (20, 0, 0), (20, 20, 0), (20 - aside, 20, 0)]]))
     holds(found, {"sense_keeps": keeps})
+
+
+@pytest.mark.parametrize("gap, closed", [(1.5, 1), (1.7, 0)])
+def test_an_area_is_closed_where_a_fiftieth_of_its_length_is_missing(gap, closed):
+    """Of 80 mm."""
+    around = [(0, 0, 0), (20, 0, 0), (20, 20, 0), (0, 20, 0), (0, gap, 0)]
+    assert told(programs.program([around]))["closed_areas"] == closed
+
+
+def test_a_star_that_is_drawn_in_one_stroke_turns_by_more_than_one_turn():
+    """By four of its five corners of 144 degrees."""
+    star = [(20 * np.cos(angle), 20 * np.sin(angle), 0.0) for angle in 0.8 * np.pi * np.arange(6)]
+    holds(told(programs.program([star])), {"closed_areas": 1, "one_turn": 0, "area_turns": log1p(1.6), "long_arcs": 1})
+
+
+@pytest.mark.parametrize(
+    "degrees, kinds",
+    [(100, "short"), (112, ""), (140, ""), (148, "half"), (212, "half"), (220, ""), (265, ""), (275, "long")],
+)
+def test_arcs_of_the_image_are_bends_half_turns_or_go_around(degrees, kinds):
+    """A stroke of four turns in one sense: up to 0.3 turns, 0.4 to 0.6, and from 0.75 on."""
+    heading = np.radians(degrees) / 4 * np.arange(5)
+    points = np.cumsum(np.column_stack((np.cos(heading), np.sin(heading), 0 * heading)) * 10, axis=0)
+    found = told(programs.program([[(0.0, 0.0, 0.0), *points.tolist()]]))
+    holds(found, {f"{kind}_arcs": kind == kinds for kind in ("short", "half", "long")})
+
+
+@pytest.mark.parametrize("turn, keeps", [(1.5e-4, 1), (0.7e-4, 0)])
+def test_what_turns_by_less_than_a_ten_thousandth_goes_straight(turn, keeps):
+    heading = turn * np.arange(5)
+    points = np.cumsum(np.column_stack((np.cos(heading), np.sin(heading), 0 * heading)) * 1000, axis=0)
+    holds(told(programs.program([[(0.0, 0.0, 0.0), *points.tolist()]])), {"sense_keeps": keeps})
+
+
+@pytest.mark.parametrize("other, surprise", [(14.5, 0), (15.5, log(2))])
+def test_turns_are_told_apart_by_fifteen_degrees(other, surprise):
+    heading = np.radians(np.cumsum([0, 14, other, 14, other]))
+    points = np.cumsum(np.column_stack((np.cos(heading), np.sin(heading), 0 * heading)) * 10, axis=0)
+    holds(told(programs.program([[(0.0, 0.0, 0.0), *points.tolist()]])), {"surprise": surprise})
 
 
 def test_surprise_is_the_entropy_of_the_turns():

@@ -9,12 +9,13 @@ from dataclasses import replace
 import numpy as np
 import programs
 import pytest
+from drawings import winding
 
 from vkworkbench.core import Strategy, linearize, recognize
 from vkworkbench.core.paper import monotonous_areas
 from vkworkbench.core.recognition.borders import MEASURES
 from vkworkbench.core.recognition.forest import Forest
-from vkworkbench.core.recognition.parts import Sections, told_apart
+from vkworkbench.core.recognition.parts import Sections, _differing, told_apart
 from vkworkbench.core.recognition.thresholds import VISITS
 from vkworkbench.core.recognition.visits import Visits, begun, compared, find_visits
 
@@ -320,6 +321,33 @@ def test_a_contour_around_rows_as_deep_finishes_their_walls_and_is_no_operation(
     assert borders(contour(-1.0), 0.6) == at  # the motion itself is sure
     assert borders(contour(-2.0), 0.4) == at  # deeper
     assert borders(contour(-1.0, out=9.0), 0.4) == at  # around something else
+
+
+def in_turns(count, *drawn):
+    """What is drawn in turns, each time 200 mm on; and where all but the first begin."""
+    strokes = [[(x + 200.0 * k, y, z) for x, y, z in drawn[k % len(drawn)]] for k in range(count)]
+    path = linearize(programs.program(strokes))
+    return path, (np.flatnonzero(path.rapid[:-1] & ~path.rapid[1:])).tolist()
+
+
+ROWS = [(x, 3.0 * row, 0.0) for row in range(10) for x in ((0.0, 50.0) if row % 2 else (50.0, 0.0))]
+SPIRAL = winding(2, 26, 8)
+
+
+@pytest.mark.parametrize("count", [2, 3, 4, 5])
+def test_two_strategies_that_meet_three_times_take_turns_within_one_operation(count):
+    path, begins = in_turns(count, ROWS, SPIRAL)
+    assert told_apart(Sections(path, TOOL), [], dict.fromkeys(begins, 0.2)) == (begins if count < 4 else [])
+
+
+def test_a_retract_in_doubt_parts_two_strategies_where_the_odds_are_three_to_five_and_one_strategy_where_the_votes_do():
+    path, (at,) = in_turns(2, ROWS, SPIRAL)
+    one, two = Sections(path, TOOL).between([at])
+    for odds, parts in ((0.58, []), (0.62, [at])):
+        by_votes = odds / _differing(one.found, two.found)
+        assert told_apart(Sections(path, TOOL), [], {at: by_votes / (1 + by_votes)}) == parts
+    path, (at,) = in_turns(2, ROWS)
+    assert [told_apart(Sections(path, TOOL), [], {at: share}) for share in (0.28, 0.32)] == [[], [at]]
 
 
 def test_a_way_down_from_the_top_is_no_retract_to_it():

@@ -46,6 +46,12 @@ def test_a_large_ring_is_the_same_at_another_depth_where_it_is_a_quarter_millime
     assert related(rings_of([polygon(100), polygon(100 - 2 * inward, z=-1.0)])) == [{relation}] * 2
 
 
+@pytest.mark.parametrize(("inward", "relation"), [(0.85, "repeated"), (0.95, "deeper")])
+def test_however_large_a_ring_is_it_is_another_a_quarter_of_the_reach_inside(inward, relation):
+    """A tool of 3 mm reaches 3.6 mm; two thousandths of the ring's metre would be 2 mm."""
+    assert related(rings_of([polygon(1000), polygon(1000 - 2 * inward, z=-1.0)], 3.0)) == [{relation}] * 2
+
+
 @pytest.mark.parametrize("side", [60, 600])
 def test_offsets_of_a_large_part_are_as_far_apart_as_those_of_a_small_one(side):
     """A fifth of the tool, which is a thousandth of the larger part's size."""

@@ -166,6 +166,13 @@ def test_a_single_row_has_no_step():
     assert (rows.step, rows.pitch, rows.period, rows.opposite, rows.same, rows.even) == (0,) * 6
 
 
+@pytest.mark.parametrize("apart, lines", [(0.015, 1), (0.03, 5)])
+def test_rows_closer_than_two_hundredths_lie_on_one_line(apart, lines):
+    strokes = [[(0.0, apart * k, 0.0), (50.0, apart * k, 0.0)] for k in range(5)]
+    (rows,) = rows_of(programs.program(strokes))
+    assert rows.lines == lines
+
+
 def test_uneven_steps_are_told():
     """Steps of 4 mm, but for every third, of 1 mm: two thirds are about as long as the usual one."""
     y = np.cumsum([0, 4, 4, 1] * 4)
