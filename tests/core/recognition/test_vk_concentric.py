@@ -62,6 +62,11 @@ def test_a_short_step_is_uneven_and_a_long_one_no_neighbour():
     assert apart.even == pytest.approx((10 + 12 + 40) / (10 + 12 + 14 + 40), rel=1e-3)
 
 
+@pytest.mark.parametrize(("aside", "count"), [(0.5, 4), (0.7, 5)])
+def test_radii_that_differ_by_less_than_three_tenths_of_a_step_are_one(aside, count):
+    assert found([10, 12, 14, 16, 16 + aside]).count == count
+
+
 def test_the_same_arc_at_another_depth_is_no_step():
     arcs = found([10, 10, 12, 12, 14, 14])
     assert arcs.count == 3 and arcs.same == pytest.approx(QUARTER * 22, rel=1e-3)

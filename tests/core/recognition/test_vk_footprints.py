@@ -50,6 +50,11 @@ def test_what_rounding_leaves_is_one_footprint():
     assert footprints(pieces, every(pieces))[1] == 1
 
 
+def test_what_lies_a_little_more_than_a_tenth_aside_lies_elsewhere():
+    pieces = pieces_of(*(polygon(**SQUARE, x=0.11 * k) for k in range(10)))
+    assert footprints(pieces, every(pieces))[1] == 10
+
+
 def test_at_one_depth_nothing_comes_again():
     pieces = pieces_of(polygon(**SQUARE), polygon(**SQUARE, z=0.01), polygon(**SQUARE, x=100.0))
     again, count = come_again(pieces, every(pieces))

@@ -91,6 +91,13 @@ def test_passes_that_open_like_a_fan_are_not_even():
     assert found.even == 0 and found.onward == 1 and found.step == pytest.approx(2.0, rel=0.1)
 
 
+@pytest.mark.parametrize("opens, even", [(0.6, 1), (0.9, 0)])
+def test_an_offset_keeps_its_distance_to_three_tenths_but_for_the_ends(opens, even):
+    """About 2 mm; four fifths of how far they open lie between the tenth and the ninetieth percentile."""
+    found = neighbours([line((2.0 - opens / 2) * k, slant=opens * k) for k in range(5)])
+    assert found.even == even and found.step == pytest.approx(2.0, rel=0.1)
+
+
 def test_one_far_from_the_usual_step_counts_as_none():
     """Rows of 2 mm and, behind them, one of 7 mm, and nothing beside the other half of the length."""
     strokes = [*(line(2.0 * k, length=200.0) for k in range(5)), line(15.0, length=200.0)]
