@@ -10,12 +10,13 @@ from types import SimpleNamespace
 import numpy as np
 import programs
 import pytest
+from drawings import polygon
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from vkworkbench.core import Strategy, linearize, recognize
 from vkworkbench.core.paper import monotonous_areas
-from vkworkbench.core.recognition.operation import _runs
+from vkworkbench.core.recognition.operation import _runs, cutting_length
 from vkworkbench.core.recognition.parts import (
     _agree,
     _differing,
@@ -286,6 +287,28 @@ def test_holes_that_another_tool_drills_or_that_are_many_are_another_operation(d
     assert found.strategy is Strategy.MIXED
     assert [s.strategy for s in found.spans] == [Strategy.CONTOUR_PARALLEL, Strategy.DRILLING]
     assert found.reason.endswith("retracts or drilling show contour-parallel, drilling: mixed")
+
+
+def with_a_contour(pattern, share, *before):
+    """A pattern and a square contour with a share of the length, of which 10 mm are its way down."""
+    path = linearize(pattern)
+    length = cutting_length(path, 0, len(path) - 1) * share / (1 - share)
+    square = programs.program([polygon((length - 10) / 4, x=500)])
+    return linearize([*pattern, *before, *square])
+
+
+@pytest.mark.parametrize("program", [False, True])
+@pytest.mark.parametrize(("share", "strategy"), [(0.047, Strategy.ZIGZAG), (0.053, Strategy.MIXED)])
+def test_a_titled_section_with_a_twentieth_of_the_length_makes_the_whole_mixed(share, strategy, program):
+    path = with_a_contour(programs.zigzag(20, 60.0, 3.0), share, ("(Contour)", {}))
+    assert recognize(path, tool_diameter=TOOL, program=program).strategy is strategy
+
+
+@pytest.mark.parametrize(("share", "others"), [(0.0009, 0), (0.0011, 1)])
+def test_another_tool_begins_an_operation_with_a_thousandth_of_the_length(share, others):
+    pocket = programs.SOUND["contour-parallel"](70, 36, 3.0, 10.0, [-1.0], 0.0)
+    found = recognize(with_a_contour(pocket, share, ("M6", {"T": 2.0})), tool_diameter=TOOL, program=True)
+    assert len(found.spans) == 1 + others
 
 
 def in_holes(depths, remark=True):

@@ -173,6 +173,12 @@ def test_rows_closer_than_two_hundredths_lie_on_one_line(apart, lines):
     assert rows.lines == lines
 
 
+@pytest.mark.parametrize("length, count", [(4.5, 10), (5.5, 11)])
+def test_a_pass_of_less_than_a_tenth_of_the_others_is_no_row(length, count):
+    (rows,) = rows_of([*programs.one_way(10, 50.0, 3.0), *programs.program([[(0.0, 30.0, 0.0), (length, 30.0, 0.0)]])])
+    assert rows.count == count
+
+
 def test_uneven_steps_are_told():
     """Steps of 4 mm, but for every third, of 1 mm: two thirds are about as long as the usual one."""
     y = np.cumsum([0, 4, 4, 1] * 4)
