@@ -86,6 +86,10 @@ def main() -> None:
             count += len(sections)
             whole = {"id": name, "commands": commands(path, 0, len(path) - 1), "sections": sections}
             programs.write(json.dumps(whole) + "\n")
+    named = len({(row["repository"], row["path"], row["commit"]) for row in rows})
+    print(
+        f"{len(rows)} sections of {named} programs in {len({row['repository'] for row in rows})} repositories are named"
+    )
     print(f"{count} of {len(rows)} labelled operations are in {into[0]}")
 
 

@@ -50,7 +50,7 @@ def main():
     assert np.allclose(signature(points).phi, obvious(points)[2])
     ours, theirs = best_pair(lambda: signature(points).level, lambda: obvious(points), 200)
     everything, _ = best_pair(lambda: signature(points).theta_level, lambda: obvious(points), 200)
-    print("17,000 trajectories")
+    print(f"17,000 trajectories, numpy {np.__version__}")
     print(f"  alpha, turning, phi, level, reversals  {ours * 1e3:6.3f} ms  {ours / theirs:5.2f} x the obvious pipeline")
     print(f"  the same and V_k, theta_level          {everything * 1e3:6.3f} ms  {everything / theirs:5.2f} x")
     print(f"  obvious: arctan2, wrap, cumsum         {theirs * 1e3:6.3f} ms   1.00 x")
