@@ -4,7 +4,7 @@
     python3 tests/fuzz.py [--count 10000] [--seed 0] [--minutes M]
 
 Prints how many programs were read, refused or failed (each failure with its seed), the longest time per command
-and trajectory, and the peak memory. Exits with 1 where one failed. A failure's seed goes into tests/core/test_vk_fuzz.py.
+and trajectory, and the peak memory. Exits with 1 where one failed. A failure's seed goes into tests/core/gcode/test_vk_fuzz.py.
 """
 
 from __future__ import annotations
@@ -23,7 +23,8 @@ from pathlib import Path
 
 import numpy as np
 
-sys.path[:0] = [str(Path(__file__).parent), str(Path(__file__).parents[1])]
+ROOT = Path(__file__).resolve().parents[1]
+sys.path[:0] = [str(ROOT / "tests"), str(ROOT)]
 import programs
 
 from vkworkbench.core import Stock, Strategy, Tool, View, estimate, linearize, machining, recognize, signature
@@ -198,8 +199,9 @@ def feed_program(commands, tolerance=0.01, diameter=5.0, view="Top"):
 
 def where(error):
     """The error and the line of this repository that raised it."""
-    here = str(Path(__file__).parents[1])
-    frame = [f for f in traceback.extract_tb(error.__traceback__) if f.filename.startswith(here)][-1]
+    # Python 3.8 names the script that it runs as it was told.
+    frames = [f for f in traceback.extract_tb(error.__traceback__) if ROOT in Path(f.filename).resolve().parents]
+    frame = frames[-1]
     return f"{type(error).__name__}: {error} at {Path(frame.filename).name}:{frame.lineno} {frame.line}"
 
 
