@@ -170,7 +170,7 @@ def _start(way: str, job, operations: list) -> None:
     command = freecad.simulator_command(way)
     Gui.runCommand(command)
     if not Gui.Control.activeDialog():
-        Gui.runCommand(command)  # FreeCAD 1.0 fails to open one panel in fifteen (benchmarks/freecad_dead_widgets.py)
+        Gui.runCommand(command)  # FreeCAD 1.0 fails to open a panel now and then (benchmarks/freecad_dead_widgets.py)
     for panel in simulator_panels.panels():
         simulator_panels.tick(panel, operations)
         button = panel.findChild(QToolButton, "toolButtonFF")
