@@ -231,8 +231,8 @@ def test_visits_are_compared_without_a_unit():
     }  # fmt: skip
     assert told == pytest.approx(expected)
     # Backwards all is the same but what says which of the two is higher.
-    expected |= {"higher_bottom": 1, "higher_begin": 1, "deeper": 3 / 5}
-    expected |= {"again": shared / one, "again_above": shared / one}  # of the ground of what is now the second
+    expected.update({"higher_bottom": 1, "higher_begin": 1, "deeper": 3 / 5})
+    expected.update({"again": shared / one, "again_above": shared / one})  # of the ground of what is now the second
     (row,) = compared(backwards(two_visits()))
     assert {name: value for name, value in zip(MEASURES, row) if name in expected} == pytest.approx(expected)
 
