@@ -63,6 +63,7 @@ def test_an_arc_without_z_hangs_the_legacy_simulator_before_1_1(version, hangs):
     ({**without("I", "J"), "R": 10.0}, "without a center"),
     ({**HALF, "X": 10.0}, "full circle"),
     ({**HALF, "X": 12.0}, "sweeps no angle"),
+    ({**HALF, "X": 8.0, "I": 10.0}, "sweeps no angle"),
 ])  # fmt: skip
 def test_arcs_that_stop_the_legacy_simulator_of_every_version(version, arc, reason):
     found = check([("(arc)", {}), START, ("G3", arc)], version)
@@ -75,6 +76,12 @@ def test_an_arc_that_sweeps_nothing_about_a_centre_below_its_start():
     (found,) = check([start, ("G3", {"X": 0.0, "Y": 12.0, "Z": 5.0, "I": 0.0, "J": -10.0})])
     assert "sweeps no angle" in found.message
     assert check([start, ("G3", {"X": -10.0, "Y": 0.0, "Z": 5.0, "I": 0.0, "J": -10.0})]) == ()
+
+
+def test_an_arc_begins_where_the_line_before_it_ends():
+    """From (0, 10) a quarter turn about (0, 0); from (10, 0), where it was before, it would end above its centre's start."""
+    line = ("G1", {"X": 0.0, "Y": 10.0, "F": 5.0})
+    assert check([START, line, ("G2", {"X": 10.0, "Y": 0.0, "Z": 5.0, "I": 0.0, "J": -10.0})]) == ()
 
 
 def test_a_k_word_of_nothing_is_none():
@@ -144,6 +151,7 @@ def test_thousands_of_moves_shorter_than_a_cell():
     assert found.code == "short-moves" and found.message.startswith(
         "2,999 moves are shorter than a cell of the legacy simulator (0.1 mm)"
     )
+    assert len(check(commands[:2002], legacy=legacy)) == 1 and check(commands[:2001], legacy=legacy) == ()
 
 
 @pytest.mark.parametrize("memory, too_much", [(0.9e9, False), (1.1e9, True)])

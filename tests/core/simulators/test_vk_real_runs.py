@@ -49,6 +49,16 @@ def test_a_fast_forward_waits_a_millisecond_for_each_command():
     assert lesson.kept(cost, Seen(5.0, 1.0), SOFTWARE) is not None
 
 
+@pytest.mark.parametrize("panel", [0.3, 0.9])
+def test_a_fast_forward_tells_of_its_panel_however_short_that_was(panel):
+    """What it took beyond cutting and its mesh; where it took no longer than these, it tells nothing."""
+    lesson, cost = LESSONS["fast-forward"], cost_of("fast-forward", SOFTWARE, 100)
+    cutting = cost.fast_forward_seconds - cost.panel_seconds
+    seconds = cutting + panel
+    assert lesson.kept(cost, Seen(seconds, seconds), SOFTWARE) == pytest.approx((100, panel, seconds))
+    assert lesson.kept(cost, Seen(0.9 * cutting, cutting), SOFTWARE) is None
+
+
 def test_nobody_knows_how_long_a_graphics_card_works():
     lesson, cost = LESSONS["draw"], cost_of("draw", CARD)
     assert lesson.kept(cost, Seen(100.0, 1.0, 0.2, 10), CARD) is not None

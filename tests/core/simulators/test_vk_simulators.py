@@ -348,6 +348,21 @@ def test_operations_together_start_once_and_draw_what_was_cut_before():
     assert both.frame_seconds == pytest.approx(whole.frame_seconds, rel=0.01)
 
 
+def test_what_was_drawn_before_takes_nothing_as_long_as_a_picture_waits_for_the_screen():
+    """Two times 100 steps; a picture of the first waits for 1 s, and grows to 1 s of drawing while the second goes on.
+
+    Then it takes 1 s and what the second has drawn of its own 1 s, half a second in the mean, instead of 1 s.
+    """
+    waiting = Constants(refresh=1.0, frame=0.0)
+    one = replace(
+        opengl_cost(Task(linearize(zigzag(4)), TOOL, STOCK), speeds=(1, 10), constants=waiting),
+        drawing_seconds=1.0, steps=100, play_seconds={1: 100.0, 10: 10.0},
+    )  # fmt: skip
+    both = opengl_together([one, one])
+    assert both.play_seconds == pytest.approx({1: 2 * 100 + 50, 10: 2 * 10 + 5}, rel=1e-6)
+    assert (both.drawing_seconds, both.steps, both.draws) == (2.0, 200, 2 * one.draws)
+
+
 @pytest.mark.parametrize("tick", [1.1e-3, 15e-3])
 def test_fast_forwards_tell_start_tick_and_repaint(tick):
     commands = np.array([12, 3000, 60, 800, 150, 1500, 30, 5000])
@@ -582,6 +597,36 @@ def test_cells_of_the_lower_face_are_cut_where_their_middles_are_under_the_tool(
     assert np.array_equal(~beside, np.hypot(x + 2.0, y - np.clip(y, 30, 70)) < 4.0)
 
 
+@pytest.mark.parametrize("scale", [1, 200])
+@pytest.mark.parametrize("seed", range(8))
+def test_the_lower_face_is_cut_along_lines_in_any_direction_where_their_tip_is_below_it(seed, scale):
+    """From anywhere around a block of 10 by 6 mm, or m, to anywhere, from above its lower face or below it: up to the rim."""
+    rng = np.random.default_rng(seed)
+    ends = scale * rng.uniform((-2, -2, -2), (12, 8, 2), (2, 3))
+    begin, move = ends[0], ends[1] - ends[0]
+    stock = Stock((0, 0, 0), (10 * scale, 6 * scale, 2 * scale))
+    path = linearize([("G1", dict(zip("XYZ", end.tolist()))) for end in ends])
+    (kept,), size = floors(path, tool=Tool("endmill", 2.0 * scale), stock=stock, thickness=0.0)
+    part = np.linspace(0, 1, 100_001)
+    part = part[begin[2] + part * move[2] <= 0]
+    x, y = (np.indices(kept.shape) + 0.5) * size
+    distance = np.full(x.shape, np.inf)
+    if len(part):
+        distance = from_line(x, y, *(begin[:2] + part[end] * move[:2] for end in (0, -1))) / scale
+    assert not kept[distance < 0.999].any() and kept[distance > 1.001].all()
+
+
+@pytest.mark.parametrize("through", [0.1, 0.3, 0.9])
+def test_a_point_cuts_the_lower_face_as_wide_as_it_is_there(through):
+    """A V-bit of 90 degrees is as wide on either side as its tip is below; of its 4 mm a 64th may be missing."""
+    plunge = [("G0", {"X": 5.0, "Y": 3.0, "Z": 4.0}), ("G1", {"Z": -through})]
+    point, stock = Tool("vbit", 8.0, tip_angle=math.pi / 2), Stock((0, 0, 0), (10, 6, 2))
+    (kept,), size = floors(linearize(plunge), tool=point, stock=stock, thickness=0.0)
+    x, y = (np.indices(kept.shape) + 0.5) * size
+    distance = np.hypot(x - 5, y - 3)
+    assert kept[distance > through].all() and not kept[distance < through - 4 / 64].any()
+
+
 def test_cells_of_the_lower_face_grow_where_too_many_rows_would_be_passed():
     """10,000 moves of 8 mm across pass 80 m of rows and 2 m more for their ends: 300,000 rows of about 0.3 mm."""
     path = linearize([("G1", {"X": 20.0 + (i % 2), "Y": 30.0, "Z": -1.0}) for i in range(10_001)])
@@ -611,6 +656,35 @@ def test_the_usual_constants_are_those_that_the_documents_state():
     """A timer of 1 ms, two refreshes of a screen of 60 Hz; right within a factor of two, and of four where it was guessed."""
     assert 1e-3 < DEFAULTS.tick < 1.2e-3 and DEFAULTS.refresh == 2 / 60
     assert (DEFAULTS.legacy_factor, DEFAULTS.opengl_factor) == (2, 4)
+
+
+MILLION = 1e6
+
+
+@pytest.mark.parametrize(
+    "name, count, amount",
+    [
+        ("call", MILLION, 0.75),  # s of straight moves
+        ("ring", MILLION, 0.06),  # of rings at their ends
+        ("line", 1000 * MILLION, 2.2),  # and of the steps along them
+        ("cap", 1000 * MILLION, 4.7),  # and around the rings
+        ("cell", MILLION, 0.027),  # of a mesh by its cells
+        ("facet", MILLION, 1.7),  # and by its triangles
+        ("display", MILLION, 1.0),  # until they are shown
+        ("profile", 300, 0.03),  # of a tool of 10 mm, every tenth of a millimetre
+        ("facet_bytes", MILLION, 150e6),  # bytes of triangles
+        ("start", 1, 0.32),  # s until the first command
+        ("redraw", 40, 1.0),  # of commands of a play
+        ("frame", 1000, 1.0),  # of pictures without a motion
+        ("draw", MILLION, 1.5),  # of draw calls
+        ("fill", 1, 150.0),  # draw calls that take as long as to fill the window
+        ("line_bytes", MILLION, 900e6),  # bytes of straight motions
+        ("arc_bytes", MILLION, 7e9),  # and of arcs
+    ],
+)
+def test_a_constant_is_what_a_million_of_it_took_where_it_was_found(name, count, amount):
+    """Written down a second time, in other units: a slip of a digit is seen, a new measurement of the same is none."""
+    assert getattr(DEFAULTS, name) * count == pytest.approx(amount, rel=0.3)
 
 
 # --- OpenGL simulator
@@ -654,7 +728,8 @@ def test_what_is_drawn_of_a_motion_is_as_large_as_it_is_seen(angle):
     front = 3.0 * (np.cos(turn) * along + np.sin(turn) * across)
     there = dict(zip("XY", 20.0 * along))
     rows = [("G0", {"X": 0.0, "Y": 0.0, "Z": 10.0}), ("G1", there), ("G1", {"Z": 0.0})]
-    line, plunge = opengl_work(motions(linearize(rows)), diameter=6.0).area
+    with np.errstate(all="raise"):
+        line, plunge = opengl_work(motions(linearize(rows)), diameter=6.0).area
     swept = [end * 20.0 * along + side * 3.0 * across for end in (0, 1) for side in (-1, 1)]
     assert line == pytest.approx(outline(swept, front), rel=0.002)
     assert plunge == pytest.approx(outline(np.concatenate((front, -front))), rel=0.002)

@@ -74,7 +74,7 @@ def _stamp(tips: np.ndarray, points: np.ndarray, origin: np.ndarray, size: float
     if len(points) == 0:
         return
     moves = np.diff(points, axis=0)
-    lengths = np.abs(moves[:, :2]).max(axis=1, initial=0)
+    lengths = np.abs(moves[:, :2]).max(axis=1)
     # A path that would need more samples passes over every cell many times: wider spacing misses none.
     spacing = max(spacing, float(lengths.sum()) / _MOST_SAMPLES)
     _lower(tips, points[:1].T, origin, size)

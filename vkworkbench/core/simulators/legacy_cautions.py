@@ -43,7 +43,7 @@ def _hangs(task: Task, version: tuple[int, ...]) -> list[Caution]:
     i, j = (np.nan_to_num(values[letter]) for letter in "IJ")
     x, y = (_last_word(words, letter, arcs) for letter in "XY")
     swept = np.arctan2(values["Y"] - y - j, values["X"] - x - i) - np.arctan2(-j, -i)
-    still = np.abs(np.remainder(swept + np.pi, 2 * np.pi) - np.pi) < 1e-9
+    still = np.abs(np.sin(swept / 2)) < 1e-9
     plain = ~(np.abs(values["K"]) > 0)
     absent = {letter: np.isnan(values[letter]) for letter in "XYZ"}
     made = task.motions
@@ -73,9 +73,8 @@ def _hangs(task: Task, version: tuple[int, ...]) -> list[Caution]:
 def _last_word(words: Words, letter: str, rows: np.ndarray) -> np.ndarray:
     """The last value of a parameter before each of the commands `rows`; NaN before the first."""
     values = words.column(letter)[0]
-    last = np.maximum.accumulate(np.where(np.isnan(values), -1, np.arange(len(values))))
-    last = np.where(rows > 0, last[rows - 1], -1)
-    return np.where(last < 0, np.nan, values[last])
+    known = np.flatnonzero(~np.isnan(values))
+    return np.append(np.nan, values[known])[np.searchsorted(known, rows)]
 
 
 def _ramps(toolpath: Toolpath, diameter: float) -> list[Caution]:
