@@ -102,6 +102,8 @@ def test_a_peck_drilling_cycle_is_three_motions():
     vertical = made.level < 1e-9
     assert np.allclose(made.move[vertical, 2], [-12, 12, -12, 12])
     assert made.command.tolist() == [1, 1, 1, 2, 2, 2]
+    # Over each hole at the retract height, where they end, too, though the cycle returns to 20 mm.
+    assert np.allclose(made.move[~vertical], [[5, 5, -17], [10, 0, 0]])
 
 
 def test_an_empty_toolpath_has_no_motion():

@@ -66,13 +66,15 @@ def motions(toolpath: Toolpath) -> Motions:
     sweep = np.add.reduceat(np.where(arc, toolpath.sweep, 0.0), first)
     width = np.add.reduceat(np.where(arc, 2 * np.abs(np.sin(toolpath.sweep / 2)), 0.0), first)
     radius = np.divide(np.add.reduceat(chords, first), width, out=np.zeros(len(first)), where=width > 0)
-    start, end = points[first], points[last]
 
-    # A drilling cycle: over the hole at the retract height, straight down, straight up; pecks are not shown.
+    # A drilling cycle: over the hole at the retract height, straight down, straight up; pecks are not shown. It ends there,
+    # whatever the height that it returns to: the next motion begins at the retract height.
     cycle = toolpath.cycle[first]
     lowest = np.minimum.reduceat(points[1:, 2], first)
     retract = _height_before_first_feed(toolpath, first)
-    approach = np.where(cycle[:, None], np.column_stack((end[:, :2], retract)) - start, end - start)
+    end = points[last]
+    end[:, 2] = np.where(cycle, retract, end[:, 2])
+    approach = np.diff(np.vstack((points[:1], end)), axis=0)
     down = np.column_stack((np.zeros((len(first), 2)), lowest - retract))
     move = np.stack((approach, down, -down), axis=1)
     exists = (np.abs(move) > 1e-9).any(axis=2)
