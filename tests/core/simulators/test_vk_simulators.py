@@ -518,6 +518,24 @@ def test_a_part_and_its_mirror_image_make_as_many_triangles():
     assert there == pytest.approx(back)
 
 
+@pytest.mark.parametrize(
+    "steps, slope",
+    [
+        ([0.7, 0.7], True),
+        ([1.0, 0.6], True),
+        ([0.6, 1.0], True),
+        ([0.7], False),
+        ([1.2, 0.5], False),
+        ([0.5, 1.2], False),
+    ],
+)
+def test_a_step_beside_one_of_more_than_half_its_height_is_a_slope(steps, slope):
+    """At half the cell a slope has four times the triangles that a box does not have, and a wall twice as many."""
+    heights = np.tile(np.cumsum([0.0, 0.0, *steps, 0.0, 0.0])[:, None], 6)
+    coarse, fine = mesh_facets(heights, 4.0, [0.4, 0.2], floor=np.ones((1, 1), bool), floor_size=4.0) - 12
+    assert (fine == pytest.approx(4 * coarse)) == slope and 1.999 * coarse < fine < 4.001 * coarse
+
+
 @pytest.mark.parametrize("fall", [0.1, 1.0])
 def test_a_slope_and_the_same_turned_by_a_quarter_make_as_many_triangles(fall):
     heights = np.tile(fall * np.arange(40.0)[:, None], 60)
@@ -741,11 +759,14 @@ def test_what_is_drawn_of_an_arc_is_as_large_as_its_chords_and_its_tool():
     tool = opengl_work(motions(linearize([("G0", {"Z": 10.0}), ("G1", {"Z": 0.0})])), diameter=6.0).area[-1]
     small = opengl_work(motions(linearize(arcs(1, 2.0))), diameter=6.0)
     assert small.area[-1] == pytest.approx(9 * tool)
-    # A half circle: 63 boxes, each turned a little more, and the tool.
-    base, turns = np.array(((0, -3), (np.pi * 10 / 63, -3), (np.pi * 10 / 63, 3), (0, 3))), np.arange(63) * np.pi / 63
-    boxes = outline(*(base @ np.array(((np.cos(t), np.sin(t)), (-np.sin(t), np.cos(t)))) for t in turns))
-    half = opengl_work(motions(linearize(arcs(1, 10.0))), diameter=6.0)
-    assert half.steps[-1] == 64 and half.area[-1] == pytest.approx(boxes + tool, rel=0.005)
+    # Half circles: 63 boxes and 5, each turned a little more, and the tool.
+    for radius, diameter, boxes, off in ((10.0, 6.0, 63, 0.005), (0.8, 1.0, 5, 0.05)):
+        rows = [("G0", {"Z": 10.0}), ("G1", {"Z": 0.0}), *arcs(1, radius)]
+        work = opengl_work(motions(linearize(rows)), diameter=diameter)
+        side, turns = np.array((0, np.pi * radius / boxes)), (np.arange(boxes) + 0.5) * np.pi / boxes
+        base = np.column_stack((side[[0, 1, 1, 0]], np.array((-1, -1, 1, 1)) * diameter / 2))
+        seen = outline(*(base @ np.array(((np.cos(t), np.sin(t)), (-np.sin(t), np.cos(t)))) for t in turns))
+        assert work.steps[-1] == boxes + 1 and work.area[-1] == pytest.approx(seen + work.area[0], rel=off)
 
 
 def play(path, diameter, speed, constants):
@@ -776,6 +797,17 @@ def test_playing_takes_what_its_frames_add_up_to(speed):
     path = linearize(zigzag(60) + arcs(40, 5.0) + arcs(40, 2.0))
     predicted = opengl_cost(Task(path, TOOL, STOCK), speeds=(speed,), constants=software).play_seconds[speed]
     assert predicted == pytest.approx(play(path, 6.0, speed, software), rel=0.02)
+
+
+def test_an_arc_is_drawn_as_far_as_it_is_done_and_how_high_the_stock_is_does_not_matter():
+    """Half of it in the mean; from how far away the part is seen is said by its sides in X and Y."""
+    path, only = linearize(arcs(1, 20.0)[1:]), Constants(refresh=0.0, frame=0.0)
+    low, high = (
+        opengl_cost(Task(path, TOOL, Stock((0, 0, 0), (100, 60, height))), speeds=(1,), constants=only)
+        for height in (20, 500)
+    )
+    assert low == high and low.arc_draws == low.draws
+    assert low.play_seconds[1] == pytest.approx(low.steps * low.drawing_seconds / 2)
 
 
 def test_wide_cuts_take_longer_to_draw_than_narrow_ones_and_long_ones_than_short_ones():
