@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Memory and time of analysing documents of 1,000 to 1,000,000 commands.
+"""Memory and time of analysing documents of 1,000 to 1,000,000 commands, and an NC program of 1,000,000 lines.
 
     python3 benchmarks/loads.py
 
 It needs freecadcmd. Each size, in four operations, and the largest in one, is analysed, marked and cleared in a FreeCAD
 of its own. Prints the peak of the memory that the analysis takes beyond that of FreeCAD and the document, how much of it
 FreeCAD takes alone to hand out the longest path with its commands, which come only whole, the time, and the ratio of each
-time to that of the row above, which has a tenth of the commands: 10 is linear.
+time to that of the row above, which has a tenth of the commands: 10 is linear. The program is read without FreeCAD.
 """
 
 from __future__ import annotations
@@ -16,6 +16,7 @@ import math
 import os
 import subprocess
 import sys
+import tempfile
 import time
 from pathlib import Path
 
@@ -29,19 +30,22 @@ def memory(line):
     return 1024 * next(int(entry.split()[1]) for entry in status.splitlines() if entry.startswith(line + ":"))
 
 
-def raster(commands, length=100.0):
-    """Path of a raster over a wavy surface with as many rows as points in a row."""
-    import Path as CAM
-
-    rows = points = round(math.sqrt(commands))
-    commands = [CAM.Command("G0", {"Z": 30.0}), CAM.Command("G0", {"X": 0.0, "Y": 0.0})]
+def raster(count, length=100.0):
+    """Points of a raster over a wavy surface with as many rows as points in a row, mm."""
+    rows = points = round(math.sqrt(count))
     for row in range(rows):
         y = row * length / rows
         for i in range(points):
             x = length * (i if row % 2 == 0 else points - 1 - i) / (points - 1)
-            z = 10 + 3 * math.sin(0.1 * x) * math.cos(0.1 * y)
-            commands.append(CAM.Command("G1", {"X": x, "Y": y, "Z": z, "F": 20.0}))
-    return CAM.Path(commands)
+            yield x, y, 10 + 3 * math.sin(0.1 * x) * math.cos(0.1 * y)
+
+
+def path_of(points):
+    """FreeCAD's path through points."""
+    import Path as CAM
+
+    start = [CAM.Command("G0", {"Z": 30.0}), CAM.Command("G0", {"X": 0.0, "Y": 0.0})]
+    return CAM.Path([*start, *(CAM.Command("G1", {"X": x, "Y": y, "Z": z, "F": 20.0}) for x, y, z in points)])
 
 
 def measure(size, count, alone):
@@ -59,7 +63,7 @@ def measure(size, count, alone):
         block.Length, block.Width, block.Height = 100, 100, 20
         document.recompute()
         job = cam("Main.Job").Create("Job", [block])
-        path = raster(commands // count)
+        path = path_of(raster(commands // count))
         operations = []
         for _ in range(count):
             op = document.addObject("Path::FeaturePython", "Op")
@@ -93,6 +97,24 @@ def measure(size, count, alone):
     }
 
 
+def measure_program(lines):
+    """Analyse an NC program of so many lines."""
+    import vkworkbench
+
+    with tempfile.TemporaryDirectory() as folder:
+        file = Path(folder) / "raster.nc"
+        with file.open("w") as text:
+            text.write("G21 G90\nT1 M6 (end mill D=6)\nG0 X0 Y0 Z30\n")
+            text.writelines(f"G1 X{x:.3f} Y{y:.3f} Z{z:.3f} F1200\n" for x, y, z in raster(lines))
+        Path("/proc/self/clear_refs").write_text("5")
+        before, start = memory("VmRSS"), time.perf_counter()
+        (row,) = vkworkbench.analyze(file).operations
+    seconds = time.perf_counter() - start
+    print(
+        f"An NC program of {row.trajectories:,} moves: {(memory('VmHWM') - before) / 1e6:.0f} MB, {seconds:.2f} s, {row.strategy}"
+    )
+
+
 def run(size, count, alone):
     """Return what `measure` finds in a FreeCAD of its own."""
     found = subprocess.run(
@@ -117,6 +139,7 @@ def main():
         last = found["seconds"]
         row = f"{found['commands']:>9,}  {count:>10}  {found['bytes'] / 1e6:>9.0f} MB  {alone['bytes'] / 1e6:>10.0f} MB"
         print(f"{row}  {found['seconds']:>7.2f} s  {ratio:>5}  {found['strategy']}", flush=True)
+    measure_program(1_000_000)
 
 
 sys.path.insert(0, str(ROOT))
