@@ -168,6 +168,14 @@ def test_three_tenths_between_half_turns_that_alternate_are_a_zigzag(middle, kin
     assert pieces_of(stroke).kind.tolist() == [kind]
 
 
+@pytest.mark.parametrize("rows, kind", [(4, STROKE), (6, ZIGZAG)])
+def test_what_goes_to_and_fro_twice_as_long_as_around_is_a_zigzag(rows, kind):
+    """Behind rows it goes around them: two passes lie between half turns of one sense, three or five between others."""
+    top = 3.0 * (rows - 1)
+    around = [(0, top + 3), (40, top + 3), (40, -10), (0, -10), (0, top + 6), (40, top + 6)]
+    assert pieces_of(zigzag(rows) + [(x, y, 0) for x, y in around]).kind.tolist() == [kind]
+
+
 LETTERS = {
     "N": [(0, 0), (0, 10), (6, 0), (6, 10)],
     "W": [(0, 10), (1.5, 0), (3, 8), (4.5, 0), (6, 10)],
@@ -181,9 +189,10 @@ def test_letters_of_strokes_that_lean_are_no_rows(letter):
 
 
 def test_few_rows_are_rows_where_they_are_parallel_and_many_that_lean_are():
-    """Three with links of 3 mm; and seven that lean as those of a W."""
+    """Three with links of 3 mm; and five that lean as the four of a W."""
     assert pieces_of([(0, 0, 0), (0, 30, 0), (3, 30, 0), (3, 0, 0), (6, 0, 0), (6, 30, 0)]).kind.tolist() == [ZIGZAG]
-    assert pieces_of([(1.5 * k, 10 * (k % 2), 0) for k in range(8)]).kind.tolist() == [ZIGZAG]
+    for passes, kind in ((4, STROKE), (5, ZIGZAG)):
+        assert pieces_of([(1.5 * k, 10 * (k % 2), 0) for k in range(passes + 1)]).kind.tolist() == [kind]
 
 
 @pytest.mark.parametrize("turns, kind", [(1.1, STROKE), (1.3, WINDING)])
