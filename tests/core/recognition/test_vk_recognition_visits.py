@@ -199,6 +199,13 @@ def test_the_same_ground_has_the_same_corners(corner, same):
     assert row[MEASURES.index("same_ground")] == same
 
 
+@pytest.mark.parametrize(("gap", "closed"), [(2.8, 1), (3.2, 0)])
+def test_a_block_is_closed_where_less_than_three_hundredths_of_its_length_are_missing(gap, closed):
+    around = [(0, 0, 0), (25, 0, 0), (25, 25, 0), (0, 25, 0), (0, gap, 0)]
+    path = linearize(programs.program([around, [(x + 100, y, z) for x, y, z in around]]))
+    assert find_visits(path, monotonous_areas(path)).closed.tolist() == [closed] * 2
+
+
 def two_visits(**changed):
     """Two visits that differ in everything."""
     told = {
@@ -247,7 +254,7 @@ def test_visits_are_compared_without_a_unit():
 def test_what_rounding_leaves_is_the_same(name, values, measure):
     at = MEASURES.index(measure)
     assert compared(two_visits(**{name: values}))[0, at] == 1
-    apart = [values[0], values[0] + 100 * (values[1] - values[0])]
+    apart = [values[0], values[0] + 3 * (values[1] - values[0])]  # 0.03 mm, one and a half hundredths of the feed
     assert compared(two_visits(**{name: apart}))[0, at] == 0
 
 
@@ -257,7 +264,8 @@ def test_what_rounding_leaves_is_the_same(name, values, measure):
         ([[10, 10], [10, 10]], [[30, 40], [30, 40]], 1),
         ([[10, 10], [12, 10]], [[30, 40], [30, 40]], 0),
         ([[10, 10], [10, 10]], [[30, 40], [30, 42]], 0),
-        ([[10, 10], [10.2, 10]], [[30, 40], [30, 40]], 1),  # a hundredth of the diagonal and 0.1 mm are 0.46 mm
+        ([[10, 10], [10.4, 10]], [[30, 40], [30, 40]], 1),  # a hundredth of the diagonal and 0.1 mm are 0.46 mm
+        ([[10, 10], [10.5, 10]], [[30, 40], [30, 40]], 0),
     ],
 )
 def test_the_same_ground_lies_between_the_same_sides(low, high, same):
