@@ -103,6 +103,13 @@ def test_rings_of_two_shapes_between_the_same_walls_may_be_rows_but_are_rings_wh
     assert not section(square, polygon(36)).lattice.any()
 
 
+@pytest.mark.parametrize("degrees, lattice", [(60, False), (75, True)])
+def test_a_turn_of_a_winding_that_turns_back_by_three_quarters_of_a_turn_may_be_rows(degrees, lattice):
+    """Two bends aside and back again: four times 60 degrees are two thirds of a turn, and of 75 five sixths."""
+    found = section(square_spiral(3, jogs(2, degrees), grows=12.0))
+    assert found.rings.winding[0] and found.lattice[0] == lattice
+
+
 @pytest.mark.parametrize("length, families", [(15.0, 0), (30.0, 1)])
 def test_rows_that_are_a_tenth_beside_rings_are_links(length, families):
     """Four squares of 1136 mm, and six rows with links of 15 mm: 105 of 1241 mm, or 195 of 1331 mm."""
