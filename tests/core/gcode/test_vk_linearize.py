@@ -469,6 +469,7 @@ def test_to_a_place_of_the_machine_the_tool_does_not_move_and_that_is_said_where
     for away in ([("G53", {}), ("G0", {"X": 7, "Y": 9})], [("G28", {"X": 0})], [("G53", {}), ("G53", {"Y": 3})]):
         path = linearize([*begin, *away])
         assert path.points.tolist() == [[0, 0, 5], [0, 0, -5]] and not path.problems
+        assert not linearize(away).problems  # nor where there is nothing else
         path = linearize([*begin, *away, ("G1", {"X": 4})])
         assert path.points[1:].tolist() == [[0, 0, -5], [4, 0, -5]]
         assert [problem.what.code for problem in path.problems] == ["machine-position"]

@@ -198,14 +198,15 @@ def test_the_rules_lose_against_more_votes_than_theirs(tool, rules):
 
 @pytest.mark.parametrize(
     ("seen", "rules"),
-    [(Strategy.HELIX, VOTES.RULES_THAT_NEED_NO_TOOL), (Strategy.ADAPTIVE, VOTES.RULES_THAT_NEED_NO_TOOL),
-     (Strategy.SPIRAL, VOTES.RULES)],
-)  # fmt: skip
+    [(Strategy.HELIX, 0.25), (Strategy.ADAPTIVE, 0.25), (Strategy.SPIRAL, 0.5)],
+)
 def test_what_the_rules_see_without_a_tool_counts_more(seen, rules):
-    theirs = rules + VOTES.CLASS * VOTES.RULES_OF_CLASS
+    """Beside a tenth, for what they see with a tool alone."""
     votes = np.zeros(len(STRATEGIES))
-    votes[STRATEGIES.index(Strategy.ENGRAVING)] = (theirs - 0.01) / (1 + VOTES.CLASS)
-    assert STRATEGIES[elect(votes, proposed_by(seen))] is seen
+    for more, said in ((-0.01, seen), (0.01, Strategy.ENGRAVING)):
+        votes[STRATEGIES.index(Strategy.ENGRAVING)] = (rules + 0.6 * 0.3) / 1.6 + more
+        assert STRATEGIES[elect(votes, proposed_by(seen))] is said
+    votes[STRATEGIES.index(Strategy.ENGRAVING)] -= 0.02
     assert STRATEGIES[elect(votes, proposed_by(Strategy.WATERLINE))] is Strategy.ENGRAVING
 
 
