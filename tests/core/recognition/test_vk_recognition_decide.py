@@ -226,6 +226,13 @@ def test_the_letter_of_the_paper_decides_between_the_classes_and_not_within_them
         assert STRATEGIES[elect(votes, proposed_by(Strategy.UNKNOWN, letter))] is said
 
 
+@pytest.mark.parametrize(("ahead", "said"), [(0.24, Strategy.ZIGZAG), (0.26, Strategy.PROFILE)])
+def test_the_letter_of_the_paper_counts_as_much_as_a_quarter_of_the_votes_and_their_class(ahead, said):
+    votes = np.zeros(len(STRATEGIES))
+    votes[STRATEGIES.index(Strategy.ZIGZAG)], votes[STRATEGIES.index(Strategy.PROFILE)] = 0.3, 0.3 + ahead
+    assert STRATEGIES[elect(votes, proposed_by(Strategy.UNKNOWN, Family.ROWS))] is said
+
+
 def test_more_votes_make_a_verdict_surer():
     of = proposed_by(Strategy.SPIRAL)
     sure = [
