@@ -55,17 +55,28 @@ def test_defaults_are_those_of_the_documents():
     assert (chosen.image_width, chosen.image_height) == (800, 600)
     assert (chosen.legacy_accuracy, chosen.opengl_quality) == (0.1, 10)
     assert chosen.budget == {"memory_bytes": 1000e6, "seconds": 600}
+    assert (chosen.tolerance, chosen.analyze_after_recompute) == (0.01, False)
+    assert chosen.show_pills and chosen.warn_of_simulators
 
 
-def test_the_smallest_image_is_a_pixel():
-    preferences.write(image_width=1, image_height=1)
-    assert (preferences.read().image_width, preferences.read().image_height) == (1, 1)
+LIMITS = {
+    "legacy_accuracy": (0.1, 1.0), "opengl_quality": (1, 10),  # the ends of FreeCAD's sliders
+    "time_budget": (0.1, 1e6), "memory_budget": (1.0, 1e6), "image_width": (1, 10_000), "image_height": (1, 10_000),
+    "tolerance": (1e-4, 1.0),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", LIMITS)
+def test_a_number_is_taken_up_to_its_limits(name):
+    for limit, onward in zip(LIMITS[name], (-1, 1)):
+        beyond = limit + onward if isinstance(limit, int) else limit * 1.01**onward
+        for value, read in ((limit, limit), (beyond, getattr(Preferences(), name))):
+            preferences.write(**{name: value})
+            assert getattr(preferences.read(), name) == read
 
 
 def test_what_cannot_be_is_the_default():
     preferences.write(image_width=0, tolerance=-1.0, view_direction="Sideways", legacy_accuracy=float("nan"))
-    assert preferences.read() == Preferences()
-    preferences.write(opengl_quality=11, legacy_accuracy=1.1)  # positions that the sliders do not have
     assert preferences.read() == Preferences()
 
 
