@@ -105,7 +105,7 @@ def test_how_long_a_toolpath_is_of_which_it_is_said():
 
 def test_feeds_of_a_minute_are_told_by_the_fastest():
     slow, fast = zigzag(feed=240.0), zigzag(feed=600.0)
-    assert in_seconds(slow) == (slow, None)
+    assert in_seconds(slow) == (slow, None) and in_seconds(zigzag(feed=260.0))[1]  # 250 mm/min, or 15 m/min
     entering = replace(fast, feed=np.where(np.arange(len(fast)) < 3, 100.0, 600.0))
     mended, said = in_seconds(entering)
     assert mended.feed.tolist() == [100 / 60] * 3 + [10.0] * (len(fast) - 3)
