@@ -99,6 +99,12 @@ def test_what_the_lines_meet_once_has_no_neighbours():
     assert {**level, "signed": -1, "other": -1} == NOTHING and plan == level
 
 
+def test_what_lies_between_the_lines_tells_nothing():
+    """Two strokes of a tenth of a millimetre, a hundred apart."""
+    crossings, level, plan = told(programs.program([[(x, 0.0, 0.0), (x + 0.1, 0.0, 0.0)] for x in (0.0, 100.0)]))
+    assert crossings == 0 and level == plan == NOTHING
+
+
 def test_of_thousands_of_crossings_those_in_the_middle_of_the_time_are_looked_at():
     """Two lines, 600 crossings each: of 2,000 rows one way those from the 700th on; before and behind they go to and fro."""
     strokes = []
