@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What every threshold of the recognition decides: how many verdicts change when it moves.
 
-    python3 benchmarks/thresholds.py [NAME ...] [FILE.jsonl.gz ...]
+    python3 benchmarks/thresholds.py [--rules] [NAME ...] [FILE.jsonl.gz ...]
 
 Each threshold is divided by a thousand, halved, doubled and multiplied by a thousand; shares, cosines and angles move
 to the ends of their range in place of the thousand. The toolpaths are those of toolpaths/synthetic.py, strokes.py and of the files
@@ -10,7 +10,8 @@ to the ends of their range in place of the thousand. The toolpaths are those of 
 
 Printed for each move: how many of the verdicts change, how many right ones become wrong (-) and wrong ones right (+).
 After a ~ stand the answers that keep their strategy and change in a number or in the confidence. For the thresholds
-that were asked for by name, the kinds of toolpath that get another verdict follow.
+that were asked for by name, the kinds of toolpath that get another verdict follow. With --rules what the rules propose is
+the verdict, as the comments beside the thresholds tell it; the trees outvote much of what goes wrong there.
 """
 
 from __future__ import annotations
@@ -177,5 +178,7 @@ def main(names: list[str], files: list[str]) -> None:
 
 
 if __name__ == "__main__":
-    chosen = [a for a in sys.argv[1:] if "jsonl" not in a]
+    if "--rules" in sys.argv:
+        sys.modules["vkworkbench.core.recognition.decide"].elect = lambda votes, proposed: proposed.rules
+    chosen = [a for a in sys.argv[1:] if "jsonl" not in a and a != "--rules"]
     main(chosen, [a for a in sys.argv[1:] if "jsonl" in a])
