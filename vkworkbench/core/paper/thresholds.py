@@ -2,7 +2,7 @@
 """The thresholds below which a move, a direction or a gap is rounding; in the form of recognition/thresholds.py.
 
 Each has its unit (up to the first full stop), what it tells apart, and what goes wrong without it. How the verdicts
-change when one moves is printed by benchmarks/thresholds.py.
+change when one moves is printed by benchmarks/thresholds.py, those of the rules alone with --rules.
 """
 
 
