@@ -2,10 +2,11 @@
 """Every threshold of the recogniser: its unit, what it tells apart, and what goes wrong without it.
 
 One idea has one threshold, however many places ask for it. "Without" means at the end of its range. What is wrong then
-is what the rules propose: `benchmarks/thresholds.py --rules` moves each and prints it. The trees outvote much of that,
-as the same command prints without the option. It reads the unit from the comment, up to the first full stop. "By tests"
-says what only a toolpath of tests/core/recognition needs, "by real code" what only programs of others need, which had no
-part in the rules.
+is what the rules propose, of made toolpaths and of those that benchmarks/make_operations.py has FreeCAD make, which
+tell their tool: `benchmarks/thresholds.py --rules OPERATIONS.jsonl.gz` moves each and prints it. The trees outvote much
+of that, as the same command prints without the option. It reads the unit from the comment, up to the first full stop.
+"By tests" says what only a toolpath of tests/core/recognition needs, "by real code" what only programs of others need,
+which had no part in the rules.
 """
 
 
