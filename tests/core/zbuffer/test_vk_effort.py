@@ -208,6 +208,29 @@ def test_of_many_first_tiles_some_are_looked_at_and_stand_for_all(looked_at, cou
 # The speed of this computer
 
 
+@pytest.mark.parametrize(
+    "name, count, seconds",
+    [
+        ("trajectory", 1e6, 0.4),
+        ("pixel", 1e6, 0.07),
+        ("meeting", 1e9, 5.5),
+        ("block", 1e3, 0.41),
+        ("test", 1e6, 0.6),
+        ("cell", 1e6, 1.5),
+        ("record", 1e6, 0.037),
+    ],
+)
+def test_a_usual_time_is_what_so_many_took(name, count, seconds):
+    """Written down a second time, in other units: a slip of a digit is seen, a new measurement of the same is none."""
+    assert getattr(Speed(), name) * count == pytest.approx(seconds, rel=0.3)
+
+
+def test_where_this_computer_was_measured_times_are_right_within_two_and_elsewhere_within_three():
+    measured = fit_speed(np.eye(7), Speed().constants)
+    assert (measured.factor, Speed().factor) == (2, 3) and measured.constants == pytest.approx(Speed().constants)
+    assert measured.processes == Speed().processes == 1
+
+
 def test_one_time_tells_that_all_takes_as_many_times_longer():
     amounts = np.array([[5, 2e4, 300, 7, 1e4, 1e5, 2e3]])
     seconds = 3 * amounts @ Speed().constants

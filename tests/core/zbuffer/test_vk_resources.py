@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import pickle
+from dataclasses import replace
 from itertools import count
 from math import cos, pi, radians, sin, sqrt
 
@@ -493,6 +494,20 @@ def test_operations_share_one_stock():
     of_stock = above.peak.bytes(1001) - above.peak.bytes(1000)
     ratio = sqrt(per_image / (2 * per_image - of_stock))
     assert two.view.width == pytest.approx(ratio * one.view.width, rel=2e-3)
+
+
+def test_operations_one_after_another_take_the_most_work_of_one_and_the_records_of_all():
+    """Of 3 and 1 GB of work there are 3 GB at once; a billion trajectories each are two billion."""
+    found = estimate(*PATHS["zigzag"][:1], None, tool=FLAT, stock=STOCK, view=View())
+    small, large = (replace(found, peak=replace(found.peak, work=work)) for work in (1e9, 3e9))
+
+    def needed(*estimates):
+        return best_resolution(estimates, memory_bytes=1.0).memory_bytes  # of a single pixel
+
+    assert needed(small, large) == needed(large, small)
+    assert needed(small, large) - needed(small, small) == pytest.approx(2e9)
+    many = replace(small, peak=replace(small.peak, trajectories=10**9))
+    assert needed(many, many) - needed(many) == pytest.approx(needed(many) - 1e9, rel=1e-3)
 
 
 def test_where_no_resolution_helps_it_says_what_does():

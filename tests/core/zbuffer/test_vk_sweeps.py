@@ -11,7 +11,7 @@ import pytest
 from vkworkbench.core import Tool
 from vkworkbench.core.zbuffer import sweeps
 from vkworkbench.core.zbuffer.rounded import rounded_sides
-from vkworkbench.core.zbuffer.sweeps import intervals
+from vkworkbench.core.zbuffer.sweeps import headings, intervals, lowest
 
 RAYS, FAR = 2000, 30.0
 
@@ -43,6 +43,58 @@ def test_a_ray_that_passes_the_very_side_of_a_cones_rim_on_its_way_passes_as_tho
     point = np.array([np.full(RAYS, 1.5), 5.75191847 + 0.6 * along, 7.83077538 - 0.8 * along])
     exact, beside = (intervals(tool, start, move, (point[0] + by, *point[1:]), 0.6, 0.8) for by in (0, 1e-7))
     assert np.abs(np.subtract(exact, beside)).max() < 1e-2
+
+
+TOOLS = [
+    Tool("endmill", 6),
+    Tool("ballend", 6),
+    Tool("bullnose", 6, corner_radius=1),
+    Tool("bullnose", 6, corner_radius=2.5),
+    Tool("vbit", 6, tip_angle=pi / 2),
+    Tool("vbit", 6, tip_angle=pi / 2, tip_diameter=2),
+    Tool("drill", 5),
+]
+
+
+def some_moves(seed):
+    """Starts and moves (3, RAYS): level, vertical (which are told upwards) and steep ones, a fifth each, and any."""
+    start, move = np.random.default_rng(seed).uniform(-4, 4, (2, 3, RAYS))
+    move[2, ::5] = move[:2, 1::5] = 0
+    move[2, 1::5] = np.abs(move[2, 1::5])
+    move[:2, 2::5] *= 0.1
+    return start, move
+
+
+@pytest.mark.parametrize("tool", TOOLS, ids=str)
+def test_above_a_point_what_a_move_sweeps_begins_where_the_tool_is_lowest_on_it(tool):
+    """Held against 2,000 places of the tool on each move."""
+    start, move = some_moves(3)
+    x, y = np.random.default_rng(4).uniform(-8, 8, (2, RAYS))
+    found, inner = lowest(tool, start, headings(move), x, y)
+    place = np.linspace(0, 1, 2000)[:, None]
+    away = np.hypot(*(at - begin - place * by for at, begin, by in zip((x, y), start, move)))
+    expected = (tool.height(away) + start[2] + place * move[2]).min(axis=0)
+    clear = np.abs(away.min(axis=0) - tool.radius) > 1e-3  # of the rim
+    assert np.array_equal(np.isfinite(found)[clear], np.isfinite(expected)[clear]) and clear.sum() > 0.7 * RAYS
+    hit = clear & np.isfinite(expected)
+    # Between two places the tool is lower by at most what it falls, or its flank is moved, from one to the next.
+    assert (np.abs(found - expected)[hit] < 0.05).all() and np.mean(np.abs(found - expected)[hit]) < 3e-3
+    assert (inner[hit] > 0).all()
+
+
+@pytest.mark.parametrize("tilt", [0.3, 1.2, pi / 2, 2.0, 2.9])
+@pytest.mark.parametrize("tool", TOOLS, ids=str)
+def test_a_ray_is_within_a_sweep_where_it_is_above_its_lower_surface(tool, tilt):
+    """What is told of oblique rays, held against what is told of vertical ones, at 60 depths of each."""
+    start, move = some_moves(5)
+    at = np.random.default_rng(6).uniform(-4, 4, (3, RAYS))
+    near, far = intervals(tool, start, move, at, sin(tilt), cos(tilt))
+    depth = np.linspace(-12, 12, 60)[:, None]
+    x, y, z = at[0] + 0 * depth, at[1] + depth * sin(tilt), at[2] - depth * cos(tilt)
+    within = (near < depth) & (depth < far)
+    expected = z > lowest(tool, start, headings(move), x, y)[0]
+    close = np.minimum(np.abs(depth - near), np.abs(depth - far)) < 1e-3
+    assert np.array_equal(within | close, expected | close) and 0.02 < expected.mean() < 0.9
 
 
 BULL_NOSE = Tool("bullnose", 6, corner_radius=1)

@@ -176,6 +176,24 @@ def test_a_plunge_too_fast_is_found():
     assert (one.source.command, one.feed, one.allowed) == (0, 6.0, PLUNGE)
     assert one.place == (20, 15, 9)
     assert told(replace(fast, feed=np.array([PLUNGE, 0, 6.0, FEED])), model=None).job.fast_plunges == ()
+    # How fast this tool may plunge is not known.
+    assert facts(simulate_job([Cut(fast, FLAT)], stock=STOCK, view=VIEW)).job.fast_plunges == ()
+
+
+@pytest.mark.parametrize(
+    "tool, drilled, fast",
+    [(FLAT, 4, True), (FLAT, 4.5, False), (Tool("drill", 6), 1, True), (Tool("ballend", 6), 3.2, True),
+     (Tool("ballend", 6), 4, False)],
+)  # fmt: skip
+def test_full_material_is_half_of_what_a_tool_displaces(tool, drilled, fast):
+    """Into a hole 3 mm deep: one of 4 mm leaves 5/9 of what a flat end of 6 mm displaces, one of 4.5 mm 7/16.
+
+    Of half a ball holes of 3.2 and 4 mm leave (1 - 0.28)^1.5 = 0.61 and (1 - 0.44)^1.5 = 0.41.
+    """
+    hole, plunge = path([(20, 15, 12), (20, 15, 7)]), path([(20, 15, 12), (20, 15, 7)])
+    cuts = [Cut(hole, Tool("endmill", drilled), PLUNGE), Cut(replace(plunge, feed=np.array([6.0])), tool, PLUNGE)]
+    found = facts(simulate_job(cuts, stock=STOCK, view=View((0, 0, -1), 840, 640))).job.fast_plunges
+    assert [one.source.cut for one in found] == [1] * fast
 
 
 def test_air_is_found():

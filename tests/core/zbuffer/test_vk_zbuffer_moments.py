@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from zbuffer_reference.paths import BOX, DIRECTIONS, PATHS, ROUND, TOOLS, toolpath
 
-from vkworkbench.core import View
+from vkworkbench.core import Tool, View
 from vkworkbench.core.zbuffer import surface
 from vkworkbench.core.zbuffer.simulate import simulate
 from vkworkbench.core.zbuffer.surface import STOCK, Surface
@@ -108,6 +108,16 @@ def test_moments_of_more_trajectories_than_16_bits_number():
         depth, owner = expected(z.at(step))
         assert np.array_equal(z.at(step).picture.depth, depth, equal_nan=True)
         assert np.array_equal(z.at(step).picture.owner, owner)
+
+
+@pytest.mark.parametrize("at_once", [1, 70, 1 << 17])
+def test_where_all_is_cut_through_every_pixel_changes(at_once, monkeypatch):
+    """The first and the last of an image within the block, by a plunge through all of it."""
+    monkeypatch.setattr(surface, "_AT_ONCE", at_once)
+    points, tool = np.array([(20, 15, 20), (20, 15, -1)], float), Tool("endmill", 100)
+    z = simulate(toolpath(points), tool=tool, stock=BOX, view=View((0, 0, -1), 24, 20, pixel=1.0))
+    assert z.surface.changed(0, 1).tolist() == list(range(24 * 20))
+    assert (z.at(0).picture.depth == z.records.entry).all() and np.isnan(z.at(1).picture.depth).all()
 
 
 @pytest.mark.parametrize("at_once", [1, 70, 3499, 3500])

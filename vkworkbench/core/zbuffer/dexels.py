@@ -145,12 +145,10 @@ def _enter_lowest(target: np.ndarray, index: np.ndarray, value: np.ndarray) -> N
 
 def merged(pieces: Pieces) -> Pieces:
     """Join neighbours of one ray and one owner."""
-    if len(pieces.ray) == 0:
-        return pieces
     new = np.ones(len(pieces.ray), bool)
     new[1:] = (pieces.ray[1:] != pieces.ray[:-1]) | (pieces.owner[1:] != pieces.owner[:-1])
     start = np.flatnonzero(new)
-    end = np.append(start[1:], len(new)) - 1
+    end = np.append(start, len(new))[1:] - 1
     return Pieces(pieces.ray[start], pieces.owner[start], pieces.near[start], pieces.far[end])
 
 
