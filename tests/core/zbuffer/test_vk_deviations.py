@@ -365,6 +365,15 @@ def test_what_is_left_in_holes_through_the_model():
     assert left(model=Milled(BOX, Stock((10, 8, -1), (30, 40, 20)))) == []
 
 
+def test_along_the_wall_of_a_hole_what_is_left_begins_two_pixels_from_where_nothing_is():
+    """A window of 20 by 14 mm, from pixel 50 to 149 and 40 to 109, whose left half is cut out, up to pixel 99."""
+    half = Milled(BOX, Stock((10, 8, -1), (20, 22, 20)))
+    z = simulate_job([], stock=half, view=VIEW)
+    found = deviations(z, Milled(BOX, Stock((10, 8, -1), (30, 22, 20)))).left.reshape(HEIGHT, WIDTH)
+    assert np.flatnonzero(found[41]).tolist() == np.flatnonzero(found[108]).tolist() == list(range(102, 149))
+    assert (found[41, 102:149] == 10).all() and not found[43:107, 50:147].any()
+
+
 @pytest.mark.long
 @pytest.mark.parametrize("pixels", [450, 600, 900])
 @pytest.mark.parametrize("diameter", [1.5, 3.175])

@@ -96,6 +96,14 @@ def test_along_a_move_a_point_is_opened_as_deep_as_is_said(tool, slope, aside):
     assert bounded(*point) == pytest.approx([opened(*point).max()] * 2, abs=0.02 + 0.05 * abs(slope))
 
 
+@pytest.mark.parametrize("aside", [0.0, 0.4, -1.4])
+@pytest.mark.parametrize("slope", SLOPES)
+@pytest.mark.parametrize("tool", TOOLS, ids=str)
+def test_up_and_down_a_move_a_point_beside_its_axis_is_opened_as_deep_as_is_said(tool, slope, aside):
+    point = tool, slope, 0.7, aside, 1e-3, 20.0
+    assert bounded(*point)[1] == pytest.approx(opened(*point).max(), abs=0.03 + 0.06 * abs(slope))
+
+
 @pytest.mark.parametrize("tool", TOOLS, ids=str)
 @pytest.mark.parametrize(
     "along, aside, near, far",
@@ -146,6 +154,42 @@ def test_quarters_stay_that_a_level_move_meets(side, ends, direction):
         dx, dy = (np.maximum(np.maximum(a - p, p - b), 0).min(axis=1) for p, a, b in zip(points, low, high))
         assert found.tolist() == np.flatnonzero(np.hypot(dx, dy) < 3).tolist()
     assert 0 < sum(map(len, stay)) < 4 * len(tile)
+
+
+@pytest.mark.parametrize("direction", [(0, 0, -1), (0, 0, 1)])
+@pytest.mark.parametrize("height, deeper, stay", [(9.9, 9.9, [0]), (-0.1, -2.0, [0]), (0.1, -2.0, [0, 1])])
+def test_what_lies_below_what_is_opened_to_its_bottom_meets_no_quarter(height, deeper, stay, direction):
+    """To and fro over a block of 10 mm with a tool wider than it, at two heights; the way down between them misses it."""
+    frame = View(direction, 160, 120, pixel=0.25).frame(BOX)
+    points = [(-60, 15, height), (100, 15, height), (100, 15, deeper), (-60, 15, deeper)]
+    cuts = Cuts([Cut(toolpath(np.array(points)), Tool("endmill", 80))])
+    upright, few = Upright(Trajectories(cuts, BOX, frame)), np.zeros(2, int)
+    for found in upright.quarters(few + 64, few + 32, few, np.arange(2), 16):
+        assert found.tolist() == stay
+
+
+@pytest.mark.parametrize("direction", [(0, 0, -1), (0, 0, 1)])
+def test_a_ramp_meets_no_quarter_where_it_is_above_the_block(direction):
+    """Down by 1 mm in 4 from 14 mm: the tool's rim is at 12 mm where x is 5, and at 5 mm where x is 33."""
+    frame = View(direction, 160, 120, pixel=0.25).frame(BOX)
+    cuts = Cuts([Cut(toolpath(np.array([(0.0, 15.0, 14.0), (40.0, 15.0, 4.0)])), Tool("endmill", 6))])
+    upright, tile = Upright(Trajectories(cuts, BOX, frame)), np.arange(2)
+    for found in upright.quarters(np.array([16, 128]), np.array([58, 58]), tile, 0 * tile, 4):
+        assert found.tolist() == [1]
+
+
+def test_only_rays_at_the_rim_of_a_sweep_are_asked_a_second_time(monkeypatch):
+    """The rim lies in the middles of a row of 160 pixels; all 24 rows of a slot would take as many times longer."""
+    asked, passing = [], Trajectories.passing
+
+    def counted(self, x, y, item):
+        asked.append(len(item))
+        return passing(self, x, y, item)
+
+    monkeypatch.setattr(Trajectories, "passing", counted)
+    slot = toolpath(np.array([(-10, 15.125, 6), (50, 15.125, 6)]))
+    found = simulate(slot, tool=Tool("endmill", 6), stock=BOX, view=View((0, 0, -1), 160, 120, pixel=0.25))
+    assert found.traces >= 23 * 160 and 0 < sum(asked) <= 2 * 160
 
 
 @pytest.mark.parametrize("direction", [(0, 0, -1), (0, 0, 1)])

@@ -62,7 +62,8 @@ def floors(
             edges = np.zeros(rows * (columns + 1), int)
             for column, step in ((left, 1), (right, -1)):
                 edges += step * np.bincount((row * (columns + 1) + column)[here], minlength=len(edges))
-            kept = kept & (np.cumsum(edges).reshape(rows, -1)[:, :-1] == 0)
+            covered = np.cumsum(edges).reshape(rows, -1)[:, :-1] > 0
+            kept = kept & ~covered
         all_kept.append(kept.T)
     return all_kept, size
 
@@ -72,8 +73,8 @@ def _swept_rows(
 ) -> tuple[np.ndarray, ...]:
     """Cells under discs swept along lines: index of the line, row, first column and the one after the last."""
     lowest = np.ceil((np.minimum(begin, end)[:, 1] - radius) / size - 0.5).clip(0, rows).astype(int)
-    highest = np.floor((np.maximum(begin, end)[:, 1] + radius) / size - 0.5).clip(-1, rows - 1).astype(int)
-    counts = np.maximum(highest - lowest + 1, 0)
+    above = (np.floor((np.maximum(begin, end)[:, 1] + radius) / size - 0.5) + 1).clip(0, rows).astype(int)
+    counts = np.maximum(above - lowest, 0)
     of = np.repeat(np.arange(len(counts)), counts)
     row = np.arange(counts.sum()) - np.repeat(np.cumsum(counts) - counts, counts) + lowest[of]
     y = (row + 0.5) * size

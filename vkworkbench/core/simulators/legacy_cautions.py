@@ -43,11 +43,11 @@ def _hangs(task: Task, version: tuple[int, ...]) -> list[Caution]:
     i, j = (np.nan_to_num(values[letter]) for letter in "IJ")
     x, y = (_last_word(words, letter, arcs) for letter in "XY")
     swept = np.arctan2(values["Y"] - y - j, values["X"] - x - i) - np.arctan2(-j, -i)
-    still = np.abs(np.sin(swept / 2)) < 1e-9
+    still = np.isclose(np.sin(swept / 2), 0)
     plain = ~(np.abs(values["K"]) > 0)
     absent = {letter: np.isnan(values[letter]) for letter in "XYZ"}
     made = task.motions
-    circle = np.isin(arcs, made.command[np.abs(made.sweep) > 2 * np.pi - 1e-6])
+    circle = np.isin(arcs, made.command[(made.sweep != 0) & np.isclose(np.sin(made.sweep / 2), 0)])
     reasons = [
         (absent["X"] | absent["Y"], Message("arc-without-xy")),
         (absent["Z"] & (tuple(version[:2]) < (1, 1)), Message("arc-without-z")),

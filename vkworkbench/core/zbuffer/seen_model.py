@@ -141,11 +141,11 @@ def _open(free: np.ndarray) -> np.ndarray:
     """Which of the free pixels hang together, along rows and columns, with the edge of the image."""
     found = free.copy()
     found[1:-1, 1:-1] = False
-    before = -1
-    while before != np.count_nonzero(found):
-        before = int(np.count_nonzero(found))
-        found = _along_rows(free, _along_rows(free.T, found.T).T)
-    return found
+    while True:
+        more = _along_rows(free, _along_rows(free.T, found.T).T)
+        if np.array_equal(more, found):
+            return found
+        found = more
 
 
 def _along_rows(free: np.ndarray, found: np.ndarray) -> np.ndarray:
