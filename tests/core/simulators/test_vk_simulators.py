@@ -71,6 +71,19 @@ def test_chords_of_an_arc_are_one_motion_of_its_radius_and_sweep():
     assert made.command.tolist() == [1, 2]
 
 
+@pytest.mark.parametrize("sweep", [0.05, 0.4, 2.0, 3.5, 6.2])
+@pytest.mark.parametrize("down", [0.0, 7.0])
+def test_an_arc_of_any_sweep_is_a_motion_of_its_radius(sweep, down):
+    """About (0, 0), from (10, 0), level or downwards."""
+    end = {"X": 10 * math.cos(sweep), "Y": 10 * math.sin(sweep), "Z": -down}
+    path = linearize([("G0", {"X": 10.0, "Y": 0.0, "Z": 0.0}), ("G3", {**end, "I": -10.0, "J": 0.0})])
+    made = motions(path)
+    assert made.radius == pytest.approx([10.0], rel=1e-3) and made.sweep == pytest.approx([sweep])
+    # Straight moves are one motion each, even of one command.
+    straight = motions(replace(path, sweep=np.zeros(len(path))))
+    assert len(straight.move) == len(path) and not straight.radius.any()
+
+
 def test_a_full_circle_is_a_motion_though_it_ends_where_it_starts():
     made = motions(linearize([("G0", {"X": 10.0, "Y": 0.0, "Z": 0.0}), ("G2", {"X": 10.0, "I": -10.0, "J": 0.0})]))
     assert np.allclose(made.sweep, [-2 * math.pi]) and np.allclose(made.radius, [10.0])

@@ -62,7 +62,7 @@ def motions(toolpath: Toolpath) -> Motions:
     first = np.flatnonzero(np.concatenate(([True], ~joined)))
     last = np.append(first[1:], n)
 
-    chords = np.hypot(*np.diff(points, axis=0)[:, :2].T)
+    chords = np.linalg.norm(np.diff(points[:, :2], axis=0), axis=1)
     sweep = np.add.reduceat(np.where(arc, toolpath.sweep, 0.0), first)
     width = np.add.reduceat(np.where(arc, 2 * np.abs(np.sin(toolpath.sweep / 2)), 0.0), first)
     radius = np.divide(np.add.reduceat(chords, first), width, out=np.zeros(len(first)), where=width > 0)
@@ -77,7 +77,7 @@ def motions(toolpath: Toolpath) -> Motions:
     approach = np.diff(np.vstack((points[:1], end)), axis=0)
     down = np.column_stack((np.zeros((len(first), 2)), lowest - retract))
     move = np.stack((approach, down, -down), axis=1)
-    exists = (np.abs(move) > 1e-9).any(axis=2)
+    exists = ~np.isclose(move, 0).all(axis=2)
     exists[~cycle, 0] = True  # a full circle has no chord but is a motion
     exists[:, 1:] &= cycle[:, None]
     arcs = np.zeros((len(first), 3))
@@ -89,6 +89,6 @@ def motions(toolpath: Toolpath) -> Motions:
 def _height_before_first_feed(toolpath: Toolpath, first: np.ndarray) -> np.ndarray:
     """Height where the first move at feed of each group of trajectories begins."""
     n = len(toolpath)
-    index = np.where(toolpath.rapid, n - 1, np.arange(n))
+    index = np.where(toolpath.rapid, n, np.arange(n))
     result: np.ndarray = toolpath.points[np.minimum.reduceat(index, first), 2]
     return result
