@@ -90,6 +90,13 @@ def test_a_row_whose_moves_waver_is_one_row():
     assert (rows.typical, rows.step, rows.same) == pytest.approx((50, 3, 350), rel=1e-3)
 
 
+def test_rows_to_and_fro_in_moves_of_half_a_millimetre_are_the_same_rows():
+    ends = [(0.0, 50.0), (50.0, 0.0)]
+    points = [(x, 3.0 * row, 0.0) for row in range(10) for x in np.linspace(*ends[row % 2], 101).tolist()]
+    (rows,) = rows_of(programs.program([points]))
+    assert (rows.count, rows.lines, rows.typical, rows.opposite) == pytest.approx((10, 10, 50, 450))
+
+
 @pytest.mark.parametrize("degrees, aligned", [(2.0, True), (4.0, False)])
 def test_a_row_lies_within_three_degrees_of_the_axis(degrees, aligned):
     """0.05 rad are 2.9 degrees: ten rows of 50 mm, and one of 60 mm that is askew."""
@@ -323,6 +330,16 @@ def test_rows_of_a_grid_cross_and_the_sides_of_nested_contours_do_not(turned):
     contours = [[(k, k), (80.0 - k, k), (80.0 - k, 70.0 - k), (k, 70.0 - k), (k, k + 0.5)] for k in 1.5 * np.arange(20)]
     found, rows = families(contours)
     assert len(found) == 2 and rows == []
+
+
+@pytest.mark.parametrize("beyond, cross", [(0.035, False), (0.07, True)])
+def test_passes_cross_where_they_go_on_behind_it_for_more_than_a_twentieth(beyond, cross):
+    """The sides of nested rectangles, each longer at both ends by a share of it; all those along X come first."""
+    sides = [(1.5 * k, 80 - 3 * k, 70 - 3 * k) for k in range(20)]
+    along = [[(k - beyond * w, y), (k + w + beyond * w, y)] for k, w, h in sides for y in (k, k + h)]
+    up = [[(x, k - beyond * h), (x, k + h + beyond * h)] for k, w, h in sides for x in (k, k + w)]
+    found = rows_of(programs.program([[(x, y, 0.0) for x, y in stroke] for stroke in along + up]))
+    assert filling(found, TOOL, length=sum(f.length for f in found), contour=False) == (found if cross else [])
 
 
 def test_rows_in_places_however_far_apart_have_one_stepover_and_take_no_memory():

@@ -145,7 +145,7 @@ def _returns(
     two, own = latest[one], cell[one]
     table[own] = one
     last_but_one = table.take(own)
-    table[own[::-1]] = one[::-1]
+    table[np.flip(own)] = np.flip(one)
     crowded = last_but_one != table.take(own)
     if crowded.any():
         # Most cells are visited twice, at the beginning and the end of a loop. Only the others are sorted, by cell:
@@ -154,7 +154,7 @@ def _returns(
         keys = (many, row[many], column[many])
         many = many[np.lexsort((*keys, area[many]) if len(area) else keys)]
         one, two = np.append(one[~crowded], many[:-1]), np.append(two[~crowded], many[1:])
-    near = (np.abs(x[one] - x[two]) <= 1) & (np.abs(y[one] - y[two]) <= 1)
+    near = np.maximum(np.abs(x[one] - x[two]), np.abs(y[one] - y[two])) <= 1
     if len(area):
         near &= area[one] == area[two]
     first, end = at[one[near]], at[two[near]]
