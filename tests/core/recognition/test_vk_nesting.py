@@ -104,6 +104,12 @@ def test_steps_that_differ_by_less_than_three_tenths_are_alike():
     assert reached(*sides)[0] == pytest.approx(4)
 
 
+def test_the_usual_step_is_that_at_a_quarter_of_their_number():
+    """Two of 2 mm and six of 2.5 mm: the third of eight."""
+    sides = 60.0 - 2 * np.cumsum([0, 2, 2, *[2.5] * 6])
+    assert reached(*sides)[0] == pytest.approx(5)
+
+
 def test_rings_farther_apart_than_the_tool_reaches_are_engraved_however_even_they_are():
     """The circles of a target."""
     assert reached(*(40.0 - 4 * np.arange(6)), tool=1.0)[0] == pytest.approx(1.2)
