@@ -160,6 +160,11 @@ def test_turning_back_and_on_begins_no_new_turn():
     assert len(turns) in (3, 4) and (np.diff(turns) > 40).all()
 
 
+def test_a_triangle_is_a_loop_and_the_way_there_and_back_is_none():
+    assert is_closed(np.zeros(2), np.full(2, 100.0), np.array([3, 2])).tolist() == [True, False]
+    assert loops_of(polygon(40, corners=3)) == [(0, 3)]
+
+
 @pytest.mark.parametrize("length", [3.0, 100.0, 4000.0])
 def test_no_path_encloses_more_than_a_circle_of_its_length(length):
     gap = np.geomspace(1e-3, length, 200)

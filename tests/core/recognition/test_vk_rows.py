@@ -129,6 +129,15 @@ def test_a_slanted_grid_has_two_families_and_none_along_their_mean(degrees):
     assert (first.count, second.count) == (12, 10)
 
 
+def test_rows_of_a_grid_may_lean_to_both_sides_of_their_axis():
+    """By two and a half degrees, a third of each row to either side: all of it lies within three of their mean."""
+    up = 20 * math.tan(math.radians(2.5))
+    across = [[(0, y, 0), (20, y + up, 0), (40, y + up, 0), (60, y, 0)] for y in 3.0 * np.arange(30)]
+    first, second = rows_of(programs.program(across + [[(x, 0, 0), (x, 57, 0)] for x in 3.0 * np.arange(20)]))
+    assert (first.count, second.count) == (30, 20)
+    assert (first.typical, second.typical) == pytest.approx((60, 57), rel=1e-2)
+
+
 def test_little_across_the_rows_is_no_family():
     """What is left is looked at only where it is worth it, and kept only where it is much."""
     across = [[(0.0, 3.0 * row, 0.0), (50.0, 3.0 * row, 0.0)] for row in range(12)]
@@ -314,11 +323,13 @@ def test_of_two_families_that_which_fills_is_left():
     assert filling([GOOD, across], TOOL, length=1000.0, contour=False) == [GOOD]
 
 
+@pytest.mark.parametrize("lean", [0.0, 0.6, -0.6])
 @pytest.mark.parametrize("turned", [0.0, 0.4, 2.0])
-def test_rows_of_a_grid_cross_and_the_sides_of_nested_contours_do_not(turned):
+def test_rows_of_a_grid_cross_and_the_sides_of_nested_contours_do_not(turned, lean):
     def families(strokes):
         c, s = np.cos(turned), np.sin(turned)
-        cut = [[(c * x - s * y, s * x + c * y, 0.0) for x, y in stroke] for stroke in strokes]
+        leant = [[(x + lean * y, y) for x, y in stroke] for stroke in strokes]
+        cut = [[(c * x - s * y + 500, s * x + c * y + 300, 0.0) for x, y in stroke] for stroke in leant]
         found = rows_of(programs.program(cut))
         return found, filling(found, TOOL, length=sum(f.length for f in found), contour=False)
 

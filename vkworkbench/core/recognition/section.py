@@ -186,7 +186,7 @@ class Section:
         order = np.lexsort((-np.hypot(*(p.box[ring, 2:] - p.box[ring, :2]).T), of_ring))
         rank = np.arange(len(ring)) - np.searchsorted(of_ring[order], of_ring[order])
         inside = np.zeros(len(k), bool)
-        for place in range(min(int(rank.max()) + 1, RINGS.WALLS)):
+        for place in np.unique(rank)[: RINGS.WALLS]:
             wall, largest = np.full((depths, 4), np.nan), order[rank == place]
             wall[of_ring[largest]] = p.box[ring[largest]]
             inside |= _inward(p.box[k], wall[of_row]) >= -SAME.PLACE
