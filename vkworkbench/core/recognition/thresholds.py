@@ -41,9 +41,9 @@ class LITTLE:
     PIECE = 0.02
     #: share of the usual pass. Shorter ones are links along the boundary. Larger: a raster of triangles loses its rows.
     PASS = 0.1
-    #: share of the length. What may be rows is links where it is less. Larger: zigzags are engravings.
+    #: share of the length. What may be rows is links where it is less. At 1 rows cut one way are offsets.
     ROWS = 0.1
-    #: share of the first family of rows. Less in other directions is no second family. Larger: grids are engravings.
+    #: share of the first family of rows. Less in other directions is no second family. At 1 grids are profiles.
     FAMILY = 0.1
 
 
@@ -62,11 +62,11 @@ class ENTRY:
 
     #: turns. A ramp that winds more is a helix. At 0 every ramp is, larger: helices of one turn are ramps.
     WINDS = 0.75
-    #: cosine. A ramp that turns about by more comes back on the level way before it. At 1 none does; at 0 a ramp that goes
-    #: on around a corner does, too, if it ends where that way began.
+    #: cosine. A ramp that turns about by more comes back on the level way before it. By tests: at 1 none does; at 0
+    #: a ramp that goes on around a corner does, too, if it ends where that way began.
     BACK = 0.95
-    #: share of its size. What follows leads so much farther, or the way down is a part of the pattern. At 0 helices that
-    #: end by a flat turn are profiles; larger: helices before clearing are the operation.
+    #: share of its size. What follows leads so much farther, or the way down is a part of the pattern. At 0, by tests,
+    #: helices that end by a flat turn are profiles; larger: helices before clearing are the operation.
     LEADS = 0.25
     #: share of a piece. At the height where so much of it is level it lies, and the rest leads there or over tags. Less:
     #: rows on surfaces lie at plateaus; at 1 ramped contours lie nowhere. It changes no verdict.
@@ -87,13 +87,13 @@ class PIECES:
 class PASSES:
     """Back and forth, or around."""
 
-    #: cosine. A move so parallel to the axis of its stretch is part of a pass. At 0 and at 1 the links between rows
-    #: are passes and rows are none: zigzags are mixed.
+    #: cosine. A move so parallel to the axis of its stretch is part of a pass. At 0 links are passes, and the
+    #: profile of a comb is a zigzag; at 1 ramps cut to and fro are strokes.
     ALONG = 0.9
     #: count. So few passes may be the strokes of a letter, as of N, W and Z, which lean. At 0 names are zigzags.
     OF_A_LETTER = 4
-    #: cosine. So few are rows where they are as parallel as that to their axis. At 0 all are; at 1 rows rounded by a post
-    #: are letters.
+    #: cosine. So few are rows where they are as parallel as that to their axis. At 0 all are; at 1 ramps cut to and fro are
+    #: letters.
     PARALLEL = 0.99
     #: share of the length of the passes. So much of them is. At 0 a letter with one upright stroke is a zigzag; at 1 rows
     #: whose links run along them are letters.
@@ -192,25 +192,25 @@ class NESTS:
     #: tool diameters. Rings, rows and strokes farther apart leave ground uncut between them. Less: pockets are
     #: profiles; more: the contours of a washer, and of chamfered and engraved edges, are pockets.
     REACH = 1.2
-    #: count. Offsets share no more sides of their boxes: pockets in a corner of the part are open at two. At 0 open pockets
-    #: are profiles.
+    #: count. Offsets share no more sides of their boxes: pockets in a corner of the part are open at two. At 0, by
+    #: tests, open pockets are profiles.
     SHARED = 2
     #: rings. Each is compared with so many that are cut after it. At 1 pockets with islands, around which the rings of
     #: two nests are cut in turn, are profiles; comparing with all takes time and gains nothing.
     NEXT = 3
     #: share of the mean. All sides of the box of a wavy ring, or of one that turns the other way, move by the same to
-    #: this. Larger: passes of a lattice that wind by chance are nested.
+    #: this. Larger, by tests: passes of a lattice that wind by chance are nested.
     EQUAL_SIDES = 0.1
     #: ratio to the distance. A loop is longer than its offset inwards by less than this, or has bays; a circle is by
-    #: 6.3, a square by 8. Larger: what is engraved around a letter is its offset.
+    #: 6.3, a square by 8. Larger, by tests: what is engraved around a letter is its offset.
     LONGER = 12.0
     #: share of the longer loop. Where bays close, the shorter loop still has as much. At 0 the lengths say nothing; at 1
     #: combs have no stepover.
     LENGTH_ALIKE = 0.6
-    #: share of the distance. No side of an offset's box moves by less. At 0 ramped profiles are pockets; at 1 pockets
-    #: with rounded corners are profiles.
+    #: share of the distance. No side of an offset's box moves by less. At 0 ramped profiles are pockets; at 1
+    #: waterlines are contour-parallel.
     SIDE_AT_LEAST = 0.5
-    #: ratio to the distance. And not all sides by more. Less: nothing is nested; larger: grids are.
+    #: ratio to the distance. And not all sides by more. Less: nothing is nested; larger, by tests: grids are.
     SIDE_AT_MOST = 1.5
     #: share of the ring's size. Rings with a longer step between them are no nest. At 0 none are; larger: contours of
     #: three sizes at different depths are a pocket.
