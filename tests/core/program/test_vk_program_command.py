@@ -155,8 +155,16 @@ def test_results_that_are_there_are_written_anew_unless_they_are_resumed(folder,
     out = tmp_path / "out"
     inside(folder / "a.nc", folder / "c.nc", kind, out)
     assert b"a.nc" in out.read_bytes() and b"c.nc" in out.read_bytes()
-    inside(folder / "a.nc", kind, out)
-    assert b"a.nc" in out.read_bytes() and b"c.nc" not in out.read_bytes()
+    inside(folder / "c.nc", kind, out)
+    assert b"c.nc" in out.read_bytes() and b"a.nc" not in out.read_bytes()
+
+
+@pytest.mark.parametrize("kind", ["--csv", "--json-lines"])
+def test_names_are_written_as_they_are_read(folder, tmp_path, kind, inside):
+    named = tmp_path / "Größe 型腔.nc"
+    named.write_bytes((folder / "a.nc").read_bytes())
+    inside(named, kind, tmp_path / "out")
+    assert "Größe 型腔.nc" in (tmp_path / "out").read_text(encoding="utf-8")
 
 
 def test_numbers_of_the_command_line_arrive():

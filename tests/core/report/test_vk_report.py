@@ -179,6 +179,11 @@ def test_words_begin_and_numbers_end_in_one_column():
         assert line[len(head) - 1] == "?"
 
 
+def test_a_rule_stands_below_each_name_of_a_column():
+    head, rule, _ = table_of([operation("One")], [], "legacy").splitlines()
+    assert len(rule.split()) == 8 and len(rule) == len(head.rstrip()) and set(rule) == {"-", " "}
+
+
 def test_cells_of_the_table_stay_on_their_line():
     assert printable("a\nb\r\x1b[31mc\u202e🙂") == "a b [31mc\u202e🙂"
     assert len(printable("x" * 5000)) == 60

@@ -17,6 +17,7 @@ from vkworkbench.core import Stock, Strategy, Tool, Toolpath, View
 from vkworkbench.core.gcode import linearize
 from vkworkbench.core.recognition import Recognition, recognize
 from vkworkbench.core.zbuffer.closed_form import cauchy_crofton, closed_form, swept
+from vkworkbench.core.zbuffer.culling import TILE
 from vkworkbench.core.zbuffer.cuts import Cut, Cuts
 from vkworkbench.core.zbuffer.dexels import UNCUT
 from vkworkbench.core.zbuffer.estimate import estimate, estimate_job
@@ -422,7 +423,7 @@ def test_a_speed_is_found_in_times():
 
 
 def test_the_speed_is_measured_in_runs_of_less_than_a_tenth_of_a_second_on_a_usual_computer(monkeypatch):
-    """Each by this process alone, and of the work that is told of it."""
+    """Each by this process alone, in an image of whole tiles, and of the work that is told of it."""
     runs, works = [], []
     monkeypatch.setattr("vkworkbench.core.zbuffer.speed.steady_seconds", lambda pieces, **_: runs.extend(pieces))
     monkeypatch.setattr("vkworkbench.core.zbuffer.speed.fit_speed", lambda amounts, _: works.extend(amounts))
@@ -431,7 +432,8 @@ def test_the_speed_is_measured_in_runs_of_less_than_a_tenth_of_a_second_on_a_usu
     for run, work in zip(runs, works):
         assert 0.025 < Speed().constants @ work < 0.1
         asked = {name: run.keywords[name] for name in ("tool", "stock", "view")}
-        assert run.keywords["processes"] == 1
+        assert run.keywords["processes"] == 1 and asked["view"].width == asked["view"].height
+        assert asked["view"].width % TILE == 0
         assert work.tolist() == estimate(*run.args, None, **asked).work.amounts().tolist()
 
 
@@ -517,6 +519,8 @@ def test_where_no_resolution_helps_it_says_what_does():
     assert chosen.view is None
     assert chosen.explanation.startswith("no resolution helps, the trajectories alone take")
     assert "fewer operations" in chosen.explanation
+    one = 1 / (found.view.width * found.view.height)
+    assert (chosen.seconds, chosen.memory_bytes) == (found.seconds_in(one), found.peak.bytes(one))
     assert best_resolution([found], memory_bytes=10).explanation == "no resolution helps, not even a single pixel fits"
 
 

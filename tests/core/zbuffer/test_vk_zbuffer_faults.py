@@ -89,6 +89,12 @@ def test_a_crash_of_a_single_pixel_is_found():
     assert (one.depth, one.volume) == pytest.approx((6, 6 * 4**2))
 
 
+@pytest.mark.parametrize("under, crashed", [(0.0005, False), (0.005, True)])
+def test_a_rapid_on_a_floor_that_was_cut_is_a_crash_where_it_is_deeper_than_rounding(under, crashed):
+    across = path([(-5, 15, 12), (-5, 15, 8 - under), (45, 15, 8 - under), (45, 15, 12)], rapid=[1])
+    assert bool(told(SOUND, across, model=None).job.crashes) == crashed
+
+
 def test_of_a_rapid_that_goes_deeper_and_deeper_the_deepest_place_is_told():
     """From 1 mm above the faced block to 4 mm below: at its edge the tool's rim has been at 4.1 mm."""
     (one,) = told(SOUND, path([(-5, 15, 9), (45, 15, 4), (45, 15, 12)], rapid=[0])).job.crashes
@@ -182,11 +188,11 @@ def test_a_plunge_too_fast_is_found():
 
 @pytest.mark.parametrize(
     "tool, drilled, fast",
-    [(FLAT, 4, True), (FLAT, 4.5, False), (Tool("drill", 6), 1, True), (Tool("ballend", 6), 3.2, True),
+    [(FLAT, 4.2, True), (FLAT, 4.28, False), (Tool("drill", 6), 1, True), (Tool("ballend", 6), 3.2, True),
      (Tool("ballend", 6), 4, False)],
 )  # fmt: skip
 def test_full_material_is_half_of_what_a_tool_displaces(tool, drilled, fast):
-    """Into a hole 3 mm deep: one of 4 mm leaves 5/9 of what a flat end of 6 mm displaces, one of 4.5 mm 7/16.
+    """Into a hole 3 mm deep: one of 4.2 mm leaves 0.51 of what a flat end of 6 mm displaces, one of 4.28 mm 0.49.
 
     Of half a ball holes of 3.2 and 4 mm leave (1 - 0.28)^1.5 = 0.61 and (1 - 0.44)^1.5 = 0.41.
     """

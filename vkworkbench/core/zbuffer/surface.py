@@ -132,7 +132,7 @@ class Surface:
         start = np.append(0, np.cumsum(count))
         free, pixels = start.copy(), np.empty(len(owner), np.uint32)
         parts = np.searchsorted(first[1:], np.arange(0, len(owner), size), side="right")
-        parts = np.unique(np.append(parts, len(first) - 1))
+        parts = np.unique(np.append(parts, len(self.records.entry)))
         for begin, end in zip(parts[:-1].tolist(), parts[1:].tolist()):
             own = owner[first[begin] : first[end]]
             pixel = np.repeat(np.arange(begin, end, dtype=np.uint32), np.diff(first[begin : end + 1]))
