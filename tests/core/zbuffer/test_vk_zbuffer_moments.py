@@ -110,6 +110,26 @@ def test_moments_of_more_trajectories_than_16_bits_number():
         assert np.array_equal(z.at(step).picture.owner, owner)
 
 
+def test_of_a_picture_only_what_has_changed_is_looked_up_where_that_is_little(monkeypatch):
+    """Less than a quarter of the pieces from one moment to the next; from the first to the last it is everything."""
+    looked_up, seen = [], Surface._seen
+
+    def counted(self, step, pixels):
+        looked_up.append(len(pixels))
+        return seen(self, step, pixels)
+
+    monkeypatch.setattr(Surface, "_seen", counted)
+    z, _ = simulated(2)
+    again, everywhere = Surface(z.records), len(z.records.entry)
+    for step in range(z.trajectories + 1):
+        again.picture(step)
+    few = [len(again.changed(step, step + 1)) for step in range(z.trajectories)]
+    assert max(few) < everywhere / 4 and looked_up == [everywhere, *few]
+    assert len(again._removed(0, z.trajectories)) > everywhere / 4
+    again.picture(0)
+    assert looked_up[-1] == everywhere
+
+
 @pytest.mark.parametrize("at_once", [1, 70, 1 << 17])
 def test_where_all_is_cut_through_every_pixel_changes(at_once, monkeypatch):
     """The first and the last of an image within the block, by a plunge through all of it."""

@@ -131,7 +131,7 @@ class Surface:
             count += np.bincount(owner[begin : begin + size], minlength=len(count))
         start = np.append(0, np.cumsum(count))
         free, pixels = start.copy(), np.empty(len(owner), np.uint32)
-        parts = np.searchsorted(first[1:], np.arange(0, len(owner), size), side="right")
+        parts = np.searchsorted(first, np.arange(0, len(owner), size), side="right") - 1
         parts = np.unique(np.append(parts, len(self.records.entry)))
         for begin, end in zip(parts[:-1].tolist(), parts[1:].tolist()):
             own = owner[first[begin] : first[end]]
