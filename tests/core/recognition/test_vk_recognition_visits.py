@@ -137,8 +137,10 @@ def test_nothing_is_mixed_that_has_one_name():
 
 def test_a_forest_is_the_mean_of_its_trees():
     forest = Forest(["0<0.5 0:100 1<2 1:100 2:50,1:50", "2:100"], 3)
-    shares = forest.shares(np.array([[0.0, 9.0], [1.0, 1.0], [1.0, 3.0]]))
+    cases = np.array([[0.0, 9.0], [1.0, 1.0], [1.0, 3.0]])
+    shares = forest.shares(cases)
     assert shares.tolist() == [[0.5, 0.0, 0.5], [0.0, 0.5, 0.5], [0.0, 0.25, 0.75]]
+    assert [forest.vote(case).tolist() for case in cases] == shares.tolist()
 
 
 def test_only_what_may_be_a_program_is_divided():

@@ -85,9 +85,9 @@ def test_a_zigzag_that_ends_where_it_began_is_rows_and_no_ring():
 
 
 def test_two_rows_that_their_links_close_are_rows_and_no_ring():
-    """As between a row of bosses and the next one; a contour around an island is wider than the rows are apart."""
-    two = [(0.0, 21.0, 0.0), (30.0, 21.0, 0.0), (30.0, 24.0, 0.0), (0.0, 24.0, 0.0), (0.0, 21.0, 0.0)]
-    island = [(0.0, 21.0, 0.0), (30.0, 21.0, 0.0), (30.0, 27.0, 0.0), (0.0, 27.0, 0.0), (0.0, 21.0, 0.0)]
+    """As between a row of bosses and the next one; a contour around an island is wider than 1.6 times how far rows are apart."""
+    two = [(0.0, 21.0, 0.0), (30.0, 21.0, 0.0), (30.0, 25.5, 0.0), (0.0, 25.5, 0.0), (0.0, 21.0, 0.0)]
+    island = [(0.0, 21.0, 0.0), (30.0, 21.0, 0.0), (30.0, 26.1, 0.0), (0.0, 26.1, 0.0), (0.0, 21.0, 0.0)]
     found = section(rows(), two)
     assert found.row_pieces.all() and not found.ring_pieces.any()
     assert judge(found).strategy is Strategy.ZIGZAG
@@ -108,6 +108,14 @@ def test_a_turn_of_a_winding_that_turns_back_by_three_quarters_of_a_turn_may_be_
     """Two bends aside and back again: four times 60 degrees are two thirds of a turn, and of 75 five sixths."""
     found = section(square_spiral(3, jogs(2, degrees), grows=12.0))
     assert found.rings.winding[0] and found.lattice[0] == lattice
+
+
+def test_a_closed_contour_that_turns_back_as_much_is_a_contour():
+    """A star of six points."""
+    at = np.arange(13) * TURN / 12
+    radius = np.where(np.arange(13) % 2, 12.0, 30.0)
+    found = section(list(zip(70 + radius * np.cos(at), radius * np.sin(at), 0 * at)))
+    assert found.rings.back[0] > 0.75 * TURN and not found.lattice.any()
 
 
 @pytest.mark.parametrize("length, families", [(15.0, 0), (30.0, 1)])
