@@ -247,10 +247,10 @@ class RINGS:
     #: clipped spirals are adaptive; at 1 linked offsets are spirals.
     OFFSETS = 0.7
     #: share of the length. So much in rings is judged by them where there are hardly any rows, so much in rows by
-    #: these. At 0 strokes are unknown; at 1 profiles with leads are engravings.
+    #: these. At 0 strokes are zigzags; at 1 waterlines and helices are profiles.
     ALONE = 0.35
-    #: share of the length. Less in rows is none beside rings. Larger: a pocket and its contour are a zigzag; at 0, by
-    #: real code, profiles are mixed.
+    #: share of the length. Less in rows is none beside rings. Larger: rows and their contour are a profile; at 0, by real
+    #: code, profiles are mixed.
     ROWS_BESIDE = 0.15
     #: share of the length. Less in rings is none among rows. At 0 every closed link of a zigzag is a contour.
     AMONG_ROWS = 0.1
