@@ -316,9 +316,9 @@ class ROWS:
     #: share of the length. Where less does, the links have turned the axis, and it is taken again without them. At 0
     #: zigzags along a slanting boundary are profiles.
     ALL_ALIGNED = 0.98
-    #: usual steps. A row's neighbour is no farther away. Less: no row has one, and zigzags are engravings.
+    #: usual steps. A row's neighbour is no farther away. Less: no row has one, and rows cut one way are offsets.
     FARTHER = 1.6
-    #: usual steps. Steps are even where they are no shorter. Larger: none are, and zigzags are engravings.
+    #: usual steps. Steps are even where they are no shorter. Larger: none are, and rows cut one way are offsets.
     NEARER = 0.6
     #: share. The shortest distance that comes nearly as often as any. At 1 twice the stepover may be it; at 0 the next set is.
     OFTEN = 0.8
@@ -332,7 +332,7 @@ class ROWS:
     #: that lie far apart take memory.
     FARTHEST = 1000
     #: share of the length. Where less has a neighbour, passes are no rows. At 0 adaptive clearing and waterlines have
-    #: some; at 1 zigzags are engravings.
+    #: some; at 1 rows cut one way are offsets.
     BESIDE = 0.25
     #: steps. Rows are longer. At 0 the sides of small contours are rows; larger: grids are engravings.
     LONG = 2.5
