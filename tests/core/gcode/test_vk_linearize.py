@@ -406,6 +406,15 @@ def test_centres_of_commands_are_offsets_whatever_they_look_like():
     assert [p.what.code for p in path(("G0", {"X": 100, "Y": 100, "Z": 1}), arc).problems] == ["arc-of-changing-radius"]
 
 
+@pytest.mark.parametrize(
+    "radius, grows, told", [(5, 0.09, False), (5, 0.12, True), (20, 0.19, False), (20, 0.22, True), (50, 0.6, True)]
+)
+def test_the_radius_of_an_arc_may_change_by_a_tenth_of_a_millimetre_or_a_hundredth_of_it(radius, grows, told):
+    quarter = ("G3", {"X": 0, "Y": radius + grows, "I": -radius, "J": 0})
+    found = path(("G0", {"X": radius, "Y": 0, "Z": 1}), quarter).problems
+    assert [problem.what.code for problem in found] == ["arc-of-changing-radius"] * told
+
+
 def test_a_hole_without_any_height_before_it_begins_at_0():
     assert path(("G81", {"X": 5, "Y": 5, "Z": -2.0})).points[:, 2].tolist() == [0, -2, 0]
 
