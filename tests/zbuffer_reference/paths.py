@@ -20,6 +20,16 @@ TOOLS = [
     Tool("vbit", 4, tip_angle=0.6),
     Tool("drill", 5),
 ]
+# One of each form, and of rims and tips, of a size.
+FORMS = [
+    Tool("endmill", 6),
+    Tool("ballend", 6),
+    Tool("bullnose", 6, corner_radius=1),
+    Tool("bullnose", 6, corner_radius=2.5),
+    Tool("vbit", 6, tip_angle=pi / 2),
+    Tool("vbit", 6, tip_angle=pi / 2, tip_diameter=2),
+    Tool("drill", 5),
+]
 DIRECTIONS = [
     (0, 0, -1),
     (0, 0, 1),

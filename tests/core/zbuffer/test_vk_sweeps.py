@@ -7,6 +7,7 @@ from math import atan, atan2, cos, pi, sin
 
 import numpy as np
 import pytest
+from zbuffer_reference.paths import FORMS
 
 from vkworkbench.core import Tool
 from vkworkbench.core.zbuffer import sweeps
@@ -45,17 +46,6 @@ def test_a_ray_that_passes_the_very_side_of_a_cones_rim_on_its_way_passes_as_tho
     assert np.abs(np.subtract(exact, beside)).max() < 1e-2
 
 
-TOOLS = [
-    Tool("endmill", 6),
-    Tool("ballend", 6),
-    Tool("bullnose", 6, corner_radius=1),
-    Tool("bullnose", 6, corner_radius=2.5),
-    Tool("vbit", 6, tip_angle=pi / 2),
-    Tool("vbit", 6, tip_angle=pi / 2, tip_diameter=2),
-    Tool("drill", 5),
-]
-
-
 def some_moves(seed):
     """Starts and moves (3, RAYS): level, vertical (which are told upwards) and steep ones, a fifth each, and any."""
     start, move = np.random.default_rng(seed).uniform(-4, 4, (2, 3, RAYS))
@@ -65,7 +55,7 @@ def some_moves(seed):
     return start, move
 
 
-@pytest.mark.parametrize("tool", TOOLS, ids=str)
+@pytest.mark.parametrize("tool", FORMS, ids=str)
 def test_above_a_point_what_a_move_sweeps_begins_where_the_tool_is_lowest_on_it(tool):
     """Held against 2,000 places of the tool on each move."""
     start, move = some_moves(3)
@@ -83,7 +73,7 @@ def test_above_a_point_what_a_move_sweeps_begins_where_the_tool_is_lowest_on_it(
 
 
 @pytest.mark.parametrize("tilt", [0.3, 1.2, pi / 2, 2.0, 2.9])
-@pytest.mark.parametrize("tool", TOOLS, ids=str)
+@pytest.mark.parametrize("tool", FORMS, ids=str)
 def test_a_ray_is_within_a_sweep_where_it_is_above_its_lower_surface(tool, tilt):
     """What is told of oblique rays, held against what is told of vertical ones, at 60 depths of each."""
     start, move = some_moves(5)

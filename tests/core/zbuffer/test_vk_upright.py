@@ -6,11 +6,9 @@ Too deep a bound only takes longer, too shallow a one loses a cut: both are told
 
 from __future__ import annotations
 
-from math import pi
-
 import numpy as np
 import pytest
-from zbuffer_reference.paths import BOX, PATHS, toolpath
+from zbuffer_reference.paths import BOX, FORMS, PATHS, toolpath
 
 from vkworkbench.core import Cut, Stock, Tool, View, simulate
 from vkworkbench.core.zbuffer.culling import QUARTERS
@@ -18,15 +16,6 @@ from vkworkbench.core.zbuffer.cuts import Cuts
 from vkworkbench.core.zbuffer.trajectories import Trajectories
 from vkworkbench.core.zbuffer.upright import Slopes, Upright, bounds
 
-TOOLS = [
-    Tool("endmill", 6),
-    Tool("ballend", 6),
-    Tool("bullnose", 6, corner_radius=1),
-    Tool("bullnose", 6, corner_radius=2.5),
-    Tool("vbit", 6, tip_angle=pi / 2),
-    Tool("vbit", 6, tip_angle=pi / 2, tip_diameter=2),
-    Tool("drill", 5),
-]
 SLOPES = [0.0, 0.3, -0.3, 1.2, -1.2]
 DEPTH = 2.0
 PLACES, STEP = 1001, 5  # of the tool on a move, and points on a side of a square
@@ -52,10 +41,10 @@ def opened(tool, slope, along, aside, extent, half_run):
 
 @pytest.mark.long
 @pytest.mark.parametrize("slope", SLOPES)
-@pytest.mark.parametrize("tool", TOOLS, ids=str)
+@pytest.mark.parametrize("tool", FORMS, ids=str)
 def test_no_point_of_a_square_is_opened_deeper_than_is_said_and_none_less_deep(tool, slope):
     """Squares beside moves, across their ends and their rims, within them, and around short ones."""
-    rng = np.random.default_rng([TOOLS.index(tool), SLOPES.index(slope)])
+    rng = np.random.default_rng([FORMS.index(tool), SLOPES.index(slope)])
     inside = 0
     for _ in range(40):
         half_run, extent = rng.choice([0.2, 2.0, 8.0]), rng.choice([0.05, 0.4, 1.5])
@@ -72,7 +61,7 @@ def test_no_point_of_a_square_is_opened_deeper_than_is_said_and_none_less_deep(t
 # On slopes the bounds only come near to tools of several parts, and to a point that is blunter than the slope.
 SIMPLE = [
     (tool, slope)
-    for tool in TOOLS
+    for tool in FORMS
     for slope in SLOPES
     if not slope or (tool.rounding in (0, tool.radius) and not tool.tip and not 0 < tool.steepness <= abs(slope))
 ]
@@ -83,7 +72,7 @@ SIMPLE = [
 @pytest.mark.parametrize("along", [0.0, 1.5, -2.5, 6.0])
 def test_on_a_slope_a_flat_end_reaches_as_deep_as_is_said(along, half_run, slope):
     """Squares of 0.8 mm on the way of its axis, no longer than the move: within it, at its end and beyond it."""
-    square = TOOLS[0], slope, along, 0.0, 0.4, half_run
+    square = FORMS[0], slope, along, 0.0, 0.4, half_run
     reaches, deepest = bounded(*square)[0], opened(*square).max()
     assert reaches == (pytest.approx(deepest, abs=0.05) if np.isfinite(deepest) else deepest)
 
@@ -98,13 +87,13 @@ def test_along_a_move_a_point_is_opened_as_deep_as_is_said(tool, slope, aside):
 
 @pytest.mark.parametrize("aside", [0.0, 0.4, -1.4])
 @pytest.mark.parametrize("slope", SLOPES)
-@pytest.mark.parametrize("tool", TOOLS, ids=str)
+@pytest.mark.parametrize("tool", FORMS, ids=str)
 def test_up_and_down_a_move_a_point_beside_its_axis_is_opened_as_deep_as_is_said(tool, slope, aside):
     point = tool, slope, 0.7, aside, 1e-3, 20.0
     assert bounded(*point)[1] == pytest.approx(opened(*point).max(), abs=0.03 + 0.06 * abs(slope))
 
 
-@pytest.mark.parametrize("tool", TOOLS, ids=str)
+@pytest.mark.parametrize("tool", FORMS, ids=str)
 @pytest.mark.parametrize(
     "along, aside, near, far",
     [
@@ -126,7 +115,7 @@ def test_a_level_move_reaches_the_nearest_point_of_a_square_and_opens_it_as_deep
 
 @pytest.mark.parametrize("slope", SLOPES)
 def test_a_square_beside_the_tool_is_not_reached_and_one_across_its_rim_not_opened(slope):
-    flat = TOOLS[0]
+    flat = FORMS[0]
     assert bounded(flat, slope, 0.0, 3.6, 0.5, 5.0) == (-np.inf, -np.inf)
     assert bounded(flat, slope, 8.6, 0.0, 0.5, 5.0) == (-np.inf, -np.inf)
     for along, aside in ((0.0, 3.4), (0.0, 2.6), (8.4, 0.0), (7.6, 0.0)):
@@ -193,7 +182,7 @@ def test_only_rays_at_the_rim_of_a_sweep_are_asked_a_second_time(monkeypatch):
 
 
 @pytest.mark.parametrize("direction", [(0, 0, -1), (0, 0, 1)])
-@pytest.mark.parametrize("tool", TOOLS[:2], ids=str)
+@pytest.mark.parametrize("tool", FORMS[:2], ids=str)
 def test_how_high_the_stock_lies_does_not_matter(tool, direction):
     points, view = PATHS[0](np.random.default_rng(4), 40), View(direction, 80, 60)
     here = simulate(toolpath(points), tool=tool, stock=BOX, view=view)
