@@ -123,6 +123,20 @@ def test_the_table_of_one_document_does_not_name_it():
     assert [line.split()[0] for line in lines(told)] == ["document", "Doc", "Other", "Doc"]
 
 
+def test_a_name_of_a_program_is_two_hundred_letters_long_at_most():
+    told = report(operation("One", document="a" * 300), operation("Two", document="b" * 200))
+    assert [len(line.split()[0]) for line in lines(told)[1:3]] == [200, 200]
+
+
+def test_the_length_of_a_job_is_not_known_where_that_of_one_operation_is_not():
+    """Of two that cut nothing as far as one knows."""
+    no_cut = replace(KNOWN, cutting_length=0.0, cutting_seconds=0.0)
+    unknown = replace(PARTLY, cutting_length=0.0, cutting_seconds=None)
+    for machining, shown in ((no_cut, "0"), (unknown, "?")):
+        told = lines(report(operation("One", no_cut), operation("Two", replace(machining, left_out=PARTLY.left_out))))
+        assert told[-1].split("10")[-1].split()[0] == shown
+
+
 def test_the_table_tells_what_an_operation_is_not_before_what_else_is_wrong():
     rows = replace(operation("One").recognition, strategy=Strategy.ZIGZAG)
     _, one, two, _ = lines(report(operation("One", called="Offset", recognition=rows), operation("Two")))
