@@ -86,7 +86,7 @@ def test_an_arc_of_any_sweep_is_a_motion_of_its_radius(sweep, down):
 
 def test_a_full_circle_is_a_motion_though_it_ends_where_it_starts():
     made = motions(linearize([("G0", {"X": 10.0, "Y": 0.0, "Z": 0.0}), ("G2", {"X": 10.0, "I": -10.0, "J": 0.0})]))
-    assert made.sweep == pytest.approx([-2 * math.pi]) and made.radius == pytest.approx([10.0], rel=1e-3)
+    assert made.sweep == pytest.approx([-2 * math.pi]) and made.radius == pytest.approx([10.0], rel=1e-5)
 
 
 def test_an_arc_in_a_vertical_plane_stays_chords():

@@ -47,7 +47,7 @@ def _hangs(task: Task, version: tuple[int, ...]) -> list[Caution]:
     plain = ~(np.abs(values["K"]) > 0)
     absent = {letter: np.isnan(values[letter]) for letter in "XYZ"}
     made = task.motions
-    circle = np.isin(arcs, made.command[(made.sweep != 0) & np.isclose(np.sin(made.sweep / 2), 0)])
+    circle = np.isin(arcs, made.command[np.abs(made.sweep) > 2 * np.pi - 1e-6])
     reasons = [
         (absent["X"] | absent["Y"], Message("arc-without-xy")),
         (absent["Z"] & (tuple(version[:2]) < (1, 1)), Message("arc-without-z")),
