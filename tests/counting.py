@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Work that is counted: a test that asserts on seconds fails on a busy computer."""
+"""Work and memory that are counted: a test that asserts on seconds fails on a busy computer."""
 
 from __future__ import annotations
 
 import sys
+import tracemalloc
 
 
 def steps(function):
@@ -23,3 +24,13 @@ def steps(function):
     finally:
         sys.settrace(before)
     return count
+
+
+def memory(function):
+    """What a call returns, the memory that it leaves taken, and its peak, bytes."""
+    tracemalloc.start()
+    try:
+        result = function()
+        return result, *tracemalloc.get_traced_memory()
+    finally:
+        tracemalloc.stop()

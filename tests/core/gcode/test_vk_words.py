@@ -3,12 +3,12 @@
 
 from __future__ import annotations
 
-import tracemalloc
 from functools import cached_property
 
 import numpy as np
 import programs
 import pytest
+from counting import memory
 
 from vkworkbench.core.gcode import Words, used_up, words
 
@@ -34,12 +34,7 @@ def many(monkeypatch):
 
 def test_very_many_commands_take_little_memory(many):
     commands = [Command()] * many
-    tracemalloc.start()
-    try:
-        read = Words(commands)
-        _, peak = tracemalloc.get_traced_memory()
-    finally:
-        tracemalloc.stop()
+    read, _, peak = memory(lambda: Words(commands))
     assert len(read) == len(commands) and (read.column("Y")[0] == 2).all()
     # A dictionary of three numbers takes 256 bytes, and a name 50.
     assert peak < 150 * len(commands), f"{peak / len(commands):.0f} bytes a command"
@@ -58,12 +53,7 @@ class Keeping:
 def test_commands_that_are_used_up_go_with_what_they_keep(many):
     commands = [Keeping() for _ in range(many)]
     count = len(commands)
-    tracemalloc.start()
-    try:
-        read = Words(used_up(commands))
-        _, peak = tracemalloc.get_traced_memory()
-    finally:
-        tracemalloc.stop()
+    read, _, peak = memory(lambda: Words(used_up(commands)))
     assert commands == [] and len(read) == count and (read.column("Y")[0] == 2).all()
     assert peak < 200 * count, f"{peak / count:.0f} bytes a command"
 

@@ -4,12 +4,12 @@
 from __future__ import annotations
 
 import math
-import tracemalloc
 from dataclasses import replace
 
 import numpy as np
 import programs
 import pytest
+from counting import memory
 
 from vkworkbench.core import linearize
 from vkworkbench.core.paper import monotonous_areas
@@ -358,9 +358,6 @@ def test_rows_in_places_however_far_apart_have_one_stepover_and_take_no_memory()
     commands = []
     for y in places:
         commands += [("G0", {"Z": 5}), ("G0", {"X": 0, "Y": y}), ("G1", {"Z": -1}), ("G1", {"X": 50})]
-    tracemalloc.start()
-    (rows,) = rows_of(commands)
-    peak = tracemalloc.get_traced_memory()[1]
-    tracemalloc.stop()
+    (rows,), _, peak = memory(lambda: rows_of(commands))
     assert rows.period == pytest.approx(3, rel=1e-3)
     assert peak < 2e6

@@ -5,12 +5,12 @@ from __future__ import annotations
 
 import colorsys
 import struct
-import tracemalloc
 import zlib
 from math import pi, radians, sqrt
 
 import numpy as np
 import pytest
+from counting import memory
 
 from vkworkbench.core import Cut, Stock, Tool, View, linearize, simulate_job
 from vkworkbench.core.rendering import (
@@ -138,12 +138,7 @@ def test_zoomed_in_the_points_beside_the_image_take_no_memory(offset):
     colors, depth = np.ones((60, 90, 3), np.uint8), np.zeros((60, 90), np.float32)
     points = Points(depth, colors, View((0, 0, -1), 90, 60, pixel=1.0).frame(STOCK))
     zoomed = View((0, 0, -1), 90, 60, pixel=1 / 40, offset=offset).frame(STOCK)
-    tracemalloc.start()
-    try:
-        drawn = points.draw(zoomed, (0, 0, 0))
-        _, peak = tracemalloc.get_traced_memory()
-    finally:
-        tracemalloc.stop()
+    drawn, _, peak = memory(lambda: points.draw(zoomed, (0, 0, 0)))
     assert drawn.all() and peak < 5e6
 
 

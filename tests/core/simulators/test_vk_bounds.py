@@ -3,11 +3,10 @@
 
 from __future__ import annotations
 
-import tracemalloc
-
 import numpy as np
 import programs
 import pytest
+from counting import memory
 
 from vkworkbench.core import Stock, Tool, linearize, recognize, stock_around
 from vkworkbench.core.simulators import Conditions, Task, predict, preflight
@@ -27,13 +26,14 @@ STOCK = Stock((-10, -10, -20), (60, 60, 0))
 def test_any_size_takes_little_memory(tool, stock, program):
     path = linearize(programs.SOUND[program]())
     task, conditions = Task(path, tool, stock, None, recognize(path)), Conditions(version=(1, 0, 0))
-    tracemalloc.start()
-    try:
+
+    def predicted():
         costs, _ = predict(task, conditions)
         preflight(task, costs, conditions)
-        assert tracemalloc.get_traced_memory()[1] < 200e6
-    finally:
-        tracemalloc.stop()
+        return costs
+
+    costs, _, peak = memory(predicted)
+    assert peak < 200e6
     assert all(np.isfinite((cost.seconds, cost.memory_bytes)).all() for cost in costs.values())
 
 

@@ -3,11 +3,11 @@
 
 from __future__ import annotations
 
-import tracemalloc
 from math import pi
 
 import numpy as np
 import pytest
+from counting import memory
 from zbuffer_reference.paths import BOX, DIRECTIONS, toolpath
 
 from vkworkbench.core import Cut, Tool, View
@@ -214,10 +214,5 @@ def test_preparing_trajectories_takes_hardly_more_memory_than_they_do():
     cuts = Cuts([Cut(toolpath(points), FLAT)])
     frame = View(ABOVE, 80, 60).frame(BOX)
     assert len(cuts.cut) == 200_000
-    tracemalloc.start()
-    try:
-        some = Trajectories(cuts, BOX, frame)
-        held, peak = tracemalloc.get_traced_memory()
-    finally:
-        tracemalloc.stop()
+    some, held, peak = memory(lambda: Trajectories(cuts, BOX, frame))
     assert len(some.index) == 200_000 and peak < 1.25 * held
