@@ -96,7 +96,7 @@ class Interpreter:
         )
 
     def with_tool_changes(self) -> Commands:
-        """Return the commands; where there is no M6, each T word that names another tool is a tool change."""
+        """Return the commands; where there is no M6, each T word that names another tool becomes a tool change in them."""
         if self.changes:
             return self.commands
         tool = None

@@ -12,6 +12,7 @@ from vkworkbench.core.zbuffer.silhouette import seen_box
 from vkworkbench.core.zbuffer.trajectories import AT_ONCE
 
 _CELLS = 32  # a power of two, for the Morton order
+_CORNERS = _CELLS + 1  # of these in a row
 # Rays drawn where the trajectories are few, and at least; between them, as many as meet that many
 # trajectories.
 _RAYS = 450
@@ -122,12 +123,12 @@ def sample(removal: Removal, rng: np.random.Generator) -> Sample:
 
 def _passes(removal: Removal, low: np.ndarray, side: np.ndarray) -> np.ndarray:
     """How many bounding boxes of trajectories, half a pixel wider, touch each cell, long ones cut up: (rows, columns)."""
-    wide, total = _CELLS + 1, len(removal.index)
-    counts = np.zeros(wide * wide)
+    total = len(removal.index)
+    counts = np.zeros(_CORNERS**2)
     for begin in range(0, total, AT_ONCE):
         corner, sign = _corners(removal, np.arange(begin, min(begin + AT_ONCE, total)), low[:, None], side[:, None])
-        counts += np.bincount(corner, sign, wide * wide)
-    result: np.ndarray = np.rint(counts.reshape(wide, wide).cumsum(axis=0).cumsum(axis=1)[:-1, :-1])
+        counts += np.bincount(corner, sign, _CORNERS**2)
+    result: np.ndarray = np.rint(counts.reshape(_CORNERS, _CORNERS).cumsum(axis=0).cumsum(axis=1)[:-1, :-1])
     return result
 
 
@@ -147,6 +148,5 @@ def _corners(removal: Removal, item: np.ndarray, low: np.ndarray, side: np.ndarr
     c0, r0 = np.maximum(first[:, inside], 0).astype(np.int64)
     c1, r1 = np.minimum(last[:, inside], _CELLS - 1).astype(np.int64) + 1
     # Summed up twice, they are the number of boxes over each cell.
-    wide = _CELLS + 1
-    corner = np.concatenate((r0 * wide + c0, r1 * wide + c1, r0 * wide + c1, r1 * wide + c0))
+    corner = np.concatenate((r0 * _CORNERS + c0, r1 * _CORNERS + c1, r0 * _CORNERS + c1, r1 * _CORNERS + c0))
     return corner, np.repeat([1.0, 1.0, -1.0, -1.0], len(c0))
