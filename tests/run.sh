@@ -1,20 +1,39 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: LGPL-2.1-or-later
-# Run all tests on FreeCAD 0.20.2, 1.0.0 and 1.1.3, after installing what is missing of them. Takes root or sudo.
+# Install what is missing, then run the tests on FreeCAD 0.20.2, 1.0.0 and 1.1.3. Installing needs root or sudo.
 #
-#     tests/run.sh [tools|core|document|gui] [0.20.2|1.0.0|1.1.3|bookworm|trixie|forky] [PYTEST ARGUMENTS]
+#     tests/run.sh                                # what every change has to pass
+#     tests/run.sh everywhere                     # every test on every FreeCAD, before a release
+#     tests/run.sh core/paper                     # the tests of one room
+#     tests/run.sh gui/test_vk_pills.py 1.1.3     # one file in one FreeCAD
 #
-# The FreeCADs come from Debian: the machine's own release and roots of the others, made once, a few minutes each, in a
-# cache folder; ruff and mypy, the tools, come from PyPI. VKWORKBENCH_SCALE=2 runs the windows as on a screen with twice
-# as fine pixels. What could not be tested is named at the end. Logs and pictures are in build/tests.
+#     tests/run.sh [everywhere] [tools|core|document|gui|FOLDER|FILE] [0.20.2|1.0.0|1.1.3] [PYTEST ARGUMENTS]
+#
+# The document and window layers run on all three FreeCADs. The core needs no FreeCAD: it runs whole on the first Python
+# and numpy, and on the other two without the tests that are marked `long` or `sources` (see pyproject.toml).
+#
+# The FreeCADs come from Debian: one from the machine's own release, the others in roots that are made once, in a few
+# minutes each, in a cache folder. ruff and mypy, the tools, come from PyPI. VKWORKBENCH_SCALE=2 runs the windows as on a
+# screen with twice as fine pixels. The last lines name what could not be tested. Logs and pictures are in build/tests.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-layers="tools core document gui"
+# shellcheck source=/dev/null
+own=$(. /etc/os-release && echo "${VERSION_CODENAME-}")
+layers="tools gui document core" # the core last: it uses all processors, a window only one
 suites="bookworm trixie forky"
+place=""
+everywhere=""
 while [ $# -gt 0 ]; do
     case $1 in
+        everywhere) everywhere=yes ;;
         tools | core | document | gui) layers=$1 ;;
+        core/* | document/* | gui/*)
+            [ -e "tests/$1" ] || { echo "There is no tests/$1"; exit 1; }
+            place=tests/$1
+            layers=${1%%/*}
+            case " $suites " in *" $own "*) suites=$own ;; *) suites=bookworm ;; esac
+            ;;
         bookworm | 0.20.2) suites=bookworm ;;
         trixie | 1.0.0) suites=trixie ;;
         forky | 1.1.3) suites=forky ;;
@@ -25,11 +44,9 @@ done
 
 cache=${VKWORKBENCH_CACHE:-${XDG_CACHE_HOME:-$HOME/.cache}/vkworkbench}
 results=build/tests
-# shellcheck source=/dev/null
-own=$(. /etc/os-release && echo "${VERSION_CODENAME-}")
 user=$(id -u):$(id -g)
 
-# prepare SUITE COMMAND...: run COMMAND, which installs what SUITE needs; note a failure's reason where it has none.
+# prepare SUITE COMMAND...: run COMMAND, which installs what SUITE needs. If it fails, write down why.
 prepare() {
     local folder=$results/$1
     shift
@@ -39,16 +56,16 @@ prepare() {
     return 1
 }
 
-# run SUITE PYTEST ARGUMENTS...: run the layers on the FreeCAD of SUITE, and note the reason where it cannot be run.
+# run SUITE whole|part PYTEST ARGUMENTS...: run the layers on the FreeCAD of SUITE. If there is no way to, write down why.
 run() {
-    local suite=$1 root=$cache/roots/$1 folder=$results/$1 status=0
-    shift
+    local suite=$1 core=$2 root=$cache/roots/$1 folder=$results/$1 status=0
+    shift 2
+    local command=(tests/run_layers.sh "$folder" "$layers" "$core" "$place" "$@")
     if [ "$suite" = "$own" ]; then
-        tests/run_layers.sh "$folder" "$layers" "$@"
+        "${command[@]}"
         return
     fi
-    tests/as_root.sh tests/in_root.sh "$root" "$user" tests/run_layers.sh "$folder" "$layers" "$@" \
-        2> "$folder/root.log" || status=$?
+    tests/as_root.sh tests/in_root.sh "$root" "$user" "${command[@]}" 2> "$folder/root.log" || status=$?
     if [ "$status" = 125 ]; then
         mv "$folder/root.log" "$folder/not-tested"
     elif [ "$status" != 0 ]; then
@@ -64,16 +81,23 @@ flock --nonblock 9 || { echo "Waiting for another run of the tests in this check
 rm -rf "$results"
 [ "$layers" != tools ] || suites=""
 [ -z "$suites" ] || echo "Preparing the FreeCADs of: $suites. One that is missing takes some minutes and 2 GB." \
-    "All their tests take about three quarters of an hour on two processors"
-# Whatever its own release, the machine makes the roots.
+    "All tests take about twenty minutes on two processors"
+# The machine makes the roots, so it needs the packages even if its own release is not tested.
 [ -z "$suites" ] || prepare "own" tests/install.sh || echo "This machine lacks packages: $(cat "$results/own/not-tested")"
 [ -x /usr/bin/python3 ] || { echo "There is no /usr/bin/python3: nothing was tested"; exit 1; }
-case " $layers " in *" tools "*) tests/tools.sh "$results" "$cache" ;; esac
-layers=${layers#tools}
 
-# Side by side: a window waits as long as it works.
 running=()
 trap 'for each in "${running[@]}"; do kill -- "-$each" || true; done 2> /dev/null; exit 130' INT TERM
+# start COMMAND...: run COMMAND beside the others, in a process group of its own, which an interruption ends as a whole.
+start() {
+    set -m
+    "$@" &
+    set +m
+    running+=($!)
+}
+case " $layers " in *" tools "*) start tests/tools.sh "$results" "$cache" ;; esac
+layers=${layers#tools}
+core=whole
 for suite in $suites; do
     if [ "$suite" = "$own" ]; then
         mv "$results/own" "$results/$suite"
@@ -81,10 +105,8 @@ for suite in $suites; do
     else
         prepare "$suite" tests/as_root.sh tests/make_root.sh "$suite" "$cache/roots/$suite" || continue
     fi
-    set -m # a group of processes of its own, which an interruption ends whole
-    run "$suite" "$@" &
-    set +m
-    running+=($!)
+    start run "$suite" "$core" "$@"
+    [ -n "$everywhere" ] || core=part
 done
 failed=0
 for each in "${running[@]}"; do

@@ -1,39 +1,52 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: LGPL-2.1-or-later
-# run_layers.sh RESULTS LAYERS [PYTEST ARGUMENTS]: run layers of the tests with the FreeCAD and Python of this system.
-# Leaves in RESULTS, a folder, the log, the JUnit report and the exit status of each layer; summary.py judges them.
+# run_layers.sh RESULTS LAYERS whole|part PLACE [PYTEST ARGUMENTS]
+#
+# Run the tests of each of LAYERS, in PLACE if that is not empty, with the FreeCAD and Python of this system. "part"
+# leaves out the tests of the core that are marked `long` or `sources`. Writes into the folder RESULTS, for each layer,
+# the log, the JUnit report, the exit status and the seconds that it took; summary.py reads them.
 set -euo pipefail
 
 results=$1
 layers=$2
-shift 2
+core=$3
+place=$4
+shift 4
 cd "$(dirname "$0")/.."
-trap 'exit 130' INT TERM # as the first process of a root it would otherwise ignore them
+trap 'exit 130' INT TERM # the first process of a root would otherwise ignore them
 
 echo "FreeCAD $(dpkg-query -W -f '${source:Upstream-Version}' freecad | cut -d+ -f1)," \
     "$(/usr/bin/python3 -c 'import platform, numpy
 print(f"Python {platform.python_version()}, numpy {numpy.__version__}")')" > "$results/versions"
 
-scale=${VKWORKBENCH_SCALE:-1} # pixels of the screen for each of a window's own, as on a fine screen
+scale=${VKWORKBENCH_SCALE:-1} # screen pixels for each pixel of a window, as on a fine screen
 for layer in $layers; do
     echo "    ${results##*/} $layer"
     home=$(mktemp -d)
     tests/make_home.sh "$home"
-    limit=(timeout --foreground -k 10 5000) # s; in the foreground, so that Ctrl-C reaches the tests
+    limit=(timeout --foreground -k 10 1800) # s; in the foreground, so that Ctrl-C reaches the tests
+    options=(--junit-xml="$results/$layer.xml")
     case $layer in
-        core) command=("${limit[@]}" /usr/bin/python3 -m pytest -n "$(nproc)") ;;
+        core)
+            command=("${limit[@]}" /usr/bin/python3 -m pytest -n "$(nproc)")
+            [ "$core" = whole ] || options+=(-m "not long and not sources")
+            ;;
         document) command=("${limit[@]}" freecadcmd "$PWD/tests/in_freecad.py") ;;
         gui) command=(xvfb-run -a -s "-screen 0 $((1280 * scale))x$((1024 * scale))x24 -dpi 96 -ac" "${limit[@]}" freecad "$PWD/tests/in_freecad.py") ;;
     esac
+    # pytest captures no output of the FreeCAD layers: their logs have to show the exceptions that FreeCAD swallows.
+    [ "$layer" = core ] || options+=(-s)
+    options+=("$@")
     status=0
-    # pytest captures no output of the FreeCAD layers: their logs have to show what FreeCAD swallows.
-    # FreeCAD as root needs its browser's sandbox off, and under Xvfb OpenGL in software.
+    began=$SECONDS
+    # As root, FreeCAD needs its browser's sandbox off; under Xvfb it needs OpenGL in software.
     env -i HOME="$home" XDG_RUNTIME_DIR="$home/run" PATH=/usr/sbin:/usr/bin:/sbin:/bin LC_ALL=C.UTF-8 \
         PYTHONPYCACHEPREFIX="$PWD/build/bytecode/${results##*/}" HYPOTHESIS_STORAGE_DIRECTORY="$home/hypothesis" \
         QT_QPA_PLATFORM=xcb QT_SCALE_FACTOR="$scale" LIBGL_ALWAYS_SOFTWARE=1 QTWEBENGINE_DISABLE_SANDBOX=1 \
-        VKWORKBENCH_SCREENSHOTS="$PWD/$results/screenshots" \
-        PYTEST_ADDOPTS="tests/$layer --junit-xml='$results/$layer.xml' $([ "$layer" = core ] || echo -s) ${*@Q}" \
+        VKWORKBENCH_SCREENSHOTS="$PWD/$results/screenshots" VKWORKBENCH_MADE="$PWD/$results/made" \
+        PYTEST_ADDOPTS="'${place:-tests/$layer}' ${options[*]@Q}" \
         "${command[@]}" < /dev/null > "$results/$layer.log" 2>&1 || status=$?
     echo "$status" > "$results/$layer.status"
+    echo "$((SECONDS - began))" > "$results/$layer.seconds"
     rm -rf "$home"
 done

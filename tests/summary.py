@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Judge what run_layers.sh left and print it: FreeCAD version x layer, then one closing line with the sums.
+"""Judge the results of run_layers.sh and print them: a table of FreeCAD version and layer, then a line with the sums.
 
     python3 tests/summary.py RESULTS SUITES...       # a folder with one folder for each Debian suite
 
-Exits with 1 where a test failed, a layer did not end by itself, or FreeCAD swallowed an exception: it prints
-those and goes on, so that only its log tells. A FreeCAD that could not be installed or run is said, and is no failure.
+Exits with 1 if a test failed, a layer did not end by itself, or FreeCAD swallowed an exception: FreeCAD prints such an
+exception and continues, so only its log has it. A FreeCAD that could not be installed or run is named; it is not a failure.
 """
 
 from __future__ import annotations
@@ -59,6 +59,11 @@ def in_words(numbers):
     return ", ".join(f"{numbers[key]} {key}" for key in ("passed", "failed", "skipped") if numbers[key])
 
 
+def duration(folder, layer):
+    """How long a layer took, as "in 3:05" (minutes and seconds)."""
+    return "in {}:{:02}".format(*divmod(int((folder / f"{layer}.seconds").read_text()), 60))
+
+
 def judge_tools(results):
     """What ruff and mypy say, in a line; whether they are content, None where they did not run."""
     if (results / "tools.not-run").exists():
@@ -96,7 +101,7 @@ def main(results, suites):
                 print(f"\n{folder.name}, {layer}: {problem or in_words(numbers)}; {folder / layer}.log:")
                 print(tail(folder / f"{layer}.log"))
             total += numbers
-            row.append("; ".join(filter(None, [in_words(numbers), problem])))
+            row.append("; ".join(filter(None, [f"{in_words(numbers)} {duration(folder, layer)}", problem])))
         rows.append(row)
 
     table = [["", *LAYERS], *rows]
