@@ -71,6 +71,7 @@ def test_the_package_says_it():
     assert re.findall(r"<pythonmin>(.*?)</pythonmin>", text) == [".".join(map(str, OLDEST))] * 1
 
 
+@pytest.mark.long
 def test_the_document_layer_runs_without_freecad():
     """So it can be run in the oldest Python, with which no FreeCAD is at hand: python3.8 tests/stubbed_freecad.py."""
     done = subprocess.run(

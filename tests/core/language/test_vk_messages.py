@@ -102,10 +102,13 @@ def test_labels_stay_as_they_are(label):
     assert Message.from_data(json.loads(json.dumps(message.as_data()))) == message
 
 
-def wrong_in_reasons(seed):
-    """Yield the kind and the reason of each synthetic toolpath whose reason is not right for every reader."""
+def wrong_reasons():
+    """Yield the kind and the reason of each synthetic toolpath whose reason is not right for every reader.
+
+    One toolpath of each kind is enough: others of the same kinds make no code that these do not make.
+    """
     for kind, _, build in synthetic.SAMPLES:
-        found = recognize(linearize(build(np.random.default_rng(seed))), tool_diameter=6.0)
+        found = recognize(linearize(build(np.random.default_rng(0))), tool_diameter=6.0)
         if (
             Message.from_data(json.loads(json.dumps(found.why.as_data()))) != found.why
             or render(found.why) != found.reason
@@ -121,9 +124,8 @@ def wrong_in_reasons(seed):
                 yield kind, shown
 
 
-@pytest.mark.parametrize("seed", [0, pytest.param(1, marks=pytest.mark.long), pytest.param(2, marks=pytest.mark.long)])
-def test_real_reasons_in_every_language(seed):
-    assert list(wrong_in_reasons(seed)) == []
+def test_real_reasons_in_every_language():
+    assert list(wrong_reasons()) == []
 
 
 def test_a_reason_holds_its_numbers():
