@@ -15,6 +15,8 @@ from pathlib import Path
 
 import pytest
 
+pytestmark = pytest.mark.sources
+
 ROOT = Path(__file__).resolve().parents[2]
 PACKAGE = "vkworkbench"
 # The floors, the lowest first. What stands side by side on one is one room.
@@ -108,8 +110,9 @@ class House:
 
     def room_of(self, module: str) -> str | None:
         """The room of a module: the innermost package with a face in which it is; None for one in no such package."""
-        inside = [name for name in self.faces if module.startswith(f"{name}.")]
-        return max(inside, key=len, default=None)
+        parts = module.split(".")
+        packages = (".".join(parts[:count]) for count in range(len(parts) - 1, 0, -1))
+        return next((package for package in packages if package in self.faces), None)
 
 
 def within(module: str) -> str:
@@ -117,6 +120,7 @@ def within(module: str) -> str:
     return ".".join(module.split(".")[1:]) if module.split(".", maxsplit=1)[0] == PACKAGE else module
 
 
+@lru_cache(maxsize=None)
 def floor_of(module: str) -> int | None:
     """How high a module of the package stands; None where it stands nowhere."""
     own = within(module)

@@ -39,12 +39,13 @@ def named(tree):
             yield from (alias.name for alias in node.names)
 
 
-@pytest.mark.parametrize("path", SOURCES, ids=lambda path: str(path.relative_to(ROOT)))
-def test_no_evaluation_and_no_network(path):
-    found = (CALLS | MODULES).intersection(named(ast.parse(path.read_text(encoding="utf-8"))))
-    assert found == ALLOWED.get(str(path.relative_to(ROOT)), set())
+@pytest.mark.sources
+def test_no_evaluation_and_no_network(parse):
+    found = {str(path.relative_to(ROOT)): (CALLS | MODULES).intersection(named(parse(path))) for path in SOURCES}
+    assert {name: what for name, what in found.items() if what} == ALLOWED
 
 
+@pytest.mark.sources
 def test_the_search_finds_what_it_looks_for():
     code = "import os.path, urllib.request\nfrom PySide import QtNetwork\n"
     code += "eval('1')\nos.system('x')\nre.compile('x')\nbox.exec()"
@@ -87,15 +88,15 @@ def test_cells_that_begin_like_a_formula_become_text(text, tmp_path):
     assert float(row["length"]) == -1.5  # a number is no text
 
 
-def test_boxes_and_tooltips_of_the_window_are_made_in_one_place():
+@pytest.mark.sources
+def test_boxes_and_tooltips_of_the_window_are_made_in_one_place(parse):
     """Elsewhere a text of a document could be taken for HTML."""
     for path in (ROOT / "vkworkbench" / "gui").glob("*.py"):
-        named_there = {
-            node.id for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))) if isinstance(node, ast.Name)
-        }
+        named_there = {node.id for node in ast.walk(parse(path)) if isinstance(node, ast.Name)}
         assert {"QMessageBox", "QToolTip"} & named_there == set() or path.name == "plain_text.py", path.name
 
 
+@pytest.mark.sources
 def test_no_widget_of_freecad_is_kept_beyond_its_end():
     # See vkworkbench/gui/widgets.py: PySide keeps what is found among a window's children or tells of its own end.
     keeping = re.compile(r"getMainWindow\(\)\.findChild|\bwindow\.findChildren|\.destroyed\b")

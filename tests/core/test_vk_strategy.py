@@ -45,11 +45,13 @@ def forgotten(entry):
         yield "docs/recognition.md"
 
 
+@pytest.mark.sources
 @pytest.mark.parametrize("strategy", Strategy)
 def test_no_entry_lacks_anything(strategy):
     assert list(forgotten(strategy)) == []
 
 
+@pytest.mark.sources
 @pytest.mark.parametrize(
     "field, value, missing",
     [
@@ -67,6 +69,7 @@ def test_what_is_forgotten_is_found(field, value, missing):
     assert list(forgotten(SimpleNamespace(**zigzag | {field: value}))) == missing
 
 
+@pytest.mark.sources
 def test_documents_know_no_other_strategy():
     assert set(re.findall(r'<a id="([a-z-]+)"></a>', DOCUMENT)) == {strategy.value for strategy in Strategy}
 

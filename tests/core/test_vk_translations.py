@@ -9,25 +9,25 @@ from xml.etree import ElementTree
 
 import pytest
 
+pytestmark = pytest.mark.sources
+
 ROOT = Path(__file__).resolve().parents[2]
 FOLDER = ROOT / "resources" / "translations"
 LANGUAGES = ["de", "fr", "es-ES", "zh-CN"]
 MARKED = {"translate", "QT_TRANSLATE_NOOP"}
 
 
-@lru_cache(maxsize=None)
-def texts_of_code():
+@pytest.fixture(scope="module")
+def texts_of_code(parse):
     """Contexts and texts of all calls that mark a text, which takes literals."""
-    return list(marked_texts())
-
-
-def marked_texts():
+    texts = []
     for path in (ROOT / "vkworkbench").rglob("*.py"):
-        for node in ast.walk(ast.parse(path.read_text())):
+        for node in ast.walk(parse(path)):
             if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id in MARKED:
                 arguments = [a.value if isinstance(a, ast.Constant) else None for a in node.args]
                 assert len(arguments) == 2 and all(isinstance(a, str) for a in arguments), f"{path}:{node.lineno}"
-                yield tuple(arguments)
+                texts.append(tuple(arguments))
+    return texts
 
 
 def texts_of_forms():
@@ -38,6 +38,7 @@ def texts_of_forms():
                 yield form.findtext("class"), text.text
 
 
+@lru_cache(maxsize=None)
 def messages(name):
     """Translations by context and text; None for one that is not finished."""
     found = {}
@@ -50,9 +51,9 @@ def messages(name):
 
 
 @pytest.mark.parametrize("name", ["VkWorkbench.ts", *(f"VkWorkbench_{language}.ts" for language in LANGUAGES)])
-def test_sources_are_what_the_code_says(name):
+def test_sources_are_what_the_code_says(name, texts_of_code):
     # Else run resources/update_translations.sh.
-    assert set(messages(name)) == {*texts_of_code(), *texts_of_forms()}
+    assert set(messages(name)) == {*texts_of_code, *texts_of_forms()}
 
 
 @pytest.mark.parametrize("language", LANGUAGES)
@@ -72,11 +73,11 @@ def test_translations_differ_from_the_source(language):
     assert len(same) < 0.05 * len(translated), same
 
 
-def test_no_text_reaches_the_user_unmarked():
+def test_no_text_reaches_the_user_unmarked(parse):
     """Titles, tooltips and labels are not given as bare literals."""
     setters = {"setText", "setToolTip", "setWindowTitle", "setTitle", "QPushButton", "QLabel", "showMessage", "addItem"}
     for path in (ROOT / "vkworkbench" / "gui").glob("*.py"):
-        for node in ast.walk(ast.parse(path.read_text())):
+        for node in ast.walk(parse(path)):
             if isinstance(node, ast.Call) and node.args:
                 name = getattr(node.func, "attr", getattr(node.func, "id", ""))
                 first = node.args[0]

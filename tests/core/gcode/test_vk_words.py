@@ -28,8 +28,8 @@ class Command:
 @pytest.fixture
 def many(monkeypatch):
     """How many commands are read, of which an eighth at once: with fewer at once fewer do to tell the two apart."""
-    monkeypatch.setattr(words, "_PIECE", 5_000)
-    return 40_000
+    monkeypatch.setattr(words, "_PIECE", 1_500)
+    return 12_000
 
 
 def test_very_many_commands_take_little_memory(many):

@@ -169,6 +169,7 @@ def test_the_paper_to_the_letter():
     assert verdicts["one loop"].theta_range == pytest.approx((0.0, np.pi / 2))
 
 
+@pytest.mark.sources
 def test_directions_and_turns_are_taken_in_one_file():
     core = Path(__file__).resolve().parents[3] / "vkworkbench" / "core"
     sources = {path: path.read_text() for path in core.rglob("*.py")}

@@ -116,18 +116,17 @@ def test_a_tool_change_parts_whichever_side_is_longer(pair, sizes, turned):
 
 @pytest.mark.long
 @every
-@pytest.mark.parametrize("border", [("M6", {"T": 2.0}), ("(the second)", {})])
-@pytest.mark.parametrize("depth", [0.0, -0.3, -2.0])
-def test_the_whole_says_nothing_that_all_its_sections_deny(name, border, depth):
+def test_the_whole_says_nothing_that_all_its_sections_deny(name):
     # Somewhere else and at another depth, cut with another tool.
     sections = [linearize(MADE[name](size)) for size in (1, 2)]
     assert all(recognize(s, tool_diameter=TOOL).strategy == name for s in sections)
     one, two = sections
-    path = after(one, replace(two, points=two.points + (31.0, 17.0, depth)))
-    at = len(path) - len(two)
-    parted = {"tool_changes": np.array([at])} if border[0] == "M6" else {"comments": ((at, "the second"),)}
-    found = recognize(replace(path, **parted), tool_diameter=TOOL)
-    assert found.strategy == name, found.reason
+    for depth in (0.0, -0.3, -2.0):
+        path = after(one, replace(two, points=two.points + (31.0, 17.0, depth)))
+        at = len(path) - len(two)
+        for border in ({"tool_changes": np.array([at])}, {"comments": ((at, "the second"),)}):
+            found = recognize(replace(path, **border), tool_diameter=TOOL)
+            assert found.strategy == name, (depth, border, found.reason)
 
 
 def test_runs_of_holes_are_borders_at_their_first_and_behind_their_last():

@@ -9,16 +9,10 @@ from pathlib import Path
 
 import pytest
 
+pytestmark = pytest.mark.sources
+
 CORE = Path(__file__).resolve().parents[3] / "vkworkbench/core"
 HOMES = [CORE / room / "thresholds.py" for room in ("paper", "recognition")]
-DECLARED = [
-    (home, subject.name, line.targets[0].id, line)
-    for home in HOMES
-    for subject in ast.parse(home.read_text(encoding="utf-8")).body
-    if isinstance(subject, ast.ClassDef)
-    for line in subject.body
-    if isinstance(line, ast.Assign)
-]
 UNITS = [
     "angle",
     "bites",
@@ -60,23 +54,42 @@ NUMBERS = {"borders.py", "learned.py"}
 FILES = sorted(set((CORE / "recognition").glob("*.py")) - set(HOMES))
 
 
-@pytest.mark.parametrize("home, subject, name, line", DECLARED, ids=[f"{s}.{n}" for _, s, n, _ in DECLARED])
-def test_a_threshold_has_a_unit_a_reason_and_a_use(home, subject, name, line):
-    above, at = home.read_text(encoding="utf-8").splitlines()[: line.lineno - 1], []
-    while above and above[-1].strip().startswith("#:"):
-        at.insert(0, above.pop().strip()[2:].strip())
-    unit, _, reason = " ".join(at).partition(". ")
-    assert unit.split(" ")[0] in UNITS and len(reason) > 20, f"{subject}.{name}: no unit, or no reason"
-    use = re.compile(rf"\b{subject}\.{name}\b")
+def declared(home, parse):
+    """Yield the name of each threshold of a file, e.g. ``"ROWS.LONG"``, and the comment above the threshold."""
+    lines = home.read_text(encoding="utf-8").splitlines()
+    for subject in parse(home).body:
+        for line in subject.body if isinstance(subject, ast.ClassDef) else ():
+            if isinstance(line, ast.Assign):
+                above, comment = lines[: line.lineno - 1], []
+                while above and above[-1].strip().startswith("#:"):
+                    comment.insert(0, above.pop().strip()[2:].strip())
+                yield f"{subject.name}.{line.targets[0].id}", " ".join(comment)
+
+
+def used():
+    """Return all names with one dot in the files that use thresholds."""
     rooms = [file for room in ("paper", "recognition") for file in (CORE / room).glob("*.py") if file not in HOMES]
-    assert any(use.search(file.read_text(encoding="utf-8")) for file in rooms), f"{subject}.{name} decides nothing"
+    return {name for file in rooms for name in re.findall(r"\b[A-Z]\w*\.\w+", file.read_text(encoding="utf-8"))}
 
 
-@pytest.mark.parametrize("file", FILES, ids=[file.name for file in FILES])
-def test_no_other_file_compares_with_a_number_of_its_own(file):
+def test_a_threshold_has_a_unit_a_reason_and_a_use(parse):
+    thresholds = dict(one for home in HOMES for one in declared(home, parse))
+    assert len(thresholds) > 100
+    undescribed, names = [], used()
+    for name, comment in thresholds.items():
+        unit, _, reason = comment.partition(". ")
+        if unit.split(" ")[0] not in UNITS or len(reason) <= 20:
+            undescribed.append(name)
+    assert undescribed == [], "no unit, or no reason"
+    assert [name for name in thresholds if name not in names] == [], "no file uses the threshold"
+
+
+def test_no_other_file_compares_with_a_number_of_its_own(parse):
     found = []
-    for node in ast.walk(ast.parse(file.read_text(encoding="utf-8"))):
-        if isinstance(node, ast.Compare):
-            numbers = [n for n in ast.walk(node) if isinstance(n, ast.Constant) and isinstance(n.value, (int, float))]
-            found += [(n.lineno, n.value) for n in numbers if n.value not in FACTS]
-    assert not found, found
+    for file in FILES:
+        for node in ast.walk(parse(file)):
+            if isinstance(node, ast.Compare):
+                numbers = [n for n in ast.walk(node) if isinstance(n, ast.Constant)]
+                numbers = [n for n in numbers if isinstance(n.value, (int, float)) and n.value not in FACTS]
+                found += [(file.name, n.lineno, n.value) for n in numbers]
+    assert found == []
