@@ -12,7 +12,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from zbuffer_reference.paths import BOX, PATHS, TOOLS, toolpath
+from zbuffer_inputs import BOX, PATHS, TOOLS, toolpath
 
 from vkworkbench import worker
 from vkworkbench.core import Cut, Mesh, Speed, View, estimate, simulate
@@ -305,7 +305,7 @@ from vkworkbench.core.zbuffer.cut_image import CutImage
 from vkworkbench.core.zbuffer.cuts import Cuts
 from vkworkbench.core.zbuffer.memory import helpers_within
 from vkworkbench.core.zbuffer.removal import Removal
-from zbuffer_reference.paths import BOX, TOOLS, surface, toolpath
+from zbuffer_inputs import BOX, TOOLS, surface, toolpath
 
 def memory(line):
     status = Path("/proc/self/status").read_text()

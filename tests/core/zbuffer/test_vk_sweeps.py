@@ -7,7 +7,7 @@ from math import atan, atan2, cos, pi, sin
 
 import numpy as np
 import pytest
-from zbuffer_reference.paths import FORMS
+from zbuffer_inputs import FORMS
 
 from vkworkbench.core import Tool
 from vkworkbench.core.zbuffer import sweeps

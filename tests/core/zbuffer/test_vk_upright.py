@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from zbuffer_reference.paths import BOX, FORMS, PATHS, toolpath
+from zbuffer_inputs import BOX, FORMS, PATHS, toolpath
 
 from vkworkbench.core import Cut, Stock, Tool, View, simulate
 from vkworkbench.core.zbuffer.culling import QUARTERS

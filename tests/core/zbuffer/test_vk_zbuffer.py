@@ -7,7 +7,7 @@ from math import cos, hypot, pi, radians, sin, sqrt, tan
 
 import numpy as np
 import pytest
-from zbuffer_reference.convex import ConvexStock
+from zbuffer_inputs import ConvexStock
 
 from vkworkbench.core import Stock, Tool, Toolpath, View
 from vkworkbench.core.zbuffer.records import DEXEL, INDEX, TRACE

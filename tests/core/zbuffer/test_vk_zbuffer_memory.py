@@ -11,7 +11,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from zbuffer_reference.paths import BOX, TOOLS, surface, toolpath
+from zbuffer_inputs import BOX, TOOLS, surface, toolpath
 
 from vkworkbench.core import View
 from vkworkbench.core.zbuffer import OverBudget, best_resolution, estimate, memory, memory_needed
@@ -30,7 +30,7 @@ import numpy as np
 sys.path[:0] = [{root!r}, {root!r} + "/tests"]
 from vkworkbench.core import View
 from vkworkbench.core.zbuffer import Cut, memory_needed, simulate
-from zbuffer_reference.paths import BOX, TOOLS, surface, toolpath
+from zbuffer_inputs import BOX, TOOLS, surface, toolpath
 
 def memory(line):
     status = Path("/proc/self/status").read_text()

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from zbuffer_reference.paths import BOX, DIRECTIONS, PATHS, ROUND, TOOLS, toolpath
+from zbuffer_inputs import BOX, DIRECTIONS, PATHS, ROUND, TOOLS, toolpath
 
 from vkworkbench.core import Tool, View
 from vkworkbench.core.zbuffer import surface

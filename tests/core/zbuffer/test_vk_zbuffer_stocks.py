@@ -9,14 +9,12 @@ from math import pi, sqrt
 
 import numpy as np
 import pytest
-from zbuffer_reference.compare import close
-from zbuffer_reference.convex import ConvexStock
-from zbuffer_reference.dexels import Pieces, first_cuts
-from zbuffer_reference.paths import BOX, DIRECTIONS, PATHS, TOOLS, toolpath
+from zbuffer_inputs import BOX, DIRECTIONS, PATHS, TOOLS, ConvexStock, close, toolpath
 
 from vkworkbench.core import Cylinder, Mesh, Tool, View, estimate, stocks
 from vkworkbench.core.zbuffer import OverBudget, deviations, memory_needed
 from vkworkbench.core.zbuffer.cuts import Cut, Cuts
+from vkworkbench.core.zbuffer.dexels import Pieces, first_cuts
 from vkworkbench.core.zbuffer.facts import removed_volumes
 from vkworkbench.core.zbuffer.records import GAP
 from vkworkbench.core.zbuffer.removal import Removal
