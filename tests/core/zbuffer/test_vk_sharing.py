@@ -25,7 +25,7 @@ from vkworkbench.core.zbuffer.removal import Removal
 from vkworkbench.worker import Worker
 
 ROOT = Path(__file__).resolve().parents[3]
-WIDE = View((1, 1, -1), 300, 200)
+WIDE = View((1, 1, -1), 180, 200)
 
 
 @pytest.fixture
@@ -61,7 +61,7 @@ def until(done):
     return going_on
 
 
-def case(view=WIDE, stock=BOX, moves=300):
+def case(view=WIDE, stock=BOX, moves=120):
     points = PATHS[0](np.random.default_rng(5), moves)
     return toolpath(points), {"tool": TOOLS[0], "stock": stock, "view": view}
 
@@ -275,7 +275,7 @@ def test_how_long_several_take_is_told_from_one_and_back():
 
 
 def test_the_estimate_is_of_as_many_processes_as_the_image_has_bands():
-    path, solids = case()
+    path, solids = case(View((1, 1, -1), 300, 200), moves=300)
     alone = estimate(path, None, **solids, speed=replace(Speed(), cell=1e-3)).seconds
     assert alone > 5
     for processes, used in ((2, 2), (3, 3), (64, 4)):  # of 200 rows, all of which are reached

@@ -14,7 +14,7 @@ from vkworkbench.core.zbuffer import sweeps
 from vkworkbench.core.zbuffer.rounded import rounded_sides
 from vkworkbench.core.zbuffer.sweeps import headings, intervals, lowest
 
-RAYS, FAR = 2000, 30.0
+RAYS, FAR = 1000, 30.0
 
 
 def lengths(tool, moves, tilt):
