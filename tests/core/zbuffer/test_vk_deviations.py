@@ -304,7 +304,7 @@ def test_a_wall_that_is_cut_too_far_is_gouged_by_that_and_not_by_its_height(dire
 
 
 @pytest.mark.long
-def test_what_is_left_in_a_corner_is_what_the_tool_does_not_reach_and_not_its_height():
+def test_corner_keeps_what_the_tool_does_not_reach():
     """In the square corner of a pocket 8 mm deep a tool of 6 mm leaves (sqrt(2) - 1) times its radius."""
     square = Milled(Stock((0, 0, 0), (40, 30, 10)), Stock((16, 11, 2), (24, 19, 20)))
     around = [(19, 14), (21, 14), (21, 16), (19, 16), (19, 14)]
@@ -378,8 +378,8 @@ def test_along_the_wall_of_a_hole_what_is_left_begins_two_pixels_from_where_noth
 @pytest.mark.long
 @pytest.mark.parametrize("pixels", [225, 300, 450])
 @pytest.mark.parametrize("diameter", [1.5, 3.175])
-def test_what_falls_out_of_a_sheet_is_not_left_where_a_pixel_is_as_wide_as_the_slot_around_it(diameter, pixels):
-    """In pixels of 1.33, 1 and 0.67 mm."""
+def test_piece_that_falls_out_of_a_sheet_is_not_left(diameter, pixels):
+    """The slot around the piece is about as wide as a pixel of 1.33, 1 or 0.67 mm, or wider."""
     sheet, low, high = Stock((0, 0, 0), (300, 200, 6)), (50.13, 40.27), (250.13, 160.27)
     (left, front), (right, back) = np.array(low) + diameter / 2, np.array(high) - diameter / 2
     corners = (left, front), (right, front), (right, back), (left, back), (left, front)

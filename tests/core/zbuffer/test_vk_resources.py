@@ -107,6 +107,7 @@ def test_estimate_is_the_simulation_within_its_error_bar(name, direction):
     assert found.memory_bytes == pytest.approx(exact.peak.bytes(), rel=0.1)
 
 
+@pytest.mark.long
 def test_the_error_bar_holds_as_often_as_it_should():
     within = []
     for name, (toolpath, tool) in PATHS.items():
@@ -338,7 +339,7 @@ def test_candidates_are_the_pairs_of_a_pixel_and_what_passes_it(direction):
 @pytest.mark.long
 @pytest.mark.parametrize("direction", [TOP, TILTED], ids=["top", "tilted"])
 def test_the_work_of_a_job_is_that_of_all_its_operations(direction):
-    """Operations of many moves do not hide those of few in other places."""
+    """An operation of many moves does not hide an operation of few moves in another place."""
     cuts = [Cut(*PATHS[name]) for name in ("zigzag", "surface", "helix")] + [Cut(zigzag(0.5, chords=40), FLAT)]
     view = View(direction, 320, 240)
     exact = simulate_job(cuts, stock=STOCK, view=view, processes=1)
@@ -445,6 +446,7 @@ def test_this_computers_speed_is_measured():
     assert (speed.constants > 0).all() and speed.factor < Speed().factor
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("direction", [(0, 0, -1), TILTED])
 @pytest.mark.parametrize("name", PATHS)
 def test_a_memory_budget_is_met_by_the_simulation_and_its_pictures(name, direction):

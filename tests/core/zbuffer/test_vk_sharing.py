@@ -197,6 +197,7 @@ def test_who_stops_it_is_obeyed_and_no_process_is_left(moment, workers):
     assert len(workers) == (0 if moment == "before" else 2)
 
 
+@pytest.mark.long
 def test_the_share_that_is_done_grows_from_nothing(workers):
     told, helped = [], until(lambda: not workers or len(workers[0].regions) > 1)
 
@@ -274,7 +275,7 @@ def test_how_long_several_take_is_told_from_one_and_back():
             assert unshared_seconds(shared_seconds(seconds, processes), processes) == pytest.approx(seconds)
 
 
-def test_the_estimate_is_of_as_many_processes_as_the_image_has_bands():
+def test_estimate_uses_as_many_processes_as_there_are_bands():
     path, solids = case(View((1, 1, -1), 300, 200), moves=300)
     alone = estimate(path, None, **solids, speed=replace(Speed(), cell=1e-3)).seconds
     assert alone > 5

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The extended z-buffer against a second implementation that shares only the tool's profile with it.
 
-A point belongs to the first trajectory whose tool reaches it somewhere on its move. The second implementation asks that
-of single points: on a move the tool's lower surface at a point is a convex function of the tool's place, so halving finds
-its lowest value. The points are probes on the rays: near both ends of every piece, so that a border between two owners
-is in its place, and between the ends.
+A point belongs to the first trajectory whose tool reaches the point. The second implementation tries single points with
+every move: the height of the tool's surface above a point is a convex function of the tool's place on its move, so halving
+finds the lowest height. The points are probes on the rays: beside both ends of every piece, so that each border between
+two owners is in its place, and between the ends.
 """
 
 from __future__ import annotations
@@ -100,7 +100,7 @@ def wrong_probes(cuts, at, owner, uncut):
 
 
 def check(z, stock, pixels=None):
-    """Compare pixels of a moment, all by default, with what the points on their rays say."""
+    """Compare pixels of a moment, all by default, with the owners of points on their rays."""
     frame, dexels, cut = z.frame, z.dexel_records, z.trace_records["trajectory"] < z.step
     traces = z.trace_records[cut]
     trace_pixel = np.repeat(np.arange(frame.width * frame.height), np.diff(z.trace_index.astype(int)))[cut]
@@ -214,7 +214,7 @@ def test_jobs_of_several_tools_have_the_owners_of_their_points(direction, tools)
 
 
 @pytest.mark.long
-def test_many_passes_over_every_pixel_have_the_owners_of_their_points():
+def test_many_passes_over_a_pixel_have_the_right_owners():
     """Thousands of passes over each tile, most of which have to be dropped."""
     rng = np.random.default_rng(0)
     for points, tool, direction in (
@@ -229,7 +229,7 @@ def test_many_passes_over_every_pixel_have_the_owners_of_their_points():
         check(z, BOX, some_pixels(rng, view, 20))
 
 
-def test_passes_that_cut_nothing_are_dropped_with_the_largest_tiles():
+def test_passes_that_cut_nothing_are_dropped_in_first_tiles():
     points = zigzag(np.random.default_rng(1), 200)
     once, often = (
         simulate(toolpath(np.tile(points, (k, 1))), tool=TOOLS[0], stock=BOX, view=View(width=200, height=150))
