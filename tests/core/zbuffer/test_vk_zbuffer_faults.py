@@ -142,7 +142,7 @@ def test_a_gouge_is_found():
 
 
 @pytest.mark.parametrize("direction", [(0, 0, -1), (0, 0, 1)])
-def test_a_gouge_through_all_of_the_part_is_told_at_the_end_of_the_model(direction):
+def test_gouge_through_the_part_is_told_at_the_models_end(direction):
     """The part has no surface there, and the middle of the stock is not a place of the part."""
     through = path([(10, 15, 12), (10, 15, -1), (30, 15, -1), (30, 15, 12)], rapid=[2])
     (one,) = told(SOUND, through, view=View(direction, 210, 160)).job.gouges

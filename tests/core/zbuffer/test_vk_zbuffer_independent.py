@@ -31,6 +31,7 @@ CLEARANCE = 2e-4
 BETWEEN = (0.1, 0.3, 0.5, 0.7, 0.9)
 # Differences of depths that are rounding, mm.
 NOISE = 1e-7
+# Halvings of a move in the search for the lowest height: they leave a stretch of 1e-5 mm.
 HALVINGS = 24
 
 
@@ -91,8 +92,10 @@ def wrong_probes(cuts, at, owner, uncut):
             near = (point >= lower).all(axis=2) & (point[..., :2] <= upper).all(axis=2)
             probe, item = np.nonzero(near & (own < owner[some, None]))
             probe, item = some[probe], own[item]
+            # No trajectory before the owner contains the probe.
             earlier = reached(tool, starts[item].T, (ends - starts)[item].T, at[probe].T, -CLEARANCE)
             wrong[probe[earlier]] = True
+        # The owner contains the probe.
         probe = np.flatnonzero(np.isin(owner, own) & (owner < uncut))
         item = owner[probe]
         wrong[probe] |= ~reached(tool, starts[item].T, (ends - starts)[item].T, at[probe].T, CLEARANCE)

@@ -233,7 +233,7 @@ def test_the_memory_of_a_mesh_with_gaps(direction, pieces):
 
 @pytest.mark.long
 def test_gaps_are_refused_that_take_too_much():
-    """Beside the memory of a block without gaps, gaps need one to two times as much as their records hold."""
+    """Gaps need more memory than their records hold, and less than twice that memory, on top of a block without gaps."""
     solids = {"tool": TOOLS[0], "view": View((0, 1, 0), 150, 100)}
     moves, block = toolpath(np.array([(10, 20, 12), (50, 20, 12)], float)), Stock(COMB.lower, COMB.upper)
     held, of_block = (
