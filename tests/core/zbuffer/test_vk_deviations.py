@@ -38,14 +38,15 @@ def simulated(*paths):
 UNCUT = simulated()
 
 
-def left(most=10, tolerance=0.5, **patches):
+def left(most=None, tolerance=0.5, **patches):
     """The worst places where rectangles of pixels are left: (first column, first row, columns, rows, mm)."""
     image = np.zeros((HEIGHT, WIDTH), np.float32)
     for column, row, columns, rows, amount in patches.values():
         image[row : row + rows, column : column + columns] = amount
     part, nothing = UNCUT.picture.depth.reshape(image.shape), np.zeros(image.size, np.float32)
     model = SimpleNamespace(near=part, behind=part, surface=part + image, floor=part + image)
-    gouged, places = worst_places(UNCUT, Deviations(image.ravel(), nothing, part, model), tolerance, most)
+    found = Deviations(image.ravel(), nothing, part, model)
+    gouged, places = worst_places(UNCUT, found, tolerance, *([] if most is None else [most]))
     assert gouged == []
     return places
 
